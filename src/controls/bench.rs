@@ -1,0 +1,37 @@
+//! The plant that a bare program runs on: axes, clamps and spindle of a test bench, with no builder's logic but an echo.
+
+/// An axis of the bench, in the control's axis order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BenchAxis {
+    /// Address letter.
+    pub letter: u8,
+    /// Rapid traverse in mm/min or °/min.
+    pub rapid: f64,
+    /// Cutting feed clamp in mm/min or °/min.
+    pub clamp: f64,
+    /// Time constant of linear acceleration in seconds.
+    pub time_constant: f64,
+    /// Position gain in 1/s.
+    pub position_gain: f64,
+}
+
+/// Axes, spindle and PLC of the bench.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bench {
+    /// Axes.
+    pub axes: &'static [BenchAxis],
+    /// Spindle speed at full output in r/min.
+    pub speed_at_full: f64,
+    /// Spindle clamp in r/min.
+    pub speed_clamp: f64,
+    /// Full output in volts.
+    pub volts_full: f64,
+    /// Bits of the analog output.
+    pub output_bits: u8,
+    /// Seconds from 0 to full speed.
+    pub ramp: f64,
+    /// Variable number of the input word into which the bench's PLC copies the spindle override in percent.
+    pub override_echo: Option<u32>,
+    /// Seconds until the PLC answers an M or S code with FIN.
+    pub fin_delay: f64,
+}

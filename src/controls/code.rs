@@ -1,0 +1,132 @@
+//! G and M codes: what they mean to the interpreter, in which modal group they stand.
+
+use crate::text::Citation;
+
+/// What a code does, in the words of the trade; the interpreter knows these and no numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Code {
+    /// Positioning.
+    Rapid,
+    /// Linear cutting feed.
+    Linear,
+    /// Clockwise arc.
+    ArcCw,
+    /// Counter-clockwise arc.
+    ArcCcw,
+    /// Dwell.
+    Dwell,
+    /// Exact stop in this block.
+    ExactStopOnce,
+    /// Exact stop mode.
+    ExactStop,
+    /// Cutting mode: no deceleration between blocks.
+    Cutting,
+    /// Plane XY.
+    PlaneXy,
+    /// Plane ZX.
+    PlaneZx,
+    /// Plane YZ.
+    PlaneYz,
+    /// Inch input.
+    Inch,
+    /// Metric input.
+    Metric,
+    /// Return to the reference point.
+    ReferenceReturn,
+    /// Machine coordinate system in this block.
+    MachineCoordinates,
+    /// Work coordinate system 1 to 6.
+    WorkCoordinates(u8),
+    /// Setting of the coordinate system.
+    SetCoordinates,
+    /// Absolute dimensions.
+    Absolute,
+    /// Incremental dimensions.
+    Incremental,
+    /// Feed per minute.
+    FeedPerMinute,
+    /// Feed per revolution.
+    FeedPerRevolution,
+    /// Constant surface speed on.
+    SurfaceSpeed,
+    /// Constant surface speed off.
+    SurfaceSpeedOff,
+    /// One-shot macro call.
+    MacroCall,
+    /// Modal macro call after each block with axis motion.
+    MacroModal,
+    /// Modal macro call at each block.
+    MacroModalBlock,
+    /// End of a modal macro call.
+    MacroModalEnd,
+    /// Subprogram call (M98).
+    SubCall,
+    /// End of subprogram (M99).
+    SubEnd,
+    /// Program stop (M00).
+    Stop,
+    /// Optional stop (M01).
+    OptionalStop,
+    /// Program end (M02).
+    End,
+    /// Program end and rewind (M30).
+    EndRewind,
+    /// Spindle clockwise (M03).
+    SpindleCw,
+    /// Spindle counter-clockwise (M04).
+    SpindleCcw,
+    /// Spindle stop (M05).
+    SpindleStop,
+    /// Spindle orientation (M19).
+    SpindleOrient,
+    /// Cancel or default state that the simulation is in anyway (G40, G80 …).
+    Cancel,
+    /// The control has it, the simulation does not act on it; said once per kind.
+    NotSimulated,
+    /// Any other M code: handed to the PLC, which answers with FIN.
+    Auxiliary,
+}
+
+/// Modal group of a code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Group {
+    /// Acts in its own block only.
+    OneShot,
+    /// Motion: G00 … G03.
+    Motion,
+    /// Plane.
+    Plane,
+    /// Absolute or incremental.
+    Distance,
+    /// Feed per minute or per revolution.
+    FeedUnit,
+    /// Inch or metric.
+    LengthUnit,
+    /// Work coordinate system.
+    Coordinates,
+    /// Exact stop or cutting mode.
+    PathMode,
+    /// Constant surface speed.
+    SurfaceSpeed,
+    /// Modal macro call.
+    MacroModal,
+    /// M codes and everything else.
+    Other,
+}
+
+/// A code of a control.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CodeDef {
+    /// `G` or `M`.
+    pub letter: u8,
+    /// Ten times the number: `G61.1` is 611, `M03` is 30. Rows are sorted by letter and number.
+    pub number: u16,
+    /// What it does.
+    pub code: Code,
+    /// Its modal group.
+    pub group: Group,
+    /// What it is, as the control's manual calls it.
+    pub text: &'static str,
+    /// Source and grade.
+    pub cite: Citation,
+}

@@ -1,0 +1,43 @@
+//! Registers and signals between the PLC and the control.
+
+use crate::text::Citation;
+
+/// What a register is for, independent of its number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SignalRole {
+    /// Spindle override in percent, PLC to control.
+    SpindleOverride,
+    /// Cutting feed override in percent, PLC to control.
+    FeedOverride,
+    /// Low word of a macro input word, PLC to control; with the variable it appears as.
+    MacroInputLow(u32),
+    /// High word of a macro input word.
+    MacroInputHigh(u32),
+    /// Word of macro output, control to PLC.
+    MacroOutput(u32),
+    /// Spindle speed after override and clamp, control to PLC.
+    SpindleFinal,
+    /// Spindle speed as commanded, control to PLC.
+    SpindleCommand,
+    /// 12-bit output value of the spindle, control to PLC.
+    SpindleOutput,
+    /// Spindle speed as measured, control to PLC.
+    SpindleActual,
+}
+
+/// A register.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Signal {
+    /// What it is for.
+    pub role: SignalRole,
+    /// Device, for instance `R148`.
+    pub device: &'static str,
+    /// Whether the PLC writes it (and the control reads it).
+    pub plc_writes: bool,
+    /// Unit or range.
+    pub unit: &'static str,
+    /// What it carries.
+    pub text: &'static str,
+    /// Source and grade.
+    pub cite: Citation,
+}

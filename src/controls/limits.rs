@@ -1,0 +1,41 @@
+//! Ranges of words, nesting depths and what a block costs.
+
+use crate::text::Citation;
+
+/// Ranges and depths; a program beyond them gets the control's alarm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Command unit in millimetres or degrees, for instance 0.001.
+    pub increment: f64,
+    /// Largest coordinate in millimetres or degrees.
+    pub coordinate_max: f64,
+    /// Largest feed in mm/min.
+    pub feed_max: f64,
+    /// Smallest feed step in mm/min.
+    pub feed_increment: f64,
+    /// Largest S word in r/min.
+    pub speed_max: f64,
+    /// Subprograms nested at most.
+    pub sub_depth: u8,
+    /// Macro calls nested at most.
+    pub macro_depth: u8,
+    /// Largest repeat count of a call.
+    pub repeat_max: u32,
+    /// Largest number of a `#3000` alarm.
+    pub user_alarm_max: u32,
+    /// Source and grade of the ranges.
+    pub cite: Citation,
+}
+
+/// What a block costs and how far the control reads ahead.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Timing {
+    /// Seconds per block with NC words.
+    pub block: f64,
+    /// Seconds per macro block.
+    pub macro_block: f64,
+    /// Blocks that the control reads ahead of the executing one.
+    pub preread: u8,
+    /// Source and grade.
+    pub cite: Citation,
+}

@@ -1,0 +1,1 @@
+//! Mitsubishi MELDAS E60: rows only.

@@ -1,0 +1,126 @@
+//! What a control understands, as data: one [`Control`] value per control, rows with source and grade.
+//!
+//! A control is a value and not a trait: controls differ in facts. Code asks for abilities and rows, never for a name.
+
+pub mod syntax;
+
+pub mod code;
+
+pub mod vars;
+
+pub mod limits;
+
+pub mod alarm;
+
+pub mod switch;
+
+pub mod params;
+
+pub mod interface;
+
+pub mod bench;
+
+pub mod mitsubishi_e60;
+
+pub use alarm::{Alarm, AlarmDef};
+pub use bench::Bench;
+pub use code::{Code, CodeDef, Group};
+pub use interface::Signal;
+pub use limits::{Limits, Timing};
+pub use params::{ParamDef, ParamRole};
+pub use switch::{Switch, Switches};
+pub use syntax::Syntax;
+pub use vars::{VarKind, VarRange};
+
+use crate::text::Citation;
+
+/// Everything that is known of one control.
+#[derive(Debug)]
+pub struct Control {
+    /// Id for files and the command line, for instance `mitsubishi-e60`.
+    pub id: &'static str,
+    /// Name as people write it.
+    pub name: &'static str,
+    /// How a program is written.
+    pub syntax: Syntax,
+    /// Axis letters in the order of the control's axis numbers.
+    pub axes: &'static [AxisDef],
+    /// Codes in force after power-on, one per modal group, for instance `G01`.
+    pub startup: &'static [Code],
+    /// Ranges and budgets of words, numbers, nesting.
+    pub limits: Limits,
+    /// What a block costs.
+    pub timing: Timing,
+    /// Every G and M code that the control has.
+    pub codes: &'static [CodeDef],
+    /// Every range of variables.
+    pub vars: &'static [VarRange],
+    /// Every alarm that macroline can raise, in the control's own numbers.
+    pub alarms: &'static [AlarmDef],
+    /// Parameters that a machine has to set.
+    pub params: &'static [ParamDef],
+    /// Registers and signals between PLC and control.
+    pub interface: &'static [Signal],
+    /// Points that the manuals leave open, each with a default.
+    pub switches: &'static [Switch],
+    /// The plant that a bare program runs on.
+    pub bench: Bench,
+}
+
+/// An axis letter of a control.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisDef {
+    /// Address letter.
+    pub letter: u8,
+    /// Whether it turns by default (degrees instead of millimetres).
+    pub rotary: bool,
+    /// Source and grade.
+    pub cite: Citation,
+}
+
+/// All controls, in the order they are listed.
+pub static ALL: &[&Control] = &[];
+
+/// The control of an id.
+pub fn find(id: &str) -> Option<&'static Control> {
+    ALL.iter().copied().find(|c| c.id == id)
+}
+
+impl Control {
+    /// The row of a code, `None` where the control lacks it. `number` is ten times the number (`G61.1` is 611).
+    pub fn code(&self, letter: u8, number: u16) -> Option<&'static CodeDef> {
+        let rows = self.codes;
+        let at = rows.partition_point(|row| (row.letter, row.number) < (letter, number));
+        rows.get(at).filter(|row| (row.letter, row.number) == (letter, number))
+    }
+
+    /// The row of an alarm; every kind has one (held by a test).
+    pub fn alarm(&self, kind: Alarm) -> Option<&'static AlarmDef> {
+        self.alarms.iter().find(|row| row.kind == kind)
+    }
+
+    /// The number the control shows for an alarm.
+    pub fn alarm_number(&self, kind: Alarm) -> Option<&'static str> {
+        self.alarm(kind).map(|row| row.number)
+    }
+
+    /// The range that holds a variable number.
+    pub fn var(&self, number: u32) -> Option<&'static VarRange> {
+        self.vars.iter().find(|row| row.first <= number && number <= row.last)
+    }
+
+    /// Index of an axis letter in `axes`.
+    pub fn axis(&self, letter: u8) -> Option<usize> {
+        self.axes.iter().position(|axis| axis.letter == letter)
+    }
+
+    /// Whether any code of the control does this.
+    pub fn can(&self, code: Code) -> bool {
+        self.codes.iter().any(|row| row.code == code)
+    }
+
+    /// The parameter of a role.
+    pub fn param(&self, role: ParamRole) -> Option<&'static ParamDef> {
+        self.params.iter().find(|row| row.role == role)
+    }
+}

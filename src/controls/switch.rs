@@ -1,0 +1,29 @@
+//! Points that the manuals leave open: a default, the other possibility, and the evidence.
+
+use crate::text::Citation;
+
+/// A point of a control that is not known for certain; the user may set it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Switch {
+    /// Id in projects, for instance `macro-input-base`.
+    pub id: &'static str,
+    /// What it decides.
+    pub text: &'static str,
+    /// Possible settings; the first is the default.
+    pub options: &'static [&'static str],
+    /// Source and grade of the default.
+    pub cite: Citation,
+}
+
+/// Settings of switches that differ from the default, by id.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Switches(pub Vec<(String, String)>);
+
+impl Switches {
+    /// The setting of a switch: what was chosen, or its default.
+    pub fn get<'a>(&'a self, switches: &'a [Switch], id: &str) -> Option<&'a str> {
+        let row = switches.iter().find(|row| row.id == id)?;
+        let set = self.0.iter().find(|(key, _)| key == id).map(|(_, value)| value.as_str());
+        set.filter(|value| row.options.contains(value)).or(row.options.first().copied())
+    }
+}

@@ -1,0 +1,67 @@
+//! Ranges of variables: what they hold, how long, and who may write them.
+
+use crate::text::Citation;
+
+/// What a range of variables is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum VarKind {
+    /// `#0`: always vacant, never written.
+    Vacant,
+    /// Local, one set per macro level.
+    Local,
+    /// Common, kept or cleared by parameter.
+    Common,
+    /// Common to all part systems, kept at power-off.
+    Retained,
+    /// One bit from the PLC, read-only; bit `number - first` of the word at the range's device.
+    InputBit,
+    /// A word from the PLC, 32 bits signed, read-only.
+    InputWord,
+    /// One bit to the PLC.
+    OutputBit,
+    /// A word to the PLC, 32 bits signed.
+    OutputWord,
+    /// Tool offsets.
+    ToolOffset,
+    /// `#3000`: alarm with message.
+    AlarmMessage,
+    /// `#3001`: milliseconds since power-on.
+    PowerOnTime,
+    /// `#3002`: milliseconds of automatic start.
+    RunTime,
+    /// `#3003`: single block and FIN suppressed.
+    SuppressSingleBlock,
+    /// `#3004`: bit 0 feed hold, bit 1 cutting override, bit 2 exact stop check off.
+    SuppressOverride,
+    /// `#3006`: stop with message.
+    StopMessage,
+    /// Modal data as read ahead: codes by group, words by address.
+    Modal,
+    /// Modal data of the executing block.
+    ModalExecuting,
+    /// End point of the block before, work coordinates, axis by axis.
+    BlockEnd,
+    /// Machine position, axis by axis.
+    MachinePosition,
+    /// Work position, axis by axis.
+    WorkPosition,
+    /// Exists on the control; the simulation neither reads nor writes it.
+    NotSimulated,
+}
+
+/// A range of variable numbers of one kind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VarRange {
+    /// First number.
+    pub first: u32,
+    /// Last number.
+    pub last: u32,
+    /// What it is.
+    pub kind: VarKind,
+    /// Device behind it, for instance `R74`, or empty.
+    pub device: &'static str,
+    /// What it is, in a few words.
+    pub text: &'static str,
+    /// Source and grade.
+    pub cite: Citation,
+}

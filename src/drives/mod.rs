@@ -1,0 +1,1 @@
+//! Engineering shared by machines: analog output, web (strip), induction drive, motors.

@@ -1,0 +1,219 @@
+//! Canonical commands: the narrow waist between language and machine, in the words of the trade.
+//!
+//! Positions are whole command increments (0.001 mm or 0.001° on most controls) in the machine frame, so that a million
+//! incremental blocks add up exactly. Each variant's `Display` line is the test oracle.
+
+use core::fmt;
+
+/// Axes that a control can have at most.
+pub const AXES: usize = 6;
+
+/// Where axes go. Axes outside the mask keep their position.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Target {
+    /// End point of every axis in command increments, machine frame; axes outside the mask hold their present position.
+    pub position: [i64; AXES],
+    /// Bit `k`: axis `k` (in the control's order) was programmed.
+    pub mask: u8,
+}
+
+/// A cutting feed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Feed {
+    /// Along the path, in mm/min (°/min for rotary axes alone), before override and clamps.
+    PerMinute(f64),
+    /// Along the path, in mm per spindle revolution.
+    PerRevolution(f64),
+}
+
+/// A command to the machine.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Canon {
+    /// Positioning of all programmed axes at rapid traverse.
+    Rapid {
+        /// Where to.
+        to: Target,
+    },
+    /// Straight cutting feed.
+    Linear {
+        /// Where to.
+        to: Target,
+        /// How fast along the path.
+        feed: Feed,
+        /// Whether the axes stop and are checked in position at the end (G09, G61).
+        exact: bool,
+    },
+    /// A circular arc in the plane of two axes; other programmed axes move in proportion (helix).
+    Arc {
+        /// Where to.
+        to: Target,
+        /// The two axes of the plane, as indices.
+        plane: (u8, u8),
+        /// Centre in the plane, in command increments, machine frame.
+        center: (f64, f64),
+        /// Clockwise seen from the positive third axis.
+        clockwise: bool,
+        /// How fast along the path.
+        feed: Feed,
+        /// Exact stop at the end.
+        exact: bool,
+    },
+    /// Axes stand still for a time in seconds.
+    Dwell {
+        /// Seconds.
+        seconds: f64,
+    },
+    /// The present position is from now on this work position; machine positions do not change. Says only that it happened.
+    Preset {
+        /// Work position in command increments.
+        to: Target,
+    },
+    /// Spindle speed in r/min (S word), never negative; acts with the next or present direction.
+    SpindleSpeed {
+        /// r/min, before override, gears and clamps.
+        rpm: f64,
+    },
+    /// Spindle turns clockwise (1), counter-clockwise (-1) or stops (0): M03, M04, M05.
+    SpindleDirection {
+        /// 1, -1 or 0.
+        sign: i8,
+    },
+    /// An M code that is the PLC's; the program waits for FIN.
+    Auxiliary {
+        /// The number behind M.
+        code: u32,
+    },
+    /// A tool code (T) for the PLC; the program waits for FIN.
+    Tool {
+        /// The number behind T.
+        code: u32,
+    },
+    /// A macro variable that is an output to the PLC.
+    Output {
+        /// Variable number.
+        variable: u32,
+        /// Its value.
+        value: f64,
+    },
+    /// Which of feed hold, cutting override and exact stop check the program has switched off (`#3004`).
+    Suppress {
+        /// Feed hold has no effect.
+        hold: bool,
+        /// Cutting feed override is taken as 100 %.
+        feed_override: bool,
+        /// G09 and G61 do not wait.
+        exact: bool,
+    },
+    /// Exact stop mode (true) or cutting mode (false): G61, G64.
+    PathMode {
+        /// Exact stop.
+        exact: bool,
+    },
+    /// Stop with a message on the screen (`#3006`); cycle start goes on.
+    Message {
+        /// What the operator reads.
+        text: String,
+    },
+    /// M00: waits for cycle start.
+    Stop,
+    /// M01: waits for cycle start if the optional stop switch is on.
+    OptionalStop,
+    /// M02 or M30: program end; the control resets.
+    End,
+}
+
+/// Names and scale that a [`Canon`] needs to be written as a line.
+#[derive(Debug, Clone, Copy)]
+pub struct Names<'a> {
+    /// Axis letters in the control's order.
+    pub axes: &'a [u8],
+    /// Millimetres or degrees per command increment.
+    pub increment: f64,
+}
+
+impl Target {
+    fn write(&self, f: &mut fmt::Formatter<'_>, names: &Names) -> fmt::Result {
+        for (k, &letter) in names.axes.iter().enumerate().take(AXES) {
+            if self.mask & (1 << k) != 0 {
+                write!(f, " {}{}", letter as char, decimal(self.position[k] as f64 * names.increment))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// At most six decimals, no trailing zeros, never `-0`.
+fn decimal(value: f64) -> String {
+    crate::text::catalog::number_text(value, 6)
+}
+
+impl fmt::Display for Feed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Feed::PerMinute(feed) => write!(f, "F{}", decimal(*feed)),
+            Feed::PerRevolution(feed) => write!(f, "F{}/rev", decimal(*feed)),
+        }
+    }
+}
+
+impl Canon {
+    /// The command as one line of the canonical log, for instance `linear X8 Y62.832 F119391.393`.
+    pub fn line<'a>(&'a self, names: Names<'a>) -> Line<'a> {
+        Line { canon: self, names }
+    }
+}
+
+/// A command with the names it needs to be written; see [`Canon::line`].
+#[derive(Debug, Clone, Copy)]
+pub struct Line<'a> {
+    canon: &'a Canon,
+    names: Names<'a>,
+}
+
+impl fmt::Display for Line<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = &self.names;
+        let stop = |exact: bool| if exact { " exact" } else { "" };
+        match self.canon {
+            Canon::Rapid { to } => {
+                f.write_str("rapid")?;
+                to.write(f, names)
+            }
+            Canon::Linear { to, feed, exact } => {
+                f.write_str("linear")?;
+                to.write(f, names)?;
+                write!(f, " {feed}{}", stop(*exact))
+            }
+            Canon::Arc { to, plane, center, clockwise, feed, exact } => {
+                f.write_str(if *clockwise { "arc-cw" } else { "arc-ccw" })?;
+                to.write(f, names)?;
+                for (axis, center) in [(plane.0, center.0), (plane.1, center.1)] {
+                    let letter = names.axes.get(axis as usize).copied().unwrap_or(b'?') as char;
+                    write!(f, " c{letter}{}", decimal(center * names.increment))?;
+                }
+                write!(f, " {feed}{}", stop(*exact))
+            }
+            Canon::Dwell { seconds } => write!(f, "dwell {}s", decimal(*seconds)),
+            Canon::Preset { to } => {
+                f.write_str("preset")?;
+                to.write(f, names)
+            }
+            Canon::SpindleSpeed { rpm } => write!(f, "spindle-speed {}", decimal(*rpm)),
+            Canon::SpindleDirection { sign: 1 } => f.write_str("spindle-cw"),
+            Canon::SpindleDirection { sign: -1 } => f.write_str("spindle-ccw"),
+            Canon::SpindleDirection { .. } => f.write_str("spindle-stop"),
+            Canon::Auxiliary { code } => write!(f, "auxiliary M{code}"),
+            Canon::Tool { code } => write!(f, "tool T{code}"),
+            Canon::Output { variable, value } => write!(f, "output #{variable}={}", decimal(*value)),
+            Canon::Suppress { hold, feed_override, exact } => {
+                write!(f, "suppress hold={hold} feed-override={feed_override} exact={exact}")
+            }
+            Canon::PathMode { exact: true } => f.write_str("exact-stop"),
+            Canon::PathMode { exact: false } => f.write_str("cutting"),
+            Canon::Message { text } => write!(f, "message {text}"),
+            Canon::Stop => f.write_str("stop"),
+            Canon::OptionalStop => f.write_str("optional-stop"),
+            Canon::End => f.write_str("end"),
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! What a program can read of the machine and write to it: the one way back against the arrow.
+
+/// The machine as the interpreter sees it. Reads happen when a block is read, which may be blocks before it is executed.
+pub trait World {
+    /// A macro input from the PLC (bit or signed word), by variable number.
+    fn input(&mut self, variable: u32) -> f64;
+    /// Milliseconds since power-on (`run` false) or of automatic running (`run` true).
+    fn clock_ms(&mut self, run: bool) -> f64;
+    /// Position of an axis in millimetres or degrees, machine frame. Asked only after a [`Step::Sync`](super::Step::Sync).
+    fn position(&mut self, axis: usize) -> f64;
+    /// Whether optional block skip number 1 to 9 is switched on.
+    fn block_skip(&mut self, number: u8) -> bool;
+}
+
+/// A machine with fixed inputs, at rest at zero: for checks and tests of the language.
+#[derive(Debug, Clone, Default)]
+pub struct Still {
+    /// Inputs that are not 0, by variable number.
+    pub inputs: Vec<(u32, f64)>,
+    /// Positions in millimetres or degrees.
+    pub positions: [f64; super::canon::AXES],
+    /// Optional block skip.
+    pub block_skip: bool,
+}
+
+impl World for Still {
+    fn input(&mut self, variable: u32) -> f64 {
+        self.inputs.iter().find(|(number, _)| *number == variable).map_or(0.0, |(_, value)| *value)
+    }
+
+    fn clock_ms(&mut self, _run: bool) -> f64 {
+        0.0
+    }
+
+    fn position(&mut self, axis: usize) -> f64 {
+        self.positions.get(axis).copied().unwrap_or(0.0)
+    }
+
+    fn block_skip(&mut self, _number: u8) -> bool {
+        self.block_skip
+    }
+}

@@ -1,0 +1,216 @@
+//! A form as data: fields with unit, range, default and help; values as they are typed and checked.
+
+use std::collections::BTreeMap;
+
+use crate::text::{Diagnostic, Severity};
+
+/// Where a value comes from; the report lists the assumed ones.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Provenance {
+    /// Measured on the machine.
+    Measured,
+    /// From a data sheet.
+    DataSheet,
+    /// Assumed: the default.
+    #[default]
+    Assumed,
+}
+
+/// A value of a field, as it is saved.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number in the field's unit.
+    Number(f64),
+    /// A check mark.
+    Flag(bool),
+    /// Id of a choice, or free text.
+    Text(String),
+}
+
+/// Values by field id. What is missing has its default.
+pub type Values = BTreeMap<String, Value>;
+
+/// A field of a machine with parameters `P`.
+pub struct Field<P: 'static> {
+    /// Id in projects, for instance `pitch`.
+    pub id: &'static str,
+    /// Catalog id of the group it stands in.
+    pub group: &'static str,
+    /// Catalog id of the label.
+    pub label: &'static str,
+    /// Catalog id of the help.
+    pub help: &'static str,
+    /// Symbol or variable, for instance `#107`, or empty.
+    pub symbol: &'static str,
+    /// Whether it belongs to the paper's table (shown first).
+    pub essential: bool,
+    /// What it holds.
+    pub kind: Kind<P>,
+}
+
+/// What a field holds and how it reaches the parameters.
+pub enum Kind<P: 'static> {
+    /// A number.
+    Number {
+        /// Unit, or empty.
+        unit: &'static str,
+        /// Smallest allowed value.
+        min: f64,
+        /// Largest allowed value.
+        max: f64,
+        /// Default.
+        default: f64,
+        /// Decimals allowed; 0 is a whole number.
+        decimals: u8,
+        /// Step of the arrow keys.
+        step: f64,
+        /// Reads it.
+        get: fn(&P) -> f64,
+        /// Writes it.
+        set: fn(&mut P, f64),
+    },
+    /// A check mark.
+    Flag {
+        /// Default.
+        default: bool,
+        /// Reads it.
+        get: fn(&P) -> bool,
+        /// Writes it.
+        set: fn(&mut P, bool),
+    },
+    /// One of a few.
+    Choice {
+        /// `(id, catalog id of the label)`; the first is the default.
+        options: &'static [(&'static str, &'static str)],
+        /// Index of the present one.
+        get: fn(&P) -> usize,
+        /// Sets it by index.
+        set: fn(&mut P, usize),
+    },
+    /// A short text, for instance the customer's name, that reaches a program comment.
+    Text {
+        /// Characters at most.
+        max: usize,
+        /// Reads it.
+        get: fn(&P) -> &str,
+        /// Writes it.
+        set: fn(&mut P, String),
+    },
+}
+
+/// A field without its parameters' type: what a page or a report needs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldInfo {
+    /// Id.
+    pub id: &'static str,
+    /// Catalog id of the group.
+    pub group: &'static str,
+    /// Catalog id of the label.
+    pub label: &'static str,
+    /// Catalog id of the help.
+    pub help: &'static str,
+    /// Symbol or variable.
+    pub symbol: &'static str,
+    /// Shown first.
+    pub essential: bool,
+    /// What it holds.
+    pub kind: KindInfo,
+}
+
+/// What a field holds.
+#[derive(Debug, Clone, PartialEq)]
+pub enum KindInfo {
+    /// A number.
+    Number {
+        /// Unit.
+        unit: &'static str,
+        /// Smallest.
+        min: f64,
+        /// Largest.
+        max: f64,
+        /// Default.
+        default: f64,
+        /// Decimals allowed.
+        decimals: u8,
+        /// Step of the arrow keys.
+        step: f64,
+    },
+    /// A check mark with its default.
+    Flag(bool),
+    /// `(id, catalog id of the label)`, the first is the default.
+    Choice(&'static [(&'static str, &'static str)]),
+    /// A text of so many characters.
+    Text(usize),
+}
+
+impl<P> Field<P> {
+    /// The field without `P`.
+    pub fn info(&self) -> FieldInfo {
+        FieldInfo {
+            id: self.id,
+            group: self.group,
+            label: self.label,
+            help: self.help,
+            symbol: self.symbol,
+            essential: self.essential,
+            kind: match self.kind {
+                Kind::Number { unit, min, max, default, decimals, step, .. } => {
+                    KindInfo::Number { unit, min, max, default, decimals, step }
+                }
+                Kind::Flag { default, .. } => KindInfo::Flag(default),
+                Kind::Choice { options, .. } => KindInfo::Choice(options),
+                Kind::Text { max, .. } => KindInfo::Text(max),
+            },
+        }
+    }
+}
+
+impl FieldInfo {
+    /// The default value.
+    pub fn default(&self) -> Value {
+        match &self.kind {
+            KindInfo::Number { default, .. } => Value::Number(*default),
+            KindInfo::Flag(default) => Value::Flag(*default),
+            KindInfo::Choice(options) => Value::Text(options.first().map_or(String::new(), |(id, _)| (*id).to_owned())),
+            KindInfo::Text(_) => Value::Text(String::new()),
+        }
+    }
+
+    /// Reads what a person typed: spaces around, a comma or a minus sign (U+2212) are understood where they are clear.
+    /// What is wrong comes back as an error diagnostic about this field that says what is allowed.
+    pub fn read(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
+        read::read(self, typed)
+    }
+
+    /// Checks a value that came from a file or a link.
+    pub fn check(&self, value: &Value) -> Result<(), Box<Diagnostic>> {
+        read::check(self, value)
+    }
+}
+
+/// Fills parameters from values: valid ones are set, invalid ones keep what is there and are reported.
+pub fn fill<P>(fields: &[Field<P>], values: &Values, params: &mut P) -> Vec<Diagnostic> {
+    let mut found = Vec::new();
+    for field in fields {
+        let Some(value) = values.get(field.id) else { continue };
+        if let Err(problem) = field.info().check(value) {
+            debug_assert!(problem.severity == Severity::Error);
+            found.push(*problem);
+            continue;
+        }
+        match (&field.kind, value) {
+            (Kind::Number { set, .. }, Value::Number(number)) => set(params, *number),
+            (Kind::Flag { set, .. }, Value::Flag(flag)) => set(params, *flag),
+            (Kind::Choice { options, set, .. }, Value::Text(id)) => {
+                if let Some(at) = options.iter().position(|(option, _)| option == id) {
+                    set(params, at);
+                }
+            }
+            (Kind::Text { set, .. }, Value::Text(text)) => set(params, text.clone()),
+            _ => {}
+        }
+    }
+    found
+}
+
+mod read;

@@ -1,0 +1,114 @@
+//! From typed text to a checked value, and the sentences for what is wrong.
+
+use super::{FieldInfo, KindInfo, Value};
+use crate::msg;
+use crate::text::{Diagnostic, catalog::number_text};
+
+pub(super) fn read(field: &FieldInfo, typed: &str) -> Result<Value, Box<Diagnostic>> {
+    let text = typed.trim();
+    match &field.kind {
+        KindInfo::Number { .. } => {
+            let number = number(text).ok_or_else(|| {
+                let wrong = if text.is_empty() { msg!("form.empty") } else { msg!("form.not-a-number", clip(text)) };
+                Box::new(with_range(field, Diagnostic::error(wrong).about(field.id)))
+            })?;
+            let value = Value::Number(number);
+            check(field, &value).map(|()| value)
+        }
+        KindInfo::Flag(_) => match text {
+            "true" => Ok(Value::Flag(true)),
+            "false" => Ok(Value::Flag(false)),
+            _ => Err(Box::new(Diagnostic::error(msg!("form.not-a-flag", clip(text))).about(field.id))),
+        },
+        KindInfo::Choice(_) | KindInfo::Text(_) => {
+            let value = Value::Text(text.to_owned());
+            check(field, &value).map(|()| value)
+        }
+    }
+}
+
+pub(super) fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnostic>> {
+    let wrong = match (&field.kind, value) {
+        (KindInfo::Number { min, max, decimals, .. }, Value::Number(number)) => {
+            if !number.is_finite() {
+                msg!("form.not-finite")
+            } else if number < min {
+                msg!("form.too-small", (*number, 6))
+            } else if number > max {
+                msg!("form.too-large", (*number, 6))
+            } else if too_fine(*number, *decimals) {
+                if *decimals == 0 {
+                    msg!("form.whole-number")
+                } else {
+                    msg!("form.too-many-decimals", u32::from(*decimals))
+                }
+            } else {
+                return Ok(());
+            }
+        }
+        (KindInfo::Flag(_), Value::Flag(_)) => return Ok(()),
+        (KindInfo::Choice(options), Value::Text(id)) => {
+            if options.iter().any(|(option, _)| option == id) {
+                return Ok(());
+            }
+            msg!("form.no-such-choice", clip(id), options.iter().map(|(id, _)| *id).collect::<Vec<_>>().join(", "))
+        }
+        (KindInfo::Text(max), Value::Text(text)) => {
+            if text.chars().count() <= *max {
+                return Ok(());
+            }
+            msg!("form.text-too-long", *max as u32)
+        }
+        _ => msg!("form.wrong-kind"),
+    };
+    Err(Box::new(with_range(field, Diagnostic::error(wrong).about(field.id))))
+}
+
+/// A decimal number as people type it: `1.5`, `1,5`, `-1.50`, `−3`; no exponent, no separators of thousands, and no two points.
+fn number(text: &str) -> Option<f64> {
+    let plain: String = text
+        .chars()
+        .map(|c| {
+            if c == ',' {
+                '.'
+            } else if c == '\u{2212}' {
+                '-'
+            } else {
+                c
+            }
+        })
+        .collect();
+    let digits = plain.strip_prefix(['-', '+']).unwrap_or(&plain);
+    let mut points = 0;
+    let mut any = false;
+    for c in digits.chars() {
+        match c {
+            '0'..='9' => any = true,
+            '.' => points += 1,
+            _ => return None,
+        }
+    }
+    if !any || points > 1 || digits.len() > 40 { None } else { plain.parse().ok() }
+}
+
+/// Whether a number has more decimals than allowed. Floats carry about 1e-9 of slack here, far below any allowed decimal.
+fn too_fine(number: f64, decimals: u8) -> bool {
+    let scaled = number * crate::nc::dec::POW10[decimals.min(12) as usize] as f64;
+    (scaled - scaled.round()).abs() > 1e-9 * scaled.abs().max(1.0)
+}
+
+fn with_range(field: &FieldInfo, diagnostic: Diagnostic) -> Diagnostic {
+    match &field.kind {
+        KindInfo::Number { unit, min, max, decimals, .. } => diagnostic.hint(msg!(
+            "form.allowed",
+            number_text(*min, (*decimals).max(6)),
+            number_text(*max, (*decimals).max(6)),
+            *unit
+        )),
+        _ => diagnostic,
+    }
+}
+
+fn clip(text: &str) -> String {
+    if text.chars().count() <= 24 { text.to_owned() } else { text.chars().take(23).chain(['…']).collect() }
+}

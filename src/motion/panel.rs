@@ -1,0 +1,70 @@
+//! The operator's hand over time. A run is a pure function of the project and these events.
+
+/// What the operator does.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Action {
+    /// Spindle override in percent.
+    SpindleOverride(f64),
+    /// Cutting feed override in percent.
+    FeedOverride(f64),
+    /// Rapid override in percent.
+    RapidOverride(f64),
+    /// Cycle start.
+    Start,
+    /// Feed hold.
+    Hold,
+    /// Reset.
+    Reset,
+    /// Emergency stop.
+    EmergencyStop,
+    /// Single block on or off.
+    SingleBlock(bool),
+    /// Optional stop on or off.
+    OptionalStop(bool),
+    /// Optional block skip on or off.
+    BlockSkip(bool),
+    /// S given by hand in r/min; 0 stops the spindle.
+    ManualSpeed(f64),
+    /// An input of the PLC or of the macro interface, by name (`#1033`, `R148`).
+    Input(String, f64),
+    /// A variable set on the control's screen, by number.
+    Variable(u32, Option<f64>),
+}
+
+/// An action at a time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Event {
+    /// Machine time in seconds.
+    pub t: f64,
+    /// What is done.
+    pub action: Action,
+}
+
+/// Events in the order of time; equal times keep the order in which they were given.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Panel {
+    events: Vec<Event>,
+}
+
+impl Panel {
+    /// Sorts the events by time; times that are negative or no number become 0.
+    pub fn new(events: impl IntoIterator<Item = Event>) -> Panel {
+        let mut panel = Panel::default();
+        for event in events {
+            panel.add(event);
+        }
+        panel
+    }
+
+    /// Adds an event behind all that are not later.
+    pub fn add(&mut self, mut event: Event) {
+        event.t = if event.t > 0.0 { event.t } else { 0.0 };
+        let at = self.events.partition_point(|other| other.t <= event.t);
+        self.events.insert(at, event);
+    }
+
+    /// All events.
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+}

@@ -1,0 +1,53 @@
+//! The machine as motion sees it: axes with clamps and time constants, one spindle with ramps and analog output.
+
+/// An axis, in the control's axis order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisPlant {
+    /// Address letter.
+    pub letter: u8,
+    /// Turns: degrees instead of millimetres.
+    pub rotary: bool,
+    /// Rapid traverse in mm/min or °/min.
+    pub rapid: f64,
+    /// Cutting feed clamp in mm/min or °/min: above it the whole vector is slowed.
+    pub clamp: f64,
+    /// Time constant of linear acceleration for cutting feed (and rapid), seconds.
+    pub time_constant: f64,
+    /// Position gain in 1/s: the axis lags `speed / gain` behind its command.
+    pub position_gain: f64,
+}
+
+/// A spindle on an analog output, through an inverter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpindlePlant {
+    /// Speed at full output in r/min.
+    pub speed_at_full: f64,
+    /// Clamp in r/min.
+    pub speed_clamp: f64,
+    /// Full output in volts.
+    pub volts_full: f64,
+    /// Bits of the output (12: 0 to 4095).
+    pub output_bits: u8,
+    /// Seconds from 0 to `speed_at_full`, and back.
+    pub ramp: f64,
+    /// Speed lost by slip as a fraction of the speed at full output: actual = command - slip × `speed_at_full` while turning.
+    /// Negative where the motor runs faster than commanded.
+    pub slip: f64,
+}
+
+/// The whole plant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plant {
+    /// Axes; index is the control's axis index. Axes of the control that the machine lacks are not here.
+    pub axes: Vec<AxisPlant>,
+    /// The spindle.
+    pub spindle: SpindlePlant,
+    /// Seconds a block with NC words costs the control.
+    pub block_time: f64,
+    /// Seconds a macro block costs the control.
+    pub macro_time: f64,
+    /// Blocks read ahead.
+    pub preread: u8,
+    /// In-position width for exact stop in mm.
+    pub in_position: f64,
+}

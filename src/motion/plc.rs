@@ -1,0 +1,95 @@
+//! The machine builder's logic: reads what the control puts out, writes what the control reads, in the order of time.
+
+use std::collections::BTreeMap;
+
+/// The interface between PLC and control at one moment.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Io {
+    /// Spindle override of the operator's knob in percent.
+    pub spindle_override: f64,
+    /// Macro inputs, by variable number: what the program reads as `#1033` ….
+    pub inputs: BTreeMap<u32, f64>,
+    /// Macro outputs, by variable number, as the program wrote them.
+    pub outputs: BTreeMap<u32, f64>,
+    /// Inputs that the operator or a test has forced, by name; the PLC sees them and `inputs` obeys them.
+    pub forced: BTreeMap<String, f64>,
+    /// M code that waits for FIN.
+    pub m_strobe: Option<u32>,
+    /// S code that waits for FIN, in r/min.
+    pub s_strobe: Option<f64>,
+    /// T code that waits for FIN.
+    pub t_strobe: Option<u32>,
+    /// The PLC's answer: the waiting code is done.
+    pub fin: bool,
+    /// Percent that the PLC gives to the control as spindle override (register method).
+    pub spindle_override_out: f64,
+    /// Spindle speed in r/min that the control puts out after override and clamps, signed.
+    pub spindle_command: f64,
+    /// Spindle speed in r/min as it is, signed.
+    pub spindle_actual: f64,
+}
+
+impl Default for Io {
+    fn default() -> Io {
+        Io {
+            spindle_override: 100.0,
+            inputs: BTreeMap::new(),
+            outputs: BTreeMap::new(),
+            forced: BTreeMap::new(),
+            m_strobe: None,
+            s_strobe: None,
+            t_strobe: None,
+            fin: false,
+            spindle_override_out: 100.0,
+            spindle_command: 0.0,
+            spindle_actual: 0.0,
+        }
+    }
+}
+
+/// A builder's PLC program. It is called whenever something that it sees has changed, and when it asked to be.
+pub trait Plc {
+    /// Reads and writes the interface at time `t` (seconds); returns when it wants to be asked again at the latest.
+    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64>;
+    /// A copy with all its state, for the planner's checkpoints.
+    fn boxed(&self) -> Box<dyn Plc>;
+}
+
+/// The bench's PLC: answers codes after a delay and echoes the spindle override into a macro input.
+#[derive(Debug, Clone)]
+pub struct BenchPlc {
+    /// Seconds until FIN.
+    pub fin_delay: f64,
+    /// Variable that shows the spindle override in percent.
+    pub override_echo: Option<u32>,
+    waiting_since: Option<f64>,
+}
+
+impl BenchPlc {
+    /// A PLC that answers after `fin_delay` seconds.
+    pub fn new(fin_delay: f64, override_echo: Option<u32>) -> BenchPlc {
+        BenchPlc { fin_delay, override_echo, waiting_since: None }
+    }
+}
+
+impl Plc for BenchPlc {
+    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
+        io.spindle_override_out = io.spindle_override;
+        if let Some(variable) = self.override_echo {
+            io.inputs.insert(variable, io.spindle_override);
+        }
+        if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
+            self.waiting_since = None;
+            io.fin = false;
+            return None;
+        }
+        let since = *self.waiting_since.get_or_insert(t);
+        let due = since + self.fin_delay;
+        io.fin = t >= due;
+        (!io.fin).then_some(due)
+    }
+
+    fn boxed(&self) -> Box<dyn Plc> {
+        Box::new(self.clone())
+    }
+}

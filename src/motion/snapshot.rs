@@ -1,0 +1,69 @@
+//! The machine at one moment of a run.
+
+use crate::interp::canon::AXES;
+use crate::text::Place;
+
+/// An axis at one moment. Lengths in mm (or degrees), speeds in mm/min (or °/min).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct AxisState {
+    /// Commanded position behind acceleration: what the drive is told.
+    pub position: f64,
+    /// Position of the axis itself, which lags its command by `speed / gain`.
+    pub actual: f64,
+    /// Commanded speed behind acceleration.
+    pub feed: f64,
+    /// Commanded acceleration in mm/s² (or °/s²).
+    pub acceleration: f64,
+}
+
+/// The spindle at one moment.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SpindleState {
+    /// Speed told by S and override, after clamps, signed, r/min.
+    pub command: f64,
+    /// Speed of the motor behind ramp and slip, signed, r/min.
+    pub actual: f64,
+    /// Analog command in volts before rounding to steps.
+    pub volts_command: f64,
+    /// Analog output in volts as it leaves the converter.
+    pub volts: f64,
+    /// Revolutions of the motor since the run began, signed.
+    pub turns: f64,
+}
+
+/// What the control is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Mode {
+    /// Runs the program.
+    #[default]
+    Running,
+    /// Feed hold.
+    Hold,
+    /// Waits at M00, M01, `#3006` or in single block for cycle start.
+    Stopped,
+    /// Waits for FIN of an M, S or T code.
+    WaitFin,
+    /// Dwell.
+    Dwell,
+    /// The program is over.
+    Ended,
+    /// Alarm.
+    Alarm,
+    /// Emergency stop.
+    EmergencyStop,
+}
+
+/// Everything at one moment.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Snapshot {
+    /// Machine time in seconds.
+    pub t: f64,
+    /// Axes in the control's order.
+    pub axes: [AxisState; AXES],
+    /// The spindle.
+    pub spindle: SpindleState,
+    /// What the control does.
+    pub mode: Mode,
+    /// The block that is executing.
+    pub block: Option<Place>,
+}

@@ -1,0 +1,4 @@
+//! Sentences about running a program.
+
+/// `(id, sentence)`.
+pub(super) const ROWS: &[(&str, &str)] = &[];

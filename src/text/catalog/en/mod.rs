@@ -1,0 +1,13 @@
+//! English.
+
+mod form;
+mod interp;
+mod motion;
+mod nc;
+mod page;
+mod project;
+mod ribbon;
+
+/// All areas, each a file of rows.
+pub(super) const AREAS: &[&[(&str, &str)]] =
+    &[nc::ROWS, interp::ROWS, motion::ROWS, form::ROWS, ribbon::ROWS, project::ROWS, page::ROWS];

@@ -1,0 +1,4 @@
+//! Sentences about the language: reading and writing programs.
+
+/// `(id, sentence)`.
+pub(super) const ROWS: &[(&str, &str)] = &[];

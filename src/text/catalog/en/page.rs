@@ -1,0 +1,4 @@
+//! Sentences about the page.
+
+/// `(id, sentence)`.
+pub(super) const ROWS: &[(&str, &str)] = &[];

@@ -1,0 +1,4 @@
+//! Sentences about the ribbon line.
+
+/// `(id, sentence)`.
+pub(super) const ROWS: &[(&str, &str)] = &[];

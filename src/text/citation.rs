@@ -1,0 +1,35 @@
+//! Where a fact comes from and how far it may be trusted.
+
+use serde::Serialize;
+
+/// How well a fact is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Grade {
+    /// The manual of this very control, or the published paper about this machine.
+    Manual,
+    /// The manual of a sister control of the same maker.
+    Sister,
+    /// Measured on a machine.
+    Measured,
+    /// Derived from other facts, or from a secondary source.
+    Inferred,
+    /// Known from memory or not at all: shown to the user as open.
+    Open,
+}
+
+/// Source and grade of one row of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Citation {
+    /// Manual, page, header line; short enough for a table cell.
+    pub source: &'static str,
+    /// How far it carries.
+    pub grade: Grade,
+}
+
+impl Citation {
+    /// A citation.
+    pub const fn new(source: &'static str, grade: Grade) -> Citation {
+        Citation { source, grade }
+    }
+}

@@ -1,0 +1,60 @@
+//! A thing to say: the id of a sentence and the values in it. It becomes words only in `catalog`.
+
+use serde::Serialize;
+
+/// A value inside a sentence.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Value {
+    /// A number and how many decimals are shown at most.
+    Number(f64, u8),
+    /// Text that stands in no language: a word of a program, a name, a unit.
+    Text(String),
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Value {
+        Value::Number(number, 3)
+    }
+}
+
+impl From<(f64, u8)> for Value {
+    fn from((number, decimals): (f64, u8)) -> Value {
+        Value::Number(number, decimals)
+    }
+}
+
+impl From<u32> for Value {
+    fn from(number: u32) -> Value {
+        Value::Number(f64::from(number), 0)
+    }
+}
+
+impl From<&str> for Value {
+    fn from(text: &str) -> Value {
+        Value::Text(text.to_owned())
+    }
+}
+
+impl From<String> for Value {
+    fn from(text: String) -> Value {
+        Value::Text(text)
+    }
+}
+
+/// A sentence to be said: `id` names it in the catalog, `values` fill its places `{0}`, `{1}` ….
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Message {
+    /// Id in the catalog, `area.subject`, for instance `nc.unknown-code`.
+    pub id: &'static str,
+    /// What stands in the places of the sentence.
+    pub values: Vec<Value>,
+}
+
+/// `msg!("area.subject", value, …)`: a [`Message`]. Every id is in the catalog (held by a test).
+#[macro_export]
+macro_rules! msg {
+    ($id:literal $(, $value:expr)* $(,)?) => {
+        $crate::text::Message { id: $id, values: vec![$($crate::text::Value::from($value)),*] }
+    };
+}

@@ -1,0 +1,27 @@
+//! A chart as data: series of points over time. `plot` draws it.
+
+/// A line of a chart.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Catalog id of its name.
+    pub label: &'static str,
+    /// Which of the page's line colours, from 0.
+    pub tone: u8,
+    /// Points (x, y) in order of x.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// A chart: one quantity over time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Chart {
+    /// Id.
+    pub id: &'static str,
+    /// Catalog id of the title.
+    pub title: &'static str,
+    /// Unit of y.
+    pub unit: &'static str,
+    /// Unit of x.
+    pub x_unit: &'static str,
+    /// The lines.
+    pub series: Vec<Series>,
+}

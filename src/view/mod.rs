@@ -1,0 +1,14 @@
+//! What a person sees, as plain data that is drawn last: readouts, charts, scenes, sheets. It knows no machine.
+
+pub mod chart;
+
+pub mod readout;
+
+pub mod scene;
+
+pub mod sheet;
+
+pub use chart::{Chart, Series};
+pub use readout::{Readout, Verdict};
+pub use scene::{Node, Pose, Scene, Shape};
+pub use sheet::{Row, Sheet};

@@ -1,0 +1,27 @@
+//! A table for people: parameters, interface, ladder list.
+
+use crate::text::Grade;
+
+/// A row of a sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Cells in the order of the columns.
+    pub cells: Vec<String>,
+    /// How well it is known.
+    pub grade: Grade,
+    /// Where it comes from.
+    pub source: &'static str,
+}
+
+/// A table with a title.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sheet {
+    /// Id, for instance `parameters`.
+    pub id: &'static str,
+    /// Catalog id of the title.
+    pub title: &'static str,
+    /// Catalog ids of the column heads.
+    pub columns: Vec<&'static str>,
+    /// Rows.
+    pub rows: Vec<Row>,
+}
