@@ -1,1 +1,80 @@
 //! The one door: a project in, a run out. Page and command line use nothing else to compute.
+
+pub mod saved;
+
+use std::collections::BTreeMap;
+
+use crate::controls::{self, Control, Switches};
+use crate::machines::form::{Provenance, Values};
+use crate::machines::{self, AnyMachine, Design};
+use crate::motion::Panel;
+use crate::nc::Files;
+
+/// Everything that a run depends on, and exactly what is saved.
+#[derive(Clone)]
+pub struct Project {
+    /// What the user calls it; may be empty.
+    pub name: String,
+    /// The machine.
+    pub machine: &'static dyn AnyMachine,
+    /// The control.
+    pub control: &'static Control,
+    /// Values of the form by field id; what is missing has its default.
+    pub values: Values,
+    /// Where values come from; what is missing is assumed.
+    pub provenance: BTreeMap<String, Provenance>,
+    /// Settings of the control's open points.
+    pub switches: Switches,
+    /// Message ids of warnings that the user does not want to see.
+    pub silenced: Vec<String>,
+    /// The operator's hand.
+    pub panel: Panel,
+    /// The program files, where the user has edited them: detached from the form.
+    pub edited: Option<Files>,
+}
+
+impl PartialEq for Project {
+    fn eq(&self, other: &Project) -> bool {
+        self.machine.id() == other.machine.id()
+            && self.control.id == other.control.id
+            && self.name == other.name
+            && self.values == other.values
+            && self.provenance == other.provenance
+            && self.switches == other.switches
+            && self.silenced == other.silenced
+            && self.panel == other.panel
+            && self.edited == other.edited
+    }
+}
+
+impl Project {
+    /// A project with every value at its default.
+    pub fn new(machine: &'static dyn AnyMachine, control: &'static Control) -> Project {
+        Project {
+            name: String::new(),
+            machine,
+            control,
+            values: machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect(),
+            provenance: BTreeMap::new(),
+            switches: Switches::default(),
+            silenced: Vec::new(),
+            panel: Panel::default(),
+            edited: None,
+        }
+    }
+
+    /// The default project of a machine, by ids; without a control the machine's first.
+    pub fn of(machine: &str, control: Option<&str>) -> Option<Project> {
+        let machine = machines::find(machine)?;
+        let id = control.or(machine.controls().first().copied())?;
+        if !machine.controls().contains(&id) {
+            return None;
+        }
+        Some(Project::new(machine, controls::find(id)?))
+    }
+
+    /// Results, verdicts and invalid fields.
+    pub fn design(&self) -> Design {
+        self.machine.design(&self.values, self.control)
+    }
+}
