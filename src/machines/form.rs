@@ -30,6 +30,9 @@ pub enum Value {
 /// Values by field id. What is missing has its default.
 pub type Values = BTreeMap<String, Value>;
 
+/// Where values come from, by field id. What is missing is assumed.
+pub type Origins = BTreeMap<String, Provenance>;
+
 /// A field of a machine with parameters `P`.
 pub struct Field<P: 'static> {
     /// Id in projects, for instance `pitch`.
@@ -42,8 +45,10 @@ pub struct Field<P: 'static> {
     pub help: &'static str,
     /// Symbol or variable, for instance `#107`, or empty.
     pub symbol: &'static str,
-    /// Whether it belongs to the paper's table (shown first).
+    /// Whether it belongs to the few that define the product (shown first, and always kept in a program's header).
     pub essential: bool,
+    /// Whether it is a fact of the machine, which somebody measured, read off or assumed, and not a choice.
+    pub fact: bool,
     /// What it holds.
     pub kind: Kind<P>,
 }
@@ -113,6 +118,8 @@ pub struct FieldInfo {
     pub symbol: &'static str,
     /// Shown first.
     pub essential: bool,
+    /// A fact of the machine, not a choice: it has a provenance.
+    pub fact: bool,
     /// What it holds.
     pub kind: KindInfo,
 }
@@ -153,6 +160,7 @@ impl<P> Field<P> {
             help: self.help,
             symbol: self.symbol,
             essential: self.essential,
+            fact: self.fact,
             kind: match self.kind {
                 Kind::Number { unit, min, max, default, decimals, step, .. } => {
                     KindInfo::Number { unit, min, max, default, decimals, step }
@@ -186,6 +194,24 @@ impl FieldInfo {
     pub fn check(&self, value: &Value) -> Result<(), Box<Diagnostic>> {
         read::check(self, value)
     }
+}
+
+/// Sets every parameter to the default of its field.
+pub fn defaults<P>(fields: &[Field<P>], params: &mut P) {
+    for field in fields {
+        match &field.kind {
+            Kind::Number { default, set, .. } => set(params, *default),
+            Kind::Flag { default, set, .. } => set(params, *default),
+            Kind::Choice { set, .. } => set(params, 0),
+            Kind::Text { set, .. } => set(params, String::new()),
+        }
+    }
+}
+
+/// Ids of the facts that nobody has measured or read off: their origin is [`Provenance::Assumed`] or not known.
+pub fn assumed(fields: &[FieldInfo], origins: &Origins) -> Vec<&'static str> {
+    let known = |id: &str| origins.get(id).is_some_and(|origin| *origin != Provenance::Assumed);
+    fields.iter().filter(|field| field.fact && !known(field.id)).map(|field| field.id).collect()
 }
 
 /// Fills parameters from values: valid ones are set, invalid ones keep what is there and are reported.

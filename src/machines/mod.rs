@@ -1,13 +1,16 @@
 //! The applications: each machine is a form, formulas, rules, a program, a PLC and a scene.
 
+use core::marker::PhantomData;
+
 pub mod form;
 
 use crate::controls::{Control, Switches};
 use crate::motion::{Plant, Plc, Snapshot};
+use crate::msg;
 use crate::nc::Deck;
 use crate::text::Diagnostic;
 use crate::view::{Chart, Pose, Readout, Scene, Sheet};
-use form::{FieldInfo, Values};
+use form::{Field, FieldInfo, Origins, Values};
 
 /// What a machine's formulas say of its values.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -27,6 +30,8 @@ pub struct Plan {
     pub setup: u32,
     /// Program number that runs the machine.
     pub main: u32,
+    /// Lines end in CR LF instead of LF.
+    pub crlf: bool,
 }
 
 /// How a chart or pose samples the run.
@@ -44,6 +49,38 @@ pub struct Frame {
     pub strobe: bool,
 }
 
+/// A machine: a form that fills `Params`, and what follows from them. Everything is total.
+pub trait Machine: 'static {
+    /// The values of the form as the formulas take them, all within their ranges.
+    type Params: Default;
+    /// Id, for instance `ribbon-line`.
+    const ID: &'static str;
+    /// Catalog id of the name.
+    const NAME: &'static str;
+    /// Ids of the controls it goes with; the first is the default.
+    const CONTROLS: &'static [&'static str];
+    /// The form, in the order it is shown.
+    fn fields() -> &'static [Field<Self::Params>];
+    /// Results and verdicts.
+    fn design(params: &Self::Params, control: &Control) -> Design;
+    /// The program.
+    fn plan(params: &Self::Params, control: &Control) -> Plan;
+    /// The plant that runs it.
+    fn plant(params: &Self::Params, control: &Control) -> Plant;
+    /// The builder's PLC.
+    fn plc(params: &Self::Params, control: &Control, switches: &Switches) -> Box<dyn Plc>;
+    /// Parameter sheet, interface, ladder list.
+    fn sheets(params: &Self::Params, control: &Control) -> Vec<Sheet>;
+    /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
+    fn variables(control: &Control) -> Vec<(u32, &'static str, &'static str)>;
+    /// The drawing.
+    fn scene(params: &Self::Params) -> Scene;
+    /// The drawing at a moment.
+    fn pose(params: &Self::Params, now: &Snapshot, frame: Frame) -> Pose;
+    /// Charts from `from` to `to` seconds with `points` points each.
+    fn charts(params: &Self::Params, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
+}
+
 /// A machine, erased over its parameters so that the page is compiled once.
 pub trait AnyMachine: Sync {
     /// Id, for instance `ribbon-line`.
@@ -54,9 +91,9 @@ pub trait AnyMachine: Sync {
     fn controls(&self) -> &'static [&'static str];
     /// The form.
     fn fields(&self) -> Vec<FieldInfo>;
-    /// Results and verdicts. Total.
-    fn design(&self, values: &Values, control: &Control) -> Design;
-    /// The program. Total; where values are invalid the last valid default stands in and `design` has said so.
+    /// Results and verdicts; invalid fields as errors, facts that are only assumed as a remark. Total.
+    fn design(&self, values: &Values, origins: &Origins, control: &Control) -> Design;
+    /// The program. Total; where values are invalid the default stands in and `design` has said so.
     fn plan(&self, values: &Values, control: &Control) -> Plan;
     /// The plant that runs it.
     fn plant(&self, values: &Values, control: &Control) -> Plant;
@@ -72,6 +109,91 @@ pub trait AnyMachine: Sync {
     fn pose(&self, values: &Values, now: &Snapshot, frame: Frame) -> Pose;
     /// Charts from `from` to `to` seconds with `points` points each.
     fn charts(&self, values: &Values, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
+}
+
+/// The erased form of a machine `M`.
+#[derive(Debug)]
+pub struct Erased<M>(PhantomData<fn() -> M>);
+
+impl<M: Machine> Erased<M> {
+    /// The machine as data.
+    pub const fn new() -> Erased<M> {
+        Erased(PhantomData)
+    }
+
+    fn params(values: &Values) -> (M::Params, Vec<Diagnostic>) {
+        let mut params = M::Params::default();
+        form::defaults(M::fields(), &mut params);
+        let found = form::fill(M::fields(), values, &mut params);
+        (params, found)
+    }
+}
+
+impl<M: Machine> Default for Erased<M> {
+    fn default() -> Erased<M> {
+        Erased::new()
+    }
+}
+
+impl<M: Machine> AnyMachine for Erased<M> {
+    fn id(&self) -> &'static str {
+        M::ID
+    }
+
+    fn name(&self) -> &'static str {
+        M::NAME
+    }
+
+    fn controls(&self) -> &'static [&'static str] {
+        M::CONTROLS
+    }
+
+    fn fields(&self) -> Vec<FieldInfo> {
+        M::fields().iter().map(Field::info).collect()
+    }
+
+    fn design(&self, values: &Values, origins: &Origins, control: &Control) -> Design {
+        let (params, mut diagnostics) = Erased::<M>::params(values);
+        let mut design = M::design(&params, control);
+        diagnostics.append(&mut design.diagnostics);
+        let assumed = form::assumed(&self.fields(), origins);
+        if !assumed.is_empty() {
+            diagnostics.push(Diagnostic::info(msg!("form.assumed", assumed.len() as u32, assumed.join(", "))));
+        }
+        Design { diagnostics, ..design }
+    }
+
+    fn plan(&self, values: &Values, control: &Control) -> Plan {
+        M::plan(&Erased::<M>::params(values).0, control)
+    }
+
+    fn plant(&self, values: &Values, control: &Control) -> Plant {
+        M::plant(&Erased::<M>::params(values).0, control)
+    }
+
+    fn plc(&self, values: &Values, control: &Control, switches: &Switches) -> Box<dyn Plc> {
+        M::plc(&Erased::<M>::params(values).0, control, switches)
+    }
+
+    fn sheets(&self, values: &Values, control: &Control) -> Vec<Sheet> {
+        M::sheets(&Erased::<M>::params(values).0, control)
+    }
+
+    fn variables(&self, control: &Control) -> Vec<(u32, &'static str, &'static str)> {
+        M::variables(control)
+    }
+
+    fn scene(&self, values: &Values) -> Scene {
+        M::scene(&Erased::<M>::params(values).0)
+    }
+
+    fn pose(&self, values: &Values, now: &Snapshot, frame: Frame) -> Pose {
+        M::pose(&Erased::<M>::params(values).0, now, frame)
+    }
+
+    fn charts(&self, values: &Values, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        M::charts(&Erased::<M>::params(values).0, run, from, to, points)
+    }
 }
 
 /// All machines, in the order they are listed.

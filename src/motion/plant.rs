@@ -30,8 +30,10 @@ pub struct SpindlePlant {
     pub output_bits: u8,
     /// Seconds from 0 to `speed_at_full`, and back.
     pub ramp: f64,
-    /// Speed lost by slip as a fraction of the speed at full output: actual = command - slip × `speed_at_full` while turning.
-    /// Negative where the motor runs faster than commanded.
+    /// Speed of the unloaded motor per commanded speed: an induction motor at 50 Hz turns 1500 where 1480 is asked for.
+    pub gain: f64,
+    /// Speed lost under load as a fraction of the speed at full output: actual = gain × command - slip × `speed_at_full` while
+    /// turning (constant at any speed, as for V/f control).
     pub slip: f64,
 }
 

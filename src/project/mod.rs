@@ -75,6 +75,6 @@ impl Project {
 
     /// Results, verdicts and invalid fields.
     pub fn design(&self) -> Design {
-        self.machine.design(&self.values, self.control)
+        self.machine.design(&self.values, &self.provenance, self.control)
     }
 }

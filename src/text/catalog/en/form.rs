@@ -3,6 +3,10 @@
 /// `(id, sentence)`.
 pub(super) const ROWS: &[(&str, &str)] = &[
     ("form.allowed", "Allowed: {0} to {1} {2}"),
+    (
+        "form.assumed",
+        "{0} facts of the machine are only assumed: {1}. Measure them or read them off before you rely on the results.",
+    ),
     ("form.empty", "A value is needed here."),
     ("form.no-such-choice", "“{0}” is not one of: {1}."),
     ("form.not-a-flag", "“{0}” is neither true nor false."),
