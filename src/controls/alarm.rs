@@ -79,3 +79,44 @@ pub struct AlarmDef {
     /// Source and grade.
     pub cite: Citation,
 }
+
+/// A row of an alarm.
+pub(super) const fn alarm(kind: Alarm, number: &'static str, text: &'static str, cite: Citation) -> AlarmDef {
+    AlarmDef { kind, number, text, cite }
+}
+
+impl Alarm {
+    /// Every kind.
+    pub const ALL: &[Alarm] = &[
+        Alarm::IllegalAddress,
+        Alarm::Format,
+        Alarm::UnknownCode,
+        Alarm::OutOfRange,
+        Alarm::NoProgramEnd,
+        Alarm::NumberZero,
+        Alarm::NoFeed,
+        Alarm::Arc,
+        Alarm::SubNesting,
+        Alarm::NoSequence,
+        Alarm::NoProgram,
+        Alarm::VariableRange,
+        Alarm::NoEquals,
+        Alarm::VariableSide,
+        Alarm::Mixed,
+        Alarm::MacroNesting,
+        Alarm::ArgumentSets,
+        Alarm::NoModalCall,
+        Alarm::User,
+        Alarm::BracketDepth,
+        Alarm::BracketPair,
+        Alarm::Calculation,
+        Alarm::DivisionByZero,
+        Alarm::IfSentence,
+        Alarm::WhileSentence,
+        Alarm::DoNesting,
+        Alarm::DoPair,
+        Alarm::Budget,
+        Alarm::SoftLimit,
+        Alarm::EmergencyStop,
+    ];
+}

@@ -130,3 +130,13 @@ pub struct CodeDef {
     /// Source and grade.
     pub cite: Citation,
 }
+
+/// A row of a G code.
+pub(super) const fn g(number: u16, code: Code, group: Group, text: &'static str, cite: Citation) -> CodeDef {
+    CodeDef { letter: b'G', number, code, group, text, cite }
+}
+
+/// A row of an M code.
+pub(super) const fn m(number: u16, code: Code, text: &'static str, cite: Citation) -> CodeDef {
+    CodeDef { letter: b'M', number, code, group: Group::Other, text, cite }
+}

@@ -41,3 +41,25 @@ pub struct Signal {
     /// Source and grade.
     pub cite: Citation,
 }
+
+/// A row of a register that the PLC writes.
+pub(super) const fn from_plc(
+    role: SignalRole,
+    device: &'static str,
+    unit: &'static str,
+    text: &'static str,
+    cite: Citation,
+) -> Signal {
+    Signal { role, device, plc_writes: true, unit, text, cite }
+}
+
+/// A row of a register that the control writes.
+pub(super) const fn to_plc(
+    role: SignalRole,
+    device: &'static str,
+    unit: &'static str,
+    text: &'static str,
+    cite: Citation,
+) -> Signal {
+    Signal { role, device, plc_writes: false, unit, text, cite }
+}

@@ -79,7 +79,7 @@ pub struct AxisDef {
 }
 
 /// All controls, in the order they are listed.
-pub static ALL: &[&Control] = &[];
+pub static ALL: &[&Control] = &[&mitsubishi_e60::CONTROL];
 
 /// The control of an id.
 pub fn find(id: &str) -> Option<&'static Control> {

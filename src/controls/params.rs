@@ -67,3 +67,15 @@ pub struct ParamDef {
     /// Source and grade.
     pub cite: Citation,
 }
+
+/// A row of a parameter.
+pub(super) const fn param(
+    role: ParamRole,
+    number: &'static str,
+    name: &'static str,
+    unit: &'static str,
+    text: &'static str,
+    cite: Citation,
+) -> ParamDef {
+    ParamDef { role, number, name, unit, text, cite }
+}

@@ -27,3 +27,13 @@ impl Switches {
         set.filter(|value| row.options.contains(value)).or(row.options.first().copied())
     }
 }
+
+/// A row of a switch; the first option is the default.
+pub(super) const fn switch(
+    id: &'static str,
+    text: &'static str,
+    options: &'static [&'static str],
+    cite: Citation,
+) -> Switch {
+    Switch { id, text, options, cite }
+}

@@ -1,5 +1,7 @@
 //! How a program is written for a control.
 
+use crate::text::Citation;
+
 /// What round brackets mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Round {
@@ -36,12 +38,16 @@ pub struct Syntax {
     pub do_depth: u8,
     /// Function names: `(spelling, function)`; the first spelling of a function is the one that is written.
     pub functions: &'static [(&'static str, Function)],
+    /// Address letters of words besides the axes; macro calls take every letter.
+    pub addresses: &'static [u8],
     /// Addresses whose words take no decimal point: what stands behind it is dropped.
     pub integer_addresses: &'static [u8],
     /// Addresses whose words are read in the command unit where the point is missing.
     pub increment_addresses: &'static [u8],
     /// Ending of a program file without the point.
     pub extension: &'static str,
+    /// Source and grade.
+    pub cite: Citation,
 }
 
 /// A function of the macro language.

@@ -65,3 +65,32 @@ pub struct VarRange {
     /// Source and grade.
     pub cite: Citation,
 }
+
+/// A row of variables.
+pub(super) const fn range(
+    first: u32,
+    last: u32,
+    kind: VarKind,
+    device: &'static str,
+    text: &'static str,
+    cite: Citation,
+) -> VarRange {
+    VarRange { first, last, kind, device, text, cite }
+}
+
+impl VarKind {
+    /// Whether a program may assign a variable of this kind.
+    pub fn writable(self) -> bool {
+        !matches!(
+            self,
+            VarKind::Vacant
+                | VarKind::InputBit
+                | VarKind::InputWord
+                | VarKind::Modal
+                | VarKind::ModalExecuting
+                | VarKind::BlockEnd
+                | VarKind::MachinePosition
+                | VarKind::WorkPosition
+        )
+    }
+}

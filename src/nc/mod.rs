@@ -8,6 +8,14 @@ pub mod ast;
 
 pub mod files;
 
+pub mod build;
+
+mod parsed;
+
+mod parse;
+
 pub use ast::{Block, Deck, Expr, ExprId, Op, Program, Stmt, Word, WordValue};
 pub use dec::Dec;
 pub use files::{File, Files};
+pub use parse::parse;
+pub use parsed::Parsed;

@@ -1,1 +1,0 @@
-//! Mitsubishi MELDAS E60: rows only.

@@ -1,0 +1,33 @@
+//! Registers between PLC and E60.
+
+use super::MEMORY;
+use crate::controls::Signal;
+use crate::controls::interface::SignalRole::*;
+use crate::controls::interface::{from_plc, to_plc};
+use crate::text::{Citation, Grade};
+
+const PAPER: Citation = Citation::new("ribbon dot-printing paper, E60: R148, percent by the M70 driver", Grade::Manual);
+const M64: Citation = Citation::new("MELDAS 64 system variable list; the paper names R74", Grade::Sister);
+const OUTPUT: Citation = Citation::new("MELDAS 64 system variable list", Grade::Sister);
+
+/// By device number.
+pub(super) const SIGNALS: &[Signal] = &[
+    to_plc(SpindleCommand, "R8", "r/min", "spindle speed as commanded (R8, R9)", MEMORY),
+    to_plc(SpindleFinal, "R10", "r/min", "spindle speed after override and clamp (R10, R11)", MEMORY),
+    to_plc(SpindleOutput, "R12", "0 to 4095", "12-bit value of the analog output (R12, R13)", MEMORY),
+    to_plc(SpindleActual, "R18", "r/min", "spindle speed by the encoder (R18, R19)", MEMORY),
+    from_plc(MacroInputLow(1032), "R72", "word", "low word of #1032; its bits are #1000 to #1015", M64),
+    from_plc(MacroInputHigh(1032), "R73", "word", "high word of #1032; its bits are #1016 to #1031", M64),
+    from_plc(MacroInputLow(1033), "R74", "word", "low word of #1033", M64),
+    from_plc(MacroInputHigh(1033), "R75", "word", "high word of #1033; 0 for a positive percentage", M64),
+    from_plc(MacroInputLow(1034), "R76", "word", "low word of #1034", M64),
+    from_plc(MacroInputHigh(1034), "R77", "word", "high word of #1034", M64),
+    from_plc(MacroInputLow(1035), "R78", "word", "low word of #1035", M64),
+    from_plc(MacroInputHigh(1035), "R79", "word", "high word of #1035", M64),
+    from_plc(FeedOverride, "R132", "%", "cutting feed override, 0 to 300", MEMORY),
+    from_plc(SpindleOverride, "R148", "%", "spindle override, 0 to 200", PAPER),
+    to_plc(MacroOutput(1132), "R172", "word", "#1132 (R172, R173); its bits are #1100 to #1131", OUTPUT),
+    to_plc(MacroOutput(1133), "R174", "word", "#1133 (R174, R175)", OUTPUT),
+    to_plc(MacroOutput(1134), "R176", "word", "#1134 (R176, R177)", OUTPUT),
+    to_plc(MacroOutput(1135), "R178", "word", "#1135 (R178, R179)", OUTPUT),
+];

@@ -1,0 +1,123 @@
+//! Mitsubishi MELDAS E60: rows only.
+
+mod alarms;
+mod codes;
+mod interface;
+mod params;
+mod switches;
+mod vars;
+
+use super::bench::{Bench, BenchAxis};
+use super::syntax::{Function, Round};
+use super::{AxisDef, Code, Control, Limits, Syntax, Timing};
+use crate::text::{Citation, Grade};
+
+/// Programming manual of the younger sister control.
+const M700: &str = "M700V/M70V programming manual, machining center";
+/// Nothing but memory of the MELDAS manuals.
+const MEMORY: Citation = Citation::new("MELDAS M-type usage, unverified", Grade::Open);
+/// The published paper about the ribbon line, on this very control.
+const PAPER: Citation = Citation::new("ribbon dot-printing paper, E60", Grade::Manual);
+
+/// The control.
+pub static CONTROL: Control = Control {
+    id: "mitsubishi-e60",
+    name: "Mitsubishi E60",
+    syntax: Syntax {
+        round: Round::Comment,
+        program_letters: b"OL",
+        percent: true,
+        sequence_digits: 5,
+        program_digits: 8,
+        block_chars: 80,
+        message_chars: 31,
+        bracket_depth: 5,
+        if_then: false,
+        modulo: false,
+        do_max: 127,
+        do_depth: 27,
+        functions: &[
+            ("SIN", Function::Sin),
+            ("COS", Function::Cos),
+            ("TAN", Function::Tan),
+            ("ASIN", Function::Asin),
+            ("ACOS", Function::Acos),
+            ("ATAN", Function::Atan),
+            ("ATN", Function::Atan),
+            ("SQRT", Function::Sqrt),
+            ("SQR", Function::Sqrt),
+            ("ABS", Function::Abs),
+            ("BIN", Function::Bin),
+            ("BCD", Function::Bcd),
+            ("ROUND", Function::Round),
+            ("RND", Function::Round),
+            ("FIX", Function::Fix),
+            ("FUP", Function::Fup),
+            ("LN", Function::Ln),
+            ("EXP", Function::Exp),
+        ],
+        addresses: b"BDEFGHIJKLMPQRST",
+        integer_addresses: b"DGHLMNOST",
+        increment_addresses: b"ABCIJKRUVWXYZ",
+        extension: "nc",
+        cite: Citation::new("M700V/M70V programming manual, p.19, 23, 28, 40; macro text from memory", Grade::Sister),
+    },
+    axes: &[
+        AxisDef { letter: b'X', rotary: false, cite: PAPER },
+        AxisDef { letter: b'Y', rotary: false, cite: PAPER },
+        AxisDef { letter: b'Z', rotary: false, cite: MEMORY },
+        AxisDef { letter: b'A', rotary: true, cite: MEMORY },
+    ],
+    startup: &[
+        Code::Linear,
+        Code::PlaneXy,
+        Code::Absolute,
+        Code::FeedPerMinute,
+        Code::Metric,
+        Code::WorkCoordinates(1),
+        Code::Cutting,
+        Code::SurfaceSpeedOff,
+        Code::MacroModalEnd,
+    ],
+    limits: Limits {
+        increment: 0.001,
+        coordinate_max: 99_999.999,
+        feed_max: 1_000_000.0,
+        feed_increment: 0.001,
+        speed_max: 99_999_999.0,
+        sub_depth: 8,
+        macro_depth: 4,
+        repeat_max: 9999,
+        user_alarm_max: 9999,
+        cite: Citation::new("M700V/M70V programming manual, p.23, 40; feed and nesting from memory", Grade::Open),
+    },
+    timing: Timing {
+        block: 0.0071,
+        macro_block: 0.003,
+        preread: 5,
+        cite: Citation::new(
+            "E68 class block rate 7.1 ms and 1 to 5 ms a macro block, assumed: measure with #3001",
+            Grade::Open,
+        ),
+    },
+    codes: codes::CODES,
+    vars: vars::VARS,
+    alarms: alarms::ALARMS,
+    params: params::PARAMS,
+    interface: interface::SIGNALS,
+    switches: switches::SWITCHES,
+    bench: Bench {
+        axes: &[
+            BenchAxis { letter: b'X', rapid: 240_000.0, clamp: 240_000.0, time_constant: 0.1, position_gain: 33.0 },
+            BenchAxis { letter: b'Y', rapid: 240_000.0, clamp: 240_000.0, time_constant: 0.1, position_gain: 33.0 },
+            BenchAxis { letter: b'Z', rapid: 30_000.0, clamp: 30_000.0, time_constant: 0.1, position_gain: 33.0 },
+        ],
+        speed_at_full: 1480.0,
+        speed_clamp: 1480.0,
+        volts_full: 10.0,
+        output_bits: 12,
+        ramp: 2.0,
+        override_echo: Some(1033),
+        fin_delay: 0.05,
+    },
+};

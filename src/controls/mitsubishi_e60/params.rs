@@ -1,0 +1,88 @@
+//! Parameters of the E60 that a machine has to set.
+
+use super::MEMORY;
+use crate::controls::ParamDef;
+use crate::controls::ParamRole::*;
+use crate::controls::params::param;
+use crate::text::{Citation, Grade};
+
+const HEADER: Citation = Citation::new("Mitsubishi Custom-API header, parameter table", Grade::Sister);
+const NAME: Citation = Citation::new("name: Custom-API header; number by order, unverified", Grade::Open);
+const M800: Citation = Citation::new("M800 parameter names and Custom-API header", Grade::Sister);
+const DECIMALS: Citation = Citation::new("M700V/M70V programming manual, p.40", Grade::Sister);
+
+/// One row per parameter, by number.
+pub(super) const PARAMS: &[ParamDef] = &[
+    param(CommandUnit, "#1015", "cunit", "0.1 µm", "command unit: 10 is 0.001 mm", DECIMALS),
+    param(AxisRotary, "#1017", "rot", "", "1: rotary axis, in degrees", HEADER),
+    param(
+        SpindleCount,
+        "#1039",
+        "spinno",
+        "",
+        "number of spindles, 0: none",
+        Citation::new("ribbon dot-printing paper, E60; Custom-API header", Grade::Manual),
+    ),
+    param(DecimalPoint, "#1078", "Decpt2", "", "word without a point: 0 in command units, 1 in mm", DECIMALS),
+    param(FeedOneDigit, "#1079", "f1digt", "", "F1-digit feed; keep 0, or F0 is rapid traverse", HEADER),
+    param(EditLock, "#1121", "edlk_c", "", "1: programs 9000 to 9999 cannot be edited; 0 to load O9100", HEADER),
+    param(VariablesAtReset, "#1128", "RstVC1", "", "1: #100 and up become vacant at reset", HEADER),
+    param(VariablesAtPowerOn, "#1129", "PwrVC1", "", "1: #100 and up become vacant at power-on", HEADER),
+    param(
+        ExactStopCheck,
+        "#1193",
+        "inpos",
+        "",
+        "check method of G09 and G61: deceleration time or in-position",
+        Citation::new("M700V/M70V programming manual, p.143", Grade::Sister),
+    ),
+    param(AxisRapid, "#2001", "rapid", "mm/min", "rapid traverse", M800),
+    param(AxisClamp, "#2002", "clamp", "mm/min", "cutting feed clamp; above it the whole vector is slowed", M800),
+    param(
+        AxisAcceleration,
+        "#2003",
+        "smgst",
+        "hex",
+        "acceleration; high digit cutting, low digit rapid: 0 step, 1 linear, 2 primary delay, F soft",
+        Citation::new("types: Custom-API header; digits unverified", Grade::Open),
+    ),
+    param(AxisTimeConstant, "#2007", "G1tL", "ms", "time constant of linear acceleration, cutting feed", HEADER),
+    param(
+        AxisSoftLimits,
+        "#2013/#2014",
+        "OT-/OT+",
+        "mm",
+        "soft limits; both equal: none",
+        Citation::new("names: Custom-API header; \"equal: none\" unverified", Grade::Open),
+    ),
+    param(AxisInPosition, "#2078", "G1inps", "mm", "in-position width, cutting feed", HEADER),
+    param(AxisPositionGain, "#2203", "PGN1", "1/s", "position loop gain", MEMORY),
+    param(
+        SpindleLimit,
+        "#3001",
+        "slimt1",
+        "r/min",
+        "spindle speed at 10 V, gear 00 (the paper prints it as #1001)",
+        Citation::new("Custom-API header and M800 names; 10 V by the paper", Grade::Sister),
+    ),
+    param(SpindleMaximum, "#3005", "smax1", "r/min", "spindle speed clamp, gear 00; at most slimt1", NAME),
+    param(SpindleMinimum, "#3023", "smini", "r/min", "smallest spindle speed", NAME),
+    param(
+        SpindleConnection,
+        "#3024",
+        "sout",
+        "",
+        "spindle connection: 0 none, 1 bus, 2 to 5 analog (the paper prints it as #1024)",
+        Citation::new("name: Custom-API header; number and values unverified", Grade::Open),
+    ),
+    param(SpindleEncoder, "#3025", "enc-on", "", "1: spindle encoder fitted", NAME),
+    param(
+        MacroSingle,
+        "#8101",
+        "MACRO SINGLE",
+        "",
+        "1: macro blocks stop in single block",
+        Citation::new("number: Custom-API header; meaning of 0 and 1 unverified", Grade::Open),
+    ),
+    param(EditLock, "#8105", "EDIT LOCK B", "", "1: programs 8000 to 9999 cannot be edited", HEADER),
+];

@@ -1,0 +1,26 @@
+//! Points of the E60 that no manual at hand settles.
+
+use super::MEMORY;
+use crate::controls::Switch;
+use crate::controls::switch::switch;
+use crate::text::{Citation, Grade};
+
+const DECIMALS: Citation = Citation::new("M700V/M70V programming manual, p.40: parameter #1078", Grade::Sister);
+
+/// One row per point; the first option is the default.
+pub(super) const SWITCHES: &[Switch] = &[
+    switch(
+        "macro-input-base",
+        "First register of the macro inputs: #1032 starts here",
+        &["R72", "R172", "R24", "R124", "R6436"],
+        Citation::new("MELDAS 64 list and the paper (R74) against the M60 device map", Grade::Open),
+    ),
+    switch("decimal-point", "A coordinate without a point (#1078)", &["increments", "millimetres"], DECIMALS),
+    switch("startup-distance", "Dimensions after power-on (#1073)", &["G90", "G91"], MEMORY),
+    switch("startup-motion", "Motion code after power-on (#1075)", &["G01", "G00"], MEMORY),
+    switch("feed-zero", "What F0 does (#1079)", &["alarm", "rapid"], MEMORY),
+    switch("spindle-word", "S with decimals", &["truncate", "round"], DECIMALS),
+    switch("common-at-reset", "#100 and up at reset (#1128)", &["kept", "vacant"], MEMORY),
+    switch("override-suppression", "#3004 bit 1 switches the cutting override off", &["yes", "no"], MEMORY),
+    switch("macro-block-time", "Macro blocks cost time", &["macro", "full", "none"], MEMORY),
+];

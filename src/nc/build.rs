@@ -1,0 +1,361 @@
+//! Writing a program in Rust: formulas with operators, blocks one after the other, a [`Deck`] at the end.
+//!
+//! ```
+//! use macroline::nc::build::*;
+//! let mut b = Builder::new();
+//! b.program(9100, "RIBBON");
+//! b.n(10).assign(104, v(100) * v(1033) / 100);
+//! b.n(11).if_goto(v(104).le(v(116)), 13);
+//! b.n(12).assign(104, v(116));
+//! b.n(13).words([g(91), g(1), x(v(107) * v(121)), f(v(115))]);
+//! b.words([m(99)]);
+//! let deck = b.finish();
+//! assert_eq!(deck.blocks.len(), 5);
+//! ```
+
+use super::ast::{Block, Deck, Expr, ExprId, Op, Program, Stmt, Word, WordValue};
+use super::dec::Dec;
+use crate::controls::syntax::Function;
+use crate::text::{FileId, Span};
+
+/// An expression that is being built.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Formula {
+    /// A constant.
+    Number(Dec),
+    /// `#n`.
+    Var(u32),
+    /// `#[formula]`.
+    Indirect(Box<Formula>),
+    /// `-formula`.
+    Negate(Box<Formula>),
+    /// `left op right`.
+    Binary(Op, Box<Formula>, Box<Formula>),
+    /// `FUNCTION[formula]`.
+    Call(Function, Box<Formula>),
+}
+
+/// A comparison for [`Builder::if_goto`] and [`Builder::while_do`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Condition(Formula);
+
+/// The variable `#n`.
+pub fn v(number: u32) -> Formula {
+    Formula::Var(number)
+}
+
+/// The variable whose number is calculated: `#[formula]`.
+pub fn v_at(number: impl Into<Formula>) -> Formula {
+    Formula::Indirect(Box::new(number.into()))
+}
+
+/// A constant with its point: the decimal nearest to `value` with at most `decimals` decimals. 0 where that has more than 18
+/// digits or is no number.
+pub fn real(value: f64, decimals: u8) -> Formula {
+    Formula::Number(Dec::from_f64(value, decimals).unwrap_or(Dec::new(0, 0)))
+}
+
+impl From<i32> for Formula {
+    /// A whole number without a point. Behind an axis letter that is command units: write [`real`] there.
+    fn from(value: i32) -> Formula {
+        Formula::Number(Dec::int(value.into()))
+    }
+}
+
+impl From<u32> for Formula {
+    /// A whole number without a point.
+    fn from(value: u32) -> Formula {
+        Formula::Number(Dec::int(value.into()))
+    }
+}
+
+impl From<Dec> for Formula {
+    fn from(value: Dec) -> Formula {
+        Formula::Number(value)
+    }
+}
+
+macro_rules! operators {
+    ($($trait:ident $method:ident $op:ident;)*) => {$(
+        impl<R: Into<Formula>> core::ops::$trait<R> for Formula {
+            type Output = Formula;
+            fn $method(self, right: R) -> Formula {
+                self.binary(Op::$op, right)
+            }
+        }
+    )*};
+}
+
+operators! {
+    Add add Add;
+    Sub sub Subtract;
+    Mul mul Multiply;
+    Div div Divide;
+    Rem rem Modulo;
+}
+
+impl core::ops::Neg for Formula {
+    type Output = Formula;
+    fn neg(self) -> Formula {
+        Formula::Negate(Box::new(self))
+    }
+}
+
+impl Formula {
+    fn binary(self, op: Op, right: impl Into<Formula>) -> Formula {
+        Formula::Binary(op, Box::new(self), Box::new(right.into()))
+    }
+
+    fn call(self, function: Function) -> Formula {
+        Formula::Call(function, Box::new(self))
+    }
+
+    /// `self EQ right`; on most controls for whole numbers only.
+    pub fn eq(self, right: impl Into<Formula>) -> Condition {
+        Condition(self.binary(Op::Equal, right))
+    }
+
+    /// `self NE right`; on most controls for whole numbers only.
+    pub fn ne(self, right: impl Into<Formula>) -> Condition {
+        Condition(self.binary(Op::NotEqual, right))
+    }
+
+    /// `self GT right`.
+    pub fn gt(self, right: impl Into<Formula>) -> Condition {
+        Condition(self.binary(Op::Greater, right))
+    }
+
+    /// `self GE right`.
+    pub fn ge(self, right: impl Into<Formula>) -> Condition {
+        Condition(self.binary(Op::GreaterEqual, right))
+    }
+
+    /// `self LT right`.
+    pub fn lt(self, right: impl Into<Formula>) -> Condition {
+        Condition(self.binary(Op::Less, right))
+    }
+
+    /// `self LE right`.
+    pub fn le(self, right: impl Into<Formula>) -> Condition {
+        Condition(self.binary(Op::LessEqual, right))
+    }
+
+    /// Square root.
+    pub fn sqrt(self) -> Formula {
+        self.call(Function::Sqrt)
+    }
+
+    /// Absolute value.
+    pub fn abs(self) -> Formula {
+        self.call(Function::Abs)
+    }
+
+    /// Rounded half away from zero.
+    pub fn round(self) -> Formula {
+        self.call(Function::Round)
+    }
+
+    /// Toward zero.
+    pub fn fix(self) -> Formula {
+        self.call(Function::Fix)
+    }
+
+    /// Away from zero.
+    pub fn fup(self) -> Formula {
+        self.call(Function::Fup)
+    }
+
+    /// Any other function.
+    pub fn apply(self, function: Function) -> Formula {
+        self.call(function)
+    }
+}
+
+/// A word that is being built: letter and value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NewWord(u8, Formula);
+
+/// A word of any letter.
+pub fn word(letter: u8, value: impl Into<Formula>) -> NewWord {
+    NewWord(letter.to_ascii_uppercase(), value.into())
+}
+
+macro_rules! words {
+    ($($name:ident $letter:literal;)*) => {$(
+        #[doc = concat!("The word `", stringify!($name), "` …, in capitals.")]
+        pub fn $name(value: impl Into<Formula>) -> NewWord {
+            NewWord($letter, value.into())
+        }
+    )*};
+}
+
+words! {
+    f b'F';
+    g b'G';
+    l b'L';
+    m b'M';
+    p b'P';
+    s b'S';
+    x b'X';
+    y b'Y';
+    z b'Z';
+}
+
+/// Collects blocks; see the [module](self).
+#[derive(Debug, Clone, Default)]
+pub struct Builder {
+    deck: Deck,
+    number: Option<u32>,
+    skip: u8,
+}
+
+impl Builder {
+    /// Nothing yet.
+    pub fn new() -> Builder {
+        Builder::default()
+    }
+
+    /// Starts a program in a file of its own; an empty title is none.
+    pub fn program(&mut self, number: u32, title: &str) -> &mut Builder {
+        let title = (!title.is_empty()).then(|| self.text(title));
+        let file = FileId(self.deck.programs.len().min(u16::MAX as usize) as u16);
+        let at = self.deck.blocks.len() as u32;
+        self.deck.programs.push(Program { file, number, title, span: Span::default(), first: at, end: at });
+        self
+    }
+
+    /// Gives the next block a sequence number.
+    pub fn n(&mut self, number: u32) -> &mut Builder {
+        self.number = Some(number);
+        self
+    }
+
+    /// Puts the next block behind an optional block skip, 1 to 9.
+    pub fn skip(&mut self, switch: u8) -> &mut Builder {
+        self.skip = switch.clamp(1, 9);
+        self
+    }
+
+    /// A block of NC words.
+    pub fn words(&mut self, words: impl IntoIterator<Item = NewWord>) -> &mut Builder {
+        let first = self.deck.words.len() as u32;
+        for NewWord(letter, value) in words.into_iter().take(u16::MAX as usize) {
+            let value = match value {
+                Formula::Number(number) => WordValue::Number(number),
+                other => WordValue::Expr(self.intern(other)),
+            };
+            self.deck.words.push(Word { letter, len: 0, offset: 0, value });
+        }
+        let count = (self.deck.words.len() as u32 - first) as u16;
+        self.push(if count == 0 { Stmt::Empty } else { Stmt::Words { first, count } })
+    }
+
+    /// `#to = value`.
+    pub fn assign(&mut self, to: u32, value: impl Into<Formula>) -> &mut Builder {
+        let to = self.add(Expr::Var(to));
+        let value = self.intern(value.into());
+        self.push(Stmt::Assign { to, value })
+    }
+
+    /// `#[to] = value`.
+    pub fn assign_at(&mut self, to: impl Into<Formula>, value: impl Into<Formula>) -> &mut Builder {
+        let to = self.intern(v_at(to));
+        let value = self.intern(value.into());
+        self.push(Stmt::Assign { to, value })
+    }
+
+    /// `IF [condition] GOTO target`.
+    pub fn if_goto(&mut self, condition: Condition, target: impl Into<Formula>) -> &mut Builder {
+        let cond = self.intern(condition.0);
+        let target = self.intern(target.into());
+        self.push(Stmt::If { cond, target })
+    }
+
+    /// `GOTO target`.
+    pub fn goto(&mut self, target: impl Into<Formula>) -> &mut Builder {
+        let target = self.intern(target.into());
+        self.push(Stmt::Goto(target))
+    }
+
+    /// `WHILE [condition] DO label`.
+    pub fn while_do(&mut self, condition: Condition, label: u16) -> &mut Builder {
+        let cond = Some(self.intern(condition.0));
+        self.push(Stmt::While { cond, label })
+    }
+
+    /// `DO label`: for ever.
+    pub fn do_forever(&mut self, label: u16) -> &mut Builder {
+        self.push(Stmt::While { cond: None, label })
+    }
+
+    /// `END label`.
+    pub fn end_do(&mut self, label: u16) -> &mut Builder {
+        self.push(Stmt::End { label })
+    }
+
+    /// `#3000 = number (text)`: the control's own alarm with a message.
+    pub fn alarm(&mut self, number: u32, text: &str) -> &mut Builder {
+        self.assign(3000, number).note(text)
+    }
+
+    /// `#3006 = number (text)`: stop with a message.
+    pub fn message(&mut self, number: u32, text: &str) -> &mut Builder {
+        self.assign(3006, number).note(text)
+    }
+
+    /// A block that is a comment.
+    pub fn comment(&mut self, text: &str) -> &mut Builder {
+        self.push(Stmt::Empty).note(text)
+    }
+
+    /// A comment behind the block that was written last.
+    pub fn note(&mut self, text: &str) -> &mut Builder {
+        let comment = self.text(text);
+        if let Some(block) = self.deck.blocks.last_mut() {
+            block.comment = Some(comment);
+        }
+        self
+    }
+
+    /// The programs.
+    pub fn finish(self) -> Deck {
+        self.deck
+    }
+
+    fn text(&mut self, text: &str) -> u32 {
+        self.deck.comments.push(text.into());
+        self.deck.comments.len() as u32 - 1
+    }
+
+    fn add(&mut self, expr: Expr) -> ExprId {
+        self.deck.exprs.push(expr);
+        ExprId(self.deck.exprs.len() as u32 - 1)
+    }
+
+    fn intern(&mut self, formula: Formula) -> ExprId {
+        let expr = match formula {
+            Formula::Number(number) => Expr::Number(number),
+            Formula::Var(number) => Expr::Var(number),
+            Formula::Indirect(inner) => Expr::Indirect(self.intern(*inner)),
+            Formula::Negate(inner) => Expr::Negate(self.intern(*inner)),
+            Formula::Binary(op, left, right) => {
+                let left = self.intern(*left);
+                Expr::Binary(op, left, self.intern(*right))
+            }
+            Formula::Call(function, inner) => Expr::Call(function, self.intern(*inner)),
+        };
+        self.add(expr)
+    }
+
+    fn push(&mut self, stmt: Stmt) -> &mut Builder {
+        if self.deck.programs.is_empty() {
+            self.program(0, "");
+        }
+        let (number, skip) = (self.number.take(), core::mem::take(&mut self.skip));
+        self.deck.blocks.push(Block { span: Span::default(), number, stmt, comment: None, skip });
+        if let Some(program) = self.deck.programs.last_mut() {
+            program.end = self.deck.blocks.len() as u32;
+        }
+        self
+    }
+}

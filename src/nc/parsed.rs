@@ -1,0 +1,57 @@
+//! A read program: files, tree and findings together; only the parser makes one.
+
+use super::ast::{Block, Deck};
+use super::files::Files;
+use crate::controls::Control;
+use crate::text::{Diagnostic, Place, Severity};
+
+/// Text that a control has read. The interpreter takes nothing else.
+#[derive(Debug, Clone)]
+pub struct Parsed {
+    files: Files,
+    deck: Deck,
+    diagnostics: Vec<Diagnostic>,
+    control: &'static Control,
+}
+
+impl Parsed {
+    pub(super) fn new(files: Files, deck: Deck, diagnostics: Vec<Diagnostic>, control: &'static Control) -> Parsed {
+        Parsed { files, deck, diagnostics, control }
+    }
+
+    /// The text.
+    pub fn files(&self) -> &Files {
+        &self.files
+    }
+
+    /// The tree. Its places point into [`files`](Parsed::files).
+    pub fn deck(&self) -> &Deck {
+        &self.deck
+    }
+
+    /// What the control would say, and remarks, in the order of the text.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        &self.diagnostics
+    }
+
+    /// The control that read it.
+    pub fn control(&self) -> &'static Control {
+        self.control
+    }
+
+    /// Whether the control would refuse or misread any of it.
+    pub fn has_errors(&self) -> bool {
+        self.diagnostics.iter().any(|d| d.severity == Severity::Error)
+    }
+
+    /// The text of a place.
+    pub fn text(&self, place: Place) -> &str {
+        self.files.get(place.file).map_or("", |file| place.span.of(&file.text))
+    }
+
+    /// The place of a block of a program, both by index.
+    pub fn place(&self, program: usize, block: &Block) -> Place {
+        let file = self.deck.programs.get(program).map_or_else(Default::default, |p| p.file);
+        Place { file, span: block.span }
+    }
+}
