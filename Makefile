@@ -1,0 +1,89 @@
+# The one way in: `make` lists what there is. Everything installs what it needs (scripts/setup.sh).
+
+MAKEFLAGS += --no-print-directory
+export PATH := $(CURDIR)/.tools/bin:$(PATH)
+export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER := wasm-bindgen-test-runner
+export WASM_BINDGEN_TEST_TIMEOUT ?= 120
+
+WASM := --target wasm32-unknown-unknown
+WEB := $(WASM) --features web
+
+.PHONY: help
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
+
+.PHONY: run
+run: dist ## build the page and serve it on localhost
+	@node scripts/serve.mjs dist
+
+.PHONY: check
+check: ## the inner loop: format, lints, native tests
+	@scripts/setup.sh lints target
+	@scripts/stages.sh fmt lint lint-web test-native
+
+.PHONY: test
+test: ## every test of every kind, with the time of each stage
+	@scripts/stages.sh setup fmt lint lint-web test-native test-parity test-web dist sizes test-e2e
+
+.PHONY: bench
+bench: ## native benchmarks
+	cargo bench --locked
+
+.PHONY: dist
+dist: ## the static site in dist/
+	@scripts/setup.sh target tools
+	@cargo fetch --locked --quiet
+	trunk build --release
+
+.PHONY: shots
+shots: dist ## screenshots of the page in target/shots
+	@scripts/setup.sh node browser
+	node tests/e2e/shots.mjs
+
+.PHONY: format
+format: ## format the sources
+	@scripts/setup.sh lints
+	cargo fmt
+
+.PHONY: clean
+clean: ## remove what was built (not .tools)
+	cargo clean
+	rm -rf dist node_modules
+
+# The stages of `make test`, each also on its own; what they need is installed by `make setup`.
+
+.PHONY: setup
+setup: ## install everything that any target needs
+	@scripts/setup.sh lints target tools node browser
+
+.PHONY: fmt
+fmt:
+	cargo fmt --check
+
+.PHONY: lint
+lint:
+	cargo clippy --locked --all-targets -- -D warnings
+
+.PHONY: lint-web
+lint-web:
+	cargo clippy --locked $(WEB) --lib --bin app --test web --test parity -- -D warnings
+
+.PHONY: test-native
+test-native: ## native tests
+	cargo test --locked --quiet
+
+.PHONY: test-parity
+test-parity: ## the goldens again, in wasm under Node
+	cargo test --locked $(WASM) --test parity
+
+.PHONY: test-web
+test-web: ## components in headless Chromium
+	cargo test --locked $(WEB) --test web
+
+.PHONY: sizes
+sizes: ## what the browser loads (of the dist/ that is there), against its limits
+	node scripts/sizes.mjs dist
+
+.PHONY: test-e2e
+test-e2e: ## a person's paths through the dist/ that is there
+	node --test --test-concurrency=1 --test-reporter=spec $(wildcard tests/e2e/*.test.mjs)

@@ -1,0 +1,44 @@
+// Serves a folder on localhost: `node scripts/serve.mjs [folder]`, at $PORT, else at 8080 or whatever is free.
+import { createReadStream } from 'node:fs';
+import { stat } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, resolve, sep } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const TYPES = {
+  '.css': 'text/css; charset=utf-8',
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.json': 'application/json',
+  '.svg': 'image/svg+xml',
+  '.wasm': 'application/wasm', // without it the browser cannot compile while it loads
+};
+
+// Starts serving `folder`; port 0 is any free one. Resolves to { url, close }.
+export async function serve(folder, port = 0) {
+  const root = resolve(folder);
+  const server = createServer(async (request, response) => {
+    try {
+      const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
+      const file = join(root, path.endsWith('/') ? `${path}index.html` : path);
+      if (!file.startsWith(root + sep) || !(await stat(file)).isFile()) throw new Error('not a file of the site');
+      const type = TYPES[extname(file)] ?? 'application/octet-stream';
+      // No cache: after the next build the same names may hold other bytes.
+      response.writeHead(200, { 'Content-Type': type, 'Cache-Control': 'no-cache', 'X-Content-Type-Options': 'nosniff' });
+      createReadStream(file).pipe(response);
+    } catch {
+      response.writeHead(404, { 'Content-Type': 'text/plain' }).end('not found\n');
+    }
+  });
+  const listen = (at) =>
+    new Promise((done, failed) => server.once('error', failed).listen(at, 'localhost', () => done(server.address().port)));
+  const at = await listen(port);
+  return { url: `http://localhost:${at}/`, close: () => new Promise((done) => (server.close(done), server.closeAllConnections())) };
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) {
+  const folder = process.argv[2] ?? 'dist';
+  // The same port each time keeps what the browser has stored for the page; another one when it is taken.
+  const { url } = await (process.env.PORT ? serve(folder, Number(process.env.PORT)) : serve(folder, 8080).catch(() => serve(folder)));
+  console.log(`macroline is at ${url} (Ctrl+C ends it)`);
+}

@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser]`.
+#
+# Every version stands once, where the tool that needs it reads it: Trunk's in Trunk.toml, wasm-bindgen's in Cargo.lock
+# (Trunk and the test runner refuse any other), the npm packages' in package-lock.json.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+say() { printf '%s\n' "set-up: $*" >&2; }
+fail() {
+  say "$*"
+  exit 1
+}
+
+# Cargo.lock is the truth for the library, so it is the truth for the command line tool too.
+wasm_bindgen_version() { awk '/^name = "wasm-bindgen"$/ { getline; gsub(/[^0-9.]/, ""); print }' Cargo.lock; }
+trunk_version() { sed -nE 's/^trunk-version *= *"=?([0-9.]+)"/\1/p' Trunk.toml; }
+
+# Puts TOOLS (the first is asked for its version) of CRATE into .tools/bin: a link where the right version is at hand
+# already, else a build.
+tool() {
+  local crate=$1 version=$2 dir first
+  shift 2
+  first=$1
+  [ -n "$version" ] || fail "no version found for $crate"
+  for dir in .tools/bin "$(dirname "$(command -v "$first" || echo .)")" "${CARGO_HOME:-$HOME/.cargo}/bin"; do
+    [ "$("$dir/$first" --version 2>/dev/null | awk '{ print $2 }')" = "$version" ] || continue
+    for name in "$@"; do [ -x "$dir/$name" ] || continue 2; done
+    [ "$dir" -ef .tools/bin ] && return
+    mkdir -p .tools/bin
+    for name in "$@"; do ln -sf "$dir/$name" .tools/bin/; done
+    return
+  done
+  say "building $crate $version into .tools (once, some minutes)"
+  cargo install "$crate" --version "$version" --locked --force --root .tools
+}
+
+lints() {
+  cargo fmt --version >/dev/null 2>&1 && cargo clippy --version >/dev/null 2>&1 && return
+  command -v rustup >/dev/null || fail "cargo fmt or cargo clippy is missing, and there is no rustup to add them"
+  rustup component add rustfmt clippy
+}
+
+target() {
+  [ -d "$(rustc --print sysroot)/lib/rustlib/wasm32-unknown-unknown" ] && return
+  command -v rustup >/dev/null || fail "the Rust target wasm32-unknown-unknown is missing, and there is no rustup to add it"
+  rustup target add wasm32-unknown-unknown
+}
+
+tools() {
+  tool trunk "$(trunk_version)" trunk
+  tool wasm-bindgen-cli "$(wasm_bindgen_version)" wasm-bindgen wasm-bindgen-test-runner
+}
+
+node() {
+  command -v npm >/dev/null || fail "Node 20 or newer with npm is missing"
+  # npm writes this file last, so it is the time of the last complete installation.
+  [ node_modules/.package-lock.json -nt package-lock.json ] && return
+  npm ci --no-audit --no-fund
+  touch node_modules/.package-lock.json
+}
+
+# The fonts are for the screenshots and measures of Chinese text, which would be empty boxes without.
+browser() { packages chromium:chromium chromedriver:chromium-driver fc-list:fontconfig cjk:fonts-noto-cjk; }
+
+# packages WHAT:PACKAGE …: installs the packages whose command (or font) is missing, all in one go.
+packages() {
+  local pair missing=()
+  for pair in "$@"; do
+    case ${pair%%:*} in
+      cjk) [ -n "$(fc-list :lang=zh-cn 2>/dev/null | head -n 1)" ] ;;
+      *) command -v "${pair%%:*}" >/dev/null ;;
+    esac || missing+=("${pair##*:}")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  local root=()
+  [ "$(id -u)" = 0 ] || root=(sudo -n)
+  if ! command -v apt-get >/dev/null || ! "${root[@]}" true 2>/dev/null; then
+    fail "these packages are missing and cannot be installed from here: ${missing[*]} (Debian names)"
+  fi
+  say "apt: ${missing[*]}"
+  "${root[@]}" apt-get update -q
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
+}
+
+command -v cargo >/dev/null || fail "Rust is missing: https://rustup.rs"
+packages cc:gcc cc:libc6-dev
+for part in "$@"; do "$part"; done

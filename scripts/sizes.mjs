@@ -1,0 +1,54 @@
+// What the browser has to load, brotli, against the limits: `node scripts/sizes.mjs [folder]`.
+import { readdirSync, readFileSync } from 'node:fs';
+import { extname, join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { brotliCompressSync, constants } from 'node:zlib';
+
+const KB = 1000;
+const LIMITS = { wasm: 250 * KB, total: 300 * KB };
+
+// The files that opening the page loads: index.html, what it names, and what those modules import at once. The end-to-end
+// tests hold this against what a browser really asks for (tests/e2e/smoke.test.mjs).
+export function firstLoad(folder) {
+  const found = new Set(['index.html']);
+  for (const name of found) {
+    const text = ['.html', '.js'].includes(extname(name)) ? readFileSync(join(folder, name), 'utf8') : '';
+    const names = name.endsWith('.html') ? /(?:href|src|data-js|data-wasm)="([^"]+)"/g : /^(?:import|export)\b[^;'"]*['"]([^'"]+)['"]/gm;
+    for (const [, at] of text.matchAll(names)) {
+      const path = new URL(at, `http://site/${name}`).pathname.slice(1);
+      if (path !== '') found.add(path);
+    }
+  }
+  return [...found].sort();
+}
+
+// Size of a file as a good host sends it.
+export function brotli(file) {
+  return brotliCompressSync(readFileSync(file), { params: { [constants.BROTLI_PARAM_QUALITY]: 11 } }).length;
+}
+
+function main(folder) {
+  const first = firstLoad(folder);
+  const later = readdirSync(folder, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => join(entry.parentPath, entry.name).slice(join(folder, '/').length))
+    .filter((name) => !first.includes(name))
+    .sort();
+  const row = (bytes, name) => console.log(`${(bytes / KB).toFixed(1).padStart(8)} KB  ${name}`);
+  const sum = { wasm: 0, total: 0 };
+  for (const name of first) {
+    const bytes = brotli(join(folder, name));
+    sum.total += bytes;
+    if (name.endsWith('.wasm')) sum.wasm += bytes;
+    row(bytes, name);
+  }
+  for (const [what, limit] of Object.entries(LIMITS)) row(sum[what], `${what} on first load, limit ${limit / KB} KB`);
+  for (const name of later) row(brotli(join(folder, name)), `${name} (only when asked for)`);
+  const over = Object.keys(LIMITS).filter((what) => sum[what] >= LIMITS[what]);
+  if (over.length > 0) {
+    console.error(`too big: ${over.join(', ')}`);
+    process.exit(1);
+  }
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1]).href) main(process.argv[2] ?? 'dist');

@@ -1,0 +1,79 @@
+// A person at the page: opens it in the system's Chromium and fails the test on whatever the browser complains about.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { existsSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import { serve } from '../../scripts/serve.mjs';
+
+export const DIST = fileURLToPath(new URL('../../dist', import.meta.url));
+const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const CHROMIUM = execFileSync('sh', ['-c', 'command -v chromium'], { encoding: 'utf8' }).trim();
+
+// Serves dist/ and starts the browser; both end with `close`. One per test file, in `before` and `after`.
+export async function start() {
+  assert.ok(existsSync(DIST), 'there is no dist/: run `make dist` first');
+  const site = await serve(DIST);
+  // As root Chromium refuses its sandbox, and a container has a small /dev/shm.
+  const browser = await chromium.launch({ executablePath: CHROMIUM, args: ['--no-sandbox', '--disable-dev-shm-usage'] });
+  return {
+    url: site.url,
+    browser,
+    close: async () => {
+      await browser.close();
+      await site.close();
+    },
+  };
+}
+
+// Opens the page in a fresh profile and waits until the app is there, gives it to `act`, and then holds that the browser
+// had nothing to complain about: `withPage(app, { viewport: … }, async ({ page, requests }) => …)`.
+export async function withPage(app, options, act) {
+  const context = await app.browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, ...options });
+  const complaints = [];
+  const requests = [];
+  try {
+    context.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) complaints.push(`console ${message.type()}: ${message.text()}`);
+    });
+    context.on('weberror', (fault) => complaints.push(`uncaught: ${fault.error().message}`));
+    context.on('request', (request) => requests.push(request.url().replace(app.url, '')));
+    context.on('requestfailed', (request) => complaints.push(`failed: ${request.url()} ${request.failure()?.errorText}`));
+    context.on('response', (response) => {
+      if (response.status() >= 400) complaints.push(`status ${response.status()}: ${response.url()}`);
+    });
+    // Not every violation of the content security policy reaches the console.
+    await context.exposeBinding('complain', (_, text) => complaints.push(text));
+    await context.addInitScript(() => {
+      addEventListener('securitypolicyviolation', (event) =>
+        window.complain(`content security policy: ${event.violatedDirective} ${event.blockedURI} ${event.sourceFile}:${event.lineNumber}`),
+      );
+    });
+    const page = await context.newPage();
+    await page.goto(app.url);
+    await ready(page);
+    await act({ page, context, requests });
+    // What is on its way to the console arrives before this does.
+    await page.evaluate(() => new Promise((done) => setTimeout(done)));
+    assert.deepEqual(complaints, [], 'the browser complained');
+  } finally {
+    await context.close();
+  }
+}
+
+// The app is there when boot.js has removed its notice, or has put its error there.
+export async function ready(page) {
+  await page.waitForFunction(() => !document.getElementById('boot')?.textContent.includes('loading'));
+  const failed = await page.locator('#boot').allTextContents();
+  assert.deepEqual(failed, [], 'the app did not start');
+}
+
+// Holds that axe-core finds nothing in the page as it stands now (WCAG 2.2 A and AA, and axe's best practices).
+export async function accessible(page) {
+  // Evaluated by the test and not by the page, so the page's content security policy stays in force.
+  await page.evaluate(AXE);
+  const { violations } = await page.evaluate(() => window.axe.run(document, { resultTypes: ['violations'] }));
+  const told = violations.map(({ id, help, nodes }) => `${id}: ${help}\n    ${nodes.map((node) => node.html).join('\n    ')}`);
+  assert.deepEqual(told, [], `not accessible:\n  ${told.join('\n  ')}\n`);
+}
