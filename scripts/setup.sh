@@ -79,9 +79,8 @@ packages() {
     fail "these packages are missing and cannot be installed from here: ${missing[*]} (Debian names)"
   fi
   say "apt: ${missing[*]}"
-  "${root[@]}" apt-get update -q || say "apt: the lists could not be renewed, trying with the old ones"
-  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}" ||
-    fail "apt could not install ${missing[*]}"
+  "${root[@]}" apt-get update -q
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"
 }
 
 command -v cargo >/dev/null || fail "Rust is missing: https://rustup.rs"

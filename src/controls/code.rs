@@ -39,6 +39,8 @@ pub enum Code {
     WorkCoordinates(u8),
     /// Setting of the coordinate system.
     SetCoordinates,
+    /// Zero of the local coordinate system, within the work coordinate system.
+    LocalCoordinates,
     /// Absolute dimensions.
     Absolute,
     /// Incremental dimensions.
@@ -110,6 +112,8 @@ pub enum Group {
     SurfaceSpeed,
     /// Modal macro call.
     MacroModal,
+    /// Fixed cycles.
+    Cycle,
     /// M codes and everything else.
     Other,
 }

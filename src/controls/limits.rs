@@ -13,6 +13,8 @@ pub struct Limits {
     pub feed_max: f64,
     /// Smallest feed step in mm/min.
     pub feed_increment: f64,
+    /// Start and end of an arc may differ by this in their distance from the centre, in millimetres.
+    pub arc_tolerance: f64,
     /// Largest S word in r/min.
     pub speed_max: f64,
     /// Subprograms nested at most.

@@ -1,5 +1,6 @@
 //! Ranges of variables: what they hold, how long, and who may write them.
 
+use super::Group;
 use crate::text::Citation;
 
 /// What a range of variables is.
@@ -35,10 +36,14 @@ pub enum VarKind {
     SuppressOverride,
     /// `#3006`: stop with message.
     StopMessage,
-    /// Modal data as read ahead: codes by group, words by address.
-    Modal,
-    /// Modal data of the executing block.
-    ModalExecuting,
+    /// Code in force of a modal group, as read ahead.
+    ModalCode(Group),
+    /// Last word of an address letter, as read ahead.
+    ModalWord(u8),
+    /// Code in force of a modal group in the executing block.
+    ExecutingCode(Group),
+    /// Last word of an address letter in the executing block.
+    ExecutingWord(u8),
     /// End point of the block before, work coordinates, axis by axis.
     BlockEnd,
     /// Machine position, axis by axis.
@@ -86,8 +91,10 @@ impl VarKind {
             VarKind::Vacant
                 | VarKind::InputBit
                 | VarKind::InputWord
-                | VarKind::Modal
-                | VarKind::ModalExecuting
+                | VarKind::ModalCode(_)
+                | VarKind::ModalWord(_)
+                | VarKind::ExecutingCode(_)
+                | VarKind::ExecutingWord(_)
                 | VarKind::BlockEnd
                 | VarKind::MachinePosition
                 | VarKind::WorkPosition

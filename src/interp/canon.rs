@@ -5,6 +5,8 @@
 
 use core::fmt;
 
+use crate::controls::AxisDef;
+
 /// Axes that a control can have at most.
 pub const AXES: usize = 6;
 
@@ -125,17 +127,17 @@ pub enum Canon {
 /// Names and scale that a [`Canon`] needs to be written as a line.
 #[derive(Debug, Clone, Copy)]
 pub struct Names<'a> {
-    /// Axis letters in the control's order.
-    pub axes: &'a [u8],
+    /// Axes in the control's order.
+    pub axes: &'a [AxisDef],
     /// Millimetres or degrees per command increment.
     pub increment: f64,
 }
 
 impl Target {
     fn write(&self, f: &mut fmt::Formatter<'_>, names: &Names) -> fmt::Result {
-        for (k, &letter) in names.axes.iter().enumerate().take(AXES) {
+        for (k, axis) in names.axes.iter().enumerate().take(AXES) {
             if self.mask & (1 << k) != 0 {
-                write!(f, " {}{}", letter as char, decimal(self.position[k] as f64 * names.increment))?;
+                write!(f, " {}{}", axis.letter as char, decimal(self.position[k] as f64 * names.increment))?;
             }
         }
         Ok(())
@@ -188,7 +190,7 @@ impl fmt::Display for Line<'_> {
                 f.write_str(if *clockwise { "arc-cw" } else { "arc-ccw" })?;
                 to.write(f, names)?;
                 for (axis, center) in [(plane.0, center.0), (plane.1, center.1)] {
-                    let letter = names.axes.get(axis as usize).copied().unwrap_or(b'?') as char;
+                    let letter = names.axes.get(axis as usize).map_or('?', |axis| axis.letter as char);
                     write!(f, " c{letter}{}", decimal(center * names.increment))?;
                 }
                 write!(f, " {feed}{}", stop(*exact))

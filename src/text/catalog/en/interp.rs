@@ -1,4 +1,56 @@
-//! Sentences about running a program.
+//! Sentences about running a program: what a control says when it stops.
 
 /// `(id, sentence)`.
-pub(super) const ROWS: &[(&str, &str)] = &[];
+pub(super) const ROWS: &[(&str, &str)] = &[
+    (
+        "interp.arc-deviation",
+        "This arc does not close: its start lies {0} mm from the centre, its end {1} mm. They may differ by {2} mm.",
+    ),
+    ("interp.arc-no-center", "This arc has no centre: give I, J, K, or R and an end point that is not the start."),
+    ("interp.arc-radius", "An arc with radius {0} mm does not reach its end; the radius must be {1} mm at least."),
+    ("interp.argument-sets", "A macro call takes {0} sets of I, J, K at most."),
+    ("interp.bad-block", "This block cannot be read, so the program stops here."),
+    ("interp.call-without-program", "The macro call does not say which program: add P and its number."),
+    ("interp.division-by-zero", "Division by zero."),
+    ("interp.do-nesting", "DO … END may be nested {0} deep; this is one more."),
+    (
+        "interp.do-pair",
+        "This DO or END has no partner: each DO needs an END with the same number behind it, and loops must not cross.",
+    ),
+    ("interp.feed-zero", "The feed of this motion is 0."),
+    ("interp.hint-common", "Free to use are the common variables #{0} to #{1}."),
+    ("interp.hint-divisor-vacant", "#{0} is not set and counts as 0. Set it, or test it before: IF[#{0} LE 0]GOTO …"),
+    ("interp.hint-divisor-zero", "#{0} is 0. Test it before: IF[#{0} LE 0]GOTO …"),
+    ("interp.hint-end-main", "End a main program with M30."),
+    ("interp.hint-end-sub", "End a subprogram with M99."),
+    ("interp.hint-feed", "Write F in this block or in one before."),
+    ("interp.hint-feed-zero", "Jump over the motion when the calculated feed is 0: IF[#… LE 0]GOTO …"),
+    ("interp.hint-program", "Load the file with that program too, or correct the number behind P."),
+    ("interp.into-loop", "The jump to N{0} leads into a loop from outside; enter loops at their DO."),
+    ("interp.macro-nesting", "Macro calls may be nested {0} deep."),
+    ("interp.no-end", "Program {0} ends without M02, M30 or M99."),
+    ("interp.no-feed", "A cutting motion without feed."),
+    ("interp.no-modal-call", "There is no modal macro call that could end here."),
+    ("interp.no-program", "Program {0} is not there."),
+    ("interp.no-program-at-all", "There is no program to run."),
+    ("interp.no-sequence", "There is no block N{0} in this program."),
+    ("interp.no-such-variable", "The control has no variable #{0}."),
+    ("interp.not-32-bits", "AND, OR and XOR take whole numbers of 32 bits; {0} is none."),
+    ("interp.not-a-variable", "Only a variable can stand left of the equals sign."),
+    ("interp.not-bcd", "{0} cannot be converted between binary and BCD."),
+    ("interp.outside-domain", "{0} of {1} has no value."),
+    ("interp.overflow", "The result is too large for the control."),
+    ("interp.read-only", "#{0} cannot be written ({1})."),
+    ("interp.sub-nesting", "Subprograms may be nested {0} deep."),
+    ("interp.too-long", "This formula is longer than the control's buffer. Divide it into several blocks."),
+    ("interp.unknown-code", "The control has no G{0}."),
+    ("interp.user-alarm", "The program raises its alarm {0}."),
+    ("interp.user-alarm-text", "The program raises its alarm {0}: {1}"),
+    ("interp.value-range", "{0} is outside the allowed range, {1} to {2}."),
+    (
+        "interp.variable-not-simulated",
+        "#{0} ({1}) is not simulated, so the run stops here. The control itself would go on.",
+    ),
+    ("interp.word-range", "{0}{1} is outside the range of its address, {2} to {3}."),
+    ("interp.write-only", "#{0} can be written, not read."),
+];

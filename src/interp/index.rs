@@ -1,0 +1,236 @@
+//! What a run looks up, made once per program: codes by number, variables by slot, sequence numbers, pairs of DO and END.
+
+use crate::controls::{Alarm, CodeDef, Control, VarKind, VarRange};
+use crate::nc::{Deck, Stmt};
+
+/// Where a variable lives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Slot {
+    /// The control has no such number.
+    None,
+    /// Local variable `#n`, as index from 0.
+    Local(u8),
+    /// A common variable, as index into the store.
+    Common(u16),
+    /// Everything else: index of its row.
+    Row(u16),
+}
+
+/// Numbers below this are looked up in one step.
+const DIRECT: u32 = 2048;
+/// A row without place in the store.
+const NOT_STORED: u32 = u32::MAX;
+
+/// A DO with its END, as block indices of the deck.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Loop {
+    start: u32,
+    end: u32,
+    /// Index of the loop around it.
+    parent: Option<u32>,
+}
+
+/// What DO or END leads to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Partner {
+    /// The other one, as block index.
+    Block(u32),
+    /// There is none that fits.
+    Fault(Alarm),
+}
+
+/// The places of one program that jumps can reach.
+#[derive(Debug, Default)]
+struct Jumps {
+    /// (sequence number, block), sorted.
+    numbers: Vec<(u32, u32)>,
+    /// Loops by their first block.
+    loops: Vec<Loop>,
+    /// (block of DO or END, partner), sorted by block.
+    pairs: Vec<(u32, Partner)>,
+}
+
+/// All look-up tables of a run.
+#[derive(Debug)]
+pub(super) struct Index {
+    g_codes: Vec<u16>,
+    m_codes: Vec<u16>,
+    axes: [u8; 32],
+    direct: Vec<Slot>,
+    /// Start of each variable row in the store, or [`NOT_STORED`].
+    bases: Vec<u32>,
+    /// How many variables the store holds.
+    pub(super) stored: u32,
+    /// (program number, index of its first program), sorted.
+    numbers: Vec<(u32, u32)>,
+    jumps: Vec<Jumps>,
+}
+
+/// Whether values of these variables are kept by the interpreter.
+fn is_stored(kind: VarKind) -> bool {
+    use VarKind::*;
+    matches!(kind, Common | Retained | OutputBit | OutputWord | ToolOffset | SuppressSingleBlock | SuppressOverride)
+}
+
+fn code_table(control: &Control, letter: u8) -> Vec<u16> {
+    let rows = || control.codes.iter().enumerate().filter(|(_, row)| row.letter == letter);
+    let size = rows().map(|(_, row)| row.number as usize + 1).max().unwrap_or(0);
+    let mut table = vec![u16::MAX; size];
+    for (at, row) in rows() {
+        table[row.number as usize] = at as u16;
+    }
+    table
+}
+
+impl Index {
+    /// Reads a deck and a control once.
+    pub(super) fn new(deck: &Deck, control: &Control) -> Index {
+        let mut axes = [u8::MAX; 32];
+        for (k, axis) in control.axes.iter().enumerate().take(super::canon::AXES) {
+            axes[(axis.letter & 31) as usize] = k as u8;
+        }
+        let (mut bases, mut stored) = (Vec::with_capacity(control.vars.len()), 0);
+        for row in control.vars {
+            bases.push(if is_stored(row.kind) { stored } else { NOT_STORED });
+            if is_stored(row.kind) {
+                stored += row.last - row.first + 1;
+            }
+        }
+        let mut numbers: Vec<(u32, u32)> = Vec::with_capacity(deck.programs.len());
+        numbers.extend(deck.programs.iter().enumerate().map(|(at, program)| (program.number, at as u32)));
+        numbers.sort_unstable();
+        let mut index = Index {
+            g_codes: code_table(control, b'G'),
+            m_codes: code_table(control, b'M'),
+            axes,
+            direct: Vec::new(),
+            bases,
+            stored,
+            numbers,
+            jumps: deck.programs.iter().map(|program| jumps(deck, program.first..program.end, control)).collect(),
+        };
+        index.direct = (0..DIRECT).map(|number| index.find_slot(control, number)).collect();
+        index
+    }
+
+    /// The row of a code; `number` is ten times what is written.
+    pub(super) fn code(&self, control: &'static Control, letter: u8, number: u32) -> Option<&'static CodeDef> {
+        let table = if letter == b'G' { &self.g_codes } else { &self.m_codes };
+        control.codes.get(*table.get(number as usize)? as usize)
+    }
+
+    /// Index of an axis letter (upper case).
+    pub(super) fn axis(&self, letter: u8) -> Option<usize> {
+        let axis = self.axes[(letter & 31) as usize];
+        (axis != u8::MAX).then_some(axis as usize)
+    }
+
+    fn find_slot(&self, control: &Control, number: u32) -> Slot {
+        let Some(at) = control.vars.iter().position(|row| row.first <= number && number <= row.last) else {
+            return Slot::None;
+        };
+        match (control.vars[at].kind, self.stored_at(&control.vars[at], at, number)) {
+            (VarKind::Local, _) => Slot::Local((number - control.vars[at].first).min(32) as u8),
+            (VarKind::Common | VarKind::Retained, Some(slot)) => Slot::Common(slot),
+            _ => Slot::Row(at as u16),
+        }
+    }
+
+    /// Where a variable lives.
+    pub(super) fn slot(&self, control: &Control, number: u32) -> Slot {
+        match self.direct.get(number as usize) {
+            Some(&slot) => slot,
+            None => self.find_slot(control, number),
+        }
+    }
+
+    /// The place in the store of a variable of a row.
+    pub(super) fn stored_at(&self, row: &VarRange, at: usize, number: u32) -> Option<u16> {
+        let base = self.bases.get(at).copied().filter(|&base| base != NOT_STORED)?;
+        u16::try_from(base + number.checked_sub(row.first)?).ok()
+    }
+
+    /// Index of the first program with a number.
+    pub(super) fn program(&self, number: u32) -> Option<u32> {
+        let at = self.numbers.partition_point(|&(n, _)| n < number);
+        self.numbers.get(at).filter(|&&(n, _)| n == number).map(|&(_, program)| program)
+    }
+
+    /// The block with a sequence number: searched from `from` on to the end of the program, then from its head.
+    pub(super) fn sequence(&self, program: u32, number: u32, from: u32) -> Option<u32> {
+        let numbers = &self.jumps.get(program as usize)?.numbers;
+        let first_from = |block: u32| {
+            let at = numbers.partition_point(|&row| row < (number, block));
+            numbers.get(at).filter(|&&(n, _)| n == number).map(|&(_, block)| block)
+        };
+        first_from(from).or_else(|| first_from(0))
+    }
+
+    /// What belongs to the DO or END in a block.
+    pub(super) fn partner(&self, program: u32, block: u32) -> Partner {
+        let pairs = self.jumps.get(program as usize).map_or(&[][..], |jumps| &jumps.pairs);
+        match pairs.binary_search_by_key(&block, |&(at, _)| at) {
+            Ok(at) => pairs[at].1,
+            Err(_) => Partner::Fault(Alarm::DoPair),
+        }
+    }
+
+    /// Whether a jump leads from outside into a loop.
+    pub(super) fn enters_loop(&self, program: u32, from: u32, to: u32) -> bool {
+        let loops = self.jumps.get(program as usize).map_or(&[][..], |jumps| &jumps.loops);
+        // The innermost loop around the target; its DO itself may be jumped to.
+        let mut at = loops.partition_point(|l| l.start < to).checked_sub(1).map(|at| at as u32);
+        while let Some(inner) = at.and_then(|at| loops.get(at as usize)) {
+            if inner.end >= to {
+                return !(inner.start <= from && from <= inner.end);
+            }
+            at = inner.parent;
+        }
+        false
+    }
+}
+
+fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps {
+    let mut jumps = Jumps::default();
+    // Loops that are open: (label, block of the DO).
+    let mut open: Vec<(u16, u32)> = Vec::new();
+    for at in range {
+        let Some(block) = deck.blocks.get(at as usize) else { break };
+        if let Some(number) = block.number {
+            jumps.numbers.push((number, at));
+        }
+        match block.stmt {
+            Stmt::While { label, .. } => {
+                if open.len() >= control.syntax.do_depth as usize {
+                    jumps.pairs.push((at, Partner::Fault(Alarm::DoNesting)));
+                } else {
+                    open.push((label, at));
+                }
+            }
+            Stmt::End { label } => match open.last() {
+                Some(&(last, start)) if last == label => {
+                    open.pop();
+                    jumps.pairs.push((start, Partner::Block(at)));
+                    jumps.pairs.push((at, Partner::Block(start)));
+                    jumps.loops.push(Loop { start, end: at, parent: None });
+                }
+                // Without DO or crossing another loop. A DO that finds no END stays without a partner.
+                _ => jumps.pairs.push((at, Partner::Fault(Alarm::DoPair))),
+            },
+            _ => {}
+        }
+    }
+    jumps.numbers.sort_unstable();
+    jumps.pairs.sort_unstable_by_key(|&(at, _)| at);
+    jumps.loops.sort_unstable_by_key(|l| l.start);
+    let mut around: Vec<u32> = Vec::new();
+    for at in 0..jumps.loops.len() {
+        let start = jumps.loops[at].start;
+        while around.last().is_some_and(|&outer| jumps.loops[outer as usize].end < start) {
+            around.pop();
+        }
+        jumps.loops[at].parent = around.last().copied();
+        around.push(at as u32);
+    }
+    jumps
+}

@@ -1,0 +1,410 @@
+//! The state of a run between two steps, and the step itself.
+
+use std::rc::Rc;
+
+use super::call::{Frame, ModalCall};
+use super::canon::{AXES, Canon};
+use super::fault::{Run, Trap};
+use super::index::{Index, Partner};
+use super::modal::Modal;
+use super::vars::{VACANT, Vars};
+use super::{Counts, End, Step, World};
+use crate::controls::{Alarm, Code, Control, Group, Limits, Switches};
+use crate::msg;
+use crate::nc::{Block, Deck, ExprId, Parsed, Stmt};
+use crate::text::{Diagnostic, FileId, Place, Span};
+
+/// What all copies of a run share.
+#[derive(Debug)]
+pub(super) struct Shared {
+    pub(super) parsed: Rc<Parsed>,
+    pub(super) control: &'static Control,
+    pub(super) index: Index,
+    pub(super) rules: Rules,
+    pub(super) units: Units,
+    /// The program that a run starts with; `Err` is a number that no program has.
+    pub(super) start: Result<u32, u32>,
+}
+
+/// The control's open points, as they are set.
+#[derive(Debug)]
+pub(super) struct Rules {
+    /// A coordinate without a point counts millimetres, not increments.
+    pub(super) whole_units: bool,
+    /// F0 is rapid traverse, not an alarm.
+    pub(super) feed_zero_rapid: bool,
+    /// S is rounded, not cut.
+    pub(super) round_speed: bool,
+    /// `#3004` switches the cutting override off.
+    pub(super) suppress_override: bool,
+    /// A local variable without argument keeps its last value.
+    pub(super) keep_locals: bool,
+    /// Common variables become vacant at reset.
+    pub(super) clear_common: bool,
+    /// Codes in force at the start.
+    pub(super) startup: Vec<Code>,
+}
+
+impl Rules {
+    pub(super) fn new(control: &Control, switches: &Switches) -> Rules {
+        let is = |id: &str, setting: &str| switches.get(control.switches, id) == Some(setting);
+        let mut startup = control.startup.to_vec();
+        for (id, group) in [("startup-distance", Group::Distance), ("startup-motion", Group::Motion)] {
+            let Some(setting) = switches.get(control.switches, id) else { continue };
+            let number = setting.get(1..).and_then(|number| number.parse::<u16>().ok());
+            let row = number.and_then(|number| control.code(b'G', number.saturating_mul(10)));
+            startup.extend(row.filter(|row| row.group == group).map(|row| row.code));
+        }
+        Rules {
+            whole_units: is("decimal-point", "millimetres"),
+            feed_zero_rapid: is("feed-zero", "rapid"),
+            round_speed: is("spindle-word", "round"),
+            suppress_override: !is("override-suppression", "no"),
+            keep_locals: is("locals-of-calls", "kept"),
+            clear_common: is("common-at-reset", "vacant"),
+            startup,
+        }
+    }
+}
+
+/// Ranges and roundings of words, in the numbers that the hot path needs.
+#[derive(Debug)]
+pub(super) struct Units {
+    /// Decimals of a command increment: 3 for 0.001.
+    pub(super) decimals: u8,
+    /// Command increments per millimetre or degree.
+    pub(super) per_unit: f64,
+    /// Largest coordinate in increments.
+    pub(super) coordinate_max: i64,
+    /// Feed increments per mm/min.
+    pub(super) per_feed: f64,
+    /// Bit `letter & 31`: a word without a point counts increments.
+    pub(super) increment_letters: u32,
+    /// Bit `letter & 31`: what stands behind the point is dropped.
+    pub(super) integer_letters: u32,
+}
+
+fn letter_bits(letters: &[u8]) -> u32 {
+    letters.iter().fold(0, |bits, letter| bits | 1 << (letter & 31))
+}
+
+impl Units {
+    pub(super) fn new(control: &Control) -> Units {
+        let Limits { increment, coordinate_max, feed_increment, .. } = control.limits;
+        let (mut decimals, mut per_unit) = (0, 1.0);
+        while decimals < 9 && increment * per_unit < 0.999 {
+            decimals += 1;
+            per_unit *= 10.0;
+        }
+        Units {
+            decimals,
+            per_unit,
+            coordinate_max: (coordinate_max * per_unit).round() as i64,
+            per_feed: (1.0 / feed_increment).round(),
+            increment_letters: letter_bits(control.syntax.increment_addresses),
+            integer_letters: letter_bits(control.syntax.integer_addresses),
+        }
+    }
+}
+
+/// What a block may ask while it runs.
+pub(super) struct Cx<'a> {
+    pub(super) shared: &'a Shared,
+    pub(super) control: &'static Control,
+    pub(super) deck: &'a Deck,
+    pub(super) world: &'a mut dyn World,
+}
+
+/// Commands of the last block that were not taken yet.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Queue {
+    items: Vec<Canon>,
+    head: usize,
+}
+
+impl Queue {
+    #[inline]
+    pub(super) fn push(&mut self, canon: Canon) {
+        self.items.push(canon);
+    }
+
+    #[inline]
+    pub(super) fn is_empty(&self) -> bool {
+        self.items.is_empty()
+    }
+
+    #[inline]
+    fn pop(&mut self) -> Option<Canon> {
+        if self.items.len() == self.head + 1 {
+            self.head = 0;
+            let last = self.items.pop();
+            self.items.clear();
+            return last;
+        }
+        let canon = core::mem::replace(self.items.get_mut(self.head)?, Canon::Stop);
+        self.head += 1;
+        Some(canon)
+    }
+
+    fn clear(&mut self) {
+        self.items.clear();
+        self.head = 0;
+    }
+}
+
+/// A run between two steps.
+#[derive(Debug, Clone)]
+pub(super) struct State {
+    pub(super) vars: Vars,
+    pub(super) modal: Modal,
+    /// Commanded position in command increments, machine frame.
+    pub(super) position: [i64; AXES],
+    pub(super) queue: Queue,
+    pub(super) frames: Vec<Frame>,
+    pub(super) modal_call: Option<Rc<ModalCall>>,
+    /// Program that is running, with its file and its blocks.
+    pub(super) program: u32,
+    pub(super) file: FileId,
+    pub(super) first: u32,
+    pub(super) end: u32,
+    /// Next block.
+    pub(super) at: u32,
+    /// Block that ran last.
+    pub(super) place: Place,
+    pub(super) counts: Counts,
+    /// Machine time at which `#3001` and `#3002` would be 0, in ms.
+    pub(super) clock_zero: [f64; 2],
+    /// The machine is at rest for the block that comes next.
+    pub(super) synced: bool,
+    /// Nothing behind the last block may be read before the machine is at rest.
+    pub(super) pause: bool,
+    pub(super) ended: Option<End>,
+}
+
+impl State {
+    pub(super) fn new(shared: &Shared) -> State {
+        let mut state = State {
+            vars: Vars::new(shared.index.stored),
+            modal: Modal::new(shared.control, shared.rules.startup.iter().copied()),
+            position: [0; AXES],
+            queue: Queue::default(),
+            frames: Vec::new(),
+            modal_call: None,
+            program: 0,
+            file: FileId::default(),
+            first: 0,
+            end: 0,
+            at: 0,
+            place: Place::default(),
+            counts: Counts::default(),
+            clock_zero: [0.0; 2],
+            synced: false,
+            pause: false,
+            ended: None,
+        };
+        state.rewind(shared);
+        state
+    }
+
+    /// Back to the first block of the start program.
+    fn rewind(&mut self, shared: &Shared) {
+        match shared.start {
+            Ok(program) => self.go_to_program(shared.parsed.deck(), program),
+            Err(number) => {
+                let trap = if number == 0 {
+                    Trap::alarm(Alarm::NoProgram, msg!("interp.no-program-at-all"))
+                } else {
+                    Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", number))
+                };
+                self.fail(shared.control, trap);
+            }
+        }
+    }
+
+    /// What the reset key does: modal codes as after power-on, locals vacant, common variables as the control's parameter says.
+    pub(super) fn reset(&mut self, shared: &Shared) {
+        let (position, counts, clock_zero, modal) = (self.position, self.counts, self.clock_zero, self.modal.clone());
+        let vars = core::mem::replace(&mut self.vars, Vars::new(shared.index.stored));
+        *self = State::new(shared);
+        (self.position, self.counts, self.clock_zero) = (position, counts, clock_zero);
+        // Where work zero lies outlives a reset; G52 does not.
+        self.modal.origin = modal.origin;
+        self.keep_stored(shared, &vars);
+    }
+
+    fn keep_stored(&mut self, shared: &Shared, old: &Vars) {
+        use crate::controls::VarKind::*;
+        for (at, row) in shared.control.vars.iter().enumerate() {
+            let kept = match row.kind {
+                Common => !shared.rules.clear_common,
+                Retained | ToolOffset | OutputBit | OutputWord => true,
+                _ => false,
+            };
+            for number in row.first..=row.last {
+                if let (true, Some(slot)) = (kept, shared.index.stored_at(row, at, number)) {
+                    let value = old.common(slot);
+                    if !value.is_nan() {
+                        self.vars.set_common(slot, value);
+                    }
+                }
+            }
+        }
+    }
+
+    pub(super) fn go_to_program(&mut self, deck: &Deck, program: u32) {
+        if let Some(row) = deck.programs.get(program as usize) {
+            (self.program, self.file) = (program, row.file);
+            (self.first, self.end, self.at) = (row.first, row.end, row.first);
+            self.modal.word(b'O', if row.number == 0 { VACANT } else { f64::from(row.number) });
+        }
+    }
+
+    #[cold]
+    fn fail(&mut self, control: &Control, trap: Trap) -> Step {
+        self.queue.clear();
+        if let Trap::Alarm(fault) = trap {
+            self.ended = Some(End::Alarm(Box::new(fault.diagnostic(control, self.place))));
+        }
+        self.over()
+    }
+
+    #[cold]
+    fn over(&self) -> Step {
+        Step::Ended(self.ended.clone().unwrap_or(End::Program))
+    }
+
+    /// At most one block, or one more command of the last.
+    pub(super) fn step(&mut self, shared: &Shared, world: &mut dyn World) -> Step {
+        if let Some(canon) = self.queue.pop() {
+            return Step::Command(canon, self.place);
+        }
+        if self.ended.is_some() {
+            return self.over();
+        }
+        if core::mem::take(&mut self.pause) {
+            return Step::Sync(self.place);
+        }
+        let deck = shared.parsed.deck();
+        let mut cx = Cx { shared, control: shared.control, deck, world };
+        let at = self.at;
+        let Some(block) = deck.blocks.get(at as usize).filter(|_| at < self.end) else {
+            return self.no_end(&cx);
+        };
+        self.place = Place { file: self.file, span: block.span };
+        self.at = at + 1;
+        match self.block(&mut cx, at, block) {
+            Ok(()) => {
+                self.synced = false;
+                match self.queue.pop() {
+                    Some(canon) => Step::Command(canon, self.place),
+                    None => Step::Logic(self.place),
+                }
+            }
+            Err(Trap::Sync) => {
+                self.queue.clear();
+                self.at = at;
+                self.synced = true;
+                Step::Sync(self.place)
+            }
+            Err(trap) => self.fail(shared.control, trap),
+        }
+    }
+
+    /// The program has run out of blocks.
+    #[cold]
+    fn no_end(&mut self, cx: &Cx) -> Step {
+        let program = cx.deck.programs.get(self.program as usize);
+        let last = (self.first < self.end).then(|| cx.deck.blocks.get(self.end as usize - 1)).flatten();
+        let end = last.map_or(program.map_or(0, |program| program.span.end), |block| block.span.end);
+        self.place = Place { file: self.file, span: Span::at(end) };
+        let hint = if self.frames.is_empty() { msg!("interp.hint-end-main") } else { msg!("interp.hint-end-sub") };
+        let number = program.map_or(0, |program| program.number);
+        self.fail(cx.control, Trap::alarm(Alarm::NoProgramEnd, msg!("interp.no-end", number)).hint(hint))
+    }
+
+    fn block(&mut self, cx: &mut Cx, at: u32, block: &Block) -> Run<()> {
+        if block.skip > 0 && cx.world.block_skip(block.skip) {
+            self.counts.macros += 1;
+            return Ok(());
+        }
+        if let Some(number) = block.number {
+            self.modal.word(b'N', f64::from(number));
+        }
+        if let Stmt::Words { .. } = block.stmt {
+            return self.words(cx, at, block, cx.deck.words_of(block));
+        }
+        match block.stmt {
+            Stmt::Words { .. } | Stmt::Empty => {}
+            Stmt::Assign { to, value } => self.assign(cx, block, to, value)?,
+            Stmt::If { cond, target } => {
+                if self.number(cx, cond)? != 0.0 {
+                    self.go_to(cx, at, target)?;
+                }
+            }
+            Stmt::Goto(target) => self.go_to(cx, at, target)?,
+            Stmt::While { cond, .. } => {
+                let end = self.partner(cx, at)?;
+                let goes_on = match cond {
+                    Some(cond) => self.number(cx, cond)? != 0.0,
+                    None => true,
+                };
+                if !goes_on {
+                    self.at = end.saturating_add(1);
+                }
+            }
+            Stmt::End { .. } => self.at = self.partner(cx, at)?,
+            Stmt::Bad(alarm) => return Err(self.bad_block(cx, block, alarm)),
+        }
+        self.counts.macros += 1;
+        Ok(())
+    }
+
+    /// The alarm of a block that could not be read, in the words of who read it.
+    #[cold]
+    fn bad_block(&self, cx: &Cx, block: &Block, alarm: Alarm) -> Trap {
+        let here = |place: Place| {
+            place.file == self.file && block.span.start <= place.span.start && place.span.end <= block.span.end
+        };
+        let number = cx.control.alarm_number(alarm);
+        let said = |finding: &&Diagnostic| finding.alarm == number && finding.place.is_some_and(here);
+        match cx.shared.parsed.diagnostics().iter().find(said) {
+            Some(finding) => Trap::repeat(alarm, finding),
+            None => Trap::alarm(alarm, msg!("interp.bad-block")),
+        }
+    }
+
+    /// The END of the DO in a block, or the DO of its END.
+    fn partner(&self, cx: &Cx, at: u32) -> Run<u32> {
+        match cx.shared.index.partner(self.program, at) {
+            Partner::Block(partner) => Ok(partner),
+            Partner::Fault(Alarm::DoNesting) => {
+                let depth = u32::from(cx.control.syntax.do_depth);
+                Err(Trap::alarm(Alarm::DoNesting, msg!("interp.do-nesting", depth)))
+            }
+            Partner::Fault(alarm) => Err(Trap::alarm(alarm, msg!("interp.do-pair"))),
+        }
+    }
+
+    fn go_to(&mut self, cx: &mut Cx, from: u32, target: ExprId) -> Run<()> {
+        let number = self.number(cx, target)?;
+        self.go_to_number(cx, from, number)
+    }
+
+    /// Goes on at a sequence number of the running program; `from` is the block that jumps.
+    pub(super) fn go_to_number(&mut self, cx: &Cx, from: u32, number: f64) -> Run<()> {
+        let number = number.round();
+        let found = if (1.0..4e9).contains(&number) {
+            cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1))
+        } else {
+            None
+        };
+        let Some(to) = found else {
+            return Err(Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 0))));
+        };
+        if cx.shared.index.enters_loop(self.program, from, to) {
+            return Err(Trap::alarm(Alarm::DoPair, msg!("interp.into-loop", (number, 0))));
+        }
+        self.at = to;
+        Ok(())
+    }
+}

@@ -1,0 +1,186 @@
+//! Reading and writing variables, those of the system among them.
+
+use super::canon::Canon;
+use super::eval::variable_number;
+use super::fault::{Run, Trap};
+use super::index::Slot;
+use super::state::{Cx, State};
+use super::vars::VACANT;
+use crate::controls::{Alarm, VarKind, VarRange};
+use crate::msg;
+use crate::nc::{Block, Expr, ExprId};
+
+/// Largest value of an output word of 32 bits.
+const WORD_MAX: f64 = 2_147_483_647.0;
+
+impl State {
+    /// The value of a variable; vacant is NaN.
+    #[inline]
+    pub(super) fn read(&self, cx: &mut Cx, number: u32) -> Run<f64> {
+        match cx.shared.index.slot(cx.control, number) {
+            Slot::Common(slot) => Ok(self.vars.common(slot)),
+            Slot::Local(index) => Ok(self.vars.local(index)),
+            Slot::Row(at) => self.read_row(cx, at, number),
+            Slot::None => Err(no_such_variable(cx, number)),
+        }
+    }
+
+    fn read_row(&self, cx: &mut Cx, at: u16, number: u32) -> Run<f64> {
+        let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
+        let axis = (number - row.first) as usize;
+        let millimetres = |increments: i64| increments as f64 / cx.shared.units.per_unit;
+        let value = match row.kind {
+            VarKind::Vacant | VarKind::Local | VarKind::Common | VarKind::Retained => VACANT,
+            VarKind::InputBit | VarKind::InputWord => finite_or_zero(cx.world.input(number)),
+            VarKind::OutputBit
+            | VarKind::OutputWord
+            | VarKind::ToolOffset
+            | VarKind::SuppressSingleBlock
+            | VarKind::SuppressOverride => {
+                // These have a value from the start.
+                let slot = cx.shared.index.stored_at(row, at as usize, number);
+                slot.map_or(0.0, |slot| zero_if_vacant(self.vars.common(slot)))
+            }
+            VarKind::PowerOnTime => finite_or_zero(cx.world.clock_ms(false)) - self.clock_zero[0],
+            VarKind::RunTime => finite_or_zero(cx.world.clock_ms(true)) - self.clock_zero[1],
+            VarKind::ModalCode(group) => f64::from(self.modal.codes[group as usize]) / 10.0,
+            VarKind::ModalWord(letter) => self.modal_word(letter),
+            VarKind::ExecutingCode(_) | VarKind::ExecutingWord(_) if !self.synced => return Err(Trap::Sync),
+            VarKind::ExecutingCode(group) => f64::from(self.modal.codes[group as usize]) / 10.0,
+            VarKind::ExecutingWord(letter) => self.modal_word(letter),
+            VarKind::BlockEnd | VarKind::MachinePosition | VarKind::WorkPosition if axis >= cx.control.axes.len() => {
+                return Err(no_such_variable(cx, number));
+            }
+            VarKind::BlockEnd => millimetres(self.position[axis].saturating_sub(self.modal.zero(axis))),
+            VarKind::MachinePosition | VarKind::WorkPosition if !self.synced => return Err(Trap::Sync),
+            VarKind::MachinePosition => finite_or_zero(cx.world.position(axis)),
+            VarKind::WorkPosition => finite_or_zero(cx.world.position(axis)) - millimetres(self.modal.zero(axis)),
+            VarKind::AlarmMessage | VarKind::StopMessage => {
+                return Err(Trap::alarm(Alarm::VariableSide, msg!("interp.write-only", number)));
+            }
+            VarKind::NotSimulated => return Err(not_simulated(number, row)),
+        };
+        Ok(value)
+    }
+
+    fn modal_word(&self, letter: u8) -> f64 {
+        self.modal.words.get(letter.wrapping_sub(b'A') as usize).copied().unwrap_or(VACANT)
+    }
+
+    /// `to = value` of a block; the comment of the block is the message of alarms and stops.
+    pub(super) fn assign(&mut self, cx: &mut Cx, block: &Block, to: ExprId, value: ExprId) -> Run<()> {
+        let value = self.assigned(cx, value)?;
+        let number = match cx.deck.expr(to) {
+            Expr::Var(number) => number,
+            Expr::Indirect(number) => variable_number(self.value(cx, number)?)?,
+            _ => return Err(Trap::alarm(Alarm::Format, msg!("interp.not-a-variable"))),
+        };
+        match cx.shared.index.slot(cx.control, number) {
+            Slot::Common(slot) => self.vars.set_common(slot, value),
+            Slot::Local(index) => self.vars.set_local(index, value),
+            Slot::Row(at) => self.write_row(cx, block, at, number, zero_if_vacant(value))?,
+            Slot::None => return Err(no_such_variable(cx, number)),
+        }
+        Ok(())
+    }
+
+    fn write_row(&mut self, cx: &mut Cx, block: &Block, at: u16, number: u32, value: f64) -> Run<()> {
+        let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
+        let slot = cx.shared.index.stored_at(row, at as usize, number);
+        let message = || block.comment.and_then(|at| cx.deck.comments.get(at as usize)).map_or("", |text| text);
+        match row.kind {
+            VarKind::OutputBit | VarKind::OutputWord => {
+                let value = if row.kind == VarKind::OutputBit {
+                    f64::from(u8::from(value.round() != 0.0))
+                } else {
+                    value.round().clamp(-WORD_MAX - 1.0, WORD_MAX)
+                };
+                if let Some(slot) = slot {
+                    self.vars.set_common(slot, value);
+                }
+                self.queue.push(Canon::Output { variable: number, value });
+            }
+            VarKind::ToolOffset | VarKind::SuppressSingleBlock => {
+                if let Some(slot) = slot {
+                    self.vars.set_common(slot, value);
+                }
+            }
+            VarKind::SuppressOverride => {
+                let whole = value.round();
+                if !(0.0..=255.0).contains(&whole) {
+                    return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, 0_u32, 255_u32)));
+                }
+                if let Some(slot) = slot {
+                    self.vars.set_common(slot, whole);
+                }
+                let on = |bit: u8| whole as u8 & bit != 0;
+                let feed_override = on(2) && cx.shared.rules.suppress_override;
+                self.queue.push(Canon::Suppress { hold: on(1), feed_override, exact: on(4) });
+            }
+            VarKind::AlarmMessage => return Err(user_alarm(cx, value.round(), message())),
+            VarKind::StopMessage => {
+                self.queue.push(Canon::Message { text: message().to_owned() });
+                self.pause = true;
+            }
+            VarKind::PowerOnTime => self.clock_zero[0] = finite_or_zero(cx.world.clock_ms(false)) - value,
+            VarKind::RunTime => self.clock_zero[1] = finite_or_zero(cx.world.clock_ms(true)) - value,
+            VarKind::NotSimulated => return Err(not_simulated(number, row)),
+            VarKind::Local | VarKind::Common | VarKind::Retained => {}
+            VarKind::Vacant
+            | VarKind::InputBit
+            | VarKind::InputWord
+            | VarKind::ModalCode(_)
+            | VarKind::ModalWord(_)
+            | VarKind::ExecutingCode(_)
+            | VarKind::ExecutingWord(_)
+            | VarKind::BlockEnd
+            | VarKind::MachinePosition
+            | VarKind::WorkPosition => {
+                let trap = Trap::alarm(Alarm::VariableSide, msg!("interp.read-only", number, row.text));
+                return Err(with_common(cx, trap));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn zero_if_vacant(x: f64) -> f64 {
+    if x.is_nan() { 0.0 } else { x }
+}
+
+/// What comes from outside may be anything.
+fn finite_or_zero(x: f64) -> f64 {
+    if x.is_finite() { x } else { 0.0 }
+}
+
+#[cold]
+fn user_alarm(cx: &Cx, number: f64, text: &str) -> Trap {
+    let max = cx.control.limits.user_alarm_max;
+    if !(1.0..=f64::from(max)).contains(&number) {
+        return Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", number, 1_u32, max));
+    }
+    if text.is_empty() {
+        Trap::alarm(Alarm::User, msg!("interp.user-alarm", number))
+    } else {
+        Trap::alarm(Alarm::User, msg!("interp.user-alarm-text", number, text))
+    }
+}
+
+#[cold]
+fn no_such_variable(cx: &Cx, number: u32) -> Trap {
+    with_common(cx, Trap::alarm(Alarm::VariableRange, msg!("interp.no-such-variable", number)))
+}
+
+/// There is no alarm for what only the simulation lacks, and a made-up value would be worse.
+#[cold]
+fn not_simulated(number: u32, row: &VarRange) -> Trap {
+    Trap::alarm(Alarm::Budget, msg!("interp.variable-not-simulated", number, row.text))
+}
+
+/// The way out: a variable that is free to use.
+fn with_common(cx: &Cx, trap: Trap) -> Trap {
+    match cx.control.vars.iter().find(|row| row.kind == VarKind::Common) {
+        Some(row) => trap.hint(msg!("interp.hint-common", row.first, row.last)),
+        None => trap,
+    }
+}

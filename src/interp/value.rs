@@ -1,0 +1,154 @@
+//! Words as numbers: command increments, feeds, whole numbers, with the meaning of the point and the range of each address.
+
+use super::call::word_span;
+use super::fault::{Run, Trap};
+use super::state::{Cx, State};
+use crate::controls::Alarm;
+use crate::msg;
+use crate::nc::dec::POW10;
+use crate::nc::{Block, Dec, Word, WordValue};
+
+/// Millimetres per inch.
+const INCH: f64 = 25.4;
+
+/// A calculated value that misses a whole number by less than this is that number.
+const WHOLE: f64 = 1e-6;
+
+/// `mantissa / 10^scale`, rounded half away from zero; exact.
+fn shift(mantissa: i64, scale: i32) -> Option<i64> {
+    if scale <= 0 {
+        return mantissa.checked_mul(*POW10.get(scale.unsigned_abs() as usize)?);
+    }
+    let divisor = *POW10.get(scale as usize)?;
+    let (whole, rest) = (mantissa / divisor, mantissa % divisor);
+    Some(if rest.unsigned_abs() * 2 >= divisor as u64 { whole + mantissa.signum() } else { whole })
+}
+
+impl State {
+    /// The value of a word as it stands, `None` where it is vacant and the word is left out.
+    fn raw(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+        match word.value {
+            WordValue::Number(dec) => Ok(Some(dec.to_f64())),
+            WordValue::Expr(id) => match self.value(cx, id) {
+                Ok(value) => Ok((!value.is_nan()).then_some(value)),
+                Err(trap) => Err(trap.within(word_span(block, word))),
+            },
+        }
+    }
+
+    /// Whether a number without a point counts command increments behind this address.
+    #[inline]
+    fn counts_increments(&self, cx: &Cx, letter: u8, dec: Dec) -> bool {
+        !dec.point && !cx.shared.rules.whole_units && cx.shared.units.increment_letters & 1 << (letter & 31) != 0
+    }
+
+    /// The value of a word in the unit of its address: seconds, millimetres, arguments.
+    pub(super) fn plain(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+        match word.value {
+            WordValue::Number(dec) if self.counts_increments(cx, word.letter, dec) => {
+                Ok(Some(dec.to_f64() / cx.shared.units.per_unit))
+            }
+            _ => self.raw(cx, block, word),
+        }
+    }
+
+    /// The value of a word as a whole number: what stands behind the point is dropped.
+    pub(super) fn whole(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+        let value = self.raw(cx, block, word)?;
+        Ok(value.map(|value| if (value - value.round()).abs() < WHOLE { value.round() } else { value.trunc() }))
+    }
+
+    /// Ten times the number of a G or M code, for a look-up; `None` where the word is left out.
+    #[inline]
+    pub(super) fn code_number(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<u32>> {
+        if let WordValue::Number(Dec { mantissa, scale: 0, .. }) = word.value {
+            // A number that fits no table is no code; so is this one.
+            return Ok(Some(u32::try_from(mantissa).ok().and_then(|n| n.checked_mul(10)).unwrap_or(u32::MAX)));
+        }
+        let Some(value) = self.raw(cx, block, word)? else { return Ok(None) };
+        let tenths = value * 10.0;
+        let fits = (0.0..1e9).contains(&tenths) && (tenths - tenths.round()).abs() < WHOLE;
+        Ok(Some(if fits { tenths.round() as u32 } else { u32::MAX }))
+    }
+
+    /// A length or angle in command increments, rounded half away from zero; `None` where the word is left out.
+    #[inline]
+    pub(super) fn dimension(&self, cx: &mut Cx, block: &Block, word: &Word, inch: bool) -> Run<Option<i64>> {
+        let units = &cx.shared.units;
+        let increments = match word.value {
+            WordValue::Number(dec) if !inch => {
+                let decimals = i32::from(units.decimals);
+                if self.counts_increments(cx, word.letter, dec) {
+                    shift(dec.mantissa, i32::from(dec.scale))
+                } else {
+                    shift(dec.mantissa, i32::from(dec.scale) - decimals)
+                }
+            }
+            WordValue::Number(dec) => {
+                // An increment in inches is 0.0001 inch where it is 0.001 mm.
+                let increments =
+                    i32::from(self.counts_increments(cx, word.letter, dec)) * (i32::from(units.decimals) + 1);
+                let scale = i32::from(dec.scale) + increments + 1 - i32::from(units.decimals);
+                dec.mantissa.checked_mul(254).and_then(|mantissa| shift(mantissa, scale))
+            }
+            WordValue::Expr(_) => {
+                let Some(value) = self.raw(cx, block, word)? else { return Ok(None) };
+                let millimetres = if inch { value * INCH } else { value };
+                let increments = (millimetres * units.per_unit).round();
+                (increments.abs() < 9e18).then_some(increments as i64)
+            }
+        };
+        match increments {
+            Some(increments) if increments.abs() <= units.coordinate_max => Ok(Some(increments)),
+            _ => {
+                let max = cx.control.limits.coordinate_max;
+                Err(self.out_of_range(cx, block, word, -max, max))
+            }
+        }
+    }
+
+    /// F in mm/min or mm/rev, rounded to the control's step.
+    #[inline]
+    pub(super) fn feed_word(&self, cx: &mut Cx, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
+        let Some(value) = self.plain(cx, block, word)? else { return Ok(None) };
+        let millimetres = if inch { value * INCH } else { value };
+        let feed = (millimetres * cx.shared.units.per_feed).round() / cx.shared.units.per_feed;
+        let max = cx.control.limits.feed_max;
+        if (0.0..=max).contains(&feed) { Ok(Some(feed)) } else { Err(self.out_of_range(cx, block, word, 0.0, max)) }
+    }
+
+    /// S in r/min.
+    pub(super) fn speed_word(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+        let whole = cx.shared.units.integer_letters & 1 << (word.letter & 31) != 0;
+        let speed = match self.raw(cx, block, word)? {
+            None => return Ok(None),
+            Some(value) if whole && cx.shared.rules.round_speed => value.round(),
+            Some(_) if whole => self.whole(cx, block, word)?.unwrap_or(0.0),
+            Some(value) => value,
+        };
+        let max = cx.control.limits.speed_max;
+        if (0.0..=max).contains(&speed) { Ok(Some(speed)) } else { Err(self.out_of_range(cx, block, word, 0.0, max)) }
+    }
+
+    /// Seconds of a dwell: P in whole milliseconds, the other addresses in seconds.
+    pub(super) fn dwell_word(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+        let seconds = match word.letter {
+            b'P' => self.whole(cx, block, word)?.map(|milliseconds| milliseconds / 1000.0),
+            _ => self.plain(cx, block, word)?,
+        };
+        let max = cx.control.limits.coordinate_max;
+        match seconds {
+            Some(seconds) if !(0.0..=max).contains(&seconds) => Err(self.out_of_range(cx, block, word, 0.0, max)),
+            seconds => Ok(seconds),
+        }
+    }
+
+    /// The alarm for a value that its address cannot hold.
+    #[cold]
+    pub(super) fn out_of_range(&self, cx: &mut Cx, block: &Block, word: &Word, min: f64, max: f64) -> Trap {
+        let value = self.raw(cx, block, word).ok().flatten().unwrap_or(0.0);
+        let letter = char::from(word.letter).to_string();
+        let message = msg!("interp.word-range", letter, (value, 9), min, max);
+        Trap::alarm(Alarm::OutOfRange, message).within(word_span(block, word))
+    }
+}
