@@ -1,1 +1,11 @@
-//! Engineering shared by machines: analog output, web (strip), induction drive, motors.
+//! Engineering shared by machines: analog output, web (strip), a servo's block, induction drive.
+
+pub mod analog;
+
+pub mod web;
+
+pub mod block;
+
+pub mod induction;
+
+pub use analog::Analog;

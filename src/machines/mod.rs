@@ -4,6 +4,10 @@ use core::marker::PhantomData;
 
 pub mod form;
 
+pub mod settings;
+
+pub mod ribbon_line;
+
 use crate::controls::{Control, Switches};
 use crate::motion::{Plant, Plc, Snapshot};
 use crate::msg;
@@ -197,7 +201,7 @@ impl<M: Machine> AnyMachine for Erased<M> {
 }
 
 /// All machines, in the order they are listed.
-pub static ALL: &[&dyn AnyMachine] = &[];
+pub static ALL: &[&dyn AnyMachine] = &[&Erased::<ribbon_line::RibbonLine>::new()];
 
 /// The machine of an id.
 pub fn find(id: &str) -> Option<&'static dyn AnyMachine> {

@@ -1,4 +1,5 @@
 //! The native tests, one binary: a test states a feature, and says in its failure what to do.
 #![allow(clippy::unwrap_used)]
 
+mod machines;
 mod tidy;

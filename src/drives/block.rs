@@ -1,0 +1,57 @@
+//! One block of a servo axis alone: linear acceleration behind the interpolation, servo lag, and what an exact stop costs.
+
+use crate::math;
+
+/// An isolated block under acceleration with a constant time constant (a moving average behind the interpolation).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Block {
+    /// Seconds the interpolation takes: length over speed.
+    pub interpolation: f64,
+    /// Commanded speed in mm/s.
+    pub speed: f64,
+    /// Time constant in seconds.
+    pub time_constant: f64,
+    /// Position gain in 1/s.
+    pub position_gain: f64,
+}
+
+impl Block {
+    /// Seconds from the first to the last commanded motion: `T + τ`. Source: sizing sheet section 4, F1.
+    pub fn duration(&self) -> f64 {
+        self.interpolation + self.time_constant
+    }
+
+    /// Highest commanded speed in mm/s: `v · min(1, T / τ)`. Source: sizing sheet section 4, F2.
+    pub fn peak_speed(&self) -> f64 {
+        if self.time_constant > self.interpolation {
+            self.speed * self.interpolation / self.time_constant
+        } else {
+            self.speed
+        }
+    }
+
+    /// Millimetres that the axis still lags when its command ends: a first-order servo of gain K behind the trapezoid of
+    /// [`Block::duration`], in its three steps. Source: sizing sheet section 4, F3 (there checked against an integration).
+    pub fn lag_at_end(&self) -> f64 {
+        let (t, tau, gain) = (self.interpolation, self.time_constant, self.position_gain);
+        let (flank, flat, peak) = (t.min(tau), (tau - t).abs(), self.peak_speed());
+        if flank <= 0.0 {
+            // No acceleration at all: the lag of the constant speed.
+            return self.speed / gain * (1.0 - math::exp(-gain * t));
+        }
+        let fall = math::exp(-gain * flank);
+        let rise = peak / gain * (1.0 - (1.0 - fall) / (gain * flank));
+        let held = peak / gain + (rise - peak / gain) * math::exp(-gain * flat);
+        held * fall + peak * (1.0 - fall * (1.0 + gain * flank)) / (gain * gain * flank)
+    }
+
+    /// Seconds until the axis is within `width` millimetres of its end: `ln(lag / width) / K`. Source: sizing sheet section 4, F4.
+    pub fn settling(&self, width: f64) -> f64 {
+        (math::ln(self.lag_at_end() / width) / self.position_gain).max(0.0)
+    }
+
+    /// Seconds of a block with exact stop: duration and settling. Source: sizing sheet section 4, F5.
+    pub fn exact_stop(&self, width: f64) -> f64 {
+        self.duration() + self.settling(width)
+    }
+}

@@ -1,0 +1,326 @@
+//! The formulas of the ribbon line, each once: what follows from the inputs before anything runs.
+//!
+//! Lengths in mm, speeds in mm/min unless said otherwise, times in seconds. The equations (1) to (4) are the paper's.
+
+use super::params::{Job, Params, PathMode, PiForm, Variant, Wait, YUnit};
+use super::program;
+use crate::drives::Analog;
+use crate::drives::block::Block;
+use crate::drives::induction::Induction;
+use crate::drives::web;
+use crate::math::{self, PI};
+
+/// π as the paper writes it: 3.14.
+const PUBLISHED_PI: f64 = 314.0 / 100.0;
+
+/// Part of the commanded speed at which the PLC takes the spindle for up to speed.
+pub(super) const AT_SPEED: f64 = 0.95;
+
+/// Everything that follows from the inputs. Where the line stands still (override 0), times of a pitch are infinite.
+#[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs)] // Each member is one function or line below, with its formula, and one readout with its label.
+pub struct Derived {
+    pub k: f64,
+    pub asked_speed: f64,
+    pub top_speed: f64,
+    pub actual_speed: f64,
+    pub override_limit: f64,
+    pub line_speed: f64,
+    pub y_stroke: f64,
+    pub vector_feed: f64,
+    pub x_feed: f64,
+    pub y_feed: f64,
+    pub x_motor_speed: f64,
+    pub y_motor_speed: f64,
+    pub print_roller_speed: f64,
+    pub pitch_time: f64,
+    pub block_time: f64,
+    pub block_needed: f64,
+    pub blocks_for_control: f64,
+    pub override_delay: f64,
+    pub dots_per_second: f64,
+    pub dots_per_product: f64,
+    pub product_length: f64,
+    pub product_time: f64,
+    pub products_per_hour: f64,
+    pub volts_command: f64,
+    pub volts: f64,
+    pub analog_step: f64,
+    pub frequency: f64,
+    pub override_step: f64,
+    pub surface_speed: f64,
+    pub surface_ratio: f64,
+    pub smear: f64,
+    pub matching_diameter: f64,
+    pub matching_heads: f64,
+    pub matching_pitch: f64,
+    pub speed_error: f64,
+    pub speed_error_rated: f64,
+    pub slack_start: f64,
+    pub slack_rate: f64,
+    pub slack_rate_rated: f64,
+    pub slack_run: f64,
+    pub slack_stop: f64,
+    pub loop_time: f64,
+    pub tension: f64,
+    pub tension_limit: f64,
+    pub pi_drift: f64,
+    pub thickness_error: f64,
+    pub register_error: f64,
+    pub start_stop_speed: f64,
+    pub cycles_per_minute: f64,
+    pub x_resolution: f64,
+    pub y_resolution: f64,
+    pub y_drift: f64,
+    pub manual_line_speed: f64,
+}
+
+impl Params {
+    /// π as it stands in the program.
+    pub fn program_pi(&self) -> f64 {
+        match self.pi {
+            PiForm::Exact => PI,
+            PiForm::Short => PUBLISHED_PI,
+        }
+    }
+
+    /// Whole pitches of a product: the count itself, or the length over the pitch, at least 1.
+    pub fn count(&self) -> f64 {
+        match self.job {
+            Job::Pitches => self.pitch_count,
+            Job::Length => (self.product_length / self.pitch).round().clamp(1.0, 1e7),
+        }
+    }
+
+    /// Pitches of one block; the published listing moves one.
+    pub fn block_pitches(&self) -> f64 {
+        match self.variant {
+            Variant::ReadyMade => self.pitches_per_block,
+            Variant::Published => 1.0,
+        }
+    }
+
+    /// Override in percent as it leaves the PLC: the knob rounded to its step.
+    pub fn override_stepped(&self) -> f64 {
+        let step = self.knob_step.percent();
+        (self.override_percent / step).round() * step
+    }
+
+    /// Highest speed in r/min that the analog output can give: the clamp, or 10 V.
+    pub fn top_speed(&self) -> f64 {
+        self.speed_clamp.min(self.speed_at_10v)
+    }
+
+    /// The unwinder's motor and inverter. With a dancer they follow the pull.
+    pub fn induction(&self) -> Induction {
+        Induction {
+            full_command: self.speed_at_10v,
+            no_load: self.no_load_speed,
+            rated: self.rated_load_speed,
+            load: self.unwinder_load / 100.0,
+        }
+    }
+}
+
+/// mm of ribbon per revolution of the unwinder motor: `K = π · D / i`, equation (2).
+pub fn k(pi: f64, diameter: f64, reduction: f64) -> f64 {
+    pi * diameter / reduction
+}
+
+/// F of a block that moves X by `a` and Y by `b` so that X runs at `x_speed`: `F = Fx · √(a² + b²) / a`, equation (4). It holds for
+/// millimetres and degrees mixed as well, because the control works with the numbers (sheet section 5).
+pub fn vector_feed(x_speed: f64, a: f64, b: f64) -> f64 {
+    x_speed * math::hypot(a, b) / a
+}
+
+impl Derived {
+    /// Everything that follows from the inputs, with an output of `bits` bits.
+    pub fn new(p: &Params, bits: u8) -> Derived {
+        let pi = p.program_pi();
+        let k = k(pi, p.press_roller_diameter, p.reduction_ratio);
+        let top_speed = p.top_speed();
+        // Equation (1), and the clamp that the control and the program apply alike.
+        let asked_speed = p.spindle_speed * p.override_stepped() / 100.0;
+        let actual_speed = asked_speed.min(top_speed);
+        let line_speed = k * actual_speed;
+        // One head further per pitch.
+        let y_stroke = match p.y_unit {
+            YUnit::Millimetres => pi * p.print_roller_diameter / p.heads,
+            YUnit::Degrees => 360.0 / p.heads,
+        };
+        let vector_feed = vector_feed(line_speed, p.pitch, y_stroke);
+        let y_feed = line_speed * y_stroke / p.pitch;
+        let pitch_time = p.pitch / line_speed * 60.0;
+        // Surface of the print roller per pitch, true circumference.
+        let arc = match p.y_unit {
+            YUnit::Millimetres => y_stroke,
+            YUnit::Degrees => PI * p.print_roller_diameter / p.heads,
+        };
+        let surface_speed = line_speed * arc / p.pitch;
+        let surface_ratio = arc / p.pitch;
+        let print_roller_speed = surface_speed / (PI * p.print_roller_diameter);
+        let analog = Analog { speed_at_full: p.speed_at_10v, volts_full: 10.0, bits };
+        let timing = Timing::new(p, pitch_time);
+        let slack = Slack::new(p, line_speed, actual_speed, timing.product);
+        let (tau_x, tau_y) = (p.time_constant_x / 1000.0, p.time_constant_y / 1000.0);
+        let x_second = line_speed / 60.0;
+        // X and Y behind their own ramps and lags are apart by this much ribbon at full speed.
+        let register_error = x_second * ((tau_x - tau_y) / 2.0 + 1.0 / p.position_gain_x - 1.0 / p.position_gain_y);
+        let area = p.ribbon_width * p.ribbon_thickness;
+        Derived {
+            k,
+            asked_speed,
+            top_speed,
+            actual_speed,
+            override_limit: top_speed / p.spindle_speed * 100.0,
+            line_speed,
+            y_stroke,
+            vector_feed,
+            x_feed: line_speed,
+            y_feed,
+            x_motor_speed: line_speed / (PI * p.x_roller_diameter) * p.gear_x,
+            y_motor_speed: print_roller_speed * p.gear_y,
+            print_roller_speed,
+            pitch_time,
+            block_time: timing.block,
+            block_needed: timing.needed,
+            blocks_for_control: (timing.needed / pitch_time).ceil().max(1.0),
+            override_delay: timing.block * p.preread,
+            dots_per_second: 1.0 / pitch_time,
+            dots_per_product: p.count(),
+            product_length: p.count() * p.pitch,
+            product_time: timing.product,
+            products_per_hour: 3600.0 / timing.product,
+            volts_command: analog.command(actual_speed),
+            volts: analog.output(actual_speed),
+            analog_step: p.speed_at_10v / f64::from(analog.steps()),
+            frequency: p.frequency_at_10v * actual_speed / p.speed_at_10v,
+            override_step: x_second * p.knob_step.percent() / 100.0,
+            surface_speed,
+            surface_ratio,
+            smear: web::smear(surface_ratio, p.contact_length),
+            matching_diameter: p.heads * p.pitch / PI,
+            matching_heads: PI * p.print_roller_diameter / p.pitch,
+            matching_pitch: PI * p.print_roller_diameter / p.heads,
+            speed_error: slack.error,
+            speed_error_rated: slack.error_rated,
+            slack_start: slack.start,
+            slack_rate: slack.rate,
+            slack_rate_rated: slack.rate_rated,
+            slack_run: slack.run,
+            slack_stop: slack.stop,
+            loop_time: slack.loop_time,
+            tension: web::draw_tension(p.youngs_modulus, area, (-slack.error.min(slack.error_rated)).max(0.0)),
+            tension_limit: 0.5 * p.tensile_strength * area,
+            pi_drift: (PI / pi - 1.0) * line_speed,
+            thickness_error: if p.effective_diameter {
+                0.0
+            } else {
+                p.ribbon_thickness / p.press_roller_diameter * 100.0
+            },
+            register_error,
+            start_stop_speed: 100.0 * timing.exact_stop_share,
+            cycles_per_minute: 60.0 / timing.exact_stop,
+            x_resolution: PI * p.x_roller_diameter / p.gear_x / p.encoder_resolution * 1000.0,
+            y_resolution: PI * p.print_roller_diameter / p.gear_y / p.encoder_resolution * 1000.0,
+            y_drift: y_drift(y_stroke, pitch_time),
+            manual_line_speed: k * p.manual_speed.min(top_speed),
+        }
+    }
+}
+
+/// Drift of Y in mm (or °) per shift of eight hours if each stroke were only rounded to 0.001, as the control does; the programs carry
+/// the remainder. Source: sheet 2.3 row 18, and 6.3.
+fn y_drift(stroke: f64, pitch_time: f64) -> f64 {
+    let rounded = (stroke * 1000.0).round() / 1000.0;
+    (rounded - stroke) * 8.0 * 3600.0 / pitch_time
+}
+
+/// What a pitch, a block and a product take, in seconds.
+struct Timing {
+    block: f64,
+    needed: f64,
+    exact_stop: f64,
+    exact_stop_share: f64,
+    product: f64,
+}
+
+impl Timing {
+    fn new(p: &Params, pitch_time: f64) -> Timing {
+        let pitches = p.block_pitches();
+        let (nc, macros) = program::blocks_of_a_pass(p);
+        // The slower of the two axes decides; they should be equal (rule 9).
+        let tau = p.time_constant_x.max(p.time_constant_y) / 1000.0;
+        let alone = Block {
+            interpolation: pitch_time,
+            speed: p.pitch / pitch_time,
+            time_constant: tau,
+            position_gain: p.position_gain_x.min(p.position_gain_y),
+        };
+        let exact_stop = alone.exact_stop(p.in_position);
+        let pitch = if p.path_mode == PathMode::ExactStop { exact_stop } else { pitch_time };
+        let wait = wait(p, pitch_time.is_finite());
+        Timing {
+            block: pitches * pitch_time,
+            needed: (f64::from(nc) * p.block_time + f64::from(macros) * p.macro_time) / 1000.0,
+            exact_stop,
+            exact_stop_share: if pitch_time.is_finite() { pitch_time / exact_stop } else { 0.0 },
+            // Start, pitches, and the ramp at the end.
+            product: wait + p.count() * pitch + tau,
+        }
+    }
+}
+
+/// Seconds from M3 to the first pull; 0 where nothing moves.
+fn wait(p: &Params, moves: bool) -> f64 {
+    match p.wait {
+        _ if !moves => 0.0,
+        Wait::Dwell => p.dwell,
+        Wait::Fin => ramp(p) * AT_SPEED,
+    }
+}
+
+/// Seconds the inverter takes from standstill to the actual speed: its ramp is set for the speed at 10 V.
+fn ramp(p: &Params) -> f64 {
+    let asked = (p.spindle_speed * p.override_stepped() / 100.0).min(p.top_speed());
+    p.inverter_ramp * asked / p.speed_at_10v
+}
+
+/// Ribbon between unwinder and pull roller, mm and mm/min; positive piles up.
+struct Slack {
+    error: f64,
+    error_rated: f64,
+    start: f64,
+    rate: f64,
+    rate_rated: f64,
+    run: f64,
+    stop: f64,
+    loop_time: f64,
+}
+
+impl Slack {
+    fn new(p: &Params, line_speed: f64, actual_speed: f64, product: f64) -> Slack {
+        let motor = p.induction();
+        let loaded = Induction { load: 1.0, ..motor };
+        let (error, error_rated) =
+            if p.dancer { (0.0, 0.0) } else { (motor.error(actual_speed), loaded.error(actual_speed)) };
+        // What is truly unwound per minute less what X pulls; a dancer trims any difference away.
+        let unwound = k(PI, p.press_roller_diameter, p.reduction_ratio) * actual_speed;
+        let rate = |error: f64| if p.dancer { 0.0 } else { unwound * (1.0 + error) - line_speed };
+        let second = line_speed / 60.0;
+        let (feed_ramp, tau) = (ramp(p), p.time_constant_x / 1000.0);
+        let started = actual_speed > 0.0;
+        let worst = rate(error).abs().max(rate(error_rated).abs());
+        Slack {
+            loop_time: if worst > 0.0 { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
+            error,
+            error_rated,
+            start: if started { web::slack_after_start(second, feed_ramp, tau, wait(p, started)) } else { 0.0 },
+            rate: rate(error),
+            rate_rated: rate(error_rated),
+            run: if started { rate(error) * product / 60.0 } else { 0.0 },
+            // M5 stands behind the last move and is read when X has stopped.
+            stop: web::slack_after_stop(second, feed_ramp, tau, tau),
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! The builder's PLC of the ribbon line: the paper's figure 1 (knob to R148 and R74/R75), and FIN for S and M.
+
+use super::derive::AT_SPEED;
+use super::params::{OverrideForm, Params, Wait};
+use super::program::INPUT;
+use crate::motion::{Io, Plc};
+
+/// Seconds from a strobe to FIN where nothing has to be waited for: a few scans of the ladder.
+const FIN_DELAY: f64 = 0.05;
+/// Seconds between two looks at the spindle while FIN waits for its speed.
+const SCAN: f64 = 0.01;
+
+/// The ladder.
+#[derive(Debug, Clone)]
+pub(super) struct RibbonPlc {
+    /// Percent per step of the knob.
+    step: f64,
+    form: OverrideForm,
+    wait: Wait,
+    /// When the strobe that waits for FIN came.
+    strobe_since: Option<f64>,
+}
+
+impl RibbonPlc {
+    pub(super) fn new(p: &Params) -> RibbonPlc {
+        RibbonPlc { step: p.knob_step.percent(), form: p.override_form, wait: p.wait, strobe_since: None }
+    }
+
+    /// R148: the knob in whole steps, 0 to 200 %.
+    fn override_percent(&self, io: &Io) -> f64 {
+        let knob = io.forced.get("R148").copied().unwrap_or(io.spindle_override);
+        ((knob / self.step).round() * self.step).clamp(0.0, 200.0)
+    }
+
+    /// M3 waits for the spindle's speed where the project says so; everything else is done after a few scans.
+    fn done(&self, t: f64, since: f64, io: &Io) -> bool {
+        let starts = matches!(io.m_strobe, Some(3 | 4));
+        let waits = starts && self.wait == Wait::Fin;
+        t >= since + FIN_DELAY && (!waits || io.spindle_actual.abs() >= AT_SPEED * io.spindle_command.abs())
+    }
+}
+
+impl Plc for RibbonPlc {
+    fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
+        let percent = self.override_percent(io);
+        io.spindle_override_out = percent;
+        // R74, R75: a 32-bit whole number.
+        let word = match self.form {
+            OverrideForm::Percent => percent,
+            OverrideForm::FinalSpeed => io.spindle_command.abs().round(),
+        };
+        io.inputs.insert(INPUT, io.forced.get("#1033").copied().unwrap_or(word));
+        if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
+            self.strobe_since = None;
+            io.fin = false;
+            return None;
+        }
+        let since = *self.strobe_since.get_or_insert(t);
+        io.fin = self.done(t, since, io);
+        (!io.fin).then_some((since + FIN_DELAY).max(t + SCAN))
+    }
+
+    fn boxed(&self) -> Box<dyn Plc> {
+        Box::new(self.clone())
+    }
+}

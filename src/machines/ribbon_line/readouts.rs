@@ -1,0 +1,251 @@
+//! The results of the ribbon line as rows: what is shown, in which unit, by which formula, from which source.
+
+use super::derive::Derived;
+use crate::text::{Citation, Grade};
+
+/// A result before it is judged.
+pub(super) struct Row {
+    pub(super) id: &'static str,
+    pub(super) label: &'static str,
+    pub(super) unit: &'static str,
+    pub(super) decimals: u8,
+    pub(super) formula: &'static str,
+    pub(super) cite: Citation,
+    pub(super) headline: bool,
+    pub(super) value: fn(&Derived) -> f64,
+}
+
+/// Rows in the order they are shown; the headline ones first.
+#[rustfmt::skip]
+pub(super) const ROWS: &[Row] = &[
+    Row {
+        id: "line-speed", label: "ribbon.readout.line-speed", unit: "mm/min", decimals: 3, headline: true,
+        formula: "#105 = K · #104",
+        cite: Citation::new("paper, equation (2)", Grade::Manual), value: |d| d.line_speed,
+    },
+    Row {
+        id: "dots-per-second", label: "ribbon.readout.dots-per-second", unit: "1/s", decimals: 4, headline: true,
+        formula: "#105 / (60 · #107)",
+        cite: Citation::new("sheet 6.1", Grade::Inferred), value: |d| d.dots_per_second,
+    },
+    Row {
+        id: "vector-feed", label: "ribbon.readout.vector-feed", unit: "mm/min", decimals: 3, headline: true,
+        formula: "#115 = #105 · SQRT[#107² + #110²] / #107",
+        cite: Citation::new("paper, equation (4)", Grade::Manual), value: |d| d.vector_feed,
+    },
+    Row {
+        id: "block-time", label: "ribbon.readout.block-time", unit: "ms", decimals: 3, headline: true,
+        formula: "#121 · #107 / #105 · 60 000",
+        cite: Citation::new("sheet 6.1", Grade::Inferred), value: |d| d.block_time * 1e3,
+    },
+    Row {
+        id: "volts", label: "ribbon.readout.volts", unit: "V", decimals: 3, headline: true,
+        formula: "10 · round(4095 · #104 / n10) / 4095",
+        cite: Citation::new("sheet 3.1, 12 bits from memory", Grade::Open), value: |d| d.volts,
+    },
+    Row {
+        id: "surface-ratio", label: "ribbon.readout.surface-ratio", unit: "", decimals: 3, headline: true,
+        formula: "π · #111 / #109 / #107",
+        cite: Citation::new("sizing sheet 3.1", Grade::Inferred), value: |d| d.surface_ratio,
+    },
+    Row {
+        id: "smear", label: "ribbon.readout.smear", unit: "mm", decimals: 3, headline: false,
+        formula: "|1 - 1/r| · c",
+        cite: Citation::new("sizing sheet 3.2", Grade::Inferred), value: |d| d.smear,
+    },
+    Row {
+        id: "k", label: "ribbon.readout.k", unit: "mm/rev", decimals: 6, headline: false,
+        formula: "π · #102 / #101",
+        cite: Citation::new("paper, equation (2)", Grade::Manual), value: |d| d.k,
+    },
+    Row {
+        id: "actual-speed", label: "ribbon.readout.actual-speed", unit: "r/min", decimals: 2, headline: false,
+        formula: "#104 = #100 · #1033 / 100, at most #116",
+        cite: Citation::new("paper, equation (1)", Grade::Manual), value: |d| d.actual_speed,
+    },
+    Row {
+        id: "override-limit", label: "ribbon.readout.override-limit", unit: "%", decimals: 1, headline: false,
+        formula: "100 · #116 / #100",
+        cite: Citation::new("sizing sheet D20", Grade::Inferred), value: |d| d.override_limit,
+    },
+    Row {
+        id: "y-stroke", label: "ribbon.readout.y-stroke", unit: "mm", decimals: 6, headline: false,
+        formula: "#110 = π · #111 / #109",
+        cite: Citation::new("paper, table 1", Grade::Manual), value: |d| d.y_stroke,
+    },
+    Row {
+        id: "x-feed", label: "ribbon.readout.x-feed", unit: "mm/min", decimals: 3, headline: false,
+        formula: "#105",
+        cite: Citation::new("paper, equation (3)", Grade::Manual), value: |d| d.x_feed,
+    },
+    Row {
+        id: "y-feed", label: "ribbon.readout.y-feed", unit: "mm/min", decimals: 3, headline: false,
+        formula: "#105 · #110 / #107",
+        cite: Citation::new("paper, equation (3)", Grade::Manual), value: |d| d.y_feed,
+    },
+    Row {
+        id: "surface-speed", label: "ribbon.readout.surface-speed", unit: "mm/min", decimals: 1, headline: false,
+        formula: "r · #105",
+        cite: Citation::new("sizing sheet A7", Grade::Inferred), value: |d| d.surface_speed,
+    },
+    Row {
+        id: "print-roller-speed", label: "ribbon.readout.print-roller-speed", unit: "r/min", decimals: 3, headline: false,
+        formula: "surface speed / (π · #111)",
+        cite: Citation::new("sizing sheet A8", Grade::Inferred), value: |d| d.print_roller_speed,
+    },
+    Row {
+        id: "x-motor-speed", label: "ribbon.readout.x-motor-speed", unit: "r/min", decimals: 1, headline: false,
+        formula: "#105 / (π · Dx) · ix",
+        cite: Citation::new("sizing sheet A9", Grade::Inferred), value: |d| d.x_motor_speed,
+    },
+    Row {
+        id: "y-motor-speed", label: "ribbon.readout.y-motor-speed", unit: "r/min", decimals: 1, headline: false,
+        formula: "print roller · iy",
+        cite: Citation::new("sizing sheet A10", Grade::Inferred), value: |d| d.y_motor_speed,
+    },
+    Row {
+        id: "volts-command", label: "ribbon.readout.volts-command", unit: "V", decimals: 5, headline: false,
+        formula: "10 · #104 / n10",
+        cite: Citation::new("paper, section 3", Grade::Manual), value: |d| d.volts_command,
+    },
+    Row {
+        id: "analog-step", label: "ribbon.readout.analog-step", unit: "r/min", decimals: 3, headline: false,
+        formula: "n10 / 4095",
+        cite: Citation::new("sizing sheet D14", Grade::Open), value: |d| d.analog_step,
+    },
+    Row {
+        id: "frequency", label: "ribbon.readout.frequency", unit: "Hz", decimals: 2, headline: false,
+        formula: "f10 · #104 / n10",
+        cite: Citation::new("sizing sheet D2", Grade::Inferred), value: |d| d.frequency,
+    },
+    Row {
+        id: "block-needed", label: "ribbon.readout.block-needed", unit: "ms", decimals: 1, headline: false,
+        formula: "blocks · block time + macro blocks · macro time",
+        cite: Citation::new("sizing sheet F12, times from memory", Grade::Open), value: |d| d.block_needed * 1e3,
+    },
+    Row {
+        id: "override-delay", label: "ribbon.readout.override-delay", unit: "ms", decimals: 0, headline: false,
+        formula: "blocks read ahead · block time",
+        cite: Citation::new("sheet section 4", Grade::Sister), value: |d| d.override_delay * 1e3,
+    },
+    Row {
+        id: "override-step", label: "ribbon.readout.override-step", unit: "mm/s", decimals: 3, headline: false,
+        formula: "v · step / 100",
+        cite: Citation::new("sizing sheet D19", Grade::Inferred), value: |d| d.override_step,
+    },
+    Row {
+        id: "start-stop-speed", label: "ribbon.readout.start-stop-speed", unit: "%", decimals: 2, headline: false,
+        formula: "T / (T + τ + ln(lag / w) / Kp)",
+        cite: Citation::new("sizing sheet F6", Grade::Inferred), value: |d| d.start_stop_speed,
+    },
+    Row {
+        id: "dots-per-product", label: "ribbon.readout.dots-per-product", unit: "", decimals: 0, headline: false,
+        formula: "#120",
+        cite: Citation::new("paper, section 1", Grade::Manual), value: |d| d.dots_per_product,
+    },
+    Row {
+        id: "product-length", label: "ribbon.readout.product-length", unit: "mm", decimals: 3, headline: false,
+        formula: "#120 · #107",
+        cite: Citation::new("sheet section 7", Grade::Inferred), value: |d| d.product_length,
+    },
+    Row {
+        id: "product-time", label: "ribbon.readout.product-time", unit: "s", decimals: 3, headline: false,
+        formula: "start wait + #120 · T + τ",
+        cite: Citation::new("sizing sheet section 4", Grade::Inferred), value: |d| d.product_time,
+    },
+    Row {
+        id: "products-per-hour", label: "ribbon.readout.products-per-hour", unit: "1/h", decimals: 1, headline: false,
+        formula: "3600 / time of a product",
+        cite: Citation::new("sizing sheet section 4", Grade::Inferred), value: |d| d.products_per_hour,
+    },
+    Row {
+        id: "manual-line-speed", label: "ribbon.readout.manual-line-speed", unit: "mm/min", decimals: 1, headline: false,
+        formula: "K · S",
+        cite: Citation::new("paper, equation (2)", Grade::Manual), value: |d| d.manual_line_speed,
+    },
+    Row {
+        id: "matching-diameter", label: "ribbon.readout.matching-diameter", unit: "mm", decimals: 3, headline: false,
+        formula: "#109 · #107 / π",
+        cite: Citation::new("sizing sheet E2", Grade::Inferred), value: |d| d.matching_diameter,
+    },
+    Row {
+        id: "matching-heads", label: "ribbon.readout.matching-heads", unit: "", decimals: 1, headline: false,
+        formula: "π · #111 / #107",
+        cite: Citation::new("sizing sheet E3", Grade::Inferred), value: |d| d.matching_heads,
+    },
+    Row {
+        id: "speed-error", label: "ribbon.readout.speed-error", unit: "%", decimals: 3, headline: false,
+        formula: "n / S - 1 at the running load",
+        cite: Citation::new("sizing sheet D6", Grade::Inferred), value: |d| d.speed_error * 100.0,
+    },
+    Row {
+        id: "speed-error-rated", label: "ribbon.readout.speed-error-rated", unit: "%", decimals: 3, headline: false,
+        formula: "n / S - 1 at rated torque",
+        cite: Citation::new("sizing sheet D8", Grade::Inferred), value: |d| d.speed_error_rated * 100.0,
+    },
+    Row {
+        id: "slack-start", label: "ribbon.readout.slack-start", unit: "mm", decimals: 1, headline: false,
+        formula: "v · (wait - ramp / 2 + τ / 2)",
+        cite: Citation::new("sizing sheet D23, D24", Grade::Inferred), value: |d| d.slack_start,
+    },
+    Row {
+        id: "slack-rate", label: "ribbon.readout.slack-rate", unit: "mm/min", decimals: 1, headline: false,
+        formula: "v unwound - v pulled",
+        cite: Citation::new("sizing sheet D7", Grade::Inferred), value: |d| d.slack_rate,
+    },
+    Row {
+        id: "slack-rate-rated", label: "ribbon.readout.slack-rate-rated", unit: "mm/min", decimals: 1, headline: false,
+        formula: "v unwound - v pulled",
+        cite: Citation::new("sizing sheet D9", Grade::Inferred), value: |d| d.slack_rate_rated,
+    },
+    Row {
+        id: "slack-run", label: "ribbon.readout.slack-run", unit: "mm", decimals: 1, headline: false,
+        formula: "slack rate · time of a product",
+        cite: Citation::new("sizing sheet 2.6", Grade::Inferred), value: |d| d.slack_run,
+    },
+    Row {
+        id: "slack-stop", label: "ribbon.readout.slack-stop", unit: "mm", decimals: 1, headline: false,
+        formula: "v · (ramp / 2 + τ / 2): M5 stands behind the last move",
+        cite: Citation::new("sizing sheet D25", Grade::Inferred), value: |d| d.slack_stop,
+    },
+    Row {
+        id: "loop-time", label: "ribbon.readout.loop-time", unit: "s", decimals: 1, headline: false,
+        formula: "loop capacity / worst slack rate",
+        cite: Citation::new("sizing sheet D26, D27", Grade::Inferred), value: |d| d.loop_time,
+    },
+    Row {
+        id: "tension", label: "ribbon.readout.tension", unit: "N", decimals: 3, headline: false,
+        formula: "E · width · thickness · draw",
+        cite: Citation::new("sizing sheet D11", Grade::Inferred), value: |d| d.tension,
+    },
+    Row {
+        id: "pi-drift", label: "ribbon.readout.pi-drift", unit: "mm/min", decimals: 3, headline: false,
+        formula: "(π / π written - 1) · v",
+        cite: Citation::new("sizing sheet D21", Grade::Inferred), value: |d| d.pi_drift,
+    },
+    Row {
+        id: "thickness-error", label: "ribbon.readout.thickness-error", unit: "%", decimals: 2, headline: false,
+        formula: "t / #102 · 100",
+        cite: Citation::new("sizing sheet D22", Grade::Inferred), value: |d| d.thickness_error,
+    },
+    Row {
+        id: "register-error", label: "ribbon.readout.register-error", unit: "mm", decimals: 3, headline: false,
+        formula: "v · ((τx - τy) / 2 + 1/Kx - 1/Ky)",
+        cite: Citation::new("sizing sheet F15", Grade::Inferred), value: |d| d.register_error,
+    },
+    Row {
+        id: "x-resolution", label: "ribbon.readout.x-resolution", unit: "µm", decimals: 3, headline: false,
+        formula: "π · Dx / ix / pulses",
+        cite: Citation::new("sizing sheet G", Grade::Inferred), value: |d| d.x_resolution,
+    },
+    Row {
+        id: "y-resolution", label: "ribbon.readout.y-resolution", unit: "µm", decimals: 3, headline: false,
+        formula: "π · #111 / iy / pulses",
+        cite: Citation::new("sizing sheet G", Grade::Inferred), value: |d| d.y_resolution,
+    },
+    Row {
+        id: "y-drift", label: "ribbon.readout.y-drift", unit: "mm", decimals: 3, headline: false,
+        formula: "(round(#110) - #110) · pitches in 8 h",
+        cite: Citation::new("sheet 6.3", Grade::Inferred), value: |d| d.y_drift,
+    },
+];

@@ -1,0 +1,335 @@
+//! The rules a ribbon line is judged by, as rows: which result, which limit, what would mend it.
+//!
+//! Numbers are those of section 7 of the sizing sheet. Rule 1 is the ranges of the form, rule 18 the list of assumed facts; both are
+//! kept for every machine. Rule 4 is an error (the control slows the vector or refuses F), all others are verdicts.
+
+use super::derive::Derived;
+use super::params::{Params, PathMode, PiForm, Variant, YUnit};
+use crate::drives::web;
+use crate::msg;
+use crate::text::{Citation, Diagnostic, Grade, Message};
+use crate::view::Verdict;
+
+/// Inputs and what follows from them.
+pub(super) struct Case<'a> {
+    pub(super) p: &'a Params,
+    pub(super) d: &'a Derived,
+}
+
+/// The judgement of one rule.
+pub(super) struct Judgement {
+    pub(super) verdict: Verdict,
+    pub(super) limit: Option<f64>,
+    pub(super) advice: Vec<Message>,
+}
+
+/// A rule.
+pub(super) struct Rule {
+    /// Id of the result that it judges.
+    pub(super) on: &'static str,
+    /// Where its limit comes from.
+    pub(super) cite: Citation,
+    /// The judgement; `None` where the rule has nothing to say.
+    pub(super) judge: fn(&Case) -> Option<Judgement>,
+}
+
+fn ok(limit: impl Into<Option<f64>>) -> Option<Judgement> {
+    Some(Judgement { verdict: Verdict::Ok, limit: limit.into(), advice: Vec::new() })
+}
+
+fn warn(limit: impl Into<Option<f64>>, advice: impl Into<Vec<Message>>) -> Option<Judgement> {
+    Some(Judgement { verdict: Verdict::Warn, limit: limit.into(), advice: advice.into() })
+}
+
+fn fail(limit: impl Into<Option<f64>>, advice: impl Into<Vec<Message>>) -> Option<Judgement> {
+    Some(Judgement { verdict: Verdict::Fail, limit: limit.into(), advice: advice.into() })
+}
+
+macro_rules! rule {
+    ($number:literal, $on:literal, $judge:expr, $source:literal, $grade:ident) => {
+        Rule { on: $on, cite: Citation::new(concat!("rule ", $number, "; ", $source), Grade::$grade), judge: $judge }
+    };
+}
+
+/// All rules that judge a result.
+pub(super) const RULES: &[Rule] = &[
+    rule!(2, "surface-ratio", ratio, "sizing sheet 3.2 and 3.4, engineering choice", Inferred),
+    rule!(2, "smear", smear, "sizing sheet 3.2 and 3.4, engineering choice", Inferred),
+    rule!(3, "x-motor-speed", motor_x, "data sheet of the motor", Manual),
+    rule!(3, "y-motor-speed", motor_y, "data sheet of the motor", Manual),
+    rule!(4, "x-feed", clamp_x, "parameter #2002", Sister),
+    rule!(4, "y-feed", clamp_y, "parameter #2002", Sister),
+    rule!(4, "vector-feed", feed_limit, "sheet 1.1, from memory", Open),
+    rule!(5, "block-time", block_time, "sizing sheet section 4, times from memory", Open),
+    rule!(6, "volts", saturation, "sheet 3.1", Inferred),
+    rule!(7, "frequency", slow_motor, "trade source", Inferred),
+    rule!(9, "register-error", equal_axes, "sizing sheet 0.6", Inferred),
+    rule!(10, "slack-start", slack_start, "sizing sheet 2.6", Inferred),
+    rule!(10, "slack-stop", slack_stop, "sizing sheet 2.6", Inferred),
+    rule!(11, "slack-rate", slack_rate, "sizing sheet 2.6, engineering choice", Inferred),
+    rule!(11, "slack-rate-rated", slack_rate_rated, "sizing sheet 2.6, engineering choice", Inferred),
+    rule!(12, "tension", stiff_web, "sizing sheet 2.6, engineering choice", Inferred),
+    rule!(14, "pi-drift", pi, "sizing sheet D21", Inferred),
+    rule!(14, "thickness-error", thickness, "sizing sheet D22", Inferred),
+    rule!(15, "start-stop-speed", start_stop, "sizing sheet section 4", Inferred),
+    rule!(17, "x-resolution", resolution_x, "sizing sheet 2.5, from memory", Open),
+    rule!(17, "y-resolution", resolution_y, "sizing sheet 2.5, from memory", Open),
+    rule!(17, "y-drift", y_drift, "sizing sheet G1", Inferred),
+];
+
+/// Errors that keep the program from being exported: rule 4.
+pub(super) fn errors(case: &Case) -> Vec<Diagnostic> {
+    let Case { p, d } = case;
+    let mut found = Vec::new();
+    if d.x_feed > p.clamp_x {
+        found.push(Diagnostic::error(msg!("ribbon.clamp-x", d.x_feed, p.clamp_x)).about("clamp-x"));
+    }
+    if d.y_feed > p.clamp_y {
+        found.push(Diagnostic::error(msg!("ribbon.clamp-y", d.y_feed, p.clamp_y)).about("clamp-y"));
+    }
+    if d.vector_feed > p.feed_limit {
+        found.push(Diagnostic::error(msg!("ribbon.feed-limit", d.vector_feed, p.feed_limit)).about("feed-limit"));
+    }
+    let slower = slower_advice(case);
+    found.into_iter().map(|finding| finding.hint(slower.clone())).collect()
+}
+
+/// The highest whole S that keeps all of rule 4.
+fn slower_advice(case: &Case) -> Message {
+    let Case { p, d } = case;
+    let share = (p.clamp_x / d.x_feed).min(p.clamp_y / d.y_feed).min(p.feed_limit / d.vector_feed);
+    msg!("ribbon.run-slower", ((d.actual_speed * share).floor(), 0))
+}
+
+fn within_or_error(value: f64, limit: f64, case: &Case) -> Option<Judgement> {
+    if value > limit { fail(limit, [slower_advice(case)]) } else { ok(limit) }
+}
+
+fn clamp_x(case: &Case) -> Option<Judgement> {
+    within_or_error(case.d.x_feed, case.p.clamp_x, case)
+}
+
+fn clamp_y(case: &Case) -> Option<Judgement> {
+    within_or_error(case.d.y_feed, case.p.clamp_y, case)
+}
+
+fn feed_limit(case: &Case) -> Option<Judgement> {
+    within_or_error(case.d.vector_feed, case.p.feed_limit, case)
+}
+
+/// Green to the allowed smear, amber to four times it, red beyond.
+fn slip(case: &Case) -> Verdict {
+    let Case { p, d } = case;
+    if d.smear <= p.smear_limit {
+        Verdict::Ok
+    } else if d.smear <= 4.0 * p.smear_limit {
+        Verdict::Warn
+    } else {
+        Verdict::Fail
+    }
+}
+
+fn ratio(case: &Case) -> Option<Judgement> {
+    let Case { p, d } = case;
+    let verdict = slip(case);
+    let advice = if verdict == Verdict::Ok {
+        Vec::new()
+    } else {
+        let heads = d.matching_heads.round().max(1.0);
+        let with_heads = d.matching_heads / heads;
+        vec![
+            msg!("ribbon.slips", (d.surface_ratio, 3), (d.smear, 3), (p.smear_limit, 3)),
+            msg!("ribbon.match-diameter", (d.matching_diameter, 2), (p.heads, 0)),
+            msg!("ribbon.match-heads", (heads, 0), (with_heads, 5), (web::smear(with_heads, p.contact_length), 3)),
+            msg!("ribbon.match-pitch", (d.matching_pitch, 3)),
+            msg!("ribbon.match-cam"),
+        ]
+    };
+    Some(Judgement { verdict, limit: Some(1.0), advice })
+}
+
+fn smear(case: &Case) -> Option<Judgement> {
+    Some(Judgement { verdict: slip(case), limit: Some(case.p.smear_limit), advice: Vec::new() })
+}
+
+fn motor(speed: f64, rated: f64, max: f64) -> Option<Judgement> {
+    if speed > max {
+        fail(max, [msg!("ribbon.motor-too-fast", (speed, 0), (max, 0))])
+    } else if speed > rated {
+        warn(rated, [msg!("ribbon.motor-above-rated", (speed, 0), (rated, 0))])
+    } else {
+        ok(rated.min(max))
+    }
+}
+
+fn motor_x(case: &Case) -> Option<Judgement> {
+    motor(case.d.x_motor_speed, case.p.motor_rated_x, case.p.motor_max_x)
+}
+
+fn motor_y(case: &Case) -> Option<Judgement> {
+    motor(case.d.y_motor_speed, case.p.motor_rated_y, case.p.motor_max_y)
+}
+
+fn block_time(case: &Case) -> Option<Judgement> {
+    let Case { p, d } = case;
+    let needed = d.block_needed * 1000.0;
+    if d.block_time >= d.block_needed {
+        return ok(needed);
+    }
+    let advice = match p.variant {
+        Variant::ReadyMade => {
+            msg!("ribbon.more-pitches", (needed, 1), (d.block_time * 1000.0, 1), (d.blocks_for_control, 0))
+        }
+        Variant::Published => msg!("ribbon.published-too-slow", (needed, 1), (d.block_time * 1000.0, 1)),
+    };
+    fail(needed, [advice])
+}
+
+fn saturation(case: &Case) -> Option<Judgement> {
+    let Case { p, d } = case;
+    let limit = 10.0 * d.top_speed / p.speed_at_10v;
+    if d.asked_speed > d.top_speed {
+        return fail(limit, [msg!("ribbon.saturates", (d.asked_speed, 1), (d.top_speed, 1), (d.override_limit, 1))]);
+    }
+    if p.speed_clamp > p.speed_at_10v {
+        return warn(limit, [msg!("ribbon.clamp-above-output", (p.speed_clamp, 1), (p.speed_at_10v, 1))]);
+    }
+    if d.volts_command < 0.5 && d.actual_speed > 0.0 {
+        return warn(limit, [msg!("ribbon.few-volts", (d.volts_command, 3))]);
+    }
+    ok(limit)
+}
+
+fn slow_motor(case: &Case) -> Option<Judgement> {
+    let d = case.d;
+    if d.frequency < 5.0 && d.actual_speed > 0.0 {
+        warn(5.0, [msg!("ribbon.low-frequency", (d.frequency, 2))])
+    } else {
+        ok(None)
+    }
+}
+
+fn equal_axes(case: &Case) -> Option<Judgement> {
+    let p = case.p;
+    let mut advice = Vec::new();
+    if p.time_constant_x != p.time_constant_y {
+        advice.push(msg!("ribbon.unequal-time-constants", (p.time_constant_x, 1), (p.time_constant_y, 1)));
+    }
+    if p.position_gain_x != p.position_gain_y {
+        advice.push(msg!(
+            "ribbon.unequal-gains",
+            (p.position_gain_x, 2),
+            (p.position_gain_y, 2),
+            (case.d.register_error, 3)
+        ));
+    }
+    if advice.is_empty() { ok(0.0) } else { fail(0.0, advice) }
+}
+
+/// Length that a start or stop lays down or takes, against the loop.
+fn loop_length(slack: f64, case: &Case, advice: Message) -> Option<Judgement> {
+    let capacity = case.p.loop_capacity;
+    if slack.abs() > capacity {
+        fail(capacity, [advice])
+    } else if slack.abs() > 0.1 * capacity {
+        warn(capacity, [advice])
+    } else {
+        ok(capacity)
+    }
+}
+
+fn slack_start(case: &Case) -> Option<Judgement> {
+    let slack = case.d.slack_start;
+    let advice = if slack < 0.0 {
+        msg!("ribbon.tight-at-start", (-slack, 0), (case.p.loop_capacity, 0))
+    } else {
+        msg!("ribbon.slack-at-start", (slack, 0), (case.p.loop_capacity, 0))
+    };
+    loop_length(slack, case, advice)
+}
+
+fn slack_stop(case: &Case) -> Option<Judgement> {
+    let slack = case.d.slack_stop;
+    loop_length(slack, case, msg!("ribbon.slack-at-stop", (slack, 0), (case.p.loop_capacity, 0)))
+}
+
+/// 50 mm/min is what somebody can watch and correct by hand.
+const DRIFT: f64 = 50.0;
+
+fn drift(rate: f64, case: &Case) -> Option<Judgement> {
+    if rate.abs() <= DRIFT {
+        return ok(DRIFT);
+    }
+    let lasts = case.p.loop_capacity / rate.abs() * 60.0;
+    let advice = if rate > 0.0 {
+        msg!("ribbon.loop-fills", (rate, 0), (case.p.loop_capacity, 0), (lasts, 0))
+    } else {
+        msg!("ribbon.loop-empties", (-rate, 0), (case.p.loop_capacity, 0), (lasts, 0))
+    };
+    fail(DRIFT, [advice, msg!("ribbon.trim")])
+}
+
+fn slack_rate(case: &Case) -> Option<Judgement> {
+    drift(case.d.slack_rate, case)
+}
+
+fn slack_rate_rated(case: &Case) -> Option<Judgement> {
+    drift(case.d.slack_rate_rated, case)
+}
+
+fn stiff_web(case: &Case) -> Option<Judgement> {
+    let d = case.d;
+    if d.tension > d.tension_limit {
+        fail(d.tension_limit, [msg!("ribbon.stiff-web", (d.tension, 0), (d.tension_limit, 0))])
+    } else {
+        ok(d.tension_limit)
+    }
+}
+
+fn pi(case: &Case) -> Option<Judgement> {
+    match case.p.pi {
+        PiForm::Exact => ok(None),
+        PiForm::Short => warn(0.0, [msg!("ribbon.pi-short", (case.d.pi_drift, 2), (case.d.pi_drift * 60.0, 0))]),
+    }
+}
+
+fn thickness(case: &Case) -> Option<Judgement> {
+    if case.d.thickness_error > 0.05 {
+        let p = case.p;
+        warn(
+            0.05,
+            [msg!("ribbon.thickness", (case.d.thickness_error, 2), (p.press_roller_diameter + p.ribbon_thickness, 3))],
+        )
+    } else {
+        ok(0.05)
+    }
+}
+
+fn start_stop(case: &Case) -> Option<Judgement> {
+    let Case { p, d } = case;
+    (p.path_mode == PathMode::ExactStop && d.cycles_per_minute > 100.0)
+        .then(|| warn(100.0, [msg!("ribbon.start-stop", (d.cycles_per_minute, 0), (d.start_stop_speed, 0))]))
+        .flatten()
+}
+
+fn resolution(micrometres: f64, case: &Case) -> Option<Judgement> {
+    let limit = case.p.dot_tolerance * 1000.0 / 10.0;
+    if micrometres > limit { warn(limit, [msg!("ribbon.coarse-encoder", (limit, 3))]) } else { ok(limit) }
+}
+
+fn resolution_x(case: &Case) -> Option<Judgement> {
+    resolution(case.d.x_resolution, case)
+}
+
+fn resolution_y(case: &Case) -> Option<Judgement> {
+    resolution(case.d.y_resolution, case)
+}
+
+fn y_drift(case: &Case) -> Option<Judgement> {
+    let unit = match case.p.y_unit {
+        YUnit::Millimetres => "mm",
+        YUnit::Degrees => "°",
+    };
+    let advice = msg!("ribbon.y-carried", (case.d.y_drift, 3), unit);
+    Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice] })
+}

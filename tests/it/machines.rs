@@ -1,0 +1,3 @@
+//! The machines: their numbers against the independent oracle (`sizing_check.py`), their verdicts, their programs.
+
+mod ribbon_line;

@@ -1,0 +1,328 @@
+//! The ribbon dot-printing line.
+
+use macroline::controls::Control;
+use macroline::machines::form::{Origins, Provenance, Value, Values};
+use macroline::machines::{self, AnyMachine, Design};
+use macroline::text::Severity;
+use macroline::text::catalog::{Language, sentence};
+use macroline::view::{Readout, Verdict};
+
+fn machine() -> &'static dyn AnyMachine {
+    machines::find("ribbon-line").unwrap()
+}
+
+fn control() -> &'static Control {
+    macroline::controls::find("mitsubishi-e60").unwrap()
+}
+
+/// Values that differ from the paper's example: numbers as they are, words as choices, `true` and `false` as flags.
+fn values(changes: &[(&str, &str)]) -> Values {
+    let fields = machine().fields();
+    changes
+        .iter()
+        .map(|(id, typed)| {
+            let field = fields.iter().find(|field| field.id == *id).unwrap_or_else(|| panic!("no field {id}"));
+            ((*id).to_owned(), field.read(typed).unwrap_or_else(|problem| panic!("{id}: {problem:?}")))
+        })
+        .collect()
+}
+
+fn design(changes: &[(&str, &str)]) -> Design {
+    machine().design(&values(changes), &Origins::new(), control())
+}
+
+#[track_caller]
+fn readout(design: &Design, id: &str) -> Readout {
+    design.readouts.iter().find(|readout| readout.id == id).cloned().unwrap_or_else(|| panic!("no result {id}"))
+}
+
+/// Results by id, to a relative tolerance.
+#[track_caller]
+fn check(changes: &[(&str, &str)], tolerance: f64, expected: &[(&str, f64)]) {
+    let design = design(changes);
+    for (id, wanted) in expected {
+        let value = readout(&design, id).value;
+        assert!((value - wanted).abs() <= tolerance * wanted.abs().max(1e-9), "{id}: {value}, expected {wanted}");
+    }
+}
+
+fn advice(readout: &Readout) -> Vec<String> {
+    readout.advice.iter().map(|message| sentence(Language::English, message)).collect()
+}
+
+#[test]
+fn the_papers_example_with_exact_pi() {
+    check(
+        &[],
+        2e-9,
+        &[
+            ("k", 12.566370614359172),
+            ("actual-speed", 1200.0),
+            ("line-speed", 15079.644737),
+            ("y-stroke", 62.831853072),
+            ("vector-feed", 119391.393301),
+            ("block-time", 31.830988618),
+            ("dots-per-second", 31.415926536),
+            ("volts-command", 8.108108108),
+            ("volts", 10.0 * 3320.0 / 4095.0),
+        ],
+    );
+}
+
+#[test]
+fn the_papers_example_with_its_own_pi() {
+    check(
+        &[("pi", "3.14")],
+        1e-9,
+        &[
+            ("k", 12.56),
+            ("line-speed", 15072.0),
+            ("y-stroke", 62.8),
+            ("vector-feed", 119271.336603),
+            ("x-feed", 15072.0),
+            ("y-feed", 118315.2),
+            ("block-time", 31.847133758),
+            ("dots-per-second", 31.4),
+        ],
+    );
+}
+
+/// Override, #104, then #105, #115 and T in ms with 3.14 and with the exact π, V.
+type Row = (u32, f64, [f64; 3], [f64; 3], f64);
+
+/// Section 6.2 of the sheet.
+const OVERRIDES: [Row; 7] = [
+    (10, 120.0, [1507.200, 11927.134, 318.471], [1507.964, 11939.139, 318.310], 0.811),
+    (50, 600.0, [7536.000, 59635.668, 63.694], [7539.822, 59695.697, 63.662], 4.054),
+    (80, 960.0, [12057.600, 95417.069, 39.809], [12063.716, 95513.115, 39.789], 6.486),
+    (100, 1200.0, [15072.000, 119271.337, 31.847], [15079.645, 119391.393, 31.831], 8.108),
+    (110, 1320.0, [16579.200, 131198.470, 28.952], [16587.609, 131330.533, 28.937], 8.919),
+    (120, 1440.0, [18086.400, 143125.604, 26.539], [18095.574, 143269.672, 26.526], 9.730),
+    (123, 1476.0, [18538.560, 146703.744, 25.892], [18547.963, 146851.414, 25.879], 9.973),
+];
+
+#[test]
+fn the_override_table_row_by_row() {
+    for (knob, speed, short, exact, volts) in OVERRIDES {
+        for (pi, [line, feed, time]) in [("3.14", short), ("exact", exact)] {
+            let design = design(&[("override", &knob.to_string()), ("pi", pi)]);
+            let near = |id: &str, wanted: f64| {
+                let value = readout(&design, id).value;
+                assert!((value - wanted).abs() <= 0.00051, "{knob} % {pi} {id}: {value}, expected {wanted}");
+            };
+            near("actual-speed", speed);
+            near("line-speed", line);
+            near("vector-feed", feed);
+            near("block-time", time);
+            near("volts-command", volts);
+        }
+    }
+}
+
+#[test]
+fn above_the_clamp_the_line_is_slower_than_asked_and_says_so() {
+    let design = design(&[("override", "124")]);
+    assert_eq!(readout(&design, "actual-speed").value, 1480.0);
+    let volts = readout(&design, "volts");
+    assert_eq!((volts.verdict, volts.value), (Verdict::Fail, 10.0));
+    assert_eq!(
+        advice(&volts),
+        [
+            "1488 r/min are asked for, 1480 are possible: the line runs slower than asked. Above 123.3 % the knob does nothing."
+        ]
+    );
+}
+
+#[test]
+fn y_in_degrees_keeps_x_and_changes_the_vector() {
+    check(
+        &[("y-unit", "degrees")],
+        1e-8,
+        &[("y-stroke", 60.0), ("vector-feed", 114098.216), ("surface-ratio", 7.853981634)],
+    );
+    check(&[("y-unit", "degrees"), ("pi", "3.14")], 1e-8, &[("vector-feed", 114040.373)]);
+}
+
+#[test]
+fn the_sizing_oracle_row_by_row() {
+    // Sections A, D, E, F and G of sizing_check.py, in the units of the readouts.
+    check(
+        &[],
+        1e-4,
+        &[
+            ("line-speed", 251.327 * 60.0),
+            ("vector-feed", 119391.0),
+            ("block-time", 31.831),
+            ("dots-per-second", 31.4159),
+            ("surface-speed", 1973.92 * 60.0),
+            ("print-roller-speed", 314.159),
+            ("x-motor-speed", 480.0),
+            ("y-motor-speed", 1570.8),
+            ("volts-command", 8.10811),
+            ("frequency", 40.5405),
+            ("speed-error", 1.21802),
+            ("slack-rate", 183.673),
+            ("speed-error-rated", -4.48198),
+            ("slack-rate-rated", -675.867),
+            ("analog-step", 0.361416),
+            ("override-step", 2.51327),
+            ("override-limit", 123.333),
+            ("thickness-error", 0.5),
+            ("loop-time", 44.3874),
+            ("surface-ratio", 7.85398),
+            ("matching-diameter", 15.2789),
+            ("matching-heads", 47.1239),
+            ("smear", 1.7454),
+            ("start-stop-speed", 12.1707),
+            ("x-resolution", 0.314159),
+        ],
+    );
+    // Tension of +1 % draw (D11): a motor that loses 1 %.
+    check(
+        &[("speed-at-10v", "1500"), ("speed-clamp", "1500"), ("no-load-speed", "1500"), ("rated-load-speed", "1488")],
+        1e-4,
+        &[("speed-error-rated", -1.0), ("tension", 2.0)],
+    );
+    check(&[("pi", "3.14")], 1e-3, &[("pi-drift", 7.64474)]);
+    check(&[("encoder-resolution", "131072")], 1e-4, &[("x-resolution", 0.239684)]);
+    check(&[("encoder-resolution", "8192")], 1e-4, &[("x-resolution", 3.83495)]);
+    check(&[("time-constant-x", "30"), ("time-constant-y", "30")], 1e-4, &[("start-stop-speed", 14.7994)]);
+}
+
+#[test]
+fn start_and_stop_against_the_oracle() {
+    // The oracle's ramp of 2 s ends at S; the form's ends at the speed of 10 V.
+    let ramp = ("inverter-ramp", "2.467");
+    check(&[ramp, ("dwell", "2")], 2e-4, &[("slack-start", 263.894)]);
+    check(&[ramp, ("dwell", "0")], 2e-4, &[("slack-start", -238.761)]);
+    // M5 is read when X has stopped: a time constant later than in D25.
+    check(&[ramp], 2e-4, &[("slack-stop", 238.761 + 251.327 * 0.1)]);
+}
+
+#[test]
+fn the_papers_own_example_slips_and_says_what_would_match() {
+    let design = design(&[]);
+    let ratio = readout(&design, "surface-ratio");
+    assert_eq!(ratio.verdict, Verdict::Fail);
+    assert!((ratio.value - 7.854).abs() < 0.0005);
+    assert_eq!(
+        advice(&ratio),
+        [
+            "The roller's surface runs 7.854 times as fast as the ribbon: each head slips 1.745 mm while it touches, 0.05 are allowed.",
+            "Match the diameter: 15.28 mm roll without slip with 6 heads.",
+            "Or match the heads: 47 on this roller give a ratio of 1.00264 and a smear of 0.005 mm.",
+            "Or a pitch of 62.832 mm.",
+            "Or an electronic cam that matches the speed only in the contact; a G01 block cannot, its ratio is constant.",
+        ]
+    );
+    assert!(design.diagnostics.iter().all(|finding| finding.severity == Severity::Info), "verdicts never bar export");
+}
+
+/// Every rule once beyond its limit: the result, its verdict.
+#[test]
+fn rules_judge() {
+    type Case = (&'static [(&'static str, &'static str)], &'static str, Verdict);
+    let cases: &[Case] = &[
+        (&[("heads", "47")], "surface-ratio", Verdict::Ok),
+        (&[("heads", "45")], "smear", Verdict::Warn),
+        (&[("motor-rated-y", "1500")], "y-motor-speed", Verdict::Warn),
+        (&[("motor-max-y", "1500"), ("motor-rated-y", "1500")], "y-motor-speed", Verdict::Fail),
+        (&[], "x-motor-speed", Verdict::Ok),
+        (&[], "block-time", Verdict::Ok),
+        (
+            &[
+                ("override", "150"),
+                ("speed-at-10v", "3000"),
+                ("speed-clamp", "3000"),
+                ("clamp-x", "99999"),
+                ("clamp-y", "999999"),
+            ],
+            "block-time",
+            Verdict::Fail,
+        ),
+        (&[], "volts", Verdict::Ok),
+        (&[("override", "5")], "volts", Verdict::Warn),
+        (&[("speed-clamp", "2000")], "volts", Verdict::Warn),
+        (&[("override", "10")], "frequency", Verdict::Warn),
+        (&[], "register-error", Verdict::Ok),
+        (&[("position-gain-y", "40")], "register-error", Verdict::Fail),
+        (&[("time-constant-y", "50")], "register-error", Verdict::Fail),
+        (&[("dwell", "0")], "slack-start", Verdict::Warn),
+        (&[("inverter-ramp", "10")], "slack-stop", Verdict::Fail),
+        (&[], "slack-rate", Verdict::Fail),
+        (&[("dancer", "true")], "slack-rate", Verdict::Ok),
+        (&[("youngs-modulus", "3000")], "tension", Verdict::Fail),
+        (&[], "tension", Verdict::Ok),
+        (&[("pi", "3.14")], "pi-drift", Verdict::Warn),
+        (&[], "thickness-error", Verdict::Warn),
+        (&[("effective-diameter", "true")], "thickness-error", Verdict::Ok),
+        (&[("path-mode", "exact-stop")], "start-stop-speed", Verdict::Warn),
+        (&[("encoder-resolution", "1000")], "x-resolution", Verdict::Warn),
+    ];
+    for (changes, id, verdict) in cases {
+        assert_eq!(readout(&design(changes), id).verdict, *verdict, "{id} with {changes:?}");
+    }
+}
+
+#[test]
+fn feeds_beyond_the_clamps_are_errors_and_say_how_fast_it_may_run() {
+    let slow = design(&[("clamp-y", "100000")]);
+    let [error] = slow.diagnostics.iter().filter(|d| d.severity == Severity::Error).collect::<Vec<_>>()[..] else {
+        panic!("one error: {:?}", slow.diagnostics)
+    };
+    assert_eq!(error.field, Some("clamp-y"));
+    assert_eq!(
+        sentence(Language::English, &error.hints[0]),
+        "At most 1013 r/min of the unwinder keep within all limits."
+    );
+    let share = design(&[("clamp-y", "100000"), ("spindle-speed", "1013")]);
+    assert!(share.diagnostics.iter().all(|d| d.severity != Severity::Error));
+}
+
+#[test]
+fn a_line_that_stands_still_has_results() {
+    let design = design(&[("override", "0")]);
+    for readout in &design.readouts {
+        assert!(!readout.value.is_nan(), "{}: no number", readout.id);
+    }
+    assert_eq!(readout(&design, "line-speed").value, 0.0);
+    assert_eq!(readout(&design, "products-per-hour").value, 0.0);
+}
+
+#[test]
+fn the_plcs_knob_has_steps() {
+    for (step, speed) in [("1", 876.0), ("5", 900.0), ("10", 840.0)] {
+        check(&[("override", "73"), ("knob-step", step)], 1e-12, &[("actual-speed", speed)]);
+    }
+}
+
+#[test]
+fn a_length_becomes_whole_pitches() {
+    check(
+        &[("job", "product-length"), ("product-length", "4003")],
+        1e-12,
+        &[("dots-per-product", 500.0), ("product-length", 4000.0)],
+    );
+}
+
+#[test]
+fn facts_are_assumed_until_somebody_says_where_they_come_from() {
+    let count = |origins: &Origins| {
+        let design = machine().design(&Values::new(), origins, control());
+        let infos = design.diagnostics.into_iter().filter(|d| d.severity == Severity::Info);
+        infos.map(|d| sentence(Language::English, &d.message)).collect::<String>()
+    };
+    assert!(count(&Origins::new()).contains("inverter-ramp"));
+    let measured = Origins::from([("inverter-ramp".to_owned(), Provenance::Measured)]);
+    assert!(!count(&measured).contains("inverter-ramp"));
+}
+
+#[test]
+fn invalid_values_keep_the_default_and_are_errors_about_their_field() {
+    let values = Values::from([("pitch".to_owned(), Value::Number(0.0)), ("heads".to_owned(), Value::Number(2.5))]);
+    let design = machine().design(&values, &Origins::new(), control());
+    let fields: Vec<_> =
+        design.diagnostics.iter().filter(|d| d.severity == Severity::Error).filter_map(|d| d.field).collect();
+    assert_eq!(fields, ["pitch", "heads"]);
+    assert!((readout(&design, "line-speed").value - 15079.644737).abs() < 1e-5);
+}
