@@ -76,7 +76,12 @@ impl State {
             _ => return Err(Trap::alarm(Alarm::Format, msg!("interp.not-a-variable"))),
         };
         match cx.shared.index.slot(cx.control, number) {
-            Slot::Common(slot) => self.vars.set_common(slot, value),
+            Slot::Common(slot) => {
+                if self.vars.common(slot).to_bits() != value.to_bits() {
+                    self.vars.set_common(slot, value);
+                    cx.world.changed(number, (!value.is_nan()).then_some(value));
+                }
+            }
             Slot::Local(index) => self.vars.set_local(index, value),
             Slot::Row(at) => self.write_row(cx, block, at, number, zero_if_vacant(value))?,
             Slot::None => return Err(no_such_variable(cx, number)),

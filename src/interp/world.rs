@@ -10,6 +10,8 @@ pub trait World {
     fn position(&mut self, axis: usize) -> f64;
     /// Whether optional block skip number 1 to 9 is switched on.
     fn block_skip(&mut self, number: u8) -> bool;
+    /// A common variable has got another value (`None`: vacant) by the program. For whoever shows variables over time.
+    fn changed(&mut self, _variable: u32, _value: Option<f64>) {}
 }
 
 /// A machine with fixed inputs, at rest at zero: for checks and tests of the language.

@@ -2,4 +2,5 @@
 #![allow(clippy::unwrap_used)]
 
 mod machines;
+mod physics;
 mod tidy;

@@ -1,0 +1,353 @@
+//! Executes commands one after the other: moves, waits for standstill, for the PLC, for the operator.
+
+use super::moves::{Move, Pace};
+use super::path::Segment;
+use super::program::Program;
+use super::snapshot::Mode;
+use super::state::{Once, Over, Queued, Sim, percent};
+use crate::interp::canon::{AXES, Target};
+use crate::interp::{Canon, Feed};
+use crate::math;
+use crate::msg;
+use crate::text::Diagnostic;
+
+/// Seconds between two measurements of the spindle speed for feed per revolution while it changes.
+const MEASURE: f64 = 0.01;
+
+/// What the executor is at.
+#[derive(Debug, Clone)]
+pub(super) enum Exec {
+    /// Takes the next command as soon as it is ready.
+    Idle,
+    /// Moves.
+    Moving(Box<Move>),
+    /// Lets the axes settle until then.
+    Settling(f64),
+    /// Waits for standstill until then, before this command.
+    Resting(f64, Canon),
+    /// Dwells until then.
+    Dwelling(f64),
+    /// Waits for the PLC.
+    Fin,
+    /// Waits for cycle start, then goes on.
+    Stopped,
+    /// After reset: cycle start begins at the head of the program.
+    Ready,
+    /// The program is over.
+    Finished,
+    /// Alarm of the program; needs reset.
+    Alarm(Box<Diagnostic>),
+    /// Emergency stop; needs reset.
+    Emergency(Box<Diagnostic>),
+    /// The budget is used up.
+    OutOfBlocks,
+}
+
+impl Exec {
+    /// Whether the program runs (it may be held).
+    pub(super) fn runs(&self) -> bool {
+        use Exec::{Alarm, Emergency, Finished, OutOfBlocks, Ready, Stopped};
+        !matches!(self, Stopped | Ready | Finished | Alarm(_) | Emergency(_) | OutOfBlocks)
+    }
+
+    pub(super) fn mode(&self, holding: bool) -> Mode {
+        match self {
+            Exec::Stopped | Exec::Ready => Mode::Stopped,
+            Exec::Finished | Exec::OutOfBlocks => Mode::Ended,
+            Exec::Alarm(_) => Mode::Alarm,
+            Exec::Emergency(_) => Mode::EmergencyStop,
+            Exec::Fin => Mode::WaitFin,
+            _ if holding => Mode::Hold,
+            Exec::Dwelling(_) => Mode::Dwell,
+            _ => Mode::Running,
+        }
+    }
+}
+
+impl<P: Program> Sim<'_, P> {
+    /// Feed hold, unless the program has switched it off.
+    pub(super) fn holding(&self) -> bool {
+        self.s.held && !self.s.suppress_hold && self.s.exec.runs()
+    }
+
+    /// When the axes stand.
+    pub(super) fn rest_time(&self) -> f64 {
+        self.s.rest_since + self.machine.standstill
+    }
+
+    pub(super) fn executor_time(&self) -> f64 {
+        let s = &*self.s;
+        match &s.exec {
+            Exec::Idle if self.holding() => f64::INFINITY,
+            Exec::Idle => match (s.queue.front(), &s.over) {
+                (Some(queued), _) => queued.ready.max(s.now),
+                (None, Some(_)) => s.read_at.max(s.now).max(self.rest_time()),
+                (None, None) => f64::INFINITY,
+            },
+            Exec::Moving(motion) => motion.end_time().min(motion.again),
+            Exec::Settling(t) | Exec::Resting(t, _) | Exec::Dwelling(t) => *t,
+            _ => f64::INFINITY,
+        }
+    }
+
+    pub(super) fn execute(&mut self, t: f64) {
+        match &mut self.s.exec {
+            Exec::Idle => self.begin_next(t),
+            Exec::Moving(motion) if motion.again < motion.end_time() => self.pace(t),
+            Exec::Moving(motion) => {
+                let (end, exact, pace) = (motion.end, motion.exact, motion.pace);
+                self.arrive(t, end, exact, pace);
+            }
+            Exec::Resting(_, canon) => {
+                let canon = core::mem::replace(canon, Canon::Stop);
+                self.perform(t, canon);
+            }
+            Exec::Settling(_) | Exec::Dwelling(_) => self.s.exec = Exec::Idle,
+            _ => {}
+        }
+    }
+
+    fn begin_next(&mut self, t: f64) {
+        let Some(next) = self.s.queue.front() else {
+            self.s.exec = match self.s.over.clone() {
+                Some(Over::Alarm(diagnostic)) => {
+                    self.out.diagnostics.push((*diagnostic).clone());
+                    Exec::Alarm(diagnostic)
+                }
+                Some(Over::Blocks) => {
+                    self.out
+                        .diagnostics
+                        .push(Diagnostic::warning(msg!("motion.out-of-blocks", self.machine.limits.blocks as f64)));
+                    Exec::OutOfBlocks
+                }
+                Some(Over::Program) | None => Exec::Finished,
+            };
+            return;
+        };
+        if next.first && self.s.stepped && self.s.knobs.single_block {
+            self.s.exec = Exec::Stopped;
+            return;
+        }
+        let Some(Queued { canon, place, first, .. }) = self.pop() else { return };
+        self.s.stepped |= first;
+        self.s.place = Some(place);
+        match canon {
+            Canon::Rapid { to } => {
+                let end = self.goal(&to);
+                let motion = Move::line(self.s.position, end, Pace::Rapid, true, &self.machine.axes);
+                self.begin(t, motion);
+            }
+            Canon::Linear { to, feed, exact } => {
+                let end = self.goal(&to);
+                let motion = Move::line(self.s.position, end, Pace::Feed(feed), exact, &self.machine.axes);
+                self.begin(t, motion);
+            }
+            Canon::Arc { to, plane, center, clockwise, feed, exact } => {
+                let end = self.goal(&to);
+                let scale = self.machine.increment;
+                let center = (center.0 * scale, center.1 * scale);
+                let axes = &self.machine.axes;
+                let motion = Move::line(self.s.position, end, Pace::Feed(feed), exact, axes);
+                self.begin(t, motion.around(plane, center, clockwise, axes));
+            }
+            // These only say that the interpreter has changed its mind; Output and Suppress have acted when they were read.
+            Canon::Preset { .. } | Canon::PathMode { .. } | Canon::Output { .. } | Canon::Suppress { .. } => {}
+            Canon::OptionalStop if !self.s.knobs.optional_stop => {}
+            _ => {
+                self.s.flow_end = None;
+                let rest = self.rest_time();
+                if rest > t {
+                    self.s.exec = Exec::Resting(rest, canon);
+                } else {
+                    self.perform(t, canon);
+                }
+            }
+        }
+    }
+
+    fn pop(&mut self) -> Option<Queued> {
+        let queued = self.s.queue.pop_front()?;
+        self.s.ahead -= usize::from(queued.first);
+        Some(queued)
+    }
+
+    /// Where a movement ends, in mm.
+    fn goal(&mut self, to: &Target) -> [f64; AXES] {
+        for k in self.machine.fitted..AXES {
+            if to.mask & (1 << k) != 0 {
+                let letter = (self.machine.axes[k].letter as char).to_string();
+                self.say(Once::Missing as u32 + k as u32, msg!("motion.missing-axis", letter));
+            }
+        }
+        let scale = self.machine.increment;
+        core::array::from_fn(
+            |k| if to.mask & (1 << k) != 0 { to.position[k] as f64 * scale } else { self.s.position[k] },
+        )
+    }
+
+    /// Does a command that needs the axes at rest.
+    fn perform(&mut self, t: f64, canon: Canon) {
+        self.s.exec = Exec::Idle;
+        match canon {
+            Canon::Dwell { seconds } => self.s.exec = Exec::Dwelling(t + seconds.max(0.0)),
+            Canon::Stop | Canon::OptionalStop | Canon::Message { .. } => self.s.exec = Exec::Stopped,
+            Canon::End => self.s.exec = Exec::Finished,
+            _ => {
+                self.strobe(canon);
+                // S, M and T of one block are put out together (reference/mitsubishi-e60.md section 5).
+                while self.s.queue.front().is_some_and(|next| !next.first && next.ready <= t && self.free(&next.canon))
+                {
+                    if let Some(next) = self.pop() {
+                        self.strobe(next.canon);
+                    }
+                }
+                self.s.io.fin = false;
+                self.s.exec = Exec::Fin;
+                self.scan(t);
+            }
+        }
+    }
+
+    /// Whether a code can be put out beside those that wait.
+    fn free(&self, canon: &Canon) -> bool {
+        match canon {
+            Canon::SpindleSpeed { .. } => self.s.io.s_strobe.is_none(),
+            Canon::SpindleDirection { .. } | Canon::Auxiliary { .. } => self.s.io.m_strobe.is_none(),
+            Canon::Tool { .. } => self.s.io.t_strobe.is_none(),
+            _ => false,
+        }
+    }
+
+    fn strobe(&mut self, canon: Canon) {
+        match canon {
+            Canon::SpindleSpeed { rpm } => {
+                self.s.speed = rpm.max(0.0);
+                self.s.io.s_strobe = Some(rpm);
+            }
+            Canon::SpindleDirection { sign } => {
+                self.s.direction = sign.signum();
+                self.s.io.m_strobe = Some(match sign.signum() {
+                    1 => 3,
+                    -1 => 4,
+                    _ => 5,
+                });
+            }
+            Canon::Auxiliary { code } => self.s.io.m_strobe = Some(code),
+            Canon::Tool { code } => self.s.io.t_strobe = Some(code),
+            _ => {}
+        }
+    }
+
+    fn begin(&mut self, t: f64, motion: Move) {
+        if motion.length <= 0.0 {
+            self.s.position = motion.end;
+            return;
+        }
+        if self.s.flow_end.take().is_some_and(|end| t > end) {
+            self.s.starved += 1;
+            self.say(
+                Once::Starved as u32,
+                msg!("motion.starved", self.machine.block_time * 1e3, self.machine.macro_time * 1e3),
+            );
+        }
+        if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace
+            && feed / 60.0 > motion.limit * (1.0 + 1e-9)
+        {
+            let (k, slowed) = (motion.limiting, motion.limit * 60.0);
+            let letter = (self.machine.axes[k].letter as char).to_string();
+            let message = msg!("motion.axis-clamp", letter, self.machine.axes[k].clamp, feed, slowed);
+            self.say(Once::Clamp as u32 + k as u32, message);
+        }
+        self.s.exec = Exec::Moving(Box::new(motion));
+        self.s.moving = true;
+        self.put(t);
+    }
+
+    /// Gives a movement the speed that it may have now, where that has changed.
+    pub(super) fn pace(&mut self, t: f64) {
+        let (before, again) = match &self.s.exec {
+            Exec::Moving(motion) => (motion.speed, motion.again),
+            _ => return,
+        };
+        let (speed, _) = self.path_speed(t);
+        if speed != before || again <= t {
+            self.put(t);
+        }
+    }
+
+    /// Starts a segment of the path at `t`.
+    fn put(&mut self, t: f64) {
+        let (speed, again) = self.path_speed(t);
+        let Exec::Moving(motion) = &mut self.s.exec else { return };
+        motion.set_speed(t, speed);
+        motion.again = again;
+        let (segment, circle) = motion.segment();
+        self.out.timeline.put_segment(segment, circle);
+    }
+
+    /// Path speed in mm/s that override, clamps, spindle and hold allow at `t`, and when to ask again.
+    fn path_speed(&self, t: f64) -> (f64, f64) {
+        let Exec::Moving(motion) = &self.s.exec else { return (0.0, f64::INFINITY) };
+        if self.holding() {
+            return (0.0, f64::INFINITY);
+        }
+        let cutting = if self.s.suppress_override { 1.0 } else { percent(self.s.knobs.feed) / 100.0 };
+        match motion.pace {
+            Pace::Rapid => (motion.limit * (percent(self.s.knobs.rapid) / 100.0).min(1.0), f64::INFINITY),
+            Pace::Feed(Feed::PerMinute(feed)) => ((feed.max(0.0) * cutting / 60.0).min(motion.limit), f64::INFINITY),
+            Pace::Feed(Feed::PerRevolution(feed)) => {
+                // While the spindle changes its speed the feed follows in steps, each with the mean speed of its span.
+                let again =
+                    if self.s.reached_at.is_finite() { self.s.reached_at.min(t + MEASURE) } else { f64::INFINITY };
+                let middle = if again.is_finite() { 0.5 * (t + again) } else { t };
+                let ramp = self.out.timeline.ramps.last();
+                let rpm = ramp.map_or(0.0, |ramp| ramp.actual(&self.machine.spindle, middle).abs());
+                ((feed.max(0.0) * rpm * cutting / 60.0).min(motion.limit), again)
+            }
+        }
+    }
+
+    /// The unfiltered path has come to the end of a block.
+    fn arrive(&mut self, t: f64, end: [f64; AXES], exact: bool, pace: Pace) {
+        self.s.position = end;
+        self.s.exec = Exec::Idle;
+        self.s.flow_end = (!exact).then_some(t);
+        if !exact || (self.s.suppress_exact && pace != Pace::Rapid) {
+            return;
+        }
+        self.rest(t);
+        let mut until = self.rest_time();
+        if pace != Pace::Rapid {
+            for (k, axis) in self.machine.axes.iter().enumerate() {
+                // From standstill of the command on, the axis closes in exponentially.
+                let still = t + axis.time_constant;
+                let state = self.out.timeline.path.axis(k, axis, still);
+                let left = (state.position - state.actual).abs();
+                if left > self.machine.in_position {
+                    until = until.max(still + math::ln(left / self.machine.in_position) / axis.position_gain);
+                }
+            }
+        }
+        self.s.exec = Exec::Settling(until);
+    }
+
+    /// Breaks off what the program does: the path ends here.
+    pub(super) fn break_off(&mut self, t: f64) {
+        if let Exec::Moving(motion) = &mut self.s.exec {
+            motion.set_speed(t, 0.0);
+            self.s.position = motion.segment().0.from;
+        }
+        self.s.exec = Exec::Ready;
+        self.rest(t);
+    }
+
+    /// Ends the path with a standstill where nothing moves it on.
+    pub(super) fn rest(&mut self, t: f64) {
+        if self.s.moving && !matches!(self.s.exec, Exec::Moving(_)) {
+            self.s.moving = false;
+            self.s.rest_since = t;
+            let segment = Segment { t, from: self.s.position, velocity: [0.0; AXES], circle: 0 };
+            self.out.timeline.put_segment(segment, None);
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! One movement: its geometry, how fast it may run, and the segment that it leaves on the path.
+
+use super::path::{Circle, Segment};
+use super::plant::AxisPlant;
+use crate::interp::Feed;
+use crate::interp::canon::AXES;
+use crate::math;
+
+/// What sets the speed of a movement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Pace {
+    /// Rapid traverse.
+    Rapid,
+    /// A programmed feed.
+    Feed(Feed),
+}
+
+/// An arc in a plane: all lengths in mm, angles in radians, counter-clockwise positive.
+#[derive(Debug, Clone, Copy)]
+struct Bow {
+    plane: (u8, u8),
+    radius: f64,
+    phase: f64,
+    sweep: f64,
+}
+
+/// A movement that is being executed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Move {
+    /// Where it began.
+    start: [f64; AXES],
+    /// What is added in proportion to the path: all of a line; on an arc, the other axes and what rounding leaves in the plane.
+    line: [f64; AXES],
+    bow: Option<Bow>,
+    /// Where it ends.
+    pub(super) end: [f64; AXES],
+    /// Length of the path; millimetres and degrees count alike (`reference/mitsubishi-e60.md` section 5).
+    pub(super) length: f64,
+    pub(super) pace: Pace,
+    /// Exact stop at the end.
+    pub(super) exact: bool,
+    /// Path speed that no axis clamp (rapid: rapid rate) forbids, mm/s.
+    pub(super) limit: f64,
+    /// Axis that sets the limit.
+    pub(super) limiting: usize,
+    /// Present path speed in mm/s.
+    pub(super) speed: f64,
+    /// Path covered at `since`.
+    done: f64,
+    /// When the present speed began.
+    pub(super) since: f64,
+    /// When the speed is to be measured again (feed per revolution under a changing spindle).
+    pub(super) again: f64,
+}
+
+impl Move {
+    /// A straight line.
+    pub(super) fn line(
+        start: [f64; AXES],
+        end: [f64; AXES],
+        pace: Pace,
+        exact: bool,
+        axes: &[AxisPlant; AXES],
+    ) -> Move {
+        let line: [f64; AXES] = core::array::from_fn(|k| end[k] - start[k]);
+        let length = line.iter().map(|d| d * d).sum::<f64>().sqrt();
+        let (limit, limiting, speed, done, since, again) = (0.0, 0, 0.0, 0.0, 0.0, f64::INFINITY);
+        Move { start, line, bow: None, end, length, pace, exact, limit, limiting, speed, done, since, again }
+            .limited(axes)
+    }
+
+    /// An arc instead of a straight line; a full turn where it ends in the plane where it began. The small difference that rounding
+    /// leaves between the end and the circle of the start is spread over the arc.
+    pub(super) fn around(
+        mut self,
+        plane: (u8, u8),
+        center: (f64, f64),
+        clockwise: bool,
+        axes: &[AxisPlant; AXES],
+    ) -> Move {
+        let (a, b) = (plane.0 as usize, plane.1 as usize);
+        if a >= AXES || b >= AXES || a == b {
+            return self;
+        }
+        let (start, end) = (self.start, self.end);
+        let (from, to) = ((start[a] - center.0, start[b] - center.1), (end[a] - center.0, end[b] - center.1));
+        let radius = math::hypot(from.0, from.1);
+        let phase = math::atan2(from.1, from.0);
+        let turn = 2.0 * math::PI;
+        let mut sweep = math::atan2(to.1, to.0) - phase;
+        if start[a] == end[a] && start[b] == end[b] {
+            sweep = 0.0;
+        }
+        if clockwise {
+            while sweep >= 0.0 {
+                sweep -= turn;
+            }
+        } else {
+            while sweep <= 0.0 {
+                sweep += turn;
+            }
+        }
+        let others: f64 = (0..AXES).filter(|&k| k != a && k != b).map(|k| self.line[k] * self.line[k]).sum();
+        let (sin, cos) = math::sin_cos(phase + sweep);
+        self.line[a] = to.0 - radius * cos;
+        self.line[b] = to.1 - radius * sin;
+        self.length = (radius * sweep * radius * sweep + others).sqrt();
+        self.bow = Some(Bow { plane, radius, phase, sweep });
+        self.limited(axes)
+    }
+
+    /// Sets the limit of the path speed: no axis above its rate.
+    fn limited(mut self, axes: &[AxisPlant; AXES]) -> Move {
+        self.limit = f64::INFINITY;
+        for (k, axis) in axes.iter().enumerate() {
+            let in_plane = self.bow.filter(|bow| bow.plane.0 as usize == k || bow.plane.1 as usize == k);
+            // Somewhere on an arc an axis of the plane may run with the whole speed in the plane.
+            let share = in_plane.map_or(self.line[k].abs(), |bow| bow.radius * bow.sweep.abs()) / self.length;
+            let rate = if self.pace == Pace::Rapid { axis.rapid } else { axis.clamp };
+            let limit = rate / 60.0 / share;
+            if share > 0.0 && limit < self.limit {
+                (self.limit, self.limiting) = (limit, k);
+            }
+        }
+        self
+    }
+
+    /// Runs with a path speed in mm/s from time `t` on.
+    pub(super) fn set_speed(&mut self, t: f64, speed: f64) {
+        self.done = (self.done + self.speed * (t - self.since)).min(self.length);
+        self.since = t;
+        self.speed = speed;
+    }
+
+    /// When it ends at the present speed.
+    pub(super) fn end_time(&self) -> f64 {
+        let left = self.length - self.done;
+        if left <= 0.0 {
+            self.since
+        } else if self.speed > 0.0 {
+            self.since + left / self.speed
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// The segment from `since` on.
+    pub(super) fn segment(&self) -> (Segment, Option<Circle>) {
+        let (t, part, rate) = (self.since, self.done / self.length, self.speed / self.length);
+        let mut from: [f64; AXES] = core::array::from_fn(|k| self.start[k] + self.line[k] * part);
+        let velocity = self.line.map(|d| d * rate);
+        let circle = self.bow.map(|bow| {
+            let (phase, radius) = (bow.phase + bow.sweep * part, bow.radius);
+            let (now, begin) = (math::sin_cos(phase), math::sin_cos(bow.phase));
+            from[bow.plane.0 as usize] += radius * (now.1 - begin.1);
+            from[bow.plane.1 as usize] += radius * (now.0 - begin.0);
+            Circle { t, plane: bow.plane, radius, phase, omega: bow.sweep * rate }
+        });
+        (Segment { t, from, velocity, circle: 0 }, circle)
+    }
+}

@@ -1,0 +1,113 @@
+//! What the operator's hand does to a run.
+
+use super::executor::Exec;
+use super::panel::Action;
+use super::program::Program;
+use super::state::{Sim, percent};
+use super::timeline::Change;
+use crate::msg;
+use crate::text::Diagnostic;
+
+impl<P: Program> Sim<'_, P> {
+    /// The next event of the panel happens.
+    pub(super) fn operate(&mut self, t: f64) {
+        let panel = self.panel;
+        let Some(event) = panel.events().get(self.s.panel_done) else { return };
+        self.s.panel_done += 1;
+        match &event.action {
+            Action::SpindleOverride(value) => {
+                self.s.io.spindle_override = percent(*value);
+                self.scan(t);
+            }
+            Action::FeedOverride(value) => {
+                self.s.knobs.feed = *value;
+                self.pace(t);
+            }
+            Action::RapidOverride(value) => {
+                self.s.knobs.rapid = *value;
+                self.pace(t);
+            }
+            Action::Start => self.start(t),
+            Action::Hold => {
+                self.s.held |= self.s.exec.runs();
+                self.s.flow_end = None;
+                self.pace(t);
+            }
+            Action::Reset => self.reset(t, Exec::Ready),
+            Action::EmergencyStop => {
+                let diagnostic = Diagnostic::error(msg!("motion.emergency-stop")).alarm(self.machine.emergency);
+                self.out.diagnostics.push(diagnostic.clone());
+                self.reset(t, Exec::Emergency(Box::new(diagnostic)));
+            }
+            Action::SingleBlock(on) => self.s.knobs.single_block = *on,
+            Action::OptionalStop(on) => self.s.knobs.optional_stop = *on,
+            Action::BlockSkip(on) => self.s.knobs.block_skip = *on,
+            Action::ManualSpeed(rpm) => {
+                if !matches!(self.s.exec, Exec::Emergency(_)) && rpm.is_finite() {
+                    self.s.speed = rpm.abs();
+                    self.s.direction = if *rpm == 0.0 { 0 } else { rpm.signum() as i8 };
+                    self.scan(t);
+                }
+            }
+            Action::Input(name, value) => {
+                self.s.io.forced.insert(name.clone(), *value);
+                self.scan(t);
+            }
+            Action::Variable(number, value) => {
+                if self.s.program.set_variable(*number, *value) {
+                    self.out.timeline.changes.push(Change { t, number: *number, value: value.unwrap_or(f64::NAN) });
+                }
+            }
+        }
+    }
+
+    /// Cycle start: goes on after a stop or hold, begins anew after reset or program end.
+    fn start(&mut self, t: f64) {
+        match self.s.exec {
+            Exec::Stopped => self.s.exec = Exec::Idle,
+            Exec::Ready | Exec::Finished => {
+                let scale = self.machine.increment;
+                self.s.program.restart(self.s.position.map(|mm| (mm / scale).round() as i64));
+                self.clear();
+                self.s.read_at = t;
+                self.s.exec = Exec::Idle;
+            }
+            _ => {}
+        }
+        if self.s.exec.runs() {
+            self.s.stepped = false;
+            self.s.held = false;
+            self.pace(t);
+        }
+    }
+
+    /// Stops everything: the axes over their time constants, the spindle over its ramp with its command at 0.
+    fn reset(&mut self, t: f64, then: Exec) {
+        self.break_off(t);
+        if self.machine.log {
+            // What was read and not begun has not happened.
+            if let Some(next) = self.s.queue.front() {
+                self.out.log.truncate(next.logged.saturating_sub(self.out.taken));
+            }
+        }
+        self.clear();
+        self.s.exec = then;
+        self.s.direction = 0;
+        let io = &mut self.s.io;
+        (io.m_strobe, io.s_strobe, io.t_strobe) = (None, None, None);
+        self.scan(t);
+    }
+
+    /// The state of a control after reset.
+    fn clear(&mut self) {
+        let s = &mut *self.s;
+        s.queue.clear();
+        s.ahead = 0;
+        s.drain = false;
+        s.over = None;
+        s.held = false;
+        s.stepped = false;
+        s.flow_end = None;
+        (s.suppress_hold, s.suppress_override, s.suppress_exact) = (false, false, false);
+    }
+}

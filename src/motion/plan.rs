@@ -1,0 +1,245 @@
+//! The planner: runs a program over time in slices, and again from a checkpoint when the operator changes the past.
+//!
+//! A discrete-event simulation: the earliest event happens first, in a fixed order where times are equal, so that a run is a pure
+//! function of program, plant, PLC and panel. No event knows of a later one: what was planned up to a moment stays true when
+//! something is added after it.
+
+use std::collections::VecDeque;
+
+use super::panel::{Event, Panel};
+use super::plant::Plant;
+use super::plc::Plc;
+use super::program::Program;
+use super::state::{Machine, Marks, Records, Sim, State};
+use super::timeline::Timeline;
+use crate::controls::Control;
+use crate::interp::{Canon, Counts};
+use crate::text::{Diagnostic, Place};
+
+/// Budgets of a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Blocks read at most.
+    pub blocks: u64,
+    /// Machine seconds at most.
+    pub seconds: f64,
+}
+
+/// What a run leaves behind.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Keep {
+    /// The whole timeline and a checkpoint for every second: any moment can be shown, any event added.
+    Timeline,
+    /// Only the newest moments, and the commands as a log for [`Planner::take_log`]: for long runs on the command line. An event that
+    /// is added to the past happens now.
+    Log,
+}
+
+/// All that a run is a function of.
+pub struct Setup<'a, P> {
+    /// The program, at its head.
+    pub program: P,
+    /// The control that runs it.
+    pub control: &'a Control,
+    /// Axes, spindle, block times.
+    pub plant: &'a Plant,
+    /// The builder's logic.
+    pub plc: Box<dyn Plc>,
+    /// The operator's hand.
+    pub panel: Panel,
+    /// Budgets.
+    pub limits: Limits,
+    /// What is kept.
+    pub keep: Keep,
+}
+
+/// Why a run is over. Where the operator does something further it goes on.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RunEnd {
+    /// M02, M30 or the end of the start program.
+    ProgramEnd,
+    /// It waits for the operator: M00, M01, a message, single block, hold or reset, and no event of the panel answers.
+    Stop,
+    /// An alarm, or emergency stop.
+    Alarm(Box<Diagnostic>),
+    /// The budget of blocks is used up.
+    Blocks,
+    /// The budget of time is used up.
+    Seconds,
+}
+
+/// How far a run is planned.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Progress {
+    /// Machine time up to which all is known.
+    pub planned_to: f64,
+    /// Set when the run is over at that time.
+    pub ended: Option<RunEnd>,
+}
+
+/// A state before all events at or after a time.
+#[derive(Debug, Clone)]
+struct Checkpoint<P> {
+    t: f64,
+    state: State<P>,
+    marks: Marks,
+}
+
+/// A run that is planned slice by slice.
+#[derive(Debug, Clone)]
+pub struct Planner<P> {
+    machine: Machine,
+    panel: Panel,
+    state: State<P>,
+    records: Records,
+    checkpoints: Vec<Checkpoint<P>>,
+    keep: Keep,
+    /// Time of the next checkpoint, whole seconds.
+    due: f64,
+    ended: Option<RunEnd>,
+}
+
+impl<P: Program> Planner<P> {
+    /// A run at time 0; cycle start is pressed.
+    pub fn new(setup: Setup<'_, P>) -> Planner<P> {
+        let machine = Machine::new(setup.control, setup.plant, setup.limits, setup.keep == Keep::Log);
+        let timeline = Timeline::new(machine.axes, machine.spindle);
+        Planner {
+            records: Records { timeline, log: VecDeque::new(), taken: 0, diagnostics: Vec::new() },
+            state: State::new(setup.program, setup.plc),
+            machine,
+            panel: setup.panel,
+            checkpoints: Vec::new(),
+            keep: setup.keep,
+            due: 0.0,
+            ended: None,
+        }
+    }
+
+    /// Plans on until machine time `until`, the end of the run, or `budget` events: whichever is first.
+    pub fn advance(&mut self, until: f64, budget: usize) -> Progress {
+        let until = until.min(self.machine.limits.seconds);
+        for _ in 0..budget {
+            if self.ended.is_some() {
+                break;
+            }
+            let mut sim =
+                Sim { s: &mut self.state, machine: &self.machine, out: &mut self.records, panel: &self.panel };
+            if let Some(end) = sim.end() {
+                self.finish(end);
+                break;
+            }
+            let (t, who) = sim.next();
+            if t > until {
+                if t == f64::INFINITY && sim.panel.events().len() == sim.s.panel_done {
+                    let end = sim.stuck();
+                    self.finish(end);
+                } else if until >= self.machine.limits.seconds {
+                    self.records.timeline.end = until;
+                    self.ended = Some(RunEnd::Seconds);
+                } else {
+                    self.records.timeline.end = until.max(self.records.timeline.end);
+                }
+                break;
+            }
+            if t >= self.due {
+                self.checkpoint(t);
+            }
+            let mut sim =
+                Sim { s: &mut self.state, machine: &self.machine, out: &mut self.records, panel: &self.panel };
+            sim.happen(t, who);
+            // Other events may follow at this very time; it is known only once they have happened.
+            self.records.timeline.end = t.max(self.records.timeline.end);
+        }
+        Progress { planned_to: self.records.timeline.end, ended: self.ended.clone() }
+    }
+
+    /// Before the first event at or after a whole second. All events before have happened before `due`.
+    fn checkpoint(&mut self, t: f64) {
+        match self.keep {
+            Keep::Timeline => {
+                let marks = self.records.marks();
+                self.checkpoints.push(Checkpoint { t: self.due, state: self.state.clone(), marks });
+            }
+            Keep::Log => self.records.timeline.forget(self.state.now),
+        }
+        self.due = t.floor() + 1.0;
+    }
+
+    fn finish(&mut self, end: RunEnd) {
+        self.records.timeline.end = self.records.timeline.end.max(self.state.now);
+        self.ended = Some(end);
+    }
+
+    /// The operator does something at a time, be it in the part that is planned already: what was before stays, the rest is planned
+    /// anew by further calls of [`advance`](Planner::advance), as if the event had been known from the beginning.
+    pub fn event(&mut self, mut event: Event) {
+        if self.keep == Keep::Log {
+            event.t = event.t.max(self.state.now);
+        }
+        let t = if event.t > 0.0 { event.t } else { 0.0 };
+        self.panel.add(event);
+        self.ended = None;
+        let known = self.checkpoints.partition_point(|checkpoint| checkpoint.t <= t);
+        if self.keep == Keep::Timeline && t <= self.records.timeline.end && known > 0 {
+            self.checkpoints.truncate(known);
+            let Some(last) = self.checkpoints.pop() else { return };
+            self.records.truncate(&last.marks);
+            self.state = last.state;
+            self.due = last.t;
+            self.records.timeline.end = last.t.min(t);
+        }
+    }
+
+    /// What happened when.
+    pub fn timeline(&self) -> &Timeline {
+        &self.records.timeline
+    }
+
+    /// The operator's hand, with all events that were added.
+    pub fn panel(&self) -> &Panel {
+        &self.panel
+    }
+
+    /// Blocks read so far.
+    pub fn blocks(&self) -> Counts {
+        self.state.program.blocks()
+    }
+
+    /// Blocks that came too late to follow the one before without a stop.
+    pub fn starved(&self) -> u64 {
+        self.state.starved
+    }
+
+    /// The program as it is at the end of what is planned.
+    pub fn program(&self) -> &P {
+        &self.state.program
+    }
+
+    /// Alarms and what else is to be said of the planned part.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        &self.records.diagnostics
+    }
+
+    /// A common variable as the control's screen shows it at time `t`, which is as the program has read ahead; `None` is vacant.
+    pub fn variable_at(&self, number: u32, t: f64) -> Option<f64> {
+        let known = self.checkpoints.partition_point(|checkpoint| checkpoint.t <= t);
+        let base = self.checkpoints[..known].last();
+        let from = base.map_or(0, |checkpoint| checkpoint.marks.changes());
+        let changes = &self.records.timeline.changes;
+        let recent =
+            changes.from(from).iter().take_while(|change| change.t <= t).filter(|change| change.number == number);
+        match recent.last() {
+            Some(change) => Some(change.value).filter(|value| !value.is_nan()),
+            None => base.map_or(&self.state.program, |checkpoint| &checkpoint.state.program).variable(number),
+        }
+    }
+
+    /// Takes the log of the commands that were begun since the last call: when each was read, in the order of the program.
+    pub fn take_log(&mut self) -> Vec<(f64, Canon, Place)> {
+        let begun = self.state.queue.front().map_or(self.records.logged(), |next| next.logged);
+        let count = begun.saturating_sub(self.records.taken).min(self.records.log.len());
+        self.records.taken += count;
+        self.records.log.drain(..count).collect()
+    }
+}

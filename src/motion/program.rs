@@ -1,0 +1,42 @@
+//! What the planner needs of a program that it runs; the interpreter is one, a script of steps in a test another.
+
+use crate::interp::canon::AXES;
+use crate::interp::{Counts, Interp, Step, World};
+
+/// A program that runs, timeless; a clone goes on exactly as the original would.
+pub trait Program: Clone {
+    /// The next step. The first step of a block raises [`blocks`](Program::blocks), further steps of the same block do not.
+    fn step(&mut self, world: &mut dyn World) -> Step;
+    /// Blocks read so far; never falls.
+    fn blocks(&self) -> Counts;
+    /// Back to the head of the start program with all modal states as after reset; the machine stands at this position, in command
+    /// increments, machine frame. Common variables stay.
+    fn restart(&mut self, position: [i64; AXES]);
+    /// Sets a variable as the control's screen does; whether there is such a variable.
+    fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool;
+    /// A common variable; `None` is vacant.
+    fn variable(&self, number: u32) -> Option<f64>;
+}
+
+impl Program for Interp {
+    fn step(&mut self, world: &mut dyn World) -> Step {
+        Interp::step(self, world)
+    }
+
+    fn blocks(&self) -> Counts {
+        Interp::blocks(self)
+    }
+
+    fn restart(&mut self, position: [i64; AXES]) {
+        self.reset();
+        self.set_position(position);
+    }
+
+    fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool {
+        Interp::set_variable(self, number, value)
+    }
+
+    fn variable(&self, number: u32) -> Option<f64> {
+        Interp::variable(self, number)
+    }
+}

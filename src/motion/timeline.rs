@@ -1,0 +1,149 @@
+//! What happened when: answers any moment of a run, without running anything.
+
+use super::path::{Circle, Path, Segment};
+use super::plant::{AxisPlant, SpindlePlant};
+use super::snapshot::{Mode, Snapshot};
+use super::spindle::Ramp;
+use super::track::{Timed, Track};
+use crate::interp::canon::AXES;
+use crate::text::Place;
+
+/// From `t` on the control does this, in this block.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mark {
+    pub(super) t: f64,
+    pub(super) place: Place,
+    pub(super) mode: Mode,
+    /// Whether a block has begun at all.
+    pub(super) begun: bool,
+}
+
+/// A common variable has this value from `t` on; NaN is vacant.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Change {
+    pub(super) t: f64,
+    pub(super) value: f64,
+    pub(super) number: u32,
+}
+
+impl Timed for Mark {
+    fn t(&self) -> f64 {
+        self.t
+    }
+}
+
+impl Timed for Change {
+    fn t(&self) -> f64 {
+        self.t
+    }
+}
+
+/// How long the tracks were at a checkpoint.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Lengths {
+    segments: usize,
+    circles: usize,
+    ramps: usize,
+    marks: usize,
+    pub(super) changes: usize,
+}
+
+/// A run over time. A block of straight cutting feed takes [`Timeline::BLOCK_BYTES`].
+#[derive(Debug, Clone)]
+pub struct Timeline {
+    pub(super) axes: [AxisPlant; AXES],
+    pub(super) spindle: SpindlePlant,
+    pub(super) path: Path,
+    pub(super) ramps: Track<Ramp>,
+    pub(super) marks: Track<Mark>,
+    pub(super) changes: Track<Change>,
+    pub(super) start: f64,
+    pub(super) end: f64,
+}
+
+impl Timeline {
+    /// Memory of one block with motion.
+    pub const BLOCK_BYTES: usize = size_of::<Segment>() + size_of::<Mark>();
+
+    pub(super) fn new(axes: [AxisPlant; AXES], spindle: SpindlePlant) -> Timeline {
+        Timeline {
+            axes,
+            spindle,
+            path: Path::default(),
+            ramps: Track::default(),
+            marks: Track::default(),
+            changes: Track::default(),
+            start: 0.0,
+            end: 0.0,
+        }
+    }
+
+    /// The machine at time `t`; beyond [`end`](Timeline::end) as it would be if nothing further happened.
+    pub fn at(&self, t: f64) -> Snapshot {
+        let t = if t > self.start { t } else { self.start };
+        let mut now = Snapshot { t, ..Snapshot::default() };
+        for (k, (axis, plant)) in now.axes.iter_mut().zip(&self.axes).enumerate() {
+            *axis = self.path.axis(k, plant, t);
+        }
+        if let Some(ramp) = self.ramps.at(t) {
+            now.spindle = ramp.state(&self.spindle, t);
+        }
+        if let Some(mark) = self.marks.at(t) {
+            now.mode = mark.mode;
+            now.block = mark.begun.then_some(mark.place);
+        }
+        now
+    }
+
+    /// The block that is executing at time `t`.
+    pub fn block_at(&self, t: f64) -> Option<Place> {
+        self.marks.at(t).and_then(|mark| mark.begun.then_some(mark.place))
+    }
+
+    /// Earliest time that is still kept: 0 unless old parts are forgotten.
+    pub fn start(&self) -> f64 {
+        self.start
+    }
+
+    /// The time up to which all is planned.
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
+    pub(super) fn put_segment(&mut self, mut segment: Segment, circle: Option<Circle>) {
+        if let Some(circle) = circle {
+            self.path.circles.push(circle);
+            segment.circle = self.path.circles.len() as u32;
+        }
+        self.path.segments.put(segment);
+    }
+
+    pub(super) fn lengths(&self) -> Lengths {
+        Lengths {
+            segments: self.path.segments.len(),
+            circles: self.path.circles.len(),
+            ramps: self.ramps.len(),
+            marks: self.marks.len(),
+            changes: self.changes.len(),
+        }
+    }
+
+    pub(super) fn truncate(&mut self, lengths: &Lengths) {
+        self.path.segments.truncate(lengths.segments);
+        self.path.circles.truncate(lengths.circles);
+        self.ramps.truncate(lengths.ramps);
+        self.marks.truncate(lengths.marks);
+        self.changes.truncate(lengths.changes);
+    }
+
+    /// Forgets what no longer acts at `t`.
+    pub(super) fn forget(&mut self, t: f64) {
+        let memory = self.axes.iter().map(Path::memory).fold(0.0, f64::max);
+        self.path.segments.forget(t - memory);
+        self.path.circles.forget(t - memory);
+        self.ramps.forget(t);
+        self.marks.forget(t);
+        self.changes.forget(t);
+        self.start = t;
+    }
+}

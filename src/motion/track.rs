@@ -1,0 +1,77 @@
+//! Entries in the order of time: appended at the end, cut there by a changed past, forgotten at the beginning.
+
+/// Something that holds from a time on, until the next entry of its track.
+pub(super) trait Timed {
+    /// Seconds.
+    fn t(&self) -> f64;
+}
+
+/// Entries are counted from the first that ever was, so that numbers stay right when old ones are forgotten.
+#[derive(Debug, Clone)]
+pub(super) struct Track<T> {
+    items: Vec<T>,
+    forgotten: usize,
+}
+
+impl<T> Default for Track<T> {
+    fn default() -> Track<T> {
+        Track { items: Vec::new(), forgotten: 0 }
+    }
+}
+
+/// So many old entries are forgotten at once.
+const SLAB: usize = 4096;
+
+impl<T: Timed> Track<T> {
+    /// Number of entries that ever were.
+    pub(super) fn len(&self) -> usize {
+        self.forgotten + self.items.len()
+    }
+
+    /// Appends an entry; one of the same time is replaced, as it has held for no time.
+    pub(super) fn put(&mut self, item: T) {
+        match self.items.last_mut() {
+            Some(last) if last.t() == item.t() => *last = item,
+            _ => self.items.push(item),
+        }
+    }
+
+    /// Appends an entry; others of the same time stay.
+    pub(super) fn push(&mut self, item: T) {
+        self.items.push(item);
+    }
+
+    /// Forgets the entries from number `len` on.
+    pub(super) fn truncate(&mut self, len: usize) {
+        self.items.truncate(len.saturating_sub(self.forgotten));
+    }
+
+    /// The newest entry.
+    pub(super) fn last(&self) -> Option<&T> {
+        self.items.last()
+    }
+
+    /// The entry that holds at `t`; before the first one, none.
+    pub(super) fn at(&self, t: f64) -> Option<&T> {
+        self.until(t).last()
+    }
+
+    /// All entries that begin at `t` or before.
+    pub(super) fn until(&self, t: f64) -> &[T] {
+        &self.items[..self.items.partition_point(|item| item.t() <= t)]
+    }
+
+    /// Entries from number `from` on.
+    pub(super) fn from(&self, from: usize) -> &[T] {
+        self.items.get(from.saturating_sub(self.forgotten)..).unwrap_or(&[])
+    }
+
+    /// Forgets entries that no longer hold at `t`, when there are many.
+    pub(super) fn forget(&mut self, t: f64) {
+        let old = self.until(t).len().saturating_sub(1);
+        if old >= SLAB {
+            self.items.drain(..old);
+            self.forgotten += old;
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! Time against mathematics: paths, speeds, accelerations, waits, spindle, and a past that the operator changes.
+
+mod operator;
+mod past;
+mod path;
+mod reading;
+mod script;
+mod spindle;
+
+use macroline::controls::{self, Control};
+use macroline::interp::canon::AXES;
+use macroline::interp::{Canon, Feed, Target};
+use macroline::math;
+use macroline::motion::{
+    Action, AxisPlant, BenchPlc, Event, Keep, Limits, Mode, Panel, Planner, Plant, Plc, Program, RunEnd, Setup,
+    Snapshot, SpindlePlant,
+};
+use script::{Line, Script, place};
+
+const TAU: f64 = 0.1;
+const GAIN: f64 = 33.0;
+
+fn axis(letter: u8) -> AxisPlant {
+    AxisPlant { letter, rotary: false, rapid: 30e3, clamp: 120e3, time_constant: TAU, position_gain: GAIN }
+}
+
+fn plant() -> Plant {
+    let spindle = SpindlePlant {
+        speed_at_full: 1480.0,
+        speed_clamp: 1480.0,
+        volts_full: 10.0,
+        output_bits: 12,
+        ramp: 2.0,
+        gain: 1.0,
+        slip: 0.0,
+    };
+    Plant {
+        axes: vec![axis(b'X'), axis(b'Y')],
+        spindle,
+        block_time: 0.0071,
+        macro_time: 0.003,
+        preread: 5,
+        in_position: 0.02,
+    }
+}
+
+fn control() -> &'static Control {
+    controls::find("mitsubishi-e60").unwrap()
+}
+
+fn target(x: f64, y: f64) -> Target {
+    let mut position = [0; AXES];
+    position[0] = (x * 1000.0).round() as i64;
+    position[1] = (y * 1000.0).round() as i64;
+    Target { position, mask: 3 }
+}
+
+fn linear(x: f64, y: f64, feed: f64) -> Line {
+    Line::Nc(vec![Canon::Linear { to: target(x, y), feed: Feed::PerMinute(feed), exact: false }])
+}
+
+fn exact(x: f64, y: f64, feed: f64) -> Line {
+    Line::Nc(vec![Canon::Linear { to: target(x, y), feed: Feed::PerMinute(feed), exact: true }])
+}
+
+fn rapid(x: f64, y: f64) -> Line {
+    Line::Nc(vec![Canon::Rapid { to: target(x, y) }])
+}
+
+fn one(canon: Canon) -> Line {
+    Line::Nc(vec![canon])
+}
+
+fn turn(rpm: f64, sign: i8) -> Line {
+    Line::Nc(vec![Canon::SpindleSpeed { rpm }, Canon::SpindleDirection { sign }])
+}
+
+fn at(t: f64, action: Action) -> Event {
+    Event { t, action }
+}
+
+fn planner(plant: &Plant, events: Vec<Event>, lines: Vec<Line>) -> Planner<Script> {
+    planner_with(Box::new(BenchPlc::new(0.05, Some(1033))), plant, events, lines)
+}
+
+fn planner_with(plc: Box<dyn Plc>, plant: &Plant, events: Vec<Event>, lines: Vec<Line>) -> Planner<Script> {
+    Planner::new(Setup {
+        program: Script::new(lines),
+        control: control(),
+        plant,
+        plc,
+        panel: Panel::new(events),
+        limits: Limits { blocks: 1_000_000, seconds: 3600.0 },
+        keep: Keep::Timeline,
+    })
+}
+
+/// Plans to the end of the run.
+#[track_caller]
+fn finish(planner: &mut Planner<Script>) -> (f64, RunEnd) {
+    let progress = planner.advance(f64::INFINITY, 10_000_000);
+    (progress.planned_to, progress.ended.expect("the run ends"))
+}
+
+fn run(lines: Vec<Line>) -> Planner<Script> {
+    run_on(&plant(), vec![], lines)
+}
+
+fn run_on(plant: &Plant, events: Vec<Event>, lines: Vec<Line>) -> Planner<Script> {
+    let mut planner = planner(plant, events, lines);
+    finish(&mut planner);
+    planner
+}
+
+#[track_caller]
+fn close(found: f64, wanted: f64, relative: f64) {
+    let off = (found - wanted).abs();
+    assert!(off <= relative * wanted.abs().max(1e-9), "found {found}, wanted {wanted}, off {off:e}");
+}
+
+/// First time at which something holds, to a microsecond, looking every millisecond.
+#[track_caller]
+fn first(planner: &Planner<Script>, from: f64, holds: impl Fn(&Snapshot) -> bool) -> f64 {
+    let end = planner.timeline().end() + 10.0;
+    let mut t = from;
+    while !holds(&planner.timeline().at(t)) {
+        t += 0.001;
+        assert!(t < end, "never holds");
+    }
+    let mut low = (t - 0.001).max(from);
+    while t - low > 1e-7 {
+        let middle = 0.5 * (low + t);
+        if holds(&planner.timeline().at(middle)) { t = middle } else { low = middle }
+    }
+    t
+}
+
+/// Trapezoid integral of the commanded speed of an axis in mm.
+fn travelled(planner: &Planner<Script>, k: usize, from: f64, to: f64) -> f64 {
+    let n = 20_000;
+    let h = (to - from) / f64::from(n);
+    let feed = |i: i32| planner.timeline().at(from + h * f64::from(i)).axes[k].feed / 60.0;
+    h * ((1..n).map(feed).sum::<f64>() + 0.5 * (feed(0) + feed(n)))
+}

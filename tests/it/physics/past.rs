@@ -1,0 +1,110 @@
+//! A past that changes: planning on equals planning from zero.
+
+use proptest::prelude::*;
+
+use super::*;
+
+fn action() -> impl Strategy<Value = Action> {
+    prop_oneof![
+        4 => (0u32..=15).prop_map(|tens| Action::SpindleOverride(f64::from(tens) * 10.0)),
+        3 => (0u32..=15).prop_map(|tens| Action::FeedOverride(f64::from(tens) * 10.0)),
+        1 => (0u32..=10).prop_map(|tens| Action::RapidOverride(f64::from(tens) * 10.0)),
+        3 => Just(Action::Start),
+        2 => Just(Action::Hold),
+        1 => Just(Action::Reset),
+        1 => Just(Action::EmergencyStop),
+        1 => any::<bool>().prop_map(Action::SingleBlock),
+        1 => (-1500.0..1500.0).prop_map(Action::ManualSpeed),
+        1 => (0.0..200.0).prop_map(|value| Action::Input("#1033".to_owned(), value)),
+        1 => (0.0..5000.0).prop_map(|value| Action::Variable(102, Some(value))),
+    ]
+}
+
+fn busy() -> Vec<Line> {
+    let feed = Feed::PerRevolution(0.5);
+    vec![
+        turn(1200.0, 1),
+        Line::Input(100, 1033),
+        Line::Add(100, 3000.0),
+        Line::Step([8_000, 60_000], 100),
+        Line::Step([8_001, -60_000], 100),
+        rapid(0.0, 3.0),
+        one(Canon::Arc { to: target(0.0, 3.0), plane: (0, 1), center: (9e3, 9e3), clockwise: true, feed, exact: true }),
+        Line::Add(101, 1.0),
+        Line::Position(103),
+        one(Canon::Dwell { seconds: 0.2 }),
+        Line::Goto(1),
+    ]
+}
+
+/// All of a moment, to the bit.
+fn bits(planner: &Planner<Script>, t: f64) -> String {
+    let now = planner.timeline().at(t);
+    let mut out = format!("{t} {:?} {:?}", now.mode, now.block);
+    let spindle = now.spindle;
+    let mut numbers = vec![spindle.command, spindle.actual, spindle.volts, spindle.turns];
+    for axis in &now.axes[..2] {
+        numbers.extend([axis.position, axis.actual, axis.feed, axis.acceleration]);
+    }
+    numbers.extend([100, 101, 102, 103].map(|number| planner.variable_at(number, t).unwrap_or(-1.0)));
+    for number in numbers {
+        out.push_str(&format!(" {:x}", number.to_bits()));
+    }
+    out
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+
+    #[test]
+    fn planning_on_from_a_checkpoint_equals_planning_from_zero_to_the_bit(
+        events in prop::collection::vec((0.0f64..9.0, action()), 1..8),
+        whole in any::<bool>(),
+        ahead in 0.0f64..3.0,
+        budget in 1usize..500,
+    ) {
+        // Some events fall on whole seconds, where the checkpoints are.
+        let events: Vec<Event> =
+            events.into_iter().map(|(t, action)| at(if whole { t.round() } else { t }, action)).collect();
+        let horizon = 11.0;
+        let mut once = planner(&plant(), events.clone(), busy());
+        once.advance(horizon, usize::MAX);
+        let mut bit_by_bit = planner(&plant(), vec![], busy());
+        for event in events {
+            let until = event.t + ahead;
+            while bit_by_bit.advance(until, budget).planned_to < until {
+                if bit_by_bit.advance(until, budget).ended.is_some() {
+                    break;
+                }
+            }
+            bit_by_bit.event(event);
+        }
+        bit_by_bit.advance(horizon, usize::MAX);
+        for i in 0..=1100 {
+            let t = f64::from(i) * 0.01;
+            prop_assert_eq!(bits(&once, t), bits(&bit_by_bit, t));
+        }
+        prop_assert_eq!(once.diagnostics(), bit_by_bit.diagnostics());
+        prop_assert_eq!(once.starved(), bit_by_bit.starved());
+        prop_assert_eq!(once.timeline().end(), bit_by_bit.timeline().end());
+    }
+
+    #[test]
+    fn positions_and_speeds_never_jump(events in prop::collection::vec((0.0f64..9.0, action()), 0..8)) {
+        let mut planner = planner(&plant(), events.into_iter().map(|(t, action)| at(t, action)).collect(), busy());
+        planner.advance(10.0, usize::MAX);
+        let mut before = planner.timeline().at(0.0);
+        for i in 1..=10_000 {
+            let now = planner.timeline().at(f64::from(i) * 0.001);
+            for k in 0..2 {
+                let (old, new) = (before.axes[k], now.axes[k]);
+                // At most the rapid rate (here above the feeds); acceleration at most rate over time constant, either way.
+                prop_assert!((new.position - old.position).abs() <= 120e3 / 60.0 * 0.001);
+                prop_assert!((new.feed - old.feed).abs() / 60.0 <= 2.0 * 120e3 / 60.0 / TAU * 0.001);
+                prop_assert!(new.position.is_finite() && new.actual.is_finite());
+            }
+            prop_assert!((now.spindle.actual - before.spindle.actual).abs() <= 740.0 * 0.001 + 1e-9);
+            before = now;
+        }
+    }
+}
