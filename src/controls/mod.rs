@@ -104,9 +104,10 @@ impl Control {
         self.alarm(kind).map(|row| row.number)
     }
 
-    /// The range that holds a variable number.
+    /// The range that holds a variable number; the rows stand in rising order.
     pub fn var(&self, number: u32) -> Option<&'static VarRange> {
-        self.vars.iter().find(|row| row.first <= number && number <= row.last)
+        let at = self.vars.partition_point(|row| row.last < number);
+        self.vars.get(at).filter(|row| row.first <= number)
     }
 
     /// Index of an axis letter in `axes`.

@@ -174,6 +174,15 @@ pub enum Op {
 }
 
 impl Deck {
+    /// Gives back the room that reading reserved and did not need.
+    pub(crate) fn shrink(&mut self) {
+        self.programs.shrink_to_fit();
+        self.blocks.shrink_to_fit();
+        self.words.shrink_to_fit();
+        self.exprs.shrink_to_fit();
+        self.comments.shrink_to_fit();
+    }
+
     /// The words of a block; none where it has other text.
     pub fn words_of(&self, block: &Block) -> &[Word] {
         match block.stmt {

@@ -1,0 +1,130 @@
+//! Findings about a file as a whole, with fixes that reach through all of it.
+
+use super::{FINDINGS, Reader};
+use crate::controls::{Alarm, VarKind};
+use crate::msg;
+use crate::text::{Diagnostic, Place, Span};
+
+/// Fixes that replace the whole text are offered up to this size.
+const WHOLE: usize = 1 << 20;
+
+impl Reader<'_> {
+    /// What can be said only when the file is read: `%`, small letters, variables that do not exist.
+    pub(super) fn mend_file(&mut self, opened: bool, closed: bool) {
+        if self.deck.programs.last().is_none_or(|program| program.file != self.id) {
+            let place = self.place(Span::at(0));
+            return self.found.push(Diagnostic::warning(msg!("nc.empty-file")).at(place));
+        }
+        self.variables();
+        if self.control.syntax.percent && !(opened && closed) {
+            self.percent(opened, closed);
+        }
+        if let Some(at) = self.small {
+            let place = self.place(Span::new(at, at + 1));
+            let mut finding = Diagnostic::info(msg!("nc.small-letters", self.control.name)).at(place);
+            if self.source.len() <= WHOLE {
+                let all = self.place(Span::new(0, self.source.len() as u32));
+                finding = finding.fix(msg!("nc.fix.capitals"), vec![(all, self.source.to_ascii_uppercase())]);
+            }
+            self.found.push(finding);
+        }
+        if let Some(at) = self.semicolon {
+            let place = self.place(Span::new(at, at + 1));
+            self.found.push(Diagnostic::info(msg!("nc.semicolon")).at(place));
+        }
+        if let Some(span) = self.foreign {
+            let text = span.of(self.source).to_owned();
+            let finding = Diagnostic::warning(msg!("nc.foreign-comment", text)).at(self.place(span));
+            self.found.push(finding);
+        }
+    }
+
+    fn percent(&mut self, opened: bool, closed: bool) {
+        let newline = if self.source.contains("\r\n") { "\r\n" } else { "\n" };
+        let len = self.source.len() as u32;
+        let mut edits = Vec::new();
+        if !opened {
+            edits.push((self.place(Span::at(0)), format!("%{newline}")));
+        }
+        if !closed {
+            let lead = if self.source.ends_with('\n') { "" } else { newline };
+            edits.push((self.place(Span::at(len)), format!("{lead}%{newline}")));
+        }
+        let at = if opened { len } else { 0 };
+        let finding = Diagnostic::info(msg!("nc.no-percent")).at(self.place(Span::at(at)));
+        self.found.push(finding.fix(msg!("nc.fix.percent"), edits));
+    }
+
+    /// Variables that the control lacks or does not let write, each once, with a free one in their place.
+    fn variables(&mut self) {
+        let misused = core::mem::take(&mut self.misused);
+        if misused.is_empty() {
+            return;
+        }
+        let named = variables_of(self.source);
+        for row in &misused {
+            let name = format!("#{}", row.number);
+            let message = match (row.alarm, self.control.var(row.number)) {
+                (Alarm::VariableRange, _) => msg!("nc.no-such-variable", name.as_str(), self.control.name),
+                (_, Some(range)) => msg!("nc.read-only-variable", name.as_str(), range.text),
+                _ => msg!("nc.read-only-variable", name.as_str(), ""),
+            };
+            let finding = Diagnostic::error(message).at(self.place(row.span));
+            let mut finding = finding.alarm(self.control.alarm_number(row.alarm));
+            if let Some(free) = self.free_variable(&named) {
+                let title = msg!("nc.fix.variable", format!("#{free}"), name);
+                let uses = named.iter().filter(|(number, _)| *number == row.number).take(FINDINGS);
+                let edits: Vec<(Place, String)> =
+                    uses.map(|&(_, span)| (self.place(span), format!("#{free}"))).collect();
+                if row.number != 0 && !edits.is_empty() {
+                    finding = finding.fix(title, edits);
+                }
+            }
+            self.add_finding(finding);
+        }
+    }
+
+    /// A common variable that the file does not name: the one before the first that it computes, else the lowest.
+    fn free_variable(&self, named: &[(u32, Span)]) -> Option<u32> {
+        let range = self.control.vars.iter().find(|row| row.kind == VarKind::Common)?;
+        let free = |number: &u32| {
+            (range.first..=range.last).contains(number) && !named.iter().any(|(other, _)| other == number)
+        };
+        let computed = |&&(number, span): &&(u32, Span)| {
+            let behind = self.source.get(span.end as usize..).unwrap_or("");
+            (range.first..=range.last).contains(&number) && behind.trim_start_matches(' ').starts_with('=')
+        };
+        let first = named.iter().filter(computed).map(|(number, _)| *number).min();
+        first.and_then(|number| number.checked_sub(1)).filter(free).or_else(|| (range.first..=range.last).find(free))
+    }
+}
+
+/// Every `#n` outside comments, in the order of the text.
+fn variables_of(text: &str) -> Vec<(u32, Span)> {
+    let bytes = text.as_bytes();
+    let mut found = Vec::new();
+    let mut comment = false;
+    let mut at = 0;
+    while let Some(&byte) = bytes.get(at) {
+        let start = at;
+        at += 1;
+        match byte {
+            b'(' => comment = !arithmetic(bytes.get(at..).unwrap_or_default()),
+            b')' | b'\n' => comment = false,
+            b'#' if !comment => {
+                let digits = bytes.get(at..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit()).count();
+                let number = text.get(at..at + digits).and_then(|digits| digits.parse().ok());
+                at += digits;
+                found.extend(number.map(|number| (number, Span::new(start as u32, at as u32))));
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// Whether what follows a round bracket is arithmetic, so that its variables count.
+fn arithmetic(inner: &[u8]) -> bool {
+    let inner = inner.iter().take_while(|b| !matches!(b, b')' | b'\n'));
+    !inner.clone().any(u8::is_ascii_alphabetic)
+}

@@ -1,0 +1,470 @@
+//! Text to tree, as the control would read it: one pass over the bytes, never an `Err`, never a panic.
+//!
+//! ```text
+//! file   := [lead] '%' EOB { program } '%'        lead and what stands behind a '%' up to its EOB is skipped
+//! program:= [ O uint [comment] ] { block EOB }    several programs may stand in one file
+//! block  := [ '/' [digit] ] [ N uint ] ( macro | words )
+//! macro  := var '=' expr
+//!         | IF '[' cond ']' GOTO expr | GOTO expr
+//!         | WHILE '[' cond ']' DO uint | DO uint | END uint
+//! words  := { letter ( number | expr ) }          X#1+10 and X[#1+10] are the same
+//! var    := '#' ( uint | var | '[' expr ']' )
+//! expr   := term { ( '+' | '-' | OR | XOR ) term }
+//! term   := factor { ( '*' | '/' | AND | MOD ) factor }
+//! factor := number | var | ( '+' | '-' ) factor | FUNCTION '[' expr ']' | '[' expr ']'
+//! cond   := expr ( EQ | NE | GT | GE | LT | LE ) expr
+//! ```
+//!
+//! Spaces mean nothing; `( … )` up to the first `)` is a comment and may stand anywhere; EOB is a line end or `;`. Small letters
+//! are read as capitals. A block that does not read becomes [`Stmt::Bad`] and is reported once, at the place of the mistake, with
+//! the control's alarm number. Where the mistake has a known shape, a fix comes with it (`recover`, `mend`).
+
+mod check;
+mod formula;
+mod mend;
+mod recover;
+mod words;
+
+use super::ast::{Block, Deck, Program, Stmt};
+use super::files::Files;
+use super::parsed::Parsed;
+use crate::controls::{Alarm, Control};
+use crate::msg;
+use crate::text::{Diagnostic, FileId, Message, Place, Span};
+
+/// Findings that are listed; a file of garbage has millions.
+const FINDINGS: usize = 1000;
+
+/// Bytes of a block: a word's offset has 16 bits, and no control takes a tenth of that.
+const BLOCK_BYTES: usize = 60_000;
+
+/// Reads files as a control would. Total: any text gives a value.
+pub fn parse(files: &Files, control: &'static Control) -> Parsed {
+    let tables = Tables::new(control);
+    let mut deck = Deck::default();
+    let mut found = Vec::new();
+    for (index, file) in files.0.iter().enumerate() {
+        let Ok(id) = u16::try_from(index) else {
+            found.push(Diagnostic::error(msg!("nc.too-many-files", u32::from(u16::MAX))));
+            break;
+        };
+        if u32::try_from(file.text.len()).is_err() {
+            found.push(Diagnostic::error(msg!("nc.file-too-large", file.name.as_str())));
+            continue;
+        }
+        let mut reader = Reader::new(control, &tables, FileId(id), &file.text, deck);
+        reader.reserve();
+        reader.file();
+        deck = reader.deck;
+        found.append(&mut reader.found);
+    }
+    check::programs(&deck, control, files, &mut found);
+    // Stable: what is at one place stays in the order it was found.
+    found.sort_by_key(|d| d.place.map(|place| (place.file, place.span.start)));
+    if found.len() > FINDINGS {
+        found.truncate(FINDINGS);
+        found.push(Diagnostic::info(msg!("nc.more-findings", FINDINGS as u32)));
+    }
+    deck.shrink();
+    Parsed::new(files.clone(), deck, found, control)
+}
+
+/// What is looked up for every word, in the order of its first byte.
+struct Tables {
+    /// Index + 1 into the control's codes, by ten times the G number.
+    g: Box<[u16; 1000]>,
+    /// Index + 1 into the control's codes, by the M number.
+    m: Box<[u16; 100]>,
+    /// Letters of words outside macro calls.
+    letters: [bool; 256],
+}
+
+impl Tables {
+    fn new(control: &Control) -> Tables {
+        let mut tables = Tables { g: Box::new([0; 1000]), m: Box::new([0; 100]), letters: [false; 256] };
+        for (index, row) in control.codes.iter().enumerate() {
+            let slot = match row.letter {
+                b'G' => tables.g.get_mut(row.number as usize),
+                _ => tables.m.get_mut(row.number as usize / 10),
+            };
+            if let Some(slot) = slot {
+                *slot = index as u16 + 1;
+            }
+        }
+        for letter in control.syntax.addresses.iter().copied().chain(control.axes.iter().map(|axis| axis.letter)) {
+            tables.letters[letter as usize] = true;
+        }
+        tables
+    }
+}
+
+/// A block that does not read, and why.
+struct Failure {
+    alarm: Alarm,
+    /// Bytes behind the start of the block.
+    from: usize,
+    to: usize,
+    message: Message,
+    /// The reader stood at a word: what follows may be a remark without brackets.
+    at_word: bool,
+}
+
+type Read<T> = Result<T, Box<Failure>>;
+
+/// How far the arenas were filled before a block was tried.
+struct Mark {
+    words: usize,
+    exprs: usize,
+    comments: usize,
+    found: usize,
+    variables: usize,
+}
+
+/// A variable that the control does not have, or that cannot be written.
+struct Misused {
+    number: u32,
+    alarm: Alarm,
+    span: Span,
+}
+
+struct Reader<'a> {
+    control: &'static Control,
+    tables: &'a Tables,
+    id: FileId,
+    source: &'a str,
+    deck: Deck,
+    found: Vec<Diagnostic>,
+    /// What was said to be not simulated: a letter and a number, `#` for variables.
+    said: Vec<(u8, u32)>,
+    misused: Vec<Misused>,
+    /// First small letter outside comments.
+    small: Option<u32>,
+    /// First `;` that ends a block.
+    semicolon: Option<u32>,
+    /// First character in a comment that the control lacks.
+    foreign: Option<Span>,
+    /// Index of the program that blocks go to.
+    program: Option<usize>,
+
+    // The block that is being read.
+    line: &'a [u8],
+    base: u32,
+    at: usize,
+    /// Round brackets with arithmetic in them group, for finding out whether that was meant.
+    rounds: bool,
+    /// Where such brackets stood.
+    round_brackets: Vec<(usize, usize)>,
+    number: Option<u32>,
+    skip_switch: u8,
+    comment: Option<u32>,
+    bad: Option<Alarm>,
+    depth: u32,
+    parts: u32,
+}
+
+impl<'a> Reader<'a> {
+    fn new(control: &'static Control, tables: &'a Tables, id: FileId, source: &'a str, deck: Deck) -> Reader<'a> {
+        Reader {
+            control,
+            tables,
+            id,
+            source,
+            deck,
+            found: Vec::new(),
+            said: Vec::new(),
+            misused: Vec::new(),
+            small: None,
+            semicolon: None,
+            foreign: None,
+            program: None,
+            line: &[],
+            base: 0,
+            at: 0,
+            rounds: false,
+            round_brackets: Vec::new(),
+            number: None,
+            skip_switch: 0,
+            comment: None,
+            bad: None,
+            depth: 0,
+            parts: 0,
+        }
+    }
+
+    /// Makes room once: growing by doubling would copy, and hold three times what is needed.
+    fn reserve(&mut self) {
+        let bytes = self.source.as_bytes();
+        let lines = bytes.iter().filter(|&&b| b == b'\n').count() + 1;
+        let letters = bytes.iter().filter(|b| b.is_ascii_alphabetic()).count();
+        self.deck.blocks.reserve(lines.min(bytes.len() / 4));
+        self.deck.words.reserve(letters.min(bytes.len() / 4));
+    }
+
+    fn file(&mut self) {
+        let bytes = self.source.as_bytes();
+        let mut at = 0;
+        // Whether a `%` would open the record (nothing but comments so far) or close it.
+        let mut opened = false;
+        let mut closed = None;
+        while at < bytes.len() {
+            let rest = bytes.get(at..).unwrap_or_default();
+            let end = at + rest.iter().position(|&b| b == b'\n').unwrap_or(rest.len());
+            let (from, to) = self.trimmed(at, end);
+            match bytes.get(from) {
+                _ if from == to => {}
+                Some(b'%') => {
+                    if !self.only_comments() {
+                        closed = Some(from);
+                        self.program = None;
+                    } else {
+                        opened = true;
+                    }
+                    self.behind_percent(from + 1, to);
+                }
+                _ => {
+                    if let Some(percent) = closed.take() {
+                        self.warn(percent, percent + 1, msg!("nc.behind-end"));
+                    }
+                    self.blocks(from, to);
+                }
+            }
+            at = end + 1;
+        }
+        self.mend_file(opened, closed.is_some());
+    }
+
+    /// What stands behind a `%` in its line is skipped by the control.
+    fn behind_percent(&mut self, from: usize, to: usize) {
+        let (from, to) = self.trimmed(from, to);
+        if from < to && self.source.as_bytes().get(from) != Some(&b'(') {
+            self.warn(from, to, msg!("nc.skipped-lead"));
+        }
+    }
+
+    /// Without white space at both ends, and without a `;` there.
+    fn trimmed(&self, from: usize, to: usize) -> (usize, usize) {
+        let bytes = self.source.as_bytes();
+        let blank = |b: &u8| matches!(b, b' ' | b'\t' | b'\r');
+        let line = bytes.get(from..to).unwrap_or_default();
+        let lead = line.iter().take_while(|b| blank(b)).count();
+        let trail = line.iter().rev().take_while(|b| blank(b)).count();
+        (from + lead, (to - trail).max(from + lead))
+    }
+
+    /// Whether the program so far has nothing that runs.
+    fn only_comments(&self) -> bool {
+        match self.program.and_then(|index| self.deck.programs.get(index)) {
+            None => true,
+            Some(program) => {
+                program.number == 0
+                    && program.span == Span::default()
+                    && self.deck.blocks_of(program).iter().all(|b| b.stmt == Stmt::Empty && b.number.is_none())
+            }
+        }
+    }
+
+    /// The blocks of a line: one, or several with `;` between them.
+    fn blocks(&mut self, from: usize, to: usize) {
+        let bytes = self.source.as_bytes();
+        let line = bytes.get(from..to).unwrap_or_default();
+        if !line.contains(&b';') {
+            return self.block(from, to);
+        }
+        let mut comment = false;
+        let mut start = from;
+        for (offset, &byte) in line.iter().enumerate() {
+            match byte {
+                b'(' => comment = true,
+                b')' => comment = false,
+                b';' if !comment => {
+                    self.semicolon.get_or_insert((from + offset) as u32);
+                    let (a, b) = self.trimmed(start, from + offset);
+                    if a < b {
+                        self.block(a, b);
+                    }
+                    start = from + offset + 1;
+                }
+                _ => {}
+            }
+        }
+        let (a, b) = self.trimmed(start, to);
+        if a < b {
+            self.block(a, b);
+        }
+    }
+
+    /// One block, `from < to`, without white space around it.
+    fn block(&mut self, from: usize, to: usize) {
+        let source = self.source;
+        let line = source.as_bytes().get(from..to).unwrap_or_default();
+        if line.len() > BLOCK_BYTES {
+            self.take_line(line, from);
+            self.report(Alarm::Format, 0, line.len(), msg!("nc.block-too-long", BLOCK_BYTES as u32));
+            self.bad = Some(Alarm::Format);
+            return self.push(Stmt::Empty);
+        }
+        let letters = self.control.syntax.program_letters;
+        let program = line.first().is_some_and(|b| letters.contains(&b.to_ascii_uppercase()));
+        self.take_line(line, from);
+        if program && self.program_number() {
+            let (from, to) = self.trimmed(from + self.at, to);
+            let rest = source.as_bytes().get(from..to).unwrap_or_default();
+            self.take_line(rest, from);
+            if rest.is_empty() {
+                return;
+            }
+        }
+        let mark = self.mark();
+        let stmt = match self.statement() {
+            Ok(stmt) => stmt,
+            Err(failure) => self.recover(mark, failure),
+        };
+        self.push(stmt);
+    }
+
+    fn take_line(&mut self, line: &'a [u8], from: usize) {
+        self.line = line;
+        self.base = from as u32;
+        self.rewind();
+    }
+
+    /// Back to the start of the line.
+    fn rewind(&mut self) {
+        self.at = 0;
+        self.number = None;
+        self.skip_switch = 0;
+        self.comment = None;
+        self.bad = None;
+        self.depth = 0;
+        self.parts = 0;
+    }
+
+    /// `O9100(TITLE)` at the head of a line: starts a program. False where the letter is an ordinary address.
+    fn program_number(&mut self) -> bool {
+        let letter = self.line.first().map_or(0, u8::to_ascii_uppercase);
+        let usual = self.control.syntax.program_letters.first() == Some(&letter);
+        self.at = 1;
+        self.blank();
+        let digits = self.line.get(self.at..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit()).count();
+        let (from, to) = (self.at, self.at + digits);
+        let number = self.line.get(from..to).and_then(|d| core::str::from_utf8(d).ok()?.parse::<u32>().ok());
+        self.at = to;
+        let title = self.title();
+        if digits == 0 || !usual && self.at < self.line.len() {
+            self.at = 0;
+            return false;
+        }
+        let span = self.span(0, to);
+        let limit = self.control.syntax.program_digits as usize;
+        match number {
+            Some(0) => self.report(Alarm::NumberZero, 0, to, msg!("nc.program-zero")),
+            Some(_) if digits <= limit => {}
+            _ => self.report(Alarm::OutOfRange, 0, to, msg!("nc.program-digits", limit as u32)),
+        }
+        let number = number.unwrap_or(0);
+        let title = title.map(|title| {
+            self.deck.comments.push(title.into());
+            self.deck.comments.len() as u32 - 1
+        });
+        if self.only_comments() && self.program.is_some() {
+            // Comments above the number belong to its program.
+            let program = self.program.and_then(|index| self.deck.programs.get_mut(index));
+            if let Some(program) = program {
+                (program.number, program.title, program.span) = (number, title, span);
+            }
+        } else {
+            let at = self.deck.blocks.len() as u32;
+            self.program = Some(self.deck.programs.len());
+            self.deck.programs.push(Program { file: self.id, number, title, span, first: at, end: at });
+        }
+        true
+    }
+
+    /// The comment behind a program number.
+    fn title(&mut self) -> Option<&'a str> {
+        self.blank();
+        let rest = self.line.get(self.at..).unwrap_or_default();
+        let inner = rest.strip_prefix(b"(")?;
+        let len = inner.iter().position(|&b| b == b')')?;
+        let from = self.base as usize + self.at + 1;
+        self.at += len + 2;
+        self.blank();
+        let title = self.source.get(from..from + len);
+        self.note_foreign(from, from + len);
+        title
+    }
+
+    fn push(&mut self, stmt: Stmt) {
+        let stmt = self.bad.map_or(stmt, Stmt::Bad);
+        let span = Span::new(self.base, self.base + self.line.len() as u32);
+        let block = Block { span, number: self.number, stmt, comment: self.comment, skip: self.skip_switch };
+        self.deck.blocks.push(block);
+        let end = self.deck.blocks.len() as u32;
+        match self.program.and_then(|index| self.deck.programs.get_mut(index)) {
+            Some(program) => program.end = end,
+            None => {
+                self.program = Some(self.deck.programs.len());
+                let span = Span::default();
+                self.deck.programs.push(Program { file: self.id, number: 0, title: None, span, first: end - 1, end });
+            }
+        }
+    }
+
+    fn mark(&self) -> Mark {
+        Mark {
+            words: self.deck.words.len(),
+            exprs: self.deck.exprs.len(),
+            comments: self.deck.comments.len(),
+            found: self.found.len(),
+            variables: self.misused.len(),
+        }
+    }
+
+    /// Forgets everything since the mark, to read the line again.
+    fn rollback(&mut self, mark: &Mark) {
+        self.deck.words.truncate(mark.words);
+        self.deck.exprs.truncate(mark.exprs);
+        self.deck.comments.truncate(mark.comments);
+        self.found.truncate(mark.found);
+        self.misused.truncate(mark.variables);
+        self.round_brackets.clear();
+        self.rewind();
+    }
+
+    /// Bytes of the line as a span of the file.
+    fn span(&self, from: usize, to: usize) -> Span {
+        Span::new(self.base + from.min(to) as u32, self.base + to as u32)
+    }
+
+    fn place(&self, span: Span) -> Place {
+        Place { file: self.id, span }
+    }
+
+    /// An alarm of the control at bytes of the line.
+    fn finding(&self, alarm: Alarm, from: usize, to: usize, message: Message) -> Diagnostic {
+        Diagnostic::error(message).at(self.place(self.span(from, to))).alarm(self.control.alarm_number(alarm))
+    }
+
+    fn add_finding(&mut self, diagnostic: Diagnostic) {
+        if self.found.len() <= FINDINGS {
+            self.found.push(diagnostic);
+        }
+    }
+
+    /// Reports an alarm and reads on; the block will run into it.
+    fn report(&mut self, alarm: Alarm, from: usize, to: usize, message: Message) {
+        let finding = self.finding(alarm, from, to, message);
+        self.report_as(alarm, finding);
+    }
+
+    fn report_as(&mut self, alarm: Alarm, finding: Diagnostic) {
+        self.add_finding(finding);
+        self.bad.get_or_insert(alarm);
+    }
+
+    /// A warning at bytes of the file.
+    fn warn(&mut self, from: usize, to: usize, message: Message) {
+        let place = self.place(Span::new(from as u32, to as u32));
+        self.add_finding(Diagnostic::warning(message).at(place));
+    }
+}

@@ -1,0 +1,246 @@
+//! What a block that does not read was meant to be: mistakes of a known shape, each said once and with its fix.
+//!
+//! Tried in this order: a remark without brackets behind (or instead of) the block; round brackets used for arithmetic; else the
+//! failure as the control would meet it. Whatever is found, the block is bad: the control would stop there.
+
+use super::super::ast::Stmt;
+use super::{Failure, Mark, Reader};
+use crate::controls::Alarm;
+use crate::msg;
+use crate::text::Place;
+
+/// Words that stand in arithmetic besides functions.
+const OPERATORS: [&[u8]; 10] = [b"AND", b"OR", b"XOR", b"MOD", b"EQ", b"NE", b"GT", b"GE", b"LT", b"LE"];
+
+/// Longer lines get their failure and no more: looking for shapes is not free.
+const LOOKED_AT: usize = 1000;
+
+impl Reader<'_> {
+    /// Reports why the line at hand does not read, and gives what stands for it in the tree.
+    pub(super) fn recover(&mut self, mark: Mark, first: Box<Failure>) -> Stmt {
+        let (alarm, whole) = (first.alarm, self.line);
+        if whole.len() > LOOKED_AT {
+            return self.give_up(*first);
+        }
+        let Some(remark) = self.remark(&first) else { return self.try_rounds(&mark, *first) };
+        self.rollback(&mark);
+        let head = whole.get(..remark).unwrap_or_default().trim_ascii_end();
+        // `#101-----Spindle reduction ratio` is a remark from its start: there is no statement in front of it.
+        let from = variable_alone(head).unwrap_or(remark);
+        let head = head.get(..from.min(head.len())).unwrap_or_default().trim_ascii_end();
+        self.report_remark(alarm, head.len(), from);
+        let mark = self.mark();
+        self.line = head;
+        self.rewind();
+        let stmt = match self.statement() {
+            Ok(_) => Stmt::Bad(alarm),
+            Err(failure) => self.try_rounds(&mark, *failure),
+        };
+        self.bad.get_or_insert(alarm);
+        self.line = whole;
+        stmt
+    }
+
+    fn give_up(&mut self, failure: Failure) -> Stmt {
+        let alarm = failure.alarm;
+        let finding = self.finding(alarm, failure.from, failure.to, failure.message);
+        self.report_as(alarm, finding);
+        Stmt::Bad(alarm)
+    }
+
+    /// Reads the line again with round brackets that group: if it reads then, they are the mistake.
+    fn try_rounds(&mut self, mark: &Mark, failure: Failure) -> Stmt {
+        if !self.line.contains(&b'(') {
+            return self.give_up(failure);
+        }
+        self.rollback(mark);
+        self.rounds = true;
+        let again = self.statement();
+        self.rounds = false;
+        let brackets = core::mem::take(&mut self.round_brackets);
+        if again.is_err() || brackets.is_empty() {
+            self.rollback(mark);
+            // For what it finds on the way to its failure.
+            let _ = self.statement();
+            return self.give_up(failure);
+        }
+        let from = brackets.iter().map(|pair| pair.0).min().unwrap_or(0);
+        let to = brackets.iter().map(|pair| pair.1 + 1).max().unwrap_or(0);
+        let edit = |at: usize, bracket: &str| (self.place(self.span(at, at + 1)), bracket.to_owned());
+        let mut edits: Vec<(Place, String)> =
+            brackets.iter().flat_map(|&(open, close)| [edit(open, "["), edit(close, "]")]).collect();
+        edits.sort_by_key(|(place, _)| place.span.start);
+        let finding = self.finding(failure.alarm, from, to, msg!("nc.round-brackets", self.control.name));
+        self.add_finding(finding.hint(msg!("nc.hint.round-brackets")).fix(msg!("nc.fix.square"), edits));
+        self.bad = Some(failure.alarm);
+        Stmt::Bad(failure.alarm)
+    }
+
+    /// Where a remark without brackets starts: at a run of dashes, or at prose where a word should stand.
+    fn remark(&self, failure: &Failure) -> Option<usize> {
+        let mut at = 0;
+        let mut comment = false;
+        while let Some(&byte) = self.line.get(at) {
+            let run = dashes(self.line, at);
+            if !comment && is_remark(self.line, at, run) {
+                return Some(at);
+            }
+            comment = match byte {
+                b'(' => true,
+                b')' => false,
+                _ => comment,
+            };
+            at += run.max(1);
+        }
+        let rest = self.line.get(failure.from..).unwrap_or_default();
+        (failure.at_word && prose(rest)).then_some(failure.from)
+    }
+
+    /// Reports a remark from `from`, and how to put it in brackets; what is kept of the block ends at `cut`.
+    fn report_remark(&mut self, alarm: Alarm, cut: usize, from: usize) {
+        let end = self.line.len();
+        let start = self.base as usize;
+        let text = self.source.get(start + from..start + end).unwrap_or("");
+        let bare = text.trim_start_matches(|c: char| c.is_whitespace() || is_dash(c));
+        let mut finding = self.finding(alarm, from, end, msg!("nc.remark", short(bare)));
+        if let Some((title, number)) = program_in(text).filter(|_| from == 0 && self.only_comments()) {
+            let letter = self.control.syntax.program_letters.first().map_or('O', |&letter| letter as char);
+            let edit = format!("{letter}{number}{}", comment(title).unwrap_or_default());
+            finding = finding.hint(msg!("nc.hint.program-letter", letter.to_string())).fix(
+                msg!("nc.fix.program-number", format!("{letter}{number}")),
+                vec![(self.place(self.span(0, end)), edit)],
+            );
+        }
+        let place = self.place(self.span(cut, end));
+        finding = match comment(bare) {
+            Some(comment) => finding.fix(msg!("nc.fix.comment"), vec![(place, comment)]),
+            None => finding.fix(msg!("nc.fix.drop", short(text)), vec![(place, String::new())]),
+        };
+        self.report_as(alarm, finding);
+    }
+
+    /// A `)` without its `(`: mostly the end of a comment that has brackets in it. Reported with its fix, and skipped.
+    pub(super) fn stray_round(&mut self) {
+        let close = self.at;
+        self.at += 1;
+        let mut depth = 0_u32;
+        let mut inner = Vec::new();
+        // Back to the bracket that would pair with it if comments nested.
+        for at in (0..close).rev() {
+            match self.line.get(at) {
+                Some(b')') => {
+                    depth += 1;
+                    inner.push((at, "]"));
+                }
+                Some(b'(') if depth == 0 => break,
+                Some(b'(') => {
+                    depth -= 1;
+                    inner.push((at, "["));
+                }
+                _ => {}
+            }
+        }
+        let paired = depth == 0 && !inner.is_empty();
+        let finding = self.finding(Alarm::Format, close, close + 1, msg!("nc.unopened-round"));
+        let place = |at: usize| self.place(self.span(at, at + 1));
+        let finding = if paired {
+            let edits = inner.iter().rev().map(|&(at, bracket)| (place(at), bracket.to_owned())).collect();
+            finding.hint(msg!("nc.hint.nested-comment")).fix(msg!("nc.fix.nested-comment"), edits)
+        } else {
+            finding.fix(msg!("nc.fix.drop", ")"), vec![(place(close), String::new())])
+        };
+        self.report_as(Alarm::Format, finding);
+    }
+
+    /// Whether the round bracket at hand holds arithmetic and no prose.
+    pub(super) fn arithmetic_ahead(&self) -> bool {
+        let inner = self.line.get(self.at + 1..).unwrap_or_default();
+        let len = inner.iter().position(|&b| b == b')').unwrap_or(inner.len());
+        let inner = inner.get(..len).unwrap_or_default();
+        let functions = self.control.syntax.functions;
+        let known = |word: &[u8]| {
+            word.is_empty()
+                || OPERATORS.iter().any(|operator| operator.eq_ignore_ascii_case(word))
+                || functions.iter().any(|(name, _)| name.as_bytes().eq_ignore_ascii_case(word))
+        };
+        inner.iter().any(|b| b.is_ascii_digit()) && inner.split(|b| !b.is_ascii_alphabetic()).all(known)
+    }
+}
+
+fn is_dash(c: char) -> bool {
+    matches!(c, '-' | '\u{2010}'..='\u{2015}' | '\u{2500}')
+}
+
+/// Bytes of the run of dashes at `at`, 0 where none stands there.
+fn dashes(line: &[u8], at: usize) -> usize {
+    let rest = line.get(at..).unwrap_or_default();
+    let ascii = rest.iter().take_while(|b| **b == b'-').count();
+    let wide =
+        rest.chunks_exact(3).take_while(|c| core::str::from_utf8(c).is_ok_and(|s| s.chars().all(is_dash))).count();
+    if wide > 0 && ascii == 0 { wide * 3 } else { ascii }
+}
+
+/// Whether a run of dashes opens a remark: no formula has three signs in a row, or two before a letter.
+fn is_remark(line: &[u8], at: usize, run: usize) -> bool {
+    let wide = line.get(at).is_some_and(|b| !b.is_ascii());
+    let mut behind = line.get(at + run..).unwrap_or_default().iter().skip_while(|b| **b == b' ');
+    let letter = behind.next().is_none_or(|b| b.is_ascii_alphabetic() || !b.is_ascii());
+    run > 0 && (wide || run >= 3 || run == 2 && letter)
+}
+
+/// Where the variable starts that stands alone in front of a remark, behind no more than a sequence number.
+fn variable_alone(head: &[u8]) -> Option<usize> {
+    let at = head.iter().position(|&b| b == b'#')?;
+    let (number, variable) = head.split_at_checked(at)?;
+    let number = number.strip_prefix(b"N").or(number.strip_prefix(b"n")).unwrap_or(number).trim_ascii();
+    let digits = |text: &[u8]| text.iter().all(u8::is_ascii_digit);
+    (digits(number) && digits(variable.get(1..)?)).then_some(at)
+}
+
+/// Whether the text reads like words of a language: two or more runs of letters, one of them long.
+fn prose(rest: &[u8]) -> bool {
+    let runs = rest.split(|b| !b.is_ascii_alphabetic()).filter(|run| run.len() >= 2);
+    let (count, longest) = runs.fold((0, 0), |(count, longest), run| (count + 1, longest.max(run.len())));
+    let start = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    start >= 2 && longest >= 3 && (count >= 2 || start == rest.len())
+}
+
+/// Title and number in `Title: P9100`.
+fn program_in(text: &str) -> Option<(&str, u32)> {
+    let (title, word) = text.trim_end().rsplit_once(' ')?;
+    let number = word.strip_prefix(['P', 'p'])?.parse().ok()?;
+    (number > 0).then_some((title.trim_end().trim_end_matches(':'), number))
+}
+
+/// A remark as the control takes it: capitals, one pair of round brackets; `None` where nothing is left of it.
+fn comment(text: &str) -> Option<String> {
+    let mut out = String::from("(");
+    let mut depth = 0_u32;
+    for c in text.chars() {
+        match c {
+            '(' => {
+                depth += 1;
+                out.push('[');
+            }
+            ')' if depth > 0 => {
+                depth -= 1;
+                out.push(']');
+            }
+            ')' => {}
+            c if is_dash(c) => out.push('-'),
+            c if c.is_ascii_graphic() || c == ' ' => out.push(c.to_ascii_uppercase()),
+            _ => {}
+        }
+    }
+    let text = out.trim_end().to_owned();
+    (text.len() > 1).then_some(text + ")")
+}
+
+/// The beginning of a text, for a sentence.
+fn short(text: &str) -> String {
+    let text = text.trim();
+    match text.char_indices().nth(24) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or("")),
+        None => text.to_owned(),
+    }
+}

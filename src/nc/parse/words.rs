@@ -1,0 +1,403 @@
+//! NC words: the fast path, taken by nearly every block.
+
+use super::super::ast::{Stmt, Word, WordValue};
+use super::super::dec::Dec;
+use super::{Failure, Read, Reader};
+use crate::controls::{Alarm, Code};
+use crate::msg;
+use crate::text::Message;
+
+/// Below it one more digit fits an `i64`.
+const FULL: i64 = 100_000_000_000_000_000;
+
+impl<'a> Reader<'a> {
+    /// The byte at hand; 0 at the end of the line.
+    #[inline]
+    pub(super) fn peek(&self) -> u8 {
+        self.line.get(self.at).copied().unwrap_or(0)
+    }
+
+    #[inline]
+    pub(super) fn ended(&self) -> bool {
+        self.at >= self.line.len()
+    }
+
+    /// Skips white space only.
+    pub(super) fn blank(&mut self) {
+        while matches!(self.peek(), b' ' | b'\t' | b'\r') {
+            self.at += 1;
+        }
+    }
+
+    /// Skips white space and comments; the byte behind them, 0 at the end.
+    #[inline]
+    pub(super) fn skip(&mut self) -> u8 {
+        loop {
+            match self.peek() {
+                b' ' | b'\t' | b'\r' => self.at += 1,
+                b'(' if !self.rounds || !self.arithmetic_ahead() => self.take_comment(),
+                byte => return byte,
+            }
+        }
+    }
+
+    /// Reads the comment at hand; the first one is the block's.
+    fn take_comment(&mut self) {
+        let open = self.at;
+        let inner = self.line.get(open + 1..).unwrap_or_default();
+        let close = inner.iter().position(|&b| b == b')');
+        let end = open + 1 + close.unwrap_or(inner.len());
+        if close.is_none() {
+            let finding = self.finding(Alarm::Format, open, end, msg!("nc.open-comment"));
+            let at = self.place(self.span(end, end));
+            let finding = finding.fix(msg!("nc.fix.close-comment"), vec![(at, ")".to_owned())]);
+            self.report_as(Alarm::Format, finding);
+        }
+        let (from, to) = (self.base as usize + open + 1, self.base as usize + end);
+        self.note_foreign(from, to);
+        if self.comment.is_none() {
+            self.comment = Some(self.deck.comments.len() as u32);
+            self.deck.comments.push(self.source.get(from..to).unwrap_or("").into());
+        }
+        self.at = (end + 1).min(self.line.len());
+    }
+
+    /// Remembers the first character of a comment that the control does not have.
+    pub(super) fn note_foreign(&mut self, from: usize, to: usize) {
+        let text = self.source.get(from..to).unwrap_or("");
+        if self.foreign.is_none() && !text.is_ascii() {
+            let found = text.char_indices().find(|(_, c)| !c.is_ascii());
+            let span = |(offset, c): (usize, char)| {
+                let start = (from + offset) as u32;
+                crate::text::Span::new(start, start + c.len_utf8() as u32)
+            };
+            self.foreign = found.map(span);
+        }
+    }
+
+    /// A whole block: skip mark, sequence number, then macro text or words.
+    pub(super) fn statement(&mut self) -> Read<Stmt> {
+        let mut first = self.skip();
+        if first == b'/' {
+            self.at += 1;
+            self.skip_switch = 1;
+            first = self.skip();
+            if first.is_ascii_digit() {
+                self.at += 1;
+                self.skip_switch = (first - b'0').max(1);
+                first = self.skip();
+            }
+        }
+        if first | 0x20 == b'n' {
+            self.sequence_number()?;
+            first = self.skip();
+        }
+        if first == b'#' {
+            return self.assignment();
+        }
+        let letters = first.is_ascii_alphabetic() && self.line.get(self.at + 1).is_some_and(u8::is_ascii_alphabetic);
+        let keyword = if letters { self.keyword()? } else { None };
+        keyword.map_or_else(|| self.words(), Ok)
+    }
+
+    fn sequence_number(&mut self) -> Read<()> {
+        let start = self.at;
+        self.note_case(start);
+        self.at += 1;
+        self.blank();
+        let digits = self.line.get(self.at..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit()).count();
+        if digits == 0 {
+            return Err(self.failure(Alarm::Format, start, start + 1, msg!("nc.no-sequence-number"), true));
+        }
+        let text = self.line.get(self.at..self.at + digits).unwrap_or_default();
+        self.at += digits;
+        let number = core::str::from_utf8(text).ok().and_then(|text| text.parse::<u32>().ok());
+        let most = self.control.syntax.sequence_digits;
+        match number {
+            Some(0) => self.report(Alarm::NumberZero, start, self.at, msg!("nc.sequence-zero")),
+            Some(_) if digits <= most as usize => {}
+            _ => self.report(Alarm::OutOfRange, start, self.at, msg!("nc.sequence-digits", u32::from(most))),
+        }
+        self.number = number;
+        Ok(())
+    }
+
+    fn words(&mut self) -> Read<Stmt> {
+        let first = self.deck.words.len();
+        let mut odd = None;
+        let mut calls = false;
+        loop {
+            let byte = self.skip();
+            if !byte.is_ascii_alphabetic() {
+                if self.ended() {
+                    break;
+                }
+                self.between_words(byte, first)?;
+                continue;
+            }
+            let start = self.at;
+            let letter = byte & 0xDF;
+            if byte != letter {
+                self.note_case(start);
+            }
+            self.at += 1;
+            let value = self.value(start, letter)?;
+            if !self.tables.letters[letter as usize] && odd.is_none() {
+                odd = Some((letter, start));
+            }
+            match (letter, value) {
+                (b'G', WordValue::Number(number)) => calls |= self.g_code(number, start),
+                (b'M', WordValue::Number(number)) => self.m_code(number, start),
+                _ => {}
+            }
+            let len = (self.at - start).min(u8::MAX as usize) as u8;
+            self.deck.words.push(Word { letter, len, offset: start as u16, value });
+        }
+        if let Some((letter, start)) = odd.filter(|_| !calls) {
+            self.odd_letter(letter, start);
+        }
+        let count = self.deck.words.len() - first;
+        Ok(match u16::try_from(count) {
+            Ok(0) => Stmt::Empty,
+            Ok(count) => Stmt::Words { first: first as u32, count },
+            Err(_) => {
+                self.report(Alarm::Format, 0, self.line.len(), msg!("nc.block-too-long", BLOCK_WORDS));
+                Stmt::Empty
+            }
+        })
+    }
+
+    /// A letter that is no address here.
+    fn odd_letter(&mut self, letter: u8, start: usize) {
+        let (alarm, message) = match letter {
+            b'N' => (Alarm::Format, msg!("nc.number-not-first", "N")),
+            b'O' => (Alarm::Format, msg!("nc.number-not-first", "O")),
+            _ => (Alarm::IllegalAddress, msg!("nc.no-such-address", (letter as char).to_string(), self.control.name)),
+        };
+        self.report(alarm, start, start + 1, message);
+    }
+
+    /// What is neither a word nor white space.
+    fn between_words(&mut self, byte: u8, first: usize) -> Read<()> {
+        let start = self.at;
+        match byte {
+            b'/' if self.line.get(start + 1..).is_some_and(|rest| rest.iter().any(u8::is_ascii_alphabetic)) => {
+                self.at += 1;
+                self.not_simulated((b'/', 0), start, self.at, "/");
+            }
+            b',' => {
+                self.at += 1;
+                let letter = self.skip();
+                if !letter.is_ascii_alphabetic() {
+                    return Err(self.unexpected());
+                }
+                self.at += 1;
+                self.value(start, letter & 0xDF)?;
+                let name = format!(",{}", (letter & 0xDF) as char);
+                self.not_simulated((b',', letter.into()), start, self.at, &name);
+            }
+            b'#' if self.deck.words.len() > first => {
+                return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), true));
+            }
+            b'.' => self.stray_point(),
+            b')' => self.stray_round(),
+            b']' => self.stray_square(),
+            _ => return Err(self.unexpected()),
+        }
+        Ok(())
+    }
+
+    /// The value behind an address letter.
+    #[inline]
+    fn value(&mut self, start: usize, letter: u8) -> Read<WordValue> {
+        let mut next = self.skip();
+        let mut sign = 1;
+        let value_at = self.at;
+        if matches!(next, b'-' | b'+') {
+            let rest = self.line.get(self.at + 1..).unwrap_or_default();
+            let gap = rest.iter().take_while(|b| **b == b' ').count();
+            if let Some(&digit) = rest.get(gap).filter(|&&b| b.is_ascii_digit() || b == b'.') {
+                sign = if next == b'-' { -1 } else { 1 };
+                self.at += 1 + gap;
+                next = digit;
+            }
+        }
+        if next.is_ascii_digit() || next == b'.' {
+            let mut number = self.digits()?;
+            number.mantissa *= sign;
+            let end = self.at;
+            match self.skip() {
+                b'+' | b'-' | b'*' | b'/' | b'A' | b'M' | b'O' | b'X' | b'a' | b'm' | b'o' | b'x'
+                    if self.operator_ahead() =>
+                {
+                    self.at = value_at;
+                }
+                b'.' => {
+                    self.stray_point();
+                    return Ok(WordValue::Number(number));
+                }
+                _ => {
+                    self.at = end;
+                    return Ok(WordValue::Number(number));
+                }
+            }
+        } else if !matches!(next, b'#' | b'[' | b'-' | b'+' | b'(') && !self.function_ahead() {
+            // The address alone: X, or the start of a word that is none.
+            self.at = start;
+            if self.keyword_ahead() {
+                return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), false));
+            }
+            let message = msg!("nc.no-value", (letter as char).to_string());
+            return Err(self.failure(Alarm::Format, start, start + 1, message, true));
+        }
+        let value = self.formula(true)?;
+        while self.skip() == b'.' {
+            self.stray_point();
+        }
+        Ok(WordValue::Expr(value))
+    }
+
+    /// An unsigned number; the reader stands at a digit or a point.
+    #[inline]
+    pub(super) fn digits(&mut self) -> Read<Dec> {
+        let start = self.at;
+        let mut number = Dec::default();
+        let mut any = false;
+        let mut full = false;
+        loop {
+            let byte = self.peek();
+            let digit = byte.wrapping_sub(b'0');
+            if digit < 10 {
+                any = true;
+                if number.mantissa >= FULL || number.scale >= 18 {
+                    full = true;
+                } else {
+                    number.mantissa = number.mantissa * 10 + i64::from(digit);
+                    number.scale += u8::from(number.point);
+                }
+            } else if byte == b'.' && !number.point {
+                number.point = true;
+            } else {
+                break;
+            }
+            self.at += 1;
+        }
+        if !any {
+            return Err(self.failure(Alarm::Format, start, self.at, msg!("nc.lone-point"), false));
+        }
+        if full {
+            self.report(Alarm::OutOfRange, start, self.at, msg!("nc.too-many-digits", 18));
+        }
+        Ok(number)
+    }
+
+    /// Looks a G code up; whether it is a macro call, which takes any letter.
+    #[inline]
+    fn g_code(&mut self, number: Dec, start: usize) -> bool {
+        let tenths = match number.scale {
+            0 => number.mantissa.checked_mul(10),
+            1 => Some(number.mantissa),
+            _ => None,
+        };
+        let slot = tenths.and_then(|tenths| self.tables.g.get(usize::try_from(tenths).ok()?)).copied().unwrap_or(0);
+        match self.control.codes.get((slot as usize).wrapping_sub(1)) {
+            None => {
+                let message = msg!("nc.unknown-code", format!("G{number}"), self.control.name);
+                self.report(Alarm::UnknownCode, start, self.at, message);
+                false
+            }
+            Some(row) if row.code == Code::NotSimulated => {
+                let name = format!("G{number} ({})", row.text);
+                self.not_simulated((b'G', row.number.into()), start, self.at, &name);
+                false
+            }
+            Some(row) => matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock),
+        }
+    }
+
+    #[inline]
+    fn m_code(&mut self, number: Dec, start: usize) {
+        let slot = usize::try_from(number.mantissa).ok().and_then(|number| self.tables.m.get(number)).copied();
+        let row = self.control.codes.get((slot.unwrap_or(0) as usize).wrapping_sub(1));
+        if let Some(row) = row.filter(|row| row.code == Code::NotSimulated && number.scale == 0) {
+            let name = format!("M{number} ({})", row.text);
+            self.not_simulated((b'M', row.number.into()), start, self.at, &name);
+        }
+    }
+
+    /// Says once per kind that the control has it and the simulation does not act on it.
+    pub(super) fn not_simulated(&mut self, key: (u8, u32), from: usize, to: usize, name: &str) {
+        if !self.said.contains(&key) {
+            self.said.push(key);
+            let base = self.base as usize;
+            self.warn(base + from, base + to, msg!("nc.not-simulated", name));
+        }
+    }
+
+    /// Remembers the first small letter.
+    #[inline]
+    pub(super) fn note_case(&mut self, at: usize) {
+        if self.small.is_none() && self.line.get(at).is_some_and(u8::is_ascii_lowercase) {
+            self.small = Some(self.base + at as u32);
+        }
+    }
+
+    /// A point that ends nothing: `X#107.` or `X1.5.`; reported with its fix, and skipped.
+    pub(super) fn stray_point(&mut self) {
+        let start = self.at;
+        while self.peek() == b'.' || self.peek().is_ascii_digit() {
+            self.at += 1;
+        }
+        let text = String::from_utf8_lossy(self.line.get(start..self.at).unwrap_or_default()).into_owned();
+        let finding = self.finding(Alarm::Format, start, self.at, msg!("nc.stray-point", text.as_str()));
+        let place = self.place(self.span(start, self.at));
+        let finding = finding.fix(msg!("nc.fix.drop", text), vec![(place, String::new())]);
+        self.report_as(Alarm::Format, finding);
+    }
+
+    /// A `]` without its `[`; reported with its fix, and skipped.
+    pub(super) fn stray_square(&mut self) {
+        let start = self.at;
+        self.at += 1;
+        let finding = self.finding(Alarm::BracketPair, start, self.at, msg!("nc.unopened-square"));
+        let place = self.place(self.span(start, self.at));
+        let finding = finding.fix(msg!("nc.fix.drop", "]"), vec![(place, String::new())]);
+        self.report_as(Alarm::BracketPair, finding);
+    }
+
+    /// The failure of a byte that cannot stand at this place.
+    pub(super) fn unexpected(&self) -> Box<Failure> {
+        let start = self.at;
+        if self.ended() {
+            return self.failure(Alarm::Format, start.saturating_sub(1), start, msg!("nc.ends-early"), false);
+        }
+        let from = self.base as usize + start;
+        let character = self.source.get(from..).and_then(|rest| rest.chars().next()).unwrap_or('\u{fffd}');
+        let end = (start + character.len_utf8()).min(self.line.len());
+        let shown = if character.is_control() { character.escape_default().to_string() } else { character.to_string() };
+        let known = character.is_ascii_alphanumeric() || "+-*/.,#[]()=%;:".contains(character);
+        if known {
+            let message = match character {
+                '0'..='9' => msg!("nc.number-without-address"),
+                _ => msg!("nc.unexpected", shown),
+            };
+            self.failure(Alarm::Format, start, end, message, !character.is_ascii_digit())
+        } else {
+            self.failure(Alarm::IllegalAddress, start, end, msg!("nc.illegal-character", shown), true)
+        }
+    }
+
+    pub(super) fn failure(
+        &self,
+        alarm: Alarm,
+        from: usize,
+        to: usize,
+        message: Message,
+        at_word: bool,
+    ) -> Box<Failure> {
+        Box::new(Failure { alarm, from, to, message, at_word })
+    }
+}
+
+/// Words that a block can hold.
+const BLOCK_WORDS: u32 = u16::MAX as u32;
