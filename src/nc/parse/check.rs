@@ -96,7 +96,7 @@ impl Check<'_> {
 
     fn names_loop(&self, block: &Block) -> bool {
         let text = block.span.of(self.text).to_ascii_uppercase();
-        text.contains("DO") || text.contains("END")
+        ["DO", "END", "WHILE"].iter().any(|word| text.contains(word))
     }
 
     /// Jumps to a constant number that is not in the program.

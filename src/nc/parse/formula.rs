@@ -149,12 +149,20 @@ impl Reader<'_> {
         self.take(word);
         let right = self.formula(false)?;
         self.skip();
-        if let Some((word, _)) = COMPARISONS.iter().find(|(word, _)| self.ahead(word)) {
-            let message = msg!("nc.second-comparison");
-            return Err(self.failure(alarm, self.at, self.at + word.len(), message, false));
+        if self.comparison_ahead() {
+            return Err(self.lost_comparison(alarm));
         }
         self.close(open)?;
         self.part(Expr::Binary(*op, left, right))
+    }
+
+    fn comparison_ahead(&self) -> bool {
+        COMPARISONS.iter().any(|(word, _)| self.ahead(word))
+    }
+
+    /// The failure of a comparison that is not the one of a condition.
+    fn lost_comparison(&self, alarm: Alarm) -> Box<super::Failure> {
+        self.failure(alarm, self.at, self.at + 2, msg!("nc.lost-comparison"), false)
     }
 
     /// The number behind `DO` or `END`.
@@ -214,7 +222,7 @@ impl Reader<'_> {
                 _ if self.ended() => return Ok(()),
                 b'.' => self.stray_point(),
                 b']' => self.stray_square(),
-                b')' => self.stray_round(),
+                b')' => self.stray_round()?,
                 b'#' => {
                     let finding = self.finding(Alarm::Format, start, self.line.len(), msg!("nc.second-assignment"));
                     let place = self.place(self.span(start, start));
@@ -223,6 +231,7 @@ impl Reader<'_> {
                     self.at = self.line.len();
                     return Ok(());
                 }
+                _ if self.comparison_ahead() => return Err(self.lost_comparison(Alarm::Format)),
                 _ if byte.is_ascii_alphabetic() => {
                     return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), true));
                 }
@@ -420,7 +429,12 @@ impl Reader<'_> {
         if self.ended() || byte == b',' {
             return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, msg!("nc.unclosed-square"), false));
         }
-        Err(self.unexpected())
+        if self.comparison_ahead() {
+            return Err(self.lost_comparison(Alarm::Format));
+        }
+        let mut failure = self.unexpected();
+        failure.at_word = false;
+        Err(failure)
     }
 
     /// `#n`, `#[expr]` or `##n`; the reader stands at the `#`.

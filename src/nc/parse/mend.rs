@@ -1,9 +1,9 @@
 //! Findings about a file as a whole, with fixes that reach through all of it.
 
 use super::{FINDINGS, Reader};
-use crate::controls::{Alarm, VarKind};
+use crate::controls::{Alarm, VarKind, VarRange};
 use crate::msg;
-use crate::text::{Diagnostic, Place, Span};
+use crate::text::{Diagnostic, Span};
 
 /// Fixes that replace the whole text are offered up to this size.
 const WHOLE: usize = 1 << 20;
@@ -62,33 +62,36 @@ impl Reader<'_> {
             return;
         }
         let named = variables_of(self.source);
+        let mut taken = Vec::new();
         for row in &misused {
-            let name = format!("#{}", row.number);
+            let name = row.span.of(self.source);
             let message = match (row.alarm, self.control.var(row.number)) {
-                (Alarm::VariableRange, _) => msg!("nc.no-such-variable", name.as_str(), self.control.name),
-                (_, Some(range)) => msg!("nc.read-only-variable", name.as_str(), range.text),
-                _ => msg!("nc.read-only-variable", name.as_str(), ""),
+                (Alarm::VariableRange, _) => msg!("nc.no-such-variable", name, self.control.name),
+                (_, Some(range)) => msg!("nc.read-only-variable", name, range.text),
+                _ => msg!("nc.read-only-variable", name, ""),
             };
             let finding = Diagnostic::error(message).at(self.place(row.span));
             let mut finding = finding.alarm(self.control.alarm_number(row.alarm));
-            if let Some(free) = self.free_variable(&named) {
+            let input = |range: &VarRange| matches!(range.kind, VarKind::InputBit | VarKind::InputWord);
+            let scratch = row.alarm == Alarm::VariableRange || self.control.var(row.number).is_some_and(input);
+            let uses = named.iter().filter(|(number, _)| *number == row.number).take(FINDINGS);
+            let uses: Vec<Span> = uses.map(|&(_, span)| span).collect();
+            if let Some(free) = self.free_variable(&named, &taken).filter(|_| scratch && !uses.is_empty()) {
+                taken.push(free);
                 let title = msg!("nc.fix.variable", format!("#{free}"), name);
-                let uses = named.iter().filter(|(number, _)| *number == row.number).take(FINDINGS);
-                let edits: Vec<(Place, String)> =
-                    uses.map(|&(_, span)| (self.place(span), format!("#{free}"))).collect();
-                if row.number != 0 && !edits.is_empty() {
-                    finding = finding.fix(title, edits);
-                }
+                let edits = uses.into_iter().map(|span| (self.place(span), format!("#{free}"))).collect();
+                finding = finding.fix(title, edits);
             }
             self.add_finding(finding);
         }
     }
 
     /// A common variable that the file does not name: the one before the first that it computes, else the lowest.
-    fn free_variable(&self, named: &[(u32, Span)]) -> Option<u32> {
+    fn free_variable(&self, named: &[(u32, Span)], taken: &[u32]) -> Option<u32> {
         let range = self.control.vars.iter().find(|row| row.kind == VarKind::Common)?;
         let free = |number: &u32| {
-            (range.first..=range.last).contains(number) && !named.iter().any(|(other, _)| other == number)
+            let named = named.iter().any(|(other, _)| other == number) || taken.contains(number);
+            (range.first..=range.last).contains(number) && !named
         };
         let computed = |&&(number, span): &&(u32, Span)| {
             let behind = self.source.get(span.end as usize..).unwrap_or("");

@@ -1,10 +1,10 @@
 //! What a block that does not read was meant to be: mistakes of a known shape, each said once and with its fix.
 //!
-//! Tried in this order: a remark without brackets behind (or instead of) the block; round brackets used for arithmetic; else the
+//! Tried in this order: a comment with brackets in it; a remark without brackets behind (or instead of) the block; round brackets used for arithmetic; else the
 //! failure as the control would meet it. Whatever is found, the block is bad: the control would stop there.
 
 use super::super::ast::Stmt;
-use super::{Failure, Mark, Reader};
+use super::{Failure, Mark, Read, Reader};
 use crate::controls::Alarm;
 use crate::msg;
 use crate::text::Place;
@@ -21,6 +21,11 @@ impl Reader<'_> {
         let (alarm, whole) = (first.alarm, self.line);
         if whole.len() > LOOKED_AT {
             return self.give_up(*first);
+        }
+        if let Some((open, inner, close)) = self.nested_comment() {
+            self.rollback(&mark);
+            self.report_nested(alarm, open, &inner, close);
+            return Stmt::Bad(alarm);
         }
         let Some(remark) = self.remark(&first) else { return self.try_rounds(&mark, *first) };
         self.rollback(&mark);
@@ -119,42 +124,67 @@ impl Reader<'_> {
         self.report_as(alarm, finding);
     }
 
-    /// A `)` without its `(`: mostly the end of a comment that has brackets in it. Reported with its fix, and skipped.
-    pub(super) fn stray_round(&mut self) {
-        let close = self.at;
-        self.at += 1;
-        let mut depth = 0_u32;
-        let mut inner = Vec::new();
-        // Back to the bracket that would pair with it if comments nested.
-        for at in (0..close).rev() {
-            match self.line.get(at) {
-                Some(b')') => {
-                    depth += 1;
-                    inner.push((at, "]"));
+    /// A comment with brackets in it, so that it ends before it should: where it opens, the brackets inside, where it was
+    /// meant to close.
+    fn nested_comment(&self) -> Option<(usize, Vec<usize>, usize)> {
+        let mut from = 0;
+        loop {
+            let open = from + self.line.get(from..)?.iter().position(|&b| b == b'(')?;
+            let mut depth = 0_u32;
+            let mut inner = Vec::new();
+            for (at, &byte) in self.line.iter().enumerate().skip(open + 1) {
+                match byte {
+                    b'(' => {
+                        depth += 1;
+                        inner.push(at);
+                    }
+                    b')' if depth == 0 => {
+                        if !inner.is_empty() && !self.arithmetic(open) {
+                            return Some((open, inner, at));
+                        }
+                        break;
+                    }
+                    b')' => {
+                        depth -= 1;
+                        inner.push(at);
+                    }
+                    _ => {}
                 }
-                Some(b'(') if depth == 0 => break,
-                Some(b'(') => {
-                    depth -= 1;
-                    inner.push((at, "["));
-                }
-                _ => {}
             }
+            from = open + 1 + self.line.get(open + 1..)?.iter().position(|&b| b == b')')?;
         }
-        let paired = depth == 0 && !inner.is_empty();
-        let finding = self.finding(Alarm::Format, close, close + 1, msg!("nc.unopened-round"));
-        let place = |at: usize| self.place(self.span(at, at + 1));
-        let finding = if paired {
-            let edits = inner.iter().rev().map(|&(at, bracket)| (place(at), bracket.to_owned())).collect();
-            finding.hint(msg!("nc.hint.nested-comment")).fix(msg!("nc.fix.nested-comment"), edits)
-        } else {
-            finding.fix(msg!("nc.fix.drop", ")"), vec![(place(close), String::new())])
+    }
+
+    fn report_nested(&mut self, alarm: Alarm, open: usize, inner: &[usize], close: usize) {
+        let edit = |&at: &usize| {
+            let bracket = if self.line.get(at) == Some(&b'(') { "[" } else { "]" };
+            (self.place(self.span(at, at + 1)), bracket.to_owned())
         };
-        self.report_as(Alarm::Format, finding);
+        let edits = inner.iter().map(edit).collect();
+        let finding = self.finding(alarm, open, close + 1, msg!("nc.nested-comment"));
+        self.report_as(alarm, finding.fix(msg!("nc.fix.nested-comment"), edits));
+    }
+
+    /// A `)` without its `(`; reported with its fix, and skipped. Fails where it ends a comment with brackets in it.
+    pub(super) fn stray_round(&mut self) -> Read<()> {
+        let close = self.at;
+        if self.nested_comment().is_some_and(|(_, _, end)| end == close) {
+            return Err(self.failure(Alarm::Format, close, close + 1, msg!("nc.unopened-round"), false));
+        }
+        self.at += 1;
+        let finding = self.finding(Alarm::Format, close, close + 1, msg!("nc.unopened-round"));
+        let place = self.place(self.span(close, close + 1));
+        self.report_as(Alarm::Format, finding.fix(msg!("nc.fix.drop", ")"), vec![(place, String::new())]));
+        Ok(())
     }
 
     /// Whether the round bracket at hand holds arithmetic and no prose.
     pub(super) fn arithmetic_ahead(&self) -> bool {
-        let inner = self.line.get(self.at + 1..).unwrap_or_default();
+        self.arithmetic(self.at)
+    }
+
+    fn arithmetic(&self, open: usize) -> bool {
+        let inner = self.line.get(open + 1..).unwrap_or_default();
         let len = inner.iter().position(|&b| b == b')').unwrap_or(inner.len());
         let inner = inner.get(..len).unwrap_or_default();
         let functions = self.control.syntax.functions;
@@ -180,12 +210,12 @@ fn dashes(line: &[u8], at: usize) -> usize {
     if wide > 0 && ascii == 0 { wide * 3 } else { ascii }
 }
 
-/// Whether a run of dashes opens a remark: no formula has three signs in a row, or two before a letter.
+/// Whether a run of dashes opens a remark: no formula has two signs in a row before a letter.
 fn is_remark(line: &[u8], at: usize, run: usize) -> bool {
     let wide = line.get(at).is_some_and(|b| !b.is_ascii());
     let mut behind = line.get(at + run..).unwrap_or_default().iter().skip_while(|b| **b == b' ');
     let letter = behind.next().is_none_or(|b| b.is_ascii_alphabetic() || !b.is_ascii());
-    run > 0 && (wide || run >= 3 || run == 2 && letter)
+    run > 0 && (wide || run >= 2 && letter)
 }
 
 /// Where the variable starts that stands alone in front of a remark, behind no more than a sequence number.

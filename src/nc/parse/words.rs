@@ -200,7 +200,7 @@ impl<'a> Reader<'a> {
                 return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), true));
             }
             b'.' => self.stray_point(),
-            b')' => self.stray_round(),
+            b')' => self.stray_round()?,
             b']' => self.stray_square(),
             _ => return Err(self.unexpected()),
         }
