@@ -17,6 +17,8 @@ pub struct Limits {
     pub arc_tolerance: f64,
     /// Largest S word in r/min.
     pub speed_max: f64,
+    /// M codes of one block that act, 8 at most; of more, the last ones do.
+    pub m_codes: u8,
     /// Subprograms nested at most.
     pub sub_depth: u8,
     /// Macro calls nested at most.

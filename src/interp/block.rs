@@ -12,7 +12,7 @@ use crate::controls::{Alarm, Code, Group};
 use crate::msg;
 use crate::nc::{Block, Word};
 
-/// M codes of a block that can act; of more, the last ones do.
+/// M codes of a block that act on any control.
 const M_CODES: usize = 8;
 
 /// The codes of a block.
@@ -131,7 +131,7 @@ impl State {
                 b'G' => {
                     let Some(number) = self.code_number(cx, block, word)? else { continue };
                     let Some(row) = cx.shared.index.code(cx.control, b'G', number) else {
-                        let written = f64::from(number) / 10.0;
+                        let written = self.raw(cx, block, word)?.unwrap_or(0.0);
                         let trap = Trap::alarm(Alarm::UnknownCode, msg!("interp.unknown-code", written));
                         return Err(trap.within(word_span(block, word)));
                     };
@@ -172,7 +172,8 @@ impl State {
             Some(Code::SpindleCcw) => codes.spindle = Some(-1),
             Some(Code::SpindleStop) => codes.spindle = Some(0),
             _ => {
-                if codes.auxiliaries == M_CODES {
+                let max = (cx.control.limits.m_codes as usize).clamp(1, M_CODES);
+                if codes.auxiliaries == max {
                     codes.auxiliary.rotate_left(1);
                     codes.auxiliaries -= 1;
                 }

@@ -75,7 +75,7 @@ pub(super) struct Units {
     /// Command increments per millimetre or degree.
     pub(super) per_unit: f64,
     /// Largest coordinate in increments.
-    pub(super) coordinate_max: i64,
+    pub(super) coordinate_max: u64,
     /// Feed increments per mm/min.
     pub(super) per_feed: f64,
     /// Bit `letter & 31`: a word without a point counts increments.
@@ -99,7 +99,7 @@ impl Units {
         Units {
             decimals,
             per_unit,
-            coordinate_max: (coordinate_max * per_unit).round() as i64,
+            coordinate_max: (coordinate_max * per_unit).round() as u64,
             per_feed: (1.0 / feed_increment).round(),
             increment_letters: letter_bits(control.syntax.increment_addresses),
             integer_letters: letter_bits(control.syntax.integer_addresses),
@@ -315,8 +315,8 @@ impl State {
     fn no_end(&mut self, cx: &Cx) -> Step {
         let program = cx.deck.programs.get(self.program as usize);
         let last = (self.first < self.end).then(|| cx.deck.blocks.get(self.end as usize - 1)).flatten();
-        let end = last.map_or(program.map_or(0, |program| program.span.end), |block| block.span.end);
-        self.place = Place { file: self.file, span: Span::at(end) };
+        let span = last.map_or(program.map_or(Span::default(), |program| program.span), |block| block.span);
+        self.place = Place { file: self.file, span };
         let hint = if self.frames.is_empty() { msg!("interp.hint-end-main") } else { msg!("interp.hint-end-sub") };
         let number = program.map_or(0, |program| program.number);
         self.fail(cx.control, Trap::alarm(Alarm::NoProgramEnd, msg!("interp.no-end", number)).hint(hint))

@@ -1,6 +1,6 @@
 //! Reading and writing variables, those of the system among them.
 
-use super::canon::Canon;
+use super::canon::{AXES, Canon};
 use super::eval::variable_number;
 use super::fault::{Run, Trap};
 use super::index::Slot;
@@ -48,7 +48,9 @@ impl State {
             VarKind::ExecutingCode(_) | VarKind::ExecutingWord(_) if !self.synced => return Err(Trap::Sync),
             VarKind::ExecutingCode(group) => f64::from(self.modal.codes[group as usize]) / 10.0,
             VarKind::ExecutingWord(letter) => self.modal_word(letter),
-            VarKind::BlockEnd | VarKind::MachinePosition | VarKind::WorkPosition if axis >= cx.control.axes.len() => {
+            VarKind::BlockEnd | VarKind::MachinePosition | VarKind::WorkPosition
+                if axis >= cx.control.axes.len().min(AXES) =>
+            {
                 return Err(no_such_variable(cx, number));
             }
             VarKind::BlockEnd => millimetres(self.position[axis].saturating_sub(self.modal.zero(axis))),

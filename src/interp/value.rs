@@ -26,7 +26,7 @@ fn shift(mantissa: i64, scale: i32) -> Option<i64> {
 
 impl State {
     /// The value of a word as it stands, `None` where it is vacant and the word is left out.
-    fn raw(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn raw(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
         match word.value {
             WordValue::Number(dec) => Ok(Some(dec.to_f64())),
             WordValue::Expr(id) => match self.value(cx, id) {
@@ -99,7 +99,7 @@ impl State {
             }
         };
         match increments {
-            Some(increments) if increments.abs() <= units.coordinate_max => Ok(Some(increments)),
+            Some(increments) if increments.unsigned_abs() <= units.coordinate_max => Ok(Some(increments)),
             _ => {
                 let max = cx.control.limits.coordinate_max;
                 Err(self.out_of_range(cx, block, word, -max, max))

@@ -4,4 +4,5 @@
 mod language;
 mod machines;
 mod physics;
+mod programs;
 mod tidy;

@@ -86,11 +86,15 @@ pub static CONTROL: Control = Control {
         feed_increment: 0.001,
         arc_tolerance: 0.1,
         speed_max: 99_999_999.0,
+        m_codes: 4,
         sub_depth: 8,
         macro_depth: 4,
         repeat_max: 9999,
         user_alarm_max: 9999,
-        cite: Citation::new("M700V/M70V programming manual, p.23, 40; feed, arcs and nesting from memory", Grade::Open),
+        cite: Citation::new(
+            "M700V/M70V programming manual, p.23, 40, 158; feed, arcs and nesting from memory",
+            Grade::Open,
+        ),
     },
     timing: Timing {
         block: 0.0071,
