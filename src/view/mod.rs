@@ -8,6 +8,12 @@ pub mod scene;
 
 pub mod sheet;
 
+pub mod svg;
+
+pub mod csv;
+
+pub mod plot;
+
 pub use chart::{Chart, Series};
 pub use readout::{Readout, Verdict};
 pub use scene::{Node, Pose, Scene, Shape};

@@ -1,3 +1,4 @@
 //! The machines: their numbers against the independent oracle (`sizing_check.py`), their verdicts, their programs.
 
+mod look;
 mod ribbon_line;

@@ -14,6 +14,12 @@ mod plant;
 
 mod plc;
 
+mod scene;
+
+mod pose;
+
+mod charts;
+
 use crate::controls::{Control, Switches};
 use crate::machines::form::Field;
 use crate::machines::{Design, Frame, Machine, Plan, Samples};
@@ -64,16 +70,16 @@ impl Machine for RibbonLine {
         program::VARIABLES.to_vec()
     }
 
-    fn scene(_p: &Params) -> Scene {
-        Scene::default()
+    fn scene(p: &Params) -> Scene {
+        scene::scene(p)
     }
 
-    fn pose(_p: &Params, _now: &Snapshot, _frame: Frame) -> Pose {
-        Pose::default()
+    fn pose(p: &Params, now: &Snapshot, frame: Frame) -> Pose {
+        pose::pose(p, now, frame)
     }
 
-    fn charts(_p: &Params, _run: &dyn Samples, _from: f64, _to: f64, _points: usize) -> Vec<Chart> {
-        Vec::new()
+    fn charts(p: &Params, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        charts::charts(p, run, from, to, points)
     }
 }
 
@@ -119,4 +125,9 @@ fn unit(row: &readouts::Row, p: &Params) -> &'static str {
         (YUnit::Degrees, "y-feed") => "°/min",
         _ => row.unit,
     }
+}
+
+/// A number as it is shown.
+fn show(number: f64, decimals: u8) -> String {
+    crate::text::catalog::number_text(number, decimals)
 }

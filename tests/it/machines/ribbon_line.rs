@@ -7,7 +7,7 @@ use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence};
 use macroline::view::{Readout, Verdict};
 
-fn machine() -> &'static dyn AnyMachine {
+pub(super) fn machine() -> &'static dyn AnyMachine {
     machines::find("ribbon-line").unwrap()
 }
 
@@ -16,7 +16,7 @@ fn control() -> &'static Control {
 }
 
 /// Values that differ from the paper's example: numbers as they are, words as choices, `true` and `false` as flags.
-fn values(changes: &[(&str, &str)]) -> Values {
+pub(super) fn values(changes: &[(&str, &str)]) -> Values {
     let fields = machine().fields();
     changes
         .iter()

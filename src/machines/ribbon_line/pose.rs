@@ -1,0 +1,168 @@
+//! The drawing of the ribbon line at a moment: where rollers and dots stand, how deep the loop hangs, what the figures say.
+
+use super::params::{Params, YUnit};
+use super::scene::{self, DOTS, PITCH, group, node};
+use super::show;
+use crate::machines::Frame;
+use crate::math::PI;
+use crate::motion::Snapshot;
+use crate::view::Pose;
+use crate::view::scene::Placement;
+
+/// A roller that turns further from frame to frame is not seen turning: it is drawn as a ring.
+const SEEN: f64 = 20.0;
+
+/// Index of X and Y in the plant.
+pub(super) const X: usize = 0;
+pub(super) const Y: usize = 1;
+
+/// The state of the line at a moment, in the units of the drawing's figures.
+pub(super) struct State {
+    /// Revolutions of the unwinding roller.
+    unwinder_turns: f64,
+    /// Revolutions of the pull roller.
+    pull_turns: f64,
+    /// Degrees of the print roller.
+    print_angle: f64,
+    /// Ribbon pulled, mm.
+    pub(super) pulled: f64,
+    /// Ribbon unwound less ribbon pulled, mm.
+    pub(super) slack: f64,
+    /// Degrees per second of the rollers.
+    speeds: [f64; 3],
+}
+
+impl State {
+    pub(super) fn new(p: &Params, now: &Snapshot) -> State {
+        let (x, y) = (&now.axes[X], &now.axes[Y]);
+        // The axis itself, which lags its command.
+        let pulled = x.actual;
+        let turns = now.spindle.turns / p.reduction_ratio;
+        let degrees = degrees_per_unit(p);
+        State {
+            unwinder_turns: turns,
+            pull_turns: pulled / (PI * p.x_roller_diameter),
+            print_angle: y.actual * degrees,
+            pulled,
+            slack: turns * PI * p.press_roller_diameter - pulled,
+            speeds: [
+                now.spindle.actual / p.reduction_ratio * 6.0,
+                x.feed / (PI * p.x_roller_diameter) * 6.0,
+                y.feed * degrees / 60.0,
+            ],
+        }
+    }
+
+    /// How far Y is from where X asks it to be, in mm of ribbon: the register error.
+    pub(super) fn register(&self, p: &Params) -> f64 {
+        self.print_angle * p.heads / 360.0 * p.pitch - self.pulled
+    }
+}
+
+/// Degrees of the print roller per unit of Y.
+fn degrees_per_unit(p: &Params) -> f64 {
+    match p.y_unit {
+        YUnit::Millimetres => 360.0 / (PI * p.print_roller_diameter),
+        YUnit::Degrees => 1.0,
+    }
+}
+
+/// Where everything stands.
+pub(super) fn pose(p: &Params, now: &Snapshot, frame: Frame) -> Pose {
+    let state = State::new(p, now);
+    let [unwinder, pull, print] = state.speeds.map(|speed| (speed * frame.step).abs());
+    let mut pose = Pose::default();
+    let mut put = |group: u16, centre: (f64, f64, f64), turn: f64, opacity: f64| {
+        let (cx, cy, _) = centre;
+        pose.placements.push(Placement { group, turn: turn % 360.0, cx, cy, dx: 0.0, dy: 0.0, opacity });
+    };
+    // Rollers below the ribbon turn with the clock, those above against it.
+    let length = state.unwinder_turns * p.press_roller_diameter;
+    let turn = 360.0 * state.unwinder_turns;
+    put(group::REEL, scene::REEL, 360.0 * length / (6.0 * p.press_roller_diameter), 1.0);
+    for (marks, blur, centre, turn, step) in [
+        (group::UNWINDER, group::UNWINDER_BLUR, scene::UNWINDER, turn, unwinder),
+        (group::PULL, group::PULL_BLUR, scene::PULL, 360.0 * state.pull_turns, pull),
+    ] {
+        put(marks, centre, turn, seen(step));
+        put(blur, centre, 0.0, 0.5 * (1.0 - seen(step)));
+    }
+    let smaller = scene::UNWINDER.2 / scene::UNWINDER_PRESS.2;
+    put(group::UNWINDER_PRESS, scene::UNWINDER_PRESS, -turn * smaller, seen(unwinder * smaller));
+    put(group::PULL_PRESS, scene::PULL_PRESS, -360.0 * state.pull_turns * smaller, seen(pull * smaller));
+    // The stroboscope flashes when a head meets the ribbon.
+    let head = 360.0 / p.heads;
+    let flash = |angle: f64| if frame.strobe { (angle / head).floor() * head } else { angle };
+    let print_seen = if frame.strobe { 1.0 } else { seen(print) };
+    put(group::PRINT, scene::PRINT, -flash(state.print_angle + 1e-6), print_seen);
+    put(group::PRINT_BLUR, scene::PRINT, 0.0, 0.45 * (1.0 - print_seen));
+    dots(p, now, frame, &state, &mut pose);
+    pose.paths = vec![(node::LOOP, scene::loop_path(state.slack, p.loop_capacity))];
+    pose.texts = texts(p, now, &state);
+    pose
+}
+
+/// 1 where single marks can be followed by the eye, 0 where they blur, and a little in between.
+fn seen(step: f64) -> f64 {
+    ((1.5 * SEEN - step) / (0.5 * SEEN)).clamp(0.0, 1.0)
+}
+
+/// The dots move with X; the newest was printed where the last head met the ribbon.
+fn dots(p: &Params, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
+    let passed = state.pulled / p.pitch + 1e-6;
+    let printed = passed.floor();
+    let part = if frame.strobe { 0.0 } else { passed - printed };
+    let step = now.axes[X].feed / 60.0 * frame.step / p.pitch;
+    // Beyond a third of a pitch a frame the eye joins wrong dots.
+    let clear = if frame.strobe { 1.0 } else { ((0.45 - step) / 0.15).clamp(0.0, 1.0) };
+    for dot in 0..DOTS {
+        let there = f64::from(dot) <= printed;
+        pose.placements.push(Placement {
+            group: group::DOTS + dot,
+            dx: (f64::from(dot) + part) * PITCH,
+            opacity: if there { clear } else { 0.0 },
+            ..Placement::default()
+        });
+    }
+    let streak = if printed >= f64::from(DOTS) { 0.35 * (1.0 - clear) } else { 0.0 };
+    pose.placements.push(Placement { group: group::DOTS_BLUR, opacity: streak, ..Placement::default() });
+}
+
+fn texts(p: &Params, now: &Snapshot, state: &State) -> Vec<(usize, String)> {
+    let heads = p.heads.max(1.0);
+    let met = (state.print_angle * heads / 360.0 + 1e-6).floor();
+    let head = met - (met / heads).floor() * heads + 1.0;
+    let state_of_loop = if p.loop_capacity > 0.0 && state.slack.abs() > p.loop_capacity {
+        if state.slack > 0.0 { "ribbon.scene.full" } else { "ribbon.scene.empty" }
+    } else {
+        "ribbon.scene.holds"
+    };
+    let say = |id| crate::text::catalog::words(crate::text::catalog::Language::English, id).to_owned();
+    vec![
+        (node::UNWINDER_SPEED, format!("{} r/min", fixed(now.spindle.actual, 1))),
+        (node::UNWINDER_VOLTS, format!("{} V", fixed(now.spindle.volts, 3))),
+        (node::SLACK, format!("{}{} mm", if state.slack >= 0.05 { "+" } else { "" }, fixed(state.slack, 1))),
+        (node::LOOP_STATE, say(state_of_loop)),
+        (node::PULL_FEED, format!("{} mm/min", fixed(now.axes[X].feed, 0))),
+        (node::PULL_POSITION, format!("{} mm", fixed(state.pulled, 1))),
+        (node::PRINT_SPEED, format!("{} r/min", fixed(state.speeds[2] / 6.0, 1))),
+        (node::PRINT_HEAD, format!("{} {} / {}", say("ribbon.scene.head"), show(head, 0), show(heads, 0))),
+        (node::DOT_COUNT, format!("{} {}", show((state.pulled / p.pitch + 1e-6).floor(), 0), say("ribbon.scene.dots"))),
+    ]
+}
+
+/// A number with all its decimals, so that figures do not jump, and thin spaces between thousands.
+fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let (sign, digits) = text.strip_prefix('-').map_or(("", text.as_str()), |digits| ("\u{2212}", digits));
+    let (whole, rest) = digits.split_at(digits.find('.').unwrap_or(digits.len()));
+    let sign = if digits.bytes().all(|b| matches!(b, b'0' | b'.')) { "" } else { sign };
+    let mut out = String::from(sign);
+    for (at, digit) in whole.chars().enumerate() {
+        if at > 0 && (whole.len() - at) % 3 == 0 {
+            out.push('\u{202F}');
+        }
+        out.push(digit);
+    }
+    out + rest
+}

@@ -1,0 +1,35 @@
+//! Charts as comma-separated values: one column of x, one per line, RFC 4180.
+
+use core::fmt::Write;
+
+use super::Chart;
+use crate::text::catalog::{Language, words};
+
+/// The lines of all charts side by side, over the x of the first; the heads carry units. Empty where there is no line.
+pub fn charts(charts: &[Chart]) -> String {
+    let lines: Vec<_> =
+        charts.iter().flat_map(|chart| chart.series.iter().map(move |line| (chart.unit, line))).collect();
+    let (Some(first), Some((_, line))) = (charts.first(), lines.first()) else { return String::new() };
+    let mut out = format!("t [{}]", first.x_unit);
+    for (unit, line) in &lines {
+        let _ = write!(out, ",{}", quoted(&format!("{} [{unit}]", words(Language::English, line.label))));
+    }
+    out.push_str("\r\n");
+    for (row, (x, _)) in line.points.iter().enumerate() {
+        let _ = write!(out, "{x:.6}");
+        for (_, line) in &lines {
+            match line.points.get(row) {
+                Some((_, y)) => {
+                    let _ = write!(out, ",{y:.6}");
+                }
+                None => out.push(','),
+            }
+        }
+        out.push_str("\r\n");
+    }
+    out
+}
+
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+}

@@ -1,0 +1,253 @@
+//! A chart as SVG, drawn by plotters on a backend of our own: classes instead of colours, parts of a pixel, no text measuring.
+//!
+//! The lines stand in a frame that stretches with its place in the page, the figures at their ends do not. Left and right edge of
+//! the picture are the ends of the time, so that a cursor needs no more than its share of the width.
+
+use core::convert::Infallible;
+use core::fmt::Write;
+use core::ops::Range;
+
+use plotters::chart::ChartBuilder;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use plotters::coord::types::RangedCoordf64;
+use plotters::drawing::IntoDrawingArea;
+use plotters::series::LineSeries;
+use plotters::style::{RGBColor, ShapeStyle, TRANSPARENT};
+use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
+
+use super::Chart;
+use super::svg::escape;
+use crate::math;
+use crate::text::catalog::number_text;
+
+/// Units of the frame.
+const SIZE: (u32, u32) = (1000, 200);
+/// Steps of the backend's whole-number grid per unit: lines stand between pixels too.
+const FINE: u32 = 8;
+/// Grid lines at most.
+const GRID: (usize, usize) = (8, 4);
+/// Grid lines are drawn in this colour, lines in `(tone, 0, 0)`: the backend turns both into classes.
+const GRID_COLOUR: RGBColor = RGBColor(255, 255, 255);
+
+/// A drawn chart: left edge is `x.0`, right edge `x.1`, bottom `y.0`, top `y.1`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plot {
+    /// The picture.
+    pub svg: String,
+    /// Ends of the horizontal axis.
+    pub x: (f64, f64),
+    /// Ends of the vertical axis.
+    pub y: (f64, f64),
+}
+
+/// The picture of a chart.
+pub fn svg(chart: &Chart) -> String {
+    draw(chart).svg
+}
+
+/// Draws a chart. Points that are no finite numbers are left out.
+pub fn draw(chart: &Chart) -> Plot {
+    let points = || chart.series.iter().flat_map(|line| &line.points).filter(|(x, y)| x.is_finite() && y.is_finite());
+    let x = ends(points().map(|point| point.0)).filter(|(from, to)| from < to).unwrap_or((0.0, 1.0));
+    let y = room(ends(points().map(|point| point.1)).unwrap_or((0.0, 1.0)));
+    let mut lines = String::with_capacity(16 * points().count() + 1024);
+    // The backend cannot fail; an empty frame is what would be left.
+    let _ = frame(&mut lines, chart, x, y);
+    let mut svg = String::with_capacity(lines.len() + 2048);
+    let (width, height) = SIZE;
+    let _ = write!(
+        svg,
+        "<svg class=\"chart-lines\" width=\"100%\" height=\"100%\"><svg viewBox=\"0 0 {width} {height}\" \
+         width=\"100%\" height=\"100%\" preserveAspectRatio=\"none\">{lines}</svg>"
+    );
+    figures(&mut svg, x, y, chart.x_unit);
+    svg.push_str("</svg>");
+    Plot { svg, x, y }
+}
+
+/// Smallest and largest.
+fn ends(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)));
+    (low <= high).then_some((low, high))
+}
+
+/// Room above and below the lines; what never falls below 0 stands on it where that costs little, and so does what never changes.
+fn room((low, high): (f64, f64)) -> (f64, f64) {
+    let (low, high) =
+        if high - low <= 1e-9 * high.abs().max(low.abs()) { (low.min(0.0), high.max(0.0)) } else { (low, high) };
+    let span = if high > low { high - low } else { 1.0 };
+    let bottom = if low >= 0.0 && low <= span { 0.0 } else { low - 0.08 * span };
+    (bottom, high + 0.12 * span)
+}
+
+/// Grid and lines.
+fn frame(
+    out: &mut String,
+    chart: &Chart,
+    x: (f64, f64),
+    y: (f64, f64),
+) -> Result<(), plotters::drawing::DrawingAreaErrorKind<Infallible>> {
+    let area = Pen { out }.into_drawing_area();
+    let mut plot = ChartBuilder::on(&area).build_cartesian_2d(Axis::new(x), Axis::new(y))?;
+    plot.configure_mesh()
+        .x_labels(GRID.0)
+        .y_labels(GRID.1)
+        .max_light_lines(0)
+        .bold_line_style(GRID_COLOUR)
+        .light_line_style(TRANSPARENT)
+        .axis_style(TRANSPARENT)
+        .draw()?;
+    for line in &chart.series {
+        let style = ShapeStyle::from(&RGBColor(line.tone, 0, 0)).stroke_width(2);
+        let points = line.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
+        plot.draw_series(LineSeries::new(points, style))?;
+    }
+    area.present()
+}
+
+/// An axis whose key points are those of plotters, so that grid and figures agree.
+struct Axis(RangedCoordf64);
+
+impl Axis {
+    fn new((from, to): (f64, f64)) -> Axis {
+        Axis((from..to).into())
+    }
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        self.0.map(value, limit)
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        self.0.key_points(hint)
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.0.range()
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format(value: &f64) -> String {
+        number_text(*value, 6)
+    }
+}
+
+/// Figures at the grid lines, placed by percent so that they keep their shape.
+fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
+    let share = |value: f64, (from, to): (f64, f64)| 100.0 * (value - from) / (to - from);
+    for (values, axis, across) in [(keys(x, GRID.0), x, true), (keys(y, GRID.1), y, false)] {
+        let decimals = decimals(&values);
+        for value in &values {
+            let at = share(*value, axis);
+            let text = number_text(*value, decimals);
+            // Figures at the very edges would be cut.
+            let _ = match across {
+                true if (3.0..=97.0).contains(&at) => write!(
+                    out,
+                    "<text class=\"tick\" x=\"{at:.2}%\" y=\"100%\" dy=\"-3\" text-anchor=\"middle\">{text} {}</text>",
+                    escape(x_unit)
+                ),
+                false if at <= 92.0 => {
+                    write!(out, "<text class=\"tick\" x=\"3\" y=\"{:.2}%\" dy=\"-3\">{text}</text>", 100.0 - at)
+                }
+                _ => Ok(()),
+            };
+        }
+    }
+}
+
+fn keys((from, to): (f64, f64), at_most: usize) -> Vec<f64> {
+    RangedCoordf64::from(from..to).key_points(at_most)
+}
+
+/// Decimals that tell neighbouring figures apart.
+fn decimals(values: &[f64]) -> u8 {
+    let step = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(f64::INFINITY, f64::min);
+    if step.is_finite() && step > 0.0 { (-math::log10(step).floor()).clamp(0.0, 9.0) as u8 } else { 3 }
+}
+
+/// The backend: paths with classes.
+struct Pen<'a> {
+    out: &'a mut String,
+}
+
+impl Pen<'_> {
+    fn path(&mut self, color: BackendColor, points: impl IntoIterator<Item = BackendCoord>) {
+        if color.alpha == 0.0 {
+            return;
+        }
+        let (tone, other, _) = color.rgb;
+        let _ = match other {
+            255 => write!(self.out, "<path class=\"grid\" d=\""),
+            _ => write!(self.out, "<path class=\"line l{tone}\" d=\""),
+        };
+        let mut letter = 'M';
+        for (x, y) in points {
+            let fine = |value: i32| f64::from(value) / f64::from(FINE);
+            let _ = write!(self.out, "{letter}{} {}", fine(x), fine(y));
+            letter = 'L';
+        }
+        self.out.push_str("\"/>");
+    }
+}
+
+impl DrawingBackend for Pen<'_> {
+    type ErrorType = Infallible;
+
+    fn get_size(&self) -> (u32, u32) {
+        (SIZE.0 * FINE, SIZE.1 * FINE)
+    }
+
+    fn ensure_prepared(&mut self) -> Result<(), DrawingErrorKind<Infallible>> {
+        Ok(())
+    }
+
+    fn present(&mut self) -> Result<(), DrawingErrorKind<Infallible>> {
+        Ok(())
+    }
+
+    fn draw_pixel(&mut self, _: BackendCoord, _: BackendColor) -> Result<(), DrawingErrorKind<Infallible>> {
+        Ok(())
+    }
+
+    fn draw_line<S: BackendStyle>(
+        &mut self,
+        from: BackendCoord,
+        to: BackendCoord,
+        style: &S,
+    ) -> Result<(), DrawingErrorKind<Infallible>> {
+        self.path(style.color(), [from, to]);
+        Ok(())
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Result<(), DrawingErrorKind<Infallible>> {
+        self.path(style.color(), path);
+        Ok(())
+    }
+
+    fn draw_text<T: BackendTextStyle>(
+        &mut self,
+        _: &str,
+        _: &T,
+        _: BackendCoord,
+    ) -> Result<(), DrawingErrorKind<Infallible>> {
+        Ok(())
+    }
+
+    fn estimate_text_size<T: BackendTextStyle>(
+        &self,
+        _: &str,
+        _: &T,
+    ) -> Result<(u32, u32), DrawingErrorKind<Infallible>> {
+        Ok((0, 0))
+    }
+}

@@ -1,0 +1,150 @@
+//! What is drawn of the machines: scene, poses, charts, tables.
+
+use super::ribbon_line::{machine, values};
+use macroline::machines::{Frame, Samples};
+use macroline::motion::Snapshot;
+use macroline::view::{Chart, Pose, Series, Shape, csv, plot, svg};
+
+/// The line at full speed, `t` seconds after X has its speed.
+fn running(t: f64) -> Snapshot {
+    let mut now = Snapshot { t, ..Snapshot::default() };
+    now.axes[0].feed = 15079.645;
+    now.axes[0].actual = 251.327412 * t;
+    now.axes[1].feed = 118435.253;
+    now.axes[1].actual = 1973.92088 * t;
+    now.spindle.actual = 1214.616;
+    now.spindle.command = 1200.0;
+    now.spindle.volts = 8.107;
+    now.spindle.turns = 20.24360 * t;
+    now
+}
+
+fn pose(t: f64, step: f64, strobe: bool) -> Pose {
+    machine().pose(&values(&[]), &running(t), Frame { step, strobe })
+}
+
+#[test]
+fn poses_move_what_the_scene_has() {
+    for heads in ["1", "6", "60", "1000"] {
+        let values = values(&[("heads", heads)]);
+        let scene = machine().scene(&values);
+        let pose = machine().pose(&values, &running(3.0), Frame { step: 0.001, strobe: false });
+        assert!(scene.nodes.len() < 250, "{heads} heads: {} nodes", scene.nodes.len());
+        assert!(scene.nodes.iter().all(|node| node.group <= scene.groups));
+        for (at, _) in &pose.texts {
+            assert!(matches!(scene.nodes[*at].shape, Shape::Text { .. }), "node {at} is no text");
+        }
+        for (at, _) in &pose.paths {
+            assert!(matches!(scene.nodes[*at].shape, Shape::Path { .. }), "node {at} is no path");
+        }
+        for place in &pose.placements {
+            assert!(scene.nodes.iter().any(|node| node.group == place.group), "no group {}", place.group);
+            assert!(place.turn.is_finite() && (0.0..=1.0).contains(&place.opacity));
+        }
+        assert!(!svg::picture(&scene, &pose).contains("NaN"));
+    }
+}
+
+#[test]
+fn figures_say_what_the_snapshot_says() {
+    let pose = pose(2.0, 0.001, false);
+    let texts: Vec<&str> = pose.texts.iter().map(|(_, text)| text.as_str()).collect();
+    assert_eq!(
+        texts,
+        [
+            "1\u{202F}214.6 r/min",
+            "8.107 V",
+            "+6.1 mm",
+            "loop holds",
+            "15\u{202F}080 mm/min",
+            "502.7 mm",
+            "314.2 r/min",
+            "head 3 / 6",
+            "62 dots"
+        ]
+    );
+}
+
+/// Opacity of the heads and of the ring that stands for them.
+fn heads_and_ring(pose: &Pose) -> (f64, f64) {
+    let opacity = |group| pose.placements.iter().find(|place| place.group == group).unwrap().opacity;
+    (opacity(6), opacity(7))
+}
+
+#[test]
+fn a_roller_too_fast_to_see_is_a_ring_and_the_stroboscope_stops_it() {
+    // The print roller turns 1885 degrees a second: 18.85 in 10 ms, 37.7 in 20 ms.
+    assert_eq!(heads_and_ring(&pose(2.0, 0.010, false)).0, 1.0);
+    let (heads, ring) = heads_and_ring(&pose(2.0, 0.020, false));
+    assert!(heads == 0.0 && ring > 0.0);
+    // Any two flashes show a head where the other shows a head: multiples of 60 degrees.
+    for t in [2.0, 2.013, 2.3] {
+        let flash = pose(t, 0.020, true);
+        assert_eq!(heads_and_ring(&flash).0, 1.0);
+        let turn = flash.placements.iter().find(|place| place.group == 6).unwrap().turn;
+        assert!((turn / 60.0 - (turn / 60.0).round()).abs() < 1e-9, "{turn}");
+    }
+}
+
+struct Running;
+
+impl Samples for Running {
+    fn at(&self, t: f64) -> Snapshot {
+        running(t)
+    }
+}
+
+#[test]
+fn charts_sample_the_run() {
+    let charts = machine().charts(&values(&[]), &Running, 0.0, 4.0, 9);
+    let ids: Vec<_> = charts.iter().map(|chart| chart.id).collect();
+    assert_eq!(ids, ["feeds", "spindle", "volts", "slack", "register"]);
+    assert!(charts.iter().flat_map(|chart| &chart.series).all(|line| line.points.len() == 9));
+    let slack = charts[3].series[0].points[8];
+    // D7 of the oracle: 183.673 mm/min.
+    assert!((slack.0 - 4.0).abs() < 1e-12 && (slack.1 - 183.673 / 60.0 * 4.0).abs() < 0.01, "{slack:?}");
+    let register = charts[4].series[0].points[8].1;
+    assert!(register.abs() < 1e-4, "matched to the float: {register}");
+}
+
+fn chart(points: Vec<(f64, f64)>) -> Chart {
+    let series = vec![Series { label: "ribbon.chart.x", tone: 1, points }];
+    Chart { id: "any", title: "ribbon.chart.feeds", unit: "mm/min", x_unit: "s", series }
+}
+
+#[test]
+fn a_chart_is_lines_grid_and_figures_with_classes() {
+    let drawn = plot::draw(&chart(vec![(0.0, 0.0), (1.0, 50.0), (2.0, 100.0)]));
+    assert_eq!((drawn.x, drawn.y), ((0.0, 2.0), (0.0, 112.0)));
+    assert!(drawn.svg.contains("<path class=\"line l1\" d=\"M0 200L500"), "{}", drawn.svg);
+    assert!(drawn.svg.contains("class=\"grid\"") && drawn.svg.contains(">50</text>"), "{}", drawn.svg);
+    for forbidden in ["style=", "fill=", "stroke=", "rgb", "NaN", "inf"] {
+        assert!(!drawn.svg.contains(forbidden), "{forbidden} in {}", drawn.svg);
+    }
+}
+
+#[test]
+fn charts_of_nothing_or_nonsense_are_drawn() {
+    for points in [
+        vec![],
+        vec![(0.0, 1.0)],
+        vec![(0.0, f64::NAN), (1.0, f64::INFINITY)],
+        vec![(0.0, 8.107), (1.0, 8.107)],
+        vec![(0.0, -1e300), (1.0, 1e300)],
+        vec![(5.0, 1e-300), (5.0, 2e-300)],
+    ] {
+        let drawn = plot::draw(&chart(points.clone()));
+        assert!(drawn.svg.ends_with("</svg>") && !drawn.svg.contains("NaN"), "{points:?}: {}", drawn.svg);
+    }
+}
+
+#[test]
+fn a_timeline_becomes_columns() {
+    let mut wide = chart(vec![(0.0, 1.0), (0.5, 2.5)]);
+    wide.series.push(Series { label: "ribbon.chart.y", tone: 2, points: vec![(0.0, -1.0)] });
+    assert_eq!(
+        csv::charts(&[wide]),
+        "t [s],X [mm/min],Y [mm/min]\r\n0.000000,1.000000,-1.000000\r\n0.500000,2.500000,\r\n"
+    );
+    assert_eq!(csv::charts(&[]), "");
+}
