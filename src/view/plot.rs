@@ -200,7 +200,8 @@ impl DrawingBackend for Pen<'_> {
     type ErrorType = Infallible;
 
     fn get_size(&self) -> (u32, u32) {
-        (SIZE.0 * FINE, SIZE.1 * FINE)
+        // One more: both edges belong to the frame.
+        (SIZE.0 * FINE + 1, SIZE.1 * FINE + 1)
     }
 
     fn ensure_prepared(&mut self) -> Result<(), DrawingErrorKind<Infallible>> {
