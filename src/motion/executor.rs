@@ -126,6 +126,7 @@ impl<P: Program> Sim<'_, P> {
         };
         if next.first && self.s.stepped && self.s.knobs.single_block {
             self.s.exec = Exec::Stopped;
+            self.s.flow_end = None;
             return;
         }
         let Some(Queued { canon, place, first, .. }) = self.pop() else { return };
@@ -175,8 +176,8 @@ impl<P: Program> Sim<'_, P> {
     fn goal(&mut self, to: &Target) -> [f64; AXES] {
         for k in self.machine.fitted..AXES {
             if to.mask & (1 << k) != 0 {
-                let letter = (self.machine.axes[k].letter as char).to_string();
-                self.say(Once::Missing as u32 + k as u32, msg!("motion.missing-axis", letter));
+                let letter = self.machine.axes[k].letter as char;
+                self.say(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", letter.to_string()));
             }
         }
         let scale = self.machine.increment;
@@ -245,18 +246,18 @@ impl<P: Program> Sim<'_, P> {
         }
         if self.s.flow_end.take().is_some_and(|end| t > end) {
             self.s.starved += 1;
-            self.say(
-                Once::Starved as u32,
-                msg!("motion.starved", self.machine.block_time * 1e3, self.machine.macro_time * 1e3),
-            );
+            let (block, logic) = (self.machine.block_time * 1e3, self.machine.macro_time * 1e3);
+            self.say(Once::Starved as u32, || msg!("motion.starved", block, logic));
         }
         if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace
             && feed / 60.0 > motion.limit * (1.0 + 1e-9)
         {
             let (k, slowed) = (motion.limiting, motion.limit * 60.0);
-            let letter = (self.machine.axes[k].letter as char).to_string();
-            let message = msg!("motion.axis-clamp", letter, self.machine.axes[k].clamp, feed, slowed);
-            self.say(Once::Clamp as u32 + k as u32, message);
+            let axis = self.machine.axes[k];
+            let letter = axis.letter as char;
+            self.say(Once::Clamp as u32 + k as u32, || {
+                msg!("motion.axis-clamp", letter.to_string(), axis.clamp, feed, slowed)
+            });
         }
         self.s.exec = Exec::Moving(Box::new(motion));
         self.s.moving = true;

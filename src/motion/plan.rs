@@ -97,6 +97,8 @@ pub struct Planner<P> {
     /// Time of the next checkpoint, whole seconds.
     due: f64,
     ended: Option<RunEnd>,
+    /// The last diagnostic says why nothing more will happen; whatever the operator does, makes it untrue.
+    stuck: bool,
 }
 
 impl<P: Program> Planner<P> {
@@ -113,6 +115,7 @@ impl<P: Program> Planner<P> {
             keep: setup.keep,
             due: 0.0,
             ended: None,
+            stuck: false,
         }
     }
 
@@ -123,8 +126,7 @@ impl<P: Program> Planner<P> {
             if self.ended.is_some() {
                 break;
             }
-            let mut sim =
-                Sim { s: &mut self.state, machine: &self.machine, out: &mut self.records, panel: &self.panel };
+            let sim = Sim { s: &mut self.state, machine: &self.machine, out: &mut self.records, panel: &self.panel };
             if let Some(end) = sim.end() {
                 self.finish(end);
                 break;
@@ -132,8 +134,10 @@ impl<P: Program> Planner<P> {
             let (t, who) = sim.next();
             if t > until {
                 if t == f64::INFINITY && sim.panel.events().len() == sim.s.panel_done {
-                    let end = sim.stuck();
-                    self.finish(end);
+                    let why = sim.stuck();
+                    self.records.diagnostics.push(why);
+                    self.stuck = true;
+                    self.finish(RunEnd::Stop);
                 } else if until >= self.machine.limits.seconds {
                     self.records.timeline.end = until;
                     self.ended = Some(RunEnd::Seconds);
@@ -180,6 +184,9 @@ impl<P: Program> Planner<P> {
         let t = if event.t > 0.0 { event.t } else { 0.0 };
         self.panel.add(event);
         self.ended = None;
+        if core::mem::take(&mut self.stuck) {
+            self.records.diagnostics.pop();
+        }
         let known = self.checkpoints.partition_point(|checkpoint| checkpoint.t <= t);
         if self.keep == Keep::Timeline && t <= self.records.timeline.end && known > 0 {
             self.checkpoints.truncate(known);

@@ -16,6 +16,9 @@ use crate::interp::{Canon, End, World};
 use crate::msg;
 use crate::text::{Diagnostic, Message, Place};
 
+/// Every block takes some time, so that time passes in a loop that waits.
+const LEAST_BLOCK_TIME: f64 = 1e-4;
+
 /// What stays the same during a run.
 #[derive(Debug, Clone)]
 pub(super) struct Machine {
@@ -67,8 +70,8 @@ impl Machine {
             axes,
             spindle,
             increment: control.limits.increment,
-            block_time: positive(plant.block_time, 0.0),
-            macro_time: positive(plant.macro_time, 0.0),
+            block_time: positive(plant.block_time, 0.0).max(LEAST_BLOCK_TIME),
+            macro_time: positive(plant.macro_time, 0.0).max(LEAST_BLOCK_TIME),
             preread: usize::from(plant.preread.max(1)),
             in_position: positive(plant.in_position, 1e-6),
             limits,
@@ -185,7 +188,6 @@ pub(super) struct Knobs {
 pub(super) enum Once {
     Starved,
     SpindleClamp,
-    Stuck,
     Clamp = 8,
     Missing = 16,
 }
@@ -390,14 +392,13 @@ impl<P: Program> Sim<'_, P> {
         }
     }
 
-    /// Nothing will ever happen again although the program is not over: says why.
-    pub(super) fn stuck(&mut self) -> RunEnd {
+    /// Why nothing will ever happen again although the program is not over.
+    pub(super) fn stuck(&self) -> Diagnostic {
         let message = match self.s.exec {
             Exec::Fin => msg!("motion.no-fin"),
             _ => msg!("motion.no-feed"),
         };
-        self.say(Once::Stuck as u32, message);
-        RunEnd::Stop
+        Diagnostic { place: self.s.place, ..Diagnostic::warning(message) }
     }
 
     fn power_on(&mut self) {
@@ -528,7 +529,7 @@ impl<P: Program> Sim<'_, P> {
         let wanted = self.s.speed * percent(self.s.io.spindle_override_out) / 100.0;
         let sign = f64::from(self.s.direction);
         if wanted > plant.speed_clamp && sign != 0.0 {
-            self.say(Once::SpindleClamp as u32, msg!("motion.spindle-clamp", wanted, plant.speed_clamp));
+            self.say(Once::SpindleClamp as u32, || msg!("motion.spindle-clamp", wanted, plant.speed_clamp));
         }
         let command = if sign == 0.0 { 0.0 } else { sign * wanted.min(plant.speed_clamp) };
         if command == self.s.io.spindle_command {
@@ -575,10 +576,10 @@ impl<P: Program> Sim<'_, P> {
     }
 
     /// Says something once a run.
-    pub(super) fn say(&mut self, bit: u32, message: Message) {
+    pub(super) fn say(&mut self, bit: u32, message: impl FnOnce() -> Message) {
         if self.s.said & (1 << bit) == 0 {
             self.s.said |= 1 << bit;
-            let mut diagnostic = Diagnostic::warning(message);
+            let mut diagnostic = Diagnostic::warning(message());
             diagnostic.place = self.s.place;
             self.out.diagnostics.push(diagnostic);
         }
