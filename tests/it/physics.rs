@@ -3,6 +3,7 @@
 mod operator;
 mod past;
 mod path;
+mod program;
 mod reading;
 mod script;
 mod spindle;

@@ -1,0 +1,100 @@
+//! How fast time is planned and asked: blocks, moments, a knob after an hour.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use std::hint::black_box;
+use std::rc::Rc;
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use macroline::controls::{self, Control, Switches};
+use macroline::interp::{Interp, Start};
+use macroline::motion::{Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Setup, SpindlePlant};
+use macroline::nc::{self, Files};
+
+/// The ribbon line's loop with its formulas only where the override has changed.
+const RIBBON: &str = "%\nO1\n#126=-1\nS1200M3\nG91G94G64\nN30DO1\nIF[#1033EQ#126]GOTO33\n#126=#1033\n\
+                      #115=3.14159265*100/25*1200*#126/100*SQRT[8*8+62.832*62.832]/8\nN33G01X8.Y62.832F#115\n#120=#120+1\nEND1\nM30\n%\n";
+
+fn control() -> &'static Control {
+    controls::ALL[0]
+}
+
+fn plant() -> Plant {
+    let axis = |letter| AxisPlant {
+        letter,
+        rotary: false,
+        rapid: 30e3,
+        clamp: 240e3,
+        time_constant: 0.1,
+        position_gain: 33.0,
+    };
+    let spindle = SpindlePlant {
+        speed_at_full: 1480.0,
+        speed_clamp: 1480.0,
+        volts_full: 10.0,
+        output_bits: 12,
+        ramp: 2.0,
+        gain: 1.0,
+        slip: 0.0,
+    };
+    Plant {
+        axes: vec![axis(b'X'), axis(b'Y')],
+        spindle,
+        block_time: 0.0071,
+        macro_time: 0.003,
+        preread: 5,
+        in_position: 0.02,
+    }
+}
+
+fn ribbon(seconds: f64, keep: Keep) -> Planner<Interp> {
+    let parsed = Rc::new(nc::parse(&Files::one("O1.nc", RIBBON), control()));
+    Planner::new(Setup {
+        program: Interp::new(parsed, Start::First, &Switches::default()),
+        control: control(),
+        plant: &plant(),
+        plc: Box::new(BenchPlc::new(0.05, Some(1033))),
+        panel: Panel::default(),
+        limits: Limits { blocks: u64::MAX, seconds },
+        keep,
+    })
+}
+
+fn speed(c: &mut Criterion) {
+    let mut group = c.benchmark_group("plan");
+    group.sample_size(20);
+    // What this machine does in the meantime: other figures are judged by their ratio to it.
+    group.bench_function("calibration, 100,000 square roots in a row", |b| {
+        b.iter(|| (0..100_000).fold(black_box(2.0f64), |x, _| (x + 1.0).sqrt()));
+    });
+
+    let whole = |keep| {
+        let mut planner = ribbon(600.0, keep);
+        while planner.advance(f64::INFINITY, 100_000).ended.is_none() {
+            planner.take_log();
+        }
+        planner
+    };
+    let blocks = whole(Keep::Timeline).blocks();
+    group.throughput(Throughput::Elements(blocks.nc + blocks.macros));
+    group.bench_function("ten minutes of the ribbon line, timeline kept", |b| b.iter(|| whole(Keep::Timeline)));
+    group.bench_function("ten minutes of the ribbon line, log only", |b| b.iter(|| whole(Keep::Log)));
+
+    let mut hour = ribbon(3600.0, Keep::Timeline);
+    hour.advance(f64::INFINITY, usize::MAX);
+    group.throughput(Throughput::Elements(360));
+    group.bench_function("360 moments of an hour", |b| {
+        b.iter(|| (0..360).map(|i| hour.timeline().at(f64::from(i) * 0.01 + 3000.0).axes[0].feed).sum::<f64>());
+    });
+    group.throughput(Throughput::Elements(1));
+    let knob = |run: &mut Planner<Interp>| {
+        run.event(Event { t: 3590.9, action: Action::SpindleOverride(80.0) });
+        run.advance(3592.9, usize::MAX)
+    };
+    group.bench_function("a knob after an hour, planned on for two seconds", |b| {
+        b.iter_batched_ref(|| hour.clone(), knob, BatchSize::PerIteration);
+    });
+    group.finish();
+}
+
+criterion_group!(benches, speed);
+criterion_main!(benches);

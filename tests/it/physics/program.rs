@@ -1,0 +1,124 @@
+//! Programs as text, through parser and interpreter, over time.
+
+use std::rc::Rc;
+
+use macroline::controls::Switches;
+use macroline::interp::{Interp, Start};
+use macroline::nc::{Files, parse};
+
+use super::*;
+
+/// The ribbon line's loop on the sheet (mitsubishi-e60.md section 7), recomputed only when the override has changed.
+const RIBBON: &str = "%
+O9101(RIBBON)
+N1 #100=1200
+N2 #126=-1
+N10 #3004=2
+N12 S#100M3
+N13 G04X2.
+N20 G91G94G64
+N30 DO1
+N31 IF[#1033EQ#126]GOTO33
+N32 M98P9100
+N33 G01X8.Y62.832F#115
+N34 #120=#120+1
+N39 END1
+M30
+%
+";
+const COMPUTE: &str = "%
+O9100(COMPUTE)
+#126=#1033
+#104=#100*#126/100
+#105=[3.14159265*100]/25*#104
+#110=[3.14159265*120]/6
+#115=#105*SQRT[8*8+#110*#110]/8
+M99
+%
+";
+
+fn ribbon(seconds: f64, events: Vec<Event>) -> Planner<Interp> {
+    let mut files = Files::one("O9101.nc", RIBBON);
+    files.0.extend(Files::one("O9100.nc", COMPUTE).0);
+    let parsed = parse(&files, control());
+    assert!(parsed.diagnostics().is_empty(), "{:?}", parsed.diagnostics());
+    let mut plant = plant();
+    plant.block_time = 0.0071;
+    Planner::new(Setup {
+        program: Interp::new(Rc::new(parsed), Start::First, &Switches::default()),
+        control: control(),
+        plant: &plant,
+        plc: Box::new(BenchPlc::new(0.05, Some(1033))),
+        panel: Panel::new(events),
+        limits: Limits { blocks: u64::MAX, seconds },
+        keep: Keep::Timeline,
+    })
+}
+
+#[test]
+fn the_ribbon_line_runs_at_the_speed_of_the_sheet() {
+    let mut planner = ribbon(60.0, vec![at(10.0, Action::SpindleOverride(50.0))]);
+    let progress = planner.advance(f64::INFINITY, usize::MAX);
+    assert_eq!(progress.ended, Some(RunEnd::Seconds), "{:?}", planner.diagnostics());
+    assert_eq!(planner.starved(), 0);
+    let timeline = planner.timeline();
+    close(timeline.at(9.0).axes[0].feed, 15079.645, 3e-6);
+    close(timeline.at(9.0).spindle.volts_command, 8.108, 1e-4);
+    close(timeline.at(30.0).axes[0].feed, 7539.822, 3e-6);
+    close(timeline.at(30.0).spindle.volts_command, 4.054, 1e-4);
+    // A block each 31.831 ms, to within the rounding of Y.
+    let (from, to) = (planner.variable_at(120, 5.0).unwrap(), planner.variable_at(120, 9.0).unwrap());
+    close(4.0 / (to - from), 0.031_831, 0.01);
+    // The knob waits for what is read ahead: five to six blocks, less the macro blocks between #1033 and the end of the G01 before.
+    let change = first_of(&planner, 10.0, |now| now.axes[0].acceleration < -1.0);
+    assert!((10.0 + 5.0 * 0.0318 - 0.0191..10.0 + 6.0 * 0.0319).contains(&change), "{change}");
+    assert_eq!(planner.variable_at(115, 9.0).map(f64::round), Some(119_391.0));
+    assert_eq!(planner.variable_at(115, 12.0).map(f64::round), Some(59_696.0));
+}
+
+fn first_of(planner: &Planner<Interp>, mut t: f64, holds: impl Fn(&Snapshot) -> bool) -> f64 {
+    while !holds(&planner.timeline().at(t)) {
+        t += 1e-4;
+        assert!(t < planner.timeline().end(), "never holds");
+    }
+    t
+}
+
+#[test]
+fn an_alarm_of_the_program_comes_when_all_before_it_is_done() {
+    let parsed = parse(&Files::one("O1.nc", "%\nO1\nG91G01X10.F6000.\nX10.\n#100=1/0\nM30\n%\n"), control());
+    let mut planner = Planner::new(Setup {
+        program: Interp::new(Rc::new(parsed), Start::First, &Switches::default()),
+        control: control(),
+        plant: &plant(),
+        plc: Box::new(BenchPlc::new(0.05, None)),
+        panel: Panel::default(),
+        limits: Limits { blocks: 100, seconds: 10.0 },
+        keep: Keep::Timeline,
+    });
+    let progress = planner.advance(f64::INFINITY, usize::MAX);
+    assert!(matches!(progress.ended, Some(RunEnd::Alarm(_))));
+    assert_eq!(planner.diagnostics()[0].alarm, Some("P283"));
+    let end = planner.timeline().at(progress.planned_to);
+    assert_eq!((end.mode, end.axes[0].position), (Mode::Alarm, 20.0));
+}
+
+#[test]
+fn an_hour_of_blocks_stays_small_and_answers_the_knob_from_a_checkpoint() {
+    let mut planner = ribbon(3600.0, vec![]);
+    planner.advance(f64::INFINITY, usize::MAX);
+    assert!(planner.blocks().nc > 113_000, "{:?}", planner.blocks());
+    const { assert!(macroline::motion::Timeline::BLOCK_BYTES <= 150) };
+    let before = planner.blocks();
+    let (old, t) = (planner.timeline().at(3590.0), 3590.5);
+    planner.event(at(t, Action::SpindleOverride(80.0)));
+    // What must be planned anew is less than a second, and what is asked for.
+    assert!(before.nc - planner.blocks().nc < 10 * 34 + 40);
+    let mut steps = 0;
+    while planner.advance(t + 2.0, 100).planned_to < t + 2.0 {
+        steps += 100;
+    }
+    assert!(steps < 2000, "{steps}");
+    assert_eq!(planner.timeline().at(3590.0), old);
+    close(planner.timeline().at(t + 1.0).axes[0].feed, 0.8 * 15079.645, 3e-6);
+}
