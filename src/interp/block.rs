@@ -58,6 +58,7 @@ impl State {
         if let Some(call) = self.modal_call.as_ref().filter(|call| call.each_block).map(Rc::clone)
             && codes.special != Some(Code::MacroModalEnd)
             && codes.flow.is_none()
+            && codes.stop.is_none()
         {
             let arguments = self.arguments(cx, block, words, true)?;
             self.counts.macros += 1;
@@ -92,7 +93,7 @@ impl State {
         if codes.path {
             self.queue.push(Canon::PathMode { exact: self.modal.exact });
         }
-        let moved = self.motion(cx, &codes, &values)?;
+        let moved = self.motion(cx, block, words, &codes, &values)?;
         let commands = !self.queue.is_empty();
         match codes.stop {
             Some(Code::Stop) => self.queue.push(Canon::Stop),
@@ -241,7 +242,7 @@ impl State {
 
     /// The command for the axis words of a block; whether axes move.
     #[inline]
-    fn motion(&mut self, cx: &Cx, codes: &Codes, values: &Words) -> Run<bool> {
+    fn motion(&mut self, cx: &Cx, block: &Block, words: &[Word], codes: &Codes, values: &Words) -> Run<bool> {
         match codes.special {
             Some(Code::Dwell) => {
                 self.queue.push(Canon::Dwell { seconds: values.dwell.unwrap_or(0.0) });
@@ -299,7 +300,12 @@ impl State {
                         if self.modal.motion == Code::Linear {
                             Canon::Linear { to, feed, exact }
                         } else {
-                            self.arc(cx, values, to, feed, exact)?
+                            let center = words.iter().find(|word| matches!(word.letter, b'I' | b'J' | b'K' | b'R'));
+                            let within = |trap: Trap| match center {
+                                Some(word) => trap.within(word_span(block, word)),
+                                None => trap,
+                            };
+                            self.arc(cx, values, to, feed, exact).map_err(within)?
                         }
                     }
                 }

@@ -8,9 +8,6 @@ use crate::math;
 use crate::msg;
 use crate::nc::{Expr, ExprId, Op};
 
-/// Operators and brackets inside one another at most. No block that fits a control's buffer has more.
-const DEPTH: u16 = 500;
-
 /// A vacant operand of a calculation counts as 0.
 #[inline]
 fn or_zero(x: f64) -> f64 {
@@ -106,15 +103,32 @@ fn truth(x: bool) -> Run<f64> {
 
 impl State {
     /// The value of an expression; vacant where it is nothing but a vacant variable.
-    #[inline]
+    ///
+    /// It goes as deep as the formula does; the parser takes formulas of a few hundred parts at most.
     pub(super) fn value(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
-        self.eval(cx, id, 0)
+        match cx.deck.expr(id) {
+            Expr::Number(dec) => Ok(dec.to_f64()),
+            Expr::Var(number) => self.read(cx, number),
+            Expr::Binary(op, left, right) => self.binary(cx, op, left, right),
+            Expr::Indirect(number) => {
+                let number = self.value(cx, number)?;
+                self.read(cx, variable_number(number)?)
+            }
+            Expr::Negate(x) => {
+                // A vacant variable with a sign stays vacant: `X-#1` is dropped as `X#1` is.
+                Ok(-self.value(cx, x)?)
+            }
+            Expr::Call(function, x) => {
+                let x = self.value(cx, x)?;
+                call(cx, function, or_zero(x))
+            }
+        }
     }
 
     /// What an assignment stores: vacant only from a variable alone, never `-0`.
     pub(super) fn assigned(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
         let alone = matches!(cx.deck.expr(id), Expr::Var(_) | Expr::Indirect(_));
-        let value = self.eval(cx, id, 0)?;
+        let value = self.value(cx, id)?;
         // Adding 0 makes -0 to 0 and leaves everything else as it is.
         Ok(if alone { value + 0.0 } else { or_zero(value) + 0.0 })
     }
@@ -122,33 +136,13 @@ impl State {
     /// The value of an expression as a number.
     #[inline]
     pub(super) fn number(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
-        Ok(or_zero(self.eval(cx, id, 0)?))
+        Ok(or_zero(self.value(cx, id)?))
     }
 
-    fn eval(&self, cx: &mut Cx, id: ExprId, depth: u16) -> Run<f64> {
-        match cx.deck.expr(id) {
-            Expr::Number(dec) => Ok(dec.to_f64()),
-            Expr::Var(number) => self.read(cx, number),
-            Expr::Binary(op, left, right) => self.binary(cx, op, left, right, deeper(depth)?),
-            Expr::Indirect(number) => {
-                let number = self.eval(cx, number, deeper(depth)?)?;
-                self.read(cx, variable_number(number)?)
-            }
-            Expr::Negate(x) => {
-                // A vacant variable with a sign stays vacant: `X-#1` is dropped as `X#1` is.
-                Ok(-self.eval(cx, x, deeper(depth)?)?)
-            }
-            Expr::Call(function, x) => {
-                let x = self.eval(cx, x, deeper(depth)?)?;
-                call(cx, function, or_zero(x))
-            }
-        }
-    }
-
-    fn binary(&self, cx: &mut Cx, op: Op, left: ExprId, right: ExprId, depth: u16) -> Run<f64> {
-        let left = self.eval(cx, left, depth)?;
+    fn binary(&self, cx: &mut Cx, op: Op, left: ExprId, right: ExprId) -> Run<f64> {
+        let left = self.value(cx, left)?;
         let divisor = right;
-        let right = self.eval(cx, right, depth)?;
+        let right = self.value(cx, right)?;
         // EQ and NE alone tell vacant from 0.
         match op {
             Op::Equal | Op::NotEqual => {
@@ -206,11 +200,6 @@ impl State {
         }
         trap
     }
-}
-
-#[inline]
-fn deeper(depth: u16) -> Run<u16> {
-    if depth < DEPTH { Ok(depth + 1) } else { Err(Trap::alarm(Alarm::Format, msg!("interp.too-long"))) }
 }
 
 /// The variable that a calculated number names; vacant names `#0`.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use expect_test::{Expect, expect, expect_file};
-use macroline::controls::{self, Switches};
+use macroline::controls::{self, Alarm, Code, CodeDef, Switches};
 use macroline::interp::world::Still;
 use macroline::interp::{self, Canon, End, Interp, Start, Step};
 use macroline::nc::{self, Files};
@@ -111,6 +111,45 @@ fn bad_programs_stop_with_the_alarm_at_the_place_of_their_first_line() {
         }
     }
     assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+/// What no text can bring about.
+const NOT_FROM_TEXT: [Alarm; 3] = [Alarm::Budget, Alarm::SoftLimit, Alarm::EmergencyStop];
+
+#[test]
+fn each_alarm_has_a_program_that_raises_it() {
+    let first_lines: Vec<String> = fixtures("bad")
+        .iter()
+        .map(|path| std::fs::read_to_string(path).unwrap().lines().next().unwrap_or("").to_owned())
+        .collect();
+    let rows = controls::ALL[0].alarms.iter().filter(|row| !NOT_FROM_TEXT.contains(&row.kind));
+    let missing: Vec<&str> = rows
+        .map(|row| row.number)
+        .filter(|number| !first_lines.iter().any(|line| line.starts_with(&format!("({number} "))))
+        .collect();
+    assert!(missing.is_empty(), "no bad program for {missing:?}");
+}
+
+#[test]
+fn each_code_that_is_acted_on_stands_in_a_good_program() {
+    let sources: Vec<String> = fixtures("ok").iter().map(|path| std::fs::read_to_string(path).unwrap()).collect();
+    let acted = |row: &&CodeDef| !matches!(row.code, Code::NotSimulated | Code::Cancel);
+    let mut missing = Vec::new();
+    for row in controls::ALL[0].codes.iter().filter(acted) {
+        let number = f64::from(row.number) / 10.0;
+        let spelled = [format!("{}{number}", row.letter as char), format!("{}{number:02}", row.letter as char)];
+        let stands = |source: &String| {
+            spelled.iter().any(|code| {
+                let behind =
+                    source.match_indices(code.as_str()).map(|(at, _)| source[at + code.len()..].chars().next());
+                behind.into_iter().any(|c| !c.is_some_and(|c| c.is_ascii_digit() || c == '.'))
+            })
+        };
+        if !sources.iter().any(stands) {
+            missing.push(spelled[0].clone());
+        }
+    }
+    assert!(missing.is_empty(), "no good program with {missing:?}");
 }
 
 /// The sheet's list of texts that an E60 must refuse.

@@ -117,7 +117,7 @@ pub(super) const CODES: &[CodeDef] = &[
     g(930, NotSimulated, Group::FeedUnit, "inverse time feed", MEMORY),
     g(940, FeedPerMinute, Group::FeedUnit, "feed per minute", FEED),
     g(950, FeedPerRevolution, Group::FeedUnit, "feed per revolution", FEED),
-    g(960, SurfaceSpeed, Group::SurfaceSpeed, "constant surface speed", MEMORY),
+    g(960, NotSimulated, Group::SurfaceSpeed, "constant surface speed", MEMORY),
     g(970, SurfaceSpeedOff, Group::SurfaceSpeed, "constant surface speed cancel", MEMORY),
     g(980, Cancel, Group::Other, "fixed cycle, return to the initial level", MEMORY),
     g(990, NotSimulated, Group::Other, "fixed cycle, return to the R level", MEMORY),

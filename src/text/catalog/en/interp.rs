@@ -42,7 +42,6 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("interp.overflow", "The result is too large for the control."),
     ("interp.read-only", "#{0} cannot be written ({1})."),
     ("interp.sub-nesting", "Subprograms may be nested {0} deep."),
-    ("interp.too-long", "This formula is longer than the control's buffer. Divide it into several blocks."),
     ("interp.unknown-code", "The control has no G{0}."),
     ("interp.user-alarm", "The program raises its alarm {0}."),
     ("interp.user-alarm-text", "The program raises its alarm {0}: {1}"),
