@@ -201,6 +201,11 @@ impl Deck {
         self.exprs[id.0 as usize]
     }
 
+    /// A comment or message by its index; empty where there is none.
+    pub fn comment(&self, index: Option<u32>) -> &str {
+        index.and_then(|index| self.comments.get(index as usize)).map_or("", |text| text)
+    }
+
     /// The first program with a number.
     pub fn program(&self, number: u32) -> Option<&Program> {
         self.programs.iter().find(|program| program.number == number)

@@ -10,12 +10,20 @@ pub mod files;
 
 pub mod build;
 
-mod parsed;
-
+mod emit;
+mod fix;
+mod lower;
 mod parse;
+mod parsed;
+mod same;
+mod tokens;
 
 pub use ast::{Block, Deck, Expr, ExprId, Op, Program, Stmt, Word, WordValue};
 pub use dec::Dec;
+pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
 pub use files::{File, Files};
+pub use fix::fix;
+pub use lower::lower;
 pub use parse::parse;
 pub use parsed::Parsed;
+pub use tokens::{TokenKind, tokens};

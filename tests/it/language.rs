@@ -82,15 +82,15 @@ fn the_papers_listing_as_printed() {
             12:4 error P241 #2000 is no variable of the Mitsubishi E60.
                 Use #104 instead of #2000 everywhere: 5:1 "#2000"→"#104" 12:4 "#2000"→"#104" 13:35 "#2000"→"#104"
             12:25 error P33 “Actual spindle speed (R/…” is a remark: the control takes remarks only in round brackets.
-                Make it a comment: 12:25 "-------Actual spindle speed (R/M)"→"(ACTUAL SPINDLE SPEED [R/M])"
+                Make it a comment: 12:25 "-------Actual spindle speed (R/M)"→" (ACTUAL SPINDLE SPEED [R/M])"
             13:12 error P33 On the Mitsubishi E60 round brackets are comments; arithmetic groups with square brackets.
                 Write square brackets: 13:12 "("→"[" 13:24 ")"→"]"
             13:41 error P33 “Main shaft unwinding pre…” is a remark: the control takes remarks only in round brackets.
-                Make it a comment: 13:40 " ------ Main shaft unwinding pressure roller linear speed"→"(MAIN SHAFT UNWINDING PRESSURE ROLLER LINEAR SPEED)"
+                Make it a comment: 13:40 " ------ Main shaft unwinding pressure roller linear speed"→" (MAIN SHAFT UNWINDING PRESSURE ROLLER LINEAR SPEED)"
             14:10 error P33 On the Mitsubishi E60 round brackets are comments; arithmetic groups with square brackets.
                 Write square brackets: 14:10 "("→"[" 14:20 ")"→"]"
             14:28 error P33 “Calculate the distance t…” is a remark: the control takes remarks only in round brackets.
-                Make it a comment: 14:28 "------------Calculate the distance the dot print roller moves."→"(CALCULATE THE DISTANCE THE DOT PRINT ROLLER MOVES.)"
+                Make it a comment: 14:28 "------------Calculate the distance the dot print roller moves."→" (CALCULATE THE DISTANCE THE DOT PRINT ROLLER MOVES.)"
             16:1 error P32 “Calculate linkage speed” is a remark: the control takes remarks only in round brackets.
                 Make it a comment: 16:1 "—Calculate linkage speed"→"(CALCULATE LINKAGE SPEED)"
             18:1 error P36 The program runs out of blocks: M02, M30 or M99 is missing at its end.
@@ -237,9 +237,9 @@ fn what_is_no_block() {
     check_block(
         "M3 spindle turns forward",
         expect![[r#"
-        1:4 error P33 “spindle turns forward” is a remark: the control takes remarks only in round brackets.
-            Make it a comment: 1:3 " spindle turns forward"→"(SPINDLE TURNS FORWARD)"
-    "#]],
+            1:4 error P33 “spindle turns forward” is a remark: the control takes remarks only in round brackets.
+                Make it a comment: 1:3 " spindle turns forward"→" (SPINDLE TURNS FORWARD)"
+        "#]],
     );
     check_block("M3 ; M5;", expect![[""]]);
     check_block(

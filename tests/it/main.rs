@@ -6,3 +6,4 @@ mod machines;
 mod physics;
 mod programs;
 mod tidy;
+mod writing;

@@ -118,7 +118,10 @@ impl Reader<'_> {
         }
         let place = self.place(self.span(cut, end));
         finding = match comment(bare) {
-            Some(comment) => finding.fix(msg!("nc.fix.comment"), vec![(place, comment)]),
+            Some(comment) => {
+                let gap = if cut > 0 { " " } else { "" };
+                finding.fix(msg!("nc.fix.comment"), vec![(place, format!("{gap}{comment}"))])
+            }
             None => finding.fix(msg!("nc.fix.drop", short(text)), vec![(place, String::new())]),
         };
         self.report_as(alarm, finding);

@@ -369,7 +369,9 @@ impl<'a> Reader<'a> {
     pub(super) fn unexpected(&self) -> Box<Failure> {
         let start = self.at;
         if self.ended() {
-            return self.failure(Alarm::Format, start.saturating_sub(1), start, msg!("nc.ends-early"), false);
+            let before = self.line.get(..start).unwrap_or_default();
+            let last = before.iter().rposition(|b| b & 0xC0 != 0x80).unwrap_or(0);
+            return self.failure(Alarm::Format, last, start, msg!("nc.ends-early"), false);
         }
         let from = self.base as usize + start;
         let character = self.source.get(from..).and_then(|rest| rest.chars().next()).unwrap_or('\u{fffd}');

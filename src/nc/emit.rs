@@ -1,0 +1,321 @@
+//! Tree to text, as the control takes it: one program a file, capitals, brackets only where precedence needs them.
+
+use super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, WordValue};
+use super::dec::Dec;
+use super::files::{File, Files};
+use super::lower::{is_message, lower};
+use super::parsed::Parsed;
+use crate::controls::Control;
+use crate::msg;
+use crate::text::{Diagnostic, FileId, Place, Span};
+
+/// Trees deeper than this are no formulas; reading stops at as many parts.
+const DEPTH: u32 = 250;
+
+/// Longest text of a block that is still written out.
+const BLOCK_TEXT: usize = 10_000;
+
+/// What ends a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Newline {
+    /// LF.
+    #[default]
+    Lf,
+    /// CR LF.
+    CrLf,
+}
+
+impl Newline {
+    /// The characters.
+    pub fn text(self) -> &'static str {
+        match self {
+            Newline::Lf => "\n",
+            Newline::CrLf => "\r\n",
+        }
+    }
+}
+
+/// Written programs.
+#[derive(Debug, Clone, Default)]
+pub struct Emitted {
+    /// One file per program.
+    pub files: Files,
+    /// Where each block of the deck stands.
+    pub places: Vec<Place>,
+    /// What could not be written as it was meant.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Writes a deck with LF line ends. What the control lacks is rewritten first, see [`lower`]. Total.
+pub fn emit(deck: &Deck, control: &Control) -> Emitted {
+    emit_with(deck, control, Newline::Lf)
+}
+
+/// Writes a deck. Total.
+pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
+    let low = lower(deck, control);
+    let mut out = Emitted { places: vec![Place::default(); deck.blocks.len()], ..Emitted::default() };
+    let eol = newline.text();
+    for (index, program) in low.programs.iter().enumerate() {
+        let file = FileId(index.min(u16::MAX as usize) as u16);
+        let mut w = Writer { deck: &low, control, text: String::new(), start: 0, too_deep: false };
+        if control.syntax.percent {
+            w.text.push('%');
+            w.text.push_str(eol);
+        }
+        if program.number != 0 {
+            let letter = control.syntax.program_letters.first().copied().unwrap_or(b'O');
+            w.text.push_str(&format!("{}{}", letter as char, program.number));
+            w.comment(program.title, false);
+            w.text.push_str(eol);
+        }
+        for index in program.first as usize..program.end as usize {
+            let Some(block) = low.blocks.get(index) else { continue };
+            w.block(block);
+            let place = Place { file, span: Span::new(w.start as u32, w.text.len() as u32) };
+            let written = w.text.len() - w.start;
+            let block_diagnostic = if matches!(block.stmt, Stmt::Bad(_)) {
+                Some(Diagnostic::error(msg!("nc.unreadable-block")))
+            } else if w.too_deep {
+                Some(Diagnostic::error(msg!("nc.formula-too-long", DEPTH)))
+            } else if written >= control.syntax.block_chars {
+                Some(Diagnostic::warning(msg!("nc.long-block", written as u32, control.syntax.block_chars as u32 - 1)))
+            } else if deck.blocks.get(index).is_some_and(|old| shortened(deck, old, &low, block)) {
+                Some(Diagnostic::warning(msg!("nc.clipped-text", w.deck.comment(block.comment))))
+            } else {
+                None
+            };
+            out.diagnostics.extend(block_diagnostic.map(|d| d.at(place)));
+            if let Some(slot) = out.places.get_mut(index) {
+                *slot = place;
+            }
+            if written > 0 {
+                w.text.push_str(eol);
+            }
+        }
+        if control.syntax.percent {
+            w.text.push('%');
+            w.text.push_str(eol);
+        }
+        let name = file_name(program.number, control.syntax.extension, &out.files);
+        out.files.0.push(File { name, text: w.text });
+    }
+    out
+}
+
+/// Whether lowering cut the comment of a block.
+fn shortened(before: &Deck, old: &Block, after: &Deck, new: &Block) -> bool {
+    before.comment(old.comment).chars().count() > after.comment(new.comment).chars().count()
+}
+
+/// `O9100.nc`; a second program of a number becomes `O9100-2.nc`.
+fn file_name(number: u32, extension: &str, files: &Files) -> String {
+    let stem = if number == 0 { "PROGRAM".to_owned() } else { format!("O{number}") };
+    let named = |name: &str| files.0.iter().any(|file| file.name == name);
+    let mut name = format!("{stem}.{extension}");
+    let mut twin = 2;
+    while named(&name) {
+        name = format!("{stem}-{twin}.{extension}");
+        twin += 1;
+    }
+    name
+}
+
+/// Writes parsed files with some blocks changed: `deck` is the parsed deck in which every changed block has the span
+/// `Span::default()`. All other bytes stay as they were. Total.
+pub fn emit_parsed(parsed: &Parsed, deck: &Deck) -> Emitted {
+    let mut files = parsed.files().clone();
+    let low = lower(deck, parsed.control());
+    let mut places: Vec<Place> = Vec::with_capacity(deck.blocks.len());
+    let mut texts: Vec<(String, usize)> = vec![(String::new(), 0); files.0.len()];
+    for program in &parsed.deck().programs {
+        let Some((file, (text, copied))) = parsed.files().get(program.file).zip(texts.get_mut(program.file.0 as usize))
+        else {
+            continue;
+        };
+        for index in program.first as usize..program.end as usize {
+            let Some((old, new)) = parsed.deck().blocks.get(index).zip(low.blocks.get(index)) else { continue };
+            let (from, to) = (old.span.start as usize, old.span.end as usize);
+            text.push_str(file.text.get(*copied..from).unwrap_or(""));
+            let start = text.len() as u32;
+            if new.span == Span::default() {
+                let mut w =
+                    Writer { deck: &low, control: parsed.control(), text: String::new(), start: 0, too_deep: false };
+                w.block(new);
+                text.push_str(&w.text);
+            } else {
+                text.push_str(file.text.get(from..to).unwrap_or(""));
+            }
+            *copied = to;
+            places.push(Place { file: program.file, span: Span::new(start, text.len() as u32) });
+        }
+    }
+    for (file, (mut text, copied)) in files.0.iter_mut().zip(texts) {
+        text.push_str(file.text.get(copied..).unwrap_or(""));
+        file.text = text;
+    }
+    Emitted { files, places, diagnostics: Vec::new() }
+}
+
+/// The length of a block's text without its comment.
+pub(super) fn text_length(deck: &Deck, control: &Control, block: &Block) -> usize {
+    let mut w = Writer { deck, control, text: String::new(), start: 0, too_deep: false };
+    w.block(&Block { comment: None, ..*block });
+    w.text.len()
+}
+
+struct Writer<'a> {
+    deck: &'a Deck,
+    control: &'a Control,
+    text: String,
+    /// Where the block starts.
+    start: usize,
+    too_deep: bool,
+}
+
+impl Writer<'_> {
+    fn block(&mut self, block: &Block) {
+        self.start = self.text.len();
+        self.too_deep = false;
+        match block.skip {
+            0 => {}
+            1 => self.text.push('/'),
+            switch => self.text.push_str(&format!("/{switch}")),
+        }
+        if let Some(number) = block.number {
+            self.text.push_str(&format!("N{number}"));
+            if block.stmt != Stmt::Empty {
+                self.text.push(' ');
+            }
+        }
+        match block.stmt {
+            Stmt::Empty | Stmt::Bad(_) => {}
+            Stmt::Words { .. } => self.words(block),
+            Stmt::Assign { to, value } => {
+                self.expr(to, 3, true, 0);
+                self.text.push('=');
+                self.expr(value, 0, true, 0);
+            }
+            Stmt::If { cond, target } => {
+                self.text.push_str("IF[");
+                self.expr(cond, 0, true, 0);
+                self.text.push_str("]GOTO");
+                self.expr(target, 0, true, 0);
+            }
+            Stmt::Goto(target) => {
+                self.text.push_str("GOTO");
+                self.expr(target, 0, true, 0);
+            }
+            Stmt::While { cond, label } => {
+                if let Some(cond) = cond {
+                    self.text.push_str("WHILE[");
+                    self.expr(cond, 0, true, 0);
+                    self.text.push(']');
+                }
+                self.text.push_str(&format!("DO{label}"));
+            }
+            Stmt::End { label } => self.text.push_str(&format!("END{label}")),
+        }
+        let spaced = self.text.len() > self.start && !is_message(self.deck, self.control, block);
+        self.comment(block.comment, spaced);
+    }
+
+    fn comment(&mut self, comment: Option<u32>, spaced: bool) {
+        if comment.is_some() {
+            if spaced {
+                self.text.push(' ');
+            }
+            self.text.push('(');
+            self.text.push_str(self.deck.comment(comment));
+            self.text.push(')');
+        }
+    }
+
+    fn words(&mut self, block: &Block) {
+        for (index, word) in self.deck.words_of(block).iter().enumerate() {
+            if index > 0 {
+                self.text.push(' ');
+            }
+            self.text.push(word.letter as char);
+            match word.value {
+                // G codes have two digits in every manual.
+                WordValue::Number(number @ Dec { mantissa: 0..10, scale: 0, .. }) if word.letter == b'G' => {
+                    self.text.push_str(&format!("0{number}"));
+                }
+                WordValue::Number(number) => self.text.push_str(&number.to_string()),
+                WordValue::Expr(value) => match self.deck.expr(value) {
+                    Expr::Var(_) | Expr::Indirect(_) => self.expr(value, 3, true, 0),
+                    _ => self.bracketed(value, 0),
+                },
+            }
+        }
+    }
+
+    fn bracketed(&mut self, id: ExprId, depth: u32) {
+        self.text.push('[');
+        self.expr(id, 0, true, depth + 1);
+        self.text.push(']');
+    }
+
+    /// Writes an expression where operators of at least `level` may stand bare (0 comparison, 1 additive, 2 multiplicative, 3
+    /// none); a sign only at the head of a bracket or block (`lead`).
+    fn expr(&mut self, id: ExprId, level: u8, lead: bool, depth: u32) {
+        if depth > DEPTH || self.text.len() - self.start > BLOCK_TEXT {
+            self.too_deep = true;
+            self.text.push('0');
+            return;
+        }
+        match self.deck.expr(id) {
+            Expr::Number(number) if number.mantissa < 0 && !lead => self.text.push_str(&format!("[{number}]")),
+            Expr::Number(number) => self.text.push_str(&number.to_string()),
+            Expr::Var(number) => self.text.push_str(&format!("#{number}")),
+            Expr::Indirect(inner) => {
+                self.text.push('#');
+                self.bracketed(inner, depth);
+            }
+            Expr::Negate(_) if !lead => self.bracketed(id, depth),
+            Expr::Negate(inner) => {
+                self.text.push('-');
+                match self.deck.expr(inner) {
+                    Expr::Var(_) | Expr::Indirect(_) | Expr::Call(..) => self.expr(inner, 3, false, depth + 1),
+                    _ => self.bracketed(inner, depth),
+                }
+            }
+            Expr::Call(function, inner) => {
+                let row = self.control.syntax.functions.iter().find(|(_, other)| *other == function);
+                let name = row.map_or_else(|| format!("{function:?}").to_uppercase(), |(name, _)| (*name).to_owned());
+                self.text.push_str(&name);
+                self.bracketed(inner, depth);
+            }
+            Expr::Binary(op, left, right) => {
+                let (own, sign) = operator(op);
+                if own < level {
+                    return self.bracketed(id, depth);
+                }
+                self.expr(left, own, lead, depth + 1);
+                self.text.push_str(sign);
+                self.expr(right, own + 1, false, depth + 1);
+            }
+        }
+    }
+}
+
+/// Level and spelling of an operator.
+fn operator(op: Op) -> (u8, &'static str) {
+    match op {
+        Op::Add => (1, "+"),
+        Op::Subtract => (1, "-"),
+        Op::Or => (1, " OR "),
+        Op::Xor => (1, " XOR "),
+        Op::Multiply => (2, "*"),
+        Op::Divide => (2, "/"),
+        Op::And => (2, " AND "),
+        Op::Modulo => (2, " MOD "),
+        Op::Equal => (0, " EQ "),
+        Op::NotEqual => (0, " NE "),
+        Op::Greater => (0, " GT "),
+        Op::GreaterEqual => (0, " GE "),
+        Op::Less => (0, " LT "),
+        Op::LessEqual => (0, " LE "),
+    }
+}

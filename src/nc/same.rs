@@ -1,0 +1,82 @@
+//! Whether two decks say the same: places, order of the arenas and blank blocks apart.
+
+use super::ast::{Block, Deck, Expr, ExprId, Stmt, WordValue};
+
+impl Deck {
+    /// Whether both hold the same programs, block by block.
+    pub fn same_as(&self, other: &Deck) -> bool {
+        self.programs.len() == other.programs.len()
+            && self.programs.iter().zip(&other.programs).all(|(a, b)| {
+                let said = |deck: &Deck, title: Option<u32>| title.map(|_| deck.comment(title).to_owned());
+                let mut left = self.blocks_of(a).iter().filter(|block| says_something(block));
+                let mut right = other.blocks_of(b).iter().filter(|block| says_something(block));
+                let titles = said(self, a.title) == said(other, b.title);
+                a.number == b.number
+                    && titles
+                    && loop {
+                        match (left.next(), right.next()) {
+                            (None, None) => break true,
+                            (Some(x), Some(y)) if self.same_block(x, other, y) => {}
+                            _ => break false,
+                        }
+                    }
+            })
+    }
+
+    fn same_block(&self, x: &Block, other: &Deck, y: &Block) -> bool {
+        let same = |a: ExprId, b: ExprId| self.same_expr(a, other, b);
+        let stmts = match (x.stmt, y.stmt) {
+            (Stmt::Empty, Stmt::Empty) => true,
+            (Stmt::Words { .. }, Stmt::Words { .. }) => {
+                let (a, b) = (self.words_of(x), other.words_of(y));
+                a.len() == b.len()
+                    && a.iter().zip(b).all(|(a, b)| {
+                        a.letter == b.letter
+                            && match (a.value, b.value) {
+                                (WordValue::Number(a), WordValue::Number(b)) => a == b,
+                                (WordValue::Expr(a), WordValue::Expr(b)) => same(a, b),
+                                _ => false,
+                            }
+                    })
+            }
+            (Stmt::Assign { to, value }, Stmt::Assign { to: to2, value: value2 }) => {
+                same(to, to2) && same(value, value2)
+            }
+            (Stmt::If { cond, target }, Stmt::If { cond: cond2, target: target2 }) => {
+                same(cond, cond2) && same(target, target2)
+            }
+            (Stmt::Goto(target), Stmt::Goto(target2)) => same(target, target2),
+            (Stmt::While { cond, label }, Stmt::While { cond: cond2, label: label2 }) => {
+                label == label2
+                    && match (cond, cond2) {
+                        (None, None) => true,
+                        (Some(a), Some(b)) => same(a, b),
+                        _ => false,
+                    }
+            }
+            (Stmt::End { label }, Stmt::End { label: label2 }) => label == label2,
+            (Stmt::Bad(a), Stmt::Bad(b)) => a == b,
+            _ => false,
+        };
+        let texts = x.comment.map(|_| self.comment(x.comment)) == y.comment.map(|_| other.comment(y.comment));
+        stmts && texts && x.number == y.number && x.skip == y.skip
+    }
+
+    fn same_expr(&self, a: ExprId, other: &Deck, b: ExprId) -> bool {
+        match (self.expr(a), other.expr(b)) {
+            (Expr::Number(a), Expr::Number(b)) => a == b,
+            (Expr::Var(a), Expr::Var(b)) => a == b,
+            (Expr::Indirect(a), Expr::Indirect(b)) | (Expr::Negate(a), Expr::Negate(b)) => self.same_expr(a, other, b),
+            (Expr::Call(f, a), Expr::Call(g, b)) => f == g && self.same_expr(a, other, b),
+            (Expr::Binary(f, a, c), Expr::Binary(g, b, d)) => {
+                f == g && self.same_expr(a, other, b) && self.same_expr(c, other, d)
+            }
+            _ => false,
+        }
+    }
+}
+
+/// A block without text is not written, and so not read again.
+fn says_something(block: &Block) -> bool {
+    block.stmt != Stmt::Empty || block.number.is_some() || block.comment.is_some() || block.skip != 0
+}

@@ -1,0 +1,448 @@
+//! Writing programs: what the builder makes, that it reads back the same, and that nothing makes reading or writing fail.
+
+use expect_test::{Expect, expect};
+use macroline::controls::syntax::Function;
+use macroline::controls::{Control, find};
+use macroline::nc::build::*;
+use macroline::nc::{Dec, Deck, Files, Newline, Op, emit, emit_parsed, emit_with, fix, lower, parse, tokens};
+use macroline::text::catalog::{Language, sentence};
+use macroline::text::{Place, Severity, Span};
+use proptest::prelude::*;
+
+fn e60() -> &'static Control {
+    find("mitsubishi-e60").unwrap()
+}
+
+/// The text of a built program with findings of the emitter behind it.
+#[track_caller]
+fn check(write: impl FnOnce(&mut Builder), expected: Expect) {
+    let mut b = Builder::new();
+    write(&mut b);
+    let out = emit(&b.finish(), e60());
+    let mut text = String::new();
+    for file in &out.files.0 {
+        text += &format!("--- {}\n{}", file.name, file.text);
+    }
+    for d in &out.diagnostics {
+        let place = d.place.unwrap();
+        let at = place.span.of(&out.files.get(place.file).unwrap().text);
+        text += &format!("{:?}: {} at {at}\n", d.severity, sentence(Language::English, &d.message));
+    }
+    expected.assert_eq(&text);
+}
+
+#[test]
+fn a_program_looks_as_the_control_wants_it() {
+    check(
+        |b| {
+            b.program(9100, "Ribbon (dots)");
+            b.comment("written für 50%; 主");
+            b.n(1).if_goto(v(100).le(0), 901);
+            b.n(10).assign(104, v(100) * v(1033) / 100);
+            b.n(20).assign(105, real(core::f64::consts::PI, 8) * v(102) / v(101) * v(104));
+            b.n(30).assign(115, v(105) * (v(107) * v(107) + v(110) * v(110)).sqrt() / v(107));
+            b.n(33).words([g(91), g(1), x(v(107) * v(121)), y(v(110)), f(v(115))]).note("one pitch");
+            b.while_do(v(120).gt(0), 1);
+            b.words([m(98), p(9100)]);
+            b.skip(1).end_do(1);
+            b.assign_at(v(5) + 1, -(v(1) - v(2)));
+            b.skip(2).words([x(-v(1)), y(v_at(v(1) + 2)), z(real(-0.5, 3))]);
+            b.do_forever(2).goto(v(7)).end_do(2);
+            b.n(901).alarm(1, "set values above zero, each of them");
+            b.message(2, "look");
+            b.words([m(99)]);
+        },
+        expect![[r#"
+            --- O9100.nc
+            %
+            O9100(RIBBON [DOTS])
+            (WRITTEN F?R 50   ?)
+            N1 IF[#100 LE 0]GOTO901
+            N10 #104=#100*#1033/100
+            N20 #105=3.14159265*#102/#101*#104
+            N30 #115=#105*SQRT[#107*#107+#110*#110]/#107
+            N33 G91 G01 X[#107*#121] Y#110 F#115 (ONE PITCH)
+            WHILE[#120 GT 0]DO1
+            M98 P9100
+            /END1
+            #[#5+1]=-[#1-#2]
+            /2X[-#1] Y#[#1+2] Z-0.5
+            DO2
+            GOTO#7
+            END2
+            N901 #3000=1(SET VALUES ABOVE ZERO, EACH OF)
+            #3006=2(LOOK)
+            M99
+            %
+            Warning: The text was cut to “SET VALUES ABOVE ZERO, EACH OF” to fit. at N901 #3000=1(SET VALUES ABOVE ZERO, EACH OF)
+        "#]],
+    );
+}
+
+#[test]
+fn brackets_stand_only_where_they_must() {
+    check(
+        |b| {
+            b.assign(1, v(1) - (v(2) - v(3)));
+            b.assign(1, (v(1) - v(2)) - v(3));
+            b.assign(1, v(1) / (v(2) * v(3)));
+            b.assign(1, (v(1) + v(2)) * v(3));
+            b.assign(1, v(1) * v(2) + v(3));
+            b.assign(1, v(1) - real(-5.0, 0));
+            b.assign(1, real(-5.0, 0) * v(1));
+            b.assign(1, v(9) - real(-5.0, 0) * v(1));
+            b.assign(1, -(-v(1)));
+            b.assign(1, -Formula::from(5));
+            b.assign(1, (v(1) % v(2)).round());
+            b.words([f(v(1) + 10), word(b'S', v_at(v(2)))]);
+        },
+        expect![[r#"
+            --- PROGRAM.nc
+            %
+            #1=#1-[#2-#3]
+            #1=#1-#2-#3
+            #1=#1/[#2*#3]
+            #1=[#1+#2]*#3
+            #1=#1*#2+#3
+            #1=#1-[-5.]
+            #1=-5.*#1
+            #1=#9-[-5.]*#1
+            #1=-[-#1]
+            #1=-5
+            #1=ROUND[#1-FIX[#1/#2]*#2]
+            F[#1+10] S#[#2]
+            %
+        "#]],
+    );
+}
+
+#[test]
+fn long_blocks_and_texts_are_said() {
+    check(
+        |b| {
+            b.program(1, &"title ".repeat(20));
+            b.words((0..20).map(|_| x(real(1234.567, 3))));
+            b.comment(&"comment ".repeat(20));
+            b.words([m(30)]);
+            b.program(1, "");
+            b.words([m(30)]);
+        },
+        expect![[r#"
+            --- O1.nc
+            %
+            O1(TITLE TITLE TITLE TITLE TITLE TITLE TITLE TITLE TITLE TITLE TITLE TITLE TIT)
+            X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567
+            (COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMME)
+            M30
+            %
+            --- O1-2.nc
+            %
+            O1
+            M30
+            %
+            Warning: This block has 199 characters; at most 79 should stand in one. at X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567 X1234.567
+            Warning: The text was cut to “COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMME” to fit. at (COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMME)
+        "#]],
+    );
+}
+
+#[test]
+fn line_ends_are_chosen() {
+    let mut b = Builder::new();
+    b.program(1, "").words([m(30)]);
+    let out = emit_with(&b.finish(), e60(), Newline::CrLf);
+    assert_eq!(out.files.0[0].text, "%\r\nO1\r\nM30\r\n%\r\n");
+}
+
+#[test]
+fn the_places_of_written_blocks_hold_their_text() {
+    let mut b = Builder::new();
+    b.program(1, "A").words([g(91)]).n(5).words([m(30)]);
+    b.program(2, "B").words([m(99)]);
+    let out = emit(&b.finish(), e60());
+    let texts: Vec<&str> = out.places.iter().map(|p| p.span.of(&out.files.get(p.file).unwrap().text)).collect();
+    assert_eq!(texts, ["G91", "N5 M30", "M99"]);
+}
+
+#[test]
+fn a_changed_block_leaves_every_other_byte_alone() {
+    let text = "%\r\n o1 (Shop)\r\n\r\n n10 g1  x 5. (FAST) f100 ; \r\n#1 = 2\r\nM30\r\n%";
+    let parsed = parse(&Files::one("A.MIN", text), e60());
+    assert_eq!(emit_parsed(&parsed, parsed.deck()).files, *parsed.files());
+    let mut deck = parsed.deck().clone();
+    deck.blocks[1].span = Span::default();
+    let out = emit_parsed(&parsed, &deck);
+    assert_eq!(out.files.0[0].text, text.replace("#1 = 2", "#1=2"));
+    assert_eq!(out.places[2].span.of(&out.files.0[0].text), "M30");
+}
+
+/// Applies the first fix of the first finding that has one until none is left.
+fn mend(text: &str) -> Files {
+    let mut files = Files::one("P9100.nc", text);
+    for _ in 0..100 {
+        let parsed = parse(&files, e60());
+        let Some(first) = parsed.diagnostics().iter().find_map(|d| d.fixes.first()) else { return files };
+        files = fix(&files, first);
+    }
+    panic!("fixes do not come to an end:\n{}", files.0[0].text);
+}
+
+#[test]
+fn the_fixes_of_the_papers_listing_make_it_a_program() {
+    let files = mend(include_str!("../data/programs/mitsubishi-e60/paper/P9100.nc"));
+    let parsed = parse(&files, e60());
+    assert!(parsed.diagnostics().iter().all(|d| d.severity == Severity::Info), "{:?}", parsed.diagnostics());
+    expect![[r#"
+        %
+        O9100(VARIABLE CALCULATION MACRO PROGRAM)
+        (#100----Spindle speed S command [setting])
+        (#101-----SPINDLE REDUCTION RATIO [SETTING])
+        (#102------MAIN SPINDLE PRESSURE ROLLER DIAMETER [SETTING])
+        (#2000----ACTUAL SPINDLE SPEED [R/M] [PLC TO NC])
+        (#105------ MAIN SPINDLE UNWINDING WHEEL LINEAR VELOCITY [CALCULATION])
+        (#107-----PITCH: X-AXIS SINGLE-PITCH DISTANCE [SETTING])
+        (#109----NUMBER OF PRINTHEADS [SETTING])
+        (#111-----DIAMETER OF THE DOT PRINTING ROLLER [SETTING])
+        (#110-----Y-AXIS MOVEMENT DISTANCE OF THE DOT PRINT AXIS)
+        (#1000-----INTERPOLATION AXIS LINKAGE SPEED)
+        N5 #104=#100* #1033/100 (ACTUAL SPINDLE SPEED [R/M])
+        N10 #105 = [3.14 * #102] / #101 * #104 (MAIN SHAFT UNWINDING PRESSURE ROLLER LINEAR SPEED)
+        N20 #110=[3.14*#111] / #109 (CALCULATE THE DISTANCE THE DOT PRINT ROLLER MOVES.)
+        N30
+        (CALCULATE LINKAGE SPEED)
+        N100 S#100 M3
+        N200 G91 G01 X#107 Y#110 F#115
+        M99
+        %
+    "#]]
+    .assert_eq(&files.0[0].text);
+}
+
+#[test]
+fn a_fix_that_does_not_fit_changes_nothing() {
+    let files = Files::one("A", "GÜ");
+    let edit = |start, end| (Place { span: Span::new(start, end), ..Place::default() }, "X".to_owned());
+    for edits in [vec![edit(2, 3)], vec![edit(9, 12)], vec![edit(2, 2)]] {
+        let nothing = macroline::text::Fix { title: macroline::msg!("nc.fix.square"), edits };
+        assert_eq!(fix(&files, &nothing), files);
+    }
+}
+
+#[test]
+fn pieces_for_colouring() {
+    let line = "/N10 IF[#100 LE 0.5]GOTO#1 G01X-5.SIN[2](A)@%";
+    let text: Vec<String> =
+        tokens(line, e60()).into_iter().map(|(span, kind)| format!("{}={kind:?}", span.of(line))).collect();
+    expect!["/=Operator N10=Sequence IF=Keyword [=Operator #100=Variable LE=Keyword 0.5=Number ]=Operator GOTO=Keyword #1=Variable G01=Code X=Address -=Operator 5.=Number SIN=Keyword [=Operator 2=Number ]=Operator (A)=Comment @=Error %=Percent"].assert_eq(&text.join(" "));
+}
+
+fn formula(modulo: bool) -> impl Strategy<Value = Formula> {
+    let number = (-999_999_999_999_i64..1_000_000_000_000, 0..10_u8, any::<bool>())
+        .prop_map(|(mantissa, scale, point)| Formula::Number(Dec { mantissa, scale, point: point || scale > 0 }));
+    let leaf = prop_oneof![number, (1..34_u32).prop_map(v), (100..150_u32).prop_map(v)];
+    let ops = [Op::Add, Op::Subtract, Op::Or, Op::Xor, Op::Multiply, Op::Divide, Op::And];
+    let ops = ops.into_iter().chain(modulo.then_some(Op::Modulo)).collect::<Vec<_>>();
+    let functions = [Function::Sin, Function::Atan, Function::Sqrt, Function::Round, Function::Fix, Function::Exp];
+    leaf.prop_recursive(if modulo { 2 } else { 3 }, 12, 2, move |inner| {
+        let pair = (inner.clone(), inner.clone());
+        prop_oneof![
+            (proptest::sample::select(ops.clone()), pair).prop_map(|(op, (a, b))| Formula::Binary(
+                op,
+                Box::new(a),
+                Box::new(b)
+            )),
+            inner.clone().prop_map(|a| -a),
+            inner.clone().prop_map(v_at),
+            (proptest::sample::select(functions.to_vec()), inner).prop_map(|(function, a)| a.apply(function)),
+        ]
+    })
+}
+
+/// A step of a builder.
+#[derive(Debug, Clone)]
+enum Step {
+    Program(u32, String),
+    Words(u8, Vec<(u8, Formula)>),
+    Assign(u32, Formula),
+    AssignAt(Formula, Formula),
+    If(Formula, Formula, Formula),
+    Goto(Formula),
+    While(Option<(Formula, Formula)>, u16),
+    End(u16),
+    Alarm(u32, String),
+    Comment(String),
+}
+
+fn step() -> impl Strategy<Value = Step> {
+    let formula = || formula(false);
+    let words = proptest::collection::vec((proptest::sample::select(b"XYZAFSPIJKRDHTQM".to_vec()), formula()), 0..5);
+    prop_oneof![
+        1 => (1..99_999_999_u32, ".*").prop_map(|(number, title)| Step::Program(number, title)),
+        5 => (proptest::sample::select(vec![0_u8, 1, 4, 64, 90, 91, 94]), words).prop_map(|(g, w)| Step::Words(g, w)),
+        3 => (100..150_u32, formula()).prop_map(|(to, value)| Step::Assign(to, value)),
+        1 => (formula(), formula()).prop_map(|(to, value)| Step::AssignAt(to, value)),
+        2 => (formula(), formula(), formula()).prop_map(|(a, b, to)| Step::If(a, b, to)),
+        1 => formula().prop_map(Step::Goto),
+        1 => (proptest::option::of((formula(), formula())), 1..128_u16).prop_map(|(c, label)| Step::While(c, label)),
+        1 => (1..128_u16).prop_map(Step::End),
+        1 => (1..10_000_u32, ".*").prop_map(|(number, text)| Step::Alarm(number, text)),
+        1 => ".*".prop_map(Step::Comment),
+    ]
+}
+
+fn deck() -> impl Strategy<Value = Deck> {
+    let block = (proptest::option::of(1..100_000_u32), 0..10_u8, step(), proptest::option::of(".{0,90}"));
+    proptest::collection::vec(block, 1..12).prop_map(|blocks| {
+        let mut b = Builder::new();
+        b.program(7, "");
+        for (number, skip, step, note) in blocks {
+            if let Step::Program(number, title) = &step {
+                b.program(*number, title);
+                continue;
+            }
+            number.map(|number| b.n(number));
+            (skip > 0).then(|| b.skip(skip));
+            match step {
+                Step::Program(..) => {}
+                Step::Words(code, words) => {
+                    let words = words.into_iter().map(|(letter, value)| word(letter, value));
+                    b.words(core::iter::once(g(u32::from(code))).chain(words));
+                }
+                Step::Assign(to, value) => drop(b.assign(to, value)),
+                Step::AssignAt(to, value) => drop(b.assign_at(to, value)),
+                Step::If(left, right, to) => drop(b.if_goto(left.ge(right), to)),
+                Step::Goto(to) => drop(b.goto(to)),
+                Step::While(Some((left, right)), label) => drop(b.while_do(left.lt(right), label)),
+                Step::While(None, label) => drop(b.do_forever(label)),
+                Step::End(label) => drop(b.end_do(label)),
+                Step::Alarm(number, text) => drop(b.alarm(number, &text)),
+                Step::Comment(text) => drop(b.comment(&text)),
+            }
+            note.map(|note| b.note(&note));
+        }
+        b.finish()
+    })
+}
+
+/// Bits of programs, right and wrong, in any order.
+fn soup() -> impl Strategy<Value = String> {
+    let pieces = [
+        "%",
+        "O9100",
+        "N10",
+        "G01",
+        "G91",
+        "G65",
+        "X",
+        "1",
+        ".",
+        "5.",
+        "-",
+        "+",
+        "*",
+        "/",
+        "#",
+        "#100",
+        "#2000",
+        "#1000",
+        "=",
+        "[",
+        "]",
+        "(",
+        ")",
+        "IF",
+        "GOTO",
+        "WHILE",
+        "DO1",
+        "END1",
+        "SQRT",
+        "SIN[",
+        "MOD",
+        " AND ",
+        "EQ",
+        " LE ",
+        "THEN",
+        "M30",
+        "M99",
+        "\n",
+        "\r\n",
+        ";",
+        ",",
+        " ",
+        "----",
+        "—",
+        "é",
+        "speed of",
+        "(3.14*#102)",
+        "\0",
+        "3000",
+        "L5",
+        "g1",
+    ];
+    proptest::collection::vec(proptest::sample::select(pieces.to_vec()), 0..40).prop_map(|pieces| pieces.concat())
+}
+
+/// What holds for any text: places lie in it, the emitter keeps it, fixes and colours are total.
+fn holds(text: &str) -> Result<(), TestCaseError> {
+    let files = Files::one("A", text);
+    let parsed = parse(&files, e60());
+    prop_assert_eq!(&emit_parsed(&parsed, parsed.deck()).files, &files);
+    emit(parsed.deck(), e60());
+    for d in parsed.diagnostics() {
+        let place = d.place.unwrap();
+        prop_assert!(text.get(place.span.start as usize..place.span.end as usize).is_some(), "{d:?}");
+        for f in &d.fixes {
+            parse(&fix(&files, f), e60());
+        }
+    }
+    for (program, next) in parsed.deck().programs.iter().zip(parsed.deck().programs.iter().skip(1)) {
+        prop_assert_eq!(program.end, next.first);
+    }
+    for block in &parsed.deck().blocks {
+        prop_assert!(!block.span.of(text).is_empty());
+    }
+    for (span, _) in tokens(text, e60()) {
+        prop_assert!(!span.of(text).is_empty());
+    }
+    Ok(())
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_reads_back_the_same(deck in deck()) {
+        let low = lower(&deck, e60());
+        prop_assert!(lower(&low, e60()).same_as(&low), "lowering twice is lowering once");
+        let out = emit(&deck, e60());
+        let read = parse(&out.files, e60());
+        let deep = read.diagnostics().iter().any(|d| d.alarm == Some("P280"));
+        prop_assert!(deep || read.deck().same_as(&low), "{}\n{:?}", out.files.0[0].text, read.diagnostics());
+    }
+
+    #[test]
+    fn what_a_control_lacks_is_written_another_way(value in formula(true)) {
+        let mut b = Builder::new();
+        b.assign(1, value);
+        let deck = b.finish();
+        let low = lower(&deck, e60());
+        let out = emit(&deck, e60());
+        prop_assert!(!out.files.0[0].text.contains("MOD"));
+        let read = parse(&out.files, e60());
+        let deep = read.diagnostics().iter().any(|d| d.alarm == Some("P280"));
+        prop_assert!(deep || read.deck().same_as(&low), "{}", out.files.0[0].text);
+    }
+
+    #[test]
+    fn any_text_is_read(text in "\\PC{0,80}") {
+        holds(&text)?;
+    }
+
+    #[test]
+    fn any_bytes_are_read(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+        holds(&String::from_utf8_lossy(&bytes))?;
+    }
+
+    #[test]
+    fn any_soup_is_read(text in soup()) {
+        holds(&text)?;
+    }
+}
