@@ -6,6 +6,8 @@ pub mod form;
 
 pub mod settings;
 
+pub mod report;
+
 pub mod ribbon_line;
 
 use crate::controls::{Control, Switches};

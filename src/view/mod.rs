@@ -6,6 +6,8 @@ pub mod readout;
 
 pub mod scene;
 
+pub mod ladder;
+
 pub mod sheet;
 
 pub mod svg;
@@ -13,6 +15,8 @@ pub mod svg;
 pub mod csv;
 
 pub mod plot;
+
+pub mod report;
 
 pub use chart::{Chart, Series};
 pub use readout::{Readout, Verdict};

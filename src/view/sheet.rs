@@ -1,5 +1,6 @@
 //! A table for people: parameters, interface, ladder list.
 
+use super::ladder::Rung;
 use crate::text::Grade;
 
 /// A row of a sheet.
@@ -24,4 +25,6 @@ pub struct Sheet {
     pub columns: Vec<&'static str>,
     /// Rows.
     pub rows: Vec<Row>,
+    /// The ladder that the rows list, to be drawn; empty for any other table.
+    pub ladder: Vec<Rung>,
 }

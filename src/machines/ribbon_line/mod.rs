@@ -20,6 +20,8 @@ mod pose;
 
 mod charts;
 
+mod sheets;
+
 use crate::controls::{Control, Switches};
 use crate::machines::form::Field;
 use crate::machines::{Design, Frame, Machine, Plan, Samples};
@@ -62,8 +64,8 @@ impl Machine for RibbonLine {
         Box::new(plc::RibbonPlc::new(p))
     }
 
-    fn sheets(_p: &Params, _control: &Control) -> Vec<Sheet> {
-        Vec::new()
+    fn sheets(p: &Params, control: &Control) -> Vec<Sheet> {
+        sheets::sheets(p, control)
     }
 
     fn variables(_control: &Control) -> Vec<(u32, &'static str, &'static str)> {

@@ -1,9 +1,12 @@
 //! What is drawn of the machines: scene, poses, charts, tables.
 
 use super::ribbon_line::{machine, values};
-use macroline::machines::{Frame, Samples};
+use expect_test::expect;
+use macroline::machines::form::{Origins, Provenance};
+use macroline::machines::{Frame, Samples, report};
 use macroline::motion::Snapshot;
-use macroline::view::{Chart, Pose, Series, Shape, csv, plot, svg};
+use macroline::text::catalog::Language;
+use macroline::view::{self, Chart, Pose, Series, Shape, csv, ladder, plot, svg};
 
 /// The line at full speed, `t` seconds after X has its speed.
 fn running(t: f64) -> Snapshot {
@@ -147,4 +150,99 @@ fn a_timeline_becomes_columns() {
         "t [s],X [mm/min],Y [mm/min]\r\n0.000000,1.000000,-1.000000\r\n0.500000,2.500000,\r\n"
     );
     assert_eq!(csv::charts(&[]), "");
+}
+
+/// Cells of a sheet, one line a row.
+fn rows(changes: &[(&str, &str)], id: &str) -> String {
+    let sheets = machine().sheets(&values(changes), super::ribbon_line::control());
+    let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
+    sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
+}
+
+#[test]
+fn the_parameter_sheet_carries_the_projects_values() {
+    let rows = rows(&[("y-unit", "degrees"), ("clamp-y", "140000")], "parameters");
+    for row in [
+        "#1039 | spinno |  | 1 |",
+        "#3001 | slimt1 |  | 1480 | r/min",
+        "#3005 | smax1 |  | 1480 | r/min",
+        "#2002 | clamp | X | 20000 | mm/min",
+        "#2002 | clamp | Y | 140000 | °/min",
+        "#2007 | G1tL | X | 100 | ms",
+        "#1017 | rot | Y | 1 |",
+        "#3024 | sout |  | 2 |",
+    ] {
+        assert!(rows.contains(row), "no row {row} in\n{rows}");
+    }
+}
+
+#[test]
+fn the_ladder_is_figure_1() {
+    expect![[r#"
+        0 | LD ON | 
+        1 | MOV D100 R148 | spindle override to the control
+        2 | LD ON | 
+        3 | MOV R148 R74 | the same to the program, low word
+        4 | LD ON | 
+        5 | MOV K0 R75 | high word
+        6 | LD S STROBE | 
+        7 | OUT FIN | code is done
+        8 | LD M STROBE | 
+        9 | OUT FIN | code is done
+    "#]]
+    .assert_eq(&rows(&[], "ladder"));
+    expect![[r#"
+        0 | LD ON | 
+        1 | + D100 K2 D101 | knob in percent (D100), half a step more
+        2 | LD ON | 
+        3 | / D101 K5 D102 | whole steps
+        4 | LD ON | 
+        5 | * D102 K5 D104 | steps back to percent
+        6 | LD ON | 
+        7 | MOV D104 R148 | spindle override to the control
+        8 | LD ON | 
+        9 | DMOV R10 R74 | final spindle speed to the program, both words
+        10 | LD S STROBE | 
+        11 | OUT FIN | code is done
+        12 | LD M STROBE | 
+        13 | AND M03 | 
+        14 | AND SU | 
+        15 | OUT FIN | spindle runs, the ribbon may be pulled
+        16 | LD M STROBE | 
+        17 | ANI M03 | 
+        18 | OUT FIN | code is done
+    "#]]
+    .assert_eq(&rows(&[("knob-step", "5"), ("override-form", "final-speed"), ("wait", "fin")], "ladder"));
+}
+
+#[test]
+fn the_ladder_is_drawn() {
+    let sheets = machine().sheets(&values(&[("wait", "fin")]), super::ribbon_line::control());
+    let sheet = sheets.iter().find(|sheet| sheet.id == "ladder").unwrap();
+    let drawn = ladder::svg(&sheet.ladder);
+    assert_eq!(drawn.matches("<rect").count(), sheet.ladder.len());
+    assert!(drawn.contains(">MOV R148 R74</text>") && !drawn.contains("style="));
+}
+
+#[test]
+fn the_report_has_inputs_with_origin_verdicts_and_open_points() {
+    let origins = Origins::from([("dancer".to_owned(), Provenance::Measured)]);
+    let values = values(&[("customer", "Customer 4711")]);
+    let report = report::report(machine(), "ribbon 8 mm", (&values, &origins), super::ribbon_line::control(), &[]);
+    let text = view::report::markdown(&report, Language::English);
+    for part in [
+        "# Ribbon line, Mitsubishi E60, ribbon 8 mm\n",
+        "- Roller : ribbon speed: fails\n",
+        "| Vector feed F | 119391.393 mm/min | 1000000 mm/min | ok |",
+        "| Unwinder (analog spindle) | Dancer or trim |  | no | measured |",
+        "| Unwinder (analog spindle) | Reduction ratio | #101 | 25 : 1 | assumed |",
+        "| Ribbon | Pitch | #107 | 8 mm |  |",
+        "| Program | Customer |  | Customer 4711 |  |",
+        "## Parameters of the control",
+        "## Not confirmed",
+        "P283",
+    ] {
+        assert!(text.contains(part), "no {part:?} in\n{text}");
+    }
+    assert!(!text.contains("form.") && !text.contains("ribbon."), "an id without its sentence in\n{text}");
 }

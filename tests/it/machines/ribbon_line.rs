@@ -11,7 +11,7 @@ pub(super) fn machine() -> &'static dyn AnyMachine {
     machines::find("ribbon-line").unwrap()
 }
 
-fn control() -> &'static Control {
+pub(super) fn control() -> &'static Control {
     macroline::controls::find("mitsubishi-e60").unwrap()
 }
 

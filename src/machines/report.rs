@@ -1,0 +1,110 @@
+//! The report of any machine: its form, its results, its sheets, and the open points of its control.
+
+use super::AnyMachine;
+use super::form::{FieldInfo, KindInfo, Origins, Provenance, Value, Values};
+use crate::controls::Control;
+use crate::text::catalog::{Language, number_text, words};
+use crate::text::{Citation, Diagnostic, Grade};
+use crate::view::report::{Input, Open, Report};
+
+/// Gathers the report. `name` is the project's, may be empty; `further` are findings beyond those of the design, for instance about
+/// the program.
+pub fn report(
+    machine: &dyn AnyMachine,
+    name: &str,
+    (values, origins): (&Values, &Origins),
+    control: &Control,
+    further: &[Diagnostic],
+) -> Report {
+    let design = machine.design(values, origins, control);
+    let title = [words(Language::English, machine.name()), control.name, name];
+    Report {
+        title: title.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", "),
+        inputs: machine.fields().iter().map(|field| input(field, values, origins)).collect(),
+        readouts: design.readouts,
+        diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
+        sheets: machine.sheets(values, control),
+        open: open(control),
+    }
+}
+
+fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
+    let value = values.get(field.id).cloned().unwrap_or_else(|| field.default());
+    let (text, unit) = match (&field.kind, value) {
+        (KindInfo::Number { unit, decimals, .. }, Value::Number(number)) => (number_text(number, *decimals), *unit),
+        (KindInfo::Choice(options), Value::Text(id)) => {
+            let label = options.iter().find(|(option, _)| *option == id).map(|(_, label)| *label);
+            (label.map_or(id, |label| words(Language::English, label).to_owned()), "")
+        }
+        (_, Value::Flag(flag)) => {
+            (words(Language::English, if flag { "form.report.yes" } else { "form.report.no" }).to_owned(), "")
+        }
+        (_, Value::Number(number)) => (number_text(number, 6), ""),
+        (_, Value::Text(text)) => (text, ""),
+    };
+    let origin = match origins.get(field.id).copied().unwrap_or_default() {
+        Provenance::Measured => "form.report.measured",
+        Provenance::DataSheet => "form.report.data-sheet",
+        Provenance::Assumed => "form.report.assumed",
+    };
+    Input {
+        group: field.group,
+        label: field.label,
+        symbol: field.symbol,
+        value: text,
+        unit,
+        origin: field.fact.then_some(origin),
+    }
+}
+
+/// What no manual at hand confirms, by table.
+fn open(control: &Control) -> Vec<Open> {
+    let doubtful = |cite: &Citation| cite.grade == Grade::Open;
+    let code = |row: &&crate::controls::CodeDef| {
+        format!("{}{}", row.letter as char, number_text(f64::from(row.number) / 10.0, 1))
+    };
+    let range =
+        |first: u32, last: u32| if first == last { format!("#{first}") } else { format!("#{first} to #{last}") };
+    let tables: [(&'static str, Vec<String>); 7] = [
+        (
+            "form.open.switches",
+            control
+                .switches
+                .iter()
+                .filter(|row| doubtful(&row.cite))
+                .map(|row| format!("{} ({})", row.text, row.options.join(" | ")))
+                .collect(),
+        ),
+        (
+            "form.open.timing",
+            [(control.timing.cite, "form.open.block-times"), (control.limits.cite, "form.open.ranges")]
+                .iter()
+                .filter(|(cite, _)| doubtful(cite))
+                .map(|(cite, what)| format!("{} ({})", words(Language::English, what), cite.source))
+                .collect(),
+        ),
+        (
+            "form.open.params",
+            control
+                .params
+                .iter()
+                .filter(|row| doubtful(&row.cite))
+                .map(|row| format!("{} {}", row.number, row.name))
+                .collect(),
+        ),
+        (
+            "form.open.signals",
+            control.interface.iter().filter(|row| doubtful(&row.cite)).map(|row| row.device.to_owned()).collect(),
+        ),
+        ("form.open.codes", control.codes.iter().filter(|row| doubtful(&row.cite)).map(|row| code(&row)).collect()),
+        (
+            "form.open.vars",
+            control.vars.iter().filter(|row| doubtful(&row.cite)).map(|row| range(row.first, row.last)).collect(),
+        ),
+        (
+            "form.open.alarms",
+            control.alarms.iter().filter(|row| doubtful(&row.cite)).map(|row| row.number.to_owned()).collect(),
+        ),
+    ];
+    tables.into_iter().filter(|(_, facts)| !facts.is_empty()).map(|(kind, facts)| Open { kind, facts }).collect()
+}

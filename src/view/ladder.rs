@@ -1,0 +1,85 @@
+//! A ladder program as plain data, and its drawing.
+
+use core::fmt::Write;
+
+use super::svg::escape;
+
+/// A contact of a rung.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contact {
+    /// Device or condition, for instance `X20`.
+    pub device: String,
+    /// Opens instead of closing.
+    pub inverted: bool,
+}
+
+/// One rung: contacts in series and what they switch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rung {
+    /// Contacts from left to right; none is always on.
+    pub contacts: Vec<Contact>,
+    /// Instruction with its operands, for instance `MOV R148 R74`; a coil is `OUT Y20`.
+    pub output: String,
+    /// What the rung is for.
+    pub note: String,
+}
+
+impl Contact {
+    /// A contact that closes.
+    pub fn closes(device: impl Into<String>) -> Contact {
+        Contact { device: device.into(), inverted: false }
+    }
+}
+
+/// Width of the drawing, height of a rung, left and right rail.
+const WIDTH: f64 = 560.0;
+const RUNG: f64 = 58.0;
+const LEFT: f64 = 14.0;
+const RIGHT: f64 = 546.0;
+
+/// The ladder as SVG, with the classes of the page (`s-ink`, `f-dim` …).
+pub fn svg(rungs: &[Rung]) -> String {
+    let height = RUNG * rungs.len() as f64 + 8.0;
+    let mut out =
+        format!("<svg class=\"ladder\" viewBox=\"0 0 {WIDTH} {height}\" xmlns=\"http://www.w3.org/2000/svg\">");
+    for rail in [LEFT, RIGHT] {
+        line(&mut out, &format!("M{rail} 4V{}", height - 4.0), 2.0);
+    }
+    for (at, rung) in rungs.iter().enumerate() {
+        draw(&mut out, rung, RUNG * at as f64 + 34.0);
+    }
+    out.push_str("</svg>");
+    out
+}
+
+fn draw(out: &mut String, rung: &Rung, y: f64) {
+    text(out, LEFT + 8.0, y - 20.0, "start", "f-dim small", &rung.note);
+    let mut x = LEFT;
+    for contact in &rung.contacts {
+        let (near, far) = (x + 44.0, x + 54.0);
+        line(out, &format!("M{x} {y}H{near}M{near} {}V{}M{far} {}V{}", y - 9.0, y + 9.0, y - 9.0, y + 9.0), 1.4);
+        if contact.inverted {
+            line(out, &format!("M{} {}L{} {}", near - 3.0, y + 10.0, far + 3.0, y - 10.0), 1.4);
+        }
+        text(out, x + 49.0, y + 20.0, "middle", "f-ink value", &contact.device);
+        x = far;
+    }
+    let width = 13.0 + 7.6 * rung.output.chars().count() as f64;
+    let begin = RIGHT - 24.0 - width;
+    line(out, &format!("M{x} {y}H{begin}M{} {y}H{RIGHT}", RIGHT - 24.0), 1.4);
+    let _ = write!(
+        out,
+        "<rect x=\"{begin}\" y=\"{}\" width=\"{width}\" height=\"22\" rx=\"4\" class=\"f-pane s-ink\" stroke-width=\"1.4\"/>",
+        y - 11.0
+    );
+    text(out, begin + width / 2.0, y + 4.0, "middle", "f-ink value", &rung.output);
+}
+
+fn line(out: &mut String, d: &str, width: f64) {
+    let _ = write!(out, "<path d=\"{d}\" class=\"f-none s-ink\" stroke-width=\"{width}\"/>");
+}
+
+fn text(out: &mut String, x: f64, y: f64, anchor: &str, class: &str, words: &str) {
+    let _ =
+        write!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" class=\"{class}\">{}</text>", escape(words));
+}
