@@ -1,3 +1,361 @@
-//! The command line.
+//! The command line: the same door as the page, for engineers and for tests.
+//!
+//! Exit status: 0, 1 when there is an error diagnostic, 2 for wrong usage. Diagnostics go to standard error as text, or into the JSON.
 
+#[cfg(not(target_arch = "wasm32"))]
+fn main() -> std::process::ExitCode {
+    native::main()
+}
+
+/// The browser has the page instead.
+#[cfg(target_arch = "wasm32")]
 fn main() {}
+
+#[cfg(not(target_arch = "wasm32"))]
+mod native {
+    #![allow(clippy::print_stdout, reason = "printing is what a command line is for")]
+
+    use std::io::{self, BufWriter, Write};
+    use std::path::{Path, PathBuf};
+    use std::process::ExitCode;
+    use std::rc::Rc;
+
+    use clap::{Parser, Subcommand};
+    use serde_json::{Value as Json, json};
+
+    use macroline::controls::{self, Control};
+    use macroline::motion::{Keep, Limits, Panel};
+    use macroline::nc::{self, File, Files};
+    use macroline::project::run::{self, Begin, Run, Setting};
+    use macroline::project::told::Teller;
+    use macroline::project::{Project, list, saved};
+    use macroline::text::{Diagnostic, Severity};
+
+    /// Sizes special CNC machines, writes their macro programs and runs that very text.
+    #[derive(Parser)]
+    #[command(name = "macroline", version)]
+    struct Line {
+        #[command(subcommand)]
+        command: Command,
+    }
+
+    #[derive(Subcommand)]
+    enum Command {
+        /// Machines, controls and which goes with which
+        List {
+            /// For programs
+            #[arg(long)]
+            json: bool,
+        },
+        /// Prints a default project as JSON
+        New {
+            /// Machine, for instance ribbon-line
+            machine: String,
+            /// Control; without it the machine's first
+            #[arg(long)]
+            control: Option<String>,
+        },
+        /// Results with verdicts, and what is wrong
+        Design {
+            /// Project file
+            project: PathBuf,
+            /// For programs
+            #[arg(long)]
+            json: bool,
+        },
+        /// Writes the files the control takes, parameter sheet and report; nothing when there is an error
+        Export {
+            /// Project file
+            project: PathBuf,
+            /// Folder, made where it is missing
+            #[arg(long)]
+            out: PathBuf,
+        },
+        /// Diagnostics of programs, nothing run
+        Check {
+            /// Program files
+            #[arg(required = true)]
+            files: Vec<PathBuf>,
+            /// Control that they are for
+            #[arg(long)]
+            control: String,
+            /// For programs
+            #[arg(long)]
+            json: bool,
+        },
+        /// Runs a project or programs and prints the canonical log
+        Run(RunArgs),
+    }
+
+    #[derive(clap::Args)]
+    struct RunArgs {
+        /// One project file, or program files with --control
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        /// Control that bare programs are for
+        #[arg(long)]
+        control: Option<String>,
+        /// Program to start, for instance O9101
+        #[arg(long)]
+        start: Option<String>,
+        /// Sets a variable before the start, for instance '#107=8'; repeat as needed
+        #[arg(long = "set", value_name = "VAR=VALUE")]
+        set: Vec<String>,
+        /// The operator's hand: JSON array of events
+        #[arg(long)]
+        panel: Option<PathBuf>,
+        /// Project whose plant runs bare programs, instead of the control's bench
+        #[arg(long)]
+        plant: Option<PathBuf>,
+        /// Ends the run after so many blocks
+        #[arg(long, default_value_t = 10_000_000)]
+        blocks: u64,
+        /// Ends the run after so many seconds of machine time
+        #[arg(long, default_value_t = 3600.0)]
+        seconds: f64,
+        /// Leaves the log out
+        #[arg(long)]
+        no_canon: bool,
+        /// One JSON object instead of the log
+        #[arg(long)]
+        json: bool,
+    }
+
+    /// Why a command did not get as far as diagnostics.
+    enum Failure {
+        /// Wrong usage: exit 2.
+        Usage(String),
+        /// Errors have been told: exit 1.
+        Told,
+        /// The reader of our output has gone away.
+        Output(io::Error),
+    }
+
+    impl From<io::Error> for Failure {
+        fn from(error: io::Error) -> Failure {
+            Failure::Output(error)
+        }
+    }
+
+    pub(super) fn main() -> ExitCode {
+        let done = match Line::parse().command {
+            Command::List { json } => print(if json { pretty(&list::json()) } else { list::text() }),
+            Command::New { machine, control } => new(&machine, control.as_deref()),
+            Command::Design { project, json } => design(&project, json),
+            Command::Export { project, out } => export(&project, &out),
+            Command::Check { files, control, json } => check(&files, &control, json),
+            Command::Run(args) => run(&args),
+        };
+        match done {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(Failure::Told) => ExitCode::from(1),
+            Err(Failure::Usage(message)) => {
+                eprintln!("macroline: {message}");
+                ExitCode::from(2)
+            }
+            Err(Failure::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+            Err(Failure::Output(error)) => {
+                eprintln!("macroline: {error}");
+                ExitCode::from(2)
+            }
+        }
+    }
+
+    fn print(text: String) -> Result<(), Failure> {
+        Ok(io::stdout().write_all(text.as_bytes())?)
+    }
+
+    fn pretty(json: &Json) -> String {
+        format!("{json:#}\n")
+    }
+
+    /// Errors have been seen: exit 1.
+    fn verdict(diagnostics: &[Diagnostic]) -> Result<(), Failure> {
+        if diagnostics.iter().any(|d| d.severity == Severity::Error) { Err(Failure::Told) } else { Ok(()) }
+    }
+
+    fn tell(files: &Files, diagnostics: &[Diagnostic]) {
+        let teller = Teller::new(files);
+        for diagnostic in diagnostics {
+            eprint!("{}", teller.text(diagnostic));
+        }
+    }
+
+    fn read(path: &Path) -> Result<String, Failure> {
+        let bytes = std::fs::read(path).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
+        Ok(String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned()))
+    }
+
+    fn project(path: &Path) -> Result<(Project, Vec<Diagnostic>), Failure> {
+        let loaded = Project::from_json(&read(path)?);
+        match loaded.project {
+            Some(project) => Ok((project, loaded.diagnostics)),
+            None => {
+                tell(&Files::default(), &loaded.diagnostics);
+                Err(Failure::Told)
+            }
+        }
+    }
+
+    fn control(id: &str) -> Result<&'static Control, Failure> {
+        controls::find(id).ok_or_else(|| {
+            let known = controls::ALL.iter().map(|c| c.id).collect::<Vec<_>>().join(", ");
+            Failure::Usage(format!("no control “{id}”; there are: {known}"))
+        })
+    }
+
+    fn new(machine: &str, control: Option<&str>) -> Result<(), Failure> {
+        match Project::of(machine, control) {
+            Some(project) => print(project.to_json()),
+            None => Err(Failure::Usage(format!("no such machine and control:\n{}", list::text()))),
+        }
+    }
+
+    fn design(path: &Path, json: bool) -> Result<(), Failure> {
+        let (project, mut diagnostics) = project(path)?;
+        let design = project.design();
+        diagnostics.extend(design.diagnostics.iter().cloned());
+        let files = Files::default();
+        if json {
+            let teller = Teller::new(&files);
+            let told: Vec<Json> = diagnostics.iter().map(|d| teller.json(d)).collect();
+            print(pretty(&json!({ "readouts": list::readouts_json(&design.readouts), "diagnostics": told })))?;
+        } else {
+            print(list::readouts_text(&design.readouts))?;
+            tell(&files, &diagnostics);
+        }
+        verdict(&diagnostics)
+    }
+
+    fn export(path: &Path, out: &Path) -> Result<(), Failure> {
+        let (project, mut diagnostics) = project(path)?;
+        let export = project.export();
+        diagnostics.extend(export.diagnostics);
+        tell(&export.about, &diagnostics);
+        verdict(&diagnostics)?;
+        let fail = |path: &Path, error| Failure::Usage(format!("{}: {error}", path.display()));
+        std::fs::create_dir_all(out).map_err(|error| fail(out, error))?;
+        for file in &export.files {
+            let path = out.join(&file.name);
+            std::fs::write(&path, &file.text).map_err(|error| fail(&path, error))?;
+            println!("{}", path.display());
+        }
+        Ok(())
+    }
+
+    fn programs(paths: &[PathBuf]) -> Result<Files, Failure> {
+        let mut files = Vec::new();
+        for path in paths {
+            let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+            files.push(File { name, text: read(path)? });
+        }
+        Ok(Files(files))
+    }
+
+    fn check(paths: &[PathBuf], id: &str, json: bool) -> Result<(), Failure> {
+        let parsed = nc::parse(&programs(paths)?, control(id)?);
+        let diagnostics = parsed.diagnostics();
+        if json {
+            let teller = Teller::new(parsed.files());
+            let told: Vec<Json> = diagnostics.iter().map(|d| teller.json(d)).collect();
+            print(pretty(&json!({ "diagnostics": told })))?;
+        } else {
+            tell(parsed.files(), diagnostics);
+        }
+        verdict(diagnostics)
+    }
+
+    /// What is run: planner, files for places, diagnostics so far.
+    fn prepare(args: &RunArgs) -> Result<(Run, Files, Vec<Diagnostic>), Failure> {
+        let mut found = Vec::new();
+        let panel = match &args.panel {
+            None => Panel::default(),
+            Some(path) => {
+                let (panel, diagnostics) = saved::panel_from_json(&read(path)?);
+                found.extend(diagnostics);
+                panel
+            }
+        };
+        let settings = args.set.iter().map(|text| Setting::read(text)).collect::<Option<Vec<_>>>();
+        let Some(settings) = settings else {
+            return Err(Failure::Usage("--set takes a variable and a number, for instance --set '#107=8'".to_owned()));
+        };
+        let start = match args.start.as_deref().map(|name| (name, run::program_number(name))) {
+            Some((name, None)) => {
+                return Err(Failure::Usage(format!("--start takes a program, for instance O9101, not “{name}”")));
+            }
+            Some((_, number)) => number,
+            None => None,
+        };
+        let limits = Limits { blocks: args.blocks, seconds: args.seconds };
+        let begin = Begin { start, settings: &settings, limits, keep: Keep::Log };
+        let Some(id) = &args.control else {
+            let [path] = args.files.as_slice() else {
+                return Err(Failure::Usage("bare program files need --control".to_owned()));
+            };
+            if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) {
+                return Err(Failure::Usage("bare program files need --control".to_owned()));
+            }
+            let (mut project, diagnostics) = project(path)?;
+            found.extend(diagnostics);
+            for event in panel.events() {
+                project.panel.add(event.clone());
+            }
+            found.extend(project.design().diagnostics);
+            let written = project.written();
+            found.extend(written.diagnostics.iter().cloned());
+            let planner = run::of_project(&project, &written, &begin);
+            return Ok((planner, written.files.clone(), found));
+        };
+        let control = control(id)?;
+        let parsed = Rc::new(nc::parse(&programs(&args.files)?, control));
+        found.extend(parsed.diagnostics().iter().cloned());
+        let plant = match &args.plant {
+            None => None,
+            Some(path) => {
+                let (project, diagnostics) = project(path)?;
+                found.extend(diagnostics);
+                Some(project)
+            }
+        };
+        let files = parsed.files().clone();
+        Ok((run::of_programs(parsed, plant.as_ref(), panel, &begin), files, found))
+    }
+
+    fn run(args: &RunArgs) -> Result<(), Failure> {
+        if args.seconds.is_nan() || args.seconds < 0.0 {
+            return Err(Failure::Usage("--seconds takes 0 or more".to_owned()));
+        }
+        let (mut planner, files, mut diagnostics) = prepare(args)?;
+        let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
+        let mut canon: Vec<Json> = Vec::new();
+        let wanted = !args.no_canon;
+        let outcome = run::to_end(&mut planner, |line: run::LogLine| {
+            if wanted && args.json {
+                canon.push(json!(line.to_string()));
+                Ok(())
+            } else if wanted {
+                writeln!(out, "{line}")
+            } else {
+                Ok(())
+            }
+        })?;
+        diagnostics.extend(outcome.diagnostics.iter().cloned());
+        run::once_each(&mut diagnostics);
+        if args.json {
+            let teller = Teller::new(&files);
+            let mut object = outcome.json();
+            object["diagnostics"] = diagnostics.iter().map(|d| teller.json(d)).collect();
+            if wanted {
+                object["canon"] = Json::Array(canon);
+            }
+            writeln!(out, "{object:#}")?;
+        }
+        out.flush()?;
+        if !args.json {
+            tell(&files, &diagnostics);
+            eprintln!("{}", outcome.text());
+        }
+        verdict(&diagnostics)
+    }
+}

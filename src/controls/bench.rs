@@ -28,6 +28,8 @@ pub struct Bench {
     pub volts_full: f64,
     /// Bits of the analog output.
     pub output_bits: u8,
+    /// In-position width of the axes in mm.
+    pub in_position: f64,
     /// Seconds from 0 to full speed.
     pub ramp: f64,
     /// Variable number of the input word into which the bench's PLC copies the spindle override in percent.

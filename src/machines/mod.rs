@@ -65,6 +65,8 @@ pub trait Machine: 'static {
     const NAME: &'static str;
     /// Ids of the controls it goes with; the first is the default.
     const CONTROLS: &'static [&'static str];
+    /// The published listing of the machine's program, word for word as printed.
+    const LISTING: &'static str;
     /// The form, in the order it is shown.
     fn fields() -> &'static [Field<Self::Params>];
     /// Results and verdicts.
@@ -95,6 +97,8 @@ pub trait AnyMachine: Sync {
     fn name(&self) -> &'static str;
     /// Ids of the controls it goes with; the first is the default.
     fn controls(&self) -> &'static [&'static str];
+    /// The published listing of its program, word for word as printed.
+    fn listing(&self) -> &'static str;
     /// The form.
     fn fields(&self) -> Vec<FieldInfo>;
     /// Results and verdicts; invalid fields as errors, facts that are only assumed as a remark. Total.
@@ -152,6 +156,10 @@ impl<M: Machine> AnyMachine for Erased<M> {
 
     fn controls(&self) -> &'static [&'static str] {
         M::CONTROLS
+    }
+
+    fn listing(&self) -> &'static str {
+        M::LISTING
     }
 
     fn fields(&self) -> Vec<FieldInfo> {

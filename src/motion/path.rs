@@ -106,34 +106,8 @@ struct Weight {
 }
 
 impl Weight {
-    /// `∫ u(t-s) weight(s) ds` for `s` from `young` to `old`, over all segments, of which the last holds at `t`.
-    fn total(&self, path: &Path, segments: &[Segment], k: usize, t: f64, young: f64, old: f64) -> f64 {
-        let (mut total, mut end) = (0.0, 0.0);
-        // The decay where the last part ended, which is where the next one begins.
-        let mut edge = None;
-        for segment in segments.iter().rev() {
-            let age = t - segment.t;
-            let (from, to) = (young.max(end), old.min(age));
-            if from < to {
-                let run = path.run(segment, k);
-                if run.constant == 0.0 && run.swing == 0.0 {
-                    edge = None;
-                } else {
-                    let faded = (edge.unwrap_or_else(|| self.faded(from)), self.faded(to));
-                    total += self.integral(&run, age, (from, to), faded);
-                    edge = Some(faded.1);
-                }
-            }
-            if age >= old {
-                break;
-            }
-            end = age;
-        }
-        total
-    }
-
-    /// The integral over a part of one segment that began `age` seconds before `t`.
-    fn integral(&self, run: &Run, age: f64, (young, old): (f64, f64), faded: (f64, f64)) -> f64 {
+    /// `∫ u(t-s) weight(s) ds` for `s` from `young` to `old`, where the segment began `age` seconds before `t`.
+    fn integral(&self, run: &Run, age: f64, young: f64, old: f64) -> f64 {
         let span = old - young;
         let mut constant = run.constant;
         let mut total = 0.0;
@@ -142,31 +116,30 @@ impl Weight {
                 // So short an arc is its chord; the closed form would divide by its tiny angle.
                 constant = (run.position(age - young) - run.position(age - old)) / span;
             } else {
-                total = run.swing * (self.swung(run, age, old, faded.1) - self.swung(run, age, young, faded.0));
+                total = run.swing * (self.swung(run, age, old) - self.swung(run, age, young));
             }
         }
         if constant != 0.0 {
             let mut weight = self.level * span + self.slope * 0.5 * (old * old - young * young);
             if self.decay != 0.0 {
-                weight += (faded.0 - faded.1) / self.gain;
+                weight += self.decay / self.gain * (self.fade(young) - self.fade(old));
             }
             total += constant * weight;
         }
         total
     }
 
-    /// The decaying part of the weight at age `s`.
-    fn faded(&self, s: f64) -> f64 {
-        if self.decay == 0.0 { 0.0 } else { self.decay * math::exp(-self.gain * (s - self.shift)) }
+    fn fade(&self, s: f64) -> f64 {
+        math::exp(-self.gain * (s - self.shift))
     }
 
     /// Antiderivative over `s` of `sin(phase + omega (age - s)) weight(s)`.
-    fn swung(&self, run: &Run, age: f64, s: f64, faded: f64) -> f64 {
+    fn swung(&self, run: &Run, age: f64, s: f64) -> f64 {
         let w = run.omega;
         let (sin, cos) = math::sin_cos(run.phase + w * (age - s));
         let mut sum = self.level * cos / w + self.slope * (s * cos + sin / w) / w;
         if self.decay != 0.0 {
-            sum += faded * (w * cos - self.gain * sin) / (self.gain * self.gain + w * w);
+            sum += self.decay * self.fade(s) * (w * cos - self.gain * sin) / (self.gain * self.gain + w * w);
         }
         sum
     }
@@ -192,8 +165,13 @@ impl Path {
         if tau > 0.0 {
             let flat = Weight { level: 1.0 / tau, slope: 0.0, decay: 0.0, gain: 0.0, shift: 0.0 };
             let late = Weight { level: 1.0, slope: -1.0 / tau, ..flat };
-            state.feed = flat.total(self, segments, k, t, 0.0, tau) * 60.0;
-            state.position = place - late.total(self, segments, k, t, 0.0, tau);
+            let (mut moved, mut missing) = (0.0, 0.0);
+            self.window(segments, k, t, 0.0, tau, |run, age, young, old| {
+                moved += flat.integral(run, age, young, old);
+                missing += late.integral(run, age, young, old);
+            });
+            state.feed = moved * 60.0;
+            state.position = place - missing;
             state.acceleration = (speed - self.speed(segments, k, t - tau)) / tau;
         }
         state.actual = place - self.missing(segments, k, t, tau, gain);
@@ -207,14 +185,45 @@ impl Path {
         if tau > 0.0 {
             let share = if gain > 0.0 { 1.0 / (gain * tau) } else { 0.0 };
             let near = Weight { level: 1.0 + share, slope: -1.0 / tau, decay: -share, gain, shift: 0.0 };
-            missing = near.total(self, segments, k, t, 0.0, tau);
+            self.window(segments, k, t, 0.0, tau, |run, age, young, old| {
+                missing += near.integral(run, age, young, old);
+            });
             tail = share * (1.0 - math::exp(-gain * tau));
         }
         if gain > 0.0 {
             let far = Weight { level: 0.0, slope: 0.0, decay: tail, gain, shift: tau };
-            missing += far.total(self, segments, k, t, tau, tau + TAIL / gain);
+            self.window(segments, k, t, tau, tau + TAIL / gain, |run, age, young, old| {
+                missing += far.integral(run, age, young, old);
+            });
         }
         missing
+    }
+
+    /// Calls `part(run, age, young, old)` for the part of each segment whose age at `t` is between `young` and `old`.
+    fn window(
+        &self,
+        segments: &[Segment],
+        k: usize,
+        t: f64,
+        young: f64,
+        old: f64,
+        mut part: impl FnMut(&Run, f64, f64, f64),
+    ) {
+        let mut end = 0.0;
+        for segment in segments.iter().rev() {
+            let age = t - segment.t;
+            let (from, to) = (young.max(end), old.min(age));
+            if from < to {
+                let run = self.run(segment, k);
+                if run.constant != 0.0 || run.swing != 0.0 {
+                    part(&run, age, from, to);
+                }
+            }
+            if age >= old {
+                break;
+            }
+            end = age;
+        }
     }
 
     /// Speed of the unfiltered path at `t`, 0 before it began.

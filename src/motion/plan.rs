@@ -170,10 +170,8 @@ impl<P: Program> Planner<P> {
         self.due = t.floor() + 1.0;
     }
 
-    /// The run is over when the axes stand.
     fn finish(&mut self, end: RunEnd) {
-        let rest = self.state.stood_since() + self.machine.standstill;
-        self.records.timeline.end = self.records.timeline.end.max(self.state.now).max(rest);
+        self.records.timeline.end = self.records.timeline.end.max(self.state.now);
         self.ended = Some(end);
     }
 

@@ -280,16 +280,6 @@ impl<P> State<P> {
     }
 }
 
-impl<P> State<P> {
-    /// Since when the unfiltered path stands, where it does.
-    pub(super) fn stood_since(&self) -> f64 {
-        match &self.exec {
-            Exec::Moving(motion) => motion.since,
-            _ => self.rest_since,
-        }
-    }
-}
-
 /// Who acts next; in this order where times are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Who {

@@ -2,6 +2,18 @@
 
 pub mod saved;
 
+pub mod open;
+
+pub mod program;
+
+pub mod run;
+
+pub mod export;
+
+pub mod told;
+
+pub mod list;
+
 use std::collections::BTreeMap;
 
 use crate::controls::{self, Control, Switches};
@@ -71,6 +83,11 @@ impl Project {
             return None;
         }
         Some(Project::new(machine, controls::find(id)?))
+    }
+
+    /// The published listing as printed, as a file.
+    pub fn listing(&self) -> Files {
+        Files::one("listing.nc", self.machine.listing())
     }
 
     /// Results, verdicts and invalid fields.

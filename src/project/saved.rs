@@ -73,7 +73,7 @@ impl Project {
             Ok(Json::Object(object)) => object,
             Ok(_) => return refuse(msg!("project.not-a-project")),
             Err(error) => {
-                return refuse(msg!("project.not-json", error.line() as u32, error.column() as u32, error.to_string()));
+                return refuse(msg!("project.not-json", error.line() as u32, error.column() as u32, reason(&error)));
             }
         };
         match object.get("version").and_then(Json::as_u64) {
@@ -103,6 +103,12 @@ impl Project {
     }
 }
 
+/// What is wrong with a JSON text, without the place, which stands before it.
+fn reason(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    text.split(" at line ").next().unwrap_or_default().to_owned()
+}
+
 /// Reads a panel file: a JSON array of `{ "t": seconds, "spindle_override": 80, … }`.
 pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
     let mut reader = Reader { found: Vec::new() };
@@ -110,7 +116,7 @@ pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
         Ok(json) => reader.panel(&json),
         Err(error) => {
             let (line, column) = (error.line() as u32, error.column() as u32);
-            reader.found.push(Diagnostic::error(msg!("project.not-json", line, column, error.to_string())));
+            reader.found.push(Diagnostic::error(msg!("project.not-json", line, column, reason(&error))));
             Panel::default()
         }
     };

@@ -1,8 +1,8 @@
-//! Charts as comma-separated values: one column of x, one per line, RFC 4180.
+//! Charts and sheets as comma-separated values, RFC 4180.
 
 use core::fmt::Write;
 
-use super::Chart;
+use super::{Chart, Sheet};
 use crate::text::catalog::{Language, words};
 
 /// The lines of all charts side by side, over the x of the first; the heads carry units. Empty where there is no line.
@@ -28,6 +28,13 @@ pub fn charts(charts: &[Chart]) -> String {
         out.push_str("\r\n");
     }
     out
+}
+
+/// A sheet: heads, then rows.
+pub fn sheet(sheet: &Sheet, language: Language) -> String {
+    let heads = sheet.columns.iter().map(|id| quoted(words(language, id))).collect::<Vec<_>>().join(",");
+    let rows = sheet.rows.iter().map(|row| row.cells.iter().map(|cell| quoted(cell)).collect::<Vec<_>>().join(","));
+    core::iter::once(heads).chain(rows).map(|line| line + "\r\n").collect()
 }
 
 fn quoted(text: &str) -> String {

@@ -52,7 +52,7 @@ fn check_block(block: &str, expected: Expect) {
 
 #[test]
 fn the_papers_listing_as_printed() {
-    let text = include_str!("../data/programs/mitsubishi-e60/paper/P9100.nc");
+    let text = include_str!("../../src/machines/ribbon_line/listing.nc");
     check(
         text,
         expect![[r##"

@@ -1,9 +1,11 @@
 //! The native tests, one binary: a test states a feature, and says in its failure what to do.
 #![allow(clippy::unwrap_used)]
 
+mod cli;
 mod language;
 mod machines;
 mod physics;
 mod programs;
+mod saved;
 mod tidy;
 mod writing;

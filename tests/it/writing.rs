@@ -189,7 +189,7 @@ fn mend(text: &str) -> Files {
 
 #[test]
 fn the_fixes_of_the_papers_listing_make_it_a_program() {
-    let files = mend(include_str!("../data/programs/mitsubishi-e60/paper/P9100.nc"));
+    let files = mend(include_str!("../../src/machines/ribbon_line/listing.nc"));
     let parsed = parse(&files, e60());
     assert!(parsed.diagnostics().iter().all(|d| d.severity == Severity::Info), "{:?}", parsed.diagnostics());
     expect![[r#"

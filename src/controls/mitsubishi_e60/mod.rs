@@ -121,6 +121,7 @@ pub static CONTROL: Control = Control {
         speed_clamp: 1480.0,
         volts_full: 10.0,
         output_bits: 12,
+        in_position: 0.02,
         ramp: 2.0,
         override_echo: Some(1033),
         fin_delay: 0.05,

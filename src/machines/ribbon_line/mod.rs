@@ -44,6 +44,8 @@ impl Machine for RibbonLine {
     const NAME: &'static str = "ribbon.name";
     const CONTROLS: &'static [&'static str] = &["mitsubishi-e60"];
 
+    const LISTING: &'static str = include_str!("listing.nc");
+
     fn fields() -> &'static [Field<Params>] {
         FIELDS
     }

@@ -67,7 +67,7 @@ choice! {
 choice! {
     /// π in the program.
     PiForm {
-        /// 3.14159265.
+        /// 3.141592654.
         Exact,
         /// 3.14, as published.
         Short,

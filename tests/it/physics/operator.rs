@@ -49,14 +49,14 @@ fn reset_stops_axes_and_spindle_and_start_begins_at_the_head() {
     let lines = vec![turn(1200.0, 1), linear(100.0, 0.0, 6000.0), linear(200.0, 0.0, 6000.0), one(Canon::End)];
     let mut planner = planner(&plant(), vec![at(0.557_1, Action::Reset)], lines);
     let (t, end) = finish(&mut planner);
-    assert_eq!((t, end), (0.557_1 + TAU, RunEnd::Stop));
+    assert_eq!((t, end), (0.557_1, RunEnd::Stop));
     let now = planner.timeline().at(t);
     assert_eq!((now.spindle.command, now.spindle.volts), (0.0, 0.0));
     let rest = planner.timeline().at(t + 10.0);
     assert_eq!((rest.mode, rest.axes[0].feed, rest.spindle.actual), (Mode::Stopped, 0.0, 0.0));
     // 50 mm of the block were commanded.
     let begin = first(&planner, 0.0, |now| now.block == Some(place(1)));
-    close(rest.axes[0].position, (t - TAU - begin) * 100.0, 1e-6);
+    close(rest.axes[0].position, (t - begin) * 100.0, 1e-6);
     planner.event(at(20.0, Action::Start));
     let (t, end) = finish(&mut planner);
     assert_eq!(end, RunEnd::ProgramEnd);

@@ -26,23 +26,15 @@ fn busy() -> Vec<Line> {
         turn(1200.0, 1),
         Line::Input(100, 1033),
         Line::Add(100, 3000.0),
-        Line::Step([8_000, 20_000], 100),
-        Line::Step([8_001, -20_000], 100),
+        Line::Step([8_000, 60_000], 100),
+        Line::Step([8_001, -60_000], 100),
         rapid(0.0, 3.0),
-        one(Canon::Arc { to: target(0.0, 3.0), plane: (0, 1), center: (1e3, 4e3), clockwise: true, feed, exact: true }),
+        one(Canon::Arc { to: target(0.0, 3.0), plane: (0, 1), center: (9e3, 9e3), clockwise: true, feed, exact: true }),
         Line::Add(101, 1.0),
         Line::Position(103),
-        // Into the ramp of the spindle, which reverses.
-        turn(800.0, -1),
-        one(Canon::Linear { to: target(5.0, 0.0), feed, exact: false }),
         one(Canon::Dwell { seconds: 0.2 }),
-        Line::Goto(0),
+        Line::Goto(1),
     ]
-}
-
-/// Under a PLC that takes its time.
-fn slow(events: Vec<Event>) -> Planner<Script> {
-    planner_with(Box::new(BenchPlc::new(0.4, Some(1033))), &plant(), events, busy())
 }
 
 /// All of a moment, to the bit.
@@ -75,9 +67,9 @@ proptest! {
         let events: Vec<Event> =
             events.into_iter().map(|(t, action)| at(if whole { t.round() } else { t }, action)).collect();
         let horizon = 11.0;
-        let mut once = slow(events.clone());
+        let mut once = planner(&plant(), events.clone(), busy());
         once.advance(horizon, usize::MAX);
-        let mut bit_by_bit = slow(vec![]);
+        let mut bit_by_bit = planner(&plant(), vec![], busy());
         for event in events {
             let until = event.t + ahead;
             while bit_by_bit.advance(until, budget).planned_to < until {

@@ -2,6 +2,7 @@
 
 /// `(id, sentence)`.
 pub(super) const ROWS: &[(&str, &str)] = &[
+    ("project.form-restored", "{0} was written by macroline: the form is as it was then."),
     ("project.newer", "The file has version {0}; this macroline reads up to version {1}. Take a newer macroline."),
     ("project.no-control", "The file names no control that this machine goes with. Possible: {0}."),
     ("project.no-machine", "The file names no machine that is known. Possible: {0}."),
@@ -12,6 +13,10 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("project.panel-not-a-list", "A panel is a list: [ { \"t\": 0, \"spindle_override\": 80 }, … ]."),
     ("project.panel-too-long", "A panel has at most {0} entries; the others were left out."),
     ("project.panel-unknown", "Panel entry {0}: “{1}” is no action of the panel, or its value does not fit."),
+    (
+        "project.program-too-large",
+        "The program has {0} MB; a project takes programs up to {1} MB. It can be looked at, not edited.",
+    ),
     ("project.too-large", "The file has {0} MB; a project has at most {1} MB."),
     ("project.unknown-field", "The machine has no field “{0}”; it was left out."),
     ("project.unknown-switch", "The control has no switch “{0}” with this setting; it was left out."),

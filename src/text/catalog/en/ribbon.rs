@@ -152,7 +152,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("ribbon.path-mode.help", "Cutting mode runs through; exact stop waits at each pitch."),
     ("ribbon.pi", "π in the program"),
     ("ribbon.pi-short", "3.14 pulls {0} mm/min less than is unwound, {1} mm in an hour: take the exact π."),
-    ("ribbon.pi.exact", "exact: 3.14159265"),
+    ("ribbon.pi.exact", "exact: 3.141592654"),
     ("ribbon.pi.help", "With 3.14 the ribbon is pulled 0.05 % slower than it is unwound."),
     ("ribbon.pi.short", "3.14, as published"),
     ("ribbon.pitch", "Pitch"),

@@ -1,0 +1,48 @@
+//! What leaves the house: program files, sheets, report; nothing where the control would refuse or misread it.
+
+use super::Project;
+use crate::machines::report::report;
+use crate::nc::{File, Files};
+use crate::text::catalog::Language;
+use crate::text::{Diagnostic, Severity};
+use crate::view;
+
+/// The files of an export, or the reasons why there is none.
+#[derive(Debug, Clone)]
+pub struct Export {
+    /// Files by name; empty where a diagnostic is an error.
+    pub files: Vec<File>,
+    /// Invalid fields and what the control says of the program.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The program files that places of diagnostics point into.
+    pub about: Files,
+}
+
+impl Project {
+    /// The files that go to the machine. Verdicts are in the report and do not stand in the way; errors do.
+    pub fn export(&self) -> Export {
+        let design = self.design();
+        let written = self.written();
+        let mut diagnostics = design.diagnostics.clone();
+        diagnostics.extend(written.diagnostics.iter().cloned());
+        let mut files = Vec::new();
+        if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
+            files.extend(written.files.0.iter().cloned());
+            let sheets = self.machine.sheets(&self.values, self.control);
+            let told =
+                report(self.machine, &self.name, (&self.values, &self.provenance), self.control, &written.diagnostics);
+            files.push(File { name: "report.md".to_owned(), text: view::report::markdown(&told, Language::English) });
+            for sheet in sheets {
+                files.push(File {
+                    name: format!("{}.csv", sheet.id),
+                    text: view::csv::sheet(&sheet, Language::English),
+                });
+                if !sheet.ladder.is_empty() {
+                    files.push(File { name: format!("{}.svg", sheet.id), text: view::ladder::svg(&sheet.ladder) });
+                }
+            }
+            files.push(File { name: "project.json".to_owned(), text: self.to_json() });
+        }
+        Export { files, diagnostics, about: written.files }
+    }
+}

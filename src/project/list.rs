@@ -1,0 +1,96 @@
+//! Machines, controls and results as lists: for people and for programs.
+
+use serde_json::{Value as Json, json};
+
+use crate::controls;
+use crate::machines;
+use crate::text::catalog::{Language, number_text, sentence, words};
+use crate::view::{Readout, Verdict};
+
+/// Machines with their controls, controls with their bench plant, as an object.
+pub fn json() -> Json {
+    let machine = |m: &&dyn machines::AnyMachine| json!({ "id": m.id(), "name": words(Language::English, m.name()), "controls": m.controls() });
+    let control = |c: &&controls::Control| {
+        let axes: Vec<Json> = c
+            .bench
+            .axes
+            .iter()
+            .map(|a| json!({ "axis": (a.letter as char).to_string(), "rapid": a.rapid, "clamp": a.clamp, "time_constant_s": a.time_constant, "position_gain": a.position_gain }))
+            .collect();
+        json!({ "id": c.id, "name": c.name, "bench": {
+            "axes": axes, "speed_at_full": c.bench.speed_at_full, "speed_clamp": c.bench.speed_clamp,
+            "volts": c.bench.volts_full, "output_bits": c.bench.output_bits, "ramp_s": c.bench.ramp } })
+    };
+    json!({
+        "machines": machines::ALL.iter().map(machine).collect::<Vec<_>>(),
+        "controls": controls::ALL.iter().map(control).collect::<Vec<_>>(),
+    })
+}
+
+/// The same for people.
+pub fn text() -> String {
+    let mut out = String::from("machines\n");
+    for machine in machines::ALL {
+        let name = words(Language::English, machine.name());
+        out += &format!("  {:<20} {name}; controls: {}\n", machine.id(), machine.controls().join(", "));
+    }
+    out += "controls\n";
+    for control in controls::ALL {
+        let bench = &control.bench;
+        out += &format!("  {:<20} {}\n", control.id, control.name);
+        let axes = bench.axes.iter().map(|a| format!("{} to {} mm/min", a.letter as char, number_text(a.clamp, 3)));
+        out += &format!(
+            "  {:<20} bench: {}; spindle {} r/min at {} V, ramp {} s\n",
+            "",
+            axes.collect::<Vec<_>>().join(", "),
+            number_text(bench.speed_at_full, 3),
+            number_text(bench.volts_full, 3),
+            number_text(bench.ramp, 3),
+        );
+    }
+    out
+}
+
+/// A verdict as it is written.
+pub fn verdict_word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::None => "none",
+        Verdict::Ok => "ok",
+        Verdict::Warn => "warn",
+        Verdict::Fail => "fail",
+    }
+}
+
+/// Results as a list of objects.
+pub fn readouts_json(readouts: &[Readout]) -> Json {
+    let readout = |r: &Readout| {
+        let advice: Vec<String> = r.advice.iter().map(|m| sentence(Language::English, m)).collect();
+        json!({
+            "id": r.id, "value": r.value, "unit": r.unit, "limit": r.limit,
+            "verdict": verdict_word(r.verdict), "formula": r.formula, "advice": advice,
+        })
+    };
+    Json::Array(readouts.iter().map(readout).collect())
+}
+
+/// Results as lines: verdict, label, value, unit, limit, advice.
+pub fn readouts_text(readouts: &[Readout]) -> String {
+    let mut out = String::new();
+    for r in readouts {
+        let label = words(Language::English, r.label);
+        let value = format!("{:.*}", r.decimals as usize, r.value);
+        let limit =
+            r.limit.map_or(String::new(), |limit| format!("  (limit {})", number_text(limit, r.decimals.max(3))));
+        let sign = match r.verdict {
+            Verdict::None => "   -",
+            Verdict::Ok => "  ok",
+            Verdict::Warn => "warn",
+            Verdict::Fail => "FAIL",
+        };
+        out += &format!("{sign}  {label:<38} {value:>14} {}{limit}\n", r.unit);
+        for advice in &r.advice {
+            out += &format!("        {}\n", sentence(Language::English, advice));
+        }
+    }
+    out
+}

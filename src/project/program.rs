@@ -1,0 +1,47 @@
+//! The program of a project: written by the machine or edited by the user, and read again as the control reads it.
+
+use std::rc::Rc;
+
+use super::Project;
+use crate::nc::{self, Files, Newline, Parsed};
+use crate::text::Diagnostic;
+
+/// The program files of a project, and what the control makes of them.
+#[derive(Debug, Clone)]
+pub struct Written {
+    /// The text, as it is exported.
+    pub files: Files,
+    /// The same text read again; everything that runs comes from here.
+    pub parsed: Rc<Parsed>,
+    /// What was wrong with writing and reading it.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Whether the text is the user's own and no longer follows the form.
+    pub edited: bool,
+    /// Number of the program that sets the project's values; 0 where there is none.
+    pub setup: u32,
+    /// Number of the program that runs the machine.
+    pub main: u32,
+}
+
+impl Project {
+    /// The program: the machine's own, or the edited text.
+    pub fn written(&self) -> Written {
+        let plan = self.machine.plan(&self.values, self.control);
+        let (files, mut diagnostics) = match &self.edited {
+            Some(files) => (files.clone(), Vec::new()),
+            None => {
+                let newline = if plan.crlf { Newline::CrLf } else { Newline::Lf };
+                let emitted = nc::emit_with(&plan.deck, self.control, newline);
+                (emitted.files, emitted.diagnostics)
+            }
+        };
+        let parsed = Rc::new(nc::parse(&files, self.control));
+        diagnostics.extend(parsed.diagnostics().iter().cloned());
+        let has = |number: u32| parsed.deck().program(number).is_some();
+        // Edited text may hold other programs: then the first one runs, and nothing is set up.
+        let first = parsed.deck().programs.first().map_or(0, |program| program.number);
+        let (setup, main) =
+            if has(plan.main) { (if has(plan.setup) { plan.setup } else { 0 }, plan.main) } else { (0, first) };
+        Written { files, parsed, diagnostics, edited: self.edited.is_some(), setup, main }
+    }
+}

@@ -1,0 +1,291 @@
+//! A run from its beginning to its end: of a project, or of bare programs on the control's bench.
+
+use std::fmt;
+use std::rc::Rc;
+
+use serde_json::{Map, Value as Json, json};
+
+use super::Project;
+use super::program::Written;
+use crate::controls::{Control, Switches, VarKind};
+use crate::interp::canon::Names;
+use crate::interp::world::Still;
+use crate::interp::{Canon, Interp, Start, Step};
+use crate::motion::{
+    Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Plc, RunEnd, Setup, SpindlePlant,
+};
+use crate::nc::Parsed;
+use crate::text::{Diagnostic, Severity};
+
+/// A planned run of the interpreter.
+pub type Run = Planner<Interp>;
+
+/// Steps that the program which sets the project's values may take.
+const SETUP_STEPS: usize = 100_000;
+
+/// Events that are planned between two looks at the log.
+const SLICE: usize = 4096;
+
+/// A variable set before the start.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setting {
+    /// `#107`, or the name of a PLC input.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+}
+
+impl Setting {
+    /// Reads `#107=8`; `None` where it is no setting.
+    pub fn read(text: &str) -> Option<Setting> {
+        let (name, value) = text.split_once('=')?;
+        let value: f64 = value.trim().parse().ok()?;
+        let name = name.trim().to_ascii_uppercase();
+        (value.is_finite() && !name.is_empty()).then_some(Setting { name, value })
+    }
+
+    /// The variable's number, where it is one.
+    fn number(&self) -> Option<u32> {
+        self.name.strip_prefix('#').unwrap_or(&self.name).parse().ok()
+    }
+}
+
+/// The number of a program from its name: `O9101`, `9101`, `o9101.nc`.
+pub fn program_number(name: &str) -> Option<u32> {
+    let stem = name.split('.').next()?;
+    stem.trim_start_matches(['O', 'o', 'L', 'l']).parse().ok()
+}
+
+/// What a run starts from.
+pub struct Begin<'a> {
+    /// Program to start; without it the main program, or the first program of the first file.
+    pub start: Option<u32>,
+    /// Variables set before.
+    pub settings: &'a [Setting],
+    /// Budgets.
+    pub limits: Limits,
+    /// What is kept.
+    pub keep: Keep,
+}
+
+/// The run of a project: its values are set by its own setup program, then its main program starts on its plant.
+pub fn of_project(project: &Project, written: &Written, begin: &Begin) -> Run {
+    let control = project.control;
+    let start = Start::Program(begin.start.unwrap_or(written.main));
+    let mut interp = Interp::new(Rc::clone(&written.parsed), start, &project.switches);
+    set_up(&mut interp, project, written);
+    let plant = project.machine.plant(&project.values, control);
+    let plc = project.machine.plc(&project.values, control, &project.switches);
+    started(interp, control, &plant, plc, project.panel.clone(), begin)
+}
+
+/// The run of bare programs: on the control's bench, or on the plant of a project.
+pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, begin: &Begin) -> Run {
+    let control = parsed.control();
+    let start = begin.start.map_or(Start::First, Start::Program);
+    let interp = Interp::new(parsed, start, &Switches::default());
+    let (plant, plc) = match plant {
+        Some(project) => (
+            project.machine.plant(&project.values, control),
+            project.machine.plc(&project.values, control, &project.switches),
+        ),
+        None => bench(control),
+    };
+    started(interp, control, &plant, plc, panel, begin)
+}
+
+fn started(
+    mut interp: Interp,
+    control: &'static Control,
+    plant: &Plant,
+    plc: Box<dyn Plc>,
+    mut panel: Panel,
+    begin: &Begin,
+) -> Run {
+    for setting in begin.settings {
+        let number = setting.number();
+        let is_input = number
+            .and_then(|n| control.var(n))
+            .is_some_and(|row| matches!(row.kind, VarKind::InputBit | VarKind::InputWord));
+        match number {
+            Some(number) if !is_input => drop(interp.set_variable(number, Some(setting.value))),
+            // What the PLC writes is forced from the beginning.
+            Some(number) => panel.add(Event { t: 0.0, action: Action::Input(format!("#{number}"), setting.value) }),
+            None => panel.add(Event { t: 0.0, action: Action::Input(setting.name.clone(), setting.value) }),
+        }
+    }
+    Planner::new(Setup { program: interp, control, plant, plc, panel, limits: begin.limits, keep: begin.keep })
+}
+
+/// Sets the variables that the project's setup program leaves, run on a machine that stands still.
+fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
+    if written.setup == 0 {
+        return;
+    }
+    let mut setup = Interp::new(Rc::clone(&written.parsed), Start::Program(written.setup), &project.switches);
+    let mut world = Still::default();
+    for _ in 0..SETUP_STEPS {
+        if let Step::Ended(_) = setup.step(&mut world) {
+            break;
+        }
+    }
+    for row in project.control.vars.iter().filter(|row| matches!(row.kind, VarKind::Common | VarKind::Retained)) {
+        for number in row.first..=row.last {
+            if let Some(value) = setup.variable(number) {
+                interp.set_variable(number, Some(value));
+            }
+        }
+    }
+}
+
+/// The bench of a control as a plant with its PLC.
+fn bench(control: &'static Control) -> (Plant, Box<dyn Plc>) {
+    let bench = &control.bench;
+    let axes = bench.axes.iter().map(|axis| AxisPlant {
+        letter: axis.letter,
+        rotary: control.axis(axis.letter).is_some_and(|at| control.axes[at].rotary),
+        rapid: axis.rapid,
+        clamp: axis.clamp,
+        time_constant: axis.time_constant,
+        position_gain: axis.position_gain,
+    });
+    let plant = Plant {
+        axes: axes.collect(),
+        spindle: SpindlePlant {
+            speed_at_full: bench.speed_at_full,
+            speed_clamp: bench.speed_clamp,
+            volts_full: bench.volts_full,
+            output_bits: bench.output_bits,
+            ramp: bench.ramp,
+            gain: 1.0,
+            slip: 0.0,
+        },
+        block_time: control.timing.block,
+        macro_time: control.timing.macro_block,
+        preread: control.timing.preread,
+        in_position: bench.in_position,
+    };
+    (plant, Box::new(BenchPlc::new(bench.fin_delay, bench.override_echo)))
+}
+
+/// A command of the log as a line.
+pub struct LogLine<'a> {
+    canon: &'a Canon,
+    names: Names<'static>,
+}
+
+impl fmt::Display for LogLine<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.canon.line(self.names).fmt(f)
+    }
+}
+
+/// How a run ended.
+pub struct Outcome {
+    /// Why.
+    pub ended: RunEnd,
+    /// Blocks read.
+    pub blocks: u64,
+    /// Machine time in seconds.
+    pub time: f64,
+    /// Alarms and remarks of the run.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Variables that are set, by the control's names, in the order of their numbers.
+    pub variables: Vec<(String, f64)>,
+    /// Commanded positions at the end, by axis letter, mm or degrees.
+    pub axes: Vec<(char, f64)>,
+    /// The spindle at the end.
+    pub spindle: crate::motion::SpindleState,
+}
+
+/// Runs to the end and hands every command to `log` as it begins. Fails only where `log` does.
+pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(LogLine) -> Result<(), E>) -> Result<Outcome, E> {
+    let names = run.program().names();
+    let ended = loop {
+        let progress = run.advance(f64::INFINITY, SLICE);
+        for (_, canon, _) in run.take_log() {
+            log(LogLine { canon: &canon, names })?;
+        }
+        if let Some(ended) = progress.ended {
+            break ended;
+        }
+    };
+    let time = run.timeline().end();
+    let last = run.timeline().at(time);
+    let mut diagnostics = run.diagnostics().to_vec();
+    if let RunEnd::Alarm(alarm) = &ended
+        && !diagnostics.contains(alarm)
+    {
+        diagnostics.push((**alarm).clone());
+    }
+    let blocks = run.blocks();
+    Ok(Outcome {
+        ended,
+        blocks: blocks.nc + blocks.macros,
+        time,
+        diagnostics,
+        variables: run.program().variables().collect(),
+        axes: names.axes.iter().zip(&last.axes).map(|(row, axis)| (row.letter as char, axis.position)).collect(),
+        spindle: last.spindle,
+    })
+}
+
+impl Outcome {
+    /// The end as one word.
+    pub fn word(&self) -> &'static str {
+        match self.ended {
+            RunEnd::ProgramEnd => "program-end",
+            RunEnd::Stop => "stop",
+            RunEnd::Alarm(_) => "alarm",
+            RunEnd::Blocks => "blocks",
+            RunEnd::Seconds => "seconds",
+        }
+    }
+
+    /// The end as an object, without diagnostics and log.
+    pub fn json(&self) -> Json {
+        let variables: Map<String, Json> =
+            self.variables.iter().map(|(name, value)| (name.clone(), json!(value))).collect();
+        let axes: Map<String, Json> =
+            self.axes.iter().map(|(axis, at)| (axis.to_string(), json!(clean(*at)))).collect();
+        json!({
+            "ended": self.word(),
+            "blocks": self.blocks,
+            "time_s": clean(self.time),
+            "diagnostics": [],
+            "variables": variables,
+            "axes": axes,
+            "spindle": {
+                "rpm": clean(self.spindle.command), "volts": clean(self.spindle.volts),
+                "volts_command": clean(self.spindle.volts_command), "gear": 1, "angle_deg": null,
+            },
+        })
+    }
+
+    /// The end as one line for people.
+    pub fn text(&self) -> String {
+        let axes: Vec<String> = self.axes.iter().map(|(axis, at)| format!("{axis}{}", clean(*at))).collect();
+        format!("{} after {} blocks, {:.3} s; {}", self.word(), self.blocks, self.time, axes.join(" "))
+    }
+}
+
+/// Without the noise of the last bits: twelve decimals.
+fn clean(value: f64) -> f64 {
+    if value.abs() < 1e3 { (value * 1e12).round() / 1e12 } else { value }
+}
+
+/// Leaves out repetitions, in place; the order stays.
+pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
+    let mut seen: Vec<Diagnostic> = Vec::new();
+    diagnostics.retain(|d| {
+        let new = !seen.iter().any(|s| {
+            s.place == d.place
+                && s.alarm == d.alarm
+                && (s.message == d.message || d.severity == Severity::Error && d.alarm.is_some())
+        });
+        if new {
+            seen.push(d.clone());
+        }
+        new
+    });
+}

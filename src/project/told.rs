@@ -1,0 +1,90 @@
+//! Diagnostics as they leave: for a terminal, with the line and the place marked, and for programs.
+
+use serde_json::{Value as Json, json};
+
+use crate::nc::Files;
+use crate::text::catalog::{Language, sentence};
+use crate::text::{Diagnostic, LineIndex, Severity};
+
+/// Writes diagnostics about a set of files. It reads each file's lines once.
+pub struct Teller<'f> {
+    files: &'f Files,
+    indices: Vec<LineIndex>,
+}
+
+impl<'f> Teller<'f> {
+    /// A teller for these files.
+    pub fn new(files: &'f Files) -> Teller<'f> {
+        Teller { files, indices: files.0.iter().map(|file| LineIndex::new(&file.text)).collect() }
+    }
+
+    /// Severity, alarm and sentence, then file:line:column, the line itself with the place marked, and the hints.
+    pub fn text(&self, diagnostic: &Diagnostic) -> String {
+        let alarm = diagnostic.alarm.map_or(String::new(), |alarm| format!("[{alarm}]"));
+        let mut out =
+            format!("{}{alarm}: {}\n", word(diagnostic.severity), sentence(Language::English, &diagnostic.message));
+        if let Some((file, line, column)) = self.place(diagnostic) {
+            let shown = self.line_text(diagnostic, line);
+            let digits = line.to_string();
+            let gap = " ".repeat(digits.len());
+            let left =
+                shown.chars().take(column as usize - 1).map(|c| if c == '\t' { '\t' } else { ' ' }).collect::<String>();
+            let room = shown.chars().count().saturating_sub(column as usize - 1).max(1);
+            let wide = diagnostic.place.map_or(1, |place| (place.span.end - place.span.start) as usize).clamp(1, room);
+            out += &format!(
+                "{gap}--> {file}:{line}:{column}\n{gap} |\n{digits} | {shown}\n{gap} | {left}{}\n",
+                "^".repeat(wide)
+            );
+        } else if let Some(field) = diagnostic.field {
+            out += &format!(" --> field {field}\n");
+        }
+        for hint in &diagnostic.hints {
+            out += &format!("  = {}\n", sentence(Language::English, hint));
+        }
+        out
+    }
+
+    /// The diagnostic as an object with severity, alarm, message, file, line, column, field and hints.
+    pub fn json(&self, diagnostic: &Diagnostic) -> Json {
+        let hints: Vec<String> = diagnostic.hints.iter().map(|hint| sentence(Language::English, hint)).collect();
+        let mut out = json!({
+            "severity": word(diagnostic.severity),
+            "alarm": diagnostic.alarm,
+            "message": sentence(Language::English, &diagnostic.message),
+            "hints": hints,
+        });
+        if let Some((file, line, column)) = self.place(diagnostic) {
+            out["file"] = json!(file);
+            out["line"] = json!(line);
+            out["column"] = json!(column);
+        }
+        if let Some(field) = diagnostic.field {
+            out["field"] = json!(field);
+        }
+        out
+    }
+
+    fn place(&self, diagnostic: &Diagnostic) -> Option<(&str, u32, u32)> {
+        let place = diagnostic.place?;
+        let file = self.files.get(place.file)?;
+        let position = self.indices.get(place.file.0 as usize)?.position(&file.text, place.span.start);
+        Some((&file.name, position.line, position.column))
+    }
+
+    fn line_text(&self, diagnostic: &Diagnostic, line: u32) -> &str {
+        let Some(place) = diagnostic.place else { return "" };
+        match (self.files.get(place.file), self.indices.get(place.file.0 as usize)) {
+            (Some(file), Some(index)) => index.line(&file.text, line),
+            _ => "",
+        }
+    }
+}
+
+/// The severity as it is written.
+pub fn word(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+        Severity::Info => "info",
+    }
+}

@@ -1,0 +1,204 @@
+//! The command line as an engineer uses it: the paper's figures by running the exported text.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::{Value as Json, json};
+
+/// A folder of its own for one test, emptied first.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+fn macroline(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_macroline")).args(args).output().unwrap()
+}
+
+fn text(path: &Path) -> String {
+    path.to_str().unwrap().to_owned()
+}
+
+/// The default project with some values changed, as a file.
+#[track_caller]
+fn project(folder: &Path, values: Json) -> String {
+    let out = macroline(&["new", "ribbon-line"]);
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let mut project: Json = serde_json::from_slice(&out.stdout).unwrap();
+    for (id, value) in values.as_object().unwrap() {
+        assert!(project["values"].get(id).is_some(), "no field {id}");
+        project["values"][id] = value.clone();
+    }
+    let path = folder.join("project.json");
+    std::fs::write(&path, project.to_string()).unwrap();
+    text(&path)
+}
+
+/// Exports a project and returns its program files.
+#[track_caller]
+fn exported(folder: &Path, values: Json) -> Vec<String> {
+    let project = project(folder, values);
+    let out = macroline(&["export", &project, "--out", &text(&folder.join("out"))]);
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let mut files: Vec<String> = std::fs::read_dir(folder.join("out"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "nc"))
+        .map(|path| text(&path))
+        .collect();
+    files.sort();
+    files
+}
+
+/// Runs and reads the JSON; the exit status must be `status`.
+#[track_caller]
+fn run(args: &[&str], status: i32) -> Json {
+    let mut line = vec!["run", "--json"];
+    line.extend(args);
+    let out = macroline(&line);
+    assert_eq!(
+        out.status.code(),
+        Some(status),
+        "{}\n{}",
+        String::from_utf8_lossy(&out.stdout),
+        String::from_utf8_lossy(&out.stderr)
+    );
+    serde_json::from_slice(&out.stdout).unwrap()
+}
+
+#[track_caller]
+fn near(value: &Json, want: f64, relative: f64) {
+    let value = value.as_f64().unwrap_or_else(|| panic!("no number: {value}"));
+    assert!((value - want).abs() <= relative * want.abs(), "{value} is not {want}");
+}
+
+/// The values of the project on the control: O9102 by itself, then the run program.
+fn values_of_o9102(files: &[String]) -> Vec<String> {
+    let path = files.iter().find(|path| path.ends_with("O9102.nc")).unwrap();
+    let out = run(&[path.as_str(), "--control", "mitsubishi-e60"], 0);
+    let variables = out["variables"].as_object().unwrap();
+    variables.iter().flat_map(|(name, value)| ["--set".to_owned(), format!("{name}={value}")]).collect()
+}
+
+fn run_exported(files: &[String], more: &[&str]) -> Json {
+    let set = values_of_o9102(files);
+    let mut args: Vec<&str> = files.iter().map(String::as_str).collect();
+    args.extend(["--control", "mitsubishi-e60", "--start", "O9101"]);
+    args.extend(set.iter().map(String::as_str));
+    args.extend(more);
+    run(&args, 0)
+}
+
+#[test]
+fn the_papers_example_runs_from_the_exported_text_with_exact_pi() {
+    let files = exported(&folder("paper-exact"), json!({ "pitch-count": 40 }));
+    assert_eq!(files.len(), 3, "{files:?}");
+    let out = run_exported(&files, &["--no-canon"]);
+    assert_eq!(out["ended"], "program-end");
+    near(&out["variables"]["#105"], 15079.644737, 2e-9);
+    near(&out["variables"]["#110"], 62.831853, 2e-9);
+    near(&out["variables"]["#115"], 119391.393301, 2e-9);
+    near(&out["axes"]["X"], 320.0, 1e-12);
+}
+
+#[test]
+fn the_papers_example_runs_with_the_papers_pi() {
+    let files = exported(&folder("paper-314"), json!({ "pitch-count": 40, "pi": "3.14" }));
+    let out = run_exported(&files, &["--no-canon"]);
+    near(&out["variables"]["#105"], 15072.0, 1e-12);
+    near(&out["variables"]["#110"], 62.8, 1e-12);
+    near(&out["variables"]["#115"], 119271.336603, 1e-10);
+}
+
+#[test]
+fn a_project_runs_as_its_exported_files_do() {
+    let folder = folder("project-run");
+    let files = exported(&folder, json!({ "pitch-count": 40 }));
+    let bare = run_exported(&files, &[]);
+    let whole = run(&[&text(&folder.join("project.json"))], 0);
+    assert_eq!(bare["canon"], whole["canon"]);
+    assert_eq!(bare["axes"], whole["axes"]);
+}
+
+#[test]
+fn five_hundred_pitches_by_any_number_per_block_print_exactly_five_hundred() {
+    for per_block in [1, 3, 6, 7, 499, 500, 600] {
+        let folder = folder(&format!("per-block-{per_block}"));
+        let path = project(&folder, json!({ "pitch-count": 500, "pitches-per-block": per_block }));
+        let out = run(&[&path, "--no-canon"], 0);
+        near(&out["axes"]["X"], 4000.0, 1e-12);
+        let y = out["axes"]["Y"].as_f64().unwrap();
+        let want = 500.0 * std::f64::consts::PI * 120.0 / 6.0;
+        assert!((y - want).abs() <= 0.001, "Y {y} is not within one increment of {want}");
+    }
+}
+
+#[test]
+fn the_operator_changes_product_by_variables_alone() {
+    let folder = folder("product-change");
+    let files = exported(&folder, json!({ "pitch-count": 60 }));
+    let out = run_exported(&files, &["--no-canon", "--set", "#107=12.5", "--set", "#109=4"]);
+    near(&out["variables"]["#110"], std::f64::consts::PI * 120.0 / 4.0, 2e-9);
+    near(&out["axes"]["X"], 60.0 * 12.5, 1e-12);
+    near(&out["variables"]["#107"], 12.5, 0.0);
+    near(&out["variables"]["#109"], 4.0, 0.0);
+}
+
+#[test]
+fn a_knob_turned_in_the_run_changes_the_speed_of_both() {
+    let folder = folder("knob");
+    let path = project(&folder, json!({ "pitch-count": 400 }));
+    let panel = folder.join("panel.json");
+    std::fs::write(&panel, r#"[ { "t": 6.0, "spindle_override": 80 } ]"#).unwrap();
+    let out = run(&[&path, "--no-canon", "--panel", &text(&panel)], 0);
+    near(&out["variables"]["#104"], 960.0, 1e-12);
+    near(&out["variables"]["#105"], 15079.644737 * 0.8, 2e-9);
+}
+
+#[test]
+fn wrong_usage_exits_2_and_errors_exit_1() {
+    for line in [
+        &["run"][..],
+        &["new", "no-such-machine"],
+        &["check", "missing.nc", "--control", "mitsubishi-e60"],
+        &["frobnicate"],
+    ] {
+        assert_eq!(macroline(line).status.code(), Some(2), "{line:?}");
+    }
+    let folder = folder("errors");
+    let bad = folder.join("bad.nc");
+    std::fs::write(&bad, "%\nO1\n#105=1/0\nM30\n%\n").unwrap();
+    let out = run(&[&text(&bad), "--control", "mitsubishi-e60"], 1);
+    assert_eq!(out["ended"], "alarm");
+    assert_eq!(out["diagnostics"][0]["alarm"], "P283");
+    assert_eq!(out["diagnostics"][0]["line"], 3);
+    let path = project(&folder, json!({ "pitch": 0 }));
+    let out = macroline(&["export", &path, "--out", &text(&folder.join("none"))]);
+    assert_eq!(out.status.code(), Some(1));
+    assert!(!folder.join("none").exists(), "nothing is written when there is an error");
+}
+
+#[test]
+fn an_endless_program_ends_at_its_budget() {
+    let folder = folder("endless");
+    let path = folder.join("endless.nc");
+    std::fs::write(&path, "%\nO1\nWHILE[1 EQ 1]DO1\n#100=#100+1\nEND1\nM30\n%\n").unwrap();
+    let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--blocks", "1000"], 0);
+    assert_eq!(out["ended"], "blocks");
+    let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--seconds", "2"], 0);
+    assert_eq!(out["ended"], "seconds");
+}
+
+#[test]
+fn the_spindle_stands_as_m00_left_it() {
+    let folder = folder("m00");
+    let path = folder.join("spindle.nc");
+    std::fs::write(&path, "%\nO1\nS1200M3\nG04X5.\nM00\nM30\n%\n").unwrap();
+    let out = run(&[&text(&path), "--control", "mitsubishi-e60"], 0);
+    assert_eq!(out["ended"], "stop");
+    near(&out["spindle"]["rpm"], 1200.0, 1e-9);
+    near(&out["spindle"]["volts_command"], 8.108108, 1e-6);
+    near(&out["spindle"]["volts"], 8.107, 1e-4);
+}
