@@ -2,3 +2,4 @@
 
 mod look;
 mod ribbon_line;
+mod ribbon_program;
