@@ -61,7 +61,7 @@ const WATCHED: [(u32, u32); 7] = [(INPUT, 130), (100, 131), (101, 132), (102, 13
 pub(super) fn blocks_of_a_pass(p: &Params) -> (u32, u32) {
     match p.variant {
         Variant::ReadyMade => (1, 7),
-        Variant::Published => (1, 14),
+        Variant::Published => (1, 15),
     }
 }
 
@@ -138,6 +138,12 @@ fn alarms(b: &mut Builder) {
     }
 }
 
+/// The vector feed is more than the control takes.
+fn feed_alarm(b: &mut Builder) {
+    b.n(920).alarm(20, "FEED #115 ABOVE LIMIT #119");
+    b.words([m(99)]);
+}
+
 /// O9100, ready-made: guards, copies of what the run watches, and the paper's equations.
 fn compute(b: &mut Builder, p: &Params) {
     b.program(COMPUTE, "RIBBON LINE - COMPUTE");
@@ -157,8 +163,7 @@ fn compute(b: &mut Builder, p: &Params) {
     b.n(38).assign(123, v(110) * v(128)).note("Y PER BLOCK");
     b.n(39).words([m(99)]);
     alarms(b);
-    b.n(920).alarm(20, "FEED #115 ABOVE LIMIT #119");
-    b.words([m(99)]);
+    feed_alarm(b);
     // Behind the end: read by people, never by a running line.
     header(b, p);
 }
@@ -253,6 +258,7 @@ fn published(b: &mut Builder, p: &Params) {
     b.n(30).assign(115, vector_feed()).note("VECTOR FEED");
     b.n(31).assign(124, ((v(122) + v(110)) * 1000).round() / 1000).note("Y OF THIS PITCH");
     b.n(40).if_goto(v(115).le(0), 210);
+    b.n(41).if_goto(v(115).gt(v(119)), 920);
     b.n(90).if_goto(v(127).eq(v(100)), 200);
     start_spindle(b, p, 100, 110);
     b.n(120).assign(127, v(100)).note("SPEED THAT RUNS");
@@ -262,6 +268,7 @@ fn published(b: &mut Builder, p: &Params) {
     b.n(203).words([m(99)]);
     b.n(210).words([g(4), x(real(0.1, 1))]).note("OVERRIDE 0: WAIT");
     b.n(211).words([m(99)]);
+    feed_alarm(b);
     header(b, p);
 }
 
