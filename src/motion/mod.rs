@@ -1,4 +1,19 @@
 //! From commands to time: the planner pulls the interpreter, the timeline answers any moment.
+//!
+//! # What is simulated, and how far
+//!
+//! * **Reading ahead.** Each block costs the control its block time; at most `preread` blocks are read and not yet begun. Macro
+//!   statements, inputs, `#3004` and macro outputs act when they are read, so a knob acts as late as on the machine. M00, M01, M02,
+//!   M30 and messages stop the reading until they are done.
+//! * **Axes.** A path of constant feed, slowed as a whole where an axis would exceed its clamp; behind it acceleration "linear by time
+//!   constant" (a moving average per axis) and the lag of the position loop. G64 begins a block when the unfiltered path of the one
+//!   before ends; G61 and G09 wait until the command rests and the axes are in position; a rapid waits until the command rests.
+//!   Dwell and S, M and T codes wait until the command rests. A block that is not ready in time lets the axes stop.
+//! * **Spindle.** S times override, clamped; the inverter follows in a straight ramp, with slip. Override acts at once. M02 and M30 leave
+//!   the spindle as it is (switching it off is the PLC's affair); reset and emergency stop take its command away.
+//! * **PLC.** Asked when something that it sees has changed and when it wishes; codes of one block are put out together and end with FIN.
+//! * **Operator.** Feed hold lets dwell and codes run to their end. Reset breaks off: the axes stop over their time constants. Cycle
+//!   start at the very moment of a stop answers that stop; other actions come before what the machine does at the same moment.
 
 pub mod plant;
 

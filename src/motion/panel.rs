@@ -47,7 +47,7 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Sorts the events by time; times that are negative or no number become 0.
+    /// Sorts the events by time; times that are negative or no number become 0, infinite ones the largest number.
     pub fn new(events: impl IntoIterator<Item = Event>) -> Panel {
         let mut panel = Panel::default();
         for event in events {
@@ -58,7 +58,7 @@ impl Panel {
 
     /// Adds an event behind all that are not later.
     pub fn add(&mut self, mut event: Event) {
-        event.t = if event.t > 0.0 { event.t } else { 0.0 };
+        event.t = if event.t > 0.0 { event.t.min(f64::MAX) } else { 0.0 };
         let at = self.events.partition_point(|other| other.t <= event.t);
         self.events.insert(at, event);
     }

@@ -56,9 +56,10 @@ pub struct Setup<'a, P> {
 /// Why a run is over. Where the operator does something further it goes on.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RunEnd {
-    /// M02, M30 or the end of the start program.
+    /// M02, M30 or the end of the start program; the spindle is left as it is.
     ProgramEnd,
-    /// It waits for the operator: M00, M01, a message, single block, hold or reset, and no event of the panel answers.
+    /// It waits for the operator: M00, M01, a message, single block, hold or reset, and no event of the panel answers. Or it waits for
+    /// something that never comes (FIN, a feed above 0), of which a diagnostic tells.
     Stop,
     /// An alarm, or emergency stop.
     Alarm(Box<Diagnostic>),
@@ -132,7 +133,7 @@ impl<P: Program> Planner<P> {
                 break;
             }
             let (t, who) = sim.next();
-            if t > until {
+            if t > until || t == f64::INFINITY {
                 if t == f64::INFINITY && sim.panel.events().len() == sim.s.panel_done {
                     let why = sim.stuck();
                     self.records.diagnostics.push(why);

@@ -7,6 +7,7 @@ mod program;
 mod reading;
 mod script;
 mod spindle;
+mod strange;
 
 use macroline::controls::{self, Control};
 use macroline::interp::canon::AXES;

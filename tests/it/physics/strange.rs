@@ -1,0 +1,82 @@
+//! Whatever is commanded, on whatever plant: a run ends, and nothing panics.
+
+use proptest::prelude::*;
+
+use super::*;
+
+/// Numbers that formulas do not like.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        3 => -1e4..1e4f64,
+        1 => prop::sample::select(vec![0.0, -0.0, 1e-300, 1e300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY]),
+    ]
+}
+
+fn goal() -> impl Strategy<Value = Target> {
+    let place = prop_oneof![4 => -100_000i64..100_000, 1 => any::<i64>()];
+    (prop::array::uniform6(place), any::<u8>()).prop_map(|(position, mask)| Target { position, mask })
+}
+
+fn feed() -> impl Strategy<Value = Feed> {
+    (number(), any::<bool>()).prop_map(|(f, turns)| if turns { Feed::PerRevolution(f) } else { Feed::PerMinute(f) })
+}
+
+fn canon() -> impl Strategy<Value = Canon> {
+    let arc = (goal(), any::<(u8, u8)>(), number(), number(), any::<bool>(), feed(), any::<bool>());
+    prop_oneof![
+        goal().prop_map(|to| Canon::Rapid { to }),
+        (goal(), feed(), any::<bool>()).prop_map(|(to, feed, exact)| Canon::Linear { to, feed, exact }),
+        arc.prop_map(|(to, (a, b), x, y, clockwise, feed, exact)| {
+            Canon::Arc { to, plane: (a % 8, b % 8), center: (x, y), clockwise, feed, exact }
+        }),
+        number().prop_map(|seconds| Canon::Dwell { seconds }),
+        number().prop_map(|rpm| Canon::SpindleSpeed { rpm }),
+        any::<i8>().prop_map(|sign| Canon::SpindleDirection { sign }),
+        any::<u32>().prop_map(|code| Canon::Auxiliary { code }),
+        Just(Canon::OptionalStop),
+    ]
+}
+
+fn any_plant() -> impl Strategy<Value = Plant> {
+    (prop::array::uniform8(number()), any::<u8>(), 0usize..9).prop_map(|(n, small, axes)| {
+        let axis = AxisPlant { rapid: n[0], clamp: n[1], time_constant: n[2], position_gain: n[3], ..axis(b'X') };
+        let mut plant = plant();
+        plant.axes = vec![axis; axes];
+        plant.spindle.speed_at_full = n[4];
+        plant.spindle.speed_clamp = n[5];
+        plant.spindle.output_bits = small;
+        plant.spindle.ramp = n[6];
+        plant.spindle.gain = n[3];
+        plant.spindle.slip = n[7];
+        plant.preread = small;
+        (plant.block_time, plant.macro_time, plant.in_position) = (n[6], n[7], n[0]);
+        plant
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 128, ..ProptestConfig::default() })]
+
+    #[test]
+    fn every_run_ends(
+        commands in prop::collection::vec(canon(), 1..12),
+        plant in any_plant(),
+        percent in number(),
+        t in number(),
+    ) {
+        let events = vec![
+            at(t, Action::FeedOverride(percent)),
+            at(0.5, Action::SpindleOverride(percent)),
+            at(t, Action::ManualSpeed(percent)),
+        ];
+        let mut planner = planner(&plant, events, commands.into_iter().map(one).collect());
+        let mut slices = 0;
+        while planner.advance(f64::INFINITY, 10_000).ended.is_none() {
+            slices += 1;
+            prop_assert!(slices < 1000, "it goes on and on at {}", planner.timeline().end());
+        }
+        for i in 0..50 {
+            planner.timeline().at(f64::from(i) * planner.timeline().end() / 50.0);
+        }
+    }
+}
