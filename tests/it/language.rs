@@ -1,8 +1,10 @@
-//! Reading and writing programs: what the control would say of a text, where, and how it is mended.
+//! Reading programs: what the control would say of a text, where, and how it is mended.
+
+mod trees;
 
 use expect_test::{Expect, expect};
 use macroline::controls::{Control, find};
-use macroline::nc::{Files, Parsed, parse};
+use macroline::nc::{Expr, Files, Parsed, parse};
 use macroline::text::catalog::{Language, sentence};
 use macroline::text::{LineIndex, Severity};
 
@@ -679,5 +681,28 @@ fn files_and_programs() {
         expect![[r#"
         1:4 warning - The control has no character “é”, not even for comments.
     "#]],
+    );
+}
+
+#[test]
+fn a_block_takes_little_memory() {
+    let blocks = 10_000;
+    let parsed = read(&"G91 G01 X1. Y2. F1000\n".repeat(blocks));
+    let deck = parsed.deck();
+    assert_eq!(deck.blocks.len(), blocks);
+    let bytes = deck.blocks.capacity() * size_of::<macroline::nc::Block>()
+        + deck.words.capacity() * size_of::<macroline::nc::Word>()
+        + deck.exprs.capacity() * size_of::<Expr>();
+    assert!(bytes <= 256 * blocks, "{} bytes a block", bytes / blocks);
+}
+
+#[test]
+fn a_file_of_garbage_is_answered_with_a_bounded_list() {
+    let parsed = read(&"@\n".repeat(50_000));
+    assert_eq!(parsed.diagnostics().len(), 1001);
+    let parsed = read(&"X".repeat(100_000));
+    assert_eq!(
+        findings(&parsed).lines().next(),
+        Some("1:1 error P33 This block is too long: at most 60000 characters are read.")
     );
 }

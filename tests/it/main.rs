@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod cli;
+mod controls;
 mod language;
 mod machines;
 mod physics;

@@ -23,5 +23,4 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("common-at-reset", "#100 and up at reset (#1128)", &["kept", "vacant"], MEMORY),
     switch("locals-of-calls", "Locals without an argument (#1114)", &["vacant", "kept"], MEMORY),
     switch("override-suppression", "#3004 bit 1 switches the cutting override off", &["yes", "no"], MEMORY),
-    switch("macro-block-time", "Macro blocks cost time", &["macro", "full", "none"], MEMORY),
 ];

@@ -1,0 +1,53 @@
+//! How fast programs are read and written, and what a calibration loop takes on the same machine.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use std::fmt::Write as _;
+use std::hint::black_box;
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use macroline::controls;
+use macroline::nc::{Files, emit, parse, tokens};
+
+/// Blocks of the flat program.
+const COUNT: u64 = 100_000;
+
+fn flat() -> Files {
+    let mut text = String::from("%\nO1\n");
+    for k in 0..COUNT {
+        writeln!(text, "G91 G01 X{}. Y2. F1000", k % 9).unwrap();
+    }
+    text.push_str("M30\n%\n");
+    Files::one("flat.nc", text)
+}
+
+fn formulas() -> Files {
+    let mut text = String::from("%\nO1\n");
+    for _ in 0..COUNT / 4 {
+        text.push_str("N10 #104=#100*#1033/100 (SPEED)\n#105=[3.14159265*#102]/#101*#104\n");
+        text.push_str("#115=#105*SQRT[#107*#107+#110*#110]/#107\nIF[#115 GT #119]GOTO10\n");
+    }
+    text.push_str("M30\n%\n");
+    Files::one("formulas.nc", text)
+}
+
+fn speed(c: &mut Criterion) {
+    let control = controls::ALL[0];
+    let mut group = c.benchmark_group("nc");
+    group.sample_size(20);
+    group.throughput(Throughput::Elements(COUNT));
+    // What the figures are compared with: a chain of as many dependent multiplications and additions, four a block.
+    group.bench_function("calibration", |b| {
+        b.iter(|| (0..4 * COUNT).fold(black_box(1.0_f64), |sum, k| sum.mul_add(0.999, k as f64)))
+    });
+    let (flat, formulas) = (flat(), formulas());
+    group.bench_function("flat blocks, read", |b| b.iter(|| parse(&flat, control)));
+    group.bench_function("formulas, read", |b| b.iter(|| parse(&formulas, control)));
+    let deck = parse(&flat, control).deck().clone();
+    group.bench_function("flat blocks, write", |b| b.iter(|| emit(&deck, control)));
+    let text = &flat.0[0].text;
+    group.bench_function("flat blocks, colour", |b| b.iter(|| tokens(text, control)));
+    group.finish();
+}
+
+criterion_group!(benches, speed);
+criterion_main!(benches);

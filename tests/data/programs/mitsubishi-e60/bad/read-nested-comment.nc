@@ -1,0 +1,6 @@
+(P33 4:1)
+%
+O1
+(ROLLER (MM) SETTING)
+M30
+%

@@ -1,0 +1,122 @@
+//! What is read, as trees.
+
+use expect_test::{Expect, expect};
+use macroline::nc::{Deck, Expr, ExprId, Parsed, Stmt, WordValue};
+
+use super::{findings, read};
+
+/// The tree, one block a line: number, kind, parts.
+fn tree(parsed: &Parsed) -> String {
+    fn expr(deck: &Deck, id: ExprId) -> String {
+        match deck.expr(id) {
+            Expr::Number(number) => number.to_string(),
+            Expr::Var(number) => format!("#{number}"),
+            Expr::Indirect(inner) => format!("#({})", expr(deck, inner)),
+            Expr::Negate(inner) => format!("(- {})", expr(deck, inner)),
+            Expr::Call(function, inner) => format!("({function:?} {})", expr(deck, inner)),
+            Expr::Binary(op, left, right) => format!("({op:?} {} {})", expr(deck, left), expr(deck, right)),
+        }
+    }
+    let deck = parsed.deck();
+    let mut out = String::new();
+    for program in &deck.programs {
+        out += &format!("O{} {:?}\n", program.number, program.title.map(|_| deck.comment(program.title)));
+        for block in deck.blocks_of(program) {
+            let say = |id| expr(deck, id);
+            let words = deck.words_of(block).iter().map(|word| match word.value {
+                WordValue::Number(number) => format!("{}:{number}", word.letter as char),
+                WordValue::Expr(value) => format!("{}:{}", word.letter as char, say(value)),
+            });
+            let stmt = match block.stmt {
+                Stmt::Words { .. } => words.collect::<Vec<_>>().join(" "),
+                Stmt::Assign { to, value } => format!("{} = {}", say(to), say(value)),
+                Stmt::If { cond, target } => format!("if {} goto {}", say(cond), say(target)),
+                Stmt::Goto(target) => format!("goto {}", say(target)),
+                Stmt::While { cond, label } => format!("while {} do {label}", cond.map_or("true".to_owned(), say)),
+                Stmt::End { label } => format!("end {label}"),
+                other => format!("{other:?}"),
+            };
+            let number = block.number.map_or(String::new(), |number| format!("N{number} "));
+            let skip = if block.skip > 0 { format!("/{} ", block.skip) } else { String::new() };
+            let comment = block.comment.map_or(String::new(), |_| format!(" ({})", deck.comment(block.comment)));
+            out += &format!("  {skip}{number}{stmt}{comment}\n");
+        }
+    }
+    out
+}
+
+#[track_caller]
+fn check_tree(text: &str, expected: Expect) {
+    let parsed = read(text);
+    assert!(!parsed.has_errors(), "{}", findings(&parsed));
+    expected.assert_eq(&tree(&parsed));
+}
+
+#[test]
+fn blocks_as_trees() {
+    check_tree(
+        "%\nO9100 (RIBBON)\n/N10 G91G1X8.Y-.5F#115\n/3 g 0 x + 1 y - #1 (fast)\nX#1+10Z[#2]A123+0\n\
+         N11(SPEED)#104=#100*#1033/100\n#3000=1(STOP)\nM99\n%\n",
+        expect![[r#"
+            O9100 Some("RIBBON")
+              /1 N10 G:91 G:1 X:8. Y:-0.5 F:#115
+              /3 G:0 X:1 Y:(- #1) (fast)
+              X:(Add #1 10) Z:#2 A:(Add 123 0)
+              N11 #104 = (Divide (Multiply #100 #1033) 100) (SPEED)
+              #3000 = 1 (STOP)
+              M:99
+        "#]],
+    );
+    check_tree(
+        "N10S1000M3G91G01X1.Y2.F#115\nM30",
+        expect![[r#"
+        O0 None
+          N10 S:1000 M:3 G:91 G:1 X:1. Y:2. F:#115
+          M:30
+    "#]],
+    );
+    check_tree(
+        "#1=-#2*3-4/5 AND 6 OR 7XOR8\n#1=-5-[-6]\n##2=#[#3]+SIN[30]\n#1=[[#2]]\nM30",
+        expect![[r#"
+        O0 None
+          #1 = (Xor (Or (Subtract (Multiply (- #2) 3) (And (Divide 4 5) 6)) 7) 8)
+          #1 = (Subtract -5 -6)
+          #(#2) = (Add #(#3) (Sin 30))
+          #1 = #2
+          M:30
+    "#]],
+    );
+    check_tree(
+        "IF[#1 LE 0]GOTO#5\nIF [#1-1EQ#2] GOTO 10\nN10 WHILE[#1GT0]DO1\nDO 2\nGOTO10\nEND2\nEND 1\nM30",
+        expect![[r#"
+            O0 None
+              if (LessEqual #1 0) goto #5
+              if (Equal (Subtract #1 1) #2) goto 10
+              N10 while (Greater #1 0) do 1
+              while true do 2
+              goto 10
+              end 2
+              end 1
+              M:30
+        "#]],
+    );
+    check_tree(
+        "(ABOVE)\n%\nO1\nM30\nO2\nM99\n%\n",
+        expect![[r#"
+        O1 None
+          Empty (ABOVE)
+          M:30
+        O2 None
+          M:99
+    "#]],
+    );
+    check_tree(
+        "G1 X1. ; Y2. (A;B) ;\nM30",
+        expect![[r#"
+        O0 None
+          G:1 X:1.
+          Y:2. (A;B)
+          M:30
+    "#]],
+    );
+}
