@@ -3,8 +3,9 @@
 use super::moves::{Move, Pace};
 use super::path::Segment;
 use super::program::Program;
+use super::signals::percent;
 use super::snapshot::Mode;
-use super::state::{Once, Over, Queued, Sim, percent};
+use super::state::{Once, Over, Queued, Sim};
 use crate::interp::canon::{AXES, Target};
 use crate::interp::{Canon, Feed};
 use crate::math;

@@ -31,11 +31,17 @@ pub mod plan;
 
 mod executor;
 
+mod machine;
+
 mod moves;
 
 mod operator;
 
 mod path;
+
+mod reader;
+
+mod signals;
 
 mod spindle;
 

@@ -3,7 +3,8 @@
 use super::executor::Exec;
 use super::panel::Action;
 use super::program::Program;
-use super::state::{Sim, percent};
+use super::signals::percent;
+use super::state::Sim;
 use super::timeline::Change;
 use crate::msg;
 use crate::text::Diagnostic;

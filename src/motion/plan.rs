@@ -6,11 +6,12 @@
 
 use std::collections::VecDeque;
 
+use super::machine::Machine;
 use super::panel::{Event, Panel};
 use super::plant::Plant;
 use super::plc::Plc;
 use super::program::Program;
-use super::state::{Machine, Marks, Records, Sim, State};
+use super::state::{Marks, Records, Sim, State};
 use super::timeline::Timeline;
 use crate::controls::Control;
 use crate::interp::{Canon, Counts};

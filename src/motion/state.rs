@@ -1,86 +1,19 @@
 //! The simulation between two events: reader, executor, spindle, PLC and operator, always the earliest first.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 
 use super::executor::Exec;
+use super::machine::Machine;
 use super::panel::{Action, Panel};
-use super::plan::{Limits, RunEnd};
-use super::plant::{AxisPlant, Plant, SpindlePlant};
+use super::plan::RunEnd;
 use super::plc::{Io, Plc};
 use super::program::Program;
 use super::snapshot::Mode;
 use super::timeline::{Lengths, Mark, Timeline};
-use crate::controls::{Alarm, Control};
 use crate::interp::canon::AXES;
-use crate::interp::{Canon, End, World};
+use crate::interp::{Canon, End};
 use crate::msg;
 use crate::text::{Diagnostic, Message, Place};
-
-/// Every block takes some time, so that time passes in a loop that waits.
-const LEAST_BLOCK_TIME: f64 = 1e-4;
-
-/// What stays the same during a run.
-#[derive(Debug, Clone)]
-pub(super) struct Machine {
-    pub(super) axes: [AxisPlant; AXES],
-    pub(super) spindle: SpindlePlant,
-    /// Millimetres per command increment.
-    pub(super) increment: f64,
-    pub(super) block_time: f64,
-    pub(super) macro_time: f64,
-    pub(super) preread: usize,
-    pub(super) in_position: f64,
-    /// Seconds from the end of the unfiltered path to standstill of the slowest axis.
-    pub(super) standstill: f64,
-    pub(super) limits: Limits,
-    pub(super) emergency: Option<&'static str>,
-    /// Number of axes that the machine has.
-    pub(super) fitted: usize,
-    pub(super) log: bool,
-}
-
-impl Machine {
-    /// Values that are no number or make no sense become harmless ones: no run ever fails over its plant.
-    pub(super) fn new(control: &Control, plant: &Plant, limits: Limits, log: bool) -> Machine {
-        let positive = |x: f64, otherwise: f64| if x > 0.0 && x.is_finite() { x } else { otherwise };
-        let axes: [AxisPlant; AXES] = core::array::from_fn(|k| {
-            let letter = control.axes.get(k).map_or(b'?', |axis| axis.letter);
-            // An axis that the machine lacks moves without inertia, so that the program can be watched; a diagnostic says so.
-            let missing =
-                AxisPlant { letter, rotary: false, rapid: 1e6, clamp: 1e6, time_constant: 0.0, position_gain: 0.0 };
-            let axis = plant.axes.get(k).copied().unwrap_or(missing);
-            AxisPlant {
-                rapid: positive(axis.rapid, missing.rapid),
-                clamp: positive(axis.clamp, missing.clamp),
-                time_constant: positive(axis.time_constant, 0.0),
-                position_gain: positive(axis.position_gain, 0.0),
-                ..axis
-            }
-        });
-        let spindle = SpindlePlant {
-            speed_at_full: positive(plant.spindle.speed_at_full, 1.0),
-            speed_clamp: positive(plant.spindle.speed_clamp, 0.0),
-            ramp: positive(plant.spindle.ramp, 0.0),
-            gain: positive(plant.spindle.gain, 1.0),
-            slip: if plant.spindle.slip.is_finite() { plant.spindle.slip } else { 0.0 },
-            ..plant.spindle
-        };
-        Machine {
-            standstill: axes.iter().map(|axis| axis.time_constant).fold(0.0, f64::max),
-            axes,
-            spindle,
-            increment: control.limits.increment,
-            block_time: positive(plant.block_time, 0.0).max(LEAST_BLOCK_TIME),
-            macro_time: positive(plant.macro_time, 0.0).max(LEAST_BLOCK_TIME),
-            preread: usize::from(plant.preread.max(1)),
-            in_position: positive(plant.in_position, 1e-6),
-            limits,
-            emergency: control.alarm_number(Alarm::EmergencyStop),
-            fitted: plant.axes.len(),
-            log,
-        }
-    }
-}
 
 /// What a run leaves behind; cut to [`Marks`] when the past changes.
 #[derive(Debug, Clone)]
@@ -299,38 +232,6 @@ pub(super) struct Sim<'a, P> {
     pub(super) panel: &'a Panel,
 }
 
-/// What a program sees of the machine when one of its blocks is read.
-struct Eyes<'a> {
-    inputs: &'a BTreeMap<u32, f64>,
-    position: &'a [f64; AXES],
-    power_on: f64,
-    running: f64,
-    block_skip: bool,
-    changes: Vec<(u32, Option<f64>)>,
-}
-
-impl World for Eyes<'_> {
-    fn input(&mut self, variable: u32) -> f64 {
-        self.inputs.get(&variable).copied().unwrap_or(0.0)
-    }
-
-    fn clock_ms(&mut self, run: bool) -> f64 {
-        1000.0 * if run { self.running } else { self.power_on }
-    }
-
-    fn position(&mut self, axis: usize) -> f64 {
-        self.position.get(axis).copied().unwrap_or(0.0)
-    }
-
-    fn block_skip(&mut self, _number: u8) -> bool {
-        self.block_skip
-    }
-
-    fn changed(&mut self, variable: u32, value: Option<f64>) {
-        self.changes.push((variable, value));
-    }
-}
-
 impl<P: Program> Sim<'_, P> {
     /// The earliest event: its time and whose it is; infinite where nothing will happen by itself.
     pub(super) fn next(&self) -> (f64, Who) {
@@ -410,152 +311,8 @@ impl<P: Program> Sim<'_, P> {
         self.scan(0.0);
     }
 
-    /// Takes one step of the program.
-    fn read(&mut self, t: f64) {
-        let before = self.s.program.blocks();
-        if before.nc + before.macros >= self.machine.limits.blocks {
-            self.s.over = Some(Over::Blocks);
-            return;
-        }
-        if self.s.drain {
-            self.s.drain = false;
-            self.s.flow_end = None;
-        }
-        let running = self.run_time(t);
-        let s = &mut *self.s;
-        let mut eyes = Eyes {
-            inputs: &s.io.inputs,
-            position: &s.position,
-            power_on: t,
-            running,
-            block_skip: s.knobs.block_skip,
-            changes: Vec::new(),
-        };
-        let step = s.program.step(&mut eyes);
-        for (number, value) in eyes.changes {
-            self.out.timeline.changes.push(super::timeline::Change { t, number, value: value.unwrap_or(f64::NAN) });
-        }
-        let after = s.program.blocks();
-        let (nc, macros) = (after.nc - before.nc.min(after.nc), after.macros - before.macros.min(after.macros));
-        s.read_at = t + nc as f64 * self.machine.block_time + macros as f64 * self.machine.macro_time;
-        self.take(t, step, nc + macros > 0);
-    }
-
-    fn take(&mut self, t: f64, step: crate::interp::Step, first: bool) {
-        use crate::interp::Step;
-        let (canon, place) = match step {
-            Step::Command(canon, place) => (canon, place),
-            Step::Logic(_) => return,
-            Step::Sync(_) => {
-                self.s.drain = true;
-                return;
-            }
-            Step::Ended(end) => {
-                self.s.over = Some(end.into());
-                return;
-            }
-        };
-        let logged = self.out.logged();
-        if self.machine.log {
-            self.out.log.push_back((t, canon.clone(), place));
-        }
-        match canon {
-            // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).
-            Canon::Output { variable, value } => {
-                self.s.io.outputs.insert(variable, value);
-                self.scan(t);
-            }
-            Canon::Suppress { hold, feed_override, exact } => {
-                self.s.suppress_hold = hold;
-                self.s.suppress_override = feed_override;
-                self.s.suppress_exact = exact;
-                self.pace(t);
-            }
-            _ => {
-                self.s.drain = matches!(canon, Canon::Stop | Canon::OptionalStop | Canon::Message { .. } | Canon::End);
-                self.s.ahead += usize::from(first);
-                self.s.queue.push_back(Queued { canon, place, ready: self.s.read_at, first, logged });
-            }
-        }
-    }
-
-    fn reader_time(&self) -> f64 {
-        let s = &*self.s;
-        let reads = s.exec.runs() || matches!(s.exec, Exec::Stopped);
-        if !reads || s.over.is_some() || s.ahead >= self.machine.preread {
-            return f64::INFINITY;
-        }
-        if !s.drain {
-            return s.read_at.max(s.now);
-        }
-        if s.queue.is_empty() && matches!(s.exec, Exec::Idle) {
-            s.read_at.max(s.now).max(self.rest_time())
-        } else {
-            f64::INFINITY
-        }
-    }
-
-    /// Lets the PLC act until it and the spindle agree.
-    pub(super) fn scan(&mut self, t: f64) {
-        self.turn(t);
-        // A PLC and a control that never agree are left for the next scan.
-        for _ in 0..4 {
-            self.s.io.spindle_actual =
-                self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.machine.spindle, t));
-            let wish = self.s.plc.0.scan(t, &mut self.s.io);
-            // A PLC that wants to be asked at once is asked in its next cycle.
-            self.s.plc_at = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
-            let Io { forced, inputs, .. } = &mut self.s.io;
-            for (name, value) in forced.iter() {
-                if let Some(number) = name.strip_prefix('#').and_then(|digits| digits.parse().ok()) {
-                    inputs.insert(number, *value);
-                }
-            }
-            let answered = matches!(self.s.exec, Exec::Fin) && self.s.io.fin;
-            if answered {
-                let io = &mut self.s.io;
-                (io.m_strobe, io.s_strobe, io.t_strobe) = (None, None, None);
-                self.s.exec = Exec::Idle;
-            }
-            if !self.turn(t) && !answered {
-                break;
-            }
-        }
-    }
-
-    /// Brings the spindle's command up to date; whether it changed.
-    fn turn(&mut self, t: f64) -> bool {
-        let plant = &self.machine.spindle;
-        let wanted = self.s.speed * percent(self.s.io.spindle_override_out) / 100.0;
-        let sign = f64::from(self.s.direction);
-        if wanted > plant.speed_clamp && sign != 0.0 {
-            self.say(Once::SpindleClamp as u32, || msg!("motion.spindle-clamp", wanted, plant.speed_clamp));
-        }
-        let command = if sign == 0.0 { 0.0 } else { sign * wanted.min(plant.speed_clamp) };
-        if command == self.s.io.spindle_command {
-            return false;
-        }
-        let now =
-            self.out.timeline.ramps.last().map_or((0.0, 0.0), |ramp| (ramp.speed(plant, t), ramp.turns(plant, t)));
-        self.s.io.spindle_command = command;
-        self.put_ramp(t, now.0, now.1);
-        self.pace(t);
-        true
-    }
-
-    fn put_ramp(&mut self, t: f64, start: f64, turns: f64) {
-        let plant = &self.machine.spindle;
-        let command = self.s.io.spindle_command;
-        // The output ends at full voltage, whatever the clamp allows.
-        let target = command.clamp(-plant.speed_at_full, plant.speed_at_full);
-        let ramp = super::spindle::Ramp { t, start, target, command, turns };
-        let reached = ramp.reached(plant);
-        self.s.reached_at = if reached > t { reached } else { f64::INFINITY };
-        self.out.timeline.ramps.put(ramp);
-    }
-
     /// Seconds of automatic running.
-    fn run_time(&self, t: f64) -> f64 {
+    pub(super) fn run_time(&self, t: f64) -> f64 {
         self.s.run_time + self.s.run_since.map_or(0.0, |since| t - since)
     }
 
@@ -584,9 +341,4 @@ impl<P: Program> Sim<'_, P> {
             self.out.diagnostics.push(diagnostic);
         }
     }
-}
-
-/// An override in percent: 0 to 1000, 0 where it is no number.
-pub(super) fn percent(value: f64) -> f64 {
-    if value > 0.0 { value.min(1000.0) } else { 0.0 }
 }

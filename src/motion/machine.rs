@@ -1,0 +1,72 @@
+//! The plant as the planner uses it: sound numbers, one entry for each axis that a control can have.
+
+use super::plan::Limits;
+use super::plant::{AxisPlant, Plant, SpindlePlant};
+use crate::controls::{Alarm, Control};
+use crate::interp::canon::AXES;
+
+/// Every block takes some time, so that time passes in a loop that waits.
+const LEAST_BLOCK_TIME: f64 = 1e-4;
+
+/// What stays the same during a run.
+#[derive(Debug, Clone)]
+pub(super) struct Machine {
+    pub(super) axes: [AxisPlant; AXES],
+    pub(super) spindle: SpindlePlant,
+    /// Millimetres per command increment.
+    pub(super) increment: f64,
+    pub(super) block_time: f64,
+    pub(super) macro_time: f64,
+    pub(super) preread: usize,
+    pub(super) in_position: f64,
+    /// Seconds from the end of the unfiltered path to standstill of the slowest axis.
+    pub(super) standstill: f64,
+    pub(super) limits: Limits,
+    pub(super) emergency: Option<&'static str>,
+    /// Number of axes that the machine has.
+    pub(super) fitted: usize,
+    pub(super) log: bool,
+}
+
+impl Machine {
+    /// Values that are no number or make no sense become harmless ones: no run ever fails over its plant.
+    pub(super) fn new(control: &Control, plant: &Plant, limits: Limits, log: bool) -> Machine {
+        let positive = |x: f64, otherwise: f64| if x > 0.0 && x.is_finite() { x } else { otherwise };
+        let axes: [AxisPlant; AXES] = core::array::from_fn(|k| {
+            let letter = control.axes.get(k).map_or(b'?', |axis| axis.letter);
+            // An axis that the machine lacks moves without inertia, so that the program can be watched; a diagnostic says so.
+            let missing =
+                AxisPlant { letter, rotary: false, rapid: 1e6, clamp: 1e6, time_constant: 0.0, position_gain: 0.0 };
+            let axis = plant.axes.get(k).copied().unwrap_or(missing);
+            AxisPlant {
+                rapid: positive(axis.rapid, missing.rapid),
+                clamp: positive(axis.clamp, missing.clamp),
+                time_constant: positive(axis.time_constant, 0.0),
+                position_gain: positive(axis.position_gain, 0.0),
+                ..axis
+            }
+        });
+        let spindle = SpindlePlant {
+            speed_at_full: positive(plant.spindle.speed_at_full, 1.0),
+            speed_clamp: positive(plant.spindle.speed_clamp, 0.0),
+            ramp: positive(plant.spindle.ramp, 0.0),
+            gain: positive(plant.spindle.gain, 1.0),
+            slip: if plant.spindle.slip.is_finite() { plant.spindle.slip } else { 0.0 },
+            ..plant.spindle
+        };
+        Machine {
+            standstill: axes.iter().map(|axis| axis.time_constant).fold(0.0, f64::max),
+            axes,
+            spindle,
+            increment: control.limits.increment,
+            block_time: positive(plant.block_time, 0.0).max(LEAST_BLOCK_TIME),
+            macro_time: positive(plant.macro_time, 0.0).max(LEAST_BLOCK_TIME),
+            preread: usize::from(plant.preread.max(1)),
+            in_position: positive(plant.in_position, 1e-6),
+            limits,
+            emergency: control.alarm_number(Alarm::EmergencyStop),
+            fitted: plant.axes.len(),
+            log,
+        }
+    }
+}

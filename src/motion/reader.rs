@@ -1,0 +1,128 @@
+//! Reads the program ahead of its execution, and lets act what acts when it is read.
+
+use std::collections::BTreeMap;
+
+use super::executor::Exec;
+use super::program::Program;
+use super::state::{Over, Queued, Sim};
+use super::timeline::Change;
+use crate::interp::canon::AXES;
+use crate::interp::{Canon, Step, World};
+
+/// What a program sees of the machine when one of its blocks is read.
+struct Eyes<'a> {
+    inputs: &'a BTreeMap<u32, f64>,
+    position: &'a [f64; AXES],
+    power_on: f64,
+    running: f64,
+    block_skip: bool,
+    changes: Vec<(u32, Option<f64>)>,
+}
+
+impl World for Eyes<'_> {
+    fn input(&mut self, variable: u32) -> f64 {
+        self.inputs.get(&variable).copied().unwrap_or(0.0)
+    }
+
+    fn clock_ms(&mut self, run: bool) -> f64 {
+        1000.0 * if run { self.running } else { self.power_on }
+    }
+
+    fn position(&mut self, axis: usize) -> f64 {
+        self.position.get(axis).copied().unwrap_or(0.0)
+    }
+
+    fn block_skip(&mut self, _number: u8) -> bool {
+        self.block_skip
+    }
+
+    fn changed(&mut self, variable: u32, value: Option<f64>) {
+        self.changes.push((variable, value));
+    }
+}
+
+impl<P: Program> Sim<'_, P> {
+    /// Takes one step of the program.
+    pub(super) fn read(&mut self, t: f64) {
+        let before = self.s.program.blocks();
+        if before.nc + before.macros >= self.machine.limits.blocks {
+            self.s.over = Some(Over::Blocks);
+            return;
+        }
+        if self.s.drain {
+            self.s.drain = false;
+            self.s.flow_end = None;
+        }
+        let running = self.run_time(t);
+        let s = &mut *self.s;
+        let mut eyes = Eyes {
+            inputs: &s.io.inputs,
+            position: &s.position,
+            power_on: t,
+            running,
+            block_skip: s.knobs.block_skip,
+            changes: Vec::new(),
+        };
+        let step = s.program.step(&mut eyes);
+        for (number, value) in eyes.changes {
+            self.out.timeline.changes.push(Change { t, number, value: value.unwrap_or(f64::NAN) });
+        }
+        let after = s.program.blocks();
+        let (nc, macros) = (after.nc - before.nc.min(after.nc), after.macros - before.macros.min(after.macros));
+        s.read_at = t + nc as f64 * self.machine.block_time + macros as f64 * self.machine.macro_time;
+        self.take(t, step, nc + macros > 0);
+    }
+
+    fn take(&mut self, t: f64, step: Step, first: bool) {
+        let (canon, place) = match step {
+            Step::Command(canon, place) => (canon, place),
+            Step::Logic(_) => return,
+            Step::Sync(_) => {
+                self.s.drain = true;
+                return;
+            }
+            Step::Ended(end) => {
+                self.s.over = Some(end.into());
+                return;
+            }
+        };
+        let logged = self.out.logged();
+        if self.machine.log {
+            self.out.log.push_back((t, canon.clone(), place));
+        }
+        match canon {
+            // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).
+            Canon::Output { variable, value } => {
+                self.s.io.outputs.insert(variable, value);
+                self.scan(t);
+            }
+            Canon::Suppress { hold, feed_override, exact } => {
+                self.s.suppress_hold = hold;
+                self.s.suppress_override = feed_override;
+                self.s.suppress_exact = exact;
+                self.pace(t);
+            }
+            _ => {
+                self.s.drain = matches!(canon, Canon::Stop | Canon::OptionalStop | Canon::Message { .. } | Canon::End);
+                self.s.ahead += usize::from(first);
+                self.s.queue.push_back(Queued { canon, place, ready: self.s.read_at, first, logged });
+            }
+        }
+    }
+
+    pub(super) fn reader_time(&self) -> f64 {
+        let s = &*self.s;
+        let reads = s.exec.runs() || matches!(s.exec, Exec::Stopped);
+        if !reads || s.over.is_some() || s.ahead >= self.machine.preread {
+            return f64::INFINITY;
+        }
+        if !s.drain {
+            return s.read_at.max(s.now);
+        }
+        if s.queue.is_empty() && matches!(s.exec, Exec::Idle) {
+            s.read_at.max(s.now).max(self.rest_time())
+        } else {
+            f64::INFINITY
+        }
+    }
+}
