@@ -11,7 +11,7 @@ pub mod report;
 pub mod ribbon_line;
 
 use crate::controls::{Control, Switches};
-use crate::motion::{Plant, Plc, Snapshot};
+use crate::motion::{Action, Plant, Plc, Snapshot};
 use crate::msg;
 use crate::nc::Deck;
 use crate::text::Diagnostic;
@@ -75,6 +75,8 @@ pub trait Machine: 'static {
     fn plan(params: &Self::Params, control: &Control) -> Plan;
     /// The plant that runs it.
     fn plant(params: &Self::Params, control: &Control) -> Plant;
+    /// How the operator's knobs stand when a run begins.
+    fn hand(params: &Self::Params) -> Vec<Action>;
     /// The builder's PLC.
     fn plc(params: &Self::Params, control: &Control, switches: &Switches) -> Box<dyn Plc>;
     /// Parameter sheet, interface, ladder list.
@@ -107,6 +109,8 @@ pub trait AnyMachine: Sync {
     fn plan(&self, values: &Values, control: &Control) -> Plan;
     /// The plant that runs it.
     fn plant(&self, values: &Values, control: &Control) -> Plant;
+    /// How the operator's knobs stand when a run begins.
+    fn hand(&self, values: &Values) -> Vec<Action>;
     /// The builder's PLC.
     fn plc(&self, values: &Values, control: &Control, switches: &Switches) -> Box<dyn Plc>;
     /// Parameter sheet, interface, ladder list.
@@ -183,6 +187,10 @@ impl<M: Machine> AnyMachine for Erased<M> {
 
     fn plant(&self, values: &Values, control: &Control) -> Plant {
         M::plant(&Erased::<M>::params(values).0, control)
+    }
+
+    fn hand(&self, values: &Values) -> Vec<Action> {
+        M::hand(&Erased::<M>::params(values).0)
     }
 
     fn plc(&self, values: &Values, control: &Control, switches: &Switches) -> Box<dyn Plc> {

@@ -76,7 +76,10 @@ pub fn of_project(project: &Project, written: &Written, begin: &Begin) -> Run {
     set_up(&mut interp, project, written);
     let plant = project.machine.plant(&project.values, control);
     let plc = project.machine.plc(&project.values, control, &project.switches);
-    started(interp, control, &plant, plc, project.panel.clone(), begin)
+    // The knobs stand as the form says until the operator turns them.
+    let knobs = project.machine.hand(&project.values).into_iter().map(|action| Event { t: 0.0, action });
+    let panel = Panel::new(knobs.chain(project.panel.events().iter().cloned()));
+    started(interp, control, &plant, plc, panel, begin)
 }
 
 /// The run of bare programs: on the control's bench, or on the plant of a project.

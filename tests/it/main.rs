@@ -3,6 +3,7 @@
 
 mod cli;
 mod controls;
+mod figures;
 mod language;
 mod machines;
 mod physics;

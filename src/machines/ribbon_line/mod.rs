@@ -25,7 +25,7 @@ mod sheets;
 use crate::controls::{Control, Switches};
 use crate::machines::form::Field;
 use crate::machines::{Design, Frame, Machine, Plan, Samples};
-use crate::motion::{Plant, Plc, Snapshot};
+use crate::motion::{Action, Plant, Plc, Snapshot};
 use crate::view::{Chart, Pose, Readout, Scene, Sheet, Verdict};
 use derive::Derived;
 use params::{FIELDS, Newline, Params, YUnit};
@@ -60,6 +60,10 @@ impl Machine for RibbonLine {
 
     fn plant(p: &Params, control: &Control) -> Plant {
         plant::plant(p, control)
+    }
+
+    fn hand(p: &Params) -> Vec<Action> {
+        vec![Action::SpindleOverride(p.override_percent)]
     }
 
     fn plc(p: &Params, _control: &Control, _switches: &Switches) -> Box<dyn Plc> {

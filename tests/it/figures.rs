@@ -1,0 +1,225 @@
+//! The figures of the ribbon line, by running the program that the project exports.
+
+use macroline::machines::form::Value;
+use macroline::motion::{Action, Event, Keep, Limits, RunEnd};
+use macroline::project::Project;
+use macroline::project::run::{self, Begin, Outcome, Setting};
+use proptest::prelude::*;
+
+fn ribbon(values: &[(&str, f64)]) -> Project {
+    let mut project = Project::of("ribbon-line", None).unwrap();
+    for (id, value) in values {
+        project.values.insert((*id).to_owned(), Value::Number(*value));
+    }
+    project
+}
+
+fn choose(project: &mut Project, id: &str, option: &str) {
+    project.values.insert(id.to_owned(), Value::Text(option.to_owned()));
+}
+
+/// Runs what the project exports, to its end.
+#[track_caller]
+fn run(project: &Project, settings: &[Setting]) -> Outcome {
+    let written = project.written();
+    let errors: Vec<_> =
+        written.diagnostics.iter().filter(|d| d.severity == macroline::text::Severity::Error).collect();
+    assert!(errors.is_empty(), "{errors:?}");
+    let limits = Limits { blocks: 100_000_000, seconds: 1e9 };
+    let mut planner = run::of_project(project, &written, &Begin { start: None, settings, limits, keep: Keep::Log });
+    run::to_end(&mut planner, |_| Ok::<(), ()>(())).unwrap()
+}
+
+fn variable(outcome: &Outcome, name: &str) -> f64 {
+    outcome.variables.iter().find(|(key, _)| key == name).unwrap_or_else(|| panic!("no {name}")).1
+}
+
+#[track_caller]
+fn near(value: f64, want: f64, relative: f64) {
+    assert!((value - want).abs() <= relative * want.abs(), "{value} is not {want} to {relative}");
+}
+
+#[test]
+fn the_override_table_comes_out_row_by_row() {
+    // Override %, r/min, then with 3.14 and with exact π: line speed, vector feed in mm/min, block time in ms; volts.
+    let table = [
+        (10.0, 120.0, 1507.200, 11927.134, 318.471, 1507.964, 11939.139, 318.310, 0.811),
+        (50.0, 600.0, 7536.000, 59635.668, 63.694, 7539.822, 59695.697, 63.662, 4.054),
+        (80.0, 960.0, 12057.600, 95417.069, 39.809, 12063.716, 95513.115, 39.789, 6.486),
+        (100.0, 1200.0, 15072.000, 119271.337, 31.847, 15079.645, 119391.393, 31.831, 8.108),
+        (110.0, 1320.0, 16579.200, 131198.470, 28.952, 16587.609, 131330.533, 28.937, 8.919),
+        (120.0, 1440.0, 18086.400, 143125.604, 26.539, 18095.574, 143269.672, 26.526, 9.730),
+        (123.0, 1476.0, 18538.560, 146703.744, 25.892, 18547.963, 146851.414, 25.879, 9.973),
+        // Above 123.3 % the spindle stands at its clamp, and so does the program.
+        (124.0, 1480.0, 18588.800, 147101.315, 25.822, 18598.229, 147249.385, 25.809, 10.0),
+    ];
+    for (percent, rpm, v314, f314, t314, v, f, t, volts) in table {
+        for (pi, speed, feed, time) in [("3.14", v314, f314, t314), ("exact", v, f, t)] {
+            let mut project = ribbon(&[("pitch-count", 3.0), ("override", percent)]);
+            choose(&mut project, "pi", pi);
+            let out = run(&project, &[]);
+            near(variable(&out, "#104"), rpm, 1e-12);
+            assert!((variable(&out, "#105") - speed).abs() < 6e-4, "{percent} {pi} #105");
+            assert!((variable(&out, "#115") - feed).abs() < 6e-4, "{percent} {pi} #115");
+            let design = project.design();
+            let value = |id| design.readouts.iter().find(|r| r.id == id).unwrap().value;
+            assert!((value("block-time") - time).abs() < 6e-4, "{percent} {pi} block time");
+            assert!((value("volts-command") - volts).abs() < 6e-4, "{percent} {pi} volts");
+        }
+    }
+}
+
+#[test]
+fn the_volts_stand_at_the_spindle_while_it_prints() {
+    let project = ribbon(&[("pitch-count", 100.0)]);
+    let written = project.written();
+    let limits = Limits { blocks: 1_000_000, seconds: 100.0 };
+    let begin = Begin { start: None, settings: &[], limits, keep: Keep::Timeline };
+    let mut planner = run::of_project(&project, &written, &begin);
+    planner.advance(4.5, usize::MAX);
+    let now = planner.timeline().at(4.0);
+    near(now.spindle.volts_command, 8.108108, 1e-6);
+    assert_eq!((now.spindle.volts * 1000.0).round(), 8107.0);
+    // Y is rounded to 62.832 in this block, which takes 2.3e-6 of the vector.
+    near(now.axes[0].feed, 15079.644737, 3e-6);
+}
+
+#[test]
+fn a_million_pitches_leave_y_within_one_increment() {
+    let project = ribbon(&[("pitch-count", 1_000_000.0), ("pitches-per-block", 6.0)]);
+    let out = run(&project, &[]);
+    assert!(matches!(out.ended, RunEnd::ProgramEnd), "{:?}", out.ended);
+    let y = out.axes.iter().find(|(axis, _)| *axis == 'Y').unwrap().1;
+    // The ideal is the sum of what the program itself calculates for a pitch.
+    let want = variable(&out, "#110") * 1e6;
+    assert!((y - want).abs() <= 0.001 + 1e-12 * want, "Y {y}, wanted {want}");
+    assert_eq!(out.axes[0].1, 8_000_000.0);
+}
+
+#[test]
+fn override_zero_waits_and_goes_on_when_the_knob_comes_back() {
+    let mut project = ribbon(&[("pitch-count", 50.0)]);
+    project.panel.add(Event { t: 0.0, action: Action::SpindleOverride(0.0) });
+    project.panel.add(Event { t: 20.0, action: Action::SpindleOverride(100.0) });
+    let out = run(&project, &[]);
+    assert!(matches!(out.ended, RunEnd::ProgramEnd), "{:?}", out.ended);
+    assert_eq!(out.axes[0].1, 400.0);
+    assert!(out.time > 20.0 && out.time < 30.0, "{}", out.time);
+    assert!(out.blocks < 10_000, "it does not spin while it waits: {} blocks", out.blocks);
+}
+
+#[test]
+fn a_product_change_by_variables_alone_takes_effect_without_writing_again() {
+    let project = ribbon(&[("pitch-count", 60.0)]);
+    let set = |name: &str, value| Setting { name: name.to_owned(), value };
+    let out = run(&project, &[set("#107", 12.5), set("#109", 4.0)]);
+    assert_eq!(out.axes[0].1, 750.0);
+    near(variable(&out, "#110"), core::f64::consts::PI * 30.0, 2e-9);
+    assert_eq!(variable(&out, "#107"), 12.5);
+    assert_eq!(variable(&out, "#109"), 4.0);
+}
+
+#[test]
+fn a_product_change_in_the_run_takes_effect_at_once() {
+    let mut project = ribbon(&[("pitch-count", 200.0)]);
+    project.panel.add(Event { t: 5.0, action: Action::Variable(107, Some(10.0)) });
+    let out = run(&project, &[]);
+    assert!(matches!(out.ended, RunEnd::ProgramEnd), "{:?}", out.ended);
+    let x = out.axes[0].1;
+    assert!(x > 1600.0 && x < 2000.0, "some pitches of 8 and some of 10: {x}");
+    assert_eq!((x * 1000.0).round() as i64 % 2000, 0, "whole pitches only: {x}");
+}
+
+#[test]
+fn the_guards_stop_with_the_controls_alarm_and_a_message() {
+    let project = ribbon(&[]);
+    for (name, message) in [("#101", "#101"), ("#107", "#107"), ("#109", "#109"), ("#111", "#111"), ("#100", "#100")] {
+        let out = run(&project, &[Setting { name: name.to_owned(), value: 0.0 }]);
+        let RunEnd::Alarm(alarm) = &out.ended else { panic!("{name}: {:?}", out.ended) };
+        assert_eq!(alarm.alarm, Some("P277"));
+        let text = macroline::text::catalog::sentence(Default::default(), &alarm.message);
+        assert!(text.contains(message), "{text}");
+    }
+}
+
+#[test]
+fn exported_programs_are_as_the_control_wants_them() {
+    for crlf in [false, true] {
+        let mut project = ribbon(&[]);
+        choose(&mut project, "newline", if crlf { "crlf" } else { "lf" });
+        project.values.insert("customer".to_owned(), Value::Text("Müller & Söhne (№ 1) %".to_owned()));
+        let export = project.export();
+        let programs: Vec<_> = export.files.iter().filter(|f| f.name.ends_with(".nc")).collect();
+        assert_eq!(programs.iter().map(|f| f.name.as_str()).collect::<Vec<_>>(), ["O9100.nc", "O9101.nc", "O9102.nc"]);
+        for file in programs {
+            let end = if crlf { "\r\n" } else { "\n" };
+            assert!(
+                file.text.starts_with(&format!("%{end}O9")) && file.text.ends_with(&format!("{end}%{end}")),
+                "{}",
+                file.name
+            );
+            assert!(file.text.is_ascii() && file.text == file.text.to_uppercase());
+            assert_eq!(file.text.matches('\r').count(), if crlf { file.text.lines().count() } else { 0 });
+            assert!(file.text.lines().all(|line| line.len() < 80), "{}", file.name);
+        }
+    }
+}
+
+#[test]
+fn a_dropped_program_brings_the_form_back() {
+    let mut project = ribbon(&[("pitch", 12.5), ("heads", 47.0), ("clamp-x", 25_000.0), ("pitches-per-block", 4.0)]);
+    choose(&mut project, "y-unit", "degrees");
+    let present = ribbon(&[]);
+    for file in project.written().files.0 {
+        let opened = macroline::project::open::open(&present, &file.name, &file.text);
+        let restored = opened.project.unwrap();
+        assert!(restored.values == project.values, "{}", file.name);
+        assert!(restored.edited.is_none());
+    }
+}
+
+#[test]
+fn errors_refuse_the_export_and_verdicts_do_not() {
+    assert!(!ribbon(&[]).export().files.is_empty(), "the paper's own example fails the slip rule and is exported");
+    for (field, value) in
+        [("pitch", 0.0), ("pitch", -8.0), ("heads", 0.0), ("reduction-ratio", f64::INFINITY), ("clamp-y", 1000.0)]
+    {
+        let export = ribbon(&[(field, value)]).export();
+        assert!(export.files.is_empty(), "{field} {value}");
+        assert!(export.diagnostics.iter().any(|d| d.severity == macroline::text::Severity::Error), "{field} {value}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    #[test]
+    fn running_the_program_gives_the_closed_form(
+        speed in 100u32..1480, ratio in 5.0..60.0f64, press in 40.0..200.0f64, pitch in 2.0..60.0f64, heads in 1u32..60,
+        roller in 20.0..300.0f64, count in 1u32..60, per_block in 1u32..9, percent in 10u32..120, degrees: bool,
+    ) {
+        let round = |x: f64| (x * 1000.0).round() / 1000.0;
+        let (ratio, press, pitch, roller) = (round(ratio), round(press), round(pitch), round(roller));
+        let mut project = ribbon(&[
+            ("spindle-speed", f64::from(speed)), ("reduction-ratio", ratio), ("press-roller-diameter", press), ("pitch", pitch),
+            ("heads", f64::from(heads)), ("print-roller-diameter", roller), ("pitch-count", f64::from(count)),
+            ("pitches-per-block", f64::from(per_block)), ("override", f64::from(percent)),
+            ("clamp-x", 1e6), ("clamp-y", 1e6), ("rapid-x", 1e6), ("rapid-y", 1e6),
+        ]);
+        choose(&mut project, "y-unit", if degrees { "degrees" } else { "mm" });
+        prop_assume!(project.design().diagnostics.iter().all(|d| d.severity != macroline::text::Severity::Error));
+        let out = run(&project, &[]);
+        prop_assert!(matches!(out.ended, RunEnd::ProgramEnd), "{:?}", out.ended);
+        let n = (f64::from(speed) * f64::from(percent) / 100.0).min(1480.0);
+        let v = core::f64::consts::PI * press / ratio * n;
+        let y = if degrees { 360.0 } else { core::f64::consts::PI * roller } / f64::from(heads);
+        let close = |got: f64, want: f64| (got - want).abs() <= 2e-9 * want;
+        prop_assert!(close(variable(&out, "#104"), n));
+        prop_assert!(close(variable(&out, "#105"), v));
+        prop_assert!(close(variable(&out, "#110"), y));
+        prop_assert!(close(variable(&out, "#115"), v * (pitch * pitch + y * y).sqrt() / pitch));
+        let count = f64::from(count);
+        prop_assert!((out.axes[0].1 - pitch * count).abs() < 1e-6, "X {}", out.axes[0].1);
+        prop_assert!((out.axes[1].1 - y * count).abs() <= 0.001 + 1e-6, "Y {} of {}", out.axes[1].1, y * count);
+    }
+}
