@@ -3,6 +3,7 @@
 //! Lengths in mm, speeds in mm/min unless said otherwise, times in seconds. The equations (1) to (4) are the paper's.
 
 use super::params::{Job, Params, PathMode, PiForm, Variant, Wait, YUnit};
+use super::plc::FIN_DELAY;
 use super::program;
 use crate::drives::Analog;
 use crate::drives::block::Block;
@@ -271,12 +272,12 @@ impl Timing {
     }
 }
 
-/// Seconds from M3 to the first pull; 0 where nothing moves.
+/// Seconds from M3 to the first pull; 0 where nothing moves. The PLC takes its time for FIN in either way.
 fn wait(p: &Params, moves: bool) -> f64 {
     match p.wait {
         _ if !moves => 0.0,
-        Wait::Dwell => p.dwell,
-        Wait::Fin => ramp(p) * AT_SPEED,
+        Wait::Dwell => FIN_DELAY + p.dwell,
+        Wait::Fin => (ramp(p) * AT_SPEED).max(FIN_DELAY),
     }
 }
 
@@ -310,17 +311,19 @@ impl Slack {
         let second = line_speed / 60.0;
         let (feed_ramp, tau) = (ramp(p), p.time_constant_x / 1000.0);
         let started = actual_speed > 0.0;
+        let lag = second / p.position_gain_x;
         let worst = rate(error).abs().max(rate(error_rated).abs());
         Slack {
             loop_time: if worst > 0.0 { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
             error,
             error_rated,
-            start: if started { web::slack_after_start(second, feed_ramp, tau, wait(p, started)) } else { 0.0 },
+            // The axis stands the servo's lag behind its command, as long as it runs.
+            start: if started { web::slack_after_start(second, feed_ramp, tau, wait(p, started)) + lag } else { 0.0 },
             rate: rate(error),
             rate_rated: rate(error_rated),
             run: if started { rate(error) * product / 60.0 } else { 0.0 },
             // M5 stands behind the last move and is read when X has stopped.
-            stop: web::slack_after_stop(second, feed_ramp, tau, tau),
+            stop: web::slack_after_stop(second, feed_ramp, tau, tau) - lag,
         }
     }
 }

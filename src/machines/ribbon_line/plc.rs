@@ -6,7 +6,7 @@ use super::program::INPUT;
 use crate::motion::{Io, Plc};
 
 /// Seconds from a strobe to FIN where nothing has to be waited for: a few scans of the ladder.
-const FIN_DELAY: f64 = 0.05;
+pub(super) const FIN_DELAY: f64 = 0.05;
 /// Seconds between two looks at the spindle while FIN waits for its speed.
 const SCAN: f64 = 0.01;
 

@@ -185,7 +185,7 @@ pub(super) const ROWS: &[Row] = &[
     },
     Row {
         id: "slack-start", label: "ribbon.readout.slack-start", unit: "mm", decimals: 1, headline: false,
-        formula: "v · (wait - ramp / 2 + τ / 2)",
+        formula: "v · (wait - ramp / 2 + τ / 2 + 1 / Kx)",
         cite: Citation::new("sizing sheet D23, D24", Grade::Inferred), value: |d| d.slack_start,
     },
     Row {
@@ -205,7 +205,7 @@ pub(super) const ROWS: &[Row] = &[
     },
     Row {
         id: "slack-stop", label: "ribbon.readout.slack-stop", unit: "mm", decimals: 1, headline: false,
-        formula: "v · (ramp / 2 + τ / 2): M5 stands behind the last move",
+        formula: "v · (ramp / 2 + τ / 2 - 1 / Kx): M5 stands behind the last move",
         cite: Citation::new("sizing sheet D25", Grade::Inferred), value: |d| d.slack_stop,
     },
     Row {

@@ -57,6 +57,7 @@ pub(super) const RULES: &[Rule] = &[
     rule!(2, "smear", smear, "sizing sheet 3.2 and 3.4, engineering choice", Inferred),
     rule!(3, "x-motor-speed", motor_x, "data sheet of the motor", Manual),
     rule!(3, "y-motor-speed", motor_y, "data sheet of the motor", Manual),
+    rule!(4, "line-speed", clamp_x, "parameter #2002", Sister),
     rule!(4, "x-feed", clamp_x, "parameter #2002", Sister),
     rule!(4, "y-feed", clamp_y, "parameter #2002", Sister),
     rule!(4, "vector-feed", feed_limit, "sheet 1.1, from memory", Open),

@@ -1,6 +1,7 @@
 //! The ribbon dot-printing line.
 
 use macroline::controls::Control;
+use macroline::drives::web;
 use macroline::machines::form::{Origins, Provenance, Value, Values};
 use macroline::machines::{self, AnyMachine, Design};
 use macroline::text::Severity;
@@ -191,12 +192,14 @@ fn the_sizing_oracle_row_by_row() {
 
 #[test]
 fn start_and_stop_against_the_oracle() {
-    // The oracle's ramp of 2 s ends at S; the form's ends at the speed of 10 V.
-    let ramp = ("inverter-ramp", "2.467");
-    check(&[ramp, ("dwell", "2")], 2e-4, &[("slack-start", 263.894)]);
-    check(&[ramp, ("dwell", "0")], 2e-4, &[("slack-start", -238.761)]);
-    // M5 is read when X has stopped: a time constant later than in D25.
-    check(&[ramp], 2e-4, &[("slack-stop", 238.761 + 251.327 * 0.1)]);
+    // D23: X waits for the speed. D24: both start together. D25: both stop together. v 251.327 mm/s, ramps 2 s and 0.1 s.
+    for (slack, wanted) in [
+        (web::slack_after_start(251.327412, 2.0, 0.1, 2.0), 263.894),
+        (web::slack_after_start(251.327412, 2.0, 0.1, 0.0), -238.761),
+        (web::slack_after_stop(251.327412, 2.0, 0.1, 0.0), 238.761),
+    ] {
+        assert!((slack - wanted).abs() < 0.001, "{slack}, expected {wanted}");
+    }
 }
 
 #[test]
