@@ -1,23 +1,29 @@
 //! What can be said only when a program is read to its end: loops, jump targets, its last block.
 
+use std::collections::BTreeSet;
+
 use super::super::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
 use super::super::files::Files;
+use super::FINDINGS;
 use crate::controls::{Alarm, Code, Control};
 use crate::msg;
 use crate::text::{Diagnostic, Message, Place, Span};
 
 /// Checks every program.
 pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, found: &mut Vec<Diagnostic>) {
-    for (index, program) in deck.programs.iter().enumerate() {
+    let mut numbers = BTreeSet::new();
+    for program in &deck.programs {
+        if found.len() > 2 * FINDINGS {
+            return;
+        }
         let text = files.get(program.file).map_or("", |file| file.text.as_str());
         let mut check = Check { deck, control, program, text, found };
         check.loops();
         check.targets();
         check.end();
-        let twin = deck.programs.iter().take(index).find(|p| p.number == program.number && p.number != 0);
-        if let Some(twin) = twin {
+        if program.number != 0 && !numbers.insert(program.number) {
             let place = Place { file: program.file, span: program.span };
-            let message = msg!("nc.program-twice", format!("O{}", twin.number));
+            let message = msg!("nc.program-twice", format!("O{}", program.number));
             check.found.push(Diagnostic::warning(message).at(place));
         }
     }
@@ -64,8 +70,9 @@ impl Check<'_> {
                 Stmt::While { label, .. } => {
                     let span = self.keyword_span(block, "DO");
                     if open.len() == deepest {
-                        self.report(Alarm::DoNesting, span, msg!("nc.do-nesting", deepest as u32));
-                    } else if open.iter().any(|(other, _)| *other == label) {
+                        return self.report(Alarm::DoNesting, span, msg!("nc.do-nesting", deepest as u32));
+                    }
+                    if open.iter().any(|(other, _)| *other == label) {
                         self.report(Alarm::DoPair, span, msg!("nc.do-within-itself", u32::from(label)));
                     }
                     open.push((label, block));
@@ -80,6 +87,7 @@ impl Check<'_> {
                         self.report(Alarm::DoPair, span, msg!("nc.do-crossing", u32::from(label), inner));
                         open.truncate(at);
                     }
+                    None if self.found.len() > 2 * FINDINGS => return,
                     None => {
                         let span = self.keyword_span(block, "END");
                         self.report(Alarm::DoPair, span, msg!("nc.end-without-do", u32::from(label)));
@@ -114,7 +122,7 @@ impl Check<'_> {
             });
             let value = target.to_f64();
             let there = value.fract() == 0.0 && numbers.binary_search(&(value as u32)).is_ok() && value >= 0.0;
-            if !there {
+            if !there && self.found.len() <= 2 * FINDINGS {
                 let span = self.keyword_span(block, "GOTO");
                 let span = Span::new((span.start + 4).min(span.end), span.end);
                 let lead = span.of(self.text).len() - span.of(self.text).trim_start().len();

@@ -279,7 +279,7 @@ impl Reader<'_> {
     }
 
     /// Whether the `/` at hand stands before a word: a block skip in the middle of a block.
-    fn skip_mark_ahead(&self) -> bool {
+    pub(super) fn skip_mark_ahead(&self) -> bool {
         let rest = self.line.get(self.at + 1..).unwrap_or_default();
         let mut letters = rest.iter().skip_while(|b| **b == b' ');
         letters.next().is_some_and(u8::is_ascii_alphabetic) && !letters.next().is_some_and(u8::is_ascii_alphabetic)

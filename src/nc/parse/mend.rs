@@ -5,7 +5,7 @@ use crate::controls::{Alarm, VarKind, VarRange};
 use crate::msg;
 use crate::text::{Diagnostic, Span};
 
-/// Fixes that replace the whole text are offered up to this size.
+/// Fixes that reach through the whole text are offered up to this size.
 const WHOLE: usize = 1 << 20;
 
 impl Reader<'_> {
@@ -61,7 +61,7 @@ impl Reader<'_> {
         if misused.is_empty() {
             return;
         }
-        let named = variables_of(self.source);
+        let named = if self.source.len() <= WHOLE { variables_of(self.source) } else { Vec::new() };
         let mut taken = Vec::new();
         for row in &misused {
             let name = row.span.of(self.source);

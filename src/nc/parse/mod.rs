@@ -35,6 +35,9 @@ use crate::text::{Diagnostic, FileId, Message, Place, Span};
 /// Findings that are listed; a file of garbage has millions.
 const FINDINGS: usize = 1000;
 
+/// Blocks that are read: five times what the largest programs have.
+const BLOCKS: usize = 5_000_000;
+
 /// Bytes of a block: a word's offset has 16 bits, and no control takes a tenth of that.
 const BLOCK_BYTES: usize = 60_000;
 
@@ -196,8 +199,8 @@ impl<'a> Reader<'a> {
         let bytes = self.source.as_bytes();
         let lines = bytes.iter().filter(|&&b| b == b'\n').count() + 1;
         let letters = bytes.iter().filter(|b| b.is_ascii_alphabetic()).count();
-        self.deck.blocks.reserve(lines.min(bytes.len() / 4));
-        self.deck.words.reserve(letters.min(bytes.len() / 4));
+        self.deck.blocks.reserve(lines.min(bytes.len() / 4).min(BLOCKS));
+        self.deck.words.reserve(letters.min(bytes.len() / 4).min(5 * BLOCKS));
     }
 
     fn file(&mut self) {
@@ -227,6 +230,11 @@ impl<'a> Reader<'a> {
                     }
                     self.blocks(from, to);
                 }
+            }
+            if self.deck.blocks.len() >= BLOCKS {
+                let place = self.place(Span::new(from as u32, to as u32));
+                self.found.push(Diagnostic::error(msg!("nc.too-many-blocks", BLOCKS as u32)).at(place));
+                break;
             }
             at = end + 1;
         }
@@ -276,7 +284,7 @@ impl<'a> Reader<'a> {
             match byte {
                 b'(' => comment = true,
                 b')' => comment = false,
-                b';' if !comment => {
+                b';' if !comment && self.deck.blocks.len() < BLOCKS => {
                     self.semicolon.get_or_insert((from + offset) as u32);
                     let (a, b) = self.trimmed(start, from + offset);
                     if a < b {

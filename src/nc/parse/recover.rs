@@ -4,7 +4,7 @@
 //! failure as the control would meet it. Whatever is found, the block is bad: the control would stop there.
 
 use super::super::ast::Stmt;
-use super::{Failure, Mark, Read, Reader};
+use super::{FINDINGS, Failure, Mark, Read, Reader};
 use crate::controls::Alarm;
 use crate::msg;
 use crate::text::Place;
@@ -19,7 +19,7 @@ impl Reader<'_> {
     /// Reports why the line at hand does not read, and gives what stands for it in the tree.
     pub(super) fn recover(&mut self, mark: Mark, first: Box<Failure>) -> Stmt {
         let (alarm, whole) = (first.alarm, self.line);
-        if whole.len() > LOOKED_AT {
+        if whole.len() > LOOKED_AT || self.found.len() > FINDINGS {
             return self.give_up(*first);
         }
         if let Some((open, inner, close)) = self.nested_comment() {
@@ -171,7 +171,8 @@ impl Reader<'_> {
     /// A `)` without its `(`; reported with its fix, and skipped. Fails where it ends a comment with brackets in it.
     pub(super) fn stray_round(&mut self) -> Read<()> {
         let close = self.at;
-        if self.nested_comment().is_some_and(|(_, _, end)| end == close) {
+        let short = self.line.len() <= LOOKED_AT;
+        if short && self.nested_comment().is_some_and(|(_, _, end)| end == close) {
             return Err(self.failure(Alarm::Format, close, close + 1, msg!("nc.unopened-round"), false));
         }
         self.at += 1;

@@ -181,7 +181,7 @@ impl<'a> Reader<'a> {
     fn between_words(&mut self, byte: u8, first: usize) -> Read<()> {
         let start = self.at;
         match byte {
-            b'/' if self.line.get(start + 1..).is_some_and(|rest| rest.iter().any(u8::is_ascii_alphabetic)) => {
+            b'/' if self.skip_mark_ahead() => {
                 self.at += 1;
                 self.not_simulated((b'/', 0), start, self.at, "/");
             }

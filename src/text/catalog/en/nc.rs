@@ -79,6 +79,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("nc.skipped-lead", "The control skips what stands behind % in its line."),
     ("nc.small-letters", "The {0} writes capitals; small letters are read as such here."),
     ("nc.stray-point", "“{0}” ends nothing: a point belongs to a number, not to a variable."),
+    ("nc.too-many-blocks", "More than {0} blocks: what follows was not read."),
     ("nc.too-many-digits", "A number has at most {0} digits."),
     ("nc.too-many-files", "Only {0} files are read."),
     ("nc.unclosed-square", "This bracket is not closed: ] is missing."),
