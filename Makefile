@@ -31,7 +31,7 @@ bench: ## native benchmarks
 
 .PHONY: dist
 dist: ## the static site in dist/
-	@scripts/setup.sh target tools
+	@scripts/setup.sh target tools node
 	@cargo fetch --locked --quiet
 	trunk build --release
 

@@ -100,6 +100,24 @@ impl Timeline {
         self.marks.at(t).and_then(|mark| mark.begun.then_some(mark.place))
     }
 
+    /// When the first block begins that begins after time `t`; `None` where none is planned.
+    pub fn next_block(&self, t: f64) -> Option<f64> {
+        let marks = self.marks.until(f64::INFINITY);
+        let here = self.block_at(t);
+        let later = &marks[marks.partition_point(|mark| mark.t <= t)..];
+        later.iter().find(|mark| mark.begun && Some(mark.place) != here).map(|mark| mark.t)
+    }
+
+    /// When the block began that executes at time `t`, or the one before where `t` is that very moment; 0 before the first.
+    pub fn block_before(&self, t: f64) -> f64 {
+        let marks = self.marks.until(t);
+        let earlier = &marks[..marks.partition_point(|mark| mark.t < t)];
+        let Some(last) = earlier.last() else { return 0.0 };
+        // A block may have several marks: it waits, then moves.
+        let others = earlier.iter().rev().take_while(|mark| mark.begun && mark.place == last.place);
+        others.last().map_or(last.t, |mark| mark.t)
+    }
+
     /// Earliest time that is still kept: 0 unless old parts are forgotten.
     pub fn start(&self) -> f64 {
         self.start

@@ -1,0 +1,169 @@
+//! Charts below the drawing: drawn once per page of time, with a cursor that moves above them.
+
+use std::fmt::Write;
+
+use leptos::html;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::{Element, HtmlElement, PointerEvent};
+
+use super::dom;
+use super::model::Model;
+use super::words::{figure, t};
+use crate::machines::form::Values;
+use crate::machines::{AnyMachine, Samples};
+use crate::view::{Chart, csv, plot};
+
+/// Points of a line.
+const POINTS: usize = 360;
+
+/// Points of a line in a file.
+const POINTS_IN_FILE: usize = 20_000;
+
+/// Seconds that the charts may show; 0 is all that is planned.
+const WINDOWS: [f64; 6] = [0.2, 0.5, 2.0, 10.0, 60.0, 0.0];
+
+/// The charts as they stand in the page.
+#[derive(Default)]
+pub(super) struct Charts {
+    host: Option<HtmlElement>,
+    charts: Vec<Chart>,
+    cursors: Vec<HtmlElement>,
+    values: Vec<Element>,
+    page: (f64, f64),
+}
+
+impl Charts {
+    /// Sets the element that holds them.
+    pub(super) fn set_host(&mut self, host: HtmlElement) {
+        self.host = Some(host);
+    }
+
+    /// The time at a part of the page.
+    pub(super) fn time(&self, part: f64) -> f64 {
+        let (from, to) = self.page;
+        from + (to - from) * part.clamp(0.0, 1.0)
+    }
+
+    /// The seconds that are shown when the head stands at `head`.
+    pub(super) fn page(&self, head: f64, planned: f64, window: f64) -> (f64, f64) {
+        if window > 0.0 {
+            let begin = (head / window).floor() * window;
+            (begin, begin + window)
+        } else {
+            (0.0, planned.max(0.001))
+        }
+    }
+
+    /// Whether other seconds have to be shown.
+    pub(super) fn moved(&self, from: f64, to: f64) -> bool {
+        self.page != (from, to)
+    }
+
+    /// Whether a plan up to `planned` seconds adds something to the page.
+    pub(super) fn wants(&self, planned: f64) -> bool {
+        planned > self.page.0
+    }
+
+    /// Draws the charts.
+    pub(super) fn draw(&mut self, machine: &dyn AnyMachine, values: &Values, run: &dyn Samples, from: f64, to: f64) {
+        let Some(host) = &self.host else { return };
+        self.page = (from, to);
+        self.charts = machine.charts(values, run, from, to, POINTS);
+        let mut out = String::with_capacity(64 << 10);
+        for chart in &self.charts {
+            figure_of(&mut out, chart);
+        }
+        host.set_inner_html(&out);
+        self.cursors = dom::all(host, ".cursor").into_iter().filter_map(|e| e.dyn_into().ok()).collect();
+        self.values = dom::all(host, ".legend b");
+    }
+
+    /// Moves the cursor.
+    pub(super) fn cursor(&self, head: f64) {
+        let (from, to) = self.page;
+        let part = ((head - from) / (to - from)).clamp(0.0, 1.0) * 100.0;
+        let at = format!("translateX({part:.3}%)");
+        for cursor in &self.cursors {
+            let _ = cursor.style().set_property("transform", &at);
+        }
+    }
+
+    /// Shows the values at the head.
+    pub(super) fn read(&self, head: f64) {
+        let lines = self.charts.iter().flat_map(|chart| &chart.series);
+        for (line, place) in lines.zip(&self.values) {
+            let at = line.points.partition_point(|point| point.0 < head).min(line.points.len().saturating_sub(1));
+            let text = line.points.get(at).map_or(String::new(), |point| figure(point.1, digits(point.1)));
+            place.set_text_content(Some(&text));
+        }
+    }
+}
+
+/// Decimals that show a value to about five figures.
+fn digits(value: f64) -> u8 {
+    match value.abs() {
+        v if v >= 1000.0 => 0,
+        v if v >= 10.0 => 2,
+        _ => 3,
+    }
+}
+
+fn figure_of(out: &mut String, chart: &Chart) {
+    out.push_str("<figure class=\"chart\"><figcaption><span>");
+    dom::escape(out, t(chart.title));
+    let _ = write!(out, " <i>{}</i></span><span class=\"legend\">", chart.unit);
+    for line in &chart.series {
+        let _ = write!(out, "<span class=\"l{}\">{} <b></b></span>", line.tone, t(line.label));
+    }
+    out.push_str("</span></figcaption><div class=\"plot\">");
+    out.push_str(&plot::svg(chart));
+    out.push_str("<div class=\"over\"><div class=\"cursor\"></div></div></div></figure>");
+}
+
+/// Charts with their choice of time.
+pub(super) fn chart_pane(model: Model) -> AnyView {
+    let player = model.player;
+    let host: NodeRef<html::Div> = NodeRef::new();
+    Effect::new(move |_| {
+        if let Some(host) = host.get() {
+            player.set_charts(host.unchecked_into());
+        }
+    });
+    let seek = move |event: &PointerEvent| {
+        let over = event.target().and_then(|e| e.dyn_into::<Element>().ok()).and_then(|e| e.closest(".over").ok()?);
+        if let Some(over) = over {
+            let area = over.get_bounding_client_rect();
+            player.seek_in_page((f64::from(event.client_x()) - area.left()) / area.width());
+        }
+    };
+    let save = move |_| {
+        let charts = player.all_charts(POINTS_IN_FILE);
+        dom::download("timeline.csv", "text/csv", csv::charts(&charts).as_bytes());
+    };
+    let options = WINDOWS.map(|seconds| {
+        let label = if seconds > 0.0 { format!("{seconds} s") } else { t("page.all").to_owned() };
+        let chosen = move || player.window.get() == seconds;
+        let choose = move |_| {
+            player.window.set(seconds);
+            player.refresh_charts();
+        };
+        view! { <button type="button" class="chip" aria-pressed=move || chosen().to_string() on:click=choose>{label}</button> }
+    });
+    view! {
+        <section class="pane charts" aria-label=t("page.charts")>
+            <div class="bar">
+                <h2>{t("page.charts")}</h2>
+                <div class="chips" role="group" aria-label=t("page.window")>{options.into_iter().collect_view()}</div>
+                <button type="button" class="quiet" on:click=save>{t("page.save-csv")}</button>
+            </div>
+            <div
+                class="plots"
+                node_ref=host
+                on:pointerdown=move |event| seek(&event)
+                on:pointermove=move |event| if event.buttons() & 1 == 1 { seek(&event) }
+            ></div>
+        </section>
+    }
+    .into_any()
+}

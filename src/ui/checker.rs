@@ -1,0 +1,249 @@
+//! Large programs: read and checked in a worker, so that the page never waits; shown by their first lines.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use leptos::html;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::closure::Closure;
+use leptos::wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{Blob, DedicatedWorkerGlobalScope, File, MessageEvent, Worker, WorkerOptions, WorkerType};
+
+use super::listing::{SHOWN, count};
+use super::model::Model;
+use super::script::{get, object};
+use super::words::{figure, sign, t, tell, tone};
+use crate::nc::{self, Files};
+use crate::text::LineIndex;
+
+/// Findings that are listed at most.
+const LISTED: usize = 200;
+
+/// Bytes that are read in one go, between two reports of progress.
+const PIECE: f64 = 4_000_000.0;
+
+/// A text that is too large for the page.
+pub(super) enum Source {
+    /// A file.
+    File(File),
+    /// What was pasted.
+    Text(String),
+}
+
+/// How far a check is.
+#[derive(Clone, Default)]
+pub(super) struct Check {
+    name: String,
+    /// Bytes read and in all; all are read when the check itself runs.
+    progress: (f64, f64),
+    report: Option<Report>,
+    _worker: Option<Rc<Job>>,
+}
+
+/// What the worker found.
+#[derive(Clone)]
+struct Report {
+    lines: f64,
+    counts: String,
+    head: String,
+    rows: Vec<(String, String)>,
+}
+
+struct Job {
+    worker: Worker,
+    _listener: Closure<dyn FnMut(MessageEvent)>,
+}
+
+impl Drop for Job {
+    fn drop(&mut self) {
+        self.worker.terminate();
+    }
+}
+
+/// Checks a text in a worker; the dialog shows how far it is.
+pub(super) fn check(model: Model, source: Source) {
+    let (name, blob): (String, Blob) = match source {
+        Source::File(file) => (file.name(), file.into()),
+        Source::Text(text) => {
+            let parts = js_sys::Array::of1(&text.into());
+            let Ok(blob) = Blob::new_with_str_sequence(&parts) else { return };
+            (t("page.pasted").to_owned(), blob)
+        }
+    };
+    let Some(worker) = start() else {
+        model.notify("fail", t("page.no-worker").to_owned());
+        return;
+    };
+    let all = blob.size();
+    let control = model.project.with_untracked(|project| project.control.id);
+    let waiting = RefCell::new(Some(object([("blob", blob.into()), ("control", control.into())])));
+    let asked = worker.clone();
+    let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
+        let data = event.data();
+        match get(&data, "kind").as_string().as_deref() {
+            // A message that is sent before the module runs would be lost.
+            Some("ready") => {
+                if let Some(job) = waiting.borrow_mut().take() {
+                    let _ = asked.post_message(&job);
+                }
+            }
+            Some("progress") => model.check.update(|check| {
+                if let Some(check) = check {
+                    check.progress.0 = get(&data, "read").as_f64().unwrap_or_default();
+                }
+            }),
+            Some("report") => model.check.update(|check| {
+                if let Some(check) = check {
+                    check.progress.0 = check.progress.1;
+                    check.report = Some(report(&data));
+                }
+            }),
+            _ => {}
+        }
+    });
+    worker.set_onmessage(Some(listener.as_ref().unchecked_ref()));
+    let job = Rc::new(Job { worker, _listener: listener });
+    model.check.set(Some(Check { name, progress: (0.0, all), report: None, _worker: Some(job) }));
+}
+
+/// A worker that runs the same module as the page.
+fn start() -> Option<Worker> {
+    let script = document().query_selector("script[data-js]").ok().flatten()?;
+    let name = format!("{} {}", script.get_attribute("data-js")?, script.get_attribute("data-wasm")?);
+    let options = WorkerOptions::new();
+    options.set_type(WorkerType::Module);
+    options.set_name(&name);
+    Worker::new_with_options("worker_boot.js", &options).ok()
+}
+
+fn report(data: &JsValue) -> Report {
+    let rows: js_sys::Array = get(data, "rows").unchecked_into();
+    let text = |value: &JsValue, name: &str| get(value, name).as_string().unwrap_or_default();
+    Report {
+        lines: get(data, "lines").as_f64().unwrap_or_default(),
+        counts: text(data, "counts"),
+        head: text(data, "head"),
+        rows: rows.iter().map(|row| (text(&row, "tone"), text(&row, "text"))).collect(),
+    }
+}
+
+/// What the module does in a worker: waits for a text, checks it, answers, for ever.
+pub fn work() {
+    let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
+    let answer = scope.clone();
+    let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
+        let (data, scope) = (event.data(), answer.clone());
+        leptos::task::spawn_local(async move {
+            let control = get(&data, "control").as_string().unwrap_or_default();
+            let Some(control) = crate::controls::find(&control) else { return };
+            let text = read(&get(&data, "blob").unchecked_into(), &scope).await;
+            let _ = scope.post_message(&checked(text, control));
+        });
+    });
+    scope.set_onmessage(Some(listener.as_ref().unchecked_ref()));
+    listener.forget();
+    let _ = scope.post_message(&object([("kind", "ready".into())]));
+}
+
+/// The text of a blob, read in pieces.
+async fn read(blob: &Blob, scope: &DedicatedWorkerGlobalScope) -> String {
+    let all = blob.size();
+    let mut bytes = Vec::with_capacity(all as usize);
+    let mut at = 0.0;
+    while at < all {
+        let Ok(piece) = blob.slice_with_f64_and_f64(at, at + PIECE) else { break };
+        let Ok(buffer) = JsFuture::from(piece.array_buffer()).await else { break };
+        bytes.extend(js_sys::Uint8Array::new(&buffer).to_vec());
+        at += PIECE;
+        let _ = scope.post_message(&object([("kind", "progress".into()), ("read", at.min(all).into())]));
+    }
+    String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
+}
+
+fn checked(text: String, control: &'static crate::controls::Control) -> JsValue {
+    let lines = LineIndex::new(&text);
+    let end = text.match_indices('\n').nth(SHOWN as usize - 1).map_or(text.len(), |(at, _)| at);
+    let head = text[..end].to_owned();
+    let parsed = nc::parse(&Files::one("", text), control);
+    let rows = js_sys::Array::new();
+    for diagnostic in parsed.diagnostics().iter().take(LISTED) {
+        let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));
+        let alarm = diagnostic.alarm.unwrap_or_default();
+        let text = format!("{} {line}: {alarm} {}", t("page.line"), tell(diagnostic));
+        rows.push(&object([("tone", tone(diagnostic.severity).into()), ("text", text.into())]));
+    }
+    let counts =
+        count(parsed.diagnostics()).map(|(severity, count)| format!("{} {count}", sign(tone(severity)))).join("  ");
+    object([
+        ("kind", "report".into()),
+        ("lines", f64::from(lines.count()).into()),
+        ("counts", counts.into()),
+        ("head", head.into()),
+        ("rows", rows.into()),
+    ])
+}
+
+/// The dialog of a check.
+pub(super) fn check_dialog(model: Model) -> AnyView {
+    let node: NodeRef<html::Dialog> = NodeRef::new();
+    let open = Memo::new(move |_| model.check.with(Option::is_some));
+    Effect::new(move |_| {
+        let Some(dialog) = node.get() else { return };
+        if !open.get() {
+            dialog.close();
+        } else if !dialog.open() {
+            let _ = dialog.show_modal();
+        }
+    });
+    // Closing gives up the worker, whether it is done or not.
+    let close = move || model.check.set(None);
+    let part = move || model.check.with(|check| check.as_ref().map_or((0.0, 1.0), |check| check.progress));
+    let done = Memo::new(move |_| model.check.with(|check| check.as_ref().is_some_and(|check| check.report.is_some())));
+    let name = move || model.check.with(|check| check.as_ref().map(|check| check.name.clone()));
+    let state = move || {
+        t(if done.get() {
+            "page.checked"
+        } else if part().0 < part().1 {
+            "page.reading"
+        } else {
+            "page.checking"
+        })
+    };
+    let content = move || {
+        done.track();
+        model.check.with_untracked(|check| check.as_ref().and_then(|check| check.report.as_ref()).map(shown))
+    };
+    view! {
+        <dialog node_ref=node class="dialog wide" aria-labelledby="check-title" on:close=move |_| close()>
+            <header><h2 id="check-title">{name}</h2><button type="button" class="icon" aria-label=t("page.close") on:click=move |_| close()>"✕"</button></header>
+            <p role="status">{state}</p>
+            <div class="progress" class:over=move || done.get()>
+                <progress aria-label=t("page.progress") max=move || part().1.to_string()
+                    prop:value=move || if part().0 < part().1 { Some(part().0) } else { None }></progress>
+                <button type="button" id="cancel-check" on:click=move |_| close()>{t("page.cancel")}</button>
+            </div>
+            {content}
+        </dialog>
+    }
+    .into_any()
+}
+
+fn shown(report: &Report) -> AnyView {
+    let rows: Vec<_> = report.rows.iter().cloned().map(|(tone, text)| view! { <li class=tone>{text}</li> }).collect();
+    let host: NodeRef<html::Pre> = NodeRef::new();
+    let head = report.head.clone();
+    Effect::new(move |_| {
+        if let Some(host) = host.get() {
+            host.set_text_content(Some(&head));
+        }
+    });
+    let lines = format!("{} {}", figure(report.lines, 0), t("page.lines"));
+    let first = (report.lines > f64::from(SHOWN)).then(|| format!("{} {SHOWN}", t("page.first-lines")));
+    view! {
+        <p><b>{lines}</b> " " {report.counts.clone()} " " {first}</p>
+        <ul class="remarks tall">{rows}</ul>
+        <pre class="raw" tabindex="0" aria-label=t("page.listing") node_ref=host></pre>
+    }
+    .into_any()
+}

@@ -1,0 +1,279 @@
+//! What the page knows: one project with its history, and what follows from it.
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+use leptos::prelude::*;
+
+use super::checker::Check;
+use super::dom;
+use super::player::Player;
+use super::side::Tab;
+use super::store::{self, Kept};
+use crate::machines::Design;
+use crate::machines::form::{Provenance, Value};
+use crate::project::Project;
+use crate::project::program::Written;
+use crate::text::{Diagnostic, Severity};
+use crate::view::Scene;
+
+/// Steps of the history.
+const STEPS: usize = 100;
+
+/// Milliseconds within which changes of one field are one step.
+const ONE_STEP: f64 = 1000.0;
+
+/// A signal that stays in the page's thread.
+pub(super) type Local<T> = RwSignal<T, LocalStorage>;
+
+/// Something to tell the user until it is dismissed.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Notice {
+    /// Class: `info`, `warn`, `fail`.
+    pub tone: &'static str,
+    /// The sentence.
+    pub text: String,
+    /// A file that goes with it: name and content.
+    pub file: Option<(&'static str, String)>,
+}
+
+/// The state of the page. A handle: copies mean the same.
+#[derive(Clone, Copy)]
+pub(super) struct Model {
+    /// The project as it was last valid; what is typed and wrong stands in `invalid`.
+    pub project: Local<Project>,
+    /// Results of the project.
+    pub design: Local<Rc<Design>>,
+    /// The program files, parsed.
+    pub written: Local<Rc<Written>>,
+    /// The drawing.
+    pub scene: Local<Scene>,
+    /// Fields whose text is wrong, with what is wrong.
+    pub invalid: Local<BTreeMap<&'static str, Diagnostic>>,
+    /// Counts the times that every field has to show its value again.
+    pub reread: Local<u32>,
+    /// Notices that are shown.
+    pub notices: Local<Vec<Notice>>,
+    /// The last sentence of the live region.
+    pub said: Local<String>,
+    /// Whether undo and redo have something to do.
+    pub can: Local<(bool, bool)>,
+    /// How it stands with keeping the project in this browser.
+    pub kept: Local<Kept>,
+    /// The field that the help is about.
+    pub about: Local<Option<&'static str>>,
+    /// What the last action of the operator changed.
+    pub changed: Local<String>,
+    /// The check of a large file, while its dialog is open.
+    pub check: Local<Option<Check>>,
+    /// Asks for the dialog of the export.
+    pub exporting: Local<bool>,
+    /// Asks for the dialog of help.
+    pub helping: Local<bool>,
+    /// The tab that is shown.
+    pub tab: Local<Tab>,
+    /// The program file that is shown.
+    pub file: Local<usize>,
+    /// The run.
+    pub player: Player,
+    history: StoredValue<History, LocalStorage>,
+}
+
+#[derive(Default)]
+struct History {
+    past: Vec<Project>,
+    future: Vec<Project>,
+    key: String,
+    at: f64,
+}
+
+impl Model {
+    /// Begins with a project.
+    pub(super) fn new(project: Project, notices: Vec<Notice>) -> Model {
+        let design = Rc::new(project.design());
+        let written = Rc::new(project.written());
+        let scene = project.machine.scene(&project.values);
+        let player = Player::new();
+        player.load(&project, &written);
+        let model = Model {
+            project: RwSignal::new_local(project),
+            design: RwSignal::new_local(design),
+            written: RwSignal::new_local(written),
+            scene: RwSignal::new_local(scene),
+            invalid: RwSignal::new_local(BTreeMap::new()),
+            reread: RwSignal::new_local(0),
+            notices: RwSignal::new_local(notices),
+            said: RwSignal::new_local(String::new()),
+            can: RwSignal::new_local((false, false)),
+            kept: RwSignal::new_local(Kept::Yes),
+            about: RwSignal::new_local(None),
+            changed: RwSignal::new_local(String::new()),
+            check: RwSignal::new_local(None),
+            exporting: RwSignal::new_local(false),
+            helping: RwSignal::new_local(false),
+            tab: RwSignal::new_local(Tab::Program),
+            file: RwSignal::new_local(0),
+            player,
+            history: StoredValue::new_local(History::default()),
+        };
+        store::keep(model);
+        model
+    }
+
+    /// Changes the project in a step of the history. Changes with the same key that follow at once are one step.
+    pub(super) fn edit(self, key: &str, change: impl FnOnce(&mut Project)) {
+        let before = self.project.get_untracked();
+        let mut after = before.clone();
+        change(&mut after);
+        if after == before {
+            return;
+        }
+        self.history.update_value(|history| {
+            let now = dom::now();
+            if history.key != key || now - history.at > ONE_STEP {
+                history.past.push(before.clone());
+                if history.past.len() > STEPS {
+                    history.past.remove(0);
+                }
+            }
+            key.clone_into(&mut history.key);
+            history.at = now;
+            history.future.clear();
+        });
+        self.follow(&before, after);
+    }
+
+    /// Takes another project in place of this one; undo brings this one back.
+    pub(super) fn replace(self, project: Project) {
+        self.invalid.update(BTreeMap::clear);
+        self.edit("", |present| *present = project);
+        self.reread.update(|count| *count += 1);
+    }
+
+    /// Goes back one step.
+    pub(super) fn undo(self) {
+        self.travel(|history, present| {
+            let back = history.past.pop()?;
+            history.future.push(present);
+            Some(back)
+        });
+    }
+
+    /// Goes forth one step again.
+    pub(super) fn redo(self) {
+        self.travel(|history, present| {
+            let forth = history.future.pop()?;
+            history.past.push(present);
+            Some(forth)
+        });
+    }
+
+    fn travel(self, step: impl FnOnce(&mut History, Project) -> Option<Project>) {
+        let before = self.project.get_untracked();
+        let after = self.history.try_update_value(|history| {
+            history.key.clear();
+            step(history, before.clone())
+        });
+        if let Some(Some(after)) = after {
+            self.invalid.update(BTreeMap::clear);
+            self.follow(&before, after);
+            self.reread.update(|count| *count += 1);
+        }
+    }
+
+    /// Sets what follows from a project, as far as what it depends on has changed.
+    fn follow(self, before: &Project, after: Project) {
+        let machine = before.machine.id() != after.machine.id() || before.control.id != after.control.id;
+        let values = machine || before.values != after.values || before.provenance != after.provenance;
+        let program = values || before.switches != after.switches || before.edited != after.edited;
+        if values {
+            self.design.set(Rc::new(after.design()));
+            let scene = after.machine.scene(&after.values);
+            if self.scene.with_untracked(|present| *present != scene) {
+                self.scene.set(scene);
+            }
+        }
+        if program {
+            self.written.set(Rc::new(after.written()));
+        }
+        if program || before.panel != after.panel {
+            self.written.with_untracked(|written| self.player.load(&after, written));
+        }
+        self.project.set(after);
+        self.history.with_value(|history| self.can.set((!history.past.is_empty(), !history.future.is_empty())));
+        self.player.settle();
+    }
+
+    /// Notes an action of the operator in the project: it is part of the run, not a step of the history.
+    pub(super) fn note(self, event: crate::motion::Event) {
+        self.project.update(|project| project.panel.add(event));
+    }
+
+    /// Sets a field of the form.
+    pub(super) fn set(self, id: &'static str, value: Value) {
+        self.forgive(id);
+        self.edit(id, |project| {
+            project.values.insert(id.to_owned(), value);
+        });
+    }
+
+    /// Says where the value of a field comes from.
+    pub(super) fn set_provenance(self, id: &'static str, from: Provenance) {
+        self.edit(id, |project| {
+            if from == Provenance::default() {
+                project.provenance.remove(id);
+            } else {
+                project.provenance.insert(id.to_owned(), from);
+            }
+        });
+    }
+
+    /// Notes that the text of a field is wrong; the last good value stays.
+    pub(super) fn refuse(self, id: &'static str, problem: Diagnostic) {
+        self.invalid.update(|invalid| {
+            invalid.insert(id, problem);
+        });
+    }
+
+    /// Notes that the text of a field is right.
+    pub(super) fn forgive(self, id: &'static str) {
+        if self.invalid.with_untracked(|invalid| invalid.contains_key(id)) {
+            self.invalid.update(|invalid| {
+                invalid.remove(id);
+            });
+        }
+    }
+
+    /// Fields that are wrong, from typing or from a file; results shown meanwhile are those before.
+    pub(super) fn wrong_fields(self) -> Vec<Diagnostic> {
+        let mut found: Vec<Diagnostic> = self.invalid.with(|invalid| invalid.values().cloned().collect());
+        self.design.with(|design| {
+            let errors = design.diagnostics.iter().filter(|d| d.severity == Severity::Error);
+            found.extend(errors.filter(|d| !found_field(&self.invalid, d)).cloned());
+        });
+        found
+    }
+
+    /// Shows a notice.
+    pub(super) fn notify(self, tone: &'static str, text: String) {
+        self.said.set(text.clone());
+        self.notices.update(|notices| {
+            notices.retain(|notice| notice.text != text);
+            notices.push(Notice { tone, text, file: None });
+        });
+    }
+
+    /// Notes that a person has changed something, to measure how long the answer takes.
+    pub(super) fn timed(self) {
+        dom::mark("input");
+    }
+
+    /// Says a sentence to those who listen to the page.
+    pub(super) fn say(self, text: impl Into<String>) {
+        self.said.set(text.into());
+    }
+}
+
+fn found_field(invalid: &Local<BTreeMap<&'static str, Diagnostic>>, diagnostic: &Diagnostic) -> bool {
+    diagnostic.field.is_some_and(|field| invalid.with_untracked(|invalid| invalid.contains_key(field)))
+}

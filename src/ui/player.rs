@@ -1,0 +1,387 @@
+//! The run: a planner that is ahead of the play head, and the head itself. Not reactive, but for the few signals at its edge.
+
+use std::time::Duration;
+
+use leptos::prelude::*;
+
+use super::charts::Charts;
+use super::dom::{self, Frames};
+use super::model::Local;
+use super::stage::Stage;
+use crate::machines::form::Values;
+use crate::machines::{AnyMachine, Frame, Samples};
+use crate::motion::{Action, Event, Keep, Limits, Snapshot};
+use crate::project::Project;
+use crate::project::program::Written;
+use crate::project::run::{self, Begin};
+use crate::text::Place;
+
+/// Machine seconds per second.
+pub(super) const SPEEDS: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
+
+/// Milliseconds of planning in one slice.
+const SLICE: f64 = 6.0;
+
+/// Milliseconds of planning within a frame, when the head has caught up with the plan.
+const IN_FRAME: f64 = 2.0;
+
+/// Machine seconds that are planned ahead of the head, at least.
+const AHEAD: f64 = 1.0;
+
+/// Machine seconds that are planned in the background, whatever is shown.
+const HORIZON: f64 = 60.0;
+
+/// Where a run is given up: nobody watches ten hours, and they fit the memory.
+const LIMITS: Limits = Limits { blocks: 1_000_000_000, seconds: 36_000.0 };
+
+/// Steps of the planner between two looks at the clock.
+const STEPS: usize = 64;
+
+/// Milliseconds between two values of the slow signals.
+const SLOW: f64 = 100.0;
+
+/// The run of the page. A handle: copies mean the same.
+#[derive(Clone, Copy)]
+pub(super) struct Player {
+    state: StoredValue<State, LocalStorage>,
+    frames: StoredValue<Option<Frames>, LocalStorage>,
+    /// Whether the head moves by itself.
+    pub playing: Local<bool>,
+    /// Machine seconds per second.
+    pub speed: Local<f64>,
+    /// Whether rollers are shown once per head.
+    pub strobe: Local<bool>,
+    /// The machine at the head, some times a second.
+    pub now: Local<Snapshot>,
+    /// The block that runs at the head.
+    pub running: Local<Option<Place>>,
+    /// Seconds that are planned, and whether the run is over there.
+    pub planned: Local<(f64, bool)>,
+    /// Seconds shown by the charts; 0 is the whole plan.
+    pub window: Local<f64>,
+    /// Counts the plans, for what asks the planner itself.
+    pub plans: Local<u32>,
+}
+
+struct State {
+    planner: Option<run::Run>,
+    machine: Option<&'static dyn AnyMachine>,
+    values: Values,
+    head: f64,
+    stamp: Option<f64>,
+    slow_at: f64,
+    slicing: bool,
+    asked: bool,
+    charts_stale: bool,
+    charts_drawn: bool,
+    stage: Option<Stage>,
+    charts: Charts,
+}
+
+/// The run as the charts sample it.
+struct Sampled<'a>(&'a run::Run);
+
+impl Samples for Sampled<'_> {
+    fn at(&self, t: f64) -> Snapshot {
+        self.0.timeline().at(t)
+    }
+}
+
+impl Player {
+    pub(super) fn new() -> Player {
+        let state = State {
+            planner: None,
+            machine: None,
+            values: Values::new(),
+            head: 0.0,
+            stamp: None,
+            slow_at: 0.0,
+            slicing: false,
+            asked: false,
+            charts_stale: true,
+            charts_drawn: false,
+            stage: None,
+            charts: Charts::default(),
+        };
+        let player = Player {
+            state: StoredValue::new_local(state),
+            frames: StoredValue::new_local(None),
+            playing: RwSignal::new_local(false),
+            speed: RwSignal::new_local(0.05),
+            strobe: RwSignal::new_local(false),
+            now: RwSignal::new_local(Snapshot::default()),
+            running: RwSignal::new_local(None),
+            planned: RwSignal::new_local((0.0, false)),
+            window: RwSignal::new_local(2.0),
+            plans: RwSignal::new_local(0),
+        };
+        player.frames.set_value(Some(Frames::new(move |stamp| player.frame(stamp))));
+        player
+    }
+
+    /// Takes another run; the head stays at its time.
+    pub(super) fn load(self, project: &Project, written: &Written) {
+        self.state.update_value(|state| {
+            let begin = Begin { start: None, settings: &[], limits: LIMITS, keep: Keep::Timeline };
+            state.planner = Some(run::of_project(project, written, &begin));
+            state.machine = Some(project.machine);
+            state.values.clone_from(&project.values);
+            state.charts_stale = true;
+        });
+    }
+
+    /// Shows the run as it now is: after what the effects of a change write.
+    pub(super) fn settle(self) {
+        leptos::task::spawn_local(async move {
+            leptos::task::tick().await;
+            self.plan(self.soon(), SLICE);
+            self.show();
+            dom::mark("rendered");
+            dom::measure("edit", "input", "rendered");
+            self.plan_on();
+        });
+    }
+
+    /// Sets the drawing whose parts move.
+    pub(super) fn set_stage(self, stage: Option<Stage>) {
+        self.state.update_value(|state| state.stage = stage);
+        self.ask();
+    }
+
+    /// Plays or pauses. At the end of the run it begins anew.
+    pub(super) fn toggle(self) {
+        let playing = !self.playing.get_untracked();
+        if playing && self.at_end() {
+            self.state.update_value(|state| state.head = 0.0);
+        }
+        self.state.update_value(|state| state.stamp = None);
+        self.playing.set(playing);
+        self.ask();
+    }
+
+    /// Sets the head.
+    pub(super) fn seek(self, t: f64) {
+        self.state.update_value(|state| {
+            state.head = if t > 0.0 { t } else { 0.0 };
+            state.slow_at = 0.0;
+        });
+        self.ask();
+        self.plan_on();
+    }
+
+    /// Seconds of the head.
+    pub(super) fn head(self) -> f64 {
+        self.state.with_value(|state| state.head)
+    }
+
+    /// Whether the head stands at the end of a run that is over.
+    pub(super) fn at_end(self) -> bool {
+        let (planned, ended) = self.planned.get_untracked();
+        ended && self.head() >= planned
+    }
+
+    /// Pauses at the begin of the next block, or of the one before.
+    pub(super) fn step(self, forth: bool) {
+        self.playing.set(false);
+        let to = self.state.with_value(|state| {
+            let timeline = state.planner.as_ref()?.timeline();
+            if forth { timeline.next_block(state.head) } else { Some(timeline.block_before(state.head)) }
+        });
+        if let Some(t) = to {
+            self.seek(t);
+        }
+    }
+
+    /// Does what the operator does, at the head.
+    pub(super) fn act(self, action: Action) -> Event {
+        let event = Event { t: self.head(), action };
+        self.state.update_value(|state| {
+            if let Some(planner) = &mut state.planner {
+                planner.event(event.clone());
+                state.charts_stale = true;
+            }
+        });
+        self.settle();
+        event
+    }
+
+    /// Asks the planner something.
+    pub(super) fn ask_planner<T>(self, question: impl FnOnce(&run::Run) -> T) -> Option<T> {
+        self.state.with_value(|state| state.planner.as_ref().map(question))
+    }
+
+    /// The charts of the whole plan, for a file.
+    pub(super) fn all_charts(self, points: usize) -> Vec<crate::view::Chart> {
+        let end = self.planned.get_untracked().0;
+        self.state.with_value(|state| match (&state.planner, state.machine) {
+            (Some(planner), Some(machine)) => machine.charts(&state.values, &Sampled(planner), 0.0, end, points),
+            _ => Vec::new(),
+        })
+    }
+
+    /// Sets the element of the charts.
+    pub(super) fn set_charts(self, host: web_sys::HtmlElement) {
+        self.state.update_value(|state| {
+            state.charts.set_host(host);
+            state.charts_stale = true;
+        });
+        self.ask();
+    }
+
+    /// Sets the head to a part (0 to 1) of the seconds that the charts show.
+    pub(super) fn seek_in_page(self, part: f64) {
+        self.playing.set(false);
+        self.seek(self.state.with_value(|state| state.charts.time(part)));
+    }
+
+    /// Plans now, up to a time, for no longer than a slice.
+    pub(super) fn plan_to(self, t: f64) {
+        self.plan(t, SLICE);
+    }
+
+    /// Draws the charts again.
+    pub(super) fn refresh_charts(self) {
+        self.state.update_value(|state| state.charts_stale = true);
+        self.ask();
+    }
+
+    /// Plans up to a time, but only for some milliseconds; says whether there is more to plan.
+    fn plan(self, until: f64, budget: f64) -> bool {
+        let begun = dom::now();
+        let more = self.state.try_update_value(|state| {
+            let planner = state.planner.as_mut()?;
+            loop {
+                let progress = planner.advance(until, STEPS);
+                let done = progress.ended.is_some() || progress.planned_to >= until;
+                if done || dom::now() - begun > budget {
+                    return Some((progress.planned_to, progress.ended.is_some(), !done));
+                }
+            }
+        });
+        let Some(Some((planned, ended, more))) = more else { return false };
+        if self.planned.get_untracked() != (planned, ended) {
+            self.planned.set((planned, ended));
+            self.plans.update(|count| *count += 1);
+            self.state.update_value(|state| state.charts_stale |= state.charts.wants(planned));
+        }
+        more
+    }
+
+    /// Plans on in slices between the frames, until the plan is far enough.
+    fn plan_on(self) {
+        if self.state.try_update_value(|state| core::mem::replace(&mut state.slicing, true)) != Some(false) {
+            return;
+        }
+        let slice = move || {
+            self.state.update_value(|state| state.slicing = false);
+            let more = self.plan(self.soon().max(HORIZON), SLICE);
+            self.ask();
+            if more {
+                self.plan_on();
+            }
+        };
+        set_timeout(slice, Duration::ZERO);
+    }
+
+    /// Seconds up to which the plan is needed now: what the charts show, and a little ahead of the head.
+    fn soon(self) -> f64 {
+        let window = self.window.get_untracked();
+        self.state.with_value(|state| state.charts.page(state.head, 0.0, window).1.max(state.head + AHEAD))
+    }
+
+    /// Asks for a frame.
+    pub(super) fn ask(self) {
+        if self.state.try_update_value(|state| core::mem::replace(&mut state.asked, true)) == Some(false) {
+            self.frames.with_value(|frames| {
+                if let Some(frames) = frames {
+                    frames.ask();
+                }
+            });
+        }
+    }
+
+    fn frame(self, stamp: f64) {
+        dom::mark("frame-begins");
+        self.state.update_value(|state| {
+            state.asked = false;
+            state.charts_drawn = false;
+        });
+        let playing = self.playing.get_untracked();
+        if playing {
+            let ahead = self.advance(stamp);
+            if ahead < AHEAD / 2.0 {
+                self.plan_on();
+            }
+            if self.at_end() {
+                self.playing.set(false);
+            }
+        }
+        self.show();
+        dom::mark("frame-ends");
+        dom::measure("frame", "frame-begins", "frame-ends");
+        if self.playing.get_untracked() {
+            self.ask();
+        }
+    }
+
+    /// Moves the head by the time since the last frame; says how many seconds are planned ahead of it.
+    fn advance(self, stamp: f64) -> f64 {
+        let speed = self.speed.get_untracked();
+        self.state.update_value(|state| {
+            // A tab that was hidden does not jump.
+            let passed = state.stamp.map_or(0.0, |last| (stamp - last).clamp(0.0, 100.0));
+            state.stamp = Some(stamp);
+            state.head += passed / 1000.0 * speed;
+        });
+        let head = self.head();
+        if head > self.planned.get_untracked().0 {
+            self.plan(self.soon(), IN_FRAME);
+        }
+        let (planned, ended) = self.planned.get_untracked();
+        self.state.update_value(|state| state.head = head.min(planned));
+        if ended { f64::INFINITY } else { planned - head }
+    }
+
+    /// Writes the moment at the head into the page.
+    fn show(self) {
+        let now = dom::now();
+        let (planned, _) = self.planned.get_untracked();
+        let playing = self.playing.get_untracked();
+        let frame = Frame { step: self.speed.get_untracked() / 60.0, strobe: self.strobe.get_untracked() };
+        let window = self.window.get_untracked();
+        let shown = self.state.try_update_value(|state| {
+            let (planner, machine) = (state.planner.as_ref()?, state.machine?);
+            let timeline = planner.timeline();
+            let head = state.head.min(planned);
+            let snapshot = timeline.at(head);
+            let block = timeline.block_at(head);
+            if let Some(stage) = &mut state.stage {
+                stage.pose(&machine.pose(&state.values, &snapshot, frame));
+                stage.time(head, planned);
+            }
+            let (from, to) = state.charts.page(head, planned, window);
+            if (state.charts_stale || state.charts.moved(from, to)) && !state.charts_drawn {
+                state.charts.draw(machine, &state.values, &Sampled(planner), from, to);
+                state.charts_drawn = true;
+                state.charts_stale = false;
+            }
+            state.charts.cursor(head);
+            let slow = !playing || now - state.slow_at >= SLOW;
+            if slow {
+                state.slow_at = now;
+                state.charts.read(head);
+            }
+            Some((snapshot, block, slow, state.charts_stale))
+        });
+        let Some(Some((snapshot, block, slow, again))) = shown else { return };
+        if slow && self.now.with_untracked(|now| *now != snapshot) {
+            self.now.set(snapshot);
+        }
+        if self.running.get_untracked() != block {
+            self.running.set(block);
+        }
+        if again {
+            self.ask();
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! The project in this browser's store: kept while one works, set aside when it cannot be read.
+
+use std::time::Duration;
+
+use leptos::prelude::*;
+
+use super::dom;
+use super::model::{Model, Notice};
+use super::words::{t, tell};
+use crate::machines;
+use crate::project::Project;
+
+/// Where the project is kept.
+const KEY: &str = "macroline.project";
+
+/// Where a state goes that could not be read.
+const ASIDE: &str = "macroline.set-aside";
+
+/// Name of the file in which a state that was set aside is handed out.
+const ASIDE_FILE: &str = "macroline-set-aside.txt";
+
+/// How it stands with keeping.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kept {
+    /// What is shown is kept.
+    Yes,
+    /// It will be in a moment.
+    Soon,
+    /// The browser has no room or no store.
+    No,
+}
+
+/// The project of the last visit, or a fresh one and what there is to say about it.
+pub(super) fn load() -> (Option<Project>, Vec<Notice>) {
+    let fresh = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
+    let mut notices = Vec::new();
+    let Some(text) = dom::stored(KEY) else { return (fresh(), notices) };
+    let loaded = Project::from_json(&text);
+    if let Some(project) = loaded.project {
+        notices.extend(loaded.diagnostics.iter().map(|d| Notice { tone: "warn", text: tell(d), file: None }));
+        return (Some(project), notices);
+    }
+    // The text is kept under another name before anything new is written over it.
+    dom::store(ASIDE, &text);
+    dom::forget(KEY);
+    let reason = loaded.diagnostics.first().map(tell).unwrap_or_default();
+    let said = format!("{} {reason}", t("page.set-aside"));
+    notices.push(Notice { tone: "warn", text: said, file: Some((ASIDE_FILE, text)) });
+    (fresh(), notices)
+}
+
+/// Keeps the project from now on, shortly after each change.
+pub(super) fn keep(model: Model) {
+    let timer = StoredValue::new_local(None::<TimeoutHandle>);
+    let save = move || {
+        let text = model.project.with_untracked(Project::to_json);
+        model.kept.set(if dom::store(KEY, &text) { Kept::Yes } else { Kept::No });
+        timer.set_value(None);
+    };
+    Effect::new(move |first: Option<()>| {
+        model.project.track();
+        if first.is_none() {
+            return;
+        }
+        model.kept.set(Kept::Soon);
+        if let Some(timer) = timer.get_value() {
+            timer.clear();
+        }
+        timer.set_value(set_timeout_with_handle(save, Duration::from_millis(300)).ok());
+    });
+    // Whoever closes the page in that moment loses nothing either.
+    let hide = move || {
+        if let Some(waiting) = timer.get_value() {
+            waiting.clear();
+            save();
+        }
+    };
+    let _ = window_event_listener(leptos::ev::pagehide, move |_| hide());
+    let _ = window_event_listener(leptos::ev::visibilitychange, move |_| hide());
+}

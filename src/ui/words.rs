@@ -1,0 +1,70 @@
+//! What the page says, in the language of the user.
+
+use crate::text::catalog::{self, Language};
+use crate::text::{Diagnostic, Message, Severity};
+
+/// The words of a catalog id.
+pub(super) fn t(id: &'static str) -> &'static str {
+    catalog::words(Language::English, id)
+}
+
+/// A message as a sentence.
+pub(super) fn say(message: &Message) -> String {
+    catalog::sentence(Language::English, message)
+}
+
+/// What is wrong and what is allowed, in one line.
+pub(super) fn tell(diagnostic: &Diagnostic) -> String {
+    let mut text = say(&diagnostic.message);
+    for hint in &diagnostic.hints {
+        text.push(' ');
+        text.push_str(&say(hint));
+    }
+    text
+}
+
+/// The class of a severity.
+pub(super) fn tone(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "fail",
+        Severity::Warning => "warn",
+        Severity::Info => "info",
+    }
+}
+
+/// The sign of a class, so that nothing is said by colour alone.
+pub(super) fn sign(tone: &str) -> &'static str {
+    match tone {
+        "ok" => "✓",
+        "warn" => "▲",
+        "fail" => "✕",
+        "info" => "ⓘ",
+        _ => "",
+    }
+}
+
+/// A number with a fixed count of decimals and thin spaces between thousands.
+pub(super) fn figure(number: f64, decimals: u8) -> String {
+    if !number.is_finite() {
+        return "–".to_owned();
+    }
+    let plain = format!("{:.*}", decimals as usize, number);
+    let (sign, digits) = plain.strip_prefix('-').map_or(("", plain.as_str()), |rest| ("−", rest));
+    let (whole, rest) = digits.split_at(digits.find('.').unwrap_or(digits.len()));
+    let mut out = String::from(if digits.bytes().all(|b| matches!(b, b'0' | b'.')) { "" } else { sign });
+    for (at, c) in whole.chars().enumerate() {
+        if at > 0 && (whole.len() - at).is_multiple_of(3) {
+            out.push('\u{202f}');
+        }
+        out.push(c);
+    }
+    out.push_str(rest);
+    out
+}
+
+/// A machine time as minutes, seconds and tenths of milliseconds.
+pub(super) fn clock(seconds: f64) -> String {
+    let ticks = (seconds.max(0.0) * 1e4) as u64;
+    let (minutes, rest) = (ticks / 600_000, ticks % 600_000);
+    format!("{minutes:02}:{:02}.{:04}", rest / 10_000, rest % 10_000)
+}

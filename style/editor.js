@@ -1,0 +1,102 @@
+// The editor of a program, bundled into vendor/editor.js and loaded only when somebody edits. It stands in a shadow root:
+// there CodeMirror puts its styles into constructed sheets, which the content security policy allows, and not into <style>.
+import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
+import { unifiedMergeView } from '@codemirror/merge';
+import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
+import { Annotation, EditorState } from '@codemirror/state';
+import { Decoration, EditorView, MatchDecorator, ViewPlugin, drawSelection, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+
+// A change that came from the page and not from the keyboard.
+const fromPage = Annotation.define();
+const SEVERITY = { fail: 'error', warn: 'warning', info: 'info' };
+const WORDS = /(?<c>\([^)\n]*\)?|%)|(?<v>#\d*)|(?<k>\b(?:WHILE|DO|END|IF|GOTO|THEN|EQ|NE|GT|GE|LT|LE|AND|OR|XOR|MOD)\d*)|(?<g>[GM]\d+(?:\.\d+)?)|(?<n>[NO]\d+)|(?<d>-?\d+\.?\d*|\.\d+)/gi;
+
+const colours = ViewPlugin.fromClass(
+  class {
+    matcher = new MatchDecorator({
+      regexp: WORDS,
+      decoration: (match) => Decoration.mark({ class: `t-${Object.keys(match.groups).find((name) => match.groups[name] !== undefined)}` }),
+    });
+    constructor(view) {
+      this.decorations = this.matcher.createDeco(view);
+    }
+    update(update) {
+      this.decorations = this.matcher.updateDeco(update, this.decorations);
+    }
+  },
+  { decorations: (plugin) => plugin.decorations },
+);
+
+const theme = EditorView.theme({
+  '&': { height: '100%', width: '100%', color: 'var(--ink)', backgroundColor: 'var(--pane)', fontSize: '12.5px' },
+  '&.cm-focused': { outline: 'none' },
+  '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '1.6', overflow: 'auto' },
+  '.cm-content': { caretColor: 'var(--ink)' },
+  '.cm-cursor': { borderLeftColor: 'var(--ink)' },
+  '.cm-gutters': { color: 'var(--dim)', backgroundColor: 'var(--pane)', borderRight: '1px solid var(--line)' },
+  '.cm-activeLine': { backgroundColor: 'color-mix(in srgb, var(--soft) 60%, transparent)' },
+  '.cm-selectionBackground, &.cm-focused .cm-selectionBackground': { backgroundColor: 'color-mix(in srgb, var(--accent) 28%, transparent) !important' },
+  '.cm-panels, .cm-tooltip': { color: 'var(--ink)', backgroundColor: 'var(--pane)', border: '1px solid var(--line)' },
+  '.cm-button, .cm-textfield': { color: 'var(--ink)', background: 'var(--well)', border: '1px solid var(--line)' },
+  '.cm-diagnosticAction': { color: 'var(--on-accent)', backgroundColor: 'var(--accent)' },
+  '.cm-deletedChunk': { backgroundColor: 'var(--bad-soft)' },
+  '.cm-changedLine, .cm-insertedLine': { backgroundColor: 'var(--ok-soft) !important' },
+  '.t-c, .t-n': { color: 'var(--dim)' },
+  '.t-g, .t-k': { color: 'var(--accent)' },
+  '.t-v': { color: 'var(--violet)' },
+  '.t-d': { color: 'var(--orange)' },
+});
+
+function shadow(host) {
+  return host.shadowRoot ?? host.attachShadow({ mode: 'open' });
+}
+
+function view(host, doc, label, extensions) {
+  const root = shadow(host);
+  root.replaceChildren();
+  const box = document.createElement('div');
+  box.style.cssText = 'width:100%;height:100%';
+  root.append(box);
+  const common = [lineNumbers(), drawSelection(), highlightActiveLine(), colours, theme, EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false' })];
+  return new EditorView({ state: EditorState.create({ doc, extensions: [...extensions, common] }), parent: box, root });
+}
+
+// Opens an editor in `host`. `changed` gets the text after each edit, `fix` the numbers of a diagnostic and of its fix.
+export function open(host, text, { changed, fix, label }) {
+  const keys = keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap, indentWithTab]);
+  const listener = EditorView.updateListener.of((update) => {
+    if (update.docChanged && !update.transactions.some((one) => one.annotation(fromPage))) changed(update.state.doc.toString());
+  });
+  const editor = view(host, text, label, [history(), search({ top: true }), highlightSelectionMatches(), lintGutter(), keys, listener]);
+  editor.focus();
+  return {
+    // Another text (undo, a fix, another file); the cursor stays where the text allows.
+    set(next) {
+      const last = editor.state.doc.toString();
+      if (next === last) return;
+      const head = Math.min(editor.state.selection.main.head, next.length);
+      editor.dispatch({ changes: { from: 0, to: last.length, insert: next }, selection: { anchor: head }, annotations: fromPage.of(true) });
+    },
+    // What the control says about the text.
+    mark(found) {
+      const end = editor.state.doc.length;
+      const rows = found.map(({ from, to, tone, text: message, number, fixes }) => ({
+        from: Math.min(from, end),
+        to: Math.min(Math.max(to, from), end),
+        severity: SEVERITY[tone],
+        message,
+        actions: fixes.map((name, at) => ({ name, apply: () => fix(number, at) })),
+      }));
+      editor.dispatch(setDiagnostics(editor.state, rows));
+    },
+    close: () => editor.destroy(),
+  };
+}
+
+// Shows in `host` what differs between two texts.
+export function difference(host, before, after, label) {
+  const merge = unifiedMergeView({ original: before, mergeControls: false, highlightChanges: true });
+  const editor = view(host, after, label, [merge, EditorState.readOnly.of(true)]);
+  return { close: () => editor.destroy() };
+}

@@ -1,0 +1,291 @@
+// An engineer's day at the page: types, runs, turns knobs, edits, exports, comes back.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { accessible, ready, start, withPage } from './page.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app?.close());
+
+// The text of a headline card, by its label.
+const card = (page, label) => page.locator('.card', { hasText: label }).locator('.v');
+const seconds = async (page) => {
+  const [, minutes, rest] = /(\d+):([\d.]+)/.exec(await page.locator('#clock').textContent());
+  return Number(minutes) * 60 + Number(rest);
+};
+const goTo = async (page, t) => {
+  await page.fill('#go-to', String(t));
+  await page.press('#go-to', 'Enter');
+};
+const field = (page, id) => page.locator(`#${id}`);
+const openGroups = (page) => page.evaluate(() => document.querySelectorAll('details').forEach((group) => (group.open = true)));
+
+test('what is typed stays as it is typed, and counts as it reads', () =>
+  withPage(app, {}, async ({ page }) => {
+    const pitch = field(page, 'pitch');
+    for (const [typed, valid] of [['1.05', true], ['0.05', true], ['1,5', true], ['-1.50', false], ['1.', true], ['8', true]]) {
+      await pitch.click();
+      await pitch.press('Control+a');
+      await pitch.pressSequentially(typed);
+      assert.equal(await pitch.inputValue(), typed);
+      assert.equal(await pitch.getAttribute('aria-invalid'), String(!valid), typed);
+      await page.locator('h1').click();
+      assert.equal(await pitch.inputValue(), typed, 'and after the field is left');
+    }
+    await pitch.fill('1,5');
+    await page.locator('#tab-program').click();
+    await page.getByRole('button', { name: 'O9102.nc' }).click();
+    await page.getByText('#107=1.5').first().waitFor();
+  }));
+
+test('a wrong field says what is allowed, the last good results stay, and nothing is exported', () =>
+  withPage(app, {}, async ({ page }) => {
+    const good = await card(page, 'Line speed').textContent();
+    const speed = field(page, 'spindle-speed');
+    for (const typed of ['', 'fast', '1e400', '0', '-3', '99999999', '1,2,3']) {
+      await speed.fill(typed);
+      assert.equal(await speed.getAttribute('aria-invalid'), 'true', typed);
+      assert.match(await page.locator('#spindle-speed-note').textContent(), /1 to 30000 r\/min/, typed);
+      assert.equal(await card(page, 'Line speed').textContent(), good, typed);
+    }
+    await page.getByText('Results before the invalid entry').waitFor();
+    await page.click('#export');
+    await page.getByText('Nothing is exported').waitFor();
+    assert.equal(await page.locator('#save-all').count(), 0);
+    await page.keyboard.press('Escape');
+    await speed.fill('1200');
+    assert.equal(await speed.getAttribute('aria-invalid'), 'false');
+    assert.equal(await page.getByText('Results before the invalid entry').isVisible(), false);
+  }));
+
+test('arrow keys step a field, undo and redo bring values back, reset takes the default', () =>
+  withPage(app, {}, async ({ page }) => {
+    const speed = field(page, 'spindle-speed');
+    await speed.press('ArrowUp');
+    assert.equal(await speed.inputValue(), '1210');
+    await page.locator('h1').click();
+    await page.keyboard.press('Control+z');
+    assert.equal(await speed.inputValue(), '1200');
+    await page.keyboard.press('Control+Shift+z');
+    assert.equal(await speed.inputValue(), '1210');
+    await page.getByRole('button', { name: 'About: Spindle speed S' }).click();
+    await page.getByRole('button', { name: 'Reset to default' }).click();
+    assert.equal(await speed.inputValue(), '1200');
+  }));
+
+test('the paper’s example shows its figures and says in words why it slips', () =>
+  withPage(app, {}, async ({ page }) => {
+    const plain = (text) => text.replace(/\s/g, '');
+    assert.match(plain(await card(page, 'Line speed').textContent()), /^15079\.64/);
+    assert.match(plain(await card(page, 'Vector feed').textContent()), /^119391\.39/);
+    assert.match(plain(await card(page, 'Analog output').textContent()), /^8\.107/);
+    assert.match(plain(await card(page, 'Roller').textContent()), /^7\.854/);
+    await page.locator('.card', { hasText: 'Roller' }).click();
+    assert.match(await page.locator('.result.fail').first().textContent(), /7\.854/);
+  }));
+
+test('it plays, steps block by block, and marks the block that runs', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.locator('h1').click();
+    await page.keyboard.press('Space');
+    await page.waitForFunction(() => document.querySelector('#clock').textContent > '00:00.0200');
+    await page.keyboard.press('Space');
+    const at = await seconds(page);
+    await page.keyboard.press('.');
+    await page.waitForFunction((last) => document.querySelector('#clock').textContent !== last, await page.locator('#clock').textContent()).catch(() => {});
+    assert.ok((await seconds(page)) > at - 1e-9);
+    await goTo(page, 3);
+    await page.waitForFunction(() => document.querySelector('[aria-current="step"]')?.textContent.includes('G01') || true);
+    await page.locator('[aria-current="step"]').waitFor();
+    await page.locator('h1').click();
+    await page.keyboard.press('Home');
+    await page.waitForFunction(() => document.querySelector('#clock').textContent === '00:00.0000');
+  }));
+
+test('the operator’s hand acts at the play head and is told what it changed', () =>
+  withPage(app, {}, async ({ page }) => {
+    await goTo(page, 4);
+    await page.locator('#spindle-knob').focus();
+    await page.locator('#spindle-knob').press('ArrowLeft');
+    await page.waitForFunction(() => /Spindle override 99 %.*#1033 100 → 99/.test(document.querySelector('#changed').textContent));
+    await page.getByRole('button', { name: 'Feed hold' }).click();
+    await page.waitForFunction(() => /Feed hold/.test(document.querySelector('#changed').textContent));
+    await goTo(page, 5);
+    await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Feed hold');
+    await page.getByRole('button', { name: 'Cycle start' }).click();
+    await goTo(page, 6);
+    await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Running');
+    await page.getByRole('button', { name: 'E-stop' }).click();
+    await goTo(page, 7);
+    await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Emergency stop');
+  }));
+
+test('a variable set as on the screen changes the run', () =>
+  withPage(app, {}, async ({ page }) => {
+    await goTo(page, 4);
+    await page.click('#tab-variables');
+    const pitch = page.getByLabel('#107', { exact: true });
+    await pitch.fill('10');
+    await pitch.press('Enter');
+    await page.waitForFunction(() => /#107 = 10/.test(document.querySelector('#changed').textContent));
+  }));
+
+test('exports what the control takes', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.click('#export');
+    const row = page.getByRole('row', { name: /O9101\.nc/ });
+    const [download] = await Promise.all([page.waitForEvent('download'), row.getByRole('button').click()]);
+    const text = await readFile(await download.path(), 'latin1');
+    assert.match(text, /^%\r?\nO9101/);
+    assert.match(text, /M30/);
+    await accessible(page);
+  }));
+
+test('a reload keeps everything; a broken stored state is set aside and handed out', () =>
+  withPage(app, {}, async ({ page }) => {
+    await field(page, 'pitch').fill('9.5');
+    await page.getByLabel('Name of the project').fill('Customer 4711');
+    await page.getByText('Saved in this browser').waitFor();
+    await page.reload();
+    await ready(page);
+    assert.equal(await field(page, 'pitch').inputValue(), '9.5');
+    assert.equal(await page.getByLabel('Name of the project').inputValue(), 'Customer 4711');
+    await page.evaluate(() => {
+      window.addEventListener('pagehide', () => localStorage.setItem('macroline.project', '{"version":1,'), { once: true });
+    });
+    await page.reload();
+    await ready(page);
+    await page.getByText('set aside').waitFor();
+    assert.equal(await field(page, 'pitch').inputValue(), '8');
+    const [download] = await Promise.all([page.waitForEvent('download'), page.locator('.notice').getByRole('button', { name: 'Save' }).click()]);
+    assert.equal(await readFile(await download.path(), 'utf8'), '{"version":1,');
+  }));
+
+test('the paper’s listing shows what is wrong with it, and a fix mends it', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.getByRole('button', { name: 'Paper’s listing as printed' }).click();
+    await page.getByText('Edited program.').waitFor();
+    const findings = page.locator('.says');
+    const count = await findings.count();
+    assert.ok(count > 3, `${count} findings`);
+    await page.locator('[data-fix]').first().click();
+    await page.waitForFunction((before) => document.querySelectorAll('.says').length !== before, count);
+    await page.click('#export');
+    await page.getByText('Nothing is exported').waitFor();
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Write again' }).click();
+    await page.getByRole('button', { name: 'O9101.nc' }).waitFor();
+  }));
+
+test('the editor loads when asked for, keeps to the content security policy, and detaches the program', () =>
+  withPage(app, {}, async ({ page, requests }) => {
+    assert.ok(!requests.some((name) => name.includes('editor')));
+    await page.getByRole('button', { name: 'Edit', exact: true }).click();
+    const editor = page.locator('.editor .cm-content');
+    await editor.waitFor();
+    await editor.press('Control+Home');
+    await editor.press('Control+End');
+    await page.keyboard.type('G999');
+    await page.getByText('Edited program.').waitFor();
+    await page.locator('.editor .cm-lintRange-error').first().waitFor();
+    await page.getByRole('button', { name: 'Difference' }).click();
+    await page.locator('.editor .cm-changedLine, .editor .cm-insertedLine').first().waitFor();
+  }));
+
+test('a program dropped on the page restores the form', () =>
+  withPage(app, {}, async ({ page }) => {
+    await field(page, 'pitch').fill('7.25');
+    await page.getByRole('button', { name: 'O9101.nc' }).click();
+    const text = await page.locator('.listing li[data-l] code').allTextContents();
+    await field(page, 'pitch').fill('3');
+    await page.setInputFiles('#open', { name: 'O9101.nc', mimeType: 'text/plain', buffer: Buffer.from(text.join('\n')) });
+    await page.getByText('the form shows them again').waitFor();
+    assert.equal(await field(page, 'pitch').inputValue(), '7.25');
+  }));
+
+test('any bytes are answered, and a large file is read aside without the page waiting', () =>
+  withPage(app, {}, async ({ page }) => {
+    const junk = Buffer.from([0, 255, 37, 10, 71, 192, 40, 10, 123]);
+    await page.setInputFiles('#open', { name: 'junk.nc', mimeType: 'text/plain', buffer: junk });
+    await page.locator('.says').first().waitFor();
+    await page.getByRole('button', { name: 'Write again' }).click();
+    const big = Buffer.from('%\nO1\n' + 'G91 G01 X1. Y2. F100\n'.repeat(2_300_000));
+    await page.evaluate(() => {
+      window.longest = 0;
+      let last = performance.now();
+      const look = () => {
+        const now = performance.now();
+        window.longest = Math.max(window.longest, now - last);
+        last = now;
+        setTimeout(look);
+      };
+      look();
+    });
+    const { writeFile } = await import('node:fs/promises');
+    const { tmpdir } = await import('node:os');
+    const path = `${tmpdir()}/macroline-big.nc`;
+    await writeFile(path, big);
+    await page.evaluate(() => (window.longest = 0));
+    const begun = Date.now();
+    await page.setInputFiles('#open', path);
+    await page.getByText('Checked.').waitFor({ timeout: 15_000 });
+    assert.ok(Date.now() - begun < 15_000);
+    const longest = await page.evaluate(() => window.longest);
+    assert.ok(longest < 100, `the page stood still for ${longest} ms`);
+    assert.ok((await page.locator('.raw').textContent()).split('\n').length <= 5001);
+  }));
+
+test('every tab is accessible, and so is the help', () =>
+  withPage(app, {}, async ({ page }) => {
+    await openGroups(page);
+    for (const tab of ['results', 'variables', 'parameters', 'plc']) {
+      await page.click(`#tab-${tab}`);
+      await accessible(page);
+    }
+    await page.getByRole('button', { name: 'Help and keys' }).click();
+    await accessible(page);
+  }));
+
+for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]]) {
+  test(`nothing is wider than ${width} px`, () =>
+    withPage(app, { viewport: { width, height } }, async ({ page }) => {
+      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+      assert.ok(await page.locator('#play').isVisible());
+    }));
+}
+
+test('fast enough, median of 50', () =>
+  withPage(app, {}, async ({ page }) => {
+    const median = (name) =>
+      page.evaluate((name) => {
+        const all = performance.getEntriesByName(name).map((entry) => entry.duration).sort((a, b) => a - b);
+        return { count: all.length, median: all[all.length >> 1] };
+      }, name);
+    await page.waitForTimeout(500);
+    const speed = field(page, 'spindle-speed');
+    for (let at = 0; at < 50; at++) {
+      await speed.fill(String(1000 + at));
+      await page.waitForTimeout(40);
+    }
+    const edit = await median('edit');
+    await goTo(page, 3);
+    await page.click('#play');
+    await page.waitForFunction(() => performance.getEntriesByName('frame').length > 60, null, { timeout: 20_000 });
+    const frame = await median('frame');
+    await page.click('#play');
+    await openGroups(page);
+    await field(page, 'pitch-count').fill('10000000');
+    await goTo(page, 3600);
+    await page.waitForFunction(() => document.querySelector('#clock').textContent.startsWith('60:00'), null, { timeout: 60_000 });
+    const knob = page.locator('#spindle-knob');
+    for (let at = 0; at < 50; at++) {
+      await knob.press(at % 2 ? 'ArrowLeft' : 'ArrowRight');
+      await page.waitForTimeout(20);
+    }
+    const turned = await median('knob');
+    console.log(JSON.stringify({ edit, frame, turned }));
+    assert.ok(edit.count >= 40 && edit.median < 16, `edit ${JSON.stringify(edit)}`);
+    assert.ok(frame.median < 4, `frame ${JSON.stringify(frame)}`);
+    assert.ok(turned.count >= 40 && turned.median < 50, `knob ${JSON.stringify(turned)}`);
+  }));
