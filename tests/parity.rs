@@ -1,13 +1,28 @@
 //! The same goldens natively and in wasm under Node: what the browser computes is what was tested, to the bit.
 #![allow(clippy::unwrap_used)]
 
+use std::fmt::Write as _;
+use std::rc::Rc;
+
+use macroline::controls;
+use macroline::machines::form::Value;
 use macroline::math;
+use macroline::motion::{Action, Event, Keep, Limits, Panel, Snapshot};
+use macroline::nc::{self, Files};
+use macroline::project::Project;
+use macroline::project::run::{self, Begin};
+use macroline::view;
 
 /// The host: files are read through the standard library natively, through Node in wasm.
 #[cfg(not(target_arch = "wasm32"))]
 mod host {
     pub(super) fn read(path: &str) -> String {
         std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{path}: {error}"))
+    }
+
+    pub(super) fn names(folder: &str) -> Vec<String> {
+        let entries = std::fs::read_dir(folder).unwrap_or_else(|error| panic!("{folder}: {error}"));
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect()
     }
 
     pub(super) fn update(path: &str, text: &str) {
@@ -25,6 +40,12 @@ mod host {
     extern "C" {
         #[wasm_bindgen(js_name = readFileSync)]
         fn read_file(path: &str, encoding: &str) -> String;
+        #[wasm_bindgen(js_name = readdirSync)]
+        fn read_dir(path: &str) -> Vec<String>;
+    }
+
+    pub(super) fn names(folder: &str) -> Vec<String> {
+        read_dir(folder)
     }
 
     pub(super) fn read(path: &str) -> String {
@@ -96,4 +117,80 @@ fn the_math_gate_gives_the_same_bits() {
         y = x;
     }
     golden("math.bits", &table);
+}
+
+const BEGIN: Begin =
+    Begin { start: None, settings: &[], limits: Limits { blocks: 200_000, seconds: 600.0 }, keep: Keep::Timeline };
+
+/// All that moves, to the bit.
+fn moment(now: &Snapshot) -> String {
+    let mut out = format!("{:?} {}", now.mode, bits(now.t));
+    for axis in &now.axes[..3] {
+        let _ = write!(
+            out,
+            " {} {} {} {}",
+            bits(axis.position),
+            bits(axis.actual),
+            bits(axis.feed),
+            bits(axis.acceleration)
+        );
+    }
+    let spindle = &now.spindle;
+    for value in [spindle.command, spindle.actual, spindle.volts, spindle.turns] {
+        let _ = write!(out, " {}", bits(value));
+    }
+    out
+}
+
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+fn programs_run_the_same_on_the_bench() {
+    let mut out = String::new();
+    for control in controls::ALL {
+        let folder = format!("{}/tests/data/programs/{}/ok", env!("CARGO_MANIFEST_DIR"), control.id);
+        let mut names = host::names(&folder);
+        names.retain(|name| name.ends_with(".nc"));
+        names.sort();
+        assert!(!names.is_empty(), "{folder} has programs");
+        for name in names {
+            let text = host::read(&format!("{folder}/{name}"));
+            let parsed = Rc::new(nc::parse(&Files::one(name.clone(), text), control));
+            let mut planner = run::of_programs(parsed, None, Panel::default(), &BEGIN);
+            let progress = planner.advance(f64::INFINITY, usize::MAX);
+            let _ = writeln!(out, "{} {name} {:?} blocks {:?}", control.id, progress.ended.is_some(), planner.blocks());
+            for (variable, value) in planner.program().variables() {
+                let _ = writeln!(out, "{variable} {}", bits(value));
+            }
+            let _ = writeln!(out, "{}", moment(&planner.timeline().at(progress.planned_to)));
+        }
+    }
+    golden("parity/programs.bits", &out);
+}
+
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
+fn the_ribbon_line_is_designed_written_run_and_drawn_the_same() {
+    let mut project = Project::of("ribbon-line", None).unwrap();
+    project.values.insert("pitch-count".to_owned(), Value::Number(120.0));
+    project.panel.add(Event { t: 4.0, action: Action::SpindleOverride(80.0) });
+    project.panel.add(Event { t: 5.0, action: Action::Hold });
+    project.panel.add(Event { t: 6.0, action: Action::Start });
+    let mut out = String::new();
+    for readout in project.design().readouts {
+        let _ = writeln!(out, "{} {} {:?}", readout.id, bits(readout.value), readout.verdict);
+    }
+    let written = project.written();
+    for file in &written.files.0 {
+        out.push_str(&file.text);
+    }
+    let mut planner = run::of_project(&project, &written, &BEGIN);
+    let end = planner.advance(f64::INFINITY, usize::MAX).planned_to;
+    for k in 0..=100 {
+        let _ = writeln!(out, "{}", moment(&planner.timeline().at(end * f64::from(k) / 100.0)));
+    }
+    for chart in project.machine.charts(&project.values, planner.timeline(), 0.0, end, 60) {
+        out.push_str(&view::plot::svg(&chart));
+        out.push('\n');
+    }
+    golden("parity/ribbon-line.bits", &out);
 }

@@ -11,7 +11,7 @@ pub mod report;
 pub mod ribbon_line;
 
 use crate::controls::{Control, Switches};
-use crate::motion::{Action, Plant, Plc, Snapshot};
+use crate::motion::{Action, Plant, Plc, Snapshot, Timeline};
 use crate::msg;
 use crate::nc::Deck;
 use crate::text::Diagnostic;
@@ -44,6 +44,12 @@ pub struct Plan {
 pub trait Samples {
     /// The machine at time `t`.
     fn at(&self, t: f64) -> Snapshot;
+}
+
+impl Samples for Timeline {
+    fn at(&self, t: f64) -> Snapshot {
+        Timeline::at(self, t)
+    }
 }
 
 /// How a frame is shown.
