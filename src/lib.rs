@@ -18,6 +18,8 @@
 
 pub mod math;
 
+pub mod order;
+
 pub mod units;
 
 pub mod text;

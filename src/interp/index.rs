@@ -2,6 +2,7 @@
 
 use crate::controls::{Alarm, CodeDef, Control, VarKind, VarRange};
 use crate::nc::{Deck, Stmt};
+use crate::order;
 
 /// Where a variable lives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -98,7 +99,7 @@ impl Index {
         }
         let mut numbers: Vec<(u32, u32)> = Vec::with_capacity(deck.programs.len());
         numbers.extend(deck.programs.iter().enumerate().map(|(at, program)| (program.number, at as u32)));
-        numbers.sort_unstable();
+        order::by_key(&mut numbers, |&(number, _)| number.into());
         let mut index = Index {
             g_codes: code_table(control, b'G'),
             m_codes: code_table(control, b'M'),
@@ -220,9 +221,9 @@ fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps 
             _ => {}
         }
     }
-    jumps.numbers.sort_unstable();
-    jumps.pairs.sort_unstable_by_key(|&(at, _)| at);
-    jumps.loops.sort_unstable_by_key(|l| l.start);
+    order::by_key(&mut jumps.numbers, |&(number, _)| number.into());
+    order::by_key(&mut jumps.pairs, |&(at, _)| at.into());
+    order::by_key(&mut jumps.loops, |l| l.start.into());
     let mut around: Vec<u32> = Vec::new();
     for at in 0..jumps.loops.len() {
         let start = jumps.loops[at].start;

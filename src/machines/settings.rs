@@ -13,7 +13,7 @@ const VERSION: &str = "1";
 
 /// Comment lines, without brackets, that hold the parameters of the machine `id`.
 pub fn write<P>(id: &str, fields: &[Field<P>], params: &P) -> Vec<String> {
-    let mut lines = vec![format!("{MARK} {} {VERSION}", id.to_uppercase())];
+    let mut lines = vec![format!("{MARK} {} {VERSION}", id.to_ascii_uppercase())];
     for field in fields {
         let text = match &field.kind {
             Kind::Number { get, default, decimals, .. } => {
@@ -26,7 +26,7 @@ pub fn write<P>(id: &str, fields: &[Field<P>], params: &P) -> Vec<String> {
             }
             Kind::Text { get, .. } => Some(plain(get(params))).filter(|text| !text.is_empty()),
         };
-        lines.extend(text.map(|text| format!("{}={}", field.id, text).to_uppercase()));
+        lines.extend(text.map(|text| format!("{}={}", field.id, text).to_ascii_uppercase()));
     }
     lines
 }
@@ -45,14 +45,14 @@ pub fn read(text: &str, fields: impl Fn(&str) -> Option<Vec<FieldInfo>>) -> Opti
         let mut words = comment.split_whitespace();
         (words.next() == Some(MARK)).then(|| words.next()).flatten()
     })?;
-    let id = id.to_lowercase();
+    let id = id.to_ascii_lowercase();
     let fields = fields(&id)?;
     let mut values = Values::new();
     for comment in comments {
         let Some((key, typed)) = comment.split_once('=') else { continue };
-        let key = key.trim().to_lowercase();
+        let key = key.trim().to_ascii_lowercase();
         let Some(field) = fields.iter().find(|field| field.id == key) else { continue };
-        let value = field.read(typed).or_else(|_| field.read(&typed.to_lowercase()));
+        let value = field.read(typed).or_else(|_| field.read(&typed.to_ascii_lowercase()));
         if let Ok(value) = value {
             values.insert(key, value);
         }

@@ -283,7 +283,8 @@ impl Writer<'_> {
             }
             Expr::Call(function, inner) => {
                 let row = self.control.syntax.functions.iter().find(|(_, other)| *other == function);
-                let name = row.map_or_else(|| format!("{function:?}").to_uppercase(), |(name, _)| (*name).to_owned());
+                let name =
+                    row.map_or_else(|| format!("{function:?}").to_ascii_uppercase(), |(name, _)| (*name).to_owned());
                 self.text.push_str(&name);
                 self.bracketed(inner, depth);
             }

@@ -62,11 +62,13 @@ impl PartialEq for Project {
 impl Project {
     /// A project with every value at its default.
     pub fn new(machine: &'static dyn AnyMachine, control: &'static Control) -> Project {
+        let mut values = Values::new();
+        values.extend(machine.fields().iter().map(|field| (field.id.to_owned(), field.default())));
         Project {
             name: String::new(),
             machine,
             control,
-            values: machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect(),
+            values,
             provenance: BTreeMap::new(),
             switches: Switches::default(),
             silenced: Vec::new(),

@@ -1,6 +1,6 @@
 //! A project as a file: JSON with a version. What comes in is hostile until checked; every old shape is upgraded.
 
-use serde_json::{Map, Value as Json, json};
+use serde_json::{Map, Value as Json};
 
 use super::Project;
 use crate::controls::{self, Switches};
@@ -30,37 +30,41 @@ pub struct Loaded {
 
 impl Project {
     /// The project as the text of its file.
+    ///
+    /// Written by hand, as the library's way through a tree and its printing of floats would cost the page 10 KB.
     pub fn to_json(&self) -> String {
-        let values: Map<String, Json> = self.values.iter().map(|(id, value)| (id.clone(), value_json(value))).collect();
-        let provenance: Map<String, Json> =
-            self.provenance.iter().map(|(id, from)| (id.clone(), json!(provenance_word(*from)))).collect();
-        let switches: Map<String, Json> =
-            self.switches.0.iter().map(|(id, setting)| (id.clone(), json!(setting))).collect();
-        let mut out = json!({
-            "version": VERSION,
-            "name": self.name,
-            "machine": self.machine.id(),
-            "control": self.control.id,
-            "values": values,
-        });
-        if let Some(object) = out.as_object_mut() {
-            let mut put = |key: &str, value: Json, empty: bool| {
-                if !empty {
-                    object.insert(key.to_owned(), value);
-                }
-            };
-            put("provenance", Json::Object(provenance), self.provenance.is_empty());
-            put("switches", Json::Object(switches), self.switches.0.is_empty());
-            put("silenced", json!(self.silenced), self.silenced.is_empty());
-            put("panel", panel_json(&self.panel), self.panel.events().is_empty());
-            if let Some(files) = &self.edited {
-                let files: Vec<Json> = files.0.iter().map(|f| json!({ "name": f.name, "text": f.text })).collect();
-                put("edited", Json::Array(files), false);
-            }
+        let pairs = |pairs: Vec<(&str, String)>| {
+            let lines: Vec<String> = pairs.iter().map(|(id, value)| format!("    {}: {value}", quoted(id))).collect();
+            if lines.is_empty() { "{}".to_owned() } else { format!("{{\n{}\n  }}", lines.join(",\n")) }
+        };
+        let list = |lines: Vec<String>| format!("[\n    {}\n  ]", lines.join(",\n    "));
+        let mut parts = vec![
+            format!("\"version\": {VERSION}"),
+            format!("\"name\": {}", quoted(&self.name)),
+            format!("\"machine\": {}", quoted(self.machine.id())),
+            format!("\"control\": {}", quoted(self.control.id)),
+            format!("\"values\": {}", pairs(self.values.iter().map(|(id, v)| (id.as_str(), value_text(v))).collect())),
+        ];
+        if !self.provenance.is_empty() {
+            let word = |from: &Provenance| quoted(provenance_word(*from));
+            let all = self.provenance.iter().map(|(id, from)| (id.as_str(), word(from)));
+            parts.push(format!("\"provenance\": {}", pairs(all.collect())));
         }
-        let mut text = serde_json::to_string_pretty(&out).unwrap_or_default();
-        text.push('\n');
-        text
+        if !self.switches.0.is_empty() {
+            let all = self.switches.0.iter().map(|(id, setting)| (id.as_str(), quoted(setting)));
+            parts.push(format!("\"switches\": {}", pairs(all.collect())));
+        }
+        if !self.silenced.is_empty() {
+            parts.push(format!("\"silenced\": {}", list(self.silenced.iter().map(|id| quoted(id)).collect())));
+        }
+        if !self.panel.events().is_empty() {
+            parts.push(format!("\"panel\": {}", list(self.panel.events().iter().map(event_text).collect())));
+        }
+        if let Some(files) = &self.edited {
+            let file = |f: &File| format!("{{ \"name\": {}, \"text\": {} }}", quoted(&f.name), quoted(&f.text));
+            parts.push(format!("\"edited\": {}", list(files.0.iter().map(file).collect())));
+        }
+        format!("{{\n  {}\n}}\n", parts.join(",\n  "))
     }
 
     /// Reads a project file. Total: any text gives a project or errors that say what is wrong with it.
@@ -123,27 +127,42 @@ pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
     (panel, reader.found)
 }
 
-/// A panel as the JSON array that [`panel_from_json`] reads.
-pub fn panel_json(panel: &Panel) -> Json {
-    let event = |event: &Event| {
-        let (key, value) = match &event.action {
-            Action::SpindleOverride(percent) => ("spindle_override", json!(percent)),
-            Action::FeedOverride(percent) => ("feed_override", json!(percent)),
-            Action::RapidOverride(percent) => ("rapid_override", json!(percent)),
-            Action::Start => ("start", json!(true)),
-            Action::Hold => ("hold", json!(true)),
-            Action::Reset => ("reset", json!(true)),
-            Action::EmergencyStop => ("estop", json!(true)),
-            Action::SingleBlock(on) => ("single_block", json!(on)),
-            Action::OptionalStop(on) => ("optional_stop", json!(on)),
-            Action::BlockSkip(on) => ("block_skip", json!(on)),
-            Action::ManualSpeed(rpm) => ("manual_s", json!(rpm)),
-            Action::Input(name, value) => ("input", json!({ name: value })),
-            Action::Variable(number, value) => ("variable", json!({ number.to_string(): value })),
-        };
-        json!({ "t": event.t, key: value })
+/// An event as an entry of a panel file.
+fn event_text(event: &Event) -> String {
+    let (key, value) = match &event.action {
+        Action::SpindleOverride(percent) => ("spindle_override", percent.to_string()),
+        Action::FeedOverride(percent) => ("feed_override", percent.to_string()),
+        Action::RapidOverride(percent) => ("rapid_override", percent.to_string()),
+        Action::Start => ("start", true.to_string()),
+        Action::Hold => ("hold", true.to_string()),
+        Action::Reset => ("reset", true.to_string()),
+        Action::EmergencyStop => ("estop", true.to_string()),
+        Action::SingleBlock(on) => ("single_block", on.to_string()),
+        Action::OptionalStop(on) => ("optional_stop", on.to_string()),
+        Action::BlockSkip(on) => ("block_skip", on.to_string()),
+        Action::ManualSpeed(rpm) => ("manual_s", rpm.to_string()),
+        Action::Input(name, value) => ("input", format!("{{ {}: {value} }}", quoted(name))),
+        Action::Variable(number, Some(value)) => ("variable", format!("{{ \"#{number}\": {value} }}")),
+        Action::Variable(number, None) => ("variable", format!("{{ \"#{number}\": null }}")),
     };
-    Json::Array(panel.events().iter().map(event).collect())
+    format!("{{ \"t\": {}, \"{key}\": {value} }}", event.t)
+}
+
+/// A text as a JSON string.
+fn quoted(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 2);
+    out.push('"');
+    for c in text.chars() {
+        match c {
+            '"' => out.push_str("\\\""),
+            '\\' => out.push_str("\\\\"),
+            '\n' => out.push_str("\\n"),
+            c if c < ' ' => out.push_str(&format!("\\u{:04x}", c as u32)),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
 }
 
 struct Reader {
@@ -169,9 +188,9 @@ impl Reader {
             match value {
                 // Out of range stays: the field says what is wrong, and nothing that was typed is lost.
                 Some(value) => drop(project.values.insert(id.clone(), value)),
-                None => self.found.push(
-                    Diagnostic::error(msg!("project.wrong-kind", clip(id), clip(&json.to_string()))).about(field.id),
-                ),
+                None => self
+                    .found
+                    .push(Diagnostic::error(msg!("project.wrong-kind", clip(id), kind_word(json))).about(field.id)),
             }
         }
         if let Some(saved) = object.get("provenance").and_then(Json::as_object) {
@@ -275,13 +294,25 @@ fn actions(key: &str, value: &Json) -> Option<Vec<Action>> {
     }
 }
 
-fn value_json(value: &Value) -> Json {
+/// A value as JSON: whole numbers without a point, as people write them. What is no number is none in JSON either.
+fn value_text(value: &Value) -> String {
     match value {
-        // Whole numbers without a point, as people write them.
-        Value::Number(number) if *number == number.trunc() && number.abs() < 1e15 => json!(*number as i64),
-        Value::Number(number) => json!(number),
-        Value::Flag(flag) => json!(flag),
-        Value::Text(text) => json!(text),
+        Value::Number(number) if number.is_finite() => number.to_string(),
+        Value::Number(_) => "null".to_owned(),
+        Value::Flag(flag) => flag.to_string(),
+        Value::Text(text) => quoted(text),
+    }
+}
+
+/// What kind of value stands there, for those who wrote it.
+fn kind_word(json: &Json) -> &'static str {
+    match json {
+        Json::Null => "null",
+        Json::Bool(_) => "true or false",
+        Json::Number(_) => "a number",
+        Json::String(_) => "text",
+        Json::Array(_) => "a list",
+        Json::Object(_) => "an object",
     }
 }
 

@@ -88,7 +88,7 @@ fn what_does_not_fit_is_named_and_the_rest_is_kept() {
              "panel": [ { "spindle_override": 80 }, { "t": 1, "dance": true } ] }"#,
         expect![[r#"
             warning: The machine has no field “colour”; it was left out.
-            error: Field “pitch”: "wide" is not a value of its kind; the default stands.
+            error: Field “pitch”: text is not what belongs there; the default is taken.
              --> field pitch
             warning: The control has no switch “moon” with this setting; it was left out.
             error: Panel entry 1 has no time: { "t": seconds, … } with 0 or more seconds.

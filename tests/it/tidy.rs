@@ -8,8 +8,10 @@ use macroline::text::catalog::{Language, areas};
 use source::{Source, words};
 
 /// The modules in the order of the flow: each names only itself and those before it. The order of `lib.rs`.
-const ORDER: [&str; 12] =
-    ["math", "units", "text", "drives", "controls", "nc", "interp", "motion", "view", "machines", "project", "ui"];
+const ORDER: [&str; 13] = [
+    "math", "order", "units", "text", "drives", "controls", "nc", "interp", "motion", "view", "machines", "project",
+    "ui",
+];
 
 /// Where Rust stands.
 const FOLDERS: [&str; 5] = ["src", "tests", "benches", "examples", "fuzz"];

@@ -2,13 +2,13 @@
 
 use super::{FieldInfo, KindInfo, Value};
 use crate::msg;
-use crate::text::{Diagnostic, catalog::number_text};
+use crate::text::{Diagnostic, catalog::number_text, number};
 
 pub(super) fn read(field: &FieldInfo, typed: &str) -> Result<Value, Box<Diagnostic>> {
     let text = typed.trim();
     match &field.kind {
         KindInfo::Number { .. } => {
-            let number = number(text).ok_or_else(|| {
+            let number = number::read(text).ok_or_else(|| {
                 let wrong = if text.is_empty() { msg!("form.empty") } else { msg!("form.not-a-number", clip(text)) };
                 Box::new(with_range(field, Diagnostic::error(wrong).about(field.id)))
             })?;
@@ -62,33 +62,6 @@ pub(super) fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnost
         _ => msg!("form.wrong-kind"),
     };
     Err(Box::new(with_range(field, Diagnostic::error(wrong).about(field.id))))
-}
-
-/// A decimal number as people type it: `1.5`, `1,5`, `-1.50`, `−3`; no exponent, no separators of thousands, and no two points.
-fn number(text: &str) -> Option<f64> {
-    let plain: String = text
-        .chars()
-        .map(|c| {
-            if c == ',' {
-                '.'
-            } else if c == '\u{2212}' {
-                '-'
-            } else {
-                c
-            }
-        })
-        .collect();
-    let digits = plain.strip_prefix(['-', '+']).unwrap_or(&plain);
-    let mut points = 0;
-    let mut any = false;
-    for c in digits.chars() {
-        match c {
-            '0'..='9' => any = true,
-            '.' => points += 1,
-            _ => return None,
-        }
-    }
-    if !any || points > 1 || digits.len() > 40 { None } else { plain.parse().ok() }
 }
 
 /// Whether a number has more decimals than allowed. Floats carry about 1e-9 of slack here, far below any allowed decimal.

@@ -7,6 +7,7 @@ use super::super::files::Files;
 use super::FINDINGS;
 use crate::controls::{Alarm, Code, Control};
 use crate::msg;
+use crate::order;
 use crate::text::{Diagnostic, Message, Place, Span};
 
 /// Checks every program.
@@ -117,7 +118,7 @@ impl Check<'_> {
             let Expr::Number(target) = deck.expr(target) else { continue };
             let numbers = numbers.get_or_insert_with(|| {
                 let mut all: Vec<u32> = blocks.iter().filter_map(|block| block.number).collect();
-                all.sort_unstable();
+                order::by_key(&mut all, |&number| number.into());
                 all
             });
             let value = target.to_f64();

@@ -30,6 +30,7 @@ use super::files::Files;
 use super::parsed::Parsed;
 use crate::controls::{Alarm, Control};
 use crate::msg;
+use crate::order;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
 
 /// Findings that are listed; a file of garbage has millions.
@@ -63,7 +64,9 @@ pub fn parse(files: &Files, control: &'static Control) -> Parsed {
     }
     check::programs(&deck, control, files, &mut found);
     // Stable: what is at one place stays in the order it was found.
-    found.sort_by_key(|d| d.place.map(|place| (place.file, place.span.start)));
+    order::by_key(&mut found, |d| {
+        d.place.map_or(0, |place| (u64::from(place.file.0) + 1) << 32 | u64::from(place.span.start))
+    });
     if found.len() > FINDINGS {
         found.truncate(FINDINGS);
         found.push(Diagnostic::info(msg!("nc.more-findings", FINDINGS as u32)));

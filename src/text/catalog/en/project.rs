@@ -20,5 +20,5 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("project.too-large", "The file has {0} MB; a project has at most {1} MB."),
     ("project.unknown-field", "The machine has no field “{0}”; it was left out."),
     ("project.unknown-switch", "The control has no switch “{0}” with this setting; it was left out."),
-    ("project.wrong-kind", "Field “{0}”: {1} is not a value of its kind; the default stands."),
+    ("project.wrong-kind", "Field “{0}”: {1} is not what belongs there; the default is taken."),
 ];
