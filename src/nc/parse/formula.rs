@@ -474,7 +474,7 @@ impl Reader<'_> {
         let alarm = match self.control.var(number) {
             None => Alarm::VariableRange,
             Some(row) => match row.kind {
-                VarKind::NotSimulated => {
+                kind if kind == VarKind::NotSimulated || written && kind == VarKind::SuppressSingleBlock => {
                     let (key, to) = ((b'#', row.first), self.at);
                     return self.not_simulated(key, start, to, &format!("#{number} ({})", row.text));
                 }

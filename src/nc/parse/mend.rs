@@ -1,6 +1,6 @@
 //! Findings about a file as a whole, with fixes that reach through all of it.
 
-use super::{FINDINGS, Reader};
+use super::{BYTE_ORDER_MARK, FINDINGS, Reader};
 use crate::controls::{Alarm, VarKind, VarRange};
 use crate::msg;
 use crate::text::{Diagnostic, Span};
@@ -11,6 +11,7 @@ const WHOLE: usize = 1 << 20;
 impl Reader<'_> {
     /// What can be said only when the file is read: `%`, small letters, variables that do not exist.
     pub(super) fn mend_file(&mut self, opened: bool, closed: bool) {
+        self.foreign_bytes();
         if self.deck.programs.last().is_none_or(|program| program.file != self.id) {
             let place = self.place(Span::at(0));
             return self.found.push(Diagnostic::warning(msg!("nc.empty-file")).at(place));
@@ -35,6 +36,26 @@ impl Reader<'_> {
         if let Some(span) = self.foreign {
             let text = span.of(self.source).to_owned();
             let finding = Diagnostic::warning(msg!("nc.foreign-comment", text)).at(self.place(span));
+            self.found.push(finding);
+        }
+    }
+
+    /// A byte order mark, and lines that end as on no control.
+    fn foreign_bytes(&mut self) {
+        if self.source.starts_with(BYTE_ORDER_MARK) {
+            let place = self.place(Span::new(0, BYTE_ORDER_MARK.len_utf8() as u32));
+            let finding = Diagnostic::warning(msg!("nc.byte-order-mark")).at(place);
+            self.found.push(finding.fix(msg!("nc.fix.byte-order-mark"), vec![(place, String::new())]));
+        }
+        if !self.source.contains('\n')
+            && let Some(at) = self.source.trim_ascii_end().find('\r')
+        {
+            let at = self.place(Span::new(at as u32, at as u32 + 1));
+            let mut finding = Diagnostic::error(msg!("nc.carriage-returns")).at(at);
+            if self.source.len() <= WHOLE {
+                let all = self.place(Span::new(0, self.source.len() as u32));
+                finding = finding.fix(msg!("nc.fix.line-ends"), vec![(all, self.source.replace('\r', "\n"))]);
+            }
             self.found.push(finding);
         }
     }

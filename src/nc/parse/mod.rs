@@ -42,6 +42,9 @@ const BLOCKS: usize = 5_000_000;
 /// Bytes of a block: a word's offset has 16 bits, and no control takes a tenth of that.
 const BLOCK_BYTES: usize = 60_000;
 
+/// What some editors write before a text in UTF-8.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
 /// Reads files as a control would. Total: any text gives a value.
 pub fn parse(files: &Files, control: &'static Control) -> Parsed {
     let tables = Tables::new(control);
@@ -208,7 +211,8 @@ impl<'a> Reader<'a> {
 
     fn file(&mut self) {
         let bytes = self.source.as_bytes();
-        let mut at = 0;
+        // A byte order mark is not part of the program; `mend_file` tells of it.
+        let mut at = if self.source.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len_utf8() } else { 0 };
         // Whether a `%` would open the record (nothing but comments so far) or close it.
         let mut opened = false;
         let mut closed = None;
