@@ -40,6 +40,7 @@ const theme = EditorView.theme({
   '.cm-panels, .cm-tooltip': { color: 'var(--ink)', backgroundColor: 'var(--pane)', border: '1px solid var(--line)' },
   '.cm-button, .cm-textfield': { color: 'var(--ink)', background: 'var(--well)', border: '1px solid var(--line)' },
   '.cm-diagnosticAction': { color: 'var(--on-accent)', backgroundColor: 'var(--accent)' },
+  '.cm-collapsedLines': { color: 'var(--accent)', background: 'var(--well)' },
   '.cm-deletedChunk': { backgroundColor: 'var(--bad-soft)' },
   '.cm-changedLine, .cm-insertedLine': { backgroundColor: 'var(--ok-soft) !important' },
   '.t-c, .t-n': { color: 'var(--dim)' },
@@ -96,7 +97,7 @@ export function open(host, text, { changed, fix, label }) {
 
 // Shows in `host` what differs between two texts.
 export function difference(host, before, after, label) {
-  const merge = unifiedMergeView({ original: before, mergeControls: false, highlightChanges: true });
+  const merge = unifiedMergeView({ original: before, mergeControls: false, collapseUnchanged: { margin: 4, minSize: 8 } });
   const editor = view(host, after, label, [merge, EditorState.readOnly.of(true)]);
   return { close: () => editor.destroy() };
 }

@@ -17,10 +17,94 @@ fn host() -> web_sys::HtmlElement {
     host.unchecked_into()
 }
 
+/// The app in a fresh browser, mounted; it stays as long as the handle.
+async fn app() -> (web_sys::HtmlElement, impl Sized) {
+    window().local_storage().unwrap().unwrap().clear().unwrap();
+    // One app at a time: ids are those of the page.
+    document().body().unwrap().set_inner_html("");
+    let host = host();
+    let mounted = mount_to(host.clone(), App);
+    settled().await;
+    (host, mounted)
+}
+
+/// Until all that follows from a change is in the page.
+async fn settled() {
+    for _ in 0..4 {
+        leptos::task::tick().await;
+    }
+}
+
+fn find<T: JsCast>(id: &str) -> T {
+    document().get_element_by_id(id).unwrap_or_else(|| panic!("no #{id}")).unchecked_into()
+}
+
+/// Types into a field as a person does: the text, then the event.
+async fn type_into(id: &str, text: &str) -> web_sys::HtmlInputElement {
+    let input: web_sys::HtmlInputElement = find(id);
+    input.set_value(text);
+    input.dispatch_event(&web_sys::Event::new("input").unwrap()).unwrap();
+    settled().await;
+    input
+}
+
+fn press(button: &web_sys::Element) {
+    button.unchecked_ref::<web_sys::HtmlElement>().click();
+}
+
 #[wasm_bindgen_test]
 async fn the_app_mounts() {
+    let (host, _mounted) = app().await;
+    assert!(host.text_content().unwrap().contains("macroline"));
+}
+
+#[wasm_bindgen_test]
+async fn a_field_keeps_what_is_typed_and_says_what_is_wrong() {
+    let (_, _mounted) = app().await;
+    for (typed, wrong) in [("1.05", false), ("1,5", false), ("0.05", false), ("-1.50", true), ("", true), ("1e400", true)] {
+        let input = type_into("pitch", typed).await;
+        assert_eq!(input.value(), typed);
+        assert_eq!(input.get_attribute("aria-invalid").unwrap(), wrong.to_string(), "{typed}");
+        let note: web_sys::Element = find("pitch-note");
+        assert_eq!(note.text_content().unwrap().contains("Allowed"), wrong, "{typed}");
+    }
+}
+
+#[wasm_bindgen_test]
+async fn undo_brings_back_what_a_field_showed() {
+    let (host, _mounted) = app().await;
+    let input = type_into("pitch", "9.5").await;
+    press(&host.query_selector("[aria-label=Undo]").unwrap().unwrap());
+    settled().await;
+    assert_eq!(input.value(), "8");
+}
+
+#[wasm_bindgen_test]
+async fn a_field_reaches_the_program() {
+    let (host, _mounted) = app().await;
+    type_into("pitch", "7,25").await;
+    let files = host.query_selector_all("[aria-label='Program files'] button").unwrap();
+    let shown = (0..files.length()).map(|at| {
+        press(&files.get(at).unwrap().unchecked_into());
+        host.query_selector(".listing").unwrap().unwrap()
+    });
+    let mut found = false;
+    for listing in shown {
+        settled().await;
+        found |= listing.text_content().unwrap().contains("#107=7.25");
+    }
+    assert!(found, "no file sets #107 to 7.25");
+}
+
+#[wasm_bindgen_test]
+async fn a_broken_stored_state_is_set_aside() {
+    let store = window().local_storage().unwrap().unwrap();
+    store.clear().unwrap();
+    store.set_item("macroline.project", "{ not a project").unwrap();
+    document().body().unwrap().set_inner_html("");
     let host = host();
     let _mounted = mount_to(host.clone(), App);
-    leptos::task::tick().await;
-    assert!(host.text_content().unwrap().contains("macroline"));
+    settled().await;
+    assert!(host.query_selector(".notice").unwrap().unwrap().text_content().unwrap().contains("set aside"));
+    assert_eq!(store.get_item("macroline.set-aside").unwrap().unwrap(), "{ not a project");
 }

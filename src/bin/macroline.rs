@@ -23,7 +23,7 @@ mod native {
     use clap::{Parser, Subcommand};
     use serde_json::{Value as Json, json};
 
-    use macroline::controls::{self, Control};
+    use macroline::controls::{self, Control, Switches};
     use macroline::motion::{Keep, Limits, Panel};
     use macroline::nc::{self, File, Files};
     use macroline::project::run::{self, Begin, Run, Setting};
@@ -265,6 +265,17 @@ mod native {
         verdict(diagnostics)
     }
 
+    /// Variables and inputs that can be set on this control.
+    fn settable(settings: &[Setting], control: &Control, switches: &Switches) -> Result<(), Failure> {
+        match settings.iter().find(|setting| setting.action(control, switches).is_none()) {
+            Some(setting) => {
+                let name = &setting.name;
+                Err(Failure::Usage(format!("--set: the control has no variable and no input “{name}” that can be set")))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// What is run: planner, files for places, diagnostics so far.
     fn prepare(args: &RunArgs) -> Result<(Run, Files, Vec<Diagnostic>), Failure> {
         let mut found = Vec::new();
@@ -298,6 +309,7 @@ mod native {
             }
             let (mut project, diagnostics) = project(path)?;
             found.extend(diagnostics);
+            settable(&settings, project.control, &project.switches)?;
             for event in panel.events() {
                 project.panel.add(event.clone());
             }
@@ -318,6 +330,8 @@ mod native {
                 Some(project)
             }
         };
+        let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
+        settable(&settings, control, &switches)?;
         let files = parsed.files().clone();
         Ok((run::of_programs(parsed, plant.as_ref(), panel, &begin), files, found))
     }

@@ -86,7 +86,7 @@ pub trait Machine: 'static {
     /// The builder's PLC.
     fn plc(params: &Self::Params, control: &Control, switches: &Switches) -> Box<dyn Plc>;
     /// Parameter sheet, interface, ladder list.
-    fn sheets(params: &Self::Params, control: &Control) -> Vec<Sheet>;
+    fn sheets(params: &Self::Params, control: &Control, switches: &Switches) -> Vec<Sheet>;
     /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
     fn variables(control: &Control) -> Vec<(u32, &'static str, &'static str)>;
     /// The drawing.
@@ -120,7 +120,7 @@ pub trait AnyMachine: Sync {
     /// The builder's PLC.
     fn plc(&self, values: &Values, control: &Control, switches: &Switches) -> Box<dyn Plc>;
     /// Parameter sheet, interface, ladder list.
-    fn sheets(&self, values: &Values, control: &Control) -> Vec<Sheet>;
+    fn sheets(&self, values: &Values, control: &Control, switches: &Switches) -> Vec<Sheet>;
     /// Variables of the control that the operator reads and sets: number, catalog id of the meaning, unit.
     fn variables(&self, control: &Control) -> Vec<(u32, &'static str, &'static str)>;
     /// The drawing.
@@ -203,8 +203,8 @@ impl<M: Machine> AnyMachine for Erased<M> {
         M::plc(&Erased::<M>::params(values).0, control, switches)
     }
 
-    fn sheets(&self, values: &Values, control: &Control) -> Vec<Sheet> {
-        M::sheets(&Erased::<M>::params(values).0, control)
+    fn sheets(&self, values: &Values, control: &Control, switches: &Switches) -> Vec<Sheet> {
+        M::sheets(&Erased::<M>::params(values).0, control, switches)
     }
 
     fn variables(&self, control: &Control) -> Vec<(u32, &'static str, &'static str)> {

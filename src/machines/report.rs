@@ -2,7 +2,7 @@
 
 use super::AnyMachine;
 use super::form::{FieldInfo, KindInfo, Origins, Provenance, Value, Values};
-use crate::controls::Control;
+use crate::controls::{Control, Switches};
 use crate::text::catalog::{Language, number_text, words};
 use crate::text::{Citation, Diagnostic, Grade};
 use crate::view::report::{Input, Open, Report};
@@ -13,7 +13,7 @@ pub fn report(
     machine: &dyn AnyMachine,
     name: &str,
     (values, origins): (&Values, &Origins),
-    control: &Control,
+    (control, switches): (&Control, &Switches),
     further: &[Diagnostic],
 ) -> Report {
     let design = machine.design(values, origins, control);
@@ -23,8 +23,8 @@ pub fn report(
         inputs: machine.fields().iter().map(|field| input(field, values, origins)).collect(),
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
-        sheets: machine.sheets(values, control),
-        open: open(control),
+        sheets: machine.sheets(values, control, switches),
+        open: open(control, switches),
     }
 }
 
@@ -57,8 +57,8 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
     }
 }
 
-/// What no manual at hand confirms, by table.
-fn open(control: &Control) -> Vec<Open> {
+/// What no manual at hand confirms, by table; of the switches also those that are not at their default.
+fn open(control: &Control, switches: &Switches) -> Vec<Open> {
     let doubtful = |cite: &Citation| cite.grade == Grade::Open;
     let code = |row: &&crate::controls::CodeDef| {
         format!("{}{}", row.letter as char, number_text(f64::from(row.number) / 10.0, 1))
@@ -71,8 +71,9 @@ fn open(control: &Control) -> Vec<Open> {
             control
                 .switches
                 .iter()
-                .filter(|row| doubtful(&row.cite))
-                .map(|row| format!("{} ({})", row.text, row.options.join(" | ")))
+                .filter_map(|row| Some((row, switches.get(control.switches, row.id)?)))
+                .filter(|(row, set)| doubtful(&row.cite) || row.options.first() != Some(set))
+                .map(|(row, set)| format!("{}: {set} ({})", row.text, row.options.join(" | ")))
                 .collect(),
         ),
         (

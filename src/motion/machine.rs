@@ -2,7 +2,7 @@
 
 use super::plan::Limits;
 use super::plant::{AxisPlant, Plant, SpindlePlant};
-use crate::controls::{Alarm, Control};
+use crate::controls::{Alarm, Control, VarKind, VarRange};
 use crate::interp::canon::AXES;
 
 /// Every block takes some time, so that time passes in a loop that waits.
@@ -23,6 +23,7 @@ pub(super) struct Machine {
     pub(super) standstill: f64,
     pub(super) limits: Limits,
     pub(super) emergency: Option<&'static str>,
+    vars: &'static [VarRange],
     /// Number of axes that the machine has.
     pub(super) fitted: usize,
     pub(super) log: bool,
@@ -65,8 +66,15 @@ impl Machine {
             in_position: positive(plant.in_position, 1e-6),
             limits,
             emergency: control.alarm_number(Alarm::EmergencyStop),
+            vars: control.vars,
             fitted: plant.axes.len(),
             log,
         }
+    }
+
+    /// Whether a variable is written by the PLC.
+    pub(super) fn is_input(&self, number: u32) -> bool {
+        let row = self.vars.iter().find(|row| (row.first..=row.last).contains(&number));
+        row.is_some_and(|row| matches!(row.kind, VarKind::InputBit | VarKind::InputWord))
     }
 }

@@ -52,7 +52,7 @@ mod track;
 pub use panel::{Action, Event, Panel};
 pub use plan::{Keep, Limits, Planner, Progress, RunEnd, Setup};
 pub use plant::{AxisPlant, Plant, SpindlePlant};
-pub use plc::{BenchPlc, Io, Plc};
+pub use plc::{BenchPlc, Io, Part, Plc};
 pub use program::Program;
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};
 pub use timeline::Timeline;

@@ -2,6 +2,7 @@
 
 use super::executor::Exec;
 use super::panel::Action;
+use super::plc::Part;
 use super::program::Program;
 use super::signals::percent;
 use super::state::Sim;
@@ -50,16 +51,25 @@ impl<P: Program> Sim<'_, P> {
                     self.scan(t);
                 }
             }
-            Action::Input(name, value) => {
-                self.s.io.forced.insert(name.clone(), *value);
-                self.scan(t);
-            }
+            Action::Input(name, value) => match forced(name).filter(|(number, _)| self.machine.is_input(*number)) {
+                Some(key) => {
+                    self.s.io.forced.insert(key, *value);
+                    self.scan(t);
+                }
+                None => self.nothing_to_set(name),
+            },
             Action::Variable(number, value) => {
                 if self.s.program.set_variable(*number, *value) {
                     self.out.timeline.changes.push(Change { t, number: *number, value: value.unwrap_or(f64::NAN) });
+                } else {
+                    self.nothing_to_set(&format!("#{number}"));
                 }
             }
         }
+    }
+
+    fn nothing_to_set(&mut self, name: &str) {
+        self.out.diagnostics.push(Diagnostic::warning(msg!("motion.nothing-to-set", name)));
     }
 
     /// Cycle start: goes on after a stop or hold, begins anew after reset or program end.
@@ -111,4 +121,16 @@ impl<P: Program> Sim<'_, P> {
         s.flow_end = None;
         (s.suppress_hold, s.suppress_override, s.suppress_exact) = (false, false, false);
     }
+}
+
+/// Variable and part of a forced input: `#1033`, `#1033.low`, `#1033.high`.
+fn forced(name: &str) -> Option<(u32, Part)> {
+    let name = name.strip_prefix('#')?;
+    let (number, part) = match name.split_once('.') {
+        None => (name, Part::Whole),
+        Some((number, "low")) => (number, Part::Low),
+        Some((number, "high")) => (number, Part::High),
+        Some(_) => return None,
+    };
+    Some((number.parse().ok()?, part))
 }

@@ -25,7 +25,7 @@ pub enum Action {
     BlockSkip(bool),
     /// S given by hand in r/min; 0 stops the spindle.
     ManualSpeed(f64),
-    /// An input of the PLC or of the macro interface, by name (`#1033`, `R148`).
+    /// A macro input is forced: the variable (`#1033`), or its lower or upper half (`#1033.low`, `#1033.high`).
     Input(String, f64),
     /// A variable set on the control's screen, by number.
     Variable(u32, Option<f64>),

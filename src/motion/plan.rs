@@ -15,6 +15,7 @@ use super::state::{Marks, Records, Sim, State};
 use super::timeline::Timeline;
 use crate::controls::Control;
 use crate::interp::{Canon, Counts};
+use crate::msg;
 use crate::text::{Diagnostic, Place};
 
 /// Budgets of a run.
@@ -99,8 +100,8 @@ pub struct Planner<P> {
     /// Time of the next checkpoint, whole seconds.
     due: f64,
     ended: Option<RunEnd>,
-    /// The last diagnostic says why nothing more will happen; whatever the operator does, makes it untrue.
-    stuck: bool,
+    /// The last diagnostic says why nothing more is planned; whatever the operator does, makes it untrue.
+    has_last_word: bool,
 }
 
 impl<P: Program> Planner<P> {
@@ -117,7 +118,7 @@ impl<P: Program> Planner<P> {
             keep: setup.keep,
             due: 0.0,
             ended: None,
-            stuck: false,
+            has_last_word: false,
         }
     }
 
@@ -137,11 +138,11 @@ impl<P: Program> Planner<P> {
             if t > until || t == f64::INFINITY {
                 if t == f64::INFINITY && sim.panel.events().len() == sim.s.panel_done {
                     let why = sim.stuck();
-                    self.records.diagnostics.push(why);
-                    self.stuck = true;
+                    self.last_word(why);
                     self.finish(RunEnd::Stop);
                 } else if until >= self.machine.limits.seconds {
                     self.records.timeline.end = until;
+                    self.last_word(Diagnostic::info(msg!("motion.out-of-seconds", self.machine.limits.seconds)));
                     self.ended = Some(RunEnd::Seconds);
                 } else {
                     self.records.timeline.end = until.max(self.records.timeline.end);
@@ -172,6 +173,11 @@ impl<P: Program> Planner<P> {
         self.due = t.floor() + 1.0;
     }
 
+    fn last_word(&mut self, diagnostic: Diagnostic) {
+        self.records.diagnostics.push(diagnostic);
+        self.has_last_word = true;
+    }
+
     fn finish(&mut self, end: RunEnd) {
         self.records.timeline.end = self.records.timeline.end.max(self.state.now);
         self.ended = Some(end);
@@ -186,7 +192,7 @@ impl<P: Program> Planner<P> {
         let t = if event.t > 0.0 { event.t } else { 0.0 };
         self.panel.add(event);
         self.ended = None;
-        if core::mem::take(&mut self.stuck) {
+        if core::mem::take(&mut self.has_last_word) {
             self.records.diagnostics.pop();
         }
         let known = self.checkpoints.partition_point(|checkpoint| checkpoint.t <= t);

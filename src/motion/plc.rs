@@ -2,6 +2,29 @@
 
 use std::collections::BTreeMap;
 
+/// Which part of an input word is forced. The whole word yields to its halves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Part {
+    /// All 32 bits, or the one bit of an input bit.
+    Whole,
+    /// The lower 16 bits.
+    Low,
+    /// The upper 16 bits.
+    High,
+}
+
+impl Part {
+    /// The input with this part of it replaced.
+    pub(super) fn put(self, word: f64, value: f64) -> f64 {
+        let (old, new) = (word as i32, value as i64 as i32);
+        match self {
+            Part::Whole => value,
+            Part::Low => f64::from(old & !0xffff | new & 0xffff),
+            Part::High => f64::from(new << 16 | old & 0xffff),
+        }
+    }
+}
+
 /// The interface between PLC and control at one moment.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Io {
@@ -11,8 +34,8 @@ pub struct Io {
     pub inputs: BTreeMap<u32, f64>,
     /// Macro outputs, by variable number, as the program wrote them.
     pub outputs: BTreeMap<u32, f64>,
-    /// Inputs that the operator or a test has forced, by name; the PLC sees them and `inputs` obeys them.
-    pub forced: BTreeMap<String, f64>,
+    /// Inputs that the operator has forced: `inputs` obeys them whatever the PLC writes.
+    pub forced: BTreeMap<(u32, Part), f64>,
     /// M code that waits for FIN.
     pub m_strobe: Option<u32>,
     /// S code that waits for FIN, in r/min.

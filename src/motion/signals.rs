@@ -19,10 +19,9 @@ impl<P: Program> Sim<'_, P> {
             // A PLC that wants to be asked at once is asked in its next cycle.
             self.s.plc_at = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
             let Io { forced, inputs, .. } = &mut self.s.io;
-            for (name, value) in forced.iter() {
-                if let Some(number) = name.strip_prefix('#').and_then(|digits| digits.parse().ok()) {
-                    inputs.insert(number, *value);
-                }
+            for ((number, part), value) in forced.iter() {
+                let word = inputs.entry(*number).or_insert(0.0);
+                *word = part.put(*word, *value);
             }
             let answered = matches!(self.s.exec, Exec::Fin) && self.s.io.fin;
             if answered {

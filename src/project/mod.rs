@@ -6,6 +6,8 @@ pub mod open;
 
 pub mod program;
 
+mod inputs;
+
 pub mod run;
 
 pub mod export;

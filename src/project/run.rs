@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use serde_json::{Map, Value as Json, json};
 
-use super::Project;
 use super::program::Written;
+use super::{Project, inputs};
 use crate::controls::{Control, Switches, VarKind};
 use crate::interp::canon::Names;
 use crate::interp::world::Still;
@@ -45,7 +45,7 @@ impl Setting {
     }
 
     /// The variable's number, where it is one.
-    fn number(&self) -> Option<u32> {
+    pub(super) fn number(&self) -> Option<u32> {
         self.name.strip_prefix('#').unwrap_or(&self.name).parse().ok()
     }
 }
@@ -60,7 +60,7 @@ pub fn program_number(name: &str) -> Option<u32> {
 pub struct Begin<'a> {
     /// Program to start; without it the main program, or the first program of the first file.
     pub start: Option<u32>,
-    /// Variables set before.
+    /// Variables and inputs set before; those that the control does not have are left out ([`Setting::action`]).
     pub settings: &'a [Setting],
     /// Budgets.
     pub limits: Limits,
@@ -79,14 +79,15 @@ pub fn of_project(project: &Project, written: &Written, begin: &Begin) -> Run {
     // The knobs stand as the form says until the operator turns them.
     let knobs = project.machine.hand(&project.values).into_iter().map(|action| Event { t: 0.0, action });
     let panel = Panel::new(knobs.chain(project.panel.events().iter().cloned()));
-    started(interp, control, &plant, plc, panel, begin)
+    started(interp, (control, &project.switches), &plant, plc, panel, begin)
 }
 
-/// The run of bare programs: on the control's bench, or on the plant of a project.
+/// The run of bare programs: on the control's bench, or on the plant of a project and with its switches.
 pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, begin: &Begin) -> Run {
     let control = parsed.control();
     let start = begin.start.map_or(Start::First, Start::Program);
-    let interp = Interp::new(parsed, start, &Switches::default());
+    let switches = plant.map_or_else(Switches::default, |project| project.switches.clone());
+    let interp = Interp::new(parsed, start, &switches);
     let (plant, plc) = match plant {
         Some(project) => (
             project.machine.plant(&project.values, control),
@@ -94,29 +95,26 @@ pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, be
         ),
         None => bench(control),
     };
-    started(interp, control, &plant, plc, panel, begin)
+    started(interp, (control, &switches), &plant, plc, panel, begin)
 }
 
 fn started(
     mut interp: Interp,
-    control: &'static Control,
+    (control, switches): (&'static Control, &Switches),
     plant: &Plant,
     plc: Box<dyn Plc>,
     mut panel: Panel,
     begin: &Begin,
 ) -> Run {
     for setting in begin.settings {
-        let number = setting.number();
-        let is_input = number
-            .and_then(|n| control.var(n))
-            .is_some_and(|row| matches!(row.kind, VarKind::InputBit | VarKind::InputWord));
-        match number {
-            Some(number) if !is_input => drop(interp.set_variable(number, Some(setting.value))),
+        match setting.action(control, switches) {
+            Some(Action::Variable(number, value)) => drop(interp.set_variable(number, value)),
             // What the PLC writes is forced from the beginning.
-            Some(number) => panel.add(Event { t: 0.0, action: Action::Input(format!("#{number}"), setting.value) }),
-            None => panel.add(Event { t: 0.0, action: Action::Input(setting.name.clone(), setting.value) }),
+            Some(action) => panel.add(Event { t: 0.0, action }),
+            None => {}
         }
     }
+    let panel = inputs::panel(&panel, control, switches);
     Planner::new(Setup { program: interp, control, plant, plc, panel, limits: begin.limits, keep: begin.keep })
 }
 

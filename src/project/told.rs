@@ -41,27 +41,24 @@ impl<'f> Teller<'f> {
         for hint in &diagnostic.hints {
             out += &format!("  = {}\n", sentence(Language::English, hint));
         }
-        out
+        // A program may hold anything, and a terminal obeys control characters.
+        out.replace(|c: char| c.is_control() && !matches!(c, '\n' | '\t'), "\u{fffd}")
     }
 
-    /// The diagnostic as an object with severity, alarm, message, file, line, column, field and hints.
+    /// The diagnostic as an object with severity, alarm, message, file, line, column, field and hints; what does not apply is null.
     pub fn json(&self, diagnostic: &Diagnostic) -> Json {
         let hints: Vec<String> = diagnostic.hints.iter().map(|hint| sentence(Language::English, hint)).collect();
-        let mut out = json!({
+        let place = self.place(diagnostic);
+        json!({
             "severity": word(diagnostic.severity),
             "alarm": diagnostic.alarm,
             "message": sentence(Language::English, &diagnostic.message),
+            "file": place.map(|(file, _, _)| file),
+            "line": place.map(|(_, line, _)| line),
+            "column": place.map(|(_, _, column)| column),
+            "field": diagnostic.field,
             "hints": hints,
-        });
-        if let Some((file, line, column)) = self.place(diagnostic) {
-            out["file"] = json!(file);
-            out["line"] = json!(line);
-            out["column"] = json!(column);
-        }
-        if let Some(field) = diagnostic.field {
-            out["field"] = json!(field);
-        }
-        out
+        })
     }
 
     fn place(&self, diagnostic: &Diagnostic) -> Option<(&str, u32, u32)> {

@@ -2,6 +2,7 @@
 
 use leptos::prelude::*;
 
+use super::el::{El, button, el};
 use super::field::shown;
 use super::model::Model;
 use super::words::t;
@@ -16,24 +17,24 @@ const SOURCES: [(Provenance, &str); 3] = [
 ];
 
 /// The one popup of the form; the button of a field opens it and says which field.
-pub(super) fn about_popup(model: Model) -> AnyView {
+pub(super) fn about_popup(model: Model) -> El {
     let content = move || {
-        let id = model.about.get()?;
+        let id = model.about.get();
         let fields = model.project.with_untracked(|project| project.machine.fields());
-        fields.into_iter().find(|field| field.id == id).map(|info| about(model, info))
+        fields.into_iter().find(|field| Some(field.id) == id).map_or_else(Vec::new, |info| about(model, info))
     };
-    view! { <div class="popup" id="about" popover="auto">{content}</div> }.into_any()
+    el("div.popup#about").at("popover", "auto").swap(content)
 }
 
-fn about(model: Model, info: FieldInfo) -> AnyView {
+fn about(model: Model, info: FieldInfo) -> Vec<El> {
     let id = info.id;
     let default = info.default();
     let range = match &info.kind {
         KindInfo::Number { unit, min, max, .. } => {
-            Some(format!("{} … {} {unit}", number_text(*min, 6), number_text(*max, 6)))
+            format!("{} … {} {unit}", number_text(*min, 6), number_text(*max, 6))
         }
-        KindInfo::Text(max) => Some(format!("{max} {}", t("page.characters"))),
-        _ => None,
+        KindInfo::Text(max) => format!("{max} {}", t("page.characters")),
+        _ => String::new(),
     };
     let default_text = match &info.kind {
         KindInfo::Number { unit, .. } => format!("{} {unit}", shown(&info, &default)),
@@ -41,40 +42,35 @@ fn about(model: Model, info: FieldInfo) -> AnyView {
         KindInfo::Flag(on) => t(if *on { "page.on" } else { "page.off" }).to_owned(),
         KindInfo::Text(_) => t("page.empty").to_owned(),
     };
-    let at_default = {
-        let default = default.clone();
-        move || {
-            model.project.with(|project| project.values.get(id).is_none_or(|value| *value == default))
-                && model.invalid.with(|invalid| !invalid.contains_key(id))
-        }
+    let mut facts = el("dl");
+    if !range.is_empty() {
+        facts = facts.add(&[el("dt").text(t("page.range")), el("dd").text(&range)]);
+    }
+    facts = facts.add(&[el("dt").text(t("page.default")), el("dd").text(&default_text)]);
+    let present = default.clone();
+    let changed = move || {
+        model.project.with(|project| project.values.get(id).is_some_and(|value| *value != present))
+            || model.invalid.with(|invalid| invalid.contains_key(id))
     };
-    let reset = move |_| {
+    let reset = move || {
         model.set(id, default.clone());
         model.reread.update(|count| *count += 1);
     };
-    let sources = info.fact.then(|| {
-        let from = move || model.project.with(|project| project.provenance.get(id).copied().unwrap_or_default());
-        let choices = SOURCES.map(|(source, label)| {
-            view! {
-                <label class="radio">
-                    <input type="radio" name="from" prop:checked=move || from() == source
-                        on:change=move |_| model.set_provenance(id, source) />
-                    {t(label)}
-                </label>
-            }
-        });
-        view! { <fieldset><legend>{t("page.from")}</legend>{choices.into_iter().collect_view()}</fieldset> }
-    });
-    view! {
-        <h3>{t(info.label)} {(!info.symbol.is_empty()).then(|| view! { <small>{info.symbol}</small> })}</h3>
-        <p>{t(info.help)}</p>
-        <dl>
-            {range.map(|range| view! { <dt>{t("page.range")}</dt><dd>{range}</dd> })}
-            <dt>{t("page.default")}</dt>
-            <dd>{default_text}</dd>
-        </dl>
-        {sources}
-        <button type="button" disabled=at_default on:click=reset>{t("page.reset-field")}</button>
+    let title = el("h3").text(t(info.label)).text(" ").add(&[el("small").text(info.symbol)]);
+    let mut all = vec![title, el("p").text(t(info.help)), facts];
+    if info.fact {
+        all.push(sources(model, id));
     }
-    .into_any()
+    all.push(button("button", t("page.reset-field"), reset).able(changed));
+    all
+}
+
+fn sources(model: Model, id: &'static str) -> El {
+    let from = move || model.project.with(|project| project.provenance.get(id).copied().unwrap_or_default());
+    let choices = SOURCES.map(|(source, label)| {
+        let input = el("input").at("type", "radio").at("name", "from").checked(move || from() == source);
+        let input = input.on("change", move |_| model.set_provenance(id, source));
+        el("label.radio").add(&[input]).text(t(label))
+    });
+    el("fieldset").add(&[el("legend").text(t("page.from"))]).add(&choices)
 }

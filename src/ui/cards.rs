@@ -2,6 +2,7 @@
 
 use leptos::prelude::*;
 
+use super::el::{El, button, el};
 use super::model::Model;
 use super::words::{figure, say, sign, t};
 use crate::view::{Readout, Verdict};
@@ -38,34 +39,29 @@ fn limit_text(limit: f64, decimals: u8) -> String {
 }
 
 /// The cards.
-pub(super) fn cards(model: Model) -> AnyView {
-    let cards = move || {
+pub(super) fn cards(model: Model) -> El {
+    let content = move || {
         let design = model.design.get();
-        design.readouts.iter().filter(|readout| readout.headline).map(|readout| card(model, readout)).collect_view()
+        design.readouts.iter().filter(|readout| readout.headline).map(|readout| card(model, readout)).collect()
     };
-    view! {
-        <section class="cards" class:old=move || !model.wrong_fields().is_empty() aria-label=t("page.headline")>
-            {cards}
-            <p class="stale shown">{t("page.stale-short")}</p>
-        </section>
-    }
-    .into_any()
+    let stale = el("p.stale").text(t("page.stale-short"));
+    el("section.cards").label(t("page.headline")).mark("old", move || model.is_stale()).add(&[el("div.row").swap(content), stale])
 }
 
-fn card(model: Model, readout: &Readout) -> AnyView {
+fn card(model: Model, readout: &Readout) -> El {
     let tone = verdict(readout.verdict);
     let advice = readout.advice.first().map(say);
     let detail = advice.clone().or_else(|| limit(readout)).unwrap_or_default();
-    let open = {
-        let id = readout.id;
-        move |_| super::side::open_result(model, id)
-    };
-    view! {
-        <button type="button" class=format!("card {tone}") title=advice on:click=open>
-            <span class="k">{t(readout.label)}</span>
-            <span class="v">{figure(readout.value, readout.decimals)} <small>{readout.unit}</small></span>
-            <span class="n"><i aria-hidden="true">{sign(tone)}</i> <span class="hidden">{verdict_words(readout.verdict)}</span> {detail}</span>
-        </button>
-    }
-    .into_any()
+    let id = readout.id;
+    let value = el("span.v")
+        .text(&figure(readout.value, readout.decimals))
+        .add(&[el("small").text(readout.unit)]);
+    let note = el("span.n").add(&[
+        el("i").at("aria-hidden", "true").text(sign(tone)),
+        el("span.hidden").text(verdict_words(readout.verdict)),
+    ]);
+    let card = button("button.card", "", move || super::side::open_result(model, id));
+    card.at("class", &format!("card {tone}"))
+        .at("title", &advice.unwrap_or_default())
+        .add(&[el("span.k").text(t(readout.label)), value, note.text(&detail)])
 }

@@ -2,12 +2,12 @@
 
 use std::fmt::Write;
 
-use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use web_sys::{Element, HtmlElement, PointerEvent};
+use web_sys::{Element, Event, HtmlElement, PointerEvent};
 
 use super::dom;
+use super::el::{El, button, el};
 use super::model::Model;
 use super::words::{figure, t};
 use crate::machines::form::Values;
@@ -122,48 +122,36 @@ fn figure_of(out: &mut String, chart: &Chart) {
 }
 
 /// Charts with their choice of time.
-pub(super) fn chart_pane(model: Model) -> AnyView {
+pub(super) fn chart_pane(model: Model) -> El {
     let player = model.player;
-    let host: NodeRef<html::Div> = NodeRef::new();
-    Effect::new(move |_| {
-        if let Some(host) = host.get() {
-            player.set_charts(host.unchecked_into());
-        }
+    let options = WINDOWS.map(|seconds| {
+        let label = if seconds > 0.0 { format!("{seconds} s") } else { t("page.all").to_owned() };
+        let choose = move || {
+            player.window.set(seconds);
+            player.refresh_charts();
+        };
+        button("button.chip", &label, choose).state("aria-pressed", move || player.window.get() == seconds)
     });
-    let seek = move |event: &PointerEvent| {
-        let over = event.target().and_then(|e| e.dyn_into::<Element>().ok()).and_then(|e| e.closest(".over").ok()?);
-        if let Some(over) = over {
+    let save = move || {
+        let charts = player.all_charts(POINTS_IN_FILE);
+        dom::download("timeline.csv", "text/csv", csv::charts(&charts).as_bytes());
+    };
+    let seek = move |event: Event| {
+        let event: &PointerEvent = event.unchecked_ref();
+        let target = event.target().and_then(|e| e.dyn_into::<Element>().ok());
+        if event.buttons() & 1 == 1
+            && let Some(Some(over)) = target.map(|e| e.closest(".over").ok().flatten())
+        {
             let area = over.get_bounding_client_rect();
             player.seek_in_page((f64::from(event.client_x()) - area.left()) / area.width());
         }
     };
-    let save = move |_| {
-        let charts = player.all_charts(POINTS_IN_FILE);
-        dom::download("timeline.csv", "text/csv", csv::charts(&charts).as_bytes());
-    };
-    let options = WINDOWS.map(|seconds| {
-        let label = if seconds > 0.0 { format!("{seconds} s") } else { t("page.all").to_owned() };
-        let chosen = move || player.window.get() == seconds;
-        let choose = move |_| {
-            player.window.set(seconds);
-            player.refresh_charts();
-        };
-        view! { <button type="button" class="chip" aria-pressed=move || chosen().to_string() on:click=choose>{label}</button> }
-    });
-    view! {
-        <section class="pane charts" aria-label=t("page.charts")>
-            <div class="bar">
-                <h2>{t("page.charts")}</h2>
-                <div class="chips" role="group" aria-label=t("page.window")>{options.into_iter().collect_view()}</div>
-                <button type="button" class="quiet" on:click=save>{t("page.save-csv")}</button>
-            </div>
-            <div
-                class="plots"
-                node_ref=host
-                on:pointerdown=move |event| seek(&event)
-                on:pointermove=move |event| if event.buttons() & 1 == 1 { seek(&event) }
-            ></div>
-        </section>
-    }
-    .into_any()
+    let plots = el("div.plots").on("pointerdown", seek).on("pointermove", seek);
+    player.set_charts(plots.html().clone());
+    let bar = el("div.bar").add(&[
+        el("h2").text(t("page.charts")),
+        el("div.chips").at("role", "group").label(t("page.window")).add(&options),
+        button("button.quiet", t("page.save-csv"), save),
+    ]);
+    el("section.pane.charts").label(t("page.charts")).add(&[bar, plots])
 }

@@ -3,13 +3,14 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::closure::Closure;
 use leptos::wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{Blob, DedicatedWorkerGlobalScope, File, MessageEvent, Worker, WorkerOptions, WorkerType};
+use web_sys::{Blob, DedicatedWorkerGlobalScope, File, HtmlDialogElement, MessageEvent, Worker, WorkerOptions, WorkerType};
 
+use super::dom;
+use super::el::{El, button, el, icon_button};
 use super::listing::{SHOWN, count};
 use super::model::Model;
 use super::script::{get, object};
@@ -185,65 +186,63 @@ fn checked(text: String, control: &'static crate::controls::Control) -> JsValue 
 }
 
 /// The dialog of a check.
-pub(super) fn check_dialog(model: Model) -> AnyView {
-    let node: NodeRef<html::Dialog> = NodeRef::new();
+pub(super) fn check_dialog(model: Model) -> El {
+    let frame = el("dialog.dialog.wide").at("aria-labelledby", "check-title");
+    let node: HtmlDialogElement = frame.dom().clone().unchecked_into();
     let open = Memo::new(move |_| model.check.with(Option::is_some));
-    Effect::new(move |_| {
-        let Some(dialog) = node.get() else { return };
+    let follow = move || {
         if !open.get() {
-            dialog.close();
-        } else if !dialog.open() {
-            let _ = dialog.show_modal();
+            node.close();
+        } else if !node.open() {
+            let _ = node.show_modal();
         }
-    });
+    };
     // Closing gives up the worker, whether it is done or not.
     let close = move || model.check.set(None);
     let part = move || model.check.with(|check| check.as_ref().map_or((0.0, 1.0), |check| check.progress));
-    let done = Memo::new(move |_| model.check.with(|check| check.as_ref().is_some_and(|check| check.report.is_some())));
-    let name = move || model.check.with(|check| check.as_ref().map(|check| check.name.clone()));
-    let state = move || {
-        t(if done.get() {
-            "page.checked"
-        } else if part().0 < part().1 {
-            "page.reading"
-        } else {
-            "page.checking"
-        })
+    let done = Memo::new(move |_| {
+        model.check.with(|check| check.as_ref().is_some_and(|check| check.report.is_some()))
+    });
+    let name = move || model.check.with(|check| check.as_ref().map_or(String::new(), |check| check.name.clone()));
+    let state = move || match part() {
+        _ if done.get() => t("page.checked").to_owned(),
+        (read, all) if read < all => t("page.reading").to_owned(),
+        _ => t("page.checking").to_owned(),
+    };
+    let bar = el("progress").label(t("page.progress")).at("max", "1");
+    let element = bar.dom().clone();
+    // Without a value the bar says that it goes on, but not how far it is.
+    let fill = move || match part() {
+        (read, all) if read < all => dom::set(&element, "value", &format!("{:.3}", read / all)),
+        _ => drop(element.remove_attribute("value")),
     };
     let content = move || {
         done.track();
-        model.check.with_untracked(|check| check.as_ref().and_then(|check| check.report.as_ref()).map(shown))
+        model.check.with_untracked(|check| check.as_ref()?.report.as_ref().map(shown)).unwrap_or_default()
     };
-    view! {
-        <dialog node_ref=node class="dialog wide" aria-labelledby="check-title" on:close=move |_| close()>
-            <header><h2 id="check-title">{name}</h2><button type="button" class="icon" aria-label=t("page.close") on:click=move |_| close()>"✕"</button></header>
-            <p role="status">{state}</p>
-            <div class="progress" class:over=move || done.get()>
-                <progress aria-label=t("page.progress") max=move || part().1.to_string()
-                    prop:value=move || if part().0 < part().1 { Some(part().0) } else { None }></progress>
-                <button type="button" id="cancel-check" on:click=move |_| close()>{t("page.cancel")}</button>
-            </div>
-            {content}
-        </dialog>
-    }
-    .into_any()
+    let title = el("h2#check-title").live(name);
+    frame
+        .add(&[
+            el("header").add(&[title, icon_button("button.icon", "✕", t("page.close"), close)]),
+            el("p").at("role", "status").live(state),
+            el("div.progress")
+                .mark("over", move || done.get())
+                .add(&[bar.run(fill), button("button#cancel-check", t("page.cancel"), close)]),
+            el("div.body-of").swap(content),
+        ])
+        .on("close", move |_| close())
+        .run(follow)
 }
 
-fn shown(report: &Report) -> AnyView {
-    let rows: Vec<_> = report.rows.iter().cloned().map(|(tone, text)| view! { <li class=tone>{text}</li> }).collect();
-    let host: NodeRef<html::Pre> = NodeRef::new();
-    let head = report.head.clone();
-    Effect::new(move |_| {
-        if let Some(host) = host.get() {
-            host.set_text_content(Some(&head));
-        }
-    });
-    let lines = format!("{} {}", figure(report.lines, 0), t("page.lines"));
-    let first = (report.lines > f64::from(SHOWN)).then(|| format!("{} {SHOWN}", t("page.first-lines")));
-    view! {
-        <p><b>{lines}</b> " " {report.counts.clone()} " " {first}</p>
-        <ul class="remarks tall">{rows}</ul>
-        <pre class="raw" tabindex="0" aria-label=t("page.listing") node_ref=host></pre>
+fn shown(report: &Report) -> Vec<El> {
+    let rows: Vec<El> = report.rows.iter().map(|(tone, text)| el("li").at("class", tone).text(text)).collect();
+    let mut told = format!("{} {}  {}", figure(report.lines, 0), t("page.lines"), report.counts);
+    if report.lines > f64::from(SHOWN) {
+        told.push_str(&format!("  {} {SHOWN}", t("page.first-lines")));
     }
-    .into_any()
+    vec![
+        el("p").text(&told),
+        el("ul.remarks.tall").add(&rows),
+        el("pre.raw").at("tabindex", "0").label(t("page.listing")).text(&report.head),
+    ]
 }

@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsValue;
 use leptos::wasm_bindgen::closure::Closure;
 
 use super::dom;
+use super::el::{El, el};
 use super::model::Model;
 use super::program::mend;
 use super::script::{call, load, object};
@@ -33,7 +33,7 @@ fn findings(model: Model, at: usize) -> JsValue {
     let list = js_sys::Array::new();
     model.written.with_untracked(|written| {
         let Some(file) = written.files.0.get(at) else { return };
-        for (number, diagnostic) in written.diagnostics.iter().enumerate() {
+        for (number, diagnostic) in model.findings.get_untracked().iter().enumerate() {
             let Some(place) = diagnostic.place.filter(|place| place.file == FileId(at as u16)) else { continue };
             let Span { start, end } = place.span;
             let mut text = diagnostic.alarm.map(|alarm| format!("{alarm} ")).unwrap_or_default();
@@ -70,21 +70,15 @@ fn take(model: Model, at: usize, text: String) {
     });
 }
 
-/// Opens the bundle and what `begin` makes of it; closes it with the component.
-fn mount(
-    host: NodeRef<html::Div>,
-    handle: Handle,
-    failed: RwSignal<String, LocalStorage>,
-    begin: impl Fn(&JsValue, &JsValue) -> Result<JsValue, JsValue> + Copy + 'static,
-) {
+/// Opens the bundle and what `begin` makes of it in an element; closes it with the element.
+fn mount(handle: Handle, begin: impl Fn(&JsValue, &JsValue) -> Result<JsValue, JsValue> + 'static) -> Vec<El> {
+    let (host, note) = (el("div.editor"), el("p.note"));
+    let (inside, told) = (host.dom().clone(), note.dom().clone());
     leptos::task::spawn_local(async move {
-        let opened = load(MODULE).await.and_then(|module| match host.try_get_untracked().flatten() {
-            Some(host) => begin(&module, &host.into()),
-            None => Ok(JsValue::UNDEFINED),
-        });
+        let opened = load(MODULE).await.and_then(|module| begin(&module, &inside));
         match opened {
             Ok(editor) => drop(handle.try_set_value(Some(editor))),
-            Err(error) => drop(failed.try_set(format!("{} {}", t("page.editor-failed"), dom::told(&error)))),
+            Err(error) => told.set_text_content(Some(&format!("{} {}", t("page.editor-failed"), dom::told(&error)))),
         }
     });
     on_cleanup(move || {
@@ -92,66 +86,56 @@ fn mount(
             let _ = call(&editor, "close", &[]);
         }
     });
+    vec![host, note]
 }
 
 /// The editor of the file that is shown.
-pub(super) fn editor(model: Model) -> AnyView {
-    let host: NodeRef<html::Div> = NodeRef::new();
+pub(super) fn editor(model: Model) -> Vec<El> {
     let handle: Handle = StoredValue::new_local(None);
-    let failed = RwSignal::new_local(String::new());
     let timer = StoredValue::new_local(None::<TimeoutHandle>);
     let changed = move |text: JsValue| {
         let Some(text) = text.as_string() else { return };
-        if let Some(timer) = timer.get_value() {
+        if let Some(Some(timer)) = timer.try_get_value() {
             timer.clear();
         }
         let at = model.file.get_untracked();
-        timer.set_value(set_timeout_with_handle(move || take(model, at, text), PAUSE).ok());
+        let _ = timer.try_set_value(set_timeout_with_handle(move || take(model, at, text), PAUSE).ok());
     };
-    // The closures live as long as the page: an editor that is closed may still call them once.
     let changed = Closure::<dyn Fn(JsValue)>::new(changed).into_js_value();
     let fix = Closure::<dyn Fn(JsValue, JsValue)>::new(move |diagnostic: JsValue, fix: JsValue| {
         if let (Some(diagnostic), Some(fix)) = (diagnostic.as_f64(), fix.as_f64()) {
             mend(model, diagnostic as usize, fix as usize);
         }
     });
-    let calls = StoredValue::new_local((changed, fix.into_js_value()));
-    mount(host, handle, failed, move |module, host| {
+    let options = object([("changed", changed), ("fix", fix.into_js_value()), ("label", t("page.listing").into())]);
+    let all = mount(handle, move |module, host| {
         let at = model.file.get_untracked();
-        let calls = calls.get_value();
-        let options = object([("changed", calls.0), ("fix", calls.1), ("label", t("page.listing").into())]);
         let editor = call(module, "open", &[host, &file_text(model, at).into(), &options])?;
         call(&editor, "mark", &[&findings(model, at)])?;
         Ok(editor)
     });
     Effect::new(move |_| {
         let at = model.file.get();
-        model.written.track();
+        model.findings.track();
         if let Some(Some(editor)) = handle.try_get_value() {
             let _ = call(&editor, "set", &[&file_text(model, at).into()]);
             let _ = call(&editor, "mark", &[&findings(model, at)]);
         }
     });
-    view! { <div class="editor" node_ref=host></div> <p class="note">{move || failed.get()}</p> }.into_any()
+    all
 }
 
 /// What differs between the program as the form writes it and as it has been edited.
-pub(super) fn difference(model: Model) -> AnyView {
-    let host: NodeRef<html::Div> = NodeRef::new();
-    let handle: Handle = StoredValue::new_local(None);
-    let failed = RwSignal::new_local(String::new());
-    mount(host, handle, failed, move |module, host| {
-        let edited = file_text(model, model.file.get_untracked());
-        let name = model
-            .written
-            .with_untracked(|written| written.files.0.get(model.file.get_untracked()).map(|file| file.name.clone()));
+pub(super) fn difference(model: Model) -> Vec<El> {
+    let at = model.file.get();
+    mount(StoredValue::new_local(None), move |module, host| {
+        let edited = file_text(model, at);
+        let name = model.written.with_untracked(|written| written.files.0.get(at).map(|file| file.name.clone()));
         let mut generated = model.project.get_untracked();
         generated.edited = None;
-        let generated = generated.written();
-        let same =
-            generated.files.0.iter().find(|file| Some(&file.name) == name.as_ref()).or(generated.files.0.first());
+        let files = generated.written().files.0;
+        let same = files.iter().find(|file| Some(&file.name) == name.as_ref()).or(files.first());
         let before = same.map(|file| file.text.clone()).unwrap_or_default();
         call(module, "difference", &[host, &before.into(), &edited.into(), &t("page.difference").into()])
-    });
-    view! { <div class="editor" node_ref=host></div> <p class="note">{move || failed.get()}</p> }.into_any()
+    })
 }

@@ -1,13 +1,21 @@
 //! One field of the form: what is typed stays as it is typed, and the project gets it when it reads as a value.
 
-use leptos::html;
-use leptos::prelude::*;
-use web_sys::KeyboardEvent;
+use std::cell::Cell;
+use std::rc::Rc;
 
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::{Event, KeyboardEvent};
+
+use super::el::{El, button, checked, el};
 use super::model::Model;
 use super::words::{t, tell};
 use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
+use crate::text::Severity;
 use crate::text::catalog::number_text;
+
+/// Reads the field's value of the project.
+type Read = Rc<dyn Fn() -> Value>;
 
 /// A value as its field shows it.
 pub(super) fn shown(info: &FieldInfo, value: &Value) -> String {
@@ -20,131 +28,107 @@ pub(super) fn shown(info: &FieldInfo, value: &Value) -> String {
 }
 
 /// A field with label, unit, what is wrong, help and where its value comes from.
-pub(super) fn field(model: Model, info: FieldInfo) -> AnyView {
+pub(super) fn field(model: Model, info: FieldInfo) -> El {
     let id = info.id;
-    let stored = StoredValue::new_local(info.clone());
-    let value = Memo::new(move |_| {
-        model
-            .project
-            .with(|project| project.values.get(id).cloned().unwrap_or_else(|| stored.with_value(FieldInfo::default)))
+    let stored = Rc::new(info);
+    let info = Rc::clone(&stored);
+    let value: Read = Rc::new(move || {
+        model.project.with(|project| project.values.get(id).cloned().unwrap_or_else(|| stored.default()))
     });
-    let wrong = Memo::new(move |_| {
+    let wrong = move || {
         if let Some(problem) = model.invalid.with(|invalid| invalid.get(id).map(tell)) {
-            return Some(problem);
+            return problem;
         }
         model.design.with(|design| {
-            let errors = design.diagnostics.iter().filter(|d| d.severity == crate::text::Severity::Error);
-            errors.filter(|d| d.field == Some(id)).map(tell).next()
+            let errors = design.diagnostics.iter().filter(|d| d.severity == Severity::Error && d.field == Some(id));
+            errors.map(tell).next().unwrap_or_default()
         })
-    });
-    let control = match &info.kind {
-        KindInfo::Number { .. } | KindInfo::Text(_) => text_control(model, &info, value, wrong),
+    };
+    let note = format!("{id}-note");
+    let (control, class) = match &info.kind {
+        KindInfo::Number { .. } => (text_control(model, &info, value), ""),
+        KindInfo::Text(_) => (text_control(model, &info, value), "wide"),
         KindInfo::Flag(_) => {
-            let checked = move || value.get() == Value::Flag(true);
-            view! {
-                <input type="checkbox" class="switch" id=id prop:checked=checked aria-describedby=format!("{id}-note")
-                    on:change=move |event| model.set(id, Value::Flag(event_target_checked(&event))) />
-            }
-            .into_any()
+            let input = el("input.switch").at("type", "checkbox").checked(move || value() == Value::Flag(true));
+            (input.on("change", move |event| model.set(id, Value::Flag(checked(&event)))), "flag")
         }
         KindInfo::Choice(options) => {
-            let options = *options;
-            let rows = options.iter().map(|(option, label)| {
-                let chosen = move || value.get() == Value::Text((*option).to_owned());
-                view! { <option value=*option prop:selected=chosen>{t(label)}</option> }
-            });
-            view! {
-                <select id=id aria-describedby=format!("{id}-note")
-                    on:change=move |event| model.set(id, Value::Text(event_target_value(&event)))>
-                    {rows.collect_view()}
-                </select>
-            }
-            .into_any()
+            let rows: Vec<El> = options.iter().map(|(one, label)| el("option").at("value", one).text(t(label))).collect();
+            let chosen = move || if let Value::Text(text) = value() { text } else { String::new() };
+            let select = el("select").add(&rows).valued(chosen);
+            (select.on("change", move |event| model.set(id, Value::Text(super::el::value(&event)))), "wide")
         }
     };
-    let unit = match &info.kind {
-        KindInfo::Number { unit, .. } => *unit,
-        _ => "",
-    };
+    let unit = if let KindInfo::Number { unit, .. } = &info.kind { *unit } else { "" };
     let from = move || match model.project.with(|project| project.provenance.get(id).copied()) {
-        Some(Provenance::Measured) => "measured",
-        Some(Provenance::DataSheet) => "data-sheet",
-        _ => "",
+        Some(Provenance::Measured) => "measured".to_owned(),
+        Some(Provenance::DataSheet) => "data-sheet".to_owned(),
+        _ => String::new(),
     };
-    let flag = matches!(info.kind, KindInfo::Flag(_));
-    let wide = matches!(info.kind, KindInfo::Choice(_) | KindInfo::Text(_));
-    view! {
-        <div class="field" class:wide=wide class:flag=flag class:wrong=move || wrong.with(Option::is_some)>
-            <label for=id>{t(info.label)} {(!info.symbol.is_empty()).then(|| view! { <small>{info.symbol}</small> })}</label>
-            {control}
-            <span class="unit">{unit}</span>
-            <button type="button" class="about" popovertarget="about" data-from=from
-                aria-label=format!("{}: {}", t("page.about"), t(info.label)) on:click=move |_| model.about.set(Some(id))>"?"</button>
-            <p class="note" id=format!("{id}-note")>{move || wrong.get()}</p>
-        </div>
+    let about = button("button.about", "?", move || model.about.set(Some(id)))
+        .at("popovertarget", "about")
+        .label(&format!("{}: {}", t("page.about"), t(info.label)))
+        .bind("data-from", from);
+    let mut label = el("label").at("for", id).text(t(info.label)).text(" ");
+    if !info.symbol.is_empty() {
+        label = label.add(&[el("small").text(info.symbol)]);
     }
-    .into_any()
+    let control = control.at("id", id).at("aria-describedby", &note).state("aria-invalid", move || !wrong().is_empty());
+    let unit = el("span.unit").text(unit);
+    let note = el("p.note").at("id", &note).live(wrong);
+    el("div.field").at("class", &format!("field {class}")).mark("wrong", move || !wrong().is_empty()).add(&[label, control, unit, about, note])
 }
 
-/// A text that is read while it is typed, and never written while it is right.
-fn text_control(model: Model, info: &FieldInfo, value: Memo<Value>, wrong: Memo<Option<String>>) -> AnyView {
+/// A text that is read while it is typed, and never written while it means what the project holds.
+fn text_control(model: Model, info: &Rc<FieldInfo>, value: Read) -> El {
     let id = info.id;
-    let stored = StoredValue::new_local(info.clone());
-    let node: NodeRef<html::Input> = NodeRef::new();
     let numeric = matches!(info.kind, KindInfo::Number { .. });
-    Effect::new(move |seen: Option<u32>| {
-        let (value, count) = (value.get(), model.reread.get());
-        let Some(input) = node.get() else { return count };
-        stored.with_value(|info| {
-            // The text stays where it means the value already: `1,5` is not rewritten into 1.5.
-            let forced = seen.is_some_and(|seen| seen != count);
-            let same = info.read(&input.value()).is_ok_and(|read| read == value);
-            let kept = model.invalid.with_untracked(|invalid| invalid.contains_key(id)) && !forced;
-            if !same && !kept {
-                input.set_value(&shown(info, &value));
-            }
-        });
-        count
-    });
-    let take = move |typed: String| {
-        stored.with_value(|info| match info.read(&typed) {
+    let field = el(if numeric { "input.number" } else { "input" })
+        .at("type", "text")
+        .at("autocomplete", "off")
+        .at("spellcheck", "false")
+        .at("inputmode", if numeric { "decimal" } else { "text" });
+    let input = field.input().clone();
+    let (read, count) = (Rc::clone(info), Cell::new(0));
+    let present = Rc::clone(&value);
+    let shown_first = shown(info, &untrack(|| value()));
+    input.set_value(&shown_first);
+    let follow = move || {
+        let (value, reread) = (present(), model.reread.get());
+        // The text stays where it means the value already: `1,5` is not rewritten into 1.5.
+        let same = read.read(&input.value()).is_ok_and(|typed| typed == value);
+        let forced = count.replace(reread) != reread;
+        let kept = model.invalid.with_untracked(|invalid| invalid.contains_key(id)) && !forced;
+        if !same && !kept {
+            input.set_value(&shown(&read, &value));
+        }
+    };
+    let reader = Rc::clone(info);
+    let take = Rc::new(move |typed: &str| {
+        model.timed();
+        match reader.read(typed) {
             Ok(value) => model.set(id, value),
             Err(problem) => model.refuse(id, *problem),
-        });
-    };
-    let typed = move |event: web_sys::Event| {
-        model.timed();
-        take(event_target_value(&event));
-    };
-    let step = move |event: KeyboardEvent| {
+        }
+    });
+    let taken = Rc::clone(&take);
+    let info = Rc::clone(info);
+    let field = field.run(follow).on("input", move |event| taken(&super::el::value(&event)));
+    let input = field.input().clone();
+    let step = move |event: Event| {
+        let event: &KeyboardEvent = event.unchecked_ref();
         let direction = match event.key().as_str() {
             "ArrowUp" => 1.0,
             "ArrowDown" => -1.0,
             _ => return,
         };
-        stored.with_value(|info| {
-            let (KindInfo::Number { step, min, max, .. }, Some(input)) = (&info.kind, node.get_untracked()) else {
-                return;
-            };
-            event.prevent_default();
-            let scale = if event.shift_key() { 10.0 } else { 1.0 };
-            let Value::Number(from) = info.read(&input.value()).unwrap_or_else(|_| value.get_untracked()) else {
-                return;
-            };
-            let to = Value::Number((from + direction * scale * step).clamp(*min, *max));
-            let text = shown(info, &to);
-            input.set_value(&text);
-            model.timed();
-            take(text);
-        });
+        let KindInfo::Number { step, min, max, .. } = &info.kind else { return };
+        event.prevent_default();
+        let scale = if event.shift_key() { 10.0 } else { 1.0 };
+        let Value::Number(from) = info.read(&input.value()).unwrap_or_else(|_| untrack(|| value())) else { return };
+        let text = shown(&info, &Value::Number((from + direction * scale * step).clamp(*min, *max)));
+        input.set_value(&text);
+        take(&text);
     };
-    view! {
-        <input type="text" id=id node_ref=node autocomplete="off" spellcheck="false"
-            inputmode=if numeric { "decimal" } else { "text" }
-            class:number=numeric
-            aria-invalid=move || wrong.with(Option::is_some).to_string()
-            aria-describedby=format!("{id}-note")
-            on:input=typed on:keydown=step />
-    }
-    .into_any()
+    field.on("keydown", step)
 }

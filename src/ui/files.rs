@@ -2,14 +2,15 @@
 
 use std::time::Duration;
 
-use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{ClipboardEvent, DataTransfer, DragEvent, Element, File};
+use web_sys::{ClipboardEvent, DataTransfer, DragEvent, Element, File, HtmlDialogElement};
 
 use super::checker::{self, Source};
 use super::dom;
+use super::el::{El, button, el};
+use super::help::dialog;
 use super::model::Model;
 use super::words::{say, t, tell, tone};
 use crate::msg;
@@ -40,6 +41,7 @@ pub(super) fn save(model: Model) {
 pub(super) fn fresh(model: Model) {
     let (machine, control) = model.project.with_untracked(|project| (project.machine, project.control));
     model.replace(Project::new(machine, control));
+    model.say(t("page.fresh"));
 }
 
 /// Takes the files that a person opened, dropped or pasted.
@@ -127,22 +129,18 @@ pub(super) fn listen(model: Model) {
     paste.forget();
 }
 
-/// The button that opens files.
-pub(super) fn open_button(model: Model) -> AnyView {
-    let input: NodeRef<html::Input> = NodeRef::new();
-    let chosen = move |_| {
-        let Some(input) = input.get() else { return };
-        if let Some(list) = input.files() {
-            take(model, (0..list.length()).filter_map(|at| list.get(at)).collect());
-        }
+/// The button that opens files, and the input behind it.
+pub(super) fn open_button(model: Model) -> [El; 2] {
+    let input = el("input.hidden#open").at("type", "file").at("multiple", "").at("tabindex", "-1").label(t("page.open"));
+    let (chosen, node) = (input.input().clone(), input.html().clone());
+    let take = move |_| {
+        let files = chosen.files().map(|list| (0..list.length()).filter_map(|at| list.get(at)).collect());
+        take(model, files.unwrap_or_default());
         // The same file may be opened twice in a row.
-        input.set_value("");
+        chosen.set_value("");
     };
-    view! {
-        <input type="file" id="open" class="hidden" multiple node_ref=input aria-label=t("page.open") on:change=chosen />
-        <button type="button" class="quiet" id="open-button" title=t("page.open-about") on:click=move |_| if let Some(input) = input.get() { input.click() }>{t("page.open")}</button>
-    }
-    .into_any()
+    let button = button("button.quiet", t("page.open"), move || node.click()).at("title", t("page.open-about"));
+    [input.on("change", take), button]
 }
 
 /// Everything that keeps the program from being exported.
@@ -154,85 +152,76 @@ fn reasons(model: Model, export: &Export) -> Vec<Diagnostic> {
 }
 
 /// The dialog of the export: what is written, or why nothing is.
-pub(super) fn export_dialog(model: Model) -> AnyView {
-    let node: NodeRef<html::Dialog> = NodeRef::new();
+pub(super) fn export_dialog(model: Model) -> El {
+    let asked = RwSignal::new_local(false);
     let export = RwSignal::new_local(None::<Export>);
-    Effect::new(move |_| {
-        if model.exporting.get()
-            && let Some(dialog) = node.get()
-        {
+    let open = move || {
+        if model.exporting.get() {
             export.set(Some(model.project.with_untracked(Project::export)));
-            let _ = dialog.show_modal();
             model.exporting.set(false);
-        }
-    });
-    let close = move |_| {
-        if let Some(dialog) = node.get() {
-            dialog.close();
+            asked.set(true);
         }
     };
     let content = move || {
         export.with(|export| {
-            let export = export.as_ref()?;
-            let reasons = reasons(model, export);
-            Some(if reasons.is_empty() { offered(export) } else { refused(&reasons) })
+            let Some(export) = export else { return Vec::new() };
+            let reasons = untrack(|| reasons(model, export));
+            if reasons.is_empty() { offered(export) } else { refused(&reasons) }
         })
     };
-    view! {
-        <dialog node_ref=node class="dialog" aria-labelledby="export-title">
-            <header><h2 id="export-title">{t("page.export")}</h2><button type="button" class="icon" aria-label=t("page.close") on:click=close>"✕"</button></header>
-            {content}
-        </dialog>
-    }
-    .into_any()
+    dialog("export-title", t("page.export"), asked).add(&[el("div.body-of").swap(content)]).run(open)
 }
 
-fn refused(reasons: &[Diagnostic]) -> AnyView {
-    let rows: Vec<_> = reasons
+fn refused(reasons: &[Diagnostic]) -> Vec<El> {
+    let rows: Vec<El> = reasons
         .iter()
         .map(|reason| {
-            let field = reason.field;
-            let go = move |_| {
-                if let Some(input) = field.and_then(dom::by_id) {
-                    input.scroll_into_view();
-                    let _ = input.focus();
-                }
-            };
-            view! {
-                <li class="fail"><i aria-hidden="true">"✕"</i> {reason.alarm.map(|alarm| view! { <b>{alarm} " "</b> })} {tell(reason)}
-                    {field.map(|_| view! { " " <button type="button" class="link" on:click=go formmethod="dialog">{t("page.go-to-field")}</button> })}</li>
-            }
+            let row = el("li.fail").add(&[el("i").at("aria-hidden", "true").text("✕ ")]);
+            let row = row.add(&[el("b").text(reason.alarm.unwrap_or_default())]).text(" ").text(&tell(reason)).text(" ");
+            row.maybe(reason.field.map(|field| button("button.link", t("page.go-to-field"), move || go_to(field))))
         })
         .collect();
-    view! { <p>{t("page.refused")}</p> <ul class="remarks">{rows}</ul> }.into_any()
+    vec![el("p").text(t("page.refused")), el("ul.remarks").add(&rows)]
 }
 
-fn offered(export: &Export) -> AnyView {
+/// Leaves the dialog for a field of the form.
+fn go_to(field: &str) {
+    if let Ok(Some(open)) = document().query_selector("dialog[open]") {
+        open.unchecked_into::<HtmlDialogElement>().close();
+    }
+    if let Some(input) = dom::by_id(field) {
+        input.scroll_into_view();
+        let _ = input.focus();
+    }
+}
+
+fn offered(export: &Export) -> Vec<El> {
     let files = export.files.clone();
-    let rows: Vec<_> = files
+    let rows: Vec<El> = files
         .iter()
+        .cloned()
         .map(|file| {
-            let (name, text) = (file.name.clone(), file.text.clone());
-            let size = say(&msg!("page.bytes", text.len() as f64));
-            let label = name.clone();
-            let save = move |_| dom::download(&name, "text/plain", text.as_bytes());
-            view! { <tr><th scope="row">{label}</th><td>{size}</td><td><button type="button" on:click=save>{t("page.save-file")}</button></td></tr> }
+            let size = say(&msg!("page.bytes", file.text.len() as f64));
+            let head = el("th").at("scope", "row").text(&file.name);
+            let save = button("button", t("page.save-file"), move || save_file(&file));
+            el("tr").add(&[head, el("td").text(&size), el("td").add(&[save])])
         })
         .collect();
     // Browsers drop all but the first of several downloads that begin at the same moment.
-    let all = move |_| {
+    let all = move || {
         for (at, file) in files.iter().cloned().enumerate() {
-            let save = move || dom::download(&file.name, "text/plain", file.text.as_bytes());
-            set_timeout(save, Duration::from_millis(200 * at as u64));
+            set_timeout(move || save_file(&file), Duration::from_millis(200 * at as u64));
         }
     };
-    let remarks: Vec<_> =
-        export.diagnostics.iter().map(|d| view! { <li class=tone(d.severity)>{tell(d)}</li> }).collect();
-    view! {
-        <p>{t("page.export-about")}</p>
-        <table class="exported"><tbody>{rows}</tbody></table>
-        <ul class="remarks">{remarks}</ul>
-        <footer><button type="button" class="primary" id="save-all" on:click=all>{t("page.save-all")}</button></footer>
-    }
-    .into_any()
+    let remarks: Vec<El> = export.diagnostics.iter().map(|d| el("li").at("class", tone(d.severity)).text(&tell(d))).collect();
+    vec![
+        el("p").text(t("page.export-about")),
+        el("table.exported").add(&[el("tbody").add(&rows)]),
+        el("ul.remarks").add(&remarks),
+        el("footer").add(&[button("button.primary#save-all", t("page.save-all"), all)]),
+    ]
+}
+
+fn save_file(file: &nc::File) {
+    dom::download(&file.name, "text/plain", file.text.as_bytes());
 }

@@ -1,9 +1,9 @@
 //! The form: the machine's fields in their groups, the essential ones first.
 
-use leptos::html;
 use leptos::prelude::*;
 
 use super::dom;
+use super::el::{El, el};
 use super::field::field;
 use super::model::Model;
 use super::words::t;
@@ -13,22 +13,17 @@ use crate::machines::form::FieldInfo;
 const SMALL: usize = 5;
 
 /// All fields of the machine.
-pub(super) fn form(model: Model) -> AnyView {
+pub(super) fn form(model: Model) -> El {
     // Another machine is another form; values of the same machine are not.
     let machine = Memo::new(move |_| model.project.with(|project| project.machine.id()));
     let groups = move || {
         machine.track();
         let fields = model.project.with_untracked(|project| project.machine.fields());
-        groups_of(fields).into_iter().map(|(title, open, fields)| group(model, title, open, fields)).collect_view()
+        groups_of(fields).into_iter().map(|(title, open, fields)| group(model, title, open, fields)).collect()
     };
-    let wrong = move || model.wrong_fields().len();
-    view! {
-        <section class="pane form" id="form" aria-label=t("page.inputs")>
-            <form autocomplete="off" on:submit=|event| event.prevent_default()>{groups}</form>
-            <p class="stale" class:shown=move || { wrong() > 0 }>{t("page.stale")}</p>
-        </section>
-    }
-    .into_any()
+    let form = el("form").at("autocomplete", "off").on("submit", |event| event.prevent_default()).swap(groups);
+    let stale = el("p.stale").text(t("page.stale")).mark("shown", move || model.is_stale());
+    el("section.pane.form#form").label(t("page.inputs")).add(&[form, stale])
 }
 
 /// Fields side by side with their group; whether it stands open at first.
@@ -46,30 +41,27 @@ fn groups_of(fields: Vec<FieldInfo>) -> Vec<(&'static str, bool, Vec<FieldInfo>)
     groups
 }
 
-fn group(model: Model, title: &'static str, open: bool, fields: Vec<FieldInfo>) -> AnyView {
+fn group(model: Model, title: &'static str, open: bool, fields: Vec<FieldInfo>) -> El {
+    let count = fields.len();
     let ids: Vec<&'static str> = fields.iter().map(|field| field.id).collect();
-    let count = ids.len();
-    let wrong =
-        Memo::new(move |_| model.wrong_fields().iter().any(|d| d.field.is_some_and(|field| ids.contains(&field))));
-    let rows = fields.into_iter().map(|info| field(model, info)).collect_view();
+    let rows: Vec<El> = fields.into_iter().map(|info| field(model, info)).collect();
     if open {
-        return view! { <fieldset class="group"><legend>{t(title)}</legend>{rows}</fieldset> }.into_any();
+        return el("fieldset.group").add(&[el("legend").text(t(title))]).add(&rows);
     }
+    let summary = el("summary").text(t(title)).add(&[el("span.count").text(&count.to_string())]);
+    let group = el("details.group").add(&[summary]).add(&rows);
     // Small groups stand open where there is room; a group with a wrong field opens by itself.
-    let node: NodeRef<html::Details> = NodeRef::new();
-    let roomy = count <= SMALL && dom::prefers("(min-width: 761px)");
-    Effect::new(move |_| {
-        if let Some(node) = node.get()
-            && (roomy || wrong.get())
-        {
-            node.set_open(true);
-        }
-    });
-    view! {
-        <details class="group" class:wrong=wrong node_ref=node>
-            <summary>{t(title)} <span class="count">{count}</span></summary>
-            {rows}
-        </details>
+    if count <= SMALL && dom::prefers("(min-width: 761px)") {
+        dom::set(group.dom(), "open", "");
     }
-    .into_any()
+    let node = group.dom().clone();
+    let wrong = move || model.wrong_fields().iter().any(|d| d.field.is_some_and(|field| ids.contains(&field)));
+    let follow = move || {
+        let wrong = wrong();
+        let _ = node.class_list().toggle_with_force("wrong", wrong);
+        if wrong {
+            dom::set(&node, "open", "");
+        }
+    };
+    group.run(follow)
 }

@@ -3,6 +3,7 @@
 use leptos::prelude::*;
 
 use super::dom;
+use super::el::{El, button, el, icon_button};
 use super::model::Model;
 use super::words::{clock, figure, t};
 use crate::machines::form::Value;
@@ -99,63 +100,64 @@ fn standing<T: Copy>(events: &[Event], at: f64, first: T, of: impl Fn(&Action) -
 }
 
 /// The panel.
-pub(super) fn hand(model: Model) -> AnyView {
+pub(super) fn hand(model: Model) -> El {
     let player = model.player;
-    let head = Memo::new(move |_| player.now.with(|now| now.t));
-    let state = move |first: fn(&Project) -> f64, of: fn(&Action) -> Option<f64>| {
+    let standing = move |first: fn(&Project) -> f64, of: fn(&Action) -> Option<f64>| {
         Memo::new(move |_| {
-            model.project.with(|project| standing(project.panel.events(), head.get(), first(project), of))
+            let head = player.now.with(|now| now.t);
+            model.project.with(|project| standing(project.panel.events(), head, first(project), of))
         })
     };
-    let spindle = state(
+    let spindle = standing(
         |project| number(project, "override", 100.0),
         |action| match action {
             Action::SpindleOverride(percent) => Some(*percent),
             _ => None,
         },
     );
-    let feed = state(
+    let feed = standing(
         |_| 100.0,
         |action| match action {
             Action::FeedOverride(percent) => Some(*percent),
             _ => None,
         },
     );
-    let single = Memo::new(move |_| {
-        model.project.with(|project| {
-            standing(project.panel.events(), head.get(), false, |action| match action {
-                Action::SingleBlock(on) => Some(*on),
-                _ => None,
-            })
-        })
-    });
-    let step = Memo::new(move |_| model.project.with(|project| number(project, "knob-step", 10.0)));
-    let mode = Memo::new(move |_| player.now.with(|now| now.mode));
-    let waits = move || matches!(mode.get(), Mode::Hold | Mode::Stopped);
-    let press = move |label: &'static str, class: &'static str, action: Action| {
-        view! { <button type="button" class=class on:click=move |_| act(model, action.clone())>{t(label)}</button> }
+    let single = standing(
+        |_| 0.0,
+        |action| match action {
+            Action::SingleBlock(on) => Some(f64::from(*on)),
+            _ => None,
+        },
+    );
+    let step = move || model.project.with(|project| number(project, "knob-step", 10.0));
+    let waits = move || matches!(player.now.with(|now| now.mode), Mode::Hold | Mode::Stopped);
+    let press = move |class: &str, label: &'static str, action: Action| {
+        button(class, t(label), move || act(model, action.clone()))
     };
-    let clear = move |_| model.edit("", |project| project.panel = crate::motion::Panel::default());
+    let turn_single = move || act(model, Action::SingleBlock(single.get_untracked() == 0.0));
+    let presses = el("div.presses").add(&[
+        press("button.start", "page.start", Action::Start).mark("due", waits),
+        press("button", "page.hold", Action::Hold),
+        press("button", "page.reset", Action::Reset),
+        button("button", t("page.single-block"), turn_single).state("aria-pressed", move || single.get() != 0.0),
+        press("button.stop", "page.estop", Action::EmergencyStop),
+    ]);
+    let clear = move || model.edit("", |project| project.panel = crate::motion::Panel::default());
     let count = move || model.project.with(|project| project.panel.events().len());
-    view! {
-        <section class="pane hand" aria-label=t("page.hand")>
-            {knob(model, "spindle-knob", "page.spindle-override", spindle, step, Action::SpindleOverride)}
-            {knob(model, "feed-knob", "page.feed-override", feed, Memo::new(|_| 10.0), Action::FeedOverride)}
-            <div class="presses">
-                <button type="button" class="start" class:due=waits on:click=move |_| act(model, Action::Start)>{t("page.start")}</button>
-                {press("page.hold", "", Action::Hold)}
-                {press("page.reset", "", Action::Reset)}
-                <button type="button" aria-pressed=move || single.get().to_string()
-                    on:click=move |_| act(model, Action::SingleBlock(!single.get_untracked()))>{t("page.single-block")}</button>
-                {press("page.estop", "stop", Action::EmergencyStop)}
-            </div>
-            <p class="changed" id="changed">
-                {move || model.changed.with(|changed| if changed.is_empty() { t("page.hand-hint").to_owned() } else { changed.clone() })} " "
-                {move || (count() > 0).then(|| view! { <button type="button" class="link" on:click=clear>{t("page.clear-hand")} " (" {count} ")"</button> })}
-            </p>
-        </section>
-    }
-    .into_any()
+    let told = move || match model.changed.get() {
+        told if told.is_empty() => t("page.hand-hint").to_owned(),
+        told => told,
+    };
+    let clear = button("button.link", t("page.clear-hand"), clear).live(move || format!(" ({})", count()));
+    el("section.pane.hand").label(t("page.hand")).add(&[
+        knob(model, "spindle-knob", t("page.spindle-override"), spindle, step, Action::SpindleOverride),
+        knob(model, "feed-knob", t("page.feed-override"), feed, || 10.0, Action::FeedOverride),
+        presses,
+        el("p.changed").add(&[
+            el("span#changed").live(told),
+            clear.mark("gone", move || count() == 0),
+        ]),
+    ])
 }
 
 /// A number of the project's form; of a choice, its id as a number.
@@ -167,34 +169,24 @@ fn number(project: &Project, id: &str, otherwise: f64) -> f64 {
     }
 }
 
-fn knob(
-    model: Model,
-    id: &'static str,
-    label: &'static str,
-    value: Memo<f64>,
-    step: Memo<f64>,
-    action: fn(f64) -> Action,
-) -> AnyView {
+fn knob(model: Model, id: &'static str, label: &str, value: Memo<f64>, step: impl Fn() -> f64 + Copy + 'static, action: fn(f64) -> Action) -> El {
     let turn = move |percent: f64| {
         let percent = percent.clamp(0.0, FULL);
         if percent != value.get_untracked() {
             act(model, action(percent));
         }
     };
-    let turned = move |event| {
-        if let Ok(percent) = event_target_value(&event).parse() {
-            turn(percent);
-        }
-    };
-    let part = move || format!("{:.1}%", value.get() / FULL * 100.0);
-    view! {
-        <div class="knob">
-            <label for=id>{t(label)}</label>
-            <button type="button" class="icon" aria-label=format!("{} −", t(label)) on:click=move |_| turn(value.get_untracked() - step.get_untracked())>"−"</button>
-            <input type="range" id=id min="0" max=FULL step=step style:--part=part prop:value=move || value.get().to_string() on:input=turned />
-            <button type="button" class="icon" aria-label=format!("{} +", t(label)) on:click=move |_| turn(value.get_untracked() + step.get_untracked())>"+"</button>
-            <output for=id>{move || value.get().to_string()} " %"</output>
-        </div>
-    }
-    .into_any()
+    let by = move |sign: f64| turn(value.get_untracked() + sign * untrack(step));
+    let slider = el("input").at("type", "range").at("id", id).at("min", "0").at("max", "200");
+    let input = slider.html().clone();
+    let part = move || drop(input.style().set_property("--part", &format!("{:.1}%", value.get() / FULL * 100.0)));
+    let turned = move |event| drop(super::el::value(&event).parse().map(turn));
+    let slider = slider.bind("step", move || step().to_string()).valued(move || value.get().to_string()).run(part);
+    el("div.knob").add(&[
+        el("label").at("for", id).text(label),
+        icon_button("button.icon", "−", &format!("{label} −"), move || by(-1.0)),
+        slider.on("input", turned),
+        icon_button("button.icon", "+", &format!("{label} +"), move || by(1.0)),
+        el("output").at("for", id).live(move || format!("{} %", value.get())),
+    ])
 }

@@ -3,7 +3,8 @@
 use leptos::prelude::*;
 
 use super::dom;
-use super::files::{self, open_button};
+use super::el::{El, button, el, icon_button, value};
+use super::files;
 use super::model::Model;
 use super::store::Kept;
 use super::words::t;
@@ -19,97 +20,95 @@ const THEMES: [(&str, &str, &str); 3] =
     [("", "◐", "page.theme-system"), ("light", "☀", "page.theme-light"), ("dark", "☾", "page.theme-dark")];
 
 /// The header.
-pub(super) fn header(model: Model) -> AnyView {
+pub(super) fn header(model: Model) -> El {
     let named = move |event| {
-        let name = event_target_value(&event);
-        model.edit("name", |project| project.name = name.chars().filter(|c| !c.is_control()).take(120).collect());
+        let name: String = value(&event).chars().filter(|c| !c.is_control()).take(120).collect();
+        model.edit("name", |project| project.name = name);
     };
-    let name = move || model.project.with(|project| project.name.clone());
     let kept = move || match model.kept.get() {
-        Kept::Yes => t("page.kept"),
-        Kept::Soon => t("page.kept-soon"),
-        Kept::No => t("page.kept-not"),
+        Kept::Yes => t("page.kept").to_owned(),
+        Kept::Soon => t("page.kept-soon").to_owned(),
+        Kept::No => t("page.kept-not").to_owned(),
     };
-    view! {
-        <header class="top">
-            <h1>"macro" <i>"line"</i></h1>
-            {machine_picker(model)}
-            {control_picker(model)}
-            <div class="project">
-                <input type="text" class="name" maxlength="120" aria-label=t("page.name") placeholder=t("page.untitled") prop:value=name on:input=named />
-                <span class="kept" class:warn=move || model.kept.get() == Kept::No>{kept}</span>
-            </div>
-            <div class="doing">
-                <button type="button" class="icon" aria-label=t("page.undo") title=t("page.undo-key") disabled=move || !model.can.get().0 on:click=move |_| model.undo()>"↶"</button>
-                <button type="button" class="icon" aria-label=t("page.redo") title=t("page.redo-key") disabled=move || !model.can.get().1 on:click=move |_| model.redo()>"↷"</button>
-                <button type="button" class="quiet" on:click=move |_| files::fresh(model)>{t("page.new")}</button>
-                {open_button(model)}
-                <button type="button" class="quiet" title=t("page.save-about") on:click=move |_| files::save(model)>{t("page.save")}</button>
-                <button type="button" class="primary" id="export" on:click=move |_| model.exporting.set(true)>{t("page.export")}</button>
-                {theme_button()}
-                <button type="button" class="icon" aria-label=t("page.help") title=t("page.help") on:click=move |_| model.helping.set(true)>"?"</button>
-            </div>
-        </header>
-    }
-    .into_any()
+    let name = el("input.name").at("type", "text").at("maxlength", "120").at("placeholder", t("page.untitled"));
+    let name = name.label(t("page.name")).valued(move || model.project.with(|project| project.name.clone()));
+    let doing = el("div.doing").add(&[
+        icon_button("button.icon", "↶", t("page.undo"), move || model.undo())
+            .at("title", t("page.undo-key"))
+            .able(move || model.can.get().0),
+        icon_button("button.icon", "↷", t("page.redo"), move || model.redo())
+            .at("title", t("page.redo-key"))
+            .able(move || model.can.get().1),
+        button("button.quiet", t("page.new"), move || files::fresh(model)),
+    ]);
+    let doing = doing.add(&files::open_button(model)).add(&[
+        button("button.quiet", t("page.save"), move || files::save(model)).at("title", t("page.save-about")),
+        button("button.primary#export", t("page.export"), move || model.exporting.set(true)),
+        theme_button(),
+        icon_button("button.icon", "?", t("page.help"), move || model.helping.set(true)).at("title", t("page.help")),
+    ]);
+    el("header.top").add(&[
+        el("h1").text("macro").add(&[el("i").text("line")]),
+        machine_picker(model),
+        control_picker(model),
+        el("div.project").add(&[
+            name.on("input", named),
+            el("span.kept").live(kept).mark("warn", move || model.kept.get() == Kept::No),
+        ]),
+        doing,
+    ])
 }
 
-fn take_machine(model: Model, machine: &'static dyn AnyMachine) {
-    if let Some(project) = Project::of(machine.id(), None) {
-        model.replace(project);
-    }
+fn machine_picker(model: Model) -> El {
+    let rows: Vec<El> = machines::ALL
+        .iter()
+        .map(|machine| {
+            let machine: &'static dyn AnyMachine = *machine;
+            let chosen = move || model.project.with(|project| project.machine.id() == machine.id());
+            let choose = move || {
+                let project = Project::of(machine.id(), None).filter(|_| !untrack(chosen));
+                if let Some(project) = project {
+                    model.replace(project);
+                }
+            };
+            button("button", t(machine.name()), choose).state("aria-pressed", chosen)
+        })
+        .collect();
+    el("div.segments").at("role", "group").label(t("page.machine")).add(&rows)
 }
 
-fn machine_picker(model: Model) -> AnyView {
-    let rows = machines::ALL.iter().map(|machine| {
-        let machine: &'static dyn AnyMachine = *machine;
-        let chosen = move || model.project.with(|project| project.machine.id() == machine.id());
-        let choose = move |_| {
-            if !chosen() {
-                take_machine(model, machine);
-            }
-        };
-        view! { <button type="button" aria-pressed=move || chosen().to_string() on:click=choose>{t(machine.name())}</button> }
-    });
-    view! { <div class="segments" role="group" aria-label=t("page.machine")>{rows.collect_view()}</div> }.into_any()
-}
-
-fn control_picker(model: Model) -> AnyView {
+fn control_picker(model: Model) -> El {
+    let machine = Memo::new(move |_| model.project.with(|project| project.machine.id()));
     let rows = move || {
-        let ids = model.project.with(|project| project.machine.controls());
-        let rows = ids.iter().filter_map(|id| controls::find(id)).map(|control| {
-            let chosen = move || model.project.with(|project| project.control.id == control.id);
-            view! { <option value=control.id prop:selected=chosen>{control.name}</option> }
-        });
-        rows.collect_view()
+        machine.track();
+        let ids = model.project.with_untracked(|project| project.machine.controls());
+        let found = ids.iter().filter_map(|id| controls::find(id));
+        found.map(|control| el("option").at("value", control.id).text(control.name)).collect()
     };
     let choose = move |event| {
-        if let Some(control) = controls::find(&event_target_value(&event)) {
+        if let Some(control) = controls::find(&value(&event)) {
             model.edit("", |project| project.control = control);
         }
     };
-    view! { <select class="control" aria-label=t("page.control") on:change=choose>{rows}</select> }.into_any()
+    let present = move || model.project.with(|project| project.control.id.to_owned());
+    el("select.control").label(t("page.control")).swap(rows).valued(present).on("change", choose)
 }
 
-/// Takes the theme that was chosen on an earlier visit.
-pub(super) fn apply_theme(theme: &str) {
+fn take_theme(theme: &str) {
     if let Some(root) = document().document_element() {
         dom::set(&root, "data-theme", theme);
     }
 }
 
-fn theme_button() -> AnyView {
+fn theme_button() -> El {
     let stored = dom::stored(THEME).unwrap_or_default();
     let at = RwSignal::new_local(THEMES.iter().position(|(id, ..)| *id == stored).unwrap_or(0));
-    apply_theme(THEMES[at.get_untracked()].0);
-    let next = move |_| {
+    let theme = move || THEMES.get(at.get()).copied().unwrap_or(THEMES[0]);
+    let next = move || {
         at.update(|at| *at = (*at + 1) % THEMES.len());
-        let theme = THEMES[at.get_untracked()].0;
-        apply_theme(theme);
-        dom::store(THEME, theme);
+        dom::store(THEME, untrack(theme).0);
     };
-    view! {
-        <button type="button" class="icon" aria-label=move || t(THEMES[at.get()].2) title=move || t(THEMES[at.get()].2) on:click=next>{move || THEMES[at.get()].1}</button>
-    }
-    .into_any()
+    let words = move || t(theme().2).to_owned();
+    let button = button("button.icon", "", next).live(move || theme().1.to_owned());
+    button.bind("aria-label", words).bind("title", words).run(move || take_theme(theme().0))
 }

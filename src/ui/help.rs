@@ -1,10 +1,12 @@
 //! What the keys do, and what the page is.
 
-use leptos::html;
 use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::HtmlDialogElement;
 
+use super::el::{El, check, el, icon_button};
 use super::keys;
-use super::model::Model;
+use super::model::{Local, Model};
 use super::words::t;
 
 /// Keys and what they do.
@@ -20,32 +22,33 @@ const KEYS: [(&str, &str); 8] = [
 ];
 
 /// The dialog of help.
-pub(super) fn help_dialog(model: Model) -> AnyView {
-    let node: NodeRef<html::Dialog> = NodeRef::new();
-    Effect::new(move |_| {
-        if model.helping.get()
-            && let Some(dialog) = node.get()
-        {
-            let _ = dialog.show_modal();
-            model.helping.set(false);
-        }
+pub(super) fn help_dialog(model: Model) -> El {
+    let rows = KEYS.map(|(key, what)| {
+        let head = el("th").at("scope", "row").add(&[el("kbd").text(key)]);
+        el("tr").add(&[head, el("td").text(t(what))])
     });
-    let close = move |_| {
-        if let Some(dialog) = node.get() {
-            dialog.close();
+    let body = [
+        el("p").text(t("page.help-about")),
+        el("p").text(t("page.help-program")),
+        el("p").text(t("page.help-hand")),
+        el("h3").text(t("page.keys")),
+        el("table.shortcuts").add(&[el("tbody").add(&rows)]),
+        check(t("page.keys-on"), keys::on, keys::turn),
+    ];
+    dialog("help-title", t("page.help"), model.helping).add(&body)
+}
+
+/// A dialog with a title and a way out, opened when a signal asks for it.
+pub(super) fn dialog(id: &str, title: &str, asked: Local<bool>) -> El {
+    let frame = el("dialog.dialog").at("aria-labelledby", id);
+    let node: HtmlDialogElement = frame.dom().clone().unchecked_into();
+    let shut = node.clone();
+    let close = icon_button("button.icon", "✕", t("page.close"), move || shut.close());
+    let open = move || {
+        if asked.get() {
+            let _ = node.show_modal();
+            asked.set(false);
         }
     };
-    let rows = KEYS.map(|(key, what)| view! { <tr><th scope="row"><kbd>{key}</kbd></th><td>{t(what)}</td></tr> });
-    view! {
-        <dialog node_ref=node class="dialog" aria-labelledby="help-title">
-            <header><h2 id="help-title">{t("page.help")}</h2><button type="button" class="icon" aria-label=t("page.close") on:click=close>"✕"</button></header>
-            <p>{t("page.help-about")}</p>
-            <p>{t("page.help-program")}</p>
-            <p>{t("page.help-hand")}</p>
-            <h3>{t("page.keys")}</h3>
-            <table class="shortcuts"><tbody>{rows.into_iter().collect_view()}</tbody></table>
-            <label class="check"><input type="checkbox" checked=keys::on() on:change=move |event| keys::turn(event_target_checked(&event)) />{t("page.keys-on")}</label>
-        </dialog>
-    }
-    .into_any()
+    frame.add(&[el("header").add(&[el("h2").at("id", id).text(title), close])]).run(open)
 }

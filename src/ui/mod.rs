@@ -12,6 +12,8 @@ mod dom;
 
 mod editor;
 
+mod el;
+
 mod field;
 
 mod files;
@@ -60,6 +62,7 @@ use cards::cards;
 use charts::chart_pane;
 use checker::check_dialog;
 use files::export_dialog;
+use el::{El, button, check, el, icon_button};
 use form::form;
 use hand::hand;
 use header::header;
@@ -70,87 +73,102 @@ use stage::Stage;
 use transport::{mode_tone, mode_words, transport};
 use words::{sign, t};
 
+use crate::motion::RunEnd;
+
 pub use checker::work;
 
 /// The page.
 #[component]
 pub fn App() -> impl IntoView {
+    let host: NodeRef<html::Div> = NodeRef::new();
+    host.on_load(|host| {
+        if let Some(page) = page() {
+            let _ = host.append_child(page.dom());
+        }
+    });
+    view! { <div class="app" node_ref=host></div> }
+}
+
+/// All of the page; nothing where there is no machine to show.
+fn page() -> Option<El> {
     let (project, found) = store::load();
-    let Some(project) = project else { return ().into_any() };
-    let model = Model::new(project, found);
+    let model = Model::new(project?, found);
     keys::listen(model);
     files::listen(model);
     model.player.settle();
-    view! {
-        {header(model)}
-        {notices(model)}
-        <main class="page">
-            {form(model)}
-            <div class="centre">
-                {cards(model)}
-                {drawing(model)}
-                {transport(model)}
-                {hand(model)}
-                {chart_pane(model)}
-            </div>
-            {side(model)}
-        </main>
-        {about_popup(model)}
-        {export_dialog(model)}
-        {help_dialog(model)}
-        {check_dialog(model)}
-        <div class="hidden" role="status">{move || model.said.get()}</div>
-    }
-    .into_any()
+    let centre = el("div.centre").add(&[
+        cards(model),
+        drawing(model),
+        transport(model),
+        hand(model),
+        chart_pane(model),
+    ]);
+    Some(el("div.app").add(&[
+        header(model),
+        notices(model),
+        el("main.page").add(&[form(model), centre, side(model)]),
+        about_popup(model),
+        export_dialog(model),
+        help_dialog(model),
+        check_dialog(model),
+        el("div.hidden").at("role", "status").live(move || model.said.get()),
+    ]))
 }
 
 /// The machine.
-fn drawing(model: Model) -> AnyView {
+fn drawing(model: Model) -> El {
     let player = model.player;
-    let host: NodeRef<html::Div> = NodeRef::new();
-    let mode = Memo::new(move |_| player.now.with(|now| now.mode));
-    let strobe = move |event| {
-        player.strobe.set(event_target_checked(&event));
-        player.ask();
-    };
-    Effect::new(move |_| {
-        let Some(host) = host.get() else { return };
+    let stage = el("div.stage").at("tabindex", "0").at("role", "group").label(t("page.drawing"));
+    let host = stage.dom().clone();
+    let draw = move || {
         model.scene.with(|scene| {
             host.set_inner_html(&stage::svg(scene));
             player.set_stage(Some(Stage::new(&host, scene)));
         });
-    });
-    view! {
-        <section class="pane drawing" id="machine" aria-label=t("page.drawing")>
-            <div class="stage" node_ref=host></div>
-            <span class=move || format!("mode {}", mode_tone(mode.get()))>{move || mode_words(mode.get())}</span>
-            <label class="check strobe"><input type="checkbox" prop:checked=move || player.strobe.get() on:change=strobe />{t("page.strobe")}</label>
-        </section>
+    };
+    let mode = move || player.now.with(|now| now.mode);
+    let strobe = move |on| {
+        player.strobe.set(on);
+        player.ask();
+    };
+    el("section.pane.drawing#machine").label(t("page.drawing")).add(&[
+        stage.run(draw),
+        el("span").bind("class", move || format!("mode {}", mode_tone(mode()))).live(move || mode_words(mode()).to_owned()),
+        el("p.why").at("role", "status").live(move || why(model)),
+        el("div.strobe").add(&[check(t("page.strobe"), move || player.strobe.get(), strobe)]),
+    ])
+}
+
+/// Why the machine stands at the end of what is planned.
+fn why(model: Model) -> String {
+    let (at, (planned, _)) = (model.player.now.with(|now| now.t), model.player.planned.get());
+    match model.player.ended.get().filter(|_| at >= planned) {
+        None => String::new(),
+        Some(RunEnd::ProgramEnd) => t("page.end-program").to_owned(),
+        Some(RunEnd::Stop) => t("page.end-stop").to_owned(),
+        Some(RunEnd::Alarm(alarm)) => format!("{} {}", alarm.alarm.unwrap_or_default(), words::tell(&alarm)),
+        Some(RunEnd::Blocks | RunEnd::Seconds) => t("page.end-budget").to_owned(),
     }
-    .into_any()
 }
 
 /// What the user has to know until it is dismissed.
-fn notices(model: Model) -> AnyView {
-    let rows = move || model.notices.get().into_iter().map(|notice| row(model, notice)).collect_view();
-    view! { <div class="notices" aria-live="polite">{rows}</div> }.into_any()
+fn notices(model: Model) -> El {
+    let rows = move || model.notices.get().into_iter().map(|notice| row(model, notice)).collect();
+    el("div.notices").at("aria-live", "polite").swap(rows)
 }
 
-fn row(model: Model, notice: Notice) -> AnyView {
+fn row(model: Model, notice: Notice) -> El {
     let text = notice.text.clone();
-    let dismiss = move |_| model.notices.update(|notices| notices.retain(|other| other.text != text));
-    let file = notice.file.map(|(name, content)| {
-        let save = move |_| dom::download(name, "text/plain", content.as_bytes());
-        view! { <button type="button" on:click=save>{t("page.save-file")}</button> }
+    let dismiss = move || model.notices.update(|notices| notices.retain(|other| other.text != text));
+    let save = notice.file.map(|(name, content)| {
+        button("button", t("page.save-file"), move || dom::download(name, "text/plain", content.as_bytes()))
     });
-    view! {
-        <div class=format!("notice {}", notice.tone)>
-            <p><i aria-hidden="true">{sign(notice.tone)}</i> {notice.text}</p>
-            {file}
-            <button type="button" class="icon" aria-label=t("page.dismiss") on:click=dismiss>"✕"</button>
-        </div>
-    }
-    .into_any()
+    let mark = el("i").at("aria-hidden", "true").text(sign(notice.tone));
+    el("div")
+        .at("class", &format!("notice {}", notice.tone))
+        .add(&[el("p").add(&[mark]).text(" ").text(&notice.text)])
+        .maybe(save)
+        .add(&[icon_button("button.icon", "✕", t("page.dismiss"), dismiss)])
 }
 
 /// Tells in plain DOM that the page has stopped: after a panic no signal works any more.

@@ -46,6 +46,8 @@ pub(super) struct Model {
     pub design: Local<Rc<Design>>,
     /// The program files, parsed.
     pub written: Local<Rc<Written>>,
+    /// What is said of the program: by writing and reading it, then by running it.
+    pub findings: Memo<Vec<Diagnostic>>,
     /// The drawing.
     pub scene: Local<Scene>,
     /// Fields whose text is wrong, with what is wrong.
@@ -95,10 +97,21 @@ impl Model {
         let scene = project.machine.scene(&project.values);
         let player = Player::new();
         player.load(&project, &written);
+        let written = RwSignal::new_local(written);
+        let findings = Memo::new(move |_| {
+            let mut found = written.with(|written| written.diagnostics.clone());
+            for told in player.findings() {
+                if !found.contains(&told) {
+                    found.push(told);
+                }
+            }
+            found
+        });
         let model = Model {
+            findings,
             project: RwSignal::new_local(project),
             design: RwSignal::new_local(design),
-            written: RwSignal::new_local(written),
+            written,
             scene: RwSignal::new_local(scene),
             invalid: RwSignal::new_local(BTreeMap::new()),
             reread: RwSignal::new_local(0),
@@ -252,6 +265,11 @@ impl Model {
             found.extend(errors.filter(|d| !found_field(&self.invalid, d)).cloned());
         });
         found
+    }
+
+    /// Whether the results are those before a wrong entry.
+    pub(super) fn is_stale(self) -> bool {
+        !self.wrong_fields().is_empty()
     }
 
     /// Shows a notice.

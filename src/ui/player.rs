@@ -10,11 +10,11 @@ use super::model::Local;
 use super::stage::Stage;
 use crate::machines::form::Values;
 use crate::machines::{AnyMachine, Frame, Samples};
-use crate::motion::{Action, Event, Keep, Limits, Snapshot};
+use crate::motion::{Action, Event, Keep, Limits, RunEnd, Snapshot};
 use crate::project::Project;
 use crate::project::program::Written;
 use crate::project::run::{self, Begin};
-use crate::text::Place;
+use crate::text::{Diagnostic, Place};
 
 /// Machine seconds per second.
 pub(super) const SPEEDS: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
@@ -57,6 +57,8 @@ pub(super) struct Player {
     pub running: Local<Option<Place>>,
     /// Seconds that are planned, and whether the run is over there.
     pub planned: Local<(f64, bool)>,
+    /// Why the run is over, where the plan has reached its end.
+    pub ended: Local<Option<RunEnd>>,
     /// Seconds shown by the charts; 0 is the whole plan.
     pub window: Local<f64>,
     /// Counts the plans, for what asks the planner itself.
@@ -112,7 +114,8 @@ impl Player {
             now: RwSignal::new_local(Snapshot::default()),
             running: RwSignal::new_local(None),
             planned: RwSignal::new_local((0.0, false)),
-            window: RwSignal::new_local(2.0),
+            ended: RwSignal::new_local(None),
+            window: RwSignal::new_local(10.0),
             plans: RwSignal::new_local(0),
         };
         player.frames.set_value(Some(Frames::new(move |stamp| player.frame(stamp))));
@@ -210,6 +213,12 @@ impl Player {
         self.state.with_value(|state| state.planner.as_ref().map(question))
     }
 
+    /// What the run has said so far, as far as it is planned.
+    pub(super) fn findings(self) -> Vec<Diagnostic> {
+        self.plans.track();
+        self.ask_planner(|planner| planner.diagnostics().to_vec()).unwrap_or_default()
+    }
+
     /// The charts of the whole plan, for a file.
     pub(super) fn all_charts(self, points: usize) -> Vec<crate::view::Chart> {
         let end = self.planned.get_untracked().0;
@@ -254,13 +263,17 @@ impl Player {
                 let progress = planner.advance(until, STEPS);
                 let done = progress.ended.is_some() || progress.planned_to >= until;
                 if done || dom::now() - begun > budget {
-                    return Some((progress.planned_to, progress.ended.is_some(), !done));
+                    return Some((progress.planned_to, progress.ended, !done));
                 }
             }
         });
         let Some(Some((planned, ended, more))) = more else { return false };
-        if self.planned.get_untracked() != (planned, ended) {
-            self.planned.set((planned, ended));
+        let over = ended.is_some();
+        if self.ended.with_untracked(|last| *last != ended) {
+            self.ended.set(ended);
+        }
+        if self.planned.get_untracked() != (planned, over) {
+            self.planned.set((planned, over));
             self.plans.update(|count| *count += 1);
             self.state.update_value(|state| state.charts_stale |= state.charts.wants(planned));
         }

@@ -1,16 +1,14 @@
 //! The program files: the running block marked, findings at their place, and the ways to change the text.
 
-use std::rc::Rc;
-
-use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use web_sys::Element;
+use web_sys::{Element, Event};
 
 use super::dom;
 use super::editor::{difference, editor};
+use super::el::{El, button, check, el};
 use super::listing;
-use super::model::Model;
+use super::model::{Local, Model};
 use super::words::{sign, t, tone};
 use crate::nc;
 use crate::text::{FileId, LineIndex};
@@ -24,30 +22,26 @@ enum Shown {
 }
 
 /// The program tab.
-pub(super) fn program(model: Model) -> AnyView {
+pub(super) fn program(model: Model) -> Vec<El> {
     let shown = RwSignal::new_local(Shown::Listing);
     let follow = RwSignal::new_local(true);
     let files = move || {
-        model.written.with(|written| {
-            let chips = written.files.0.iter().enumerate().map(|(at, file)| {
-                let chosen = move || model.file.get() == at;
-                let name = file.name.clone();
-                view! { <button type="button" class="chip" aria-pressed=move || chosen().to_string() on:click=move |_| model.file.set(at)>{name}</button> }
-            });
-            chips.collect_view()
-        })
+        let names: Vec<String> = model.written.with(|written| written.files.0.iter().map(|file| file.name.clone()).collect());
+        let chip = |(at, name): (usize, &String)| {
+            button("button.chip", name, move || model.file.set(at)).state("aria-pressed", move || model.file.get() == at)
+        };
+        names.iter().enumerate().map(chip).collect()
     };
     // The file that runs is shown while one follows the run.
-    Effect::new(move |_| {
+    let run = move || {
         if let Some(place) = model.player.running.get()
             && follow.get()
             && shown.get_untracked() == Shown::Listing
-            && model.player.playing.get_untracked()
         {
             model.file.set(place.file.0 as usize);
         }
-    });
-    let copy = move |_| {
+    };
+    let copy = move || {
         model.written.with_untracked(|written| {
             if let Some(file) = written.files.0.get(model.file.get_untracked()) {
                 dom::copy(&file.text);
@@ -55,69 +49,75 @@ pub(super) fn program(model: Model) -> AnyView {
             }
         });
     };
-    let edit =
-        move |_| shown.update(|shown| *shown = if *shown == Shown::Editor { Shown::Listing } else { Shown::Editor });
-    let paper = move |_| {
+    let paper = move || {
         model.edit("", |project| project.edited = Some(project.listing()));
         model.file.set(0);
         shown.set(Shown::Listing);
     };
     let body = move || match shown.get() {
-        Shown::Listing => listing_view(model, follow),
+        Shown::Listing => vec![listing_view(model, follow)],
         Shown::Editor => editor(model),
         Shown::Difference => difference(model),
     };
     let counts = move || {
-        model.written.with(|written| {
-            let rows = listing::count(&written.diagnostics).into_iter().filter(|(_, count)| *count > 0);
-            rows.map(|(severity, count)| view! { <span class=tone(severity)>{sign(tone(severity))} " " {count}</span> })
-                .collect_view()
+        model.findings.with(|findings| {
+            let rows = listing::count(findings).into_iter().filter(|(_, count)| *count > 0);
+            rows.map(|(severity, count)| {
+                let tone = tone(severity);
+                el("span").at("class", tone).text(&format!("{} {count}", sign(tone)))
+            })
+            .collect()
         })
     };
-    view! {
-        <div class="bar">
-            <div class="chips" role="group" aria-label=t("page.files")>{files}</div>
-            <span class="counts">{counts}</span>
-        </div>
-        <div class="bar tools">
-            <button type="button" class="quiet" aria-pressed=move || (shown.get() == Shown::Editor).to_string() on:click=edit>{t("page.edit")}</button>
-            <button type="button" class="quiet" on:click=copy>{t("page.copy")}</button>
-            <label class="check"><input type="checkbox" prop:checked=move || follow.get() on:change=move |event| follow.set(event_target_checked(&event)) />{t("page.follow")}</label>
-            <button type="button" class="quiet end" on:click=paper>{t("page.paper")}</button>
-        </div>
-        {move || model.written.with(|written| written.edited).then(|| detached(model, shown))}
-        {body}
-    }
-    .into_any()
+    let edited = Memo::new(move |_| model.written.with(|written| written.edited));
+    let bar = move || if edited.get() { detached(model, shown) } else { Vec::new() };
+    vec![
+        el("div.bar").add(&[
+            el("div.chips").at("role", "group").label(t("page.files")).swap(files),
+            el("span.counts").swap(counts),
+        ]),
+        el("div.bar.tools").add(&[
+            toggle(shown, Shown::Editor, t("page.edit")),
+            button("button.quiet", t("page.copy"), copy),
+            check(t("page.follow"), move || follow.get(), move |on| follow.set(on)),
+            button("button.quiet.end", t("page.paper"), paper),
+        ]),
+        el("div").swap(bar),
+        el("div.fill").swap(body).run(run),
+    ]
+}
+
+/// A button that shows something else in place of the listing, and the listing again.
+fn toggle(shown: Local<Shown>, what: Shown, words: &str) -> El {
+    let press = move || shown.update(|shown| *shown = if *shown == what { Shown::Listing } else { what });
+    button("button.quiet", words, press).state("aria-pressed", move || shown.get() == what)
 }
 
 /// The bar of a program that the form does not write any more.
-fn detached(model: Model, shown: RwSignal<Shown, LocalStorage>) -> AnyView {
-    let again = move |_| {
+fn detached(model: Model, shown: Local<Shown>) -> Vec<El> {
+    let again = move || {
         model.edit("", |project| project.edited = None);
         model.file.set(0);
         shown.set(Shown::Listing);
     };
-    let difference = move |_| {
-        shown.update(|shown| *shown = if *shown == Shown::Difference { Shown::Listing } else { Shown::Difference });
-    };
-    let hidden = RwSignal::new_local(false);
-    view! {
-        <div class="detached" class:small=move || hidden.get()>
-            <p><b>{t("page.detached")}</b> <span>{t("page.detached-why")}</span></p>
-            <button type="button" aria-pressed=move || (shown.get() == Shown::Difference).to_string() on:click=difference>{t("page.difference")}</button>
-            <button type="button" on:click=again>{t("page.write-again")}</button>
-            <button type="button" class="keep" on:click=move |_| hidden.set(true)>{t("page.keep")}</button>
-        </div>
-    }
-    .into_any()
+    let bar = el("div.detached");
+    let list = bar.dom().class_list();
+    let keep = move || drop(list.add_1("small"));
+    let why = el("p").add(&[el("b").text(t("page.detached"))]).text(" ").add(&[el("span").text(t("page.detached-why"))]);
+    vec![bar.add(&[
+        why,
+        toggle(shown, Shown::Difference, t("page.difference")),
+        button("button", t("page.write-again"), again),
+        button("button.keep", t("page.keep"), keep),
+    ])]
 }
 
 /// The lines of the chosen file.
-fn listing_view(model: Model, follow: RwSignal<bool, LocalStorage>) -> AnyView {
-    let host: NodeRef<html::Ol> = NodeRef::new();
+fn listing_view(model: Model, follow: Local<bool>) -> El {
+    let list = el("ol.listing").at("tabindex", "0").label(t("page.listing"));
+    let host = list.dom().clone();
     let rows = StoredValue::new_local((Vec::<Element>::new(), None::<usize>));
-    let lines = StoredValue::new_local(None::<Rc<LineIndex>>);
+    let lines = StoredValue::new_local(None::<LineIndex>);
     let mark = move || {
         let place = model.player.running.get_untracked();
         let here = place.filter(|place| place.file.0 as usize == model.file.get_untracked());
@@ -140,25 +140,20 @@ fn listing_view(model: Model, follow: RwSignal<bool, LocalStorage>) -> AnyView {
             }
         });
     };
-    Effect::new(move |_| {
-        let Some(host) = host.get() else { return };
+    let draw = move || {
         let at = model.file.get();
+        let findings = model.findings.get();
         model.written.with(|written| {
             let Some(file) = written.files.0.get(at) else { return };
             let control = written.parsed.control();
-            host.set_inner_html(&listing::html(file, FileId(at as u16), control, &written.diagnostics));
-            lines.set_value(Some(Rc::new(LineIndex::new(&file.text))));
+            host.set_inner_html(&listing::html(file, FileId(at as u16), control, &findings));
+            lines.set_value(Some(LineIndex::new(&file.text)));
         });
         rows.set_value((dom::all(&host, "[data-l]"), None));
         mark();
-    });
-    Effect::new(move |_| {
-        model.player.running.track();
-        mark();
-    });
-    let click = move |event: web_sys::MouseEvent| {
-        let button =
-            event.target().and_then(|e| e.dyn_into::<Element>().ok()).and_then(|e| e.closest("[data-fix]").ok()?);
+    };
+    let click = move |event: Event| {
+        let button = event.target().and_then(|e| e.dyn_into::<Element>().ok()).and_then(|e| e.closest("[data-fix]").ok()?);
         let numbers = button.and_then(|button| button.get_attribute("data-fix")).unwrap_or_default();
         if let Some((diagnostic, fix)) = numbers.split_once(',')
             && let (Ok(diagnostic), Ok(fix)) = (diagnostic.parse(), fix.parse())
@@ -166,8 +161,11 @@ fn listing_view(model: Model, follow: RwSignal<bool, LocalStorage>) -> AnyView {
             mend(model, diagnostic, fix);
         }
     };
-    view! { <ol class="listing" tabindex="0" aria-label=t("page.listing") node_ref=host on:click=click></ol> }
-        .into_any()
+    let run = move || {
+        model.player.running.track();
+        mark();
+    };
+    list.run(draw).run(run).on("click", click)
 }
 
 /// Brings a line into view within its list only, so that the page itself stands still.
@@ -184,9 +182,9 @@ fn reveal(row: &Element) {
 
 /// Applies a fix, both by number; the program is then an edited one.
 pub(super) fn mend(model: Model, diagnostic: usize, fix: usize) {
-    let mended = model.written.with_untracked(|written| {
-        let fix = written.diagnostics.get(diagnostic)?.fixes.get(fix)?;
-        Some(nc::fix(&written.files, fix))
+    let mended = model.findings.with_untracked(|findings| {
+        let fix = findings.get(diagnostic)?.fixes.get(fix)?;
+        Some(model.written.with_untracked(|written| nc::fix(&written.files, fix)))
     });
     if let Some(files) = mended {
         model.edit("", |project| project.edited = Some(files));

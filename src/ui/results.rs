@@ -3,39 +3,46 @@
 use leptos::prelude::*;
 
 use super::cards::{limit, verdict, verdict_words};
+use super::el::{El, el};
 use super::model::Model;
 use super::words::{figure, say, sign, t, tell, tone};
 use crate::text::Diagnostic;
 use crate::view::Readout;
 
 /// The results tab.
-pub(super) fn results(model: Model) -> AnyView {
-    let rows = move || model.design.with(|design| design.readouts.iter().map(result).collect_view());
-    let remarks = move || model.design.with(|design| design.diagnostics.iter().map(remark).collect_view());
-    view! {
-        <ul class="remarks">{remarks}</ul>
-        <div class="results" class:old=move || !model.wrong_fields().is_empty()>{rows}</div>
-    }
-    .into_any()
+pub(super) fn results(model: Model) -> Vec<El> {
+    let remarks = move || model.design.with(|design| design.diagnostics.iter().map(remark).collect());
+    let rows = move || model.design.with(|design| design.readouts.iter().map(result).collect());
+    vec![
+        el("ul.remarks").swap(remarks),
+        el("div.results").mark("old", move || model.is_stale()).swap(rows),
+    ]
 }
 
-fn remark(diagnostic: &Diagnostic) -> AnyView {
+fn remark(diagnostic: &Diagnostic) -> El {
     let tone = tone(diagnostic.severity);
-    view! { <li class=tone><i aria-hidden="true">{sign(tone)}</i> {tell(diagnostic)}</li> }.into_any()
+    el("li").at("class", tone).add(&[mark_of(tone)]).text(" ").text(&tell(diagnostic))
 }
 
-fn result(readout: &Readout) -> AnyView {
+fn mark_of(tone: &str) -> El {
+    el("i").at("aria-hidden", "true").text(sign(tone))
+}
+
+fn result(readout: &Readout) -> El {
     let tone = verdict(readout.verdict);
-    let advice: Vec<_> = readout.advice.iter().map(|advice| view! { <li>{say(advice)}</li> }).collect();
-    view! {
-        <article class=format!("result {tone}") id=format!("result-{}", readout.id) tabindex="-1">
-            <h3><i aria-hidden="true">{sign(tone)}</i> {t(readout.label)} <span class="hidden">{verdict_words(readout.verdict)}</span></h3>
-            <p class="v">{figure(readout.value, readout.decimals)} <small>{readout.unit}</small></p>
-            {limit(readout).map(|limit| view! { <p class="limit">{limit}</p> })}
-            {(!readout.formula.is_empty()).then(|| view! { <p class="formula"><code>{readout.formula}</code></p> })}
-            {(!advice.is_empty()).then(|| view! { <ul>{advice}</ul> })}
-            <p class="source">{readout.cite.source}</p>
-        </article>
+    let title = el("h3").add(&[mark_of(tone)]).text(" ").text(t(readout.label));
+    let title = title.add(&[el("span.hidden").text(verdict_words(readout.verdict))]);
+    let value = el("p.v").text(&figure(readout.value, readout.decimals)).text(" ").add(&[el("small").text(readout.unit)]);
+    let mut parts = vec![title, value];
+    parts.extend(limit(readout).map(|limit| el("p.limit").text(&limit)));
+    if !readout.formula.is_empty() {
+        parts.push(el("p.formula").add(&[el("code").text(readout.formula)]));
     }
-    .into_any()
+    if !readout.advice.is_empty() {
+        let rows: Vec<El> = readout.advice.iter().map(|advice| el("li").text(&say(advice))).collect();
+        parts.push(el("ul").add(&rows));
+    }
+    parts.push(el("p.source").text(readout.cite.source));
+    let id = format!("result-{}", readout.id);
+    el("article").at("class", &format!("result {tone}")).at("id", &id).at("tabindex", "-1").add(&parts)
 }

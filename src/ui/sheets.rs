@@ -2,29 +2,30 @@
 
 use leptos::prelude::*;
 
+use super::el::{El, el};
 use super::model::Model;
 use super::words::t;
 use crate::text::Grade;
 use crate::view::{Sheet, ladder};
 
 /// The sheet of the control's parameters.
-pub(super) fn parameters(model: Model) -> AnyView {
+pub(super) fn parameters(model: Model) -> Vec<El> {
     sheets(model, |id| id == "parameters")
 }
 
 /// Interface and ladder.
-pub(super) fn plc(model: Model) -> AnyView {
+pub(super) fn plc(model: Model) -> Vec<El> {
     sheets(model, |id| id != "parameters")
 }
 
-fn sheets(model: Model, which: fn(&str) -> bool) -> AnyView {
+fn sheets(model: Model, which: fn(&str) -> bool) -> Vec<El> {
     let all = move || {
         model.project.with(|project| {
-            let sheets = project.machine.sheets(&project.values, project.control);
-            sheets.iter().filter(|sheet| which(sheet.id)).map(table).collect_view()
+            let sheets = project.machine.sheets(&project.values, project.control, &project.switches);
+            sheets.iter().filter(|sheet| which(sheet.id)).flat_map(table).collect()
         })
     };
-    view! { <div class="sheets">{all}</div> }.into_any()
+    vec![el("div.sheets").swap(all)]
 }
 
 fn grade(grade: Grade) -> &'static str {
@@ -37,23 +38,25 @@ fn grade(grade: Grade) -> &'static str {
     }
 }
 
-fn table(sheet: &Sheet) -> AnyView {
-    let heads: Vec<_> = sheet.columns.iter().map(|column| view! { <th scope="col">{t(column)}</th> }).collect();
-    let rows: Vec<_> = sheet
+fn table(sheet: &Sheet) -> Vec<El> {
+    let mut parts = vec![el("h3").text(t(sheet.title))];
+    if !sheet.ladder.is_empty() {
+        let drawing = el("div.scroll");
+        drawing.dom().set_inner_html(&ladder::svg(&sheet.ladder));
+        parts.push(drawing);
+    }
+    let head = |id: &&'static str| el("th").at("scope", "col").text(t(id));
+    let heads: Vec<El> = sheet.columns.iter().chain(&["page.grade"]).map(head).collect();
+    let rows: Vec<El> = sheet
         .rows
         .iter()
         .map(|row| {
-            let cells: Vec<_> = row.cells.iter().map(|cell| view! { <td>{cell.clone()}</td> }).collect();
-            let class = if row.grade == Grade::Open { "grade open" } else { "grade" };
-            view! { <tr>{cells}<td class=class title=row.source>{grade(row.grade)}</td></tr> }
+            let cells: Vec<El> = row.cells.iter().map(|cell| el("td").text(cell)).collect();
+            let class = if row.grade == Grade::Open { "td.grade.open" } else { "td.grade" };
+            el("tr").add(&cells).add(&[el(class).at("title", row.source).text(grade(row.grade))])
         })
         .collect();
-    view! {
-        <h3>{t(sheet.title)}</h3>
-        {(!sheet.ladder.is_empty()).then(|| view! { <div class="scroll" inner_html=ladder::svg(&sheet.ladder)></div> })}
-        <div class="scroll" tabindex="0" role="group" aria-label=t(sheet.title)>
-            <table class="sheet"><thead><tr>{heads}<th scope="col">{t("page.grade")}</th></tr></thead><tbody>{rows}</tbody></table>
-        </div>
-    }
-    .into_any()
+    let table = el("table.sheet").add(&[el("thead").add(&[el("tr").add(&heads)]), el("tbody").add(&rows)]);
+    parts.push(el("div.scroll").at("tabindex", "0").at("role", "group").label(t(sheet.title)).add(&[table]));
+    parts
 }

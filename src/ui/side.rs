@@ -1,9 +1,11 @@
 //! The tabs at the side: program, results, variables, sheets.
 
 use leptos::prelude::*;
-use web_sys::KeyboardEvent;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::{Event, KeyboardEvent};
 
 use super::dom;
+use super::el::{El, button, el};
 use super::model::Model;
 use super::program::program;
 use super::results::results;
@@ -47,10 +49,11 @@ pub(super) fn open_result(model: Model, id: &'static str) {
 }
 
 /// The tabs.
-pub(super) fn side(model: Model) -> AnyView {
+pub(super) fn side(model: Model) -> El {
     let tab = model.tab;
     // Arrow keys move between tabs, as in any list of tabs.
-    let keys = move |event: KeyboardEvent| {
+    let keys = move |event: Event| {
+        let event: &KeyboardEvent = event.unchecked_ref();
         let at = TABS.iter().position(|(one, ..)| *one == tab.get_untracked()).unwrap_or(0);
         let to = match event.key().as_str() {
             "ArrowRight" => (at + 1) % TABS.len(),
@@ -64,10 +67,13 @@ pub(super) fn side(model: Model) -> AnyView {
     };
     let tabs = TABS.map(|(one, id, label)| {
         let chosen = move || tab.get() == one;
-        view! {
-            <button type="button" role="tab" id=id aria-controls="side-body" aria-selected=move || chosen().to_string()
-                tabindex=move || if chosen() { "0" } else { "-1" } on:click=move |_| tab.set(one)>{t(label)}</button>
-        }
+        let index = move || if chosen() { "0" } else { "-1" }.to_owned();
+        button("button", t(label), move || tab.set(one))
+            .at("role", "tab")
+            .at("id", id)
+            .at("aria-controls", "side-body")
+            .state("aria-selected", chosen)
+            .bind("tabindex", index)
     });
     let body = move || match tab.get() {
         Tab::Program => program(model),
@@ -76,12 +82,8 @@ pub(super) fn side(model: Model) -> AnyView {
         Tab::Parameters => parameters(model),
         Tab::Plc => plc(model),
     };
-    let label = move || TABS.iter().find(|(one, ..)| *one == tab.get()).map_or("", |(_, id, _)| *id);
-    view! {
-        <section class="pane side" id="side" aria-label=t("page.side")>
-            <div class="tabs" role="tablist" on:keydown=keys>{tabs.into_iter().collect_view()}</div>
-            <div class="body" id="side-body" role="tabpanel" aria-labelledby=label>{body}</div>
-        </section>
-    }
-    .into_any()
+    let label = move || TABS.iter().find(|(one, ..)| *one == tab.get()).map_or("", |(_, id, _)| *id).to_owned();
+    let tabs = el("div.tabs").at("role", "tablist").add(&tabs).on("keydown", keys);
+    let body = el("div.body#side-body").at("role", "tabpanel").bind("aria-labelledby", label).swap(body);
+    el("section.pane.side#side").label(t("page.side")).add(&[tabs, body])
 }

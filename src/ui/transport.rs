@@ -1,8 +1,10 @@
 //! Play, pause, single steps, speed, and the slider of the play head.
 
 use leptos::prelude::*;
+use web_sys::Event;
 
 use super::dom;
+use super::el::{El, button, el, value};
 use super::model::Model;
 use super::player::SPEEDS;
 use super::words::t;
@@ -13,11 +15,6 @@ const ICON_BACK: &str = "M11 3h2v10h-2zM9 3v10L2 8z";
 const ICON_STEP: &str = "M3 3h2v10H3zM7 3v10l7-5z";
 const ICON_PLAY: &str = "M4 2.5v11l9-5.5z";
 const ICON_PAUSE: &str = "M4 3h3v10H4zM9 3h3v10H9z";
-
-/// A sign that looks the same with every font.
-fn icon(path: &'static str) -> AnyView {
-    view! { <svg class="sign" viewBox="0 0 16 16" aria-hidden="true"><path d=path /></svg> }.into_any()
-}
 
 /// What the control does, in words.
 pub(super) fn mode_words(mode: Mode) -> &'static str {
@@ -49,50 +46,48 @@ fn speed_text(speed: f64) -> String {
 }
 
 /// The transport.
-pub(super) fn transport(model: Model) -> AnyView {
+pub(super) fn transport(model: Model) -> El {
     let player = model.player;
-    let playing = player.playing;
-    let speeds = SPEEDS.map(|speed| {
-        let chosen = move || player.speed.get() == speed;
-        view! { <option value=speed.to_string() prop:selected=chosen>{speed_text(speed)}</option> }
-    });
-    let set_speed = move |event| {
-        if let Ok(speed) = event_target_value(&event).parse() {
-            player.speed.set(speed);
-        }
-    };
+    let playing = move || player.playing.get();
+    let speeds = SPEEDS.map(|speed| el("option").at("value", &speed.to_string()).text(&speed_text(speed)));
+    let speed = el("select.speed").label(t("page.speed")).add(&speeds).valued(move || player.speed.get().to_string());
+    let speed = speed.on("change", move |event| drop(value(&event).parse().map(|speed| player.speed.set(speed))));
     let scrub = move |event| {
         player.playing.set(false);
-        if let Ok(ms) = event_target_value(&event).parse::<f64>() {
-            player.seek(ms / 1000.0);
-        }
+        drop(value(&event).parse::<f64>().map(|ms| player.seek(ms / 1000.0)));
     };
-    let seek = move |event: web_sys::Event| {
-        let text = event_target_value(&event).replace(',', ".");
-        if let Ok(t) = text.trim().parse::<f64>() {
+    let go_to = move |event: Event| {
+        if let Ok(t) = value(&event).trim().replace(',', ".").parse::<f64>() {
             player.playing.set(false);
             player.seek(t);
         }
-        if let Some(input) = dom::by_id("go-to") {
-            let _ = input.blur();
+    };
+    let play = key("button.icon.play#play", ICON_PLAY, "page.play", "page.play-key", move || player.toggle());
+    let sign = play.dom().query_selector("path").ok().flatten();
+    let follow = move || {
+        if let Some(sign) = &sign {
+            dom::set(sign, "d", if playing() { ICON_PAUSE } else { ICON_PLAY });
         }
     };
+    let play = play.run(follow).bind("aria-label", move || t(if playing() { "page.pause" } else { "page.play" }).to_owned());
     let total = move || super::words::clock(player.planned.get().0);
-    view! {
-        <section class="transport" aria-label=t("page.transport")>
-            <input type="range" id="head" class="scrub" min="0" max="1" step="1" aria-label=t("page.head") on:input=scrub />
-            <div class="keys">
-                <button type="button" class="icon" aria-label=t("page.to-start") title=t("page.to-start-key") on:click=move |_| player.seek(0.0)>{icon(ICON_START)}</button>
-                <button type="button" class="icon" aria-label=t("page.step-back") title=t("page.step-back-key") on:click=move |_| player.step(false)>{icon(ICON_BACK)}</button>
-                <button type="button" class="icon play" id="play" aria-label=move || t(if playing.get() { "page.pause" } else { "page.play" })
-                    title=t("page.play-key") on:click=move |_| player.toggle()>{move || icon(if playing.get() { ICON_PAUSE } else { ICON_PLAY })}</button>
-                <button type="button" class="icon" aria-label=t("page.step") title=t("page.step-key") on:click=move |_| player.step(true)>{icon(ICON_STEP)}</button>
-                <span class="time"><b id="clock">"00:00.0000"</b> <span class="total">{total}</span></span>
-                <select class="speed" aria-label=t("page.speed") on:change=set_speed>{speeds.into_iter().collect_view()}</select>
-                <label class="goto"><span>{t("page.go-to")}</span>
-                    <input type="text" id="go-to" inputmode="decimal" autocomplete="off" placeholder="s" on:change=seek /></label>
-            </div>
-        </section>
-    }
-    .into_any()
+    let go_to = el("input#go-to").at("type", "text").at("inputmode", "decimal").at("placeholder", "s").on("change", go_to);
+    let head = el("input.scrub#head").at("type", "range").at("min", "0").at("max", "1").label(t("page.head"));
+    let keys = el("div.keys").add(&[
+        key("button.icon", ICON_START, "page.to-start", "page.to-start-key", move || player.seek(0.0)),
+        key("button.icon", ICON_BACK, "page.step-back", "page.step-back-key", move || player.step(false)),
+        play,
+        key("button.icon", ICON_STEP, "page.step", "page.step-key", move || player.step(true)),
+        el("span.time").add(&[el("b#clock").text("00:00.0000"), el("span.total").live(total)]),
+        speed,
+        el("label.goto").text(t("page.go-to")).add(&[go_to]),
+    ]);
+    el("section.transport").label(t("page.transport")).add(&[head.on("input", scrub), keys])
+}
+
+/// A button with a sign that looks the same with every font.
+fn key(spec: &str, path: &str, words: &'static str, title: &'static str, press: impl Fn() + 'static) -> El {
+    let sign = el("svg").at("viewBox", "0 0 16 16").at("aria-hidden", "true").at("class", "sign");
+    let sign = sign.add(&[el("path").at("d", path)]);
+    button(spec, "", press).label(t(words)).at("title", t(title)).add(&[sign])
 }

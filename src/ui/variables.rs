@@ -1,70 +1,78 @@
 //! The control's variables at the play head, to be set as on its screen.
 
-use leptos::prelude::*;
+use std::cell::Cell;
 
+use leptos::prelude::*;
+use web_sys::Event;
+
+use super::dom;
+use super::el::{El, el, value};
 use super::hand::act;
 use super::model::Model;
 use super::words::{figure, t};
 use crate::motion::Action;
 
 /// The variables tab.
-pub(super) fn variables(model: Model) -> AnyView {
-    let machine = Memo::new(move |_| model.project.with(|project| (project.machine.id(), project.control.id)));
+pub(super) fn variables(model: Model) -> Vec<El> {
+    let machine = Memo::new(move |_| model.project.with(|project| project.machine.id()));
     let rows = move || {
         machine.track();
         let rows = model.project.with_untracked(|project| project.machine.variables(project.control));
-        rows.into_iter().map(|(number, meaning, unit)| row(model, number, meaning, unit)).collect_view()
+        rows.into_iter().map(|(number, meaning, unit)| row(model, number, meaning, unit)).collect()
     };
-    view! {
-        <p class="lead">{t("page.variables-lead")}</p>
-        <table class="variables">
-            <thead><tr><th scope="col">{t("page.variable")}</th><th scope="col">{t("page.value")}</th><th scope="col">{t("page.unit")}</th><th scope="col">{t("page.meaning")}</th></tr></thead>
-            <tbody>{rows}</tbody>
-        </table>
-    }
-    .into_any()
+    let heads = ["page.variable", "page.value", "page.unit", "page.meaning"].map(|id| el("th").at("scope", "col").text(t(id)));
+    let head = el("thead").add(&[el("tr").add(&heads)]);
+    vec![
+        el("p.lead").text(t("page.variables-lead")),
+        el("table.variables").add(&[head, el("tbody").swap(rows)]),
+    ]
 }
 
-fn row(model: Model, number: u32, meaning: &'static str, unit: &'static str) -> AnyView {
+fn row(model: Model, number: u32, meaning: &'static str, unit: &str) -> El {
     let player = model.player;
-    let value = Memo::new(move |_| {
+    let name = format!("#{number}");
+    let input = el("input").at("type", "text").at("inputmode", "decimal").at("autocomplete", "off").label(&name);
+    let row = el("tr");
+    let (field, line) = (input.input().clone(), row.dom().clone());
+    let (last, flashes) = (Cell::new(None), Cell::new(0_u32));
+    let follow = move || {
         player.plans.track();
         let t = player.now.with(|now| now.t);
-        player.ask_planner(|planner| planner.variable_at(number, t)).flatten()
-    });
-    // Another animation by turns makes the row flash at each change.
-    let flash = Memo::new(move |count: Option<&u32>| {
-        value.track();
-        count.map_or(0, |count| count + 1)
-    });
-    let class = move || match flash.get() {
-        0 => "",
-        count if count.is_multiple_of(2) => "flash-a",
-        _ => "flash-b",
+        let value = player.ask_planner(|planner| planner.variable_at(number, t)).flatten();
+        if last.replace(Some(value)) == Some(value) {
+            return;
+        }
+        field.set_value(&value.map_or_else(vacant, shown));
+        // Another animation by turns makes the row flash at each change but the first.
+        let class = match flashes.replace(flashes.get() + 1) {
+            0 => "",
+            count if count.is_multiple_of(2) => "flash-a",
+            _ => "flash-b",
+        };
+        dom::set(&line, "class", class);
     };
-    let text = move || {
-        value.get().map_or_else(
-            || t("page.vacant").to_owned(),
-            |value| figure(value, 6).trim_end_matches('0').trim_end_matches('.').to_owned(),
-        )
-    };
-    let set = move |event: web_sys::Event| {
-        let typed =
-            event_target_value(&event).replace(',', ".").replace('\u{2212}', "-").replace(['\u{202f}', ' '], "");
-        let parsed =
-            if typed.is_empty() { Some(None) } else { typed.parse::<f64>().ok().filter(|v| v.is_finite()).map(Some) };
-        match parsed {
-            Some(value) => act(model, Action::Variable(number, value)),
-            None => model.notify("warn", t("page.not-a-value").to_owned()),
+    let set = move |event: Event| {
+        let typed = value(&event).replace(',', ".").replace('\u{2212}', "-").replace(['\u{202f}', ' '], "");
+        match typed.parse::<f64>() {
+            Ok(value) if value.is_finite() => act(model, Action::Variable(number, Some(value))),
+            Err(_) if typed.is_empty() => act(model, Action::Variable(number, None)),
+            _ => model.notify("warn", t("page.not-a-value").to_owned()),
         }
     };
-    view! {
-        <tr class=class>
-            <th scope="row">"#" {number}</th>
-            <td><input type="text" inputmode="decimal" autocomplete="off" aria-label=format!("#{number}") prop:value=text on:change=set /></td>
-            <td>{unit}</td>
-            <td>{t(meaning)}</td>
-        </tr>
-    }
-    .into_any()
+    row.run(follow).add(&[
+        el("th").at("scope", "row").text(&name),
+        el("td").add(&[input.on("change", set)]),
+        el("td").text(unit),
+        el("td").text(t(meaning)),
+    ])
+}
+
+fn vacant() -> String {
+    t("page.vacant").to_owned()
+}
+
+/// A value with as many decimals as it needs.
+fn shown(value: f64) -> String {
+    let text = figure(value, 6);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

@@ -187,8 +187,65 @@ fn an_endless_program_ends_at_its_budget() {
     std::fs::write(&path, "%\nO1\nWHILE[1 EQ 1]DO1\n#100=#100+1\nEND1\nM30\n%\n").unwrap();
     let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--blocks", "1000"], 0);
     assert_eq!(out["ended"], "blocks");
+    assert_eq!(out["diagnostics"][0]["severity"], "warning");
     let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--seconds", "2"], 0);
     assert_eq!(out["ended"], "seconds");
+    let said = &out["diagnostics"][0];
+    assert_eq!(said["severity"], "info");
+    assert!(said["message"].as_str().unwrap().contains("budget"), "{said}");
+}
+
+#[test]
+fn diagnostics_have_the_same_keys_with_and_without_a_place() {
+    let folder = folder("keys");
+    let path = folder.join("keys.nc");
+    std::fs::write(&path, "%\nO1\nN1GOTO1\nX#2000\nM30\n%\n").unwrap();
+    let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--blocks", "10"], 1);
+    let told = out["diagnostics"].as_array().unwrap();
+    assert!(told.iter().any(|d| d["line"].is_null()) && told.iter().any(|d| d["line"] == 4), "{told:#?}");
+    for diagnostic in told {
+        let keys: Vec<_> = diagnostic.as_object().unwrap().keys().map(String::as_str).collect();
+        assert_eq!(keys, ["alarm", "column", "field", "file", "hints", "line", "message", "severity"]);
+    }
+}
+
+#[test]
+fn inputs_of_the_plc_are_forced_by_variable_or_register() {
+    let folder = folder("inputs");
+    let path = folder.join("inputs.nc");
+    std::fs::write(&path, "%\nO1\nS1200M3\nG04X3.\n#100=#1033\n#101=#1032\n#102=#1002\nG04X1.\nM00\nM30\n%\n").unwrap();
+    let path = text(&path);
+    let panel = folder.join("panel.json");
+    for (forced, events, word, rpm) in [
+        ("#1033=80", "[]", 80.0, 1200.0),
+        ("R74=70", "[]", 70.0, 1200.0),
+        // The knob's register: the spindle follows, and the word that the PLC copies from it.
+        ("R148=50", "[]", 50.0, 600.0),
+        ("#1=1", r##"[ { "t": 0, "input": { "#1033": 60 } } ]"##, 60.0, 1200.0),
+        ("#1=1", r#"[ { "t": 0, "input": { "R74": 60, "R75": 1 } } ]"#, 65596.0, 1200.0),
+        ("#1=1", r#"[ { "t": 0, "spindle_override": 90, "input": { "R75": 65535 } } ]"#, -65446.0, 1080.0),
+        ("R72=5", "[]", 100.0, 1200.0),
+    ] {
+        std::fs::write(&panel, events).unwrap();
+        let args = [&path, "--control", "mitsubishi-e60", "--set", forced, "--panel", &text(&panel)];
+        let out = run(&args.map(|arg: &str| arg), 0);
+        near(&out["variables"]["#100"], word, 0.0);
+        near(&out["spindle"]["rpm"], rpm, 1e-12);
+        if forced == "R72=5" {
+            assert_eq!((&out["variables"]["#101"], &out["variables"]["#102"]), (&json!(5.0), &json!(1.0)));
+        }
+    }
+    std::fs::write(&panel, r##"[ { "t": 0, "input": { "R999": 1 }, "variable": { "#2000": 1 } } ]"##).unwrap();
+    let out = run(&[&path, "--control", "mitsubishi-e60", "--panel", &text(&panel)], 0);
+    let said: Vec<_> = out["diagnostics"].as_array().unwrap().iter().map(|d| d["message"].to_string()).collect();
+    assert!(
+        said.iter().any(|said| said.contains("R999")) && said.iter().any(|said| said.contains("#2000")),
+        "{said:?}"
+    );
+    for name in ["#2000=1", "#3004=2", "R999=1", "R172=1", "#1033", "#100=abc", "#100=1e400"] {
+        let out = macroline(&["run", &path, "--control", "mitsubishi-e60", "--set", name]);
+        assert_eq!(out.status.code(), Some(2), "{name}");
+    }
 }
 
 #[test]

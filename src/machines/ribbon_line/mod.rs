@@ -70,8 +70,8 @@ impl Machine for RibbonLine {
         Box::new(plc::RibbonPlc::new(p))
     }
 
-    fn sheets(p: &Params, control: &Control) -> Vec<Sheet> {
-        sheets::sheets(p, control)
+    fn sheets(p: &Params, control: &Control, switches: &Switches) -> Vec<Sheet> {
+        sheets::sheets(p, control, switches)
     }
 
     fn variables(_control: &Control) -> Vec<(u32, &'static str, &'static str)> {
@@ -94,7 +94,7 @@ impl Machine for RibbonLine {
 /// Results, each judged by the rules about it, and the errors.
 fn design(p: &Params, control: &Control) -> Design {
     let d = Derived::new(p, control.bench.output_bits);
-    let case = Case { p, d: &d };
+    let case = Case { p, d: &d, limits: &control.limits };
     let readouts = readouts::ROWS.iter().map(|row| judged(row, &case)).collect();
     Design { readouts, diagnostics: rules::errors(&case) }
 }

@@ -26,10 +26,9 @@ impl RibbonPlc {
         RibbonPlc { step: p.knob_step.percent(), form: p.override_form, wait: p.wait, strobe_since: None }
     }
 
-    /// R148: the knob in whole steps, 0 to 200 %.
+    /// The knob in whole steps, 0 to 200 %.
     fn override_percent(&self, io: &Io) -> f64 {
-        let knob = io.forced.get("R148").copied().unwrap_or(io.spindle_override);
-        ((knob / self.step).round() * self.step).clamp(0.0, 200.0)
+        ((io.spindle_override / self.step).round() * self.step).clamp(0.0, 200.0)
     }
 
     /// M3 waits for the spindle's speed where the project says so; everything else is done after a few scans.
@@ -44,12 +43,12 @@ impl Plc for RibbonPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         let percent = self.override_percent(io);
         io.spindle_override_out = percent;
-        // R74, R75: a 32-bit whole number.
+        // Low and high word: a 32-bit whole number.
         let word = match self.form {
             OverrideForm::Percent => percent,
             OverrideForm::FinalSpeed => io.spindle_command.abs().round(),
         };
-        io.inputs.insert(INPUT, io.forced.get("#1033").copied().unwrap_or(word));
+        io.inputs.insert(INPUT, word);
         if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
             self.strobe_since = None;
             io.fin = false;

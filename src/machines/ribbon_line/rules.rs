@@ -5,15 +5,24 @@
 
 use super::derive::Derived;
 use super::params::{Params, PathMode, PiForm, Variant, YUnit};
+use crate::controls::Limits;
 use crate::drives::web;
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade, Message};
 use crate::view::Verdict;
 
-/// Inputs and what follows from them.
+/// Inputs, what follows from them, and what the control takes.
 pub(super) struct Case<'a> {
     pub(super) p: &'a Params,
     pub(super) d: &'a Derived,
+    pub(super) limits: &'a Limits,
+}
+
+impl Case<'_> {
+    /// The largest vector feed in mm/min: the project's limit, and never more than the control reads.
+    fn feed_max(&self) -> f64 {
+        self.p.feed_limit.min(self.limits.feed_max)
+    }
 }
 
 /// The judgement of one rule.
@@ -78,27 +87,44 @@ pub(super) const RULES: &[Rule] = &[
     rule!(17, "y-drift", y_drift, "sizing sheet G1", Inferred),
 ];
 
-/// Errors that keep the program from being exported: rule 4.
+/// Errors that keep the program from being exported: rule 4, and blocks that the control cannot read.
 pub(super) fn errors(case: &Case) -> Vec<Diagnostic> {
-    let Case { p, d } = case;
+    let Case { p, d, .. } = case;
     let mut found = Vec::new();
     if d.x_feed > p.clamp_x {
-        found.push(Diagnostic::error(msg!("ribbon.clamp-x", d.x_feed, p.clamp_x)).about("clamp-x"));
+        found.push(Diagnostic::error(msg!("ribbon.x-above-clamp", d.x_feed, p.clamp_x)).about("clamp-x"));
     }
     if d.y_feed > p.clamp_y {
-        found.push(Diagnostic::error(msg!("ribbon.clamp-y", d.y_feed, p.clamp_y)).about("clamp-y"));
+        found.push(Diagnostic::error(msg!("ribbon.y-above-clamp", d.y_feed, p.clamp_y)).about("clamp-y"));
     }
-    if d.vector_feed > p.feed_limit {
-        found.push(Diagnostic::error(msg!("ribbon.feed-limit", d.vector_feed, p.feed_limit)).about("feed-limit"));
+    if d.vector_feed > case.feed_max() {
+        found.push(
+            Diagnostic::error(msg!("ribbon.feed-above-limit", d.vector_feed, case.feed_max())).about("feed-limit"),
+        );
     }
     let slower = slower_advice(case);
-    found.into_iter().map(|finding| finding.hint(slower.clone())).collect()
+    let mut found: Vec<_> = found.into_iter().map(|finding| finding.hint(slower.clone())).collect();
+    found.extend(long_blocks(case));
+    found
+}
+
+/// A block whose X or Y word is beyond what the control reads.
+fn long_blocks(case: &Case) -> Option<Diagnostic> {
+    let Case { p, d, limits } = case;
+    let pitches = p.block_pitches().min(p.count());
+    let (axis, pitch) = if d.y_stroke > p.pitch { ("Y", d.y_stroke) } else { ("X", p.pitch) };
+    let max = limits.coordinate_max;
+    (pitches * pitch > max).then(|| {
+        Diagnostic::error(msg!("ribbon.block-too-long", axis, (pitches * pitch, 3), max))
+            .about("pitches-per-block")
+            .hint(msg!("ribbon.fewer-pitches", ((max / pitch).floor(), 0)))
+    })
 }
 
 /// The highest whole S that keeps all of rule 4.
 fn slower_advice(case: &Case) -> Message {
-    let Case { p, d } = case;
-    let share = (p.clamp_x / d.x_feed).min(p.clamp_y / d.y_feed).min(p.feed_limit / d.vector_feed);
+    let Case { p, d, .. } = case;
+    let share = (p.clamp_x / d.x_feed).min(p.clamp_y / d.y_feed).min(case.feed_max() / d.vector_feed);
     msg!("ribbon.run-slower", ((d.actual_speed * share).floor(), 0))
 }
 
@@ -115,12 +141,12 @@ fn clamp_y(case: &Case) -> Option<Judgement> {
 }
 
 fn feed_limit(case: &Case) -> Option<Judgement> {
-    within_or_error(case.d.vector_feed, case.p.feed_limit, case)
+    within_or_error(case.d.vector_feed, case.feed_max(), case)
 }
 
 /// Green to the allowed smear, amber to four times it, red beyond.
 fn slip(case: &Case) -> Verdict {
-    let Case { p, d } = case;
+    let Case { p, d, .. } = case;
     if d.smear <= p.smear_limit {
         Verdict::Ok
     } else if d.smear <= 4.0 * p.smear_limit {
@@ -131,7 +157,7 @@ fn slip(case: &Case) -> Verdict {
 }
 
 fn ratio(case: &Case) -> Option<Judgement> {
-    let Case { p, d } = case;
+    let Case { p, d, .. } = case;
     let verdict = slip(case);
     let advice = if verdict == Verdict::Ok {
         Vec::new()
@@ -172,7 +198,7 @@ fn motor_y(case: &Case) -> Option<Judgement> {
 }
 
 fn block_time(case: &Case) -> Option<Judgement> {
-    let Case { p, d } = case;
+    let Case { p, d, .. } = case;
     let needed = d.block_needed * 1000.0;
     if d.block_time >= d.block_needed {
         return ok(needed);
@@ -187,7 +213,7 @@ fn block_time(case: &Case) -> Option<Judgement> {
 }
 
 fn saturation(case: &Case) -> Option<Judgement> {
-    let Case { p, d } = case;
+    let Case { p, d, .. } = case;
     let limit = 10.0 * d.top_speed / p.speed_at_10v;
     if d.asked_speed > d.top_speed {
         return fail(limit, [msg!("ribbon.saturates", (d.asked_speed, 1), (d.top_speed, 1), (d.override_limit, 1))]);
@@ -307,7 +333,7 @@ fn thickness(case: &Case) -> Option<Judgement> {
 }
 
 fn start_stop(case: &Case) -> Option<Judgement> {
-    let Case { p, d } = case;
+    let Case { p, d, .. } = case;
     (p.path_mode == PathMode::ExactStop && d.cycles_per_minute > 100.0)
         .then(|| warn(100.0, [msg!("ribbon.start-stop", (d.cycles_per_minute, 0), (d.start_stop_speed, 0))]))
         .flatten()

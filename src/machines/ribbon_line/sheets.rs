@@ -4,15 +4,16 @@ use super::params::{OverrideForm, Params, Wait, YUnit};
 use super::program::INPUT;
 use super::show;
 use crate::controls::interface::SignalRole;
-use crate::controls::{Control, ParamDef, ParamRole};
+use crate::controls::{Control, ParamDef, ParamRole, Switches};
 use crate::text::catalog::{Language, words};
 use crate::text::{Citation, Grade};
 use crate::view::ladder::{Contact, Rung};
 use crate::view::{Row, Sheet};
 
 /// All sheets.
-pub(super) fn sheets(p: &Params, control: &Control) -> Vec<Sheet> {
-    vec![parameters(p, control), interface(p, control), ladder(p, control)]
+pub(super) fn sheets(p: &Params, control: &Control, switches: &Switches) -> Vec<Sheet> {
+    let device = |role| device(control, switches, role);
+    vec![parameters(p, control), interface(p, device), ladder(p, device)]
 }
 
 fn say(id: &'static str) -> String {
@@ -77,19 +78,18 @@ fn parameter(def: &ParamDef, (axis, value): (&str, String), degrees: bool) -> Ro
 }
 
 /// A register's device, or a dash where the control has none for the role.
-fn device(control: &Control, role: SignalRole) -> (&'static str, Citation) {
-    let found = control.interface.iter().find(|signal| signal.role == role);
-    found.map_or(("-", Citation::new("", Grade::Open)), |signal| (signal.device, signal.cite))
+fn device(control: &Control, switches: &Switches, role: SignalRole) -> (String, Citation) {
+    control.device(role, switches).unwrap_or_else(|| ("-".to_owned(), Citation::new("", Grade::Open)))
 }
 
 /// Registers between PLC and control: who writes, who reads, what for.
-fn interface(p: &Params, control: &Control) -> Sheet {
+fn interface(p: &Params, device: impl Fn(SignalRole) -> (String, Citation)) -> Sheet {
     let (plc, nc, program) = (say("ribbon.plc.plc"), say("ribbon.plc.control"), say("ribbon.plc.program"));
     let number = |variable: u32| format!("#{variable}");
     let mut rows = Vec::new();
     let mut add = |role: SignalRole, variable: String, writes: &str, reads: &str, unit: &str, what: String| {
-        let (device, cite) = device(control, role);
-        rows.push(row([device.to_owned(), variable, writes.to_owned(), reads.to_owned(), unit.to_owned(), what], cite));
+        let (device, cite) = device(role);
+        rows.push(row([device, variable, writes.to_owned(), reads.to_owned(), unit.to_owned(), what], cite));
     };
     add(SignalRole::SpindleOverride, String::new(), &plc, &nc, "%", say("ribbon.plc.override"));
     let (unit, what) = match p.override_form {
@@ -132,8 +132,8 @@ fn interface(p: &Params, control: &Control) -> Sheet {
 }
 
 /// The rungs of the paper's figure 1, and FIN.
-fn rungs(p: &Params, control: &Control) -> Vec<Rung> {
-    let name = |role| device(control, role).0;
+fn rungs(p: &Params, device: impl Fn(SignalRole) -> (String, Citation)) -> Vec<Rung> {
+    let name = |role| device(role).0;
     let register = name(SignalRole::SpindleOverride);
     let (low, high) = (name(SignalRole::MacroInputLow(INPUT)), name(SignalRole::MacroInputHigh(INPUT)));
     let always = || vec![Contact::closes("ON")];
@@ -174,8 +174,8 @@ fn rungs(p: &Params, control: &Control) -> Vec<Rung> {
 }
 
 /// Figure 1 as an instruction list, with its drawing.
-fn ladder(p: &Params, control: &Control) -> Sheet {
-    let ladder = rungs(p, control);
+fn ladder(p: &Params, device: impl Fn(SignalRole) -> (String, Citation)) -> Sheet {
+    let ladder = rungs(p, device);
     let cite =
         Citation::new("paper, figure 1: R148 to R74; instructions by the usual list of the maker", Grade::Inferred);
     let mut rows = Vec::new();

@@ -2,6 +2,8 @@
 
 use super::ribbon_line::{machine, values};
 use expect_test::expect;
+use macroline::controls::Switches;
+use macroline::controls::interface::SignalRole;
 use macroline::machines::form::{Origins, Provenance};
 use macroline::machines::{Frame, Samples, report};
 use macroline::motion::Snapshot;
@@ -154,7 +156,11 @@ fn a_timeline_becomes_columns() {
 
 /// Cells of a sheet, one line a row.
 fn rows(changes: &[(&str, &str)], id: &str) -> String {
-    let sheets = machine().sheets(&values(changes), super::ribbon_line::control());
+    rows_with(changes, &Switches::default(), id)
+}
+
+fn rows_with(changes: &[(&str, &str)], switches: &Switches, id: &str) -> String {
+    let sheets = machine().sheets(&values(changes), super::ribbon_line::control(), switches);
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }
@@ -216,8 +222,26 @@ fn the_ladder_is_figure_1() {
 }
 
 #[test]
+fn the_register_of_the_macro_input_is_where_the_switch_puts_it() {
+    let base = |base: &str| Switches(vec![("macro-input-base".to_owned(), base.to_owned())]);
+    assert!(rows_with(&[], &base("R172"), "interface").contains("R174 | #1033 | PLC | program | %"));
+    let ladder = rows_with(&[], &base("R6436"), "ladder");
+    assert!(ladder.contains("MOV R148 R6438") && ladder.contains("MOV K0 R6439"), "{ladder}");
+    let control = super::ribbon_line::control();
+    for (name, switches, role) in [
+        ("R74", Switches::default(), Some(SignalRole::MacroInputLow(1033))),
+        ("r75", Switches::default(), Some(SignalRole::MacroInputHigh(1033))),
+        ("R174", base("R172"), Some(SignalRole::MacroInputLow(1033))),
+        ("R74", base("R172"), None),
+        ("R148", base("R172"), Some(SignalRole::SpindleOverride)),
+    ] {
+        assert_eq!(control.role(name, &switches), role, "{name}");
+    }
+}
+
+#[test]
 fn the_ladder_is_drawn() {
-    let sheets = machine().sheets(&values(&[("wait", "fin")]), super::ribbon_line::control());
+    let sheets = machine().sheets(&values(&[("wait", "fin")]), super::ribbon_line::control(), &Switches::default());
     let sheet = sheets.iter().find(|sheet| sheet.id == "ladder").unwrap();
     let drawn = ladder::svg(&sheet.ladder);
     assert_eq!(drawn.matches("<rect").count(), sheet.ladder.len());
@@ -228,7 +252,9 @@ fn the_ladder_is_drawn() {
 fn the_report_has_inputs_with_origin_verdicts_and_open_points() {
     let origins = Origins::from([("dancer".to_owned(), Provenance::Measured)]);
     let values = values(&[("customer", "Customer 4711")]);
-    let report = report::report(machine(), "ribbon 8 mm", (&values, &origins), super::ribbon_line::control(), &[]);
+    let switches = Switches(vec![("decimal-point".to_owned(), "millimetres".to_owned())]);
+    let report =
+        report::report(machine(), "ribbon 8 mm", (&values, &origins), (super::ribbon_line::control(), &switches), &[]);
     let text = view::report::markdown(&report, Language::English);
     for part in [
         "# Ribbon line, Mitsubishi E60, ribbon 8 mm\n",
@@ -240,6 +266,8 @@ fn the_report_has_inputs_with_origin_verdicts_and_open_points() {
         "| Program | Customer |  | Customer 4711 |  |",
         "## Parameters of the control",
         "## Not confirmed",
+        "starts here: R72 (R72 | R172 |",
+        "(#1078): millimetres (increments | millimetres)",
         "P283",
     ] {
         assert!(text.contains(part), "no {part:?} in\n{text}");

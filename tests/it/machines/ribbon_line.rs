@@ -5,7 +5,7 @@ use macroline::drives::web;
 use macroline::machines::form::{Origins, Provenance, Value, Values};
 use macroline::machines::{self, AnyMachine, Design};
 use macroline::text::Severity;
-use macroline::text::catalog::{Language, sentence};
+use macroline::text::catalog::{Language, sentence, words};
 use macroline::view::{Readout, Verdict};
 
 pub(super) fn machine() -> &'static dyn AnyMachine {
@@ -280,6 +280,33 @@ fn feeds_beyond_the_clamps_are_errors_and_say_how_fast_it_may_run() {
     );
     let share = design(&[("clamp-y", "100000"), ("spindle-speed", "1013")]);
     assert!(share.diagnostics.iter().all(|d| d.severity != Severity::Error));
+}
+
+#[test]
+fn blocks_that_the_control_cannot_read_are_errors() {
+    let errors = |changes: &[(&str, &str)]| -> Vec<String> {
+        let found = design(changes).diagnostics.into_iter().filter(|d| d.severity == Severity::Error);
+        found.map(|d| sentence(Language::English, &d.message)).collect()
+    };
+    let long = [("pitch", "10000"), ("pitches-per-block", "11"), ("heads", "47")];
+    assert_eq!(errors(&long), ["X would move by 110000 in one block; a word of the control has 99999.999 at most."]);
+    // A block is never longer than the product.
+    let short = [long[0], long[1], long[2], ("pitch-count", "9")];
+    assert_eq!(errors(&short), [""; 0]);
+    // A limit above the control's own does not help.
+    let fast = [("pitch", "0.5"), ("clamp-y", "10000000"), ("feed-limit", "10000000")];
+    assert_eq!(errors(&fast), ["The vector feed would be 1895024.044 mm/min, the control takes 1000000 at most."]);
+}
+
+#[test]
+fn labels_are_words_and_no_sentences_with_places() {
+    let fields = machine().fields().into_iter().flat_map(|field| [field.label, field.help, field.group]);
+    let readouts = design(&[]).readouts.into_iter().map(|readout| readout.label);
+    let variables = machine().variables(control()).into_iter().map(|(_, meaning, _)| meaning);
+    for label in fields.chain(readouts).chain(variables) {
+        let said = words(Language::English, label);
+        assert!(!said.is_empty() && !said.contains('{'), "{label}: {said}");
+    }
 }
 
 #[test]

@@ -13,7 +13,12 @@ pub(super) const ROWS: &[(&str, &str)] = &[
         "The program waits for ever: the feed is 0. Raise the feed override, or let the spindle turn where F counts per revolution.",
     ),
     ("motion.no-fin", "The program waits for ever: the PLC does not answer this code with FIN."),
+    ("motion.nothing-to-set", "“{0}” is no variable and no input that can be set; it was left out."),
     ("motion.out-of-blocks", "Stopped after {0} blocks, the budget of this run: the program may never end by itself."),
+    (
+        "motion.out-of-seconds",
+        "Stopped after {0} s of machine time, the budget of this run: the program has not ended by then, and may never.",
+    ),
     (
         "motion.spindle-clamp",
         "The spindle is told {0} r/min and clamped to {1} r/min; what the program computes from S is not clamped with it.",

@@ -1,0 +1,55 @@
+//! Names of inputs as people write them, `R74` or `#1033`, made into what the planner knows.
+
+use super::run::Setting;
+use crate::controls::interface::SignalRole;
+use crate::controls::{Control, Switches, VarKind};
+use crate::motion::{Action, Event, Panel};
+
+/// What the operator's hand does on this control. Forcing the register of an override turns its knob; forcing a word of a macro input
+/// forces that half of its variable, and the bits that stand for it.
+pub(super) fn panel(panel: &Panel, control: &Control, switches: &Switches) -> Panel {
+    Panel::new(panel.events().iter().flat_map(|event| {
+        let actions = match &event.action {
+            Action::Input(name, value) => input(name, *value, control, switches),
+            action => vec![action.clone()],
+        };
+        actions.into_iter().map(|action| Event { t: event.t, action })
+    }))
+}
+
+fn input(name: &str, value: f64, control: &Control, switches: &Switches) -> Vec<Action> {
+    let role = control.role(name, switches);
+    let half = |variable: u32, part: &str| {
+        let word = Action::Input(format!("#{variable}.{part}"), value);
+        let device = control.interface.iter().find(|row| Some(row.role) == role).map(|row| row.device);
+        let bits = control.vars.iter().filter(|row| row.kind == VarKind::InputBit && Some(row.device) == device);
+        let bit = |at: u32| f64::from((value as i64 >> at.min(31)) as u8 & 1);
+        let bits = bits.flat_map(|row| row.first..=row.last).zip(0..);
+        std::iter::once(word).chain(bits.map(|(number, at)| Action::Input(format!("#{number}"), bit(at)))).collect()
+    };
+    match role {
+        Some(SignalRole::SpindleOverride) => vec![Action::SpindleOverride(value)],
+        Some(SignalRole::FeedOverride) => vec![Action::FeedOverride(value)],
+        Some(SignalRole::MacroInputLow(variable)) => half(variable, "low"),
+        Some(SignalRole::MacroInputHigh(variable)) => half(variable, "high"),
+        _ => vec![Action::Input(name.to_owned(), value)],
+    }
+}
+
+impl Setting {
+    /// What the setting does at the start of a run: a variable set, or an input forced. `None` where the control has neither.
+    pub fn action(&self, control: &Control, switches: &Switches) -> Option<Action> {
+        let kind = self.number().and_then(|number| control.var(number)).map(|row| row.kind);
+        let register = matches!(control.role(&self.name, switches),
+            Some(role) if control.interface.iter().any(|row| row.role == role && row.plc_writes));
+        match kind {
+            Some(VarKind::Local | VarKind::Common | VarKind::Retained) => {
+                Some(Action::Variable(self.number()?, Some(self.value)))
+            }
+            Some(VarKind::InputBit | VarKind::InputWord) => {
+                Some(Action::Input(format!("#{}", self.number()?), self.value))
+            }
+            _ => register.then(|| Action::Input(self.name.clone(), self.value)),
+        }
+    }
+}
