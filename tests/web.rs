@@ -61,7 +61,9 @@ async fn the_app_mounts() {
 #[wasm_bindgen_test]
 async fn a_field_keeps_what_is_typed_and_says_what_is_wrong() {
     let (_, _mounted) = app().await;
-    for (typed, wrong) in [("1.05", false), ("1,5", false), ("0.05", false), ("-1.50", true), ("", true), ("1e400", true)] {
+    for (typed, wrong) in
+        [("1.05", false), ("1,5", false), ("0.05", false), ("-1.50", true), ("", true), ("1e400", true)]
+    {
         let input = type_into("pitch", typed).await;
         assert_eq!(input.value(), typed);
         assert_eq!(input.get_attribute("aria-invalid").unwrap(), wrong.to_string(), "{typed}");

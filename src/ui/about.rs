@@ -1,7 +1,5 @@
 //! What there is to know about one field: help, range, default, and where its value comes from.
 
-use leptos::prelude::*;
-
 use super::el::{El, button, el};
 use super::field::shown;
 use super::model::Model;
@@ -50,7 +48,7 @@ fn about(model: Model, info: FieldInfo) -> Vec<El> {
     let present = default.clone();
     let changed = move || {
         model.project.with(|project| project.values.get(id).is_some_and(|value| *value != present))
-            || model.invalid.with(|invalid| invalid.contains_key(id))
+            || model.refused(id).is_some()
     };
     let reset = move || {
         model.set(id, default.clone());

@@ -1,7 +1,5 @@
 //! The few results that stand above the drawing, with sign, colour, limit and the best advice.
 
-use leptos::prelude::*;
-
 use super::el::{El, button, el};
 use super::model::Model;
 use super::words::{figure, say, sign, t};
@@ -45,7 +43,10 @@ pub(super) fn cards(model: Model) -> El {
         design.readouts.iter().filter(|readout| readout.headline).map(|readout| card(model, readout)).collect()
     };
     let stale = el("p.stale").text(t("page.stale-short"));
-    el("section.cards").label(t("page.headline")).mark("old", move || model.is_stale()).add(&[el("div.row").swap(content), stale])
+    el("section.cards")
+        .label(t("page.headline"))
+        .mark("old", move || model.is_stale())
+        .add(&[el("div.row").swap(content), stale])
 }
 
 fn card(model: Model, readout: &Readout) -> El {
@@ -53,15 +54,15 @@ fn card(model: Model, readout: &Readout) -> El {
     let advice = readout.advice.first().map(say);
     let detail = advice.clone().or_else(|| limit(readout)).unwrap_or_default();
     let id = readout.id;
-    let value = el("span.v")
-        .text(&figure(readout.value, readout.decimals))
-        .add(&[el("small").text(readout.unit)]);
+    let value = el("span.v").text(&figure(readout.value, readout.decimals)).add(&[el("small").text(readout.unit)]);
     let note = el("span.n").add(&[
         el("i").at("aria-hidden", "true").text(sign(tone)),
         el("span.hidden").text(verdict_words(readout.verdict)),
     ]);
     let card = button("button.card", "", move || super::side::open_result(model, id));
-    card.at("class", &format!("card {tone}"))
-        .at("title", &advice.unwrap_or_default())
-        .add(&[el("span.k").text(t(readout.label)), value, note.text(&detail)])
+    card.at("class", &format!("card {tone}")).at("title", &advice.unwrap_or_default()).add(&[
+        el("span.k").text(t(readout.label)),
+        value,
+        note.text(&detail),
+    ])
 }

@@ -2,7 +2,6 @@
 
 use std::fmt::Write;
 
-use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, Event, HtmlElement, PointerEvent};
 

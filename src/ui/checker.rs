@@ -7,7 +7,9 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::closure::Closure;
 use leptos::wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{Blob, DedicatedWorkerGlobalScope, File, HtmlDialogElement, MessageEvent, Worker, WorkerOptions, WorkerType};
+use web_sys::{
+    Blob, DedicatedWorkerGlobalScope, File, HtmlDialogElement, MessageEvent, Worker, WorkerOptions, WorkerType,
+};
 
 use super::dom;
 use super::el::{El, button, el, icon_button};
@@ -189,9 +191,9 @@ fn checked(text: String, control: &'static crate::controls::Control) -> JsValue 
 pub(super) fn check_dialog(model: Model) -> El {
     let frame = el("dialog.dialog.wide").at("aria-labelledby", "check-title");
     let node: HtmlDialogElement = frame.dom().clone().unchecked_into();
-    let open = Memo::new(move |_| model.check.with(Option::is_some));
+    let open = move || model.check.with(Option::is_some);
     let follow = move || {
-        if !open.get() {
+        if !open() {
             node.close();
         } else if !node.open() {
             let _ = node.show_modal();
@@ -200,12 +202,10 @@ pub(super) fn check_dialog(model: Model) -> El {
     // Closing gives up the worker, whether it is done or not.
     let close = move || model.check.set(None);
     let part = move || model.check.with(|check| check.as_ref().map_or((0.0, 1.0), |check| check.progress));
-    let done = Memo::new(move |_| {
-        model.check.with(|check| check.as_ref().is_some_and(|check| check.report.is_some()))
-    });
+    let done = move || model.check.with(|check| check.as_ref().is_some_and(|check| check.report.is_some()));
     let name = move || model.check.with(|check| check.as_ref().map_or(String::new(), |check| check.name.clone()));
     let state = move || match part() {
-        _ if done.get() => t("page.checked").to_owned(),
+        _ if done() => t("page.checked").to_owned(),
         (read, all) if read < all => t("page.reading").to_owned(),
         _ => t("page.checking").to_owned(),
     };
@@ -216,17 +216,14 @@ pub(super) fn check_dialog(model: Model) -> El {
         (read, all) if read < all => dom::set(&element, "value", &format!("{:.3}", read / all)),
         _ => drop(element.remove_attribute("value")),
     };
-    let content = move || {
-        done.track();
-        model.check.with_untracked(|check| check.as_ref()?.report.as_ref().map(shown)).unwrap_or_default()
-    };
+    let content = move || model.check.with(|check| check.as_ref()?.report.as_ref().map(shown)).unwrap_or_default();
     let title = el("h2#check-title").live(name);
     frame
         .add(&[
             el("header").add(&[title, icon_button("button.icon", "✕", t("page.close"), close)]),
             el("p").at("role", "status").live(state),
             el("div.progress")
-                .mark("over", move || done.get())
+                .mark("over", done)
                 .add(&[bar.run(fill), button("button#cancel-check", t("page.cancel"), close)]),
             el("div.body-of").swap(content),
         ])

@@ -1,5 +1,6 @@
 //! The editor of a program file and its difference to what the form writes, both loaded when first asked for.
 
+use std::cell::Cell;
 use std::time::Duration;
 
 use leptos::prelude::*;
@@ -92,14 +93,14 @@ fn mount(handle: Handle, begin: impl Fn(&JsValue, &JsValue) -> Result<JsValue, J
 /// The editor of the file that is shown.
 pub(super) fn editor(model: Model) -> Vec<El> {
     let handle: Handle = StoredValue::new_local(None);
-    let timer = StoredValue::new_local(None::<TimeoutHandle>);
+    let timer = Cell::new(None::<TimeoutHandle>);
     let changed = move |text: JsValue| {
         let Some(text) = text.as_string() else { return };
-        if let Some(Some(timer)) = timer.try_get_value() {
+        if let Some(timer) = timer.take() {
             timer.clear();
         }
         let at = model.file.get_untracked();
-        let _ = timer.try_set_value(set_timeout_with_handle(move || take(model, at, text), PAUSE).ok());
+        timer.set(set_timeout_with_handle(move || take(model, at, text), PAUSE).ok());
     };
     let changed = Closure::<dyn Fn(JsValue)>::new(changed).into_js_value();
     let fix = Closure::<dyn Fn(JsValue, JsValue)>::new(move |diagnostic: JsValue, fix: JsValue| {

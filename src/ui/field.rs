@@ -36,8 +36,8 @@ pub(super) fn field(model: Model, info: FieldInfo) -> El {
         model.project.with(|project| project.values.get(id).cloned().unwrap_or_else(|| stored.default()))
     });
     let wrong = move || {
-        if let Some(problem) = model.invalid.with(|invalid| invalid.get(id).map(tell)) {
-            return problem;
+        if let Some(problem) = model.refused(id) {
+            return tell(&problem);
         }
         model.design.with(|design| {
             let errors = design.diagnostics.iter().filter(|d| d.severity == Severity::Error && d.field == Some(id));
@@ -53,7 +53,8 @@ pub(super) fn field(model: Model, info: FieldInfo) -> El {
             (input.on("change", move |event| model.set(id, Value::Flag(checked(&event)))), "flag")
         }
         KindInfo::Choice(options) => {
-            let rows: Vec<El> = options.iter().map(|(one, label)| el("option").at("value", one).text(t(label))).collect();
+            let rows: Vec<El> =
+                options.iter().map(|(one, label)| el("option").at("value", one).text(t(label))).collect();
             let chosen = move || if let Value::Text(text) = value() { text } else { String::new() };
             let select = el("select").add(&rows).valued(chosen);
             (select.on("change", move |event| model.set(id, Value::Text(super::el::value(&event)))), "wide")
@@ -76,7 +77,10 @@ pub(super) fn field(model: Model, info: FieldInfo) -> El {
     let control = control.at("id", id).at("aria-describedby", &note).state("aria-invalid", move || !wrong().is_empty());
     let unit = el("span.unit").text(unit);
     let note = el("p.note").at("id", &note).live(wrong);
-    el("div.field").at("class", &format!("field {class}")).mark("wrong", move || !wrong().is_empty()).add(&[label, control, unit, about, note])
+    el("div.field")
+        .at("class", &format!("field {class}"))
+        .mark("wrong", move || !wrong().is_empty())
+        .add(&[label, control, unit, about, note])
 }
 
 /// A text that is read while it is typed, and never written while it means what the project holds.
@@ -98,7 +102,7 @@ fn text_control(model: Model, info: &Rc<FieldInfo>, value: Read) -> El {
         // The text stays where it means the value already: `1,5` is not rewritten into 1.5.
         let same = read.read(&input.value()).is_ok_and(|typed| typed == value);
         let forced = count.replace(reread) != reread;
-        let kept = model.invalid.with_untracked(|invalid| invalid.contains_key(id)) && !forced;
+        let kept = untrack(|| model.refused(id)).is_some() && !forced;
         if !same && !kept {
             input.set_value(&shown(&read, &value));
         }

@@ -11,6 +11,7 @@ use super::checker::{self, Source};
 use super::dom;
 use super::el::{El, button, el};
 use super::help::dialog;
+use super::local::Local;
 use super::model::Model;
 use super::words::{say, t, tell, tone};
 use crate::msg;
@@ -25,8 +26,8 @@ const BIG: f64 = MAX_PROGRAM as f64;
 
 /// A name for a file, of what the user calls the project.
 pub(super) fn file_name(model: Model, ending: &str) -> String {
-    let name = model.project.with_untracked(|project| project.name.trim().to_lowercase());
-    let plain: String = name.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+    let name = model.project.with_untracked(|project| project.name.trim().to_ascii_lowercase());
+    let plain: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
     let plain = plain.trim_matches('-');
     format!("{}.{ending}", if plain.is_empty() { "macroline" } else { plain })
 }
@@ -131,7 +132,8 @@ pub(super) fn listen(model: Model) {
 
 /// The button that opens files, and the input behind it.
 pub(super) fn open_button(model: Model) -> [El; 2] {
-    let input = el("input.hidden#open").at("type", "file").at("multiple", "").at("tabindex", "-1").label(t("page.open"));
+    let input =
+        el("input.hidden#open").at("type", "file").at("multiple", "").at("tabindex", "-1").label(t("page.open"));
     let (chosen, node) = (input.input().clone(), input.html().clone());
     let take = move |_| {
         let files = chosen.files().map(|list| (0..list.length()).filter_map(|at| list.get(at)).collect());
@@ -153,8 +155,8 @@ fn reasons(model: Model, export: &Export) -> Vec<Diagnostic> {
 
 /// The dialog of the export: what is written, or why nothing is.
 pub(super) fn export_dialog(model: Model) -> El {
-    let asked = RwSignal::new_local(false);
-    let export = RwSignal::new_local(None::<Export>);
+    let asked = Local::new(false);
+    let export = Local::new(None::<Export>);
     let open = move || {
         if model.exporting.get() {
             export.set(Some(model.project.with_untracked(Project::export)));
@@ -177,7 +179,8 @@ fn refused(reasons: &[Diagnostic]) -> Vec<El> {
         .iter()
         .map(|reason| {
             let row = el("li.fail").add(&[el("i").at("aria-hidden", "true").text("✕ ")]);
-            let row = row.add(&[el("b").text(reason.alarm.unwrap_or_default())]).text(" ").text(&tell(reason)).text(" ");
+            let row =
+                row.add(&[el("b").text(reason.alarm.unwrap_or_default())]).text(" ").text(&tell(reason)).text(" ");
             row.maybe(reason.field.map(|field| button("button.link", t("page.go-to-field"), move || go_to(field))))
         })
         .collect();
@@ -213,7 +216,8 @@ fn offered(export: &Export) -> Vec<El> {
             set_timeout(move || save_file(&file), Duration::from_millis(200 * at as u64));
         }
     };
-    let remarks: Vec<El> = export.diagnostics.iter().map(|d| el("li").at("class", tone(d.severity)).text(&tell(d))).collect();
+    let remarks: Vec<El> =
+        export.diagnostics.iter().map(|d| el("li").at("class", tone(d.severity)).text(&tell(d))).collect();
     vec![
         el("p").text(t("page.export-about")),
         el("table.exported").add(&[el("tbody").add(&rows)]),

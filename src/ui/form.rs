@@ -1,7 +1,5 @@
 //! The form: the machine's fields in their groups, the essential ones first.
 
-use leptos::prelude::*;
-
 use super::dom;
 use super::el::{El, el};
 use super::field::field;
@@ -14,10 +12,9 @@ const SMALL: usize = 5;
 
 /// All fields of the machine.
 pub(super) fn form(model: Model) -> El {
-    // Another machine is another form; values of the same machine are not.
-    let machine = Memo::new(move |_| model.project.with(|project| project.machine.id()));
     let groups = move || {
-        machine.track();
+        // Another machine is another form; values of the same machine are not.
+        model.machine.track();
         let fields = model.project.with_untracked(|project| project.machine.fields());
         groups_of(fields).into_iter().map(|(title, open, fields)| group(model, title, open, fields)).collect()
     };

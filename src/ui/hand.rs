@@ -45,17 +45,14 @@ pub(super) fn act(model: Model, action: Action) {
     let event = player.act(action);
     model.note(event.clone());
     let told = format!("{} s: {}", clock(event.t), name(&event.action));
-    let pending = StoredValue::new_local(Some(before));
     let tell = move |at: f64| {
         let after = watched(model, at);
-        let changes: Vec<String> = pending
-            .get_value()
-            .unwrap_or_default()
-            .into_iter()
-            .zip(after)
-            .filter(|((_, old), (_, new))| old != new)
-            .map(|((name, old), (_, new))| format!("{name} {old} → {new}"))
-            .collect();
+        let mut changes: Vec<String> = Vec::new();
+        for ((name, old), (_, new)) in before.into_iter().zip(after) {
+            if old != new {
+                changes.push(format!("{name} {old} → {new}"));
+            }
+        }
         let effect = if changes.is_empty() { t("page.no-change").to_owned() } else { changes.join(", ") };
         model.changed.set(format!("{told} · {effect}"));
     };
@@ -103,10 +100,10 @@ fn standing<T: Copy>(events: &[Event], at: f64, first: T, of: impl Fn(&Action) -
 pub(super) fn hand(model: Model) -> El {
     let player = model.player;
     let standing = move |first: fn(&Project) -> f64, of: fn(&Action) -> Option<f64>| {
-        Memo::new(move |_| {
+        move || {
             let head = player.now.with(|now| now.t);
             model.project.with(|project| standing(project.panel.events(), head, first(project), of))
-        })
+        }
     };
     let spindle = standing(
         |project| number(project, "override", 100.0),
@@ -134,12 +131,12 @@ pub(super) fn hand(model: Model) -> El {
     let press = move |class: &str, label: &'static str, action: Action| {
         button(class, t(label), move || act(model, action.clone()))
     };
-    let turn_single = move || act(model, Action::SingleBlock(single.get_untracked() == 0.0));
+    let turn_single = move || act(model, Action::SingleBlock(untrack(single) == 0.0));
     let presses = el("div.presses").add(&[
         press("button.start", "page.start", Action::Start).mark("due", waits),
         press("button", "page.hold", Action::Hold),
         press("button", "page.reset", Action::Reset),
-        button("button", t("page.single-block"), turn_single).state("aria-pressed", move || single.get() != 0.0),
+        button("button", t("page.single-block"), turn_single).state("aria-pressed", move || single() != 0.0),
         press("button.stop", "page.estop", Action::EmergencyStop),
     ]);
     let clear = move || model.edit("", |project| project.panel = crate::motion::Panel::default());
@@ -153,10 +150,7 @@ pub(super) fn hand(model: Model) -> El {
         knob(model, "spindle-knob", t("page.spindle-override"), spindle, step, Action::SpindleOverride),
         knob(model, "feed-knob", t("page.feed-override"), feed, || 10.0, Action::FeedOverride),
         presses,
-        el("p.changed").add(&[
-            el("span#changed").live(told),
-            clear.mark("gone", move || count() == 0),
-        ]),
+        el("p.changed").add(&[el("span#changed").live(told), clear.mark("gone", move || count() == 0)]),
     ])
 }
 
@@ -169,24 +163,31 @@ fn number(project: &Project, id: &str, otherwise: f64) -> f64 {
     }
 }
 
-fn knob(model: Model, id: &'static str, label: &str, value: Memo<f64>, step: impl Fn() -> f64 + Copy + 'static, action: fn(f64) -> Action) -> El {
+fn knob(
+    model: Model,
+    id: &'static str,
+    label: &str,
+    value: impl Fn() -> f64 + Copy + 'static,
+    step: impl Fn() -> f64 + Copy + 'static,
+    action: fn(f64) -> Action,
+) -> El {
     let turn = move |percent: f64| {
         let percent = percent.clamp(0.0, FULL);
-        if percent != value.get_untracked() {
+        if percent != untrack(value) {
             act(model, action(percent));
         }
     };
-    let by = move |sign: f64| turn(value.get_untracked() + sign * untrack(step));
+    let by = move |sign: f64| turn(untrack(value) + sign * untrack(step));
     let slider = el("input").at("type", "range").at("id", id).at("min", "0").at("max", "200");
     let input = slider.html().clone();
-    let part = move || drop(input.style().set_property("--part", &format!("{:.1}%", value.get() / FULL * 100.0)));
+    let part = move || drop(input.style().set_property("--part", &format!("{:.1}%", value() / FULL * 100.0)));
     let turned = move |event| drop(super::el::value(&event).parse().map(turn));
-    let slider = slider.bind("step", move || step().to_string()).valued(move || value.get().to_string()).run(part);
+    let slider = slider.bind("step", move || step().to_string()).valued(move || value().to_string()).run(part);
     el("div.knob").add(&[
         el("label").at("for", id).text(label),
         icon_button("button.icon", "−", &format!("{label} −"), move || by(-1.0)),
         slider.on("input", turned),
         icon_button("button.icon", "+", &format!("{label} +"), move || by(1.0)),
-        el("output").at("for", id).live(move || format!("{} %", value.get())),
+        el("output").at("for", id).live(move || format!("{} %", value())),
     ])
 }

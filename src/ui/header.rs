@@ -5,6 +5,7 @@ use leptos::prelude::*;
 use super::dom;
 use super::el::{El, button, el, icon_button, value};
 use super::files;
+use super::local::Local;
 use super::model::Model;
 use super::store::Kept;
 use super::words::t;
@@ -78,9 +79,8 @@ fn machine_picker(model: Model) -> El {
 }
 
 fn control_picker(model: Model) -> El {
-    let machine = Memo::new(move |_| model.project.with(|project| project.machine.id()));
     let rows = move || {
-        machine.track();
+        model.machine.track();
         let ids = model.project.with_untracked(|project| project.machine.controls());
         let found = ids.iter().filter_map(|id| controls::find(id));
         found.map(|control| el("option").at("value", control.id).text(control.name)).collect()
@@ -102,7 +102,7 @@ fn take_theme(theme: &str) {
 
 fn theme_button() -> El {
     let stored = dom::stored(THEME).unwrap_or_default();
-    let at = RwSignal::new_local(THEMES.iter().position(|(id, ..)| *id == stored).unwrap_or(0));
+    let at = Local::new(THEMES.iter().position(|(id, ..)| *id == stored).unwrap_or(0));
     let theme = move || THEMES.get(at.get()).copied().unwrap_or(THEMES[0]);
     let next = move || {
         at.update(|at| *at = (*at + 1) % THEMES.len());

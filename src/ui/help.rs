@@ -1,12 +1,12 @@
 //! What the keys do, and what the page is.
 
-use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::HtmlDialogElement;
 
 use super::el::{El, check, el, icon_button};
 use super::keys;
-use super::model::{Local, Model};
+use super::local::Local;
+use super::model::Model;
 use super::words::t;
 
 /// Keys and what they do.

@@ -42,7 +42,7 @@ fn press(model: Model, event: &KeyboardEvent) -> bool {
     }
     let key = event.key();
     if event.ctrl_key() || event.meta_key() {
-        match (key.to_lowercase().as_str(), event.shift_key()) {
+        match (key.to_ascii_lowercase().as_str(), event.shift_key()) {
             ("z", false) => model.undo(),
             ("z", true) | ("y", false) => model.redo(),
             _ => return false,

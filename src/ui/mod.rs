@@ -30,6 +30,8 @@ mod keys;
 
 mod listing;
 
+mod local;
+
 mod model;
 
 mod player;
@@ -61,8 +63,8 @@ use about::about_popup;
 use cards::cards;
 use charts::chart_pane;
 use checker::check_dialog;
-use files::export_dialog;
 use el::{El, button, check, el, icon_button};
+use files::export_dialog;
 use form::form;
 use hand::hand;
 use header::header;
@@ -96,13 +98,8 @@ fn page() -> Option<El> {
     keys::listen(model);
     files::listen(model);
     model.player.settle();
-    let centre = el("div.centre").add(&[
-        cards(model),
-        drawing(model),
-        transport(model),
-        hand(model),
-        chart_pane(model),
-    ]);
+    let centre =
+        el("div.centre").add(&[cards(model), drawing(model), transport(model), hand(model), chart_pane(model)]);
     Some(el("div.app").add(&[
         header(model),
         notices(model),
@@ -133,7 +130,9 @@ fn drawing(model: Model) -> El {
     };
     el("section.pane.drawing#machine").label(t("page.drawing")).add(&[
         stage.run(draw),
-        el("span").bind("class", move || format!("mode {}", mode_tone(mode()))).live(move || mode_words(mode()).to_owned()),
+        el("span")
+            .bind("class", move || format!("mode {}", mode_tone(mode())))
+            .live(move || mode_words(mode()).to_owned()),
         el("p.why").at("role", "status").live(move || why(model)),
         el("div.strobe").add(&[check(t("page.strobe"), move || player.strobe.get(), strobe)]),
     ])

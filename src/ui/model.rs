@@ -1,12 +1,12 @@
 //! What the page knows: one project with its history, and what follows from it.
 
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use leptos::prelude::*;
 
 use super::checker::Check;
 use super::dom;
+use super::local::Local;
 use super::player::Player;
 use super::side::Tab;
 use super::store::{self, Kept};
@@ -22,9 +22,6 @@ const STEPS: usize = 100;
 
 /// Milliseconds within which changes of one field are one step.
 const ONE_STEP: f64 = 1000.0;
-
-/// A signal that stays in the page's thread.
-pub(super) type Local<T> = RwSignal<T, LocalStorage>;
 
 /// Something to tell the user until it is dismissed.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,16 +39,20 @@ pub(super) struct Notice {
 pub(super) struct Model {
     /// The project as it was last valid; what is typed and wrong stands in `invalid`.
     pub project: Local<Project>,
+    /// Id of its machine.
+    pub machine: Local<&'static str>,
     /// Results of the project.
     pub design: Local<Rc<Design>>,
+    /// Whether the program is the user's own.
+    pub edited: Local<bool>,
     /// The program files, parsed.
     pub written: Local<Rc<Written>>,
     /// What is said of the program: by writing and reading it, then by running it.
-    pub findings: Memo<Vec<Diagnostic>>,
+    pub findings: Local<Vec<Diagnostic>>,
     /// The drawing.
     pub scene: Local<Scene>,
     /// Fields whose text is wrong, with what is wrong.
-    pub invalid: Local<BTreeMap<&'static str, Diagnostic>>,
+    pub invalid: Local<Vec<Diagnostic>>,
     /// Counts the times that every field has to show its value again.
     pub reread: Local<u32>,
     /// Notices that are shown.
@@ -78,7 +79,7 @@ pub(super) struct Model {
     pub file: Local<usize>,
     /// The run.
     pub player: Player,
-    history: StoredValue<History, LocalStorage>,
+    history: Local<History>,
 }
 
 #[derive(Default)]
@@ -95,42 +96,47 @@ impl Model {
         let design = Rc::new(project.design());
         let written = Rc::new(project.written());
         let scene = project.machine.scene(&project.values);
+        let (machine, edited) = (project.machine.id(), written.edited);
         let player = Player::new();
         player.load(&project, &written);
-        let written = RwSignal::new_local(written);
-        let findings = Memo::new(move |_| {
-            let mut found = written.with(|written| written.diagnostics.clone());
-            for told in player.findings() {
-                if !found.contains(&told) {
-                    found.push(told);
-                }
-            }
-            found
-        });
+        let written = Local::new(written);
         let model = Model {
-            findings,
-            project: RwSignal::new_local(project),
-            design: RwSignal::new_local(design),
+            findings: Local::new(Vec::new()),
+            edited: Local::new(edited),
+            machine: Local::new(machine),
+            project: Local::new(project),
+            design: Local::new(design),
             written,
-            scene: RwSignal::new_local(scene),
-            invalid: RwSignal::new_local(BTreeMap::new()),
-            reread: RwSignal::new_local(0),
-            notices: RwSignal::new_local(notices),
-            said: RwSignal::new_local(String::new()),
-            can: RwSignal::new_local((false, false)),
-            kept: RwSignal::new_local(Kept::Yes),
-            about: RwSignal::new_local(None),
-            changed: RwSignal::new_local(String::new()),
-            check: RwSignal::new_local(None),
-            exporting: RwSignal::new_local(false),
-            helping: RwSignal::new_local(false),
-            tab: RwSignal::new_local(Tab::Program),
-            file: RwSignal::new_local(0),
+            scene: Local::new(scene),
+            invalid: Local::new(Vec::new()),
+            reread: Local::new(0),
+            notices: Local::new(notices),
+            said: Local::new(String::new()),
+            can: Local::new((false, false)),
+            kept: Local::new(Kept::Yes),
+            about: Local::new(None),
+            changed: Local::new(String::new()),
+            check: Local::new(None),
+            exporting: Local::new(false),
+            helping: Local::new(false),
+            tab: Local::new(Tab::Program),
+            file: Local::new(0),
             player,
-            history: StoredValue::new_local(History::default()),
+            history: Local::new(History::default()),
         };
         store::keep(model);
+        Effect::new(move |_| model.findings.put(model.found()));
         model
+    }
+
+    fn found(self) -> Vec<Diagnostic> {
+        let mut found = self.written.with(|written| written.diagnostics.clone());
+        for told in self.player.findings() {
+            if !found.contains(&told) {
+                found.push(told);
+            }
+        }
+        found
     }
 
     /// Changes the project in a step of the history. Changes with the same key that follow at once are one step.
@@ -141,7 +147,7 @@ impl Model {
         if after == before {
             return;
         }
-        self.history.update_value(|history| {
+        self.history.quietly(|history| {
             let now = dom::now();
             if history.key != key || now - history.at > ONE_STEP {
                 history.past.push(before.clone());
@@ -158,7 +164,7 @@ impl Model {
 
     /// Takes another project in place of this one; undo brings this one back.
     pub(super) fn replace(self, project: Project) {
-        self.invalid.update(BTreeMap::clear);
+        self.invalid.set(Vec::new());
         self.edit("", |present| *present = project);
         self.reread.update(|count| *count += 1);
     }
@@ -183,12 +189,12 @@ impl Model {
 
     fn travel(self, step: impl FnOnce(&mut History, Project) -> Option<Project>) {
         let before = self.project.get_untracked();
-        let after = self.history.try_update_value(|history| {
+        let after = self.history.quietly(|history| {
             history.key.clear();
             step(history, before.clone())
         });
-        if let Some(Some(after)) = after {
-            self.invalid.update(BTreeMap::clear);
+        if let Some(after) = after {
+            self.invalid.set(Vec::new());
             self.follow(&before, after);
             self.reread.update(|count| *count += 1);
         }
@@ -207,13 +213,16 @@ impl Model {
             }
         }
         if program {
-            self.written.set(Rc::new(after.written()));
+            let written = after.written();
+            self.edited.put(written.edited);
+            self.written.set(Rc::new(written));
         }
         if program || before.panel != after.panel {
             self.written.with_untracked(|written| self.player.load(&after, written));
         }
+        self.machine.put(after.machine.id());
         self.project.set(after);
-        self.history.with_value(|history| self.can.set((!history.past.is_empty(), !history.future.is_empty())));
+        self.history.with_untracked(|history| self.can.set((!history.past.is_empty(), !history.future.is_empty())));
         self.player.settle();
     }
 
@@ -244,25 +253,32 @@ impl Model {
     /// Notes that the text of a field is wrong; the last good value stays.
     pub(super) fn refuse(self, id: &'static str, problem: Diagnostic) {
         self.invalid.update(|invalid| {
-            invalid.insert(id, problem);
+            invalid.retain(|other| other.field != Some(id));
+            invalid.push(problem.about(id));
         });
     }
 
     /// Notes that the text of a field is right.
     pub(super) fn forgive(self, id: &'static str) {
-        if self.invalid.with_untracked(|invalid| invalid.contains_key(id)) {
-            self.invalid.update(|invalid| {
-                invalid.remove(id);
-            });
+        if self.invalid.with_untracked(|invalid| about(invalid, id).is_some()) {
+            self.invalid.update(|invalid| invalid.retain(|other| other.field != Some(id)));
         }
+    }
+
+    /// What is wrong with the text of a field.
+    pub(super) fn refused(self, id: &str) -> Option<Diagnostic> {
+        self.invalid.with(|invalid| about(invalid, id).cloned())
     }
 
     /// Fields that are wrong, from typing or from a file; results shown meanwhile are those before.
     pub(super) fn wrong_fields(self) -> Vec<Diagnostic> {
-        let mut found: Vec<Diagnostic> = self.invalid.with(|invalid| invalid.values().cloned().collect());
+        let mut found = self.invalid.get();
         self.design.with(|design| {
-            let errors = design.diagnostics.iter().filter(|d| d.severity == Severity::Error);
-            found.extend(errors.filter(|d| !found_field(&self.invalid, d)).cloned());
+            for error in design.diagnostics.iter().filter(|d| d.severity == Severity::Error) {
+                if error.field.is_none_or(|field| about(&found, field).is_none()) {
+                    found.push(error.clone());
+                }
+            }
         });
         found
     }
@@ -292,6 +308,6 @@ impl Model {
     }
 }
 
-fn found_field(invalid: &Local<BTreeMap<&'static str, Diagnostic>>, diagnostic: &Diagnostic) -> bool {
-    diagnostic.field.is_some_and(|field| invalid.with_untracked(|invalid| invalid.contains_key(field)))
+fn about<'d>(diagnostics: &'d [Diagnostic], field: &str) -> Option<&'d Diagnostic> {
+    diagnostics.iter().find(|d| d.field == Some(field))
 }

@@ -6,7 +6,7 @@ use leptos::prelude::*;
 
 use super::charts::Charts;
 use super::dom::{self, Frames};
-use super::model::Local;
+use super::local::Local;
 use super::stage::Stage;
 use crate::machines::form::Values;
 use crate::machines::{AnyMachine, Frame, Samples};
@@ -43,8 +43,8 @@ const SLOW: f64 = 100.0;
 /// The run of the page. A handle: copies mean the same.
 #[derive(Clone, Copy)]
 pub(super) struct Player {
-    state: StoredValue<State, LocalStorage>,
-    frames: StoredValue<Option<Frames>, LocalStorage>,
+    state: Local<State>,
+    frames: Local<Option<Frames>>,
     /// Whether the head moves by itself.
     pub playing: Local<bool>,
     /// Machine seconds per second.
@@ -106,25 +106,25 @@ impl Player {
             charts: Charts::default(),
         };
         let player = Player {
-            state: StoredValue::new_local(state),
-            frames: StoredValue::new_local(None),
-            playing: RwSignal::new_local(false),
-            speed: RwSignal::new_local(0.05),
-            strobe: RwSignal::new_local(false),
-            now: RwSignal::new_local(Snapshot::default()),
-            running: RwSignal::new_local(None),
-            planned: RwSignal::new_local((0.0, false)),
-            ended: RwSignal::new_local(None),
-            window: RwSignal::new_local(10.0),
-            plans: RwSignal::new_local(0),
+            state: Local::new(state),
+            frames: Local::new(None),
+            playing: Local::new(false),
+            speed: Local::new(0.05),
+            strobe: Local::new(false),
+            now: Local::new(Snapshot::default()),
+            running: Local::new(None),
+            planned: Local::new((0.0, false)),
+            ended: Local::new(None),
+            window: Local::new(10.0),
+            plans: Local::new(0),
         };
-        player.frames.set_value(Some(Frames::new(move |stamp| player.frame(stamp))));
+        player.frames.quietly(|frames| *frames = Some(Frames::new(move |stamp| player.frame(stamp))));
         player
     }
 
     /// Takes another run; the head stays at its time.
     pub(super) fn load(self, project: &Project, written: &Written) {
-        self.state.update_value(|state| {
+        self.state.quietly(|state| {
             let begin = Begin { start: None, settings: &[], limits: LIMITS, keep: Keep::Timeline };
             state.planner = Some(run::of_project(project, written, &begin));
             state.machine = Some(project.machine);
@@ -147,7 +147,7 @@ impl Player {
 
     /// Sets the drawing whose parts move.
     pub(super) fn set_stage(self, stage: Option<Stage>) {
-        self.state.update_value(|state| state.stage = stage);
+        self.state.quietly(|state| state.stage = stage);
         self.ask();
     }
 
@@ -155,16 +155,16 @@ impl Player {
     pub(super) fn toggle(self) {
         let playing = !self.playing.get_untracked();
         if playing && self.at_end() {
-            self.state.update_value(|state| state.head = 0.0);
+            self.state.quietly(|state| state.head = 0.0);
         }
-        self.state.update_value(|state| state.stamp = None);
+        self.state.quietly(|state| state.stamp = None);
         self.playing.set(playing);
         self.ask();
     }
 
     /// Sets the head.
     pub(super) fn seek(self, t: f64) {
-        self.state.update_value(|state| {
+        self.state.quietly(|state| {
             state.head = if t > 0.0 { t } else { 0.0 };
             state.slow_at = 0.0;
         });
@@ -174,7 +174,7 @@ impl Player {
 
     /// Seconds of the head.
     pub(super) fn head(self) -> f64 {
-        self.state.with_value(|state| state.head)
+        self.state.with_untracked(|state| state.head)
     }
 
     /// Whether the head stands at the end of a run that is over.
@@ -186,7 +186,7 @@ impl Player {
     /// Pauses at the begin of the next block, or of the one before.
     pub(super) fn step(self, forth: bool) {
         self.playing.set(false);
-        let to = self.state.with_value(|state| {
+        let to = self.state.with_untracked(|state| {
             let timeline = state.planner.as_ref()?.timeline();
             if forth { timeline.next_block(state.head) } else { Some(timeline.block_before(state.head)) }
         });
@@ -198,7 +198,7 @@ impl Player {
     /// Does what the operator does, at the head.
     pub(super) fn act(self, action: Action) -> Event {
         let event = Event { t: self.head(), action };
-        self.state.update_value(|state| {
+        self.state.quietly(|state| {
             if let Some(planner) = &mut state.planner {
                 planner.event(event.clone());
                 state.charts_stale = true;
@@ -210,7 +210,7 @@ impl Player {
 
     /// Asks the planner something.
     pub(super) fn ask_planner<T>(self, question: impl FnOnce(&run::Run) -> T) -> Option<T> {
-        self.state.with_value(|state| state.planner.as_ref().map(question))
+        self.state.with_untracked(|state| state.planner.as_ref().map(question))
     }
 
     /// What the run has said so far, as far as it is planned.
@@ -222,7 +222,7 @@ impl Player {
     /// The charts of the whole plan, for a file.
     pub(super) fn all_charts(self, points: usize) -> Vec<crate::view::Chart> {
         let end = self.planned.get_untracked().0;
-        self.state.with_value(|state| match (&state.planner, state.machine) {
+        self.state.with_untracked(|state| match (&state.planner, state.machine) {
             (Some(planner), Some(machine)) => machine.charts(&state.values, &Sampled(planner), 0.0, end, points),
             _ => Vec::new(),
         })
@@ -230,7 +230,7 @@ impl Player {
 
     /// Sets the element of the charts.
     pub(super) fn set_charts(self, host: web_sys::HtmlElement) {
-        self.state.update_value(|state| {
+        self.state.quietly(|state| {
             state.charts.set_host(host);
             state.charts_stale = true;
         });
@@ -240,7 +240,7 @@ impl Player {
     /// Sets the head to a part (0 to 1) of the seconds that the charts show.
     pub(super) fn seek_in_page(self, part: f64) {
         self.playing.set(false);
-        self.seek(self.state.with_value(|state| state.charts.time(part)));
+        self.seek(self.state.with_untracked(|state| state.charts.time(part)));
     }
 
     /// Plans now, up to a time, for no longer than a slice.
@@ -250,14 +250,14 @@ impl Player {
 
     /// Draws the charts again.
     pub(super) fn refresh_charts(self) {
-        self.state.update_value(|state| state.charts_stale = true);
+        self.state.quietly(|state| state.charts_stale = true);
         self.ask();
     }
 
     /// Plans up to a time, but only for some milliseconds; says whether there is more to plan.
     fn plan(self, until: f64, budget: f64) -> bool {
         let begun = dom::now();
-        let more = self.state.try_update_value(|state| {
+        let more = self.state.quietly(|state| {
             let planner = state.planner.as_mut()?;
             loop {
                 let progress = planner.advance(until, STEPS);
@@ -267,26 +267,24 @@ impl Player {
                 }
             }
         });
-        let Some(Some((planned, ended, more))) = more else { return false };
+        let Some((planned, ended, more)) = more else { return false };
         let over = ended.is_some();
-        if self.ended.with_untracked(|last| *last != ended) {
-            self.ended.set(ended);
-        }
+        self.ended.put(ended);
         if self.planned.get_untracked() != (planned, over) {
             self.planned.set((planned, over));
             self.plans.update(|count| *count += 1);
-            self.state.update_value(|state| state.charts_stale |= state.charts.wants(planned));
+            self.state.quietly(|state| state.charts_stale |= state.charts.wants(planned));
         }
         more
     }
 
     /// Plans on in slices between the frames, until the plan is far enough.
     fn plan_on(self) {
-        if self.state.try_update_value(|state| core::mem::replace(&mut state.slicing, true)) != Some(false) {
+        if self.state.quietly(|state| core::mem::replace(&mut state.slicing, true)) {
             return;
         }
         let slice = move || {
-            self.state.update_value(|state| state.slicing = false);
+            self.state.quietly(|state| state.slicing = false);
             let more = self.plan(self.soon().max(HORIZON), SLICE);
             self.ask();
             if more {
@@ -299,13 +297,13 @@ impl Player {
     /// Seconds up to which the plan is needed now: what the charts show, and a little ahead of the head.
     fn soon(self) -> f64 {
         let window = self.window.get_untracked();
-        self.state.with_value(|state| state.charts.page(state.head, 0.0, window).1.max(state.head + AHEAD))
+        self.state.with_untracked(|state| state.charts.page(state.head, 0.0, window).1.max(state.head + AHEAD))
     }
 
     /// Asks for a frame.
     pub(super) fn ask(self) {
-        if self.state.try_update_value(|state| core::mem::replace(&mut state.asked, true)) == Some(false) {
-            self.frames.with_value(|frames| {
+        if !self.state.quietly(|state| core::mem::replace(&mut state.asked, true)) {
+            self.frames.with_untracked(|frames| {
                 if let Some(frames) = frames {
                     frames.ask();
                 }
@@ -315,7 +313,7 @@ impl Player {
 
     fn frame(self, stamp: f64) {
         dom::mark("frame-begins");
-        self.state.update_value(|state| {
+        self.state.quietly(|state| {
             state.asked = false;
             state.charts_drawn = false;
         });
@@ -340,7 +338,7 @@ impl Player {
     /// Moves the head by the time since the last frame; says how many seconds are planned ahead of it.
     fn advance(self, stamp: f64) -> f64 {
         let speed = self.speed.get_untracked();
-        self.state.update_value(|state| {
+        self.state.quietly(|state| {
             // A tab that was hidden does not jump.
             let passed = state.stamp.map_or(0.0, |last| (stamp - last).clamp(0.0, 100.0));
             state.stamp = Some(stamp);
@@ -351,7 +349,7 @@ impl Player {
             self.plan(self.soon(), IN_FRAME);
         }
         let (planned, ended) = self.planned.get_untracked();
-        self.state.update_value(|state| state.head = head.min(planned));
+        self.state.quietly(|state| state.head = head.min(planned));
         if ended { f64::INFINITY } else { planned - head }
     }
 
@@ -362,7 +360,7 @@ impl Player {
         let playing = self.playing.get_untracked();
         let frame = Frame { step: self.speed.get_untracked() / 60.0, strobe: self.strobe.get_untracked() };
         let window = self.window.get_untracked();
-        let shown = self.state.try_update_value(|state| {
+        let shown = self.state.quietly(|state| {
             let (planner, machine) = (state.planner.as_ref()?, state.machine?);
             let timeline = planner.timeline();
             let head = state.head.min(planned);
@@ -386,13 +384,11 @@ impl Player {
             }
             Some((snapshot, block, slow, state.charts_stale))
         });
-        let Some(Some((snapshot, block, slow, again))) = shown else { return };
-        if slow && self.now.with_untracked(|now| *now != snapshot) {
-            self.now.set(snapshot);
+        let Some((snapshot, block, slow, again)) = shown else { return };
+        if slow {
+            self.now.put(snapshot);
         }
-        if self.running.get_untracked() != block {
-            self.running.set(block);
-        }
+        self.running.put(block);
         if again {
             self.ask();
         }

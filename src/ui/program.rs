@@ -1,6 +1,8 @@
 //! The program files: the running block marked, findings at their place, and the ways to change the text.
 
-use leptos::prelude::*;
+use std::cell::RefCell;
+use std::rc::Rc;
+
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, Event};
 
@@ -8,7 +10,8 @@ use super::dom;
 use super::editor::{difference, editor};
 use super::el::{El, button, check, el};
 use super::listing;
-use super::model::{Local, Model};
+use super::local::Local;
+use super::model::Model;
 use super::words::{sign, t, tone};
 use crate::nc;
 use crate::text::{FileId, LineIndex};
@@ -23,12 +26,14 @@ enum Shown {
 
 /// The program tab.
 pub(super) fn program(model: Model) -> Vec<El> {
-    let shown = RwSignal::new_local(Shown::Listing);
-    let follow = RwSignal::new_local(true);
+    let shown = Local::new(Shown::Listing);
+    let follow = Local::new(true);
     let files = move || {
-        let names: Vec<String> = model.written.with(|written| written.files.0.iter().map(|file| file.name.clone()).collect());
+        let names: Vec<String> =
+            model.written.with(|written| written.files.0.iter().map(|file| file.name.clone()).collect());
         let chip = |(at, name): (usize, &String)| {
-            button("button.chip", name, move || model.file.set(at)).state("aria-pressed", move || model.file.get() == at)
+            button("button.chip", name, move || model.file.set(at))
+                .state("aria-pressed", move || model.file.get() == at)
         };
         names.iter().enumerate().map(chip).collect()
     };
@@ -69,8 +74,7 @@ pub(super) fn program(model: Model) -> Vec<El> {
             .collect()
         })
     };
-    let edited = Memo::new(move |_| model.written.with(|written| written.edited));
-    let bar = move || if edited.get() { detached(model, shown) } else { Vec::new() };
+    let bar = move || if model.edited.get() { detached(model, shown) } else { Vec::new() };
     vec![
         el("div.bar").add(&[
             el("div.chips").at("role", "group").label(t("page.files")).swap(files),
@@ -103,7 +107,8 @@ fn detached(model: Model, shown: Local<Shown>) -> Vec<El> {
     let bar = el("div.detached");
     let list = bar.dom().class_list();
     let keep = move || drop(list.add_1("small"));
-    let why = el("p").add(&[el("b").text(t("page.detached"))]).text(" ").add(&[el("span").text(t("page.detached-why"))]);
+    let why =
+        el("p").add(&[el("b").text(t("page.detached"))]).text(" ").add(&[el("span").text(t("page.detached-why"))]);
     vec![bar.add(&[
         why,
         toggle(shown, Shown::Difference, t("page.difference")),
@@ -112,34 +117,40 @@ fn detached(model: Model, shown: Local<Shown>) -> Vec<El> {
     ])]
 }
 
+/// The lines that are shown, and which one is marked, from 0.
+#[derive(Default)]
+struct Rows {
+    rows: Vec<Element>,
+    lines: LineIndex,
+    marked: Option<usize>,
+}
+
 /// The lines of the chosen file.
 fn listing_view(model: Model, follow: Local<bool>) -> El {
     let list = el("ol.listing").at("tabindex", "0").label(t("page.listing"));
     let host = list.dom().clone();
-    let rows = StoredValue::new_local((Vec::<Element>::new(), None::<usize>));
-    let lines = StoredValue::new_local(None::<LineIndex>);
+    let rows = Rc::new(RefCell::new(Rows::default()));
+    let marked = Rc::clone(&rows);
     let mark = move || {
         let place = model.player.running.get_untracked();
         let here = place.filter(|place| place.file.0 as usize == model.file.get_untracked());
-        let line = here.and_then(|place| {
-            lines.with_value(|lines| lines.as_ref().map(|lines| lines.line_of(place.span.start) as usize - 1))
-        });
-        rows.update_value(|(rows, marked)| {
-            if *marked == line {
-                return;
+        let mut rows = marked.borrow_mut();
+        let line = here.map(|place| rows.lines.line_of(place.span.start) as usize - 1);
+        if rows.marked == line {
+            return;
+        }
+        if let Some(row) = rows.marked.and_then(|at| rows.rows.get(at)) {
+            let _ = row.remove_attribute("aria-current");
+        }
+        rows.marked = line;
+        if let Some(row) = line.and_then(|at| rows.rows.get(at)) {
+            dom::set(row, "aria-current", "step");
+            if follow.get_untracked() {
+                reveal(row);
             }
-            if let Some(row) = marked.and_then(|at| rows.get(at)) {
-                let _ = row.remove_attribute("aria-current");
-            }
-            *marked = line;
-            if let Some(row) = line.and_then(|at| rows.get(at)) {
-                dom::set(row, "aria-current", "step");
-                if follow.get_untracked() {
-                    reveal(row);
-                }
-            }
-        });
+        }
     };
+    let again = mark.clone();
     let draw = move || {
         let at = model.file.get();
         let findings = model.findings.get();
@@ -147,13 +158,14 @@ fn listing_view(model: Model, follow: Local<bool>) -> El {
             let Some(file) = written.files.0.get(at) else { return };
             let control = written.parsed.control();
             host.set_inner_html(&listing::html(file, FileId(at as u16), control, &findings));
-            lines.set_value(Some(LineIndex::new(&file.text)));
+            let lines = LineIndex::new(&file.text);
+            rows.replace(Rows { rows: dom::all(&host, "[data-l]"), lines, marked: None });
         });
-        rows.set_value((dom::all(&host, "[data-l]"), None));
         mark();
     };
     let click = move |event: Event| {
-        let button = event.target().and_then(|e| e.dyn_into::<Element>().ok()).and_then(|e| e.closest("[data-fix]").ok()?);
+        let button =
+            event.target().and_then(|e| e.dyn_into::<Element>().ok()).and_then(|e| e.closest("[data-fix]").ok()?);
         let numbers = button.and_then(|button| button.get_attribute("data-fix")).unwrap_or_default();
         if let Some((diagnostic, fix)) = numbers.split_once(',')
             && let (Ok(diagnostic), Ok(fix)) = (diagnostic.parse(), fix.parse())
@@ -163,7 +175,7 @@ fn listing_view(model: Model, follow: Local<bool>) -> El {
     };
     let run = move || {
         model.player.running.track();
-        mark();
+        again();
     };
     list.run(draw).run(run).on("click", click)
 }

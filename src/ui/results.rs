@@ -1,7 +1,5 @@
 //! Every result with limit, formula, source and advice.
 
-use leptos::prelude::*;
-
 use super::cards::{limit, verdict, verdict_words};
 use super::el::{El, el};
 use super::model::Model;
@@ -13,10 +11,7 @@ use crate::view::Readout;
 pub(super) fn results(model: Model) -> Vec<El> {
     let remarks = move || model.design.with(|design| design.diagnostics.iter().map(remark).collect());
     let rows = move || model.design.with(|design| design.readouts.iter().map(result).collect());
-    vec![
-        el("ul.remarks").swap(remarks),
-        el("div.results").mark("old", move || model.is_stale()).swap(rows),
-    ]
+    vec![el("ul.remarks").swap(remarks), el("div.results").mark("old", move || model.is_stale()).swap(rows)]
 }
 
 fn remark(diagnostic: &Diagnostic) -> El {
@@ -32,7 +27,8 @@ fn result(readout: &Readout) -> El {
     let tone = verdict(readout.verdict);
     let title = el("h3").add(&[mark_of(tone)]).text(" ").text(t(readout.label));
     let title = title.add(&[el("span.hidden").text(verdict_words(readout.verdict))]);
-    let value = el("p.v").text(&figure(readout.value, readout.decimals)).text(" ").add(&[el("small").text(readout.unit)]);
+    let value =
+        el("p.v").text(&figure(readout.value, readout.decimals)).text(" ").add(&[el("small").text(readout.unit)]);
     let mut parts = vec![title, value];
     parts.extend(limit(readout).map(|limit| el("p.limit").text(&limit)));
     if !readout.formula.is_empty() {

@@ -1,7 +1,5 @@
 //! Parameter sheet, interface and ladder, as tables with sources and grades.
 
-use leptos::prelude::*;
-
 use super::el::{El, el};
 use super::model::Model;
 use super::words::t;

@@ -1,6 +1,5 @@
 //! The tabs at the side: program, results, variables, sheets.
 
-use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Event, KeyboardEvent};
 

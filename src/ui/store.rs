@@ -5,6 +5,7 @@ use std::time::Duration;
 use leptos::prelude::*;
 
 use super::dom;
+use super::local::Local;
 use super::model::{Model, Notice};
 use super::words::{t, tell};
 use crate::machines;
@@ -51,11 +52,11 @@ pub(super) fn load() -> (Option<Project>, Vec<Notice>) {
 
 /// Keeps the project from now on, shortly after each change.
 pub(super) fn keep(model: Model) {
-    let timer = StoredValue::new_local(None::<TimeoutHandle>);
+    let timer = Local::new(None::<TimeoutHandle>);
     let save = move || {
         let text = model.project.with_untracked(Project::to_json);
         model.kept.set(if dom::store(KEY, &text) { Kept::Yes } else { Kept::No });
-        timer.set_value(None);
+        timer.quietly(|timer| *timer = None);
     };
     Effect::new(move |first: Option<()>| {
         model.project.track();
@@ -63,14 +64,15 @@ pub(super) fn keep(model: Model) {
             return;
         }
         model.kept.set(Kept::Soon);
-        if let Some(timer) = timer.get_value() {
+        if let Some(timer) = timer.get_untracked() {
             timer.clear();
         }
-        timer.set_value(set_timeout_with_handle(save, Duration::from_millis(300)).ok());
+        let next = set_timeout_with_handle(save, Duration::from_millis(300)).ok();
+        timer.quietly(|timer| *timer = next);
     });
     // Whoever closes the page in that moment loses nothing either.
     let hide = move || {
-        if let Some(waiting) = timer.get_value() {
+        if let Some(waiting) = timer.get_untracked() {
             waiting.clear();
             save();
         }

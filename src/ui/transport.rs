@@ -1,6 +1,5 @@
 //! Play, pause, single steps, speed, and the slider of the play head.
 
-use leptos::prelude::*;
 use web_sys::Event;
 
 use super::dom;
@@ -69,9 +68,11 @@ pub(super) fn transport(model: Model) -> El {
             dom::set(sign, "d", if playing() { ICON_PAUSE } else { ICON_PLAY });
         }
     };
-    let play = play.run(follow).bind("aria-label", move || t(if playing() { "page.pause" } else { "page.play" }).to_owned());
+    let play =
+        play.run(follow).bind("aria-label", move || t(if playing() { "page.pause" } else { "page.play" }).to_owned());
     let total = move || super::words::clock(player.planned.get().0);
-    let go_to = el("input#go-to").at("type", "text").at("inputmode", "decimal").at("placeholder", "s").on("change", go_to);
+    let go_to =
+        el("input#go-to").at("type", "text").at("inputmode", "decimal").at("placeholder", "s").on("change", go_to);
     let head = el("input.scrub#head").at("type", "range").at("min", "0").at("max", "1").label(t("page.head"));
     let keys = el("div.keys").add(&[
         key("button.icon", ICON_START, "page.to-start", "page.to-start-key", move || player.seek(0.0)),

@@ -2,7 +2,6 @@
 
 use std::cell::Cell;
 
-use leptos::prelude::*;
 use web_sys::Event;
 
 use super::dom;
@@ -14,18 +13,15 @@ use crate::motion::Action;
 
 /// The variables tab.
 pub(super) fn variables(model: Model) -> Vec<El> {
-    let machine = Memo::new(move |_| model.project.with(|project| project.machine.id()));
     let rows = move || {
-        machine.track();
+        model.machine.track();
         let rows = model.project.with_untracked(|project| project.machine.variables(project.control));
         rows.into_iter().map(|(number, meaning, unit)| row(model, number, meaning, unit)).collect()
     };
-    let heads = ["page.variable", "page.value", "page.unit", "page.meaning"].map(|id| el("th").at("scope", "col").text(t(id)));
+    let heads =
+        ["page.variable", "page.value", "page.unit", "page.meaning"].map(|id| el("th").at("scope", "col").text(t(id)));
     let head = el("thead").add(&[el("tr").add(&heads)]);
-    vec![
-        el("p.lead").text(t("page.variables-lead")),
-        el("table.variables").add(&[head, el("tbody").swap(rows)]),
-    ]
+    vec![el("p.lead").text(t("page.variables-lead")), el("table.variables").add(&[head, el("tbody").swap(rows)])]
 }
 
 fn row(model: Model, number: u32, meaning: &'static str, unit: &str) -> El {
