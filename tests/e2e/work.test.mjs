@@ -200,7 +200,7 @@ test('a program dropped on the page restores the form', () =>
     const text = await page.locator('.listing li[data-l] code').allTextContents();
     await field(page, 'pitch').fill('3');
     await page.setInputFiles('#open', { name: 'O9101.nc', mimeType: 'text/plain', buffer: Buffer.from(text.join('\n')) });
-    await page.getByText('the form shows them again').waitFor();
+    await page.getByText('the form is as it was then').waitFor();
     assert.equal(await field(page, 'pitch').inputValue(), '7.25');
   }));
 
