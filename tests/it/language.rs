@@ -686,19 +686,28 @@ fn files_and_programs() {
 
 #[test]
 fn what_editors_leave_in_a_file() {
-    check("\u{feff}%\nO1\nM30\n%\n", expect![[r#"
+    check(
+        "\u{feff}%\nO1\nM30\n%\n",
+        expect![[r#"
         1:1 warning - The file starts with a byte order mark, which is no character of the control; save it without (as ASCII).
             Remove the byte order mark: 1:1 "\u{feff}"→""
-    "#]]);
-    check("%\rO1\rG91G01X1.F100.\rM30\r%\r", expect![[r#"
+    "#]],
+    );
+    check(
+        "%\rO1\rG91G01X1.F100.\rM30\r%\r",
+        expect![[r#"
         1:1 warning - There is no program in this file.
         1:2 error - The lines end in CR alone; a block ends in LF or CR LF.
             End the lines in LF: 1:1 "%\rO1\rG91G01X1.F100.\rM30\r%\r"→"%\nO1\nG91G01X1.F100.\nM30\n%\n"
         1:3 warning - The control skips what stands behind % in its line.
-    "#]]);
-    check("%\nO1\n#3003=1\n#100=#3003\n#3003=0\nM30\n%\n", expect![[r#"
+    "#]],
+    );
+    check(
+        "%\nO1\n#3003=1\n#100=#3003\n#3003=0\nM30\n%\n",
+        expect![[r#"
         3:1 warning - #3003 (single block and FIN suppressed) is read, but not simulated: the run here goes on without it.
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
