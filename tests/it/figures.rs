@@ -1,9 +1,10 @@
 //! The figures of the ribbon line, by running the program that the project exports.
 
 use macroline::machines::form::Value;
-use macroline::motion::{Action, Event, Keep, Limits, RunEnd};
+use macroline::motion::{Keep, Limits, RunEnd};
+use macroline::nc::{self, Files};
 use macroline::project::Project;
-use macroline::project::run::{self, Begin, Outcome, Setting};
+use macroline::project::run::{self, Begin, Outcome};
 use proptest::prelude::*;
 
 fn ribbon(values: &[(&str, f64)]) -> Project {
@@ -20,13 +21,14 @@ fn choose(project: &mut Project, id: &str, option: &str) {
 
 /// Runs what the project exports, to its end.
 #[track_caller]
-fn run(project: &Project, settings: &[Setting]) -> Outcome {
+fn run(project: &Project) -> Outcome {
     let written = project.written();
     let errors: Vec<_> =
         written.diagnostics.iter().filter(|d| d.severity == macroline::text::Severity::Error).collect();
     assert!(errors.is_empty(), "{errors:?}");
     let limits = Limits { blocks: 100_000_000, seconds: 1e9 };
-    let mut planner = run::of_project(project, &written, &Begin { start: None, settings, limits, keep: Keep::Log });
+    let mut planner =
+        run::of_project(project, &written, &Begin { start: None, settings: &[], limits, keep: Keep::Log });
     run::to_end(&mut planner, |_| Ok::<(), ()>(())).unwrap()
 }
 
@@ -52,12 +54,13 @@ fn the_override_table_comes_out_row_by_row() {
         (123.0, 1476.0, 18538.560, 146703.744, 25.892, 18547.963, 146851.414, 25.879, 9.973),
         // Above 123.3 % the spindle stands at its clamp, and so does the program.
         (124.0, 1480.0, 18588.800, 147101.315, 25.822, 18598.229, 147249.385, 25.809, 10.0),
+        (200.0, 1480.0, 18588.800, 147101.315, 25.822, 18598.229, 147249.385, 25.809, 10.0),
     ];
     for (percent, rpm, v314, f314, t314, v, f, t, volts) in table {
         for (pi, speed, feed, time) in [("3.14", v314, f314, t314), ("exact", v, f, t)] {
             let mut project = ribbon(&[("pitch-count", 3.0), ("override", percent)]);
             choose(&mut project, "pi", pi);
-            let out = run(&project, &[]);
+            let out = run(&project);
             near(variable(&out, "#104"), rpm, 1e-12);
             assert!((variable(&out, "#105") - speed).abs() < 6e-4, "{percent} {pi} #105");
             assert!((variable(&out, "#115") - feed).abs() < 6e-4, "{percent} {pi} #115");
@@ -85,64 +88,6 @@ fn the_volts_stand_at_the_spindle_while_it_prints() {
 }
 
 #[test]
-fn a_million_pitches_leave_y_within_one_increment() {
-    let project = ribbon(&[("pitch-count", 1_000_000.0), ("pitches-per-block", 6.0)]);
-    let out = run(&project, &[]);
-    assert!(matches!(out.ended, RunEnd::ProgramEnd), "{:?}", out.ended);
-    let y = out.axes.iter().find(|(axis, _)| *axis == 'Y').unwrap().1;
-    // The ideal is the sum of what the program itself calculates for a pitch.
-    let want = variable(&out, "#110") * 1e6;
-    assert!((y - want).abs() <= 0.001 + 1e-12 * want, "Y {y}, wanted {want}");
-    assert_eq!(out.axes[0].1, 8_000_000.0);
-}
-
-#[test]
-fn override_zero_waits_and_goes_on_when_the_knob_comes_back() {
-    let mut project = ribbon(&[("pitch-count", 50.0)]);
-    project.panel.add(Event { t: 0.0, action: Action::SpindleOverride(0.0) });
-    project.panel.add(Event { t: 20.0, action: Action::SpindleOverride(100.0) });
-    let out = run(&project, &[]);
-    assert!(matches!(out.ended, RunEnd::ProgramEnd), "{:?}", out.ended);
-    assert_eq!(out.axes[0].1, 400.0);
-    assert!(out.time > 20.0 && out.time < 30.0, "{}", out.time);
-    assert!(out.blocks < 10_000, "it does not spin while it waits: {} blocks", out.blocks);
-}
-
-#[test]
-fn a_product_change_by_variables_alone_takes_effect_without_writing_again() {
-    let project = ribbon(&[("pitch-count", 60.0)]);
-    let set = |name: &str, value| Setting { name: name.to_owned(), value };
-    let out = run(&project, &[set("#107", 12.5), set("#109", 4.0)]);
-    assert_eq!(out.axes[0].1, 750.0);
-    near(variable(&out, "#110"), core::f64::consts::PI * 30.0, 2e-9);
-    assert_eq!(variable(&out, "#107"), 12.5);
-    assert_eq!(variable(&out, "#109"), 4.0);
-}
-
-#[test]
-fn a_product_change_in_the_run_takes_effect_at_once() {
-    let mut project = ribbon(&[("pitch-count", 200.0)]);
-    project.panel.add(Event { t: 5.0, action: Action::Variable(107, Some(10.0)) });
-    let out = run(&project, &[]);
-    assert!(matches!(out.ended, RunEnd::ProgramEnd), "{:?}", out.ended);
-    let x = out.axes[0].1;
-    assert!(x > 1600.0 && x < 2000.0, "some pitches of 8 and some of 10: {x}");
-    assert_eq!((x * 1000.0).round() as i64 % 2000, 0, "whole pitches only: {x}");
-}
-
-#[test]
-fn the_guards_stop_with_the_controls_alarm_and_a_message() {
-    let project = ribbon(&[]);
-    for (name, message) in [("#101", "#101"), ("#107", "#107"), ("#109", "#109"), ("#111", "#111"), ("#100", "#100")] {
-        let out = run(&project, &[Setting { name: name.to_owned(), value: 0.0 }]);
-        let RunEnd::Alarm(alarm) = &out.ended else { panic!("{name}: {:?}", out.ended) };
-        assert_eq!(alarm.alarm, Some("P277"));
-        let text = macroline::text::catalog::sentence(Default::default(), &alarm.message);
-        assert!(text.contains(message), "{text}");
-    }
-}
-
-#[test]
 fn exported_programs_are_as_the_control_wants_them() {
     for crlf in [false, true] {
         let mut project = ribbon(&[]);
@@ -152,6 +97,8 @@ fn exported_programs_are_as_the_control_wants_them() {
         let programs: Vec<_> = export.files.iter().filter(|f| f.name.ends_with(".nc")).collect();
         assert_eq!(programs.iter().map(|f| f.name.as_str()).collect::<Vec<_>>(), ["O9100.nc", "O9101.nc", "O9102.nc"]);
         for file in programs {
+            let read = nc::parse(&Files::one(&file.name, file.text.as_str()), project.control);
+            assert!(read.diagnostics().is_empty(), "{:?}", read.diagnostics());
             let end = if crlf { "\r\n" } else { "\n" };
             assert!(
                 file.text.starts_with(&format!("%{end}O9")) && file.text.ends_with(&format!("{end}%{end}")),
@@ -160,7 +107,11 @@ fn exported_programs_are_as_the_control_wants_them() {
             );
             assert!(file.text.is_ascii() && file.text == file.text.to_uppercase());
             assert_eq!(file.text.matches('\r').count(), if crlf { file.text.lines().count() } else { 0 });
-            assert!(file.text.lines().all(|line| line.len() < 80), "{}", file.name);
+            for line in file.text.lines() {
+                assert!(line.len() < 80, "{}: {line}", file.name);
+                let comment = line.split_once('(').map_or(0, |(_, tail)| tail.len() - 1);
+                assert!(comment <= 31, "{}: {line}", file.name);
+            }
         }
     }
 }
@@ -208,7 +159,7 @@ proptest! {
         ]);
         choose(&mut project, "y-unit", if degrees { "degrees" } else { "mm" });
         prop_assume!(project.design().diagnostics.iter().all(|d| d.severity != macroline::text::Severity::Error));
-        let out = run(&project, &[]);
+        let out = run(&project);
         prop_assert!(matches!(out.ended, RunEnd::ProgramEnd), "{:?}", out.ended);
         let n = (f64::from(speed) * f64::from(percent) / 100.0).min(1480.0);
         let v = core::f64::consts::PI * press / ratio * n;

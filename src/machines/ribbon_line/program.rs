@@ -189,7 +189,7 @@ fn run(b: &mut Builder, p: &Params) {
     b.n(16).if_goto(v(100).eq(v(127)), 19);
     b.n(17).assign(127, v(100));
     b.n(18).words([s(v(100))]);
-    b.n(19).if_goto(v(115).gt(0), 30);
+    b.n(19).if_goto(v(115).ge(real(0.001, 3)), 30).note("F BELOW IS F0");
     b.n(20).words([g(4), x(real(0.1, 1))]).note("OVERRIDE 0: WAIT");
     b.n(21).goto(15);
     b.n(30).while_do(v(125).ge(v(128)), 2);
@@ -257,7 +257,7 @@ fn published(b: &mut Builder, p: &Params) {
     b.n(20).assign(110, y_stroke(p)).note("Y PER PITCH");
     b.n(30).assign(115, vector_feed()).note("VECTOR FEED");
     b.n(31).assign(124, ((v(122) + v(110)) * 1000).round() / 1000).note("Y OF THIS PITCH");
-    b.n(40).if_goto(v(115).le(0), 210);
+    b.n(40).if_goto(v(115).lt(real(0.001, 3)), 210).note("F BELOW IS F0");
     b.n(41).if_goto(v(115).gt(v(119)), 920);
     b.n(90).if_goto(v(127).eq(v(100)), 200);
     start_spindle(b, p, 100, 110);

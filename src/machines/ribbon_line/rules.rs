@@ -104,6 +104,10 @@ pub(super) fn errors(case: &Case) -> Vec<Diagnostic> {
     }
     let slower = slower_advice(case);
     let mut found: Vec<_> = found.into_iter().map(|finding| finding.hint(slower.clone())).collect();
+    if d.vector_feed > 0.0 && d.vector_feed < case.limits.feed_increment {
+        let message = msg!("ribbon.feed-below-increment", (d.vector_feed, 6), case.limits.feed_increment);
+        found.push(Diagnostic::error(message).about("spindle-speed"));
+    }
     found.extend(long_blocks(case));
     found
 }

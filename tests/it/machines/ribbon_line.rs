@@ -295,6 +295,9 @@ fn blocks_that_the_control_cannot_read_are_errors() {
     assert_eq!(errors(&short), [""; 0]);
     // A limit above the control's own does not help.
     let fast = [("pitch", "0.5"), ("clamp-y", "10000000"), ("feed-limit", "10000000")];
+    let slow =
+        [("spindle-speed", "1"), ("reduction-ratio", "10000"), ("press-roller-diameter", "1"), ("heads", "1000")];
+    assert!(errors(&slow)[0].contains("steps of 0.001, less is F0"), "{:?}", errors(&slow));
     assert_eq!(errors(&fast), ["The vector feed would be 1895024.044 mm/min, the control takes 1000000 at most."]);
 }
 

@@ -8,11 +8,12 @@ use expect_test::expect_file;
 use macroline::controls::Switches;
 use macroline::interp::world::Still;
 use macroline::interp::{self, Canon, End, Interp, Start};
-use macroline::machines::form::{Origins, Values};
+use macroline::machines::form::{FieldInfo, KindInfo, Origins, Value, Values};
 use macroline::machines::{self, Plan, settings};
 use macroline::math::{PI, hypot};
 use macroline::motion::{Action, Event, Keep, Limits, Mode, Panel, Planner, RunEnd, Setup};
 use macroline::nc::{self, Emitted, Parsed};
+use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence};
 use proptest::prelude::*;
 
@@ -111,22 +112,6 @@ fn programs_as_they_go_to_the_machine() {
 }
 
 #[test]
-fn files_are_as_the_control_wants_them() {
-    let (plan, emitted) = plan(&values(&[("customer", "ACME"), ("newline", "crlf")]));
-    assert!(plan.crlf);
-    assert_eq!(emitted.files.0.len(), 3);
-    for file in &emitted.files.0 {
-        assert!(file.text.starts_with("%\n") && file.text.ends_with("%\n"), "{}", file.name);
-        assert!(file.text.is_ascii() && !file.text.bytes().any(|b| b.is_ascii_lowercase()), "{}", file.name);
-        for line in file.text.lines() {
-            assert!(line.len() < 80, "{}: {line}", file.name);
-            let comment = line.split_once('(').map_or(0, |(_, tail)| tail.len() - 1);
-            assert!(comment <= 31, "{}: {line}", file.name);
-        }
-    }
-}
-
-#[test]
 fn the_papers_figures_by_running_the_text() {
     let mut run = ready(&values(&[]));
     let printed = print(&mut run, 100.0);
@@ -143,25 +128,13 @@ fn the_papers_figures_by_running_the_text() {
 }
 
 #[test]
-fn the_override_reaches_speed_and_feed_and_stops_at_the_clamp() {
-    for (percent, speed, feed) in [
-        (10.0, 120.0, 11939.139),
-        (50.0, 600.0, 59695.697),
-        (80.0, 960.0, 95513.115),
-        (110.0, 1320.0, 131330.533),
-        (120.0, 1440.0, 143269.672),
-        (123.0, 1476.0, 146851.414),
-        (124.0, 1480.0, 119391.393301 / 1200.0 * 1480.0),
-        (200.0, 1480.0, 119391.393301 / 1200.0 * 1480.0),
-    ] {
-        let mut run = ready(&values(&[("pitch-count", "5")]));
-        print(&mut run, percent);
+fn the_final_speed_is_taken_as_it_is_and_stops_at_the_clamp() {
+    for (word, speed) in [(960.0, 960.0), (1480.0, 1480.0), (1600.0, 1480.0)] {
+        let mut run = ready(&values(&[("override-form", "final-speed"), ("pitch-count", "5")]));
+        print(&mut run, word);
         near(variable(&run, 104), speed, 1e-9);
-        near(variable(&run, 115), feed, 0.001);
+        near(variable(&run, 115), 119391.393301 / 1200.0 * speed, 0.001);
     }
-    let mut run = ready(&values(&[("override-form", "final-speed"), ("pitch-count", "5")]));
-    print(&mut run, 960.0);
-    near(variable(&run, 115), 95513.115, 0.001);
 }
 
 #[test]
@@ -418,38 +391,90 @@ fn s_changed_while_it_runs_is_commanded_again() {
     near(now.axes[0].feed, 900.0 * 12.566370614, 0.3);
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+/// Any value that a field takes; numbers evenly over their orders of magnitude.
+fn any_value(field: FieldInfo) -> BoxedStrategy<(String, Value)> {
+    let id = field.id.to_owned();
+    let value = match field.kind {
+        KindInfo::Number { min, max, decimals, .. } => {
+            let scale = 10f64.powi(i32::from(decimals));
+            let low = min.max(1.0 / scale);
+            (0.0f64..=1.0, 0u8..20)
+                .prop_map(move |(at, edge)| match edge {
+                    0 => Value::Number(min),
+                    1 => Value::Number(max),
+                    _ => Value::Number(((low * (max / low).powf(at) * scale).round() / scale).clamp(min, max)),
+                })
+                .boxed()
+        }
+        KindInfo::Flag(_) => any::<bool>().prop_map(Value::Flag).boxed(),
+        KindInfo::Choice(options) => (0..options.len()).prop_map(|at| Value::Text(options[at].0.to_owned())).boxed(),
+        KindInfo::Text(max) => {
+            "[ -~äß%\n()]{0,40}".prop_map(move |text| Value::Text(text.chars().take(max).collect())).boxed()
+        }
+    };
+    value.prop_map(move |value| (id.clone(), value)).boxed()
+}
 
-    /// For valid inputs the exported program runs to the numbers of the closed form.
+/// Any settings with which the program can be exported and is done after 300 pitches at most.
+fn any_settings() -> impl Strategy<Value = Values> {
+    let fields: Vec<_> = machine().fields().into_iter().map(any_value).collect();
+    (fields, 1u32..300).prop_map(|(settings, count)| {
+        let mut values: Values = settings.into_iter().collect();
+        let number = |value: f64| Value::Number((value * 1000.0).round() / 1000.0);
+        for id in ["clamp-x", "clamp-y", "feed-limit"] {
+            values.insert(id.to_owned(), Value::Number(1e7));
+        }
+        values.insert("job".to_owned(), Value::Text("pitch-count".to_owned()));
+        values.insert("pitch-count".to_owned(), number(f64::from(count)));
+        // As fast as the control can read F.
+        let share = 0.99e6 / result(&values, "vector-feed");
+        for id in ["reduction-ratio", "press-roller-diameter"] {
+            let Some(Value::Number(was)) = values.get(id) else { continue };
+            let slower = if id == "reduction-ratio" { was / share.min(1.0) } else { *was };
+            values.insert(id.to_owned(), number(slower.min(10_000.0)));
+        }
+        values
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(256))]
+
+    /// Whatever the settings: the control has nothing to say about the text, it runs to the numbers of the closed form, it writes
+    /// none of the operator's variables, and dropped again it restores the form.
     #[test]
-    fn random_machines_run_to_the_closed_form(
-        speed in 1u32..3000, reduction in 1.0f64..200.0, press in 20.0f64..600.0, pitch in 1u32..200_000, heads in 1u32..200,
-        print_roller in 20.0f64..600.0, count in 1u32..300, by in 1u32..40, percent in 1u32..200, degrees: bool, short: bool,
-        published: bool,
-    ) {
-        let three = |value: f64| format!("{value:.3}");
-        let typed = [
-            ("spindle-speed", speed.to_string()), ("reduction-ratio", three(reduction)), ("press-roller-diameter", three(press)),
-            ("pitch", three(f64::from(pitch) / 1000.0 + 0.5)), ("heads", heads.to_string()),
-            ("print-roller-diameter", three(print_roller)), ("pitch-count", count.to_string()), ("pitches-per-block", by.to_string()),
-            ("override", percent.to_string()), ("feed-limit", "10000000".to_owned()), ("clamp-x", "10000000".to_owned()),
-            ("clamp-y", "10000000".to_owned()), ("y-unit", if degrees { "degrees" } else { "mm" }.to_owned()),
-            ("pi", if short { "3.14" } else { "exact" }.to_owned()),
-            ("variant", if published { "published" } else { "ready-made" }.to_owned()),
-        ];
-        let typed: Vec<_> = typed.iter().map(|(id, text)| (*id, text.as_str())).collect();
-        let values = values(&typed);
-        prop_assume!(result(&values, "vector-feed") < 1e6);
+    fn any_settings_give_a_clean_program_that_runs_to_the_closed_form(values in any_settings()) {
+        let design = machine().design(&values, &Origins::new(), control());
+        prop_assume!(design.diagnostics.iter().all(|d| d.severity != Severity::Error));
+        let (_, parsed) = parsed(&values);
+        for file in &parsed.files().0 {
+            let (_, read) = settings::read(&file.text, |id| machines::find(id).map(|machine| machine.fields())).unwrap();
+            for (id, value) in &read {
+                if !matches!(value, Value::Text(_)) {
+                    prop_assert_eq!(values.get(id), Some(value), "{}", id);
+                }
+            }
+        }
         let mut run = ready(&values);
-        let printed = print(&mut run, f64::from(percent));
+        let entries: Vec<_> = run.variables().collect();
+        let Some(Value::Number(knob)) = values.get("override") else { unreachable!() };
+        let Some(Value::Text(step)) = values.get("knob-step") else { unreachable!() };
+        let step: f64 = step.parse().unwrap();
+        let percent = (knob / step).round() * step;
+        prop_assume!(percent > 0.0);
+        let final_speed = values.get("override-form") == Some(&Value::Text("final-speed".to_owned()));
+        let printed = print(&mut run, if final_speed { result(&values, "actual-speed") } else { percent });
+        for (name, value) in entries {
+            let number = name[1..].parse().unwrap();
+            prop_assert_eq!(run.variable(number), Some(value), "{} was written", name);
+        }
         // The digits of π in the text are 2e-10 off, and the vector feed has them twice.
         for (number, id) in [(104, "actual-speed"), (105, "line-speed"), (110, "y-stroke"), (115, "vector-feed")] {
             let wanted = result(&values, id);
             near(variable(&run, number), wanted, wanted * 1e-9);
         }
         near(printed.x, result(&values, "product-length"), 1e-6);
-        near(printed.y, variable(&run, 110) * f64::from(count), 0.001);
+        near(printed.y, variable(&run, 110) * result(&values, "dots-per-product"), 0.001);
     }
 }
 

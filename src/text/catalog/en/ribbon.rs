@@ -47,6 +47,10 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("ribbon.encoder-resolution", "Encoder resolution"),
     ("ribbon.encoder-resolution.help", "Pulses per revolution of the servo motors."),
     ("ribbon.feed-above-limit", "The vector feed would be {0} mm/min, the control takes {1} at most."),
+    (
+        "ribbon.feed-below-increment",
+        "The vector feed would be {0} mm/min: the control reads F in steps of {1}, less is F0. A higher speed or a smaller reduction mends it.",
+    ),
     ("ribbon.feed-limit", "Feed limit"),
     ("ribbon.feed-limit.help", "Largest F that the control takes."),
     ("ribbon.few-volts", "{0} V are little for an analog input: below 0.5 V the inverter is not accurate."),
