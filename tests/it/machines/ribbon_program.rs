@@ -10,7 +10,7 @@ use macroline::interp::world::Still;
 use macroline::interp::{self, Canon, End, Interp, Start};
 use macroline::machines::form::{FieldInfo, KindInfo, Origins, Value, Values};
 use macroline::machines::{self, Plan, settings};
-use macroline::math::{PI, hypot};
+use macroline::math::{self, PI, hypot};
 use macroline::motion::{Action, Event, Keep, Limits, Mode, Panel, Planner, RunEnd, Setup};
 use macroline::nc::{self, Emitted, Parsed};
 use macroline::text::Severity;
@@ -396,13 +396,15 @@ fn any_value(field: FieldInfo) -> BoxedStrategy<(String, Value)> {
     let id = field.id.to_owned();
     let value = match field.kind {
         KindInfo::Number { min, max, decimals, .. } => {
-            let scale = 10f64.powi(i32::from(decimals));
+            let scale: f64 = format!("1e{decimals}").parse().unwrap();
             let low = min.max(1.0 / scale);
             (0.0f64..=1.0, 0u8..20)
                 .prop_map(move |(at, edge)| match edge {
                     0 => Value::Number(min),
                     1 => Value::Number(max),
-                    _ => Value::Number(((low * (max / low).powf(at) * scale).round() / scale).clamp(min, max)),
+                    _ => Value::Number(
+                        ((low * math::exp(math::ln(max / low) * at) * scale).round() / scale).clamp(min, max),
+                    ),
                 })
                 .boxed()
         }
