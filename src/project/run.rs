@@ -15,7 +15,8 @@ use crate::motion::{
     Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Plc, RunEnd, Setup, SpindlePlant,
 };
 use crate::nc::Parsed;
-use crate::text::{Diagnostic, Severity};
+use crate::text::catalog::number_text;
+use crate::text::{Diagnostic, Place, Severity};
 
 /// A planned run of the interpreter.
 pub type Run = Planner<Interp>;
@@ -265,7 +266,7 @@ impl Outcome {
 
     /// The end as one line for people.
     pub fn text(&self) -> String {
-        let axes: Vec<String> = self.axes.iter().map(|(axis, at)| format!("{axis}{}", clean(*at))).collect();
+        let axes: Vec<String> = self.axes.iter().map(|(axis, at)| format!("{axis}{}", number_text(*at, 3))).collect();
         format!("{} after {} blocks, {:.3} s; {}", self.word(), self.blocks, self.time, axes.join(" "))
     }
 }
@@ -275,12 +276,12 @@ fn clean(value: f64) -> f64 {
     if value.abs() < 1e3 { (value * 1e12).round() / 1e12 } else { value }
 }
 
-/// Leaves out repetitions, in place; the order stays.
+/// Leaves out repetitions, in place; the order stays. The run repeats what the reader has found, about the whole block.
 pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
     let mut seen: Vec<Diagnostic> = Vec::new();
     diagnostics.retain(|d| {
         let new = !seen.iter().any(|s| {
-            s.place == d.place
+            covers(d.place, s.place)
                 && s.alarm == d.alarm
                 && (s.message == d.message || d.severity == Severity::Error && d.alarm.is_some())
         });
@@ -289,4 +290,13 @@ pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
         }
         new
     });
+}
+
+fn covers(outer: Option<Place>, inner: Option<Place>) -> bool {
+    match (outer, inner) {
+        (Some(outer), Some(inner)) => {
+            outer.file == inner.file && outer.span.start <= inner.span.start && inner.span.end <= outer.span.end
+        }
+        _ => outer == inner,
+    }
 }

@@ -225,7 +225,7 @@ impl Reader {
         let files: Vec<File> = list
             .iter()
             .take(64)
-            .map(|file| File { name: clip(&text_of(file.get("name"))), text: text_of(file.get("text")) })
+            .map(|file| File { name: file_name(&text_of(file.get("name"))), text: text_of(file.get("text")) })
             .collect();
         (!files.is_empty()).then_some(Files(files))
     }
@@ -337,6 +337,13 @@ fn text_of(json: Option<&Json>) -> String {
 fn strings(json: Option<&Json>) -> Vec<String> {
     let list = json.and_then(Json::as_array).map_or(&[][..], Vec::as_slice);
     list.iter().filter_map(|entry| entry.as_str().map(clip)).take(1000).collect()
+}
+
+/// The name of a program file: a bare name, whatever a hostile project says, for an export writes it into a folder.
+fn file_name(text: &str) -> String {
+    let name = clip(text.rsplit(['/', '\\', ':']).next().unwrap_or_default());
+    let bare = name.trim_start_matches('.');
+    if bare.is_empty() { "program.nc".to_owned() } else { bare.to_owned() }
 }
 
 fn clip(text: &str) -> String {

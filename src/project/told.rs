@@ -24,12 +24,11 @@ impl<'f> Teller<'f> {
         let mut out =
             format!("{}{alarm}: {}\n", word(diagnostic.severity), sentence(Language::English, &diagnostic.message));
         if let Some((file, line, column)) = self.place(diagnostic) {
-            let shown = self.line_text(diagnostic, line);
+            let (shown, at) = window(self.line_text(diagnostic, line), column as usize - 1);
             let digits = line.to_string();
             let gap = " ".repeat(digits.len());
-            let left =
-                shown.chars().take(column as usize - 1).map(|c| if c == '\t' { '\t' } else { ' ' }).collect::<String>();
-            let room = shown.chars().count().saturating_sub(column as usize - 1).max(1);
+            let left = shown.chars().take(at).map(|c| if c == '\t' { '\t' } else { ' ' }).collect::<String>();
+            let room = shown.chars().count().saturating_sub(at).max(1);
             let wide = diagnostic.place.map_or(1, |place| (place.span.end - place.span.start) as usize).clamp(1, room);
             out += &format!(
                 "{gap}--> {file}:{line}:{column}\n{gap} |\n{digits} | {shown}\n{gap} | {left}{}\n",
@@ -84,4 +83,16 @@ pub fn word(severity: Severity) -> &'static str {
         Severity::Warning => "warning",
         Severity::Info => "info",
     }
+}
+
+/// Characters of a line that are shown at most.
+const SHOWN: usize = 160;
+
+/// The part of a line around a character, and where that character stands in it.
+fn window(line: &str, at: usize) -> (String, usize) {
+    if line.chars().nth(SHOWN).is_none() {
+        return (line.to_owned(), at);
+    }
+    let from = at.saturating_sub(SHOWN / 4);
+    (line.chars().skip(from).take(SHOWN).collect(), at - from)
 }

@@ -210,6 +210,18 @@ fn diagnostics_have_the_same_keys_with_and_without_a_place() {
 }
 
 #[test]
+fn what_a_terminal_gets_is_short_and_harmless() {
+    let folder = folder("terminal");
+    let path = folder.join("long.nc");
+    let text_of_it = format!("%\nO1(\u{1b}[31m)\nGOTO7\n#1=1{}\nM30\n%\n", "+1".repeat(20_000));
+    std::fs::write(&path, text_of_it).unwrap();
+    let out = macroline(&["run", &text(&path), "--control", "mitsubishi-e60"]);
+    let said = String::from_utf8(out.stderr).unwrap();
+    assert!(!said.contains('\u{1b}') && said.lines().all(|line| line.chars().count() < 200), "{said}");
+    assert_eq!(said.matches("P231").count(), 1, "found by the reader and by the run, told once: {said}");
+}
+
+#[test]
 fn inputs_of_the_plc_are_forced_by_variable_or_register() {
     let folder = folder("inputs");
     let path = folder.join("inputs.nc");

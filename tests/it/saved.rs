@@ -108,6 +108,23 @@ fn a_value_out_of_range_stays_and_the_field_says_what_is_allowed() {
 }
 
 #[test]
+fn a_hostile_name_of_a_program_stays_in_the_folder() {
+    for (name, bare) in [
+        ("../../evil.nc", "evil.nc"),
+        ("/etc/passwd", "passwd"),
+        ("C:\\x\\O1.nc", "O1.nc"),
+        ("..", "program.nc"),
+        ("", "program.nc"),
+    ] {
+        let edited = serde_json::json!([{ "name": name, "text": "%\nO1\nM30\n%\n" }]);
+        let mut json: serde_json::Value = serde_json::from_str(&ribbon().to_json()).unwrap();
+        json["edited"] = edited;
+        let project = Project::from_json(&json.to_string()).project.unwrap();
+        assert_eq!(project.export().files[0].name, bare);
+    }
+}
+
+#[test]
 fn the_first_shape_of_a_file_is_read_for_ever() {
     let text = include_str!("../data/saved/v1.json");
     let loaded = Project::from_json(text);

@@ -53,8 +53,11 @@ pub fn sentence(language: Language, message: &Message) -> String {
     out
 }
 
-/// A number with at most `decimals` decimals, without trailing zeros: `8`, `15.279`, `-0.5`.
+/// A number with at most `decimals` decimals, without trailing zeros: `8`, `15.279`, `-0.5`; from 10¹⁵ on with an exponent.
 pub fn number_text(number: f64, decimals: u8) -> String {
+    if number.abs() >= 1e15 {
+        return format!("{number:e}");
+    }
     let mut text = format!("{number:.*}", decimals as usize);
     if text.contains('.') {
         text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
