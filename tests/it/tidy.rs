@@ -3,6 +3,7 @@
 mod source;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 use macroline::text::catalog::{Language, areas};
 use source::{Source, words};
@@ -345,4 +346,18 @@ fn nothing_is_left_undone_or_switched_off() {
         broken.extend(marks.map(|(at, mark)| format!("{}: {mark}", source.place(at))));
     }
     hold("What is committed is finished.", "do it, or write an issue and leave the code without it", broken);
+}
+
+/// The map in `src/README.md`: every file with its first sentence. `UPDATE_EXPECT=1` writes it anew.
+#[test]
+fn the_map_names_every_file_with_its_first_sentence() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/README.md");
+    let readme = std::fs::read_to_string(&path).unwrap();
+    let (head, _) = readme.split_once("\n## Map\n").expect("src/README.md has a section “Map”");
+    let mut map = String::new();
+    for file in sources() {
+        let first = file.text.lines().next().unwrap_or_default().trim_start_matches("//! ");
+        map += &format!("- `{}`: {first}\n", file.path);
+    }
+    expect_test::expect_file![path].assert_eq(&format!("{head}\n## Map\n\n{map}"));
 }
