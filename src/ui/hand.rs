@@ -9,6 +9,7 @@ use super::words::{clock, figure, t};
 use crate::machines::form::Value;
 use crate::motion::{Action, Event, Mode};
 use crate::project::Project;
+use crate::text::number;
 
 /// Percent that the knobs reach.
 const FULL: f64 = 200.0;
@@ -106,7 +107,7 @@ pub(super) fn hand(model: Model) -> El {
         }
     };
     let spindle = standing(
-        |project| number(project, "override", 100.0),
+        |project| of_form(project, "override", 100.0),
         |action| match action {
             Action::SpindleOverride(percent) => Some(*percent),
             _ => None,
@@ -126,7 +127,7 @@ pub(super) fn hand(model: Model) -> El {
             _ => None,
         },
     );
-    let step = move || model.project.with(|project| number(project, "knob-step", 10.0));
+    let step = move || model.project.with(|project| of_form(project, "knob-step", 10.0));
     let waits = move || matches!(player.now.with(|now| now.mode), Mode::Hold | Mode::Stopped);
     let press = move |class: &str, label: &'static str, action: Action| {
         button(class, t(label), move || act(model, action.clone()))
@@ -155,10 +156,10 @@ pub(super) fn hand(model: Model) -> El {
 }
 
 /// A number of the project's form; of a choice, its id as a number.
-fn number(project: &Project, id: &str, otherwise: f64) -> f64 {
+fn of_form(project: &Project, id: &str, otherwise: f64) -> f64 {
     match project.values.get(id) {
         Some(Value::Number(number)) => *number,
-        Some(Value::Text(text)) => text.parse().unwrap_or(otherwise),
+        Some(Value::Text(text)) => number::read(text).unwrap_or(otherwise),
         _ => otherwise,
     }
 }
@@ -181,7 +182,7 @@ fn knob(
     let slider = el("input").at("type", "range").at("id", id).at("min", "0").at("max", "200");
     let input = slider.html().clone();
     let part = move || drop(input.style().set_property("--part", &format!("{:.1}%", value() / FULL * 100.0)));
-    let turned = move |event| drop(super::el::value(&event).parse().map(turn));
+    let turned = move |event| number::read(&super::el::value(&event)).map_or((), turn);
     let slider = slider.bind("step", move || step().to_string()).valued(move || value().to_string()).run(part);
     el("div.knob").add(&[
         el("label").at("for", id).text(label),

@@ -8,6 +8,7 @@ use super::model::Model;
 use super::player::SPEEDS;
 use super::words::t;
 use crate::motion::Mode;
+use crate::text::number;
 
 const ICON_START: &str = "M3 3h2v10H3zM13 3v10L6 8z";
 const ICON_BACK: &str = "M11 3h2v10h-2zM9 3v10L2 8z";
@@ -50,13 +51,14 @@ pub(super) fn transport(model: Model) -> El {
     let playing = move || player.playing.get();
     let speeds = SPEEDS.map(|speed| el("option").at("value", &speed.to_string()).text(&speed_text(speed)));
     let speed = el("select.speed").label(t("page.speed")).add(&speeds).valued(move || player.speed.get().to_string());
-    let speed = speed.on("change", move |event| drop(value(&event).parse().map(|speed| player.speed.set(speed))));
+    let speed =
+        speed.on("change", move |event| number::read(&value(&event)).map_or((), |speed| player.speed.set(speed)));
     let scrub = move |event| {
         player.playing.set(false);
-        drop(value(&event).parse::<f64>().map(|ms| player.seek(ms / 1000.0)));
+        number::read(&value(&event)).map_or((), |ms| player.seek(ms / 1000.0));
     };
     let go_to = move |event: Event| {
-        if let Ok(t) = value(&event).trim().replace(',', ".").parse::<f64>() {
+        if let Some(t) = number::read(&value(&event)) {
             player.playing.set(false);
             player.seek(t);
         }

@@ -10,6 +10,7 @@ use super::hand::act;
 use super::model::Model;
 use super::words::{figure, t};
 use crate::motion::Action;
+use crate::text;
 
 /// The variables tab.
 pub(super) fn variables(model: Model) -> Vec<El> {
@@ -48,10 +49,10 @@ fn row(model: Model, number: u32, meaning: &'static str, unit: &str) -> El {
         dom::set(&line, "class", class);
     };
     let set = move |event: Event| {
-        let typed = value(&event).replace(',', ".").replace('\u{2212}', "-").replace(['\u{202f}', ' '], "");
-        match typed.parse::<f64>() {
-            Ok(value) if value.is_finite() => act(model, Action::Variable(number, Some(value))),
-            Err(_) if typed.is_empty() => act(model, Action::Variable(number, None)),
+        let typed = value(&event).replace(['\u{202f}', ' '], "");
+        match text::number::read(&typed) {
+            Some(value) => act(model, Action::Variable(number, Some(value))),
+            None if typed.is_empty() => act(model, Action::Variable(number, None)),
             _ => model.notify("warn", t("page.not-a-value").to_owned()),
         }
     };
