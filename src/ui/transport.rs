@@ -55,7 +55,9 @@ pub(super) fn transport(model: Model) -> El {
         speed.on("change", move |event| number::read(&value(&event)).map_or((), |speed| player.speed.set(speed)));
     let scrub = move |event| {
         player.playing.set(false);
-        number::read(&value(&event)).map_or((), |ms| player.seek(ms / 1000.0));
+        if let Some(ms) = number::read(&value(&event)) {
+            player.seek(ms / 1000.0);
+        }
     };
     let go_to = move |event: Event| {
         if let Some(t) = number::read(&value(&event)) {
