@@ -20,8 +20,6 @@ fn host() -> web_sys::HtmlElement {
 /// The app in a fresh browser, mounted; it stays as long as the handle.
 async fn app() -> (web_sys::HtmlElement, impl Sized) {
     window().local_storage().unwrap().unwrap().clear().unwrap();
-    // One app at a time: ids are those of the page.
-    document().body().unwrap().set_inner_html("");
     let host = host();
     let mounted = mount_to(host.clone(), App);
     settled().await;
@@ -103,7 +101,6 @@ async fn a_broken_stored_state_is_set_aside() {
     let store = window().local_storage().unwrap().unwrap();
     store.clear().unwrap();
     store.set_item("macroline.project", "{ not a project").unwrap();
-    document().body().unwrap().set_inner_html("");
     let host = host();
     let _mounted = mount_to(host.clone(), App);
     settled().await;

@@ -2,7 +2,7 @@
 
 use super::el::{El, button, el};
 use super::model::Model;
-use super::words::{figure, say, sign, t};
+use super::words::{figure, say, short, sign, t};
 use crate::view::{Readout, Verdict};
 
 /// The class of a verdict.
@@ -27,13 +27,7 @@ pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
 
 /// Limit of a readout, as it stands below the value.
 pub(super) fn limit(readout: &Readout) -> Option<String> {
-    readout.limit.map(|limit| format!("{} {}", t("page.limit"), limit_text(limit, readout.decimals)))
-}
-
-/// A limit with no more decimals than it needs.
-fn limit_text(limit: f64, decimals: u8) -> String {
-    let text = figure(limit, decimals);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    readout.limit.map(|limit| format!("{} {}", t("page.limit"), short(limit, readout.decimals)))
 }
 
 /// The cards.

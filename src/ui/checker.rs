@@ -137,7 +137,8 @@ pub fn work() {
     let answer = scope.clone();
     let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
         let (data, scope) = (event.data(), answer.clone());
-        leptos::task::spawn_local(async move {
+        // Not Leptos' own: that waits for a mounted page.
+        wasm_bindgen_futures::spawn_local(async move {
             let control = get(&data, "control").as_string().unwrap_or_default();
             let Some(control) = crate::controls::find(&control) else { return };
             let text = read(&get(&data, "blob").unchecked_into(), &scope).await;

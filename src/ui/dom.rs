@@ -47,6 +47,15 @@ impl Frames {
     }
 }
 
+/// Does something after the effects of what has just changed.
+pub(super) fn soon(act: impl FnOnce() + 'static) {
+    let act: Box<dyn FnOnce()> = Box::new(act);
+    wasm_bindgen_futures::spawn_local(async move {
+        leptos::task::tick().await;
+        act();
+    });
+}
+
 /// The page's own store in this browser.
 pub(super) fn storage() -> Option<Storage> {
     web_sys::window()?.local_storage().ok().flatten()
@@ -88,7 +97,7 @@ pub(super) fn download(name: &str, kind: &str, bytes: &[u8]) {
 /// Puts a text on the clipboard.
 pub(super) fn copy(text: &str) {
     let promise = window().navigator().clipboard().write_text(text);
-    leptos::task::spawn_local(async move {
+    wasm_bindgen_futures::spawn_local(async move {
         let _ = wasm_bindgen_futures::JsFuture::from(promise).await;
     });
 }

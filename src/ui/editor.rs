@@ -75,7 +75,7 @@ fn take(model: Model, at: usize, text: String) {
 fn mount(handle: Handle, begin: impl Fn(&JsValue, &JsValue) -> Result<JsValue, JsValue> + 'static) -> Vec<El> {
     let (host, note) = (el("div.editor"), el("p.note"));
     let (inside, told) = (host.dom().clone(), note.dom().clone());
-    leptos::task::spawn_local(async move {
+    wasm_bindgen_futures::spawn_local(async move {
         let opened = load(MODULE).await.and_then(|module| begin(&module, &inside));
         match opened {
             Ok(editor) => drop(handle.try_set_value(Some(editor))),

@@ -58,6 +58,11 @@ pub(super) fn value(event: &Event) -> String {
     event_target_value(event)
 }
 
+/// The number in the field that an event is about.
+pub(super) fn number(event: &Event) -> Option<f64> {
+    crate::text::number::read(&value(event).replace(['\u{202f}', ' '], ""))
+}
+
 /// The check mark that an event is about.
 pub(super) fn checked(event: &Event) -> bool {
     event_target_checked(event)

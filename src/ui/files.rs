@@ -51,7 +51,7 @@ fn take(model: Model, files: Vec<File>) {
         checker::check(model, Source::File(big.clone()));
         return;
     }
-    leptos::task::spawn_local(async move {
+    wasm_bindgen_futures::spawn_local(async move {
         let mut texts = Vec::new();
         for file in files {
             let Ok(buffer) = JsFuture::from(file.array_buffer()).await else { continue };

@@ -5,11 +5,10 @@ use leptos::prelude::*;
 use super::dom;
 use super::el::{El, button, el, icon_button};
 use super::model::Model;
-use super::words::{clock, figure, t};
+use super::words::{clock, short, t};
 use crate::machines::form::Value;
 use crate::motion::{Action, Event, Mode};
 use crate::project::Project;
-use crate::text::number;
 
 /// Percent that the knobs reach.
 const FULL: f64 = 200.0;
@@ -38,54 +37,51 @@ fn name(action: &Action) -> String {
     }
 }
 
-/// Does an action at the head and tells what it changed.
+/// Does an action at the head and tells what it changes: the run a little later, with and without it.
 pub(super) fn act(model: Model, action: Action) {
     dom::mark("knob-turned");
     let player = model.player;
-    let before = watched(model, player.head());
+    let later = player.head() + EFFECT;
+    player.plan_to(later);
+    let without = watched(model, later);
     let event = player.act(action);
     model.note(event.clone());
-    let told = format!("{} s: {}", clock(event.t), name(&event.action));
-    let tell = move |at: f64| {
-        let after = watched(model, at);
+    let tell = move || {
+        player.plan_to(later);
         let mut changes: Vec<String> = Vec::new();
-        for ((name, old), (_, new)) in before.into_iter().zip(after) {
+        for ((name, old), (_, new)) in without.into_iter().zip(watched(model, later)) {
             if old != new {
                 changes.push(format!("{name} {old} → {new}"));
             }
         }
         let effect = if changes.is_empty() { t("page.no-change").to_owned() } else { changes.join(", ") };
-        model.changed.set(format!("{told} · {effect}"));
-    };
-    // The plan behind the event grows in slices; the effect is told from what stands there a little later.
-    let at = event.t + EFFECT;
-    leptos::task::spawn_local(async move {
-        leptos::task::tick().await;
-        player.plan_to(at);
-        tell(at);
+        model.changed.set(format!("{} s: {} · {effect}", clock(event.t), name(&event.action)));
         dom::mark("knob-answered");
         dom::measure("knob", "knob-turned", "knob-answered");
-    });
+    };
+    dom::soon(tell);
 }
 
-/// Names and values that an action may change, at a time.
+/// Names and values that an action may change, at a time: variables, feeds, spindle.
 fn watched(model: Model, t: f64) -> Vec<(String, String)> {
-    let rows = model.project.with_untracked(|project| project.machine.variables(project.control));
-    let mut out = Vec::with_capacity(rows.len() + 2);
+    let (rows, control) =
+        model.project.with_untracked(|project| (project.machine.variables(project.control), project.control));
+    let mut out = Vec::with_capacity(rows.len() + 4);
     model.player.ask_planner(|planner| {
         for (number, _, _) in &rows {
-            let value = planner.variable_at(*number, t);
-            out.push((format!("#{number}"), value.map_or_else(vacant, |value| figure(value, 3))));
+            out.push((
+                format!("#{number}"),
+                planner.variable_at(*number, t).map_or_else(vacant, |value| short(value, 3)),
+            ));
         }
         let now = planner.timeline().at(t);
-        out.push((t_("page.spindle-actual"), figure(now.spindle.command, 0)));
-        out.push((t_("page.volts"), figure(now.spindle.volts, 3)));
+        for (axis, state) in control.axes.iter().zip(&now.axes) {
+            out.push((format!("{} mm/min", char::from(axis.letter)), short(state.feed, 0)));
+        }
+        out.push((self::t("page.spindle-actual").to_owned(), short(now.spindle.command, 0)));
+        out.push((self::t("page.volts").to_owned(), short(now.spindle.volts, 3)));
     });
     out
-}
-
-fn t_(id: &'static str) -> String {
-    t(id).to_owned()
 }
 
 fn vacant() -> String {
@@ -107,7 +103,7 @@ pub(super) fn hand(model: Model) -> El {
         }
     };
     let spindle = standing(
-        |project| of_form(project, "override", 100.0),
+        |project| number(project, "override", 100.0),
         |action| match action {
             Action::SpindleOverride(percent) => Some(*percent),
             _ => None,
@@ -127,7 +123,7 @@ pub(super) fn hand(model: Model) -> El {
             _ => None,
         },
     );
-    let step = move || model.project.with(|project| of_form(project, "knob-step", 10.0));
+    let step = move || model.project.with(|project| number(project, "knob-step", 10.0));
     let waits = move || matches!(player.now.with(|now| now.mode), Mode::Hold | Mode::Stopped);
     let press = move |class: &str, label: &'static str, action: Action| {
         button(class, t(label), move || act(model, action.clone()))
@@ -156,10 +152,10 @@ pub(super) fn hand(model: Model) -> El {
 }
 
 /// A number of the project's form; of a choice, its id as a number.
-fn of_form(project: &Project, id: &str, otherwise: f64) -> f64 {
+fn number(project: &Project, id: &str, otherwise: f64) -> f64 {
     match project.values.get(id) {
         Some(Value::Number(number)) => *number,
-        Some(Value::Text(text)) => number::read(text).unwrap_or(otherwise),
+        Some(Value::Text(text)) => crate::text::number::read(text).unwrap_or(otherwise),
         _ => otherwise,
     }
 }
@@ -182,7 +178,11 @@ fn knob(
     let slider = el("input").at("type", "range").at("id", id).at("min", "0").at("max", "200");
     let input = slider.html().clone();
     let part = move || drop(input.style().set_property("--part", &format!("{:.1}%", value() / FULL * 100.0)));
-    let turned = move |event| number::read(&super::el::value(&event)).map_or((), turn);
+    let turned = move |event| {
+        if let Some(percent) = super::el::number(&event) {
+            turn(percent);
+        }
+    };
     let slider = slider.bind("step", move || step().to_string()).valued(move || value().to_string()).run(part);
     el("div.knob").add(&[
         el("label").at("for", id).text(label),

@@ -135,8 +135,7 @@ impl Player {
 
     /// Shows the run as it now is: after what the effects of a change write.
     pub(super) fn settle(self) {
-        leptos::task::spawn_local(async move {
-            leptos::task::tick().await;
+        dom::soon(move || {
             self.plan(self.soon(), SLICE);
             self.show();
             dom::mark("rendered");

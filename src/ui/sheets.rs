@@ -39,7 +39,7 @@ fn grade(grade: Grade) -> &'static str {
 fn table(sheet: &Sheet) -> Vec<El> {
     let mut parts = vec![el("h3").text(t(sheet.title))];
     if !sheet.ladder.is_empty() {
-        let drawing = el("div.scroll");
+        let drawing = el("div.scroll").at("tabindex", "0").at("role", "group").label(t(sheet.title));
         drawing.dom().set_inner_html(&ladder::svg(&sheet.ladder));
         parts.push(drawing);
     }

@@ -38,8 +38,7 @@ const TABS: [(Tab, &str, &str); 5] = [
 /// Shows a result among all results.
 pub(super) fn open_result(model: Model, id: &'static str) {
     model.tab.set(Tab::Results);
-    leptos::task::spawn_local(async move {
-        leptos::task::tick().await;
+    dom::soon(move || {
         if let Some(row) = dom::by_id(&format!("result-{id}")) {
             row.scroll_into_view();
             let _ = row.focus();

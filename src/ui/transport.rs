@@ -3,12 +3,11 @@
 use web_sys::Event;
 
 use super::dom;
-use super::el::{El, button, el, value};
+use super::el::{El, button, el, number};
 use super::model::Model;
 use super::player::SPEEDS;
 use super::words::t;
 use crate::motion::Mode;
-use crate::text::number;
 
 const ICON_START: &str = "M3 3h2v10H3zM13 3v10L6 8z";
 const ICON_BACK: &str = "M11 3h2v10h-2zM9 3v10L2 8z";
@@ -51,16 +50,19 @@ pub(super) fn transport(model: Model) -> El {
     let playing = move || player.playing.get();
     let speeds = SPEEDS.map(|speed| el("option").at("value", &speed.to_string()).text(&speed_text(speed)));
     let speed = el("select.speed").label(t("page.speed")).add(&speeds).valued(move || player.speed.get().to_string());
-    let speed =
-        speed.on("change", move |event| number::read(&value(&event)).map_or((), |speed| player.speed.set(speed)));
+    let speed = speed.on("change", move |event| {
+        if let Some(speed) = number(&event) {
+            player.speed.set(speed);
+        }
+    });
     let scrub = move |event| {
         player.playing.set(false);
-        if let Some(ms) = number::read(&value(&event)) {
+        if let Some(ms) = number(&event) {
             player.seek(ms / 1000.0);
         }
     };
     let go_to = move |event: Event| {
-        if let Some(t) = number::read(&value(&event)) {
+        if let Some(t) = number(&event) {
             player.playing.set(false);
             player.seek(t);
         }

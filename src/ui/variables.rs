@@ -5,19 +5,18 @@ use std::cell::Cell;
 use web_sys::Event;
 
 use super::dom;
-use super::el::{El, el, value};
+use super::el::{El, el, number, value};
 use super::hand::act;
 use super::model::Model;
-use super::words::{figure, t};
+use super::words::{short, t};
 use crate::motion::Action;
-use crate::text;
 
 /// The variables tab.
 pub(super) fn variables(model: Model) -> Vec<El> {
     let rows = move || {
         model.machine.track();
         let rows = model.project.with_untracked(|project| project.machine.variables(project.control));
-        rows.into_iter().map(|(number, meaning, unit)| row(model, number, meaning, unit)).collect()
+        rows.into_iter().map(|(variable, meaning, unit)| row(model, variable, meaning, unit)).collect()
     };
     let heads =
         ["page.variable", "page.value", "page.unit", "page.meaning"].map(|id| el("th").at("scope", "col").text(t(id)));
@@ -25,9 +24,9 @@ pub(super) fn variables(model: Model) -> Vec<El> {
     vec![el("p.lead").text(t("page.variables-lead")), el("table.variables").add(&[head, el("tbody").swap(rows)])]
 }
 
-fn row(model: Model, number: u32, meaning: &'static str, unit: &str) -> El {
+fn row(model: Model, variable: u32, meaning: &'static str, unit: &str) -> El {
     let player = model.player;
-    let name = format!("#{number}");
+    let name = format!("#{variable}");
     let input = el("input").at("type", "text").at("inputmode", "decimal").at("autocomplete", "off").label(&name);
     let row = el("tr");
     let (field, line) = (input.input().clone(), row.dom().clone());
@@ -35,11 +34,11 @@ fn row(model: Model, number: u32, meaning: &'static str, unit: &str) -> El {
     let follow = move || {
         player.plans.track();
         let t = player.now.with(|now| now.t);
-        let value = player.ask_planner(|planner| planner.variable_at(number, t)).flatten();
+        let value = player.ask_planner(|planner| planner.variable_at(variable, t)).flatten();
         if last.replace(Some(value)) == Some(value) {
             return;
         }
-        field.set_value(&value.map_or_else(vacant, shown));
+        field.set_value(&value.map_or_else(vacant, |value| short(value, 6)));
         // Another animation by turns makes the row flash at each change but the first.
         let class = match flashes.replace(flashes.get() + 1) {
             0 => "",
@@ -49,11 +48,10 @@ fn row(model: Model, number: u32, meaning: &'static str, unit: &str) -> El {
         dom::set(&line, "class", class);
     };
     let set = move |event: Event| {
-        let typed = value(&event).replace(['\u{202f}', ' '], "");
-        match text::number::read(&typed) {
-            Some(value) => act(model, Action::Variable(number, Some(value))),
-            None if typed.is_empty() => act(model, Action::Variable(number, None)),
-            _ => model.notify("warn", t("page.not-a-value").to_owned()),
+        let typed = value(&event);
+        match number(&event) {
+            None if !typed.trim().is_empty() => model.notify("warn", t("page.not-a-value").to_owned()),
+            set => act(model, Action::Variable(variable, set)),
         }
     };
     row.run(follow).add(&[
@@ -66,10 +64,4 @@ fn row(model: Model, number: u32, meaning: &'static str, unit: &str) -> El {
 
 fn vacant() -> String {
     t("page.vacant").to_owned()
-}
-
-/// A value with as many decimals as it needs.
-fn shown(value: f64) -> String {
-    let text = figure(value, 6);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

@@ -62,6 +62,12 @@ pub(super) fn figure(number: f64, decimals: u8) -> String {
     out
 }
 
+/// A number with at most so many decimals.
+pub(super) fn short(number: f64, decimals: u8) -> String {
+    let text = figure(number, decimals);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
 /// A machine time as minutes, seconds and tenths of milliseconds.
 pub(super) fn clock(seconds: f64) -> String {
     let ticks = (seconds.max(0.0) * 1e4) as u64;

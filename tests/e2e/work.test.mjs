@@ -108,7 +108,7 @@ test('the operator’s hand acts at the play head and is told what it changed', 
     await goTo(page, 4);
     await page.locator('#spindle-knob').focus();
     await page.locator('#spindle-knob').press('ArrowLeft');
-    await page.waitForFunction(() => /Spindle override 99 %.*#1033 100 → 99/.test(document.querySelector('#changed').textContent));
+    await page.waitForFunction(() => /Spindle override 99 %.*#104 1.200 → 1.188/.test(document.querySelector('#changed').textContent));
     await page.getByRole('button', { name: 'Feed hold' }).click();
     await page.waitForFunction(() => /Feed hold/.test(document.querySelector('#changed').textContent));
     await goTo(page, 5);
