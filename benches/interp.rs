@@ -1,11 +1,13 @@
 //! How fast programs run: text to canonical commands, nothing printed.
 #![allow(clippy::unwrap_used, missing_docs)]
 
+mod summary;
+
 use std::fmt::Write as _;
 use std::hint::black_box;
 use std::rc::Rc;
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{Criterion, Throughput, criterion_group};
 use macroline::controls::{self, Switches};
 use macroline::interp::world::Still;
 use macroline::interp::{self, End, Interp, Start};
@@ -76,4 +78,10 @@ fn speed(c: &mut Criterion) {
 }
 
 criterion_group!(benches, speed);
-criterion_main!(benches);
+
+fn main() {
+    benches();
+    let (flat, formulas) = (flat(), formulas());
+    summary::line("flat G91 G01 blocks, text to canon", COUNT, "blocks", Some(1e6), || run(&parse(&flat)));
+    summary::line("P9100 formulas in a WHILE loop", COUNT, "passes", Some(150e3), || run(&parse(&formulas)));
+}

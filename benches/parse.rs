@@ -1,10 +1,11 @@
-//! How fast programs are read and written, and what a calibration loop takes on the same machine.
+//! How fast programs are read and written.
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use std::fmt::Write as _;
-use std::hint::black_box;
+mod summary;
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use std::fmt::Write as _;
+
+use criterion::{Criterion, Throughput, criterion_group};
 use macroline::controls;
 use macroline::nc::{Files, emit, parse, tokens};
 
@@ -35,10 +36,6 @@ fn speed(c: &mut Criterion) {
     let mut group = c.benchmark_group("nc");
     group.sample_size(20);
     group.throughput(Throughput::Elements(COUNT));
-    // What the figures are compared with: a chain of as many dependent multiplications and additions, four a block.
-    group.bench_function("calibration", |b| {
-        b.iter(|| (0..4 * COUNT).fold(black_box(1.0_f64), |sum, k| sum.mul_add(0.999, k as f64)))
-    });
     let (flat, formulas) = (flat(), formulas());
     group.bench_function("flat blocks, read", |b| b.iter(|| parse(&flat, control)));
     group.bench_function("formulas, read", |b| b.iter(|| parse(&formulas, control)));
@@ -50,4 +47,13 @@ fn speed(c: &mut Criterion) {
 }
 
 criterion_group!(benches, speed);
-criterion_main!(benches);
+
+fn main() {
+    benches();
+    let control = controls::ALL[0];
+    let (flat, formulas) = (flat(), formulas());
+    let deck = parse(&flat, control).deck().clone();
+    summary::line("flat blocks, read", COUNT, "blocks", None, || parse(&flat, control));
+    summary::line("formulas, read", COUNT, "blocks", None, || parse(&formulas, control));
+    summary::line("flat blocks, written", COUNT, "blocks", None, || emit(&deck, control));
+}

@@ -1,13 +1,16 @@
 //! How fast time is planned and asked: blocks, moments, a knob after an hour.
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use std::hint::black_box;
+mod summary;
+
 use std::rc::Rc;
 
-use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, Throughput, criterion_group};
 use macroline::controls::{self, Control, Switches};
 use macroline::interp::{Interp, Start};
-use macroline::motion::{Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Setup, SpindlePlant};
+use macroline::motion::{
+    Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Progress, Setup, SpindlePlant,
+};
 use macroline::nc::{self, Files};
 
 /// The ribbon line's loop with its formulas only where the override has changed.
@@ -59,21 +62,24 @@ fn ribbon(seconds: f64, keep: Keep) -> Planner<Interp> {
     })
 }
 
+/// Ten minutes of the line.
+fn whole(keep: Keep) -> Planner<Interp> {
+    let mut planner = ribbon(600.0, keep);
+    while planner.advance(f64::INFINITY, 100_000).ended.is_none() {
+        planner.take_log();
+    }
+    planner
+}
+
+/// The knob is turned at the end of an hour, and two seconds are planned on.
+fn knob(run: &mut Planner<Interp>) -> Progress {
+    run.event(Event { t: 3590.9, action: Action::SpindleOverride(80.0) });
+    run.advance(3592.9, usize::MAX)
+}
+
 fn speed(c: &mut Criterion) {
     let mut group = c.benchmark_group("plan");
     group.sample_size(20);
-    // What this machine does in the meantime: other figures are judged by their ratio to it.
-    group.bench_function("calibration, 100,000 square roots in a row", |b| {
-        b.iter(|| (0..100_000).fold(black_box(2.0f64), |x, _| (x + 1.0).sqrt()));
-    });
-
-    let whole = |keep| {
-        let mut planner = ribbon(600.0, keep);
-        while planner.advance(f64::INFINITY, 100_000).ended.is_none() {
-            planner.take_log();
-        }
-        planner
-    };
     let blocks = whole(Keep::Timeline).blocks();
     group.throughput(Throughput::Elements(blocks.nc + blocks.macros));
     group.bench_function("ten minutes of the ribbon line, timeline kept", |b| b.iter(|| whole(Keep::Timeline)));
@@ -86,10 +92,6 @@ fn speed(c: &mut Criterion) {
         b.iter(|| (0..360).map(|i| hour.timeline().at(f64::from(i) * 0.01 + 3000.0).axes[0].feed).sum::<f64>());
     });
     group.throughput(Throughput::Elements(1));
-    let knob = |run: &mut Planner<Interp>| {
-        run.event(Event { t: 3590.9, action: Action::SpindleOverride(80.0) });
-        run.advance(3592.9, usize::MAX)
-    };
     group.bench_function("a knob after an hour, planned on for two seconds", |b| {
         b.iter_batched_ref(|| hour.clone(), knob, BatchSize::PerIteration);
     });
@@ -97,4 +99,14 @@ fn speed(c: &mut Criterion) {
 }
 
 criterion_group!(benches, speed);
-criterion_main!(benches);
+
+fn main() {
+    benches();
+    let blocks = whole(Keep::Timeline).blocks();
+    let read = blocks.nc + blocks.macros;
+    summary::line("ten minutes of the ribbon line, planned", read, "blocks", None, || whole(Keep::Timeline));
+    let mut hour = ribbon(3600.0, Keep::Timeline);
+    hour.advance(f64::INFINITY, usize::MAX);
+    // Within 50 ms is asked for; the page needs the rest of it to draw.
+    summary::line("a knob turned after an hour", 1, "answers", Some(20.0), || knob(&mut hour));
+}
