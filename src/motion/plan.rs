@@ -236,7 +236,7 @@ impl<P: Program> Planner<P> {
         &self.records.diagnostics
     }
 
-    /// A common variable as the control's screen shows it at time `t`, which is as the program has read ahead; `None` is vacant.
+    /// A common variable or macro input as the control's screen shows it at time `t`, which is as the program has read ahead; `None` is vacant.
     pub fn variable_at(&self, number: u32, t: f64) -> Option<f64> {
         let known = self.checkpoints.partition_point(|checkpoint| checkpoint.t <= t);
         let base = self.checkpoints[..known].last();
@@ -246,7 +246,10 @@ impl<P: Program> Planner<P> {
             changes.from(from).iter().take_while(|change| change.t <= t).filter(|change| change.number == number);
         match recent.last() {
             Some(change) => Some(change.value).filter(|value| !value.is_nan()),
-            None => base.map_or(&self.state.program, |checkpoint| &checkpoint.state.program).variable(number),
+            None => {
+                let state = base.map_or(&self.state, |checkpoint| &checkpoint.state);
+                state.program.variable(number).or_else(|| state.shown.get(&number).copied())
+            }
         }
     }
 

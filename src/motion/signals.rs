@@ -5,6 +5,7 @@ use super::plc::Io;
 use super::program::Program;
 use super::spindle::Ramp;
 use super::state::{Once, Sim};
+use super::timeline::Change;
 use crate::msg;
 
 impl<P: Program> Sim<'_, P> {
@@ -33,6 +34,21 @@ impl<P: Program> Sim<'_, P> {
                 break;
             }
         }
+        self.show_inputs(t);
+    }
+
+    /// Records macro inputs that have changed, for the screen.
+    fn show_inputs(&mut self, t: f64) {
+        let inputs = &self.s.io.inputs;
+        if *inputs == self.s.shown {
+            return;
+        }
+        for (&number, &value) in inputs {
+            if self.s.shown.get(&number) != Some(&value) {
+                self.out.timeline.changes.push(Change { t, number, value });
+            }
+        }
+        self.s.shown.clone_from(inputs);
     }
 
     /// Brings the spindle's command up to date; whether it changed.

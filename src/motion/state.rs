@@ -1,6 +1,6 @@
 //! The simulation between two events: reader, executor, spindle, PLC and operator, always the earliest first.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use super::executor::Exec;
 use super::machine::Machine;
@@ -161,6 +161,8 @@ pub(super) struct State<P> {
     pub(super) plc: Logic,
     pub(super) plc_at: f64,
     pub(super) io: Io,
+    /// Macro inputs as the screen showed them last.
+    pub(super) shown: BTreeMap<u32, f64>,
     /// S word in r/min and direction.
     pub(super) speed: f64,
     pub(super) direction: i8,
@@ -201,6 +203,7 @@ impl<P> State<P> {
             plc: Logic(plc),
             plc_at: f64::INFINITY,
             io: Io::default(),
+            shown: BTreeMap::new(),
             speed: 0.0,
             direction: 0,
             reached_at: f64::INFINITY,

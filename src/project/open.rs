@@ -4,7 +4,7 @@ use super::Project;
 use crate::controls;
 use crate::machines::{self, settings};
 use crate::msg;
-use crate::nc::{File, Files};
+use crate::nc::{self, File, Files};
 use crate::text::Diagnostic;
 
 /// Bytes of a program that is taken into a project at most; larger ones are only looked at.
@@ -38,11 +38,38 @@ pub fn open(present: &Project, name: &str, text: &str) -> Opened {
             let mut project = Project::new(machine, control);
             project.name.clone_from(&present.name);
             project.values.extend(values);
-            let told = Diagnostic::info(msg!("project.form-restored", name));
-            return Opened { project: Some(project), diagnostics: vec![told] };
+            project.edited = differing(&project, name, text);
+            let told = if project.edited.is_some() {
+                msg!("project.form-restored-edited", name)
+            } else {
+                msg!("project.form-restored", name)
+            };
+            return Opened { project: Some(project), diagnostics: vec![Diagnostic::info(told)] };
         }
     }
     let mut project = present.clone();
     project.edited = Some(Files(vec![File { name: name.to_owned(), text: text.to_owned() }]));
     Opened { project: Some(project), diagnostics: Vec::new() }
+}
+
+/// The project's files with this text in its place, where somebody has edited it since macroline wrote it; else `None`.
+fn differing(project: &Project, name: &str, text: &str) -> Option<Files> {
+    let mut files = project.written().files;
+    let number =
+        |text: &str| nc::parse(&Files::one("", text), project.control).deck().programs.first().map(|p| p.number);
+    let own = number(text);
+    let slot = files.0.iter().position(|file| number(&file.text) == own);
+    // Line ends and the version of macroline are not what a person edits.
+    let lines = |text: &str| -> Vec<String> {
+        text.lines()
+            .filter(|line| !line.contains("WRITTEN BY MACROLINE"))
+            .map(|line| line.trim_end().to_owned())
+            .collect()
+    };
+    match slot.and_then(|at| files.0.get_mut(at)) {
+        Some(file) if lines(&file.text) == lines(text) => return None,
+        Some(file) => text.clone_into(&mut file.text),
+        None => files.0.push(File { name: name.to_owned(), text: text.to_owned() }),
+    }
+    Some(files)
 }

@@ -130,6 +130,19 @@ fn a_dropped_program_brings_the_form_back() {
 }
 
 #[test]
+fn a_dropped_program_that_was_edited_keeps_its_edit() {
+    let project = ribbon(&[("pitch", 12.5)]);
+    let file = project.written().files.0.into_iter().find(|f| f.name == "O9101.nc").unwrap();
+    let text = file.text.replace("G04 X2.", "G04 X3.");
+    assert_ne!(text, file.text);
+    let opened = macroline::project::open::open(&ribbon(&[]), "dropped.nc", &text).project.unwrap();
+    assert!(opened.values == project.values);
+    let written = opened.written();
+    assert!(written.edited && written.files.0.len() == 3);
+    assert!(written.files.0.iter().any(|f| f.name == "O9101.nc" && f.text == text));
+}
+
+#[test]
 fn errors_refuse_the_export_and_verdicts_do_not() {
     assert!(!ribbon(&[]).export().files.is_empty(), "the paper's own example fails the slip rule and is exported");
     for (field, value) in

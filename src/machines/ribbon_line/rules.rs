@@ -169,6 +169,7 @@ fn ratio(case: &Case) -> Option<Judgement> {
         let heads = d.matching_heads.round().max(1.0);
         let with_heads = d.matching_heads / heads;
         vec![
+            msg!("ribbon.slips-short", (d.matching_diameter, 2), (heads, 0)),
             msg!("ribbon.slips", (d.surface_ratio, 3), (d.smear, 3), (p.smear_limit, 3)),
             msg!("ribbon.match-diameter", (d.matching_diameter, 2), (p.heads, 0)),
             msg!("ribbon.match-heads", (heads, 0), (with_heads, 5), (web::smear(with_heads, p.contact_length), 3)),

@@ -3,6 +3,10 @@
 /// `(id, sentence)`.
 pub(super) const ROWS: &[(&str, &str)] = &[
     ("project.form-restored", "{0} was written by macroline: the form is as it was then."),
+    (
+        "project.form-restored-edited",
+        "{0} was written by macroline and edited since: the form is as it was then, the edited text is kept.",
+    ),
     ("project.newer", "The file has version {0}; this macroline reads up to version {1}. Take a newer macroline."),
     ("project.no-control", "The file names no control that this machine goes with. Possible: {0}."),
     ("project.no-machine", "The file names no machine that is known. Possible: {0}."),

@@ -311,6 +311,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
         "ribbon.slips",
         "The roller's surface runs {0} times as fast as the ribbon: each head slips {1} mm while it touches, {2} are allowed.",
     ),
+    ("ribbon.slips-short", "slips: match Ø {0} mm or {1} heads"),
     ("ribbon.smear-limit", "Allowed smear"),
     ("ribbon.smear-limit.help", "How far a head may slip on the ribbon while it touches."),
     ("ribbon.speed-at-10v", "Speed at 10 V"),
