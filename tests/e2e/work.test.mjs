@@ -93,8 +93,9 @@ test('it plays, steps block by block, and marks the block that runs', () =>
     await page.waitForFunction(() => document.querySelector('#clock').textContent > '00:00.0200');
     await page.keyboard.press('Space');
     const at = await seconds(page);
+    const clock = await page.locator('#clock').textContent();
     await page.keyboard.press('.');
-    await page.waitForFunction((last) => document.querySelector('#clock').textContent !== last, await page.locator('#clock').textContent());
+    await page.waitForFunction((last) => document.querySelector('#clock').textContent !== last, clock);
     assert.ok((await seconds(page)) > at);
     await page.keyboard.press(',');
     await goTo(page, 3);
