@@ -14,6 +14,7 @@ use crate::machines::Design;
 use crate::machines::form::{Provenance, Value};
 use crate::project::Project;
 use crate::project::program::Written;
+use crate::project::run;
 use crate::text::{Diagnostic, Severity};
 use crate::view::Scene;
 
@@ -131,11 +132,9 @@ impl Model {
 
     fn found(self) -> Vec<Diagnostic> {
         let mut found = self.written.with(|written| written.diagnostics.clone());
-        for told in self.player.findings() {
-            if !found.contains(&told) {
-                found.push(told);
-            }
-        }
+        found.extend(self.player.findings());
+        // What reading has found already is not told again by the run that stops there.
+        run::once_each(&mut found);
         found
     }
 
