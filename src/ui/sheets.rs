@@ -1,14 +1,17 @@
 //! Parameter sheet, interface and ladder, as tables with sources and grades.
 
-use super::el::{El, el};
+use super::el::{El, el, value};
 use super::model::Model;
 use super::words::t;
+use crate::controls::Switch;
 use crate::text::Grade;
 use crate::view::{Sheet, ladder};
 
 /// The sheet of the control's parameters.
 pub(super) fn parameters(model: Model) -> Vec<El> {
-    sheets(model, |id| id == "parameters")
+    let mut parts = sheets(model, |id| id == "parameters");
+    parts.push(switches(model));
+    parts
 }
 
 /// Interface and ladder.
@@ -24,6 +27,38 @@ fn sheets(model: Model, which: fn(&str) -> bool) -> Vec<El> {
         })
     };
     vec![el("div.sheets").swap(all)]
+}
+
+/// The points of the control that no manual at hand settles, each with its settings, source and grade.
+fn switches(model: Model) -> El {
+    let row = |switch: &'static Switch| {
+        let options: Vec<El> = switch.options.iter().map(|one| el("option").at("value", one).text(one)).collect();
+        let set = move || {
+            model.project.with(|p| p.switches.get(p.control.switches, switch.id).unwrap_or_default().to_owned())
+        };
+        let select = el("select").label(switch.text).add(&options).valued(set);
+        let select = select.on("change", move |event| {
+            let chosen = value(&event);
+            model.edit(switch.id, |project| {
+                project.switches.0.retain(|(id, _)| id != switch.id);
+                if switch.options.first() != Some(&chosen.as_str()) {
+                    project.switches.0.push((switch.id.to_owned(), chosen));
+                }
+            });
+        });
+        let class = if switch.cite.grade == Grade::Open { "td.grade.open" } else { "td.grade" };
+        el("tr").add(&[
+            el("td").text(switch.text),
+            el("td").add(&[select]),
+            el(class).at("title", switch.cite.source).text(grade(switch.cite.grade)),
+        ])
+    };
+    let rows: Vec<El> = model.project.with_untracked(|project| project.control.switches).iter().map(row).collect();
+    el("div.sheets").add(&[
+        el("h3").text(t("page.switches")),
+        el("p.lead").text(t("page.switches-lead")),
+        el("table.switches").add(&[el("tbody").add(&rows)]),
+    ])
 }
 
 fn grade(grade: Grade) -> &'static str {

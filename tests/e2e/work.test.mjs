@@ -206,6 +206,20 @@ test('a program dropped on the page restores the form', () =>
     assert.equal(await field(page, 'pitch').inputValue(), '7.25');
   }));
 
+test('an open point of the control is set, acts and is saved', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.getByRole('tab', { name: 'Parameters' }).click();
+    const base = page.getByLabel('First register of the macro inputs');
+    await base.selectOption('R172');
+    await page.getByRole('tab', { name: 'PLC' }).click();
+    await page.getByRole('cell', { name: 'R174', exact: true }).first().waitFor();
+    await page.waitForTimeout(500);
+    await page.reload();
+    await ready(page);
+    await page.getByRole('tab', { name: 'Parameters' }).click();
+    assert.equal(await base.inputValue(), 'R172');
+  }));
+
 test('any bytes are answered, and a large file is read aside without the page waiting', () =>
   withPage(app, {}, async ({ page }) => {
     const junk = Buffer.from([0, 255, 37, 10, 71, 192, 40, 10, 123]);

@@ -156,6 +156,11 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("page.step-back-key", "Block before (,)"),
     ("page.step-key", "Next block (.)"),
     ("page.strobe", "Stroboscope"),
+    ("page.switches", "Open points of the control"),
+    (
+        "page.switches-lead",
+        "No manual at hand settles these. Set each as the machine's own control has it; programs are read and run so.",
+    ),
     ("page.theme-dark", "Theme: dark"),
     ("page.theme-light", "Theme: light"),
     ("page.theme-system", "Theme: as the system"),
