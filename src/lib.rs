@@ -20,8 +20,6 @@ pub mod math;
 
 pub mod order;
 
-pub mod units;
-
 pub mod text;
 
 pub mod drives;

@@ -9,7 +9,7 @@ use super::dom::{self, Frames};
 use super::local::Local;
 use super::stage::Stage;
 use crate::machines::form::Values;
-use crate::machines::{AnyMachine, Frame, Samples};
+use crate::machines::{AnyMachine, Frame};
 use crate::motion::{Action, Event, Keep, Limits, RunEnd, Snapshot};
 use crate::project::Project;
 use crate::project::program::Written;
@@ -78,15 +78,6 @@ struct State {
     charts_drawn: bool,
     stage: Option<Stage>,
     charts: Charts,
-}
-
-/// The run as the charts sample it.
-struct Sampled<'a>(&'a run::Run);
-
-impl Samples for Sampled<'_> {
-    fn at(&self, t: f64) -> Snapshot {
-        self.0.timeline().at(t)
-    }
 }
 
 impl Player {
@@ -222,7 +213,7 @@ impl Player {
     pub(super) fn all_charts(self, points: usize) -> Vec<crate::view::Chart> {
         let end = self.planned.get_untracked().0;
         self.state.with_untracked(|state| match (&state.planner, state.machine) {
-            (Some(planner), Some(machine)) => machine.charts(&state.values, &Sampled(planner), 0.0, end, points),
+            (Some(planner), Some(machine)) => machine.charts(&state.values, planner.timeline(), 0.0, end, points),
             _ => Vec::new(),
         })
     }
@@ -371,7 +362,7 @@ impl Player {
             }
             let (from, to) = state.charts.page(head, planned, window);
             if (state.charts_stale || state.charts.moved(from, to)) && !state.charts_drawn {
-                state.charts.draw(machine, &state.values, &Sampled(planner), from, to);
+                state.charts.draw(machine, &state.values, planner.timeline(), from, to);
                 state.charts_drawn = true;
                 state.charts_stale = false;
             }

@@ -323,7 +323,7 @@ fn slack_in_the_run_is_the_designs() {
         let mut run = planned(&values, vec![]);
         run.advance(3600.0, 10_000_000);
         let end = run.timeline().end();
-        let charts = machine().charts(&values, &Sampled(&run), 0.0, end, 2001);
+        let charts = machine().charts(&values, run.timeline(), 0.0, end, 2001);
         let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
         let (middle, last) = (slack[1200].1, slack[2000].1);
         // The 12 bits of the output unwind 0.1 r/min less than is asked for: 0.25 mm in the time of a run.
@@ -477,13 +477,5 @@ proptest! {
         }
         near(printed.x, result(&values, "product-length"), 1e-6);
         near(printed.y, variable(&run, 110) * result(&values, "dots-per-product"), 0.001);
-    }
-}
-
-struct Sampled<'a>(&'a Planner<Interp>);
-
-impl machines::Samples for Sampled<'_> {
-    fn at(&self, t: f64) -> macroline::motion::Snapshot {
-        self.0.timeline().at(t)
     }
 }
