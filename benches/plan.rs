@@ -25,6 +25,7 @@ fn plant() -> Plant {
     let axis = |letter| AxisPlant {
         letter,
         rotary: false,
+        diameter: false,
         rapid: 30e3,
         clamp: 240e3,
         time_constant: 0.1,

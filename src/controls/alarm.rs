@@ -65,6 +65,52 @@ pub enum Alarm {
     SoftLimit,
     /// Emergency stop.
     EmergencyStop,
+    /// A decimal point behind an address that takes none.
+    PointNotAllowed,
+    /// The same address twice in a block.
+    AddressTwice,
+    /// A block with more characters or words than the control reads.
+    BlockTooLong,
+    /// A comment bracket that is not closed.
+    CommentBracket,
+    /// A macro call without a program.
+    NoCallProgram,
+    /// A macro call that does not open its block.
+    CallNotFirst,
+    /// A call together with words that cannot stand beside it.
+    CallMixed,
+    /// A subprogram call or return jump while a modal macro call is on.
+    ReturnInModal,
+    /// An address that is no argument of a macro.
+    ArgumentAddress,
+    /// A `G65 H` function that the control does not have.
+    CallFunction,
+    /// A `G65 H` function with too few operands, or operands of the wrong kind.
+    CallOperands,
+    /// The number of a user alarm is out of its range.
+    UserAlarmRange,
+    /// `#0` on the left side.
+    VacantWritten,
+    /// Root of a negative number.
+    SquareRoot,
+    /// Logarithm of a number that is not positive.
+    Logarithm,
+    /// Tangent of 90 degrees.
+    Tangent,
+    /// Arc sine or arc cosine outside ±1.
+    ArcFunction,
+    /// `ATAN` in a form that the control does not have.
+    AtanForm,
+    /// A result beyond the range of numbers.
+    Overflow,
+    /// A number that has to be whole for a calculation bit by bit.
+    NotWhole,
+    /// The number of a DO or END.
+    DoNumber,
+    /// A jump into a loop.
+    IntoLoop,
+    /// An arc whose radius is shorter than half its chord.
+    ArcRadius,
 }
 
 /// An alarm as one control shows it.
@@ -118,5 +164,45 @@ impl Alarm {
         Alarm::Budget,
         Alarm::SoftLimit,
         Alarm::EmergencyStop,
+        Alarm::PointNotAllowed,
+        Alarm::AddressTwice,
+        Alarm::BlockTooLong,
+        Alarm::CommentBracket,
+        Alarm::NoCallProgram,
+        Alarm::CallNotFirst,
+        Alarm::CallMixed,
+        Alarm::ReturnInModal,
+        Alarm::ArgumentAddress,
+        Alarm::CallFunction,
+        Alarm::CallOperands,
+        Alarm::UserAlarmRange,
+        Alarm::VacantWritten,
+        Alarm::SquareRoot,
+        Alarm::Logarithm,
+        Alarm::Tangent,
+        Alarm::ArcFunction,
+        Alarm::AtanForm,
+        Alarm::Overflow,
+        Alarm::NotWhole,
+        Alarm::DoNumber,
+        Alarm::IntoLoop,
+        Alarm::ArcRadius,
     ];
+
+    /// The wider kind that a control shows where it has no number for this one; `None` for the widest.
+    pub fn wider(self) -> Option<Alarm> {
+        use Alarm::*;
+        Some(match self {
+            SquareRoot | Logarithm | Tangent | ArcFunction | Overflow | NotWhole => Calculation,
+            ArcRadius => Arc,
+            DoNumber => WhileSentence,
+            IntoLoop => DoPair,
+            NoCallProgram => NoProgram,
+            UserAlarmRange => OutOfRange,
+            VacantWritten => VariableSide,
+            AtanForm | PointNotAllowed | AddressTwice | BlockTooLong | CommentBracket | CallNotFirst | CallMixed
+            | ReturnInModal | ArgumentAddress | CallFunction | CallOperands => Format,
+            _ => return None,
+        })
+    }
 }

@@ -13,6 +13,8 @@ pub enum Code {
     ArcCw,
     /// Counter-clockwise arc.
     ArcCcw,
+    /// Thread cutting: a straight line whose feed per revolution is the lead, without overrides.
+    Thread,
     /// Dwell.
     Dwell,
     /// Exact stop in this block.
@@ -37,7 +39,7 @@ pub enum Code {
     MachineCoordinates,
     /// Work coordinate system 1 to 6.
     WorkCoordinates(u8),
-    /// Setting of the coordinate system.
+    /// Setting of the coordinate system; with S, of the highest spindle speed.
     SetCoordinates,
     /// Zero of the local coordinate system, within the work coordinate system.
     LocalCoordinates,
@@ -114,6 +116,8 @@ pub enum Group {
     MacroModal,
     /// Fixed cycles.
     Cycle,
+    /// Tool radius compensation.
+    Compensation,
     /// M codes and everything else.
     Other,
 }

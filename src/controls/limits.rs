@@ -11,6 +11,8 @@ pub struct Limits {
     pub coordinate_max: f64,
     /// Largest feed in mm/min.
     pub feed_max: f64,
+    /// Largest feed per revolution in mm/rev.
+    pub revolution_feed_max: f64,
     /// Smallest feed step in mm/min.
     pub feed_increment: f64,
     /// Start and end of an arc may differ by this in their distance from the centre, in millimetres.
@@ -25,8 +27,6 @@ pub struct Limits {
     pub macro_depth: u8,
     /// Largest repeat count of a call.
     pub repeat_max: u32,
-    /// Largest number of a `#3000` alarm.
-    pub user_alarm_max: u32,
     /// Source and grade of the ranges.
     pub cite: Citation,
 }

@@ -8,6 +8,8 @@ pub mod code;
 
 pub mod vars;
 
+pub mod macros;
+
 pub mod limits;
 
 pub mod alarm;
@@ -27,6 +29,7 @@ pub use bench::Bench;
 pub use code::{Code, CodeDef, Group};
 pub use interface::Signal;
 pub use limits::{Limits, Timing};
+pub use macros::Macros;
 pub use params::{ParamDef, ParamRole};
 pub use switch::{Switch, Switches};
 pub use syntax::Syntax;
@@ -43,6 +46,8 @@ pub struct Control {
     pub name: &'static str,
     /// How a program is written.
     pub syntax: Syntax,
+    /// How macro programs count and call.
+    pub macros: Macros,
     /// Axis letters in the order of the control's axis numbers.
     pub axes: &'static [AxisDef],
     /// Codes in force after power-on, one per modal group, for instance `G01`.
@@ -74,8 +79,17 @@ pub struct AxisDef {
     pub letter: u8,
     /// Whether it turns by default (degrees instead of millimetres).
     pub rotary: bool,
+    /// Address of incremental words for this axis, where there is one beside the absolute: U for X on lathes.
+    pub incremental: Option<u8>,
+    /// Words count diameters, twice what the slide moves, unless the switch `diameter` says otherwise.
+    pub diameter: bool,
     /// Source and grade.
     pub cite: Citation,
+}
+
+/// A row of an axis whose words count what it moves.
+const fn axis(letter: u8, rotary: bool, cite: Citation) -> AxisDef {
+    AxisDef { letter, rotary, incremental: None, diameter: false, cite }
 }
 
 /// All controls, in the order they are listed.
@@ -94,9 +108,15 @@ impl Control {
         rows.get(at).filter(|row| (row.letter, row.number) == (letter, number))
     }
 
-    /// The row of an alarm; every kind has one (held by a test).
+    /// The row of an alarm, or of the wider kind that this control has for it; every kind leads to one (held by a test).
     pub fn alarm(&self, kind: Alarm) -> Option<&'static AlarmDef> {
-        self.alarms.iter().find(|row| row.kind == kind)
+        let mut kind = kind;
+        loop {
+            if let Some(row) = self.alarms.iter().find(|row| row.kind == kind) {
+                return Some(row);
+            }
+            kind = kind.wider()?;
+        }
     }
 
     /// The number the control shows for an alarm.

@@ -9,10 +9,26 @@ pub struct Switch {
     pub id: &'static str,
     /// What it decides.
     pub text: &'static str,
-    /// Possible settings; the first is the default.
+    /// Possible settings; the first is the default. With a single one the setting is free text, and this is its default.
     pub options: &'static [&'static str],
     /// Source and grade of the default.
     pub cite: Citation,
+}
+
+/// Characters of a free text.
+const TEXT: usize = 500;
+
+impl Switch {
+    /// Whether a setting is free text.
+    pub fn is_text(&self) -> bool {
+        self.options.len() == 1
+    }
+
+    /// Whether this can be its setting.
+    pub fn takes(&self, setting: &str) -> bool {
+        let text = || setting.len() <= TEXT && setting.bytes().all(|b| b.is_ascii_graphic() || b == b' ');
+        self.options.contains(&setting) || self.is_text() && text()
+    }
 }
 
 /// Settings of switches that differ from the default, by id.
@@ -24,7 +40,7 @@ impl Switches {
     pub fn get<'a>(&'a self, switches: &'a [Switch], id: &str) -> Option<&'a str> {
         let row = switches.iter().find(|row| row.id == id)?;
         let set = self.0.iter().find(|(key, _)| key == id).map(|(_, value)| value.as_str());
-        set.filter(|value| row.options.contains(value)).or(row.options.first().copied())
+        set.filter(|value| row.takes(value)).or(row.options.first().copied())
     }
 }
 

@@ -9,6 +9,15 @@ pub enum Round {
     Comment,
 }
 
+/// Where a file has its `%`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Percent {
+    /// In its first and its last line.
+    Both,
+    /// In its last line only.
+    End,
+}
+
 /// Spelling, characters and file form of a control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Syntax {
@@ -16,8 +25,8 @@ pub struct Syntax {
     pub round: Round,
     /// Letter of a program number (`O`); further letters are accepted when reading.
     pub program_letters: &'static [u8],
-    /// Whether a file starts and ends with `%`.
-    pub percent: bool,
+    /// Where a file has its `%`.
+    pub percent: Percent,
     /// Digits of a sequence number at most.
     pub sequence_digits: u8,
     /// Digits of a program number at most.
@@ -32,6 +41,22 @@ pub struct Syntax {
     pub if_then: bool,
     /// `MOD` exists.
     pub modulo: bool,
+    /// Comparisons may be written as signs too: `==`, `<>`, `>`, `>=`, `<`, `<=`.
+    pub comparison_signs: bool,
+    /// A function may do without brackets: `SIN30`, `SQRT#1`.
+    pub bare_functions: bool,
+    /// The arc tangent is of two numbers: `ATAN[y]/[x]`; else of one.
+    pub atan_of_two: bool,
+    /// `##5` is `#[#5]`.
+    pub double_hash: bool,
+    /// `#9nnn` is `#[#nnn]`.
+    pub nine_hash: bool,
+    /// The same address twice in a block is an alarm (G and M codes and macro arguments apart); else the last one holds.
+    pub address_twice: bool,
+    /// Characters of a block that the control reads, without comments.
+    pub block_read_chars: u32,
+    /// Words of a block that the control reads.
+    pub block_words: u32,
     /// Highest number of a `DO`.
     pub do_max: u32,
     /// `DO` … `END` may be nested this deep.
@@ -40,8 +65,10 @@ pub struct Syntax {
     pub functions: &'static [(&'static str, Function)],
     /// Address letters of words besides the axes; macro calls take every letter.
     pub addresses: &'static [u8],
-    /// Addresses whose words take no decimal point: what stands behind it is dropped.
+    /// Addresses of whole numbers.
     pub integer_addresses: &'static [u8],
+    /// A decimal point behind the address of a whole number is an alarm; else what stands behind it is dropped.
+    pub point_alarm: bool,
     /// Addresses whose words are read in the command unit where the point is missing.
     pub increment_addresses: &'static [u8],
     /// Ending of a program file without the point.
@@ -83,4 +110,63 @@ pub enum Function {
     Ln,
     /// Exponential.
     Exp,
+}
+
+/// What a `G65 Hnn` does with its operands: P is the result, Q and R are what it is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Operation {
+    /// `P = Q`.
+    Assign,
+    /// `P = Q + R`.
+    Add,
+    /// `P = Q - R`.
+    Subtract,
+    /// `P = Q * R`.
+    Multiply,
+    /// `P = Q / R`.
+    Divide,
+    /// `P = Q OR R`.
+    Or,
+    /// `P = Q AND R`.
+    And,
+    /// `P = Q XOR R`.
+    Xor,
+    /// `P = SQRT[Q]`.
+    Sqrt,
+    /// `P = ABS[Q]`.
+    Abs,
+    /// `P = Q - FIX[Q/R]*R`.
+    Remainder,
+    /// `P = BIN[Q]`.
+    Bin,
+    /// `P = BCD[Q]`.
+    Bcd,
+    /// `P = P*Q/R`.
+    MultiplyDivide,
+    /// `P = SQRT[Q*Q + R*R]`.
+    Hypotenuse,
+    /// `P = Q*SIN[R]`.
+    Sin,
+    /// `P = Q*COS[R]`.
+    Cos,
+    /// `P = Q*TAN[R]`.
+    Tan,
+    /// `P = ATAN[Q]/[R]`.
+    Atan,
+    /// Goes on at sequence number P.
+    Goto,
+    /// Goes on at P if `Q = R`.
+    IfEqual,
+    /// Goes on at P if `Q ≠ R`.
+    IfNotEqual,
+    /// Goes on at P if `Q > R`.
+    IfGreater,
+    /// Goes on at P if `Q < R`.
+    IfLess,
+    /// Goes on at P if `Q ≥ R`.
+    IfGreaterEqual,
+    /// Goes on at P if `Q ≤ R`.
+    IfLessEqual,
+    /// User alarm P.
+    Alarm,
 }

@@ -16,20 +16,26 @@ pub enum VarKind {
     Retained,
     /// One bit from the PLC, read-only; bit `number - first` of the word at the range's device.
     InputBit,
-    /// A word from the PLC, 32 bits signed, read-only.
-    InputWord,
+    /// A word from the PLC, read-only.
+    InputWord(Width),
     /// One bit to the PLC.
     OutputBit,
-    /// A word to the PLC, 32 bits signed.
-    OutputWord,
-    /// Tool offsets.
-    ToolOffset,
+    /// A word to the PLC.
+    OutputWord(Width),
+    /// A word in both directions: read, it is what the PLC has written; written, it goes to the PLC and is not read back.
+    ExchangeWord(Width),
+    /// Tool offsets and other numbers that are kept, and have no effect on the simulated machine.
+    Kept,
+    /// Zero of a work coordinate system, axis by axis: 1 to 6, or 0 for the shift of all of them.
+    WorkOffset(u8),
     /// `#3000`: alarm with message.
     AlarmMessage,
-    /// `#3001`: milliseconds since power-on.
-    PowerOnTime,
-    /// `#3002`: milliseconds of automatic start.
-    RunTime,
+    /// Time since power-on.
+    PowerOnTime(Clock),
+    /// Time of automatic running.
+    RunTime(Clock),
+    /// Time of the present automatic run in seconds, read-only.
+    PartTime,
     /// `#3003`: single block and FIN suppressed.
     SuppressSingleBlock,
     /// `#3004`: bit 0 feed hold, bit 1 cutting override, bit 2 exact stop check off.
@@ -52,6 +58,50 @@ pub enum VarKind {
     WorkPosition,
     /// Exists on the control; the simulation neither reads nor writes it.
     NotSimulated,
+}
+
+/// Bits of a word of the PLC; all are signed but single bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Width {
+    /// 0 to 255.
+    Byte,
+    /// 16 bits.
+    Word,
+    /// 32 bits.
+    Long,
+}
+
+impl Width {
+    /// Least and largest value.
+    pub fn range(self) -> (f64, f64) {
+        match self {
+            Width::Byte => (0.0, 255.0),
+            Width::Word => (-32_768.0, 32_767.0),
+            Width::Long => (-2_147_483_648.0, 2_147_483_647.0),
+        }
+    }
+}
+
+/// Unit of a clock variable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Clock {
+    /// Milliseconds.
+    Milliseconds,
+    /// Seconds.
+    Seconds,
+    /// Hours.
+    Hours,
+}
+
+impl Clock {
+    /// Milliseconds of one.
+    pub fn milliseconds(self) -> f64 {
+        match self {
+            Clock::Milliseconds => 1.0,
+            Clock::Seconds => 1000.0,
+            Clock::Hours => 3_600_000.0,
+        }
+    }
 }
 
 /// A range of variable numbers of one kind.
@@ -90,7 +140,8 @@ impl VarKind {
             self,
             VarKind::Vacant
                 | VarKind::InputBit
-                | VarKind::InputWord
+                | VarKind::InputWord(_)
+                | VarKind::PartTime
                 | VarKind::ModalCode(_)
                 | VarKind::ModalWord(_)
                 | VarKind::ExecutingCode(_)

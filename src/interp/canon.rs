@@ -45,6 +45,13 @@ pub enum Canon {
         /// Whether the axes stop and are checked in position at the end (G09, G61).
         exact: bool,
     },
+    /// Thread cutting: straight, in step with the spindle, without feed override or hold.
+    Thread {
+        /// Where to.
+        to: Target,
+        /// Along the path, in mm per spindle revolution.
+        lead: f64,
+    },
     /// A circular arc in the plane of two axes; other programmed axes move in proportion (helix).
     Arc {
         /// Where to.
@@ -73,6 +80,18 @@ pub enum Canon {
     /// Spindle speed in r/min (S word), never negative; acts with the next or present direction.
     SpindleSpeed {
         /// r/min, before override, gears and clamps.
+        rpm: f64,
+    },
+    /// Constant surface speed from now on, in m/min (G96); the spindle follows the diameter.
+    SurfaceSpeed {
+        /// m/min.
+        speed: f64,
+    },
+    /// No constant surface speed any more (G97); the spindle keeps the speed that it has.
+    ConstantSpeed,
+    /// Highest spindle speed under constant surface speed, in r/min (G50 S, G92 S).
+    SpeedLimit {
+        /// r/min.
         rpm: f64,
     },
     /// Spindle turns clockwise (1), counter-clockwise (-1) or stops (0): M03, M04, M05.
@@ -105,6 +124,13 @@ pub enum Canon {
         feed_override: bool,
         /// G09 and G61 do not wait.
         exact: bool,
+    },
+    /// Whether single block stop and the wait for FIN are switched off (`#3003`).
+    SuppressWaits {
+        /// Single block does not stop.
+        single_block: bool,
+        /// M, S and T do not wait for the PLC.
+        fin: bool,
     },
     /// Exact stop mode (true) or cutting mode (false): G61, G64.
     PathMode {
@@ -186,6 +212,11 @@ impl fmt::Display for Line<'_> {
                 to.write(f, names)?;
                 write!(f, " {feed}{}", stop(*exact))
             }
+            Canon::Thread { to, lead } => {
+                f.write_str("thread")?;
+                to.write(f, names)?;
+                write!(f, " {}", Feed::PerRevolution(*lead))
+            }
             Canon::Arc { to, plane, center, clockwise, feed, exact } => {
                 f.write_str(if *clockwise { "arc-cw" } else { "arc-ccw" })?;
                 to.write(f, names)?;
@@ -201,6 +232,9 @@ impl fmt::Display for Line<'_> {
                 to.write(f, names)
             }
             Canon::SpindleSpeed { rpm } => write!(f, "spindle-speed {}", decimal(*rpm)),
+            Canon::SurfaceSpeed { speed } => write!(f, "surface-speed {}", decimal(*speed)),
+            Canon::ConstantSpeed => f.write_str("constant-speed"),
+            Canon::SpeedLimit { rpm } => write!(f, "speed-limit {}", decimal(*rpm)),
             Canon::SpindleDirection { sign: 1 } => f.write_str("spindle-cw"),
             Canon::SpindleDirection { sign: -1 } => f.write_str("spindle-ccw"),
             Canon::SpindleDirection { .. } => f.write_str("spindle-stop"),
@@ -209,6 +243,9 @@ impl fmt::Display for Line<'_> {
             Canon::Output { variable, value } => write!(f, "output #{variable}={}", decimal(*value)),
             Canon::Suppress { hold, feed_override, exact } => {
                 write!(f, "suppress hold={hold} feed-override={feed_override} exact={exact}")
+            }
+            Canon::SuppressWaits { single_block, fin } => {
+                write!(f, "suppress-waits single-block={single_block} fin={fin}")
             }
             Canon::PathMode { exact: true } => f.write_str("exact-stop"),
             Canon::PathMode { exact: false } => f.write_str("cutting"),

@@ -160,6 +160,7 @@ impl State {
             Op::Divide if b != 0.0 => finite(a / b),
             Op::Modulo if b != 0.0 => finite(a % b),
             Op::Divide | Op::Modulo => Err(self.division_by_zero(cx, divisor)),
+            Op::Atan => Ok(math::atan2(a, b) * (180.0 / math::PI)),
             Op::And => Ok(f64::from(bits(a)? & bits(b)?)),
             Op::Or => Ok(f64::from(bits(a)? | bits(b)?)),
             Op::Xor => Ok(f64::from(bits(a)? ^ bits(b)?)),

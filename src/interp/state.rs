@@ -237,7 +237,7 @@ impl State {
         for (at, row) in shared.control.vars.iter().enumerate() {
             let kept = match row.kind {
                 Common => !shared.rules.clear_common,
-                Retained | ToolOffset | OutputBit | OutputWord => true,
+                Retained | Kept | OutputBit | OutputWord(_) => true,
                 _ => false,
             };
             for number in row.first..=row.last {
@@ -341,6 +341,11 @@ impl State {
                     self.go_to(cx, at, target)?;
                 }
             }
+            Stmt::IfThen { cond, to, value } => {
+                if self.number(cx, cond)? != 0.0 {
+                    self.assign(cx, block, to, value)?;
+                }
+            }
             Stmt::Goto(target) => self.go_to(cx, at, target)?,
             Stmt::While { cond, .. } => {
                 let end = self.partner(cx, at)?;
@@ -366,7 +371,7 @@ impl State {
             place.file == self.file && block.span.start <= place.span.start && place.span.end <= block.span.end
         };
         let number = cx.control.alarm_number(alarm);
-        let said = |finding: &&Diagnostic| finding.alarm == number && finding.place.is_some_and(here);
+        let said = |finding: &&Diagnostic| finding.alarm.as_deref() == number && finding.place.is_some_and(here);
         match cx.shared.parsed.diagnostics().iter().find(said) {
             Some(finding) => Trap::repeat(alarm, finding),
             None => Trap::alarm(alarm, msg!("interp.bad-block")),

@@ -10,9 +10,6 @@ use crate::controls::{Alarm, VarKind, VarRange};
 use crate::msg;
 use crate::nc::{Block, Expr, ExprId};
 
-/// Largest value of an output word of 32 bits.
-const WORD_MAX: f64 = 2_147_483_647.0;
-
 impl State {
     /// The value of a variable; vacant is NaN.
     #[inline]
@@ -31,18 +28,25 @@ impl State {
         let millimetres = |increments: i64| increments as f64 / cx.shared.units.per_unit;
         let value = match row.kind {
             VarKind::Vacant | VarKind::Local | VarKind::Common | VarKind::Retained => VACANT,
-            VarKind::InputBit | VarKind::InputWord => finite_or_zero(cx.world.input(number)),
+            VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord(_) => {
+                finite_or_zero(cx.world.input(number))
+            }
             VarKind::OutputBit
-            | VarKind::OutputWord
-            | VarKind::ToolOffset
+            | VarKind::OutputWord(_)
+            | VarKind::Kept
             | VarKind::SuppressSingleBlock
             | VarKind::SuppressOverride => {
                 // These have a value from the start.
                 let slot = cx.shared.index.stored_at(row, at as usize, number);
                 slot.map_or(0.0, |slot| zero_if_vacant(self.vars.common(slot)))
             }
-            VarKind::PowerOnTime => finite_or_zero(cx.world.clock_ms(false)) - self.clock_zero[0],
-            VarKind::RunTime => finite_or_zero(cx.world.clock_ms(true)) - self.clock_zero[1],
+            VarKind::PowerOnTime(clock) => {
+                (finite_or_zero(cx.world.clock_ms(false)) - self.clock_zero[0]) / clock.milliseconds()
+            }
+            VarKind::RunTime(clock) => {
+                (finite_or_zero(cx.world.clock_ms(true)) - self.clock_zero[1]) / clock.milliseconds()
+            }
+            VarKind::PartTime => finite_or_zero(cx.world.clock_ms(true)) / 1000.0,
             VarKind::ModalCode(group) => f64::from(self.modal.codes[group as usize]) / 10.0,
             VarKind::ModalWord(letter) => self.modal_word(letter),
             VarKind::ExecutingCode(_) | VarKind::ExecutingWord(_) if !self.synced => return Err(Trap::Sync),
@@ -60,7 +64,7 @@ impl State {
             VarKind::AlarmMessage | VarKind::StopMessage => {
                 return Err(Trap::alarm(Alarm::VariableSide, msg!("interp.write-only", number)));
             }
-            VarKind::NotSimulated => return Err(not_simulated(number, row)),
+            VarKind::WorkOffset(_) | VarKind::NotSimulated => return Err(not_simulated(number, row)),
         };
         Ok(value)
     }
@@ -96,18 +100,20 @@ impl State {
         let slot = cx.shared.index.stored_at(row, at as usize, number);
         let message = || block.comment.and_then(|at| cx.deck.comments.get(at as usize)).map_or("", |text| text);
         match row.kind {
-            VarKind::OutputBit | VarKind::OutputWord => {
-                let value = if row.kind == VarKind::OutputBit {
-                    f64::from(u8::from(value.round() != 0.0))
-                } else {
-                    value.round().clamp(-WORD_MAX - 1.0, WORD_MAX)
+            VarKind::OutputBit | VarKind::OutputWord(_) | VarKind::ExchangeWord(_) => {
+                let value = match row.kind {
+                    VarKind::OutputWord(width) | VarKind::ExchangeWord(width) => {
+                        let (least, most) = width.range();
+                        value.round().clamp(least, most)
+                    }
+                    _ => f64::from(u8::from(value.round() != 0.0)),
                 };
                 if let Some(slot) = slot {
                     self.vars.set_common(slot, value);
                 }
                 self.queue.push(Canon::Output { variable: number, value });
             }
-            VarKind::ToolOffset | VarKind::SuppressSingleBlock => {
+            VarKind::Kept | VarKind::SuppressSingleBlock => {
                 if let Some(slot) = slot {
                     self.vars.set_common(slot, value);
                 }
@@ -129,13 +135,18 @@ impl State {
                 self.queue.push(Canon::Message { text: message().to_owned() });
                 self.pause = true;
             }
-            VarKind::PowerOnTime => self.clock_zero[0] = finite_or_zero(cx.world.clock_ms(false)) - value,
-            VarKind::RunTime => self.clock_zero[1] = finite_or_zero(cx.world.clock_ms(true)) - value,
-            VarKind::NotSimulated => return Err(not_simulated(number, row)),
+            VarKind::PowerOnTime(clock) => {
+                self.clock_zero[0] = finite_or_zero(cx.world.clock_ms(false)) - value * clock.milliseconds();
+            }
+            VarKind::RunTime(clock) => {
+                self.clock_zero[1] = finite_or_zero(cx.world.clock_ms(true)) - value * clock.milliseconds();
+            }
+            VarKind::WorkOffset(_) | VarKind::NotSimulated => return Err(not_simulated(number, row)),
             VarKind::Local | VarKind::Common | VarKind::Retained => {}
             VarKind::Vacant
             | VarKind::InputBit
-            | VarKind::InputWord
+            | VarKind::InputWord(_)
+            | VarKind::PartTime
             | VarKind::ModalCode(_)
             | VarKind::ModalWord(_)
             | VarKind::ExecutingCode(_)
@@ -162,9 +173,9 @@ fn finite_or_zero(x: f64) -> f64 {
 
 #[cold]
 fn user_alarm(cx: &Cx, number: f64, text: &str) -> Trap {
-    let max = cx.control.limits.user_alarm_max;
-    if !(1.0..=f64::from(max)).contains(&number) {
-        return Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", number, 1_u32, max));
+    let (min, max) = cx.control.macros.user_alarms;
+    if !(f64::from(min)..=f64::from(max)).contains(&number) {
+        return Trap::alarm(Alarm::UserAlarmRange, msg!("interp.value-range", number, min, max));
     }
     if text.is_empty() {
         Trap::alarm(Alarm::User, msg!("interp.user-alarm", number))

@@ -36,8 +36,15 @@ impl Machine {
         let axes: [AxisPlant; AXES] = core::array::from_fn(|k| {
             let letter = control.axes.get(k).map_or(b'?', |axis| axis.letter);
             // An axis that the machine lacks moves without inertia, so that the program can be watched; a diagnostic says so.
-            let missing =
-                AxisPlant { letter, rotary: false, rapid: 1e6, clamp: 1e6, time_constant: 0.0, position_gain: 0.0 };
+            let missing = AxisPlant {
+                letter,
+                rotary: false,
+                diameter: false,
+                rapid: 1e6,
+                clamp: 1e6,
+                time_constant: 0.0,
+                position_gain: 0.0,
+            };
             let axis = plant.axes.get(k).copied().unwrap_or(missing);
             AxisPlant {
                 rapid: positive(axis.rapid, missing.rapid),
@@ -75,6 +82,6 @@ impl Machine {
     /// Whether a variable is written by the PLC.
     pub(super) fn is_input(&self, number: u32) -> bool {
         let row = self.vars.iter().find(|row| (row.first..=row.last).contains(&number));
-        row.is_some_and(|row| matches!(row.kind, VarKind::InputBit | VarKind::InputWord))
+        row.is_some_and(|row| matches!(row.kind, VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord(_)))
     }
 }

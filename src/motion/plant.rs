@@ -7,6 +7,8 @@ pub struct AxisPlant {
     pub letter: u8,
     /// Turns: degrees instead of millimetres.
     pub rotary: bool,
+    /// Words of this axis count diameters, twice what it moves. All else about it is what it moves.
+    pub diameter: bool,
     /// Rapid traverse in mm/min or °/min.
     pub rapid: f64,
     /// Cutting feed clamp in mm/min or °/min: above it the whole vector is slowed.

@@ -83,6 +83,15 @@ pub enum Stmt {
         /// Sequence number to go to.
         target: ExprId,
     },
+    /// `IF [cond] THEN to = value`.
+    IfThen {
+        /// The condition.
+        cond: ExprId,
+        /// The variable.
+        to: ExprId,
+        /// Its new value.
+        value: ExprId,
+    },
     /// `GOTO target`.
     Goto(ExprId),
     /// `WHILE [cond] DO label`, or `DO label` without a condition.
@@ -104,7 +113,7 @@ pub enum Stmt {
 /// An address and its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Word {
-    /// Address letter, upper case.
+    /// Address letter, upper case; `/` with a number for an optional block skip from here to the end of the block.
     pub letter: u8,
     /// Bytes of the word.
     pub len: u8,
@@ -155,6 +164,8 @@ pub enum Op {
     Modulo,
     /// `AND`, bit by bit.
     And,
+    /// `ATAN[left]/[right]`, in degrees.
+    Atan,
     /// `OR`, bit by bit.
     Or,
     /// `XOR`, bit by bit.

@@ -6,6 +6,7 @@ use super::files::{File, Files};
 use super::lower::{is_message, lower};
 use super::parsed::Parsed;
 use crate::controls::Control;
+use crate::controls::syntax::{Function, Percent};
 use crate::msg;
 use crate::text::{Diagnostic, FileId, Place, Span};
 
@@ -59,7 +60,7 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
     for (index, program) in low.programs.iter().enumerate() {
         let file = FileId(index.min(u16::MAX as usize) as u16);
         let mut w = Writer { deck: &low, control, text: String::new(), start: 0, too_deep: false };
-        if control.syntax.percent {
+        if control.syntax.percent == Percent::Both {
             w.text.push('%');
             w.text.push_str(eol);
         }
@@ -93,10 +94,8 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
                 w.text.push_str(eol);
             }
         }
-        if control.syntax.percent {
-            w.text.push('%');
-            w.text.push_str(eol);
-        }
+        w.text.push('%');
+        w.text.push_str(eol);
         let name = file_name(program.number, control.syntax.extension, &out.files);
         out.files.0.push(File { name, text: w.text });
     }
@@ -191,16 +190,18 @@ impl Writer<'_> {
         match block.stmt {
             Stmt::Empty | Stmt::Bad(_) => {}
             Stmt::Words { .. } => self.words(block),
-            Stmt::Assign { to, value } => {
-                self.expr(to, 3, true, 0);
-                self.text.push('=');
-                self.expr(value, 0, true, 0);
-            }
+            Stmt::Assign { to, value } => self.assignment(to, value),
             Stmt::If { cond, target } => {
                 self.text.push_str("IF[");
                 self.expr(cond, 0, true, 0);
                 self.text.push_str("]GOTO");
                 self.expr(target, 0, true, 0);
+            }
+            Stmt::IfThen { cond, to, value } => {
+                self.text.push_str("IF[");
+                self.expr(cond, 0, true, 0);
+                self.text.push_str("]THEN ");
+                self.assignment(to, value);
             }
             Stmt::Goto(target) => {
                 self.text.push_str("GOTO");
@@ -218,6 +219,12 @@ impl Writer<'_> {
         }
         let spaced = self.text.len() > self.start && !is_message(self.deck, self.control, block);
         self.comment(block.comment, spaced);
+    }
+
+    fn assignment(&mut self, to: ExprId, value: ExprId) {
+        self.expr(to, 3, true, 0);
+        self.text.push('=');
+        self.expr(value, 0, true, 0);
     }
 
     fn comment(&mut self, comment: Option<u32>, spaced: bool) {
@@ -251,6 +258,12 @@ impl Writer<'_> {
         }
     }
 
+    fn function_name(&mut self, function: Function) {
+        let row = self.control.syntax.functions.iter().find(|(_, other)| *other == function);
+        let name = row.map_or_else(|| format!("{function:?}").to_ascii_uppercase(), |(name, _)| (*name).to_owned());
+        self.text.push_str(&name);
+    }
+
     fn bracketed(&mut self, id: ExprId, depth: u32) {
         self.text.push('[');
         self.expr(id, 0, true, depth + 1);
@@ -282,11 +295,14 @@ impl Writer<'_> {
                 }
             }
             Expr::Call(function, inner) => {
-                let row = self.control.syntax.functions.iter().find(|(_, other)| *other == function);
-                let name =
-                    row.map_or_else(|| format!("{function:?}").to_ascii_uppercase(), |(name, _)| (*name).to_owned());
-                self.text.push_str(&name);
+                self.function_name(function);
                 self.bracketed(inner, depth);
+            }
+            Expr::Binary(Op::Atan, left, right) => {
+                self.function_name(Function::Atan);
+                self.bracketed(left, depth);
+                self.text.push('/');
+                self.bracketed(right, depth);
             }
             Expr::Binary(op, left, right) => {
                 let (own, sign) = operator(op);
@@ -309,7 +325,7 @@ fn operator(op: Op) -> (u8, &'static str) {
         Op::Or => (1, " OR "),
         Op::Xor => (1, " XOR "),
         Op::Multiply => (2, "*"),
-        Op::Divide => (2, "/"),
+        Op::Divide | Op::Atan => (2, "/"),
         Op::And => (2, " AND "),
         Op::Modulo => (2, " MOD "),
         Op::Equal => (0, " EQ "),

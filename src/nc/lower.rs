@@ -100,6 +100,11 @@ fn no_modulo(deck: &mut Deck) {
                 at(to);
                 at(value);
             }
+            Stmt::IfThen { cond, to, value } => {
+                at(cond);
+                at(to);
+                at(value);
+            }
             Stmt::If { cond, target } => {
                 at(cond);
                 at(target);

@@ -45,6 +45,9 @@ impl Deck {
             (Stmt::If { cond, target }, Stmt::If { cond: cond2, target: target2 }) => {
                 same(cond, cond2) && same(target, target2)
             }
+            (Stmt::IfThen { cond, to, value }, Stmt::IfThen { cond: cond2, to: to2, value: value2 }) => {
+                same(cond, cond2) && same(to, to2) && same(value, value2)
+            }
             (Stmt::Goto(target), Stmt::Goto(target2)) => same(target, target2),
             (Stmt::While { cond, label }, Stmt::While { cond: cond2, label: label2 }) => {
                 label == label2

@@ -146,6 +146,7 @@ fn bench(control: &'static Control) -> (Plant, Box<dyn Plc>) {
     let axes = bench.axes.iter().map(|axis| AxisPlant {
         letter: axis.letter,
         rotary: control.axis(axis.letter).is_some_and(|at| control.axes[at].rotary),
+        diameter: control.axis(axis.letter).is_some_and(|at| control.axes[at].diameter),
         rapid: axis.rapid,
         clamp: axis.clamp,
         time_constant: axis.time_constant,

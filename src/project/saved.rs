@@ -211,7 +211,7 @@ impl Reader {
         for (id, json) in saved {
             let row = project.control.switches.iter().find(|row| row.id == id);
             match (row, json.as_str()) {
-                (Some(row), Some(setting)) if row.options.contains(&setting) => {
+                (Some(row), Some(setting)) if row.takes(setting) => {
                     switches.0.push((id.clone(), setting.to_owned()));
                 }
                 _ => self.found.push(Diagnostic::warning(msg!("project.unknown-switch", clip(id)))),

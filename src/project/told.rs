@@ -20,7 +20,7 @@ impl<'f> Teller<'f> {
 
     /// Severity, alarm and sentence, then file:line:column, the line itself with the place marked, and the hints.
     pub fn text(&self, diagnostic: &Diagnostic) -> String {
-        let alarm = diagnostic.alarm.map_or(String::new(), |alarm| format!("[{alarm}]"));
+        let alarm = diagnostic.alarm.as_ref().map_or(String::new(), |alarm| format!("[{alarm}]"));
         let mut out =
             format!("{}{alarm}: {}\n", word(diagnostic.severity), sentence(Language::English, &diagnostic.message));
         if let Some((file, line, column)) = self.place(diagnostic) {

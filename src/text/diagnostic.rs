@@ -1,5 +1,7 @@
 //! What is wrong, where, which alarm the control would show, and how to mend it.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 
 use super::{Message, Place};
@@ -35,7 +37,7 @@ pub struct Diagnostic {
     /// Where; `None` for the project as a whole.
     pub place: Option<Place>,
     /// The number that this control would show, for instance `P283`.
-    pub alarm: Option<&'static str>,
+    pub alarm: Option<Cow<'static, str>>,
     /// The form field that it is about, by id.
     pub field: Option<&'static str>,
     /// How to mend it, in words.
@@ -78,7 +80,7 @@ impl Diagnostic {
 
     /// The same with the control's alarm number.
     pub fn alarm(mut self, alarm: Option<&'static str>) -> Diagnostic {
-        self.alarm = alarm;
+        self.alarm = alarm.map(Cow::Borrowed);
         self
     }
 

@@ -173,7 +173,7 @@ fn checked(text: String, control: &'static crate::controls::Control) -> JsValue 
     let rows = js_sys::Array::new();
     for diagnostic in parsed.diagnostics().iter().take(LISTED) {
         let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));
-        let alarm = diagnostic.alarm.unwrap_or_default();
+        let alarm = diagnostic.alarm.as_deref().unwrap_or_default();
         let text = format!("{} {line}: {alarm} {}", t("page.line"), tell(diagnostic));
         rows.push(&object([("tone", tone(diagnostic.severity).into()), ("text", text.into())]));
     }

@@ -179,8 +179,11 @@ fn refused(reasons: &[Diagnostic]) -> Vec<El> {
         .iter()
         .map(|reason| {
             let row = el("li.fail").add(&[el("i").at("aria-hidden", "true").text("✕ ")]);
-            let row =
-                row.add(&[el("b").text(reason.alarm.unwrap_or_default())]).text(" ").text(&tell(reason)).text(" ");
+            let row = row
+                .add(&[el("b").text(reason.alarm.as_deref().unwrap_or_default())])
+                .text(" ")
+                .text(&tell(reason))
+                .text(" ");
             row.maybe(reason.field.map(|field| button("button.link", t("page.go-to-field"), move || go_to(field))))
         })
         .collect();

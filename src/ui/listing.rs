@@ -88,7 +88,7 @@ fn class(kind: TokenKind) -> &'static str {
 fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
     let class = tone(diagnostic.severity);
     let _ = write!(out, "<li class=\"says {class}\"><p><i aria-hidden=\"true\">{}</i> ", sign(class));
-    if let Some(alarm) = diagnostic.alarm {
+    if let Some(alarm) = &diagnostic.alarm {
         let _ = write!(out, "<b>{alarm}</b> ");
     }
     escape(out, &say(&diagnostic.message));

@@ -145,7 +145,7 @@ fn why(model: Model) -> String {
         None => String::new(),
         Some(RunEnd::ProgramEnd) => t("page.end-program").to_owned(),
         Some(RunEnd::Stop) => t("page.end-stop").to_owned(),
-        Some(RunEnd::Alarm(alarm)) => format!("{} {}", alarm.alarm.unwrap_or_default(), words::tell(&alarm)),
+        Some(RunEnd::Alarm(alarm)) => format!("{} {}", alarm.alarm.as_deref().unwrap_or_default(), words::tell(&alarm)),
         Some(RunEnd::Blocks | RunEnd::Seconds) => t("page.end-budget").to_owned(),
     }
 }

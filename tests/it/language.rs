@@ -29,7 +29,7 @@ fn findings(parsed: &Parsed) -> String {
         let place = d.place.map_or(String::new(), |place| at(place.span.start));
         let kind = format!("{:?}", d.severity).to_lowercase();
         let message = sentence(Language::English, &d.message);
-        out += &format!("{place} {kind} {} {message}\n", d.alarm.unwrap_or("-"));
+        out += &format!("{place} {kind} {} {message}\n", d.alarm.as_deref().unwrap_or("-"));
         for fix in &d.fixes {
             out += &format!("    {}:", sentence(Language::English, &fix.title));
             for (place, new) in &fix.edits {

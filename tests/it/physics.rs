@@ -23,7 +23,15 @@ const TAU: f64 = 0.1;
 const GAIN: f64 = 33.0;
 
 fn axis(letter: u8) -> AxisPlant {
-    AxisPlant { letter, rotary: false, rapid: 30e3, clamp: 120e3, time_constant: TAU, position_gain: GAIN }
+    AxisPlant {
+        letter,
+        rotary: false,
+        diameter: false,
+        rapid: 30e3,
+        clamp: 120e3,
+        time_constant: TAU,
+        position_gain: GAIN,
+    }
 }
 
 fn plant() -> Plant {

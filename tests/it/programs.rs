@@ -32,7 +32,7 @@ fn world() -> Still {
 fn alarm_and_place(source: &str, diagnostic: &Diagnostic) -> String {
     let at = diagnostic.place.map_or(0, |place| place.span.start);
     let position = LineIndex::new(source).position(source, at);
-    format!("{} {}:{}", diagnostic.alarm.unwrap_or("none"), position.line, position.column)
+    format!("{} {}:{}", diagnostic.alarm.as_deref().unwrap_or("none"), position.line, position.column)
 }
 
 /// The canonical log of a program, and how it ended.

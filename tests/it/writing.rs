@@ -414,7 +414,7 @@ proptest! {
         prop_assert!(lower(&low, e60()).same_as(&low), "lowering twice is lowering once");
         let out = emit(&deck, e60());
         let read = parse(&out.files, e60());
-        let deep = read.diagnostics().iter().any(|d| d.alarm == Some("P280"));
+        let deep = read.diagnostics().iter().any(|d| d.alarm.as_deref() == Some("P280"));
         prop_assert!(deep || read.deck().same_as(&low), "{}\n{:?}", out.files.0[0].text, read.diagnostics());
     }
 
@@ -427,7 +427,7 @@ proptest! {
         let out = emit(&deck, e60());
         prop_assert!(!out.files.0[0].text.contains("MOD"));
         let read = parse(&out.files, e60());
-        let deep = read.diagnostics().iter().any(|d| d.alarm == Some("P280"));
+        let deep = read.diagnostics().iter().any(|d| d.alarm.as_deref() == Some("P280"));
         prop_assert!(deep || read.deck().same_as(&low), "{}", out.files.0[0].text);
     }
 

@@ -8,8 +8,9 @@ mod switches;
 mod vars;
 
 use super::bench::{Bench, BenchAxis};
-use super::syntax::{Function, Round};
-use super::{AxisDef, Code, Control, Limits, Syntax, Timing};
+use super::macros::{ArgumentSets, CodeCalls, VacantWord};
+use super::syntax::{Function, Percent, Round};
+use super::{Code, Control, Limits, Macros, Syntax, Timing, axis};
 use crate::text::{Citation, Grade};
 
 /// Programming manual of the younger sister control.
@@ -26,7 +27,7 @@ pub static CONTROL: Control = Control {
     syntax: Syntax {
         round: Round::Comment,
         program_letters: b"OL",
-        percent: true,
+        percent: Percent::Both,
         sequence_digits: 5,
         program_digits: 8,
         block_chars: 80,
@@ -34,6 +35,14 @@ pub static CONTROL: Control = Control {
         bracket_depth: 5,
         if_then: false,
         modulo: false,
+        comparison_signs: false,
+        bare_functions: false,
+        atan_of_two: false,
+        double_hash: true,
+        nine_hash: false,
+        address_twice: false,
+        block_read_chars: 60_000,
+        block_words: 60_000,
         do_max: 127,
         do_depth: 27,
         functions: &[
@@ -58,16 +67,33 @@ pub static CONTROL: Control = Control {
         ],
         addresses: b"BDEFGHIJKLMPQRST",
         integer_addresses: b"DGHLMNOST",
+        point_alarm: false,
         increment_addresses: b"ABCIJKRUVWXYZ",
         extension: "nc",
         cite: Citation::new("M700V/M70V programming manual, p.19, 23, 28, 40; macro text from memory", Grade::Sister),
     },
-    axes: &[
-        AxisDef { letter: b'X', rotary: false, cite: PAPER },
-        AxisDef { letter: b'Y', rotary: false, cite: PAPER },
-        AxisDef { letter: b'Z', rotary: false, cite: MEMORY },
-        AxisDef { letter: b'A', rotary: true, cite: MEMORY },
-    ],
+    macros: Macros {
+        vacant_word: VacantWord::Dropped,
+        vacant_equals_zero: false,
+        whole_bits: false,
+        argument_sets: ArgumentSets::InOrder,
+        repeats_in_p: false,
+        sub_sequence: true,
+        call_first: false,
+        call_ends_modal: false,
+        functions: &[],
+        code_calls: &[
+            CodeCalls::Pairs { letter: b'G', code: 7201, program: 7203, step: 10, count: 10 },
+            CodeCalls::Pairs { letter: b'M', code: 7001, program: 7003, step: 10, count: 10 },
+        ],
+        user_alarms: (1, 9999),
+        user_alarm_base: None,
+        cite: Citation::new(
+            "M700V/M70V programming manual, p.326; calls, arguments, macro list from memory",
+            Grade::Open,
+        ),
+    },
+    axes: &[axis(b'X', false, PAPER), axis(b'Y', false, PAPER), axis(b'Z', false, MEMORY), axis(b'A', true, MEMORY)],
     startup: &[
         Code::Linear,
         Code::PlaneXy,
@@ -83,6 +109,7 @@ pub static CONTROL: Control = Control {
         increment: 0.001,
         coordinate_max: 99_999.999,
         feed_max: 1_000_000.0,
+        revolution_feed_max: 1_000_000.0,
         feed_increment: 0.001,
         arc_tolerance: 0.1,
         speed_max: 99_999_999.0,
@@ -90,7 +117,6 @@ pub static CONTROL: Control = Control {
         sub_depth: 8,
         macro_depth: 4,
         repeat_max: 9999,
-        user_alarm_max: 9999,
         cite: Citation::new(
             "M700V/M70V programming manual, p.23, 40, 158; feed, arcs and nesting from memory",
             Grade::Open,

@@ -2,6 +2,7 @@
 
 use super::MEMORY;
 use crate::controls::Switch;
+use crate::controls::macros::CALL_PARAMETERS;
 use crate::controls::switch::switch;
 use crate::text::{Citation, Grade};
 
@@ -20,6 +21,12 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("startup-motion", "Motion code after power-on (#1075)", &["G01", "G00"], MEMORY),
     switch("feed-zero", "What F0 does (#1079)", &["alarm", "rapid"], MEMORY),
     switch("spindle-word", "S with decimals", &["truncate", "round"], DECIMALS),
+    switch(
+        CALL_PARAMETERS,
+        "Macro list: codes that call programs, for instance #7201=200 #7203=9010 for G200",
+        &[""],
+        MEMORY,
+    ),
     switch("common-at-reset", "#100 and up at reset (#1128)", &["kept", "vacant"], MEMORY),
     switch("locals-of-calls", "Locals without an argument (#1114)", &["vacant", "kept"], MEMORY),
     switch("override-suppression", "#3004 bit 1 switches the cutting override off", &["yes", "no"], MEMORY),

@@ -2,7 +2,7 @@
 
 use super::MEMORY;
 use crate::controls::VarKind::*;
-use crate::controls::vars::range;
+use crate::controls::vars::{Clock, Width, range};
 use crate::controls::{Group, VarRange};
 use crate::text::{Citation, Grade};
 
@@ -19,22 +19,22 @@ pub(super) const VARS: &[VarRange] = &[
     range(500, 549, Retained, "", "common, kept at power-off, 50 sets as standard", MEMORY),
     range(1000, 1015, InputBit, "R72", "inputs from the PLC, bit by bit", M64),
     range(1016, 1031, InputBit, "R73", "inputs from the PLC, bit by bit", M64),
-    range(1032, 1032, InputWord, "R72", "input from the PLC, 32 bits", M64),
-    range(1033, 1033, InputWord, "R74", "input from the PLC, 32 bits", M64),
-    range(1034, 1034, InputWord, "R76", "input from the PLC, 32 bits", M64),
-    range(1035, 1035, InputWord, "R78", "input from the PLC, 32 bits", M64),
+    range(1032, 1032, InputWord(Width::Long), "R72", "input from the PLC, 32 bits", M64),
+    range(1033, 1033, InputWord(Width::Long), "R74", "input from the PLC, 32 bits", M64),
+    range(1034, 1034, InputWord(Width::Long), "R76", "input from the PLC, 32 bits", M64),
+    range(1035, 1035, InputWord(Width::Long), "R78", "input from the PLC, 32 bits", M64),
     range(1100, 1115, OutputBit, "R172", "outputs to the PLC, bit by bit", M64),
     range(1116, 1131, OutputBit, "R173", "outputs to the PLC, bit by bit", M64),
-    range(1132, 1132, OutputWord, "R172", "output to the PLC, 32 bits", M64),
-    range(1133, 1133, OutputWord, "R174", "output to the PLC, 32 bits", M64),
-    range(1134, 1134, OutputWord, "R176", "output to the PLC, 32 bits", M64),
-    range(1135, 1135, OutputWord, "R178", "output to the PLC, 32 bits", M64),
+    range(1132, 1132, OutputWord(Width::Long), "R172", "output to the PLC, 32 bits", M64),
+    range(1133, 1133, OutputWord(Width::Long), "R174", "output to the PLC, 32 bits", M64),
+    range(1134, 1134, OutputWord(Width::Long), "R176", "output to the PLC, 32 bits", M64),
+    range(1135, 1135, OutputWord(Width::Long), "R178", "output to the PLC, 32 bits", M64),
     range(1200, 1295, NotSimulated, "", "input words 33 to 35 bit by bit, later versions", MEMORY),
     range(1300, 1395, NotSimulated, "", "output words 33 to 35 bit by bit, later versions", MEMORY),
-    range(2001, 2800, ToolOffset, "", "tool offsets", Citation::new("MELDAS 64 system variable list", Grade::Sister)),
+    range(2001, 2800, Kept, "", "tool offsets", Citation::new("MELDAS 64 system variable list", Grade::Sister)),
     range(3000, 3000, AlarmMessage, "", "alarm with message", MEMORY),
-    range(3001, 3001, PowerOnTime, "", "time since power-on in ms", MEMORY),
-    range(3002, 3002, RunTime, "", "time of automatic running in ms", MEMORY),
+    range(3001, 3001, PowerOnTime(Clock::Milliseconds), "", "time since power-on in ms", MEMORY),
+    range(3002, 3002, RunTime(Clock::Milliseconds), "", "time of automatic running in ms", MEMORY),
     range(3003, 3003, SuppressSingleBlock, "", "single block and FIN suppressed", MEMORY),
     range(3004, 3004, SuppressOverride, "", "feed hold, override, exact stop suppressed", MEMORY),
     range(3006, 3006, StopMessage, "", "stop with message", MEMORY),
@@ -101,5 +101,5 @@ pub(super) const VARS: &[VarRange] = &[
     range(5081, 5084, NotSimulated, "", "tool position offset, axis by axis", MEMORY),
     range(5101, 5104, NotSimulated, "", "servo deviation, axis by axis", MEMORY),
     range(5201, 5324, NotSimulated, "", "work coordinate offsets", MEMORY),
-    range(10001, 10999, ToolOffset, "", "tool offsets", Citation::new("MELDAS 64 system variable list", Grade::Sister)),
+    range(10001, 10999, Kept, "", "tool offsets", Citation::new("MELDAS 64 system variable list", Grade::Sister)),
 ];

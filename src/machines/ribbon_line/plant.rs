@@ -10,6 +10,7 @@ pub(super) fn plant(p: &Params, control: &Control) -> Plant {
     let x = AxisPlant {
         letter: b'X',
         rotary: false,
+        diameter: false,
         rapid: p.rapid_x,
         clamp: p.clamp_x,
         time_constant: p.time_constant_x / 1000.0,
@@ -18,6 +19,7 @@ pub(super) fn plant(p: &Params, control: &Control) -> Plant {
     let y = AxisPlant {
         letter: b'Y',
         rotary: p.y_unit == YUnit::Degrees,
+        diameter: false,
         rapid: p.rapid_y,
         clamp: p.clamp_y,
         time_constant: p.time_constant_y / 1000.0,

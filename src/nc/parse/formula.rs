@@ -205,11 +205,11 @@ impl Reader<'_> {
 
     /// The number of a user alarm has a range.
     fn user_alarm(&mut self, variable: u32, value: f64, start: usize) {
-        let most = self.control.limits.user_alarm_max;
+        let (least, most) = self.control.macros.user_alarms;
         let row = self.control.var(variable);
         let alarm = row.is_some_and(|row| row.kind == VarKind::AlarmMessage);
-        if alarm && !(1.0..=f64::from(most)).contains(&value) {
-            self.report(Alarm::OutOfRange, start, self.at, msg!("nc.user-alarm-number", most));
+        if alarm && !(f64::from(least)..=f64::from(most)).contains(&value) {
+            self.report(Alarm::UserAlarmRange, start, self.at, msg!("nc.user-alarm-number", least, most));
         }
     }
 

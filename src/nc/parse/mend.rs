@@ -1,6 +1,7 @@
 //! Findings about a file as a whole, with fixes that reach through all of it.
 
 use super::{BYTE_ORDER_MARK, FINDINGS, Reader};
+use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, VarKind, VarRange};
 use crate::msg;
 use crate::text::{Diagnostic, Span};
@@ -17,7 +18,7 @@ impl Reader<'_> {
             return self.found.push(Diagnostic::warning(msg!("nc.empty-file")).at(place));
         }
         self.variables();
-        if self.control.syntax.percent && !(opened && closed) {
+        if self.control.syntax.percent == Percent::Both && !(opened && closed) {
             self.percent(opened, closed);
         }
         if let Some(at) = self.small {
@@ -93,7 +94,9 @@ impl Reader<'_> {
             };
             let finding = Diagnostic::error(message).at(self.place(row.span));
             let mut finding = finding.alarm(self.control.alarm_number(row.alarm));
-            let input = |range: &VarRange| matches!(range.kind, VarKind::InputBit | VarKind::InputWord);
+            let input = |range: &VarRange| {
+                matches!(range.kind, VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord(_))
+            };
             let scratch = row.alarm == Alarm::VariableRange || self.control.var(row.number).is_some_and(input);
             let uses = named.iter().filter(|(number, _)| *number == row.number).take(FINDINGS);
             let uses: Vec<Span> = uses.map(|&(_, span)| span).collect();

@@ -220,7 +220,7 @@ fn entries_that_cannot_be_raise_the_controls_alarm_with_a_message() {
                 assert!(!matches!(canon, Canon::SpindleDirection { .. }))
             }) {
                 Some(End::Alarm(alarm)) => {
-                    assert_eq!(alarm.alarm, Some("P277"));
+                    assert_eq!(alarm.alarm.as_deref(), Some("P277"));
                     let said = sentence(Language::English, &alarm.message);
                     assert!(said.contains(text), "{said}");
                 }

@@ -98,7 +98,7 @@ fn an_alarm_of_the_program_comes_when_all_before_it_is_done() {
     });
     let progress = planner.advance(f64::INFINITY, usize::MAX);
     assert!(matches!(progress.ended, Some(RunEnd::Alarm(_))));
-    assert_eq!(planner.diagnostics()[0].alarm, Some("P283"));
+    assert_eq!(planner.diagnostics()[0].alarm.as_deref(), Some("P283"));
     let end = planner.timeline().at(progress.planned_to);
     assert_eq!((end.mode, end.axes[0].position), (Mode::Alarm, 20.0));
 }

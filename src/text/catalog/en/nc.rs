@@ -96,7 +96,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("nc.unopened-round", "This ) closes nothing."),
     ("nc.unopened-square", "This ] closes nothing."),
     ("nc.unreadable-block", "This block could not be read, and so cannot be written anew."),
-    ("nc.user-alarm-number", "The number of a macro alarm is 1 to {0}."),
+    ("nc.user-alarm-number", "The number of a macro alarm is {0} to {1}."),
     ("nc.variable-number", "# must be followed by a number or by [ ]."),
     ("nc.while-without-do", "WHILE [condition] must be followed by DO and a loop number."),
 ];

@@ -1,0 +1,156 @@
+//! How a control's macro language counts and calls: what differs between dialects of one family, as rows.
+
+use super::syntax::Operation;
+use crate::text::Citation;
+
+/// What a word does whose value is nothing but a vacant variable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum VacantWord {
+    /// The word counts as not written.
+    Dropped,
+    /// Its value is 0.
+    Zero,
+}
+
+/// How I, J, K of argument specification II find their variables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ArgumentSets {
+    /// A letter that does not follow its predecessor in the alphabet begins the next set: `K1 I2` are #6 and #7.
+    InOrder,
+    /// Each letter counts its own sets: `K1 I2` are #6 and #4.
+    PerLetter,
+}
+
+/// What a parameter of the control binds a code to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CodeCalls {
+    /// `count` parameters from `first` on hold one code each; the k-th calls program `program + k`.
+    Each {
+        /// `G` or `M`.
+        letter: u8,
+        /// Number of the first parameter.
+        first: u32,
+        /// How many there are.
+        count: u32,
+        /// Program of the first.
+        program: u32,
+    },
+    /// Codes that follow one another call programs that follow one another: how many, the first code, the first program.
+    Range {
+        /// `G` or `M`.
+        letter: u8,
+        /// Number of the parameter that holds how many.
+        count: u32,
+        /// Number of the parameter that holds the first code.
+        code: u32,
+        /// Number of the parameter that holds the first program.
+        program: u32,
+    },
+    /// Pairs of parameters hold a code and its program; the k-th pair `step` numbers behind the first.
+    Pairs {
+        /// `G` or `M`.
+        letter: u8,
+        /// Number of the first parameter that holds a code.
+        code: u32,
+        /// Number of the first parameter that holds a program.
+        program: u32,
+        /// From pair to pair.
+        step: u32,
+        /// How many pairs there are.
+        count: u32,
+    },
+}
+
+/// The dialect of macro programs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Macros {
+    /// A word of a vacant variable alone.
+    pub vacant_word: VacantWord,
+    /// EQ and NE take vacant for 0, as the other comparisons do.
+    pub vacant_equals_zero: bool,
+    /// AND, OR, XOR of numbers that are not whole are an alarm; else they are rounded.
+    pub whole_bits: bool,
+    /// I, J, K of argument specification II.
+    pub argument_sets: ArgumentSets,
+    /// `M98 P` with more than four digits holds the repeats in front of the program number.
+    pub repeats_in_p: bool,
+    /// `M98 H` starts at a sequence number of the subprogram.
+    pub sub_sequence: bool,
+    /// Nothing but a sequence number may stand in front of a macro call.
+    pub call_first: bool,
+    /// A one-shot macro call ends a modal one.
+    pub call_ends_modal: bool,
+    /// `G65 Hnn P Q R` as functions: number and what it does. Empty where the control lacks them.
+    pub functions: &'static [(u8, Operation)],
+    /// Codes that call macros, by parameter. The settings are the text of the switch [`CALL_PARAMETERS`].
+    pub code_calls: &'static [CodeCalls],
+    /// Number of a user alarm, first and last.
+    pub user_alarms: (u32, u32),
+    /// What is added to the number of a user alarm to give the number that is shown; `None` where one number is shown for all.
+    pub user_alarm_base: Option<u32>,
+    /// Source and grade.
+    pub cite: Citation,
+}
+
+/// Id of the switch that holds parameters of macro calls by code, for instance `4120=512 4121=502`.
+pub const CALL_PARAMETERS: &str = "call-parameters";
+
+/// A code that calls a macro.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CodeCall {
+    /// `G` or `M`.
+    pub letter: u8,
+    /// Ten times the number, as in [`CodeDef`](super::CodeDef).
+    pub number: u32,
+    /// The program that it calls.
+    pub program: u32,
+}
+
+/// Largest number of codes that one row can bind, whatever its parameters say.
+const CALLS: u32 = 100;
+
+impl Macros {
+    /// The codes that call macros under these settings, for instance `4120=512 4121=502`. What cannot be read is left out.
+    pub fn calls(&self, settings: &str) -> Vec<CodeCall> {
+        let set: Vec<(u32, u32)> = settings.split([' ', ',', ';']).filter_map(setting).collect();
+        let value = |parameter: u32| set.iter().rev().find(|(number, _)| *number == parameter).map(|(_, value)| *value);
+        let mut calls = Vec::new();
+        let mut bind = |letter: u8, code: Option<u32>, program: Option<u32>| {
+            // A code 0 is a parameter that is not set.
+            if let (Some(code @ 1..), Some(program @ 1..)) = (code, program) {
+                calls.push(CodeCall { letter, number: code.saturating_mul(10), program });
+            }
+        };
+        for row in self.code_calls {
+            match *row {
+                CodeCalls::Each { letter, first, count, program } => {
+                    (0..count.min(CALLS)).for_each(|k| bind(letter, value(first + k), Some(program + k)));
+                }
+                CodeCalls::Range { letter, count, code, program } => {
+                    let count = value(count).unwrap_or(0).min(CALLS);
+                    let from = |parameter: u32, k: u32| value(parameter).map(|first| first.saturating_add(k));
+                    (0..count).for_each(|k| bind(letter, from(code, k), from(program, k)));
+                }
+                CodeCalls::Pairs { letter, code, program, step, count } => {
+                    let pair = |k: u32| (value(code + step * k), value(program + step * k));
+                    (0..count.min(CALLS)).for_each(|k| bind(letter, pair(k).0, pair(k).1));
+                }
+            }
+        }
+        calls
+    }
+}
+
+/// `4120=512`, with or without `#` or `No.` in front.
+fn setting(text: &str) -> Option<(u32, u32)> {
+    let (number, value) = text.split_once('=')?;
+    let digits = number.trim_start_matches(|c: char| !c.is_ascii_digit());
+    Some((digits.parse().ok()?, value.trim_start_matches(|c: char| !c.is_ascii_digit()).parse().ok()?))
+}
+
+impl super::Control {
+    /// The codes that call macros as the switches have it.
+    pub fn code_calls(&self, switches: &super::Switches) -> Vec<CodeCall> {
+        self.macros.calls(switches.get(self.switches, CALL_PARAMETERS).unwrap_or(""))
+    }
+}
