@@ -1,0 +1,305 @@
+//! How a run goes on, stops and begins again: ways out of alarms, switches, steps, resets, copies, and the paper's formulas.
+
+use std::fmt::Write as _;
+
+use expect_test::expect;
+use macroline::interp::world::Still;
+use macroline::interp::{self, End, Step};
+
+use super::{BUDGET, check, check_switched, log_of, start, world};
+
+/// The sheet's list of texts that an E60 must refuse.
+#[test]
+fn the_control_refuses_what_it_must() {
+    for (block, alarm) in [
+        ("#105=(3.14*#102)/#101", "P33"),
+        ("#2000=1", "P241"),
+        ("#1000=1", "P243"),
+        ("#105=1/#101", "P283"),
+        ("GOTO77", "P231"),
+        ("#1=[[[[[[1]]]]]]", "P280"),
+        ("G01X1.", "P62"),
+    ] {
+        let log = log_of("", &mut start(&format!("%\nO1\n{block}\nM30\n%\n"), &[]));
+        assert!(log.contains(&format!("= {alarm} ")), "{block}: {log}");
+    }
+    let log = log_of("", &mut start("%\nO1\nG00X1.\n%\n", &[]));
+    assert!(log.contains("= P36 "), "{log}");
+}
+
+#[test]
+fn an_alarm_names_the_way_out() {
+    check(
+        "O1\n#109=0\nN20 #110=[3.14*#111]/[#109*#108]\nM30",
+        expect![[r#"
+        = P283 3:1 Division by zero.
+          #109 is 0. Test it before: IF[#109 LE 0]GOTO …
+          #108 is not set and counts as 0. Set it, or test it before: IF[#108 LE 0]GOTO …
+    "#]],
+    );
+    check(
+        "O1\nG01 X1.\nM30",
+        expect![[r#"
+        = P62 2:1 A cutting motion without feed.
+          Write F in this block or in one before.
+    "#]],
+    );
+    check(
+        "O1\n#[1000+#100]=5\nM30",
+        expect![[r#"
+        = P243 2:1 #1000 cannot be written (inputs from the PLC, bit by bit).
+          Free to use are the common variables #100 to #149.
+    "#]],
+    );
+    check(
+        "O1\nM98 P2\nM30\nO2\nG00 X1.",
+        expect![[r#"
+        (P36 5:1 The program runs out of blocks: M02, M30 or M99 is missing at its end.)
+        rapid X1
+        = P36 5:1 Program 2 ends without M02, M30 or M99.
+          End a subprogram with M99.
+    "#]],
+    );
+    check(
+        "O1\n#100=#5201\nM30",
+        expect![[r#"
+        = BUDGET 2:1 #5201 (work coordinate offsets) is not simulated, so the run stops here. The control itself would go on.
+    "#]],
+    );
+}
+
+#[test]
+fn switches_settle_the_open_points() {
+    let source = "O1\nG91 G01 X8 Y8. F100\nM30";
+    check_switched(
+        source,
+        ("decimal-point", "millimetres"),
+        expect![[r#"
+        linear X8 Y8 F100
+        end
+    "#]],
+    );
+    check_switched(
+        "O1\nX1. F1000\nX1.\nM30",
+        ("startup-distance", "G91"),
+        expect![[r#"
+        linear X1 F1000
+        linear X2 F1000
+        end
+    "#]],
+    );
+    check_switched(
+        "O1\nX1.\nM30",
+        ("startup-motion", "G00"),
+        expect![[r#"
+        rapid X1
+        end
+    "#]],
+    );
+    check_switched(
+        "O1\nG01 X1. F0\nM30",
+        ("feed-zero", "rapid"),
+        expect![[r#"
+        rapid X1
+        end
+    "#]],
+    );
+    check_switched(
+        "O1\nS1199.7\nM30",
+        ("spindle-word", "round"),
+        expect![[r#"
+        spindle-speed 1200
+        end
+    "#]],
+    );
+    check_switched(
+        "O1\n#3004=7\nM30",
+        ("override-suppression", "no"),
+        expect![[r#"
+        suppress hold=true feed-override=false exact=true
+        end
+    "#]],
+    );
+    let calls = "O1\nG65 P2 A1. B2.\nG65 P2 A3.\nM30\nO2\nG00 X#1 Y#2\nM99";
+    check(
+        calls,
+        expect![[r#"
+        rapid X1 Y2
+        rapid X3
+        end
+    "#]],
+    );
+    check_switched(
+        calls,
+        ("locals-of-calls", "kept"),
+        expect![[r#"
+        rapid X1 Y2
+        rapid X3 Y2
+        end
+    "#]],
+    );
+}
+
+#[test]
+fn the_main_program_starts_again_at_m99() {
+    let source = "O1\n#100=#100+1\nIF[#100 GT 2]GOTO9\nG00 X#100\nM99\nN9 M30";
+    check(
+        source,
+        expect![[r#"
+        rapid X1
+        rapid X2
+        end
+    "#]],
+    );
+}
+
+#[test]
+fn block_skip_leaves_blocks_out() {
+    let source = "O1\n/G00 X1.\nG00 X2.\nM30";
+    let mut interp = start(source, &[]);
+    let names = interp.names();
+    let mut log = String::new();
+    let mut world = Still { block_skip: true, ..world() };
+    interp::run(&mut interp, &mut world, BUDGET, |canon, _| writeln!(log, "{}", canon.line(names)).unwrap());
+    expect![[r#"
+        rapid X2
+        end
+    "#]]
+    .assert_eq(&log);
+}
+
+#[test]
+fn stops_and_positions_wait_for_the_machine() {
+    let source = "O1\nG00 X1.\n#100=#5021\nM00\n#101=#1033\n#3006=1(LOOK)\nX2.\nM30";
+    let mut interp = start(source, &[]);
+    let mut steps = String::new();
+    loop {
+        let step = interp.step(&mut world());
+        let word = match &step {
+            Step::Command(canon, _) => canon.line(interp.names()).to_string(),
+            Step::Logic(_) => "logic".to_owned(),
+            Step::Sync(_) => "sync".to_owned(),
+            Step::Ended(end) => format!("{end:?}"),
+        };
+        writeln!(steps, "{word}").unwrap();
+        if let Step::Ended(_) = step {
+            break;
+        }
+    }
+    expect![[r#"
+        rapid X1
+        sync
+        logic
+        stop
+        sync
+        logic
+        message LOOK
+        sync
+        rapid X2
+        end
+        Program
+    "#]]
+    .assert_eq(&steps);
+    assert_eq!(interp.variable(100), Some(12.5));
+}
+
+#[test]
+fn reset_keeps_what_the_control_keeps() {
+    let source = "O1\n#100=1\n#500=2\n#1=3\n#1132=4\nG92 X5.\nG91 G00 X1.\nM00\nM30";
+    let run = |switch: &[(&str, &str)]| {
+        let mut interp = start(source, switch);
+        for _ in 0..9 {
+            interp.step(&mut world());
+        }
+        interp.reset();
+        let variables: Vec<String> = interp.variables().map(|(name, value)| format!("{name}={value}")).collect();
+        format!("{} at {} after {:?}", variables.join(" "), interp.position()[0], interp.blocks())
+    };
+    expect!["#100=1 #500=2 at 1000 after Counts { nc: 4, macros: 4 }"].assert_eq(&run(&[]));
+    expect!["#500=2 at 1000 after Counts { nc: 4, macros: 4 }"].assert_eq(&run(&[("common-at-reset", "vacant")]));
+}
+
+/// N5 to N30 of the paper, corrected, at an override; the values of #104, #105, #110, #115.
+fn formulas(pi: &str, percent: f64) -> [f64; 4] {
+    let source = format!(
+        "O9100\n#100=1200\n#101=25\n#102=100\n#107=8\n#109=6\n#111=120\nN5 #104=#100*#1033/100\nN10 #105=[{pi}*#102]/#101*#104\n\
+         N20 #110=[{pi}*#111]/#109\nN30 #115=#105*SQRT[#107*#107+#110*#110]/#107\nM30\n"
+    );
+    let mut interp = start(&source, &[]);
+    let mut world = Still { inputs: vec![(1033, percent)], ..world() };
+    assert_eq!(interp::run(&mut interp, &mut world, BUDGET, |_, _| {}), Some(End::Program));
+    [104, 105, 110, 115].map(|number| interp.variable(number).unwrap())
+}
+
+#[test]
+fn the_papers_formulas_give_its_table() {
+    let table = [
+        (10.0, 120.0, 1507.200, 11927.134, 1507.964, 11939.139),
+        (50.0, 600.0, 7536.000, 59635.668, 7539.822, 59695.697),
+        (80.0, 960.0, 12057.600, 95417.069, 12063.716, 95513.115),
+        (100.0, 1200.0, 15072.000, 119271.337, 15079.645, 119391.393),
+        (110.0, 1320.0, 16579.200, 131198.470, 16587.609, 131330.533),
+        (120.0, 1440.0, 18086.400, 143125.604, 18095.574, 143269.672),
+        (123.0, 1476.0, 18538.560, 146703.744, 18547.963, 146851.414),
+    ];
+    for (percent, speed, line, feed, line_exact, feed_exact) in table {
+        for (pi, line, feed) in [("3.14", line, feed), ("3.14159265", line_exact, feed_exact)] {
+            let [s, v, _, f] = formulas(pi, percent);
+            assert_eq!(s, speed);
+            assert!((v - line).abs() < 0.000_6, "{percent} %, π {pi}: {v}, not {line}");
+            assert!((f - feed).abs() < 0.000_8, "{percent} %, π {pi}: {f}, not {feed}");
+        }
+    }
+    // Eight decimals of π are 1.1e-9 off, and the feed takes it nearly squared.
+    let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 2.4e-9, "{a} is not {b}");
+    let [_, v, y, f] = formulas("3.14159265", 100.0);
+    close(v, 15_079.644_737);
+    close(y, 62.831_853_072);
+    close(f, 119_391.393_301);
+    let [_, v, y, f] = formulas("3.14", 100.0);
+    close(v, 15_072.0);
+    close(y, 62.8);
+    close(f, 119_271.336_603);
+}
+
+#[test]
+fn a_million_increments_add_up() {
+    let source = "O1\nG91 G01 F1000\nWHILE[#100 LT 1000000]DO1\nY62.832 X-.001\n#100=#100+1\nEND1\nM30";
+    let mut interp = start(source, &[]);
+    let end = interp::run(&mut interp, &mut world(), u64::MAX, |_, _| {});
+    assert_eq!(end, Some(End::Program));
+    assert_eq!(interp.position()[..2], [-1_000_000, 62_832_000_000]);
+}
+
+#[test]
+fn a_copy_runs_on_its_own() {
+    let source = "O1\nDO1\n#100=#100+1\nG91 G00 X.001\nEND1";
+    let mut interp = start(source, &[]);
+    for _ in 0..1000 {
+        interp.step(&mut world());
+    }
+    let mut copy = interp.clone();
+    let before = (interp.variable(100), interp.position());
+    for _ in 0..1000 {
+        copy.step(&mut world());
+    }
+    assert_eq!((interp.variable(100), interp.position()), before);
+    for _ in 0..1000 {
+        interp.step(&mut world());
+    }
+    assert_eq!((interp.variable(100), interp.position()), (copy.variable(100), copy.position()));
+    assert_ne!((interp.variable(100), interp.position()), before);
+}
+
+#[test]
+fn variables_are_set_as_on_the_screen() {
+    let mut interp = start("O1\nG00 X#100\nM30", &[]);
+    assert!(interp.set_variable(100, Some(3.5)));
+    assert!(interp.set_variable(549, Some(1.0)));
+    assert!(!interp.set_variable(200, Some(1.0)));
+    assert!(!interp.set_variable(1033, Some(1.0)));
+    assert_eq!(interp.variables().collect::<Vec<_>>(), [("#100".to_owned(), 3.5), ("#549".to_owned(), 1.0)]);
+    assert_eq!(log_of("", &mut interp), "rapid X3.5\nend\n");
+    assert!(interp.set_variable(100, None));
+    assert_eq!(interp.variable(100), None);
+}
