@@ -82,6 +82,6 @@ criterion_group!(benches, speed);
 fn main() {
     benches();
     let (flat, formulas) = (flat(), formulas());
-    summary::line("flat G91 G01 blocks, text to canon", COUNT, "blocks", Some(1e6), || run(&parse(&flat)));
-    summary::line("P9100 formulas in a WHILE loop", COUNT, "passes", Some(150e3), || run(&parse(&formulas)));
+    summary::line("flat G91 G01 blocks, text to canon", COUNT, "blocks", Some(2.5e6), || run(&parse(&flat)));
+    summary::line("P9100 formulas in a WHILE loop", COUNT, "passes", Some(500e3), || run(&parse(&formulas)));
 }

@@ -3,9 +3,10 @@
 //! Positions are whole command increments (0.001 mm or 0.001° on most controls) in the machine frame, so that a million
 //! incremental blocks add up exactly. Each variant's `Display` line is the test oracle.
 
-use core::fmt;
+use core::fmt::{self, Display as _, Write as _};
 
 use crate::controls::AxisDef;
+use crate::text::number::Plain;
 
 /// Axes that a control can have at most.
 pub const AXES: usize = 6;
@@ -163,23 +164,26 @@ impl Target {
     fn write(&self, f: &mut fmt::Formatter<'_>, names: &Names) -> fmt::Result {
         for (k, axis) in names.axes.iter().enumerate().take(AXES) {
             if self.mask & (1 << k) != 0 {
-                write!(f, " {}{}", axis.letter as char, decimal(self.position[k] as f64 * names.increment))?;
+                f.write_char(' ')?;
+                f.write_char(axis.letter as char)?;
+                decimal(self.position[k] as f64 * names.increment).fmt(f)?;
             }
         }
         Ok(())
     }
 }
 
-/// At most six decimals, no trailing zeros, never `-0`.
-fn decimal(value: f64) -> String {
-    crate::text::catalog::number_text(value, 6)
+/// At most six decimals.
+fn decimal(value: f64) -> Plain {
+    Plain(value, 6)
 }
 
 impl fmt::Display for Feed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_char('F')?;
         match self {
-            Feed::PerMinute(feed) => write!(f, "F{}", decimal(*feed)),
-            Feed::PerRevolution(feed) => write!(f, "F{}/rev", decimal(*feed)),
+            Feed::PerMinute(feed) => decimal(*feed).fmt(f),
+            Feed::PerRevolution(feed) => write!(f, "{}/rev", decimal(*feed)),
         }
     }
 }
@@ -210,7 +214,9 @@ impl fmt::Display for Line<'_> {
             Canon::Linear { to, feed, exact } => {
                 f.write_str("linear")?;
                 to.write(f, names)?;
-                write!(f, " {feed}{}", stop(*exact))
+                f.write_char(' ')?;
+                feed.fmt(f)?;
+                f.write_str(stop(*exact))
             }
             Canon::Thread { to, lead } => {
                 f.write_str("thread")?;

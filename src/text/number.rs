@@ -1,4 +1,6 @@
-//! Numbers as people type them.
+//! Numbers as people type them, and as they are written for people.
+
+use core::fmt;
 
 /// Digits that are read; more than a double can tell apart would only round it twice.
 const DIGITS: usize = 17;
@@ -34,4 +36,62 @@ pub fn read(text: &str) -> Option<f64> {
     let power = |n: i32| (0..n).fold(1.0_f64, |p, _| p * 10.0);
     let size = if scale < 0 { mantissa as f64 / power(-scale) } else { mantissa as f64 * power(scale) };
     Some(if negative { -size } else { size })
+}
+
+/// A number as it is written for people: with at most so many decimals, without trailing zeros, never `-0`: `8`, `15.279`, `-0.5`; from
+/// 10¹⁵ on with an exponent. A half is rounded away from zero.
+///
+/// Digits are made here, as a run writes three numbers a block and the library's way to decimals takes longer than running the block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plain(pub f64, pub u8);
+
+/// Below this a double tells each whole number from the next.
+const EXACT: f64 = 9_007_199_254_740_992.0;
+
+/// Powers of ten by which numbers are scaled to be written.
+const POW10: [f64; 11] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10];
+
+impl fmt::Display for Plain {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let &Plain(number, decimals) = self;
+        if number.is_nan() || number.abs() >= 1e15 {
+            return write!(f, "{number:e}");
+        }
+        // A large number has fewer decimals than are asked for.
+        let mut decimals = POW10.len().min(decimals as usize + 1);
+        let mut scaled = f64::INFINITY;
+        while scaled.abs() >= EXACT && decimals > 0 {
+            decimals -= 1;
+            scaled = (number * POW10[decimals]).round();
+        }
+        write_scaled(f, scaled as i64, decimals)
+    }
+}
+
+/// `digits / 10^decimals` without trailing zeros; at most ten decimals.
+fn write_scaled(f: &mut fmt::Formatter<'_>, digits: i64, mut decimals: usize) -> fmt::Result {
+    let mut rest = digits.unsigned_abs();
+    while decimals > 0 && rest.is_multiple_of(10) {
+        rest /= 10;
+        decimals -= 1;
+    }
+    // Sign, sixteen digits, ten decimals of a smaller number, point.
+    let mut text = [b'0'; 28];
+    let mut at = text.len();
+    let mut place = 0;
+    while rest > 0 || place <= decimals {
+        if place == decimals && place > 0 {
+            at -= 1;
+            text[at] = b'.';
+        }
+        at -= 1;
+        text[at] = b'0' + (rest % 10) as u8;
+        rest /= 10;
+        place += 1;
+    }
+    if digits < 0 {
+        at -= 1;
+        text[at] = b'-';
+    }
+    f.write_str(core::str::from_utf8(&text[at..]).unwrap_or_default())
 }

@@ -271,3 +271,19 @@ fn the_spindle_stands_as_m00_left_it() {
     near(&out["spindle"]["volts_command"], 8.108108, 1e-6);
     near(&out["spindle"]["volts"], 8.107, 1e-4);
 }
+
+/// Eight bytes a block that stayed would be too many.
+#[cfg(unix)]
+#[test]
+fn a_run_streams() {
+    let program = folder("streams").join("endless.nc");
+    std::fs::write(&program, "%\nO1\nG91G01F119391.393\nDO1\nX8.Y62.832\n#100=#100+1\nEND1\n%\n").unwrap();
+    let run = "ulimit -v 32000 && exec \"$0\" run \"$1\" --control mitsubishi-e60 --seconds 1e9 --blocks 3000000";
+    let out = Command::new("sh")
+        .args(["-c", run, env!("CARGO_BIN_EXE_macroline"), &text(&program)])
+        .stdout(std::process::Stdio::null())
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&out.stderr);
+    assert!(out.status.success() && said.contains("blocks after 3000000 blocks"), "{said}");
+}

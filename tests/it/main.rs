@@ -6,6 +6,7 @@ mod controls;
 mod figures;
 mod language;
 mod machines;
+mod numbers;
 mod physics;
 mod programs;
 mod saved;

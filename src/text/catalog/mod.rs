@@ -5,6 +5,7 @@
 mod en;
 
 use super::message::{Message, Value};
+use super::number::Plain;
 
 /// A language of the sentences.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -53,14 +54,7 @@ pub fn sentence(language: Language, message: &Message) -> String {
     out
 }
 
-/// A number with at most `decimals` decimals, without trailing zeros: `8`, `15.279`, `-0.5`; from 10¹⁵ on with an exponent.
+/// A number with at most `decimals` decimals as text; see [`Plain`].
 pub fn number_text(number: f64, decimals: u8) -> String {
-    if number.abs() >= 1e15 {
-        return format!("{number:e}");
-    }
-    let mut text = format!("{number:.*}", decimals as usize);
-    if text.contains('.') {
-        text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
-    }
-    if text == "-0" { "0".to_owned() } else { text }
+    Plain(number, decimals).to_string()
 }
