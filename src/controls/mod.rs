@@ -81,7 +81,7 @@ pub struct AxisDef {
     pub rotary: bool,
     /// Address of incremental words for this axis, where there is one beside the absolute: U for X on lathes.
     pub incremental: Option<u8>,
-    /// Words count diameters, twice what the slide moves, unless the switch `diameter` says otherwise.
+    /// Words count diameters, twice what the slide moves, unless the switch `diameter` is set to `radius`.
     pub diameter: bool,
     /// Source and grade.
     pub cite: Citation,
@@ -133,6 +133,12 @@ impl Control {
     /// Index of an axis letter in `axes`.
     pub fn axis(&self, letter: u8) -> Option<usize> {
         self.axes.iter().position(|axis| axis.letter == letter)
+    }
+
+    /// Whether words of an axis count diameters, as the switches have it.
+    pub fn counts_diameters(&self, axis: usize, switches: &Switches) -> bool {
+        let diameter = self.axes.get(axis).is_some_and(|row| row.diameter);
+        diameter && switches.get(self.switches, "diameter") != Some("radius")
     }
 
     /// Whether any code of the control does this.

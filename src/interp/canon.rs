@@ -1,7 +1,7 @@
 //! Canonical commands: the narrow waist between language and machine, in the words of the trade.
 //!
 //! Positions are whole command increments (0.001 mm or 0.001° on most controls) in the machine frame, so that a million
-//! incremental blocks add up exactly. Each variant's `Display` line is the test oracle.
+//! incremental blocks add up exactly. They count what words count: on an axis that is programmed in diameters, diameters. Each variant's `Display` line is the test oracle.
 
 use core::fmt::{self, Display as _, Write as _};
 
@@ -83,10 +83,15 @@ pub enum Canon {
         /// r/min, before override, gears and clamps.
         rpm: f64,
     },
-    /// Constant surface speed from now on, in m/min (G96); the spindle follows the diameter.
+    /// Constant surface speed from now on, in m/min (G96): the spindle follows the diameter, which is twice the distance of an axis
+    /// from its work zero. Said again when that zero moves.
     SurfaceSpeed {
         /// m/min.
         speed: f64,
+        /// Index of the axis that is square to the spindle: X on a lathe.
+        axis: u8,
+        /// Its work zero in command increments, machine frame.
+        zero: i64,
     },
     /// No constant surface speed any more (G97); the spindle keeps the speed that it has.
     ConstantSpeed,
@@ -238,7 +243,10 @@ impl fmt::Display for Line<'_> {
                 to.write(f, names)
             }
             Canon::SpindleSpeed { rpm } => write!(f, "spindle-speed {}", decimal(*rpm)),
-            Canon::SurfaceSpeed { speed } => write!(f, "surface-speed {}", decimal(*speed)),
+            Canon::SurfaceSpeed { speed, axis, zero } => {
+                let letter = names.axes.get(*axis as usize).map_or('?', |axis| axis.letter as char);
+                write!(f, "surface-speed {} {letter}{}", decimal(*speed), decimal(*zero as f64 * names.increment))
+            }
             Canon::ConstantSpeed => f.write_str("constant-speed"),
             Canon::SpeedLimit { rpm } => write!(f, "speed-limit {}", decimal(*rpm)),
             Canon::SpindleDirection { sign: 1 } => f.write_str("spindle-cw"),

@@ -6,7 +6,7 @@ pub trait World {
     fn input(&mut self, variable: u32) -> f64;
     /// Milliseconds since power-on (`run` false) or of automatic running (`run` true).
     fn clock_ms(&mut self, run: bool) -> f64;
-    /// Position of an axis in millimetres or degrees, machine frame. Asked only after a [`Step::Sync`](super::Step::Sync).
+    /// Position of an axis in millimetres or degrees as words count it (a diameter on such an axis), machine frame. Asked only after a [`Step::Sync`](super::Step::Sync).
     fn position(&mut self, axis: usize) -> f64;
     /// Whether optional block skip number 1 to 9 is switched on.
     fn block_skip(&mut self, number: u8) -> bool;

@@ -94,7 +94,7 @@ pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, be
             project.machine.plant(&project.values, control),
             project.machine.plc(&project.values, control, &project.switches),
         ),
-        None => bench(control),
+        None => bench(control, &switches),
     };
     started(interp, (control, &switches), &plant, plc, panel, begin)
 }
@@ -141,12 +141,12 @@ fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
 }
 
 /// The bench of a control as a plant with its PLC.
-fn bench(control: &'static Control) -> (Plant, Box<dyn Plc>) {
+fn bench(control: &'static Control, switches: &Switches) -> (Plant, Box<dyn Plc>) {
     let bench = &control.bench;
     let axes = bench.axes.iter().map(|axis| AxisPlant {
         letter: axis.letter,
         rotary: control.axis(axis.letter).is_some_and(|at| control.axes[at].rotary),
-        diameter: control.axis(axis.letter).is_some_and(|at| control.axes[at].diameter),
+        diameter: control.axis(axis.letter).is_some_and(|at| control.counts_diameters(at, switches)),
         rapid: axis.rapid,
         clamp: axis.clamp,
         time_constant: axis.time_constant,
