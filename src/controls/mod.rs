@@ -24,6 +24,10 @@ pub mod bench;
 
 pub mod mitsubishi_e60;
 
+pub mod gsk_980tdc;
+
+pub mod knd_k2000t;
+
 pub use alarm::{Alarm, AlarmDef};
 pub use bench::Bench;
 pub use code::{Code, CodeDef, Group};
@@ -93,7 +97,7 @@ const fn axis(letter: u8, rotary: bool, cite: Citation) -> AxisDef {
 }
 
 /// All controls, in the order they are listed.
-pub static ALL: &[&Control] = &[&mitsubishi_e60::CONTROL];
+pub static ALL: &[&Control] = &[&mitsubishi_e60::CONTROL, &gsk_980tdc::CONTROL, &knd_k2000t::CONTROL];
 
 /// The control of an id.
 pub fn find(id: &str) -> Option<&'static Control> {

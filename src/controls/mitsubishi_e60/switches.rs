@@ -17,6 +17,7 @@ pub(super) const SWITCHES: &[Switch] = &[
         Citation::new("MELDAS 64 list and the paper (R74) against the M60 device map", Grade::Open),
     ),
     switch("decimal-point", "A coordinate without a point (#1078)", &["increments", "millimetres"], DECIMALS),
+    switch("argument-point", "A macro argument without a point", &["increments", "as written"], MEMORY),
     switch("startup-distance", "Dimensions after power-on (#1073)", &["G90", "G91"], MEMORY),
     switch("startup-motion", "Motion code after power-on (#1075)", &["G01", "G00"], MEMORY),
     switch("feed-zero", "What F0 does (#1079)", &["alarm", "rapid"], MEMORY),

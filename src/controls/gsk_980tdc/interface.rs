@@ -1,0 +1,16 @@
+//! Registers between PLC and 980TDc.
+
+use super::MACRO;
+use crate::controls::Signal;
+use crate::controls::interface::SignalRole::*;
+use crate::controls::interface::{from_plc, to_plc};
+
+/// By device number.
+pub(super) const SIGNALS: &[Signal] = &[
+    from_plc(MacroInputLow(1032), "G54", "word", "#1032 (G54, G55); its bits are #1000 to #1015", MACRO),
+    from_plc(MacroInputLow(1033), "G56", "word", "#1033 (G56, G57)", MACRO),
+    from_plc(MacroInputLow(1034), "G58", "word", "#1034 (G58, G59)", MACRO),
+    to_plc(MacroOutput(1132), "F54", "word", "#1132 (F54, F55); its bits are #1100 to #1115", MACRO),
+    to_plc(MacroOutput(1133), "F56", "word", "#1133 (F56, F57)", MACRO),
+    to_plc(MacroOutput(1134), "F58", "word", "#1134 (F58, F59)", MACRO),
+];

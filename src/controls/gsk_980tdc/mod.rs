@@ -1,0 +1,154 @@
+//! GSK 980TDc: rows only. Most of them are those of its successor 980TDi, whose text is nearly the same where both are known.
+
+mod alarms;
+mod codes;
+mod functions;
+mod interface;
+mod params;
+mod switches;
+mod vars;
+
+use super::bench::{Bench, BenchAxis};
+use super::macros::{ArgumentSets, CodeCalls, VacantWord};
+use super::syntax::{Function, Percent, Round};
+use super::{AxisDef, Code, Control, Limits, Macros, Syntax, Timing};
+use crate::text::{Citation, Grade};
+
+/// Nothing but memory of the 980T family.
+const MEMORY: Citation = Citation::new("GSK 980T usage, unverified", Grade::Open);
+/// Macro variables, G65, calls.
+const MACRO: Citation = Citation::new("GSK980TDi manual, 3.28", Grade::Sister);
+/// Macro statements.
+const STATEMENT: Citation = Citation::new("GSK980TDi manual, 3.29", Grade::Sister);
+/// Additional axes.
+const AXES: Citation = Citation::new("GSK980TDi manual, 3.27 and 3.28", Grade::Sister);
+/// The pages about S, G96, G97 and G50 S of this very control.
+const SPINDLE: Citation = Citation::new("GSK980TDc manual, 2.2.2 and 2.2.3", Grade::Manual);
+/// Parameter file.
+const PARAMETERS: Citation = Citation::new("GSK980TDi parameter list", Grade::Sister);
+
+/// The control.
+pub static CONTROL: Control = Control {
+    id: "gsk-980tdc",
+    name: "GSK 980TDc",
+    syntax: Syntax {
+        round: Round::Comment,
+        program_letters: b"O",
+        percent: Percent::End,
+        sequence_digits: 5,
+        program_digits: 4,
+        block_chars: 80,
+        message_chars: 31,
+        bracket_depth: 5,
+        if_then: true,
+        modulo: false,
+        comparison_signs: true,
+        bare_functions: true,
+        atan_of_two: true,
+        double_hash: false,
+        nine_hash: true,
+        address_twice: true,
+        block_read_chars: 256,
+        block_words: 100,
+        do_max: 3,
+        do_depth: 3,
+        functions: &[
+            ("SIN", Function::Sin),
+            ("COS", Function::Cos),
+            ("TAN", Function::Tan),
+            ("ASIN", Function::Asin),
+            ("ACOS", Function::Acos),
+            ("ATAN", Function::Atan),
+            ("SQRT", Function::Sqrt),
+            ("ABS", Function::Abs),
+            ("BIN", Function::Bin),
+            ("BCD", Function::Bcd),
+            ("ROUND", Function::Round),
+            ("FIX", Function::Fix),
+            ("FUP", Function::Fup),
+            ("LN", Function::Ln),
+            ("EXP", Function::Exp),
+        ],
+        addresses: b"ABDEFGHIJKLMPQRSTUVW",
+        integer_addresses: b"GHLMNOPST",
+        point_alarm: false,
+        increment_addresses: b"ABCHIJKRUVWXYZ",
+        extension: "nc",
+        cite: Citation::new("GSK980TDi manual, 3.28 and 3.29; characters and alarms of the 980MDi", Grade::Sister),
+    },
+    macros: Macros {
+        vacant_word: VacantWord::Zero,
+        vacant_equals_zero: true,
+        whole_bits: true,
+        argument_sets: ArgumentSets::PerLetter,
+        repeats_in_p: true,
+        sub_sequence: false,
+        call_first: true,
+        call_ends_modal: true,
+        functions: functions::FUNCTIONS,
+        code_calls: &[
+            CodeCalls::Range { letter: b'G', count: 86, code: 87, program: 88 },
+            CodeCalls::Range { letter: b'M', count: 91, code: 89, program: 90 },
+        ],
+        user_alarms: (0, 99),
+        user_alarm_base: Some(5900),
+        cite: MACRO,
+    },
+    axes: &[
+        AxisDef { letter: b'X', rotary: false, incremental: Some(b'U'), diameter: true, cite: PARAMETERS },
+        AxisDef { letter: b'Y', rotary: false, incremental: Some(b'V'), diameter: false, cite: AXES },
+        AxisDef { letter: b'Z', rotary: false, incremental: Some(b'W'), diameter: false, cite: AXES },
+        AxisDef { letter: b'C', rotary: true, incremental: Some(b'H'), diameter: false, cite: AXES },
+    ],
+    startup: &[
+        Code::Rapid,
+        Code::PlaneZx,
+        Code::FeedPerMinute,
+        Code::Metric,
+        Code::WorkCoordinates(1),
+        Code::SurfaceSpeedOff,
+        Code::MacroModalEnd,
+    ],
+    limits: Limits {
+        increment: 0.001,
+        coordinate_max: 99_999.999,
+        feed_max: 15_000.0,
+        revolution_feed_max: 500.0,
+        feed_increment: 0.001,
+        arc_tolerance: 0.1,
+        speed_max: 9999.0,
+        m_codes: 1,
+        sub_depth: 4,
+        macro_depth: 4,
+        repeat_max: 9999,
+        cite: Citation::new("GSK980TDi manual, 3.28; S 2.2.3 of the 980TDc; feed and arcs from memory", Grade::Open),
+    },
+    timing: Timing {
+        block: 0.008,
+        macro_block: 0.004,
+        preread: 3,
+        cite: Citation::new("assumed; measure with a counting loop and a clock", Grade::Open),
+    },
+    codes: codes::CODES,
+    vars: vars::VARS,
+    alarms: alarms::ALARMS,
+    params: params::PARAMS,
+    interface: interface::SIGNALS,
+    switches: switches::SWITCHES,
+    bench: Bench {
+        axes: &[
+            BenchAxis { letter: b'X', rapid: 7600.0, clamp: 8000.0, time_constant: 0.1, position_gain: 33.0 },
+            BenchAxis { letter: b'Y', rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 33.0 },
+            BenchAxis { letter: b'Z', rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 33.0 },
+            BenchAxis { letter: b'C', rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 33.0 },
+        ],
+        speed_at_full: 3000.0,
+        speed_clamp: 3000.0,
+        volts_full: 10.0,
+        output_bits: 12,
+        in_position: 0.02,
+        ramp: 2.0,
+        override_echo: Some(1032),
+        fin_delay: 0.05,
+    },
+};

@@ -1,0 +1,38 @@
+//! Points of the 980TDc that no manual at hand settles, and parameters that change what a program means.
+
+use super::{MACRO, MEMORY, PARAMETERS, SPINDLE, STATEMENT};
+use crate::controls::Switch;
+use crate::controls::macros::CALL_PARAMETERS;
+use crate::controls::switch::switch;
+use crate::text::{Citation, Grade};
+
+const CALLS: Citation = Citation::new("GSK980TDi manual, 3.32", Grade::Sister);
+
+/// One row per point; the first option is the default.
+pub(super) const SWITCHES: &[Switch] = &[
+    switch("decimal-point", "A coordinate without a point", &["millimetres", "increments"], MACRO),
+    switch("argument-point", "A macro argument without a point", &["as written", "increments"], MACRO),
+    switch("diameter", "Words of X (No.001#2)", &["diameter", "radius"], PARAMETERS),
+    switch(
+        "startup-motion",
+        "Motion code after power-on",
+        &["G00", "G01"],
+        Citation::new("GSK980TDi manual, 3.2", Grade::Sister),
+    ),
+    switch(
+        "angle-range",
+        "Results of ATAN and ASIN (No.180#7)",
+        &["ATAN 0 to 360, ASIN -90 to 90", "ATAN -180 to 180, ASIN 90 to 270"],
+        STATEMENT,
+    ),
+    switch("spindle-word", "S with decimals", &["round", "truncate"], MEMORY),
+    switch("speed-limit-sets-zero", "G50 S takes the present position as program zero", &["yes", "no"], SPINDLE),
+    switch(
+        CALL_PARAMETERS,
+        "No.086 to No.091: codes that call programs, for instance 86=3 87=100 88=2000",
+        &[""],
+        CALLS,
+    ),
+    switch("common-at-reset", "#100 to #199 at reset", &["kept", "vacant"], MEMORY),
+    switch("locals-of-calls", "Locals without an argument", &["vacant", "kept"], MACRO),
+];

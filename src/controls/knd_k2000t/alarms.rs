@@ -1,0 +1,54 @@
+//! Alarms of the K2000T that macroline can raise, in the numbers of FANUC lathe controls.
+
+use super::MEMORY;
+use crate::controls::Alarm::*;
+use crate::controls::AlarmDef;
+use crate::controls::alarm::alarm;
+use crate::text::{Citation, Grade};
+
+/// The numbers that a second source has too.
+const KNOWN: Citation = Citation::new("FANUC 16i/0i-F alarm names, sheet section 4", Grade::Inferred);
+
+/// One row per kind.
+pub(super) const ALARMS: &[AlarmDef] = &[
+    alarm(NumberZero, "003", "Too many digits", MEMORY),
+    alarm(Format, "004", "Address not found", MEMORY),
+    alarm(PointNotAllowed, "007", "Illegal use of decimal point", MEMORY),
+    alarm(IllegalAddress, "009", "Illegal address input", MEMORY),
+    alarm(UnknownCode, "010", "Improper G code", MEMORY),
+    alarm(NoFeed, "011", "No feedrate commanded", MEMORY),
+    alarm(Arc, "020", "Over tolerance of radius", MEMORY),
+    alarm(ArcRadius, "023", "Illegal radius command", MEMORY),
+    alarm(NoCallProgram, "076", "Address P not defined", MEMORY),
+    alarm(SubNesting, "077", "Subprogram nesting error", MEMORY),
+    alarm(MacroNesting, "077", "Subprogram nesting error", MEMORY),
+    alarm(NoSequence, "078", "Number not found", MEMORY),
+    alarm(NoProgram, "078", "Number not found", MEMORY),
+    alarm(OutOfRange, "110", "Data overflow", MEMORY),
+    alarm(Calculation, "111", "Calculated data overflow", KNOWN),
+    alarm(DivisionByZero, "112", "Divided by zero", MEMORY),
+    alarm(Tangent, "112", "Divided by zero", MEMORY),
+    alarm(NoEquals, "114", "Format error in macro", KNOWN),
+    alarm(IfSentence, "114", "Format error in macro", KNOWN),
+    alarm(WhileSentence, "114", "Format error in macro", KNOWN),
+    alarm(VariableRange, "115", "Illegal variable number", MEMORY),
+    alarm(VariableSide, "116", "Write protected variable", MEMORY),
+    alarm(BracketDepth, "118", "Parenthesis nesting error", KNOWN),
+    alarm(BracketPair, "118", "Parenthesis nesting error", MEMORY),
+    alarm(SquareRoot, "119", "Illegal argument", MEMORY),
+    alarm(Logarithm, "119", "Illegal argument", MEMORY),
+    alarm(ArcFunction, "119", "Illegal argument", MEMORY),
+    alarm(NoModalCall, "122", "Macro modal call error", MEMORY),
+    alarm(DoPair, "124", "Missing end statement", MEMORY),
+    alarm(DoNesting, "124", "Missing end statement", MEMORY),
+    alarm(DoNumber, "126", "Illegal loop number", MEMORY),
+    alarm(Mixed, "127", "NC and macro statement in same block", MEMORY),
+    alarm(IntoLoop, "128", "Illegal macro sequence number", MEMORY),
+    alarm(ArgumentSets, "129", "Illegal argument address", MEMORY),
+    alarm(ArgumentAddress, "129", "Illegal argument address", MEMORY),
+    alarm(SoftLimit, "500", "Over travel", MEMORY),
+    alarm(User, "3000", "Macro alarm", MEMORY),
+    alarm(NoProgramEnd, "5010", "End of record", MEMORY),
+    alarm(EmergencyStop, "ESP", "Emergency stop", MEMORY),
+    alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred)),
+];
