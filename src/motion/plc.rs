@@ -1,6 +1,6 @@
 //! The machine builder's logic: reads what the control puts out, writes what the control reads, in the order of time.
 
-use std::collections::BTreeMap;
+use crate::order::Map;
 
 /// Which part of an input word is forced. The whole word yields to its halves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -31,11 +31,11 @@ pub struct Io {
     /// Spindle override of the operator's knob in percent.
     pub spindle_override: f64,
     /// Macro inputs, by variable number: what the program reads as `#1033` ….
-    pub inputs: BTreeMap<u32, f64>,
+    pub inputs: Map<u32, f64>,
     /// Macro outputs, by variable number, as the program wrote them.
-    pub outputs: BTreeMap<u32, f64>,
+    pub outputs: Map<u32, f64>,
     /// Inputs that the operator has forced: `inputs` obeys them whatever the PLC writes.
-    pub forced: BTreeMap<(u32, Part), f64>,
+    pub forced: Map<(u32, Part), f64>,
     /// M code that waits for FIN.
     pub m_strobe: Option<u32>,
     /// S code that waits for FIN, in r/min.
@@ -56,9 +56,9 @@ impl Default for Io {
     fn default() -> Io {
         Io {
             spindle_override: 100.0,
-            inputs: BTreeMap::new(),
-            outputs: BTreeMap::new(),
-            forced: BTreeMap::new(),
+            inputs: Map::new(),
+            outputs: Map::new(),
+            forced: Map::new(),
             m_strobe: None,
             s_strobe: None,
             t_strobe: None,

@@ -1,17 +1,16 @@
 //! Reads the program ahead of its execution, and lets act what acts when it is read.
 
-use std::collections::BTreeMap;
-
 use super::executor::Exec;
 use super::program::Program;
 use super::state::{Over, Queued, Sim};
 use super::timeline::Change;
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, Step, World};
+use crate::order::Map;
 
 /// What a program sees of the machine when one of its blocks is read.
 struct Eyes<'a> {
-    inputs: &'a BTreeMap<u32, f64>,
+    inputs: &'a Map<u32, f64>,
     position: &'a [f64; AXES],
     power_on: f64,
     running: f64,

@@ -21,7 +21,7 @@ impl<P: Program> Sim<'_, P> {
             self.s.plc_at = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
             let Io { forced, inputs, .. } = &mut self.s.io;
             for ((number, part), value) in forced.iter() {
-                let word = inputs.entry(*number).or_insert(0.0);
+                let word = inputs.entry(*number, 0.0);
                 *word = part.put(*word, *value);
             }
             let answered = matches!(self.s.exec, Exec::Fin) && self.s.io.fin;
@@ -43,7 +43,7 @@ impl<P: Program> Sim<'_, P> {
         if *inputs == self.s.shown {
             return;
         }
-        for (&number, &value) in inputs {
+        for (&number, &value) in inputs.iter() {
             if self.s.shown.get(&number) != Some(&value) {
                 self.out.timeline.changes.push(Change { t, number, value });
             }

@@ -1,6 +1,6 @@
 //! The simulation between two events: reader, executor, spindle, PLC and operator, always the earliest first.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 
 use super::executor::Exec;
 use super::machine::Machine;
@@ -13,6 +13,7 @@ use super::timeline::{Lengths, Mark, Timeline};
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, End};
 use crate::msg;
+use crate::order::Map;
 use crate::text::{Diagnostic, Message, Place};
 
 /// What a run leaves behind; cut to [`Marks`] when the past changes.
@@ -162,7 +163,7 @@ pub(super) struct State<P> {
     pub(super) plc_at: f64,
     pub(super) io: Io,
     /// Macro inputs as the screen showed them last.
-    pub(super) shown: BTreeMap<u32, f64>,
+    pub(super) shown: Map<u32, f64>,
     /// S word in r/min and direction.
     pub(super) speed: f64,
     pub(super) direction: i8,
@@ -203,7 +204,7 @@ impl<P> State<P> {
             plc: Logic(plc),
             plc_at: f64::INFINITY,
             io: Io::default(),
-            shown: BTreeMap::new(),
+            shown: Map::new(),
             speed: 0.0,
             direction: 0,
             reached_at: f64::INFINITY,

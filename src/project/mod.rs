@@ -16,10 +16,8 @@ pub mod told;
 
 pub mod list;
 
-use std::collections::BTreeMap;
-
 use crate::controls::{self, Control, Switches};
-use crate::machines::form::{Provenance, Values};
+use crate::machines::form::{Origins, Values};
 use crate::machines::{self, AnyMachine, Design};
 use crate::motion::Panel;
 use crate::nc::Files;
@@ -36,7 +34,7 @@ pub struct Project {
     /// Values of the form by field id; what is missing has its default.
     pub values: Values,
     /// Where values come from; what is missing is assumed.
-    pub provenance: BTreeMap<String, Provenance>,
+    pub provenance: Origins,
     /// Settings of the control's open points.
     pub switches: Switches,
     /// Message ids of warnings that the user does not want to see.
@@ -64,14 +62,13 @@ impl PartialEq for Project {
 impl Project {
     /// A project with every value at its default.
     pub fn new(machine: &'static dyn AnyMachine, control: &'static Control) -> Project {
-        let mut values = Values::new();
-        values.extend(machine.fields().iter().map(|field| (field.id.to_owned(), field.default())));
+        let values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
         Project {
             name: String::new(),
             machine,
             control,
             values,
-            provenance: BTreeMap::new(),
+            provenance: Origins::new(),
             switches: Switches::default(),
             silenced: Vec::new(),
             panel: Panel::default(),

@@ -187,7 +187,7 @@ impl Reader {
             };
             match value {
                 // Out of range stays: the field says what is wrong, and nothing that was typed is lost.
-                Some(value) => drop(project.values.insert(id.clone(), value)),
+                Some(value) => project.values.insert(id.clone(), value),
                 None => self
                     .found
                     .push(Diagnostic::error(msg!("project.wrong-kind", clip(id), kind_word(json))).about(field.id)),

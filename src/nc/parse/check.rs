@@ -1,7 +1,5 @@
 //! What can be said only when a program is read to its end: loops, jump targets, its last block.
 
-use std::collections::BTreeSet;
-
 use super::super::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
 use super::super::files::Files;
 use super::FINDINGS;
@@ -12,8 +10,8 @@ use crate::text::{Diagnostic, Message, Place, Span};
 
 /// Checks every program.
 pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, found: &mut Vec<Diagnostic>) {
-    let mut numbers = BTreeSet::new();
-    for program in &deck.programs {
+    let again = again(&deck.programs);
+    for (program, again) in deck.programs.iter().zip(again) {
         if found.len() > 2 * FINDINGS {
             return;
         }
@@ -22,12 +20,23 @@ pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, found: &mu
         check.loops();
         check.targets();
         check.end();
-        if program.number != 0 && !numbers.insert(program.number) {
+        if again {
             let place = Place { file: program.file, span: program.span };
             let message = msg!("nc.program-twice", format!("O{}", program.number));
             check.found.push(Diagnostic::warning(message).at(place));
         }
     }
+}
+
+/// Of each program, whether its number was an earlier one's already.
+fn again(programs: &[Program]) -> Vec<bool> {
+    let mut by_number: Vec<usize> = (0..programs.len()).filter(|&at| programs[at].number != 0).collect();
+    order::by_key(&mut by_number, |&at| programs[at].number.into());
+    let mut again = vec![false; programs.len()];
+    for pair in by_number.windows(2) {
+        again[pair[1]] = programs[pair[0]].number == programs[pair[1]].number;
+    }
+    again
 }
 
 struct Check<'a> {

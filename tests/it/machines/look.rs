@@ -250,7 +250,7 @@ fn the_ladder_is_drawn() {
 
 #[test]
 fn the_report_has_inputs_with_origin_verdicts_and_open_points() {
-    let origins = Origins::from([("dancer".to_owned(), Provenance::Measured)]);
+    let origins = Origins::from_iter([("dancer".to_owned(), Provenance::Measured)]);
     let values = values(&[("customer", "Customer 4711")]);
     let switches = Switches(vec![("decimal-point".to_owned(), "millimetres".to_owned())]);
     let report =

@@ -347,13 +347,14 @@ fn facts_are_assumed_until_somebody_says_where_they_come_from() {
         infos.map(|d| sentence(Language::English, &d.message)).collect::<String>()
     };
     assert!(count(&Origins::new()).contains("inverter-ramp"));
-    let measured = Origins::from([("inverter-ramp".to_owned(), Provenance::Measured)]);
+    let measured = Origins::from_iter([("inverter-ramp".to_owned(), Provenance::Measured)]);
     assert!(!count(&measured).contains("inverter-ramp"));
 }
 
 #[test]
 fn invalid_values_keep_the_default_and_are_errors_about_their_field() {
-    let values = Values::from([("pitch".to_owned(), Value::Number(0.0)), ("heads".to_owned(), Value::Number(2.5))]);
+    let values =
+        Values::from_iter([("pitch".to_owned(), Value::Number(0.0)), ("heads".to_owned(), Value::Number(2.5))]);
     let design = machine().design(&values, &Origins::new(), control());
     let fields: Vec<_> =
         design.diagnostics.iter().filter(|d| d.severity == Severity::Error).filter_map(|d| d.field).collect();

@@ -266,11 +266,11 @@ fn a_dropped_program_restores_the_form() {
     for file in &emitted.files.0 {
         let (id, read) = settings::read(&file.text, fields).unwrap();
         assert_eq!(id, "ribbon-line");
-        for (id, value) in &wanted {
+        for (id, value) in wanted.iter() {
             assert_eq!(read.get(id), Some(value), "{id} of {}", file.name);
         }
         // What is not written has its default: the essential ones are written always.
-        assert_eq!(read.len(), wanted.len() + 3, "{read:?}");
+        assert_eq!(read.iter().count(), wanted.iter().count() + 3, "{read:?}");
     }
     assert_eq!(settings::read("O1(NOTHING)\nM30", fields), None);
     assert_eq!(settings::read("(MACROLINE NO-MACHINE 1)", fields), None);
@@ -451,7 +451,7 @@ proptest! {
         let (_, parsed) = parsed(&values);
         for file in &parsed.files().0 {
             let (_, read) = settings::read(&file.text, |id| machines::find(id).map(|machine| machine.fields())).unwrap();
-            for (id, value) in &read {
+            for (id, value) in read.iter() {
                 if !matches!(value, Value::Text(_)) {
                     prop_assert_eq!(values.get(id), Some(value), "{}", id);
                 }
