@@ -5,15 +5,15 @@ use super::path::Segment;
 use super::program::Program;
 use super::signals::percent;
 use super::snapshot::Mode;
-use super::state::{Once, Over, Queued, Sim};
+use super::state::{Once, Over, Queued, Sim, Surface};
 use crate::interp::canon::{AXES, Target};
 use crate::interp::{Canon, Feed};
 use crate::math;
 use crate::msg;
 use crate::text::Diagnostic;
 
-/// Seconds between two measurements of the spindle speed for feed per revolution while it changes.
-const MEASURE: f64 = 0.01;
+/// Seconds between two measurements while spindle and axes follow one another and change.
+pub(super) const MEASURE: f64 = 0.01;
 
 /// What the executor is at.
 #[derive(Debug, Clone)]
@@ -51,6 +51,11 @@ impl Exec {
         !matches!(self, Stopped | Ready | Finished | Alarm(_) | Emergency(_) | OutOfBlocks)
     }
 
+    /// Whether a thread is being cut, which no hold interrupts.
+    fn threads(&self) -> bool {
+        matches!(self, Exec::Moving(motion) if matches!(motion.pace, Pace::Thread(_)))
+    }
+
     pub(super) fn mode(&self, holding: bool) -> Mode {
         match self {
             Exec::Stopped | Exec::Ready => Mode::Stopped,
@@ -66,9 +71,9 @@ impl Exec {
 }
 
 impl<P: Program> Sim<'_, P> {
-    /// Feed hold, unless the program has switched it off.
+    /// Feed hold, unless the program has switched it off or cuts a thread.
     pub(super) fn holding(&self) -> bool {
-        self.s.held && !self.s.suppress_hold && self.s.exec.runs()
+        self.s.held && !self.s.suppress_hold && self.s.exec.runs() && !self.s.exec.threads()
     }
 
     /// When the axes stand.
@@ -85,7 +90,7 @@ impl<P: Program> Sim<'_, P> {
                 (None, Some(_)) => s.read_at.max(s.now).max(self.rest_time()),
                 (None, None) => f64::INFINITY,
             },
-            Exec::Moving(motion) => motion.end_time().min(motion.again),
+            Exec::Moving(motion) => motion.end_time().min(motion.again).min(self.follow_time()),
             Exec::Settling(t) | Exec::Resting(t, _) | Exec::Dwelling(t) => *t,
             _ => f64::INFINITY,
         }
@@ -94,10 +99,15 @@ impl<P: Program> Sim<'_, P> {
     pub(super) fn execute(&mut self, t: f64) {
         match &mut self.s.exec {
             Exec::Idle => self.begin_next(t),
-            Exec::Moving(motion) if motion.again < motion.end_time() => self.pace(t),
             Exec::Moving(motion) => {
                 let (end, exact, pace) = (motion.end, motion.exact, motion.pace);
-                self.arrive(t, end, exact, pace);
+                if motion.end_time() <= t {
+                    self.arrive(t, end, exact, pace);
+                } else if self.follow_time() <= t {
+                    self.follow(t);
+                } else {
+                    self.pace(t);
+                }
             }
             Exec::Resting(_, canon) => {
                 let canon = core::mem::replace(canon, Canon::Stop);
@@ -125,7 +135,7 @@ impl<P: Program> Sim<'_, P> {
             };
             return;
         };
-        if next.first && self.s.stepped && self.s.knobs.single_block {
+        if next.first && self.s.stepped && self.s.knobs.single_block && !self.s.suppress_single_block {
             self.s.exec = Exec::Stopped;
             self.s.flow_end = None;
             return;
@@ -144,16 +154,34 @@ impl<P: Program> Sim<'_, P> {
                 let motion = Move::line(self.s.position, end, Pace::Feed(feed), exact, &self.machine.axes);
                 self.begin(t, motion);
             }
+            Canon::Thread { to, lead } => {
+                let end = self.goal(&to);
+                let motion = Move::line(self.s.position, end, Pace::Thread(lead), false, &self.machine.axes);
+                self.begin(t, motion);
+            }
             Canon::Arc { to, plane, center, clockwise, feed, exact } => {
                 let end = self.goal(&to);
-                let scale = self.machine.increment;
-                let center = (center.0 * scale, center.1 * scale);
+                let scale = |axis: u8| self.machine.scale.get(axis as usize).copied().unwrap_or(0.0);
+                let center = (center.0 * scale(plane.0), center.1 * scale(plane.1));
                 let axes = &self.machine.axes;
                 let motion = Move::line(self.s.position, end, Pace::Feed(feed), exact, axes);
                 self.begin(t, motion.around(plane, center, clockwise, axes));
             }
-            // These only say that the interpreter has changed its mind; Output and Suppress have acted when they were read.
-            Canon::Preset { .. } | Canon::PathMode { .. } | Canon::Output { .. } | Canon::Suppress { .. } => {}
+            Canon::SurfaceSpeed { speed, axis, zero } => {
+                let axis = usize::from(axis);
+                let scale = self.machine.scale.get(axis);
+                self.s.surface =
+                    scale.map(|scale| Surface { speed, axis, zero: zero as f64 * scale, again: f64::INFINITY });
+                self.follow(t);
+            }
+            Canon::ConstantSpeed => self.s.surface = None,
+            Canon::SpeedLimit { rpm } => {
+                self.s.speed_limit = rpm.max(0.0);
+                self.follow(t);
+            }
+            // These only say that the interpreter has changed its mind, or have acted when they were read.
+            Canon::Preset { .. } | Canon::PathMode { .. } => {}
+            Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. } => {}
             Canon::OptionalStop if !self.s.knobs.optional_stop => {}
             _ => {
                 self.s.flow_end = None;
@@ -175,16 +203,16 @@ impl<P: Program> Sim<'_, P> {
 
     /// Where a movement ends, in mm.
     fn goal(&mut self, to: &Target) -> [f64; AXES] {
-        for k in self.machine.fitted..AXES {
-            if to.mask & (1 << k) != 0 {
+        for k in 0..AXES {
+            if to.mask & !self.machine.fitted & (1 << k) != 0 {
                 let letter = self.machine.axes[k].letter as char;
                 self.say(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", letter.to_string()));
             }
         }
-        let scale = self.machine.increment;
-        core::array::from_fn(
-            |k| if to.mask & (1 << k) != 0 { to.position[k] as f64 * scale } else { self.s.position[k] },
-        )
+        let scale = &self.machine.scale;
+        core::array::from_fn(|k| {
+            if to.mask & (1 << k) != 0 { to.position[k] as f64 * scale[k] } else { self.s.position[k] }
+        })
     }
 
     /// Does a command that needs the axes at rest.
@@ -204,7 +232,9 @@ impl<P: Program> Sim<'_, P> {
                     }
                 }
                 self.s.io.fin = false;
-                self.s.exec = Exec::Fin;
+                if !self.s.suppress_fin {
+                    self.s.exec = Exec::Fin;
+                }
                 self.scan(t);
             }
         }
@@ -223,6 +253,7 @@ impl<P: Program> Sim<'_, P> {
     fn strobe(&mut self, canon: Canon) {
         match canon {
             Canon::SpindleSpeed { rpm } => {
+                self.s.surface = None;
                 self.s.speed = rpm.max(0.0);
                 self.s.io.s_strobe = Some(rpm);
             }
@@ -250,45 +281,69 @@ impl<P: Program> Sim<'_, P> {
             let (block, logic) = (self.machine.block_time * 1e3, self.machine.macro_time * 1e3);
             self.say(Once::Starved as u32, || msg!("motion.starved", block, logic));
         }
-        if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace
-            && feed / 60.0 > motion.limit * (1.0 + 1e-9)
-        {
-            let (k, slowed) = (motion.limiting, motion.limit * 60.0);
-            let axis = self.machine.axes[k];
-            let letter = axis.letter as char;
-            self.say(Once::Clamp as u32 + k as u32, || {
-                msg!("motion.axis-clamp", letter.to_string(), axis.clamp, feed, slowed)
-            });
+        if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace {
+            self.say_clamped(&motion, feed);
         }
         self.s.exec = Exec::Moving(Box::new(motion));
         self.s.moving = true;
         self.put(t);
+        self.follow(t);
+    }
+
+    /// Says once an axis that it is too slow for a feed in mm/min.
+    fn say_clamped(&mut self, motion: &Move, feed: f64) {
+        let slowed = motion.limit * 60.0;
+        if feed > slowed * (1.0 + 1e-9) {
+            let axis = self.machine.axes[motion.limiting];
+            let letter = axis.letter as char;
+            self.say(Once::Clamp as u32 + motion.limiting as u32, || {
+                msg!("motion.axis-clamp", letter.to_string(), axis.clamp, feed, slowed)
+            });
+        }
     }
 
     /// Gives a movement the speed that it may have now, where that has changed.
     pub(super) fn pace(&mut self, t: f64) {
-        let (before, again) = match &self.s.exec {
-            Exec::Moving(motion) => (motion.speed, motion.again),
-            _ => return,
-        };
-        let (speed, _) = self.path_speed(t);
-        if speed != before || again <= t {
+        let asked = self.asked_speed(t);
+        let Exec::Moving(motion) = &mut self.s.exec else { return };
+        if asked.0.min(motion.limit) == motion.speed {
+            motion.again = asked.1;
+        } else {
             self.put(t);
         }
     }
 
     /// Starts a segment of the path at `t`.
     fn put(&mut self, t: f64) {
-        let (speed, again) = self.path_speed(t);
+        let (asked, again) = self.asked_speed(t);
         let Exec::Moving(motion) = &mut self.s.exec else { return };
-        motion.set_speed(t, speed);
+        motion.set_speed(t, asked.min(motion.limit));
         motion.again = again;
         let (segment, circle) = motion.segment();
+        let motion = **motion;
+        if let Some(surface) = &mut self.s.surface {
+            let follows = motion.pace != Pace::Rapid && motion.speed > 0.0 && motion.moves(surface.axis);
+            surface.again = if follows { surface.again.min(t + MEASURE) } else { f64::INFINITY };
+        }
         self.out.timeline.put_segment(segment, circle);
+        if matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_))) {
+            self.say_clamped(&motion, asked * 60.0);
+            if self.waits_for_spindle() {
+                self.say(Once::SpindleStands as u32, || msg!("motion.spindle-stands"));
+            }
+        }
     }
 
-    /// Path speed in mm/s that override, clamps, spindle and hold allow at `t`, and when to ask again.
-    fn path_speed(&self, t: f64) -> (f64, f64) {
+    /// Whether a feed per revolution stands still because the spindle does.
+    pub(super) fn waits_for_spindle(&self) -> bool {
+        let Exec::Moving(motion) = &self.s.exec else { return false };
+        let by_turns = matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_)));
+        let stands = self.out.timeline.ramps.last().is_none_or(|r| r.actual(&self.machine.spindle, self.s.now) == 0.0);
+        by_turns && stands && motion.speed == 0.0 && !motion.again.is_finite() && !self.holding()
+    }
+
+    /// Path speed in mm/s that override, spindle and hold ask for at `t`, clamps apart, and when to ask again.
+    fn asked_speed(&self, t: f64) -> (f64, f64) {
         let Exec::Moving(motion) = &self.s.exec else { return (0.0, f64::INFINITY) };
         if self.holding() {
             return (0.0, f64::INFINITY);
@@ -296,17 +351,20 @@ impl<P: Program> Sim<'_, P> {
         let cutting = if self.s.suppress_override { 1.0 } else { percent(self.s.knobs.feed) / 100.0 };
         match motion.pace {
             Pace::Rapid => (motion.limit * (percent(self.s.knobs.rapid) / 100.0).min(1.0), f64::INFINITY),
-            Pace::Feed(Feed::PerMinute(feed)) => ((feed.max(0.0) * cutting / 60.0).min(motion.limit), f64::INFINITY),
-            Pace::Feed(Feed::PerRevolution(feed)) => {
-                // While the spindle changes its speed the feed follows in steps, each with the mean speed of its span.
-                let again =
-                    if self.s.reached_at.is_finite() { self.s.reached_at.min(t + MEASURE) } else { f64::INFINITY };
-                let middle = if again.is_finite() { 0.5 * (t + again) } else { t };
-                let ramp = self.out.timeline.ramps.last();
-                let rpm = ramp.map_or(0.0, |ramp| ramp.actual(&self.machine.spindle, middle).abs());
-                ((feed.max(0.0) * rpm * cutting / 60.0).min(motion.limit), again)
-            }
+            Pace::Feed(Feed::PerMinute(feed)) => (feed.max(0.0) * cutting / 60.0, f64::INFINITY),
+            Pace::Feed(Feed::PerRevolution(feed)) => self.in_step(t, feed.max(0.0) * cutting),
+            Pace::Thread(lead) => self.in_step(t, lead.max(0.0)),
         }
+    }
+
+    /// Path speed of a feed in mm per revolution. While the spindle changes its speed the feed follows in steps, each with the mean speed
+    /// of its span.
+    fn in_step(&self, t: f64, feed: f64) -> (f64, f64) {
+        let again = if self.s.reached_at.is_finite() { self.s.reached_at.min(t + MEASURE) } else { f64::INFINITY };
+        let middle = if again.is_finite() { 0.5 * (t + again) } else { t };
+        let ramp = self.out.timeline.ramps.last();
+        let rpm = ramp.map_or(0.0, |ramp| ramp.actual(&self.machine.spindle, middle).abs());
+        (feed * rpm / 60.0, again)
     }
 
     /// The unfiltered path has come to the end of a block.
@@ -314,6 +372,7 @@ impl<P: Program> Sim<'_, P> {
         self.s.position = end;
         self.s.exec = Exec::Idle;
         self.s.flow_end = (!exact).then_some(t);
+        self.follow(t);
         if !exact || (self.s.suppress_exact && pace != Pace::Rapid) {
             return;
         }

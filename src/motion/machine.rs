@@ -13,8 +13,8 @@ const LEAST_BLOCK_TIME: f64 = 1e-4;
 pub(super) struct Machine {
     pub(super) axes: [AxisPlant; AXES],
     pub(super) spindle: SpindlePlant,
-    /// Millimetres per command increment.
-    pub(super) increment: f64,
+    /// Millimetres or degrees that each axis moves per command increment.
+    pub(super) scale: [f64; AXES],
     pub(super) block_time: f64,
     pub(super) macro_time: f64,
     pub(super) preread: usize,
@@ -24,8 +24,8 @@ pub(super) struct Machine {
     pub(super) limits: Limits,
     pub(super) emergency: Option<&'static str>,
     vars: &'static [VarRange],
-    /// Number of axes that the machine has.
-    pub(super) fitted: usize,
+    /// Bit `k`: the machine has axis `k`.
+    pub(super) fitted: u8,
     pub(super) log: bool,
 }
 
@@ -33,6 +33,7 @@ impl Machine {
     /// Values that are no number or make no sense become harmless ones: no run ever fails over its plant.
     pub(super) fn new(control: &Control, plant: &Plant, limits: Limits, log: bool) -> Machine {
         let positive = |x: f64, otherwise: f64| if x > 0.0 && x.is_finite() { x } else { otherwise };
+        let mut fitted = 0;
         let axes: [AxisPlant; AXES] = core::array::from_fn(|k| {
             let letter = control.axes.get(k).map_or(b'?', |axis| axis.letter);
             // An axis that the machine lacks moves without inertia, so that the program can be watched; a diagnostic says so.
@@ -45,7 +46,9 @@ impl Machine {
                 time_constant: 0.0,
                 position_gain: 0.0,
             };
-            let axis = plant.axes.get(k).copied().unwrap_or(missing);
+            let found = plant.axes.iter().find(|axis| axis.letter == letter).copied();
+            fitted |= u8::from(found.is_some()) << k;
+            let axis = found.unwrap_or(missing);
             AxisPlant {
                 rapid: positive(axis.rapid, missing.rapid),
                 clamp: positive(axis.clamp, missing.clamp),
@@ -64,9 +67,9 @@ impl Machine {
         };
         Machine {
             standstill: axes.iter().map(|axis| axis.time_constant).fold(0.0, f64::max),
+            scale: axes.map(|axis| control.limits.increment / axis.words_per_unit()),
             axes,
             spindle,
-            increment: control.limits.increment,
             block_time: positive(plant.block_time, 0.0).max(LEAST_BLOCK_TIME),
             macro_time: positive(plant.macro_time, 0.0).max(LEAST_BLOCK_TIME),
             preread: usize::from(plant.preread.max(1)),
@@ -74,7 +77,7 @@ impl Machine {
             limits,
             emergency: control.alarm_number(Alarm::EmergencyStop),
             vars: control.vars,
-            fitted: plant.axes.len(),
+            fitted,
             log,
         }
     }

@@ -9,6 +9,11 @@
 //!   constant" (a moving average per axis) and the lag of the position loop. G64 begins a block when the unfiltered path of the one
 //!   before ends; G61 and G09 wait until the command rests and the axes are in position; a rapid waits until the command rests.
 //!   Dwell and S, M and T codes wait until the command rests. A block that is not ready in time lets the axes stop.
+//! * **Diameters.** Words of an axis may count diameters. What goes in and out at the program's side (targets, centres of arcs, positions
+//!   that it reads) counts them; plant, feeds, clamps, timeline and snapshots are what the slide moves.
+//! * **In step with the spindle.** Feed per revolution and threads take the actual speed, in steps of 10 ms while it changes; at
+//!   standstill they wait. A thread knows no override and no hold. Under constant surface speed the spindle follows the commanded diameter
+//!   of a cutting block, in steps of 10 ms; in a rapid it has the speed of its end.
 //! * **Spindle.** S times override, clamped; the inverter follows in a straight ramp, with slip. Override acts at once. M02 and M30 leave
 //!   the spindle as it is (switching it off is the PLC's affair); reset and emergency stop take its command away.
 //! * **PLC.** Asked when something that it sees has changed and when it wishes; codes of one block are put out together and end with FIN.

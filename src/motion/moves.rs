@@ -13,6 +13,8 @@ pub(super) enum Pace {
     Rapid,
     /// A programmed feed.
     Feed(Feed),
+    /// A thread, by its lead in mm per spindle revolution: neither override nor hold acts on it.
+    Thread(f64),
 }
 
 /// An arc in a plane: all lengths in mm, angles in radians, counter-clockwise positive.
@@ -49,7 +51,7 @@ pub(super) struct Move {
     done: f64,
     /// When the present speed began.
     pub(super) since: f64,
-    /// When the speed is to be measured again (feed per revolution under a changing spindle).
+    /// When speeds are to be measured again: of a changing spindle that the feed follows, of an axis that the spindle follows.
     pub(super) again: f64,
 }
 
@@ -144,18 +146,36 @@ impl Move {
         }
     }
 
+    /// Where the axes are when a part of the path is covered.
+    fn place(&self, part: f64) -> [f64; AXES] {
+        let mut place = core::array::from_fn(|k| self.start[k] + self.line[k] * part);
+        if let Some(bow) = self.bow {
+            let (now, begin) = (math::sin_cos(bow.phase + bow.sweep * part), math::sin_cos(bow.phase));
+            place[bow.plane.0 as usize] += bow.radius * (now.1 - begin.1);
+            place[bow.plane.1 as usize] += bow.radius * (now.0 - begin.0);
+        }
+        place
+    }
+
+    /// Where an axis will be at `t` if the speed stays.
+    pub(super) fn axis_at(&self, k: usize, t: f64) -> f64 {
+        let done = (self.done + self.speed * (t - self.since)).min(self.length);
+        self.place(done / self.length)[k]
+    }
+
+    /// Whether an axis moves.
+    pub(super) fn moves(&self, k: usize) -> bool {
+        self.line[k] != 0.0 || self.bow.is_some_and(|bow| bow.plane.0 as usize == k || bow.plane.1 as usize == k)
+    }
+
     /// The segment from `since` on.
     pub(super) fn segment(&self) -> (Segment, Option<Circle>) {
         let (t, part, rate) = (self.since, self.done / self.length, self.speed / self.length);
-        let mut from: [f64; AXES] = core::array::from_fn(|k| self.start[k] + self.line[k] * part);
         let velocity = self.line.map(|d| d * rate);
         let circle = self.bow.map(|bow| {
-            let (phase, radius) = (bow.phase + bow.sweep * part, bow.radius);
-            let (now, begin) = (math::sin_cos(phase), math::sin_cos(bow.phase));
-            from[bow.plane.0 as usize] += radius * (now.1 - begin.1);
-            from[bow.plane.1 as usize] += radius * (now.0 - begin.0);
-            Circle { t, plane: bow.plane, radius, phase, omega: bow.sweep * rate }
+            let phase = bow.phase + bow.sweep * part;
+            Circle { t, plane: bow.plane, radius: bow.radius, phase, omega: bow.sweep * rate }
         });
-        (Segment { t, from, velocity, circle: 0 }, circle)
+        (Segment { t, from: self.place(part), velocity, circle: 0 }, circle)
     }
 }

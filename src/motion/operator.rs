@@ -46,6 +46,7 @@ impl<P: Program> Sim<'_, P> {
             Action::BlockSkip(on) => self.s.knobs.block_skip = *on,
             Action::ManualSpeed(rpm) => {
                 if !matches!(self.s.exec, Exec::Emergency(_)) && rpm.is_finite() {
+                    self.s.surface = None;
                     self.s.speed = rpm.abs();
                     self.s.direction = if *rpm == 0.0 { 0 } else { rpm.signum() as i8 };
                     self.scan(t);
@@ -77,8 +78,8 @@ impl<P: Program> Sim<'_, P> {
         match self.s.exec {
             Exec::Stopped => self.s.exec = Exec::Idle,
             Exec::Ready | Exec::Finished => {
-                let scale = self.machine.increment;
-                self.s.program.restart(self.s.position.map(|mm| (mm / scale).round() as i64));
+                let (position, scale) = (&self.s.position, &self.machine.scale);
+                self.s.program.restart(core::array::from_fn(|k| (position[k] / scale[k]).round() as i64));
                 self.clear();
                 self.s.read_at = t;
                 self.s.exec = Exec::Idle;
@@ -88,6 +89,7 @@ impl<P: Program> Sim<'_, P> {
         if self.s.exec.runs() {
             self.s.stepped = false;
             self.s.held = false;
+            self.s.flow_end = None;
             self.pace(t);
         }
     }
@@ -120,6 +122,8 @@ impl<P: Program> Sim<'_, P> {
         s.stepped = false;
         s.flow_end = None;
         (s.suppress_hold, s.suppress_override, s.suppress_exact) = (false, false, false);
+        (s.suppress_single_block, s.suppress_fin) = (false, false);
+        s.surface = None;
     }
 }
 

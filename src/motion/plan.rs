@@ -137,8 +137,9 @@ impl<P: Program> Planner<P> {
             let (t, who) = sim.next();
             if t > until || t == f64::INFINITY {
                 if t == f64::INFINITY && sim.panel.events().len() == sim.s.panel_done {
-                    let why = sim.stuck();
-                    self.last_word(why);
+                    if let Some(why) = sim.stuck() {
+                        self.last_word(why);
+                    }
                     self.finish(RunEnd::Stop);
                 } else if until >= self.machine.limits.seconds {
                     self.records.timeline.end = until;

@@ -1,6 +1,6 @@
 //! The machine as motion sees it: axes with clamps and time constants, one spindle with ramps and analog output.
 
-/// An axis, in the control's axis order.
+/// An axis of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisPlant {
     /// Address letter.
@@ -17,6 +17,13 @@ pub struct AxisPlant {
     pub time_constant: f64,
     /// Position gain in 1/s: the axis lags `speed / gain` behind its command.
     pub position_gain: f64,
+}
+
+impl AxisPlant {
+    /// What words count for each millimetre that the axis moves.
+    pub fn words_per_unit(&self) -> f64 {
+        if self.diameter { 2.0 } else { 1.0 }
+    }
 }
 
 /// A spindle on an analog output, through an inverter.
@@ -42,7 +49,7 @@ pub struct SpindlePlant {
 /// The whole plant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plant {
-    /// Axes; index is the control's axis index. Axes of the control that the machine lacks are not here.
+    /// Axes, found by their letters. Axes of the control that the machine lacks are not here.
     pub axes: Vec<AxisPlant>,
     /// The spindle.
     pub spindle: SpindlePlant,

@@ -1,6 +1,7 @@
 //! Reads the program ahead of its execution, and lets act what acts when it is read.
 
 use super::executor::Exec;
+use super::machine::Machine;
 use super::program::Program;
 use super::state::{Over, Queued, Sim};
 use super::timeline::Change;
@@ -11,6 +12,7 @@ use crate::order::Map;
 /// What a program sees of the machine when one of its blocks is read.
 struct Eyes<'a> {
     inputs: &'a Map<u32, f64>,
+    machine: &'a Machine,
     position: &'a [f64; AXES],
     power_on: f64,
     running: f64,
@@ -28,7 +30,7 @@ impl World for Eyes<'_> {
     }
 
     fn position(&mut self, axis: usize) -> f64 {
-        self.position.get(axis).copied().unwrap_or(0.0)
+        self.position.get(axis).map_or(0.0, |moved| moved * self.machine.axes[axis].words_per_unit())
     }
 
     fn block_skip(&mut self, _number: u8) -> bool {
@@ -56,6 +58,7 @@ impl<P: Program> Sim<'_, P> {
         let s = &mut *self.s;
         let mut eyes = Eyes {
             inputs: &s.io.inputs,
+            machine: self.machine,
             position: &s.position,
             power_on: t,
             running,
@@ -100,6 +103,10 @@ impl<P: Program> Sim<'_, P> {
                 self.s.suppress_override = feed_override;
                 self.s.suppress_exact = exact;
                 self.pace(t);
+            }
+            Canon::SuppressWaits { single_block, fin } => {
+                self.s.suppress_single_block = single_block;
+                self.s.suppress_fin = fin;
             }
             _ => {
                 self.s.drain = matches!(canon, Canon::Stop | Canon::OptionalStop | Canon::Message { .. } | Canon::End);

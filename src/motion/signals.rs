@@ -1,11 +1,13 @@
 //! PLC and spindle: what is put out, what is answered, and how fast the spindle is told to turn.
 
-use super::executor::Exec;
+use super::executor::{Exec, MEASURE};
+use super::moves::Pace;
 use super::plc::Io;
 use super::program::Program;
 use super::spindle::Ramp;
-use super::state::{Once, Sim};
+use super::state::{Once, Sim, Surface};
 use super::timeline::Change;
+use crate::math;
 use crate::msg;
 
 impl<P: Program> Sim<'_, P> {
@@ -24,11 +26,14 @@ impl<P: Program> Sim<'_, P> {
                 let word = inputs.entry(*number, 0.0);
                 *word = part.put(*word, *value);
             }
-            let answered = matches!(self.s.exec, Exec::Fin) && self.s.io.fin;
+            let io = &mut self.s.io;
+            let waiting = io.m_strobe.is_some() || io.s_strobe.is_some() || io.t_strobe.is_some();
+            let answered = waiting && io.fin;
             if answered {
-                let io = &mut self.s.io;
                 (io.m_strobe, io.s_strobe, io.t_strobe) = (None, None, None);
-                self.s.exec = Exec::Idle;
+                if matches!(self.s.exec, Exec::Fin) {
+                    self.s.exec = Exec::Idle;
+                }
             }
             if !self.turn(t) && !answered {
                 break;
@@ -69,6 +74,33 @@ impl<P: Program> Sim<'_, P> {
         self.put_ramp(t, now.0, now.1);
         self.pace(t);
         true
+    }
+
+    /// Under constant surface speed: tells the spindle the speed for where its axis will be half a step later, in a rapid for where
+    /// that ends.
+    pub(super) fn follow(&mut self, t: f64) {
+        let Some(Surface { speed, axis, zero, again }) = &mut self.s.surface else { return };
+        if again.is_finite() {
+            *again = t + MEASURE;
+        }
+        let (speed, axis, zero) = (*speed, *axis, *zero);
+        let place = match &self.s.exec {
+            Exec::Moving(motion) if motion.pace == Pace::Rapid => motion.end[axis],
+            Exec::Moving(motion) => motion.axis_at(axis, t + 0.5 * MEASURE),
+            _ => self.s.position[axis],
+        };
+        let circumference = 2.0 * math::PI * (place - zero).abs();
+        let limit = self.s.speed_limit.min(self.machine.spindle.speed_clamp);
+        // n = 1000 v / (π D), D in mm; at D = 0 it is the limit (reference/gsk-knd-polygon.md section 1.3).
+        self.s.speed = if speed > 0.0 { (1000.0 * speed / circumference).min(limit) } else { 0.0 };
+        if self.turn(t) {
+            self.scan(t);
+        }
+    }
+
+    /// When the spindle follows its axis next.
+    pub(super) fn follow_time(&self) -> f64 {
+        self.s.surface.map_or(f64::INFINITY, |surface| surface.again)
     }
 
     pub(super) fn put_ramp(&mut self, t: f64, start: f64, turns: f64) {

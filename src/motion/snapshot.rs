@@ -1,4 +1,4 @@
-//! The machine at one moment of a run.
+//! The machine at one moment of a run, in what its axes move: half of what words of diameters count.
 
 use crate::interp::canon::AXES;
 use crate::text::Place;

@@ -116,12 +116,26 @@ pub(super) struct Knobs {
     pub(super) block_skip: bool,
 }
 
+/// Constant surface speed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Surface {
+    /// m/min.
+    pub(super) speed: f64,
+    /// The axis that measures the radius.
+    pub(super) axis: usize,
+    /// Its place in mm where the radius is 0.
+    pub(super) zero: f64,
+    /// When the spindle follows the axis next: while that moves, in steps.
+    pub(super) again: f64,
+}
+
 /// Diagnostics that are said once a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Once {
     Starved,
     SpindleClamp,
+    SpindleStands,
     Clamp = 8,
     Missing = 16,
 }
@@ -156,6 +170,8 @@ pub(super) struct State<P> {
     pub(super) suppress_hold: bool,
     pub(super) suppress_override: bool,
     pub(super) suppress_exact: bool,
+    pub(super) suppress_single_block: bool,
+    pub(super) suppress_fin: bool,
     pub(super) knobs: Knobs,
     /// Events of the panel that have happened.
     pub(super) panel_done: usize,
@@ -164,9 +180,12 @@ pub(super) struct State<P> {
     pub(super) io: Io,
     /// Macro inputs as the screen showed them last.
     pub(super) shown: Map<u32, f64>,
-    /// S word in r/min and direction.
+    /// Speed in r/min before override, by S word or surface speed, and direction.
     pub(super) speed: f64,
     pub(super) direction: i8,
+    pub(super) surface: Option<Surface>,
+    /// Highest speed in r/min under constant surface speed.
+    pub(super) speed_limit: f64,
     /// End of the spindle's ramp.
     pub(super) reached_at: f64,
     pub(super) run_since: Option<f64>,
@@ -199,6 +218,8 @@ impl<P> State<P> {
             suppress_hold: false,
             suppress_override: false,
             suppress_exact: false,
+            suppress_single_block: false,
+            suppress_fin: false,
             knobs: Knobs { feed: 100.0, rapid: 100.0, single_block: false, optional_stop: false, block_skip: false },
             panel_done: 0,
             plc: Logic(plc),
@@ -207,6 +228,8 @@ impl<P> State<P> {
             shown: Map::new(),
             speed: 0.0,
             direction: 0,
+            surface: None,
+            speed_limit: f64::INFINITY,
             reached_at: f64::INFINITY,
             run_since: None,
             run_time: 0.0,
@@ -297,13 +320,14 @@ impl<P: Program> Sim<'_, P> {
         }
     }
 
-    /// Why nothing will ever happen again although the program is not over.
-    pub(super) fn stuck(&self) -> Diagnostic {
-        let message = match self.s.exec {
+    /// Why nothing will ever happen again although the program is not over, where that has not been said.
+    pub(super) fn stuck(&self) -> Option<Diagnostic> {
+        let message = match &self.s.exec {
             Exec::Fin => msg!("motion.no-fin"),
+            _ if self.waits_for_spindle() => return None,
             _ => msg!("motion.no-feed"),
         };
-        Diagnostic { place: self.s.place, ..Diagnostic::warning(message) }
+        Some(Diagnostic { place: self.s.place, ..Diagnostic::warning(message) })
     }
 
     fn power_on(&mut self) {

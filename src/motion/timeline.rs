@@ -95,6 +95,12 @@ impl Timeline {
         now
     }
 
+    /// Commanded positions at time `t` as words count them: diameters where an axis is programmed in diameters.
+    pub fn words_at(&self, t: f64) -> [f64; AXES] {
+        let now = self.at(t).axes;
+        core::array::from_fn(|k| now[k].position * self.axes[k].words_per_unit())
+    }
+
     /// The block that is executing at time `t`.
     pub fn block_at(&self, t: f64) -> Option<Place> {
         self.marks.at(t).and_then(|mark| mark.begun.then_some(mark.place))

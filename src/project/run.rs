@@ -195,7 +195,7 @@ pub struct Outcome {
     pub diagnostics: Vec<Diagnostic>,
     /// Variables that are set, by the control's names, in the order of their numbers.
     pub variables: Vec<(String, f64)>,
-    /// Commanded positions at the end, by axis letter, mm or degrees.
+    /// Commanded positions at the end as words count them, by axis letter, mm or degrees.
     pub axes: Vec<(char, f64)>,
     /// The spindle at the end.
     pub spindle: crate::motion::SpindleState,
@@ -214,7 +214,7 @@ pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(LogLine) -> Result<(), E>) -
         }
     };
     let time = run.timeline().end();
-    let last = run.timeline().at(time);
+    let (last, words) = (run.timeline().at(time), run.timeline().words_at(time));
     let mut diagnostics = run.diagnostics().to_vec();
     if let RunEnd::Alarm(alarm) = &ended
         && !diagnostics.contains(alarm)
@@ -228,7 +228,7 @@ pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(LogLine) -> Result<(), E>) -
         time,
         diagnostics,
         variables: run.program().variables().collect(),
-        axes: names.axes.iter().zip(&last.axes).map(|(row, axis)| (row.letter as char, axis.position)).collect(),
+        axes: names.axes.iter().zip(words).map(|(row, at)| (row.letter as char, at)).collect(),
         spindle: last.spindle,
     })
 }

@@ -1,5 +1,6 @@
 //! Time against mathematics: paths, speeds, accelerations, waits, spindle, and a past that the operator changes.
 
+mod lathe;
 mod operator;
 mod past;
 mod path;

@@ -32,9 +32,25 @@ fn busy() -> Vec<Line> {
         one(Canon::Arc { to: target(0.0, 3.0), plane: (0, 1), center: (9e3, 9e3), clockwise: true, feed, exact: true }),
         Line::Add(101, 1.0),
         Line::Position(103),
+        one(Canon::SpeedLimit { rpm: 1100.0 }),
+        one(Canon::SurfaceSpeed { speed: 60.0, axis: 0, zero: -9_000 }),
+        linear(30.0, 6.0, 4000.0),
+        one(Canon::Linear { to: target(5.0, 6.0), feed, exact: false }),
+        one(Canon::SuppressWaits { single_block: true, fin: true }),
+        one(Canon::Thread { to: target(0.0, 9.0), lead: 2.0 }),
+        one(Canon::ConstantSpeed),
+        one(Canon::Auxiliary { code: 10 }),
+        one(Canon::SuppressWaits { single_block: false, fin: false }),
         one(Canon::Dwell { seconds: 0.2 }),
         Line::Goto(1),
     ]
+}
+
+/// The first axis counts diameters.
+fn lathe() -> Plant {
+    let mut plant = plant();
+    plant.axes[0].diameter = true;
+    plant
 }
 
 /// All of a moment, to the bit.
@@ -67,9 +83,9 @@ proptest! {
         let events: Vec<Event> =
             events.into_iter().map(|(t, action)| at(if whole { t.round() } else { t }, action)).collect();
         let horizon = 11.0;
-        let mut once = planner(&plant(), events.clone(), busy());
+        let mut once = planner(&lathe(), events.clone(), busy());
         once.advance(horizon, usize::MAX);
-        let mut bit_by_bit = planner(&plant(), vec![], busy());
+        let mut bit_by_bit = planner(&lathe(), vec![], busy());
         for event in events {
             let until = event.t + ahead;
             while bit_by_bit.advance(until, budget).planned_to < until {

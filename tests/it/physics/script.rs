@@ -70,7 +70,11 @@ impl Program for Script {
                 if self.part == commands.len() {
                     (self.at, self.part) = (self.at + 1, 0);
                 }
-                if let Canon::Rapid { to } | Canon::Linear { to, .. } | Canon::Arc { to, .. } = &command {
+                if let Canon::Rapid { to }
+                | Canon::Linear { to, .. }
+                | Canon::Thread { to, .. }
+                | Canon::Arc { to, .. } = &command
+                {
                     self.position = to.position;
                 }
                 Step::Command(command, here)

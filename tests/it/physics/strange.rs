@@ -33,13 +33,24 @@ fn canon() -> impl Strategy<Value = Canon> {
         number().prop_map(|rpm| Canon::SpindleSpeed { rpm }),
         any::<i8>().prop_map(|sign| Canon::SpindleDirection { sign }),
         any::<u32>().prop_map(|code| Canon::Auxiliary { code }),
+        (goal(), number()).prop_map(|(to, lead)| Canon::Thread { to, lead }),
+        (number(), any::<u8>(), any::<i64>()).prop_map(|(speed, axis, zero)| Canon::SurfaceSpeed {
+            speed,
+            axis: axis % 8,
+            zero
+        }),
+        number().prop_map(|rpm| Canon::SpeedLimit { rpm }),
+        Just(Canon::ConstantSpeed),
+        any::<(bool, bool)>().prop_map(|(single_block, fin)| Canon::SuppressWaits { single_block, fin }),
         Just(Canon::OptionalStop),
     ]
 }
 
 fn any_plant() -> impl Strategy<Value = Plant> {
     (prop::array::uniform8(number()), any::<u8>(), 0usize..9).prop_map(|(n, small, axes)| {
-        let axis = AxisPlant { rapid: n[0], clamp: n[1], time_constant: n[2], position_gain: n[3], ..axis(b'X') };
+        let diameter = small % 2 == 0;
+        let axis =
+            AxisPlant { diameter, rapid: n[0], clamp: n[1], time_constant: n[2], position_gain: n[3], ..axis(b'X') };
         let mut plant = plant();
         plant.axes = vec![axis; axes];
         plant.spindle.speed_at_full = n[4];

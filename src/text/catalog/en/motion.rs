@@ -24,6 +24,10 @@ pub(super) const ROWS: &[(&str, &str)] = &[
         "The spindle is told {0} r/min and clamped to {1} r/min; what the program computes from S is not clamped with it.",
     ),
     (
+        "motion.spindle-stands",
+        "The spindle stands still: a feed per revolution waits until it turns. Command S and M03 or M04 before this block.",
+    ),
+    (
         "motion.starved",
         "The axes stop between blocks: this block takes longer to read ({0} ms, and {1} ms for each macro block before it) than the one before takes to execute. More travel per block, or fewer macro blocks, mends it.",
     ),
