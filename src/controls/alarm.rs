@@ -33,14 +33,18 @@ pub enum Alarm {
     NoEquals,
     /// A variable that cannot stand on this side.
     VariableSide,
+    /// A variable that cannot be written.
+    ReadOnly,
     /// NC words and macro text in one block.
     Mixed,
     /// Macro calls nested too deep.
     MacroNesting,
     /// Too many I, J, K sets of arguments.
     ArgumentSets,
-    /// End of a modal call without a modal call.
+    /// End of a modal call without a modal call, where that is an alarm ([`Control::raises`](super::Control::raises)).
     NoModalCall,
+    /// A call of the program that is running, where that is an alarm.
+    OwnCall,
     /// `#3000`.
     User,
     /// Brackets nested too deep.
@@ -65,6 +69,10 @@ pub enum Alarm {
     SoftLimit,
     /// Emergency stop.
     EmergencyStop,
+    /// An address without a number.
+    NoNumber,
+    /// More digits than the address takes.
+    Digits,
     /// A decimal point behind an address that takes none.
     PointNotAllowed,
     /// The same address twice in a block.
@@ -148,10 +156,12 @@ impl Alarm {
         Alarm::VariableRange,
         Alarm::NoEquals,
         Alarm::VariableSide,
+        Alarm::ReadOnly,
         Alarm::Mixed,
         Alarm::MacroNesting,
         Alarm::ArgumentSets,
         Alarm::NoModalCall,
+        Alarm::OwnCall,
         Alarm::User,
         Alarm::BracketDepth,
         Alarm::BracketPair,
@@ -164,6 +174,8 @@ impl Alarm {
         Alarm::Budget,
         Alarm::SoftLimit,
         Alarm::EmergencyStop,
+        Alarm::NoNumber,
+        Alarm::Digits,
         Alarm::PointNotAllowed,
         Alarm::AddressTwice,
         Alarm::BlockTooLong,
@@ -199,9 +211,11 @@ impl Alarm {
             IntoLoop => DoPair,
             NoCallProgram => NoProgram,
             UserAlarmRange => OutOfRange,
-            VacantWritten => VariableSide,
-            AtanForm | PointNotAllowed | AddressTwice | BlockTooLong | CommentBracket | CallNotFirst | CallMixed
-            | ReturnInModal | ArgumentAddress | CallFunction | CallOperands => Format,
+            ReadOnly => VariableSide,
+            VacantWritten => ReadOnly,
+            OwnCall => SubNesting,
+            NoNumber | Digits | AtanForm | PointNotAllowed | AddressTwice | BlockTooLong | CommentBracket
+            | CallNotFirst | CallMixed | ReturnInModal | ArgumentAddress | CallFunction | CallOperands => Format,
             _ => return None,
         })
     }

@@ -123,6 +123,11 @@ impl Control {
         }
     }
 
+    /// Whether the control has an alarm for this very kind. A few kinds are an alarm on those controls alone that have a row for them.
+    pub fn raises(&self, kind: Alarm) -> bool {
+        self.alarms.iter().any(|row| row.kind == kind)
+    }
+
     /// The number the control shows for an alarm.
     pub fn alarm_number(&self, kind: Alarm) -> Option<&'static str> {
         self.alarm(kind).map(|row| row.number)

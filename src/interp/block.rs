@@ -70,7 +70,7 @@ impl State {
                 let modal = (code != Code::MacroCall).then_some(code == Code::MacroModalBlock);
                 return self.macro_words(cx, block, words, modal);
             }
-            Some(Code::MacroModalEnd) if self.modal_call.take().is_none() => {
+            Some(Code::MacroModalEnd) if self.modal_call.take().is_none() && cx.control.raises(Alarm::NoModalCall) => {
                 return Err(Trap::alarm(Alarm::NoModalCall, msg!("interp.no-modal-call")));
             }
             _ => {}

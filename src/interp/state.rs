@@ -49,7 +49,11 @@ impl Rules {
     pub(super) fn new(control: &Control, switches: &Switches) -> Rules {
         let is = |id: &str, setting: &str| switches.get(control.switches, id) == Some(setting);
         let mut startup = control.startup.to_vec();
-        for (id, group) in [("startup-distance", Group::Distance), ("startup-motion", Group::Motion)] {
+        for (id, group) in [
+            ("startup-distance", Group::Distance),
+            ("startup-motion", Group::Motion),
+            ("startup-feed", Group::FeedUnit),
+        ] {
             let Some(setting) = switches.get(control.switches, id) else { continue };
             let number = setting.get(1..).and_then(|number| number.parse::<u16>().ok());
             let row = number.and_then(|number| control.code(b'G', number.saturating_mul(10)));

@@ -154,7 +154,7 @@ impl State {
             | VarKind::BlockEnd
             | VarKind::MachinePosition
             | VarKind::WorkPosition => {
-                let trap = Trap::alarm(Alarm::VariableSide, msg!("interp.read-only", number, row.text));
+                let trap = Trap::alarm(Alarm::ReadOnly, msg!("interp.read-only", number, row.text));
                 return Err(with_common(cx, trap));
             }
         }

@@ -1,11 +1,21 @@
 //! The tables of every control: complete, in order, with sources; and the facts of the sheets, row by row.
 
-use macroline::controls::vars::Width;
+use macroline::controls::macros::{ArgumentSets, VacantWord};
+use macroline::controls::syntax::Operation;
+use macroline::controls::vars::{Clock, Width};
 use macroline::controls::{ALL, Alarm, AlarmDef, Code, Control, Group, ParamRole, Switches, VarKind, find};
 use macroline::text::Citation;
 
 fn e60() -> &'static Control {
     find("mitsubishi-e60").unwrap()
+}
+
+fn gsk() -> &'static Control {
+    find("gsk-980tdc").unwrap()
+}
+
+fn knd() -> &'static Control {
+    find("knd-k2000t").unwrap()
 }
 
 /// Every citation of a control, with the row that it belongs to.
@@ -51,13 +61,17 @@ fn rows_that_are_searched_stand_in_order() {
     }
 }
 
+/// What is no alarm on a control without a row for it.
+const ON_SOME: [Alarm; 2] = [Alarm::NoModalCall, Alarm::OwnCall];
+
 #[test]
 fn every_alarm_leads_to_one_row() {
     for control in ALL {
         for kind in Alarm::ALL {
             let rows = control.alarms.iter().filter(|row| row.kind == *kind).count();
             assert!(rows <= 1, "{} {kind:?} twice", control.id);
-            assert!(control.alarm(*kind).is_some(), "{} {kind:?}", control.id);
+            assert_eq!(control.raises(*kind), rows == 1, "{} {kind:?}", control.id);
+            assert!(control.alarm(*kind).is_some() || ON_SOME.contains(kind), "{} {kind:?}", control.id);
         }
         let known = |row: &&AlarmDef| Alarm::ALL.contains(&row.kind);
         assert!(control.alarms.iter().all(|row| known(&row)), "{}: a kind is missing in Alarm::ALL", control.id);
@@ -155,4 +169,215 @@ fn a_switch_is_set_or_at_its_default() {
     assert_eq!(set("millimetres").get(rows, "decimal-point"), Some("millimetres"));
     assert_eq!(set("furlongs").get(rows, "decimal-point"), Some("increments"));
     assert_eq!(set("millimetres").get(rows, "no-such-switch"), None);
+}
+
+/// `0112 …` of a kind.
+#[track_caller]
+fn shows(control: &Control, rows: &[(Alarm, &str)]) {
+    for (kind, number) in rows {
+        assert_eq!(control.alarm_number(*kind), Some(*number), "{} {kind:?}", control.id);
+    }
+}
+
+#[test]
+fn variables_of_the_980tdc() {
+    let kind = |number| gsk().var(number).map(|row| row.kind);
+    for (number, expected) in [
+        (0, Some(VarKind::Vacant)),
+        (33, Some(VarKind::Local)),
+        (34, None),
+        (199, Some(VarKind::Common)),
+        (200, None),
+        (999, Some(VarKind::Retained)),
+        (1015, Some(VarKind::InputBit)),
+        (1016, None),
+        (1032, Some(VarKind::InputWord(Width::Word))),
+        (1034, Some(VarKind::InputWord(Width::Word))),
+        (1115, Some(VarKind::OutputBit)),
+        (1133, Some(VarKind::OutputWord(Width::Word))),
+        (2032, Some(VarKind::Kept)),
+        (2033, None),
+        (3001, Some(VarKind::PartTime)),
+        (3002, Some(VarKind::RunTime(Clock::Seconds))),
+        (3003, None),
+        (3004, None),
+        (3006, None),
+        (4001, Some(VarKind::ModalCode(Group::Motion))),
+        (4002, Some(VarKind::ModalCode(Group::SurfaceSpeed))),
+        (4005, Some(VarKind::ModalCode(Group::FeedUnit))),
+        (4016, Some(VarKind::ModalCode(Group::Plane))),
+        (5003, Some(VarKind::BlockEnd)),
+    ] {
+        assert_eq!(kind(number), expected, "#{number}");
+    }
+    let devices = [1000, 1032, 1033, 1034, 1100, 1132, 1133, 1134].map(|number| gsk().var(number).unwrap().device);
+    assert_eq!(devices, ["G54", "G54", "G56", "G58", "F54", "F54", "F56", "F58"]);
+    // #5001 is X, #5002 is Y, #5003 is Z.
+    let axes: Vec<u8> = gsk().axes.iter().map(|axis| axis.letter).collect();
+    assert_eq!(axes, b"XYZC");
+}
+
+#[test]
+fn variables_of_the_k2000t() {
+    let kind = |number| knd().var(number).map(|row| row.kind);
+    for (number, expected) in [
+        (1032, Some(VarKind::InputWord(Width::Word))),
+        (1033, None),
+        (1132, Some(VarKind::OutputWord(Width::Word))),
+        (1133, Some(VarKind::OutputWord(Width::Long))),
+        (1479, None),
+        (1480, Some(VarKind::ExchangeWord(Width::Long))),
+        (1481, Some(VarKind::ExchangeWord(Width::Byte))),
+        (1483, Some(VarKind::ExchangeWord(Width::Byte))),
+        (1484, Some(VarKind::ExchangeWord(Width::Long))),
+        (1540, Some(VarKind::ExchangeWord(Width::Long))),
+        (1544, Some(VarKind::ExchangeWord(Width::Byte))),
+        (1545, None),
+        (3001, Some(VarKind::PowerOnTime(Clock::Milliseconds))),
+        (3002, Some(VarKind::RunTime(Clock::Hours))),
+        (3004, Some(VarKind::SuppressOverride)),
+        (3100, Some(VarKind::Vacant)),
+    ] {
+        assert_eq!(kind(number), expected, "#{number}");
+    }
+    // As on a lathe with driven tools: X, Z, then the axes that turn tool and work piece.
+    let axes: Vec<u8> = knd().axes.iter().map(|axis| axis.letter).collect();
+    assert_eq!(axes, b"XZYC");
+}
+
+#[test]
+fn lathes_count_diameters_and_have_addresses_for_steps() {
+    for control in [gsk(), knd()] {
+        for (letter, incremental, diameter, rotary) in [
+            (b'X', b'U', true, false),
+            (b'Y', b'V', false, false),
+            (b'Z', b'W', false, false),
+            (b'C', b'H', false, true),
+        ] {
+            let axis = &control.axes[control.axis(letter).unwrap()];
+            assert_eq!((axis.incremental, axis.diameter, axis.rotary), (Some(incremental), diameter, rotary));
+        }
+        assert!(!control.can(Code::Incremental) && control.can(Code::SurfaceSpeed) && control.can(Code::Thread));
+        // G90 is a cycle, G98 a feed.
+        assert_eq!(control.code(b'G', 900).unwrap().code, Code::NotSimulated);
+        assert_eq!(control.code(b'G', 980).unwrap().code, Code::FeedPerMinute);
+        assert_eq!(control.code(b'G', 990).unwrap().code, Code::FeedPerRevolution);
+    }
+    assert!(e60().axes.iter().all(|axis| axis.incremental.is_none() && !axis.diameter));
+}
+
+#[test]
+fn the_980tdc_takes_vacant_for_zero() {
+    let macros = &gsk().macros;
+    assert_eq!((macros.vacant_word, macros.vacant_equals_zero), (VacantWord::Zero, true));
+    assert!(macros.whole_bits && macros.call_first && macros.call_ends_modal);
+    assert_eq!(macros.argument_sets, ArgumentSets::PerLetter);
+    assert_eq!((macros.user_alarms, macros.user_alarm_base), ((0, 99), Some(5900)));
+    let of = |number: u8| macros.functions.iter().find(|(h, _)| *h == number).map(|(_, operation)| *operation);
+    assert_eq!(of(1), Some(Operation::Assign));
+    assert_eq!(of(26), Some(Operation::MultiplyDivide));
+    assert_eq!(of(86), Some(Operation::IfLessEqual));
+    assert_eq!(of(99), Some(Operation::Alarm));
+    assert_eq!(of(35), None);
+    assert_eq!(macros.functions.len(), 27);
+    assert!(macros.functions.is_sorted_by_key(|(h, _)| *h));
+}
+
+#[test]
+fn the_k2000t_follows_custom_macro_b() {
+    let macros = &knd().macros;
+    assert_eq!((macros.vacant_word, macros.vacant_equals_zero), (VacantWord::Dropped, false));
+    assert_eq!(macros.argument_sets, ArgumentSets::InOrder);
+    assert!(macros.functions.is_empty() && !macros.whole_bits && !macros.call_first && !macros.call_ends_modal);
+    assert_eq!((macros.user_alarms, macros.user_alarm_base), ((0, 200), Some(3000)));
+    let syntax = &knd().syntax;
+    assert!(syntax.point_alarm && !gsk().syntax.point_alarm && !e60().syntax.point_alarm);
+    assert!(syntax.modulo && !syntax.comparison_signs && !syntax.bare_functions && !syntax.nine_hash);
+}
+
+#[test]
+fn codes_of_the_user_by_parameter() {
+    let calls = |control: &Control, settings: &str| -> Vec<(char, u32, u32)> {
+        let calls = control.macros.calls(settings);
+        calls.iter().map(|call| (call.letter as char, call.number / 10, call.program)).collect()
+    };
+    // The paper prints O9120 twice; 4121 belongs to O9121.
+    let default: Vec<(u32, u32)> =
+        knd().code_calls(&Switches::default()).iter().map(|call| (call.number / 10, call.program)).collect();
+    assert_eq!(default, [(512, 9120), (502, 9121)]);
+    assert_eq!(calls(knd(), "4139=999 4140=998"), [('G', 999, 9139)]);
+    assert_eq!(calls(gsk(), "86=3 87=100 88=2000"), [('G', 100, 2000), ('G', 101, 2001), ('G', 102, 2002)]);
+    assert_eq!(calls(gsk(), "No.089=17 No.090=1 No.091=3"), [('M', 17, 1), ('M', 18, 2), ('M', 19, 3)]);
+}
+
+#[test]
+fn alarms_of_the_980tdc() {
+    shows(
+        gsk(),
+        &[
+            (Alarm::NoProgram, "0001"),
+            (Alarm::UnknownCode, "0002"),
+            (Alarm::AddressTwice, "0010"),
+            (Alarm::OutOfRange, "0012"),
+            (Alarm::ArcRadius, "0018"),
+            (Alarm::BlockTooLong, "0037"),
+            (Alarm::CommentBracket, "0041"),
+            (Alarm::Overflow, "0043"),
+            (Alarm::SubNesting, "0096"),
+            (Alarm::OwnCall, "0097"),
+            (Alarm::Format, "0101"),
+            (Alarm::DoNumber, "0102"),
+            (Alarm::IntoLoop, "0103"),
+            (Alarm::BracketPair, "0104"),
+            (Alarm::DivisionByZero, "0105"),
+            (Alarm::AtanForm, "0106"),
+            (Alarm::Logarithm, "0107"),
+            (Alarm::SquareRoot, "0108"),
+            (Alarm::Tangent, "0109"),
+            (Alarm::ArcFunction, "0110"),
+            (Alarm::VariableRange, "0111"),
+            (Alarm::NoSequence, "0112"),
+            (Alarm::ReturnInModal, "0113"),
+            (Alarm::CallNotFirst, "0114"),
+            (Alarm::CallMixed, "0116"),
+            (Alarm::VacantWritten, "0117"),
+            (Alarm::ArgumentSets, "0118"),
+            (Alarm::ReadOnly, "0120"),
+            (Alarm::NoCallProgram, "0122"),
+            (Alarm::CallFunction, "0124"),
+            (Alarm::CallOperands, "0125"),
+            (Alarm::UserAlarmRange, "0126"),
+            (Alarm::NotWhole, "0127"),
+        ],
+    );
+    // G67 stands in many opening blocks without a G66 before it.
+    assert!(!gsk().raises(Alarm::NoModalCall) && !knd().raises(Alarm::NoModalCall) && e60().raises(Alarm::NoModalCall));
+}
+
+#[test]
+fn alarms_of_the_k2000t() {
+    shows(
+        knd(),
+        &[
+            (Alarm::Digits, "003"),
+            (Alarm::PointNotAllowed, "007"),
+            (Alarm::UnknownCode, "010"),
+            (Alarm::NoFeed, "011"),
+            (Alarm::NoCallProgram, "076"),
+            (Alarm::SubNesting, "077"),
+            (Alarm::NoSequence, "078"),
+            (Alarm::Overflow, "111"),
+            (Alarm::DivisionByZero, "112"),
+            (Alarm::NoEquals, "114"),
+            (Alarm::VariableRange, "115"),
+            (Alarm::ReadOnly, "116"),
+            (Alarm::VacantWritten, "116"),
+            (Alarm::BracketDepth, "118"),
+            (Alarm::SquareRoot, "119"),
+            (Alarm::DoPair, "124"),
+            (Alarm::DoNumber, "126"),
+            (Alarm::Mixed, "127"),
+            (Alarm::ArgumentAddress, "129"),
+        ],
+    );
 }

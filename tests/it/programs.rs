@@ -164,6 +164,7 @@ fn each_alarm_has_a_program_that_raises_it() {
         gsk-980tdc 0041
         gsk-980tdc 0043
         gsk-980tdc 0096
+        gsk-980tdc 0097
         gsk-980tdc 0101
         gsk-980tdc 0102
         gsk-980tdc 0103
@@ -187,8 +188,10 @@ fn each_alarm_has_a_program_that_raises_it() {
         gsk-980tdc 0126
         gsk-980tdc 0127
         gsk-980tdc 5900
+        gsk-980tdc END
         knd-k2000t 003
         knd-k2000t 004
+        knd-k2000t 005
         knd-k2000t 007
         knd-k2000t 009
         knd-k2000t 010
@@ -205,7 +208,6 @@ fn each_alarm_has_a_program_that_raises_it() {
         knd-k2000t 116
         knd-k2000t 118
         knd-k2000t 119
-        knd-k2000t 122
         knd-k2000t 124
         knd-k2000t 126
         knd-k2000t 127

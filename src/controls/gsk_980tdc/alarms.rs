@@ -1,6 +1,5 @@
 //! Alarms of the 980TDc that macroline can raise.
 
-use super::MEMORY;
 use crate::controls::Alarm::*;
 use crate::controls::AlarmDef;
 use crate::controls::alarm::alarm;
@@ -18,22 +17,23 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(NoProgram, "0001", "Called program does not exist", LIST),
     alarm(UnknownCode, "0002", "Illegal G code", LIST),
     alarm(IllegalAddress, "0003", "Characters of a word fewer than 2 or more than 11", NEAREST),
+    alarm(NoNumber, "0003", "Characters of a word fewer than 2 or more than 11", LIST),
+    alarm(Digits, "0003", "Characters of a word fewer than 2 or more than 11", LIST),
     alarm(NumberZero, "0006", "Sequence number of wrong form or out of range", LIST),
     alarm(AddressTwice, "0010", "Same address twice in a block", LIST),
     alarm(OutOfRange, "0012", "Value illegal or out of range", LIST),
     alarm(Arc, "0018", "Arc data wrong or beyond the radius tolerance", LIST),
-    alarm(NoFeed, "0023", "F wrong or above parameter No.027", LIST),
+    alarm(NoFeed, "0023", "F wrong or above parameter No.027", NEAREST),
     alarm(BlockTooLong, "0037", "Block of more than 256 characters", LIST),
     alarm(CommentBracket, "0041", "Comment brackets not paired", LIST),
     alarm(Calculation, "0043", "Result of a macro calculation out of range", LIST),
     alarm(SubNesting, "0096", "Subprograms nested deeper than 4", LIST),
     alarm(MacroNesting, "0096", "Subprograms nested deeper than 4", NEAREST),
-    alarm(NoProgramEnd, "0101", "Macro statement of wrong form", MEMORY),
+    alarm(OwnCall, "0097", "Called program is the running one", LIST),
     alarm(Format, "0101", "Macro statement of wrong form", LIST),
     alarm(NoEquals, "0101", "Macro statement of wrong form", LIST),
     alarm(Mixed, "0101", "Macro statement of wrong form", NEAREST),
     alarm(IfSentence, "0101", "Macro statement of wrong form", LIST),
-    alarm(NoModalCall, "0101", "Macro statement of wrong form", MEMORY),
     alarm(DoNumber, "0102", "Number of DO or END is not 1, 2, 3", LIST),
     alarm(WhileSentence, "0103", "DO and END of wrong form, or a jump into a loop", LIST),
     alarm(DoNesting, "0103", "DO and END of wrong form, or a jump into a loop", LIST),
@@ -47,6 +47,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(Tangent, "0109", "Tangent is infinite", LIST),
     alarm(ArcFunction, "0110", "ASIN or ACOS outside -1 to 1", LIST),
     alarm(VariableRange, "0111", "No such variable, or of wrong kind", LIST),
+    alarm(VariableSide, "0111", "No such variable, or of wrong kind", LIST),
     alarm(NoSequence, "0112", "Sequence number of GOTO or M99 is missing or out of range", LIST),
     alarm(ReturnInModal, "0113", "M98 or M99 P while a modal macro call (G66) is on", LIST),
     alarm(CallNotFirst, "0114", "G65 or G66 does not open its block", LIST),
@@ -58,13 +59,19 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     ),
     alarm(VacantWritten, "0117", "#0 cannot take a result", LIST),
     alarm(ArgumentSets, "0118", "More than 10 of I, J, K", LIST),
-    alarm(VariableSide, "0120", "Variable is read-only", LIST),
+    alarm(ReadOnly, "0120", "Variable is read-only", LIST),
     alarm(NoCallProgram, "0122", "G65 or G66 without P, or G65 without H", LIST),
     alarm(CallFunction, "0124", "Illegal H behind G65", LIST),
     alarm(CallOperands, "0125", "Operands missing or wrong", LIST),
     alarm(UserAlarmRange, "0126", "Number of G65 H99 or #3000 outside 0 to 99", LIST),
     alarm(NotWhole, "0127", "Operand is not whole", LIST),
+    alarm(SoftLimit, "3011", "Beyond the soft limit", LIST),
     alarm(User, "5900", "User alarm", USER),
+    alarm(
+        NoProgramEnd,
+        "END",
+        "The program runs out of blocks",
+        Citation::new("what the control does is not known", Grade::Open),
+    ),
     alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred)),
-    alarm(SoftLimit, "LIMIT", "Stroke limit", MEMORY),
 ];

@@ -6,19 +6,17 @@ use crate::controls::macros::CALL_PARAMETERS;
 use crate::controls::switch::switch;
 use crate::text::{Citation, Grade};
 
-const CALLS: Citation = Citation::new("GSK980TDi manual, 3.32", Grade::Sister);
+const CALLS: Citation = Citation::new("GSK980TDi manual, 3.32; M codes: notes on new functions", Grade::Sister);
+/// All samples of the manuals leave the point out.
+const SAMPLES: Citation =
+    Citation::new("samples of the 980TDi manual: G00 X100 Z50 is 100 mm and 50 mm", Grade::Inferred);
 
 /// One row per point; the first option is the default.
 pub(super) const SWITCHES: &[Switch] = &[
-    switch("decimal-point", "A coordinate without a point", &["millimetres", "increments"], MACRO),
+    switch("decimal-point", "A coordinate without a point", &["millimetres", "increments"], SAMPLES),
     switch("argument-point", "A macro argument without a point", &["as written", "increments"], MACRO),
     switch("diameter", "Words of X (No.001#2)", &["diameter", "radius"], PARAMETERS),
-    switch(
-        "startup-motion",
-        "Motion code after power-on",
-        &["G00", "G01"],
-        Citation::new("GSK980TDi manual, 3.2", Grade::Sister),
-    ),
+    switch("startup-feed", "Unit of F after power-on (No.182#0)", &["G98", "G99"], PARAMETERS),
     switch(
         "angle-range",
         "Results of ATAN and ASIN (No.180#7)",
@@ -29,7 +27,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("speed-limit-sets-zero", "G50 S takes the present position as program zero", &["yes", "no"], SPINDLE),
     switch(
         CALL_PARAMETERS,
-        "No.086 to No.091: codes that call programs, for instance 86=3 87=100 88=2000",
+        "No.086 to No.091: codes that call programs, for instance 86=3 87=100 88=2000 for G100 to G102",
         &[""],
         CALLS,
     ),

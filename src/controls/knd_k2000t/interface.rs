@@ -7,9 +7,17 @@ use crate::controls::interface::{from_plc, to_plc};
 
 /// By device number.
 pub(super) const SIGNALS: &[Signal] = &[
+    from_plc(SpindleOverride, "G30", "%", "spindle override, 0 to 254", MEMORY),
     from_plc(MacroInputLow(1032), "G54", "word", "#1032 (G54, G55); its bits are #1000 to #1015", MEMORY),
+    from_plc(MacroInputLow(1480), "G480", "4 bytes", "#1480, read", PAPER),
+    from_plc(MacroInputLow(1484), "G484", "4 bytes", "#1484, read", PAPER),
+    from_plc(MacroInputLow(1488), "G488", "4 bytes", "#1488, read", PAPER),
+    to_plc(SpindleCommand, "F22", "r/min", "S code (F22 to F25)", MEMORY),
+    to_plc(SpindleOutput, "F36", "0 to 4095", "12-bit value of the analog output (F36, F37)", MEMORY),
+    to_plc(SpindleActual, "F40", "r/min", "spindle speed by the encoder (F40, F41)", MEMORY),
     to_plc(MacroOutput(1132), "F54", "word", "#1132 (F54, F55); its bits are #1100 to #1115", MEMORY),
-    to_plc(MacroOutput(1480), "F480", "4 bytes", "#1480; polygon turning: speed", PAPER),
-    to_plc(MacroOutput(1484), "F484", "4 bytes", "#1484; polygon turning: ratio of the work piece", PAPER),
-    to_plc(MacroOutput(1488), "F488", "4 bytes", "#1488; polygon turning: ratio of the tool", PAPER),
+    to_plc(MacroOutput(1133), "F56", "4 bytes", "#1133 (F56 to F59)", MEMORY),
+    to_plc(MacroOutput(1480), "F480", "4 bytes", "#1480, written; polygon turning: speed", PAPER),
+    to_plc(MacroOutput(1484), "F484", "4 bytes", "#1484, written; polygon turning: ratio of the work piece", PAPER),
+    to_plc(MacroOutput(1488), "F488", "4 bytes", "#1488, written; polygon turning: ratio of the tool", PAPER),
 ];

@@ -4,21 +4,25 @@ use super::{MEMORY, PAPER};
 use crate::controls::Switch;
 use crate::controls::macros::CALL_PARAMETERS;
 use crate::controls::switch::switch;
+use crate::text::{Citation, Grade};
+
+/// The samples show what is meant; the parameter's number is FANUC's.
+const SAMPLE: Citation = Citation::new("sample of the polygon turning paper; parameter by FANUC 0i-T", Grade::Inferred);
 
 /// One row per point; the first option is the default.
 pub(super) const SWITCHES: &[Switch] = &[
-    switch("decimal-point", "A coordinate without a point", &["millimetres", "increments"], PAPER),
-    switch("argument-point", "A macro argument without a point", &["as written", "increments"], PAPER),
-    switch("diameter", "Words of X (1006#3)", &["diameter", "radius"], PAPER),
-    switch("startup-motion", "Motion code after power-on", &["G00", "G01"], MEMORY),
+    switch("decimal-point", "A coordinate without a point (3401#0)", &["millimetres", "increments"], SAMPLE),
+    switch("argument-point", "A macro argument without a point", &["as written", "increments"], SAMPLE),
+    switch("diameter", "Words of X (1006#3)", &["diameter", "radius"], SAMPLE),
+    switch("startup-motion", "Motion code after power-on (3402#0)", &["G00", "G01"], MEMORY),
+    switch("startup-feed", "Unit of F after power-on (3402#4)", &["G98", "G99"], SAMPLE),
     switch(
         "angle-range",
         "Results of ATAN and ASIN (6004#0)",
         &["ATAN 0 to 360, ASIN 270 to 90", "ATAN -180 to 180, ASIN -90 to 90"],
         MEMORY,
     ),
-    switch("spindle-word", "S with decimals", &["round", "truncate"], MEMORY),
-    switch(CALL_PARAMETERS, "No.4120 to 4139: G codes that call O9120 to O9139", &["4120=512 4121=502"], PAPER),
+    switch(CALL_PARAMETERS, "4120 to 4139: G codes that call O9120 to O9139", &["4120=512 4121=502"], PAPER),
     switch("common-at-reset", "#100 to #199 at reset (6001#6)", &["vacant", "kept"], MEMORY),
     switch("locals-of-calls", "Locals without an argument", &["vacant", "kept"], MEMORY),
     switch("override-suppression", "#3004 bit 1 switches the cutting override off", &["yes", "no"], MEMORY),

@@ -478,7 +478,7 @@ impl Reader<'_> {
                     let (key, to) = ((b'#', row.first), self.at);
                     return self.not_simulated(key, start, to, &format!("#{number} ({})", row.text));
                 }
-                kind if written && !kind.writable() => Alarm::VariableSide,
+                kind if written && !kind.writable() => Alarm::ReadOnly,
                 VarKind::AlarmMessage | VarKind::StopMessage if !written => Alarm::VariableSide,
                 _ => return,
             },
