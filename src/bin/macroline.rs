@@ -15,7 +15,7 @@ fn main() {}
 mod native {
     #![allow(clippy::print_stdout, reason = "printing is what a command line is for")]
 
-    use std::io::{self, BufWriter, Write};
+    use std::io::{self, BufWriter, IsTerminal, Write};
     use std::path::{Path, PathBuf};
     use std::process::ExitCode;
     use std::rc::Rc;
@@ -26,6 +26,7 @@ mod native {
     use macroline::controls::{self, Control, Switches};
     use macroline::motion::{Keep, Limits, Panel};
     use macroline::nc::{self, File, Files};
+    use macroline::project::console::{Console, Said};
     use macroline::project::run::{self, Begin, Run, Setting};
     use macroline::project::told::Teller;
     use macroline::project::{Project, list, saved};
@@ -84,7 +85,18 @@ mod native {
             json: bool,
         },
         /// Runs a project or programs and prints the canonical log
-        Run(RunArgs),
+        Run {
+            #[command(flatten)]
+            args: RunArgs,
+            /// Leaves the log out
+            #[arg(long)]
+            no_canon: bool,
+            /// One JSON object instead of the log
+            #[arg(long)]
+            json: bool,
+        },
+        /// Runs a project or programs block by block: commands from standard input, “help” lists them
+        Step(RunArgs),
     }
 
     #[derive(clap::Args)]
@@ -113,12 +125,6 @@ mod native {
         /// Ends the run after so many seconds of machine time
         #[arg(long, default_value_t = 3600.0)]
         seconds: f64,
-        /// Leaves the log out
-        #[arg(long)]
-        no_canon: bool,
-        /// One JSON object instead of the log
-        #[arg(long)]
-        json: bool,
     }
 
     /// Why a command did not get as far as diagnostics.
@@ -144,7 +150,8 @@ mod native {
             Command::Design { project, json } => design(&project, json),
             Command::Export { project, out } => export(&project, &out),
             Command::Check { files, control, json } => check(&files, &control, json),
-            Command::Run(args) => run(&args),
+            Command::Run { args, no_canon, json } => run(&args, !no_canon, json),
+            Command::Step(args) => step(&args),
         };
         match done {
             Ok(()) => ExitCode::SUCCESS,
@@ -276,8 +283,20 @@ mod native {
         }
     }
 
-    /// What is run: planner, files for places, diagnostics so far.
-    fn prepare(args: &RunArgs) -> Result<(Run, Files, Vec<Diagnostic>), Failure> {
+    /// What is run.
+    struct Prepared {
+        run: Run,
+        /// The files that places are in.
+        files: Files,
+        switches: Switches,
+        /// What is to be said already.
+        found: Vec<Diagnostic>,
+    }
+
+    fn prepare(args: &RunArgs, keep: Keep) -> Result<Prepared, Failure> {
+        if args.seconds.is_nan() || args.seconds < 0.0 {
+            return Err(Failure::Usage("--seconds takes 0 or more".to_owned()));
+        }
         let mut found = Vec::new();
         let panel = match &args.panel {
             None => Panel::default(),
@@ -299,7 +318,7 @@ mod native {
             None => None,
         };
         let limits = Limits { blocks: args.blocks, seconds: args.seconds };
-        let begin = Begin { start, settings: &settings, limits, keep: Keep::Log };
+        let begin = Begin { start, settings: &settings, limits, keep };
         let Some(id) = &args.control else {
             let [path] = args.files.as_slice() else {
                 return Err(Failure::Usage("bare program files need --control".to_owned()));
@@ -316,8 +335,8 @@ mod native {
             found.extend(project.design().diagnostics);
             let written = project.written();
             found.extend(written.diagnostics.iter().cloned());
-            let planner = run::of_project(&project, &written, &begin);
-            return Ok((planner, written.files.clone(), found));
+            let run = run::of_project(&project, &written, &begin);
+            return Ok(Prepared { run, files: written.files.clone(), switches: project.switches, found });
         };
         let control = control(id)?;
         let parsed = Rc::new(nc::parse(&programs(&args.files)?, control));
@@ -333,19 +352,15 @@ mod native {
         let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
         settable(&settings, control, &switches)?;
         let files = parsed.files().clone();
-        Ok((run::of_programs(parsed, plant.as_ref(), panel, &begin), files, found))
+        Ok(Prepared { run: run::of_programs(parsed, plant.as_ref(), panel, &begin), files, switches, found })
     }
 
-    fn run(args: &RunArgs) -> Result<(), Failure> {
-        if args.seconds.is_nan() || args.seconds < 0.0 {
-            return Err(Failure::Usage("--seconds takes 0 or more".to_owned()));
-        }
-        let (mut planner, files, mut diagnostics) = prepare(args)?;
+    fn run(args: &RunArgs, wanted: bool, json: bool) -> Result<(), Failure> {
+        let Prepared { run: mut planner, files, found: mut diagnostics, .. } = prepare(args, Keep::Log)?;
         let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
         let mut canon: Vec<Json> = Vec::new();
-        let wanted = !args.no_canon;
         let outcome = run::to_end(&mut planner, |line: run::LogLine| {
-            if wanted && args.json {
+            if wanted && json {
                 canon.push(json!(line.to_string()));
                 Ok(())
             } else if wanted {
@@ -356,7 +371,7 @@ mod native {
         })?;
         diagnostics.extend(outcome.diagnostics.iter().cloned());
         run::once_each(&mut diagnostics);
-        if args.json {
+        if json {
             let teller = Teller::new(&files);
             let mut object = outcome.json();
             object["diagnostics"] = diagnostics.iter().map(|d| teller.json(d)).collect();
@@ -366,10 +381,52 @@ mod native {
             writeln!(out, "{object:#}")?;
         }
         out.flush()?;
-        if !args.json {
+        if !json {
             tell(&files, &diagnostics);
             eprintln!("{}", outcome.text());
         }
         verdict(&diagnostics)
+    }
+
+    /// Wrong commands are told and end, after all others, in exit status 2.
+    fn step(args: &RunArgs) -> Result<(), Failure> {
+        let Prepared { run, files, switches, found: mut diagnostics } = prepare(args, Keep::Timeline)?;
+        tell(&files, &diagnostics);
+        let terminal = io::stdin().is_terminal();
+        let mut console = Console::new(run, &files, switches);
+        let mut out = io::stdout().lock();
+        let mut wrong = 0;
+        let mut last = String::new();
+        out.write_all(console.place().as_bytes())?;
+        for line in prompted(terminal) {
+            let line = line?;
+            // Return alone is the step before once more, for whoever sits at a terminal.
+            let line = if terminal && line.trim().is_empty() { last } else { line };
+            let (said, answer) = console.line(&line);
+            out.write_all(answer.as_bytes())?;
+            out.flush()?;
+            match said {
+                Said::Quit => break,
+                Said::Wrong => wrong += 1,
+                Said::Done => {}
+            }
+            last = line;
+        }
+        diagnostics.extend(console.diagnostics().iter().cloned());
+        if wrong > 0 && !terminal {
+            return Err(Failure::Usage(format!("{wrong} of the commands could not be carried out")));
+        }
+        verdict(&diagnostics)
+    }
+
+    /// The lines of standard input, each asked for where a person types them.
+    fn prompted(terminal: bool) -> impl Iterator<Item = io::Result<String>> {
+        let mut lines = io::stdin().lines();
+        std::iter::from_fn(move || {
+            if terminal {
+                eprint!("> ");
+            }
+            lines.next()
+        })
     }
 }

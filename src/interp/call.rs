@@ -13,17 +13,17 @@ use crate::nc::{Block, Word};
 #[derive(Debug, Clone)]
 pub(super) struct Frame {
     /// The caller's program.
-    program: u32,
+    pub(super) program: u32,
     /// The block behind the call.
-    back: u32,
+    pub(super) back: u32,
     /// The modal call of a macro's caller.
     modal_call: Option<Rc<ModalCall>>,
     /// First block of the called program, for repeats.
     entry: u32,
     /// How often it runs again.
-    again: u32,
+    pub(super) again: u32,
     /// Arguments of a macro; a subprogram has none and shares its caller's locals.
-    arguments: Option<Rc<Locals>>,
+    pub(super) arguments: Option<Rc<Locals>>,
 }
 
 /// G66 or G66.1 in force.

@@ -15,6 +15,7 @@ pub mod canon;
 mod eval;
 mod fault;
 mod index;
+pub mod inspect;
 mod modal;
 mod state;
 mod system;

@@ -62,6 +62,16 @@ impl Vars {
         }
     }
 
+    /// The present level, from 0.
+    pub(super) fn level(&self) -> usize {
+        self.level
+    }
+
+    /// The local variables of a level.
+    pub(super) fn locals_of(&self, level: usize) -> Locals {
+        self.levels.get(level).map_or([VACANT; LOCALS], |locals| **locals)
+    }
+
     /// Enters a macro level with its arguments. With `keep`, a local without argument keeps what it had when the level was left.
     pub(super) fn enter(&mut self, arguments: &Rc<Locals>, keep: bool) {
         self.level += 1;

@@ -34,6 +34,8 @@ pub mod timeline;
 
 pub mod plan;
 
+pub mod look;
+
 mod executor;
 
 mod machine;
@@ -54,6 +56,7 @@ mod state;
 
 mod track;
 
+pub use look::{Gate, Given};
 pub use panel::{Action, Event, Panel};
 pub use plan::{Keep, Limits, Planner, Progress, RunEnd, Setup};
 pub use plant::{AxisPlant, Plant, SpindlePlant};

@@ -6,12 +6,13 @@
 
 use std::collections::VecDeque;
 
+use super::look::{Gate, Gatekeeper, Given};
 use super::machine::Machine;
 use super::panel::{Event, Panel};
 use super::plant::Plant;
 use super::plc::Plc;
 use super::program::Program;
-use super::state::{Marks, Records, Sim, State};
+use super::state::{Marks, Records, Sim, State, Who};
 use super::timeline::Timeline;
 use crate::controls::Control;
 use crate::interp::{Canon, Counts};
@@ -82,26 +83,26 @@ pub struct Progress {
 
 /// A state before all events at or after a time.
 #[derive(Debug, Clone)]
-struct Checkpoint<P> {
-    t: f64,
-    state: State<P>,
-    marks: Marks,
+pub(super) struct Checkpoint<P> {
+    pub(super) t: f64,
+    pub(super) state: State<P>,
+    pub(super) marks: Marks,
 }
 
 /// A run that is planned slice by slice.
 #[derive(Debug, Clone)]
 pub struct Planner<P> {
-    machine: Machine,
-    panel: Panel,
-    state: State<P>,
-    records: Records,
-    checkpoints: Vec<Checkpoint<P>>,
-    keep: Keep,
+    pub(super) machine: Machine,
+    pub(super) panel: Panel,
+    pub(super) state: State<P>,
+    pub(super) records: Records,
+    pub(super) checkpoints: Vec<Checkpoint<P>>,
+    pub(super) keep: Keep,
     /// Time of the next checkpoint, whole seconds.
-    due: f64,
-    ended: Option<RunEnd>,
+    pub(super) due: f64,
+    pub(super) ended: Option<RunEnd>,
     /// The last diagnostic says why nothing more is planned; whatever the operator does, makes it untrue.
-    has_last_word: bool,
+    pub(super) has_last_word: bool,
 }
 
 impl<P: Program> Planner<P> {
@@ -110,7 +111,7 @@ impl<P: Program> Planner<P> {
         let machine = Machine::new(setup.control, setup.plant, setup.limits, setup.keep == Keep::Log);
         let timeline = Timeline::new(machine.axes, machine.spindle);
         Planner {
-            records: Records { timeline, log: VecDeque::new(), taken: 0, diagnostics: Vec::new() },
+            records: Records { timeline, log: VecDeque::new(), taken: 0, diagnostics: Vec::new(), given: None },
             state: State::new(setup.program, setup.plc),
             machine,
             panel: setup.panel,
@@ -124,6 +125,12 @@ impl<P: Program> Planner<P> {
 
     /// Plans on until machine time `until`, the end of the run, or `budget` events: whichever is first.
     pub fn advance(&mut self, until: f64, budget: usize) -> Progress {
+        self.plan(until, budget, None).0
+    }
+
+    /// The same, but a gate may shut before a step of the program; whether it did.
+    pub(super) fn plan(&mut self, until: f64, budget: usize, mut gate: Option<Gatekeeper<P>>) -> (Progress, bool) {
+        let mut shut = false;
         let until = until.min(self.machine.limits.seconds);
         for _ in 0..budget {
             if self.ended.is_some() {
@@ -150,6 +157,17 @@ impl<P: Program> Planner<P> {
                 }
                 break;
             }
+            if let (Who::Reader, Some(gate)) = (who, &mut gate) {
+                match self.state.look(t, &self.records.timeline, |program, world| gate(t, program, world)) {
+                    Gate::Open => {}
+                    Gate::Anew => self.records.given = self.records.given.take().map(|_| Given::default()),
+                    Gate::Shut => {
+                        self.records.timeline.end = t.max(self.records.timeline.end);
+                        shut = true;
+                        break;
+                    }
+                }
+            }
             if t >= self.due {
                 self.checkpoint(t);
             }
@@ -159,7 +177,7 @@ impl<P: Program> Planner<P> {
             // Other events may follow at this very time; it is known only once they have happened.
             self.records.timeline.end = t.max(self.records.timeline.end);
         }
-        Progress { planned_to: self.records.timeline.end, ended: self.ended.clone() }
+        (Progress { planned_to: self.records.timeline.end, ended: self.ended.clone() }, shut)
     }
 
     /// Before the first event at or after a whole second. All events before have happened before `due`.

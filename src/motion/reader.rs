@@ -1,10 +1,10 @@
 //! Reads the program ahead of its execution, and lets act what acts when it is read.
 
 use super::executor::Exec;
-use super::machine::Machine;
+use super::plant::AxisPlant;
 use super::program::Program;
-use super::state::{Over, Queued, Sim};
-use super::timeline::Change;
+use super::state::{Over, Queued, Sim, State};
+use super::timeline::{Change, Timeline};
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, Step, World};
 use crate::order::Map;
@@ -12,12 +12,34 @@ use crate::order::Map;
 /// What a program sees of the machine when one of its blocks is read.
 struct Eyes<'a> {
     inputs: &'a Map<u32, f64>,
-    machine: &'a Machine,
-    position: &'a [f64; AXES],
+    position: Axes<'a>,
     power_on: f64,
     running: f64,
     block_skip: bool,
     changes: Vec<(u32, Option<f64>)>,
+}
+
+/// Where the axes are.
+enum Axes<'a> {
+    /// Here, at rest.
+    Rest(&'a [f64; AXES], &'a [AxisPlant; AXES]),
+    /// On their path.
+    Path(&'a Timeline),
+}
+
+impl<P> State<P> {
+    /// Shows somebody the program, and the machine as the program sees it at `t`, but with the axes where they are.
+    pub(super) fn look<R>(&self, t: f64, path: &Timeline, look: impl FnOnce(&P, &mut dyn World) -> R) -> R {
+        let mut eyes = Eyes {
+            inputs: &self.io.inputs,
+            position: Axes::Path(path),
+            power_on: t,
+            running: self.run_time_at(t),
+            block_skip: self.knobs.block_skip,
+            changes: Vec::new(),
+        };
+        look(&self.program, &mut eyes)
+    }
 }
 
 impl World for Eyes<'_> {
@@ -30,7 +52,10 @@ impl World for Eyes<'_> {
     }
 
     fn position(&mut self, axis: usize) -> f64 {
-        self.position.get(axis).map_or(0.0, |moved| moved * self.machine.axes[axis].words_per_unit())
+        match self.position {
+            Axes::Rest(moved, axes) => moved.get(axis).map_or(0.0, |moved| moved * axes[axis].words_per_unit()),
+            Axes::Path(path) => path.words_at(self.power_on).get(axis).copied().unwrap_or(0.0),
+        }
     }
 
     fn block_skip(&mut self, _number: u8) -> bool {
@@ -54,12 +79,11 @@ impl<P: Program> Sim<'_, P> {
             self.s.drain = false;
             self.s.flow_end = None;
         }
-        let running = self.run_time(t);
+        let running = self.s.run_time_at(t);
         let s = &mut *self.s;
         let mut eyes = Eyes {
             inputs: &s.io.inputs,
-            machine: self.machine,
-            position: &s.position,
+            position: Axes::Rest(&s.position, &self.machine.axes),
             power_on: t,
             running,
             block_skip: s.knobs.block_skip,
@@ -91,6 +115,9 @@ impl<P: Program> Sim<'_, P> {
         let logged = self.out.logged();
         if self.machine.log {
             self.out.log.push_back((t, canon.clone(), place));
+        }
+        if let Some(given) = &mut self.out.given {
+            given.add(&canon);
         }
         match canon {
             // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).

@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use super::executor::Exec;
+use super::look::Given;
 use super::machine::Machine;
 use super::panel::{Action, Panel};
 use super::plan::RunEnd;
@@ -24,12 +25,14 @@ pub(super) struct Records {
     /// Log entries that were taken away.
     pub(super) taken: usize,
     pub(super) diagnostics: Vec<Diagnostic>,
+    /// Commands for whoever looks on.
+    pub(super) given: Option<Given>,
 }
 
 /// Lengths of the records at a checkpoint.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Marks {
-    timeline: Lengths,
+    pub(super) timeline: Lengths,
     log: usize,
     diagnostics: usize,
 }
@@ -238,6 +241,11 @@ impl<P> State<P> {
             mode: Mode::Running,
         }
     }
+
+    /// Seconds of automatic running.
+    pub(super) fn run_time_at(&self, t: f64) -> f64 {
+        self.run_time + self.run_since.map_or(0.0, |since| t - since)
+    }
 }
 
 /// Who acts next; in this order where times are equal.
@@ -339,17 +347,12 @@ impl<P: Program> Sim<'_, P> {
         self.scan(0.0);
     }
 
-    /// Seconds of automatic running.
-    pub(super) fn run_time(&self, t: f64) -> f64 {
-        self.s.run_time + self.s.run_since.map_or(0.0, |since| t - since)
-    }
-
     /// Notes what the control does and in which block, where that changed.
     fn mark(&mut self, t: f64) {
         let mode = self.s.exec.mode(self.holding());
         let runs = self.s.exec.runs() && mode != Mode::Hold;
         if runs != self.s.run_since.is_some() {
-            self.s.run_time = self.run_time(t);
+            self.s.run_time = self.s.run_time_at(t);
             self.s.run_since = runs.then_some(t);
         }
         self.s.mode = mode;

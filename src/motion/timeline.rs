@@ -160,9 +160,32 @@ impl Timeline {
         self.changes.truncate(lengths.changes);
     }
 
+    /// Seconds for which a movement acts after it has ended.
+    fn memory(&self) -> f64 {
+        self.axes.iter().map(Path::memory).fold(0.0, f64::max)
+    }
+
+    /// What acts at `t`, up to a state.
+    pub(super) fn up_to(&self, lengths: &Lengths, t: f64) -> Timeline {
+        let old = t - self.memory();
+        Timeline {
+            axes: self.axes,
+            spindle: self.spindle,
+            path: Path {
+                segments: self.path.segments.part(old, lengths.segments),
+                circles: self.path.circles.part(old, lengths.circles),
+            },
+            ramps: self.ramps.part(t, lengths.ramps),
+            marks: self.marks.part(t, lengths.marks),
+            changes: Track::default(),
+            start: t,
+            end: t,
+        }
+    }
+
     /// Forgets what no longer acts at `t`.
     pub(super) fn forget(&mut self, t: f64) {
-        let memory = self.axes.iter().map(Path::memory).fold(0.0, f64::max);
+        let memory = self.memory();
         self.path.segments.forget(t - memory);
         self.path.circles.forget(t - memory);
         self.ramps.forget(t);

@@ -66,6 +66,16 @@ impl<T: Timed> Track<T> {
         self.items.get(from.saturating_sub(self.forgotten)..).unwrap_or(&[])
     }
 
+    /// A copy of the entries that hold at `t` or begin later, up to number `len`; they keep their numbers.
+    pub(super) fn part(&self, t: f64, len: usize) -> Track<T>
+    where
+        T: Copy,
+    {
+        let old = self.until(t).len().saturating_sub(1).min(len.saturating_sub(self.forgotten));
+        let items = self.items.get(old..len.saturating_sub(self.forgotten)).unwrap_or_default().to_vec();
+        Track { items, forgotten: self.forgotten + old }
+    }
+
     /// Forgets entries that no longer hold at `t`, when there are many.
     pub(super) fn forget(&mut self, t: f64) {
         let old = self.until(t).len().saturating_sub(1);

@@ -10,6 +10,12 @@ mod inputs;
 
 pub mod run;
 
+pub mod debug;
+
+pub mod breakpoints;
+
+pub mod console;
+
 pub mod export;
 
 pub mod told;

@@ -1,7 +1,8 @@
 //! The command line as an engineer uses it: the paper's figures by running the exported text.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use serde_json::{Value as Json, json};
 
@@ -286,4 +287,49 @@ fn a_run_streams() {
         .unwrap();
     let said = String::from_utf8_lossy(&out.stderr);
     assert!(out.status.success() && said.contains("blocks after 3000000 blocks"), "{said}");
+}
+
+/// Steps through a program with a script of commands: exit status, answers, and what was said beside them.
+#[track_caller]
+fn step(args: &[&str], script: &str) -> (i32, String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_macroline"));
+    command.arg("step").args(args).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(script.as_bytes()).unwrap();
+    let out = child.wait_with_output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (out.status.code().unwrap(), text(out.stdout), text(out.stderr))
+}
+
+#[test]
+fn step_takes_a_script_and_ends_with_the_status_of_the_run() {
+    let path = folder("step").join("a.nc");
+    std::fs::write(&path, "%\nO1\n#100=#107+1\n#101=SQRT[3-#100]\nM30\n%\n").unwrap();
+    let file = text(&path);
+    let args = [file.as_str(), "--control", "mitsubishi-e60", "--set", "#107=2"];
+    let (status, out, said) = step(&args, "into\nprint #100*2\ncontinue\n");
+    assert_eq!((status, said.as_str()), (0, ""));
+    assert!(out.starts_with(" --> a.nc:3:1\n"), "{out}");
+    assert!(out.contains("  #100 vacant -> 3\n") && out.contains("#100*2 = 6\n"), "{out}");
+    assert!(out.contains("the program is over\n"), "{out}");
+    // What is behind quit is not read; an alarm is an error as it is for run; a wrong command is wrong usage.
+    assert_eq!(step(&args, "quit\nwrong\n").0, 0);
+    let (status, out, _) = step(&args, "set #107=9\ncontinue\n");
+    assert_eq!(status, 1);
+    assert!(out.contains("error[P282]: SQRT of -7 has no value.\n --> a.nc:4:1\n"), "{out}");
+    let (status, out, said) = step(&args, "intwo\n");
+    assert_eq!(status, 2);
+    assert!(out.contains("There is no command “intwo”"), "{out}");
+    assert_eq!(said, "macroline: 1 of the commands could not be carried out\n");
+    assert_eq!(step(&[file.as_str()], "").0, 2);
+}
+
+#[test]
+fn step_takes_a_project_with_its_panel_and_budget() {
+    let folder = folder("step-project");
+    let project = project(&folder, json!({}));
+    let (status, out, _) =
+        step(&[&project, "--blocks", "5000"], "break O9101 N30 if #1033 GT 0\nbreaks\ncontinue\ncontinue\n");
+    assert_eq!(status, 0);
+    assert!(out.contains("breakpoint 1\n"), "{out}");
 }

@@ -10,5 +10,6 @@ mod numbers;
 mod physics;
 mod programs;
 mod saved;
+mod stepping;
 mod tidy;
 mod writing;

@@ -124,7 +124,7 @@ impl Reader<'_> {
     }
 
     /// `[ expr comparison expr ]`.
-    fn condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
+    pub(super) fn condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
         let start = self.at;
         let byte = self.skip();
         let close = match byte {
@@ -139,21 +139,27 @@ impl Reader<'_> {
         let left = self.formula(false)?;
         self.skip();
         let at = self.at;
-        let Some((word, op)) = COMPARISONS.iter().find(|(word, _)| self.ahead(word)) else {
+        let Some(op) = self.comparison() else {
             return Err(match self.peek() {
                 b'=' | b'<' | b'>' | b'!' => self.failure(alarm, at, at + 1, msg!("nc.comparison-sign"), false),
                 byte if byte == close => self.failure(alarm, open.at, at + 1, msg!("nc.no-comparison"), false),
                 _ => self.unexpected(),
             });
         };
-        self.take(word);
         let right = self.formula(false)?;
         self.skip();
         if self.comparison_ahead() {
             return Err(self.lost_comparison(alarm));
         }
         self.close(open)?;
-        self.part(Expr::Binary(*op, left, right))
+        self.part(Expr::Binary(op, left, right))
+    }
+
+    /// Takes the comparison at hand.
+    pub(super) fn comparison(&mut self) -> Option<Op> {
+        let (word, op) = COMPARISONS.iter().find(|(word, _)| self.ahead(word))?;
+        self.take(word);
+        Some(*op)
     }
 
     fn comparison_ahead(&self) -> bool {
@@ -241,7 +247,7 @@ impl Reader<'_> {
     }
 
     /// Counts a part of a formula and adds it to the tree.
-    fn part(&mut self, expr: Expr) -> Read<ExprId> {
+    pub(super) fn part(&mut self, expr: Expr) -> Read<ExprId> {
         self.parts += 1;
         if self.parts > PARTS {
             return Err(self.failure(Alarm::Format, 0, self.line.len(), msg!("nc.formula-too-long", PARTS), false));

@@ -19,11 +19,14 @@
 //! are read as capitals. A block that does not read becomes [`Stmt::Bad`] and is reported once, at the place of the mistake, with
 //! the control's alarm number. Where the mistake has a known shape, a fix comes with it (`recover`, `mend`).
 
+mod alone;
 mod check;
 mod formula;
 mod mend;
 mod recover;
 mod words;
+
+pub use alone::{Formula, formula};
 
 use super::ast::{Block, Deck, Program, Stmt};
 use super::files::Files;

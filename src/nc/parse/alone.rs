@@ -1,0 +1,58 @@
+//! One expression or condition alone, as people ask for it while a program runs.
+
+use super::super::ast::{Deck, Expr, ExprId};
+use super::{Read, Reader, Tables};
+use crate::controls::{Alarm, Control};
+use crate::text::{Diagnostic, FileId};
+
+/// An expression (`#100*#1033/100`) or a condition (`#120 LE 3`) that a control has read; only [`formula`] makes one.
+#[derive(Debug, Clone)]
+pub struct Formula {
+    deck: Deck,
+    root: ExprId,
+}
+
+impl Formula {
+    /// The tree that it stands in.
+    pub fn deck(&self) -> &Deck {
+        &self.deck
+    }
+
+    /// The whole of it.
+    pub fn root(&self) -> ExprId {
+        self.root
+    }
+}
+
+/// Reads one expression or condition as the control would read it in a block; a condition may stand in its brackets or without them.
+/// The place of what is wrong counts from the start of the text, in file 0.
+pub fn formula(text: &str, control: &'static Control) -> Result<Formula, Box<Diagnostic>> {
+    let tables = Tables::new(control);
+    let read = |bracketed: bool| {
+        let mut reader = Reader::new(control, &tables, FileId(0), text, Deck::default());
+        reader.take_line(text.as_bytes(), 0);
+        let mut wrong = match (reader.alone(bracketed), reader.found.pop()) {
+            (Ok(root), None) => return Ok(Formula { deck: reader.deck, root }),
+            (Ok(_), Some(found)) => found,
+            (Err(failure), _) => reader.finding(failure.alarm, failure.from, failure.to, failure.message),
+        };
+        wrong.fixes.clear();
+        Err(Box::new(wrong))
+    };
+    read(false)
+        .or_else(|wrong| if text.trim_start().starts_with('[') { read(true).map_err(|_| wrong) } else { Err(wrong) })
+}
+
+impl Reader<'_> {
+    /// The whole line as an expression or a condition.
+    fn alone(&mut self, bracketed: bool) -> Read<ExprId> {
+        self.skip();
+        let mut root = if bracketed { self.condition(Alarm::IfSentence, "")? } else { self.formula(false)? };
+        if let Some(op) = self.comparison() {
+            let right = self.formula(false)?;
+            root = self.part(Expr::Binary(op, root, right))?;
+        }
+        self.skip();
+        if self.ended() { Ok(root) } else { Err(self.unexpected()) }
+    }
+}

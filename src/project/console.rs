@@ -1,0 +1,408 @@
+//! The debugger as lines of text: a command in, an answer out.
+
+use super::breakpoints::{Breakpoints, Spot};
+use super::debug::{Debugger, Goal, Stop};
+use super::inputs;
+use super::run::{Run, Setting};
+use super::told::{Teller, headline};
+use crate::controls::{Control, Switches};
+use crate::interp::inspect::{Change, Entered, Level, What};
+use crate::motion::{Action, Event, Panel, RunEnd};
+use crate::nc::{Files, Parsed};
+use crate::text::catalog::number_text;
+use crate::text::{Diagnostic, Place};
+
+/// What the commands are; an abbreviation stands behind its command.
+const HELP: &str = "\
+into, i             to the next block, be it in what this one calls
+over, o             to the next block, with all that this one calls
+out                 behind the block that called
+to PLACE            to a block
+continue, c         to a breakpoint or the end
+back                to the block before
+break PLACE [if CONDITION]
+                    a breakpoint; PLACE is N40, O9101, O9101 N40, 12 (line) or O9101.nc:12
+breaks              all breakpoints
+on N, off N         switches a breakpoint on or off
+clear [N]           removes a breakpoint, or all
+watch EXPRESSION    shows a value at every stop: #115, #100*#1033/100, #[#100+1], #120 LE 3
+watches             all watches
+unwatch [N]         removes a watch, or all
+print, p EXPRESSION a value now
+where, w            the block that is next, and the one that executes
+stack               what called what, with the local variables of each level
+locals              the local variables of the present level
+changed             what is other than before the last step
+set VAR=VALUE       sets a variable or an input, as the operator does
+start               cycle start, after a stop
+quit, q             ends
+";
+
+/// Events of the machine between two looks at whether the goal is reached.
+const SLICE: usize = 4096;
+
+/// Decimals of values.
+const DECIMALS: u8 = 9;
+
+/// What became of a command.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Said {
+    /// It was done.
+    Done,
+    /// It was no command, or not a right one.
+    Wrong,
+    /// It was the last.
+    Quit,
+}
+
+/// A session of the debugger on the command line.
+pub struct Console<'f> {
+    /// The run that walks begin from.
+    main: Run,
+    debugger: Debugger,
+    points: Breakpoints,
+    /// Expressions that are shown at every stop, with their numbers.
+    watches: Vec<(u32, String)>,
+    /// The number of the last watch.
+    watched: u32,
+    teller: Teller<'f>,
+    switches: Switches,
+    diagnostics: Vec<Diagnostic>,
+}
+
+fn value_text(value: Option<f64>) -> String {
+    value.map_or_else(|| "vacant".to_owned(), |value| number_text(value, DECIMALS))
+}
+
+/// A change as a line: `#105 vacant -> 15072`, `G0 -> G1`.
+fn change_text(change: &Change) -> String {
+    let side = |value: Option<f64>| match (change.what, value) {
+        (What::Variable(_) | What::Local(_), value) => value_text(value),
+        (_, None) => "none".to_owned(),
+        (What::Code, value) => format!("G{}", value_text(value)),
+        (What::Word(letter), value) => format!("{}{}", char::from(letter), value_text(value)),
+    };
+    let name = match change.what {
+        What::Variable(number) | What::Local(number) => format!("#{number} "),
+        What::Code | What::Word(_) => String::new(),
+    };
+    format!("{name}{} -> {}", side(change.before), side(change.after))
+}
+
+impl<'f> Console<'f> {
+    /// A session that stands before the first block of a run; `files` are those of its program.
+    pub fn new(main: Run, files: &'f Files, switches: Switches) -> Console<'f> {
+        let mut console = Console {
+            debugger: Debugger::new(&main, 0.0),
+            main,
+            points: Breakpoints::default(),
+            watches: Vec::new(),
+            watched: 0,
+            teller: Teller::new(files),
+            switches,
+            diagnostics: Vec::new(),
+        };
+        console.walk();
+        console
+    }
+
+    /// Alarms and remarks of the run so far.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        &self.diagnostics
+    }
+
+    fn control(&self) -> &'static Control {
+        self.main.program().control()
+    }
+
+    fn parsed(&self) -> &Parsed {
+        self.main.program().parsed()
+    }
+
+    /// Does what a line says.
+    pub fn line(&mut self, line: &str) -> (Said, String) {
+        let line = line.trim();
+        let (command, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
+        let rest = rest.trim();
+        let answer = match command {
+            "into" | "i" => Ok(self.go(Goal::Into)),
+            "over" | "o" => Ok(self.go(Goal::Over)),
+            "out" => Ok(self.go(Goal::Out)),
+            "continue" | "c" => Ok(self.go(Goal::Continue)),
+            "to" => self.spot(rest).map(|(_, place)| self.go(Goal::To(place))),
+            "back" => self.back(),
+            "break" | "b" => self.set_break(rest),
+            "breaks" => Ok(self.breaks()),
+            "on" => self.switch(rest, true),
+            "off" => self.switch(rest, false),
+            "clear" => self.clear(rest),
+            "watch" => self.watch(rest),
+            "watches" => Ok(self.watches()),
+            "unwatch" => self.unwatch(rest),
+            "print" | "p" => self.print(rest),
+            "where" | "w" => Ok(self.place()),
+            "stack" => Ok(self.stack()),
+            "locals" => Ok(self.locals()),
+            "changed" => Ok(self.changed()),
+            "set" => self.set(rest),
+            "start" => {
+                self.act(Event { t: self.debugger.t(), action: Action::Start });
+                Ok(self.walk())
+            }
+            "help" | "h" | "?" => Ok(HELP.to_owned()),
+            "quit" | "q" => return (Said::Quit, String::new()),
+            "" => Ok(String::new()),
+            _ => Err(format!("There is no command “{command}”; “help” tells them all.\n")),
+        };
+        match answer {
+            Ok(text) => (Said::Done, text),
+            Err(text) => (Said::Wrong, text),
+        }
+    }
+
+    /// Where the session stands: the block that is next, and the one that executes.
+    pub fn place(&self) -> String {
+        let levels = self.debugger.levels();
+        let Some(now) = levels.first() else { return String::new() };
+        let mut out = self.teller.excerpt(now.place).unwrap_or_default();
+        out += &format!("  = {}, {} s\n", self.level(now), number_text(self.debugger.t(), 4));
+        if let Some(place) = self.debugger.executing().filter(|place| *place != now.place) {
+            out += &format!("  = executing: {}\n", self.teller.block(place));
+        }
+        out
+    }
+
+    /// What a program is called.
+    fn program(&self, number: u32) -> String {
+        let letter = self.control().syntax.program_letters.first().copied().map_or('O', char::from);
+        if number == 0 { "program without number".to_owned() } else { format!("{letter}{number}") }
+    }
+
+    /// A program and how it was entered: `O9101, macro at level 1`.
+    fn level(&self, level: &Level) -> String {
+        let program = self.program(level.program);
+        let entered = match level.entered {
+            Entered::Start => String::new(),
+            Entered::Subprogram => ", subprogram".to_owned(),
+            Entered::Macro => format!(", macro at level {}", level.level),
+        };
+        let again = if level.again == 0 { String::new() } else { format!(", {} more to run", level.again) };
+        format!("{program}{entered}{again}")
+    }
+
+    fn go(&mut self, goal: Goal) -> String {
+        self.debugger.go(goal);
+        self.walk()
+    }
+
+    /// Walks to the goal.
+    fn reach(&mut self) -> Stop {
+        loop {
+            if let Some(stop) = self.debugger.advance(&mut self.points, SLICE) {
+                return stop;
+            }
+        }
+    }
+
+    /// Walks to the goal and tells where that is.
+    fn walk(&mut self) -> String {
+        let stop = self.reach();
+        let mut out = match &stop {
+            Stop::Reached => String::new(),
+            Stop::Breakpoint(number) => format!("breakpoint {number}\n"),
+            Stop::Condition(number, why) => {
+                format!("breakpoint {number}: its condition has no value here\n{}", self.teller.text(why))
+            }
+            Stop::Ended(RunEnd::ProgramEnd) => "the program is over\n".to_owned(),
+            Stop::Ended(RunEnd::Stop) => "the control waits for the operator: “start” goes on\n".to_owned(),
+            Stop::Ended(RunEnd::Alarm(_)) => "the control stops with an alarm\n".to_owned(),
+            Stop::Ended(RunEnd::Blocks | RunEnd::Seconds) => "the run is given up here\n".to_owned(),
+        };
+        out += &self.changed();
+        let mut said: Vec<Diagnostic> = self.debugger.run().diagnostics().to_vec();
+        if let Stop::Ended(RunEnd::Alarm(alarm)) = &stop {
+            said.push((**alarm).clone());
+        }
+        for diagnostic in said {
+            if !self.diagnostics.contains(&diagnostic) {
+                out += &self.teller.text(&diagnostic);
+                self.diagnostics.push(diagnostic);
+            }
+        }
+        if !matches!(stop, Stop::Ended(RunEnd::Alarm(_))) {
+            out += &self.place();
+        }
+        out + &self.watches()
+    }
+
+    /// An expression with its value, or why it has none.
+    fn shown(&self, lead: &str, text: &str) -> String {
+        match self.debugger.evaluate(text) {
+            Ok(value) => format!("{lead}{text} = {}\n", value_text(value)),
+            Err(why) => format!("{lead}{text}: {}\n", headline(&why)),
+        }
+    }
+
+    fn changed(&self) -> String {
+        let mut out = String::new();
+        for change in self.debugger.changes() {
+            out += &format!("  {}\n", change_text(&change));
+        }
+        if let Some(given) = self.debugger.given() {
+            if given.earlier() > 0 {
+                out += &format!(
+                    "  gives {} commands, the last of them:\n",
+                    given.earlier() + given.newest().count() as u64
+                );
+            }
+            let names = self.main.program().names();
+            for canon in given.newest() {
+                out += &format!("  gives {}\n", canon.line(names));
+            }
+        }
+        out
+    }
+
+    fn stack(&self) -> String {
+        let mut out = String::new();
+        for (at, level) in self.debugger.levels().iter().enumerate() {
+            out += &format!("{at}  {}  {}\n", self.level(level), self.teller.block(level.place));
+            if level.entered != Entered::Subprogram && !level.locals.is_empty() {
+                out += &format!("   {}\n", locals_text(level));
+            }
+        }
+        out
+    }
+
+    fn locals(&self) -> String {
+        match self.debugger.levels().first() {
+            Some(level) if !level.locals.is_empty() => format!("level {}:{}\n", level.level, locals_text(level)),
+            Some(level) => format!("level {}: all vacant\n", level.level),
+            None => String::new(),
+        }
+    }
+
+    fn spot(&self, text: &str) -> Result<(Spot, Place), String> {
+        let here = self.debugger.place().unwrap_or_default();
+        let spot = Spot::read(text, self.parsed(), here);
+        let found = spot.and_then(|spot| spot.place(self.parsed()).map(|place| (spot, place)));
+        found.ok_or_else(|| {
+            format!("There is no block “{text}”; a place is N40, O9101, O9101 N40, 12 (line) or O9101.nc:12.\n")
+        })
+    }
+
+    fn set_break(&mut self, rest: &str) -> Result<String, String> {
+        let lower = rest.to_ascii_lowercase();
+        let (place, condition) = match lower.find(" if") {
+            Some(at) => (rest.get(..at).unwrap_or(rest), rest.get(at + 3..).unwrap_or("")),
+            None => (rest, ""),
+        };
+        let (spot, at) = self.spot(place)?;
+        let added = self.points.add(spot, condition, self.main.program().parsed());
+        let number = added.map_err(|why| told_about(condition.trim(), &why))?;
+        Ok(format!("breakpoint {number}: {}\n", self.teller.block(at)))
+    }
+
+    fn breaks(&self) -> String {
+        let mut out = String::new();
+        for point in self.points.list() {
+            let condition = if point.condition.is_empty() { String::new() } else { format!(" if {}", point.condition) };
+            let block = point.place.map_or_else(String::new, |place| self.teller.block(place));
+            let off = if point.on { "" } else { ", off" };
+            out += &format!("{}  {block}{condition}, hit {}{off}\n", point.number, point.hits);
+        }
+        if out.is_empty() { "no breakpoints\n".to_owned() } else { out }
+    }
+
+    fn switch(&mut self, rest: &str, on: bool) -> Result<String, String> {
+        let point = number(rest).and_then(|number| self.points.get_mut(number));
+        point.ok_or_else(|| no_such(rest, "breaks"))?.on = on;
+        Ok(String::new())
+    }
+
+    fn clear(&mut self, rest: &str) -> Result<String, String> {
+        let before = self.points.list().len();
+        let which = number(rest);
+        self.points.retain(|point| !rest.is_empty() && which != Some(point.number));
+        if self.points.list().len() == before { Err(no_such(rest, "breaks")) } else { Ok(String::new()) }
+    }
+
+    fn watch(&mut self, text: &str) -> Result<String, String> {
+        crate::nc::formula(text, self.control()).map_err(|why| told_about(text, &why))?;
+        self.watched += 1;
+        self.watches.push((self.watched, text.to_owned()));
+        Ok(self.shown(&format!("watch {}: ", self.watched), text))
+    }
+
+    fn watches(&self) -> String {
+        self.watches.iter().map(|(number, text)| self.shown(&format!("watch {number}: "), text)).collect()
+    }
+
+    fn unwatch(&mut self, rest: &str) -> Result<String, String> {
+        let (before, which) = (self.watches.len(), number(rest));
+        self.watches.retain(|(number, _)| !rest.is_empty() && which != Some(*number));
+        if self.watches.len() == before { Err(no_such(rest, "watches")) } else { Ok(String::new()) }
+    }
+
+    fn print(&self, text: &str) -> Result<String, String> {
+        match self.debugger.evaluate(text) {
+            Ok(value) => Ok(format!("{text} = {}\n", value_text(value))),
+            Err(why) => Err(told_about(text, &why)),
+        }
+    }
+
+    fn back(&mut self) -> Result<String, String> {
+        while self.main.timeline().end() < self.debugger.t() {
+            if self.main.advance(self.debugger.t(), SLICE).ended.is_some() {
+                break;
+            }
+        }
+        if self.debugger.back(&self.main) {
+            Ok(self.walk())
+        } else {
+            Err("There is no block before this one.\n".to_owned())
+        }
+    }
+
+    fn set(&mut self, rest: &str) -> Result<String, String> {
+        let action = Setting::read(rest).and_then(|setting| setting.action(self.control(), &self.switches));
+        let Some(action) = action else {
+            return Err("“set” takes a variable or an input that can be set, and a number: set #107=8\n".to_owned());
+        };
+        let event = Event { t: self.debugger.t(), action };
+        for event in inputs::panel(&Panel::new([event]), self.control(), &self.switches).events() {
+            self.act(event.clone());
+        }
+        self.reach();
+        Ok(String::new())
+    }
+
+    /// Does what the operator does, in both runs.
+    fn act(&mut self, event: Event) {
+        self.main.event(event.clone());
+        self.debugger.act(event);
+    }
+}
+
+fn number(text: &str) -> Option<u32> {
+    text.parse().ok()
+}
+
+fn no_such(number: &str, list: &str) -> String {
+    format!("There is no number {number}; “{list}” tells them all.\n")
+}
+
+fn locals_text(level: &Level) -> String {
+    level.locals.iter().map(|(number, value)| format!("  #{number}={}", number_text(*value, DECIMALS))).collect()
+}
+
+/// What is wrong with an expression, with its place marked.
+fn told_about(text: &str, why: &Diagnostic) -> String {
+    let mut out = headline(why);
+    if let Some(place) = why.place {
+        let before = text.get(..place.span.start as usize).unwrap_or("").chars().count();
+        let wide = place.span.of(text).chars().count().max(1);
+        out = format!("{text}\n{}{}\n{out}", " ".repeat(before), "^".repeat(wide));
+    }
+    out + "\n"
+}

@@ -1,0 +1,206 @@
+//! Stepping through programs: commands in, answers out, and a walk that is the run itself.
+
+mod values;
+mod walks;
+
+use std::rc::Rc;
+
+use expect_test::Expect;
+use macroline::controls::{Control, Switches, find};
+use macroline::motion::{Action, Event, Keep, Limits, Panel, RunEnd};
+use macroline::nc::{self, Files};
+use macroline::project::breakpoints::{Breakpoints, Spot};
+use macroline::project::console::{Console, Said};
+use macroline::project::debug::{Debugger, Goal, Stop};
+use macroline::project::run::{self, Begin, Run};
+use macroline::project::{Project, told};
+use macroline::text::FileId;
+use proptest::prelude::*;
+
+const LIMITS: Limits = Limits { blocks: 100_000, seconds: 100.0 };
+
+fn e60() -> &'static Control {
+    find("mitsubishi-e60").unwrap()
+}
+
+fn bench(files: &Files, panel: Panel) -> Run {
+    let begin = Begin { start: None, settings: &[], limits: LIMITS, keep: Keep::Timeline };
+    run::of_programs(Rc::new(nc::parse(files, e60())), None, panel, &begin)
+}
+
+/// What a script of commands is answered, each command behind a `>`.
+fn talk(console: &mut Console, script: &str) -> String {
+    let mut out = String::new();
+    for line in script.lines() {
+        let (said, answer) = console.line(line);
+        let mark = if said == Said::Wrong { "> ?" } else { "> " };
+        out += &format!("{mark}{line}\n{answer}");
+    }
+    out
+}
+
+#[track_caller]
+fn check(program: &str, script: &str, expected: Expect) {
+    let files = Files::one("a.nc", program);
+    let mut console = Console::new(bench(&files, Panel::default()), &files, Switches::default());
+    expected.assert_eq(&talk(&mut console, script));
+}
+
+const CALLS: &str = "\
+O1000
+N10 #100=3
+N20 G65 P2000 A1. B2.
+N30 M98 P3000 L2
+N40 G01 X10. F1000
+N50 M30
+O2000
+N10 #3=#1+#2
+N20 #101=#3
+N30 M99
+O3000
+N10 #102=#102+1
+N20 G65 P2000 A#102
+N30 M99
+%
+";
+
+#[test]
+fn every_command_is_told_by_help() {
+    let files = Files::one("a.nc", CALLS);
+    let mut console = Console::new(bench(&files, Panel::default()), &files, Switches::default());
+    let (_, help) = console.line("help");
+    for line in help.lines().filter(|line| !line.starts_with(' ')) {
+        let command = line.split([' ', ',']).next().unwrap();
+        let (_, answer) = console.line(command);
+        assert!(!answer.starts_with("There is no command"), "{command}: {answer}");
+    }
+    assert_eq!(console.line("step").0, Said::Wrong);
+}
+
+fn reach(debugger: &mut Debugger, points: &mut Breakpoints, goal: Goal) -> Stop {
+    debugger.go(goal);
+    arrive(debugger, points)
+}
+
+fn arrive(debugger: &mut Debugger, points: &mut Breakpoints) -> Stop {
+    (0..10_000_000).find_map(|_| debugger.advance(points, 1)).unwrap()
+}
+
+/// The ribbon line with an operator who turns a knob, holds and starts again, planned for a time.
+fn ribbon(seconds: f64) -> Run {
+    let mut project = Project::of("ribbon-line", None).unwrap();
+    for (t, action) in [(0.4, Action::SpindleOverride(60.0)), (0.9, Action::Hold), (1.3, Action::Start)] {
+        project.panel.add(Event { t, action });
+    }
+    let limits = Limits { blocks: u64::MAX, seconds };
+    let begin = Begin { start: None, settings: &[], limits, keep: Keep::Timeline };
+    let mut main = run::of_project(&project, &project.written(), &begin);
+    while main.advance(seconds, 100_000).ended.is_none() {}
+    main
+}
+
+/// All that can be seen of a run at some moments.
+fn seen(run: &Run, from: f64, to: f64) -> Vec<String> {
+    let at = |k: u32| from + (to - from) * f64::from(k) / 100.0;
+    (0..=100).map(|k| format!("{:?}", run.timeline().at(at(k)))).collect()
+}
+
+#[test]
+fn a_walk_is_the_run() {
+    let main = ribbon(2.5);
+    let mut points = Breakpoints::default();
+    let mut debugger = Debugger::new(&main, 0.3);
+    assert_eq!(arrive(&mut debugger, &mut points), Stop::Reached);
+    assert!(debugger.t() >= 0.3 && debugger.t() < 0.32, "{}", debugger.t());
+    // Block by block over two seconds, the machine is where the run has it, in the block that the run executes.
+    let mut steps = 0;
+    while debugger.t() < 2.3 {
+        let t = debugger.t();
+        assert_eq!(debugger.run().timeline().at(t), main.timeline().at(t));
+        for number in [100, 105, 110, 115, 1033] {
+            let value = debugger.evaluate(&format!("#{number}")).unwrap();
+            // The run has read this block at this very time.
+            let shown = main.variable_at(number, t.next_down());
+            assert_eq!(value, shown.or(value.filter(|v| *v == 0.0)), "#{number} at {t}");
+        }
+        assert_eq!(reach(&mut debugger, &mut points, Goal::Into), Stop::Reached);
+        assert!(debugger.t() >= t);
+        steps += 1;
+    }
+    assert!(steps > 50, "{steps}");
+    let from = debugger.t() - 0.1;
+    assert_eq!(seen(debugger.run(), from, debugger.t()), seen(&main, from, debugger.t()));
+    assert_eq!(reach(&mut debugger, &mut points, Goal::Continue), Stop::Ended(RunEnd::Seconds));
+}
+
+#[test]
+fn back_is_where_one_was() {
+    let main = ribbon(4.0);
+    let mut points = Breakpoints::default();
+    let mut debugger = Debugger::new(&main, 1.0);
+    arrive(&mut debugger, &mut points);
+    let look = |debugger: &Debugger| {
+        let values = ["#100", "#105", "#115", "#5021", "#3001"].map(|text| debugger.evaluate(text));
+        (debugger.t(), debugger.place(), debugger.executing(), debugger.levels(), debugger.changes(), values)
+    };
+    let mut been = Vec::new();
+    for _ in 0..150 {
+        reach(&mut debugger, &mut points, Goal::Into);
+        been.push(look(&debugger));
+    }
+    for there in been.iter().rev().skip(1) {
+        assert!(debugger.back(&main));
+        assert_eq!(arrive(&mut debugger, &mut points), Stop::Reached);
+        assert_eq!(look(&debugger), *there);
+    }
+    // At the very beginning there is nothing behind.
+    let mut first = Debugger::new(&main, 0.0);
+    arrive(&mut first, &mut points);
+    assert!(!first.back(&main));
+}
+
+#[test]
+fn breakpoints_find_their_blocks_in_another_text() {
+    let before = nc::parse(&Files::one("a.nc", CALLS), e60());
+    let after = nc::parse(&Files::one("a.nc", CALLS.replace("N40", "N38\nN40")), e60());
+    let mut points = Breakpoints::default();
+    points.add(Spot::Sequence { program: 1000, number: Some(40) }, "#100 EQ 3", &before).unwrap();
+    points.add(Spot::Line { file: FileId(0), line: 99 }, "", &before).unwrap();
+    points.resolve(&after);
+    let place = points.list()[0].place.unwrap();
+    assert_eq!(after.text(place), "N40 G01 X10. F1000");
+    assert_eq!(points.list()[1].place, None);
+    assert!(points.add(Spot::Line { file: FileId(0), line: 1 }, "#1 EQ", &before).is_err());
+}
+
+#[test]
+fn a_finding_about_an_expression_has_no_place_in_the_program() {
+    let files = Files::one("a.nc", CALLS);
+    let mut debugger = Debugger::new(&bench(&files, Panel::default()), 0.0);
+    arrive(&mut debugger, &mut Breakpoints::default());
+    let why = debugger.evaluate("SQRT[-4]").unwrap_err();
+    assert_eq!((told::headline(&why), why.place), ("error[P282]: SQRT of -4 has no value.".to_owned(), None));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+
+    /// Whatever is typed, there is an answer.
+    #[test]
+    fn any_line_is_answered(lines in prop::collection::vec("(into|over|out|to|break|watch|print|set|back|start|c|clear|on)?[ #\\[\\]NOI0-9A-Z+*/.=-]{0,12}", 1..20)) {
+        let files = Files::one("a.nc", CALLS);
+        let mut console = Console::new(bench(&files, Panel::default()), &files, Switches::default());
+        talk(&mut console, &lines.join("\n"));
+    }
+
+    /// Any text as an expression has a value or a reason.
+    #[test]
+    fn any_expression_is_answered(text in "\\PC{0,40}") {
+        for control in macroline::controls::ALL {
+            if let Err(why) = nc::formula(&text, control) {
+                let place = why.place.unwrap().span;
+                prop_assert!(place.start <= place.end && place.end as usize <= text.len(), "{why:?}");
+            }
+        }
+    }
+}
