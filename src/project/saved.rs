@@ -1,18 +1,18 @@
 //! A project as a file: JSON with a version. What comes in is hostile until checked; every old shape is upgraded.
 
-use serde_json::{Map, Value as Json};
-
 use super::Project;
+use super::json::{Fault, Json};
 use crate::controls::{self, Switches};
 use crate::machines::form::{KindInfo, Provenance, Value};
 use crate::machines::{self, AnyMachine};
 use crate::motion::{Action, Event, Panel};
 use crate::msg;
 use crate::nc::{File, Files};
-use crate::text::Diagnostic;
+use crate::text::double::Shortest;
+use crate::text::{Diagnostic, Message};
 
 /// Version of the shape that is written.
-pub const VERSION: u64 = 1;
+pub const VERSION: u32 = 1;
 
 /// Bytes of a project file at most: an edited program of 2 MB and room around it.
 pub const MAX_BYTES: usize = 8 << 20;
@@ -73,17 +73,15 @@ impl Project {
         if text.len() > MAX_BYTES {
             return refuse(msg!("project.too-large", (text.len() >> 20) as u32, (MAX_BYTES >> 20) as u32));
         }
-        let object = match serde_json::from_str::<Json>(text) {
-            Ok(Json::Object(object)) => object,
+        let object = match Json::read(text) {
+            Ok(object @ Json::Object(_)) => object,
             Ok(_) => return refuse(msg!("project.not-a-project")),
-            Err(error) => {
-                return refuse(msg!("project.not-json", error.line() as u32, error.column() as u32, reason(&error)));
-            }
+            Err(fault) => return refuse(not_json(&fault)),
         };
-        match object.get("version").and_then(Json::as_u64) {
-            Some(VERSION) => {}
-            Some(version) if version > VERSION => return refuse(msg!("project.newer", version as f64, VERSION as f64)),
-            _ => return refuse(msg!("project.no-version")),
+        match object.get("version").and_then(Json::as_f64).filter(|version| *version >= 1.0 && version.fract() == 0.0) {
+            Some(version) if version > f64::from(VERSION) => return refuse(msg!("project.newer", version, VERSION)),
+            Some(_) => {}
+            None => return refuse(msg!("project.no-version")),
         }
         let Some(machine) = object.get("machine").and_then(Json::as_str).and_then(machines::find) else {
             let known = machines::ALL.iter().map(|m| m.id()).collect::<Vec<_>>().join(", ");
@@ -107,20 +105,18 @@ impl Project {
     }
 }
 
-/// What is wrong with a JSON text, without the place, which stands before it.
-fn reason(error: &serde_json::Error) -> String {
-    let text = error.to_string();
-    text.split(" at line ").next().unwrap_or_default().to_owned()
+/// What is wrong with a JSON text.
+fn not_json(fault: &Fault) -> Message {
+    msg!("project.not-json", fault.line, fault.column, fault.reason)
 }
 
 /// Reads a panel file: a JSON array of `{ "t": seconds, "spindle_override": 80, … }`.
 pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
     let mut reader = Reader { found: Vec::new() };
-    let panel = match serde_json::from_str::<Json>(text) {
+    let panel = match Json::read(text) {
         Ok(json) => reader.panel(&json),
-        Err(error) => {
-            let (line, column) = (error.line() as u32, error.column() as u32);
-            reader.found.push(Diagnostic::error(msg!("project.not-json", line, column, reason(&error))));
+        Err(fault) => {
+            reader.found.push(Diagnostic::error(not_json(&fault)));
             Panel::default()
         }
     };
@@ -130,9 +126,9 @@ pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
 /// An event as an entry of a panel file.
 fn event_text(event: &Event) -> String {
     let (key, value) = match &event.action {
-        Action::SpindleOverride(percent) => ("spindle_override", percent.to_string()),
-        Action::FeedOverride(percent) => ("feed_override", percent.to_string()),
-        Action::RapidOverride(percent) => ("rapid_override", percent.to_string()),
+        Action::SpindleOverride(percent) => ("spindle_override", Shortest(*percent).to_string()),
+        Action::FeedOverride(percent) => ("feed_override", Shortest(*percent).to_string()),
+        Action::RapidOverride(percent) => ("rapid_override", Shortest(*percent).to_string()),
         Action::Start => ("start", true.to_string()),
         Action::Hold => ("hold", true.to_string()),
         Action::Reset => ("reset", true.to_string()),
@@ -140,12 +136,12 @@ fn event_text(event: &Event) -> String {
         Action::SingleBlock(on) => ("single_block", on.to_string()),
         Action::OptionalStop(on) => ("optional_stop", on.to_string()),
         Action::BlockSkip(on) => ("block_skip", on.to_string()),
-        Action::ManualSpeed(rpm) => ("manual_s", rpm.to_string()),
-        Action::Input(name, value) => ("input", format!("{{ {}: {value} }}", quoted(name))),
-        Action::Variable(number, Some(value)) => ("variable", format!("{{ \"#{number}\": {value} }}")),
+        Action::ManualSpeed(rpm) => ("manual_s", Shortest(*rpm).to_string()),
+        Action::Input(name, value) => ("input", format!("{{ {}: {} }}", quoted(name), Shortest(*value))),
+        Action::Variable(number, Some(value)) => ("variable", format!("{{ \"#{number}\": {} }}", Shortest(*value))),
         Action::Variable(number, None) => ("variable", format!("{{ \"#{number}\": null }}")),
     };
-    format!("{{ \"t\": {}, \"{key}\": {value} }}", event.t)
+    format!("{{ \"t\": {}, \"{key}\": {value} }}", Shortest(event.t))
 }
 
 /// A text as a JSON string.
@@ -170,19 +166,18 @@ struct Reader {
 }
 
 impl Reader {
-    fn values(&mut self, object: &Map<String, Json>, machine: &'static dyn AnyMachine, project: &mut Project) {
+    fn values(&mut self, object: &Json, machine: &'static dyn AnyMachine, project: &mut Project) {
         let fields = machine.fields();
-        let empty = Map::new();
-        let saved = object.get("values").and_then(Json::as_object).unwrap_or(&empty);
+        let saved = object.get("values").and_then(Json::as_object).unwrap_or_default();
         for (id, json) in saved {
             let Some(field) = fields.iter().find(|field| field.id == id) else {
                 self.found.push(Diagnostic::warning(msg!("project.unknown-field", clip(id))));
                 continue;
             };
             let value = match (&field.kind, json) {
-                (KindInfo::Number { .. }, Json::Number(number)) => number.as_f64().map(Value::Number),
+                (KindInfo::Number { .. }, Json::Number(number)) => Some(Value::Number(*number)),
                 (KindInfo::Flag(_), Json::Bool(flag)) => Some(Value::Flag(*flag)),
-                (KindInfo::Choice(_) | KindInfo::Text(_), Json::String(text)) => Some(Value::Text(text.clone())),
+                (KindInfo::Choice(_) | KindInfo::Text(_), Json::Text(text)) => Some(Value::Text(text.clone())),
                 _ => None,
             };
             match value {
@@ -205,7 +200,7 @@ impl Reader {
         }
     }
 
-    fn switches(&mut self, object: &Map<String, Json>, project: &mut Project) {
+    fn switches(&mut self, object: &Json, project: &mut Project) {
         let Some(saved) = object.get("switches").and_then(Json::as_object) else { return };
         let mut switches = Switches::default();
         for (id, json) in saved {
@@ -221,7 +216,7 @@ impl Reader {
     }
 
     fn edited(&mut self, json: Option<&Json>) -> Option<Files> {
-        let list = json?.as_array()?;
+        let list = json?.as_list()?;
         let files: Vec<File> = list
             .iter()
             .take(64)
@@ -231,7 +226,7 @@ impl Reader {
     }
 
     fn panel(&mut self, json: &Json) -> Panel {
-        let Some(list) = json.as_array() else {
+        let Some(list) = json.as_list() else {
             self.found.push(Diagnostic::error(msg!("project.panel-not-a-list")));
             return Panel::default();
         };
@@ -246,7 +241,7 @@ impl Reader {
                 self.found.push(Diagnostic::error(msg!("project.panel-no-time", number)));
                 continue;
             };
-            for (key, value) in object.iter().filter(|(key, _)| *key != "t") {
+            for (key, value) in object.iter().filter(|(key, _)| key != "t") {
                 match actions(key, value) {
                     Some(found) => events.extend(found.into_iter().map(|action| Event { t, action })),
                     None => self.found.push(Diagnostic::error(msg!("project.panel-unknown", number, clip(key)))),
@@ -282,7 +277,7 @@ fn actions(key: &str, value: &Json) -> Option<Vec<Action>> {
             variables
                 .map(|(name, value)| {
                     let number = name.trim_start_matches('#').parse().ok()?;
-                    if value.is_null() {
+                    if matches!(value, Json::Null) {
                         Some(Action::Variable(number, None))
                     } else {
                         Some(Action::Variable(number, Some(value.as_f64()?)))
@@ -297,8 +292,7 @@ fn actions(key: &str, value: &Json) -> Option<Vec<Action>> {
 /// A value as JSON: whole numbers without a point, as people write them. What is no number is none in JSON either.
 fn value_text(value: &Value) -> String {
     match value {
-        Value::Number(number) if number.is_finite() => number.to_string(),
-        Value::Number(_) => "null".to_owned(),
+        Value::Number(number) => Shortest(*number).to_string(),
         Value::Flag(flag) => flag.to_string(),
         Value::Text(text) => quoted(text),
     }
@@ -310,8 +304,8 @@ fn kind_word(json: &Json) -> &'static str {
         Json::Null => "null",
         Json::Bool(_) => "true or false",
         Json::Number(_) => "a number",
-        Json::String(_) => "text",
-        Json::Array(_) => "a list",
+        Json::Text(_) => "text",
+        Json::List(_) => "a list",
         Json::Object(_) => "an object",
     }
 }
@@ -335,7 +329,7 @@ fn text_of(json: Option<&Json>) -> String {
 }
 
 fn strings(json: Option<&Json>) -> Vec<String> {
-    let list = json.and_then(Json::as_array).map_or(&[][..], Vec::as_slice);
+    let list = json.and_then(Json::as_list).unwrap_or_default();
     list.iter().filter_map(|entry| entry.as_str().map(clip)).take(1000).collect()
 }
 

@@ -6,6 +6,8 @@ pub mod lines;
 
 pub mod number;
 
+pub mod double;
+
 pub mod message;
 
 pub mod catalog;

@@ -45,7 +45,7 @@ fn a_file_that_is_no_project_says_so() {
     check(
         "",
         expect![[r#"
-            error: Line 1, column 0: this is not JSON (EOF while parsing a value).
+            error: Line 1, column 0: this is not JSON (it ends too early).
             no project"#]],
     );
     check(
@@ -87,9 +87,9 @@ fn what_does_not_fit_is_named_and_the_rest_is_kept() {
              "values": { "pitch": "wide", "colour": 3, "heads": 4 }, "switches": { "moon": "full" },
              "panel": [ { "spindle_override": 80 }, { "t": 1, "dance": true } ] }"#,
         expect![[r#"
-            warning: The machine has no field “colour”; it was left out.
             error: Field “pitch”: text is not what belongs there; the default is taken.
              --> field pitch
+            warning: The machine has no field “colour”; it was left out.
             warning: The control has no switch “moon” with this setting; it was left out.
             error: Panel entry 1 has no time: { "t": seconds, … } with 0 or more seconds.
             error: Panel entry 2: “dance” is no action of the panel, or its value does not fit.
@@ -137,6 +137,23 @@ fn the_first_shape_of_a_file_is_read_for_ever() {
 }
 
 proptest! {
+    #[test]
+    fn what_is_not_json_is_refused_and_nothing_else(text in r#"([\[\]{}",:.\\+\-]|[0-9]{1,3}|e|E|true|null|"[a-c]?"|\\u[dD][89abcdEF]0[0-9]|\\[nx/]|[ \n\t]|é){0,12}"#) {
+        for text in [text.clone(), format!("[\"{text}\"]"), format!("[{text}]"), format!("{{\"a\":{text}}}")] {
+            let loaded = Project::from_json(&text);
+            let refused = loaded.diagnostics.iter().any(|d| d.message.id == "project.not-json");
+            prop_assert_eq!(refused, serde_json::from_str::<serde_json::Value>(&text).is_err(), "{}", text);
+        }
+    }
+
+    #[test]
+    fn every_number_comes_back_to_the_bit(value in any::<f64>().prop_filter("numbers", |value| value.is_finite())) {
+        let mut project = ribbon();
+        project.values.insert("pitch".to_owned(), Value::Number(value));
+        let back = Project::from_json(&project.to_json()).project.unwrap();
+        prop_assert_eq!(back.values.get("pitch"), Some(&Value::Number(value)));
+    }
+
     #[test]
     fn any_bytes_give_an_answer(bytes in proptest::collection::vec(any::<u8>(), 0..400)) {
         let text = String::from_utf8_lossy(&bytes);
