@@ -26,8 +26,10 @@ test: ## every test of every kind, with the time of each stage
 	@scripts/stages.sh setup fmt lint lint-web test-native test-parity test-web dist sizes test-e2e
 
 .PHONY: bench
-bench: ## native benchmarks
-	cargo bench --locked
+bench: ## benchmarks, native and in wasm; each ends in lines `summary: …`
+	@scripts/setup.sh target tools
+	cargo bench --locked --bench interp --bench parse --bench plan --bench run
+	node scripts/both.mjs
 
 .PHONY: dist
 dist: ## the static site in dist/

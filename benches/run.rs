@@ -2,8 +2,9 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod summary;
+#[allow(dead_code)]
+mod work;
 
-use std::fmt::Write as _;
 use std::io::{BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -18,16 +19,6 @@ fn program(name: &str, text: &str) -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::write(&path, text).unwrap();
     path
-}
-
-/// `G91 G01` blocks and nothing else.
-fn flat() -> PathBuf {
-    let mut text = String::from("%\nO1\n");
-    for k in 0..COUNT {
-        writeln!(text, "G91G01X{}.{:03}Y62.832F119391.393", k % 9, k % 1000).unwrap();
-    }
-    text.push_str("M30\n%\n");
-    program("flat.nc", &text)
 }
 
 /// Runs `macroline run`, reads what it prints through a pipe, and shows the process to `watch` with every piece.
@@ -58,7 +49,7 @@ fn peak(process: u32) -> u64 {
 
 #[allow(clippy::print_stdout)]
 fn main() {
-    let flat = flat();
+    let flat = program("flat.nc", &work::flat(COUNT).0[0].text);
     let planned = || run(&flat, &["--no-canon"], |_, _| {});
     summary::line("macroline run, flat blocks, log printed", COUNT, "blocks", Some(1e6), || run(&flat, &[], |_, _| {}));
     summary::line("macroline run, flat blocks, planned only", COUNT, "blocks", None, planned);

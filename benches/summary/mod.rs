@@ -1,7 +1,41 @@
 //! One line a figure behind the details: its rate, what is asked of it, and its ratio to a calibration loop of the same run.
 
 use std::hint::black_box;
-use std::time::Instant;
+
+/// The host: its clock in seconds, and its console.
+#[cfg(not(target_arch = "wasm32"))]
+mod host {
+    use std::sync::LazyLock;
+    use std::time::Instant;
+
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+
+    pub(super) fn now() -> f64 {
+        START.elapsed().as_secs_f64()
+    }
+
+    #[allow(clippy::print_stdout)]
+    pub(super) fn say(line: &str) {
+        println!("{line}");
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+mod host {
+    use wasm_bindgen::prelude::*;
+
+    #[wasm_bindgen]
+    extern "C" {
+        #[wasm_bindgen(js_namespace = performance, js_name = now)]
+        fn milliseconds() -> f64;
+        #[wasm_bindgen(js_namespace = console, js_name = log)]
+        pub(super) fn say(line: &str);
+    }
+
+    pub(super) fn now() -> f64 {
+        milliseconds() / 1000.0
+    }
+}
 
 /// Times that are measured; their median counts.
 const TIMES: usize = 9;
@@ -15,9 +49,9 @@ fn calibration() -> f64 {
 fn median<R>(mut work: impl FnMut() -> R) -> f64 {
     let mut seconds: Vec<f64> = (0..TIMES)
         .map(|_| {
-            let start = Instant::now();
+            let start = host::now();
             black_box(work());
-            start.elapsed().as_secs_f64()
+            host::now() - start
         })
         .collect();
     seconds.sort_by(f64::total_cmp);
@@ -25,12 +59,11 @@ fn median<R>(mut work: impl FnMut() -> R) -> f64 {
 }
 
 /// Prints how many `unit`s a second `work` does where one call does `count`, and how many calibration loops a call takes.
-#[allow(clippy::print_stdout)]
 pub(crate) fn line<R>(what: &str, count: u64, unit: &str, at_least: Option<f64>, work: impl FnMut() -> R) {
     let (loops, seconds) = (median(calibration), median(work));
     let rate = count as f64 / seconds;
     let asked = at_least.map_or(String::new(), |least| {
         format!("; at least {least:.0} asked: {}", if rate >= least { "met" } else { "MISSED" })
     });
-    println!("summary: {what}: {rate:.0} {unit}/s, {:.3} calibration loops a call{asked}", seconds / loops);
+    host::say(&format!("summary: {what}: {rate:.0} {unit}/s, {:.3} calibration loops a call{asked}", seconds / loops));
 }

@@ -1,0 +1,51 @@
+//! The programs that more than one bench runs.
+
+use std::fmt::Write as _;
+use std::hint::black_box;
+use std::rc::Rc;
+
+use macroline::controls::{self, Switches};
+use macroline::interp::world::Still;
+use macroline::interp::{self, End, Interp, Start};
+use macroline::nc::{self, Files, Parsed};
+
+/// Blocks of the flat program, passes of the loop.
+pub(crate) const COUNT: u64 = 100_000;
+
+/// `G91 G01` blocks and nothing else.
+pub(crate) fn flat(count: u64) -> Files {
+    let mut text = String::from("%\nO1\n");
+    for k in 0..count {
+        writeln!(text, "G91G01X{}.{:03}Y62.832F119391.393", k % 9, k % 1000).unwrap();
+    }
+    text.push_str("M30\n%\n");
+    Files::one("flat.nc", text)
+}
+
+/// The formulas of P9100, one motion and one counter a pass.
+pub(crate) fn formulas() -> Files {
+    let text = format!(
+        "%\nO9100\n#100=1200\n#101=25\n#102=100\n#107=8\n#109=6\n#111=120\nG91G94G64\nWHILE[#120 LT {COUNT}]DO1\n\
+         N5#104=#100*#1033/100\nN10#105=[3.14159265*#102]/#101*#104\nN20#110=[3.14159265*#111]/#109\n\
+         N30#115=#105*SQRT[#107*#107+#110*#110]/#107\nN200G01X#107Y#110F#115\n#120=#120+1\nEND1\nM30\n%\n"
+    );
+    Files::one("O9100.nc", text)
+}
+
+/// As the first control of the list reads it.
+pub(crate) fn parse(files: &Files) -> Rc<Parsed> {
+    Rc::new(nc::parse(files, controls::ALL[0]))
+}
+
+/// Runs to the end; how many commands that were.
+pub(crate) fn run(parsed: &Rc<Parsed>) -> u64 {
+    let mut interp = Interp::new(Rc::clone(parsed), Start::First, &Switches::default());
+    let mut world = Still { inputs: vec![(1033, 100.0)], ..Still::default() };
+    let mut commands = 0;
+    let end = interp::run(&mut interp, &mut world, u64::MAX, |canon, _| {
+        black_box(canon);
+        commands += 1;
+    });
+    assert_eq!(end, Some(End::Program));
+    commands
+}

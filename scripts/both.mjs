@@ -1,0 +1,48 @@
+// How fast wasm is beside native code: one bench (benches/both.rs), built for both, run in turns so that a slow moment of the
+// machine meets both. `node scripts/both.mjs`; its last lines are the figures.
+import { spawnSync } from 'node:child_process';
+
+const ROUNDS = 3;
+const WASM = ['--target', 'wasm32-unknown-unknown'];
+const BUILDS = [
+  { name: 'native', args: [] },
+  { name: 'wasm, built for speed', args: WASM },
+  { name: 'wasm, built small as the page ships it', args: [...WASM, '--profile', 'web'] },
+];
+
+function cargo(args) {
+  const done = spawnSync('cargo', ['bench', '--locked', '--quiet', '--bench', 'both', ...args], {
+    encoding: 'utf8',
+    stdio: ['ignore', 'pipe', 'inherit'],
+    maxBuffer: 1 << 26,
+  });
+  if (done.status !== 0) {
+    process.stderr.write(done.stdout ?? '');
+    process.exit(1);
+  }
+  return done.stdout;
+}
+
+// Rates of each figure, one a round, by build.
+const rates = new Map();
+for (const { args } of BUILDS) cargo([...args, '--no-run']);
+for (let round = 0; round < ROUNDS; round++) {
+  for (const { name, args } of BUILDS) {
+    for (const [, figure, rate, unit] of cargo(args).matchAll(/^summary: (.+): (\d+) (\w+\/s),/gm)) {
+      const key = JSON.stringify([figure, unit]);
+      if (!rates.has(key)) rates.set(key, Object.fromEntries(BUILDS.map((build) => [build.name, []])));
+      rates.get(key)[name].push(Number(rate));
+    }
+  }
+}
+
+const median = (numbers) => numbers.toSorted((a, b) => a - b)[Math.floor(numbers.length / 2)];
+if (rates.size === 0) throw new Error('the bench has said nothing');
+for (const [key, of] of rates) {
+  const [figure, unit] = JSON.parse(key);
+  for (const { name } of BUILDS) {
+    const part = median(of[name].map((rate, round) => rate / of.native[round]));
+    const asked = name === 'native' ? '' : `, ${part.toFixed(2)} of native; half of it asked: ${part >= 0.5 ? 'met' : 'MISSED'}`;
+    console.log(`summary: ${figure}, ${name}: ${median(of[name])} ${unit}${asked}`);
+  }
+}
