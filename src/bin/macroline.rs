@@ -182,6 +182,9 @@ mod native {
     }
 
     fn tell(files: &Files, diagnostics: &[Diagnostic]) {
+        if diagnostics.is_empty() {
+            return;
+        }
         let teller = Teller::new(files);
         for diagnostic in diagnostics {
             eprint!("{}", teller.text(diagnostic));

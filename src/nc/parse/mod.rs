@@ -174,6 +174,11 @@ struct Reader<'a> {
     parts: u32,
 }
 
+/// How many bytes are such, in pieces whose numbers fit a byte: many are counted at once.
+fn count(bytes: &[u8], such: impl Fn(u8) -> bool) -> usize {
+    bytes.chunks(255).map(|piece| usize::from(piece.iter().map(|&b| u8::from(such(b))).sum::<u8>())).sum()
+}
+
 impl<'a> Reader<'a> {
     fn new(control: &'static Control, tables: &'a Tables, id: FileId, source: &'a str, deck: Deck) -> Reader<'a> {
         Reader {
@@ -206,8 +211,8 @@ impl<'a> Reader<'a> {
     /// Makes room once: growing by doubling would copy, and hold three times what is needed.
     fn reserve(&mut self) {
         let bytes = self.source.as_bytes();
-        let lines = bytes.iter().filter(|&&b| b == b'\n').count() + 1;
-        let letters = bytes.iter().filter(|b| b.is_ascii_alphabetic()).count();
+        let lines = count(bytes, |b| b == b'\n') + 1;
+        let letters = count(bytes, |b| b.is_ascii_alphabetic());
         self.deck.blocks.reserve(lines.min(bytes.len() / 4).min(BLOCKS));
         self.deck.words.reserve(letters.min(bytes.len() / 4).min(5 * BLOCKS));
     }
@@ -220,8 +225,8 @@ impl<'a> Reader<'a> {
         let mut opened = false;
         let mut closed = None;
         while at < bytes.len() {
-            let rest = bytes.get(at..).unwrap_or_default();
-            let end = at + rest.iter().position(|&b| b == b'\n').unwrap_or(rest.len());
+            let rest = self.source.get(at..).unwrap_or_default();
+            let end = at + rest.find('\n').unwrap_or(rest.len());
             let (from, to) = self.trimmed(at, end);
             match bytes.get(from) {
                 _ if from == to => {}

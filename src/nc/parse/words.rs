@@ -32,6 +32,12 @@ impl<'a> Reader<'a> {
     /// Skips white space and comments; the byte behind them, 0 at the end.
     #[inline]
     pub(super) fn skip(&mut self) -> u8 {
+        let byte = self.peek();
+        // White space and the bracket of a comment are below all that a word is made of.
+        if byte > b'(' { byte } else { self.skip_on() }
+    }
+
+    fn skip_on(&mut self) -> u8 {
         loop {
             match self.peek() {
                 b' ' | b'\t' | b'\r' => self.at += 1,
@@ -261,34 +267,32 @@ impl<'a> Reader<'a> {
     #[inline]
     pub(super) fn digits(&mut self) -> Read<Dec> {
         let start = self.at;
-        let mut number = Dec::default();
-        let mut any = false;
-        let mut full = false;
-        loop {
-            let byte = self.peek();
+        let (mut mantissa, mut scale, mut point, mut full) = (0_i64, 0_u8, false, false);
+        let mut length = 0;
+        for &byte in self.line.get(start..).unwrap_or_default() {
             let digit = byte.wrapping_sub(b'0');
             if digit < 10 {
-                any = true;
-                if number.mantissa >= FULL || number.scale >= 18 {
+                if mantissa >= FULL || scale >= 18 {
                     full = true;
                 } else {
-                    number.mantissa = number.mantissa * 10 + i64::from(digit);
-                    number.scale += u8::from(number.point);
+                    mantissa = mantissa * 10 + i64::from(digit);
+                    scale += u8::from(point);
                 }
-            } else if byte == b'.' && !number.point {
-                number.point = true;
+            } else if byte == b'.' && !point {
+                point = true;
             } else {
                 break;
             }
-            self.at += 1;
+            length += 1;
         }
-        if !any {
+        self.at += length;
+        if length == usize::from(point) {
             return Err(self.failure(Alarm::Format, start, self.at, msg!("nc.lone-point"), false));
         }
         if full {
             self.report(Alarm::OutOfRange, start, self.at, msg!("nc.too-many-digits", 18));
         }
-        Ok(number)
+        Ok(Dec { mantissa, scale, point })
     }
 
     /// Looks a G code up; whether it is a macro call, which takes any letter.
