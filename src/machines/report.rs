@@ -63,8 +63,6 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
     let code = |row: &&crate::controls::CodeDef| {
         format!("{}{}", row.letter as char, number_text(f64::from(row.number) / 10.0, 1))
     };
-    let range =
-        |first: u32, last: u32| if first == last { format!("#{first}") } else { format!("#{first} to #{last}") };
     let tables: [(&'static str, Vec<String>); 7] = [
         (
             "form.open.switches",
@@ -73,16 +71,24 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
                 .iter()
                 .filter_map(|row| Some((row, switches.get(control.switches, row.id)?)))
                 .filter(|(row, set)| doubtful(&row.cite) || row.options.first() != Some(set))
-                .map(|(row, set)| format!("{}: {set} ({})", row.text, row.options.join(" | ")))
+                .map(|(row, set)| match row.is_text() {
+                    true => format!("{}: \"{set}\"", row.text),
+                    false => format!("{}: {set} ({})", row.text, row.options.join(" | ")),
+                })
                 .collect(),
         ),
         (
             "form.open.timing",
-            [(control.timing.cite, "form.open.block-times"), (control.limits.cite, "form.open.ranges")]
-                .iter()
-                .filter(|(cite, _)| doubtful(cite))
-                .map(|(cite, what)| format!("{} ({})", words(Language::English, what), cite.source))
-                .collect(),
+            [
+                (control.syntax.cite, "form.open.syntax"),
+                (control.macros.cite, "form.open.macros"),
+                (control.limits.cite, "form.open.ranges"),
+                (control.timing.cite, "form.open.block-times"),
+            ]
+            .iter()
+            .filter(|(cite, _)| doubtful(cite))
+            .map(|(cite, what)| format!("{} ({})", words(Language::English, what), cite.source))
+            .collect(),
         ),
         (
             "form.open.params",
@@ -100,12 +106,30 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
         ("form.open.codes", control.codes.iter().filter(|row| doubtful(&row.cite)).map(|row| code(&row)).collect()),
         (
             "form.open.vars",
-            control.vars.iter().filter(|row| doubtful(&row.cite)).map(|row| range(row.first, row.last)).collect(),
+            ranges(control.vars.iter().filter(|row| doubtful(&row.cite)).map(|row| (row.first, row.last))),
         ),
-        (
-            "form.open.alarms",
-            control.alarms.iter().filter(|row| doubtful(&row.cite)).map(|row| row.number.to_owned()).collect(),
-        ),
+        ("form.open.alarms", numbers(control.alarms.iter().filter(|row| doubtful(&row.cite)).map(|row| row.number))),
     ];
     tables.into_iter().filter(|(_, facts)| !facts.is_empty()).map(|(kind, facts)| Open { kind, facts }).collect()
+}
+
+/// Ranges of variables as words; those that touch are one.
+fn ranges(rows: impl Iterator<Item = (u32, u32)>) -> Vec<String> {
+    let mut all: Vec<(u32, u32)> = Vec::new();
+    for (first, last) in rows {
+        match all.last_mut() {
+            Some(before) if before.1 + 1 == first => before.1 = last,
+            _ => all.push((first, last)),
+        }
+    }
+    let range =
+        |(first, last): (u32, u32)| if first == last { format!("#{first}") } else { format!("#{first} to #{last}") };
+    all.into_iter().map(range).collect()
+}
+
+/// Each number once: several kinds of alarm may share one.
+fn numbers(rows: impl Iterator<Item = &'static str>) -> Vec<String> {
+    let mut all: Vec<String> = rows.map(str::to_owned).collect();
+    all.dedup();
+    all
 }

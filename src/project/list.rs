@@ -15,7 +15,7 @@ pub fn json() -> Json {
             .bench
             .axes
             .iter()
-            .map(|a| json!({ "axis": (a.letter as char).to_string(), "rapid": a.rapid, "clamp": a.clamp, "time_constant_s": a.time_constant, "position_gain": a.position_gain }))
+            .map(|a| json!({ "axis": (a.letter as char).to_string(), "rotary": rotary(c, a.letter), "rapid": a.rapid, "clamp": a.clamp, "time_constant_s": a.time_constant, "position_gain": a.position_gain }))
             .collect();
         json!({ "id": c.id, "name": c.name, "bench": {
             "axes": axes, "speed_at_full": c.bench.speed_at_full, "speed_clamp": c.bench.speed_clamp,
@@ -25,6 +25,11 @@ pub fn json() -> Json {
         "machines": machines::ALL.iter().map(machine).collect::<Vec<_>>(),
         "controls": controls::ALL.iter().map(control).collect::<Vec<_>>(),
     })
+}
+
+/// Whether an axis of the bench turns.
+fn rotary(control: &controls::Control, letter: u8) -> bool {
+    control.axis(letter).is_some_and(|at| control.axes[at].rotary)
 }
 
 /// The same for people.
@@ -38,7 +43,10 @@ pub fn text() -> String {
     for control in controls::ALL {
         let bench = &control.bench;
         out += &format!("  {:<20} {}\n", control.id, control.name);
-        let axes = bench.axes.iter().map(|a| format!("{} to {} mm/min", a.letter as char, number_text(a.clamp, 3)));
+        let axes = bench.axes.iter().map(|a| {
+            let unit = if rotary(control, a.letter) { "°/min" } else { "mm/min" };
+            format!("{} to {} {unit}", a.letter as char, number_text(a.clamp, 3))
+        });
         out += &format!(
             "  {:<20} bench: {}; spindle {} r/min at {} V, ramp {} s\n",
             "",
