@@ -37,6 +37,8 @@ pub enum Code {
     ReferenceReturn,
     /// Machine coordinate system in this block.
     MachineCoordinates,
+    /// Machine coordinate system in this block, at rapid traverse whatever motion is in force.
+    MachineRapid,
     /// Work coordinate system 1 to 6.
     WorkCoordinates(u8),
     /// Setting of the coordinate system; with S, of the highest spindle speed.

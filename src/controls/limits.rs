@@ -17,6 +17,11 @@ pub struct Limits {
     pub feed_increment: f64,
     /// Start and end of an arc may differ by this in their distance from the centre, in millimetres.
     pub arc_tolerance: f64,
+    /// The centre of an arc by I, J, K is moved so that the arc ends where it should, however far it lies off; else the tolerance
+    /// holds.
+    pub arc_centre_moves: bool,
+    /// The number of F stays in force when its unit changes; else F has to be given anew.
+    pub feed_kept: bool,
     /// Largest S word in r/min.
     pub speed_max: f64,
     /// M codes of one block that act, 8 at most; of more, the last ones do.

@@ -21,11 +21,26 @@ pub enum ArgumentSets {
     PerLetter,
 }
 
+/// How a code calls its program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CallKind {
+    /// As a subprogram, without arguments.
+    Sub,
+    /// As a macro, with arguments.
+    Macro,
+    /// As a macro after each block with axis motion from now on.
+    Modal,
+    /// As a macro at each block from now on.
+    ModalBlock,
+}
+
 /// What a parameter of the control binds a code to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CodeCalls {
     /// `count` parameters from `first` on hold one code each; the k-th calls program `program + k`.
     Each {
+        /// How the codes call.
+        kind: CallKind,
         /// `G` or `M`.
         letter: u8,
         /// Number of the first parameter.
@@ -37,6 +52,8 @@ pub enum CodeCalls {
     },
     /// Codes that follow one another call programs that follow one another: how many, the first code, the first program.
     Range {
+        /// How the codes call.
+        kind: CallKind,
         /// `G` or `M`.
         letter: u8,
         /// Number of the parameter that holds how many.
@@ -52,6 +69,8 @@ pub enum CodeCalls {
         letter: u8,
         /// Number of the first parameter that holds a code.
         code: u32,
+        /// Number of the first parameter that holds how the code calls: 0 subprogram, 1 macro, 2 modal, 3 modal at each block.
+        kind: u32,
         /// Number of the first parameter that holds a program.
         program: u32,
         /// From pair to pair.
@@ -70,6 +89,10 @@ pub struct Macros {
     pub vacant_equals_zero: bool,
     /// AND, OR, XOR of numbers that are not whole are an alarm; else they are rounded.
     pub whole_bits: bool,
+    /// Least and largest magnitude of a result other than 0; `None` where only infinity is too large.
+    pub value_range: Option<(f64, f64)>,
+    /// The calculated value of an address of whole numbers is rounded; else what stands behind its point is dropped.
+    pub round_words: bool,
     /// I, J, K of argument specification II.
     pub argument_sets: ArgumentSets,
     /// `M98 P` with more than four digits holds the repeats in front of the program number.
@@ -84,6 +107,8 @@ pub struct Macros {
     pub functions: &'static [(u8, Operation)],
     /// Codes that call macros, by parameter. The settings are the text of the switch [`CALL_PARAMETERS`].
     pub code_calls: &'static [CodeCalls],
+    /// A code that calls a macro comes before the control's own of the same number; else it is not bound.
+    pub calls_override: bool,
     /// Number of a user alarm, first and last.
     pub user_alarms: (u32, u32),
     /// What is added to the number of a user alarm to give the number that is shown; `None` where one number is shown for all.
@@ -102,6 +127,8 @@ pub struct CodeCall {
     pub letter: u8,
     /// Ten times the number, as in [`CodeDef`](super::CodeDef).
     pub number: u32,
+    /// How it calls.
+    pub kind: CallKind,
     /// The program that it calls.
     pub program: u32,
 }
@@ -115,25 +142,32 @@ impl Macros {
         let set: Vec<(u32, u32)> = settings.split([' ', ',', ';']).filter_map(setting).collect();
         let value = |parameter: u32| set.iter().rev().find(|(number, _)| *number == parameter).map(|(_, value)| *value);
         let mut calls = Vec::new();
-        let mut bind = |letter: u8, code: Option<u32>, program: Option<u32>| {
+        let mut bind = |letter: u8, code: Option<u32>, kind: CallKind, program: Option<u32>| {
             // A code 0 is a parameter that is not set.
             if let (Some(code @ 1..), Some(program @ 1..)) = (code, program) {
-                calls.push(CodeCall { letter, number: code.saturating_mul(10), program });
+                calls.push(CodeCall { letter, number: code.saturating_mul(10), kind, program });
             }
         };
         for row in self.code_calls {
             match *row {
-                CodeCalls::Each { letter, first, count, program } => {
-                    (0..count.min(CALLS)).for_each(|k| bind(letter, value(first + k), Some(program + k)));
+                CodeCalls::Each { kind, letter, first, count, program } => {
+                    (0..count.min(CALLS)).for_each(|k| bind(letter, value(first + k), kind, Some(program + k)));
                 }
-                CodeCalls::Range { letter, count, code, program } => {
+                CodeCalls::Range { kind, letter, count, code, program } => {
                     let count = value(count).unwrap_or(0).min(CALLS);
                     let from = |parameter: u32, k: u32| value(parameter).map(|first| first.saturating_add(k));
-                    (0..count).for_each(|k| bind(letter, from(code, k), from(program, k)));
+                    (0..count).for_each(|k| bind(letter, from(code, k), kind, from(program, k)));
                 }
-                CodeCalls::Pairs { letter, code, program, step, count } => {
-                    let pair = |k: u32| (value(code + step * k), value(program + step * k));
-                    (0..count.min(CALLS)).for_each(|k| bind(letter, pair(k).0, pair(k).1));
+                CodeCalls::Pairs { letter, code, kind, program, step, count } => {
+                    for k in (0..count.min(CALLS)).map(|k| step * k) {
+                        let kind = match value(kind + k) {
+                            None | Some(0) => CallKind::Sub,
+                            Some(1) => CallKind::Macro,
+                            Some(2) => CallKind::Modal,
+                            Some(_) => CallKind::ModalBlock,
+                        };
+                        bind(letter, value(code + k), kind, value(program + k));
+                    }
                 }
             }
         }
@@ -151,6 +185,9 @@ fn setting(text: &str) -> Option<(u32, u32)> {
 impl super::Control {
     /// The codes that call macros as the switches have it.
     pub fn code_calls(&self, switches: &super::Switches) -> Vec<CodeCall> {
-        self.macros.calls(switches.get(self.switches, CALL_PARAMETERS).unwrap_or(""))
+        let mut calls = self.macros.calls(switches.get(self.switches, CALL_PARAMETERS).unwrap_or(""));
+        let own = |call: &CodeCall| u16::try_from(call.number).is_ok_and(|n| self.code(call.letter, n).is_some());
+        calls.retain(|call| self.macros.calls_override || !own(call));
+        calls
     }
 }

@@ -51,6 +51,10 @@ pub struct Syntax {
     pub double_hash: bool,
     /// `#9nnn` is `#[#nnn]`.
     pub nine_hash: bool,
+    /// Where a block has the absolute and the incremental address of an axis, the absolute holds; else the later one.
+    pub absolute_holds: bool,
+    /// Address of the threads per inch of a thread, beside F for its lead.
+    pub threads_per_inch: Option<u8>,
     /// The same address twice in a block is an alarm (G and M codes and macro arguments apart); else the last one holds.
     pub address_twice: bool,
     /// Characters of a block that the control reads, without comments.

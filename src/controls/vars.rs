@@ -28,6 +28,8 @@ pub enum VarKind {
     Kept,
     /// Zero of a work coordinate system, axis by axis: 1 to 6, or 0 for the shift of all of them.
     WorkOffset(u8),
+    /// The same where programs may only read it.
+    WorkOffsetShown(u8),
     /// `#3000`: alarm with message.
     AlarmMessage,
     /// Time since power-on.
@@ -142,6 +144,7 @@ impl VarKind {
                 | VarKind::InputBit
                 | VarKind::InputWord(_)
                 | VarKind::PartTime
+                | VarKind::WorkOffsetShown(_)
                 | VarKind::ModalCode(_)
                 | VarKind::ModalWord(_)
                 | VarKind::ExecutingCode(_)

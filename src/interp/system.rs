@@ -64,7 +64,9 @@ impl State {
             VarKind::AlarmMessage | VarKind::StopMessage => {
                 return Err(Trap::alarm(Alarm::VariableSide, msg!("interp.write-only", number)));
             }
-            VarKind::WorkOffset(_) | VarKind::NotSimulated => return Err(not_simulated(number, row)),
+            VarKind::WorkOffset(_) | VarKind::WorkOffsetShown(_) | VarKind::NotSimulated => {
+                return Err(not_simulated(number, row));
+            }
         };
         Ok(value)
     }
@@ -147,6 +149,7 @@ impl State {
             | VarKind::InputBit
             | VarKind::InputWord(_)
             | VarKind::PartTime
+            | VarKind::WorkOffsetShown(_)
             | VarKind::ModalCode(_)
             | VarKind::ModalWord(_)
             | VarKind::ExecutingCode(_)

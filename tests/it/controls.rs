@@ -1,6 +1,6 @@
 //! The tables of every control: complete, in order, with sources; and the facts of the sheets, row by row.
 
-use macroline::controls::macros::{ArgumentSets, VacantWord};
+use macroline::controls::macros::{ArgumentSets, CodeCall, VacantWord};
 use macroline::controls::syntax::Operation;
 use macroline::controls::vars::{Clock, Width};
 use macroline::controls::{ALL, Alarm, AlarmDef, Code, Control, Group, ParamRole, Switches, VarKind, find};
@@ -380,4 +380,22 @@ fn alarms_of_the_k2000t() {
             (Alarm::ArgumentAddress, "129"),
         ],
     );
+}
+
+#[test]
+fn codes_that_call_macros_are_parameters() {
+    let calls = |id: &str, settings: &str| -> Vec<String> {
+        let switches = Switches(vec![("call-parameters".to_owned(), settings.to_owned())]);
+        let calls = find(id).unwrap().code_calls(&switches);
+        let line =
+            |call: &CodeCall| format!("{}{} {:?} {}", call.letter as char, call.number / 10, call.kind, call.program);
+        calls.iter().map(line).collect()
+    };
+    assert_eq!(calls("knd-k2000t", "4120=512 4121=1"), ["G512 Macro 9120", "G1 Macro 9121"]);
+    // The sheet's examples; a standard code is not bound on this control.
+    assert_eq!(calls("gsk-980tdc", "86=3 87=100 88=2000"), ["G100 Macro 2000", "G101 Macro 2001", "G102 Macro 2002"]);
+    assert_eq!(calls("gsk-980tdc", "89=17 90=1 91=2"), ["M17 Sub 1", "M18 Sub 2"]);
+    assert!(calls("gsk-980tdc", "86=1 87=1 88=2000").is_empty());
+    let list = "#7201=200 #7202=1 #7203=9010 #7011=80 #7013=9011 #7021=81 #7022=3 #7023=9012";
+    assert_eq!(calls("mitsubishi-e60", list), ["G200 Macro 9010", "M80 Sub 9011", "M81 ModalBlock 9012"]);
 }

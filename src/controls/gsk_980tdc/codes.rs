@@ -55,7 +55,7 @@ pub(super) const CODES: &[CodeDef] = &[
     g(502, NotSimulated, Group::OneShot, "polygon turning cancel", TDI),
     g(512, NotSimulated, Group::OneShot, "polygon turning", TDI),
     g(520, LocalCoordinates, Group::OneShot, "local coordinate system", TDI),
-    g(530, MachineCoordinates, Group::OneShot, "positioning in the machine coordinate system", TDI),
+    g(530, MachineRapid, Group::OneShot, "positioning in the machine coordinate system", TDI),
     g(540, WorkCoordinates(1), Group::Coordinates, "work coordinate system 1", TDI),
     g(550, WorkCoordinates(2), Group::Coordinates, "work coordinate system 2", TDI),
     g(560, WorkCoordinates(3), Group::Coordinates, "work coordinate system 3", TDI),

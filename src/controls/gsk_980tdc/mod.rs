@@ -9,7 +9,7 @@ mod switches;
 mod vars;
 
 use super::bench::{Bench, BenchAxis};
-use super::macros::{ArgumentSets, CodeCalls, VacantWord};
+use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
 use super::syntax::{Function, Percent, Round};
 use super::{AxisDef, Code, Control, Limits, Macros, Syntax, Timing};
 use crate::text::{Citation, Grade};
@@ -47,6 +47,8 @@ pub static CONTROL: Control = Control {
         atan_of_two: true,
         double_hash: false,
         nine_hash: true,
+        absolute_holds: true,
+        threads_per_inch: Some(b'I'),
         address_twice: true,
         block_read_chars: 256,
         block_words: 100,
@@ -80,6 +82,8 @@ pub static CONTROL: Control = Control {
         vacant_word: VacantWord::Zero,
         vacant_equals_zero: true,
         whole_bits: true,
+        value_range: None,
+        round_words: true,
         argument_sets: ArgumentSets::PerLetter,
         repeats_in_p: true,
         sub_sequence: false,
@@ -87,9 +91,10 @@ pub static CONTROL: Control = Control {
         call_ends_modal: true,
         functions: functions::FUNCTIONS,
         code_calls: &[
-            CodeCalls::Range { letter: b'G', count: 86, code: 87, program: 88 },
-            CodeCalls::Range { letter: b'M', count: 91, code: 89, program: 90 },
+            CodeCalls::Range { kind: CallKind::Macro, letter: b'G', count: 86, code: 87, program: 88 },
+            CodeCalls::Range { kind: CallKind::Sub, letter: b'M', count: 91, code: 89, program: 90 },
         ],
+        calls_override: false,
         user_alarms: (0, 99),
         user_alarm_base: Some(5900),
         cite: MACRO,
@@ -116,6 +121,8 @@ pub static CONTROL: Control = Control {
         revolution_feed_max: 500.0,
         feed_increment: 0.001,
         arc_tolerance: 0.1,
+        arc_centre_moves: true,
+        feed_kept: true,
         speed_max: 9999.0,
         m_codes: 1,
         sub_depth: 4,

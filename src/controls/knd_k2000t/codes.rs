@@ -40,7 +40,7 @@ pub(super) const CODES: &[CodeDef] = &[
     g(502, NotSimulated, Group::OneShot, "polygon turning cancel", MEMORY),
     g(512, NotSimulated, Group::OneShot, "polygon turning", MEMORY),
     g(520, LocalCoordinates, Group::OneShot, "local coordinate system", MEMORY),
-    g(530, MachineCoordinates, Group::OneShot, "machine coordinate system", MEMORY),
+    g(530, MachineRapid, Group::OneShot, "machine coordinate system", MEMORY),
     g(540, WorkCoordinates(1), Group::Coordinates, "work coordinate system 1", MEMORY),
     g(550, WorkCoordinates(2), Group::Coordinates, "work coordinate system 2", MEMORY),
     g(560, WorkCoordinates(3), Group::Coordinates, "work coordinate system 3", MEMORY),

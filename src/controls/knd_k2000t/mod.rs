@@ -8,7 +8,7 @@ mod switches;
 mod vars;
 
 use super::bench::{Bench, BenchAxis};
-use super::macros::{ArgumentSets, CodeCalls, VacantWord};
+use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
 use super::syntax::{Function, Percent, Round};
 use super::{AxisDef, Code, Control, Limits, Macros, Syntax, Timing};
 use crate::text::{Citation, Grade};
@@ -40,6 +40,8 @@ pub static CONTROL: Control = Control {
         atan_of_two: true,
         double_hash: true,
         nine_hash: false,
+        absolute_holds: false,
+        threads_per_inch: None,
         address_twice: false,
         block_read_chars: 60_000,
         block_words: 60_000,
@@ -75,13 +77,16 @@ pub static CONTROL: Control = Control {
         vacant_word: VacantWord::Dropped,
         vacant_equals_zero: false,
         whole_bits: false,
+        value_range: Some((1e-29, 1e47)),
+        round_words: true,
         argument_sets: ArgumentSets::InOrder,
         repeats_in_p: true,
         sub_sequence: false,
         call_first: false,
         call_ends_modal: false,
         functions: &[],
-        code_calls: &[CodeCalls::Each { letter: b'G', first: 4120, count: 20, program: 9120 }],
+        code_calls: &[CodeCalls::Each { kind: CallKind::Macro, letter: b'G', first: 4120, count: 20, program: 9120 }],
+        calls_override: true,
         user_alarms: (0, 200),
         user_alarm_base: Some(3000),
         cite: CALLS,
@@ -108,6 +113,8 @@ pub static CONTROL: Control = Control {
         revolution_feed_max: 500.0,
         feed_increment: 0.001,
         arc_tolerance: 0.1,
+        arc_centre_moves: false,
+        feed_kept: false,
         speed_max: 99_999.0,
         m_codes: 1,
         sub_depth: 4,

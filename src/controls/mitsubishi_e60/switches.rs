@@ -24,7 +24,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("spindle-word", "S with decimals", &["truncate", "round"], DECIMALS),
     switch(
         CALL_PARAMETERS,
-        "Macro list: codes that call programs, for instance #7201=200 #7203=9010 for G200",
+        "Macro list: code, type (0 as M98, 1 G65, 2 G66, 3 G66.1), program: #7201=200 #7202=1 #7203=9010 for G200",
         &[""],
         MEMORY,
     ),
