@@ -80,6 +80,9 @@ mod native {
             /// Control that they are for
             #[arg(long)]
             control: String,
+            /// Settles an open point of the control, see `list`; repeat as needed
+            #[arg(long = "switch", value_name = "ID=VALUE")]
+            switch: Vec<String>,
             /// For programs
             #[arg(long)]
             json: bool,
@@ -113,6 +116,9 @@ mod native {
         /// Sets a variable before the start, for instance '#107=8'; repeat as needed
         #[arg(long = "set", value_name = "VAR=VALUE")]
         set: Vec<String>,
+        /// Settles an open point of the control, see `list`; repeat as needed
+        #[arg(long = "switch", value_name = "ID=VALUE")]
+        switch: Vec<String>,
         /// The operator's hand: JSON array of events
         #[arg(long)]
         panel: Option<PathBuf>,
@@ -149,7 +155,7 @@ mod native {
             Command::New { machine, control } => new(&machine, control.as_deref()),
             Command::Design { project, json } => design(&project, json),
             Command::Export { project, out } => export(&project, &out),
-            Command::Check { files, control, json } => check(&files, &control, json),
+            Command::Check { files, control, switch, json } => check(&files, &control, &switch, json),
             Command::Run { args, no_canon, json } => run(&args, !no_canon, json),
             Command::Step(args) => step(&args),
         };
@@ -214,6 +220,27 @@ mod native {
         })
     }
 
+    /// Switches with some set anew, `ID=VALUE` each.
+    fn switched(mut switches: Switches, settings: &[String], control: &Control) -> Result<Switches, Failure> {
+        for setting in settings {
+            let Some((id, value)) = setting.split_once('=') else {
+                return Err(Failure::Usage(format!("--switch takes ID=VALUE, not “{setting}”")));
+            };
+            let Some(row) = control.switches.iter().find(|row| row.id == id) else {
+                let known = control.switches.iter().map(|row| row.id).collect::<Vec<_>>().join(", ");
+                let message = format!("--switch: the {} has no switch “{id}”; there are: {known}", control.name);
+                return Err(Failure::Usage(message));
+            };
+            if !row.takes(value) {
+                let values = list::switch_values(row);
+                return Err(Failure::Usage(format!("--switch: {id} cannot be “{value}”; it can be: {values}")));
+            }
+            switches.0.retain(|(other, _)| other != id);
+            switches.0.push((id.to_owned(), value.to_owned()));
+        }
+        Ok(switches)
+    }
+
     fn new(machine: &str, control: Option<&str>) -> Result<(), Failure> {
         match Project::of(machine, control) {
             Some(project) => print(project.to_json()),
@@ -262,8 +289,10 @@ mod native {
         Ok(Files(files))
     }
 
-    fn check(paths: &[PathBuf], id: &str, json: bool) -> Result<(), Failure> {
-        let parsed = nc::parse(&programs(paths)?, control(id)?);
+    fn check(paths: &[PathBuf], id: &str, settings: &[String], json: bool) -> Result<(), Failure> {
+        let control = control(id)?;
+        let switches = switched(Switches::default(), settings, control)?;
+        let parsed = nc::parse_with(&programs(paths)?, control, &switches);
         let diagnostics = parsed.diagnostics();
         if json {
             let teller = Teller::new(parsed.files());
@@ -331,6 +360,7 @@ mod native {
             }
             let (mut project, diagnostics) = project(path)?;
             found.extend(diagnostics);
+            project.switches = switched(project.switches, &args.switch, project.control)?;
             settable(&settings, project.control, &project.switches)?;
             for event in panel.events() {
                 project.panel.add(event.clone());
@@ -342,8 +372,6 @@ mod native {
             return Ok(Prepared { run, files: written.files.clone(), switches: project.switches, found });
         };
         let control = control(id)?;
-        let parsed = Rc::new(nc::parse(&programs(&args.files)?, control));
-        found.extend(parsed.diagnostics().iter().cloned());
         let plant = match &args.plant {
             None => None,
             Some(path) => {
@@ -353,6 +381,9 @@ mod native {
             }
         };
         let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
+        let switches = switched(switches, &args.switch, control)?;
+        let parsed = Rc::new(nc::parse_with(&programs(&args.files)?, control, &switches));
+        found.extend(parsed.diagnostics().iter().cloned());
         settable(&settings, control, &switches)?;
         let files = parsed.files().clone();
         Ok(Prepared { run: run::of_programs(parsed, plant.as_ref(), panel, &begin), files, switches, found })

@@ -150,6 +150,11 @@ impl Control {
         diameter && switches.get(self.switches, "diameter") != Some("radius")
     }
 
+    /// Address letters of axis words, absolute and incremental.
+    pub fn axis_letters(&self) -> impl Iterator<Item = u8> {
+        self.axes.iter().flat_map(|axis| [Some(axis.letter), axis.incremental]).flatten()
+    }
+
     /// Whether any code of the control does this.
     pub fn can(&self, code: Code) -> bool {
         self.codes.iter().any(|row| row.code == code)

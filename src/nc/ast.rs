@@ -184,6 +184,26 @@ pub enum Op {
     LessEqual,
 }
 
+impl Op {
+    /// The comparison that holds exactly where this one does not, with vacant variables too; other operators stay.
+    pub fn opposite(self) -> Op {
+        match self {
+            Op::Equal => Op::NotEqual,
+            Op::NotEqual => Op::Equal,
+            Op::Greater => Op::LessEqual,
+            Op::GreaterEqual => Op::Less,
+            Op::Less => Op::GreaterEqual,
+            Op::LessEqual => Op::Greater,
+            other => other,
+        }
+    }
+}
+
+/// Sequence numbers that are given out to jump to, where a program does not have them: the high ones first.
+pub(super) fn fresh_numbers() -> impl Iterator<Item = u32> {
+    (9001..=9999).chain(1..=9000)
+}
+
 impl Deck {
     /// Gives back the room that reading reserved and did not need.
     pub(crate) fn shrink(&mut self) {

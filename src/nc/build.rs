@@ -35,7 +35,7 @@ pub enum Formula {
     Call(Function, Box<Formula>),
 }
 
-/// A comparison for [`Builder::if_goto`] and [`Builder::while_do`].
+/// A comparison for [`Builder::if_goto`], [`Builder::if_then`] and [`Builder::while_do`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Condition(Formula);
 
@@ -269,6 +269,14 @@ impl Builder {
         let cond = self.intern(condition.0);
         let target = self.intern(target.into());
         self.push(Stmt::If { cond, target })
+    }
+
+    /// `IF [condition] THEN #to = value`.
+    pub fn if_then(&mut self, condition: Condition, to: u32, value: impl Into<Formula>) -> &mut Builder {
+        let cond = self.intern(condition.0);
+        let to = self.add(Expr::Var(to));
+        let value = self.intern(value.into());
+        self.push(Stmt::IfThen { cond, to, value })
     }
 
     /// `GOTO target`.

@@ -3,7 +3,7 @@
 use super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, WordValue};
 use super::dec::Dec;
 use super::files::{File, Files};
-use super::lower::{is_message, lower};
+use super::lower::{is_message, lowered};
 use super::parsed::Parsed;
 use crate::controls::Control;
 use crate::controls::syntax::{Function, Percent};
@@ -47,14 +47,14 @@ pub struct Emitted {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Writes a deck with LF line ends. What the control lacks is rewritten first, see [`lower`]. Total.
+/// Writes a deck with LF line ends. What the control lacks is rewritten first, see [`lower`](super::lower()). Total.
 pub fn emit(deck: &Deck, control: &Control) -> Emitted {
     emit_with(deck, control, Newline::Lf)
 }
 
 /// Writes a deck. Total.
 pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
-    let low = lower(deck, control);
+    let (low, origins) = lowered(deck, control);
     let mut out = Emitted { places: vec![Place::default(); deck.blocks.len()], ..Emitted::default() };
     let eol = newline.text();
     for (index, program) in low.programs.iter().enumerate() {
@@ -81,14 +81,17 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
                 Some(Diagnostic::error(msg!("nc.formula-too-long", DEPTH)))
             } else if written >= control.syntax.block_chars {
                 Some(Diagnostic::warning(msg!("nc.long-block", written as u32, control.syntax.block_chars as u32 - 1)))
-            } else if deck.blocks.get(index).is_some_and(|old| shortened(deck, old, &low, block)) {
+            } else if shortened(deck, &low, block) {
                 Some(Diagnostic::warning(msg!("nc.clipped-text", w.deck.comment(block.comment))))
             } else {
                 None
             };
             out.diagnostics.extend(block_diagnostic.map(|d| d.at(place)));
-            if let Some(slot) = out.places.get_mut(index) {
-                *slot = place;
+            let origin = origins.get(index).map_or(index, |&origin| origin as usize);
+            if let Some(slot) = out.places.get_mut(origin) {
+                // A block that became several goes from the first to the last of them.
+                let start = if *slot == Place::default() { place.span.start } else { slot.span.start };
+                *slot = Place { span: Span::new(start, place.span.end), ..place };
             }
             if written > 0 {
                 w.text.push_str(eol);
@@ -102,9 +105,9 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
     out
 }
 
-/// Whether lowering cut the comment of a block.
-fn shortened(before: &Deck, old: &Block, after: &Deck, new: &Block) -> bool {
-    before.comment(old.comment).chars().count() > after.comment(new.comment).chars().count()
+/// Whether lowering cut the comment of a block; it keeps the indices of comments.
+fn shortened(before: &Deck, after: &Deck, block: &Block) -> bool {
+    before.comment(block.comment).chars().count() > after.comment(block.comment).chars().count()
 }
 
 /// `O9100.nc`; a second program of a number becomes `O9100-2.nc`.
@@ -124,7 +127,7 @@ fn file_name(number: u32, extension: &str, files: &Files) -> String {
 /// `Span::default()`. All other bytes stay as they were. Total.
 pub fn emit_parsed(parsed: &Parsed, deck: &Deck) -> Emitted {
     let mut files = parsed.files().clone();
-    let low = lower(deck, parsed.control());
+    let (low, origins) = lowered(deck, parsed.control());
     let mut places: Vec<Place> = Vec::with_capacity(deck.blocks.len());
     let mut texts: Vec<(String, usize)> = vec![(String::new(), 0); files.0.len()];
     for program in &parsed.deck().programs {
@@ -133,14 +136,21 @@ pub fn emit_parsed(parsed: &Parsed, deck: &Deck) -> Emitted {
             continue;
         };
         for index in program.first as usize..program.end as usize {
-            let Some((old, new)) = parsed.deck().blocks.get(index).zip(low.blocks.get(index)) else { continue };
+            let from = origins.partition_point(|&origin| (origin as usize) < index);
+            let Some((old, new)) = parsed.deck().blocks.get(index).zip(low.blocks.get(from)) else { continue };
+            let lines = low.blocks.iter().zip(&origins).skip(from).take_while(|(_, origin)| **origin as usize == index);
             let (from, to) = (old.span.start as usize, old.span.end as usize);
             text.push_str(file.text.get(*copied..from).unwrap_or(""));
             let start = text.len() as u32;
             if new.span == Span::default() {
                 let mut w =
                     Writer { deck: &low, control: parsed.control(), text: String::new(), start: 0, too_deep: false };
-                w.block(new);
+                for (at, (block, _)) in lines.enumerate() {
+                    if at > 0 {
+                        w.text.push_str(if file.text.contains("\r\n") { "\r\n" } else { "\n" });
+                    }
+                    w.block(block);
+                }
                 text.push_str(&w.text);
             } else {
                 text.push_str(file.text.get(from..to).unwrap_or(""));
@@ -245,6 +255,8 @@ impl Writer<'_> {
             }
             self.text.push(word.letter as char);
             match word.value {
+                // The number of a skip in the middle of a block would be a divisor.
+                _ if word.letter == b'/' => {}
                 // G codes have two digits in every manual.
                 WordValue::Number(number @ Dec { mantissa: 0..10, scale: 0, .. }) if word.letter == b'G' => {
                     self.text.push_str(&format!("0{number}"));

@@ -4,25 +4,41 @@
 //! |---|---|---|
 //! | `plain_texts` | small letters, brackets, `%`, `;` and foreign characters in comments | capitals, `[ ]`, spaces, `?` |
 //! | `whole_signs` | nothing; one spelling for one thing | the sign of a constant is part of it |
-//! | `no_modulo` | `MOD` | `a-FIX[a/b]*b` |
+//! | `no_points` | the point in numbers of whole-number addresses | the number without it |
+//! | `no_if_then` | `IF … THEN` | a jump over the assignment on the opposite condition |
+//! | `other_forms`: | | |
+//! | … `MOD` | `MOD` | `a-FIX[a/b]*b` |
+//! | … `ATAN` of two numbers | | `2*ATAN[y/[SQRT[x*x+y*y]+x]]` |
+//! | … `ATAN` of one number | | `ATAN[a]/[1]` |
 //! | `short_texts` | long blocks and messages | comments clipped |
 
-use super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, WordValue};
+use super::ast::{self, Block, Deck, Expr, ExprId, Op, Stmt, WordValue};
 use super::dec::Dec;
 use super::emit::text_length;
 use crate::controls::syntax::Function;
 use crate::controls::{Control, VarKind};
+use crate::text::Span;
 
-/// The deck as the control can take it. Blocks stay one to one.
+/// The deck as the control can take it.
 pub fn lower(deck: &Deck, control: &Control) -> Deck {
+    lowered(deck, control).0
+}
+
+/// The deck as the control can take it, and for each of its blocks the index of the block that it comes from.
+pub(super) fn lowered(deck: &Deck, control: &Control) -> (Deck, Vec<u32>) {
     let mut low = deck.clone();
     plain_texts(&mut low);
     whole_signs(&mut low);
-    if !control.syntax.modulo {
-        no_modulo(&mut low);
+    if control.syntax.point_alarm {
+        no_points(&mut low, control);
     }
+    let mut origins = (0..low.blocks.len() as u32).collect();
+    if !control.syntax.if_then && low.blocks.iter().any(|block| matches!(block.stmt, Stmt::IfThen { .. })) {
+        origins = no_if_then(&mut low);
+    }
+    other_forms(&mut low, control);
     short_texts(&mut low, control);
-    low
+    (low, origins)
 }
 
 fn plain_texts(deck: &mut Deck) {
@@ -63,33 +79,106 @@ fn whole_signs(deck: &mut Deck) {
     }
 }
 
-/// `a MOD b` is `a-FIX[a/b]*b`.
-fn no_modulo(deck: &mut Deck) {
-    if !deck.exprs.iter().any(|expr| matches!(expr, Expr::Binary(Op::Modulo, ..))) {
+fn no_points(deck: &mut Deck, control: &Control) {
+    for word in deck.words.iter_mut().filter(|word| word.letter != b'G') {
+        if let WordValue::Number(number @ Dec { scale: 0, .. }) = &mut word.value {
+            number.point &= !control.syntax.integer_addresses.contains(&word.letter);
+        }
+    }
+}
+
+/// `IF[c]THEN #1=2` becomes `IF[not c]GOTOn`, `#1=2`, and a block `Nn` where none with a number of its own follows.
+fn no_if_then(deck: &mut Deck) -> Vec<u32> {
+    let old = core::mem::take(&mut deck.blocks);
+    let mut origins = Vec::with_capacity(old.len());
+    let mut programs = core::mem::take(&mut deck.programs);
+    for program in &mut programs {
+        let blocks = old.get(program.first as usize..program.end as usize).unwrap_or_default();
+        let mut numbers: Vec<u32> = blocks.iter().filter_map(|block| block.number).collect();
+        let first = deck.blocks.len() as u32;
+        for (at, block) in blocks.iter().enumerate() {
+            let origin = program.first + at as u32;
+            let Stmt::IfThen { cond, to, value } = block.stmt else {
+                deck.blocks.push(*block);
+                origins.push(origin);
+                continue;
+            };
+            let next = blocks.get(at + 1).filter(|next| next.skip == 0).and_then(|next| next.number);
+            let next = next.filter(|next| numbers.iter().filter(|number| *number == next).count() == 1);
+            let fresh = || ast::fresh_numbers().find(|number| !numbers.contains(number)).unwrap_or(1);
+            let number = next.unwrap_or_else(fresh);
+            let opposite = match deck.expr(cond) {
+                Expr::Binary(op, left, right) => Expr::Binary(op.opposite(), left, right),
+                other => other,
+            };
+            deck.exprs.extend([opposite, Expr::Number(Dec::int(number.into()))]);
+            let end = deck.exprs.len() as u32;
+            let jump = Stmt::If { cond: ExprId(end - 2), target: ExprId(end - 1) };
+            let block = Block { span: Span::default(), ..*block };
+            deck.blocks.push(Block { stmt: jump, comment: None, ..block });
+            deck.blocks.push(Block { stmt: Stmt::Assign { to, value }, number: None, ..block });
+            origins.extend([origin; 2]);
+            if next.is_none() {
+                numbers.push(number);
+                deck.blocks.push(Block { stmt: Stmt::Empty, number: Some(number), comment: None, skip: 0, ..block });
+                origins.push(origin);
+            }
+        }
+        (program.first, program.end) = (first, deck.blocks.len() as u32);
+    }
+    deck.programs = programs;
+    origins
+}
+
+/// Operators and functions in the forms that the control has.
+fn other_forms(deck: &mut Deck, control: &Control) {
+    let syntax = &control.syntax;
+    let strange = |expr: &Expr| match expr {
+        Expr::Binary(Op::Modulo, ..) => !syntax.modulo,
+        Expr::Binary(Op::Atan, ..) => !syntax.atan_of_two,
+        Expr::Call(Function::Atan, _) => syntax.atan_of_two,
+        _ => false,
+    };
+    if !deck.exprs.iter().any(strange) {
         return;
     }
     // The parts go in front of their parent, so every index moves.
     let mut exprs: Vec<Expr> = Vec::with_capacity(deck.exprs.len() + 3);
     let mut moved: Vec<ExprId> = Vec::with_capacity(deck.exprs.len());
-    let push = |expr: Expr, exprs: &mut Vec<Expr>| {
-        exprs.push(expr);
-        ExprId(exprs.len() as u32 - 1)
-    };
     for expr in &deck.exprs {
         let at = |id: ExprId| moved.get(id.0 as usize).copied().unwrap_or(id);
+        let mut push = |expr: Expr| {
+            exprs.push(expr);
+            ExprId(exprs.len() as u32 - 1)
+        };
         let id = match *expr {
-            Expr::Number(_) | Expr::Var(_) => push(*expr, &mut exprs),
-            Expr::Indirect(inner) => push(Expr::Indirect(at(inner)), &mut exprs),
-            Expr::Negate(inner) => push(Expr::Negate(at(inner)), &mut exprs),
-            Expr::Call(function, inner) => push(Expr::Call(function, at(inner)), &mut exprs),
-            Expr::Binary(Op::Modulo, left, right) => {
-                let (left, right) = (at(left), at(right));
-                let ratio = push(Expr::Binary(Op::Divide, left, right), &mut exprs);
-                let whole = push(Expr::Call(Function::Fix, ratio), &mut exprs);
-                let multiple = push(Expr::Binary(Op::Multiply, whole, right), &mut exprs);
-                push(Expr::Binary(Op::Subtract, left, multiple), &mut exprs)
+            Expr::Number(_) | Expr::Var(_) => push(*expr),
+            Expr::Indirect(inner) => push(Expr::Indirect(at(inner))),
+            Expr::Negate(inner) => push(Expr::Negate(at(inner))),
+            Expr::Call(_, inner) if strange(expr) => {
+                let one = push(Expr::Number(Dec::int(1)));
+                push(Expr::Binary(Op::Atan, at(inner), one))
             }
-            Expr::Binary(op, left, right) => push(Expr::Binary(op, at(left), at(right)), &mut exprs),
+            Expr::Call(function, inner) => push(Expr::Call(function, at(inner))),
+            Expr::Binary(Op::Modulo, left, right) if strange(expr) => {
+                let (left, right) = (at(left), at(right));
+                let ratio = push(Expr::Binary(Op::Divide, left, right));
+                let whole = push(Expr::Call(Function::Fix, ratio));
+                let multiple = push(Expr::Binary(Op::Multiply, whole, right));
+                push(Expr::Binary(Op::Subtract, left, multiple))
+            }
+            Expr::Binary(Op::Atan, y, x) if strange(expr) => {
+                let (y, x) = (at(y), at(x));
+                let squares = [x, y].map(|side| push(Expr::Binary(Op::Multiply, side, side)));
+                let sum = push(Expr::Binary(Op::Add, squares[0], squares[1]));
+                let distance = push(Expr::Call(Function::Sqrt, sum));
+                let base = push(Expr::Binary(Op::Add, distance, x));
+                let ratio = push(Expr::Binary(Op::Divide, y, base));
+                let half = push(Expr::Call(Function::Atan, ratio));
+                let two = push(Expr::Number(Dec::int(2)));
+                push(Expr::Binary(Op::Multiply, two, half))
+            }
+            Expr::Binary(op, left, right) => push(Expr::Binary(op, at(left), at(right))),
         };
         moved.push(id);
     }
@@ -153,7 +242,7 @@ fn clip(deck: &mut Deck, comment: u32, room: usize) {
 
 /// Whether the comment of a block is what the operator reads: `#3000=1(…)`.
 pub(super) fn is_message(deck: &Deck, control: &Control, block: &Block) -> bool {
-    let Stmt::Assign { to, .. } = block.stmt else { return false };
+    let (Stmt::Assign { to, .. } | Stmt::IfThen { to, .. }) = block.stmt else { return false };
     let Expr::Var(number) = deck.expr(to) else { return false };
     control.var(number).is_some_and(|row| matches!(row.kind, VarKind::AlarmMessage | VarKind::StopMessage))
 }

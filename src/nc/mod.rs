@@ -1,6 +1,6 @@
 //! The language in both directions: text to tree ([`parse`]) and tree to text ([`emit`]).
 //!
-//! Both are total: they return a value and diagnostics, on any input. Only [`parse`] can make a [`Parsed`].
+//! Both are total: they return a value and diagnostics, on any input. Only [`parse_with`] makes a [`Parsed`].
 
 pub mod dec;
 
@@ -24,6 +24,6 @@ pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
 pub use files::{File, Files};
 pub use fix::fix;
 pub use lower::lower;
-pub use parse::{Formula, formula, parse};
+pub use parse::{Formula, formula, parse, parse_with};
 pub use parsed::Parsed;
 pub use tokens::{TokenKind, tokens};

@@ -2,7 +2,8 @@
 
 use super::ast::{Block, Deck};
 use super::files::Files;
-use crate::controls::Control;
+use crate::controls::macros::CodeCall;
+use crate::controls::{Control, Switches};
 use crate::text::{Diagnostic, Place, Severity};
 
 /// Text that a control has read. The interpreter takes nothing else.
@@ -12,11 +13,20 @@ pub struct Parsed {
     deck: Deck,
     diagnostics: Vec<Diagnostic>,
     control: &'static Control,
+    switches: Switches,
+    calls: Vec<CodeCall>,
 }
 
 impl Parsed {
-    pub(super) fn new(files: Files, deck: Deck, diagnostics: Vec<Diagnostic>, control: &'static Control) -> Parsed {
-        Parsed { files, deck, diagnostics, control }
+    pub(super) fn new(
+        files: Files,
+        deck: Deck,
+        diagnostics: Vec<Diagnostic>,
+        control: &'static Control,
+        switches: Switches,
+        calls: Vec<CodeCall>,
+    ) -> Parsed {
+        Parsed { files, deck, diagnostics, control, switches, calls }
     }
 
     /// The text.
@@ -37,6 +47,16 @@ impl Parsed {
     /// The control that read it.
     pub fn control(&self) -> &'static Control {
         self.control
+    }
+
+    /// The open points of the control, as they were set when it read.
+    pub fn switches(&self) -> &Switches {
+        &self.switches
+    }
+
+    /// The codes that call programs; they come before the control's own codes. In a macro call any letter is an argument.
+    pub fn calls(&self) -> &[CodeCall] {
+        &self.calls
     }
 
     /// Whether the control would refuse or misread any of it.

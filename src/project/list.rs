@@ -7,9 +7,13 @@ use crate::machines;
 use crate::text::catalog::{Language, number_text, sentence, words};
 use crate::view::{Readout, Verdict};
 
-/// Machines with their controls, controls with their bench plant, as an object.
+/// Machines with their controls, controls with their bench plant and their open points, as an object.
 pub fn json() -> Json {
     let machine = |m: &&dyn machines::AnyMachine| json!({ "id": m.id(), "name": words(Language::English, m.name()), "controls": m.controls() });
+    let switch = |s: &controls::Switch| {
+        let options = if s.is_text() { &[][..] } else { s.options };
+        json!({ "id": s.id, "text": s.text, "default": s.options.first(), "options": options })
+    };
     let control = |c: &&controls::Control| {
         let axes: Vec<Json> = c
             .bench
@@ -19,7 +23,8 @@ pub fn json() -> Json {
             .collect();
         json!({ "id": c.id, "name": c.name, "bench": {
             "axes": axes, "speed_at_full": c.bench.speed_at_full, "speed_clamp": c.bench.speed_clamp,
-            "volts": c.bench.volts_full, "output_bits": c.bench.output_bits, "ramp_s": c.bench.ramp } })
+            "volts": c.bench.volts_full, "output_bits": c.bench.output_bits, "ramp_s": c.bench.ramp },
+            "switches": c.switches.iter().map(switch).collect::<Vec<_>>() })
     };
     json!({
         "machines": machines::ALL.iter().map(machine).collect::<Vec<_>>(),
@@ -55,8 +60,17 @@ pub fn text() -> String {
             number_text(bench.volts_full, 3),
             number_text(bench.ramp, 3),
         );
+        out += &format!("  {:<20} switches, each with its default first:\n", "");
+        for switch in control.switches {
+            out += &format!("  {:<20}   {:<22} {}: {}\n", "", switch.id, switch.text, switch_values(switch));
+        }
     }
     out
+}
+
+/// What a switch can be set to, its default first.
+pub fn switch_values(switch: &controls::Switch) -> String {
+    if switch.is_text() { "any text".to_owned() } else { switch.options.join(" | ") }
 }
 
 /// A verdict as it is written.

@@ -35,7 +35,7 @@ impl Project {
                 (emitted.files, emitted.diagnostics)
             }
         };
-        let parsed = Rc::new(nc::parse(&files, self.control));
+        let parsed = Rc::new(nc::parse_with(&files, self.control, &self.switches));
         diagnostics.extend(parsed.diagnostics().iter().cloned());
         let has = |number: u32| parsed.deck().program(number).is_some();
         // Edited text may hold other programs: then the first one runs, and nothing is set up.

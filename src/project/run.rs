@@ -83,17 +83,16 @@ pub fn of_project(project: &Project, written: &Written, begin: &Begin) -> Run {
     started(interp, (control, &project.switches), &plant, plc, panel, begin)
 }
 
-/// The run of bare programs: on the control's bench, or on the plant of a project and with its switches.
+/// The run of bare programs, with the switches that they were read with: on the control's bench, or on the plant of a project.
 pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, begin: &Begin) -> Run {
     let control = parsed.control();
     let start = begin.start.map_or(Start::First, Start::Program);
-    let switches = plant.map_or_else(Switches::default, |project| project.switches.clone());
+    let switches = parsed.switches().clone();
     let interp = Interp::new(parsed, start, &switches);
     let (plant, plc) = match plant {
-        Some(project) => (
-            project.machine.plant(&project.values, control),
-            project.machine.plc(&project.values, control, &project.switches),
-        ),
+        Some(project) => {
+            (project.machine.plant(&project.values, control), project.machine.plc(&project.values, control, &switches))
+        }
         None => bench(control, &switches),
     };
     started(interp, (control, &switches), &plant, plc, panel, begin)

@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use macroline::controls::syntax::Function;
-use macroline::controls::{Control, find};
+use macroline::controls::{self, Alarm, Control, find};
 use macroline::nc::build::*;
 use macroline::nc::{Dec, Deck, Files, Newline, Op, emit, emit_parsed, emit_with, fix, lower, parse, tokens};
 use macroline::text::catalog::{Language, sentence};
@@ -147,6 +147,68 @@ fn long_blocks_and_texts_are_said() {
 }
 
 #[test]
+fn what_a_control_lacks_is_written_in_its_own_forms() {
+    let mut b = Builder::new();
+    b.program(1, "");
+    b.if_then(v(1).eq(0), 2, real(0.5, 1)).note("half");
+    b.n(20).skip(2).if_then(v(1).gt(v(2)), 3000, 1).note("too far");
+    b.if_then(v(1).lt(v(2)), 3, v(4));
+    b.n(30).assign(3, Formula::Binary(Op::Atan, Box::new(v(4)), Box::new(v(5))));
+    b.assign(3, v(4).apply(Function::Atan) + v(4) % 3);
+    b.words([word(b'S', real(100.0, 0)), m(3)]);
+    b.n(9001).words([m(30)]);
+    let deck = b.finish();
+    let text = |id: &str| emit(&deck, find(id).unwrap()).files.0[0].text.clone();
+    expect![[r#"
+        %
+        O1
+        IF[#1 NE 0]GOTO9002
+        #2=0.5 (HALF)
+        N9002
+        /2N20 IF[#1 LE #2]GOTO9003
+        /2#3000=1(TOO FAR)
+        N9003
+        IF[#1 GE #2]GOTO30
+        #3=#4
+        N30 #3=2*ATAN[#4/[SQRT[#5*#5+#4*#4]+#5]]
+        #3=ATAN[#4]+[#4-FIX[#4/3]*3]
+        S100. M3
+        N9001 M30
+        %
+    "#]]
+    .assert_eq(&text("mitsubishi-e60"));
+    expect![[r#"
+        O1
+        IF[#1 EQ 0]THEN #2=0.5 (HALF)
+        /2N20 IF[#1 GT #2]THEN #3000=1(TOO FAR)
+        IF[#1 LT #2]THEN #3=#4
+        N30 #3=ATAN[#4]/[#5]
+        #3=ATAN[#4]/[1]+[#4-FIX[#4/3]*3]
+        S100. M3
+        N9001 M30
+        %
+    "#]]
+    .assert_eq(&text("gsk-980tdc"));
+    expect![[r#"
+        %
+        O1
+        IF[#1 EQ 0]THEN #2=0.5 (HALF)
+        /2N20 IF[#1 GT #2]THEN #3000=1(TOO FAR)
+        IF[#1 LT #2]THEN #3=#4
+        N30 #3=ATAN[#4]/[#5]
+        #3=ATAN[#4]/[1]+#4 MOD 3
+        S100 M3
+        N9001 M30
+        %
+    "#]]
+    .assert_eq(&text("knd-k2000t"));
+    let out = emit(&deck, e60());
+    let file = &out.files.0[0].text;
+    assert_eq!(out.places[0].span.of(file), "IF[#1 NE 0]GOTO9002\n#2=0.5 (HALF)\nN9002");
+    assert_eq!(out.places[2].span.of(file), "IF[#1 GE #2]GOTO30\n#3=#4");
+}
+
+#[test]
 fn line_ends_are_chosen() {
     let mut b = Builder::new();
     b.program(1, "").words([m(30)]);
@@ -236,14 +298,15 @@ fn pieces_for_colouring() {
     expect!["/=Operator N10=Sequence IF=Keyword [=Operator #100=Variable LE=Keyword 0.5=Number ]=Operator GOTO=Keyword #1=Variable G01=Code X=Address -=Operator 5.=Number SIN=Keyword [=Operator 2=Number ]=Operator (A)=Comment @=Error %=Percent"].assert_eq(&text.join(" "));
 }
 
-fn formula(modulo: bool) -> impl Strategy<Value = Formula> {
+/// Formulas; `lacking` also with what some control lacks and what takes its place with more brackets.
+fn formula(lacking: bool) -> impl Strategy<Value = Formula> {
     let number = (-999_999_999_999_i64..1_000_000_000_000, 0..10_u8, any::<bool>())
         .prop_map(|(mantissa, scale, point)| Formula::Number(Dec { mantissa, scale, point: point || scale > 0 }));
     let leaf = prop_oneof![number, (1..34_u32).prop_map(v), (100..150_u32).prop_map(v)];
     let ops = [Op::Add, Op::Subtract, Op::Or, Op::Xor, Op::Multiply, Op::Divide, Op::And];
-    let ops = ops.into_iter().chain(modulo.then_some(Op::Modulo)).collect::<Vec<_>>();
+    let ops = ops.into_iter().chain(if lacking { vec![Op::Modulo, Op::Atan] } else { Vec::new() }).collect::<Vec<_>>();
     let functions = [Function::Sin, Function::Atan, Function::Sqrt, Function::Round, Function::Fix, Function::Exp];
-    leaf.prop_recursive(if modulo { 2 } else { 3 }, 12, 2, move |inner| {
+    leaf.prop_recursive(if lacking { 2 } else { 3 }, 12, 2, move |inner| {
         let pair = (inner.clone(), inner.clone());
         prop_oneof![
             (proptest::sample::select(ops.clone()), pair).prop_map(|(op, (a, b))| Formula::Binary(
@@ -266,6 +329,7 @@ enum Step {
     Assign(u32, Formula),
     AssignAt(Formula, Formula),
     If(Formula, Formula, Formula),
+    IfThen(Formula, u32, Formula),
     Goto(Formula),
     While(Option<(Formula, Formula)>, u16),
     End(u16),
@@ -273,25 +337,40 @@ enum Step {
     Comment(String),
 }
 
-fn step() -> impl Strategy<Value = Step> {
+/// Letters of words that take any number, and of those that take whole ones.
+const REAL: &[u8] = b"XYZFIJKRQE";
+const WHOLE: &[u8] = b"STM";
+
+fn step(control: &'static Control) -> impl Strategy<Value = Step> {
     let formula = || formula(false);
-    let words = proptest::collection::vec((proptest::sample::select(b"XYZAFSPIJKRDHTQM".to_vec()), formula()), 0..5);
+    let real = (proptest::sample::select(REAL), formula());
+    let whole = (proptest::sample::select(WHOLE), (0..9999_u32, any::<bool>()))
+        .prop_map(|(letter, (number, point))| (letter, Formula::Number(Dec { point, ..Dec::int(number.into()) })));
+    let words = proptest::collection::vec(prop_oneof![3 => real, 1 => whole], 0..4);
+    let words = words.prop_map(|mut words| {
+        words.sort_by_key(|(letter, _)| *letter);
+        words.dedup_by_key(|(letter, _)| *letter);
+        words
+    });
+    let label = || 1..=control.syntax.do_max as u16;
+    let (least, most) = control.macros.user_alarms;
     prop_oneof![
-        1 => (1..99_999_999_u32, ".*").prop_map(|(number, title)| Step::Program(number, title)),
-        5 => (proptest::sample::select(vec![0_u8, 1, 4, 64, 90, 91, 94]), words).prop_map(|(g, w)| Step::Words(g, w)),
+        1 => (1..9999_u32, ".*").prop_map(|(number, title)| Step::Program(number, title)),
+        5 => (proptest::sample::select(vec![0_u8, 1, 4]), words).prop_map(|(g, w)| Step::Words(g, w)),
         3 => (100..150_u32, formula()).prop_map(|(to, value)| Step::Assign(to, value)),
         1 => (formula(), formula()).prop_map(|(to, value)| Step::AssignAt(to, value)),
         2 => (formula(), formula(), formula()).prop_map(|(a, b, to)| Step::If(a, b, to)),
+        2 => (formula(), 100..150_u32, formula()).prop_map(|(a, to, value)| Step::IfThen(a, to, value)),
         1 => formula().prop_map(Step::Goto),
-        1 => (proptest::option::of((formula(), formula())), 1..128_u16).prop_map(|(c, label)| Step::While(c, label)),
-        1 => (1..128_u16).prop_map(Step::End),
-        1 => (1..10_000_u32, ".*").prop_map(|(number, text)| Step::Alarm(number, text)),
+        1 => (proptest::option::of((formula(), formula())), label()).prop_map(|(c, label)| Step::While(c, label)),
+        1 => label().prop_map(Step::End),
+        1 => (least..=most, ".*").prop_map(|(number, text)| Step::Alarm(number, text)),
         1 => ".*".prop_map(Step::Comment),
     ]
 }
 
-fn deck() -> impl Strategy<Value = Deck> {
-    let block = (proptest::option::of(1..100_000_u32), 0..10_u8, step(), proptest::option::of(".{0,90}"));
+fn deck(control: &'static Control) -> impl Strategy<Value = Deck> {
+    let block = (proptest::option::of(1..100_000_u32), 0..10_u8, step(control), proptest::option::of(".{0,90}"));
     proptest::collection::vec(block, 1..12).prop_map(|blocks| {
         let mut b = Builder::new();
         b.program(7, "");
@@ -311,6 +390,7 @@ fn deck() -> impl Strategy<Value = Deck> {
                 Step::Assign(to, value) => drop(b.assign(to, value)),
                 Step::AssignAt(to, value) => drop(b.assign_at(to, value)),
                 Step::If(left, right, to) => drop(b.if_goto(left.ge(right), to)),
+                Step::IfThen(left, to, value) => drop(b.if_then(left.ne(5), to, value)),
                 Step::Goto(to) => drop(b.goto(to)),
                 Step::While(Some((left, right)), label) => drop(b.while_do(left.lt(right), label)),
                 Step::While(None, label) => drop(b.do_forever(label)),
@@ -322,6 +402,27 @@ fn deck() -> impl Strategy<Value = Deck> {
         }
         b.finish()
     })
+}
+
+fn any_control() -> impl Strategy<Value = &'static Control> {
+    proptest::sample::select(controls::ALL)
+}
+
+/// A control and a deck for it.
+fn deck_of() -> impl Strategy<Value = (&'static Control, Deck)> {
+    any_control().prop_flat_map(|control| (Just(control), deck(control)))
+}
+
+/// Reads what was written: the same as the lowered deck, unless a formula is too deep or a block too long for the control.
+fn reads_back(deck: &Deck, control: &'static Control) -> Result<(), TestCaseError> {
+    let low = lower(deck, control);
+    prop_assert!(lower(&low, control).same_as(&low), "lowering twice is lowering once");
+    let out = emit(deck, control);
+    let read = parse(&out.files, control);
+    let too_much = [Alarm::BracketDepth, Alarm::BlockTooLong].map(|alarm| control.alarm_number(alarm));
+    let refused = read.diagnostics().iter().any(|d| d.alarm.is_some() && too_much.contains(&d.alarm.as_deref()));
+    prop_assert!(refused || read.deck().same_as(&low), "{}\n{:?}", out.files.0[0].text, read.diagnostics());
+    Ok(())
 }
 
 /// Bits of programs, right and wrong, in any order.
@@ -378,21 +479,41 @@ fn soup() -> impl Strategy<Value = String> {
         "3000",
         "L5",
         "g1",
+        "ATAN[",
+        "]/[",
+        "H01",
+        "P#1",
+        "M98",
+        "##",
+        "#9100",
+        "==",
+        "<>",
+        "**",
+        "//",
+        "O",
+        "１",
     ];
     proptest::collection::vec(proptest::sample::select(pieces.to_vec()), 0..40).prop_map(|pieces| pieces.concat())
 }
 
-/// What holds for any text: places lie in it, the emitter keeps it, fixes and colours are total.
+/// What holds for any text on any control: places lie in it, the emitter keeps it, fixes and colours are total.
 fn holds(text: &str) -> Result<(), TestCaseError> {
+    for control in controls::ALL {
+        holds_on(control, text)?;
+    }
+    Ok(())
+}
+
+fn holds_on(control: &'static Control, text: &str) -> Result<(), TestCaseError> {
     let files = Files::one("A", text);
-    let parsed = parse(&files, e60());
+    let parsed = parse(&files, control);
     prop_assert_eq!(&emit_parsed(&parsed, parsed.deck()).files, &files);
-    emit(parsed.deck(), e60());
+    emit(parsed.deck(), control);
     for d in parsed.diagnostics() {
         let place = d.place.unwrap();
         prop_assert!(text.get(place.span.start as usize..place.span.end as usize).is_some(), "{d:?}");
         for f in &d.fixes {
-            parse(&fix(&files, f), e60());
+            parse(&fix(&files, f), control);
         }
     }
     for (program, next) in parsed.deck().programs.iter().zip(parsed.deck().programs.iter().skip(1)) {
@@ -401,7 +522,7 @@ fn holds(text: &str) -> Result<(), TestCaseError> {
     for block in &parsed.deck().blocks {
         prop_assert!(!block.span.of(text).is_empty());
     }
-    for (span, _) in tokens(text, e60()) {
+    for (span, _) in tokens(text, control) {
         prop_assert!(!span.of(text).is_empty());
     }
     Ok(())
@@ -409,26 +530,15 @@ fn holds(text: &str) -> Result<(), TestCaseError> {
 
 proptest! {
     #[test]
-    fn what_is_written_reads_back_the_same(deck in deck()) {
-        let low = lower(&deck, e60());
-        prop_assert!(lower(&low, e60()).same_as(&low), "lowering twice is lowering once");
-        let out = emit(&deck, e60());
-        let read = parse(&out.files, e60());
-        let deep = read.diagnostics().iter().any(|d| d.alarm.as_deref() == Some("P280"));
-        prop_assert!(deep || read.deck().same_as(&low), "{}\n{:?}", out.files.0[0].text, read.diagnostics());
+    fn what_is_written_reads_back_the_same((control, deck) in deck_of()) {
+        reads_back(&deck, control)?;
     }
 
     #[test]
-    fn what_a_control_lacks_is_written_another_way(value in formula(true)) {
+    fn what_a_control_lacks_is_written_another_way((control, value) in (any_control(), formula(true))) {
         let mut b = Builder::new();
         b.assign(1, value);
-        let deck = b.finish();
-        let low = lower(&deck, e60());
-        let out = emit(&deck, e60());
-        prop_assert!(!out.files.0[0].text.contains("MOD"));
-        let read = parse(&out.files, e60());
-        let deep = read.diagnostics().iter().any(|d| d.alarm.as_deref() == Some("P280"));
-        prop_assert!(deep || read.deck().same_as(&low), "{}", out.files.0[0].text);
+        reads_back(&b.finish(), control)?;
     }
 
     #[test]

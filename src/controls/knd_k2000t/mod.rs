@@ -67,7 +67,7 @@ pub static CONTROL: Control = Control {
             ("EXP", Function::Exp),
         ],
         addresses: b"ABDEFGHIJKLMPQRSTUVW",
-        integer_addresses: b"GHLMNOPST",
+        integer_addresses: b"GLMNOPST",
         point_alarm: true,
         increment_addresses: b"ABCHIJKRUVWXYZ",
         extension: "nc",

@@ -27,14 +27,14 @@ impl Formula {
 /// Reads one expression or condition as the control would read it in a block; a condition may stand in its brackets or without them.
 /// The place of what is wrong counts from the start of the text, in file 0.
 pub fn formula(text: &str, control: &'static Control) -> Result<Formula, Box<Diagnostic>> {
-    let tables = Tables::new(control);
+    let tables = Tables::new(control, &[]);
     let read = |bracketed: bool| {
         let mut reader = Reader::new(control, &tables, FileId(0), text, Deck::default());
         reader.take_line(text.as_bytes(), 0);
         let mut wrong = match (reader.alone(bracketed), reader.found.pop()) {
             (Ok(root), None) => return Ok(Formula { deck: reader.deck, root }),
             (Ok(_), Some(found)) => found,
-            (Err(failure), _) => reader.finding(failure.alarm, failure.from, failure.to, failure.message),
+            (Err(failure), _) => failure.finding,
         };
         wrong.fixes.clear();
         Err(Box::new(wrong))
@@ -47,10 +47,11 @@ impl Reader<'_> {
     /// The whole line as an expression or a condition.
     fn alone(&mut self, bracketed: bool) -> Read<ExprId> {
         self.skip();
+        let start = self.at;
         let mut root = if bracketed { self.condition(Alarm::IfSentence, "")? } else { self.formula(false)? };
-        if let Some(op) = self.comparison() {
+        if let Some(op) = self.comparison(Alarm::IfSentence) {
             let right = self.formula(false)?;
-            root = self.part(Expr::Binary(op, root, right))?;
+            root = self.part(Expr::Binary(op, root, right), start)?;
         }
         self.skip();
         if self.ended() { Ok(root) } else { Err(self.unexpected()) }

@@ -1,11 +1,13 @@
-//! Macro text: assignments, jumps, loops, and the expressions in them and behind addresses.
+//! Expressions: in macro statements and behind addresses.
 
-use super::super::ast::{Expr, ExprId, Op, Stmt};
+use super::super::ast::{Expr, ExprId, Op};
+use super::super::dec::Dec;
+use super::slips::meant;
 use super::{Misused, Read, Reader};
 use crate::controls::syntax::Function;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
-use crate::text::Message;
+use crate::text::{Message, Span};
 
 /// Parts of the formulas of one block: bounds the depth of every tree, for whoever walks it.
 const PARTS: u32 = 250;
@@ -16,33 +18,21 @@ const DEPTH: u32 = 40;
 /// Operators that are letters.
 const LETTERED: [(&str, Op); 4] = [("AND", Op::And), ("MOD", Op::Modulo), ("OR", Op::Or), ("XOR", Op::Xor)];
 
-const COMPARISONS: [(&str, Op); 6] = [
-    ("EQ", Op::Equal),
-    ("NE", Op::NotEqual),
-    ("GT", Op::Greater),
-    ("GE", Op::GreaterEqual),
-    ("LT", Op::Less),
-    ("LE", Op::LessEqual),
-];
-
-/// Statements that the control has and the simulation does not act on.
-const OUTSIDE: [&str; 4] = ["POPEN", "PCLOS", "DPRNT", "SETVN"];
-
 /// An opened bracket: where, and which byte closes it.
-struct Open {
-    at: usize,
+pub(super) struct Open {
+    pub(super) at: usize,
     close: u8,
 }
 
 impl Reader<'_> {
     /// Whether the line goes on with this word, in capitals or not.
-    fn ahead(&self, word: &str) -> bool {
+    pub(super) fn ahead(&self, word: &str) -> bool {
         let rest = self.line.get(self.at..self.at + word.len());
         rest.is_some_and(|rest| rest.eq_ignore_ascii_case(word.as_bytes()))
     }
 
     /// Takes this word if it stands here.
-    fn take(&mut self, word: &str) -> bool {
+    pub(super) fn take(&mut self, word: &str) -> bool {
         let ahead = self.ahead(word);
         if ahead {
             for at in self.at..self.at + word.len() {
@@ -53,204 +43,16 @@ impl Reader<'_> {
         ahead
     }
 
-    /// Whether a macro statement starts here.
-    pub(super) fn keyword_ahead(&self) -> bool {
-        ["IF", "GOTO", "WHILE", "DO", "END"].iter().any(|word| self.ahead(word))
-    }
-
-    /// A statement that starts with a keyword, `None` where none stands here.
-    pub(super) fn keyword(&mut self) -> Read<Option<Stmt>> {
-        let start = self.at;
-        if self.take("IF") {
-            return self.if_goto(start).map(Some);
-        }
-        if self.take("GOTO") {
-            let target = self.operand(Alarm::IfSentence, "GOTO")?;
-            self.end_of_macro()?;
-            return Ok(Some(Stmt::Goto(target)));
-        }
-        if self.take("WHILE") {
-            let cond = self.condition(Alarm::WhileSentence, "WHILE")?;
-            self.skip();
-            if !self.take("DO") {
-                let message = msg!("nc.while-without-do");
-                return Err(self.failure(Alarm::WhileSentence, start, self.at.max(start + 5), message, false));
-            }
-            let label = self.label("DO")?;
-            return Ok(Some(Stmt::While { cond: Some(cond), label }));
-        }
-        if self.take("DO") {
-            let label = self.label("DO")?;
-            return Ok(Some(Stmt::While { cond: None, label }));
-        }
-        if self.take("END") {
-            let label = self.label("END")?;
-            return Ok(Some(Stmt::End { label }));
-        }
-        if let Some(index) = OUTSIDE.iter().position(|word| self.ahead(word)) {
-            let end = self.line.len();
-            self.not_simulated((b'!', index as u32), start, end, OUTSIDE[index]);
-            self.at = end;
-            return Ok(Some(Stmt::Empty));
-        }
-        Ok(None)
-    }
-
-    fn if_goto(&mut self, start: usize) -> Read<Stmt> {
-        let cond = self.condition(Alarm::IfSentence, "IF")?;
-        self.skip();
-        if self.ahead("THEN") && !self.control.syntax.if_then {
-            let message = msg!("nc.no-if-then", self.control.name);
-            return Err(self.failure(Alarm::IfSentence, self.at, self.at + 4, message, false));
-        }
-        if !self.take("GOTO") {
-            let message = msg!("nc.if-without-goto");
-            return Err(self.failure(Alarm::IfSentence, start, self.at.max(start + 2), message, false));
-        }
-        let target = self.operand(Alarm::IfSentence, "GOTO")?;
-        self.end_of_macro()?;
-        Ok(Stmt::If { cond, target })
-    }
-
-    /// The expression behind a keyword.
-    fn operand(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
-        let start = self.at;
-        self.skip();
-        if self.ended() {
-            let message = msg!("nc.no-operand", keyword);
-            return Err(self.failure(alarm, start.saturating_sub(keyword.len()), start, message, false));
-        }
-        self.formula(false)
-    }
-
-    /// `[ expr comparison expr ]`.
-    pub(super) fn condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
-        let start = self.at;
-        let byte = self.skip();
-        let close = match byte {
-            b'[' => b']',
-            b'(' => b')',
-            _ => {
-                let message = msg!("nc.no-condition", keyword);
-                return Err(self.failure(alarm, start.saturating_sub(keyword.len()), start, message, false));
-            }
-        };
-        let open = self.open(close);
-        let left = self.formula(false)?;
-        self.skip();
-        let at = self.at;
-        let Some(op) = self.comparison() else {
-            return Err(match self.peek() {
-                b'=' | b'<' | b'>' | b'!' => self.failure(alarm, at, at + 1, msg!("nc.comparison-sign"), false),
-                byte if byte == close => self.failure(alarm, open.at, at + 1, msg!("nc.no-comparison"), false),
-                _ => self.unexpected(),
-            });
-        };
-        let right = self.formula(false)?;
-        self.skip();
-        if self.comparison_ahead() {
-            return Err(self.lost_comparison(alarm));
-        }
-        self.close(open)?;
-        self.part(Expr::Binary(op, left, right))
-    }
-
-    /// Takes the comparison at hand.
-    pub(super) fn comparison(&mut self) -> Option<Op> {
-        let (word, op) = COMPARISONS.iter().find(|(word, _)| self.ahead(word))?;
-        self.take(word);
-        Some(*op)
-    }
-
-    fn comparison_ahead(&self) -> bool {
-        COMPARISONS.iter().any(|(word, _)| self.ahead(word))
-    }
-
-    /// The failure of a comparison that is not the one of a condition.
-    fn lost_comparison(&self, alarm: Alarm) -> Box<super::Failure> {
-        self.failure(alarm, self.at, self.at + 2, msg!("nc.lost-comparison"), false)
-    }
-
-    /// The number behind `DO` or `END`.
-    fn label(&mut self, keyword: &str) -> Read<u16> {
-        let start = self.at;
-        self.skip();
-        let from = self.at;
-        while self.peek().is_ascii_digit() {
-            self.at += 1;
-        }
-        let most = self.control.syntax.do_max;
-        let number = core::str::from_utf8(self.line.get(from..self.at).unwrap_or_default()).unwrap_or("");
-        let label = match number.parse::<u16>() {
-            Ok(label) if label > 0 && u32::from(label) <= most => label,
-            _ => {
-                let (from, to) = if number.is_empty() { (start - keyword.len(), start) } else { (from, self.at) };
-                return Err(self.failure(Alarm::WhileSentence, from, to, msg!("nc.do-number", keyword, most), false));
-            }
-        };
-        self.end_of_macro()?;
-        Ok(label)
-    }
-
-    /// `#… = expr`.
-    pub(super) fn assignment(&mut self) -> Read<Stmt> {
-        let start = self.at;
-        let to = self.variable(true)?;
-        let end = self.at;
-        if self.skip() != b'=' {
-            return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
-        }
-        self.at += 1;
-        let value = self.formula(false)?;
-        if let (Expr::Var(number), Expr::Number(value)) = (self.deck.expr(to), self.deck.expr(value)) {
-            self.user_alarm(number, value.to_f64(), start);
-        }
-        self.end_of_macro()?;
-        Ok(Stmt::Assign { to, value })
-    }
-
-    /// The number of a user alarm has a range.
-    fn user_alarm(&mut self, variable: u32, value: f64, start: usize) {
-        let (least, most) = self.control.macros.user_alarms;
-        let row = self.control.var(variable);
-        let alarm = row.is_some_and(|row| row.kind == VarKind::AlarmMessage);
-        if alarm && !(f64::from(least)..=f64::from(most)).contains(&value) {
-            self.report(Alarm::UserAlarmRange, start, self.at, msg!("nc.user-alarm-number", least, most));
-        }
-    }
-
-    /// Nothing but comments may follow macro text.
-    fn end_of_macro(&mut self) -> Read<()> {
-        loop {
-            let byte = self.skip();
-            let start = self.at;
-            match byte {
-                _ if self.ended() => return Ok(()),
-                b'.' => self.stray_point(),
-                b']' => self.stray_square(),
-                b')' => self.stray_round()?,
-                b'#' => {
-                    let finding = self.finding(Alarm::Format, start, self.line.len(), msg!("nc.second-assignment"));
-                    let place = self.place(self.span(start, start));
-                    let finding = finding.fix(msg!("nc.fix.own-block"), vec![(place, "\n".to_owned())]);
-                    self.report_as(Alarm::Format, finding);
-                    self.at = self.line.len();
-                    return Ok(());
-                }
-                _ if self.comparison_ahead() => return Err(self.lost_comparison(Alarm::Format)),
-                _ if byte.is_ascii_alphabetic() => {
-                    return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), true));
-                }
-                _ => return Err(self.unexpected()),
-            }
-        }
-    }
-
-    /// Counts a part of a formula and adds it to the tree.
-    pub(super) fn part(&mut self, expr: Expr) -> Read<ExprId> {
+    /// Counts a part of a formula, which starts at `start` and ends at hand, and adds it to the tree.
+    pub(super) fn part(&mut self, expr: Expr, start: usize) -> Read<ExprId> {
         self.parts += 1;
         if self.parts > PARTS {
             return Err(self.failure(Alarm::Format, 0, self.line.len(), msg!("nc.formula-too-long", PARTS), false));
+        }
+        if let Some(parts) = &mut self.places {
+            let text = self.line.get(start..self.at).unwrap_or_default();
+            let start = self.at - text.trim_ascii_start().len();
+            parts.push(Span::new(start as u32, (start + text.trim_ascii().len()) as u32));
         }
         self.deck.exprs.push(expr);
         Ok(ExprId(self.deck.exprs.len() as u32 - 1))
@@ -258,21 +60,45 @@ impl Reader<'_> {
 
     /// An expression. Behind an address (`word`) a `/` before a letter is a block skip, not a division.
     pub(super) fn formula(&mut self, word: bool) -> Read<ExprId> {
+        let start = self.at;
         let mut left = self.term(word)?;
         while let Some(op) = self.operator(word, false) {
             let right = self.term(word)?;
-            left = self.part(Expr::Binary(op, left, right))?;
+            left = self.part(Expr::Binary(op, left, right), start)?;
         }
         Ok(left)
     }
 
     fn term(&mut self, word: bool) -> Read<ExprId> {
+        let start = self.at;
         let mut left = self.factor()?;
-        while let Some(op) = self.operator(word, true) {
+        loop {
+            let end = self.at;
+            let Some(op) = self.operator(word, true) else { return Ok(left) };
+            let behind = self.at;
+            if op == Op::Multiply && self.peek() == b'*' {
+                left = self.power(left, start, end)?;
+                continue;
+            }
             let right = self.factor()?;
-            left = self.part(Expr::Binary(op, left, right))?;
+            if op == Op::Modulo && !self.control.syntax.modulo {
+                self.no_modulo(start, end, behind);
+            }
+            left = self.part(Expr::Binary(op, left, right), start)?;
         }
-        Ok(left)
+    }
+
+    /// `a MOD b`, ended at hand, on a control that lacks it: `a` ends at `end`, `b` starts at `behind`.
+    fn no_modulo(&mut self, start: usize, end: usize, behind: usize) {
+        let text = |from: usize, to: usize| {
+            String::from_utf8_lossy(self.line.get(from..to).unwrap_or_default()).trim().to_owned()
+        };
+        let (left, right) = (text(start, end), text(behind, self.at));
+        let blank = self.line.get(start..end).unwrap_or_default();
+        let start = end - blank.trim_ascii_start().len();
+        let finding = self.finding(Alarm::Format, behind - 3, behind, msg!("nc.no-modulo", self.control.name));
+        let finding = finding.hint(msg!("nc.hint.modulo"));
+        self.replace(Alarm::Format, finding, start, self.at, &format!("[{left}-FIX[{left}/{right}]*{right}]"));
     }
 
     /// Whether an operator stands here, seen from behind the value of a word.
@@ -303,12 +129,7 @@ impl Reader<'_> {
                 if matches!(op, Op::And | Op::Modulo) != multiplicative {
                     return None;
                 }
-                let start = self.at;
                 self.take(name);
-                if *op == Op::Modulo && !self.control.syntax.modulo {
-                    let finding = self.finding(Alarm::Format, start, self.at, msg!("nc.no-modulo", self.control.name));
-                    self.report_as(Alarm::Format, finding.hint(msg!("nc.hint.modulo")));
-                }
                 return Some(*op);
             }
             _ => return None,
@@ -330,13 +151,14 @@ impl Reader<'_> {
         msg!("nc.bracket-depth", u32::from(self.control.syntax.bracket_depth))
     }
 
-    fn factor(&mut self) -> Read<ExprId> {
+    pub(super) fn factor(&mut self) -> Read<ExprId> {
         let byte = self.skip();
+        let start = self.at;
         match byte {
             b'#' => self.variable(false),
             b'0'..=b'9' | b'.' => {
                 let number = self.digits()?;
-                self.part(Expr::Number(number))
+                self.part(Expr::Number(number), start)
             }
             b'+' | b'-' => {
                 self.at += 1;
@@ -344,49 +166,107 @@ impl Reader<'_> {
                 if next.is_ascii_digit() || next == b'.' {
                     let mut number = self.digits()?;
                     number.mantissa *= if byte == b'-' { -1 } else { 1 };
-                    return self.part(Expr::Number(number));
+                    return self.part(Expr::Number(number), start);
                 }
                 self.deeper()?;
                 let inner = self.factor()?;
                 self.depth -= 1;
-                if byte == b'-' { self.part(Expr::Negate(inner)) } else { Ok(inner) }
+                if byte == b'-' { self.part(Expr::Negate(inner), start) } else { Ok(inner) }
             }
             b'[' => self.group(b']'),
             b'(' => self.group(b')'),
-            _ if byte.is_ascii_alphabetic() => {
-                let start = self.at;
-                let Some((name, function)) = self.function_here() else {
-                    return Err(self.unknown_name(start));
-                };
-                self.take(name);
-                match self.skip() {
-                    b'[' => {}
-                    b'(' if self.rounds => {}
-                    _ => {
-                        let message = msg!("nc.function-bracket", name);
-                        return Err(self.failure(Alarm::Format, start, start + name.len(), message, false));
-                    }
-                }
-                let close = if self.peek() == b'(' { b')' } else { b']' };
-                let inner = self.group(close)?;
-                self.part(Expr::Call(function, inner))
-            }
+            _ if byte.is_ascii_alphabetic() => self.function(),
             _ => Err(self.unexpected()),
         }
     }
 
-    /// A name where a value should stand.
-    fn unknown_name(&self, start: usize) -> Box<super::Failure> {
+    /// `FUNCTION[expr]`, or what else starts with letters where a value should stand.
+    fn function(&mut self) -> Read<ExprId> {
+        let start = self.at;
+        let (name, function) = match self.function_here() {
+            Some(known) => {
+                self.take(known.0);
+                known
+            }
+            None => self.misspelt_function()?,
+        };
+        let inner = match self.skip() {
+            b'[' => self.group(b']')?,
+            b'(' if self.rounds => self.group(b')')?,
+            _ => self.bare_argument(start, name)?,
+        };
+        if function == Function::Atan && self.control.syntax.atan_of_two {
+            return self.second_argument(inner, start);
+        }
+        self.part(Expr::Call(function, inner), start)
+    }
+
+    /// What a function's name with a slip in it was meant to be.
+    fn misspelt_function(&mut self) -> Read<(&'static str, Function)> {
+        let start = self.at;
         let rest = self.line.get(start..).unwrap_or_default();
         let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
         let name = String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase();
-        let bracket = rest.get(letters..).is_some_and(|rest| rest.iter().find(|b| **b != b' ') == Some(&b'['));
-        let message = if bracket {
-            msg!("nc.unknown-function", name, self.control.name)
-        } else {
-            msg!("nc.no-operand-but", name)
+        let bracket = rest.get(letters..).unwrap_or_default().trim_ascii_start().first();
+        if !matches!(bracket, Some(b'[' | b'(')) {
+            return Err(self.failure(Alarm::Format, start, start + letters, msg!("nc.no-operand-but", name), true));
+        }
+        let message = msg!("nc.unknown-function", name.as_str(), self.control.name);
+        let functions = self.control.syntax.functions;
+        match meant(&name, functions.iter().map(|(name, _)| *name)) {
+            Some(at) => {
+                let (known, function) = functions[at];
+                self.at += letters;
+                self.slip(Alarm::Format, start, self.at, message, known);
+                Ok((known, function))
+            }
+            None => Err(self.failure(Alarm::Format, start, start + letters, message, false)),
+        }
+    }
+
+    /// The argument of a function without brackets.
+    fn bare_argument(&mut self, start: usize, name: &str) -> Read<ExprId> {
+        let from = self.at;
+        self.deeper()?;
+        let argument = self.factor();
+        self.depth -= 1;
+        if self.control.syntax.bare_functions {
+            return argument;
+        }
+        let finding = self.finding(Alarm::Format, start, from, msg!("nc.function-bracket", name));
+        let Ok(argument) = argument else {
+            return Err(self.failure(
+                Alarm::Format,
+                start,
+                start + name.len(),
+                msg!("nc.function-bracket", name),
+                false,
+            ));
         };
-        self.failure(Alarm::Format, start, start + letters, message, !bracket)
+        self.enclose(Alarm::Format, finding, from, self.at);
+        Ok(argument)
+    }
+
+    /// The second number of `ATAN[y]/[x]`.
+    fn second_argument(&mut self, y: ExprId, start: usize) -> Read<ExprId> {
+        let end = self.at;
+        let name = start + 4;
+        if self.skip() == b'/' {
+            self.at += 1;
+            let byte = self.skip();
+            let from = self.at;
+            let x = self.factor()?;
+            if byte != b'[' && !self.rounds {
+                let finding = self.finding(Alarm::AtanForm, from, self.at, msg!("nc.atan-bracket"));
+                self.enclose(Alarm::AtanForm, finding, from, self.at);
+            }
+            return self.part(Expr::Binary(Op::Atan, y, x), start);
+        }
+        self.at = end;
+        let finding = self.finding(Alarm::AtanForm, start, name, msg!("nc.atan-alone", self.control.name));
+        self.replace(Alarm::AtanForm, finding.hint(msg!("nc.hint.atan")), end, end, "/[1]");
+        let x = self.part(Expr::Number(Dec::int(1)), end)?;
+        self.part(Expr::Binary(Op::Atan, y, x), start)
     }
 
     fn function_here(&self) -> Option<(&'static str, Function)> {
@@ -395,11 +275,15 @@ impl Reader<'_> {
         rows.max_by_key(|(name, _)| name.len()).copied()
     }
 
-    /// Whether a function stands here, with its bracket.
+    /// Whether a function stands here, with its argument.
     pub(super) fn function_ahead(&self) -> bool {
         self.function_here().is_some_and(|(name, _)| {
             let rest = self.line.get(self.at + name.len()..).unwrap_or_default();
-            matches!(rest.iter().find(|b| **b != b' '), Some(b'[' | b'('))
+            match rest.iter().find(|b| !b.is_ascii_whitespace()) {
+                Some(b'[' | b'(') => true,
+                Some(b'#' | b'0'..=b'9' | b'.') => self.control.syntax.bare_functions,
+                _ => false,
+            }
         })
     }
 
@@ -417,13 +301,13 @@ impl Reader<'_> {
         Ok(inner)
     }
 
-    fn open(&mut self, close: u8) -> Open {
+    pub(super) fn open(&mut self, close: u8) -> Open {
         let at = self.at;
         self.at += 1;
         Open { at, close }
     }
 
-    fn close(&mut self, open: Open) -> Read<()> {
+    pub(super) fn close(&mut self, open: Open) -> Read<()> {
         let byte = self.skip();
         if byte == open.close {
             if byte == b')' {
@@ -443,8 +327,8 @@ impl Reader<'_> {
         Err(failure)
     }
 
-    /// `#n`, `#[expr]` or `##n`; the reader stands at the `#`.
-    fn variable(&mut self, written: bool) -> Read<ExprId> {
+    /// `#n`, `#[expr]`, `##n` or `#9nnn`; the reader stands at the `#`.
+    pub(super) fn variable(&mut self, written: bool) -> Read<ExprId> {
         let start = self.at;
         self.at += 1;
         match self.skip() {
@@ -453,26 +337,45 @@ impl Reader<'_> {
                 while self.peek().is_ascii_digit() {
                     self.at += 1;
                 }
+                if self.zero_for_o() {
+                    return self.part(Expr::Var(0), start);
+                }
                 let digits = core::str::from_utf8(self.line.get(from..self.at).unwrap_or_default()).unwrap_or("");
                 let number = digits.parse::<u32>().unwrap_or(u32::MAX);
+                if let (true, 4, 9000..=9999) = (self.control.syntax.nine_hash, digits.len(), number) {
+                    self.check_variable(number - 9000, start, false);
+                    let inner = self.part(Expr::Var(number - 9000), start)?;
+                    return self.part(Expr::Indirect(inner), start);
+                }
                 self.check_variable(number, start, written);
-                self.part(Expr::Var(number))
+                self.part(Expr::Var(number), start)
             }
             b'#' => {
+                let from = self.at;
                 self.deeper()?;
                 let inner = self.variable(false)?;
                 self.depth -= 1;
-                self.part(Expr::Indirect(inner))
+                if !self.control.syntax.double_hash {
+                    let finding =
+                        self.finding(Alarm::Format, start, self.at, msg!("nc.double-hash", self.control.name));
+                    self.enclose(Alarm::Format, finding, from, self.at);
+                }
+                self.part(Expr::Indirect(inner), start)
             }
             b'[' => {
                 let inner = self.group(b']')?;
-                self.part(Expr::Indirect(inner))
+                self.part(Expr::Indirect(inner), start)
             }
             b'(' if self.rounds => {
                 let inner = self.group(b')')?;
-                self.part(Expr::Indirect(inner))
+                self.part(Expr::Indirect(inner), start)
             }
-            _ => Err(self.failure(Alarm::Format, start, start + 1, msg!("nc.variable-number"), false)),
+            _ => {
+                let name = self.line.get(start + 1..).unwrap_or_default();
+                let name = name.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
+                let message = if name > 1 { msg!("nc.variable-name") } else { msg!("nc.variable-number") };
+                Err(self.failure(Alarm::Format, start, start + 1 + name, message, false))
+            }
         }
     }
 
@@ -484,7 +387,8 @@ impl Reader<'_> {
                     let (key, to) = ((b'#', row.first), self.at);
                     return self.not_simulated(key, start, to, &format!("#{number} ({})", row.text));
                 }
-                kind if written && !kind.writable() => Alarm::ReadOnly,
+                VarKind::Vacant if written => Alarm::VacantWritten,
+                kind if written && !kind.writable() => Alarm::VariableSide,
                 VarKind::AlarmMessage | VarKind::StopMessage if !written => Alarm::VariableSide,
                 _ => return,
             },

@@ -5,33 +5,38 @@
 //! program:= [ O uint [comment] ] { block EOB }    several programs may stand in one file
 //! block  := [ '/' [digit] ] [ N uint ] ( macro | words )
 //! macro  := var '=' expr
-//!         | IF '[' cond ']' GOTO expr | GOTO expr
+//!         | IF '[' cond ']' GOTO expr | IF '[' cond ']' THEN var '=' expr | GOTO expr
 //!         | WHILE '[' cond ']' DO uint | DO uint | END uint
-//! words  := { letter ( number | expr ) }          X#1+10 and X[#1+10] are the same
+//! words  := { letter ( number | expr ) | '/' }    X#1+10 and X[#1+10] are the same; '/' before a letter skips the rest
 //! var    := '#' ( uint | var | '[' expr ']' )
 //! expr   := term { ( '+' | '-' | OR | XOR ) term }
 //! term   := factor { ( '*' | '/' | AND | MOD ) factor }
-//! factor := number | var | ( '+' | '-' ) factor | FUNCTION '[' expr ']' | '[' expr ']'
+//! factor := number | var | ( '+' | '-' ) factor | FUNCTION '[' expr ']' | '[' expr ']' | ATAN '[' expr ']' '/' '[' expr ']'
 //! cond   := expr ( EQ | NE | GT | GE | LT | LE ) expr
 //! ```
 //!
+//! Which of it a control has, and what it has besides (`==`, `SIN30`, `#9100`), its rows say.
+//!
 //! Spaces mean nothing; `( … )` up to the first `)` is a comment and may stand anywhere; EOB is a line end or `;`. Small letters
 //! are read as capitals. A block that does not read becomes [`Stmt::Bad`] and is reported once, at the place of the mistake, with
-//! the control's alarm number. Where the mistake has a known shape, a fix comes with it (`recover`, `mend`).
+//! the control's alarm number. Where the mistake has a known shape, a fix comes with it (`slips`, `recover`, `mend`).
 
 mod alone;
 mod check;
 mod formula;
 mod mend;
 mod recover;
+mod slips;
+mod statement;
 mod words;
 
 pub use alone::{Formula, formula};
 
-use super::ast::{Block, Deck, Program, Stmt};
+use super::ast::{Block, Deck, Op, Program, Stmt};
 use super::files::Files;
 use super::parsed::Parsed;
-use crate::controls::{Alarm, Control};
+use crate::controls::macros::{CallKind, CodeCall};
+use crate::controls::{Alarm, Control, Switches};
 use crate::msg;
 use crate::order;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
@@ -48,9 +53,15 @@ const BLOCK_BYTES: usize = 60_000;
 /// What some editors write before a text in UTF-8.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// Reads files as a control would. Total: any text gives a value.
+/// Reads files as a control would whose open points are at their defaults. Total: any text gives a value.
 pub fn parse(files: &Files, control: &'static Control) -> Parsed {
-    let tables = Tables::new(control);
+    parse_with(files, control, &Switches::default())
+}
+
+/// Reads files as a control would with its open points as they are set. Total: any text gives a value.
+pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
+    let calls = control.code_calls(switches);
+    let tables = Tables::new(control, &calls);
     let mut deck = Deck::default();
     let mut found = Vec::new();
     for (index, file) in files.0.iter().enumerate() {
@@ -78,45 +89,76 @@ pub fn parse(files: &Files, control: &'static Control) -> Parsed {
         found.push(Diagnostic::info(msg!("nc.more-findings", FINDINGS as u32)));
     }
     deck.shrink();
-    Parsed::new(files.clone(), deck, found, control)
+    Parsed::new(files.clone(), deck, found, control, switches.clone(), calls)
 }
+
+/// Slot of a code that calls a program.
+const BOUND: u16 = u16::MAX;
 
 /// What is looked up for every word, in the order of its first byte.
-struct Tables {
-    /// Index + 1 into the control's codes, by ten times the G number.
+struct Tables<'a> {
+    /// Index + 1 into the control's codes, by ten times the G number; [`BOUND`] for one that calls a program.
     g: Box<[u16; 1000]>,
-    /// Index + 1 into the control's codes, by the M number.
+    /// Index + 1 into the control's codes, by the M number; [`BOUND`] for one that calls a program.
     m: Box<[u16; 100]>,
-    /// Letters of words outside macro calls.
-    letters: [bool; 256],
+    /// Codes that call programs.
+    calls: &'a [CodeCall],
+    /// Bit `letter & 31`: letters of words outside macro calls.
+    letters: u32,
+    /// Bit `letter & 31`: letters that may stand only once in a block.
+    once: u32,
+    /// Bit `letter & 31`: letters whose number must not have a point.
+    whole: u32,
+    /// Words of a block.
+    most_words: usize,
 }
 
-impl Tables {
-    fn new(control: &Control) -> Tables {
-        let mut tables = Tables { g: Box::new([0; 1000]), m: Box::new([0; 100]), letters: [false; 256] };
-        for (index, row) in control.codes.iter().enumerate() {
-            let slot = match row.letter {
-                b'G' => tables.g.get_mut(row.number as usize),
-                _ => tables.m.get_mut(row.number as usize / 10),
+fn letter_bits(letters: impl Iterator<Item = u8>) -> u32 {
+    letters.fold(0, |bits, letter| bits | 1 << (letter & 31))
+}
+
+impl<'a> Tables<'a> {
+    fn new(control: &Control, calls: &'a [CodeCall]) -> Tables<'a> {
+        let mut tables = Tables {
+            g: Box::new([0; 1000]),
+            m: Box::new([0; 100]),
+            calls,
+            letters: letter_bits(control.syntax.addresses.iter().copied().chain(control.axis_letters())),
+            once: if control.syntax.address_twice { !letter_bits(b"GM".iter().copied()) } else { 0 },
+            whole: 0,
+            most_words: (control.syntax.block_words as usize).min(u16::MAX as usize),
+        };
+        if control.syntax.point_alarm {
+            // The point of G54.1 is part of its number.
+            tables.whole = letter_bits(control.syntax.integer_addresses.iter().copied().filter(|&b| b != b'G'));
+        }
+        let rows = control.codes.iter().enumerate().map(|(at, row)| (row.letter, row.number.into(), at as u16 + 1));
+        // A user's code comes before the control's own of the same number.
+        for (letter, number, index) in rows.chain(calls.iter().map(|call| (call.letter, call.number, BOUND))) {
+            let slot = match letter {
+                b'G' => tables.g.get_mut(number as usize),
+                _ => tables.m.get_mut(number as usize / 10),
             };
             if let Some(slot) = slot {
-                *slot = index as u16 + 1;
+                *slot = index;
             }
         }
-        for letter in control.syntax.addresses.iter().copied().chain(control.axes.iter().map(|axis| axis.letter)) {
-            tables.letters[letter as usize] = true;
-        }
         tables
+    }
+
+    /// How a code calls its program, where it calls one; `number` is ten times what is written.
+    fn call(&self, letter: u8, number: u32) -> Option<CallKind> {
+        let call = self.calls.iter().find(|call| (call.letter, call.number) == (letter, number));
+        call.map(|call| call.kind)
     }
 }
 
 /// A block that does not read, and why.
 struct Failure {
     alarm: Alarm,
-    /// Bytes behind the start of the block.
+    /// Where it shows, in bytes behind the start of the block.
     from: usize,
-    to: usize,
-    message: Message,
+    finding: Diagnostic,
     /// The reader stood at a word: what follows may be a remark without brackets.
     at_word: bool,
 }
@@ -141,7 +183,7 @@ struct Misused {
 
 struct Reader<'a> {
     control: &'static Control,
-    tables: &'a Tables,
+    tables: &'a Tables<'a>,
     id: FileId,
     source: &'a str,
     deck: Deck,
@@ -172,6 +214,14 @@ struct Reader<'a> {
     bad: Option<Alarm>,
     depth: u32,
     parts: u32,
+    /// The comparison of the block: where it stands, and what it is.
+    compared: (usize, usize, Op),
+    /// Every number of the file in rising order, once a fix asks for one that is free.
+    numbers: Vec<u32>,
+    /// Sequence numbers that fixes have taken.
+    taken: Vec<u32>,
+    /// Where the parts of formulas stand in the block, in the order of the tree; kept only where somebody asks.
+    places: Option<Vec<Span>>,
 }
 
 /// How many bytes are such, in pieces whose numbers fit a byte: many are counted at once.
@@ -180,7 +230,7 @@ fn count(bytes: &[u8], such: impl Fn(u8) -> bool) -> usize {
 }
 
 impl<'a> Reader<'a> {
-    fn new(control: &'static Control, tables: &'a Tables, id: FileId, source: &'a str, deck: Deck) -> Reader<'a> {
+    fn new(control: &'static Control, tables: &'a Tables<'a>, id: FileId, source: &'a str, deck: Deck) -> Reader<'a> {
         Reader {
             control,
             tables,
@@ -205,6 +255,10 @@ impl<'a> Reader<'a> {
             bad: None,
             depth: 0,
             parts: 0,
+            compared: (0, 0, Op::Equal),
+            numbers: Vec::new(),
+            taken: Vec::new(),
+            places: None,
         }
     }
 
@@ -322,8 +376,7 @@ impl<'a> Reader<'a> {
         let line = source.as_bytes().get(from..to).unwrap_or_default();
         if line.len() > BLOCK_BYTES {
             self.take_line(line, from);
-            self.report(Alarm::Format, 0, line.len(), msg!("nc.block-too-long", BLOCK_BYTES as u32));
-            self.bad = Some(Alarm::Format);
+            self.report(Alarm::BlockTooLong, 0, line.len(), msg!("nc.block-too-long", BLOCK_BYTES as u32));
             return self.push(Stmt::Empty);
         }
         let letters = self.control.syntax.program_letters;
@@ -342,7 +395,25 @@ impl<'a> Reader<'a> {
             Ok(stmt) => stmt,
             Err(failure) => self.recover(mark, failure),
         };
+        if self.line.len() > self.control.syntax.block_read_chars as usize {
+            self.check_length();
+        }
         self.push(stmt);
+    }
+
+    /// A block has so many characters at most; comments do not count.
+    #[cold]
+    fn check_length(&mut self) {
+        let (mut count, mut comment) = (0, false);
+        let most = self.control.syntax.block_read_chars;
+        for (at, &byte) in self.line.iter().enumerate() {
+            comment |= byte == b'(';
+            count += u32::from(!comment);
+            comment &= byte != b')';
+            if count > most && self.bad.is_none() {
+                return self.report(Alarm::BlockTooLong, at, self.line.len(), msg!("nc.block-too-long", most));
+            }
+        }
     }
 
     fn take_line(&mut self, line: &'a [u8], from: usize) {

@@ -1,6 +1,6 @@
 //! What a block that does not read was meant to be: mistakes of a known shape, each said once and with its fix.
 //!
-//! Tried in this order: a comment with brackets in it; a remark without brackets behind (or instead of) the block; round brackets used for arithmetic; else the
+//! Tried in this order: a comment with brackets in it; a remark without brackets or behind `//`, in front of which a block may stand; round brackets used for arithmetic; else the
 //! failure as the control would meet it. Whatever is found, the block is bad: the control would stop there.
 
 use super::super::ast::Stmt;
@@ -48,10 +48,8 @@ impl Reader<'_> {
     }
 
     fn give_up(&mut self, failure: Failure) -> Stmt {
-        let alarm = failure.alarm;
-        let finding = self.finding(alarm, failure.from, failure.to, failure.message);
-        self.report_as(alarm, finding);
-        Stmt::Bad(alarm)
+        self.report_as(failure.alarm, failure.finding);
+        Stmt::Bad(failure.alarm)
     }
 
     /// Reads the line again with round brackets that group: if it reads then, they are the mistake.
@@ -88,7 +86,8 @@ impl Reader<'_> {
         let mut comment = false;
         while let Some(&byte) = self.line.get(at) {
             let run = dashes(self.line, at);
-            if !comment && is_remark(self.line, at, run) {
+            let slashes = self.line.get(at..).is_some_and(|rest| rest.starts_with(b"//"));
+            if !comment && (slashes || is_remark(self.line, at, run)) {
                 return Some(at);
             }
             comment = match byte {
@@ -107,7 +106,7 @@ impl Reader<'_> {
         let end = self.line.len();
         let start = self.base as usize;
         let text = self.source.get(start + from..start + end).unwrap_or("");
-        let bare = text.trim_start_matches(|c: char| c.is_whitespace() || is_dash(c));
+        let bare = text.trim_start_matches(|c: char| c.is_whitespace() || c == '/' || is_dash(c));
         let mut finding = self.finding(alarm, from, end, msg!("nc.remark", short(bare)));
         if let Some((title, number)) = program_in(text).filter(|_| from == 0 && self.only_comments()) {
             let letter = self.control.syntax.program_letters.first().map_or('O', |&letter| letter as char);
@@ -174,12 +173,10 @@ impl Reader<'_> {
         let close = self.at;
         let short = self.line.len() <= LOOKED_AT;
         if short && self.nested_comment().is_some_and(|(_, _, end)| end == close) {
-            return Err(self.failure(Alarm::Format, close, close + 1, msg!("nc.unopened-round"), false));
+            return Err(self.failure(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round"), false));
         }
         self.at += 1;
-        let finding = self.finding(Alarm::Format, close, close + 1, msg!("nc.unopened-round"));
-        let place = self.place(self.span(close, close + 1));
-        self.report_as(Alarm::Format, finding.fix(msg!("nc.fix.drop", ")"), vec![(place, String::new())]));
+        self.slip(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round"), "");
         Ok(())
     }
 
@@ -220,7 +217,10 @@ fn is_remark(line: &[u8], at: usize, run: usize) -> bool {
     let wide = line.get(at).is_some_and(|b| !b.is_ascii());
     let mut behind = line.get(at + run..).unwrap_or_default().iter().skip_while(|b| **b == b' ');
     let letter = behind.next().is_none_or(|b| b.is_ascii_alphabetic() || !b.is_ascii());
-    run > 0 && (wide || run >= 2 && letter)
+    // A wide dash directly in front of a value is a sign.
+    let value = line.get(at + run).is_some_and(|b| b.is_ascii_digit() || matches!(b, b'.' | b'#' | b'['));
+    let sign = value && at.checked_sub(1).and_then(|at| line.get(at)).is_some_and(|b| !b.is_ascii_whitespace());
+    run > 0 && (wide && !sign || run >= 2 && letter)
 }
 
 /// Where the variable starts that stands alone in front of a remark, behind no more than a sequence number.
@@ -233,7 +233,7 @@ fn variable_alone(head: &[u8]) -> Option<usize> {
 }
 
 /// Whether the text reads like words of a language: two or more runs of letters, one of them long.
-fn prose(rest: &[u8]) -> bool {
+pub(super) fn prose(rest: &[u8]) -> bool {
     let runs = rest.split(|b| !b.is_ascii_alphabetic()).filter(|run| run.len() >= 2);
     let (count, longest) = runs.fold((0, 0), |(count, longest), run| (count + 1, longest.max(run.len())));
     let start = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();

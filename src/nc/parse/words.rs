@@ -2,8 +2,9 @@
 
 use super::super::ast::{Stmt, Word, WordValue};
 use super::super::dec::Dec;
-use super::{Failure, Read, Reader};
-use crate::controls::{Alarm, Code};
+use super::{BOUND, Failure, Read, Reader};
+use crate::controls::macros::CallKind;
+use crate::controls::{Alarm, Code, CodeDef};
 use crate::msg;
 use crate::text::Message;
 
@@ -54,10 +55,8 @@ impl<'a> Reader<'a> {
         let close = inner.iter().position(|&b| b == b')');
         let end = open + 1 + close.unwrap_or(inner.len());
         if close.is_none() {
-            let finding = self.finding(Alarm::Format, open, end, msg!("nc.open-comment"));
-            let at = self.place(self.span(end, end));
-            let finding = finding.fix(msg!("nc.fix.close-comment"), vec![(at, ")".to_owned())]);
-            self.report_as(Alarm::Format, finding);
+            let finding = self.finding(Alarm::CommentBracket, open, end, msg!("nc.open-comment"));
+            self.replace(Alarm::CommentBracket, finding, end, end, ")");
         }
         let (from, to) = (self.base as usize + open + 1, self.base as usize + end);
         self.note_foreign(from, to);
@@ -130,7 +129,8 @@ impl<'a> Reader<'a> {
 
     fn words(&mut self) -> Read<Stmt> {
         let first = self.deck.words.len();
-        let mut odd = None;
+        // Bits of the letters: all, those that stand twice, those of numbers with a point.
+        let (mut seen, mut twice, mut pointed) = (0_u32, 0_u32, 0_u32);
         let mut calls = false;
         loop {
             let byte = self.skip();
@@ -148,29 +148,71 @@ impl<'a> Reader<'a> {
             }
             self.at += 1;
             let value = self.value(start, letter)?;
-            if !self.tables.letters[letter as usize] && odd.is_none() {
-                odd = Some((letter, start));
-            }
-            match (letter, value) {
-                (b'G', WordValue::Number(number)) => calls |= self.g_code(number, start),
-                (b'M', WordValue::Number(number)) => self.m_code(number, start),
-                _ => {}
+            let bit = 1 << (letter & 31);
+            twice |= seen & bit;
+            seen |= bit;
+            if let WordValue::Number(number) = value {
+                if number.point {
+                    pointed |= bit;
+                }
+                match letter {
+                    b'G' => calls |= self.g_code(number, start),
+                    b'M' => calls |= self.m_code(number, start),
+                    _ => {}
+                }
             }
             let len = (self.at - start).min(u8::MAX as usize) as u8;
             self.deck.words.push(Word { letter, len, offset: start as u16, value });
         }
-        if let Some((letter, start)) = odd.filter(|_| !calls) {
-            self.odd_letter(letter, start);
+        let tables = self.tables;
+        let (odd, twice, pointed) = (seen & !tables.letters, twice & tables.once, pointed & tables.whole);
+        if (odd | twice | pointed) != 0 && !calls {
+            self.faulty_words(first, odd, twice, pointed);
         }
         let count = self.deck.words.len() - first;
-        Ok(match u16::try_from(count) {
-            Ok(0) => Stmt::Empty,
-            Ok(count) => Stmt::Words { first: first as u32, count },
-            Err(_) => {
-                self.report(Alarm::Format, 0, self.line.len(), msg!("nc.block-too-long", BLOCK_WORDS));
-                Stmt::Empty
+        if count > self.tables.most_words {
+            let start = self.deck.words.get(first + self.tables.most_words).map_or(0, |word| word.offset as usize);
+            let message = msg!("nc.too-many-words", self.tables.most_words as u32);
+            self.report(Alarm::BlockTooLong, start, self.line.len(), message);
+        }
+        Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
+    }
+
+    /// Reports the first word of each letter that is no address here, the second word of each letter that may stand only once, and
+    /// the numbers that must not have a point.
+    #[cold]
+    fn faulty_words(&mut self, first: usize, mut odd: u32, twice: u32, pointed: u32) {
+        let mut seen = 0_u32;
+        for at in first..self.deck.words.len() {
+            let Some(word) = self.deck.words.get(at).copied() else { break };
+            let (bit, start) = (1 << (word.letter & 31), word.offset as usize);
+            let end = start + word.len as usize;
+            if odd & bit != 0 {
+                odd &= !bit;
+                self.odd_letter(word.letter, start);
+            } else if seen & twice & bit != 0 {
+                let letter = (word.letter as char).to_string();
+                self.report(Alarm::AddressTwice, start, end, msg!("nc.address-twice", letter));
+            } else if let (true, WordValue::Number(number @ Dec { point: true, .. })) = (pointed & bit != 0, word.value)
+            {
+                self.needless_point(word.letter, number, start, end);
             }
-        })
+            seen |= bit;
+        }
+    }
+
+    /// A point in the number of an address of whole numbers.
+    fn needless_point(&mut self, letter: u8, number: Dec, start: usize, end: usize) {
+        let message = msg!("nc.point-not-allowed", (letter as char).to_string());
+        let finding = self.finding(Alarm::PointNotAllowed, start, end, message);
+        let text = self.line.get(start..end).unwrap_or_default();
+        match text.iter().position(|&b| b == b'.') {
+            Some(point) if number.to_f64().fract() == 0.0 => {
+                self.replace(Alarm::PointNotAllowed, finding, start + point, end, "");
+            }
+            // What stands behind the point cannot be dropped without a change of meaning.
+            _ => self.report_as(Alarm::PointNotAllowed, finding),
+        }
     }
 
     /// A letter that is no address here.
@@ -189,7 +231,8 @@ impl<'a> Reader<'a> {
         match byte {
             b'/' if self.skip_mark_ahead() => {
                 self.at += 1;
-                self.not_simulated((b'/', 0), start, self.at, "/");
+                let value = WordValue::Number(Dec::int(1));
+                self.deck.words.push(Word { letter: b'/', len: 1, offset: start as u16, value });
             }
             b',' => {
                 self.at += 1;
@@ -217,6 +260,12 @@ impl<'a> Reader<'a> {
     #[inline]
     fn value(&mut self, start: usize, letter: u8) -> Read<WordValue> {
         let mut next = self.skip();
+        if matches!(next, b'=' | b'O' | b'o') {
+            if let Some(value) = self.odd_value(start, next) {
+                return Ok(value);
+            }
+            next = self.skip();
+        }
         let mut sign = 1;
         let value_at = self.at;
         if matches!(next, b'-' | b'+') {
@@ -247,6 +296,8 @@ impl<'a> Reader<'a> {
                     return Ok(WordValue::Number(number));
                 }
             }
+        } else if !next.is_ascii() {
+            return Err(self.unexpected());
         } else if !matches!(next, b'#' | b'[' | b'-' | b'+' | b'(') && !self.function_ahead() {
             // The address alone: X, or the start of a word that is none.
             self.at = start;
@@ -286,6 +337,9 @@ impl<'a> Reader<'a> {
             length += 1;
         }
         self.at += length;
+        if matches!(self.peek(), b',' | b'O' | b'o') {
+            self.odd_digit();
+        }
         if length == usize::from(point) {
             return Err(self.failure(Alarm::Format, start, self.at, msg!("nc.lone-point"), false));
         }
@@ -303,30 +357,53 @@ impl<'a> Reader<'a> {
             1 => Some(number.mantissa),
             _ => None,
         };
-        let slot = tenths.and_then(|tenths| self.tables.g.get(usize::try_from(tenths).ok()?)).copied().unwrap_or(0);
+        let tenths = tenths.and_then(|tenths| u32::try_from(tenths).ok());
+        let slot = tenths.and_then(|tenths| self.tables.g.get(tenths as usize)).copied().unwrap_or(0);
         match self.control.codes.get((slot as usize).wrapping_sub(1)) {
-            None => {
-                let message = msg!("nc.unknown-code", format!("G{number}"), self.control.name);
-                self.report(Alarm::UnknownCode, start, self.at, message);
-                false
-            }
-            Some(row) if row.code == Code::NotSimulated => {
-                let name = format!("G{number} ({})", row.text);
-                self.not_simulated((b'G', row.number.into()), start, self.at, &name);
-                false
-            }
-            Some(row) => matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock),
+            None => self.rare_g_code(tenths, number, start),
+            Some(row) => self.known_g_code(row, number, start),
         }
     }
 
     #[inline]
-    fn m_code(&mut self, number: Dec, start: usize) {
+    fn known_g_code(&mut self, row: &CodeDef, number: Dec, start: usize) -> bool {
+        if row.code == Code::NotSimulated {
+            let name = format!("G{number} ({})", row.text);
+            self.not_simulated((b'G', row.number.into()), start, self.at, &name);
+        }
+        matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)
+    }
+
+    /// A G code from 100 on, one that calls a program, or none.
+    #[cold]
+    fn rare_g_code(&mut self, tenths: Option<u32>, number: Dec, start: usize) -> bool {
+        if let Some(kind) = tenths.and_then(|tenths| self.tables.call(b'G', tenths)) {
+            return kind != CallKind::Sub;
+        }
+        if let Some(row) = tenths.and_then(|tenths| self.control.code(b'G', u16::try_from(tenths).ok()?)) {
+            return self.known_g_code(row, number, start);
+        }
+        self.report(
+            Alarm::UnknownCode,
+            start,
+            self.at,
+            msg!("nc.unknown-code", format!("G{number}"), self.control.name),
+        );
+        false
+    }
+
+    /// Looks an M code up; whether it is a macro call.
+    #[inline]
+    fn m_code(&mut self, number: Dec, start: usize) -> bool {
         let slot = usize::try_from(number.mantissa).ok().and_then(|number| self.tables.m.get(number)).copied();
-        let row = self.control.codes.get((slot.unwrap_or(0) as usize).wrapping_sub(1));
+        let slot = slot.unwrap_or(if self.tables.calls.is_empty() { 0 } else { BOUND });
+        let row = self.control.codes.get((slot as usize).wrapping_sub(1));
         if let Some(row) = row.filter(|row| row.code == Code::NotSimulated && number.scale == 0) {
             let name = format!("M{number} ({})", row.text);
             self.not_simulated((b'M', row.number.into()), start, self.at, &name);
         }
+        let call = || self.tables.call(b'M', u32::try_from(number.mantissa).ok()?.checked_mul(10)?);
+        slot == BOUND && number.scale == 0 && call().is_some_and(|kind| kind != CallKind::Sub)
     }
 
     /// Says once per kind that the control has it and the simulation does not act on it.
@@ -353,20 +430,14 @@ impl<'a> Reader<'a> {
             self.at += 1;
         }
         let text = String::from_utf8_lossy(self.line.get(start..self.at).unwrap_or_default()).into_owned();
-        let finding = self.finding(Alarm::Format, start, self.at, msg!("nc.stray-point", text.as_str()));
-        let place = self.place(self.span(start, self.at));
-        let finding = finding.fix(msg!("nc.fix.drop", text), vec![(place, String::new())]);
-        self.report_as(Alarm::Format, finding);
+        self.slip(Alarm::Format, start, self.at, msg!("nc.stray-point", text), "");
     }
 
     /// A `]` without its `[`; reported with its fix, and skipped.
     pub(super) fn stray_square(&mut self) {
         let start = self.at;
         self.at += 1;
-        let finding = self.finding(Alarm::BracketPair, start, self.at, msg!("nc.unopened-square"));
-        let place = self.place(self.span(start, self.at));
-        let finding = finding.fix(msg!("nc.fix.drop", "]"), vec![(place, String::new())]);
-        self.report_as(Alarm::BracketPair, finding);
+        self.slip(Alarm::BracketPair, start, self.at, msg!("nc.unopened-square"), "");
     }
 
     /// The failure of a byte that cannot stand at this place.
@@ -389,7 +460,10 @@ impl<'a> Reader<'a> {
             };
             self.failure(Alarm::Format, start, end, message, !character.is_ascii_digit())
         } else {
-            self.failure(Alarm::IllegalAddress, start, end, msg!("nc.illegal-character", shown), true)
+            let mut failure =
+                self.failure(Alarm::IllegalAddress, start, end, msg!("nc.illegal-character", shown), true);
+            failure.finding.fixes.extend(self.plain_characters(character));
+            failure
         }
     }
 
@@ -401,9 +475,6 @@ impl<'a> Reader<'a> {
         message: Message,
         at_word: bool,
     ) -> Box<Failure> {
-        Box::new(Failure { alarm, from, to, message, at_word })
+        Box::new(Failure { alarm, from, finding: self.finding(alarm, from, to, message), at_word })
     }
 }
-
-/// Words that a block can hold.
-const BLOCK_WORDS: u32 = u16::MAX as u32;

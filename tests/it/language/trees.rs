@@ -6,7 +6,7 @@ use macroline::nc::{Deck, Expr, ExprId, Parsed, Stmt, WordValue};
 use super::{findings, read};
 
 /// The tree, one block a line: number, kind, parts.
-fn tree(parsed: &Parsed) -> String {
+pub(super) fn tree(parsed: &Parsed) -> String {
     fn expr(deck: &Deck, id: ExprId) -> String {
         match deck.expr(id) {
             Expr::Number(number) => number.to_string(),
@@ -31,6 +31,7 @@ fn tree(parsed: &Parsed) -> String {
                 Stmt::Words { .. } => words.collect::<Vec<_>>().join(" "),
                 Stmt::Assign { to, value } => format!("{} = {}", say(to), say(value)),
                 Stmt::If { cond, target } => format!("if {} goto {}", say(cond), say(target)),
+                Stmt::IfThen { cond, to, value } => format!("if {} then {} = {}", say(cond), say(to), say(value)),
                 Stmt::Goto(target) => format!("goto {}", say(target)),
                 Stmt::While { cond, label } => format!("while {} do {label}", cond.map_or("true".to_owned(), say)),
                 Stmt::End { label } => format!("end {label}"),

@@ -67,40 +67,40 @@ fn a_condition_without_a_value_stops_and_says_why() {
         CALLS,
         "break N30 if [1/#500 GT 2]\nc\nbreak N40 if #1 GT\nbreak N40 if #1=2\nc",
         expect![[r#"
-        > break N30 if [1/#500 GT 2]
-        breakpoint 1: a.nc:4: N30 M98 P3000 L2
-        > c
-        breakpoint 1: its condition has no value here
-        error[P283]: Division by zero.
-          = #500 is not set and counts as 0. Set it, or test it before: IF[#500 LE 0]GOTO …
-          #100 vacant -> 3
-          #101 vacant -> 3
-         --> a.nc:4:1
-          |
-        4 | N30 M98 P3000 L2
-          | ^^^^^^^^^^^^^^^^
-          = O1000, 0.015 s
-        > ?break N40 if #1 GT
-        #1 GT
-            ^
-        error[P33]: The block ends where a value should stand.
-        > ?break N40 if #1=2
-        #1=2
-          ^
-        error[P33]: “=” cannot stand here.
-        > c
-        the program is over
-          #101 3 -> 2
-          #102 vacant -> 2
-          none -> F1000
-          gives linear X10 F1000
-          gives end
-         --> a.nc:6:1
-          |
-        6 | N50 M30
-          | ^^^^^^^
-          = O1000, 0.7611 s
-    "#]],
+            > break N30 if [1/#500 GT 2]
+            breakpoint 1: a.nc:4: N30 M98 P3000 L2
+            > c
+            breakpoint 1: its condition has no value here
+            error[P283]: Division by zero.
+              = #500 is not set and counts as 0. Set it, or test it before: IF[#500 LE 0]GOTO …
+              #100 vacant -> 3
+              #101 vacant -> 3
+             --> a.nc:4:1
+              |
+            4 | N30 M98 P3000 L2
+              | ^^^^^^^^^^^^^^^^
+              = O1000, 0.015 s
+            > ?break N40 if #1 GT
+            #1 GT
+                ^
+            error[P33]: The block ends where a value should stand.
+            > ?break N40 if #1=2
+            #1=2
+              ^
+            error[P290]: “=” is no comparison of the Mitsubishi E60: write EQ.
+            > c
+            the program is over
+              #101 3 -> 2
+              #102 vacant -> 2
+              none -> F1000
+              gives linear X10 F1000
+              gives end
+             --> a.nc:6:1
+              |
+            6 | N50 M30
+              | ^^^^^^^
+              = O1000, 0.7611 s
+        "#]],
     );
 }
 

@@ -1,0 +1,245 @@
+//! Slips that leave no doubt about what was meant: said once, with their fix, and read as they were meant.
+
+use super::super::ast::{Expr, ExprId, Op, WordValue, fresh_numbers};
+use super::super::dec::Dec;
+use super::recover::prose;
+use super::statement::letters_of;
+use super::{Failure, Read, Reader};
+use crate::controls::Alarm;
+use crate::msg;
+use crate::order;
+use crate::text::{Diagnostic, Fix, Message};
+
+/// Files longer than this get no fix that needs numbers which stand nowhere in them.
+const NUMBERED: usize = 1 << 20;
+
+/// Lines that are searched for the other end of a loop.
+const SEARCHED: usize = 1000;
+
+impl Reader<'_> {
+    /// Reports a finding, mended by other text in place of some bytes of the line.
+    pub(super) fn replace(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize, new: &str) {
+        let old = String::from_utf8_lossy(self.line.get(from..to).unwrap_or_default()).into_owned();
+        let title = match (old.trim(), new.trim()) {
+            (old, "") => msg!("nc.fix.drop", old),
+            ("", new) => msg!("nc.fix.insert", new),
+            (_, new) => msg!("nc.fix.write", new),
+        };
+        let place = self.place(self.span(from, to));
+        self.report_as(alarm, finding.fix(title, vec![(place, new.to_owned())]));
+    }
+
+    /// Reports bytes of the line that should be other text.
+    pub(super) fn slip(&mut self, alarm: Alarm, from: usize, to: usize, message: Message, new: &str) {
+        let finding = self.finding(alarm, from, to, message);
+        self.replace(alarm, finding, from, to, new);
+    }
+
+    /// Reports a finding, mended by square brackets around some bytes of the line.
+    pub(super) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
+        let edit = |at, bracket: &str| (self.place(self.span(at, at)), bracket.to_owned());
+        let edits = vec![edit(from, "["), edit(to, "]")];
+        self.report_as(alarm, finding.fix(msg!("nc.fix.square"), edits));
+    }
+
+    /// Where what was read ends, without the blanks that were skipped behind it.
+    pub(super) fn ended_at(&self) -> usize {
+        self.line.get(..self.at).unwrap_or_default().trim_ascii_end().len()
+    }
+
+    /// A word in place of what stands here, with spaces where there are none.
+    pub(super) fn spaced(&self, from: usize, to: usize, word: &str) -> String {
+        let blank = |at: Option<usize>| at.and_then(|at| self.line.get(at)).is_some_and(|b| matches!(b, b' ' | b'\t'));
+        let gap = |blank: bool| if blank { "" } else { " " };
+        format!("{}{word}{}", gap(blank(from.checked_sub(1))), gap(blank(Some(to))))
+    }
+
+    /// The line end of the file.
+    pub(super) fn newline(&self) -> &'static str {
+        let first = self.source.find('\n').and_then(|at| self.source.as_bytes().get(at.checked_sub(1)?));
+        if first == Some(&b'\r') { "\r\n" } else { "\n" }
+    }
+
+    /// A sequence number that stands nowhere in the file and was not given out before.
+    fn fresh_number(&mut self) -> Option<u32> {
+        if self.source.len() > NUMBERED {
+            return None;
+        }
+        if self.numbers.is_empty() {
+            let runs = self.source.split(|c: char| !c.is_ascii_digit());
+            self.numbers = runs.filter_map(|run| run.parse().ok()).chain([0]).collect();
+            order::by_key(&mut self.numbers, |&number| number.into());
+        }
+        let free = |number: &u32| self.numbers.binary_search(number).is_err() && !self.taken.contains(number);
+        let number = fresh_numbers().find(free)?;
+        self.taken.push(number);
+        Some(number)
+    }
+
+    /// `IF … THEN`, from `then` to `behind`, mended by a jump over what depends on the condition.
+    pub(super) fn jump_instead(&mut self, finding: Diagnostic, then: usize, behind: usize) -> Diagnostic {
+        let rest = self.line.get(behind..).unwrap_or_default();
+        let behind = behind + rest.len() - rest.trim_ascii_start().len();
+        let end = self.line.len();
+        let number = if behind < end { self.fresh_number() } else { None };
+        let Some(number) = number else { return finding };
+        let (from, to, op) = self.compared;
+        let newline = self.newline();
+        let skip = match self.skip_switch {
+            0 => String::new(),
+            1 => "/".to_owned(),
+            switch => format!("/{switch}"),
+        };
+        let opposite = self.spaced(from, to, letters_of(op.opposite()));
+        let edits = vec![
+            (self.place(self.span(from, to)), opposite),
+            (self.place(self.span(then, behind)), format!("GOTO{number}{newline}{skip}")),
+            (self.place(self.span(end, end)), format!("{newline}N{number}")),
+        ];
+        finding.fix(msg!("nc.fix.jump"), edits)
+    }
+
+    /// The failure of a `WHILE` without its `DO`; the number of the `END` that has no other is the one that was meant.
+    pub(super) fn while_without_do(&self, start: usize) -> Box<Failure> {
+        let at = self.ended_at().max(start + 5);
+        let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"), false);
+        if let Some(label) = self.next_end() {
+            let label = format!("DO{label}");
+            let edit = (self.place(self.span(at, at)), label.clone());
+            failure.finding = failure.finding.fix(msg!("nc.fix.insert", label), vec![edit]);
+        }
+        failure
+    }
+
+    /// The number of the next `END` in the file that no `DO` behind this line belongs to.
+    fn next_end(&self) -> Option<&str> {
+        let behind = self.source.get(self.base as usize + self.line.len()..)?;
+        let mut open = 0_u32;
+        for line in behind.lines().take(SEARCHED) {
+            let line = line.trim().trim_start_matches(|c: char| matches!(c, '/' | 'N' | 'n' | '0'..='9' | ' '));
+            let end = line.get(..3).filter(|word| word.eq_ignore_ascii_case("END")).and_then(|_| line.get(3..));
+            match end {
+                Some(label) if open == 0 => {
+                    let label = label.trim_start();
+                    let digits = label.bytes().take_while(u8::is_ascii_digit).count();
+                    return label.get(..digits).filter(|label| !label.is_empty());
+                }
+                Some(_) => open -= 1,
+                None if line.get(..2).is_some_and(|word| word.eq_ignore_ascii_case("DO")) => open += 1,
+                None if line.get(..5).is_some_and(|word| word.eq_ignore_ascii_case("WHILE")) => open += 1,
+                None => {}
+            }
+        }
+        None
+    }
+
+    /// `=` behind an address, which is left out, or a letter O, which gives the value 0.
+    #[cold]
+    pub(super) fn odd_value(&mut self, start: usize, byte: u8) -> Option<WordValue> {
+        let rest = self.line.get(start..).unwrap_or_default();
+        if byte == b'=' {
+            self.slip(Alarm::Format, self.at, self.at + 1, msg!("nc.equals-in-word"), "");
+            self.at += 1;
+            return None;
+        }
+        let at = core::mem::replace(&mut self.at, start);
+        let other = self.keyword_ahead() || prose(rest);
+        self.at = at;
+        if at > start + 1 || other {
+            return None;
+        }
+        self.zero_for_o().then(|| WordValue::Number(Dec::int(0)))
+    }
+
+    /// A comma or a letter O in a number, which is at hand.
+    #[cold]
+    pub(super) fn odd_digit(&mut self) {
+        self.zero_for_o();
+        if self.peek() != b',' {
+            return;
+        }
+        let at = self.at;
+        let behind = self.line.get(at + 1..).unwrap_or_default();
+        let digits = behind.iter().take_while(|b| b.is_ascii_digit()).count();
+        if digits > 0 {
+            self.slip(Alarm::Format, at, at + 1, msg!("nc.decimal-comma"), ".");
+            self.at += 1 + digits;
+        }
+    }
+
+    /// Letters O that stand in a number for zeros, with the digits behind them; whether there are any.
+    pub(super) fn zero_for_o(&mut self) -> bool {
+        let from = self.at;
+        if !matches!(self.peek(), b'O' | b'o') || self.ahead("OR") {
+            return false;
+        }
+        while matches!(self.peek(), b'O' | b'o' | b'.' | b'0'..=b'9') {
+            self.at += 1;
+        }
+        let text = String::from_utf8_lossy(self.line.get(from..self.at).unwrap_or_default()).into_owned();
+        self.slip(Alarm::Format, from, self.at, msg!("nc.letter-o"), &text.replace(['O', 'o'], "0"));
+        true
+    }
+
+    /// `a**b`, which no control has; `a` is from `start` to `end`, the second `*` is at hand.
+    pub(super) fn power(&mut self, base: ExprId, start: usize, end: usize) -> Read<ExprId> {
+        self.at += 1;
+        let exponent = self.factor()?;
+        let finding = self.finding(Alarm::Format, end, self.at, msg!("nc.no-power")).hint(msg!("nc.hint.power"));
+        let text = String::from_utf8_lossy(self.line.get(start..end).unwrap_or_default()).trim().to_owned();
+        match (self.deck.expr(base), self.deck.expr(exponent)) {
+            (Expr::Var(_) | Expr::Number(_), Expr::Number(Dec { mantissa: times @ 2..=4, scale: 0, .. })) => {
+                let product = format!("*{text}").repeat(times as usize - 1);
+                self.replace(Alarm::Format, finding, end, self.at, &product);
+            }
+            _ => self.report_as(Alarm::Format, finding),
+        }
+        self.part(Expr::Binary(Op::Multiply, base, exponent), start)
+    }
+
+    /// The line in the characters of the control, where this one is only another shape of one of them.
+    pub(super) fn plain_characters(&self, character: char) -> Option<Fix> {
+        let start = self.base as usize;
+        let text = self.source.get(start..start + self.line.len()).filter(|_| plain(character) != character)?;
+        let line = self.place(self.span(0, self.line.len()));
+        Some(Fix { title: msg!("nc.fix.plain-characters"), edits: vec![(line, text.chars().map(plain).collect())] })
+    }
+}
+
+/// A character in the shape that controls have: full-width forms, signs of arithmetic, blanks that do not break.
+fn plain(c: char) -> char {
+    match c {
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(c) - 0xfee0).unwrap_or(c),
+        '\u{3000}' | '\u{a0}' => ' ',
+        '\u{2010}'..='\u{2015}' | '\u{2212}' => '-',
+        '\u{d7}' => '*',
+        '\u{f7}' => '/',
+        c => c,
+    }
+}
+
+/// Which of some names was meant by a name: one letter wrong, missing, too many or exchanged, or two in a long name.
+pub(super) fn meant<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<usize> {
+    let most = if name.len() > 4 { 2 } else { 1 };
+    let near = names.enumerate().map(|(at, known)| (distance(name.as_bytes(), known.as_bytes()), at));
+    near.filter(|&(distance, _)| distance <= most).min().map(|(_, at)| at)
+}
+
+/// How many letters are to be put in, left out, changed or exchanged with the next to get from one name to another.
+fn distance(a: &[u8], b: &[u8]) -> usize {
+    let mut before: Vec<usize> = Vec::new();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.iter().enumerate() {
+        let mut next = vec![i + 1];
+        for (j, y) in b.iter().enumerate() {
+            let mut least = (row[j] + usize::from(x != y)).min(row[j + 1] + 1).min(next[j] + 1);
+            if i > 0 && j > 0 && a[i - 1] == *y && b[j - 1] == *x {
+                least = least.min(before[j - 1] + 1);
+            }
+            next.push(least);
+        }
+        before = row;
+        row = next;
+    }
+    row.last().copied().unwrap_or(0)
+}

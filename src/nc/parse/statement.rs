@@ -1,0 +1,343 @@
+//! Macro statements: assignments, jumps, loops, and the conditions in them.
+
+use super::super::ast::{Expr, ExprId, Op, Stmt};
+use super::slips::meant;
+use super::{Failure, Read, Reader};
+use crate::controls::{Alarm, VarKind};
+use crate::msg;
+
+const COMPARISONS: [(&str, Op); 6] = [
+    ("EQ", Op::Equal),
+    ("NE", Op::NotEqual),
+    ("GT", Op::Greater),
+    ("GE", Op::GreaterEqual),
+    ("LT", Op::Less),
+    ("LE", Op::LessEqual),
+];
+
+/// Comparisons as signs, the longer ones first; whether a control that takes signs takes this one.
+const SIGNS: [(&str, Op, bool); 13] = [
+    ("==", Op::Equal, true),
+    ("<>", Op::NotEqual, true),
+    (">=", Op::GreaterEqual, true),
+    ("<=", Op::LessEqual, true),
+    ("!=", Op::NotEqual, false),
+    ("=>", Op::GreaterEqual, false),
+    ("=<", Op::LessEqual, false),
+    (">", Op::Greater, true),
+    ("<", Op::Less, true),
+    ("=", Op::Equal, false),
+    ("≠", Op::NotEqual, false),
+    ("≥", Op::GreaterEqual, false),
+    ("≤", Op::LessEqual, false),
+];
+
+/// Words that open a macro statement.
+const KEYWORDS: [&str; 5] = ["IF", "GOTO", "WHILE", "DO", "END"];
+
+/// Statements that the control has and the simulation does not act on.
+const OUTSIDE: [&str; 4] = ["POPEN", "PCLOS", "DPRNT", "SETVN"];
+
+/// The spelling of a comparison.
+pub(super) fn letters_of(op: Op) -> &'static str {
+    COMPARISONS.iter().find(|(_, other)| *other == op).map_or("", |(word, _)| word)
+}
+
+impl Reader<'_> {
+    /// Takes `GOTO`, spaces in it or not.
+    fn take_goto(&mut self) -> bool {
+        let start = self.at;
+        if self.take("GOTO") {
+            return true;
+        }
+        let split = self.take("GO") && {
+            self.blank();
+            self.take("TO")
+        };
+        if !split {
+            self.at = start;
+        }
+        split
+    }
+
+    /// Whether a macro statement starts here.
+    pub(super) fn keyword_ahead(&self) -> bool {
+        KEYWORDS.iter().any(|word| self.ahead(word)) || self.ahead("THEN")
+    }
+
+    /// A statement that starts with a keyword, `None` where none stands here.
+    pub(super) fn keyword(&mut self) -> Read<Option<Stmt>> {
+        let start = self.at;
+        let word = KEYWORDS.into_iter().find(|word| self.take(word)).or_else(|| self.take_goto().then_some("GOTO"));
+        if let Some(index) = OUTSIDE.iter().position(|name| word.is_none() && self.ahead(name)) {
+            let end = self.line.len();
+            self.not_simulated((b'!', index as u32), start, end, OUTSIDE[index]);
+            self.at = end;
+            return Ok(Some(Stmt::Empty));
+        }
+        Ok(Some(match word.or_else(|| self.misspelt_keyword()) {
+            None => return Ok(None),
+            Some("IF") => self.if_statement(start)?,
+            Some("GOTO") => {
+                let target = self.target()?;
+                self.end_of_macro()?;
+                Stmt::Goto(target)
+            }
+            Some("WHILE") => {
+                let cond = self.condition(Alarm::WhileSentence, "WHILE")?;
+                self.skip();
+                if !self.take("DO") {
+                    return Err(self.while_without_do(start));
+                }
+                Stmt::While { cond: Some(cond), label: self.label("DO")? }
+            }
+            Some("DO") => Stmt::While { cond: None, label: self.label("DO")? },
+            Some(_) => Stmt::End { label: self.label("END")? },
+        }))
+    }
+
+    /// The keyword that a run of letters with a slip in it was meant to be.
+    fn misspelt_keyword(&mut self) -> Option<&'static str> {
+        let rest = self.line.get(self.at..).unwrap_or_default();
+        let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+        let name = String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase();
+        let behind = rest.get(letters..).unwrap_or_default().trim_ascii_start().first();
+        if letters < 3 || !behind.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'#' | b'[')) {
+            return None;
+        }
+        let word = KEYWORDS[meant(&name, KEYWORDS.into_iter())?];
+        let start = self.at;
+        self.at += letters;
+        self.slip(Alarm::Format, start, self.at, msg!("nc.unknown-keyword", name), word);
+        Some(word)
+    }
+
+    /// What stands behind `IF`.
+    fn if_statement(&mut self, start: usize) -> Read<Stmt> {
+        let cond = self.condition(Alarm::IfSentence, "IF")?;
+        self.skip();
+        let then = self.at;
+        let named = self.take("THEN");
+        let behind = self.at;
+        self.skip();
+        if self.take_goto() {
+            if named {
+                self.slip(Alarm::IfSentence, then, behind, msg!("nc.then-goto"), "");
+            }
+            let target = self.target()?;
+            self.end_of_macro()?;
+            return Ok(Stmt::If { cond, target });
+        }
+        if self.peek() != b'#' && !named {
+            let end = self.at.max(start + 2);
+            return Err(self.failure(Alarm::IfSentence, start, end, msg!("nc.if-without-goto"), false));
+        }
+        let stmt = if self.peek() == b'#' {
+            let (to, value) = self.assigned()?;
+            if self.control.syntax.if_then {
+                if !named {
+                    self.slip(Alarm::IfSentence, then, then, msg!("nc.no-then"), "THEN ");
+                }
+                return Ok(Stmt::IfThen { cond, to, value });
+            }
+            Stmt::IfThen { cond, to, value }
+        } else {
+            self.at = self.line.len();
+            Stmt::Empty
+        };
+        let message = match self.control.syntax.if_then {
+            true => msg!("nc.then-no-assignment"),
+            false => msg!("nc.no-if-then", self.control.name),
+        };
+        let finding = self.finding(Alarm::IfSentence, then, if named { behind } else { then + 1 }, message);
+        let finding = self.jump_instead(finding, then, behind);
+        self.report_as(Alarm::IfSentence, finding);
+        Ok(stmt)
+    }
+
+    /// The sequence number behind `GOTO`.
+    fn target(&mut self) -> Read<ExprId> {
+        let start = self.at;
+        let byte = self.skip();
+        if self.ended() {
+            let message = msg!("nc.no-operand", "GOTO");
+            return Err(self.failure(Alarm::IfSentence, start.saturating_sub(4), start, message, false));
+        }
+        let at = self.at;
+        let next = self.line.get(at + 1..).unwrap_or_default().trim_ascii_start().first();
+        if byte | 0x20 == b'n' && next.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'#' | b'[')) {
+            self.slip(Alarm::IfSentence, at, at + 1, msg!("nc.goto-n"), "");
+            self.at += 1;
+        }
+        self.formula(false)
+    }
+
+    /// `[ expr comparison expr ]`.
+    pub(super) fn condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
+        let start = self.at;
+        let byte = self.skip();
+        let close = match byte {
+            b'[' => b']',
+            b'(' => b')',
+            _ => return self.bare_condition(alarm, keyword, start),
+        };
+        let open = self.open(close);
+        let left = self.formula(false)?;
+        self.skip();
+        let at = self.at;
+        let Some(op) = self.comparison(alarm) else {
+            return Err(match self.peek() {
+                byte if byte == close => self.failure(alarm, open.at, at + 1, msg!("nc.no-comparison"), false),
+                _ => self.unexpected(),
+            });
+        };
+        let right = self.formula(false)?;
+        self.skip();
+        if self.comparison_ahead() {
+            return Err(self.lost_comparison(alarm));
+        }
+        if self.keyword_ahead() {
+            // The bracket can have been meant nowhere else.
+            let to = self.ended_at();
+            let finding = self.finding(Alarm::BracketPair, open.at, open.at + 1, msg!("nc.unclosed-square"));
+            self.replace(Alarm::BracketPair, finding, to, to, "]");
+        } else {
+            self.close(open)?;
+        }
+        self.part(Expr::Binary(op, left, right), start)
+    }
+
+    /// A condition whose brackets are missing.
+    fn bare_condition(&mut self, alarm: Alarm, keyword: &str, start: usize) -> Read<ExprId> {
+        let from = self.at;
+        let failure = |reader: &Self| {
+            let message = msg!("nc.no-condition", keyword);
+            reader.failure(alarm, start.saturating_sub(keyword.len()), start, message, false)
+        };
+        let Ok(left) = self.formula(false) else { return Err(failure(self)) };
+        self.skip();
+        let Some(op) = self.comparison(alarm) else { return Err(failure(self)) };
+        let Ok(right) = self.formula(false) else { return Err(failure(self)) };
+        let to = self.ended_at();
+        let finding = self.finding(alarm, from, to, msg!("nc.no-condition", keyword));
+        self.enclose(alarm, finding, from, to);
+        self.part(Expr::Binary(op, left, right), from)
+    }
+
+    /// Takes a comparison, in letters or in signs.
+    pub(super) fn comparison(&mut self, alarm: Alarm) -> Option<Op> {
+        let from = self.at;
+        if let Some((word, op)) = COMPARISONS.iter().find(|(word, _)| self.ahead(word)) {
+            self.take(word);
+            self.compared = (from, self.at, *op);
+            return Some(*op);
+        }
+        let (sign, op, known) = *SIGNS.iter().find(|(sign, ..)| self.ahead(sign))?;
+        self.at += sign.len();
+        self.compared = (from, self.at, op);
+        if !(known && self.control.syntax.comparison_signs) {
+            let letters = letters_of(op);
+            let message = msg!("nc.comparison-sign", sign, self.control.name, letters);
+            let letters = self.spaced(from, self.at, letters);
+            self.slip(alarm, from, self.at, message, &letters);
+        }
+        Some(op)
+    }
+
+    pub(super) fn comparison_ahead(&self) -> bool {
+        let signs = SIGNS.iter().filter(|(sign, ..)| *sign != "=").map(|(sign, ..)| *sign);
+        COMPARISONS.iter().map(|(word, _)| *word).chain(signs).any(|word| self.ahead(word))
+    }
+
+    /// The failure of a comparison that is not the one of a condition.
+    pub(super) fn lost_comparison(&self, alarm: Alarm) -> Box<Failure> {
+        self.failure(alarm, self.at, self.at + 2, msg!("nc.lost-comparison"), false)
+    }
+
+    /// The number behind `DO` or `END`.
+    fn label(&mut self, keyword: &str) -> Read<u16> {
+        let start = self.at;
+        self.skip();
+        let from = self.at;
+        while self.peek().is_ascii_digit() {
+            self.at += 1;
+        }
+        let most = self.control.syntax.do_max;
+        let number = core::str::from_utf8(self.line.get(from..self.at).unwrap_or_default()).unwrap_or("");
+        let label = match number.parse::<u16>() {
+            Ok(label) if label > 0 && u32::from(label) <= most => label,
+            _ => {
+                let (from, to) = if number.is_empty() { (start - keyword.len(), start) } else { (from, self.at) };
+                // `END OF PROGRAM` is a remark.
+                let word = self.peek().is_ascii_alphabetic();
+                return Err(self.failure(Alarm::DoNumber, from, to, msg!("nc.do-number", keyword, most), word));
+            }
+        };
+        self.end_of_macro()?;
+        Ok(label)
+    }
+
+    /// `#… = expr`.
+    pub(super) fn assignment(&mut self) -> Read<Stmt> {
+        let (to, value) = self.assigned()?;
+        Ok(Stmt::Assign { to, value })
+    }
+
+    /// The variable and the value of an assignment, to the end of the block.
+    fn assigned(&mut self) -> Read<(ExprId, ExprId)> {
+        let start = self.at;
+        let to = self.variable(true)?;
+        let end = self.at;
+        if self.skip() != b'=' {
+            return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
+        }
+        self.at += 1;
+        if self.skip() == b'=' {
+            self.slip(Alarm::Format, self.at, self.at + 1, msg!("nc.double-equals"), "");
+            self.at += 1;
+        }
+        let value = self.formula(false)?;
+        if let (Expr::Var(number), Expr::Number(value)) = (self.deck.expr(to), self.deck.expr(value)) {
+            self.user_alarm(number, value.to_f64(), start);
+        }
+        self.end_of_macro()?;
+        Ok((to, value))
+    }
+
+    /// The number of a user alarm has a range.
+    fn user_alarm(&mut self, variable: u32, value: f64, start: usize) {
+        let (least, most) = self.control.macros.user_alarms;
+        let row = self.control.var(variable);
+        let alarm = row.is_some_and(|row| row.kind == VarKind::AlarmMessage);
+        if alarm && !(f64::from(least)..=f64::from(most)).contains(&value) {
+            self.report(Alarm::UserAlarmRange, start, self.at, msg!("nc.user-alarm-number", least, most));
+        }
+    }
+
+    /// Nothing but comments may follow macro text.
+    fn end_of_macro(&mut self) -> Read<()> {
+        loop {
+            let byte = self.skip();
+            let start = self.at;
+            match byte {
+                _ if self.ended() => return Ok(()),
+                b'.' => self.stray_point(),
+                b']' => self.stray_square(),
+                b')' => self.stray_round()?,
+                b'#' => {
+                    let finding = self.finding(Alarm::Format, start, self.line.len(), msg!("nc.second-assignment"));
+                    let place = self.place(self.span(start, start));
+                    let finding = finding.fix(msg!("nc.fix.own-block"), vec![(place, self.newline().to_owned())]);
+                    self.report_as(Alarm::Format, finding);
+                    self.at = self.line.len();
+                    return Ok(());
+                }
+                _ if self.comparison_ahead() => return Err(self.lost_comparison(Alarm::Format)),
+                _ if byte.is_ascii_alphabetic() => {
+                    return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), true));
+                }
+                _ => return Err(self.unexpected()),
+            }
+        }
+    }
+}

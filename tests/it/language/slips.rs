@@ -1,0 +1,395 @@
+//! Slips that everybody makes: what each control says of them, and that the fix makes a program of them.
+
+use expect_test::{Expect, expect};
+use macroline::controls;
+use macroline::nc::{Files, fix, parse};
+use macroline::text::Severity;
+
+use super::findings;
+
+/// What each control says of a block; alarm numbers side by side where they alone differ. Where fixes are offered, the first of each
+/// finding is made; what comes out reads without an error, and is shown.
+#[track_caller]
+fn check(block: &str, expected: Expect) {
+    let mut said: Vec<(Vec<&str>, String)> = Vec::new();
+    for control in controls::ALL {
+        let mut files = Files::one("O1.nc", format!("{block}\nM30\n%\n"));
+        let mut parsed = parse(&files, control);
+        let mut out = findings(&parsed).replace(control.name, "CONTROL");
+        let mut mended = false;
+        while let Some(first) =
+            parsed.diagnostics().iter().filter(|d| d.severity == Severity::Error).find_map(|d| d.fixes.first())
+        {
+            mended = true;
+            files = fix(&files, first);
+            parsed = parse(&files, control);
+        }
+        if mended {
+            assert!(!parsed.has_errors(), "{}: {}\n{}", control.name, files.0[0].text, findings(&parsed));
+            out += &format!("= {}\n", files.0[0].text.strip_suffix("\nM30\n%\n").unwrap().replace('\n', "\n  "));
+        }
+        let plain = without_alarms(&out);
+        match said.iter_mut().find(|(_, other)| without_alarms(other) == plain) {
+            Some((names, other)) => {
+                names.push(control.id);
+                *other = side_by_side(other, &out);
+            }
+            None => said.push((vec![control.id], out)),
+        }
+    }
+    let all = controls::ALL.len();
+    let head =
+        |names: Vec<&str>| if names.len() == all { String::new() } else { format!("--- {}\n", names.join(", ")) };
+    let lines =
+        said.into_iter().map(|(names, out)| (head(names), if out.is_empty() { "right\n".to_owned() } else { out }));
+    expected.assert_eq(&lines.map(|(head, out)| head + &out).collect::<String>());
+}
+
+/// A line in front of the alarm, the alarm, and what follows.
+fn parts(line: &str) -> (&str, &str, &str) {
+    let Some((place, rest)) = line.split_once(" error ") else { return (line, "", "") };
+    let (alarm, rest) = rest.split_once(' ').unwrap();
+    (place, alarm, rest)
+}
+
+fn without_alarms(out: &str) -> String {
+    out.lines().map(|line| (parts(line).0.to_owned() + parts(line).2) + "\n").collect()
+}
+
+fn side_by_side(out: &str, other: &str) -> String {
+    let line = |(a, b): (&str, &str)| match (parts(a), parts(b)) {
+        ((_, "", _), _) => format!("{a}\n"),
+        ((place, one, rest), (_, two, _)) => format!("{place} error {one}|{two} {rest}\n"),
+    };
+    out.lines().zip(other.lines()).map(line).collect()
+}
+
+macro_rules! slips {
+    ($($name:ident { $($block:expr => $expected:expr;)* })*) => {$(
+        #[test]
+        fn $name() {
+            $(check($block, $expected);)*
+        }
+    )*};
+}
+
+slips! {
+    conditions_and_jumps {
+        "IF[#1 EQ 0]THEN #2=1 (NOTE)" => expect![[r#"
+            --- mitsubishi-e60
+            1:12 error P290 The CONTROL has no THEN: jump over the block with GOTO on the opposite condition.
+                Jump over it on the opposite condition: 1:7 "EQ"→"NE" 1:12 "THEN "→"GOTO9001\n" 1:28 ""→"\nN9001"
+            = IF[#1 NE 0]GOTO9001
+              #2=1 (NOTE)
+              N9001
+            --- gsk-980tdc, knd-k2000t
+            right
+        "#]];
+        "/2 N5 IF[#1GE#2] THEN G00 X1." => expect![[r#"
+            --- mitsubishi-e60
+            1:18 error P290 The CONTROL has no THEN: jump over the block with GOTO on the opposite condition.
+                Jump over it on the opposite condition: 1:12 "GE"→" LT " 1:18 "THEN "→"GOTO9001\n/2" 1:30 ""→"\nN9001"
+            = /2 N5 IF[#1 LT #2] GOTO9001
+              /2G00 X1.
+              N9001
+            --- gsk-980tdc, knd-k2000t
+            1:18 error 0101|114 Behind THEN stands one assignment, #… = …, and nothing else.
+                Jump over it on the opposite condition: 1:12 "GE"→" LT " 1:18 "THEN "→"GOTO9001\n/2" 1:30 ""→"\nN9001"
+            = /2 N5 IF[#1 LT #2] GOTO9001
+              /2G00 X1.
+              N9001
+        "#]];
+        "IF[#1 EQ 0] #2=1" => expect![[r#"
+            --- mitsubishi-e60
+            1:13 error P290 The CONTROL has no THEN: jump over the block with GOTO on the opposite condition.
+                Jump over it on the opposite condition: 1:7 "EQ"→"NE" 1:13 ""→"GOTO9001\n" 1:17 ""→"\nN9001"
+            = IF[#1 NE 0] GOTO9001
+              #2=1
+              N9001
+            --- gsk-980tdc, knd-k2000t
+            1:13 error 0101|114 THEN is missing between the condition and what depends on it.
+                Insert “THEN”: 1:13 ""→"THEN "
+            = IF[#1 EQ 0] THEN #2=1
+        "#]];
+        "IF[#1 EQ 0]THEN GOTO5\nN5" => expect![[r#"
+            1:12 error P290|0101|114 A jump follows its condition directly: IF [condition] GOTO n.
+                Drop “THEN”: 1:12 "THEN"→""
+            = IF[#1 EQ 0] GOTO5
+              N5
+        "#]];
+        "IF[#1 EQ 0] GOTO N5\nN5" => expect![[r#"
+            1:18 error P290|0101|114 Behind GOTO stands the number alone, without N.
+                Drop “N”: 1:18 "N"→""
+            = IF[#1 EQ 0] GOTO 5
+              N5
+        "#]];
+        "IF #1 EQ 0 GOTO 5\nN5" => expect![[r#"
+            1:4 error P290|0101|114 IF needs a condition in square brackets.
+                Write square brackets: 1:4 ""→"[" 1:11 ""→"]"
+            = IF [#1 EQ 0] GOTO 5
+              N5
+        "#]];
+        "WHILE #1 LT 5 DO1\nEND1" => expect![[r#"
+            1:7 error P291|0103|114 WHILE needs a condition in square brackets.
+                Write square brackets: 1:7 ""→"[" 1:14 ""→"]"
+            = WHILE [#1 LT 5] DO1
+              END1
+        "#]];
+        "IF[#1 EQ 0 GOTO5\nN5" => expect![[r#"
+            1:3 error P281|0104|118 This bracket is not closed: ] is missing.
+                Insert “]”: 1:11 ""→"]"
+            = IF[#1 EQ 0] GOTO5
+              N5
+        "#]];
+        "IF[#1==0]GOTO5\nN5" => expect![[r#"
+            --- mitsubishi-e60, knd-k2000t
+            1:6 error P290|114 “==” is no comparison of the CONTROL: write EQ.
+                Write “EQ”: 1:6 "=="→" EQ "
+            = IF[#1 EQ 0]GOTO5
+              N5
+            --- gsk-980tdc
+            right
+        "#]];
+        "IF[#1=0]GOTO5\nN5" => expect![[r#"
+            1:6 error P290|0101|114 “=” is no comparison of the CONTROL: write EQ.
+                Write “EQ”: 1:6 "="→" EQ "
+            = IF[#1 EQ 0]GOTO5
+              N5
+        "#]];
+        "IF[#1 => 0]GOTO5\nN5" => expect![[r#"
+            1:7 error P290|0101|114 “=>” is no comparison of the CONTROL: write GE.
+                Write “GE”: 1:7 "=>"→"GE"
+            = IF[#1 GE 0]GOTO5
+              N5
+        "#]];
+        "IF[#1≠0]GOTO5\nN5" => expect![[r#"
+            1:6 error P290|0101|114 “≠” is no comparison of the CONTROL: write NE.
+                Write “NE”: 1:6 "≠"→" NE "
+            = IF[#1 NE 0]GOTO5
+              N5
+        "#]];
+        "WHILE[#1 LT 5]\nWHILE[#2 LT 5]DO2\nEND2\nEND1" => expect![[r#"
+            1:1 error P291|0103|114 WHILE [condition] must be followed by DO and a loop number.
+                Insert “DO1”: 1:15 ""→"DO1"
+            = WHILE[#1 LT 5]DO1
+              WHILE[#2 LT 5]DO2
+              END2
+              END1
+        "#]];
+        "WHILE[#1 LT 5]\n#1=#1+1" => expect![[r#"
+            1:1 error P291|0103|114 WHILE [condition] must be followed by DO and a loop number.
+        "#]];
+        "GO TO 5\nN5" => expect![[r#"
+            right
+        "#]];
+        "GOTTO 5\nN5" => expect![[r#"
+            1:1 error P33|0101|004 GOTTO is no word of the macro language.
+                Write “GOTO”: 1:1 "GOTTO"→"GOTO"
+            = GOTO 5
+              N5
+        "#]];
+        "WHIEL[#1 LT 5]DO1\nEND1" => expect![[r#"
+            1:1 error P33|0101|004 WHIEL is no word of the macro language.
+                Write “WHILE”: 1:1 "WHIEL"→"WHILE"
+            = WHILE[#1 LT 5]DO1
+              END1
+        "#]];
+        "END OF PROGRAM" => expect![[r#"
+            1:1 error P291|0102|126 “END OF PROGRAM” is a remark: the control takes remarks only in round brackets.
+                Make it a comment: 1:1 "END OF PROGRAM"→"(END OF PROGRAM)"
+            = (END OF PROGRAM)
+        "#]];
+    }
+
+    formulas {
+        "#1=SQURT[2]" => expect![[r#"
+            1:4 error P33|0101|004 SQURT is no function of the CONTROL.
+                Write “SQRT”: 1:4 "SQURT"→"SQRT"
+            = #1=SQRT[2]
+        "#]];
+        "#1=SNI[2]+CSO[3]" => expect![[r#"
+            1:4 error P33|0101|004 SNI is no function of the CONTROL.
+                Write “SIN”: 1:4 "SNI"→"SIN"
+            1:11 error P33|0101|004 CSO is no function of the CONTROL.
+                Write “COS”: 1:11 "CSO"→"COS"
+            = #1=SIN[2]+COS[3]
+        "#]];
+        "#1=SIN 30" => expect![[r#"
+            --- mitsubishi-e60, knd-k2000t
+            1:4 error P33|004 SIN needs its argument in square brackets.
+                Write square brackets: 1:8 ""→"[" 1:10 ""→"]"
+            = #1=SIN [30]
+            --- gsk-980tdc
+            right
+        "#]];
+        "#1=#2**3" => expect![[r#"
+            1:6 error P33|0101|004 There is no operator for powers.
+                = Multiply as often as needed: a*a*a.
+                Write “*#2*#2”: 1:6 "**3"→"*#2*#2"
+            = #1=#2*#2*#2
+        "#]];
+        "#1=#2**#3" => expect![[r#"
+            1:6 error P33|0101|004 There is no operator for powers.
+                = Multiply as often as needed: a*a*a.
+        "#]];
+        "#1==5" => expect![[r#"
+            1:4 error P33|0101|004 An assignment has one “=”.
+                Drop “=”: 1:4 "="→""
+            = #1=5
+        "#]];
+        "#1=[3.14*#2" => expect![[r#"
+            1:4 error P281|0104|118 This bracket is not closed: ] is missing.
+        "#]];
+        "#1=(#2+#3)*2" => expect![[r#"
+            1:4 error P33|0101|004 On the CONTROL round brackets are comments; arithmetic groups with square brackets.
+                = Without the comment the block reads as if the brackets and all in them were not there.
+                Write square brackets: 1:4 "("→"[" 1:10 ")"→"]"
+            = #1=[#2+#3]*2
+        "#]];
+        "#1=#2*3 MOD 7+1" => expect![[r##"
+            --- mitsubishi-e60, gsk-980tdc
+            1:9 error P33|0101 The CONTROL has no MOD.
+                = a MOD b is a-FIX[a/b]*b.
+                Write “[#2*3-FIX[#2*3/7]*7]”: 1:4 "#2*3 MOD 7"→"[#2*3-FIX[#2*3/7]*7]"
+            = #1=[#2*3-FIX[#2*3/7]*7]+1
+            --- knd-k2000t
+            right
+        "##]];
+        "#SPEED=5" => expect![[r#"
+            1:1 error P33|0101|004 Variables have numbers here; names of variables are not read.
+        "#]];
+        "#1=SPEED*2" => expect![[r#"
+            1:4 error P33|0101|004 “SPEED” stands where a value should.
+        "#]];
+        "#1O0=5" => expect![[r#"
+            1:3 error P33|0101|004 This is the letter O, not the digit 0.
+                Write “00”: 1:3 "O0"→"00"
+            = #100=5
+        "#]];
+        "#100=1O.5" => expect![[r#"
+            1:7 error P33|0101|004 This is the letter O, not the digit 0.
+                Write “0.5”: 1:7 "O.5"→"0.5"
+            = #100=10.5
+        "#]];
+        "#1=2,5" => expect![[r#"
+            1:5 error P33|0101|004 Decimals stand behind a point, not behind a comma.
+                Write “.”: 1:5 ","→"."
+            = #1=2.5
+        "#]];
+    }
+
+    words {
+        "X#1." => expect![[r#"
+            1:4 error P33|0101|004 “.” ends nothing: a point belongs to a number, not to a variable.
+                Drop “.”: 1:4 "."→""
+            = X#1
+        "#]];
+        "G00 XO" => expect![[r#"
+            1:6 error P33|0101|004 This is the letter O, not the digit 0.
+                Write “0”: 1:6 "O"→"0"
+            = G00 X0
+        "#]];
+        "GO X5" => expect![[r#"
+            1:2 error P33|0101|004 This is the letter O, not the digit 0.
+                Write “0”: 1:2 "O"→"0"
+            = G0 X5
+        "#]];
+        "G00 X1O Z1.O5" => expect![[r#"
+            1:7 error P33|0101|004 This is the letter O, not the digit 0.
+                Write “0”: 1:7 "O"→"0"
+            1:12 error P33|0101|004 This is the letter O, not the digit 0.
+                Write “05”: 1:12 "O5"→"05"
+            = G00 X10 Z1.05
+        "#]];
+        "G00 X1,5" => expect![[r#"
+            1:7 error P33|0101|004 Decimals stand behind a point, not behind a comma.
+                Write “.”: 1:7 ","→"."
+            = G00 X1.5
+        "#]];
+        "F1,000" => expect![[r#"
+            1:3 error P33|0101|004 Decimals stand behind a point, not behind a comma.
+                Write “.”: 1:3 ","→"."
+            = F1.000
+        "#]];
+        "G00 X=10." => expect![[r#"
+            1:6 error P33|0101|004 The value stands directly behind its address, without “=”.
+                Drop “=”: 1:6 "="→""
+            = G00 X10.
+        "#]];
+        "G00 X 10. Z" => expect![[r#"
+            1:11 error P33|0101|004 The address Z has no value.
+        "#]];
+        "g00 x10." => expect![[r#"
+            right
+        "#]];
+        "\tG00\tX1.\tZ-\t2." => expect![[r#"
+            right
+        "#]];
+        "Ｇ００ Ｘ１０． （ＡＢＣ）" => expect![[r#"
+            1:1 error P32|0003|009 The control has no character “Ｇ”.
+                Write the characters of the control: 1:1 "Ｇ００ Ｘ１０． （ＡＢＣ）"→"G00 X10. (ABC)"
+            = G00 X10. (ABC)
+        "#]];
+        "G00 X−5." => expect![[r#"
+            1:6 error P32|0003|009 The control has no character “−”.
+                Write the characters of the control: 1:1 "G00 X−5."→"G00 X-5."
+            = G00 X-5.
+        "#]];
+        "G00 X1. ; move to start" => expect![[r#"
+            1:11 error P33|0101|004 “move to start” is a remark: the control takes remarks only in round brackets.
+                Make it a comment: 1:11 "move to start"→"(MOVE TO START)"
+            = G00 X1. ; (MOVE TO START)
+        "#]];
+        "G00 X1. // move to start" => expect![[r#"
+            1:9 error P33|0101|004 “move to start” is a remark: the control takes remarks only in round brackets.
+                Make it a comment: 1:8 " // move to start"→" (MOVE TO START)"
+            = G00 X1. (MOVE TO START)
+        "#]];
+        "G00 X–5. Y—#1" => expect![[r#"
+            1:6 error P32|0003|009 The control has no character “–”.
+                Write the characters of the control: 1:1 "G00 X–5. Y—#1"→"G00 X-5. Y-#1"
+            = G00 X-5. Y-#1
+        "#]];
+        "// move to start" => expect![[r#"
+            1:1 error P33|0101|004 “move to start” is a remark: the control takes remarks only in round brackets.
+                Make it a comment: 1:1 "// move to start"→"(MOVE TO START)"
+            = (MOVE TO START)
+        "#]];
+        "S1000." => expect![[r#"
+            --- mitsubishi-e60, gsk-980tdc
+            right
+            --- knd-k2000t
+            1:1 error 007 S takes a whole number, written without a point.
+                Drop “.”: 1:6 "."→""
+            = S1000
+        "#]];
+        "(OPEN" => expect![[r#"
+            1:1 error P33|0041|004 The comment is not closed: ) is missing.
+                Insert “)”: 1:6 ""→")"
+            = (OPEN)
+        "#]];
+        ":1000" => expect![[r#"
+            1:1 error P33|0101|004 “:” cannot stand here.
+        "#]];
+    }
+
+    codes_and_calls {
+        "G54.1 P1" => expect![[r#"
+            --- mitsubishi-e60
+            1:1 warning - G54.1 (extended work coordinate system) is read, but not simulated: the run here goes on without it.
+            --- gsk-980tdc, knd-k2000t
+            1:1 error 0002|010 G54.1 is no code of the CONTROL.
+        "#]];
+        "M98 P1000 L2" => expect![[r#"
+            right
+        "#]];
+        "M98 P21000" => expect![[r#"
+            right
+        "#]];
+        "#2000=1" => expect![[r##"
+            1:1 error P241|0111|115 #2000 is no variable of the CONTROL.
+                Use #100 instead of #2000 everywhere: 1:1 "#2000"→"#100"
+            = #100=1
+        "##]];
+    }
+}
