@@ -24,6 +24,6 @@ pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
 pub use files::{File, Files};
 pub use fix::fix;
 pub use lower::lower;
-pub use parse::{Formula, formula, parse, parse_with};
+pub use parse::{Formula, formula, parse, parse_with, part_span};
 pub use parsed::Parsed;
 pub use tokens::{TokenKind, tokens};

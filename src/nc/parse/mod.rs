@@ -25,12 +25,14 @@ mod alone;
 mod check;
 mod formula;
 mod mend;
+mod part;
 mod recover;
 mod slips;
 mod statement;
 mod words;
 
 pub use alone::{Formula, formula};
+pub use part::part_span;
 
 use super::ast::{Block, Deck, Op, Program, Stmt};
 use super::files::Files;

@@ -1,7 +1,7 @@
 //! What is read, as trees.
 
 use expect_test::{Expect, expect};
-use macroline::nc::{Deck, Expr, ExprId, Parsed, Stmt, WordValue};
+use macroline::nc::{Deck, Expr, ExprId, Parsed, Stmt, WordValue, part_span};
 
 use super::{findings, read};
 
@@ -120,4 +120,34 @@ fn blocks_as_trees() {
           M:30
     "#]],
     );
+}
+
+/// Every part of the formulas of a block, children first, by its text.
+#[track_caller]
+fn check_parts(block: &str, expected: Expect) {
+    let parsed = read(&format!("G01 X[#1+1] F100\n{block}\nM30"));
+    assert!(!parsed.has_errors(), "{}", findings(&parsed));
+    let deck = parsed.deck();
+    let file = deck.programs[0].file;
+    let spans = (0..deck.exprs.len() as u32).filter_map(|at| part_span(&parsed, file, &deck.blocks[1], ExprId(at)));
+    let texts: Vec<&str> = spans.map(|span| span.of(&parsed.files().0[0].text)).collect();
+    expected.assert_eq(&texts.join(" | "));
+}
+
+#[test]
+fn the_places_of_the_parts_of_formulas() {
+    check_parts("#1=#2/#3", expect!["#1 | #2 | #3 | #2/#3"]);
+    check_parts(
+        "N5 #[#1 + 2] = -[ #2 * SQRT[#3] ] AND 3 (NOTE)",
+        expect![
+            "#1 | 2 | #1 + 2 | #[#1 + 2] | #2 | #3 | SQRT[#3] | #2 * SQRT[#3] | -[ #2 * SQRT[#3] ] | 3 | -[ #2 * SQRT[#3] ] AND 3"
+        ],
+    );
+    check_parts(
+        "IF[[#1 - 1] GE - 5]GOTO[#2+10]",
+        expect!["#1 | 1 | #1 - 1 | - 5 | [[#1 - 1] GE - 5] | #2 | 10 | #2+10"],
+    );
+    check_parts("G01 X10. Y-#2 Z[1 + ##3] F#4*2", expect!["#2 | -#2 | 1 | #3 | ##3 | 1 + ##3 | #4 | 2 | #4*2"]);
+    check_parts("GOTO 10\nN10", expect!["10"]);
+    check_parts("M3", expect![[""]]);
 }
