@@ -22,8 +22,9 @@ pub enum VarKind {
     OutputBit,
     /// A word to the PLC.
     OutputWord(Width),
-    /// A word in both directions: read, it is what the PLC has written; written, it goes to the PLC and is not read back.
-    ExchangeWord(Width),
+    /// A word in both directions: read, it is what the PLC has written; written, it goes to the PLC and is not read back. From the
+    /// first of the range each fourth has 32 bits, the others and the last are single bytes.
+    ExchangeWord,
     /// Tool offsets and other numbers that are kept, and have no effect on the simulated machine.
     Kept,
     /// Zero of a work coordinate system, axis by axis: 1 to 6, or 0 for the shift of all of them.
@@ -133,6 +134,20 @@ pub(super) const fn range(
     cite: Citation,
 ) -> VarRange {
     VarRange { first, last, kind, device, text, cite }
+}
+
+impl VarRange {
+    /// Bits of a word of the PLC; `None` where the range holds none.
+    pub fn width(&self, number: u32) -> Option<Width> {
+        match self.kind {
+            VarKind::InputWord(width) | VarKind::OutputWord(width) => Some(width),
+            VarKind::ExchangeWord if number.wrapping_sub(self.first) % 4 == 0 && number < self.last => {
+                Some(Width::Long)
+            }
+            VarKind::ExchangeWord => Some(Width::Byte),
+            _ => None,
+        }
+    }
 }
 
 impl VarKind {

@@ -28,9 +28,7 @@ impl State {
         let millimetres = |increments: i64| increments as f64 / cx.shared.units.per_unit;
         let value = match row.kind {
             VarKind::Vacant | VarKind::Local | VarKind::Common | VarKind::Retained => VACANT,
-            VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord(_) => {
-                finite_or_zero(cx.world.input(number))
-            }
+            VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord => finite_or_zero(cx.world.input(number)),
             VarKind::OutputBit
             | VarKind::OutputWord(_)
             | VarKind::Kept
@@ -102,13 +100,13 @@ impl State {
         let slot = cx.shared.index.stored_at(row, at as usize, number);
         let message = || block.comment.and_then(|at| cx.deck.comments.get(at as usize)).map_or("", |text| text);
         match row.kind {
-            VarKind::OutputBit | VarKind::OutputWord(_) | VarKind::ExchangeWord(_) => {
-                let value = match row.kind {
-                    VarKind::OutputWord(width) | VarKind::ExchangeWord(width) => {
+            VarKind::OutputBit | VarKind::OutputWord(_) | VarKind::ExchangeWord => {
+                let value = match row.width(number) {
+                    Some(width) => {
                         let (least, most) = width.range();
                         value.round().clamp(least, most)
                     }
-                    _ => f64::from(u8::from(value.round() != 0.0)),
+                    None => f64::from(u8::from(value.round() != 0.0)),
                 };
                 if let Some(slot) = slot {
                     self.vars.set_common(slot, value);

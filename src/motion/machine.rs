@@ -85,6 +85,6 @@ impl Machine {
     /// Whether a variable is written by the PLC.
     pub(super) fn is_input(&self, number: u32) -> bool {
         let row = self.vars.iter().find(|row| (row.first..=row.last).contains(&number));
-        row.is_some_and(|row| matches!(row.kind, VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord(_)))
+        row.is_some_and(|row| matches!(row.kind, VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord))
     }
 }

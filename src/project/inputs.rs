@@ -46,7 +46,7 @@ impl Setting {
             Some(VarKind::Local | VarKind::Common | VarKind::Retained) => {
                 Some(Action::Variable(self.number()?, Some(self.value)))
             }
-            Some(VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord(_)) => {
+            Some(VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord) => {
                 Some(Action::Input(format!("#{}", self.number()?), self.value))
             }
             _ => register.then(|| Action::Input(self.name.clone(), self.value)),

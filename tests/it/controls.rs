@@ -226,12 +226,8 @@ fn variables_of_the_k2000t() {
         (1132, Some(VarKind::OutputWord(Width::Word))),
         (1133, Some(VarKind::OutputWord(Width::Long))),
         (1479, None),
-        (1480, Some(VarKind::ExchangeWord(Width::Long))),
-        (1481, Some(VarKind::ExchangeWord(Width::Byte))),
-        (1483, Some(VarKind::ExchangeWord(Width::Byte))),
-        (1484, Some(VarKind::ExchangeWord(Width::Long))),
-        (1540, Some(VarKind::ExchangeWord(Width::Long))),
-        (1544, Some(VarKind::ExchangeWord(Width::Byte))),
+        (1480, Some(VarKind::ExchangeWord)),
+        (1544, Some(VarKind::ExchangeWord)),
         (1545, None),
         (3001, Some(VarKind::PowerOnTime(Clock::Milliseconds))),
         (3002, Some(VarKind::RunTime(Clock::Hours))),
@@ -240,6 +236,14 @@ fn variables_of_the_k2000t() {
     ] {
         assert_eq!(kind(number), expected, "#{number}");
     }
+    let width = |number: u32| knd().var(number).unwrap().width(number);
+    for long in [1133, 1480, 1484, 1488, 1540] {
+        assert_eq!(width(long), Some(Width::Long), "#{long}");
+    }
+    for byte in [1481, 1483, 1539, 1541, 1544] {
+        assert_eq!(width(byte), Some(Width::Byte), "#{byte}");
+    }
+    assert_eq!((width(1132), width(1000)), (Some(Width::Word), None));
     // As on a lathe with driven tools: X, Z, then the axes that turn tool and work piece.
     let axes: Vec<u8> = knd().axes.iter().map(|axis| axis.letter).collect();
     assert_eq!(axes, b"XZYC");

@@ -95,7 +95,7 @@ impl Reader<'_> {
             let finding = Diagnostic::error(message).at(self.place(row.span));
             let mut finding = finding.alarm(self.control.alarm_number(row.alarm));
             let input = |range: &VarRange| {
-                matches!(range.kind, VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord(_))
+                matches!(range.kind, VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord)
             };
             let scratch = row.alarm == Alarm::VariableRange || self.control.var(row.number).is_some_and(input);
             let uses = named.iter().filter(|(number, _)| *number == row.number).take(FINDINGS);
