@@ -141,7 +141,7 @@ impl VarRange {
     pub fn width(&self, number: u32) -> Option<Width> {
         match self.kind {
             VarKind::InputWord(width) | VarKind::OutputWord(width) => Some(width),
-            VarKind::ExchangeWord if number.wrapping_sub(self.first) % 4 == 0 && number < self.last => {
+            VarKind::ExchangeWord if number.wrapping_sub(self.first).is_multiple_of(4) && number < self.last => {
                 Some(Width::Long)
             }
             VarKind::ExchangeWord => Some(Width::Byte),
