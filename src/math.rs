@@ -5,6 +5,17 @@
 /// The circle constant, the only π of the core.
 pub const PI: f64 = core::f64::consts::PI;
 
+/// The number, or the bound that it is beyond. (`f64::clamp` panics where the bounds cross, and brings all of the library's printing.)
+pub fn clamp(x: f64, low: f64, high: f64) -> f64 {
+    if x < low {
+        low
+    } else if x > high {
+        high
+    } else {
+        x
+    }
+}
+
 /// Sine of an angle in radians.
 pub fn sin(x: f64) -> f64 {
     libm::sin(x)

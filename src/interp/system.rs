@@ -7,6 +7,7 @@ use super::index::Slot;
 use super::state::{Cx, State};
 use super::vars::VACANT;
 use crate::controls::{Alarm, VarKind, VarRange};
+use crate::math;
 use crate::msg;
 use crate::nc::{Block, Expr, ExprId};
 
@@ -104,7 +105,7 @@ impl State {
                 let value = match row.width(number) {
                     Some(width) => {
                         let (least, most) = width.range();
-                        value.round().clamp(least, most)
+                        math::clamp(value.round(), least, most)
                     }
                     None => f64::from(u8::from(value.round() != 0.0)),
                 };

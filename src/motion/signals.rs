@@ -107,7 +107,7 @@ impl<P: Program> Sim<'_, P> {
         let plant = &self.machine.spindle;
         let command = self.s.io.spindle_command;
         // The output ends at full voltage, whatever the clamp allows.
-        let target = command.clamp(-plant.speed_at_full, plant.speed_at_full);
+        let target = math::clamp(command, -plant.speed_at_full, plant.speed_at_full);
         let ramp = Ramp { t, start, target, command, turns };
         let reached = ramp.reached(plant);
         self.s.reached_at = if reached > t { reached } else { f64::INFINITY };

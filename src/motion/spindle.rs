@@ -4,6 +4,7 @@ use super::plant::SpindlePlant;
 use super::snapshot::SpindleState;
 use super::track::Timed;
 use crate::drives::Analog;
+use crate::math;
 
 /// From `t` until the next segment the inverter runs from `start` toward `target`.
 #[derive(Debug, Clone, Copy)]
@@ -45,7 +46,7 @@ impl SpindlePlant {
     /// runs at most twice as fast as without, so that it starts from 0 without a jump.
     fn slipped(&self, speed: f64) -> f64 {
         let free = self.gain * speed;
-        free - (self.slip * self.speed_at_full).clamp(-free.abs(), free.abs()) * free.signum()
+        free - math::clamp(self.slip * self.speed_at_full, -free.abs(), free.abs()) * free.signum()
     }
 
     /// `∫ slipped(n) dn` from 0.
@@ -83,7 +84,7 @@ impl Ramp {
     /// Turns since the run began.
     pub(super) fn turns(&self, plant: &SpindlePlant, t: f64) -> f64 {
         let whole = plant.ramp_time(self.start, self.target);
-        let part = (t - self.t).clamp(0.0, whole);
+        let part = math::clamp(t - self.t, 0.0, whole);
         let mut minutes_rpm = (t - self.t - part) * plant.slipped(self.target);
         if part > 0.0 {
             let area = plant.slipped_area(self.speed(plant, t)) - plant.slipped_area(self.start);

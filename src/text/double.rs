@@ -24,8 +24,23 @@ impl fmt::Display for Shortest {
                 write!(f, "{}.{:0width$}", digits / unit, digits % unit, width = exponent.unsigned_abs() as usize)
             }
             0 => write!(f, "{digits}"),
-            _ => write!(f, "{digits}e{exponent}"),
+            _ => {
+                let text = digits.to_string();
+                let (first, rest) = text.split_at(1);
+                let point = if rest.is_empty() { "" } else { "." };
+                write!(f, "{first}{point}{rest}e{}", exponent + rest.len() as i32)
+            }
         }
+    }
+}
+
+/// A double of any size, or none: `1e15`, `-1.5e300`, `inf`, `NaN`.
+pub(super) fn exponential(f: &mut fmt::Formatter<'_>, x: f64) -> fmt::Result {
+    match x {
+        f64::INFINITY => f.write_str("inf"),
+        f64::NEG_INFINITY => f.write_str("-inf"),
+        _ if x.is_nan() => f.write_str("NaN"),
+        _ => fmt::Display::fmt(&Shortest(x), f),
     }
 }
 

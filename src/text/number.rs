@@ -1,6 +1,8 @@
 //! Numbers as people type them, and as they are written for people.
 
-use core::fmt;
+use core::fmt::{self, Write};
+
+use super::double;
 
 /// Digits that are read; more than a double can tell apart would only round it twice.
 const DIGITS: usize = 17;
@@ -53,28 +55,46 @@ const POW10: [f64; 11] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10
 
 impl fmt::Display for Plain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let &Plain(number, decimals) = self;
-        if number.is_nan() || number.abs() >= 1e15 {
-            return write!(f, "{number:e}");
-        }
-        // A large number has fewer decimals than are asked for.
-        let mut decimals = POW10.len().min(decimals as usize + 1);
-        let mut scaled = f64::INFINITY;
-        while scaled.abs() >= EXACT && decimals > 0 {
+        let Some((mut digits, mut decimals)) = scaled(self.0, self.1) else { return double::exponential(f, self.0) };
+        while decimals > 0 && digits % 10 == 0 {
+            digits /= 10;
             decimals -= 1;
-            scaled = (number * POW10[decimals]).round();
         }
-        write_scaled(f, scaled as i64, decimals)
+        write_scaled(f, digits, decimals)
     }
 }
 
-/// `digits / 10^decimals` without trailing zeros; at most ten decimals.
-fn write_scaled(f: &mut fmt::Formatter<'_>, digits: i64, mut decimals: usize) -> fmt::Result {
-    let mut rest = digits.unsigned_abs();
-    while decimals > 0 && rest.is_multiple_of(10) {
-        rest /= 10;
-        decimals -= 1;
+/// A number with all of so many decimals, so that figures that change do not jump; else as [`Plain`]. A large number has fewer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fixed(pub f64, pub u8);
+
+impl fmt::Display for Fixed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match scaled(self.0, self.1) {
+            Some((digits, decimals)) => write_scaled(f, digits, decimals),
+            None => double::exponential(f, self.0),
+        }
     }
+}
+
+/// A number as its digits and how many of them are decimals; `None` where it is no number or needs an exponent.
+fn scaled(number: f64, decimals: u8) -> Option<(i64, usize)> {
+    if number.is_nan() || number.abs() >= 1e15 {
+        return None;
+    }
+    // A large number has fewer decimals than are asked for.
+    let mut decimals = POW10.len().min(decimals as usize + 1);
+    let mut scaled = f64::INFINITY;
+    while scaled.abs() >= EXACT && decimals > 0 {
+        decimals -= 1;
+        scaled = (number * POW10[decimals]).round();
+    }
+    Some((scaled as i64, decimals))
+}
+
+/// `digits / 10^decimals`; at most ten decimals.
+fn write_scaled(f: &mut fmt::Formatter<'_>, digits: i64, decimals: usize) -> fmt::Result {
+    let mut rest = digits.unsigned_abs();
     // Sign, sixteen digits, ten decimals of a smaller number, point.
     let mut text = [b'0'; 28];
     let mut at = text.len();
@@ -94,4 +114,39 @@ fn write_scaled(f: &mut fmt::Formatter<'_>, digits: i64, mut decimals: usize) ->
         text[at] = b'-';
     }
     f.write_str(core::str::from_utf8(&text[at..]).unwrap_or_default())
+}
+
+/// A number with all of so many decimals and thin spaces between thousands, for figures on the screen.
+pub fn figure(number: f64, decimals: u8) -> String {
+    let plain = Fixed(number, decimals).to_string();
+    let (sign, digits) = plain.strip_prefix('-').map_or(("", plain.as_str()), |digits| ("\u{2212}", digits));
+    let whole = digits.find('.').unwrap_or(digits.len());
+    let mut out = String::from(sign);
+    for (at, c) in digits.chars().enumerate() {
+        if at > 0 && at < whole && (whole - at).is_multiple_of(3) {
+            out.push('\u{202f}');
+        }
+        out.push(c);
+    }
+    out
+}
+
+/// A text with numbers in the places of its `#`, with two decimals at most: what a drawing is written with.
+pub fn fill(out: &mut String, form: &str, numbers: &[f64]) {
+    let mut numbers = numbers.iter();
+    for (at, part) in form.split('#').enumerate() {
+        if at > 0
+            && let Some(number) = numbers.next()
+        {
+            let _ = write!(out, "{}", Plain(*number, 2));
+        }
+        out.push_str(part);
+    }
+}
+
+/// A text with numbers in the places of its `#`; see [`fill`].
+pub fn filled(form: &str, numbers: &[f64]) -> String {
+    let mut out = String::new();
+    fill(&mut out, form, numbers);
+    out
 }

@@ -11,6 +11,8 @@ use super::model::Model;
 use super::words::{figure, t};
 use crate::machines::form::Values;
 use crate::machines::{AnyMachine, Samples};
+use crate::text::number::filled;
+use crate::view::svg::escape;
 use crate::view::{Chart, csv, plot};
 
 /// Points of a line.
@@ -82,7 +84,7 @@ impl Charts {
     pub(super) fn cursor(&self, head: f64) {
         let (from, to) = self.page;
         let part = ((head - from) / (to - from)).clamp(0.0, 1.0) * 100.0;
-        let at = format!("translateX({part:.3}%)");
+        let at = filled("translateX(#%)", &[part]);
         for cursor in &self.cursors {
             let _ = cursor.style().set_property("transform", &at);
         }
@@ -110,7 +112,7 @@ fn digits(value: f64) -> u8 {
 
 fn figure_of(out: &mut String, chart: &Chart) {
     out.push_str("<figure class=\"chart\"><figcaption><span>");
-    dom::escape(out, t(chart.title));
+    escape(out, t(chart.title));
     let _ = write!(out, " <i>{}</i></span><span class=\"legend\">", chart.unit);
     for line in &chart.series {
         let _ = write!(out, "<span class=\"l{}\">{} <b></b></span>", line.tone, t(line.label));
@@ -124,7 +126,7 @@ fn figure_of(out: &mut String, chart: &Chart) {
 pub(super) fn chart_pane(model: Model) -> El {
     let player = model.player;
     let options = WINDOWS.map(|seconds| {
-        let label = if seconds > 0.0 { format!("{seconds} s") } else { t("page.all").to_owned() };
+        let label = if seconds > 0.0 { filled("# s", &[seconds]) } else { t("page.all").to_owned() };
         let choose = move || {
             player.window.set(seconds);
             player.refresh_charts();

@@ -19,6 +19,7 @@ use super::script::{get, object};
 use super::words::{figure, sign, t, tell, tone};
 use crate::nc::{self, Files};
 use crate::text::LineIndex;
+use crate::text::catalog::number_text;
 
 /// Findings that are listed at most.
 const LISTED: usize = 200;
@@ -214,7 +215,7 @@ pub(super) fn check_dialog(model: Model) -> El {
     let element = bar.dom().clone();
     // Without a value the bar says that it goes on, but not how far it is.
     let fill = move || match part() {
-        (read, all) if read < all => dom::set(&element, "value", &format!("{:.3}", read / all)),
+        (read, all) if read < all => dom::set(&element, "value", &number_text(read / all, 3)),
         _ => drop(element.remove_attribute("value")),
     };
     let content = move || model.check.with(|check| check.as_ref()?.report.as_ref().map(shown)).unwrap_or_default();

@@ -133,19 +133,6 @@ pub(super) fn takes_text(element: &Element) -> bool {
     }
 }
 
-/// A text as it stands between tags or in quotes.
-pub(super) fn escape(out: &mut String, text: &str) {
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            c => out.push(c),
-        }
-    }
-}
-
 /// A text of a JavaScript error.
 pub(super) fn told(error: &JsValue) -> String {
     error.as_string().unwrap_or_else(|| {

@@ -11,6 +11,7 @@ use super::el::{El, button, checked, el};
 use super::model::Model;
 use super::words::{t, tell};
 use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
+use crate::math;
 use crate::text::Severity;
 use crate::text::catalog::number_text;
 
@@ -130,7 +131,7 @@ fn text_control(model: Model, info: &Rc<FieldInfo>, value: Read) -> El {
         event.prevent_default();
         let scale = if event.shift_key() { 10.0 } else { 1.0 };
         let Value::Number(from) = info.read(&input.value()).unwrap_or_else(|_| untrack(|| value())) else { return };
-        let text = shown(&info, &Value::Number((from + direction * scale * step).clamp(*min, *max)));
+        let text = shown(&info, &Value::Number(math::clamp(from + direction * scale * step, *min, *max)));
         input.set_value(&text);
         take(&text);
     };

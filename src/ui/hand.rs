@@ -9,6 +9,8 @@ use super::words::{clock, short, t};
 use crate::machines::form::Value;
 use crate::motion::{Action, Event, Mode};
 use crate::project::Project;
+use crate::text::catalog::number_text;
+use crate::text::number::filled;
 
 /// Percent that the knobs reach.
 const FULL: f64 = 200.0;
@@ -16,13 +18,19 @@ const FULL: f64 = 200.0;
 /// Machine seconds behind an action after which its effect is told.
 const EFFECT: f64 = 1.0;
 
+/// A number as it is set.
+fn plain(number: f64) -> String {
+    number_text(number, 6)
+}
+
 /// What an action is called.
 fn name(action: &Action) -> String {
     let on = |id: &'static str, on: bool| format!("{} {}", t(id), t(if on { "page.on" } else { "page.off" }));
+    let share = |id: &'static str, percent: f64| format!("{} {} %", t(id), plain(percent));
     match action {
-        Action::SpindleOverride(percent) => format!("{} {percent} %", t("page.spindle-override")),
-        Action::FeedOverride(percent) => format!("{} {percent} %", t("page.feed-override")),
-        Action::RapidOverride(percent) => format!("{} {percent} %", t("page.rapid-override")),
+        Action::SpindleOverride(percent) => share("page.spindle-override", *percent),
+        Action::FeedOverride(percent) => share("page.feed-override", *percent),
+        Action::RapidOverride(percent) => share("page.rapid-override", *percent),
         Action::Start => t("page.start").to_owned(),
         Action::Hold => t("page.hold").to_owned(),
         Action::Reset => t("page.reset").to_owned(),
@@ -30,9 +38,9 @@ fn name(action: &Action) -> String {
         Action::SingleBlock(state) => on("page.single-block", *state),
         Action::OptionalStop(state) => on("page.optional-stop", *state),
         Action::BlockSkip(state) => on("page.block-skip", *state),
-        Action::ManualSpeed(rpm) => format!("S {rpm}"),
-        Action::Input(name, value) => format!("{name} = {value}"),
-        Action::Variable(number, Some(value)) => format!("#{number} = {value}"),
+        Action::ManualSpeed(rpm) => format!("S {}", plain(*rpm)),
+        Action::Input(name, value) => format!("{name} = {}", plain(*value)),
+        Action::Variable(number, Some(value)) => format!("#{number} = {}", plain(*value)),
         Action::Variable(number, None) => format!("#{number} = {}", t("page.vacant")),
     }
 }
@@ -177,18 +185,18 @@ fn knob(
     let by = move |sign: f64| turn(untrack(value) + sign * untrack(step));
     let slider = el("input").at("type", "range").at("id", id).at("min", "0").at("max", "200");
     let input = slider.html().clone();
-    let part = move || drop(input.style().set_property("--part", &format!("{:.1}%", value() / FULL * 100.0)));
+    let part = move || drop(input.style().set_property("--part", &filled("#%", &[value() / FULL * 100.0])));
     let turned = move |event| {
         if let Some(percent) = super::el::number(&event) {
             turn(percent);
         }
     };
-    let slider = slider.bind("step", move || step().to_string()).valued(move || value().to_string()).run(part);
+    let slider = slider.bind("step", move || plain(step())).valued(move || plain(value())).run(part);
     el("div.knob").add(&[
         el("label").at("for", id).text(label),
         icon_button("button.icon", "−", &format!("{label} −"), move || by(-1.0)),
         slider.on("input", turned),
         icon_button("button.icon", "+", &format!("{label} +"), move || by(1.0)),
-        el("output").at("for", id).live(move || format!("{} %", value())),
+        el("output").at("for", id).live(move || format!("{} %", plain(value()))),
     ])
 }

@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
-use super::dom::escape;
 use super::words::{say, sign, t, tone};
 use crate::controls::Control;
 use crate::nc::{File, TokenKind, tokens};
 use crate::text::{Diagnostic, FileId, LineIndex, Severity};
+use crate::view::svg::escape;
 
 /// Lines of a program that are shown at most.
 pub(super) const SHOWN: u32 = 5000;

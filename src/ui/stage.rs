@@ -6,13 +6,14 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement, HtmlInputElement};
 
 use super::{dom, words};
+use crate::text::number::{fill, filled};
+use crate::view::svg::escape;
 use crate::view::{Node, Pose, Scene, Shape};
 
 /// The scene as SVG. Words in it are escaped.
 pub(super) fn svg(scene: &Scene) -> String {
-    let [x, y, w, h] = scene.view;
-    let mut out = format!("<svg class=\"scene\" viewBox=\"{x} {y} {w} {h}\" role=\"img\" aria-label=\"");
-    dom::escape(&mut out, words::t(scene.alt));
+    let mut out = filled("<svg class=\"scene\" viewBox=\"# # # #\" role=\"img\" aria-label=\"", &scene.view);
+    escape(&mut out, words::t(scene.alt));
     out.push_str("\">");
     let mut group = None;
     for (at, node) in scene.nodes.iter().enumerate() {
@@ -33,27 +34,31 @@ pub(super) fn svg(scene: &Scene) -> String {
 }
 
 fn shape(out: &mut String, at: usize, node: &Node) {
-    let _ = match &node.shape {
-        Shape::Circle { x, y, r } => write!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\""),
-        Shape::Rect { x, y, w, h } => write!(out, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\""),
+    match &node.shape {
+        Shape::Circle { x, y, r } => fill(out, "<circle cx=\"#\" cy=\"#\" r=\"#\"", &[*x, *y, *r]),
+        Shape::Rect { x, y, w, h } => {
+            fill(out, "<rect x=\"#\" y=\"#\" width=\"#\" height=\"#\"", &[*x, *y, *w, *h]);
+        }
         Shape::Path { d } => {
             out.push_str("<path d=\"");
-            dom::escape(out, d);
+            escape(out, d);
             out.push('"');
-            Ok(())
         }
-        Shape::Text { x, y, anchor, .. } => write!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\""),
-    };
+        Shape::Text { x, y, anchor, .. } => {
+            fill(out, "<text x=\"#\" y=\"#\"", &[*x, *y]);
+            let _ = write!(out, " text-anchor=\"{anchor}\"");
+        }
+    }
     let _ = write!(out, " data-n=\"{at}\" class=\"{}", node.class);
     // Without a fill a shape is an outline; words are always filled.
-    let fill = if node.fill.is_empty() { "none" } else { node.fill };
-    let _ = write!(out, " f-{fill}");
+    let _ = write!(out, " f-{}", if node.fill.is_empty() { "none" } else { node.fill });
     if !node.stroke.is_empty() {
-        let _ = write!(out, " s-{}\" stroke-width=\"{}", node.stroke, node.width);
+        let _ = write!(out, " s-{}", node.stroke);
+        fill(out, "\" stroke-width=\"#", &[node.width]);
     }
     out.push_str("\">");
     if let Shape::Text { text, .. } = &node.shape {
-        dom::escape(out, text);
+        escape(out, text);
     }
     out.push_str(match node.shape {
         Shape::Circle { .. } => "</circle>",
@@ -108,10 +113,10 @@ impl Stage {
             let Some(group) = self.groups.get_mut(place.group as usize) else { continue };
             text.clear();
             if place.dx != 0.0 || place.dy != 0.0 {
-                let _ = write!(text, "translate({:.2} {:.2})", place.dx, place.dy);
+                fill(&mut text, "translate(# #)", &[place.dx, place.dy]);
             }
             if place.turn != 0.0 {
-                let _ = write!(text, "rotate({:.2} {:.2} {:.2})", place.turn, place.cx, place.cy);
+                fill(&mut text, "rotate(# # #)", &[place.turn, place.cx, place.cy]);
             }
             if text != group.transform {
                 group.parts.iter().for_each(|part| dom::set(part, "transform", &text));
@@ -119,7 +124,7 @@ impl Stage {
             }
             if place.opacity != group.opacity {
                 group.opacity = place.opacity;
-                let opacity = format!("{:.2}", place.opacity);
+                let opacity = filled("#", &[place.opacity]);
                 group.parts.iter().for_each(|part| dom::set(part, "opacity", &opacity));
             }
         }
@@ -160,7 +165,7 @@ impl Stage {
             slider.set_value(&at.0.to_string());
             dom::set(slider, "aria-valuetext", &self.clock_text);
             let part = if planned > 0.0 { head / planned * 100.0 } else { 0.0 };
-            let _ = slider.style().set_property("--part", &format!("{part:.2}%"));
+            let _ = slider.style().set_property("--part", &filled("#%", &[part]));
             self.slider_at = at;
         }
     }

@@ -8,6 +8,8 @@ use super::model::Model;
 use super::player::SPEEDS;
 use super::words::t;
 use crate::motion::Mode;
+use crate::text::catalog::number_text;
+use crate::text::number::filled;
 
 const ICON_START: &str = "M3 3h2v10H3zM13 3v10L6 8z";
 const ICON_BACK: &str = "M11 3h2v10h-2zM9 3v10L2 8z";
@@ -41,15 +43,16 @@ pub(super) fn mode_tone(mode: Mode) -> &'static str {
 
 /// A speed as people say it: `1/20`, `2`.
 fn speed_text(speed: f64) -> String {
-    if speed < 1.0 { format!("1/{:.0} ×", 1.0 / speed) } else { format!("{speed:.0} ×") }
+    if speed < 1.0 { filled("1/# ×", &[1.0 / speed]) } else { filled("# ×", &[speed]) }
 }
 
 /// The transport.
 pub(super) fn transport(model: Model) -> El {
     let player = model.player;
     let playing = move || player.playing.get();
-    let speeds = SPEEDS.map(|speed| el("option").at("value", &speed.to_string()).text(&speed_text(speed)));
-    let speed = el("select.speed").label(t("page.speed")).add(&speeds).valued(move || player.speed.get().to_string());
+    let speeds = SPEEDS.map(|speed| el("option").at("value", &number_text(speed, 6)).text(&speed_text(speed)));
+    let speed =
+        el("select.speed").label(t("page.speed")).add(&speeds).valued(move || number_text(player.speed.get(), 6));
     let speed = speed.on("change", move |event| {
         if let Some(speed) = number(&event) {
             player.speed.set(speed);

@@ -1,6 +1,7 @@
 //! What the page says, in the language of the user.
 
 use crate::text::catalog::{self, Language};
+use crate::text::number;
 use crate::text::{Diagnostic, Message, Severity};
 
 /// The words of a catalog id.
@@ -48,18 +49,7 @@ pub(super) fn figure(number: f64, decimals: u8) -> String {
     if !number.is_finite() {
         return "–".to_owned();
     }
-    let plain = format!("{:.*}", decimals as usize, number);
-    let (sign, digits) = plain.strip_prefix('-').map_or(("", plain.as_str()), |rest| ("−", rest));
-    let (whole, rest) = digits.split_at(digits.find('.').unwrap_or(digits.len()));
-    let mut out = String::from(if digits.bytes().all(|b| matches!(b, b'0' | b'.')) { "" } else { sign });
-    for (at, c) in whole.chars().enumerate() {
-        if at > 0 && (whole.len() - at).is_multiple_of(3) {
-            out.push('\u{202f}');
-        }
-        out.push(c);
-    }
-    out.push_str(rest);
-    out
+    number::figure(number, decimals)
 }
 
 /// A number with at most so many decimals.

@@ -4,6 +4,7 @@ use core::fmt::Write;
 
 use super::{Chart, Sheet};
 use crate::text::catalog::{Language, words};
+use crate::text::number::Fixed;
 
 /// The lines of all charts side by side, over the x of the first; the heads carry units. Empty where there is no line.
 pub fn charts(charts: &[Chart]) -> String {
@@ -16,11 +17,11 @@ pub fn charts(charts: &[Chart]) -> String {
     }
     out.push_str("\r\n");
     for (row, (x, _)) in line.points.iter().enumerate() {
-        let _ = write!(out, "{x:.6}");
+        let _ = write!(out, "{}", Fixed(*x, 6));
         for (_, line) in &lines {
             match line.points.get(row) {
                 Some((_, y)) => {
-                    let _ = write!(out, ",{y:.6}");
+                    let _ = write!(out, ",{}", Fixed(*y, 6));
                 }
                 None => out.push(','),
             }

@@ -3,6 +3,7 @@
 use core::fmt::Write;
 
 use super::svg::escape;
+use crate::text::number::{fill, filled};
 
 /// A contact of a rung.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,9 +42,9 @@ const RIGHT: f64 = 546.0;
 pub fn svg(rungs: &[Rung]) -> String {
     let height = RUNG * rungs.len() as f64 + 8.0;
     let mut out =
-        format!("<svg class=\"ladder\" viewBox=\"0 0 {WIDTH} {height}\" xmlns=\"http://www.w3.org/2000/svg\">");
+        filled("<svg class=\"ladder\" viewBox=\"0 0 # #\" xmlns=\"http://www.w3.org/2000/svg\">", &[WIDTH, height]);
     for rail in [LEFT, RIGHT] {
-        line(&mut out, &format!("M{rail} 4V{}", height - 4.0), 2.0);
+        line(&mut out, "M# 4V#", &[rail, height - 4.0], 2.0);
     }
     for (at, rung) in rungs.iter().enumerate() {
         draw(&mut out, rung, RUNG * at as f64 + 34.0);
@@ -57,29 +58,33 @@ fn draw(out: &mut String, rung: &Rung, y: f64) {
     let mut x = LEFT;
     for contact in &rung.contacts {
         let (near, far) = (x + 44.0, x + 54.0);
-        line(out, &format!("M{x} {y}H{near}M{near} {}V{}M{far} {}V{}", y - 9.0, y + 9.0, y - 9.0, y + 9.0), 1.4);
+        line(out, "M# #H#M# #V#M# #V#", &[x, y, near, near, y - 9.0, y + 9.0, far, y - 9.0, y + 9.0], 1.4);
         if contact.inverted {
-            line(out, &format!("M{} {}L{} {}", near - 3.0, y + 10.0, far + 3.0, y - 10.0), 1.4);
+            line(out, "M# #L# #", &[near - 3.0, y + 10.0, far + 3.0, y - 10.0], 1.4);
         }
         text(out, x + 49.0, y + 20.0, "middle", "f-ink value", &contact.device);
         x = far;
     }
     let width = 13.0 + 7.6 * rung.output.chars().count() as f64;
     let begin = RIGHT - 24.0 - width;
-    line(out, &format!("M{x} {y}H{begin}M{} {y}H{RIGHT}", RIGHT - 24.0), 1.4);
-    let _ = write!(
+    line(out, "M# #H#M# #H#", &[x, y, begin, RIGHT - 24.0, y, RIGHT], 1.4);
+    fill(
         out,
-        "<rect x=\"{begin}\" y=\"{}\" width=\"{width}\" height=\"22\" rx=\"4\" class=\"f-pane s-ink\" stroke-width=\"1.4\"/>",
-        y - 11.0
+        "<rect x=\"#\" y=\"#\" width=\"#\" height=\"22\" rx=\"4\" class=\"f-pane s-ink\" stroke-width=\"1.4\"/>",
+        &[begin, y - 11.0, width],
     );
     text(out, begin + width / 2.0, y + 4.0, "middle", "f-ink value", &rung.output);
 }
 
-fn line(out: &mut String, d: &str, width: f64) {
-    let _ = write!(out, "<path d=\"{d}\" class=\"f-none s-ink\" stroke-width=\"{width}\"/>");
+fn line(out: &mut String, form: &str, at: &[f64], width: f64) {
+    out.push_str("<path d=\"");
+    fill(out, form, at);
+    fill(out, "\" class=\"f-none s-ink\" stroke-width=\"#\"/>", &[width]);
 }
 
 fn text(out: &mut String, x: f64, y: f64, anchor: &str, class: &str, words: &str) {
-    let _ =
-        write!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" class=\"{class}\">{}</text>", escape(words));
+    fill(out, "<text x=\"#\" y=\"#\"", &[x, y]);
+    let _ = write!(out, " text-anchor=\"{anchor}\" class=\"{class}\">");
+    escape(out, words);
+    out.push_str("</text>");
 }

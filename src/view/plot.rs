@@ -19,6 +19,7 @@ use super::Chart;
 use super::svg::escape;
 use crate::math;
 use crate::text::catalog::number_text;
+use crate::text::number::{Plain, fill};
 
 /// Units of the frame.
 const SIZE: (u32, u32) = (1000, 200);
@@ -146,17 +147,15 @@ fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
             let at = share(*value, axis);
             let text = number_text(*value, decimals);
             // Figures at the very edges would be cut.
-            let _ = match across {
-                true if (3.0..=97.0).contains(&at) => write!(
-                    out,
-                    "<text class=\"tick\" x=\"{at:.2}%\" y=\"100%\" dy=\"-3\" text-anchor=\"middle\">{text} {}</text>",
-                    escape(x_unit)
-                ),
-                false if at <= 92.0 => {
-                    write!(out, "<text class=\"tick\" x=\"3\" y=\"{:.2}%\" dy=\"-3\">{text}</text>", 100.0 - at)
-                }
-                _ => Ok(()),
-            };
+            if across && (3.0..=97.0).contains(&at) {
+                fill(out, "<text class=\"tick\" x=\"#%\" y=\"100%\" dy=\"-3\" text-anchor=\"middle\">", &[at]);
+                let _ = write!(out, "{text} ");
+                escape(out, x_unit);
+                out.push_str("</text>");
+            } else if !across && at <= 92.0 {
+                fill(out, "<text class=\"tick\" x=\"3\" y=\"#%\" dy=\"-3\">", &[100.0 - at]);
+                let _ = write!(out, "{text}</text>");
+            }
         }
     }
 }
@@ -188,7 +187,7 @@ impl Pen<'_> {
         };
         let mut letter = 'M';
         for (x, y) in points {
-            let fine = |value: i32| f64::from(value) / f64::from(FINE);
+            let fine = |value: i32| Plain(f64::from(value) / f64::from(FINE), 3);
             let _ = write!(self.out, "{letter}{} {}", fine(x), fine(y));
             letter = 'L';
         }

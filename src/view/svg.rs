@@ -49,13 +49,22 @@ fn shape(out: &mut String, node: &Node, path: Option<String>, words: Option<Stri
         Shape::Rect { x, y, w, h } => write!(out, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" {look}/>"),
         Shape::Path { d } => write!(out, "<path d=\"{}\" {look}/>", path.as_ref().unwrap_or(d)),
         Shape::Text { x, y, anchor, text } => {
-            let text = escape(words.as_ref().unwrap_or(text));
-            write!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" {look}>{text}</text>")
+            let _ = write!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" {look}>");
+            escape(out, words.as_ref().unwrap_or(text));
+            write!(out, "</text>")
         }
     };
 }
 
-/// Text as it may stand in SVG.
-pub(super) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+/// Adds a text as it stands between tags or in quotes.
+pub fn escape(out: &mut String, text: &str) {
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            c => out.push(c),
+        }
+    }
 }

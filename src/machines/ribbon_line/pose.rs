@@ -6,6 +6,7 @@ use super::show;
 use crate::machines::Frame;
 use crate::math::PI;
 use crate::motion::Snapshot;
+use crate::text::number::figure;
 use crate::view::Pose;
 use crate::view::scene::Placement;
 
@@ -139,30 +140,14 @@ fn texts(p: &Params, now: &Snapshot, state: &State) -> Vec<(usize, String)> {
     };
     let say = |id| crate::text::catalog::words(crate::text::catalog::Language::English, id).to_owned();
     vec![
-        (node::UNWINDER_SPEED, format!("{} r/min", fixed(now.spindle.actual, 1))),
-        (node::UNWINDER_VOLTS, format!("{} V", fixed(now.spindle.volts, 3))),
-        (node::SLACK, format!("{}{} mm", if state.slack >= 0.05 { "+" } else { "" }, fixed(state.slack, 1))),
+        (node::UNWINDER_SPEED, format!("{} r/min", figure(now.spindle.actual, 1))),
+        (node::UNWINDER_VOLTS, format!("{} V", figure(now.spindle.volts, 3))),
+        (node::SLACK, format!("{}{} mm", if state.slack >= 0.05 { "+" } else { "" }, figure(state.slack, 1))),
         (node::LOOP_STATE, say(state_of_loop)),
-        (node::PULL_FEED, format!("{} mm/min", fixed(now.axes[X].feed, 0))),
-        (node::PULL_POSITION, format!("{} mm", fixed(state.pulled, 1))),
-        (node::PRINT_SPEED, format!("{} r/min", fixed(state.speeds[2] / 6.0, 1))),
+        (node::PULL_FEED, format!("{} mm/min", figure(now.axes[X].feed, 0))),
+        (node::PULL_POSITION, format!("{} mm", figure(state.pulled, 1))),
+        (node::PRINT_SPEED, format!("{} r/min", figure(state.speeds[2] / 6.0, 1))),
         (node::PRINT_HEAD, format!("{} {} / {}", say("ribbon.scene.head"), show(head, 0), show(heads, 0))),
         (node::DOT_COUNT, format!("{} {}", show((state.pulled / p.pitch + 1e-6).floor(), 0), say("ribbon.scene.dots"))),
     ]
-}
-
-/// A number with all its decimals, so that figures do not jump, and thin spaces between thousands.
-fn fixed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let (sign, digits) = text.strip_prefix('-').map_or(("", text.as_str()), |digits| ("\u{2212}", digits));
-    let (whole, rest) = digits.split_at(digits.find('.').unwrap_or(digits.len()));
-    let sign = if digits.bytes().all(|b| matches!(b, b'0' | b'.')) { "" } else { sign };
-    let mut out = String::from(sign);
-    for (at, digit) in whole.chars().enumerate() {
-        if at > 0 && (whole.len() - at) % 3 == 0 {
-            out.push('\u{202F}');
-        }
-        out.push(digit);
-    }
-    out + rest
 }

@@ -6,6 +6,7 @@
 use super::params::Params;
 use crate::math::{self, PI};
 use crate::text::catalog::{Language, words};
+use crate::text::number::filled;
 use crate::view::{Node, Scene, Shape};
 
 /// Groups that poses move.
@@ -110,13 +111,16 @@ pub(super) fn loop_path(slack: f64, capacity: f64) -> String {
     let low = WEB + LOOP_DEPTH * (1.0 + share);
     let (from, to) = (UNWINDER.0, PULL.0);
     let middle = (from + to) / 2.0;
-    format!(
-        "M{from} {WEB}C{:.1} {WEB} {:.1} {low:.1} {middle} {low:.1}C{:.1} {low:.1} {:.1} {WEB} {to} {WEB}",
-        from + 52.0,
-        middle - 46.0,
-        middle + 46.0,
-        to - 52.0
+    let (first, last) = ([from + 52.0, middle - 46.0], [middle + 46.0, to - 52.0]);
+    filled(
+        "M# #C# # # # # #C# # # # # #",
+        &[from, WEB, first[0], WEB, first[1], low, middle, low, last[0], low, last[1], WEB, to, WEB],
     )
+}
+
+/// A line from a centre outwards in the direction (c, s), between two radii.
+fn ray(x: f64, y: f64, (c, s): (f64, f64), from: f64, to: f64) -> String {
+    filled("M# #L# #", &[x + from * c, y + from * s, x + to * c, y + to * s])
 }
 
 /// Collects nodes.
@@ -176,13 +180,7 @@ impl Pen {
         self.ring(0, (x, y, r - 1.0), "dim", 0.8, "soft");
         for spoke in 0..spokes {
             let (s, c) = math::sin_cos(2.0 * PI * f64::from(spoke) / f64::from(spokes));
-            let d = format!(
-                "M{:.2} {:.2}L{:.2} {:.2}",
-                x + 0.42 * r * c,
-                y + 0.42 * r * s,
-                x + 0.86 * r * c,
-                y + 0.86 * r * s
-            );
+            let d = ray(x, y, (c, s), 0.42 * r, 0.86 * r);
             self.path(marks, d, "", "pane", r * 0.11, "mark");
         }
         if let Some(blur) = blur {
@@ -197,24 +195,15 @@ impl Pen {
 fn frame(pen: &mut Pen) {
     for (x, top, w) in [(UNWINDER.0, 66.0, 108.0), (PULL.0, 66.0, 108.0), (PRINT.0, 18.0, 108.0)] {
         let (left, right) = (x - w / 2.0, x + w / 2.0);
-        let d = format!(
-            "M{left} 286V{}Q{left} {top} {} {top}H{}Q{right} {top} {right} {}V286Z",
-            top + 10.0,
-            left + 10.0,
-            right - 10.0,
-            top + 10.0
+        let low = top + 10.0;
+        let d = filled(
+            "M# 286V#Q# # # #H#Q# # # #V286Z",
+            &[left, low, left, top, left + 10.0, top, right - 10.0, right, top, right, low],
         );
         pen.path(0, d, "line", "", 0.0, "plate");
     }
     let (x, y, _) = REEL;
-    pen.path(
-        0,
-        format!("M{} {}L{} 286H{}L{} {}Z", x - 7.0, y, x - 24.0, x + 24.0, x + 7.0, y),
-        "line",
-        "",
-        0.0,
-        "plate",
-    );
+    pen.path(0, filled("M# #L# 286H#L# #Z", &[x - 7.0, y, x - 24.0, x + 24.0, x + 7.0, y]), "line", "", 0.0, "plate");
     pen.line(0, "M16 287H744", "dim", 1.0);
 }
 
@@ -228,23 +217,9 @@ fn reel(pen: &mut Pen) {
     pen.disc(0, x, y, 19.0, "steel", "roller");
     for spoke in 0..3 {
         let (s, c) = math::sin_cos(2.0 * PI * f64::from(spoke) / 3.0);
-        pen.path(
-            group::REEL,
-            format!("M{:.2} {:.2}L{:.2} {:.2}", x + 7.0 * c, y + 7.0 * s, x + 17.0 * c, y + 17.0 * s),
-            "",
-            "pane",
-            4.0,
-            "mark",
-        );
+        pen.path(group::REEL, ray(x, y, (c, s), 7.0, 17.0), "", "pane", 4.0, "mark");
         // A mark on the outermost winding, to see the reel turn.
-        pen.path(
-            group::REEL,
-            format!("M{:.2} {:.2}L{:.2} {:.2}", x + 52.0 * c, y + 52.0 * s, x + 59.0 * c, y + 59.0 * s),
-            "",
-            "ribbon",
-            2.0,
-            "",
-        );
+        pen.path(group::REEL, ray(x, y, (c, s), 52.0, 59.0), "", "ribbon", 2.0, "");
     }
     pen.disc(0, x, y, 5.0, "pane", "");
     pen.ring(0, (x, y, 5.0), "dim", 1.0, "");
@@ -253,16 +228,16 @@ fn reel(pen: &mut Pen) {
 /// The ribbon but for its loop, the anvil, the capacity of the loop, and the direction.
 fn web(pen: &mut Pen, p: &Params) {
     // From the reel's top, tangent, into the nip.
-    let tangent = format!("M{:.1} {:.1}L{} {WEB}", REEL.0 + 30.0, REEL.1 - 54.4, UNWINDER.0);
-    for d in [tangent, format!("M{} {WEB}H760", PULL.0)] {
+    let tangent = filled("M# #L# #", &[REEL.0 + 30.0, REEL.1 - 54.4, UNWINDER.0, WEB]);
+    for d in [tangent, filled("M# #H760", &[PULL.0, WEB])] {
         pen.path(0, d, "", "ribbon", 5.0, "web");
     }
     // How deep the loop may hang, and a straight ribbon.
     let full = WEB + 2.0 * LOOP_DEPTH + 6.0;
-    pen.path(0, format!("M290 {full}H362"), "", "dim", 1.0, "dash");
+    pen.path(0, filled("M290 #H362", &[full]), "", "dim", 1.0, "dash");
     pen.text(326.0, full + 14.0, "middle", format!("{} mm", super::show(p.loop_capacity, 0)), "dim", "small");
     pen.rect(546.0, WEB + 3.5, 60.0, 9.0, "steel", "roller");
-    pen.path(0, format!("M560 {}V286H592V{}Z", WEB + 12.5, WEB + 12.5), "steel", "", 0.0, "soft");
+    pen.path(0, filled("M560 #V286H592V#Z", &[WEB + 12.5, WEB + 12.5]), "steel", "", 0.0, "soft");
     pen.path(0, "M738 136H752M748 132L753 136L748 140".to_owned(), "", "dim", 1.2, "");
     pen.path(0, "M640 136V144M666 136V144M640 140H666".to_owned(), "", "dim", 1.0, "");
     pen.text(653.0, 157.0, "middle", format!("{} mm", super::show(p.pitch, 3)), "dim", "small");
@@ -295,18 +270,11 @@ fn print(pen: &mut Pen, p: &Params) {
     for head in 0..heads as u32 {
         // Head 0 points down, at the ribbon; the roller turns against the clock.
         let (s, c) = math::sin_cos(PI / 2.0 + 2.0 * PI * f64::from(head) / heads);
-        let d = format!(
-            "M{:.2} {:.2}L{:.2} {:.2}",
-            x + (body - 1.0) * c,
-            y + (body - 1.0) * s,
-            x + (r + 0.5) * c,
-            y + (r + 0.5) * s
-        );
+        let d = ray(x, y, (c, s), body - 1.0, r + 0.5);
         let fill = if head == 0 { "bad" } else { "accent" };
         pen.path(group::PRINT, d, "", fill, width, "head");
         if heads <= 12.0 {
-            let d = format!("M{:.2} {:.2}L{:.2} {:.2}", x + 14.0 * c, y + 14.0 * s, x + 29.0 * c, y + 29.0 * s);
-            pen.path(group::PRINT, d, "", "pane", 3.0, "mark");
+            pen.path(group::PRINT, ray(x, y, (c, s), 14.0, 29.0), "", "pane", 3.0, "mark");
         }
     }
     pen.ring(group::PRINT_BLUR, (x, y, r - 2.5), "accent", 6.0, "blur");
@@ -319,9 +287,9 @@ fn print(pen: &mut Pen, p: &Params) {
 fn dots(pen: &mut Pen, p: &Params) {
     let ratio = PI * p.print_roller_diameter / p.heads / p.pitch;
     let smear = (crate::drives::web::smear(ratio, p.contact_length) / p.pitch * PITCH).min(PITCH - 6.0);
-    pen.path(group::DOTS_BLUR, format!("M{} {WEB}H760", PRINT.0), "", "ink", 4.4, "blur");
+    pen.path(group::DOTS_BLUR, filled("M# #H760", &[PRINT.0, WEB]), "", "ink", 4.4, "blur");
     for dot in 0..DOTS {
-        let d = format!("M{:.2} {WEB}h{:.2}", PRINT.0 - smear / 2.0, smear.max(0.01));
+        let d = filled("M# #h#", &[PRINT.0 - smear / 2.0, WEB, smear.max(0.01)]);
         pen.path(group::DOTS + dot, d, "", "ink", 4.4, "dot");
     }
 }

@@ -6,6 +6,7 @@ use super::show;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Control, ParamDef, ParamRole, Switches};
 use crate::text::catalog::{Language, words};
+use crate::text::number::Plain;
 use crate::text::{Citation, Grade};
 use crate::view::ladder::{Contact, Rung};
 use crate::view::{Row, Sheet};
@@ -141,7 +142,7 @@ fn rungs(p: &Params, device: impl Fn(SignalRole) -> (String, Citation)) -> Vec<R
     let mut rungs = Vec::new();
     let step = p.knob_step.percent();
     if step > 1.0 {
-        let half = (step / 2.0).floor();
+        let (half, step) = (Plain((step / 2.0).floor(), 0), Plain(step, 3));
         rungs.push(rung(always(), format!("+ D100 K{half} D101"), "ribbon.ladder.half"));
         rungs.push(rung(always(), format!("/ D101 K{step} D102"), "ribbon.ladder.divide"));
         rungs.push(rung(always(), format!("* D102 K{step} D104"), "ribbon.ladder.multiply"));
