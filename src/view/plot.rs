@@ -5,14 +5,13 @@
 
 use core::convert::Infallible;
 use core::fmt::Write;
-use core::ops::Range;
 
-use plotters::chart::ChartBuilder;
-use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use plotters::coord::cartesian::Cartesian2d;
+use plotters::coord::ranged1d::Ranged;
 use plotters::coord::types::RangedCoordf64;
 use plotters::drawing::IntoDrawingArea;
-use plotters::series::LineSeries;
-use plotters::style::{RGBColor, ShapeStyle, TRANSPARENT};
+use plotters::element::PathElement;
+use plotters::style::RGBColor;
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind};
 
 use super::Chart;
@@ -88,55 +87,19 @@ fn frame(
     x: (f64, f64),
     y: (f64, f64),
 ) -> Result<(), plotters::drawing::DrawingAreaErrorKind<Infallible>> {
-    let area = Pen { out }.into_drawing_area();
-    let mut plot = ChartBuilder::on(&area).build_cartesian_2d(Axis::new(x), Axis::new(y))?;
-    plot.configure_mesh()
-        .x_labels(GRID.0)
-        .y_labels(GRID.1)
-        .max_light_lines(0)
-        .bold_line_style(GRID_COLOUR)
-        .light_line_style(TRANSPARENT)
-        .axis_style(TRANSPARENT)
-        .draw()?;
+    let (width, height) = (SIZE.0 * FINE, SIZE.1 * FINE);
+    let plane: Plane = Cartesian2d::new(x.0..x.1, y.0..y.1, (0..width as i32, height as i32..0));
+    let area = Pen { out }.into_drawing_area().apply_coord_spec(plane);
+    area.draw_mesh(|pen, line| line.draw(pen, &GRID_COLOUR.into()), GRID.1, GRID.0)?;
     for line in &chart.series {
-        let style = ShapeStyle::from(&RGBColor(line.tone, 0, 0)).stroke_width(2);
-        let points = line.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite());
-        plot.draw_series(LineSeries::new(points, style))?;
+        let points: Vec<_> = line.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
+        area.draw(&PathElement::new(points, RGBColor(line.tone, 0, 0)))?;
     }
     area.present()
 }
 
-/// An axis whose key points are those of plotters, so that grid and figures agree.
-struct Axis(RangedCoordf64);
-
-impl Axis {
-    fn new((from, to): (f64, f64)) -> Axis {
-        Axis((from..to).into())
-    }
-}
-
-impl Ranged for Axis {
-    type FormatOption = NoDefaultFormatting;
-    type ValueType = f64;
-
-    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
-        self.0.map(value, limit)
-    }
-
-    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        self.0.key_points(hint)
-    }
-
-    fn range(&self) -> Range<f64> {
-        self.0.range()
-    }
-}
-
-impl ValueFormatter<f64> for Axis {
-    fn format(value: &f64) -> String {
-        number_text(*value, 6)
-    }
-}
+/// Both axes, whose key points are those of plotters, so that grid and figures agree.
+type Plane = Cartesian2d<RangedCoordf64, RangedCoordf64>;
 
 /// Figures at the grid lines, placed by percent so that they keep their shape.
 fn figures(out: &mut String, x: (f64, f64), y: (f64, f64), x_unit: &str) {
