@@ -17,8 +17,14 @@ pub enum Alarm {
     NoProgramEnd,
     /// A program or sequence number 0.
     NumberZero,
+    /// A sequence number that does not open its block.
+    SequencePlace,
+    /// A sequence number with too many digits.
+    SequenceDigits,
     /// Cutting feed without F, or F0.
     NoFeed,
+    /// F outside its range.
+    FeedRange,
     /// An arc that cannot be.
     Arc,
     /// Subprograms nested too deep.
@@ -148,7 +154,10 @@ impl Alarm {
         Alarm::OutOfRange,
         Alarm::NoProgramEnd,
         Alarm::NumberZero,
+        Alarm::SequencePlace,
+        Alarm::SequenceDigits,
         Alarm::NoFeed,
+        Alarm::FeedRange,
         Alarm::Arc,
         Alarm::SubNesting,
         Alarm::NoSequence,
@@ -210,11 +219,11 @@ impl Alarm {
             DoNumber => WhileSentence,
             IntoLoop => DoPair,
             NoCallProgram => NoProgram,
-            UserAlarmRange => OutOfRange,
+            Digits | SequenceDigits | FeedRange | UserAlarmRange => OutOfRange,
             ReadOnly => VariableSide,
             VacantWritten => ReadOnly,
             OwnCall => SubNesting,
-            NoNumber | Digits | AtanForm | PointNotAllowed | AddressTwice | BlockTooLong | CommentBracket
+            NoNumber | SequencePlace | AtanForm | PointNotAllowed | AddressTwice | BlockTooLong | CommentBracket
             | CallNotFirst | CallMixed | ReturnInModal | ArgumentAddress | CallFunction | CallOperands => Format,
             _ => return None,
         })

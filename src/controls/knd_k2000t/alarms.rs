@@ -12,6 +12,7 @@ const KNOWN: Citation = Citation::new("FANUC 16i/0i-F alarm names, sheet section
 /// One row per kind.
 pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(Digits, "003", "Too many digits", MEMORY),
+    alarm(SequenceDigits, "003", "Too many digits", MEMORY),
     alarm(Format, "004", "Address not found", MEMORY),
     alarm(NoNumber, "005", "No data after address", MEMORY),
     alarm(PointNotAllowed, "007", "Illegal use of decimal point", MEMORY),

@@ -388,7 +388,7 @@ impl Reader<'_> {
                     return self.not_simulated(key, start, to, &format!("#{number} ({})", row.text));
                 }
                 VarKind::Vacant if written => Alarm::VacantWritten,
-                kind if written && !kind.writable() => Alarm::VariableSide,
+                kind if written && !kind.writable() => Alarm::ReadOnly,
                 VarKind::AlarmMessage | VarKind::StopMessage if !written => Alarm::VariableSide,
                 _ => return,
             },

@@ -112,7 +112,7 @@ impl<'a> Reader<'a> {
         self.blank();
         let digits = self.line.get(self.at..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit()).count();
         if digits == 0 {
-            return Err(self.failure(Alarm::Format, start, start + 1, msg!("nc.no-sequence-number"), true));
+            return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number"), true));
         }
         let text = self.line.get(self.at..self.at + digits).unwrap_or_default();
         self.at += digits;
@@ -121,7 +121,7 @@ impl<'a> Reader<'a> {
         match number {
             Some(0) => self.report(Alarm::NumberZero, start, self.at, msg!("nc.sequence-zero")),
             Some(_) if digits <= most as usize => {}
-            _ => self.report(Alarm::OutOfRange, start, self.at, msg!("nc.sequence-digits", u32::from(most))),
+            _ => self.report(Alarm::SequenceDigits, start, self.at, msg!("nc.sequence-digits", u32::from(most))),
         }
         self.number = number;
         Ok(())
@@ -218,7 +218,7 @@ impl<'a> Reader<'a> {
     /// A letter that is no address here.
     fn odd_letter(&mut self, letter: u8, start: usize) {
         let (alarm, message) = match letter {
-            b'N' => (Alarm::Format, msg!("nc.number-not-first", "N")),
+            b'N' => (Alarm::SequencePlace, msg!("nc.number-not-first", "N")),
             b'O' => (Alarm::Format, msg!("nc.number-not-first", "O")),
             _ => (Alarm::IllegalAddress, msg!("nc.no-such-address", (letter as char).to_string(), self.control.name)),
         };
@@ -305,7 +305,7 @@ impl<'a> Reader<'a> {
                 return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), false));
             }
             let message = msg!("nc.no-value", (letter as char).to_string());
-            return Err(self.failure(Alarm::Format, start, start + 1, message, true));
+            return Err(self.failure(Alarm::NoNumber, start, start + 1, message, true));
         }
         let value = self.formula(true)?;
         while self.skip() == b'.' {
@@ -344,7 +344,7 @@ impl<'a> Reader<'a> {
             return Err(self.failure(Alarm::Format, start, self.at, msg!("nc.lone-point"), false));
         }
         if full {
-            self.report(Alarm::OutOfRange, start, self.at, msg!("nc.too-many-digits", 18));
+            self.report(Alarm::Digits, start, self.at, msg!("nc.too-many-digits", 18));
         }
         Ok(Dec { mantissa, scale, point })
     }

@@ -317,7 +317,7 @@ slips! {
             = G00 X10.
         "#]];
         "G00 X 10. Z" => expect![[r#"
-            1:11 error P33|0101|004 The address Z has no value.
+            1:11 error P33|0003|005 The address Z has no value.
         "#]];
         "g00 x10." => expect![[r#"
             right
@@ -336,7 +336,7 @@ slips! {
             = G00 X-5.
         "#]];
         "G00 X1. ; move to start" => expect![[r#"
-            1:11 error P33|0101|004 “move to start” is a remark: the control takes remarks only in round brackets.
+            1:11 error P33|0003|005 “move to start” is a remark: the control takes remarks only in round brackets.
                 Make it a comment: 1:11 "move to start"→"(MOVE TO START)"
             = G00 X1. ; (MOVE TO START)
         "#]];
