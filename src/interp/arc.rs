@@ -35,6 +35,18 @@ pub(super) fn by_center(chord: Chord, center: (f64, f64), tolerance: f64) -> Res
     }
 }
 
+/// The centre of an arc whose start alone counts for its radius: of the two centres from which the end is as far, the one that lies nearer
+/// to what was given.
+pub(super) fn by_moved_center(chord: Chord, center: (f64, f64), tolerance: f64) -> Result<(f64, f64), Impossible> {
+    let radius = math::hypot(center.0, center.1);
+    if radius == 0.0 || chord.end == (0.0, 0.0) {
+        return by_center(chord, center, tolerance);
+    }
+    let far = |other: (f64, f64)| math::hypot(other.0 - center.0, other.1 - center.1);
+    let (short, long) = (by_radius(chord, radius, tolerance)?, by_radius(chord, -radius, tolerance)?);
+    Ok(if far(short) <= far(long) { short } else { long })
+}
+
 /// The centre of an arc by its radius, relative to the start: the shorter arc for a positive radius, the longer for a negative one.
 ///
 /// With the chord `c` from start to end, the centre lies `sqrt(r² - (c/2)²)` beside the middle of the chord.

@@ -3,27 +3,27 @@
 use std::rc::Rc;
 
 use super::End;
-use super::arc::{Chord, Impossible, by_center, by_radius};
-use super::call::word_span;
-use super::canon::{AXES, Canon, Feed, Target};
+use super::call::{Caller, word_span};
+use super::canon::{AXES, Canon};
 use super::fault::{Run, Trap};
 use super::state::{Cx, State};
+use crate::controls::macros::{CallKind, CodeCall};
 use crate::controls::{Alarm, Code, Group};
 use crate::msg;
-use crate::nc::{Block, Word};
+use crate::nc::{Block, Word, WordValue};
 
 /// M codes of a block that act on any control.
 const M_CODES: usize = 8;
 
 /// The codes of a block.
 #[derive(Default)]
-struct Codes {
+pub(super) struct Codes {
     /// Dwell, reference return, coordinate setting, macro call …: what the words are for.
-    special: Option<Code>,
+    pub(super) special: Option<Code>,
     /// A code that is not simulated takes the axis words.
-    unmoved: bool,
+    pub(super) unmoved: bool,
     /// Exact stop in this block.
-    exact: bool,
+    pub(super) exact: bool,
     /// Exact stop mode or cutting mode is commanded.
     path: bool,
     spindle: Option<i8>,
@@ -33,19 +33,30 @@ struct Codes {
     stop: Option<Code>,
     /// M98, M99.
     flow: Option<Code>,
+    /// A code that calls a program by parameter.
+    call: Option<CodeCall>,
+    /// An argument is the number of an M code that cannot stand beside a call.
+    mixed: bool,
+    /// Index of the word that calls a macro.
+    caller: usize,
+    /// Words that are read: all, or those in front of an optional block skip.
+    count: usize,
 }
 
 /// The values of a block.
 #[derive(Default)]
-struct Words {
-    axes: [i64; AXES],
-    mask: u8,
+pub(super) struct Words {
+    pub(super) axes: [i64; AXES],
+    /// Bit `k`: axis `k` was programmed.
+    pub(super) mask: u8,
+    /// Bit `k`: by its incremental address.
+    pub(super) incremental: u8,
     /// I, J, K.
-    center: [Option<i64>; 3],
-    radius: Option<i64>,
+    pub(super) center: [Option<i64>; 3],
+    pub(super) radius: Option<i64>,
     speed: Option<f64>,
     tool: Option<u32>,
-    dwell: Option<f64>,
+    pub(super) dwell: Option<f64>,
     p: Option<f64>,
     h: Option<f64>,
     l: Option<f64>,
@@ -54,32 +65,36 @@ struct Words {
 impl State {
     /// Runs a block of words.
     pub(super) fn words(&mut self, cx: &mut Cx, at: u32, block: &Block, words: &[Word]) -> Run<()> {
+        let surface = self.modal.surface.then(|| self.surface_zero(cx));
         let codes = self.codes(cx, block, words)?;
+        let words = words.get(..codes.count).unwrap_or(words);
         if let Some(call) = self.modal_call.as_ref().filter(|call| call.each_block).map(Rc::clone)
             && codes.special != Some(Code::MacroModalEnd)
             && codes.flow.is_none()
             && codes.stop.is_none()
         {
-            let arguments = self.arguments(cx, block, words, true)?;
+            let caller = Caller { word: None, all: true };
+            let arguments = self.arguments(cx, block, words, caller)?;
             self.counts.macros += 1;
-            return self.call_macro(cx, call.program, call.repeats, Rc::new(arguments.locals));
+            return self.call_modal(cx, &call, Rc::new(arguments.locals));
         }
-        match codes.special {
-            Some(code @ (Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)) => {
+        if codes.special.is_some() || codes.call.is_some() {
+            if let Some(kind) = macro_kind(&codes) {
                 self.counts.macros += 1;
-                let modal = (code != Code::MacroCall).then_some(code == Code::MacroModalBlock);
-                return self.macro_words(cx, block, words, modal);
+                return self.call_words(cx, at, block, words, &codes, kind);
             }
-            Some(Code::MacroModalEnd) if self.modal_call.take().is_none() && cx.control.raises(Alarm::NoModalCall) => {
-                return Err(Trap::alarm(Alarm::NoModalCall, msg!("interp.no-modal-call")));
+            if codes.special == Some(Code::MacroModalEnd) {
+                match self.modal_call.take() {
+                    Some(call) => self.modal_call.clone_from(&call.outer),
+                    None if cx.control.raises(Alarm::NoModalCall) => {
+                        return Err(Trap::alarm(Alarm::NoModalCall, msg!("interp.no-modal-call")));
+                    }
+                    None => {}
+                }
             }
-            _ => {}
         }
         let values = self.values(cx, block, words, &codes)?;
-        if let Some(rpm) = values.speed {
-            self.modal.word(b'S', rpm);
-            self.queue.push(Canon::SpindleSpeed { rpm });
-        }
+        self.speed(cx, &codes, values.speed, surface);
         if let Some(sign) = codes.spindle {
             self.queue.push(Canon::SpindleDirection { sign });
         }
@@ -105,17 +120,22 @@ impl State {
             None => {}
         }
         self.pause = codes.stop.is_some();
-        match codes.flow {
-            Some(Code::SubCall) => self.call_sub(cx, values.p, values.h, values.l)?,
-            Some(_) => self.end_sub(cx, at, values.p)?,
-            None => {
+        match (codes.flow, codes.call) {
+            (_, Some(call)) => {
+                let program = f64::from(call.program);
+                self.call_sub(cx, Some(program), None, values.l, true)?;
+            }
+            (Some(Code::SubCall), None) => self.call_sub(cx, values.p, values.h, values.l, false)?,
+            (Some(_), None) => self.end_sub(cx, at, values.p)?,
+            (None, None) => {
                 if let (true, Some(call)) = (moved, self.modal_call.as_ref().map(Rc::clone)) {
-                    self.call_macro(cx, call.program, call.repeats, Rc::clone(&call.arguments))?;
+                    let arguments = Rc::clone(&call.arguments);
+                    self.call_modal(cx, &call, arguments)?;
                 }
             }
         }
         // A call or return alone is over when it is read.
-        if codes.flow.is_some() && !commands {
+        if (codes.flow.is_some() || codes.call.is_some()) && !commands {
             self.counts.macros += 1;
         } else {
             self.counts.nc += 1;
@@ -123,34 +143,133 @@ impl State {
         Ok(())
     }
 
+    /// A block whose words are the arguments of a macro.
+    fn call_words(
+        &mut self,
+        cx: &mut Cx,
+        at: u32,
+        block: &Block,
+        words: &[Word],
+        codes: &Codes,
+        kind: CallKind,
+    ) -> Run<()> {
+        let here = |trap: Trap| match words.get(codes.caller) {
+            Some(word) => trap.within(word_span(block, word)),
+            None => trap,
+        };
+        if cx.control.raises(Alarm::CallMixed) && (codes.mixed || codes.stop.is_some() || codes.flow.is_some()) {
+            return Err(here(Trap::alarm(Alarm::CallMixed, msg!("interp.call-mixed"))));
+        }
+        let caller = Caller { word: Some(codes.caller), all: false };
+        if let Some(call) = codes.call {
+            return self.call_by_code(cx, block, words, caller, call);
+        }
+        if cx.control.macros.call_first && codes.caller > 0 {
+            return Err(here(Trap::alarm(Alarm::CallNotFirst, msg!("interp.call-not-first"))));
+        }
+        if kind == CallKind::Macro && self.is_function(cx, words) {
+            return self.function_words(cx, at, block, words);
+        }
+        self.macro_words(cx, block, words, caller, kind)
+    }
+
+    /// S, and constant surface speed on and off. `surface` is its zero before the block, where it was on.
+    #[inline]
+    fn speed(&mut self, cx: &Cx, codes: &Codes, speed: Option<f64>, surface: Option<i64>) {
+        if speed.is_none() && surface.is_none() && !self.modal.surface {
+            return;
+        }
+        if let (Some(Code::SetCoordinates), Some(rpm)) = (codes.special, speed) {
+            self.queue.push(Canon::SpeedLimit { rpm });
+            return;
+        }
+        if let Some(speed) = speed {
+            self.modal.word(b'S', speed);
+        }
+        if self.modal.surface {
+            if let Some(speed) = speed {
+                self.modal.surface_speed = speed;
+            }
+            if speed.is_some() || surface != Some(self.surface_zero(cx)) {
+                self.surface_speed(cx);
+            }
+            return;
+        }
+        if surface.is_some() {
+            self.queue.push(Canon::ConstantSpeed);
+        }
+        if let Some(rpm) = speed {
+            self.queue.push(Canon::SpindleSpeed { rpm });
+        }
+    }
+
+    fn surface_zero(&self, cx: &Cx) -> i64 {
+        self.modal.zero.get(cx.shared.rules.surface_axis).copied().unwrap_or(0)
+    }
+
+    /// Says the surface speed, where it is on: it is new, or its zero has moved.
+    pub(super) fn surface_speed(&mut self, cx: &Cx) {
+        if self.modal.surface {
+            let (axis, zero) = (cx.shared.rules.surface_axis as u8, self.surface_zero(cx));
+            self.queue.push(Canon::SurfaceSpeed { speed: self.modal.surface_speed, axis, zero });
+        }
+    }
+
     /// Puts the codes of a block in force.
     #[inline]
     fn codes(&mut self, cx: &mut Cx, block: &Block, words: &[Word]) -> Run<Codes> {
-        let mut codes = Codes::default();
-        for word in words {
+        let mut codes = Codes { count: words.len(), ..Codes::default() };
+        for (at, word) in words.iter().enumerate() {
             match word.letter {
                 b'G' => {
                     let Some(number) = self.code_number(cx, block, word)? else { continue };
+                    if !cx.shared.rules.calls.is_empty() && self.calls(cx, word.letter, number, at, &mut codes) {
+                        continue;
+                    }
                     let Some(row) = cx.shared.index.code(cx.control, b'G', number) else {
                         let written = self.raw(cx, block, word)?.unwrap_or(0.0);
                         let trap = Trap::alarm(Alarm::UnknownCode, msg!("interp.unknown-code", written));
                         return Err(trap.within(word_span(block, word)));
                     };
-                    self.g_code(cx, row, &mut codes);
+                    self.g_code(cx, row, at, &mut codes);
                 }
-                b'M' => self.m_word(cx, block, word, &mut codes)?,
+                // Behind a macro call it is an argument.
+                b'M' if codes.special.is_some() && macro_kind(&codes).is_some() => codes.mixed |= mixes(cx, word),
+                b'M' => self.m_word(cx, block, word, at, &mut codes)?,
+                b'/' if self.skips(cx, word) => {
+                    codes.count = at;
+                    break;
+                }
                 _ => {}
             }
         }
         Ok(codes)
     }
 
+    /// Whether an optional block skip in the middle of a block is switched on.
+    #[cold]
+    fn skips(&self, cx: &mut Cx, word: &Word) -> bool {
+        let WordValue::Number(number) = word.value else { return false };
+        cx.world.block_skip(u8::try_from(number.mantissa).unwrap_or(1).max(1))
+    }
+
+    /// Takes a code that calls a program. Within a program that was called by a code there are none.
+    fn calls(&self, cx: &Cx, letter: u8, number: u32, at: usize, codes: &mut Codes) -> bool {
+        let call = cx.shared.rules.call(letter, number).filter(|_| !self.called_by_code());
+        if call.is_some() {
+            (codes.call, codes.caller) = (call, at);
+        }
+        call.is_some()
+    }
+
     #[inline]
-    fn g_code(&mut self, cx: &Cx, row: &crate::controls::CodeDef, codes: &mut Codes) {
+    fn g_code(&mut self, cx: &Cx, row: &crate::controls::CodeDef, at: usize, codes: &mut Codes) {
         use Code::*;
         match row.code {
-            Dwell | ReferenceReturn | MachineCoordinates | SetCoordinates | LocalCoordinates | MacroCall
-            | MacroModal | MacroModalBlock | MacroModalEnd => codes.special = Some(row.code),
+            Dwell | ReferenceReturn | MachineCoordinates | MachineRapid | SetCoordinates | LocalCoordinates
+            | MacroCall | MacroModal | MacroModalBlock | MacroModalEnd => {
+                (codes.special, codes.caller) = (Some(row.code), at);
+            }
             ExactStopOnce => codes.exact = true,
             ExactStop | Cutting => codes.path = self.modal.exact != (row.code == ExactStop),
             NotSimulated if row.group == Group::OneShot => codes.unmoved = true,
@@ -159,13 +278,16 @@ impl State {
         self.modal.set(cx.control, row);
     }
 
-    fn m_word(&mut self, cx: &mut Cx, block: &Block, word: &Word, codes: &mut Codes) -> Run<()> {
+    fn m_word(&mut self, cx: &mut Cx, block: &Block, word: &Word, at: usize, codes: &mut Codes) -> Run<()> {
         let Some(number) = self.whole(cx, block, word)? else { return Ok(()) };
         if !(0.0..=99_999_999.0).contains(&number) {
             return Err(self.out_of_range(cx, block, word, 0.0, 99_999_999.0));
         }
         let number = number as u32;
         self.modal.word(b'M', f64::from(number));
+        if self.calls(cx, word.letter, number.saturating_mul(10), at, codes) {
+            return Ok(());
+        }
         match cx.shared.index.code(cx.control, b'M', number.saturating_mul(10)).map(|row| row.code) {
             Some(code @ (Code::Stop | Code::OptionalStop | Code::End | Code::EndRewind)) => codes.stop = Some(code),
             Some(code @ (Code::SubCall | Code::SubEnd)) => codes.flow = Some(code),
@@ -190,18 +312,28 @@ impl State {
     fn values(&mut self, cx: &mut Cx, block: &Block, words: &[Word], codes: &Codes) -> Run<Words> {
         let mut values = Words::default();
         let inch = self.modal.inch;
+        let thread = self.modal.motion == Code::Thread;
         for word in words {
             let letter = word.letter;
             if codes.special == Some(Code::Dwell) && matches!(letter, b'X' | b'U' | b'P') {
                 values.dwell = self.dwell_word(cx, block, word)?;
-            } else if let Some(axis) = cx.shared.index.axis(letter) {
+            } else if let Some((axis, incremental)) = cx.shared.index.axis(letter) {
                 let inch = inch && !cx.control.axes[axis].rotary;
-                if let Some(value) = self.dimension(cx, block, word, inch)? {
+                let bit = 1 << axis;
+                let yields = incremental && values.mask & bit != 0 && cx.control.syntax.absolute_holds;
+                if let (Some(value), false) = (self.dimension(cx, block, word, inch)?, yields) {
                     values.axes[axis] = value;
-                    values.mask |= 1 << axis;
+                    values.mask |= bit;
+                    values.incremental = values.incremental & !bit | u8::from(incremental) << axis;
                 }
             } else {
                 match letter {
+                    b'F' if thread => {
+                        if let Some(lead) = self.lead_word(cx, block, word, inch)? {
+                            self.modal.lead = Some(lead);
+                            self.modal.word(b'F', lead);
+                        }
+                    }
                     b'F' => {
                         if let Some(feed) = self.feed_word(cx, block, word, inch)? {
                             self.modal.feed = Some(feed);
@@ -217,6 +349,9 @@ impl State {
                             }
                             values.tool = Some(tool as u32);
                         }
+                    }
+                    _ if thread && cx.control.syntax.threads_per_inch == Some(letter) => {
+                        self.modal.lead = self.threads_word(cx, block, word)?.or(self.modal.lead);
                     }
                     b'I' | b'J' | b'K' => {
                         values.center[(letter - b'I') as usize] = self.dimension(cx, block, word, inch)?;
@@ -239,135 +374,25 @@ impl State {
         }
         Ok(values)
     }
+}
 
-    /// The command for the axis words of a block; whether axes move.
-    #[inline]
-    fn motion(&mut self, cx: &Cx, block: &Block, words: &[Word], codes: &Codes, values: &Words) -> Run<bool> {
-        match codes.special {
-            Some(Code::Dwell) => {
-                self.queue.push(Canon::Dwell { seconds: values.dwell.unwrap_or(0.0) });
-                return Ok(false);
-            }
-            Some(Code::SetCoordinates) => {
-                self.set_coordinates(values);
-                return Ok(false);
-            }
-            Some(Code::LocalCoordinates) => {
-                for k in (0..AXES).filter(|k| values.mask & 1 << k != 0) {
-                    self.modal.local[k] = values.axes[k];
-                }
-                return Ok(false);
-            }
-            _ => {}
-        }
-        let full_circle = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw) && values.center != [None; 3];
-        if values.mask == 0 && !full_circle || codes.unmoved || self.modal.cycle {
-            return Ok(false);
-        }
-        let machine = codes.special == Some(Code::MachineCoordinates);
-        let mut to = Target { position: self.position, mask: values.mask };
-        for k in 0..AXES {
-            if values.mask & 1 << k != 0 {
-                let from = match (machine, self.modal.absolute) {
-                    (true, _) => 0,
-                    (false, true) => self.modal.zero(k),
-                    (false, false) => self.position[k],
-                };
-                to.position[k] = from.saturating_add(values.axes[k]);
-            }
-        }
-        if codes.special == Some(Code::ReferenceReturn) {
-            if to.position != self.position {
-                self.queue.push(Canon::Rapid { to });
-            }
-            for k in (0..AXES).filter(|k| values.mask & 1 << k != 0) {
-                to.position[k] = 0;
-            }
-            self.position = to.position;
-            self.queue.push(Canon::Rapid { to });
-            return Ok(true);
-        }
-        let motion = match self.modal.motion {
-            Code::Rapid => Canon::Rapid { to },
-            Code::Linear | Code::ArcCw | Code::ArcCcw => {
-                let exact = codes.exact || self.modal.exact;
-                match self.modal.feed {
-                    Some(0.0) if cx.shared.rules.feed_zero_rapid => Canon::Rapid { to },
-                    None | Some(0.0) => return Err(self.no_feed()),
-                    Some(feed) => {
-                        let per_revolution = self.modal.per_revolution;
-                        let feed = if per_revolution { Feed::PerRevolution(feed) } else { Feed::PerMinute(feed) };
-                        if self.modal.motion == Code::Linear {
-                            Canon::Linear { to, feed, exact }
-                        } else {
-                            let center = words.iter().find(|word| matches!(word.letter, b'I' | b'J' | b'K' | b'R'));
-                            let within = |trap: Trap| match center {
-                                Some(word) => trap.within(word_span(block, word)),
-                                None => trap,
-                            };
-                            self.arc(cx, values, to, feed, exact).map_err(within)?
-                        }
-                    }
-                }
-            }
-            _ => return Ok(false),
-        };
-        self.position = to.position;
-        self.queue.push(motion);
-        Ok(true)
+/// How the block calls a macro with its words as arguments, if it does.
+fn macro_kind(codes: &Codes) -> Option<CallKind> {
+    match (codes.call, codes.special) {
+        (Some(call), _) => (call.kind != CallKind::Sub).then_some(call.kind),
+        (None, Some(Code::MacroCall)) => Some(CallKind::Macro),
+        (None, Some(Code::MacroModal)) => Some(CallKind::Modal),
+        (None, Some(Code::MacroModalBlock)) => Some(CallKind::ModalBlock),
+        (None, _) => None,
     }
+}
 
-    fn set_coordinates(&mut self, values: &Words) {
-        if values.mask == 0 {
-            return;
-        }
-        for k in (0..AXES).filter(|k| values.mask & 1 << k != 0) {
-            let zero = self.position[k].saturating_sub(values.axes[k]);
-            self.modal.origin[k] = zero.saturating_sub(self.modal.local[k]);
-        }
-        self.queue.push(Canon::Preset { to: Target { position: values.axes, mask: values.mask } });
-    }
-
-    #[cold]
-    fn no_feed(&self) -> Trap {
-        match self.modal.feed {
-            None => Trap::alarm(Alarm::NoFeed, msg!("interp.no-feed")).hint(msg!("interp.hint-feed")),
-            Some(_) => Trap::alarm(Alarm::NoFeed, msg!("interp.feed-zero")).hint(msg!("interp.hint-feed-zero")),
-        }
-    }
-
-    fn arc(&self, cx: &Cx, values: &Words, mut to: Target, feed: Feed, exact: bool) -> Run<Canon> {
-        let [first, second, _] = self.modal.plane;
-        let delta = |axis: u8| to.position[axis as usize].saturating_sub(self.position[axis as usize]) as f64;
-        let clockwise = self.modal.motion == Code::ArcCw;
-        let chord = Chord { end: (delta(first), delta(second)), clockwise };
-        let units = &cx.shared.units;
-        let tolerance = cx.control.limits.arc_tolerance * units.per_unit;
-        let center = match values.radius {
-            Some(radius) => by_radius(chord, radius as f64, tolerance),
-            None => {
-                let offset = |axis: u8| {
-                    let letter = cx.control.axes.get(axis as usize).map_or(0, |axis| axis.letter);
-                    let at = letter.wrapping_sub(b'X') as usize;
-                    values.center.get(at).copied().flatten().unwrap_or(0) as f64
-                };
-                by_center(chord, (offset(first), offset(second)), tolerance)
-            }
-        };
-        let millimetres = |increments: f64| (increments / units.per_unit, 4);
-        let (x, y) = center.map_err(|why| {
-            let message = match why {
-                Impossible::NoCenter => msg!("interp.arc-no-center"),
-                Impossible::Deviation(start, end) => {
-                    msg!("interp.arc-deviation", millimetres(start), millimetres(end), cx.control.limits.arc_tolerance)
-                }
-                Impossible::Radius(radius, least) => msg!("interp.arc-radius", millimetres(radius), millimetres(least)),
-            };
-            Trap::alarm(Alarm::Arc, message)
-        })?;
-        to.mask |= 1 << first | 1 << second;
-        let start = |axis: u8| self.position[axis as usize] as f64;
-        let center = (start(first) + x, start(second) + y);
-        Ok(Canon::Arc { to, plane: (first, second), center, clockwise, feed, exact })
-    }
+/// Whether an M word in a macro call is one that stops, ends, calls or returns.
+#[cold]
+fn mixes(cx: &Cx, word: &Word) -> bool {
+    let WordValue::Number(number) = word.value else { return false };
+    let number = u32::try_from(number.mantissa).unwrap_or(u32::MAX).saturating_mul(10);
+    use Code::{End, EndRewind, OptionalStop, Stop, SubCall, SubEnd};
+    let row = cx.shared.index.code(cx.control, b'M', number);
+    row.is_some_and(|row| matches!(row.code, Stop | OptionalStop | End | EndRewind | SubCall | SubEnd))
 }

@@ -6,7 +6,9 @@ use super::fault::{Run, Trap};
 use super::state::{Cx, State};
 use super::vars::{LOCALS, Locals, VACANT};
 use crate::controls::Alarm;
+use crate::controls::macros::{ArgumentSets, CallKind, CodeCall};
 use crate::msg;
+use crate::nc::dec::POW10;
 use crate::nc::{Block, Word};
 
 /// What a call remembers of its caller.
@@ -24,6 +26,8 @@ pub(super) struct Frame {
     pub(super) again: u32,
     /// Arguments of a macro; a subprogram has none and shares its caller's locals.
     pub(super) arguments: Option<Rc<Locals>>,
+    /// A code called it: within it no code calls.
+    by_code: bool,
 }
 
 /// G66 or G66.1 in force.
@@ -37,6 +41,28 @@ pub(super) struct ModalCall {
     pub(super) arguments: Rc<Locals>,
     /// G66.1: each block is a call, and nothing but a call.
     pub(super) each_block: bool,
+    /// The modal call that was in force before: it acts within the macro, and again when this one ends.
+    pub(super) outer: Option<Rc<ModalCall>>,
+}
+
+/// The word of a block that calls a macro.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Caller {
+    /// Index in the block; `None` where the block calls by a modal call.
+    pub(super) word: Option<usize>,
+    /// G, L, N, O and P are arguments too.
+    pub(super) all: bool,
+}
+
+/// What is called, and how.
+struct Callee {
+    program: u32,
+    /// Its first block to run.
+    entry: u32,
+    repeats: u32,
+    arguments: Option<Rc<Locals>>,
+    modal_call: Option<Rc<ModalCall>>,
+    by_code: bool,
 }
 
 /// P, L and arguments of a macro call.
@@ -59,25 +85,35 @@ impl State {
         self.frames.iter().filter(|frame| frame.arguments.is_some()).count()
     }
 
-    fn enter(&mut self, cx: &Cx, program: u32, entry: u32, repeats: u32, arguments: Option<Rc<Locals>>) -> Run<()> {
+    /// Whether a code called what runs: within it no code calls.
+    pub(super) fn called_by_code(&self) -> bool {
+        self.frames.iter().any(|frame| frame.by_code)
+    }
+
+    fn enter(&mut self, cx: &Cx, callee: Callee) -> Run<()> {
         let limits = &cx.control.limits;
         let macros = self.macro_depth();
-        if arguments.is_some() && macros >= limits.macro_depth as usize {
+        if callee.arguments.is_some() && macros >= limits.macro_depth as usize {
             return Err(Trap::alarm(Alarm::MacroNesting, msg!("interp.macro-nesting", u32::from(limits.macro_depth))));
         }
-        if arguments.is_none() && self.frames.len() - macros >= limits.sub_depth as usize {
+        if callee.arguments.is_none() && self.frames.len() - macros >= limits.sub_depth as usize {
             return Err(Trap::alarm(Alarm::SubNesting, msg!("interp.sub-nesting", u32::from(limits.sub_depth))));
         }
-        if repeats == 0 {
+        if callee.program == self.program && cx.control.raises(Alarm::OwnCall) {
+            return Err(Trap::alarm(Alarm::OwnCall, msg!("interp.own-call")));
+        }
+        if callee.repeats == 0 {
             return Ok(());
         }
-        // A macro starts without modal call; a subprogram goes on with its caller's.
+        let Callee { program, entry, repeats, arguments, by_code, .. } = callee;
+        // A subprogram goes on with the modal call of its caller.
         let mut modal_call = None;
         if let Some(arguments) = &arguments {
             self.vars.enter(arguments, cx.shared.rules.keep_locals);
-            modal_call = self.modal_call.take();
+            modal_call = core::mem::replace(&mut self.modal_call, callee.modal_call);
         }
-        let frame = Frame { program: self.program, back: self.at, modal_call, entry, again: repeats - 1, arguments };
+        let back = self.at;
+        let frame = Frame { program: self.program, back, modal_call, entry, again: repeats - 1, arguments, by_code };
         self.frames.push(frame);
         self.go_to_program(cx.deck, program);
         self.at = entry;
@@ -100,14 +136,33 @@ impl State {
         }
     }
 
-    /// `M98 P H L`.
-    pub(super) fn call_sub(&mut self, cx: &Cx, p: Option<f64>, h: Option<f64>, l: Option<f64>) -> Run<()> {
+    /// `M98 P H L`, or a code that calls as it does.
+    pub(super) fn call_sub(
+        &mut self,
+        cx: &Cx,
+        p: Option<f64>,
+        h: Option<f64>,
+        l: Option<f64>,
+        by_code: bool,
+    ) -> Run<()> {
+        let macros = &cx.control.macros;
+        self.refuse_in_modal(cx)?;
+        let (mut p, mut l) = (p, l);
+        if let (Some(number), true, false) = (p, macros.repeats_in_p, by_code) {
+            // In front of the digits of the program number.
+            let programs = POW10.get(usize::from(cx.control.syntax.program_digits)).map_or(1e18, |&p| p as f64);
+            if number >= programs {
+                p = Some(number % programs);
+                l = l.or(Some((number / programs).trunc()));
+            }
+        }
         let program = match p {
             Some(number) => self.program_of(cx, number)?,
-            None => self.program,
+            None if macros.sub_sequence => self.program,
+            None => return Err(Trap::alarm(Alarm::NoCallProgram, msg!("interp.call-without-program"))),
         };
         let first = cx.deck.programs.get(program as usize).map_or(0, |program| program.first);
-        let entry = match h {
+        let entry = match h.filter(|_| macros.sub_sequence) {
             None => first,
             Some(number) => {
                 let wanted = if (1.0..4e9).contains(&number) { number as u32 } else { 0 };
@@ -116,46 +171,100 @@ impl State {
             }
         };
         let repeats = self.repeats(cx, l)?;
-        self.enter(cx, program, entry, repeats, None)
+        self.enter(cx, Callee { program, entry, repeats, arguments: None, modal_call: None, by_code })
+    }
+
+    /// The alarm of a call or jump while a modal macro call is on, where that is one.
+    fn refuse_in_modal(&self, cx: &Cx) -> Run<()> {
+        if self.modal_call.is_some() && cx.control.raises(Alarm::ReturnInModal) {
+            return Err(Trap::alarm(Alarm::ReturnInModal, msg!("interp.call-in-modal")));
+        }
+        Ok(())
     }
 
     /// One call of a macro.
-    pub(super) fn call_macro(&mut self, cx: &Cx, program: u32, repeats: u32, arguments: Rc<Locals>) -> Run<()> {
+    fn call_macro(
+        &mut self,
+        cx: &Cx,
+        (program, repeats): (u32, u32),
+        arguments: Rc<Locals>,
+        modal_call: Option<Rc<ModalCall>>,
+        by_code: bool,
+    ) -> Run<()> {
         let program = self.program_of(cx, f64::from(program))?;
         let entry = cx.deck.programs.get(program as usize).map_or(0, |program| program.first);
-        self.enter(cx, program, entry, repeats, Some(arguments))
+        self.enter(cx, Callee { program, entry, repeats, arguments: Some(arguments), modal_call, by_code })
+    }
+
+    /// A call by a modal call in force.
+    pub(super) fn call_modal(&mut self, cx: &Cx, call: &ModalCall, arguments: Rc<Locals>) -> Run<()> {
+        self.call_macro(cx, (call.program, call.repeats), arguments, call.outer.clone(), false)
     }
 
     /// `G65 P L arguments`, or `G66`, `G66.1` that put a call in force.
-    pub(super) fn macro_words(&mut self, cx: &mut Cx, block: &Block, words: &[Word], modal: Option<bool>) -> Run<()> {
-        let arguments = self.arguments(cx, block, words, false)?;
+    pub(super) fn macro_words(
+        &mut self,
+        cx: &mut Cx,
+        block: &Block,
+        words: &[Word],
+        caller: Caller,
+        kind: CallKind,
+    ) -> Run<()> {
+        let arguments = self.arguments(cx, block, words, caller)?;
         let Some(number) = arguments.program else {
-            return Err(Trap::alarm(Alarm::NoProgram, msg!("interp.call-without-program")));
+            return Err(Trap::alarm(Alarm::NoCallProgram, msg!("interp.call-without-program")));
         };
-        let repeats = self.repeats(cx, arguments.repeats)?;
         // The program has to be there when the call is put in force.
         self.program_of(cx, number)?;
-        let (program, locals) = (number as u32, Rc::new(arguments.locals));
-        match modal {
-            None => self.call_macro(cx, program, repeats, locals),
-            Some(each_block) => {
-                self.modal_call = Some(Rc::new(ModalCall { program, repeats, arguments: locals, each_block }));
-                Ok(())
-            }
-        }
+        self.call_as(cx, number as u32, arguments, kind, false)
     }
 
-    /// Arguments of both specifications, mixed: the later of two for one variable holds. With `all`, G, L, N, O and P are arguments too.
-    pub(super) fn arguments(&self, cx: &mut Cx, block: &Block, words: &[Word], all: bool) -> Run<Arguments> {
+    /// A macro that a code calls by parameter: its words are arguments.
+    pub(super) fn call_by_code(
+        &mut self,
+        cx: &mut Cx,
+        block: &Block,
+        words: &[Word],
+        caller: Caller,
+        call: CodeCall,
+    ) -> Run<()> {
+        let arguments = self.arguments(cx, block, words, caller)?;
+        self.call_as(cx, call.program, arguments, call.kind, true)
+    }
+
+    fn call_as(&mut self, cx: &Cx, program: u32, arguments: Arguments, kind: CallKind, by_code: bool) -> Run<()> {
+        let repeats = self.repeats(cx, arguments.repeats)?;
+        let arguments = Rc::new(arguments.locals);
+        if matches!(kind, CallKind::Modal | CallKind::ModalBlock) {
+            let (each_block, outer) = (kind == CallKind::ModalBlock, self.modal_call.take());
+            self.modal_call = Some(Rc::new(ModalCall { program, repeats, arguments, each_block, outer }));
+            return Ok(());
+        }
+        if cx.control.macros.call_ends_modal {
+            self.modal_call = None;
+        }
+        self.call_macro(cx, (program, repeats), arguments, None, by_code)
+    }
+
+    /// Arguments of both specifications, mixed: the later of two for one variable holds.
+    pub(super) fn arguments(&self, cx: &mut Cx, block: &Block, words: &[Word], caller: Caller) -> Run<Arguments> {
         let mut found = Arguments { program: None, repeats: None, locals: [VACANT; LOCALS] };
-        // Set of I, J, K that is being filled, and the last of its letters.
-        let (mut set, mut last) = (0, None);
-        for word in words {
+        let all = caller.all;
+        // Set of I, J, K that is being filled, and the last of its letters; or how many of each there were.
+        let (mut set, mut last, mut counts) = (0, None, [0; 3]);
+        for (at, word) in words.iter().enumerate() {
             let letter = word.letter;
-            if letter == b'G' && !all {
+            if caller.word == Some(at) {
                 continue;
             }
-            let Some(value) = self.plain(cx, block, word)? else { continue };
+            if letter == b'G' && !all {
+                if caller.word.is_some_and(|caller| caller < at) && cx.control.raises(Alarm::ArgumentAddress) {
+                    let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", "G"));
+                    return Err(trap.within(word_span(block, word)));
+                }
+                continue;
+            }
+            let Some(value) = self.argument(cx, block, word)? else { continue };
             let variable = match letter {
                 b'P' if !all => {
                     found.program = Some(value.round());
@@ -166,16 +275,23 @@ impl State {
                     continue;
                 }
                 b'I' | b'J' | b'K' => {
-                    if last.is_some_and(|last| letter <= last) {
-                        set += 1;
-                    }
-                    last = Some(letter);
+                    let at = usize::from(letter - b'I');
+                    let set = match cx.control.macros.argument_sets {
+                        ArgumentSets::InOrder => {
+                            set += usize::from(last.is_some_and(|last| letter <= last));
+                            last = Some(letter);
+                            set
+                        }
+                        ArgumentSets::PerLetter => {
+                            counts[at] += 1;
+                            counts[at] - 1
+                        }
+                    };
                     if set >= SETS {
-                        let sets = SETS as u32;
-                        let trap = Trap::alarm(Alarm::ArgumentSets, msg!("interp.argument-sets", sets));
+                        let trap = Trap::alarm(Alarm::ArgumentSets, msg!("interp.argument-sets", SETS as u32));
                         return Err(trap.within(word_span(block, word)));
                     }
-                    3 * set + 4 + (letter - b'I') as usize
+                    3 * set + 4 + at
                 }
                 _ => ARGUMENT.get(letter.wrapping_sub(b'A') as usize).map_or(0, |&variable| variable as usize),
             };
@@ -192,6 +308,9 @@ impl State {
     /// `M99 P`: the end of a subprogram or macro, or once more from the head of the main program.
     pub(super) fn end_sub(&mut self, cx: &Cx, at: u32, p: Option<f64>) -> Run<()> {
         let keep = cx.shared.rules.keep_locals;
+        if p.is_some() {
+            self.refuse_in_modal(cx)?;
+        }
         match self.frames.last_mut() {
             None => {
                 self.at = self.first;

@@ -1,6 +1,7 @@
 //! Expressions: vacant variables, degrees, and an alarm wherever a calculation has no result.
 
 use super::fault::{Run, Trap};
+use super::rules::AsinRange;
 use super::state::{Cx, State};
 use crate::controls::Alarm;
 use crate::controls::syntax::Function;
@@ -10,13 +11,19 @@ use crate::nc::{Expr, ExprId, Op};
 
 /// A vacant operand of a calculation counts as 0.
 #[inline]
-fn or_zero(x: f64) -> f64 {
+pub(super) fn or_zero(x: f64) -> f64 {
     if x.is_nan() { 0.0 } else { x }
 }
 
+/// A value that misses a whole number by less than this is that number.
+pub(super) const WHOLE: f64 = 1e-6;
+
 /// A value as a number of 32 bits, for AND, OR and XOR.
-fn bits(x: f64) -> Run<i32> {
+fn bits(cx: &Cx, x: f64) -> Run<i32> {
     let whole = x.round();
+    if cx.control.macros.whole_bits && (x - whole).abs() >= WHOLE {
+        return Err(Trap::alarm(Alarm::NotWhole, msg!("interp.not-whole", (x, 9))));
+    }
     if whole.abs() > 4_294_967_295.0 {
         return Err(Trap::alarm(Alarm::Calculation, msg!("interp.not-32-bits", x)));
     }
@@ -55,11 +62,12 @@ fn regroup(x: f64, from: i64, to: i64) -> Run<f64> {
     Ok(result as f64)
 }
 
-fn call(cx: &Cx, function: Function, x: f64) -> Run<f64> {
+/// The value of a function.
+pub(super) fn function(cx: &Cx, function: Function, x: f64) -> Run<f64> {
     let degrees = 180.0 / math::PI;
-    let outside = || {
+    let outside = |alarm: Alarm| {
         let name = cx.control.syntax.functions.iter().find(|row| row.1 == function).map_or("", |row| row.0);
-        Trap::alarm(Alarm::Calculation, msg!("interp.outside-domain", name, (x, 9)))
+        Err(Trap::alarm(alarm, msg!("interp.outside-domain", name, (x, 9))))
     };
     let result = match function {
         Function::Sin => sin_cos_degrees(x).0,
@@ -67,15 +75,19 @@ fn call(cx: &Cx, function: Function, x: f64) -> Run<f64> {
         Function::Tan => {
             let (sin, cos) = sin_cos_degrees(x);
             if cos == 0.0 {
-                return Err(outside());
+                return outside(Alarm::Tangent);
             }
             sin / cos
         }
-        Function::Asin | Function::Acos if x.abs() > 1.0 => return Err(outside()),
-        Function::Asin => math::asin(x) * degrees,
+        Function::Asin | Function::Acos if x.abs() > 1.0 => return outside(Alarm::ArcFunction),
+        Function::Asin => match (math::asin(x) * degrees, cx.shared.rules.asin) {
+            (angle, AsinRange::AroundHalfTurn) => 180.0 - angle,
+            (angle, AsinRange::WithinTurn) if angle < 0.0 => angle + 360.0,
+            (angle, _) => angle,
+        },
         Function::Acos => math::acos(x) * degrees,
         Function::Atan => math::atan(x) * degrees,
-        Function::Sqrt if x < 0.0 => return Err(outside()),
+        Function::Sqrt if x < 0.0 => return outside(Alarm::SquareRoot),
         Function::Sqrt => x.sqrt(),
         Function::Abs => x.abs(),
         Function::Bin => regroup(x, 16, 10)?,
@@ -84,16 +96,54 @@ fn call(cx: &Cx, function: Function, x: f64) -> Run<f64> {
         Function::Round => x.round(),
         Function::Fix => x.trunc(),
         Function::Fup => x.abs().ceil().copysign(x),
-        Function::Ln if x <= 0.0 => return Err(outside()),
+        Function::Ln if x <= 0.0 => return outside(Alarm::Logarithm),
         Function::Ln => math::ln(x),
         Function::Exp => math::exp(x),
     };
-    finite(result)
+    in_range(cx, result)
 }
 
+/// A result, if the control's numbers reach to it.
 #[inline]
-fn finite(x: f64) -> Run<f64> {
-    if x.is_finite() { Ok(x) } else { Err(Trap::alarm(Alarm::Calculation, msg!("interp.overflow"))) }
+fn in_range(cx: &Cx, x: f64) -> Run<f64> {
+    let (least, most) = cx.shared.rules.result;
+    let size = x.abs();
+    if size <= most && (size >= least || size == 0.0) {
+        Ok(x)
+    } else {
+        Err(out_of_range(size >= least || size.is_nan()))
+    }
+}
+
+#[cold]
+fn out_of_range(large: bool) -> Trap {
+    Trap::alarm(Alarm::Overflow, if large { msg!("interp.overflow") } else { msg!("interp.underflow") })
+}
+
+/// The value of an operator between two numbers. Comparisons give 1 or 0.
+pub(super) fn operate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
+    match op {
+        Op::Add => in_range(cx, a + b),
+        Op::Subtract => in_range(cx, a - b),
+        Op::Multiply => in_range(cx, a * b),
+        Op::Divide if b != 0.0 => in_range(cx, a / b),
+        // Both are rounded before, as in Custom Macro B.
+        Op::Modulo if b.round() != 0.0 => in_range(cx, a.round() % b.round()),
+        Op::Divide | Op::Modulo => Err(Trap::alarm(Alarm::DivisionByZero, msg!("interp.division-by-zero"))),
+        Op::Atan => {
+            let angle = math::atan2(a, b) * (180.0 / math::PI);
+            Ok(if cx.shared.rules.atan_turn && angle < 0.0 { angle + 360.0 } else { angle })
+        }
+        Op::And => Ok(f64::from(bits(cx, a)? & bits(cx, b)?)),
+        Op::Or => Ok(f64::from(bits(cx, a)? | bits(cx, b)?)),
+        Op::Xor => Ok(f64::from(bits(cx, a)? ^ bits(cx, b)?)),
+        Op::Equal => truth(a == b),
+        Op::NotEqual => truth(a != b),
+        Op::Greater => truth(a > b),
+        Op::GreaterEqual => truth(a >= b),
+        Op::Less => truth(a < b),
+        Op::LessEqual => truth(a <= b),
+    }
 }
 
 #[inline]
@@ -118,9 +168,9 @@ impl State {
                 // A vacant variable with a sign stays vacant: `X-#1` is dropped as `X#1` is.
                 Ok(-self.value(cx, x)?)
             }
-            Expr::Call(function, x) => {
+            Expr::Call(name, x) => {
                 let x = self.value(cx, x)?;
-                call(cx, function, or_zero(x))
+                function(cx, name, or_zero(x))
             }
         }
     }
@@ -140,34 +190,21 @@ impl State {
     }
 
     fn binary(&self, cx: &mut Cx, op: Op, left: ExprId, right: ExprId) -> Run<f64> {
-        let left = self.value(cx, left)?;
-        let divisor = right;
-        let right = self.value(cx, right)?;
-        // EQ and NE alone tell vacant from 0.
-        match op {
-            Op::Equal | Op::NotEqual => {
-                let equal =
-                    if left.is_nan() || right.is_nan() { left.is_nan() && right.is_nan() } else { left == right };
-                return truth(equal == (op == Op::Equal));
+        let a = self.value(cx, left)?;
+        let b = self.value(cx, right)?;
+        if a.is_nan() != b.is_nan() && !cx.shared.rules.vacant_equals_zero {
+            // EQ and NE alone tell vacant from 0.
+            match op {
+                Op::Equal => return truth(false),
+                Op::NotEqual => return truth(true),
+                _ => {}
             }
-            _ => {}
         }
-        let (a, b) = (or_zero(left), or_zero(right));
+        let (a, b) = (or_zero(a), or_zero(b));
         match op {
-            Op::Add => finite(a + b),
-            Op::Subtract => finite(a - b),
-            Op::Multiply => finite(a * b),
-            Op::Divide if b != 0.0 => finite(a / b),
-            Op::Modulo if b != 0.0 => finite(a % b),
-            Op::Divide | Op::Modulo => Err(self.division_by_zero(cx, divisor)),
-            Op::Atan => Ok(math::atan2(a, b) * (180.0 / math::PI)),
-            Op::And => Ok(f64::from(bits(a)? & bits(b)?)),
-            Op::Or => Ok(f64::from(bits(a)? | bits(b)?)),
-            Op::Xor => Ok(f64::from(bits(a)? ^ bits(b)?)),
-            Op::Greater => truth(a > b),
-            Op::GreaterEqual => truth(a >= b),
-            Op::Less => truth(a < b),
-            Op::LessEqual | Op::Equal | Op::NotEqual => truth(a <= b),
+            Op::Divide if b == 0.0 => Err(self.division_by_zero(cx, right)),
+            Op::Modulo if b.round() == 0.0 => Err(self.division_by_zero(cx, right)),
+            op => operate(cx, op, a, b),
         }
     }
 

@@ -10,6 +10,8 @@ pub(super) struct Fault {
     message: Message,
     hints: Vec<Message>,
     word: Option<Span>,
+    /// The number that is shown instead of that of the kind.
+    number: Option<u32>,
 }
 
 /// What ends a block early.
@@ -28,14 +30,20 @@ impl Trap {
     /// An alarm with what is wrong.
     #[cold]
     pub(super) fn alarm(alarm: Alarm, message: Message) -> Trap {
-        Trap::Alarm(Box::new(Fault { alarm, message, hints: Vec::new(), word: None }))
+        Trap::Alarm(Box::new(Fault { alarm, message, hints: Vec::new(), word: None, number: None }))
     }
 
     /// An alarm that the parser has already found.
     #[cold]
     pub(super) fn repeat(alarm: Alarm, finding: &Diagnostic) -> Trap {
         let word = finding.place.map(|place| place.span);
-        Trap::Alarm(Box::new(Fault { alarm, message: finding.message.clone(), hints: finding.hints.clone(), word }))
+        Trap::Alarm(Box::new(Fault {
+            alarm,
+            message: finding.message.clone(),
+            hints: finding.hints.clone(),
+            word,
+            number: None,
+        }))
     }
 
     /// The same with a way out.
@@ -43,6 +51,15 @@ impl Trap {
     pub(super) fn hint(mut self, hint: Message) -> Trap {
         if let Trap::Alarm(fault) = &mut self {
             fault.hints.push(hint);
+        }
+        self
+    }
+
+    /// The same with a number of its own.
+    #[cold]
+    pub(super) fn numbered(mut self, number: Option<u32>) -> Trap {
+        if let Trap::Alarm(fault) = &mut self {
+            fault.number = number;
         }
         self
     }
@@ -62,6 +79,9 @@ impl Fault {
     pub(super) fn diagnostic(self, control: &Control, block: Place) -> Diagnostic {
         let place = Place { file: block.file, span: self.word.unwrap_or(block.span) };
         let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(control.alarm_number(self.alarm));
+        if let Some(number) = self.number {
+            diagnostic.alarm = Some(number.to_string().into());
+        }
         diagnostic.hints = self.hints;
         diagnostic
     }

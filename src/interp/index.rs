@@ -17,6 +17,8 @@ pub(super) enum Slot {
     Row(u16),
 }
 
+/// Marks the letter for incremental words of an axis.
+const INCREMENTAL: u8 = 0x40;
 /// Numbers below this are looked up in one step.
 const DIRECT: u32 = 2048;
 /// A row without place in the store.
@@ -56,6 +58,7 @@ struct Jumps {
 pub(super) struct Index {
     g_codes: Vec<u16>,
     m_codes: Vec<u16>,
+    /// Axis by `letter & 31`, with [`INCREMENTAL`]; [`u8::MAX`] for no axis.
     axes: [u8; 32],
     direct: Vec<Slot>,
     /// Start of each variable row in the store, or [`NOT_STORED`].
@@ -89,6 +92,9 @@ impl Index {
         let mut axes = [u8::MAX; 32];
         for (k, axis) in control.axes.iter().enumerate().take(super::canon::AXES) {
             axes[(axis.letter & 31) as usize] = k as u8;
+            if let Some(letter) = axis.incremental {
+                axes[(letter & 31) as usize] = k as u8 | INCREMENTAL;
+            }
         }
         let (mut bases, mut stored) = (Vec::with_capacity(control.vars.len()), 0);
         for row in control.vars {
@@ -120,10 +126,11 @@ impl Index {
         control.codes.get(*table.get(number as usize)? as usize)
     }
 
-    /// Index of an axis letter (upper case).
-    pub(super) fn axis(&self, letter: u8) -> Option<usize> {
+    /// Index of the axis of a letter (upper case), and whether it is the one for incremental words.
+    #[inline]
+    pub(super) fn axis(&self, letter: u8) -> Option<(usize, bool)> {
         let axis = self.axes[(letter & 31) as usize];
-        (axis != u8::MAX).then_some(axis as usize)
+        (axis != u8::MAX).then_some(((axis & !INCREMENTAL) as usize, axis & INCREMENTAL != 0))
     }
 
     fn find_slot(&self, control: &Control, number: u32) -> Slot {

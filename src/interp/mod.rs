@@ -14,11 +14,14 @@ mod call;
 pub mod canon;
 mod eval;
 mod fault;
+mod function;
 mod index;
 pub mod inspect;
 mod modal;
+mod rules;
 mod state;
 mod system;
+mod travel;
 mod value;
 mod vars;
 pub mod world;
@@ -33,7 +36,8 @@ use crate::nc::Parsed;
 use crate::text::{Diagnostic, Place};
 use canon::{AXES, Names};
 use index::{Index, Slot};
-use state::{Rules, Shared, State, Units};
+use rules::{Rules, Units};
+use state::{Shared, State};
 
 /// What one step of the interpreter came to.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,10 +6,13 @@ use crate::controls::{Code, CodeDef, Control, Group};
 /// How many modal groups there are.
 const GROUPS: usize = Group::Other as usize + 1;
 
+/// Work coordinate systems, and what shifts them all.
+const SYSTEMS: usize = 7;
+
 /// Modal state at pre-read. Lengths in command increments.
 #[derive(Debug, Clone)]
 pub(super) struct Modal {
-    /// Rapid, linear, one of the arcs, or a motion that is not simulated.
+    /// Rapid, linear, one of the arcs, thread, or a motion that is not simulated.
     pub(super) motion: Code,
     /// A fixed cycle that is not simulated is on: axis words are holes, not ends of motions.
     pub(super) cycle: bool,
@@ -23,14 +26,24 @@ pub(super) struct Modal {
     pub(super) per_revolution: bool,
     /// Exact stop mode.
     pub(super) exact: bool,
-    /// Work coordinate system, 1 to 6. Their offsets are 0: a simulated machine has no work piece to be touched off.
-    pub(super) coordinates: u8,
-    /// Where work zero lies in the machine frame: set by G92.
-    pub(super) origin: [i64; AXES],
+    /// Work coordinate system, 1 to 6.
+    coordinates: usize,
+    /// Where the zeros of the work coordinate systems lie, the first a shift of all of them: set by variables.
+    offsets: [[i64; AXES]; SYSTEMS],
+    /// What moves all of them besides: set by G50 or G92.
+    origin: [i64; AXES],
     /// Where local zero lies in the work frame: set by G52.
-    pub(super) local: [i64; AXES],
+    local: [i64; AXES],
+    /// Where the zero that dimensions count from lies in the machine frame: the sum of the four.
+    pub(super) zero: [i64; AXES],
     /// Feed as programmed in mm/min or mm/rev; `None` before the first F.
     pub(super) feed: Option<f64>,
+    /// Lead of threads as programmed in mm/rev; `None` before the first.
+    pub(super) lead: Option<f64>,
+    /// Constant surface speed is on.
+    pub(super) surface: bool,
+    /// The last surface speed as programmed, in m/min.
+    pub(super) surface_speed: f64,
     /// The last value of each address letter that modal variables show, by letter from A.
     pub(super) words: [f64; 26],
     /// Ten times the number of the code in force, by group.
@@ -49,9 +62,14 @@ impl Modal {
             per_revolution: false,
             exact: false,
             coordinates: 1,
+            offsets: [[0; AXES]; SYSTEMS],
             origin: [0; AXES],
             local: [0; AXES],
+            zero: [0; AXES],
             feed: None,
+            lead: None,
+            surface: false,
+            surface_speed: 0.0,
             words: [f64::NAN; 26],
             codes: [0; GROUPS],
         };
@@ -74,7 +92,7 @@ impl Modal {
             [axis(first), axis(second), axis(third)]
         };
         match row.code {
-            Rapid | Linear | ArcCw | ArcCcw => self.motion = row.code,
+            Rapid | Linear | ArcCw | ArcCcw | Thread => self.motion = row.code,
             NotSimulated if row.group == Group::Motion => self.motion = row.code,
             NotSimulated | Cancel if row.group == Group::Cycle => self.cycle = row.code == NotSimulated,
             PlaneXy => self.plane = plane(b'X', b'Y', b'Z'),
@@ -84,24 +102,63 @@ impl Modal {
             Incremental => self.absolute = false,
             Inch => self.inch = true,
             Metric => self.inch = false,
-            // A feed per minute means nothing per revolution: F has to be given anew.
             FeedPerMinute | FeedPerRevolution => {
                 let per_revolution = row.code == FeedPerRevolution;
-                if per_revolution != self.per_revolution {
+                if per_revolution != self.per_revolution && !control.limits.feed_kept {
                     self.feed = None;
                 }
                 self.per_revolution = per_revolution;
             }
             _ if row.group == Group::PathMode => self.exact = row.code == ExactStop,
-            WorkCoordinates(number) => self.coordinates = number,
+            SurfaceSpeed | SurfaceSpeedOff => self.surface = row.code == SurfaceSpeed,
+            WorkCoordinates(number) => {
+                self.coordinates = usize::from(number);
+                self.place_zero();
+            }
             _ => {}
         }
     }
 
-    /// Where the zero that dimensions count from lies in the machine frame.
-    #[inline]
-    pub(super) fn zero(&self, axis: usize) -> i64 {
-        self.origin[axis].saturating_add(self.local[axis])
+    fn place_zero(&mut self) {
+        let none = [0; AXES];
+        let offsets = [0, self.coordinates].map(|system| self.offsets.get(system).unwrap_or(&none));
+        self.zero = core::array::from_fn(|k| {
+            let parts = [offsets[1][k], self.origin[k], self.local[k]];
+            parts.into_iter().fold(offsets[0][k], i64::saturating_add)
+        });
+    }
+
+    /// G52: local zero of an axis in the work frame.
+    pub(super) fn set_local(&mut self, axis: usize, local: i64) {
+        self.local[axis] = local;
+        self.place_zero();
+    }
+
+    /// G50 or G92: the zero of an axis in the machine frame from now on, in any work coordinate system; local zero is work zero again.
+    pub(super) fn set_zero(&mut self, axis: usize, zero: i64) {
+        self.local[axis] = 0;
+        self.place_zero();
+        self.origin[axis] = self.origin[axis].saturating_add(zero.saturating_sub(self.zero[axis]));
+        self.place_zero();
+    }
+
+    /// Zero of a work coordinate system, or the shift of all of them.
+    pub(super) fn offset(&self, system: u8, axis: usize) -> i64 {
+        self.offsets.get(usize::from(system)).and_then(|offsets| offsets.get(axis)).copied().unwrap_or(0)
+    }
+
+    /// Sets a zero that [`offset`](Modal::offset) reads.
+    pub(super) fn set_offset(&mut self, system: u8, axis: usize, offset: i64) {
+        if let Some(place) = self.offsets.get_mut(usize::from(system)).and_then(|offsets| offsets.get_mut(axis)) {
+            *place = offset;
+            self.place_zero();
+        }
+    }
+
+    /// Where work zeros lie outlives a reset; G52 does not.
+    pub(super) fn keep_zeros(&mut self, before: &Modal) {
+        (self.offsets, self.origin) = (before.offsets, before.origin);
+        self.place_zero();
     }
 
     /// Remembers a word for the variables that show it.

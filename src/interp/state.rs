@@ -7,9 +7,10 @@ use super::canon::{AXES, Canon};
 use super::fault::{Run, Trap};
 use super::index::{Index, Partner};
 use super::modal::Modal;
+use super::rules::{Rules, Units};
 use super::vars::{VACANT, Vars};
 use super::{Counts, End, Step, World};
-use crate::controls::{Alarm, Code, Control, Group, Limits, Switches};
+use crate::controls::{Alarm, Control};
 use crate::msg;
 use crate::nc::{Block, Deck, ExprId, Parsed, Stmt};
 use crate::text::{Diagnostic, FileId, Place, Span};
@@ -24,91 +25,6 @@ pub(super) struct Shared {
     pub(super) units: Units,
     /// The program that a run starts with; `Err` is a number that no program has.
     pub(super) start: Result<u32, u32>,
-}
-
-/// The control's open points, as they are set.
-#[derive(Debug)]
-pub(super) struct Rules {
-    /// A coordinate without a point counts millimetres, not increments.
-    pub(super) whole_units: bool,
-    /// F0 is rapid traverse, not an alarm.
-    pub(super) feed_zero_rapid: bool,
-    /// S is rounded, not cut.
-    pub(super) round_speed: bool,
-    /// `#3004` switches the cutting override off.
-    pub(super) suppress_override: bool,
-    /// A local variable without argument keeps its last value.
-    pub(super) keep_locals: bool,
-    /// Common variables become vacant at reset.
-    pub(super) clear_common: bool,
-    /// Codes in force at the start.
-    pub(super) startup: Vec<Code>,
-}
-
-impl Rules {
-    pub(super) fn new(control: &Control, switches: &Switches) -> Rules {
-        let is = |id: &str, setting: &str| switches.get(control.switches, id) == Some(setting);
-        let mut startup = control.startup.to_vec();
-        for (id, group) in [
-            ("startup-distance", Group::Distance),
-            ("startup-motion", Group::Motion),
-            ("startup-feed", Group::FeedUnit),
-        ] {
-            let Some(setting) = switches.get(control.switches, id) else { continue };
-            let number = setting.get(1..).and_then(|number| number.parse::<u16>().ok());
-            let row = number.and_then(|number| control.code(b'G', number.saturating_mul(10)));
-            startup.extend(row.filter(|row| row.group == group).map(|row| row.code));
-        }
-        Rules {
-            whole_units: is("decimal-point", "millimetres"),
-            feed_zero_rapid: is("feed-zero", "rapid"),
-            round_speed: is("spindle-word", "round"),
-            suppress_override: !is("override-suppression", "no"),
-            keep_locals: is("locals-of-calls", "kept"),
-            clear_common: is("common-at-reset", "vacant"),
-            startup,
-        }
-    }
-}
-
-/// Ranges and roundings of words, in the numbers that the hot path needs.
-#[derive(Debug)]
-pub(super) struct Units {
-    /// Decimals of a command increment: 3 for 0.001.
-    pub(super) decimals: u8,
-    /// Command increments per millimetre or degree.
-    pub(super) per_unit: f64,
-    /// Largest coordinate in increments.
-    pub(super) coordinate_max: u64,
-    /// Feed increments per mm/min.
-    pub(super) per_feed: f64,
-    /// Bit `letter & 31`: a word without a point counts increments.
-    pub(super) increment_letters: u32,
-    /// Bit `letter & 31`: what stands behind the point is dropped.
-    pub(super) integer_letters: u32,
-}
-
-fn letter_bits(letters: &[u8]) -> u32 {
-    letters.iter().fold(0, |bits, letter| bits | 1 << (letter & 31))
-}
-
-impl Units {
-    pub(super) fn new(control: &Control) -> Units {
-        let Limits { increment, coordinate_max, feed_increment, .. } = control.limits;
-        let (mut decimals, mut per_unit) = (0, 1.0);
-        while decimals < 9 && increment * per_unit < 0.999 {
-            decimals += 1;
-            per_unit *= 10.0;
-        }
-        Units {
-            decimals,
-            per_unit,
-            coordinate_max: (coordinate_max * per_unit).round() as u64,
-            per_feed: (1.0 / feed_increment).round(),
-            increment_letters: letter_bits(control.syntax.increment_addresses),
-            integer_letters: letter_bits(control.syntax.integer_addresses),
-        }
-    }
 }
 
 /// What a block may ask while it runs.
@@ -231,8 +147,7 @@ impl State {
         let vars = core::mem::replace(&mut self.vars, Vars::new(shared.index.stored));
         *self = State::new(shared);
         (self.position, self.counts, self.clock_zero) = (position, counts, clock_zero);
-        // Where work zero lies outlives a reset; G52 does not.
-        self.modal.origin = modal.origin;
+        self.modal.keep_zeros(&modal);
         self.keep_stored(shared, &vars);
     }
 

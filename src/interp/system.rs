@@ -6,6 +6,7 @@ use super::fault::{Run, Trap};
 use super::index::Slot;
 use super::state::{Cx, State};
 use super::vars::VACANT;
+use crate::controls::vars::Width;
 use crate::controls::{Alarm, VarKind, VarRange};
 use crate::math;
 use crate::msg;
@@ -29,7 +30,9 @@ impl State {
         let millimetres = |increments: i64| increments as f64 / cx.shared.units.per_unit;
         let value = match row.kind {
             VarKind::Vacant | VarKind::Local | VarKind::Common | VarKind::Retained => VACANT,
-            VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord => finite_or_zero(cx.world.input(number)),
+            VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord => {
+                fit(row.width(number), finite_or_zero(cx.world.input(number)))
+            }
             VarKind::OutputBit
             | VarKind::OutputWord(_)
             | VarKind::Kept
@@ -51,21 +54,26 @@ impl State {
             VarKind::ExecutingCode(_) | VarKind::ExecutingWord(_) if !self.synced => return Err(Trap::Sync),
             VarKind::ExecutingCode(group) => f64::from(self.modal.codes[group as usize]) / 10.0,
             VarKind::ExecutingWord(letter) => self.modal_word(letter),
-            VarKind::BlockEnd | VarKind::MachinePosition | VarKind::WorkPosition
+            VarKind::BlockEnd
+            | VarKind::MachinePosition
+            | VarKind::WorkPosition
+            | VarKind::WorkOffset(_)
+            | VarKind::WorkOffsetShown(_)
                 if axis >= cx.control.axes.len().min(AXES) =>
             {
                 return Err(no_such_variable(cx, number));
             }
-            VarKind::BlockEnd => millimetres(self.position[axis].saturating_sub(self.modal.zero(axis))),
+            VarKind::BlockEnd => millimetres(self.position[axis].saturating_sub(self.modal.zero[axis])),
             VarKind::MachinePosition | VarKind::WorkPosition if !self.synced => return Err(Trap::Sync),
             VarKind::MachinePosition => finite_or_zero(cx.world.position(axis)),
-            VarKind::WorkPosition => finite_or_zero(cx.world.position(axis)) - millimetres(self.modal.zero(axis)),
+            VarKind::WorkPosition => finite_or_zero(cx.world.position(axis)) - millimetres(self.modal.zero[axis]),
             VarKind::AlarmMessage | VarKind::StopMessage => {
                 return Err(Trap::alarm(Alarm::VariableSide, msg!("interp.write-only", number)));
             }
-            VarKind::WorkOffset(_) | VarKind::WorkOffsetShown(_) | VarKind::NotSimulated => {
-                return Err(not_simulated(number, row));
+            VarKind::WorkOffset(system) | VarKind::WorkOffsetShown(system) => {
+                millimetres(self.modal.offset(system, axis))
             }
+            VarKind::NotSimulated => return Err(not_simulated(number, row)),
         };
         Ok(value)
     }
@@ -77,11 +85,21 @@ impl State {
     /// `to = value` of a block; the comment of the block is the message of alarms and stops.
     pub(super) fn assign(&mut self, cx: &mut Cx, block: &Block, to: ExprId, value: ExprId) -> Run<()> {
         let value = self.assigned(cx, value)?;
-        let number = match cx.deck.expr(to) {
-            Expr::Var(number) => number,
-            Expr::Indirect(number) => variable_number(self.value(cx, number)?)?,
-            _ => return Err(Trap::alarm(Alarm::Format, msg!("interp.not-a-variable"))),
-        };
+        let number = self.variable_of(cx, to)?;
+        self.write(cx, block, number, value)
+    }
+
+    /// The number of the variable that an expression is.
+    pub(super) fn variable_of(&self, cx: &mut Cx, id: ExprId) -> Run<u32> {
+        match cx.deck.expr(id) {
+            Expr::Var(number) => Ok(number),
+            Expr::Indirect(number) => variable_number(self.value(cx, number)?),
+            _ => Err(Trap::alarm(Alarm::Format, msg!("interp.not-a-variable"))),
+        }
+    }
+
+    /// Writes a variable; vacant is NaN.
+    pub(super) fn write(&mut self, cx: &mut Cx, block: &Block, number: u32, value: f64) -> Run<()> {
         match cx.shared.index.slot(cx.control, number) {
             Slot::Common(slot) => {
                 if self.vars.common(slot).to_bits() != value.to_bits() {
@@ -99,27 +117,20 @@ impl State {
     fn write_row(&mut self, cx: &mut Cx, block: &Block, at: u16, number: u32, value: f64) -> Run<()> {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
         let slot = cx.shared.index.stored_at(row, at as usize, number);
-        let message = || block.comment.and_then(|at| cx.deck.comments.get(at as usize)).map_or("", |text| text);
         match row.kind {
             VarKind::OutputBit | VarKind::OutputWord(_) | VarKind::ExchangeWord => {
-                let value = match row.width(number) {
-                    Some(width) => {
-                        let (least, most) = width.range();
-                        math::clamp(value.round(), least, most)
-                    }
-                    None => f64::from(u8::from(value.round() != 0.0)),
-                };
+                let value = fit(row.width(number), value.round());
                 if let Some(slot) = slot {
                     self.vars.set_common(slot, value);
                 }
                 self.queue.push(Canon::Output { variable: number, value });
             }
-            VarKind::Kept | VarKind::SuppressSingleBlock => {
+            VarKind::Kept => {
                 if let Some(slot) = slot {
                     self.vars.set_common(slot, value);
                 }
             }
-            VarKind::SuppressOverride => {
+            VarKind::SuppressSingleBlock | VarKind::SuppressOverride => {
                 let whole = value.round();
                 if !(0.0..=255.0).contains(&whole) {
                     return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, 0_u32, 255_u32)));
@@ -128,12 +139,16 @@ impl State {
                     self.vars.set_common(slot, whole);
                 }
                 let on = |bit: u8| whole as u8 & bit != 0;
-                let feed_override = on(2) && cx.shared.rules.suppress_override;
-                self.queue.push(Canon::Suppress { hold: on(1), feed_override, exact: on(4) });
+                self.queue.push(if row.kind == VarKind::SuppressOverride {
+                    let feed_override = on(2) && cx.shared.rules.suppress_override;
+                    Canon::Suppress { hold: on(1), feed_override, exact: on(4) }
+                } else {
+                    Canon::SuppressWaits { single_block: on(1), fin: on(2) }
+                });
             }
-            VarKind::AlarmMessage => return Err(user_alarm(cx, value.round(), message())),
+            VarKind::AlarmMessage => return Err(user_alarm(cx, block, value.round())),
             VarKind::StopMessage => {
-                self.queue.push(Canon::Message { text: message().to_owned() });
+                self.queue.push(Canon::Message { text: cx.deck.comment(block.comment).to_owned() });
                 self.pause = true;
             }
             VarKind::PowerOnTime(clock) => {
@@ -142,10 +157,27 @@ impl State {
             VarKind::RunTime(clock) => {
                 self.clock_zero[1] = finite_or_zero(cx.world.clock_ms(true)) - value * clock.milliseconds();
             }
-            VarKind::WorkOffset(_) | VarKind::NotSimulated => return Err(not_simulated(number, row)),
+            VarKind::WorkOffset(system) => {
+                let units = &cx.shared.units;
+                let increments = (value * units.per_unit).round();
+                let axis = (number - row.first) as usize;
+                if increments.abs() > units.coordinate_max as f64 {
+                    let max = cx.control.limits.coordinate_max;
+                    return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, -max, max)));
+                }
+                if axis >= cx.control.axes.len().min(AXES) {
+                    return Err(no_such_variable(cx, number));
+                }
+                self.modal.set_offset(system, axis, increments as i64);
+                self.surface_speed(cx);
+            }
+            VarKind::NotSimulated => return Err(not_simulated(number, row)),
+            VarKind::Vacant => {
+                let trap = Trap::alarm(Alarm::VacantWritten, msg!("interp.read-only", number, row.text));
+                return Err(with_common(cx, trap));
+            }
             VarKind::Local | VarKind::Common | VarKind::Retained => {}
-            VarKind::Vacant
-            | VarKind::InputBit
+            VarKind::InputBit
             | VarKind::InputWord(_)
             | VarKind::PartTime
             | VarKind::WorkOffsetShown(_)
@@ -173,17 +205,26 @@ fn finite_or_zero(x: f64) -> f64 {
     if x.is_finite() { x } else { 0.0 }
 }
 
+/// What a word of the PLC can hold of a value, or a bit (`None`).
+fn fit(width: Option<Width>, x: f64) -> f64 {
+    match width.map(Width::range) {
+        Some((least, most)) => math::clamp(x, least, most),
+        None => f64::from(u8::from(x != 0.0)),
+    }
+}
+
+/// The alarm that a program raises; the comment of the block is its message.
 #[cold]
-fn user_alarm(cx: &Cx, number: f64, text: &str) -> Trap {
+pub(super) fn user_alarm(cx: &Cx, block: &Block, number: f64) -> Trap {
     let (min, max) = cx.control.macros.user_alarms;
     if !(f64::from(min)..=f64::from(max)).contains(&number) {
         return Trap::alarm(Alarm::UserAlarmRange, msg!("interp.value-range", number, min, max));
     }
-    if text.is_empty() {
-        Trap::alarm(Alarm::User, msg!("interp.user-alarm", number))
-    } else {
-        Trap::alarm(Alarm::User, msg!("interp.user-alarm-text", number, text))
-    }
+    let shown = cx.control.macros.user_alarm_base.map(|base| base + number as u32);
+    let text = cx.deck.comment(block.comment).trim_start_matches('/');
+    let message =
+        if text.is_empty() { msg!("interp.user-alarm", number) } else { msg!("interp.user-alarm-text", number, text) };
+    Trap::alarm(Alarm::User, message).numbered(shown)
 }
 
 #[cold]

@@ -1,6 +1,7 @@
 //! Words as numbers: command increments, feeds, whole numbers, with the meaning of the point and the range of each address.
 
 use super::call::word_span;
+use super::eval::WHOLE;
 use super::fault::{Run, Trap};
 use super::state::{Cx, State};
 use crate::controls::Alarm;
@@ -10,9 +11,6 @@ use crate::nc::{Block, Dec, Word, WordValue};
 
 /// Millimetres per inch.
 const INCH: f64 = 25.4;
-
-/// A calculated value that misses a whole number by less than this is that number.
-const WHOLE: f64 = 1e-6;
 
 /// `mantissa / 10^scale`, rounded half away from zero; exact.
 fn shift(mantissa: i64, scale: i32) -> Option<i64> {
@@ -24,13 +22,20 @@ fn shift(mantissa: i64, scale: i32) -> Option<i64> {
     Some(if rest.unsigned_abs() * 2 >= divisor as u64 { whole + mantissa.signum() } else { whole })
 }
 
+/// Without what stands behind the point.
+fn cut(value: f64) -> f64 {
+    let nearest = value.round();
+    if (value - nearest).abs() < WHOLE { nearest } else { value.trunc() }
+}
+
 impl State {
-    /// The value of a word as it stands, `None` where it is vacant and the word is left out.
+    /// The value of a word as it stands, `None` where it is vacant and the word is left out; on some controls it is 0 instead.
     pub(super) fn raw(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
         match word.value {
             WordValue::Number(dec) => Ok(Some(dec.to_f64())),
             WordValue::Expr(id) => match self.value(cx, id) {
-                Ok(value) => Ok((!value.is_nan()).then_some(value)),
+                Ok(value) if value.is_nan() => Ok(cx.shared.rules.vacant_word.then_some(0.0)),
+                Ok(value) => Ok(Some(value)),
                 Err(trap) => Err(trap.within(word_span(block, word))),
             },
         }
@@ -42,7 +47,22 @@ impl State {
         !dec.point && !cx.shared.rules.whole_units && cx.shared.units.increment_letters & 1 << (letter & 31) != 0
     }
 
-    /// The value of a word in the unit of its address: seconds, millimetres, arguments.
+    /// The value of a word as an argument of a macro.
+    pub(super) fn argument(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+        let units = &cx.shared.units;
+        match word.value {
+            WordValue::Number(dec)
+                if !dec.point
+                    && cx.shared.rules.argument_increments
+                    && units.increment_letters & 1 << (word.letter & 31) != 0 =>
+            {
+                Ok(Some(dec.to_f64() / units.per_unit))
+            }
+            _ => self.raw(cx, block, word),
+        }
+    }
+
+    /// The value of a word in the unit of its address: seconds, millimetres.
     pub(super) fn plain(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
         match word.value {
             WordValue::Number(dec) if self.counts_increments(cx, word.letter, dec) => {
@@ -52,10 +72,12 @@ impl State {
         }
     }
 
-    /// The value of a word as a whole number: what stands behind the point is dropped.
+    /// The value of a word as a whole number: what stands behind the point is dropped, or rounded where it was calculated and the control
+    /// does so.
     pub(super) fn whole(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
         let value = self.raw(cx, block, word)?;
-        Ok(value.map(|value| if (value - value.round()).abs() < WHOLE { value.round() } else { value.trunc() }))
+        let round = cx.control.macros.round_words && matches!(word.value, WordValue::Expr(_));
+        Ok(value.map(|value| if round { value.round() } else { cut(value) }))
     }
 
     /// Ten times the number of a G or M code, for a look-up; `None` where the word is left out.
@@ -107,14 +129,36 @@ impl State {
         }
     }
 
-    /// F in mm/min or mm/rev, rounded to the control's step.
+    /// F in mm/min, rounded to the control's step, or mm/rev.
     #[inline]
     pub(super) fn feed_word(&self, cx: &mut Cx, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
+        if self.modal.per_revolution {
+            return self.lead_word(cx, block, word, inch);
+        }
         let Some(value) = self.plain(cx, block, word)? else { return Ok(None) };
         let millimetres = if inch { value * INCH } else { value };
         let feed = (millimetres * cx.shared.units.per_feed).round() / cx.shared.units.per_feed;
         let max = cx.control.limits.feed_max;
         if (0.0..=max).contains(&feed) { Ok(Some(feed)) } else { Err(self.out_of_range(cx, block, word, 0.0, max)) }
+    }
+
+    /// F in mm/rev: a feed, or the lead of a thread.
+    pub(super) fn lead_word(&self, cx: &mut Cx, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
+        let Some(value) = self.plain(cx, block, word)? else { return Ok(None) };
+        let lead = if inch { value * INCH } else { value };
+        let max = cx.control.limits.revolution_feed_max;
+        if (0.0..=max).contains(&lead) { Ok(Some(lead)) } else { Err(self.out_of_range(cx, block, word, 0.0, max)) }
+    }
+
+    /// The lead of a thread in mm/rev by its threads per inch.
+    pub(super) fn threads_word(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+        let Some(threads) = self.raw(cx, block, word)? else { return Ok(None) };
+        let least = INCH / cx.control.limits.revolution_feed_max;
+        if threads >= least && threads.is_finite() {
+            Ok(Some(INCH / threads))
+        } else {
+            Err(self.out_of_range(cx, block, word, least, cx.control.limits.coordinate_max))
+        }
     }
 
     /// S in r/min.
@@ -123,7 +167,7 @@ impl State {
         let speed = match self.raw(cx, block, word)? {
             None => return Ok(None),
             Some(value) if whole && cx.shared.rules.round_speed => value.round(),
-            Some(_) if whole => self.whole(cx, block, word)?.unwrap_or(0.0),
+            Some(value) if whole => cut(value),
             Some(value) => value,
         };
         let max = cx.control.limits.speed_max;

@@ -523,9 +523,9 @@ fn variables() {
     "#]],
     );
     check_block(
-        "#5201=1",
+        "#5061=1",
         expect![[r#"
-        1:1 warning - #5201 (work coordinate offsets) is read, but not simulated: the run here goes on without it.
+        1:1 warning - #5061 (skip position, axis by axis) is read, but not simulated: the run here goes on without it.
     "#]],
     );
 }

@@ -50,7 +50,7 @@ pub(super) const CODES: &[CodeDef] = &[
     g(311, NotSimulated, Group::OneShot, "multi-step skip 1", MEMORY),
     g(312, NotSimulated, Group::OneShot, "multi-step skip 2", MEMORY),
     g(313, NotSimulated, Group::OneShot, "multi-step skip 3", MEMORY),
-    g(330, NotSimulated, Group::Motion, "thread cutting", MEMORY),
+    g(330, Thread, Group::Motion, "thread cutting", MEMORY),
     g(340, NotSimulated, Group::OneShot, "special fixed cycle, bolt hole circle", MEMORY),
     g(350, NotSimulated, Group::OneShot, "special fixed cycle, line at angle", MEMORY),
     g(360, NotSimulated, Group::OneShot, "special fixed cycle, arc", MEMORY),

@@ -100,6 +100,12 @@ pub(super) const VARS: &[VarRange] = &[
     range(5061, 5064, NotSimulated, "", "skip position, axis by axis", MEMORY),
     range(5081, 5084, NotSimulated, "", "tool position offset, axis by axis", MEMORY),
     range(5101, 5104, NotSimulated, "", "servo deviation, axis by axis", MEMORY),
-    range(5201, 5324, NotSimulated, "", "work coordinate offsets", MEMORY),
+    range(5201, 5204, WorkOffset(0), "", "shift of all work coordinate systems, axis by axis", MEMORY),
+    range(5221, 5224, WorkOffset(1), "", "zero of G54, axis by axis", MEMORY),
+    range(5241, 5244, WorkOffset(2), "", "zero of G55, axis by axis", MEMORY),
+    range(5261, 5264, WorkOffset(3), "", "zero of G56, axis by axis", MEMORY),
+    range(5281, 5284, WorkOffset(4), "", "zero of G57, axis by axis", MEMORY),
+    range(5301, 5304, WorkOffset(5), "", "zero of G58, axis by axis", MEMORY),
+    range(5321, 5324, WorkOffset(6), "", "zero of G59, axis by axis", MEMORY),
     range(10001, 10999, Kept, "", "tool offsets", Citation::new("MELDAS 64 system variable list", Grade::Sister)),
 ];

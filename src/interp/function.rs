@@ -1,0 +1,119 @@
+//! `G65 Hnn P Q R`: calculations and jumps of controls that had no formulas once.
+
+use super::call::word_span;
+use super::eval::{function, operate, or_zero};
+use super::fault::{Run, Trap};
+use super::state::{Cx, State};
+use super::system::user_alarm;
+use crate::controls::Alarm;
+use crate::controls::syntax::{Function, Operation};
+use crate::msg;
+use crate::nc::{Block, Op, Word, WordValue};
+
+/// Whether Q and R are needed.
+fn operands(operation: Operation) -> (bool, bool) {
+    use Operation::*;
+    match operation {
+        Goto | Alarm => (false, false),
+        Assign | Sqrt | Abs | Bin | Bcd => (true, false),
+        _ => (true, true),
+    }
+}
+
+impl State {
+    /// Whether a G65 is a function: H stands in front of P, on a control that has functions.
+    pub(super) fn is_function(&self, cx: &Cx, words: &[Word]) -> bool {
+        let first = words.iter().find(|word| matches!(word.letter, b'H' | b'P'));
+        !cx.control.macros.functions.is_empty() && first.is_some_and(|word| word.letter == b'H')
+    }
+
+    /// Does a function.
+    pub(super) fn function_words(&mut self, cx: &mut Cx, at: u32, block: &Block, words: &[Word]) -> Run<()> {
+        let word = |letter: u8| words.iter().rfind(|word| word.letter == letter);
+        let within = |trap: Trap, letter: u8| match word(letter) {
+            Some(word) => trap.within(word_span(block, word)),
+            None => trap,
+        };
+        let number = match word(b'H') {
+            Some(word) => self.whole(cx, block, word)?.unwrap_or(0.0),
+            None => 0.0,
+        };
+        let row = cx.control.macros.functions.iter().find(|row| f64::from(row.0) == number);
+        let Some(&(_, operation)) = row else {
+            return Err(within(Trap::alarm(Alarm::CallFunction, msg!("interp.no-function", (number, 0))), b'H'));
+        };
+        let missing = |letter: &str| Trap::alarm(Alarm::CallOperands, msg!("interp.no-operand", letter, (number, 0)));
+        // Constants count as they are written.
+        let mut operand = |letter: u8, needed: bool| match word(letter) {
+            Some(Word { value: WordValue::Number(dec), .. }) => Ok(dec.to_f64()),
+            Some(Word { value: WordValue::Expr(id), .. }) => self.value(cx, *id).map_err(|trap| within(trap, letter)),
+            None if needed => Err(missing(&(letter as char).to_string())),
+            None => Ok(0.0),
+        };
+        let needed = operands(operation);
+        let (q, r) = (operand(b'Q', needed.0)?, operand(b'R', needed.1)?);
+        let vacant_or = |x: f64| if operation == Operation::Assign { x } else { or_zero(x) };
+        let (q, r) = (vacant_or(q), or_zero(r));
+        let jump = match operation {
+            Operation::Goto => Some(true),
+            Operation::IfEqual => Some(q == r),
+            Operation::IfNotEqual => Some(q != r),
+            Operation::IfGreater => Some(q > r),
+            Operation::IfLess => Some(q < r),
+            Operation::IfGreaterEqual => Some(q >= r),
+            Operation::IfLessEqual => Some(q <= r),
+            _ => None,
+        };
+        if jump.is_none() && operation != Operation::Alarm {
+            let Some(Word { value: WordValue::Expr(id), .. }) = word(b'P') else {
+                let trap = Trap::alarm(Alarm::CallOperands, msg!("interp.function-result"));
+                return Err(within(trap, b'P'));
+            };
+            let target = self.variable_of(cx, *id).map_err(|trap| within(trap, b'P'))?;
+            // Adding 0 makes -0 to 0.
+            let value = self.calculate(cx, operation, (q, r), target)? + 0.0;
+            return self.write(cx, block, target, value);
+        }
+        let p = or_zero(operand(b'P', true)?);
+        match jump {
+            Some(true) => self.go_to_number(cx, at, p).map_err(|trap| within(trap, b'P')),
+            Some(false) => Ok(()),
+            None => Err(within(user_alarm(cx, block, p.round()), b'P')),
+        }
+    }
+
+    fn calculate(&self, cx: &mut Cx, operation: Operation, (q, r): (f64, f64), target: u32) -> Run<f64> {
+        use Operation::*;
+        match operation {
+            Add => operate(cx, Op::Add, q, r),
+            Subtract => operate(cx, Op::Subtract, q, r),
+            Multiply => operate(cx, Op::Multiply, q, r),
+            Divide => operate(cx, Op::Divide, q, r),
+            Or => operate(cx, Op::Or, q, r),
+            And => operate(cx, Op::And, q, r),
+            Xor => operate(cx, Op::Xor, q, r),
+            Atan => operate(cx, Op::Atan, q, r),
+            Sqrt => function(cx, Function::Sqrt, q),
+            Abs => function(cx, Function::Abs, q),
+            Bin => function(cx, Function::Bin, q),
+            Bcd => function(cx, Function::Bcd, q),
+            Remainder => {
+                let whole = operate(cx, Op::Divide, q, r)?.trunc();
+                operate(cx, Op::Subtract, q, whole * r)
+            }
+            MultiplyDivide => {
+                let present = or_zero(self.read(cx, target)?);
+                let product = operate(cx, Op::Multiply, present, q)?;
+                operate(cx, Op::Divide, product, r)
+            }
+            Hypotenuse => {
+                let square = operate(cx, Op::Add, q * q, r * r)?;
+                function(cx, Function::Sqrt, square)
+            }
+            Sin => operate(cx, Op::Multiply, q, function(cx, Function::Sin, r)?),
+            Cos => operate(cx, Op::Multiply, q, function(cx, Function::Cos, r)?),
+            Tan => operate(cx, Op::Multiply, q, function(cx, Function::Tan, r)?),
+            _ => Ok(q),
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! What rows and switches of a control come to while a program runs: open points as they are set, ranges, roundings.
+
+use super::canon::AXES;
+use crate::controls::macros::{CodeCall, VacantWord};
+use crate::controls::{Code, Control, Group, Limits, Switches};
+
+/// Where the results of ASIN lie, in degrees.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum AsinRange {
+    /// -90 to 90.
+    AroundZero,
+    /// 90 to 270.
+    AroundHalfTurn,
+    /// 270 to 360 and 0 to 90.
+    WithinTurn,
+}
+
+/// The control's open points, as they are set, and its dialect.
+#[derive(Debug)]
+pub(super) struct Rules {
+    /// A coordinate without a point counts millimetres, not increments.
+    pub(super) whole_units: bool,
+    /// A macro argument without a point counts increments.
+    pub(super) argument_increments: bool,
+    /// F0 is rapid traverse, not an alarm.
+    pub(super) feed_zero_rapid: bool,
+    /// S is rounded, not cut.
+    pub(super) round_speed: bool,
+    /// `#3004` switches the cutting override off.
+    pub(super) suppress_override: bool,
+    /// A local variable without argument keeps its last value.
+    pub(super) keep_locals: bool,
+    /// Common variables become vacant at reset.
+    pub(super) clear_common: bool,
+    /// A word of nothing but a vacant variable is 0, not left out.
+    pub(super) vacant_word: bool,
+    /// EQ and NE take vacant for 0.
+    pub(super) vacant_equals_zero: bool,
+    /// Least and largest magnitude of a result that is not 0.
+    pub(super) result: (f64, f64),
+    /// `ATAN[y]/[x]` lies within 0 to 360, not -180 to 180.
+    pub(super) atan_turn: bool,
+    pub(super) asin: AsinRange,
+    /// What an axis moves per unit of its words: 0.5 where they count diameters.
+    pub(super) moves: [f64; AXES],
+    /// The axis that is square to the spindle, for constant surface speed.
+    pub(super) surface_axis: usize,
+    /// Codes that call programs.
+    pub(super) calls: Vec<CodeCall>,
+    /// Codes in force at the start.
+    pub(super) startup: Vec<Code>,
+}
+
+impl Rules {
+    pub(super) fn new(control: &Control, switches: &Switches) -> Rules {
+        let get = |id: &str| switches.get(control.switches, id);
+        let is = |id: &str, setting: &str| get(id) == Some(setting);
+        let mut startup = control.startup.to_vec();
+        let groups = [Group::Distance, Group::Motion, Group::FeedUnit];
+        for (id, group) in ["startup-distance", "startup-motion", "startup-feed"].into_iter().zip(groups) {
+            let number = get(id).and_then(|setting| setting.get(1..)).and_then(|number| number.parse::<u16>().ok());
+            let row = number.and_then(|number| control.code(b'G', number.saturating_mul(10)));
+            startup.extend(row.filter(|row| row.group == group).map(|row| row.code));
+        }
+        let macros = &control.macros;
+        let angles = get("angle-range").unwrap_or("");
+        let square = control.axes.iter().position(|axis| axis.diameter).or(control.axis(b'X'));
+        Rules {
+            whole_units: is("decimal-point", "millimetres"),
+            argument_increments: is("argument-point", "increments"),
+            feed_zero_rapid: is("feed-zero", "rapid"),
+            round_speed: get("spindle-word").map_or(macros.round_words, |setting| setting == "round"),
+            suppress_override: !is("override-suppression", "no"),
+            keep_locals: is("locals-of-calls", "kept"),
+            clear_common: is("common-at-reset", "vacant"),
+            vacant_word: macros.vacant_word == VacantWord::Zero,
+            vacant_equals_zero: macros.vacant_equals_zero,
+            result: macros.value_range.unwrap_or((0.0, f64::MAX)),
+            atan_turn: angles.contains("ATAN 0 to 360"),
+            asin: if angles.contains("ASIN 90 to 270") {
+                AsinRange::AroundHalfTurn
+            } else if angles.contains("ASIN 270 to 90") {
+                AsinRange::WithinTurn
+            } else {
+                AsinRange::AroundZero
+            },
+            moves: core::array::from_fn(|k| if control.counts_diameters(k, switches) { 0.5 } else { 1.0 }),
+            surface_axis: square.unwrap_or(0).min(AXES - 1),
+            calls: control.code_calls(switches),
+            startup,
+        }
+    }
+
+    /// What a code calls; `number` is ten times what is written.
+    #[inline]
+    pub(super) fn call(&self, letter: u8, number: u32) -> Option<CodeCall> {
+        self.calls.iter().find(|call| (call.letter, call.number) == (letter, number)).copied()
+    }
+}
+
+/// Ranges and roundings of words, in the numbers that the hot path needs.
+#[derive(Debug)]
+pub(super) struct Units {
+    /// Decimals of a command increment: 3 for 0.001.
+    pub(super) decimals: u8,
+    /// Command increments per millimetre or degree.
+    pub(super) per_unit: f64,
+    /// Largest coordinate in increments.
+    pub(super) coordinate_max: u64,
+    /// Feed increments per mm/min.
+    pub(super) per_feed: f64,
+    /// Bit `letter & 31`: a word without a point counts increments.
+    pub(super) increment_letters: u32,
+    /// Bit `letter & 31`: what stands behind the point is dropped.
+    pub(super) integer_letters: u32,
+}
+
+fn letter_bits(letters: &[u8]) -> u32 {
+    letters.iter().fold(0, |bits, letter| bits | 1 << (letter & 31))
+}
+
+impl Units {
+    pub(super) fn new(control: &Control) -> Units {
+        let Limits { increment, coordinate_max, feed_increment, .. } = control.limits;
+        let (mut decimals, mut per_unit) = (0, 1.0);
+        while decimals < 9 && increment * per_unit < 0.999 {
+            decimals += 1;
+            per_unit *= 10.0;
+        }
+        Units {
+            decimals,
+            per_unit,
+            coordinate_max: (coordinate_max * per_unit).round() as u64,
+            per_feed: (1.0 / feed_increment).round(),
+            increment_letters: letter_bits(control.syntax.increment_addresses),
+            integer_letters: letter_bits(control.syntax.integer_addresses),
+        }
+    }
+}

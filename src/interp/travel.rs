@@ -1,0 +1,182 @@
+//! The command for the axis words of a block: motion, dwell, coordinate systems. Radii of arcs and leads count what the slide moves.
+
+use super::arc::{Chord, Impossible, by_center, by_moved_center, by_radius};
+use super::block::{Codes, Words};
+use super::call::word_span;
+use super::canon::{AXES, Canon, Feed, Target};
+use super::fault::{Run, Trap};
+use super::state::{Cx, State};
+use crate::controls::{Alarm, Code};
+use crate::msg;
+use crate::nc::{Block, Word};
+
+impl State {
+    /// The command for the axis words of a block; whether axes move.
+    #[inline]
+    pub(super) fn motion(
+        &mut self,
+        cx: &Cx,
+        block: &Block,
+        words: &[Word],
+        codes: &Codes,
+        values: &Words,
+    ) -> Run<bool> {
+        match codes.special {
+            Some(Code::Dwell) => {
+                self.queue.push(Canon::Dwell { seconds: values.dwell.unwrap_or(0.0) });
+                return Ok(false);
+            }
+            Some(Code::SetCoordinates) => {
+                self.set_coordinates(cx, values);
+                return Ok(false);
+            }
+            Some(Code::LocalCoordinates) => {
+                for k in (0..AXES).filter(|k| values.mask & 1 << k != 0) {
+                    self.modal.set_local(k, values.axes[k]);
+                }
+                self.surface_speed(cx);
+                return Ok(false);
+            }
+            _ => {}
+        }
+        let full_circle = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw) && values.center != [None; 3];
+        if values.mask == 0 && !full_circle || codes.unmoved || self.modal.cycle {
+            return Ok(false);
+        }
+        let machine = matches!(codes.special, Some(Code::MachineCoordinates | Code::MachineRapid));
+        let incremental = if self.modal.absolute || machine { values.incremental } else { u8::MAX };
+        let mut to = Target { position: self.position, mask: values.mask };
+        for k in 0..AXES {
+            if values.mask & 1 << k != 0 {
+                let from = match (incremental & 1 << k != 0, machine) {
+                    (true, _) => self.position[k],
+                    (false, true) => 0,
+                    (false, false) => self.modal.zero[k],
+                };
+                to.position[k] = from.saturating_add(values.axes[k]);
+            }
+        }
+        if codes.special == Some(Code::ReferenceReturn) {
+            if to.position != self.position {
+                self.queue.push(Canon::Rapid { to });
+            }
+            for k in (0..AXES).filter(|k| values.mask & 1 << k != 0) {
+                to.position[k] = 0;
+            }
+            self.position = to.position;
+            self.queue.push(Canon::Rapid { to });
+            return Ok(true);
+        }
+        let motion = match self.modal.motion {
+            _ if codes.special == Some(Code::MachineRapid) => Canon::Rapid { to },
+            Code::Rapid => Canon::Rapid { to },
+            Code::Linear | Code::ArcCw | Code::ArcCcw => {
+                let exact = codes.exact || self.modal.exact;
+                match self.modal.feed {
+                    Some(0.0) if cx.shared.rules.feed_zero_rapid => Canon::Rapid { to },
+                    None | Some(0.0) => return Err(no_feed(self.modal.feed)),
+                    Some(feed) => {
+                        let per_revolution = self.modal.per_revolution;
+                        let feed = if per_revolution { Feed::PerRevolution(feed) } else { Feed::PerMinute(feed) };
+                        if self.modal.motion == Code::Linear {
+                            Canon::Linear { to, feed, exact }
+                        } else {
+                            let center = words.iter().find(|word| matches!(word.letter, b'I' | b'J' | b'K' | b'R'));
+                            let within = |trap: Trap| match center {
+                                Some(word) => trap.within(word_span(block, word)),
+                                None => trap,
+                            };
+                            self.arc(cx, values, to, feed, exact).map_err(within)?
+                        }
+                    }
+                }
+            }
+            Code::Thread => match self.modal.lead {
+                None | Some(0.0) => return Err(no_feed(self.modal.lead)),
+                Some(lead) => Canon::Thread { to, lead: lead * self.stretch(cx, to) },
+            },
+            _ => return Ok(false),
+        };
+        self.position = to.position;
+        self.queue.push(motion);
+        Ok(true)
+    }
+
+    /// Length of a path per travel of the axis that goes farthest, along which a lead counts.
+    fn stretch(&self, cx: &Cx, to: Target) -> f64 {
+        let travel = |k: usize| to.position[k].saturating_sub(self.position[k]) as f64 * cx.shared.rules.moves[k];
+        let squares = (0..AXES).map(|k| travel(k) * travel(k));
+        let longest = squares.clone().fold(0.0, f64::max);
+        if longest > 0.0 { (squares.sum::<f64>() / longest).sqrt() } else { 1.0 }
+    }
+
+    /// G50 or G92: the present position is the one that is told, or differs from what it was by what is told.
+    fn set_coordinates(&mut self, cx: &Cx, values: &Words) {
+        if values.mask == 0 {
+            return;
+        }
+        let mut to = Target { position: [0; AXES], mask: values.mask };
+        for k in (0..AXES).filter(|k| values.mask & 1 << k != 0) {
+            let work = self.position[k].saturating_sub(self.modal.zero[k]);
+            let was = if values.incremental & 1 << k != 0 { work } else { 0 };
+            to.position[k] = was.saturating_add(values.axes[k]);
+            self.modal.set_zero(k, self.position[k].saturating_sub(to.position[k]));
+        }
+        self.queue.push(Canon::Preset { to });
+        self.surface_speed(cx);
+    }
+
+    fn arc(&self, cx: &Cx, values: &Words, mut to: Target, feed: Feed, exact: bool) -> Run<Canon> {
+        let [first, second, _] = self.modal.plane;
+        let scale = |axis: u8| cx.shared.rules.moves.get(axis as usize).copied().unwrap_or(1.0);
+        let delta = |axis: u8| {
+            let travel = to.position[axis as usize].saturating_sub(self.position[axis as usize]);
+            travel as f64 * scale(axis)
+        };
+        let clockwise = self.modal.motion == Code::ArcCw;
+        let chord = Chord { end: (delta(first), delta(second)), clockwise };
+        let units = &cx.shared.units;
+        let tolerance = cx.control.limits.arc_tolerance * units.per_unit;
+        let center = match values.radius {
+            Some(radius) => by_radius(chord, radius as f64, tolerance),
+            None => {
+                let offset = |axis: u8| {
+                    let letter = cx.control.axes.get(axis as usize).map_or(0, |axis| axis.letter);
+                    let at = letter.wrapping_sub(b'X') as usize;
+                    values.center.get(at).copied().flatten().unwrap_or(0) as f64
+                };
+                let offsets = (offset(first), offset(second));
+                if cx.control.limits.arc_centre_moves {
+                    by_moved_center(chord, offsets, tolerance)
+                } else {
+                    by_center(chord, offsets, tolerance)
+                }
+            }
+        };
+        let millimetres = |increments: f64| (increments / units.per_unit, 4);
+        let (x, y) = center.map_err(|why| match why {
+            Impossible::NoCenter => Trap::alarm(Alarm::Arc, msg!("interp.arc-no-center")),
+            Impossible::Deviation(start, end) => {
+                let tolerance = cx.control.limits.arc_tolerance;
+                let message = msg!("interp.arc-deviation", millimetres(start), millimetres(end), tolerance);
+                Trap::alarm(Alarm::Arc, message)
+            }
+            Impossible::Radius(radius, least) => {
+                let message = msg!("interp.arc-radius", millimetres(radius), millimetres(least));
+                Trap::alarm(Alarm::ArcRadius, message)
+            }
+        })?;
+        to.mask |= 1 << first | 1 << second;
+        let start = |axis: u8| self.position[axis as usize] as f64;
+        let center = (start(first) + x / scale(first), start(second) + y / scale(second));
+        Ok(Canon::Arc { to, plane: (first, second), center, clockwise, feed, exact })
+    }
+}
+
+#[cold]
+fn no_feed(feed: Option<f64>) -> Trap {
+    match feed {
+        None => Trap::alarm(Alarm::NoFeed, msg!("interp.no-feed")).hint(msg!("interp.hint-feed")),
+        Some(_) => Trap::alarm(Alarm::NoFeed, msg!("interp.feed-zero")).hint(msg!("interp.hint-feed-zero")),
+    }
+}
