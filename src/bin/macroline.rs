@@ -28,7 +28,7 @@ mod native {
     use macroline::nc::{self, File, Files};
     use macroline::project::console::{Console, Said};
     use macroline::project::run::{self, Begin, Run, Setting};
-    use macroline::project::told::Teller;
+    use macroline::project::told::{Teller, summary};
     use macroline::project::{Project, list, saved};
     use macroline::text::{Diagnostic, Severity};
 
@@ -193,8 +193,9 @@ mod native {
         }
         let teller = Teller::new(files);
         for diagnostic in diagnostics {
-            eprint!("{}", teller.text(diagnostic));
+            eprintln!("{}", teller.text(diagnostic));
         }
+        eprintln!("{}", summary(diagnostics));
     }
 
     fn read(path: &Path) -> Result<String, Failure> {
@@ -298,6 +299,8 @@ mod native {
             let teller = Teller::new(parsed.files());
             let told: Vec<Json> = diagnostics.iter().map(|d| teller.json(d)).collect();
             print(pretty(&json!({ "diagnostics": told })))?;
+        } else if diagnostics.is_empty() {
+            eprintln!("{}", summary(diagnostics));
         } else {
             tell(parsed.files(), diagnostics);
         }

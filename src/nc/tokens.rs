@@ -68,6 +68,10 @@ pub fn tokens(text: &str, control: &Control) -> Vec<(Span, TokenKind)> {
                 at += 1;
                 TokenKind::Operator
             }
+            b'<' | b'>' if control.syntax.comparison_signs => {
+                at += 1;
+                TokenKind::Operator
+            }
             b if b.is_ascii_alphabetic() => {
                 let word = word(rest, control);
                 if word > 0 {

@@ -2,9 +2,9 @@
 
 use serde_json::{Value as Json, json};
 
-use crate::nc::Files;
+use crate::nc::{self, Files};
 use crate::text::catalog::{Language, sentence};
-use crate::text::{Diagnostic, LineIndex, Place, Severity};
+use crate::text::{Diagnostic, Fix, LineIndex, Place, Severity, Span};
 
 /// Writes diagnostics about a set of files. It reads each file's lines once.
 pub struct Teller<'f> {
@@ -18,43 +18,85 @@ impl<'f> Teller<'f> {
         Teller { files, indices: files.0.iter().map(|file| LineIndex::new(&file.text)).collect() }
     }
 
-    /// Severity, alarm and sentence, then file:line:column, the line itself with the place marked, and the hints.
+    /// Severity, alarm and sentence, then file:line:column, the line itself with the place marked, the hints, and the lines as each
+    /// fix would have them.
     pub fn text(&self, diagnostic: &Diagnostic) -> String {
+        let mended: Vec<_> = diagnostic.fixes.iter().map(|fix| self.mended(fix)).collect();
+        let place = diagnostic.place.and_then(|place| self.position(place));
+        let last = mended.iter().flatten().map(|(first, lines)| first + lines.len() as u32 - 1);
+        let width = last.chain(place.map(|(_, line, _)| line)).max().map_or(0, |line| line.to_string().len());
         let mut out = headline(diagnostic) + "\n";
-        if let Some(excerpt) = diagnostic.place.and_then(|place| self.excerpt(place)) {
+        if let Some(excerpt) = diagnostic.place.and_then(|place| self.aligned(place, width)) {
             out += &excerpt;
         } else if let Some(field) = diagnostic.field {
-            out += &format!(" --> field {field}\n");
+            out += &format!("{:width$}--> field {field}\n", "");
         }
         for hint in &diagnostic.hints {
-            out += &format!("  = {}\n", sentence(Language::English, hint));
+            out += &format!("{:width$} = {}\n", "", sentence(Language::English, hint));
+        }
+        for (fix, mended) in diagnostic.fixes.iter().zip(&mended) {
+            out += &format!("help: {}\n", sentence(Language::English, &fix.title));
+            let Some((first, lines)) = mended else { continue };
+            out += &format!("{:width$} |\n", "");
+            for (line, number) in lines.iter().zip(*first..) {
+                out += &format!("{number:width$} + {}\n", Shown::new(line, 0, 0).text);
+            }
         }
         harmless(&out)
     }
 
     /// File:line:column, then the line itself with the place marked.
     pub fn excerpt(&self, place: Place) -> Option<String> {
+        self.aligned(place, 0)
+    }
+
+    /// The same with line numbers of a width.
+    fn aligned(&self, place: Place, width: usize) -> Option<String> {
         let (file, line, column) = self.position(place)?;
-        let (shown, at) = window(self.line_text(place, line), column as usize - 1);
-        let digits = line.to_string();
-        let gap = " ".repeat(digits.len());
-        let left = shown.chars().take(at).map(|c| if c == '\t' { '\t' } else { ' ' }).collect::<String>();
-        let room = shown.chars().count().saturating_sub(at).max(1);
-        let wide = ((place.span.end - place.span.start) as usize).clamp(1, room);
-        let marks = "^".repeat(wide);
-        Some(format!("{gap}--> {file}:{line}:{column}\n{gap} |\n{digits} | {shown}\n{gap} | {left}{marks}\n"))
+        let text = self.files.get(place.file).map_or("", |file| place.span.of(&file.text));
+        let length = text.split('\n').next().unwrap_or("").chars().count();
+        let shown = Shown::new(self.line_text(place, line), column as usize - 1, length);
+        let width = width.max(line.to_string().len());
+        let (gap, left) = (" ".repeat(width), " ".repeat(shown.column));
+        let marks = "^".repeat(shown.width.max(1));
+        let text = shown.text;
+        Some(format!("{gap}--> {file}:{line}:{column}\n{gap} |\n{line:width$} | {text}\n{gap} | {left}{marks}\n"))
+    }
+
+    /// The lines that a fix touches, as they would be, and the number of the first; `None` where it reaches through the file.
+    fn mended(&self, fix: &Fix) -> Option<(u32, Vec<String>)> {
+        let place = fix.edits.first()?.0;
+        let text = self.files.get(place.file)?.text.as_str();
+        let from = fix.edits.iter().map(|(place, _)| place.span.start as usize).min()?;
+        let to = fix.edits.iter().map(|(place, _)| place.span.end as usize).max()?;
+        let from = text.get(..from)?.rfind('\n').map_or(0, |at| at + 1);
+        let to = to + text.get(to..)?.find('\n').unwrap_or(text.len() - to);
+        if fix.edits.iter().any(|(other, _)| other.file != place.file) || to - from > TOUCHED {
+            return None;
+        }
+        let shifted = |span: Span| Span::new(span.start - from as u32, span.end - from as u32);
+        let edits =
+            fix.edits.iter().map(|(place, new)| (Place { span: shifted(place.span), ..Place::default() }, new.clone()));
+        let part = Fix { title: fix.title.clone(), edits: edits.collect() };
+        let mended = nc::fix(&Files::one("", text.get(from..to)?), &part);
+        let lines: Vec<String> = mended.0.first()?.text.lines().map(str::to_owned).collect();
+        let first = self.indices.get(place.file.0 as usize)?.line_of(from as u32);
+        let short = lines.iter().all(|line| line.len() <= SHOWN);
+        (!lines.is_empty() && lines.len() <= LINES && short).then_some((first, lines))
     }
 
     /// File:line, and the bytes of a place.
     pub fn block(&self, place: Place) -> String {
         let Some((file, line, _)) = self.position(place) else { return String::new() };
         let text = self.files.get(place.file).map_or("", |file| place.span.of(&file.text));
-        format!("{file}:{line}: {}", harmless(&window(text, 0).0))
+        format!("{file}:{line}: {}", harmless(&Shown::new(text, 0, 0).text))
     }
 
-    /// The diagnostic as an object with severity, alarm, message, file, line, column, field and hints; what does not apply is null.
+    /// The diagnostic as an object with severity, alarm, message, file, line, column, field, hints and titles of
+    /// fixes; what does not apply is null.
     pub fn json(&self, diagnostic: &Diagnostic) -> Json {
         let hints: Vec<String> = diagnostic.hints.iter().map(|hint| sentence(Language::English, hint)).collect();
+        let fixes: Vec<String> = diagnostic.fixes.iter().map(|fix| sentence(Language::English, &fix.title)).collect();
         let place = diagnostic.place.and_then(|place| self.position(place));
         json!({
             "severity": word(diagnostic.severity),
@@ -65,6 +107,7 @@ impl<'f> Teller<'f> {
             "column": place.map(|(_, _, column)| column),
             "field": diagnostic.field,
             "hints": hints,
+            "fixes": fixes,
         })
     }
 
@@ -90,7 +133,7 @@ pub fn headline(diagnostic: &Diagnostic) -> String {
 
 /// A program may hold anything, and a terminal obeys control characters.
 fn harmless(text: &str) -> String {
-    text.replace(|c: char| c.is_control() && !matches!(c, '\n' | '\t'), "\u{fffd}")
+    text.replace(|c: char| c.is_control() && c != '\n', "\u{fffd}")
 }
 
 /// The severity as it is written.
@@ -102,14 +145,77 @@ pub fn word(severity: Severity) -> &'static str {
     }
 }
 
-/// Characters of a line that are shown at most.
+/// How many there are of each severity: `2 errors, 1 warning`.
+pub fn summary(diagnostics: &[Diagnostic]) -> String {
+    let count = |severity, one: &str| match diagnostics.iter().filter(|d| d.severity == severity).count() {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        many => Some(format!("{many} {one}s")),
+    };
+    let counts = [(Severity::Error, "error"), (Severity::Warning, "warning"), (Severity::Info, "remark")];
+    let counts: Vec<String> = counts.into_iter().filter_map(|(severity, one)| count(severity, one)).collect();
+    if counts.is_empty() { "nothing to say".to_owned() } else { counts.join(", ") }
+}
+
+/// Columns of a line that are shown at most.
 const SHOWN: usize = 160;
 
-/// The part of a line around a character, and where that character stands in it.
-fn window(line: &str, at: usize) -> (String, usize) {
-    if line.chars().nth(SHOWN).is_none() {
-        return (line.to_owned(), at);
+/// Columns from one tabulator stop to the next.
+const TAB: usize = 4;
+
+/// Bytes and lines that are shown of a fix at most.
+const TOUCHED: usize = 1000;
+const LINES: usize = 8;
+
+/// The part of a line around some characters of it, as a terminal shows it.
+struct Shown {
+    text: String,
+    /// Columns in front of the characters.
+    column: usize,
+    /// Columns of the characters.
+    width: usize,
+}
+
+impl Shown {
+    /// A line, of which `length` characters from the character `at` on are marked.
+    fn new(line: &str, at: usize, length: usize) -> Shown {
+        let long = line.chars().nth(SHOWN).is_some();
+        let skipped = if long { at.saturating_sub(SHOWN / 4) } else { 0 };
+        let mut shown = Shown { text: String::new(), column: 0, width: 0 };
+        let mut column = 0;
+        for (index, c) in line.chars().enumerate().skip(skipped) {
+            let wide = if c == '\t' { TAB - column % TAB } else { columns(c) };
+            if column + wide > SHOWN {
+                break;
+            }
+            column += wide;
+            if index < at {
+                shown.column = column;
+            } else if index < at + length {
+                shown.width += wide;
+            }
+            match c {
+                '\t' => shown.text.extend(core::iter::repeat_n(' ', wide)),
+                c => shown.text.push(c),
+            }
+        }
+        shown
     }
-    let from = at.saturating_sub(SHOWN / 4);
-    (line.chars().skip(from).take(SHOWN).collect(), at - from)
+}
+
+/// Columns of a character: 2 for those of East Asian width and pictures, 0 for marks on the one before.
+fn columns(c: char) -> usize {
+    match c {
+        '\u{300}'..='\u{36f}' | '\u{200b}'..='\u{200f}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' => 0,
+        '\u{1100}'..='\u{115f}'
+        | '\u{2e80}'..='\u{a4cf}'
+        | '\u{ac00}'..='\u{d7a3}'
+        | '\u{f900}'..='\u{faff}'
+        | '\u{fe30}'..='\u{fe6f}'
+        | '\u{ff00}'..='\u{ff60}'
+        | '\u{ffe0}'..='\u{ffe6}'
+        | '\u{1f300}'..='\u{1faff}'
+        | '\u{20000}'..='\u{3fffd}' => 2,
+        _ => 1,
+    }
 }

@@ -206,7 +206,7 @@ fn diagnostics_have_the_same_keys_with_and_without_a_place() {
     assert!(told.iter().any(|d| d["line"].is_null()) && told.iter().any(|d| d["line"] == 4), "{told:#?}");
     for diagnostic in told {
         let keys: Vec<_> = diagnostic.as_object().unwrap().keys().map(String::as_str).collect();
-        assert_eq!(keys, ["alarm", "column", "field", "file", "hints", "line", "message", "severity"]);
+        assert_eq!(keys, ["alarm", "column", "field", "file", "fixes", "hints", "line", "message", "severity"]);
     }
 }
 

@@ -12,4 +12,5 @@ mod programs;
 mod saved;
 mod stepping;
 mod tidy;
+mod told;
 mod writing;

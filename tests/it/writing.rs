@@ -4,7 +4,9 @@ use expect_test::{Expect, expect};
 use macroline::controls::syntax::Function;
 use macroline::controls::{self, Alarm, Control, find};
 use macroline::nc::build::*;
-use macroline::nc::{Dec, Deck, Files, Newline, Op, emit, emit_parsed, emit_with, fix, lower, parse, tokens};
+use macroline::nc::{
+    Dec, Deck, Files, Newline, Op, TokenKind, emit, emit_parsed, emit_with, fix, lower, parse, tokens,
+};
 use macroline::text::catalog::{Language, sentence};
 use macroline::text::{Place, Severity, Span};
 use proptest::prelude::*;
@@ -296,6 +298,10 @@ fn pieces_for_colouring() {
     let text: Vec<String> =
         tokens(line, e60()).into_iter().map(|(span, kind)| format!("{}={kind:?}", span.of(line))).collect();
     expect!["/=Operator N10=Sequence IF=Keyword [=Operator #100=Variable LE=Keyword 0.5=Number ]=Operator GOTO=Keyword #1=Variable G01=Code X=Address -=Operator 5.=Number SIN=Keyword [=Operator 2=Number ]=Operator (A)=Comment @=Error %=Percent"].assert_eq(&text.join(" "));
+    let line = "IF[#1<>2]THEN#2=SIN30";
+    let kinds = |id: &str| tokens(line, find(id).unwrap()).into_iter().map(|(_, kind)| kind).collect::<Vec<_>>();
+    assert!(!kinds("gsk-980tdc").contains(&TokenKind::Error));
+    assert!(kinds("knd-k2000t").contains(&TokenKind::Error));
 }
 
 /// Formulas; `lacking` also with what some control lacks and what takes its place with more brackets.

@@ -18,7 +18,8 @@ impl Reader<'_> {
             return self.found.push(Diagnostic::warning(msg!("nc.empty-file")).at(place));
         }
         self.variables();
-        if self.control.syntax.percent == Percent::Both && !(opened && closed) {
+        let opened = opened || self.control.syntax.percent == Percent::End;
+        if !(opened && closed) {
             self.percent(opened, closed);
         }
         if let Some(at) = self.small {
@@ -73,7 +74,11 @@ impl Reader<'_> {
             edits.push((self.place(Span::at(len)), format!("{lead}%{newline}")));
         }
         let at = if opened { len } else { 0 };
-        let finding = Diagnostic::info(msg!("nc.no-percent")).at(self.place(Span::at(at)));
+        let message = match self.control.syntax.percent {
+            Percent::Both => msg!("nc.no-percent"),
+            Percent::End => msg!("nc.no-last-percent"),
+        };
+        let finding = Diagnostic::info(message).at(self.place(Span::at(at)));
         self.found.push(finding.fix(msg!("nc.fix.percent"), edits));
     }
 

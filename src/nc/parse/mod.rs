@@ -382,7 +382,7 @@ impl<'a> Reader<'a> {
             return self.push(Stmt::Empty);
         }
         let letters = self.control.syntax.program_letters;
-        let program = line.first().is_some_and(|b| letters.contains(&b.to_ascii_uppercase()));
+        let program = line.first().is_some_and(|b| letters.contains(&b.to_ascii_uppercase()) || *b == b':');
         self.take_line(line, from);
         if program && self.program_number() {
             let (from, to) = self.trimmed(from + self.at, to);
@@ -450,12 +450,17 @@ impl<'a> Reader<'a> {
             self.at = 0;
             return false;
         }
+        self.note_case(0);
         let span = self.span(0, to);
         let limit = self.control.syntax.program_digits as usize;
         match number {
             Some(0) => self.report(Alarm::NumberZero, 0, to, msg!("nc.program-zero")),
             Some(_) if digits <= limit => {}
             _ => self.report(Alarm::OutOfRange, 0, to, msg!("nc.program-digits", limit as u32)),
+        }
+        if !self.control.syntax.program_letters.contains(&letter) {
+            let usual = self.program_letter();
+            self.slip(Alarm::Format, 0, 1, msg!("nc.program-letter", usual.as_str()), &usual);
         }
         let number = number.unwrap_or(0);
         let title = title.map(|title| {
@@ -474,6 +479,11 @@ impl<'a> Reader<'a> {
             self.deck.programs.push(Program { file: self.id, number, title, span, first: at, end: at });
         }
         true
+    }
+
+    /// The letter that program numbers have on this control.
+    fn program_letter(&self) -> String {
+        self.control.syntax.program_letters.first().map_or('O', |&letter| letter as char).to_string()
     }
 
     /// The comment behind a program number.

@@ -109,9 +109,9 @@ impl Reader<'_> {
         let bare = text.trim_start_matches(|c: char| c.is_whitespace() || c == '/' || is_dash(c));
         let mut finding = self.finding(alarm, from, end, msg!("nc.remark", short(bare)));
         if let Some((title, number)) = program_in(text).filter(|_| from == 0 && self.only_comments()) {
-            let letter = self.control.syntax.program_letters.first().map_or('O', |&letter| letter as char);
+            let letter = self.program_letter();
             let edit = format!("{letter}{number}{}", comment(title).unwrap_or_default());
-            finding = finding.hint(msg!("nc.hint.program-letter", letter.to_string())).fix(
+            finding = finding.hint(msg!("nc.hint.program-letter", letter.as_str())).fix(
                 msg!("nc.fix.program-number", format!("{letter}{number}")),
                 vec![(self.place(self.span(0, end)), edit)],
             );

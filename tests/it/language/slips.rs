@@ -369,7 +369,9 @@ slips! {
             = (OPEN)
         "#]];
         ":1000" => expect![[r#"
-            1:1 error P33|0101|004 “:” cannot stand here.
+            1:1 error P33|0101|004 A program number starts with O.
+                Write “O”: 1:1 ":"→"O"
+            = O1000
         "#]];
     }
 

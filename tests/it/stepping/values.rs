@@ -72,7 +72,7 @@ fn a_condition_without_a_value_stops_and_says_why() {
             > c
             breakpoint 1: its condition has no value here
             error[P283]: Division by zero.
-              = #500 is not set and counts as 0. Set it, or test it before: IF[#500 LE 0]GOTO …
+             = #500 is not set and counts as 0. Set it, or test it before: IF[#500 LE 0]GOTO …
               #100 vacant -> 3
               #101 vacant -> 3
              --> a.nc:4:1

@@ -1,0 +1,199 @@
+//! Diagnostics as a terminal shows them: the line, the place under it, the way out, and how many there are.
+
+use expect_test::{Expect, expect};
+use macroline::controls;
+use macroline::nc::{Files, parse};
+use macroline::project::told::{Teller, summary};
+
+#[track_caller]
+fn check(id: &str, text: &str, expected: Expect) {
+    let parsed = parse(&Files::one("O1.nc", text), controls::find(id).unwrap());
+    let teller = Teller::new(parsed.files());
+    let told: String = parsed.diagnostics().iter().map(|d| teller.text(d) + "\n").collect();
+    expected.assert_eq(&(told + &summary(parsed.diagnostics()) + "\n"));
+}
+
+#[test]
+fn place_hints_and_fixes() {
+    check(
+        "mitsubishi-e60",
+        "%\nO1\nN5 #2000=(3.14*#102)/#101\nIF[#1==0]THEN #2=1 (NOTE)\nM98P100\n%\n",
+        expect![[r#"
+        error[P241]: #2000 is no variable of the Mitsubishi E60.
+         --> O1.nc:3:4
+          |
+        3 | N5 #2000=(3.14*#102)/#101
+          |    ^^^^^
+        help: Use #100 instead of #2000 everywhere
+          |
+        3 + N5 #100=(3.14*#102)/#101
+
+        error[P33]: On the Mitsubishi E60 round brackets are comments; arithmetic groups with square brackets.
+         --> O1.nc:3:10
+          |
+        3 | N5 #2000=(3.14*#102)/#101
+          |          ^^^^^^^^^^^
+          = Without the comment the block reads as if the brackets and all in them were not there.
+        help: Write square brackets
+          |
+        3 + N5 #2000=[3.14*#102]/#101
+
+        error[P290]: “==” is no comparison of the Mitsubishi E60: write EQ.
+         --> O1.nc:4:6
+          |
+        4 | IF[#1==0]THEN #2=1 (NOTE)
+          |      ^^
+        help: Write “EQ”
+          |
+        4 + IF[#1 EQ 0]THEN #2=1 (NOTE)
+
+        error[P290]: The Mitsubishi E60 has no THEN: jump over the block with GOTO on the opposite condition.
+         --> O1.nc:4:10
+          |
+        4 | IF[#1==0]THEN #2=1 (NOTE)
+          |          ^^^^
+        help: Jump over it on the opposite condition
+          |
+        4 + IF[#1 NE 0]GOTO9001
+        5 + #2=1 (NOTE)
+        6 + N9001
+
+        error[P36]: The program runs out of blocks: M02, M30 or M99 is missing at its end.
+         --> O1.nc:5:1
+          |
+        5 | M98P100
+          | ^^^^^^^
+        help: End as a main program, M30
+          |
+        5 + M98P100
+        6 + M30
+        help: End as a subprogram, M99
+          |
+        5 + M98P100
+        6 + M99
+
+        5 errors
+    "#]],
+    );
+}
+
+#[test]
+fn numbers_of_lines_are_aligned() {
+    let text = format!("%\nO1\n{}IF[#1 EQ 0]THEN #2=1\nM30\n%\n", "G04X1.\n".repeat(6));
+    check(
+        "mitsubishi-e60",
+        &text,
+        expect![[r#"
+        error[P290]: The Mitsubishi E60 has no THEN: jump over the block with GOTO on the opposite condition.
+          --> O1.nc:9:12
+           |
+         9 | IF[#1 EQ 0]THEN #2=1
+           |            ^^^^
+        help: Jump over it on the opposite condition
+           |
+         9 + IF[#1 NE 0]GOTO9001
+        10 + #2=1
+        11 + N9001
+
+        1 error
+    "#]],
+    );
+}
+
+#[test]
+fn marks_stand_under_what_they_mean() {
+    check(
+        "mitsubishi-e60",
+        "%\nO1\n\tG00\tQ1.\t\tX#107.\n(主轴 转速) G00 X１０\nM30\n%\n",
+        expect![[r#"
+        error[P33]: “.” ends nothing: a point belongs to a number, not to a variable.
+         --> O1.nc:3:16
+          |
+        3 |     G00 Q1.     X#107.
+          |                      ^
+        help: Drop “.”
+          |
+        3 +     G00 Q1.     X#107
+
+        warning: The control has no character “主”, not even for comments.
+         --> O1.nc:4:2
+          |
+        4 | (主轴 转速) G00 X１０
+          |  ^^
+
+        error[P32]: The control has no character “１”.
+         --> O1.nc:4:14
+          |
+        4 | (主轴 转速) G00 X１０
+          |                  ^^
+        help: Write the characters of the control
+          |
+        4 + (主轴 转速) G00 X10
+
+        2 errors, 1 warning
+    "#]],
+    );
+}
+
+#[test]
+fn long_lines_are_shown_around_the_place() {
+    check(
+        "mitsubishi-e60",
+        &format!("%\nO1\n#1={}#2000{}\nM30\n%\n", "1+".repeat(100), "+1".repeat(100)),
+        expect![[r#"
+        error[P33]: The formulas of this block have more than 250 parts. Split them over several blocks.
+         --> O1.nc:3:1
+          |
+        3 | #1=1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1
+          | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+
+        error[P241]: #2000 is no variable of the Mitsubishi E60.
+         --> O1.nc:3:204
+          |
+        3 | 1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+#2000+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+
+          |                                         ^^^^^
+        help: Use #100 instead of #2000 everywhere
+
+        2 errors
+    "#]],
+    );
+}
+
+#[test]
+fn fixes_that_reach_through_the_file_are_named_alone() {
+    check(
+        "mitsubishi-e60",
+        &format!("o1\n{}m30\n%\n", "g04x1.\n".repeat(200)),
+        expect![[r#"
+        info: A file for the control starts and ends with a line %.
+         --> O1.nc:1:1
+          |
+        1 | o1
+          | ^
+        help: Add the missing %
+          |
+        1 + %
+        2 + o1
+
+        info: The Mitsubishi E60 writes capitals; small letters are read as such here.
+         --> O1.nc:1:1
+          |
+        1 | o1
+          | ^
+        help: Write capitals
+
+        2 remarks
+    "#]],
+    );
+}
+
+#[test]
+fn nothing_to_say() {
+    check(
+        "gsk-980tdc",
+        "O0001\nM30\n%\n",
+        expect![[r#"
+        nothing to say
+    "#]],
+    );
+}
