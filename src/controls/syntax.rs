@@ -174,3 +174,21 @@ pub enum Operation {
     /// User alarm P.
     Alarm,
 }
+
+impl Operation {
+    /// The operands that it needs: P, Q, R.
+    pub fn operands(self) -> &'static [u8] {
+        use Operation::*;
+        match self {
+            Goto | Alarm => b"P",
+            Assign | Sqrt | Abs | Bin | Bcd => b"PQ",
+            _ => b"PQR",
+        }
+    }
+
+    /// Whether it goes on at the sequence number P.
+    pub fn jumps(self) -> bool {
+        use Operation::*;
+        matches!(self, Goto | IfEqual | IfNotEqual | IfGreater | IfLess | IfGreaterEqual | IfLessEqual)
+    }
+}

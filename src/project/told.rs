@@ -24,7 +24,7 @@ impl<'f> Teller<'f> {
         let mended: Vec<_> = diagnostic.fixes.iter().map(|fix| self.mended(fix)).collect();
         let place = diagnostic.place.and_then(|place| self.position(place));
         let last = mended.iter().flatten().map(|(first, lines)| first + lines.len() as u32 - 1);
-        let width = last.chain(place.map(|(_, line, _)| line)).max().map_or(0, |line| line.to_string().len());
+        let width = last.chain(place.map(|(_, line, _)| line)).max().map_or(1, |line| line.to_string().len());
         let mut out = headline(diagnostic) + "\n";
         if let Some(excerpt) = diagnostic.place.and_then(|place| self.aligned(place, width)) {
             out += &excerpt;

@@ -1,6 +1,7 @@
 //! What can be said only when a program is read to its end: loops, jump targets, its last block.
 
 use super::super::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
+use super::super::dec::Dec;
 use super::super::files::Files;
 use super::FINDINGS;
 use crate::controls::{Alarm, Code, Control};
@@ -8,18 +9,24 @@ use crate::msg;
 use crate::order;
 use crate::text::{Diagnostic, Message, Place, Span};
 
-/// Checks every program.
-pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, found: &mut Vec<Diagnostic>) {
+/// Checks every program; `later` are its blocks with calls and jumps in words.
+pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u32], found: &mut Vec<Diagnostic>) {
     let again = again(&deck.programs);
     for (program, again) in deck.programs.iter().zip(again) {
         if found.len() > 2 * FINDINGS {
             return;
         }
         let text = files.get(program.file).map_or("", |file| file.text.as_str());
-        let mut check = Check { deck, control, program, text, found };
+        let mut check = Check { deck, control, program, text, numbers: None, found };
         check.loops();
         check.targets();
         check.end();
+        for block in later.iter().filter(|&&at| (program.first..program.end).contains(&at)) {
+            if let Some(block) = deck.blocks.get(*block as usize) {
+                check.sub_call(block);
+                check.function_jump(block);
+            }
+        }
         if again {
             let place = Place { file: program.file, span: program.span };
             let message = msg!("nc.program-twice", format!("O{}", program.number));
@@ -44,6 +51,8 @@ struct Check<'a> {
     control: &'a Control,
     program: &'a Program,
     text: &'a str,
+    /// Sequence numbers of the program in rising order, once asked for.
+    numbers: Option<Vec<u32>>,
     found: &'a mut Vec<Diagnostic>,
 }
 
@@ -120,26 +129,79 @@ impl Check<'_> {
     /// Jumps to a constant number that is not in the program.
     fn targets(&mut self) {
         let deck = self.deck;
-        let blocks = deck.blocks_of(self.program);
-        let mut numbers: Option<Vec<u32>> = None;
-        for block in blocks {
+        for block in deck.blocks_of(self.program) {
             let (Stmt::If { target, .. } | Stmt::Goto(target)) = block.stmt else { continue };
             let Expr::Number(target) = deck.expr(target) else { continue };
-            let numbers = numbers.get_or_insert_with(|| {
-                let mut all: Vec<u32> = blocks.iter().filter_map(|block| block.number).collect();
-                order::by_key(&mut all, |&number| number.into());
-                all
-            });
-            let value = target.to_f64();
-            let there = value.fract() == 0.0 && numbers.binary_search(&(value as u32)).is_ok() && value >= 0.0;
-            if !there && self.found.len() <= 2 * FINDINGS {
+            if !self.has_number(target) {
                 let span = self.keyword_span(block, "GOTO");
                 let span = Span::new((span.start + 4).min(span.end), span.end);
                 let lead = span.of(self.text).len() - span.of(self.text).trim_start().len();
-                let span = Span::new(span.start + lead as u32, span.end);
-                self.report(Alarm::NoSequence, span, msg!("nc.no-such-sequence", format!("N{target}")));
+                self.no_target(target, Span::new(span.start + lead as u32, span.end));
             }
         }
+    }
+
+    /// Whether a block of the program has this sequence number.
+    fn has_number(&mut self, number: Dec) -> bool {
+        let numbers = self.numbers.get_or_insert_with(|| {
+            let blocks = self.deck.blocks_of(self.program);
+            let mut all: Vec<u32> = blocks.iter().filter_map(|block| block.number).collect();
+            order::by_key(&mut all, |&number| number.into());
+            all
+        });
+        let value = number.to_f64();
+        value.fract() == 0.0 && value >= 0.0 && numbers.binary_search(&(value as u32)).is_ok()
+    }
+
+    fn no_target(&mut self, number: Dec, span: Span) {
+        if self.found.len() <= 2 * FINDINGS {
+            self.report(Alarm::NoSequence, span, msg!("nc.no-such-sequence", format!("N{number}")));
+        }
+    }
+
+    /// The word of a letter with a number, and its bytes.
+    fn number_word(&self, block: &Block, letter: u8) -> Option<(Dec, Span)> {
+        let word = self.deck.words_of(block).iter().rfind(|word| word.letter == letter)?;
+        let start = block.span.start + u32::from(word.offset);
+        match word.value {
+            WordValue::Number(number) => Some((number, Span::new(start, start + u32::from(word.len)))),
+            WordValue::Expr(_) => None,
+        }
+    }
+
+    /// `M98 P21000` where repeats stand in L: it calls O21000, and there is none, but there is an O1000.
+    fn sub_call(&mut self, block: &Block) {
+        let Some((number, span)) = self.number_word(block, b'P').filter(|_| !self.control.macros.repeats_in_p) else {
+            return;
+        };
+        let program = |number: i64| u32::try_from(number).is_ok_and(|number| self.deck.program(number).is_some());
+        let (repeats, called) = (number.mantissa / 10_000, number.mantissa % 10_000);
+        let call = self.number_word(block, b'M').is_some_and(|(code, _)| self.is_code(code, Code::SubCall));
+        if !call || number.scale > 0 || repeats == 0 || program(number.mantissa) || !program(called) {
+            return;
+        }
+        let place = Place { file: self.program.file, span };
+        let right = format!("P{called} L{repeats}");
+        let message = msg!("nc.repeats-in-p", format!("P{number}"), format!("O{number}"), right.as_str());
+        let finding = Diagnostic::warning(message).at(place);
+        self.found.push(finding.fix(msg!("nc.fix.write", right.as_str()), vec![(place, right.clone())]));
+    }
+
+    /// `G65 H80 P` and the like to a number that is not in the program.
+    fn function_jump(&mut self, block: &Block) {
+        let Some((function, (number, span))) = self.number_word(block, b'H').zip(self.number_word(block, b'P')) else {
+            return;
+        };
+        let row = self.control.macros.functions.iter().find(|row| f64::from(row.0) == function.0.to_f64());
+        if row.is_some_and(|row| row.1.jumps()) && !self.has_number(number) {
+            self.no_target(number, span);
+        }
+    }
+
+    /// Whether an M code of this number does this.
+    fn is_code(&self, number: Dec, code: Code) -> bool {
+        let tenths = u16::try_from(number.mantissa.saturating_mul(10)).unwrap_or(u16::MAX);
+        number.scale == 0 && self.control.code(b'M', tenths).is_some_and(|row| row.code == code)
     }
 
     /// A program must not run out of blocks.
@@ -180,10 +242,8 @@ impl Check<'_> {
     fn falls_through(&self, blocks: &[Block], block: &Block) -> bool {
         match block.stmt {
             Stmt::Words { .. } => !self.deck.words_of(block).iter().any(|word| match word.value {
-                WordValue::Number(number) if word.letter == b'M' && number.scale == 0 => {
-                    let tenths = u16::try_from(number.mantissa.saturating_mul(10)).unwrap_or(u16::MAX);
-                    let row = self.control.code(b'M', tenths);
-                    row.is_some_and(|row| matches!(row.code, Code::End | Code::EndRewind | Code::SubEnd))
+                WordValue::Number(number) if word.letter == b'M' => {
+                    [Code::End, Code::EndRewind, Code::SubEnd].iter().any(|end| self.is_code(number, *end))
                 }
                 _ => false,
             }),

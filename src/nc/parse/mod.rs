@@ -22,6 +22,7 @@
 //! the control's alarm number. Where the mistake has a known shape, a fix comes with it (`slips`, `recover`, `mend`).
 
 mod alone;
+mod calls;
 mod check;
 mod formula;
 mod mend;
@@ -66,6 +67,7 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
     let tables = Tables::new(control, &calls);
     let mut deck = Deck::default();
     let mut found = Vec::new();
+    let mut later = Vec::new();
     for (index, file) in files.0.iter().enumerate() {
         let Ok(id) = u16::try_from(index) else {
             found.push(Diagnostic::error(msg!("nc.too-many-files", u32::from(u16::MAX))));
@@ -80,8 +82,9 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
         reader.file();
         deck = reader.deck;
         found.append(&mut reader.found);
+        later.append(&mut reader.later);
     }
-    check::programs(&deck, control, files, &mut found);
+    check::programs(&deck, control, files, &later, &mut found);
     // Stable: what is at one place stays in the order it was found.
     order::by_key(&mut found, |d| {
         d.place.map_or(0, |place| (u64::from(place.file.0) + 1) << 32 | u64::from(place.span.start))
@@ -218,6 +221,8 @@ struct Reader<'a> {
     parts: u32,
     /// The comparison of the block: where it stands, and what it is.
     compared: (usize, usize, Op),
+    /// Blocks with calls and jumps in words, to be looked at when all is read.
+    later: Vec<u32>,
     /// Every number of the file in rising order, once a fix asks for one that is free.
     numbers: Vec<u32>,
     /// Sequence numbers that fixes have taken.
@@ -258,6 +263,7 @@ impl<'a> Reader<'a> {
             depth: 0,
             parts: 0,
             compared: (0, 0, Op::Equal),
+            later: Vec::new(),
             numbers: Vec::new(),
             taken: Vec::new(),
             places: None,
@@ -549,6 +555,13 @@ impl<'a> Reader<'a> {
     /// An alarm of the control at bytes of the line.
     fn finding(&self, alarm: Alarm, from: usize, to: usize, message: Message) -> Diagnostic {
         Diagnostic::error(message).at(self.place(self.span(from, to))).alarm(self.control.alarm_number(alarm))
+    }
+
+    /// Has the block looked at when all is read.
+    fn note_later(&mut self) {
+        if self.later.len() < FINDINGS {
+            self.later.push(self.deck.blocks.len() as u32);
+        }
     }
 
     fn add_finding(&mut self, diagnostic: Diagnostic) {

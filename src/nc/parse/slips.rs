@@ -60,6 +60,15 @@ impl Reader<'_> {
         if first == Some(&b'\r') { "\r\n" } else { "\n" }
     }
 
+    /// The optional block skip of the block, as it is written.
+    pub(super) fn skip_mark(&self) -> String {
+        match self.skip_switch {
+            0 => String::new(),
+            1 => "/".to_owned(),
+            switch => format!("/{switch}"),
+        }
+    }
+
     /// A sequence number that stands nowhere in the file and was not given out before.
     fn fresh_number(&mut self) -> Option<u32> {
         if self.source.len() > NUMBERED {
@@ -85,11 +94,7 @@ impl Reader<'_> {
         let Some(number) = number else { return finding };
         let (from, to, op) = self.compared;
         let newline = self.newline();
-        let skip = match self.skip_switch {
-            0 => String::new(),
-            1 => "/".to_owned(),
-            switch => format!("/{switch}"),
-        };
+        let skip = self.skip_mark();
         let opposite = self.spaced(from, to, letters_of(op.opposite()));
         let edits = vec![
             (self.place(self.span(from, to)), opposite),

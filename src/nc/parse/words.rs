@@ -166,7 +166,9 @@ impl<'a> Reader<'a> {
         }
         let tables = self.tables;
         let (odd, twice, pointed) = (seen & !tables.letters, twice & tables.once, pointed & tables.whole);
-        if (odd | twice | pointed) != 0 && !calls {
+        if calls {
+            self.check_call(first);
+        } else if (odd | twice | pointed) != 0 {
             self.faulty_words(first, odd, twice, pointed);
         }
         let count = self.deck.words.len() - first;
@@ -397,10 +399,14 @@ impl<'a> Reader<'a> {
     fn m_code(&mut self, number: Dec, start: usize) -> bool {
         let slot = usize::try_from(number.mantissa).ok().and_then(|number| self.tables.m.get(number)).copied();
         let slot = slot.unwrap_or(if self.tables.calls.is_empty() { 0 } else { BOUND });
-        let row = self.control.codes.get((slot as usize).wrapping_sub(1));
-        if let Some(row) = row.filter(|row| row.code == Code::NotSimulated && number.scale == 0) {
-            let name = format!("M{number} ({})", row.text);
-            self.not_simulated((b'M', row.number.into()), start, self.at, &name);
+        let row = self.control.codes.get((slot as usize).wrapping_sub(1)).filter(|_| number.scale == 0);
+        match row.map(|row| (row, row.code)) {
+            Some((row, Code::NotSimulated)) => {
+                let name = format!("M{number} ({})", row.text);
+                self.not_simulated((b'M', row.number.into()), start, self.at, &name);
+            }
+            Some((_, Code::SubCall)) => self.note_later(),
+            _ => {}
         }
         let call = || self.tables.call(b'M', u32::try_from(number.mantissa).ok()?.checked_mul(10)?);
         slot == BOUND && number.scale == 0 && call().is_some_and(|kind| kind != CallKind::Sub)

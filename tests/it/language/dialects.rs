@@ -457,3 +457,170 @@ fn codes_that_call_macros_take_any_letter() {
         "#]],
     );
 }
+
+#[test]
+fn macro_calls() {
+    check(
+        "G65 P9010 A1. B2. I3. J4. I5.",
+        expect![[r#"
+        --- Mitsubishi E60
+        G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
+        --- GSK 980TDc
+        G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
+        --- KND K2000T
+        G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
+    "#]],
+    );
+    check(
+        "N10 G00 G65 P9010 A1.",
+        expect![[r#"
+        --- Mitsubishi E60
+        N10 G:0 G:65 P:9010 A:1.
+        --- GSK 980TDc
+        1:9 error 0114 Nothing but a sequence number may stand in front of a macro call.
+            Give it a block of its own: 1:8 " "→"\n"
+        --- KND K2000T
+        N10 G:0 G:65 P:9010 A:1.
+    "#]],
+    );
+    check(
+        "/2 G00 X1. G66 P9010",
+        expect![[r#"
+        --- Mitsubishi E60
+        /2 G:0 X:1. G:66 P:9010
+        --- GSK 980TDc
+        1:12 error 0114 Nothing but a sequence number may stand in front of a macro call.
+            Give it a block of its own: 1:11 " "→"\n/2"
+        --- KND K2000T
+        /2 G:0 X:1. G:66 P:9010
+    "#]],
+    );
+    check(
+        "G65 A1.",
+        expect![[r#"
+        --- Mitsubishi E60
+        1:1 error P232 The macro call does not say which program: add P and its number.
+        --- GSK 980TDc
+        1:1 error 0122 The macro call does not say which program: add P and its number.
+        --- KND K2000T
+        1:1 error 076 The macro call does not say which program: add P and its number.
+    "#]],
+    );
+    check(
+        "G66 P9010 L2\nG67",
+        expect![[r#"
+        --- Mitsubishi E60
+        G:66 P:9010 L:2
+        G:67
+        --- GSK 980TDc
+        G:66 P:9010 L:2
+        G:67
+        --- KND K2000T
+        G:66 P:9010 L:2
+        G:67
+    "#]],
+    );
+    check(
+        "G65 P9010 N4 O5 G90",
+        expect![[r#"
+        --- Mitsubishi E60
+        G:65 P:9010 N:4 O:5 G:90
+        --- GSK 980TDc
+        1:17 warning - G90 (axial cutting cycle) is read, but not simulated: the run here goes on without it.
+        --- KND K2000T
+        1:11 error 129 N is no address for an argument of a macro.
+        1:17 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
+    "#]],
+    );
+    check(
+        "G65 P9010 M98",
+        expect![[r#"
+        --- Mitsubishi E60
+        G:65 P:9010 M:98
+        --- GSK 980TDc
+        1:11 error 0116 A macro call cannot stand together with M00, M01, M02, M30, M98 or M99.
+        --- KND K2000T
+        G:65 P:9010 M:98
+    "#]],
+    );
+}
+
+#[test]
+fn functions_behind_g65() {
+    check(
+        "G65 H01 P#100 Q#101\nG65 H34 P#1 Q2 R3",
+        expect![[r#"
+        --- Mitsubishi E60
+        G:65 H:1 P:#100 Q:#101
+        G:65 H:34 P:#1 Q:2 R:3
+        --- GSK 980TDc
+        G:65 H:1 P:#100 Q:#101
+        G:65 H:34 P:#1 Q:2 R:3
+        --- KND K2000T
+        G:65 H:1 P:#100 Q:#101
+        G:65 H:34 P:#1 Q:2 R:3
+    "#]],
+    );
+    check(
+        "G65 H07 P#100 Q#101",
+        expect![[r#"
+        --- Mitsubishi E60
+        G:65 H:7 P:#100 Q:#101
+        --- GSK 980TDc
+        1:5 error 0124 The control has no function H7 behind G65.
+        --- KND K2000T
+        G:65 H:7 P:#100 Q:#101
+    "#]],
+    );
+    check(
+        "G65 H02 P#100 Q#101",
+        expect![[r#"
+        --- Mitsubishi E60
+        G:65 H:2 P:#100 Q:#101
+        --- GSK 980TDc
+        1:5 error 0125 R is missing: the function H2 needs it.
+        --- KND K2000T
+        G:65 H:2 P:#100 Q:#101
+    "#]],
+    );
+    check(
+        "G65 H02 P100 Q#101 R1",
+        expect![[r##"
+        --- Mitsubishi E60
+        G:65 H:2 P:100 Q:#101 R:1
+        --- GSK 980TDc
+        1:9 error 0125 P has to name the variable that takes the result, for instance P#100.
+            Insert “#”: 1:10 ""→"#"
+        --- KND K2000T
+        G:65 H:2 P:100 Q:#101 R:1
+    "##]],
+    );
+    check(
+        "G65 H80 P10\nG65 H81 P20 Q#1 R0\nN10",
+        expect![[r#"
+        --- Mitsubishi E60
+        G:65 H:80 P:10
+        G:65 H:81 P:20 Q:#1 R:0
+        N10 Empty
+        --- GSK 980TDc
+        2:9 error 0112 There is no block N20 in this program.
+        --- KND K2000T
+        G:65 H:80 P:10
+        G:65 H:81 P:20 Q:#1 R:0
+        N10 Empty
+    "#]],
+    );
+    check(
+        "G65 H99 P5\nG65 H99 P100",
+        expect![[r#"
+        --- Mitsubishi E60
+        G:65 H:99 P:5
+        G:65 H:99 P:100
+        --- GSK 980TDc
+        2:9 error 0126 The number of a macro alarm is 0 to 99.
+        --- KND K2000T
+        G:65 H:99 P:5
+        G:65 H:99 P:100
+    "#]],
+    );
+}

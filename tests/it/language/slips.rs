@@ -388,6 +388,33 @@ slips! {
         "M98 P21000" => expect![[r#"
             right
         "#]];
+        "M98 P21000\nM30\nO1000\nM99" => expect![[r#"
+            --- mitsubishi-e60
+            1:5 warning - P21000 calls O21000, which is not here. Repeats stand in L: P1000 L2.
+                Write “P1000 L2”: 1:5 "P21000"→"P1000 L2"
+            --- gsk-980tdc, knd-k2000t
+            right
+        "#]];
+        "G00 G65 P1000\nM30\nO1000\nM99" => expect![[r#"
+            --- mitsubishi-e60, knd-k2000t
+            right
+            --- gsk-980tdc
+            1:5 error 0114 Nothing but a sequence number may stand in front of a macro call.
+                Give it a block of its own: 1:4 " "→"\n"
+            = G00
+              G65 P1000
+              M30
+              O1000
+              M99
+        "#]];
+        "G65 H02 P100 Q#101 R1" => expect![[r##"
+            --- mitsubishi-e60, knd-k2000t
+            right
+            --- gsk-980tdc
+            1:9 error 0125 P has to name the variable that takes the result, for instance P#100.
+                Insert “#”: 1:10 ""→"#"
+            = G65 H02 P#100 Q#101 R1
+        "##]];
         "#2000=1" => expect![[r##"
             1:1 error P241|0111|115 #2000 is no variable of the CONTROL.
                 Use #100 instead of #2000 everywhere: 1:1 "#2000"→"#100"

@@ -97,6 +97,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("nc.program-zero", "A program number is at least 1."),
     ("nc.read-only-variable", "{0} cannot be used on this side of an assignment: {1}."),
     ("nc.remark", "“{0}” is a remark: the control takes remarks only in round brackets."),
+    ("nc.repeats-in-p", "{0} calls {1}, which is not here. Repeats stand in L: {2}."),
     ("nc.round-brackets", "On the {0} round brackets are comments; arithmetic groups with square brackets."),
     ("nc.second-assignment", "A block holds one assignment."),
     ("nc.semicolon", "The control shows the end of a block as “;”; in a file the line end stands for it."),

@@ -1,0 +1,119 @@
+//! Macro calls: what can be said of G65, G66 and codes that call macros before they run.
+
+use super::super::ast::{Word, WordValue};
+use super::Reader;
+use crate::controls::macros::CallKind;
+use crate::controls::syntax::Operation;
+use crate::controls::{Alarm, Code};
+use crate::msg;
+use crate::text::Message;
+
+impl Reader<'_> {
+    /// Reports what is wrong with a macro call, which the words from `first` on are.
+    #[cold]
+    pub(super) fn check_call(&mut self, first: usize) {
+        let words = self.deck.words.get(first..).unwrap_or_default().to_vec();
+        let Some((at, code)) = words.iter().enumerate().find_map(|(at, word)| Some((at, self.caller(word)?))) else {
+            return;
+        };
+        let (before, behind) = (words.get(..at).unwrap_or_default(), words.get(at + 1..).unwrap_or_default());
+        let caller = &words[at];
+        let macros = &self.control.macros;
+        if let (true, Some(_), Some(_)) = (macros.call_first, code, before.first()) {
+            return self.call_not_first(caller);
+        }
+        if let (true, Some(word)) = (self.control.raises(Alarm::CallMixed), words.iter().find(|word| self.mixes(word)))
+        {
+            return self.report_word(Alarm::CallMixed, word, msg!("interp.call-mixed"));
+        }
+        let functions = code == Some(Code::MacroCall) && !macros.functions.is_empty();
+        let leading = behind.iter().find(|word| matches!(word.letter, b'H' | b'P'));
+        if let Some(number) = leading.filter(|word| functions && word.letter == b'H') {
+            return self.check_function(number, behind);
+        }
+        if code.is_some() && !words.iter().any(|word| word.letter == b'P') {
+            return self.report_word(Alarm::NoCallProgram, caller, msg!("interp.call-without-program"));
+        }
+        if self.control.raises(Alarm::ArgumentAddress) {
+            let forbidden: &[u8] = if code.is_some() { b"GNO" } else { b"GNOP" };
+            if let Some(word) = behind.iter().find(|word| forbidden.contains(&word.letter)) {
+                let letter = (word.letter as char).to_string();
+                self.report_word(Alarm::ArgumentAddress, word, msg!("interp.argument-address", letter));
+            }
+        }
+    }
+
+    /// The code of a word that calls a macro; `None` inside for one that calls by parameter.
+    fn caller(&self, word: &Word) -> Option<Option<Code>> {
+        let WordValue::Number(number) = word.value else { return None };
+        let tenths =
+            u32::try_from(if number.scale == 0 { number.mantissa.checked_mul(10)? } else { number.mantissa }).ok()?;
+        match (number.scale, self.tables.call(word.letter, tenths)) {
+            (2.., _) | (_, Some(CallKind::Sub)) => None,
+            (_, Some(_)) => Some(None),
+            _ => {
+                let code = self.control.code(word.letter, u16::try_from(tenths).ok()?)?.code;
+                matches!(code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock).then_some(Some(code))
+            }
+        }
+    }
+
+    /// Whether a word ends or calls a program, or stops it.
+    fn mixes(&self, word: &Word) -> bool {
+        let WordValue::Number(number) = word.value else { return false };
+        let row =
+            u16::try_from(number.mantissa.saturating_mul(10)).ok().and_then(|n| self.control.code(word.letter, n));
+        let code = row.filter(|_| word.letter == b'M' && number.scale == 0).map(|row| row.code);
+        use Code::*;
+        matches!(code, Some(Stop | OptionalStop | End | EndRewind | SubCall | SubEnd))
+    }
+
+    fn call_not_first(&mut self, caller: &Word) {
+        let start = caller.offset as usize;
+        let finding =
+            self.finding(Alarm::CallNotFirst, start, start + caller.len as usize, msg!("interp.call-not-first"));
+        let gap = self.line.get(..start).unwrap_or_default();
+        let from = gap.trim_ascii_end().len();
+        let place = self.place(self.span(from, start));
+        let new = format!("{}{}", self.newline(), self.skip_mark());
+        self.report_as(Alarm::CallNotFirst, finding.fix(msg!("nc.fix.own-block"), vec![(place, new)]));
+    }
+
+    /// `G65 Hnn P Q R`: number and operands.
+    fn check_function(&mut self, number: &Word, words: &[Word]) {
+        let WordValue::Number(dec) = number.value else { return };
+        let value = dec.to_f64();
+        let row = self.control.macros.functions.iter().find(|(number, _)| f64::from(*number) == value);
+        let Some(&(_, operation)) = row else {
+            return self.report_word(Alarm::CallFunction, number, msg!("interp.no-function", (value, 0)));
+        };
+        let operand = |letter: u8| words.iter().rfind(|word| word.letter == letter);
+        if let Some(&letter) = operation.operands().iter().find(|&&letter| operand(letter).is_none()) {
+            let message = msg!("interp.no-operand", (letter as char).to_string(), (value, 0));
+            return self.report_word(Alarm::CallOperands, number, message);
+        }
+        let Some(result @ Word { value: WordValue::Number(dec), .. }) = operand(b'P') else { return };
+        let start = result.offset as usize;
+        if operation.jumps() {
+            return self.note_later();
+        }
+        if operation != Operation::Alarm {
+            // A constant names the variable that was meant.
+            let end = start + result.len as usize;
+            let finding = self.finding(Alarm::CallOperands, start, end, msg!("interp.function-result"));
+            let digits = self.line.get(start + 1..end).unwrap_or_default();
+            let digits = start + 1 + digits.len() - digits.trim_ascii_start().len();
+            return self.replace(Alarm::CallOperands, finding, digits, digits, "#");
+        }
+        let (least, most) = self.control.macros.user_alarms;
+        if !(f64::from(least)..=f64::from(most)).contains(&dec.to_f64()) {
+            self.report_word(Alarm::UserAlarmRange, result, msg!("nc.user-alarm-number", least, most));
+        }
+    }
+
+    /// Reports an alarm at a word of the block.
+    fn report_word(&mut self, alarm: Alarm, word: &Word, message: Message) {
+        let start = word.offset as usize;
+        self.report(alarm, start, start + word.len as usize, message);
+    }
+}
