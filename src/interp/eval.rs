@@ -158,11 +158,11 @@ impl State {
     pub(super) fn value(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
         match cx.deck.expr(id) {
             Expr::Number(dec) => Ok(dec.to_f64()),
-            Expr::Var(number) => self.read(cx, number),
-            Expr::Binary(op, left, right) => self.binary(cx, op, left, right),
+            Expr::Var(number) => self.read(cx, number).map_err(|trap| trap.part(id)),
+            Expr::Binary(op, left, right) => self.binary(cx, op, left, right).map_err(|trap| trap.part(id)),
             Expr::Indirect(number) => {
                 let number = self.value(cx, number)?;
-                self.read(cx, variable_number(number)?)
+                variable_number(number).and_then(|number| self.read(cx, number)).map_err(|trap| trap.part(id))
             }
             Expr::Negate(x) => {
                 // A vacant variable with a sign stays vacant: `X-#1` is dropped as `X#1` is.
@@ -170,7 +170,7 @@ impl State {
             }
             Expr::Call(name, x) => {
                 let x = self.value(cx, x)?;
-                function(cx, name, or_zero(x))
+                function(cx, name, or_zero(x)).map_err(|trap| trap.part(id))
             }
         }
     }
@@ -211,7 +211,7 @@ impl State {
     /// The alarm, with the variables that make the divisor 0.
     #[cold]
     fn division_by_zero(&self, cx: &mut Cx, divisor: ExprId) -> Trap {
-        let mut trap = Trap::alarm(Alarm::DivisionByZero, msg!("interp.division-by-zero"));
+        let mut trap = Trap::alarm(Alarm::DivisionByZero, msg!("interp.division-by-zero")).part(divisor);
         let mut open = vec![divisor];
         let mut named: Vec<u32> = Vec::new();
         while let Some(id) = open.pop() {

@@ -1,6 +1,7 @@
 //! Why a block did not come to its end, on the way to becoming a diagnostic.
 
-use crate::controls::{Alarm, Control};
+use crate::controls::Alarm;
+use crate::nc::{ExprId, Parsed, part_span};
 use crate::text::{Diagnostic, Message, Place, Span};
 
 /// An alarm in the making.
@@ -10,6 +11,8 @@ pub(super) struct Fault {
     message: Message,
     hints: Vec<Message>,
     word: Option<Span>,
+    /// The part of a formula that has no value.
+    part: Option<ExprId>,
     /// The number that is shown instead of that of the kind.
     number: Option<u32>,
 }
@@ -30,7 +33,7 @@ impl Trap {
     /// An alarm with what is wrong.
     #[cold]
     pub(super) fn alarm(alarm: Alarm, message: Message) -> Trap {
-        Trap::Alarm(Box::new(Fault { alarm, message, hints: Vec::new(), word: None, number: None }))
+        Trap::Alarm(Box::new(Fault { alarm, message, hints: Vec::new(), word: None, part: None, number: None }))
     }
 
     /// An alarm that the parser has already found.
@@ -42,6 +45,7 @@ impl Trap {
             message: finding.message.clone(),
             hints: finding.hints.clone(),
             word,
+            part: None,
             number: None,
         }))
     }
@@ -64,6 +68,15 @@ impl Trap {
         self
     }
 
+    /// The same in a part of a formula, if no smaller one is known.
+    #[cold]
+    pub(super) fn part(mut self, part: ExprId) -> Trap {
+        if let Trap::Alarm(fault) = &mut self {
+            fault.part.get_or_insert(part);
+        }
+        self
+    }
+
     /// The same in a word, if no narrower place is known.
     #[cold]
     pub(super) fn within(mut self, word: Span) -> Trap {
@@ -75,10 +88,12 @@ impl Trap {
 }
 
 impl Fault {
-    /// The diagnostic in the control's numbers; `block` is its place where no word is known.
-    pub(super) fn diagnostic(self, control: &Control, block: Place) -> Diagnostic {
-        let place = Place { file: block.file, span: self.word.unwrap_or(block.span) };
-        let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(control.alarm_number(self.alarm));
+    /// The diagnostic in the control's numbers; `block` is its place where neither part nor word is known.
+    pub(super) fn diagnostic(self, parsed: &Parsed, block: Place) -> Diagnostic {
+        let part = self.part.and_then(|part| part_span(parsed, block, part));
+        let place = Place { file: block.file, span: part.or(self.word).unwrap_or(block.span) };
+        let number = parsed.control().alarm_number(self.alarm);
+        let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(number);
         if let Some(number) = self.number {
             diagnostic.alarm = Some(number.to_string().into());
         }

@@ -10,16 +10,6 @@ use crate::controls::syntax::{Function, Operation};
 use crate::msg;
 use crate::nc::{Block, Op, Word, WordValue};
 
-/// Whether Q and R are needed.
-fn operands(operation: Operation) -> (bool, bool) {
-    use Operation::*;
-    match operation {
-        Goto | Alarm => (false, false),
-        Assign | Sqrt | Abs | Bin | Bcd => (true, false),
-        _ => (true, true),
-    }
-}
-
 impl State {
     /// Whether a G65 is a function: H stands in front of P, on a control that has functions.
     pub(super) fn is_function(&self, cx: &Cx, words: &[Word]) -> bool {
@@ -50,8 +40,8 @@ impl State {
             None if needed => Err(missing(&(letter as char).to_string())),
             None => Ok(0.0),
         };
-        let needed = operands(operation);
-        let (q, r) = (operand(b'Q', needed.0)?, operand(b'R', needed.1)?);
+        let needed = operation.operands();
+        let (q, r) = (operand(b'Q', needed.contains(&b'Q'))?, operand(b'R', needed.contains(&b'R'))?);
         let vacant_or = |x: f64| if operation == Operation::Assign { x } else { or_zero(x) };
         let (q, r) = (vacant_or(q), or_zero(r));
         let jump = match operation {

@@ -138,7 +138,7 @@ impl Interp {
             Ok(value) => Ok(shown(value + 0.0)),
             Err(Trap::Sync) => Ok(None),
             Err(Trap::Alarm(fault)) => {
-                let mut diagnostic = fault.diagnostic(control, Place::default());
+                let mut diagnostic = fault.diagnostic(&self.shared.parsed, Place::default());
                 diagnostic.place = None;
                 Err(Box::new(diagnostic))
             }

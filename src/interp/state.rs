@@ -136,7 +136,7 @@ impl State {
                 } else {
                     Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", number))
                 };
-                self.fail(shared.control, trap);
+                self.fail(shared, trap);
             }
         }
     }
@@ -179,10 +179,10 @@ impl State {
     }
 
     #[cold]
-    fn fail(&mut self, control: &Control, trap: Trap) -> Step {
+    fn fail(&mut self, shared: &Shared, trap: Trap) -> Step {
         self.queue.clear();
         if let Trap::Alarm(fault) = trap {
-            self.ended = Some(End::Alarm(Box::new(fault.diagnostic(control, self.place))));
+            self.ended = Some(End::Alarm(Box::new(fault.diagnostic(&shared.parsed, self.place))));
         }
         self.over()
     }
@@ -225,7 +225,7 @@ impl State {
                 self.synced = true;
                 Step::Sync(self.place)
             }
-            Err(trap) => self.fail(shared.control, trap),
+            Err(trap) => self.fail(shared, trap),
         }
     }
 
@@ -238,7 +238,7 @@ impl State {
         self.place = Place { file: self.file, span };
         let hint = if self.frames.is_empty() { msg!("interp.hint-end-main") } else { msg!("interp.hint-end-sub") };
         let number = program.map_or(0, |program| program.number);
-        self.fail(cx.control, Trap::alarm(Alarm::NoProgramEnd, msg!("interp.no-end", number)).hint(hint))
+        self.fail(cx.shared, Trap::alarm(Alarm::NoProgramEnd, msg!("interp.no-end", number)).hint(hint))
     }
 
     fn block(&mut self, cx: &mut Cx, at: u32, block: &Block) -> Run<()> {

@@ -316,7 +316,7 @@ fn step_takes_a_script_and_ends_with_the_status_of_the_run() {
     assert_eq!(step(&args, "quit\nwrong\n").0, 0);
     let (status, out, _) = step(&args, "set #107=9\ncontinue\n");
     assert_eq!(status, 1);
-    assert!(out.contains("error[P282]: SQRT of -7 has no value.\n --> a.nc:4:1\n"), "{out}");
+    assert!(out.contains("error[P282]: SQRT of -7 has no value.\n --> a.nc:4:6\n"), "{out}");
     let (status, out, said) = step(&args, "intwo\n");
     assert_eq!(status, 2);
     assert!(out.contains("There is no command “intwo”"), "{out}");

@@ -1,20 +1,25 @@
 //! Where a part of a formula stands: found by reading its block once more, as trees have no places.
 
-use super::super::ast::{Block, Deck, ExprId, Stmt, WordValue};
+use super::super::ast::{Deck, ExprId, Stmt, WordValue};
 use super::super::parsed::Parsed;
 use super::{Reader, Tables};
-use crate::text::{FileId, Span};
+use crate::text::{Place, Span};
 
-/// The place of a part of a formula that stands in a block of a file; `None` where it is no part of the block.
-pub fn part_span(parsed: &Parsed, file: FileId, block: &Block, part: ExprId) -> Option<Span> {
-    let source = parsed.files().get(file)?.text.as_str();
+/// The bytes of a part of a formula that stands in the block at a place; `None` where it is no part of it.
+pub fn part_span(parsed: &Parsed, place: Place, part: ExprId) -> Option<Span> {
+    let deck = parsed.deck();
+    let source = parsed.files().get(place.file)?.text.as_str();
+    let block = deck.programs.iter().filter(|program| program.file == place.file).find_map(|program| {
+        let blocks = deck.blocks_of(program);
+        blocks.get(blocks.partition_point(|block| block.span.start < place.span.start)).filter(|b| b.span == place.span)
+    })?;
     let tables = Tables::new(parsed.control(), parsed.calls());
-    let mut reader = Reader::new(parsed.control(), &tables, file, source, Deck::default());
+    let mut reader = Reader::new(parsed.control(), &tables, place.file, source, Deck::default());
     reader.places = Some(Vec::new());
     reader.take_line(block.span.of(source).as_bytes(), block.span.start as usize);
     let stmt = reader.statement().ok()?;
     // The parts of a block are read in one order.
-    let moved = first_formula(parsed.deck(), block.stmt)?.checked_sub(first_formula(&reader.deck, stmt)?)?;
+    let moved = first_formula(deck, block.stmt)?.checked_sub(first_formula(&reader.deck, stmt)?)?;
     let span = *reader.places?.get(part.0.checked_sub(moved)? as usize)?;
     Some(Span::new(block.span.start + span.start, block.span.start + span.end))
 }

@@ -498,13 +498,13 @@ fn macro_calls() {
     check(
         "G65 A1.",
         expect![[r#"
-        --- Mitsubishi E60
-        1:1 error P232 The macro call does not say which program: add P and its number.
-        --- GSK 980TDc
-        1:1 error 0122 The macro call does not say which program: add P and its number.
-        --- KND K2000T
-        1:1 error 076 The macro call does not say which program: add P and its number.
-    "#]],
+            --- Mitsubishi E60
+            1:1 error P232 The call does not say which program: add P and its number.
+            --- GSK 980TDc
+            1:1 error 0122 The call does not say which program: add P and its number.
+            --- KND K2000T
+            1:1 error 076 The call does not say which program: add P and its number.
+        "#]],
     );
     check(
         "G66 P9010 L2\nG67",

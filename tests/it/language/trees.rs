@@ -128,8 +128,8 @@ fn check_parts(block: &str, expected: Expect) {
     let parsed = read(&format!("G01 X[#1+1] F100\n{block}\nM30"));
     assert!(!parsed.has_errors(), "{}", findings(&parsed));
     let deck = parsed.deck();
-    let file = deck.programs[0].file;
-    let spans = (0..deck.exprs.len() as u32).filter_map(|at| part_span(&parsed, file, &deck.blocks[1], ExprId(at)));
+    let place = parsed.place(0, &deck.blocks[1]);
+    let spans = (0..deck.exprs.len() as u32).filter_map(|at| part_span(&parsed, place, ExprId(at)));
     let texts: Vec<&str> = spans.map(|span| span.of(&parsed.files().0[0].text)).collect();
     expected.assert_eq(&texts.join(" | "));
 }

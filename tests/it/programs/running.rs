@@ -32,10 +32,10 @@ fn an_alarm_names_the_way_out() {
     check(
         "O1\n#109=0\nN20 #110=[3.14*#111]/[#109*#108]\nM30",
         expect![[r#"
-        = P283 3:1 Division by zero.
-          #109 is 0. Test it before: IF[#109 LE 0]GOTO …
-          #108 is not set and counts as 0. Set it, or test it before: IF[#108 LE 0]GOTO …
-    "#]],
+            = P283 3:23 Division by zero.
+              #109 is 0. Test it before: IF[#109 LE 0]GOTO …
+              #108 is not set and counts as 0. Set it, or test it before: IF[#108 LE 0]GOTO …
+        "#]],
     );
     check(
         "O1\nG01 X1.\nM30",
@@ -63,8 +63,8 @@ fn an_alarm_names_the_way_out() {
     check(
         "O1\n#100=#5061\nM30",
         expect![[r#"
-        = BUDGET 2:1 #5061 (skip position, axis by axis) is not simulated, so the run stops here. The control itself would go on.
-    "#]],
+            = BUDGET 2:6 #5061 (skip position, axis by axis) is not simulated, so the run stops here. The control itself would go on.
+        "#]],
     );
 }
 

@@ -72,7 +72,7 @@ fn a_condition_without_a_value_stops_and_says_why() {
             > c
             breakpoint 1: its condition has no value here
             error[P283]: Division by zero.
-             = #500 is not set and counts as 0. Set it, or test it before: IF[#500 LE 0]GOTO …
+              = #500 is not set and counts as 0. Set it, or test it before: IF[#500 LE 0]GOTO …
               #100 vacant -> 3
               #101 vacant -> 3
              --> a.nc:4:1
@@ -273,30 +273,30 @@ fn an_alarm_is_told_at_its_place() {
         "O1\n#100=4\n#101=SQRT[#100-5]\nM30\n%\n",
         "continue\nwhere\nback\nprint #100-5",
         expect![[r#"
-        > continue
-        the control stops with an alarm
-          #100 vacant -> 4
-        error[P282]: SQRT of -1 has no value.
-         --> a.nc:3:1
-          |
-        3 | #101=SQRT[#100-5]
-          | ^^^^^^^^^^^^^^^^^
-        > where
-         --> a.nc:3:1
-          |
-        3 | #101=SQRT[#100-5]
-          | ^^^^^^^^^^^^^^^^^
-          = O1, 0.003 s
-        > back
-          #100 vacant -> 4
-         --> a.nc:3:1
-          |
-        3 | #101=SQRT[#100-5]
-          | ^^^^^^^^^^^^^^^^^
-          = O1, 0.003 s
-        > print #100-5
-        #100-5 = -1
-    "#]],
+            > continue
+            the control stops with an alarm
+              #100 vacant -> 4
+            error[P282]: SQRT of -1 has no value.
+             --> a.nc:3:6
+              |
+            3 | #101=SQRT[#100-5]
+              |      ^^^^^^^^^^^^
+            > where
+             --> a.nc:3:1
+              |
+            3 | #101=SQRT[#100-5]
+              | ^^^^^^^^^^^^^^^^^
+              = O1, 0.003 s
+            > back
+              #100 vacant -> 4
+             --> a.nc:3:1
+              |
+            3 | #101=SQRT[#100-5]
+              | ^^^^^^^^^^^^^^^^^
+              = O1, 0.003 s
+            > print #100-5
+            #100-5 = -1
+        "#]],
     );
 }
 

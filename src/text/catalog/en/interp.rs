@@ -65,10 +65,4 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ),
     ("interp.word-range", "{0}{1} is outside the range of its address, {2} to {3}."),
     ("interp.write-only", "#{0} can be written, not read."),
-    ("interp.argument-address", "{0} is no address for an argument of a macro."),
-    ("interp.call-mixed", "A macro call cannot stand together with M00, M01, M02, M30, M98 or M99."),
-    ("interp.call-not-first", "Nothing but a sequence number may stand in front of a macro call."),
-    ("interp.function-result", "P has to name the variable that takes the result, for instance P#100."),
-    ("interp.no-function", "The control has no function H{0} behind G65."),
-    ("interp.no-operand", "{0} is missing: the function H{1} needs it."),
 ];
