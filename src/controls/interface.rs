@@ -8,6 +8,8 @@ use crate::text::Citation;
 pub enum SignalRole {
     /// Spindle override in percent, PLC to control.
     SpindleOverride,
+    /// Spindle override as a code for one of a few steps, PLC to control.
+    SpindleOverrideCode,
     /// Cutting feed override in percent, PLC to control.
     FeedOverride,
     /// Low word of a macro input word, PLC to control; with the variable it appears as.

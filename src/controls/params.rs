@@ -5,9 +5,9 @@ use crate::text::Citation;
 /// What a parameter is for, independent of its number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ParamRole {
-    /// How many spindles there are.
+    /// How many spindles there are; whether there is a single one.
     SpindleCount,
-    /// How the spindle is connected (analog, bus).
+    /// How the spindle is connected; whether by analog output.
     SpindleConnection,
     /// Spindle speed at full analog output, first gear.
     SpindleLimit,
@@ -17,27 +17,29 @@ pub enum ParamRole {
     SpindleMinimum,
     /// Whether a spindle encoder is fitted.
     SpindleEncoder,
+    /// Whether words of the axis count diameters.
+    AxisDiameter,
     /// Rapid traverse of an axis.
     AxisRapid,
     /// Cutting feed clamp of an axis.
     AxisClamp,
-    /// Kind of acceleration of an axis.
+    /// Kind of acceleration of an axis; whether linear.
     AxisAcceleration,
     /// Time constant of linear acceleration for cutting feed.
     AxisTimeConstant,
     /// Position gain of an axis.
     AxisPositionGain,
-    /// Soft limits of an axis (equal: none).
+    /// Soft limits of an axis; whether there are any.
     AxisSoftLimits,
     /// In-position width.
     AxisInPosition,
     /// Rotary axis.
     AxisRotary,
-    /// Command unit.
+    /// Command unit; whether 0.001 mm.
     CommandUnit,
     /// Meaning of a word without a decimal point.
     DecimalPoint,
-    /// F with one digit.
+    /// Whether F with one digit is a stored feed.
     FeedOneDigit,
     /// Check method of exact stop.
     ExactStopCheck,
@@ -64,8 +66,29 @@ pub struct ParamDef {
     pub unit: &'static str,
     /// What it does.
     pub text: &'static str,
+    /// Where it answers a question: what is written for yes and for no.
+    pub answers: (&'static str, &'static str),
+    /// For an axis whose words count diameters its value does so, too.
+    pub diameter: bool,
     /// Source and grade.
     pub cite: Citation,
+}
+
+impl ParamDef {
+    /// The row of a parameter that counts diameters where words do.
+    pub(super) const fn in_diameters(self) -> ParamDef {
+        ParamDef { diameter: true, ..self }
+    }
+
+    /// The row with other answers than 1 for yes and 0 for no.
+    pub(super) const fn answered(self, yes: &'static str, no: &'static str) -> ParamDef {
+        ParamDef { answers: (yes, no), ..self }
+    }
+
+    /// What is written for yes or no.
+    pub fn answer(&self, yes: bool) -> &'static str {
+        if yes { self.answers.0 } else { self.answers.1 }
+    }
 }
 
 /// A row of a parameter.
@@ -77,5 +100,5 @@ pub(super) const fn param(
     text: &'static str,
     cite: Citation,
 ) -> ParamDef {
-    ParamDef { role, number, name, unit, text, cite }
+    ParamDef { role, number, name, unit, text, answers: ("1", "0"), diameter: false, cite }
 }

@@ -1,5 +1,6 @@
 //! A form as data: fields with unit, range, default and help; values as they are typed and checked.
 
+use crate::controls::Control;
 use crate::order::Map;
 use crate::text::{Diagnostic, Severity};
 
@@ -48,6 +49,8 @@ pub struct Field<P: 'static> {
     pub essential: bool,
     /// Whether it is a fact of the machine, which somebody measured, read off or assumed, and not a choice.
     pub fact: bool,
+    /// Whether it means anything with these parameters on this control.
+    pub shown: fn(&P, &Control) -> bool,
     /// What it holds.
     pub kind: Kind<P>,
 }

@@ -18,6 +18,15 @@ use crate::text::Diagnostic;
 use crate::view::{Chart, Pose, Readout, Scene, Sheet};
 use form::{Field, FieldInfo, Origins, Values};
 
+/// The control that a machine is on, with its open points as they are set.
+#[derive(Debug, Clone, Copy)]
+pub struct On<'a> {
+    /// The control.
+    pub control: &'a Control,
+    /// Settings of its open points.
+    pub switches: &'a Switches,
+}
+
 /// What a machine's formulas say of its values.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Design {
@@ -38,6 +47,15 @@ pub struct Plan {
     pub main: u32,
     /// Lines end in CR LF instead of LF.
     pub crlf: bool,
+}
+
+/// What a new project has besides the defaults of the form.
+#[derive(Debug, Clone, Default)]
+pub struct Start {
+    /// Values by field id.
+    pub values: Values,
+    /// Settings that the machine needs.
+    pub switches: Switches,
 }
 
 /// How a chart or pose samples the run.
@@ -75,26 +93,28 @@ pub trait Machine: 'static {
     const LISTING: &'static str;
     /// The form, in the order it is shown.
     fn fields() -> &'static [Field<Self::Params>];
+    /// What a new project has on this control instead of the defaults of the form: values of fields, settings of switches.
+    fn start(control: &Control) -> Start;
     /// Results and verdicts.
-    fn design(params: &Self::Params, control: &Control) -> Design;
+    fn design(params: &Self::Params, on: On) -> Design;
     /// The program.
-    fn plan(params: &Self::Params, control: &Control) -> Plan;
+    fn plan(params: &Self::Params, on: On) -> Plan;
     /// The plant that runs it.
-    fn plant(params: &Self::Params, control: &Control) -> Plant;
+    fn plant(params: &Self::Params, on: On) -> Plant;
     /// How the operator's knobs stand when a run begins.
     fn hand(params: &Self::Params) -> Vec<Action>;
     /// The builder's PLC.
-    fn plc(params: &Self::Params, control: &Control, switches: &Switches) -> Box<dyn Plc>;
+    fn plc(params: &Self::Params, on: On) -> Box<dyn Plc>;
     /// Parameter sheet, interface, ladder list.
-    fn sheets(params: &Self::Params, control: &Control, switches: &Switches) -> Vec<Sheet>;
+    fn sheets(params: &Self::Params, on: On) -> Vec<Sheet>;
     /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
-    fn variables(control: &Control) -> Vec<(u32, &'static str, &'static str)>;
+    fn variables(params: &Self::Params, on: On) -> Vec<(u32, &'static str, &'static str)>;
     /// The drawing.
-    fn scene(params: &Self::Params) -> Scene;
+    fn scene(params: &Self::Params, on: On) -> Scene;
     /// The drawing at a moment.
-    fn pose(params: &Self::Params, now: &Snapshot, frame: Frame) -> Pose;
+    fn pose(params: &Self::Params, on: On, now: &Snapshot, frame: Frame) -> Pose;
     /// Charts from `from` to `to` seconds with `points` points each.
-    fn charts(params: &Self::Params, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
+    fn charts(params: &Self::Params, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
 }
 
 /// A machine, erased over its parameters so that the page is compiled once.
@@ -109,26 +129,30 @@ pub trait AnyMachine: Sync {
     fn listing(&self) -> &'static str;
     /// The form.
     fn fields(&self) -> Vec<FieldInfo>;
+    /// What a new project has on this control instead of the defaults of the form.
+    fn start(&self, control: &Control) -> Start;
+    /// Fields that have no meaning on this control with these values; their values stay.
+    fn hidden(&self, values: &Values, control: &Control) -> Vec<&'static str>;
     /// Results and verdicts; invalid fields as errors, facts that are only assumed as a remark. Total.
-    fn design(&self, values: &Values, origins: &Origins, control: &Control) -> Design;
+    fn design(&self, values: &Values, origins: &Origins, on: On) -> Design;
     /// The program. Total; where values are invalid the default stands in and `design` has said so.
-    fn plan(&self, values: &Values, control: &Control) -> Plan;
+    fn plan(&self, values: &Values, on: On) -> Plan;
     /// The plant that runs it.
-    fn plant(&self, values: &Values, control: &Control) -> Plant;
+    fn plant(&self, values: &Values, on: On) -> Plant;
     /// How the operator's knobs stand when a run begins.
     fn hand(&self, values: &Values) -> Vec<Action>;
     /// The builder's PLC.
-    fn plc(&self, values: &Values, control: &Control, switches: &Switches) -> Box<dyn Plc>;
+    fn plc(&self, values: &Values, on: On) -> Box<dyn Plc>;
     /// Parameter sheet, interface, ladder list.
-    fn sheets(&self, values: &Values, control: &Control, switches: &Switches) -> Vec<Sheet>;
+    fn sheets(&self, values: &Values, on: On) -> Vec<Sheet>;
     /// Variables of the control that the operator reads and sets: number, catalog id of the meaning, unit.
-    fn variables(&self, control: &Control) -> Vec<(u32, &'static str, &'static str)>;
+    fn variables(&self, values: &Values, on: On) -> Vec<(u32, &'static str, &'static str)>;
     /// The drawing.
-    fn scene(&self, values: &Values) -> Scene;
+    fn scene(&self, values: &Values, on: On) -> Scene;
     /// The drawing at a moment.
-    fn pose(&self, values: &Values, now: &Snapshot, frame: Frame) -> Pose;
+    fn pose(&self, values: &Values, on: On, now: &Snapshot, frame: Frame) -> Pose;
     /// Charts from `from` to `to` seconds with `points` points each.
-    fn charts(&self, values: &Values, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
+    fn charts(&self, values: &Values, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
 }
 
 /// The erased form of a machine `M`.
@@ -176,51 +200,62 @@ impl<M: Machine> AnyMachine for Erased<M> {
         M::fields().iter().map(Field::info).collect()
     }
 
-    fn design(&self, values: &Values, origins: &Origins, control: &Control) -> Design {
+    fn start(&self, control: &Control) -> Start {
+        M::start(control)
+    }
+
+    fn hidden(&self, values: &Values, control: &Control) -> Vec<&'static str> {
+        let params = Erased::<M>::params(values).0;
+        M::fields().iter().filter(|field| !(field.shown)(&params, control)).map(|field| field.id).collect()
+    }
+
+    fn design(&self, values: &Values, origins: &Origins, on: On) -> Design {
         let (params, mut diagnostics) = Erased::<M>::params(values);
-        let mut design = M::design(&params, control);
+        let mut design = M::design(&params, on);
         diagnostics.append(&mut design.diagnostics);
-        let assumed = form::assumed(&self.fields(), origins);
+        let hidden = self.hidden(values, on.control);
+        let mut assumed = form::assumed(&self.fields(), origins);
+        assumed.retain(|id| !hidden.contains(id));
         if !assumed.is_empty() {
             diagnostics.push(Diagnostic::info(msg!("form.assumed", assumed.len() as u32, assumed.join(", "))));
         }
         Design { diagnostics, ..design }
     }
 
-    fn plan(&self, values: &Values, control: &Control) -> Plan {
-        M::plan(&Erased::<M>::params(values).0, control)
+    fn plan(&self, values: &Values, on: On) -> Plan {
+        M::plan(&Erased::<M>::params(values).0, on)
     }
 
-    fn plant(&self, values: &Values, control: &Control) -> Plant {
-        M::plant(&Erased::<M>::params(values).0, control)
+    fn plant(&self, values: &Values, on: On) -> Plant {
+        M::plant(&Erased::<M>::params(values).0, on)
     }
 
     fn hand(&self, values: &Values) -> Vec<Action> {
         M::hand(&Erased::<M>::params(values).0)
     }
 
-    fn plc(&self, values: &Values, control: &Control, switches: &Switches) -> Box<dyn Plc> {
-        M::plc(&Erased::<M>::params(values).0, control, switches)
+    fn plc(&self, values: &Values, on: On) -> Box<dyn Plc> {
+        M::plc(&Erased::<M>::params(values).0, on)
     }
 
-    fn sheets(&self, values: &Values, control: &Control, switches: &Switches) -> Vec<Sheet> {
-        M::sheets(&Erased::<M>::params(values).0, control, switches)
+    fn sheets(&self, values: &Values, on: On) -> Vec<Sheet> {
+        M::sheets(&Erased::<M>::params(values).0, on)
     }
 
-    fn variables(&self, control: &Control) -> Vec<(u32, &'static str, &'static str)> {
-        M::variables(control)
+    fn variables(&self, values: &Values, on: On) -> Vec<(u32, &'static str, &'static str)> {
+        M::variables(&Erased::<M>::params(values).0, on)
     }
 
-    fn scene(&self, values: &Values) -> Scene {
-        M::scene(&Erased::<M>::params(values).0)
+    fn scene(&self, values: &Values, on: On) -> Scene {
+        M::scene(&Erased::<M>::params(values).0, on)
     }
 
-    fn pose(&self, values: &Values, now: &Snapshot, frame: Frame) -> Pose {
-        M::pose(&Erased::<M>::params(values).0, now, frame)
+    fn pose(&self, values: &Values, on: On, now: &Snapshot, frame: Frame) -> Pose {
+        M::pose(&Erased::<M>::params(values).0, on, now, frame)
     }
 
-    fn charts(&self, values: &Values, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        M::charts(&Erased::<M>::params(values).0, run, from, to, points)
+    fn charts(&self, values: &Values, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        M::charts(&Erased::<M>::params(values).0, on, run, from, to, points)
     }
 }
 

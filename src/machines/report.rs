@@ -1,7 +1,7 @@
 //! The report of any machine: its form, its results, its sheets, and the open points of its control.
 
-use super::AnyMachine;
 use super::form::{FieldInfo, KindInfo, Origins, Provenance, Value, Values};
+use super::{AnyMachine, On};
 use crate::controls::{Control, Switches};
 use crate::text::catalog::{Language, number_text, words};
 use crate::text::{Citation, Diagnostic, Grade};
@@ -13,17 +13,21 @@ pub fn report(
     machine: &dyn AnyMachine,
     name: &str,
     (values, origins): (&Values, &Origins),
-    (control, switches): (&Control, &Switches),
+    on: On,
     further: &[Diagnostic],
 ) -> Report {
-    let design = machine.design(values, origins, control);
+    let On { control, switches } = on;
+    let design = machine.design(values, origins, on);
+    let hidden = machine.hidden(values, control);
+    let fields = machine.fields();
+    let fields = fields.iter().filter(|field| !hidden.contains(&field.id));
     let title = [words(Language::English, machine.name()), control.name, name];
     Report {
         title: title.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", "),
-        inputs: machine.fields().iter().map(|field| input(field, values, origins)).collect(),
+        inputs: fields.map(|field| input(field, values, origins)).collect(),
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
-        sheets: machine.sheets(values, control, switches),
+        sheets: machine.sheets(values, on),
         open: open(control, switches),
     }
 }

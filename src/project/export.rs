@@ -28,14 +28,9 @@ impl Project {
         let mut files = Vec::new();
         if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
             files.extend(written.files.0.iter().cloned());
-            let sheets = self.machine.sheets(&self.values, self.control, &self.switches);
-            let told = report(
-                self.machine,
-                &self.name,
-                (&self.values, &self.provenance),
-                (self.control, &self.switches),
-                &written.diagnostics,
-            );
+            let sheets = self.machine.sheets(&self.values, self.on());
+            let told =
+                report(self.machine, &self.name, (&self.values, &self.provenance), self.on(), &written.diagnostics);
             files.push(File { name: "report.md".to_owned(), text: view::report::markdown(&told, Language::English) });
             for sheet in sheets {
                 files.push(File {

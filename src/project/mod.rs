@@ -26,7 +26,7 @@ pub mod list;
 
 use crate::controls::{self, Control, Switches};
 use crate::machines::form::{Origins, Values};
-use crate::machines::{self, AnyMachine, Design};
+use crate::machines::{self, AnyMachine, Design, On, Start};
 use crate::motion::Panel;
 use crate::nc::Files;
 
@@ -70,14 +70,16 @@ impl PartialEq for Project {
 impl Project {
     /// A project with every value at its default.
     pub fn new(machine: &'static dyn AnyMachine, control: &'static Control) -> Project {
-        let values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
+        let Start { values: own, switches } = machine.start(control);
+        let mut values: Values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
+        values.extend(own);
         Project {
             name: String::new(),
             machine,
             control,
             values,
             provenance: Origins::new(),
-            switches: Switches::default(),
+            switches,
             silenced: Vec::new(),
             panel: Panel::default(),
             edited: None,
@@ -94,6 +96,24 @@ impl Project {
         Some(Project::new(machine, controls::find(id)?))
     }
 
+    /// The control as it is set here.
+    pub fn on(&self) -> On<'_> {
+        On { control: self.control, switches: &self.switches }
+    }
+
+    /// Takes the project to another control: the values stay, the settings of open points as far as that control has them.
+    pub fn move_to(&mut self, control: &'static Control) {
+        let needed = self.machine.start(control).switches;
+        let takes = |id: &str, setting: &str| control.switches.iter().any(|row| row.id == id && row.takes(setting));
+        self.switches.0.retain(|(id, setting)| takes(id, setting));
+        for (id, setting) in needed.0 {
+            if self.switches.0.iter().all(|(known, _)| *known != id) {
+                self.switches.0.push((id, setting));
+            }
+        }
+        self.control = control;
+    }
+
     /// The published listing as printed, as a file.
     pub fn listing(&self) -> Files {
         Files::one("listing.nc", self.machine.listing())
@@ -101,6 +121,6 @@ impl Project {
 
     /// Results, verdicts and invalid fields.
     pub fn design(&self) -> Design {
-        self.machine.design(&self.values, &self.provenance, self.control)
+        self.machine.design(&self.values, &self.provenance, self.on())
     }
 }

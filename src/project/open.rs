@@ -29,15 +29,16 @@ pub fn open(present: &Project, name: &str, text: &str) -> Opened {
         let message = msg!("project.program-too-large", (text.len() as f64 / 1e6, 1), (MAX_PROGRAM as f64 / 1e6, 0));
         return Opened { project: None, diagnostics: vec![Diagnostic::error(message)] };
     }
-    let found = settings::read(text, |id| machines::find(id).map(|machine| machine.fields()));
-    if let Some((machine, values)) = found.and_then(|(id, values)| Some((machines::find(&id)?, values))) {
-        let goes = machine.controls().contains(&present.control.id);
-        let control =
-            if goes { Some(present.control) } else { machine.controls().first().and_then(|id| controls::find(id)) };
-        if let Some(control) = control {
+    if let Some(found) = settings::read(text) {
+        let of_program = machines::find(found.machine).zip(controls::find(found.control));
+        if let Some((machine, control)) = of_program {
             let mut project = Project::new(machine, control);
             project.name.clone_from(&present.name);
-            project.values.extend(values);
+            project.values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
+            project.values.extend(found.values);
+            if present.control.id == control.id {
+                project.switches.clone_from(&present.switches);
+            }
             project.edited = differing(&project, name, text);
             let told = if project.edited.is_some() {
                 msg!("project.form-restored-edited", name)

@@ -11,6 +11,7 @@ use crate::controls::{Control, Switches, VarKind};
 use crate::interp::canon::Names;
 use crate::interp::world::Still;
 use crate::interp::{Canon, Interp, Start, Step};
+use crate::machines::On;
 use crate::motion::{
     Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Plc, RunEnd, Setup, SpindlePlant,
 };
@@ -75,8 +76,8 @@ pub fn of_project(project: &Project, written: &Written, begin: &Begin) -> Run {
     let start = Start::Program(begin.start.unwrap_or(written.main));
     let mut interp = Interp::new(Rc::clone(&written.parsed), start, &project.switches);
     set_up(&mut interp, project, written);
-    let plant = project.machine.plant(&project.values, control);
-    let plc = project.machine.plc(&project.values, control, &project.switches);
+    let plant = project.machine.plant(&project.values, project.on());
+    let plc = project.machine.plc(&project.values, project.on());
     // The knobs stand as the form says until the operator turns them.
     let knobs = project.machine.hand(&project.values).into_iter().map(|action| Event { t: 0.0, action });
     let panel = Panel::new(knobs.chain(project.panel.events().iter().cloned()));
@@ -91,7 +92,8 @@ pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, be
     let interp = Interp::new(parsed, start, &switches);
     let (plant, plc) = match plant {
         Some(project) => {
-            (project.machine.plant(&project.values, control), project.machine.plc(&project.values, control, &switches))
+            let on = On { control, switches: &switches };
+            (project.machine.plant(&project.values, on), project.machine.plc(&project.values, on))
         }
         None => bench(control, &switches),
     };

@@ -93,6 +93,8 @@ impl Project {
         };
         let mut reader = Reader { found: Vec::new() };
         let mut project = Project::new(machine, control);
+        // A switch that a file does not name is at its default.
+        project.switches = Switches::default();
         project.name = text_of(object.get("name")).chars().filter(|c| !c.is_control()).take(120).collect();
         reader.values(&object, machine, &mut project);
         reader.switches(&object, &mut project);

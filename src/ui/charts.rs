@@ -10,7 +10,7 @@ use super::el::{El, button, el};
 use super::model::Model;
 use super::words::{figure, t};
 use crate::machines::form::Values;
-use crate::machines::{AnyMachine, Samples};
+use crate::machines::{AnyMachine, On, Samples};
 use crate::text::number::filled;
 use crate::view::svg::escape;
 use crate::view::{Chart, csv, plot};
@@ -67,10 +67,18 @@ impl Charts {
     }
 
     /// Draws the charts.
-    pub(super) fn draw(&mut self, machine: &dyn AnyMachine, values: &Values, run: &dyn Samples, from: f64, to: f64) {
+    pub(super) fn draw(
+        &mut self,
+        machine: &dyn AnyMachine,
+        values: &Values,
+        on: On,
+        run: &dyn Samples,
+        from: f64,
+        to: f64,
+    ) {
         let Some(host) = &self.host else { return };
         self.page = (from, to);
-        self.charts = machine.charts(values, run, from, to, POINTS);
+        self.charts = machine.charts(values, on, run, from, to, POINTS);
         let mut out = String::with_capacity(64 << 10);
         for chart in &self.charts {
             figure_of(&mut out, chart);

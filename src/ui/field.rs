@@ -80,6 +80,7 @@ pub(super) fn field(model: Model, info: FieldInfo) -> El {
     let note = el("p.note").at("id", &note).live(wrong);
     el("div.field")
         .at("class", &format!("field {class}"))
+        .mark("absent", move || model.hidden.with(|hidden| hidden.contains(&id)))
         .mark("wrong", move || !wrong().is_empty())
         .add(&[label, control, unit, about, note])
 }

@@ -40,12 +40,14 @@ fn groups_of(fields: Vec<FieldInfo>) -> Vec<(&'static str, bool, Vec<FieldInfo>)
 
 fn group(model: Model, title: &'static str, open: bool, fields: Vec<FieldInfo>) -> El {
     let count = fields.len();
+    let all: Vec<&'static str> = fields.iter().map(|field| field.id).collect();
+    let shown = move || model.hidden.with(|hidden| all.iter().filter(|id| !hidden.contains(id)).count().to_string());
     let ids: Vec<&'static str> = fields.iter().map(|field| field.id).collect();
     let rows: Vec<El> = fields.into_iter().map(|info| field(model, info)).collect();
     if open {
         return el("fieldset.group").add(&[el("legend").text(t(title))]).add(&rows);
     }
-    let summary = el("summary").text(t(title)).add(&[el("span.count").text(&count.to_string())]);
+    let summary = el("summary").text(t(title)).add(&[el("span.count").live(shown)]);
     let group = el("details.group").add(&[summary]).add(&rows);
     // Small groups stand open where there is room; a group with a wrong field opens by itself.
     if count <= SMALL && dom::prefers("(min-width: 761px)") {

@@ -72,8 +72,7 @@ pub(super) fn act(model: Model, action: Action) {
 
 /// Names and values that an action may change, at a time: variables, feeds, spindle.
 fn watched(model: Model, t: f64) -> Vec<(String, String)> {
-    let (rows, control) =
-        model.project.with_untracked(|project| (project.machine.variables(project.control), project.control));
+    let (rows, control) = (model.variables.get_untracked(), model.project.with_untracked(|project| project.control));
     let mut out = Vec::with_capacity(rows.len() + 4);
     model.player.ask_planner(|planner| {
         for (number, _, _) in &rows {

@@ -87,7 +87,7 @@ fn control_picker(model: Model) -> El {
     };
     let choose = move |event| {
         if let Some(control) = controls::find(&value(&event)) {
-            model.edit("", |project| project.control = control);
+            model.edit("", |project| project.move_to(control));
         }
     };
     let present = move || model.project.with(|project| project.control.id.to_owned());

@@ -42,6 +42,12 @@ pub(super) struct Model {
     pub project: Local<Project>,
     /// Id of its machine.
     pub machine: Local<&'static str>,
+    /// Id of its control.
+    pub control: Local<&'static str>,
+    /// Fields without a meaning on this control with these values.
+    pub hidden: Local<Vec<&'static str>>,
+    /// Variables that the operator reads and sets: number, id of the meaning, unit.
+    pub variables: Local<Vec<(u32, &'static str, &'static str)>>,
     /// Results of the project.
     pub design: Local<Rc<Design>>,
     /// Whether the program is the user's own.
@@ -96,8 +102,11 @@ impl Model {
     pub(super) fn new(project: Project, notices: Vec<Notice>) -> Model {
         let design = Rc::new(project.design());
         let written = Rc::new(project.written());
-        let scene = project.machine.scene(&project.values);
-        let (machine, edited) = (project.machine.id(), written.edited);
+        let (on, values) = (project.on(), &project.values);
+        let scene = project.machine.scene(values, on);
+        let hidden = project.machine.hidden(values, project.control);
+        let variables = project.machine.variables(values, on);
+        let (machine, control, edited) = (project.machine.id(), project.control.id, written.edited);
         let player = Player::new();
         player.load(&project, &written);
         let written = Local::new(written);
@@ -105,6 +114,9 @@ impl Model {
             findings: Local::new(Vec::new()),
             edited: Local::new(edited),
             machine: Local::new(machine),
+            control: Local::new(control),
+            hidden: Local::new(hidden),
+            variables: Local::new(variables),
             project: Local::new(project),
             design: Local::new(design),
             written,
@@ -206,7 +218,9 @@ impl Model {
         let program = values || before.switches != after.switches || before.edited != after.edited;
         if values {
             self.design.set(Rc::new(after.design()));
-            let scene = after.machine.scene(&after.values);
+            self.hidden.put(after.machine.hidden(&after.values, after.control));
+            self.variables.put(after.machine.variables(&after.values, after.on()));
+            let scene = after.machine.scene(&after.values, after.on());
             if self.scene.with_untracked(|present| *present != scene) {
                 self.scene.set(scene);
             }
@@ -220,6 +234,7 @@ impl Model {
             self.written.with_untracked(|written| self.player.load(&after, written));
         }
         self.machine.put(after.machine.id());
+        self.control.put(after.control.id);
         self.project.set(after);
         self.history.with_untracked(|history| self.can.set((!history.past.is_empty(), !history.future.is_empty())));
         self.player.settle();

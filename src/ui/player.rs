@@ -8,8 +8,9 @@ use super::charts::Charts;
 use super::dom::{self, Frames};
 use super::local::Local;
 use super::stage::Stage;
+use crate::controls::{Control, Switches};
 use crate::machines::form::Values;
-use crate::machines::{AnyMachine, Frame};
+use crate::machines::{AnyMachine, Frame, On};
 use crate::motion::{Action, Event, Keep, Limits, RunEnd, Snapshot};
 use crate::project::Project;
 use crate::project::program::Written;
@@ -68,6 +69,8 @@ pub(super) struct Player {
 struct State {
     planner: Option<run::Run>,
     machine: Option<&'static dyn AnyMachine>,
+    control: Option<&'static Control>,
+    switches: Switches,
     values: Values,
     head: f64,
     stamp: Option<f64>,
@@ -80,11 +83,20 @@ struct State {
     charts: Charts,
 }
 
+impl State {
+    /// The machine, on its control.
+    fn machine(&self) -> Option<(&'static dyn AnyMachine, On<'_>)> {
+        Some((self.machine?, On { control: self.control?, switches: &self.switches }))
+    }
+}
+
 impl Player {
     pub(super) fn new() -> Player {
         let state = State {
             planner: None,
             machine: None,
+            control: None,
+            switches: Switches::default(),
             values: Values::new(),
             head: 0.0,
             stamp: None,
@@ -119,6 +131,8 @@ impl Player {
             let begin = Begin { start: None, settings: &[], limits: LIMITS, keep: Keep::Timeline };
             state.planner = Some(run::of_project(project, written, &begin));
             state.machine = Some(project.machine);
+            state.control = Some(project.control);
+            state.switches.clone_from(&project.switches);
             state.values.clone_from(&project.values);
             state.charts_stale = true;
         });
@@ -212,8 +226,10 @@ impl Player {
     /// The charts of the whole plan, for a file.
     pub(super) fn all_charts(self, points: usize) -> Vec<crate::view::Chart> {
         let end = self.planned.get_untracked().0;
-        self.state.with_untracked(|state| match (&state.planner, state.machine) {
-            (Some(planner), Some(machine)) => machine.charts(&state.values, planner.timeline(), 0.0, end, points),
+        self.state.with_untracked(|state| match (&state.planner, state.machine()) {
+            (Some(planner), Some((machine, on))) => {
+                machine.charts(&state.values, on, planner.timeline(), 0.0, end, points)
+            }
             _ => Vec::new(),
         })
     }
@@ -352,17 +368,18 @@ impl Player {
         let window = self.window.get_untracked();
         let shown = self.state.quietly(|state| {
             let (planner, machine) = (state.planner.as_ref()?, state.machine?);
+            let on = On { control: state.control?, switches: &state.switches };
             let timeline = planner.timeline();
             let head = state.head.min(planned);
             let snapshot = timeline.at(head);
             let block = timeline.block_at(head);
             if let Some(stage) = &mut state.stage {
-                stage.pose(&machine.pose(&state.values, &snapshot, frame));
+                stage.pose(&machine.pose(&state.values, on, &snapshot, frame));
                 stage.time(head, planned);
             }
             let (from, to) = state.charts.page(head, planned, window);
             if (state.charts_stale || state.charts.moved(from, to)) && !state.charts_drawn {
-                state.charts.draw(machine, &state.values, planner.timeline(), from, to);
+                state.charts.draw(machine, &state.values, on, planner.timeline(), from, to);
                 state.charts_drawn = true;
                 state.charts_stale = false;
             }

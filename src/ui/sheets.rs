@@ -22,7 +22,7 @@ pub(super) fn plc(model: Model) -> Vec<El> {
 fn sheets(model: Model, which: fn(&str) -> bool) -> Vec<El> {
     let all = move || {
         model.project.with(|project| {
-            let sheets = project.machine.sheets(&project.values, project.control, &project.switches);
+            let sheets = project.machine.sheets(&project.values, project.on());
             sheets.iter().filter(|sheet| which(sheet.id)).flat_map(table).collect()
         })
     };
@@ -31,33 +31,44 @@ fn sheets(model: Model, which: fn(&str) -> bool) -> Vec<El> {
 
 /// The points of the control that no manual at hand settles, each with its settings, source and grade.
 fn switches(model: Model) -> El {
-    let row = |switch: &'static Switch| {
-        let options: Vec<El> = switch.options.iter().map(|one| el("option").at("value", one).text(one)).collect();
-        let set = move || {
-            model.project.with(|p| p.switches.get(p.control.switches, switch.id).unwrap_or_default().to_owned())
-        };
-        let select = el("select").label(switch.text).add(&options).valued(set);
-        let select = select.on("change", move |event| {
-            let chosen = value(&event);
-            model.edit(switch.id, |project| {
-                project.switches.0.retain(|(id, _)| id != switch.id);
-                if switch.options.first() != Some(&chosen.as_str()) {
-                    project.switches.0.push((switch.id.to_owned(), chosen));
-                }
-            });
-        });
-        let class = if switch.cite.grade == Grade::Open { "td.grade.open" } else { "td.grade" };
-        el("tr").add(&[
-            el("td").text(switch.text),
-            el("td").add(&[select]),
-            el(class).at("title", switch.cite.source).text(grade(switch.cite.grade)),
-        ])
+    let rows = move || {
+        model.control.track();
+        model.project.with_untracked(|project| project.control.switches).iter().map(|row| switch(model, row)).collect()
     };
-    let rows: Vec<El> = model.project.with_untracked(|project| project.control.switches).iter().map(row).collect();
     el("div.sheets").add(&[
         el("h3").text(t("page.switches")),
         el("p.lead").text(t("page.switches-lead")),
-        el("table.switches").add(&[el("tbody").add(&rows)]),
+        el("table.switches").add(&[el("tbody").swap(rows)]),
+    ])
+}
+
+fn switch(model: Model, switch: &'static Switch) -> El {
+    let set =
+        move || model.project.with(|p| p.switches.get(p.control.switches, switch.id).unwrap_or_default().to_owned());
+    let input = if switch.is_text() {
+        el("input").at("type", "text").at("spellcheck", "false").at("autocomplete", "off")
+    } else {
+        let options: Vec<El> = switch.options.iter().map(|one| el("option").at("value", one).text(one)).collect();
+        el("select").add(&options)
+    };
+    let input = input.label(switch.text).valued(set).on("change", move |event| {
+        let chosen = value(&event).trim().to_owned();
+        if !switch.takes(&chosen) {
+            model.notify("warn", t("page.not-a-setting").to_owned());
+            return;
+        }
+        model.edit(switch.id, |project| {
+            project.switches.0.retain(|(id, _)| id != switch.id);
+            if switch.options.first() != Some(&chosen.as_str()) {
+                project.switches.0.push((switch.id.to_owned(), chosen));
+            }
+        });
+    });
+    let class = if switch.cite.grade == Grade::Open { "td.grade.open" } else { "td.grade" };
+    el("tr").add(&[
+        el("td").text(switch.text),
+        el("td").add(&[input]),
+        el(class).at("title", switch.cite.source).text(grade(switch.cite.grade)),
     ])
 }
 

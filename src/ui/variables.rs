@@ -14,9 +14,7 @@ use crate::motion::Action;
 /// The variables tab.
 pub(super) fn variables(model: Model) -> Vec<El> {
     let rows = move || {
-        model.machine.track();
-        let rows = model.project.with_untracked(|project| project.machine.variables(project.control));
-        rows.into_iter().map(|(variable, meaning, unit)| row(model, variable, meaning, unit)).collect()
+        model.variables.get().into_iter().map(|(variable, meaning, unit)| row(model, variable, meaning, unit)).collect()
     };
     let heads =
         ["page.variable", "page.value", "page.unit", "page.meaning"].map(|id| el("th").at("scope", "col").text(t(id)));

@@ -1,5 +1,6 @@
 //! The machines: their numbers against the independent oracle (`sizing_check.py`), their verdicts, their programs.
 
 mod look;
+mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;

@@ -4,9 +4,14 @@ use super::MACRO;
 use crate::controls::Signal;
 use crate::controls::interface::SignalRole::*;
 use crate::controls::interface::{from_plc, to_plc};
+use crate::text::{Citation, Grade};
+
+/// Codes differ from model to model.
+const OVERRIDE: Citation = Citation::new("GSK980MDi manual, p.460, and 988TA", Grade::Sister);
 
 /// By device number.
 pub(super) const SIGNALS: &[Signal] = &[
+    from_plc(SpindleOverrideCode, "G30", "code", "spindle override, 50 to 120 % in steps of 10", OVERRIDE),
     from_plc(MacroInputLow(1032), "G54", "word", "#1032 (G54, G55); its bits are #1000 to #1015", MACRO),
     from_plc(MacroInputLow(1033), "G56", "word", "#1033 (G56, G57)", MACRO),
     from_plc(MacroInputLow(1034), "G58", "word", "#1034 (G58, G59)", MACRO),

@@ -10,7 +10,8 @@ const RANGES: Citation = Citation::new("GSK980TDi parameter list; range GSK980MD
 
 /// One row per parameter, by number.
 pub(super) const PARAMS: &[ParamDef] = &[
-    param(CommandUnit, "No.001#1", "", "", "0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)", PARAMETERS),
+    param(CommandUnit, "No.001#1", "", "", "0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)", PARAMETERS).answered("0", "1"),
+    param(AxisDiameter, "No.001#2", "", "", "words of X: 0 diameters, 1 radii", PARAMETERS).answered("0", "1"),
     param(SpindleConnection, "No.001#4", "", "", "1: analog voltage, 0: gears by contacts", PARAMETERS),
     param(
         ExactStopCheck,
@@ -21,15 +22,19 @@ pub(super) const PARAMS: &[ParamDef] = &[
         PARAMETERS,
     ),
     param(AxisRapid, "No.022", "", "mm/min", "rapid traverse", RANGES),
-    param(AxisClamp, "No.027", "", "mm/min", "upper limit of the cutting feed; of X as diameter", RANGES),
+    param(AxisClamp, "No.027", "", "mm/min", "upper limit of the cutting feed; of X as diameter", RANGES)
+        .in_diameters(),
     param(AxisTimeConstant, "No.029", "", "ms", "time constant of acceleration, cutting feed, 10 to 4000", RANGES),
     param(SpindleLimit, "No.037", "", "r/min", "spindle speed at 10 V, gear 1 (gears 2 to 4: No.038 to 040)", SPINDLE),
     param(SpindleMinimum, "No.043", "", "r/min", "smallest spindle speed at constant surface speed", PARAMETERS),
-    param(AxisSoftLimits, "No.045/046", "", "0.001 mm", "soft limits 1, machine coordinates", PARAMETERS),
+    param(AxisSoftLimits, "No.045/046", "", "0.001 mm", "soft limits 1, machine coordinates", PARAMETERS)
+        .answered("", ""),
     param(SpindleEncoder, "No.069/070", "", "", "spindle encoder fitted, and its lines (100 to 10000)", PARAMETERS),
     param(SpindleMaximum, "No.075", "", "r/min", "spindle speed clamp, 0: none", PARAMETERS),
-    param(AxisRotary, "No.187#0", "", "", "kind of the additional axes: 00 linear, 01 and 11 rotary, 10 none", AXES),
-    param(SpindleCount, "No.196#4", "", "", "1: several spindles", PARAMETERS),
+    param(AxisRotary, "No.187#0", "", "", "kind of the additional axes: 00 linear, 01 and 11 rotary, 10 none", AXES)
+        .answered("01", "00"),
+    param(SpindleCount, "No.196#4", "", "", "1: several spindles", PARAMETERS).answered("0", "1"),
     param(AxisInPosition, "No.248", "", "pulses", "in-position width", PARAMETERS),
-    param(AxisAcceleration, "No.252", "", "", "acceleration of cutting feed: 0 linear, 1 S-shaped", PARAMETERS),
+    param(AxisAcceleration, "No.252", "", "", "acceleration of cutting feed: 0 linear, 1 S-shaped", PARAMETERS)
+        .answered("0", "1"),
 ];

@@ -8,7 +8,8 @@ use crate::controls::params::param;
 /// One row per parameter, by number.
 pub(super) const PARAMS: &[ParamDef] = &[
     param(AxisRotary, "1006#0", "ROT", "", "1: rotary axis, in degrees", MEMORY),
-    param(AxisSoftLimits, "1320/1321", "", "0.001 mm", "soft limits 1, machine coordinates", MEMORY),
+    param(AxisDiameter, "1006#3", "DIA", "", "1: words of the axis count diameters", MEMORY),
+    param(AxisSoftLimits, "1320/1321", "", "0.001 mm", "soft limits 1, machine coordinates", MEMORY).answered("", ""),
     param(AxisRapid, "1420", "", "mm/min", "rapid traverse", MEMORY),
     param(AxisClamp, "1422", "", "mm/min", "upper limit of the cutting feed", MEMORY),
     param(ExactStopCheck, "1601#5", "NCI", "", "0: in-position check at deceleration, 1: none", MEMORY),
@@ -24,5 +25,5 @@ pub(super) const PARAMS: &[ParamDef] = &[
     param(SpindleMaximum, "3772", "", "r/min", "spindle speed clamp, 0: none", MEMORY),
     param(SpindleEncoder, "4002#1", "", "", "1: spindle encoder fitted", MEMORY),
     param(MacroSingle, "6000#5", "SBM", "", "1: macro blocks stop in single block", MEMORY),
-    param(VariablesAtReset, "6001#6", "CCV", "", "0: #100 to #199 become vacant at reset", MEMORY),
+    param(VariablesAtReset, "6001#6", "CCV", "", "0: #100 to #199 become vacant at reset", MEMORY).answered("0", "1"),
 ];

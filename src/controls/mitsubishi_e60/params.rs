@@ -13,7 +13,7 @@ const DECIMALS: Citation = Citation::new("M700V/M70V programming manual, p.40", 
 
 /// One row per parameter, by number.
 pub(super) const PARAMS: &[ParamDef] = &[
-    param(CommandUnit, "#1015", "cunit", "0.1 µm", "command unit: 10 is 0.001 mm", DECIMALS),
+    param(CommandUnit, "#1015", "cunit", "0.1 µm", "command unit: 10 is 0.001 mm", DECIMALS).answered("10", "1"),
     param(AxisRotary, "#1017", "rot", "", "1: rotary axis, in degrees", HEADER),
     param(
         SpindleCount,
@@ -45,7 +45,8 @@ pub(super) const PARAMS: &[ParamDef] = &[
         "hex",
         "acceleration; high digit cutting, low digit rapid: 0 step, 1 linear, 2 primary delay, F soft",
         Citation::new("types: Custom-API header; digits unverified", Grade::Open),
-    ),
+    )
+    .answered("11", "22"),
     param(AxisTimeConstant, "#2007", "G1tL", "ms", "time constant of linear acceleration, cutting feed", HEADER),
     param(
         AxisSoftLimits,
@@ -54,7 +55,8 @@ pub(super) const PARAMS: &[ParamDef] = &[
         "mm",
         "soft limits; both equal: none",
         Citation::new("names: Custom-API header; \"equal: none\" unverified", Grade::Open),
-    ),
+    )
+    .answered("", "0 / 0"),
     param(AxisInPosition, "#2078", "G1inps", "mm", "in-position width, cutting feed", HEADER),
     param(AxisPositionGain, "#2203", "PGN1", "1/s", "position loop gain", MEMORY),
     param(
@@ -74,7 +76,8 @@ pub(super) const PARAMS: &[ParamDef] = &[
         "",
         "spindle connection: 0 none, 1 bus, 2 to 5 analog (the paper prints it as #1024)",
         Citation::new("name: Custom-API header; number and values unverified", Grade::Open),
-    ),
+    )
+    .answered("2", "1"),
     param(SpindleEncoder, "#3025", "enc-on", "", "1: spindle encoder fitted", NAME),
     param(
         MacroSingle,

@@ -2,7 +2,7 @@
 //!
 //! Lengths in mm, speeds in mm/min unless said otherwise, times in seconds. The equations (1) to (4) are the paper's.
 
-use super::params::{Job, Params, PathMode, PiForm, Variant, Wait, YUnit};
+use super::params::{FeedForm, Job, Params, PathMode, PiForm, Variant, Wait, YUnit};
 use super::plc::FIN_DELAY;
 use super::program;
 use crate::drives::Analog;
@@ -29,6 +29,7 @@ pub struct Derived {
     pub line_speed: f64,
     pub y_stroke: f64,
     pub vector_feed: f64,
+    pub feed_per_revolution: f64,
     pub x_feed: f64,
     pub y_feed: f64,
     pub x_motor_speed: f64,
@@ -177,6 +178,7 @@ impl Derived {
             line_speed,
             y_stroke,
             vector_feed,
+            feed_per_revolution: self::vector_feed(k, p.pitch, y_stroke),
             x_feed: line_speed,
             y_feed,
             x_motor_speed: line_speed / (PI * p.x_roller_diameter) * p.gear_x,
@@ -267,7 +269,7 @@ impl Timing {
             exact_stop,
             exact_stop_share: if pitch_time.is_finite() { pitch_time / exact_stop } else { 0.0 },
             // Start, pitches, and the ramp at the end.
-            product: wait + p.count() * pitch + tau,
+            product: wait + still_to_ramp(p, wait) + p.count() * pitch + tau,
         }
     }
 }
@@ -281,10 +283,27 @@ fn wait(p: &Params, moves: bool) -> f64 {
     }
 }
 
+/// Seconds that a feed per revolution loses behind the wait, while the spindle still comes up.
+fn still_to_ramp(p: &Params, wait: f64) -> f64 {
+    let (ramp, left) = (ramp(p), ramp(p) - wait);
+    if p.feed_form == FeedForm::PerRevolution && left > 0.0 { left * left / (2.0 * ramp) } else { 0.0 }
+}
+
 /// Seconds the inverter takes from standstill to the actual speed: its ramp is set for the speed at 10 V.
 fn ramp(p: &Params) -> f64 {
     let asked = (p.spindle_speed * p.override_stepped() / 100.0).min(p.top_speed());
     p.inverter_ramp * asked / p.speed_at_10v
+}
+
+/// Ribbon that a start lays down before X runs with the unwinder, at `speed` mm/s. In step with the spindle that is what the unwinder
+/// turns in the wait, be it still on its ramp, and what the acceleration of X takes.
+fn laid(p: &Params, speed: f64, ramp: f64, tau: f64) -> f64 {
+    let wait = wait(p, true);
+    if p.feed_form == FeedForm::PerRevolution && wait < ramp {
+        speed * (wait * wait / (2.0 * ramp) + tau / 2.0)
+    } else {
+        web::slack_after_start(speed, ramp, tau, wait)
+    }
 }
 
 /// Ribbon between unwinder and pull roller, mm and mm/min; positive piles up.
@@ -307,7 +326,10 @@ impl Slack {
             if p.dancer { (0.0, 0.0) } else { (motor.error(actual_speed), loaded.error(actual_speed)) };
         // What is truly unwound per minute less what X pulls; a dancer trims any difference away.
         let unwound = k(PI, p.press_roller_diameter, p.reduction_ratio) * actual_speed;
-        let rate = |error: f64| if p.dancer { 0.0 } else { unwound * (1.0 + error) - line_speed };
+        // A feed per revolution follows what the unwinder truly turns.
+        let in_step = p.feed_form == FeedForm::PerRevolution;
+        let pulled = |error: f64| if in_step { line_speed * (1.0 + error) } else { line_speed };
+        let rate = |error: f64| if p.dancer { 0.0 } else { unwound * (1.0 + error) - pulled(error) };
         let second = line_speed / 60.0;
         let (feed_ramp, tau) = (ramp(p), p.time_constant_x / 1000.0);
         let started = actual_speed > 0.0;
@@ -318,7 +340,7 @@ impl Slack {
             error,
             error_rated,
             // The axis stands the servo's lag behind its command, as long as it runs.
-            start: if started { web::slack_after_start(second, feed_ramp, tau, wait(p, started)) + lag } else { 0.0 },
+            start: if started { laid(p, second, feed_ramp, tau) + lag } else { 0.0 },
             rate: rate(error),
             rate_rated: rate(error_rated),
             run: if started { rate(error) * product / 60.0 } else { 0.0 },

@@ -1,8 +1,10 @@
-//! The ribbon dot-printing line: an inverter unwinds, X pulls, Y prints a dot every pitch.
+//! The ribbon dot-printing line: an inverter unwinds, X pulls, another axis prints a dot every pitch.
 
 pub mod params;
 
 pub mod derive;
+
+mod fitted;
 
 mod readouts;
 
@@ -22,13 +24,14 @@ mod charts;
 
 mod sheets;
 
-use crate::controls::{Control, Switches};
-use crate::machines::form::Field;
-use crate::machines::{Design, Frame, Machine, Plan, Samples};
+use crate::controls::Control;
+use crate::machines::form::{Field, Value};
+use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
 use crate::motion::{Action, Plant, Plc, Snapshot};
 use crate::view::{Chart, Pose, Readout, Scene, Sheet, Verdict};
 use derive::Derived;
-use params::{FIELDS, Newline, Params, YUnit};
+use fitted::Fitted;
+use params::{FIELDS, Newline, Params};
 use rules::{Case, RULES};
 
 /// Id of the machine.
@@ -42,7 +45,7 @@ impl Machine for RibbonLine {
     type Params = Params;
     const ID: &'static str = ID;
     const NAME: &'static str = "ribbon.name";
-    const CONTROLS: &'static [&'static str] = &["mitsubishi-e60"];
+    const CONTROLS: &'static [&'static str] = &["mitsubishi-e60", "gsk-980tdc", "knd-k2000t"];
 
     const LISTING: &'static str = include_str!("listing.nc");
 
@@ -50,53 +53,77 @@ impl Machine for RibbonLine {
         FIELDS
     }
 
-    fn design(p: &Params, control: &Control) -> Design {
-        design(p, control)
+    fn start(control: &Control) -> Start {
+        start(control)
     }
 
-    fn plan(p: &Params, _control: &Control) -> Plan {
-        Plan { deck: program::deck(p), setup: program::SETUP, main: program::RUN, crlf: p.newline == Newline::CrLf }
+    fn design(p: &Params, on: On) -> Design {
+        design(&Fitted::new(p, on))
     }
 
-    fn plant(p: &Params, control: &Control) -> Plant {
-        plant::plant(p, control)
+    fn plan(p: &Params, on: On) -> Plan {
+        let deck = program::deck(&Fitted::new(p, on));
+        Plan { deck, setup: program::SETUP, main: program::RUN, crlf: p.newline == Newline::CrLf }
+    }
+
+    fn plant(p: &Params, on: On) -> Plant {
+        plant::plant(&Fitted::new(p, on))
     }
 
     fn hand(p: &Params) -> Vec<Action> {
         vec![Action::SpindleOverride(p.override_percent)]
     }
 
-    fn plc(p: &Params, _control: &Control, _switches: &Switches) -> Box<dyn Plc> {
-        Box::new(plc::RibbonPlc::new(p))
+    fn plc(p: &Params, on: On) -> Box<dyn Plc> {
+        Box::new(plc::RibbonPlc::new(&Fitted::new(p, on)))
     }
 
-    fn sheets(p: &Params, control: &Control, switches: &Switches) -> Vec<Sheet> {
-        sheets::sheets(p, control, switches)
+    fn sheets(p: &Params, on: On) -> Vec<Sheet> {
+        sheets::sheets(&Fitted::new(p, on))
     }
 
-    fn variables(_control: &Control) -> Vec<(u32, &'static str, &'static str)> {
-        program::VARIABLES.to_vec()
+    fn variables(p: &Params, on: On) -> Vec<(u32, &'static str, &'static str)> {
+        program::variables(&Fitted::new(p, on))
     }
 
-    fn scene(p: &Params) -> Scene {
-        scene::scene(p)
+    fn scene(p: &Params, on: On) -> Scene {
+        scene::scene(&Fitted::new(p, on))
     }
 
-    fn pose(p: &Params, now: &Snapshot, frame: Frame) -> Pose {
-        pose::pose(p, now, frame)
+    fn pose(p: &Params, on: On, now: &Snapshot, frame: Frame) -> Pose {
+        pose::pose(&Fitted::new(p, on), now, frame)
     }
 
-    fn charts(p: &Params, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        charts::charts(p, run, from, to, points)
+    fn charts(p: &Params, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        charts::charts(&Fitted::new(p, on), run, from, to, points)
     }
 }
 
+/// The control's own times and ranges, and the parameter without which a second start would find no values.
+fn start(control: &Control) -> Start {
+    let mut start = Start::default();
+    for (id, value) in [
+        ("block-time", control.timing.block * 1000.0),
+        ("macro-time", control.timing.macro_block * 1000.0),
+        ("preread", f64::from(control.timing.preread)),
+        ("feed-limit", control.limits.feed_max),
+    ] {
+        start.values.insert(id.to_owned(), Value::Number((value * 1000.0).round() / 1000.0));
+    }
+    let kept = "kept";
+    let reset = control.switches.iter().find(|row| row.id == "common-at-reset");
+    if let Some(row) = reset.filter(|row| row.takes(kept) && row.options.first() != Some(&kept)) {
+        start.switches.0.push((row.id.to_owned(), kept.to_owned()));
+    }
+    start
+}
+
 /// Results, each judged by the rules about it, and the errors.
-fn design(p: &Params, control: &Control) -> Design {
-    let d = Derived::new(p, control.bench.output_bits);
-    let case = Case { p, d: &d, limits: &control.limits };
+fn design(line: &Fitted) -> Design {
+    let d = Derived::new(&line.p, line.control.bench.output_bits);
+    let case = Case { line, p: &line.p, d: &d, limits: &line.control.limits };
     let readouts = readouts::ROWS.iter().map(|row| judged(row, &case)).collect();
-    Design { readouts, diagnostics: rules::errors(&case) }
+    Design { readouts, diagnostics: rules::findings(&case) }
 }
 
 /// A result with the judgement of every rule about it: the worst verdict, all advice.
@@ -105,7 +132,7 @@ fn judged(row: &readouts::Row, case: &Case) -> Readout {
         id: row.id,
         label: row.label,
         value: (row.value)(case.d),
-        unit: unit(row, case.p),
+        unit: unit(row, case.line),
         decimals: row.decimals,
         limit: None,
         verdict: Verdict::None,
@@ -126,11 +153,11 @@ fn judged(row: &readouts::Row, case: &Case) -> Readout {
     readout
 }
 
-/// Y counts degrees where the form says so.
-fn unit(row: &readouts::Row, p: &Params) -> &'static str {
-    match (p.y_unit, row.id) {
-        (YUnit::Degrees, "y-stroke" | "y-drift") => "°",
-        (YUnit::Degrees, "y-feed") => "°/min",
+/// The print roller's axis counts degrees where it is fitted so.
+fn unit(row: &readouts::Row, line: &Fitted) -> &'static str {
+    match row.id {
+        "y-stroke" | "y-drift" if line.degrees() => "°",
+        "y-feed" if line.degrees() => "°/min",
         _ => row.unit,
     }
 }

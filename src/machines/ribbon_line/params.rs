@@ -1,5 +1,7 @@
 //! The form of the ribbon line: every input with unit, range and default, and the parameters that it fills.
 
+use super::fitted;
+use crate::controls::Control;
 use crate::machines::form::{Field, Kind};
 
 /// A choice of the form; the first is the default.
@@ -45,7 +47,29 @@ choice! {
 }
 
 choice! {
-    /// Unit of the Y axis.
+    /// The axis of the print roller.
+    PrintAxis {
+        /// Y.
+        Y,
+        /// C, in degrees.
+        C,
+        /// Z, in millimetres.
+        Z,
+    }
+}
+
+choice! {
+    /// What F counts.
+    FeedForm {
+        /// mm/min.
+        PerMinute,
+        /// mm per revolution of the unwinder's motor.
+        PerRevolution,
+    }
+}
+
+choice! {
+    /// Unit of the print roller's axis.
     YUnit {
         /// Circumference in millimetres.
         Millimetres,
@@ -114,6 +138,26 @@ choice! {
     }
 }
 
+impl PrintAxis {
+    /// Catalog id of its name.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            PrintAxis::Y => "ribbon.print-axis.y",
+            PrintAxis::C => "ribbon.print-axis.c",
+            PrintAxis::Z => "ribbon.print-axis.z",
+        }
+    }
+
+    /// Its address letter.
+    pub fn letter(self) -> u8 {
+        match self {
+            PrintAxis::Y => b'Y',
+            PrintAxis::C => b'C',
+            PrintAxis::Z => b'Z',
+        }
+    }
+}
+
 impl KnobStep {
     /// Percent per step.
     pub fn percent(self) -> f64 {
@@ -147,12 +191,14 @@ pub struct Params {
     pub rated_load_speed: f64,
     pub unwinder_load: f64,
     pub dancer: bool,
+    pub spindle_encoder: bool,
     pub loop_capacity: f64,
     pub ribbon_thickness: f64,
     pub effective_diameter: bool,
     pub ribbon_width: f64,
     pub youngs_modulus: f64,
     pub tensile_strength: f64,
+    pub print_axis: PrintAxis,
     pub y_unit: YUnit,
     pub contact_length: f64,
     pub smear_limit: f64,
@@ -183,6 +229,7 @@ pub struct Params {
     pub macro_time: f64,
     pub preread: f64,
     pub pi: PiForm,
+    pub feed_form: FeedForm,
     pub wait: Wait,
     pub dwell: f64,
     pub path_mode: PathMode,
@@ -241,6 +288,7 @@ macro_rules! essential {
             symbol: $symbol,
             essential: true,
             fact: $fact,
+            shown: always,
             kind: $kind,
         }
     };
@@ -257,14 +305,18 @@ macro_rules! fact {
             symbol: $symbol,
             essential: false,
             fact: true,
+            shown: always,
             kind: $kind,
         }
     };
 }
 
-/// A choice of the engineer.
+/// A choice of the engineer; `when` says where there is one.
 macro_rules! setting {
     ($id:literal, $group:literal, $label:literal, $help:literal, $symbol:literal, $kind:expr) => {
+        setting!($id, $group, $label, $help, $symbol, when always, $kind)
+    };
+    ($id:literal, $group:literal, $label:literal, $help:literal, $symbol:literal, when $shown:path, $kind:expr) => {
         Field {
             id: $id,
             group: $group,
@@ -273,9 +325,14 @@ macro_rules! setting {
             symbol: $symbol,
             essential: false,
             fact: false,
+            shown: $shown,
             kind: $kind,
         }
     };
+}
+
+fn always(_: &Params, _: &Control) -> bool {
+    true
 }
 
 /// Every input, in the order of the form.
@@ -307,7 +364,7 @@ pub static FIELDS: &[Field<Params>] = &[
         "ribbon.group.unwinder",
         "ribbon.override",
         "ribbon.override.help",
-        "#1033",
+        "",
         number!(override_percent, "%", 0.0..200.0, 100.0, 0, 1.0)
     ),
     setting!(
@@ -316,6 +373,7 @@ pub static FIELDS: &[Field<Params>] = &[
         "ribbon.override-form",
         "ribbon.override-form.help",
         "",
+        when fitted::tells_final_speed,
         one_of!(override_form: OverrideForm, "percent" "ribbon.override-form.percent", "final-speed" "ribbon.override-form.final-speed")
     ),
     setting!(
@@ -374,6 +432,14 @@ pub static FIELDS: &[Field<Params>] = &[
         "",
         number!(unwinder_load, "%", 0.0..200.0, 2.286, 3, 1.0)
     ),
+    fact!(
+        "spindle-encoder",
+        "ribbon.group.unwinder",
+        "ribbon.spindle-encoder",
+        "ribbon.spindle-encoder.help",
+        "",
+        flag!(spindle_encoder)
+    ),
     fact!("dancer", "ribbon.group.unwinder", "ribbon.dancer", "ribbon.dancer.help", "", flag!(dancer)),
     fact!(
         "loop-capacity",
@@ -424,11 +490,21 @@ pub static FIELDS: &[Field<Params>] = &[
         number!(tensile_strength, "N/mm²", 0.1..10000.0, 15.0, 2, 1.0)
     ),
     setting!(
+        "print-axis",
+        "ribbon.group.print",
+        "ribbon.print-axis",
+        "ribbon.print-axis.help",
+        "",
+        when fitted::has_print_axes,
+        one_of!(print_axis: PrintAxis, "y" "ribbon.print-axis.y", "c" "ribbon.print-axis.c", "z" "ribbon.print-axis.z")
+    ),
+    setting!(
         "y-unit",
         "ribbon.group.print",
         "ribbon.y-unit",
         "ribbon.y-unit.help",
         "",
+        when fitted::has_print_unit,
         one_of!(y_unit: YUnit, "mm" "ribbon.y-unit.mm", "degrees" "ribbon.y-unit.degrees")
     ),
     fact!(
@@ -672,6 +748,14 @@ pub static FIELDS: &[Field<Params>] = &[
         one_of!(pi: PiForm, "exact" "ribbon.pi.exact", "3.14" "ribbon.pi.short")
     ),
     setting!(
+        "feed-form",
+        "ribbon.group.program",
+        "ribbon.feed-form",
+        "ribbon.feed-form.help",
+        "F",
+        one_of!(feed_form: FeedForm, "per-minute" "ribbon.feed-form.per-minute", "per-revolution" "ribbon.feed-form.per-revolution")
+    ),
+    setting!(
         "wait",
         "ribbon.group.program",
         "ribbon.wait",
@@ -693,6 +777,7 @@ pub static FIELDS: &[Field<Params>] = &[
         "ribbon.path-mode",
         "ribbon.path-mode.help",
         "",
+        when fitted::stops_exactly,
         one_of!(path_mode: PathMode, "continuous" "ribbon.path-mode.continuous", "exact-stop" "ribbon.path-mode.exact-stop")
     ),
     setting!(

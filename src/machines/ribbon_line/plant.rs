@@ -1,24 +1,24 @@
 //! The plant of the ribbon line: two servo axes and the unwinder on the analog output.
 
-use super::params::{Params, YUnit};
-use crate::controls::Control;
+use super::fitted::{Fitted, PULL};
 use crate::math::PI;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
 /// The plant with the project's clamps, ramps and slip.
-pub(super) fn plant(p: &Params, control: &Control) -> Plant {
+pub(super) fn plant(line: &Fitted) -> Plant {
+    let p = &line.p;
     let x = AxisPlant {
-        letter: b'X',
+        letter: PULL,
         rotary: false,
-        diameter: false,
+        diameter: line.pull_words() == 2,
         rapid: p.rapid_x,
         clamp: p.clamp_x,
         time_constant: p.time_constant_x / 1000.0,
         position_gain: p.position_gain_x,
     };
     let y = AxisPlant {
-        letter: b'Y',
-        rotary: p.y_unit == YUnit::Degrees,
+        letter: p.print_axis.letter(),
+        rotary: line.degrees(),
         diameter: false,
         rapid: p.rapid_y,
         clamp: p.clamp_y,
@@ -27,7 +27,7 @@ pub(super) fn plant(p: &Params, control: &Control) -> Plant {
     };
     Plant {
         axes: vec![x, y],
-        spindle: spindle(p, control),
+        spindle: spindle(line),
         block_time: p.block_time / 1000.0,
         macro_time: p.macro_time / 1000.0,
         preread: p.preread as u8,
@@ -36,15 +36,16 @@ pub(super) fn plant(p: &Params, control: &Control) -> Plant {
 }
 
 /// The unwinder. A dancer trims it to what X pulls: no slip, and the program's own π.
-fn spindle(p: &Params, control: &Control) -> SpindlePlant {
+fn spindle(line: &Fitted) -> SpindlePlant {
+    let (p, bench) = (&line.p, &line.control.bench);
     let motor = p.induction();
     let (gain, slip) =
         if p.dancer { (p.program_pi() / PI, 0.0) } else { (motor.gain(), motor.slip() / p.speed_at_10v) };
     SpindlePlant {
         speed_at_full: p.speed_at_10v,
         speed_clamp: p.top_speed(),
-        volts_full: control.bench.volts_full,
-        output_bits: control.bench.output_bits,
+        volts_full: bench.volts_full,
+        output_bits: bench.output_bits,
         ramp: p.inverter_ramp,
         gain,
         slip,

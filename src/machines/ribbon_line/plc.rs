@@ -1,8 +1,8 @@
-//! The builder's PLC of the ribbon line: the paper's figure 1 (knob to R148 and R74/R75), and FIN for S and M.
+//! The builder's PLC of the ribbon line: the paper's figure 1 (the knob to override and macro input), and FIN for S and M.
 
 use super::derive::AT_SPEED;
-use super::params::{OverrideForm, Params, Wait};
-use super::program::INPUT;
+use super::fitted::Fitted;
+use super::params::{OverrideForm, Wait};
 use crate::motion::{Io, Plc};
 
 /// Seconds from a strobe to FIN where nothing has to be waited for: a few scans of the ladder.
@@ -17,13 +17,17 @@ pub(super) struct RibbonPlc {
     step: f64,
     form: OverrideForm,
     wait: Wait,
+    /// The macro input, and what fits into it.
+    input: u32,
+    range: (f64, f64),
     /// When the strobe that waits for FIN came.
     strobe_since: Option<f64>,
 }
 
 impl RibbonPlc {
-    pub(super) fn new(p: &Params) -> RibbonPlc {
-        RibbonPlc { step: p.knob_step.percent(), form: p.override_form, wait: p.wait, strobe_since: None }
+    pub(super) fn new(line: &Fitted) -> RibbonPlc {
+        let (p, input, range) = (&line.p, line.input(), line.input_range());
+        RibbonPlc { step: p.knob_step.percent(), form: p.override_form, wait: p.wait, input, range, strobe_since: None }
     }
 
     /// The knob in whole steps, 0 to 200 %.
@@ -43,12 +47,11 @@ impl Plc for RibbonPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         let percent = self.override_percent(io);
         io.spindle_override_out = percent;
-        // Low and high word: a 32-bit whole number.
         let word = match self.form {
             OverrideForm::Percent => percent,
             OverrideForm::FinalSpeed => io.spindle_command.abs().round(),
         };
-        io.inputs.insert(INPUT, word);
+        io.inputs.insert(self.input, word.clamp(self.range.0, self.range.1));
         if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
             self.strobe_since = None;
             io.fin = false;

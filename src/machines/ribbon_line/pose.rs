@@ -1,6 +1,7 @@
 //! The drawing of the ribbon line at a moment: where rollers and dots stand, how deep the loop hangs, what the figures say.
 
-use super::params::{Params, YUnit};
+use super::fitted::Fitted;
+use super::params::Params;
 use super::scene::{self, DOTS, PITCH, group, node};
 use super::show;
 use crate::machines::Frame;
@@ -12,10 +13,6 @@ use crate::view::scene::Placement;
 
 /// A roller that turns further from frame to frame is not seen turning: it is drawn as a ring.
 const SEEN: f64 = 20.0;
-
-/// Index of X and Y in the plant.
-pub(super) const X: usize = 0;
-pub(super) const Y: usize = 1;
 
 /// The state of the line at a moment, in the units of the drawing's figures.
 pub(super) struct State {
@@ -34,12 +31,13 @@ pub(super) struct State {
 }
 
 impl State {
-    pub(super) fn new(p: &Params, now: &Snapshot) -> State {
-        let (x, y) = (&now.axes[X], &now.axes[Y]);
+    pub(super) fn new(line: &Fitted, now: &Snapshot) -> State {
+        let p = &line.p;
+        let (x, y) = (&now.axes[line.pull()], &now.axes[line.print()]);
         // The axis itself, which lags its command.
         let pulled = x.actual;
         let turns = now.spindle.turns / p.reduction_ratio;
-        let degrees = degrees_per_unit(p);
+        let degrees = if line.degrees() { 1.0 } else { 360.0 / (PI * p.print_roller_diameter) };
         State {
             unwinder_turns: turns,
             pull_turns: pulled / (PI * p.x_roller_diameter),
@@ -54,23 +52,15 @@ impl State {
         }
     }
 
-    /// How far Y is from where X asks it to be, in mm of ribbon: the register error.
+    /// How far the print roller is from where X asks it to be, in mm of ribbon: the register error.
     pub(super) fn register(&self, p: &Params) -> f64 {
         self.print_angle * p.heads / 360.0 * p.pitch - self.pulled
     }
 }
 
-/// Degrees of the print roller per unit of Y.
-fn degrees_per_unit(p: &Params) -> f64 {
-    match p.y_unit {
-        YUnit::Millimetres => 360.0 / (PI * p.print_roller_diameter),
-        YUnit::Degrees => 1.0,
-    }
-}
-
 /// Where everything stands.
-pub(super) fn pose(p: &Params, now: &Snapshot, frame: Frame) -> Pose {
-    let state = State::new(p, now);
+pub(super) fn pose(line: &Fitted, now: &Snapshot, frame: Frame) -> Pose {
+    let (p, state) = (&line.p, State::new(line, now));
     let [unwinder, pull, print] = state.speeds.map(|speed| (speed * frame.step).abs());
     let mut pose = Pose::default();
     let mut put = |group: u16, centre: (f64, f64, f64), turn: f64, opacity: f64| {
@@ -97,9 +87,9 @@ pub(super) fn pose(p: &Params, now: &Snapshot, frame: Frame) -> Pose {
     let print_seen = if frame.strobe { 1.0 } else { seen(print) };
     put(group::PRINT, scene::PRINT, -flash(state.print_angle + 1e-6), print_seen);
     put(group::PRINT_BLUR, scene::PRINT, 0.0, 0.45 * (1.0 - print_seen));
-    dots(p, now, frame, &state, &mut pose);
+    dots(line, now, frame, &state, &mut pose);
     pose.paths = vec![(node::LOOP, scene::loop_path(state.slack, p.loop_capacity))];
-    pose.texts = texts(p, now, &state);
+    pose.texts = texts(line, now, &state);
     pose
 }
 
@@ -109,11 +99,12 @@ fn seen(step: f64) -> f64 {
 }
 
 /// The dots move with X; the newest was printed where the last head met the ribbon.
-fn dots(p: &Params, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
+fn dots(line: &Fitted, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
+    let p = &line.p;
     let passed = state.pulled / p.pitch + 1e-6;
     let printed = passed.floor();
     let part = if frame.strobe { 0.0 } else { passed - printed };
-    let step = now.axes[X].feed / 60.0 * frame.step / p.pitch;
+    let step = now.axes[line.pull()].feed / 60.0 * frame.step / p.pitch;
     // Beyond a third of a pitch a frame the eye joins wrong dots.
     let clear = if frame.strobe { 1.0 } else { ((0.45 - step) / 0.15).clamp(0.0, 1.0) };
     for dot in 0..DOTS {
@@ -129,7 +120,8 @@ fn dots(p: &Params, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose
     pose.placements.push(Placement { group: group::DOTS_BLUR, opacity: streak, ..Placement::default() });
 }
 
-fn texts(p: &Params, now: &Snapshot, state: &State) -> Vec<(usize, String)> {
+fn texts(line: &Fitted, now: &Snapshot, state: &State) -> Vec<(usize, String)> {
+    let p = &line.p;
     let heads = p.heads.max(1.0);
     let met = (state.print_angle * heads / 360.0 + 1e-6).floor();
     let head = met - (met / heads).floor() * heads + 1.0;
@@ -144,7 +136,7 @@ fn texts(p: &Params, now: &Snapshot, state: &State) -> Vec<(usize, String)> {
         (node::UNWINDER_VOLTS, format!("{} V", figure(now.spindle.volts, 3))),
         (node::SLACK, format!("{}{} mm", if state.slack >= 0.05 { "+" } else { "" }, figure(state.slack, 1))),
         (node::LOOP_STATE, say(state_of_loop)),
-        (node::PULL_FEED, format!("{} mm/min", figure(now.axes[X].feed, 0))),
+        (node::PULL_FEED, format!("{} mm/min", figure(now.axes[line.pull()].feed, 0))),
         (node::PULL_POSITION, format!("{} mm", figure(state.pulled, 1))),
         (node::PRINT_SPEED, format!("{} r/min", figure(state.speeds[2] / 6.0, 1))),
         (node::PRINT_HEAD, format!("{} {} / {}", say("ribbon.scene.head"), show(head, 0), show(heads, 0))),

@@ -1,11 +1,15 @@
 //! The program of the ribbon line: O9100 computes, O9101 runs, O9102 sets the project's values once.
 //!
+//! Words and codes are those that the control has: G91 or incremental addresses, exact stop or none, #3004 or none.
 //! O9100 and O9101 never write the operator's variables (those of O9102), so that products are changed by variables alone.
 
-use super::params::{FIELDS, OverrideForm, Params, PathMode, Variant, Wait, YUnit};
+use super::RibbonLine;
+use super::fitted::Fitted;
+use super::params::{FeedForm, OverrideForm, Params, PathMode, Variant, Wait};
+use crate::controls::{Code, VarKind};
 use crate::machines::settings;
 use crate::nc::Deck;
-use crate::nc::build::{Builder, Formula, f, g, m, p as program, real, s, v, x, y};
+use crate::nc::build::{Builder, Formula, NewWord, f, g, m, p as program, real, s, v, word, x};
 
 /// Number of the program that computes.
 pub(super) const COMPUTE: u32 = 9100;
@@ -13,9 +17,6 @@ pub(super) const COMPUTE: u32 = 9100;
 pub(super) const RUN: u32 = 9101;
 /// Number of the program that sets the project's values.
 pub(super) const SETUP: u32 = 9102;
-
-/// The PLC's word: spindle override in percent, or final spindle speed.
-pub(super) const INPUT: u32 = 1033;
 
 /// The operator's variables: number and whether only whole numbers make sense.
 const ENTRIES: [(u32, bool); 10] = [
@@ -32,90 +33,174 @@ const ENTRIES: [(u32, bool); 10] = [
 ];
 
 /// Variables that the operator reads and sets: number, meaning, unit.
-pub(super) const VARIABLES: &[(u32, &str, &str)] = &[
-    (100, "ribbon.spindle-speed", "r/min"),
-    (101, "ribbon.reduction-ratio", ": 1"),
-    (102, "ribbon.press-roller-diameter", "mm"),
-    (107, "ribbon.pitch", "mm"),
-    (109, "ribbon.heads", ""),
-    (111, "ribbon.print-roller-diameter", "mm"),
-    (116, "ribbon.speed-clamp", "r/min"),
-    (119, "ribbon.feed-limit", "mm/min"),
-    (120, "ribbon.pitch-count", ""),
-    (121, "ribbon.pitches-per-block", ""),
-    (INPUT, "ribbon.variable.input", ""),
-    (104, "ribbon.readout.actual-speed", "r/min"),
-    (105, "ribbon.readout.line-speed", "mm/min"),
-    (110, "ribbon.readout.y-stroke", ""),
-    (115, "ribbon.readout.vector-feed", "mm/min"),
-    (122, "ribbon.variable.remainder", ""),
-    (125, "ribbon.variable.left", ""),
-    (128, "ribbon.variable.block", ""),
-];
+pub(super) fn variables(line: &Fitted) -> Vec<(u32, &'static str, &'static str)> {
+    let per_turn = line.in_step();
+    let mut all = vec![
+        (100, "ribbon.spindle-speed", "r/min"),
+        (101, "ribbon.reduction-ratio", ": 1"),
+        (102, "ribbon.press-roller-diameter", "mm"),
+        (107, "ribbon.pitch", "mm"),
+        (109, "ribbon.heads", ""),
+        (111, "ribbon.print-roller-diameter", "mm"),
+        (116, "ribbon.speed-clamp", "r/min"),
+        (119, "ribbon.feed-limit", if per_turn { "mm/rev" } else { "mm/min" }),
+        (120, "ribbon.pitch-count", ""),
+        (121, "ribbon.pitches-per-block", ""),
+        (line.input(), "ribbon.variable.input", ""),
+        (104, "ribbon.readout.actual-speed", "r/min"),
+        (105, "ribbon.readout.line-speed", "mm/min"),
+        (110, "ribbon.readout.y-stroke", ""),
+        (115, "ribbon.readout.vector-feed", "mm/min"),
+    ];
+    if per_turn {
+        all.push((PER_TURN, "ribbon.readout.feed-per-revolution", "mm/rev"));
+    }
+    all.extend([
+        (122, "ribbon.variable.remainder", ""),
+        (125, "ribbon.variable.left", ""),
+        (128, "ribbon.variable.block", ""),
+    ]);
+    all
+}
+
+/// The vector feed per revolution of the unwinder's motor.
+const PER_TURN: u32 = 117;
 
 /// Entries that change the motion of a running line, with the variables that remember them; `#130` to `#136`.
-const WATCHED: [(u32, u32); 7] = [(INPUT, 130), (100, 131), (101, 132), (102, 133), (107, 134), (109, 135), (111, 136)];
+fn watched(line: &Fitted) -> [(u32, u32); 7] {
+    [(line.input(), 130), (100, 131), (101, 132), (102, 133), (107, 134), (109, 135), (111, 136)]
+}
 
 /// Blocks of one pass of the running loop as the control reads them: with words, and over when they are read (macro blocks, calls,
 /// returns). Held by a test against a run of the text.
 pub(super) fn blocks_of_a_pass(p: &Params) -> (u32, u32) {
-    match p.variant {
-        Variant::ReadyMade => (1, 7),
-        Variant::Published => (1, 15),
+    match (p.variant, p.feed_form) {
+        (Variant::ReadyMade, _) => (1, 7),
+        (Variant::Published, FeedForm::PerMinute) => (1, 15),
+        (Variant::Published, FeedForm::PerRevolution) => (1, 16),
     }
 }
 
 /// The programs, one per file.
-pub(super) fn deck(p: &Params) -> Deck {
+pub(super) fn deck(line: &Fitted) -> Deck {
     let mut b = Builder::new();
-    match p.variant {
+    match line.p.variant {
         Variant::ReadyMade => {
-            compute(&mut b, p);
-            run(&mut b, p);
+            compute(&mut b, line);
+            run(&mut b, line);
         }
         Variant::Published => {
-            published(&mut b, p);
-            run_published(&mut b, p);
+            published(&mut b, line);
+            run_published(&mut b, line);
         }
     }
-    setup(&mut b, p);
+    setup(&mut b, line);
     b.finish()
 }
 
 /// What wrote the program, and the settings it was written from.
-fn header(b: &mut Builder, p: &Params) {
+fn header(b: &mut Builder, line: &Fitted) {
     b.comment(concat!("WRITTEN BY MACROLINE ", env!("CARGO_PKG_VERSION")));
-    for line in settings::write(super::ID, FIELDS, p) {
-        b.comment(&line);
+    for text in settings::write::<RibbonLine>(line.form, line.control) {
+        b.comment(&text);
     }
+}
+
+/// Codes of the control for what is wanted, as far as it has them.
+fn codes(line: &Fitted, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
+    let row = |code: Code| line.control.codes.iter().find(|row| row.letter == b'G' && row.code == code);
+    wanted.into_iter().filter_map(|code| Some(g(u32::from(row(code)?.number / 10)))).collect()
+}
+
+/// A word that moves an axis by `by`: its incremental address, or its own under G91.
+fn travel(line: &Fitted, axis: usize, by: Formula) -> NewWord {
+    let row = line.control.axes.get(axis);
+    let own = row.map_or(b'X', |row| row.letter);
+    let incremental = row.and_then(|row| row.incremental).filter(|_| !line.control.can(Code::Incremental));
+    word(incremental.unwrap_or(own), by)
+}
+
+fn print_letter(line: &Fitted) -> char {
+    line.p.print_axis.letter() as char
+}
+
+/// A note about the print roller's axis.
+fn about(line: &Fitted, what: &str) -> String {
+    format!("{} {what}", print_letter(line))
+}
+
+/// Words of the pull axis for so many millimetres of ribbon.
+fn pull_words(line: &Fitted, ribbon: Formula) -> Formula {
+    match line.pull_words() {
+        1 => ribbon,
+        words => ribbon * words,
+    }
+}
+
+/// The block that pulls and prints. An exact stop that holds for one block stands in each.
+fn move_block(line: &Fitted, pull: Formula) -> Vec<NewWord> {
+    let once = line.p.path_mode == PathMode::ExactStop && !line.control.can(Code::ExactStop);
+    let mut words = codes(line, once.then_some(Code::ExactStopOnce));
+    let feed = if line.in_step() { PER_TURN } else { 115 };
+    words.extend([g(1), travel(line, line.pull(), pull), travel(line, line.print(), v(124)), f(v(feed))]);
+    words
+}
+
+/// Incremental dimensions, unit of F, and how blocks join.
+fn modes(line: &Fitted) -> Vec<NewWord> {
+    let feed = if line.in_step() { Code::FeedPerRevolution } else { Code::FeedPerMinute };
+    let path = if line.p.path_mode == PathMode::ExactStop { Code::ExactStop } else { Code::Cutting };
+    codes(line, [Code::Incremental, feed, path])
+}
+
+/// Feed override off, where the control has a variable for it.
+fn override_off(b: &mut Builder, line: &Fitted, number: u32) {
+    if overrides_can_be_off(line) {
+        b.n(number).assign(3004, 2).note("FEED OVERRIDE OFF");
+    }
+}
+
+/// Whether the program can switch the feed override off.
+pub(super) fn overrides_can_be_off(line: &Fitted) -> bool {
+    line.control.var(3004).is_some_and(|row| row.kind == VarKind::SuppressOverride)
+}
+
+/// Here is zero.
+fn preset(b: &mut Builder, line: &Fitted, number: u32) {
+    let zero = || real(0.0, 0);
+    let mut words = codes(line, [Code::SetCoordinates]);
+    words.extend([x(zero()), word(line.p.print_axis.letter(), zero())]);
+    b.n(number).words(words);
 }
 
 /// π as it is written: 3.141592654, or 3.14.
 ///
 /// The vector feed takes π almost squared: with eight decimals it would come out 2.3e-9 low, with nine it is right to 3e-10.
-fn pi(p: &Params) -> Formula {
-    real(p.program_pi(), 9)
+fn pi(line: &Fitted) -> Formula {
+    real(line.p.program_pi(), 9)
 }
 
 /// Actual spindle speed, equation (1). `input` holds the PLC's word.
-fn actual_speed(p: &Params, input: u32) -> Formula {
-    match p.override_form {
+fn actual_speed(line: &Fitted, input: u32) -> Formula {
+    match line.p.override_form {
         OverrideForm::Percent => v(100) * v(input) / 100,
         OverrideForm::FinalSpeed => v(input),
     }
 }
 
-/// Y per pitch: one head further.
-fn y_stroke(p: &Params) -> Formula {
-    match p.y_unit {
-        YUnit::Millimetres => pi(p) * v(111) / v(109),
-        YUnit::Degrees => real(360.0, 0) / v(109),
-    }
+/// Travel of the print roller per pitch: one head further.
+fn print_stroke(line: &Fitted) -> Formula {
+    if line.degrees() { real(360.0, 0) / v(109) } else { pi(line) * v(111) / v(109) }
 }
 
-/// Vector feed, equation (4): the block N30 that the paper leaves out.
-fn vector_feed() -> Formula {
-    v(105) * (v(107) * v(107) + v(110) * v(110)).sqrt() / v(107)
+/// Vector feed from the speed of the ribbon, equation (4): the block N30 that the paper leaves out.
+fn vector_feed(speed: Formula) -> Formula {
+    speed * (v(107) * v(107) + v(110) * v(110)).sqrt() / v(107)
+}
+
+/// Ribbon per revolution of the unwinder's motor, equation (2).
+fn per_turn(line: &Fitted) -> Formula {
+    pi(line) * v(102) / v(101)
 }
 
 /// Every entry above zero, whole where it counts; else on to [`alarms`].
@@ -138,49 +223,58 @@ fn alarms(b: &mut Builder) {
     }
 }
 
-/// The vector feed is more than the control takes.
-fn feed_alarm(b: &mut Builder) {
-    b.n(920).alarm(20, "FEED #115 ABOVE LIMIT #119");
+/// F is more than the control takes.
+fn feed_alarm(b: &mut Builder, line: &Fitted) {
+    b.n(920).alarm(20, &format!("FEED #{} ABOVE LIMIT #119", if line.in_step() { PER_TURN } else { 115 }));
     b.words([m(99)]);
 }
 
 /// O9100, ready-made: guards, copies of what the run watches, and the paper's equations.
-fn compute(b: &mut Builder, p: &Params) {
+fn compute(b: &mut Builder, line: &Fitted) {
     b.program(COMPUTE, "RIBBON LINE - COMPUTE");
     guards(b);
     // Copied before it is used: what changes from here on differs from its copy and is computed again.
-    for (at, (watched, copy)) in (20..).zip(WATCHED) {
+    for (at, (watched, copy)) in (20..).zip(watched(line)) {
         b.n(at).assign(copy, v(watched));
     }
-    b.n(30).assign(104, actual_speed(p, 130)).note("ACTUAL SPEED R/MIN");
+    b.n(30).assign(104, actual_speed(line, 130)).note("ACTUAL SPEED R/MIN");
     b.n(31).if_goto(v(104).le(v(116)), 33);
     b.n(32).assign(104, v(116)).note("CLAMP AS THE CONTROL DOES");
-    b.n(33).assign(105, pi(p) * v(102) / v(101) * v(104)).note("LINE SPEED MM/MIN");
-    b.n(34).assign(110, y_stroke(p)).note("Y PER PITCH");
-    b.n(35).assign(115, vector_feed()).note("VECTOR FEED");
-    b.n(36).if_goto(v(115).gt(v(119)), 920);
-    b.n(37).assign(129, v(107) * v(128)).note("X PER BLOCK");
-    b.n(38).assign(123, v(110) * v(128)).note("Y PER BLOCK");
+    b.n(33).assign(105, per_turn(line) * v(104)).note("LINE SPEED MM/MIN");
+    b.n(34).assign(110, print_stroke(line)).note(&about(line, "PER PITCH"));
+    b.n(35).assign(115, vector_feed(v(105))).note("VECTOR FEED");
+    if line.in_step() {
+        b.assign(PER_TURN, vector_feed(per_turn(line))).note("FEED PER REVOLUTION");
+        b.n(36).if_goto(v(PER_TURN).gt(v(119)), 920);
+    } else {
+        b.n(36).if_goto(v(115).gt(v(119)), 920);
+    }
+    b.n(37).assign(129, pull_words(line, v(107) * v(128))).note(if line.pull_words() == 2 {
+        "X PER BLOCK, DIAMETER"
+    } else {
+        "X PER BLOCK"
+    });
+    b.n(38).assign(123, v(110) * v(128)).note(&about(line, "PER BLOCK"));
     b.n(39).words([m(99)]);
     alarms(b);
-    feed_alarm(b);
+    feed_alarm(b, line);
     // Behind the end: read by people, never by a running line.
-    header(b, p);
+    header(b, line);
 }
 
 /// O9101, ready-made.
-fn run(b: &mut Builder, p: &Params) {
+fn run(b: &mut Builder, line: &Fitted) {
     b.program(RUN, "RIBBON LINE - RUN");
-    header(b, p);
-    b.n(1).assign(3004, 2).note("FEED OVERRIDE OFF");
+    header(b, line);
+    override_off(b, line, 1);
     b.n(2).assign(125, v(120)).note("PITCHES LEFT");
-    b.n(3).assign(122, 0).note("REMAINDER OF Y");
+    b.n(3).assign(122, 0).note(&format!("REMAINDER OF {}", print_letter(line)));
     b.n(4).assign(128, v(121)).note("PITCHES OF A BLOCK");
     b.n(5).words([m(98), program(COMPUTE)]);
-    b.n(6).words([g(92), x(real(0.0, 0)), y(real(0.0, 0))]);
+    preset(b, line, 6);
     b.n(7).assign(127, v(100)).note("SPEED THAT RUNS");
-    start_spindle(b, p, 8, 9);
-    b.n(10).words([g(91), g(94), path_mode(p)]);
+    start_spindle(b, line, 8, 9);
+    b.n(10).words(modes(line));
     b.n(11).while_do(v(125).gt(0), 1);
     b.n(12).assign(128, v(121));
     b.n(13).if_goto(v(125).ge(v(128)), 15);
@@ -193,16 +287,17 @@ fn run(b: &mut Builder, p: &Params) {
     b.n(20).words([g(4), x(real(0.1, 1))]).note("OVERRIDE 0: WAIT");
     b.n(21).goto(15);
     b.n(30).while_do(v(125).ge(v(128)), 2);
-    let (first, second) = WATCHED.split_at(3);
+    let watched = watched(line);
+    let (first, second) = watched.split_at(3);
     b.n(31).if_goto(changed(first).gt(0), 15);
     b.n(32).if_goto(changed(second).gt(0), 15);
-    b.n(33).assign(124, ((v(122) + v(123)) * 1000).round() / 1000).note("Y OF THIS BLOCK");
-    b.n(34).assign(122, v(122) + v(123) - v(124)).note("Y LEFT OVER");
-    b.n(35).words([g(1), x(v(129)), y(v(124)), f(v(115))]);
+    b.n(33).assign(124, ((v(122) + v(123)) * 1000).round() / 1000).note(&about(line, "OF THIS BLOCK"));
+    b.n(34).assign(122, v(122) + v(123) - v(124)).note(&about(line, "LEFT OVER"));
+    b.n(35).words(move_block(line, v(129)));
     b.n(36).assign(125, v(125) - v(128));
     b.n(37).end_do(2);
     b.n(38).end_do(1);
-    end(b);
+    end(b, line);
 }
 
 /// 0 while no watched entry differs from its copy.
@@ -219,11 +314,11 @@ fn changed(watched: &[(u32, u32)]) -> Formula {
 }
 
 /// S and M3, and the wait until the unwinder runs.
-fn start_spindle(b: &mut Builder, p: &Params, start: u32, wait: u32) {
+fn start_spindle(b: &mut Builder, line: &Fitted, start: u32, wait: u32) {
     b.n(start).words([s(v(100)), m(3)]);
-    match p.wait {
-        Wait::Dwell if p.dwell > 0.0 => {
-            b.n(wait).words([g(4), x(real(p.dwell, 3))]).note("SPINDLE GETS ITS SPEED");
+    match line.p.wait {
+        Wait::Dwell if line.p.dwell > 0.0 => {
+            b.n(wait).words([g(4), x(real(line.p.dwell, 3))]).note("SPINDLE GETS ITS SPEED");
         }
         Wait::Dwell => {}
         Wait::Fin => {
@@ -232,68 +327,71 @@ fn start_spindle(b: &mut Builder, p: &Params, start: u32, wait: u32) {
     }
 }
 
-fn path_mode(p: &Params) -> crate::nc::build::NewWord {
-    g(match p.path_mode {
-        PathMode::Continuous => 64,
-        PathMode::ExactStop => 61,
-    })
-}
-
 /// Spindle off, absolute dimensions, program end. `#3004` is cleared by the reset of M30: written here it would act before the last
 /// moves are done.
-fn end(b: &mut Builder) {
+fn end(b: &mut Builder, line: &Fitted) {
     b.n(50).words([m(5)]);
-    b.n(51).words([g(90)]);
+    let absolute = codes(line, [Code::Absolute]);
+    if !absolute.is_empty() {
+        b.n(51).words(absolute);
+    }
     b.n(52).words([m(30)]);
 }
 
 /// O9100 as published: its numbers N5, N10, N20, N30, N100 and N200 with the corrections between them.
-fn published(b: &mut Builder, p: &Params) {
+fn published(b: &mut Builder, line: &Fitted) {
     b.program(COMPUTE, "RIBBON LINE - AS PUBLISHED");
-    b.n(5).assign(104, actual_speed(p, INPUT)).note("ACTUAL SPEED R/MIN");
+    b.n(5).assign(104, actual_speed(line, line.input())).note("ACTUAL SPEED R/MIN");
     b.n(6).if_goto(v(104).le(v(116)), 10);
     b.n(7).assign(104, v(116)).note("CLAMP AS THE CONTROL DOES");
-    b.n(10).assign(105, pi(p) * v(102) / v(101) * v(104)).note("LINE SPEED MM/MIN");
-    b.n(20).assign(110, y_stroke(p)).note("Y PER PITCH");
-    b.n(30).assign(115, vector_feed()).note("VECTOR FEED");
-    b.n(31).assign(124, ((v(122) + v(110)) * 1000).round() / 1000).note("Y OF THIS PITCH");
+    b.n(10).assign(105, per_turn(line) * v(104)).note("LINE SPEED MM/MIN");
+    b.n(20).assign(110, print_stroke(line)).note(&about(line, "PER PITCH"));
+    b.n(30).assign(115, vector_feed(v(105))).note("VECTOR FEED");
+    b.n(31).assign(124, ((v(122) + v(110)) * 1000).round() / 1000).note(&about(line, "OF THIS PITCH"));
     b.n(40).if_goto(v(115).lt(real(0.001, 3)), 210).note("F BELOW IS F0");
-    b.n(41).if_goto(v(115).gt(v(119)), 920);
+    if line.in_step() {
+        b.assign(PER_TURN, vector_feed(per_turn(line))).note("FEED PER REVOLUTION");
+        b.n(41).if_goto(v(PER_TURN).gt(v(119)), 920);
+    } else {
+        b.n(41).if_goto(v(115).gt(v(119)), 920);
+    }
     b.n(90).if_goto(v(127).eq(v(100)), 200);
-    start_spindle(b, p, 100, 110);
+    start_spindle(b, line, 100, 110);
     b.n(120).assign(127, v(100)).note("SPEED THAT RUNS");
-    b.n(200).words([g(91), g(94), path_mode(p), g(1), x(v(107)), y(v(124)), f(v(115))]);
-    b.n(201).assign(122, v(122) + v(110) - v(124)).note("Y LEFT OVER");
+    let pull = pull_words(line, v(107));
+    b.n(200).words(modes(line).into_iter().chain(move_block(line, pull)));
+    b.n(201).assign(122, v(122) + v(110) - v(124)).note(&about(line, "LEFT OVER"));
     b.n(202).assign(125, v(125) - 1);
     b.n(203).words([m(99)]);
     b.n(210).words([g(4), x(real(0.1, 1))]).note("OVERRIDE 0: WAIT");
     b.n(211).words([m(99)]);
-    feed_alarm(b);
-    header(b, p);
+    feed_alarm(b, line);
+    header(b, line);
 }
 
 /// The main program of the published listing: one call of O9100 per pitch.
-fn run_published(b: &mut Builder, p: &Params) {
+fn run_published(b: &mut Builder, line: &Fitted) {
     b.program(RUN, "RIBBON LINE - RUN");
-    header(b, p);
+    header(b, line);
     guards(b);
-    b.n(20).assign(3004, 2).note("FEED OVERRIDE OFF");
+    override_off(b, line, 20);
     b.n(21).assign(125, v(120)).note("PITCHES LEFT");
-    b.n(22).assign(122, 0).note("REMAINDER OF Y");
+    b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", print_letter(line)));
     b.n(23).assign(127, 0).note("SPINDLE DOES NOT RUN YET");
-    b.n(24).words([g(92), x(real(0.0, 0)), y(real(0.0, 0))]);
+    preset(b, line, 24);
     b.n(30).while_do(v(125).gt(0), 1);
     b.n(31).words([m(98), program(COMPUTE)]);
     b.n(32).end_do(1);
-    end(b);
+    end(b, line);
     alarms(b);
     b.words([m(30)]);
 }
 
 /// O9102: the values of the project, once.
-fn setup(b: &mut Builder, p: &Params) {
+fn setup(b: &mut Builder, line: &Fitted) {
     b.program(SETUP, "RIBBON LINE - SET VALUES ONCE");
-    header(b, p);
+    header(b, line);
+    let p = &line.p;
     let values = [
         (100, p.spindle_speed, 0, "SPINDLE SPEED S"),
         (101, p.reduction_ratio, 6, "REDUCTION RATIO"),
@@ -302,7 +400,7 @@ fn setup(b: &mut Builder, p: &Params) {
         (109, p.heads, 0, "PRINT HEADS"),
         (111, p.print_roller_diameter, 4, "PRINT ROLLER DIAMETER"),
         (116, p.top_speed(), 3, "SPEED CLAMP"),
-        (119, p.feed_limit, 3, "FEED LIMIT"),
+        (119, line.feed_max(), 3, "FEED LIMIT"),
         (120, p.count(), 0, "PITCHES OF A PRODUCT"),
         (121, p.block_pitches(), 0, "PITCHES PER BLOCK"),
     ];

@@ -60,7 +60,7 @@ pub(super) const ROWS: &[Row] = &[
     },
     Row {
         id: "actual-speed", label: "ribbon.readout.actual-speed", unit: "r/min", decimals: 2, headline: false,
-        formula: "#104 = #100 · #1033 / 100, at most #116",
+        formula: "#104 = #100 · override / 100, at most #116",
         cite: Citation::new("paper, equation (1)", Grade::Manual), value: |d| d.actual_speed,
     },
     Row {
@@ -72,6 +72,11 @@ pub(super) const ROWS: &[Row] = &[
         id: "y-stroke", label: "ribbon.readout.y-stroke", unit: "mm", decimals: 6, headline: false,
         formula: "#110 = π · #111 / #109",
         cite: Citation::new("paper, table 1", Grade::Manual), value: |d| d.y_stroke,
+    },
+    Row {
+        id: "feed-per-revolution", label: "ribbon.readout.feed-per-revolution", unit: "mm/rev", decimals: 6, headline: false,
+        formula: "#115 / #104",
+        cite: Citation::new("paper, equations (2) and (4)", Grade::Inferred), value: |d| d.feed_per_revolution,
     },
     Row {
         id: "x-feed", label: "ribbon.readout.x-feed", unit: "mm/min", decimals: 3, headline: false,

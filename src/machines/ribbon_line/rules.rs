@@ -1,11 +1,14 @@
 //! The rules a ribbon line is judged by, as rows: which result, which limit, what would mend it.
 //!
 //! Numbers are those of section 7 of the sizing sheet. Rule 1 is the ranges of the form, rule 18 the list of assumed facts; both are
-//! kept for every machine. Rule 4 is an error (the control slows the vector or refuses F), all others are verdicts.
+//! kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
+//! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
 use super::derive::Derived;
-use super::params::{Params, PathMode, PiForm, Variant, YUnit};
-use crate::controls::Limits;
+use super::fitted::Fitted;
+use super::params::{Params, PathMode, PiForm, Variant, Wait};
+use super::program;
+use crate::controls::{Code, Limits, ParamRole};
 use crate::drives::web;
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade, Message};
@@ -13,16 +16,10 @@ use crate::view::Verdict;
 
 /// Inputs, what follows from them, and what the control takes.
 pub(super) struct Case<'a> {
+    pub(super) line: &'a Fitted<'a>,
     pub(super) p: &'a Params,
     pub(super) d: &'a Derived,
     pub(super) limits: &'a Limits,
-}
-
-impl Case<'_> {
-    /// The largest vector feed in mm/min: the project's limit, and never more than the control reads.
-    fn feed_max(&self) -> f64 {
-        self.p.feed_limit.min(self.limits.feed_max)
-    }
 }
 
 /// The judgement of one rule.
@@ -69,7 +66,8 @@ pub(super) const RULES: &[Rule] = &[
     rule!(4, "line-speed", clamp_x, "parameter #2002", Sister),
     rule!(4, "x-feed", clamp_x, "parameter #2002", Sister),
     rule!(4, "y-feed", clamp_y, "parameter #2002", Sister),
-    rule!(4, "vector-feed", feed_limit, "sheet 1.1, from memory", Open),
+    rule!(4, "vector-feed", feed_limit, "ranges of the control", Open),
+    rule!(4, "feed-per-revolution", revolution_feed, "ranges of the control", Open),
     rule!(5, "block-time", block_time, "sizing sheet section 4, times from memory", Open),
     rule!(6, "volts", saturation, "sheet 3.1", Inferred),
     rule!(7, "frequency", slow_motor, "trade source", Inferred),
@@ -87,36 +85,69 @@ pub(super) const RULES: &[Rule] = &[
     rule!(17, "y-drift", y_drift, "sizing sheet G1", Inferred),
 ];
 
-/// Errors that keep the program from being exported: rule 4, and blocks that the control cannot read.
-pub(super) fn errors(case: &Case) -> Vec<Diagnostic> {
-    let Case { p, d, .. } = case;
+/// Errors that keep the program from being exported, a feed that the control does not take, and what the operator has to know.
+pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
+    let Case { line, p, d, limits } = case;
     let mut found = Vec::new();
-    if d.x_feed > p.clamp_x {
-        found.push(Diagnostic::error(msg!("ribbon.x-above-clamp", d.x_feed, p.clamp_x)).about("clamp-x"));
+    let print = letter(case);
+    for (axis, feed, clamp, field) in
+        [("X", d.x_feed, p.clamp_x, "clamp-x"), (print.as_str(), d.y_feed, p.clamp_y, "clamp-y")]
+    {
+        if feed > clamp {
+            let message = msg!("ribbon.above-clamp", axis, feed, clamp);
+            found.push(Diagnostic::error(message).about(field).hint(slower_advice(case)));
+        }
     }
-    if d.y_feed > p.clamp_y {
-        found.push(Diagnostic::error(msg!("ribbon.y-above-clamp", d.y_feed, p.clamp_y)).about("clamp-y"));
+    if let Some((message, advice)) = too_fast(case) {
+        found.push(advice.into_iter().fold(Diagnostic::warning(message).about("feed-limit"), Diagnostic::hint));
     }
-    if d.vector_feed > case.feed_max() {
+    if line.in_step() && !p.spindle_encoder {
+        found.push(Diagnostic::error(msg!("ribbon.no-encoder")).about("spindle-encoder"));
+    }
+    if p.spindle_speed > limits.speed_max {
         found.push(
-            Diagnostic::error(msg!("ribbon.feed-above-limit", d.vector_feed, case.feed_max())).about("feed-limit"),
+            Diagnostic::error(msg!("ribbon.speed-above-range", (p.spindle_speed, 0), limits.speed_max))
+                .about("spindle-speed"),
         );
     }
-    let slower = slower_advice(case);
-    let mut found: Vec<_> = found.into_iter().map(|finding| finding.hint(slower.clone())).collect();
-    if d.vector_feed > 0.0 && d.vector_feed < case.limits.feed_increment {
-        let message = msg!("ribbon.feed-below-increment", (d.vector_feed, 6), case.limits.feed_increment);
+    if d.vector_feed > 0.0 && d.vector_feed < limits.feed_increment {
+        let message = msg!("ribbon.feed-below-increment", (d.vector_feed, 6), limits.feed_increment);
         found.push(Diagnostic::error(message).about("spindle-speed"));
     }
     found.extend(long_blocks(case));
+    if !program::overrides_can_be_off(line) {
+        found.push(Diagnostic::info(msg!("ribbon.override-acts")));
+    }
+    if line.control.param(ParamRole::VariablesAtPowerOn).is_none() {
+        found.push(Diagnostic::info(msg!("ribbon.values-are-lost", program::SETUP)));
+    }
     found
 }
 
-/// A block whose X or Y word is beyond what the control reads.
+fn letter(case: &Case) -> String {
+    (case.p.print_axis.letter() as char).to_string()
+}
+
+/// F in mm/min beyond the control's range: what is too fast, and the ways out.
+fn too_fast(case: &Case) -> Option<(Message, Vec<Message>)> {
+    let Case { line, d, limits, .. } = case;
+    let max = line.feed_max();
+    if line.in_step() || d.vector_feed <= max {
+        return None;
+    }
+    let mut advice = vec![slower_advice(case)];
+    if line.control.can(Code::FeedPerRevolution) && d.feed_per_revolution <= limits.revolution_feed_max {
+        advice.push(msg!("ribbon.per-revolution-instead", (d.feed_per_revolution, 3)));
+    }
+    Some((msg!("ribbon.feed-above-limit", d.vector_feed, max), advice))
+}
+
+/// A block whose longest word is beyond what the control reads.
 fn long_blocks(case: &Case) -> Option<Diagnostic> {
-    let Case { p, d, limits } = case;
+    let Case { line, p, d, limits } = case;
     let pitches = p.block_pitches().min(p.count());
-    let (axis, pitch) = if d.y_stroke > p.pitch { ("Y", d.y_stroke) } else { ("X", p.pitch) };
+    let pull = p.pitch * f64::from(line.pull_words());
+    let (axis, pitch) = if d.y_stroke > pull { (letter(case), d.y_stroke) } else { ("X".to_owned(), pull) };
     let max = limits.coordinate_max;
     (pitches * pitch > max).then(|| {
         Diagnostic::error(msg!("ribbon.block-too-long", axis, (pitches * pitch, 3), max))
@@ -127,8 +158,9 @@ fn long_blocks(case: &Case) -> Option<Diagnostic> {
 
 /// The highest whole S that keeps all of rule 4.
 fn slower_advice(case: &Case) -> Message {
-    let Case { p, d, .. } = case;
-    let share = (p.clamp_x / d.x_feed).min(p.clamp_y / d.y_feed).min(case.feed_max() / d.vector_feed);
+    let Case { line, p, d, .. } = case;
+    let clamps = (p.clamp_x / d.x_feed).min(p.clamp_y / d.y_feed);
+    let share = if line.in_step() { clamps } else { clamps.min(line.feed_max() / d.vector_feed) };
     msg!("ribbon.run-slower", ((d.actual_speed * share).floor(), 0))
 }
 
@@ -145,7 +177,31 @@ fn clamp_y(case: &Case) -> Option<Judgement> {
 }
 
 fn feed_limit(case: &Case) -> Option<Judgement> {
-    within_or_error(case.d.vector_feed, case.feed_max(), case)
+    let limit = (!case.line.in_step()).then(|| case.line.feed_max());
+    match too_fast(case) {
+        Some((message, mut advice)) => {
+            advice.insert(0, message);
+            fail(limit, advice)
+        }
+        None => limit.and_then(ok),
+    }
+}
+
+/// The control reads F per revolution in steps, which makes X run a little faster or slower than the unwinder, and up to a limit.
+fn revolution_feed(case: &Case) -> Option<Judgement> {
+    let Case { line, d, limits, .. } = case;
+    if !line.in_step() {
+        return None;
+    }
+    let (feed, limit, step) = (d.feed_per_revolution, line.feed_max(), limits.feed_increment);
+    if feed > limit {
+        return fail(limit, [msg!("ribbon.revolution-feed-above-limit", (feed, 3), limit)]);
+    }
+    let drift = (1.0 - (feed / step).round() * step / feed) * d.line_speed;
+    if drift.abs() > 1.0 {
+        return warn(limit, [msg!("ribbon.feed-in-steps", step, (drift.abs(), 1))]);
+    }
+    ok(limit)
 }
 
 /// Green to the allowed smear, amber to four times it, red beyond.
@@ -245,12 +301,18 @@ fn equal_axes(case: &Case) -> Option<Judgement> {
     let p = case.p;
     let mut advice = Vec::new();
     if p.time_constant_x != p.time_constant_y {
-        advice.push(msg!("ribbon.unequal-time-constants", (p.time_constant_x, 1), (p.time_constant_y, 1)));
+        advice.push(msg!(
+            "ribbon.unequal-time-constants",
+            (p.time_constant_x, 1),
+            letter(case),
+            (p.time_constant_y, 1)
+        ));
     }
     if p.position_gain_x != p.position_gain_y {
         advice.push(msg!(
             "ribbon.unequal-gains",
             (p.position_gain_x, 2),
+            letter(case),
             (p.position_gain_y, 2),
             (case.d.register_error, 3)
         ));
@@ -274,6 +336,8 @@ fn slack_start(case: &Case) -> Option<Judgement> {
     let slack = case.d.slack_start;
     let advice = if slack < 0.0 {
         msg!("ribbon.tight-at-start", (-slack, 0), (case.p.loop_capacity, 0))
+    } else if case.line.in_step() && (case.p.wait == Wait::Fin || case.p.dwell > 0.0) {
+        msg!("ribbon.slack-of-the-wait", (slack, 0), (case.p.loop_capacity, 0))
     } else {
         msg!("ribbon.slack-at-start", (slack, 0), (case.p.loop_capacity, 0))
     };
@@ -358,10 +422,7 @@ fn resolution_y(case: &Case) -> Option<Judgement> {
 }
 
 fn y_drift(case: &Case) -> Option<Judgement> {
-    let unit = match case.p.y_unit {
-        YUnit::Millimetres => "mm",
-        YUnit::Degrees => "°",
-    };
-    let advice = msg!("ribbon.y-carried", (case.d.y_drift, 3), unit);
+    let unit = if case.line.degrees() { "°" } else { "mm" };
+    let advice = msg!("ribbon.y-carried", letter(case), (case.d.y_drift, 3), unit);
     Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice] })
 }

@@ -3,6 +3,7 @@
 //! The ribbon runs at height 118 from left to right. Nothing is to scale but the angles, the pitch of the dots (26 units) and their
 //! smear; the loop hangs as deep as the slack is long.
 
+use super::fitted::Fitted;
 use super::params::Params;
 use crate::math::{self, PI};
 use crate::text::catalog::{Language, words};
@@ -65,7 +66,8 @@ const LOOP_DEPTH: f64 = 66.0;
 const HEADS: f64 = 60.0;
 
 /// The drawing at rest.
-pub(super) fn scene(p: &Params) -> Scene {
+pub(super) fn scene(line: &Fitted) -> Scene {
+    let p = &line.p;
     let mut pen = Pen::default();
     let language = Language::English;
     let name = |id: &'static str| words(language, id).to_owned();
@@ -100,7 +102,12 @@ pub(super) fn scene(p: &Params) -> Scene {
         (222.0, 303.0, "middle", "ribbon.scene.inverter"),
         (430.0, 303.0, "middle", "ribbon.scene.servo"),
     ] {
-        pen.text(x, y, anchor, name(id), "dim", "label");
+        let mut text = name(id);
+        if id == "ribbon.scene.print" {
+            text.push(' ');
+            text.push(p.print_axis.letter() as char);
+        }
+        pen.text(x, y, anchor, text, "dim", "label");
     }
     Scene { view: [0.0, 0.0, 760.0, 312.0], nodes: pen.nodes, groups: group::DOTS + DOTS, alt: "ribbon.scene.alt" }
 }

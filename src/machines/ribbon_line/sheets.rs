@@ -1,10 +1,10 @@
 //! What the machine builder sets beside the program: parameters, registers between PLC and control, and the ladder of figure 1.
 
-use super::params::{OverrideForm, Params, Wait, YUnit};
-use super::program::INPUT;
-use super::show;
+use super::fitted::Fitted;
+use super::params::{OverrideForm, PrintAxis, Wait};
+use super::{program, show};
 use crate::controls::interface::SignalRole;
-use crate::controls::{Control, ParamDef, ParamRole, Switches};
+use crate::controls::{ParamDef, ParamRole};
 use crate::text::catalog::{Language, words};
 use crate::text::number::Plain;
 use crate::text::{Citation, Grade};
@@ -12,9 +12,8 @@ use crate::view::ladder::{Contact, Rung};
 use crate::view::{Row, Sheet};
 
 /// All sheets.
-pub(super) fn sheets(p: &Params, control: &Control, switches: &Switches) -> Vec<Sheet> {
-    let device = |role| device(control, switches, role);
-    vec![parameters(p, control), interface(p, device), ladder(p, device)]
+pub(super) fn sheets(line: &Fitted) -> Vec<Sheet> {
+    vec![parameters(line), interface(line), ladder(line)]
 }
 
 fn say(id: &'static str) -> String {
@@ -26,36 +25,43 @@ fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {
 }
 
 /// Parameters with their values for this project.
-fn parameters(p: &Params, control: &Control) -> Sheet {
-    let degrees = p.y_unit == YUnit::Degrees;
-    let per_axis = |x: f64, y: f64| vec![("X", show(x, 3)), ("Y", show(y, 3))];
-    let one = |value: String| vec![("", value)];
-    let values: Vec<(ParamRole, Vec<(&str, String)>)> = vec![
-        (ParamRole::SpindleCount, one("1".to_owned())),
-        (ParamRole::SpindleConnection, one("2".to_owned())),
-        (ParamRole::SpindleLimit, one(show(p.speed_at_10v, 3))),
-        (ParamRole::SpindleMaximum, one(show(p.top_speed(), 3))),
-        (ParamRole::SpindleMinimum, one("0".to_owned())),
-        (ParamRole::SpindleEncoder, one("0".to_owned())),
-        (ParamRole::AxisRotary, vec![("X", "0".to_owned()), ("Y", u8::from(degrees).to_string())]),
+fn parameters(line: &Fitted) -> Sheet {
+    let p = &line.p;
+    let print: &str = &(p.print_axis.letter() as char).to_string();
+    let number = |value: f64| Setting::Number(value);
+    let per_axis = |x: f64, y: f64| vec![("X", number(x)), (print, number(y))];
+    let one = |setting: Setting| vec![("", setting)];
+    let both = |on: bool| vec![("X", Setting::Answer(on)), (print, Setting::Answer(on))];
+    // A rotary axis can be C or what was fitted as Y.
+    let turning = if p.print_axis == PrintAxis::Z { vec![] } else { vec![(print, Setting::Answer(line.degrees()))] };
+    let yes = |on: bool| one(Setting::Answer(on));
+    let values = [
+        (ParamRole::SpindleCount, yes(true)),
+        (ParamRole::SpindleConnection, yes(true)),
+        (ParamRole::SpindleLimit, one(number(p.speed_at_10v))),
+        (ParamRole::SpindleMaximum, one(number(p.top_speed()))),
+        (ParamRole::SpindleMinimum, one(number(0.0))),
+        (ParamRole::SpindleEncoder, yes(p.spindle_encoder)),
+        (ParamRole::AxisDiameter, vec![("X", Setting::Answer(line.pull_words() == 2))]),
+        (ParamRole::AxisRotary, turning),
         (ParamRole::AxisRapid, per_axis(p.rapid_x, p.rapid_y)),
         (ParamRole::AxisClamp, per_axis(p.clamp_x, p.clamp_y)),
-        (ParamRole::AxisAcceleration, vec![("X", "11".to_owned()), ("Y", "11".to_owned())]),
+        (ParamRole::AxisAcceleration, both(true)),
         (ParamRole::AxisTimeConstant, per_axis(p.time_constant_x, p.time_constant_y)),
         (ParamRole::AxisPositionGain, per_axis(p.position_gain_x, p.position_gain_y)),
         (ParamRole::AxisInPosition, per_axis(p.in_position, p.in_position)),
-        (ParamRole::AxisSoftLimits, vec![("X", "0 / 0".to_owned()), ("Y", "0 / 0".to_owned())]),
-        (ParamRole::CommandUnit, one("10".to_owned())),
-        (ParamRole::FeedOneDigit, one("0".to_owned())),
-        (ParamRole::VariablesAtReset, one("0".to_owned())),
-        (ParamRole::VariablesAtPowerOn, one("0".to_owned())),
-        (ParamRole::EditLock, one("0".to_owned())),
-        (ParamRole::MacroSingle, one("0".to_owned())),
+        (ParamRole::AxisSoftLimits, both(false)),
+        (ParamRole::CommandUnit, yes(true)),
+        (ParamRole::FeedOneDigit, yes(false)),
+        (ParamRole::VariablesAtReset, yes(false)),
+        (ParamRole::VariablesAtPowerOn, yes(false)),
+        (ParamRole::EditLock, yes(false)),
+        (ParamRole::MacroSingle, yes(false)),
     ];
     let rows = values
         .into_iter()
-        .filter_map(|(role, values)| Some((control.param(role)?, values)))
-        .flat_map(|(def, values)| values.into_iter().map(move |value| parameter(def, value, degrees)))
+        .filter_map(|(role, values)| Some((line.control.param(role)?, values)))
+        .flat_map(|(def, values)| values.into_iter().filter_map(move |(axis, value)| parameter(line, def, axis, value)))
         .collect();
     Sheet {
         id: "parameters",
@@ -73,33 +79,60 @@ fn parameters(p: &Params, control: &Control) -> Sheet {
     }
 }
 
-fn parameter(def: &ParamDef, (axis, value): (&str, String), degrees: bool) -> Row {
-    let unit = if degrees && axis == "Y" { def.unit.replace("mm", "°") } else { def.unit.to_owned() };
-    row([def.number.to_owned(), def.name.to_owned(), axis.to_owned(), value, unit, def.text.to_owned()], def.cite)
+/// What a parameter is set to.
+enum Setting {
+    /// A number, in mm, mm/min, r/min, ms or 1/s.
+    Number(f64),
+    /// Yes or no, in the control's own figures.
+    Answer(bool),
 }
 
-/// A register's device, or a dash where the control has none for the role.
-fn device(control: &Control, switches: &Switches, role: SignalRole) -> (String, Citation) {
-    control.device(role, switches).unwrap_or_else(|| ("-".to_owned(), Citation::new("", Grade::Open)))
+/// A row of the sheet; none where nobody knows how the control wants it written.
+fn parameter(line: &Fitted, def: &ParamDef, axis: &str, setting: Setting) -> Option<Row> {
+    let words = if def.diameter && axis == "X" { f64::from(line.pull_words()) } else { 1.0 };
+    let text = match setting {
+        Setting::Number(value) => show(value * words * per_unit(def.unit)?, 3),
+        Setting::Answer(yes) => def.answer(yes).to_owned(),
+    };
+    if text.is_empty() {
+        return None;
+    }
+    let unit =
+        if line.degrees() && !matches!(axis, "" | "X") { def.unit.replace("mm", "°") } else { def.unit.to_owned() };
+    Some(row([def.number.to_owned(), def.name.to_owned(), axis.to_owned(), text, unit, def.text.to_owned()], def.cite))
 }
 
-/// Registers between PLC and control: who writes, who reads, what for.
-fn interface(p: &Params, device: impl Fn(SignalRole) -> (String, Citation)) -> Sheet {
-    let (plc, nc, program) = (say("ribbon.plc.plc"), say("ribbon.plc.control"), say("ribbon.plc.program"));
+/// Units of a parameter per unit of the form.
+fn per_unit(unit: &str) -> Option<f64> {
+    match unit {
+        "0.001 mm" => Some(1000.0),
+        "0.01/s" => Some(100.0),
+        "pulses" => None,
+        _ => Some(1.0),
+    }
+}
+
+/// Registers between PLC and control, as far as the control has them: who writes, who reads, what for.
+fn interface(line: &Fitted) -> Sheet {
+    let (p, input) = (&line.p, line.input());
+    let (plc, nc, text) = (say("ribbon.plc.plc"), say("ribbon.plc.control"), say("ribbon.plc.program"));
     let number = |variable: u32| format!("#{variable}");
     let mut rows = Vec::new();
     let mut add = |role: SignalRole, variable: String, writes: &str, reads: &str, unit: &str, what: String| {
-        let (device, cite) = device(role);
-        rows.push(row([device, variable, writes.to_owned(), reads.to_owned(), unit.to_owned(), what], cite));
+        if let Some((device, cite)) = line.control.device(role, line.switches) {
+            rows.push(row([device, variable, writes.to_owned(), reads.to_owned(), unit.to_owned(), what], cite));
+        }
     };
     add(SignalRole::SpindleOverride, String::new(), &plc, &nc, "%", say("ribbon.plc.override"));
+    add(SignalRole::SpindleOverrideCode, String::new(), &plc, &nc, "", say("ribbon.plc.override-code"));
     let (unit, what) = match p.override_form {
         OverrideForm::Percent => ("%", say("ribbon.plc.percent")),
         OverrideForm::FinalSpeed => ("r/min", say("ribbon.plc.final")),
     };
-    add(SignalRole::MacroInputLow(INPUT), number(INPUT), &plc, &program, unit, what);
-    add(SignalRole::MacroInputHigh(INPUT), number(INPUT), &plc, &program, "", say("ribbon.plc.high"));
-    add(SignalRole::FeedOverride, String::new(), &plc, &nc, "%", say("ribbon.plc.feed"));
+    add(SignalRole::MacroInputLow(input), number(input), &plc, &text, unit, what);
+    add(SignalRole::MacroInputHigh(input), number(input), &plc, &text, "", say("ribbon.plc.high"));
+    let off = if program::overrides_can_be_off(line) { "ribbon.plc.feed" } else { "ribbon.plc.feed-acts" };
+    add(SignalRole::FeedOverride, String::new(), &plc, &nc, "%", say(off));
     if p.override_form == OverrideForm::FinalSpeed {
         add(SignalRole::SpindleFinal, String::new(), &nc, &plc, "r/min", say("ribbon.plc.read-final"));
     }
@@ -132,32 +165,39 @@ fn interface(p: &Params, device: impl Fn(SignalRole) -> (String, Citation)) -> S
     }
 }
 
-/// The rungs of the paper's figure 1, and FIN.
-fn rungs(p: &Params, device: impl Fn(SignalRole) -> (String, Citation)) -> Vec<Rung> {
-    let name = |role| device(role).0;
+/// The rungs of the paper's figure 1, and FIN. What the control has no register for is left out.
+fn rungs(line: &Fitted) -> Vec<Rung> {
+    let p = &line.p;
+    let name = |role| line.control.device(role, line.switches).map(|(device, _)| device);
     let register = name(SignalRole::SpindleOverride);
-    let (low, high) = (name(SignalRole::MacroInputLow(INPUT)), name(SignalRole::MacroInputHigh(INPUT)));
+    let (low, high) = (name(SignalRole::MacroInputLow(line.input())), name(SignalRole::MacroInputHigh(line.input())));
+    let low = low.unwrap_or_else(|| format!("#{}", line.input()));
     let always = || vec![Contact::closes("ON")];
     let rung = |contacts, output: String, note| Rung { contacts, output, note: say(note) };
     let mut rungs = Vec::new();
     let step = p.knob_step.percent();
+    let mut knob = "D100".to_owned();
     if step > 1.0 {
         let (half, step) = (Plain((step / 2.0).floor(), 0), Plain(step, 3));
         rungs.push(rung(always(), format!("+ D100 K{half} D101"), "ribbon.ladder.half"));
         rungs.push(rung(always(), format!("/ D101 K{step} D102"), "ribbon.ladder.divide"));
         rungs.push(rung(always(), format!("* D102 K{step} D104"), "ribbon.ladder.multiply"));
-        rungs.push(rung(always(), format!("MOV D104 {register}"), "ribbon.ladder.override"));
-    } else {
-        rungs.push(rung(always(), format!("MOV D100 {register}"), "ribbon.ladder.override"));
+        knob = "D104".to_owned();
     }
-    match p.override_form {
-        OverrideForm::Percent => {
-            rungs.push(rung(always(), format!("MOV {register} {low}"), "ribbon.ladder.low"));
-            rungs.push(rung(always(), format!("MOV K0 {high}"), "ribbon.ladder.high"));
-        }
-        OverrideForm::FinalSpeed => {
-            let from = name(SignalRole::SpindleFinal);
+    if let Some(register) = register {
+        rungs.push(rung(always(), format!("MOV {knob} {register}"), "ribbon.ladder.override"));
+        knob = register;
+    }
+    match (p.override_form, name(SignalRole::SpindleFinal)) {
+        (OverrideForm::FinalSpeed, Some(from)) => {
             rungs.push(rung(always(), format!("DMOV {from} {low}"), "ribbon.ladder.final"));
+        }
+        _ => {
+            let note = if high.is_some() { "ribbon.ladder.low" } else { "ribbon.ladder.word" };
+            rungs.push(rung(always(), format!("MOV {knob} {low}"), note));
+            if let Some(high) = high {
+                rungs.push(rung(always(), format!("MOV K0 {high}"), "ribbon.ladder.high"));
+            }
         }
     }
     let strobe = |device: &str| vec![Contact::closes(device)];
@@ -175,8 +215,8 @@ fn rungs(p: &Params, device: impl Fn(SignalRole) -> (String, Citation)) -> Vec<R
 }
 
 /// Figure 1 as an instruction list, with its drawing.
-fn ladder(p: &Params, device: impl Fn(SignalRole) -> (String, Citation)) -> Sheet {
-    let ladder = rungs(p, device);
+fn ladder(line: &Fitted) -> Sheet {
+    let ladder = rungs(line);
     let cite =
         Citation::new("paper, figure 1: R148 to R74; instructions by the usual list of the maker", Grade::Inferred);
     let mut rows = Vec::new();

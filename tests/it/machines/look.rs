@@ -1,11 +1,11 @@
 //! What is drawn of the machines: scene, poses, charts, tables.
 
-use super::ribbon_line::{machine, values};
+use super::ribbon_line::{control, machine, on, values};
 use expect_test::expect;
 use macroline::controls::Switches;
 use macroline::controls::interface::SignalRole;
 use macroline::machines::form::{Origins, Provenance};
-use macroline::machines::{Frame, Samples, report};
+use macroline::machines::{Frame, On, Samples, report};
 use macroline::motion::Snapshot;
 use macroline::text::catalog::Language;
 use macroline::view::{self, Chart, Pose, Series, Shape, csv, ladder, plot, svg};
@@ -25,15 +25,15 @@ fn running(t: f64) -> Snapshot {
 }
 
 fn pose(t: f64, step: f64, strobe: bool) -> Pose {
-    machine().pose(&values(&[]), &running(t), Frame { step, strobe })
+    machine().pose(&values(&[]), on(), &running(t), Frame { step, strobe })
 }
 
 #[test]
 fn poses_move_what_the_scene_has() {
     for heads in ["1", "6", "60", "1000"] {
         let values = values(&[("heads", heads)]);
-        let scene = machine().scene(&values);
-        let pose = machine().pose(&values, &running(3.0), Frame { step: 0.001, strobe: false });
+        let scene = machine().scene(&values, on());
+        let pose = machine().pose(&values, on(), &running(3.0), Frame { step: 0.001, strobe: false });
         assert!(scene.nodes.len() < 250, "{heads} heads: {} nodes", scene.nodes.len());
         assert!(scene.nodes.iter().all(|node| node.group <= scene.groups));
         for (at, _) in &pose.texts {
@@ -101,7 +101,7 @@ impl Samples for Running {
 
 #[test]
 fn charts_sample_the_run() {
-    let charts = machine().charts(&values(&[]), &Running, 0.0, 4.0, 9);
+    let charts = machine().charts(&values(&[]), on(), &Running, 0.0, 4.0, 9);
     let ids: Vec<_> = charts.iter().map(|chart| chart.id).collect();
     assert_eq!(ids, ["feeds", "spindle", "volts", "slack", "register"]);
     assert!(charts.iter().flat_map(|chart| &chart.series).all(|line| line.points.len() == 9));
@@ -146,7 +146,7 @@ fn charts_of_nothing_or_nonsense_are_drawn() {
 #[test]
 fn a_timeline_becomes_columns() {
     let mut wide = chart(vec![(0.0, 1.0), (0.5, 2.5)]);
-    wide.series.push(Series { label: "ribbon.chart.y", tone: 2, points: vec![(0.0, -1.0)] });
+    wide.series.push(Series { label: "ribbon.print-axis.y", tone: 2, points: vec![(0.0, -1.0)] });
     assert_eq!(
         csv::charts(&[wide]),
         "t [s],X [mm/min],Y [mm/min]\r\n0.000000,1.000000,-1.000000\r\n0.500000,2.500000,\r\n"
@@ -160,7 +160,7 @@ fn rows(changes: &[(&str, &str)], id: &str) -> String {
 }
 
 fn rows_with(changes: &[(&str, &str)], switches: &Switches, id: &str) -> String {
-    let sheets = machine().sheets(&values(changes), super::ribbon_line::control(), switches);
+    let sheets = machine().sheets(&values(changes), On { control: control(), switches });
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }
@@ -227,7 +227,7 @@ fn the_register_of_the_macro_input_is_where_the_switch_puts_it() {
     assert!(rows_with(&[], &base("R172"), "interface").contains("R174 | #1033 | PLC | program | %"));
     let ladder = rows_with(&[], &base("R6436"), "ladder");
     assert!(ladder.contains("MOV R148 R6438") && ladder.contains("MOV K0 R6439"), "{ladder}");
-    let control = super::ribbon_line::control();
+    let control = control();
     for (name, switches, role) in [
         ("R74", Switches::default(), Some(SignalRole::MacroInputLow(1033))),
         ("r75", Switches::default(), Some(SignalRole::MacroInputHigh(1033))),
@@ -241,7 +241,7 @@ fn the_register_of_the_macro_input_is_where_the_switch_puts_it() {
 
 #[test]
 fn the_ladder_is_drawn() {
-    let sheets = machine().sheets(&values(&[("wait", "fin")]), super::ribbon_line::control(), &Switches::default());
+    let sheets = machine().sheets(&values(&[("wait", "fin")]), on());
     let sheet = sheets.iter().find(|sheet| sheet.id == "ladder").unwrap();
     let drawn = ladder::svg(&sheet.ladder);
     assert_eq!(drawn.matches("<rect").count(), sheet.ladder.len());
@@ -253,8 +253,13 @@ fn the_report_has_inputs_with_origin_verdicts_and_open_points() {
     let origins = Origins::from_iter([("dancer".to_owned(), Provenance::Measured)]);
     let values = values(&[("customer", "Customer 4711")]);
     let switches = Switches(vec![("decimal-point".to_owned(), "millimetres".to_owned())]);
-    let report =
-        report::report(machine(), "ribbon 8 mm", (&values, &origins), (super::ribbon_line::control(), &switches), &[]);
+    let report = report::report(
+        machine(),
+        "ribbon 8 mm",
+        (&values, &origins),
+        On { control: control(), switches: &switches },
+        &[],
+    );
     let text = view::report::markdown(&report, Language::English);
     for part in [
         "# Ribbon line, Mitsubishi E60, ribbon 8 mm\n",

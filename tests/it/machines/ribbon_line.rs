@@ -1,9 +1,9 @@
 //! The ribbon dot-printing line.
 
-use macroline::controls::Control;
+use macroline::controls::{Control, Switches};
 use macroline::drives::web;
 use macroline::machines::form::{Origins, Provenance, Value, Values};
-use macroline::machines::{self, AnyMachine, Design};
+use macroline::machines::{self, AnyMachine, Design, On};
 use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence, words};
 use macroline::view::{Readout, Verdict};
@@ -14,6 +14,21 @@ pub(super) fn machine() -> &'static dyn AnyMachine {
 
 pub(super) fn control() -> &'static Control {
     macroline::controls::find("mitsubishi-e60").unwrap()
+}
+
+/// A control with its open points at their defaults.
+pub(super) fn at_defaults(control: &Control) -> On<'_> {
+    static DEFAULTS: Switches = Switches(Vec::new());
+    On { control, switches: &DEFAULTS }
+}
+
+pub(super) fn on() -> On<'static> {
+    at_defaults(control())
+}
+
+/// Every control that the line goes with.
+pub(super) fn controls() -> impl Iterator<Item = &'static Control> {
+    machine().controls().iter().map(|id| macroline::controls::find(id).unwrap())
 }
 
 /// Values that differ from the paper's example: numbers as they are, words as choices, `true` and `false` as flags.
@@ -29,7 +44,7 @@ pub(super) fn values(changes: &[(&str, &str)]) -> Values {
 }
 
 fn design(changes: &[(&str, &str)]) -> Design {
-    machine().design(&values(changes), &Origins::new(), control())
+    machine().design(&values(changes), &Origins::new(), on())
 }
 
 #[track_caller]
@@ -299,14 +314,18 @@ fn blocks_that_the_control_cannot_read_are_errors() {
     let slow =
         [("spindle-speed", "1"), ("reduction-ratio", "10000"), ("press-roller-diameter", "1"), ("heads", "1000")];
     assert!(errors(&slow)[0].contains("steps of 0.001, less is F0"), "{:?}", errors(&slow));
-    assert_eq!(errors(&fast), ["The vector feed would be 1895024.044 mm/min, the control takes 1000000 at most."]);
+    // The program stops by itself before anything moves: no error, but red.
+    assert_eq!(errors(&fast), [""; 0]);
+    let feed = readout(&design(&fast), "vector-feed");
+    assert_eq!((feed.verdict, feed.limit), (Verdict::Fail, Some(1e6)));
+    assert_eq!(advice(&feed)[0], "The vector feed would be 1895024.044 mm/min, the control takes 1000000 at most.");
 }
 
 #[test]
 fn labels_are_words_and_no_sentences_with_places() {
     let fields = machine().fields().into_iter().flat_map(|field| [field.label, field.help, field.group]);
     let readouts = design(&[]).readouts.into_iter().map(|readout| readout.label);
-    let variables = machine().variables(control()).into_iter().map(|(_, meaning, _)| meaning);
+    let variables = machine().variables(&Values::new(), on()).into_iter().map(|(_, meaning, _)| meaning);
     for label in fields.chain(readouts).chain(variables) {
         let said = words(Language::English, label);
         assert!(!said.is_empty() && !said.contains('{'), "{label}: {said}");
@@ -342,7 +361,7 @@ fn a_length_becomes_whole_pitches() {
 #[test]
 fn facts_are_assumed_until_somebody_says_where_they_come_from() {
     let count = |origins: &Origins| {
-        let design = machine().design(&Values::new(), origins, control());
+        let design = machine().design(&Values::new(), origins, on());
         let infos = design.diagnostics.into_iter().filter(|d| d.severity == Severity::Info);
         infos.map(|d| sentence(Language::English, &d.message)).collect::<String>()
     };
@@ -355,7 +374,7 @@ fn facts_are_assumed_until_somebody_says_where_they_come_from() {
 fn invalid_values_keep_the_default_and_are_errors_about_their_field() {
     let values =
         Values::from_iter([("pitch".to_owned(), Value::Number(0.0)), ("heads".to_owned(), Value::Number(2.5))]);
-    let design = machine().design(&values, &Origins::new(), control());
+    let design = machine().design(&values, &Origins::new(), on());
     let fields: Vec<_> =
         design.diagnostics.iter().filter(|d| d.severity == Severity::Error).filter_map(|d| d.field).collect();
     assert_eq!(fields, ["pitch", "heads"]);

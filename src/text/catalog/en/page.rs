@@ -105,6 +105,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("page.new", "New"),
     ("page.no-change", "no variable changes within a second"),
     ("page.no-worker", "This browser starts no worker, so a file of this size cannot be read."),
+    ("page.not-a-setting", "A setting takes 500 plain characters at most, for instance 4120=512."),
     ("page.not-a-value", "A variable takes a number, or nothing for vacant."),
     ("page.off", "off"),
     ("page.on", "on"),

@@ -1,0 +1,119 @@
+//! The line on a control: which axes, words and inputs it has there, and the form without the choices that the control lacks.
+
+use super::params::{FeedForm, OverrideForm, Params, PathMode, PrintAxis, YUnit};
+use crate::controls::interface::SignalRole;
+use crate::controls::vars::Width;
+use crate::controls::{Code, Control, Switches, VarKind};
+use crate::machines::On;
+
+/// The axis that pulls the ribbon.
+pub(super) const PULL: u8 = b'X';
+
+/// The form on a control.
+pub(super) struct Fitted<'a> {
+    /// The form as it was filled in.
+    pub(super) form: &'a Params,
+    /// The form, with what the control has in place of what it lacks.
+    pub(super) p: Params,
+    pub(super) control: &'a Control,
+    pub(super) switches: &'a Switches,
+}
+
+impl<'a> Fitted<'a> {
+    pub(super) fn new(form: &'a Params, on: On<'a>) -> Fitted<'a> {
+        let On { control, switches } = on;
+        let mut p = form.clone();
+        p.print_axis = print_axis(form, control);
+        match p.print_axis {
+            PrintAxis::Y => {}
+            PrintAxis::C => p.y_unit = YUnit::Degrees,
+            PrintAxis::Z => p.y_unit = YUnit::Millimetres,
+        }
+        if !tells_final_speed(form, control) {
+            p.override_form = OverrideForm::Percent;
+        }
+        if !stops_exactly(form, control) {
+            p.path_mode = PathMode::Continuous;
+        }
+        Fitted { form, p, control, switches }
+    }
+
+    /// Index of the axis that pulls, in the control's order.
+    pub(super) fn pull(&self) -> usize {
+        self.control.axis(PULL).unwrap_or(0)
+    }
+
+    /// Index of the print roller's axis.
+    pub(super) fn print(&self) -> usize {
+        self.control.axis(self.p.print_axis.letter()).unwrap_or(0)
+    }
+
+    /// What words of the pull axis count for each millimetre of ribbon.
+    pub(super) fn pull_words(&self) -> u32 {
+        if self.control.counts_diameters(self.pull(), self.switches) { 2 } else { 1 }
+    }
+
+    /// Degrees instead of millimetres.
+    pub(super) fn degrees(&self) -> bool {
+        self.p.y_unit == YUnit::Degrees
+    }
+
+    /// F counts per revolution of the unwinder.
+    pub(super) fn in_step(&self) -> bool {
+        self.p.feed_form == FeedForm::PerRevolution
+    }
+
+    /// The largest F: in mm/min the project's limit, and never more than the control reads.
+    pub(super) fn feed_max(&self) -> f64 {
+        let limits = &self.control.limits;
+        if self.in_step() { limits.revolution_feed_max } else { self.p.feed_limit.min(limits.feed_max) }
+    }
+
+    /// The variable in which the PLC hands over the override.
+    pub(super) fn input(&self) -> u32 {
+        let word = |kind| matches!(kind, VarKind::InputWord(_));
+        let first = || self.control.vars.iter().find(|row| word(row.kind)).map_or(0, |row| row.first);
+        self.control.bench.override_echo.unwrap_or_else(first)
+    }
+
+    /// Least and largest value of that variable.
+    pub(super) fn input_range(&self) -> (f64, f64) {
+        match self.control.var(self.input()).map(|row| row.kind) {
+            Some(VarKind::InputWord(width)) => width.range(),
+            _ => Width::Word.range(),
+        }
+    }
+}
+
+/// Axes that may carry the print roller. On a lathe, whose X counts diameters, there are several.
+fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
+    let lathe = control.axes.iter().any(|axis| axis.letter == PULL && axis.diameter);
+    let axes = [PrintAxis::Y, PrintAxis::C, PrintAxis::Z].into_iter().take(if lathe { 3 } else { 1 });
+    axes.filter(|axis| control.axis(axis.letter()).is_some())
+}
+
+fn print_axis(p: &Params, control: &Control) -> PrintAxis {
+    let mut axes = print_axes(control);
+    let first = axes.next().unwrap_or_default();
+    if first == p.print_axis || axes.any(|axis| axis == p.print_axis) { p.print_axis } else { first }
+}
+
+/// Whether there is a choice of axes for the print roller.
+pub(super) fn has_print_axes(_: &Params, control: &Control) -> bool {
+    print_axes(control).nth(1).is_some()
+}
+
+/// Whether the unit of the print roller's axis is as somebody has fitted it.
+pub(super) fn has_print_unit(p: &Params, control: &Control) -> bool {
+    print_axis(p, control) == PrintAxis::Y
+}
+
+/// Whether the PLC can read the final spindle speed.
+pub(super) fn tells_final_speed(_: &Params, control: &Control) -> bool {
+    control.interface.iter().any(|row| row.role == SignalRole::SpindleFinal)
+}
+
+/// Whether a block can end in an exact stop.
+pub(super) fn stops_exactly(_: &Params, control: &Control) -> bool {
+    control.can(Code::ExactStop) || control.can(Code::ExactStopOnce)
+}

@@ -1,0 +1,446 @@
+//! The ribbon line on every control: one motion, each control's own words.
+
+use expect_test::{Expect, expect};
+use macroline::interp::Interp;
+use macroline::machines::On;
+use macroline::machines::form::{Origins, Values};
+use macroline::motion::{Action, Event, Keep, Limits, Planner, RunEnd};
+use macroline::project::run::{self, Begin};
+use macroline::project::{Project, open};
+use macroline::text::catalog::{Language, sentence};
+use macroline::text::{Diagnostic, Severity};
+use macroline::view::Verdict;
+
+use super::ribbon_line::{at_defaults, controls, machine, values};
+
+const LATHES: [&str; 2] = ["gsk-980tdc", "knd-k2000t"];
+
+fn project(control: &str, changes: &[(&str, &str)]) -> Project {
+    let mut project = Project::of("ribbon-line", Some(control)).unwrap();
+    project.values.extend(values(changes));
+    project
+}
+
+/// The project over time, to its end.
+fn over_time(project: &Project, events: Vec<Event>) -> Planner<Interp> {
+    let mut project = project.clone();
+    events.into_iter().for_each(|event| project.panel.add(event));
+    let limits = Limits { blocks: 10_000_000, seconds: 3600.0 };
+    let begin = Begin { start: None, settings: &[], limits, keep: Keep::Timeline };
+    let mut planner = run::of_project(&project, &project.written(), &begin);
+    planner.advance(f64::INFINITY, usize::MAX);
+    planner
+}
+
+fn ended(planner: &mut Planner<Interp>) -> RunEnd {
+    planner.advance(f64::INFINITY, usize::MAX).ended.unwrap()
+}
+
+/// When the first cutting block begins.
+fn first_cut(project: &Project, planner: &Planner<Interp>) -> f64 {
+    let files = project.written().files;
+    let mut t = 0.0;
+    loop {
+        t = planner.timeline().next_block(t).expect("it cuts");
+        let place = planner.timeline().block_at(t).unwrap();
+        if files.0[place.file.0 as usize].text[place.span.start as usize..place.span.end as usize].contains("G01") {
+            return t;
+        }
+    }
+}
+
+/// Indices of the pull axis and the print roller's.
+fn axes(project: &Project, print: u8) -> [usize; 2] {
+    [project.control.axis(b'X').unwrap(), project.control.axis(print).unwrap()]
+}
+
+fn said(found: &[Diagnostic]) -> Vec<String> {
+    found.iter().map(|d| sentence(Language::English, &d.message)).collect()
+}
+
+#[test]
+fn a_case_that_all_controls_take_moves_the_machine_alike() {
+    // The same times of blocks: those are the control's, not the machine's.
+    let same = [("block-time", "7.1"), ("macro-time", "3"), ("preread", "5"), ("spindle-speed", "100")];
+    let changes: Vec<_> = same.into_iter().chain([("pitch-count", "20")]).collect();
+    let degrees: Vec<_> = changes.iter().copied().chain([("print-axis", "c"), ("y-unit", "degrees")]).collect();
+    for (changes, print) in [(changes, b'Y'), (degrees, b'C')] {
+        let mut moved: Vec<Vec<[f64; 2]>> = Vec::new();
+        for control in controls() {
+            let project = project(control.id, &changes);
+            let planner = over_time(&project, vec![]);
+            assert_eq!(planner.starved(), 0);
+            let letter = if control.id == "mitsubishi-e60" { b'Y' } else { print };
+            let axes = axes(&project, letter);
+            let begin = first_cut(&project, &planner);
+            let at = |t: f64| axes.map(|k| planner.timeline().at(begin + t).axes[k].position);
+            moved.push((0..500).map(|i| at(f64::from(i) * 0.02)).collect());
+        }
+        let last = moved[0][499];
+        assert!((last[0] - 160.0).abs() < 1e-9, "20 pitches of 8 mm: {last:?}");
+        for other in &moved[1..] {
+            for (a, b) in moved[0].iter().zip(other) {
+                assert!((a[0] - b[0]).abs() < 1e-6 && (a[1] - b[1]).abs() < 1e-6, "{a:?} {b:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn words_of_x_count_diameters_or_radii_as_the_switch_says() {
+    for (id, setting, word) in [
+        ("gsk-980tdc", "diameter", "N37 #129=#107*#128*2 (X PER BLOCK, DIAMETER)"),
+        ("knd-k2000t", "radius", "N37 #129=#107*#128 (X PER BLOCK)"),
+    ] {
+        let mut project = project(id, &[("spindle-speed", "100"), ("pitch-count", "3")]);
+        project.switches.0.push(("diameter".to_owned(), setting.to_owned()));
+        assert!(project.written().files.0[0].text.contains(word));
+        let planner = over_time(&project, vec![]);
+        let end = planner.timeline().end();
+        assert!((planner.timeline().at(end).axes[0].position - 24.0).abs() < 1e-9);
+        assert_eq!(planner.timeline().words_at(end)[0], if setting == "radius" { 24.0 } else { 48.0 });
+    }
+}
+
+#[test]
+fn a_feed_beyond_the_range_of_a_control_says_how_fast_it_may_run_and_the_way_out() {
+    let fast = project("gsk-980tdc", &[]);
+    let design = fast.design();
+    let feed = design.readouts.iter().find(|row| row.id == "vector-feed").unwrap();
+    assert_eq!((feed.verdict, feed.limit), (Verdict::Fail, Some(15_000.0)));
+    let advice: Vec<_> = feed.advice.iter().map(|message| sentence(Language::English, message)).collect();
+    assert_eq!(
+        advice,
+        [
+            "The vector feed would be 119391.393 mm/min, the control takes 15000 at most.",
+            "At most 150 r/min of the unwinder keep within all limits.",
+            "Or take the feed per revolution, F99.493 mm: the range of F per minute does not bind it. It needs a spindle encoder on the unwinder.",
+        ]
+    );
+    // The text is read all the same, and stops before anything moves.
+    let export = fast.export();
+    assert!(export.files.iter().any(|file| file.name == "O9101.nc"));
+    assert!(said(&export.diagnostics).iter().any(|text| text.starts_with("The vector feed would be 119391.393")));
+    let mut stopped = over_time(&fast, vec![]);
+    let RunEnd::Alarm(alarm) = ended(&mut stopped) else { panic!("it stops") };
+    assert_eq!(
+        sentence(Language::English, &alarm.message),
+        "The program raises its alarm 20: FEED #115 ABOVE LIMIT #119"
+    );
+    assert_eq!(stopped.timeline().at(stopped.timeline().end()).spindle.command, 0.0);
+    // As fast as it says, it runs.
+    let mut slow = over_time(&project("gsk-980tdc", &[("spindle-speed", "150"), ("pitch-count", "5")]), vec![]);
+    assert_eq!(ended(&mut slow), RunEnd::ProgramEnd);
+    // What the E60 takes at S1200, the K2000T takes as well.
+    for id in ["mitsubishi-e60", "knd-k2000t"] {
+        let mut runs = over_time(&project(id, &[("pitch-count", "5")]), vec![]);
+        assert_eq!(ended(&mut runs), RunEnd::ProgramEnd, "{id}");
+    }
+}
+
+#[test]
+fn a_feed_per_revolution_runs_in_step_with_the_unwinder_on_every_control() {
+    let knob = |t: f64, percent: f64| Event { t, action: Action::SpindleOverride(percent) };
+    for control in controls() {
+        let changes =
+            [("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0"), ("pitches-per-block", "3")];
+        let project = project(control.id, &changes);
+        let mut planner = over_time(&project, vec![knob(4.0, 50.0), knob(8.0, 110.0)]);
+        assert_eq!(ended(&mut planner), RunEnd::ProgramEnd, "{}", control.id);
+        assert_eq!(planner.starved(), 0);
+        let now = |t: f64| planner.timeline().at(t);
+        // K ribbon a turn, whatever the knob says and the motor slips; F is read in steps of 0.001.
+        for (from, to) in [(3.0, 3.9), (6.0, 7.9), (10.0, 11.9)] {
+            let pulled = now(to).axes[0].position - now(from).axes[0].position;
+            let turns = now(to).spindle.turns - now(from).spindle.turns;
+            assert!((pulled / turns / 12.566370614 - 1.0).abs() < 1e-5, "{}: {}", control.id, pulled / turns);
+        }
+        // In ramps, too: the loop never takes more than what X lags at 110 %, half its time constant and its gain, and what the unwinder
+        // turns before the program has read its first block.
+        let end = planner.timeline().end() - 0.5;
+        let charts = machine().charts(&project.values, project.on(), planner.timeline(), 0.0, end, 2000);
+        let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
+        let lag = 280.0 * (0.05 + 1.0 / 33.0) + 4.0;
+        let most = slack.iter().map(|(_, mm)| *mm).fold(0.0, f64::max);
+        let least = slack.iter().map(|(_, mm)| *mm).fold(0.0, f64::min);
+        assert!(least > -0.01 && most < lag, "{}: {least} to {most}", control.id);
+    }
+}
+
+#[test]
+fn a_feed_per_revolution_needs_an_encoder() {
+    for control in controls() {
+        let project = project(control.id, &[("feed-form", "per-revolution")]);
+        let export = project.export();
+        assert!(export.files.is_empty());
+        let error = export.diagnostics.iter().find(|d| d.severity == Severity::Error).unwrap();
+        assert_eq!(error.field, Some("spindle-encoder"));
+    }
+}
+
+#[test]
+fn the_design_of_a_feed_per_revolution_is_its_run() {
+    for (dwell, ramp) in [("0", "2"), ("0.5", "2"), ("2", "1")] {
+        let project = project(
+            "knd-k2000t",
+            &[
+                ("feed-form", "per-revolution"),
+                ("spindle-encoder", "true"),
+                ("dwell", dwell),
+                ("inverter-ramp", ramp),
+                ("no-load-speed", "1480"),
+                ("rated-load-speed", "1480"),
+            ],
+        );
+        let planner = over_time(&project, vec![]);
+        let design = project.design();
+        let result = |id: &str| design.readouts.iter().find(|row| row.id == id).unwrap().value;
+        let charts = machine().charts(&project.values, project.on(), planner.timeline(), 0.0, 15.0, 1501);
+        let slack = charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points[1000].1;
+        // A scan of the PLC and the steps of F.
+        assert!((slack - result("slack-start")).abs() < 1.0, "{dwell} {ramp}: {slack} {}", result("slack-start"));
+        let end = planner.timeline().end();
+        // FIN of S, M3 and M5, the ramp's remainder, and the program's own blocks.
+        assert!((end - result("product-time")).abs() < 0.3, "{dwell} {ramp}: {end} {}", result("product-time"));
+    }
+}
+
+#[test]
+fn the_plc_hands_over_the_override_in_the_word_that_the_control_has() {
+    for (id, word) in [("mitsubishi-e60", 1033), ("gsk-980tdc", 1032), ("knd-k2000t", 1032)] {
+        let project = project(id, &[("spindle-speed", "100")]);
+        let knob = Event { t: 2.0, action: Action::SpindleOverride(80.0) };
+        let planner = over_time(&project, vec![knob]);
+        assert_eq!((planner.variable_at(word, 1.9), planner.variable_at(word, 2.1)), (Some(100.0), Some(80.0)), "{id}");
+        assert_eq!(planner.timeline().at(3.0).spindle.command, 80.0);
+        let rows = machine().variables(&project.values, project.on());
+        assert!(rows.iter().any(|(number, ..)| *number == word));
+    }
+}
+
+#[test]
+fn a_second_start_prints_again() {
+    for control in controls() {
+        let project = project(control.id, &[("spindle-speed", "100"), ("pitch-count", "5")]);
+        let mut planner = over_time(&project, vec![]);
+        let end = planner.timeline().end();
+        planner.event(Event { t: end + 1.0, action: Action::Start });
+        assert_eq!(ended(&mut planner), RunEnd::ProgramEnd, "{}", control.id);
+        assert!((planner.timeline().at(planner.timeline().end()).axes[0].position - 80.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn fields_are_shown_where_there_is_a_choice() {
+    let hidden = |id: &str, changes: &[(&str, &str)]| {
+        machine().hidden(&values(changes), macroline::controls::find(id).unwrap()).join(" ")
+    };
+    assert_eq!(hidden("mitsubishi-e60", &[]), "print-axis");
+    assert_eq!(hidden("mitsubishi-e60", &[("print-axis", "c")]), "print-axis");
+    assert_eq!(hidden("gsk-980tdc", &[]), "override-form path-mode");
+    assert_eq!(hidden("gsk-980tdc", &[("print-axis", "c")]), "override-form y-unit path-mode");
+    assert_eq!(hidden("knd-k2000t", &[("print-axis", "z")]), "override-form y-unit");
+}
+
+#[test]
+fn what_a_control_lacks_has_no_effect_there() {
+    let chosen =
+        [("override-form", "final-speed"), ("path-mode", "exact-stop"), ("print-axis", "c"), ("y-unit", "degrees")];
+    let text = |id: &str, changes: &[(&str, &str)]| -> String {
+        let files = project(id, changes).written().files.0;
+        let lines = files.iter().flat_map(|file| file.text.lines()).filter(|line| !line.starts_with('('));
+        lines.collect::<Vec<_>>().join("\n")
+    };
+    // Neither a final speed nor an exact stop; C counts degrees whatever was said of Y.
+    assert_eq!(text("gsk-980tdc", &chosen), text("gsk-980tdc", &chosen[2..3]));
+    assert_eq!(text("mitsubishi-e60", &chosen[2..3]), text("mitsubishi-e60", &[]));
+}
+
+#[test]
+fn another_control_keeps_the_values() {
+    let mut project = project("mitsubishi-e60", &[("pitch", "12.5"), ("heads", "47")]);
+    project.switches.0.push(("macro-input-base".to_owned(), "R172".to_owned()));
+    project.switches.0.push(("locals-of-calls".to_owned(), "kept".to_owned()));
+    let before = project.clone();
+    for id in LATHES {
+        project.move_to(macroline::controls::find(id).unwrap());
+        assert!(project.values == before.values);
+        // What the other control does not have stays behind; what the line needs there comes with it.
+        assert_eq!(project.switches.get(project.control.switches, "locals-of-calls"), Some("kept"));
+        assert_eq!(project.switches.get(project.control.switches, "common-at-reset"), Some("kept"));
+        let back = Project::from_json(&project.to_json());
+        assert!(back.diagnostics.is_empty() && back.project.unwrap() == project);
+    }
+}
+
+#[test]
+fn a_new_project_has_the_times_and_ranges_of_its_control() {
+    let value = |id: &str, field: &str| project(id, &[]).values.get(field).cloned();
+    for (field, text) in [("block-time", "8"), ("macro-time", "4"), ("preread", "3"), ("feed-limit", "15000")] {
+        assert_eq!(value("gsk-980tdc", field), values(&[(field, text)]).get(field).cloned());
+    }
+    let fields = machine().fields();
+    let e60 = project("mitsubishi-e60", &[]).values;
+    assert!(
+        fields.iter().all(|field| e60.get(field.id) == Some(&field.default())),
+        "the paper's machine is the default"
+    );
+}
+
+#[test]
+fn a_dropped_program_finds_its_control() {
+    let present = project("mitsubishi-e60", &[]);
+    for id in LATHES {
+        let wanted = project(id, &[("pitch", "12.5"), ("print-axis", "c"), ("spindle-speed", "100")]);
+        for file in wanted.written().files.0 {
+            let opened = open::open(&present, &file.name, &file.text).project.unwrap();
+            assert_eq!(opened.control.id, id);
+            assert!(opened.values == wanted.values && opened.edited.is_none(), "{}", file.name);
+        }
+    }
+}
+
+fn rows(on: On, changes: &[(&str, &str)], id: &str) -> String {
+    let sheets = machine().sheets(&values(changes), on);
+    let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
+    sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
+}
+
+fn check(control: &str, changes: &[(&str, &str)], sheet: &str, wanted: Expect) {
+    wanted.assert_eq(&rows(at_defaults(macroline::controls::find(control).unwrap()), changes, sheet));
+}
+
+#[test]
+fn the_parameters_of_the_lathe_controls() {
+    check(
+        "gsk-980tdc",
+        &[("print-axis", "c"), ("spindle-encoder", "true")],
+        "parameters",
+        expect![[r#"
+            No.196#4 |  |  | 0 |  | 1: several spindles
+            No.001#4 |  |  | 1 |  | 1: analog voltage, 0: gears by contacts
+            No.037 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1 (gears 2 to 4: No.038 to 040)
+            No.075 |  |  | 1480 | r/min | spindle speed clamp, 0: none
+            No.043 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
+            No.069/070 |  |  | 1 |  | spindle encoder fitted, and its lines (100 to 10000)
+            No.001#2 |  | X | 0 |  | words of X: 0 diameters, 1 radii
+            No.187#0 |  | C | 01 |  | kind of the additional axes: 00 linear, 01 and 11 rotary, 10 none
+            No.022 |  | X | 20000 | mm/min | rapid traverse
+            No.022 |  | C | 150000 | °/min | rapid traverse
+            No.027 |  | X | 40000 | mm/min | upper limit of the cutting feed; of X as diameter
+            No.027 |  | C | 150000 | °/min | upper limit of the cutting feed; of X as diameter
+            No.252 |  | X | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
+            No.252 |  | C | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
+            No.029 |  | X | 100 | ms | time constant of acceleration, cutting feed, 10 to 4000
+            No.029 |  | C | 100 | ms | time constant of acceleration, cutting feed, 10 to 4000
+            No.001#1 |  |  | 0 |  | 0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)
+        "#]],
+    );
+    check(
+        "knd-k2000t",
+        &[("print-axis", "z")],
+        "parameters",
+        expect![[r#"
+            3701#1 | ISI |  | 1 |  | 0: serial spindle, 1: analog
+            3741 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
+            3772 |  |  | 1480 | r/min | spindle speed clamp, 0: none
+            3771 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
+            4002#1 |  |  | 0 |  | 1: spindle encoder fitted
+            1006#3 | DIA | X | 1 |  | 1: words of the axis count diameters
+            1420 |  | X | 20000 | mm/min | rapid traverse
+            1420 |  | Z | 150000 | mm/min | rapid traverse
+            1422 |  | X | 20000 | mm/min | upper limit of the cutting feed
+            1422 |  | Z | 150000 | mm/min | upper limit of the cutting feed
+            1610#0 | CTL | X | 1 |  | acceleration of cutting feed: 0 exponential, 1 linear
+            1610#0 | CTL | Z | 1 |  | acceleration of cutting feed: 0 exponential, 1 linear
+            1622 |  | X | 100 | ms | time constant of acceleration, cutting feed
+            1622 |  | Z | 100 | ms | time constant of acceleration, cutting feed
+            1825 |  | X | 3300 | 0.01/s | servo loop gain
+            1825 |  | Z | 3300 | 0.01/s | servo loop gain
+            1826 |  | X | 20 | 0.001 mm | in-position width
+            1826 |  | Z | 20 | 0.001 mm | in-position width
+            6001#6 | CCV |  | 1 |  | 0: #100 to #199 become vacant at reset
+            3202#4 | NE9 |  | 0 |  | 1: programs 9000 to 9999 cannot be edited; 0 to load O9120
+            6000#5 | SBM |  | 0 |  | 1: macro blocks stop in single block
+        "#]],
+    );
+}
+
+#[test]
+fn the_registers_and_the_ladder_of_the_lathe_controls() {
+    check(
+        "gsk-980tdc",
+        &[],
+        "interface",
+        expect![[r#"
+        G30 |  | PLC | control |  | Spindle override: the knob as a code; the control multiplies S by the percentage that it stands for
+        G54 | #1032 | PLC | program | % | The same percentage for the program
+        FIN |  | PLC | control |  | Answers M and S codes after a few scans
+    "#]],
+    );
+    check(
+        "gsk-980tdc",
+        &[("knob-step", "10")],
+        "ladder",
+        expect![[r#"
+            0 | LD ON | 
+            1 | + D100 K5 D101 | knob in percent (D100), half a step more
+            2 | LD ON | 
+            3 | / D101 K10 D102 | whole steps
+            4 | LD ON | 
+            5 | * D102 K10 D104 | steps back to percent
+            6 | LD ON | 
+            7 | MOV D104 G54 | the same to the program
+            8 | LD S STROBE | 
+            9 | OUT FIN | code is done
+            10 | LD M STROBE | 
+            11 | OUT FIN | code is done
+        "#]],
+    );
+    check(
+        "knd-k2000t",
+        &[("wait", "fin")],
+        "interface",
+        expect![[r#"
+        G30 |  | PLC | control | % | Spindle override: the knob in whole steps; the control multiplies S by it
+        G54 | #1032 | PLC | program | % | The same percentage for the program
+        FIN |  | PLC | control |  | Answers M3 when the unwinder has its speed, other codes after a few scans
+        SU |  | inverter | PLC |  | Inverter is up to speed (95 %)
+    "#]],
+    );
+    check(
+        "knd-k2000t",
+        &[],
+        "ladder",
+        expect![[r#"
+            0 | LD ON | 
+            1 | MOV D100 G30 | spindle override to the control
+            2 | LD ON | 
+            3 | MOV G30 G54 | the same to the program
+            4 | LD S STROBE | 
+            5 | OUT FIN | code is done
+            6 | LD M STROBE | 
+            7 | OUT FIN | code is done
+        "#]],
+    );
+}
+
+#[test]
+fn what_the_operator_of_a_control_has_to_know() {
+    let told = |id: &str| -> String {
+        let design =
+            machine().design(&Values::new(), &Origins::new(), at_defaults(macroline::controls::find(id).unwrap()));
+        let infos =
+            design.diagnostics.iter().filter(|d| d.severity == Severity::Info && d.message.id != "form.assumed");
+        infos.map(|d| sentence(Language::English, &d.message) + "\n").collect()
+    };
+    expect![[""]].assert_eq(&told("mitsubishi-e60"));
+    expect![[r#"
+        This control has no variable that switches the feed override off: it has to stand at 100 %, or the ribbon piles up or tears.
+        This control forgets #100 and up at power-off: run O9102 once after each power-on.
+    "#]].assert_eq(&told("gsk-980tdc"));
+    expect![[r#"
+        This control forgets #100 and up at power-off: run O9102 once after each power-on.
+    "#]]
+    .assert_eq(&told("knd-k2000t"));
+}
