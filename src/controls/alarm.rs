@@ -31,6 +31,8 @@ pub enum Alarm {
     SubNesting,
     /// A sequence number that is not in the program.
     NoSequence,
+    /// A jump to a number that no block can have.
+    JumpNumber,
     /// A program that is not there.
     NoProgram,
     /// A variable number that the control does not have.
@@ -83,8 +85,10 @@ pub enum Alarm {
     PointNotAllowed,
     /// The same address twice in a block.
     AddressTwice,
-    /// A block with more characters or words than the control reads.
+    /// A block with more characters than the control reads.
     BlockTooLong,
+    /// A block with more words than the control reads.
+    BlockWords,
     /// A comment bracket that is not closed.
     CommentBracket,
     /// A macro call without a program.
@@ -161,6 +165,7 @@ impl Alarm {
         Alarm::Arc,
         Alarm::SubNesting,
         Alarm::NoSequence,
+        Alarm::JumpNumber,
         Alarm::NoProgram,
         Alarm::VariableRange,
         Alarm::NoEquals,
@@ -188,6 +193,7 @@ impl Alarm {
         Alarm::PointNotAllowed,
         Alarm::AddressTwice,
         Alarm::BlockTooLong,
+        Alarm::BlockWords,
         Alarm::CommentBracket,
         Alarm::NoCallProgram,
         Alarm::CallNotFirst,
@@ -220,6 +226,8 @@ impl Alarm {
             IntoLoop => DoPair,
             NoCallProgram => NoProgram,
             Digits | SequenceDigits | FeedRange | UserAlarmRange => OutOfRange,
+            BlockWords => BlockTooLong,
+            JumpNumber => NoSequence,
             ReadOnly => VariableSide,
             VacantWritten => ReadOnly,
             OwnCall => SubNesting,

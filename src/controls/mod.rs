@@ -54,8 +54,8 @@ pub struct Control {
     pub macros: Macros,
     /// Axis letters in the order of the control's axis numbers.
     pub axes: &'static [AxisDef],
-    /// Codes in force after power-on, one per modal group, for instance `G01`.
-    pub startup: &'static [Code],
+    /// G codes in force after power-on, one per modal group; ten times their numbers, as in [`CodeDef`].
+    pub startup: &'static [u16],
     /// Ranges and budgets of words, numbers, nesting.
     pub limits: Limits,
     /// What a block costs.

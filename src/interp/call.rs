@@ -257,9 +257,10 @@ impl State {
             if caller.word == Some(at) {
                 continue;
             }
-            if letter == b'G' && !all {
+            if matches!(letter, b'G' | b'N' | b'O') && !all {
                 if caller.word.is_some_and(|caller| caller < at) && cx.control.raises(Alarm::ArgumentAddress) {
-                    let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", "G"));
+                    let letter = char::from(letter).to_string();
+                    let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", letter));
                     return Err(trap.within(word_span(block, word)));
                 }
                 continue;

@@ -52,7 +52,7 @@ pub(super) struct Modal {
 
 impl Modal {
     /// The state after power-on; `startup` are the codes in force.
-    pub(super) fn new(control: &Control, startup: impl IntoIterator<Item = Code>) -> Modal {
+    pub(super) fn new(control: &Control, startup: impl IntoIterator<Item = u16>) -> Modal {
         let mut modal = Modal {
             motion: Code::Linear,
             cycle: false,
@@ -73,10 +73,8 @@ impl Modal {
             words: [f64::NAN; 26],
             codes: [0; GROUPS],
         };
-        for code in startup {
-            if let Some(row) = control.codes.iter().find(|row| row.code == code && row.letter == b'G') {
-                modal.set(control, row);
-            }
+        for row in startup.into_iter().filter_map(|number| control.code(b'G', number)) {
+            modal.set(control, row);
         }
         modal
     }

@@ -2,7 +2,7 @@
 
 use super::canon::AXES;
 use crate::controls::macros::{CodeCall, VacantWord};
-use crate::controls::{Code, Control, Group, Limits, Switches};
+use crate::controls::{Control, Group, Limits, Switches};
 
 /// Where the results of ASIN lie, in degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,8 +47,8 @@ pub(super) struct Rules {
     pub(super) surface_axis: usize,
     /// Codes that call programs.
     pub(super) calls: Vec<CodeCall>,
-    /// Codes in force at the start.
-    pub(super) startup: Vec<Code>,
+    /// G codes in force at the start, ten times their numbers.
+    pub(super) startup: Vec<u16>,
 }
 
 impl Rules {
@@ -60,7 +60,7 @@ impl Rules {
         for (id, group) in ["startup-distance", "startup-motion", "startup-feed"].into_iter().zip(groups) {
             let number = get(id).and_then(|setting| setting.get(1..)).and_then(|number| number.parse::<u16>().ok());
             let row = number.and_then(|number| control.code(b'G', number.saturating_mul(10)));
-            startup.extend(row.filter(|row| row.group == group).map(|row| row.code));
+            startup.extend(row.filter(|row| row.group == group).map(|row| row.number));
         }
         let macros = &control.macros;
         let angles = get("angle-range").unwrap_or("");

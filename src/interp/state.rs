@@ -317,16 +317,15 @@ impl State {
     /// Goes on at a sequence number of the running program; `from` is the block that jumps.
     pub(super) fn go_to_number(&mut self, cx: &Cx, from: u32, number: f64) -> Run<()> {
         let number = number.round();
-        let found = if (1.0..4e9).contains(&number) {
-            cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1))
-        } else {
-            None
-        };
-        let Some(to) = found else {
+        let digits = u32::from(cx.control.syntax.sequence_digits.min(9));
+        if !(1.0..f64::from(10_u32.pow(digits))).contains(&number) {
+            return Err(Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", (number, 0))));
+        }
+        let Some(to) = cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1)) else {
             return Err(Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 0))));
         };
         if cx.shared.index.enters_loop(self.program, from, to) {
-            return Err(Trap::alarm(Alarm::DoPair, msg!("interp.into-loop", (number, 0))));
+            return Err(Trap::alarm(Alarm::IntoLoop, msg!("interp.into-loop", (number, 0))));
         }
         self.at = to;
         Ok(())

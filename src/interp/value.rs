@@ -193,6 +193,7 @@ impl State {
         let value = self.raw(cx, block, word).ok().flatten().unwrap_or(0.0);
         let letter = char::from(word.letter).to_string();
         let message = msg!("interp.word-range", letter, (value, 9), min, max);
-        Trap::alarm(Alarm::OutOfRange, message).within(word_span(block, word))
+        let alarm = if word.letter == b'F' { Alarm::FeedRange } else { Alarm::OutOfRange };
+        Trap::alarm(alarm, message).within(word_span(block, word))
     }
 }

@@ -4,8 +4,6 @@ pub mod span;
 
 pub mod lines;
 
-pub mod find;
-
 pub mod number;
 
 pub mod double;

@@ -94,10 +94,11 @@ fn ids_are_unique_and_found() {
 #[test]
 fn each_group_starts_with_one_code() {
     for control in ALL {
-        let group = |code: &Code| control.codes.iter().find(|row| row.code == *code).map(|row| row.group);
-        let groups: Vec<Group> = control.startup.iter().map(|code| group(code).unwrap()).collect();
+        let row = |number: &u16| control.code(b'G', *number).unwrap();
+        let groups: Vec<Group> = control.startup.iter().map(|number| row(number).group).collect();
         for (index, group) in groups.iter().enumerate() {
             assert!(!groups[..index].contains(group), "{} starts twice in {group:?}", control.id);
+            assert!(*group != Group::OneShot, "{} starts with a code that is not modal", control.id);
         }
     }
 }

@@ -1,8 +1,9 @@
 //! The native tests, one binary: a test states a feature, and says in its failure what to do.
-#![allow(clippy::unwrap_used, clippy::string_slice)]
+#![allow(clippy::unwrap_used)]
 
 mod cli;
 mod controls;
+mod differences;
 mod figures;
 mod language;
 mod machines;

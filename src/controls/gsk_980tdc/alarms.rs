@@ -23,6 +23,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(SequencePlace, "0006", "Sequence number of wrong form or out of range", LIST),
     alarm(SequenceDigits, "0006", "Sequence number of wrong form or out of range", LIST),
     alarm(AddressTwice, "0010", "Same address twice in a block", LIST),
+    alarm(BlockWords, "0011", "More than 100 words in a block", LIST),
     alarm(OutOfRange, "0012", "Value illegal or out of range", LIST),
     alarm(Arc, "0018", "Arc data wrong or beyond the radius tolerance", LIST),
     alarm(FeedRange, "0023", "F wrong or above parameter No.027", LIST),

@@ -1,6 +1,6 @@
 //! Points of the 980TDc that no manual at hand settles, and parameters that change what a program means.
 
-use super::{MACRO, MEMORY, PARAMETERS, SPINDLE, STATEMENT};
+use super::{MACRO, MEMORY, PARAMETERS, STATEMENT};
 use crate::controls::Switch;
 use crate::controls::macros::CALL_PARAMETERS;
 use crate::controls::switch::switch;
@@ -24,7 +24,6 @@ pub(super) const SWITCHES: &[Switch] = &[
         STATEMENT,
     ),
     switch("spindle-word", "S with decimals", &["round", "truncate"], MEMORY),
-    switch("speed-limit-sets-zero", "G50 S takes the present position as program zero", &["yes", "no"], SPINDLE),
     switch(
         CALL_PARAMETERS,
         "No.086 to No.091: codes that call programs, for instance 86=3 87=100 88=2000 for G100 to G102",

@@ -48,7 +48,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(DoNesting, "124", "Missing end statement", MEMORY),
     alarm(DoNumber, "126", "Illegal loop number", MEMORY),
     alarm(Mixed, "127", "NC and macro statement in same block", MEMORY),
-    alarm(IntoLoop, "128", "Illegal macro sequence number", MEMORY),
+    alarm(JumpNumber, "128", "Illegal macro sequence number", MEMORY),
     alarm(ArgumentSets, "129", "Illegal argument address", MEMORY),
     alarm(ArgumentAddress, "129", "Illegal argument address", MEMORY),
     alarm(SoftLimit, "500", "Over travel: stored stroke check", MEMORY),

@@ -10,7 +10,7 @@ mod vars;
 use super::bench::{Bench, BenchAxis};
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
 use super::syntax::{Function, Percent, Round};
-use super::{AxisDef, Code, Control, Limits, Macros, Syntax, Timing};
+use super::{AxisDef, Control, Limits, Macros, Syntax, Timing};
 use crate::text::{Citation, Grade};
 
 /// Nothing but memory of FANUC lathe controls.
@@ -97,15 +97,7 @@ pub static CONTROL: Control = Control {
         AxisDef { letter: b'Y', rotary: false, incremental: Some(b'V'), diameter: false, cite: MEMORY },
         AxisDef { letter: b'C', rotary: true, incremental: Some(b'H'), diameter: false, cite: MEMORY },
     ],
-    startup: &[
-        Code::Rapid,
-        Code::PlaneZx,
-        Code::FeedPerMinute,
-        Code::Metric,
-        Code::WorkCoordinates(1),
-        Code::SurfaceSpeedOff,
-        Code::MacroModalEnd,
-    ],
+    startup: &[0, 180, 980, 210, 400, 540, 670, 800, 970],
     limits: Limits {
         increment: 0.001,
         coordinate_max: 99_999.999,

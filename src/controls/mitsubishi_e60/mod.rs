@@ -10,7 +10,7 @@ mod vars;
 use super::bench::{Bench, BenchAxis};
 use super::macros::{ArgumentSets, CodeCalls, VacantWord};
 use super::syntax::{Function, Percent, Round};
-use super::{Code, Control, Limits, Macros, Syntax, Timing, axis};
+use super::{Control, Limits, Macros, Syntax, Timing, axis};
 use crate::text::{Citation, Grade};
 
 /// Programming manual of the younger sister control.
@@ -99,17 +99,7 @@ pub static CONTROL: Control = Control {
         ),
     },
     axes: &[axis(b'X', false, PAPER), axis(b'Y', false, PAPER), axis(b'Z', false, MEMORY), axis(b'A', true, MEMORY)],
-    startup: &[
-        Code::Linear,
-        Code::PlaneXy,
-        Code::Absolute,
-        Code::FeedPerMinute,
-        Code::Metric,
-        Code::WorkCoordinates(1),
-        Code::Cutting,
-        Code::SurfaceSpeedOff,
-        Code::MacroModalEnd,
-    ],
+    startup: &[10, 170, 210, 540, 640, 670, 800, 900, 940, 970],
     limits: Limits {
         increment: 0.001,
         coordinate_max: 99_999.999,

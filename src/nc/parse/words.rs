@@ -175,7 +175,7 @@ impl<'a> Reader<'a> {
         if count > self.tables.most_words {
             let start = self.deck.words.get(first + self.tables.most_words).map_or(0, |word| word.offset as usize);
             let message = msg!("nc.too-many-words", self.tables.most_words as u32);
-            self.report(Alarm::BlockTooLong, start, self.line.len(), message);
+            self.report(Alarm::BlockWords, start, self.line.len(), message);
         }
         Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
     }

@@ -315,7 +315,7 @@ fn lengths_of_blocks() {
             --- Mitsubishi E60
             G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1
             --- GSK 980TDc
-            1:401 error 0037 This block is too long: at most 100 words are read.
+            1:401 error 0011 This block is too long: at most 100 words are read.
             --- KND K2000T
             G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1
         "#]],

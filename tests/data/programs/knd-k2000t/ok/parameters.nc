@@ -1,0 +1,27 @@
+(SET startup-motion G01)
+(SET startup-feed G99)
+(SET angle-range ATAN -180 to 180, ASIN -90 to 90)
+(SET common-at-reset kept)
+(SET locals-of-calls kept)
+(SET override-suppression no)
+(SET call-parameters 4120=1 4139=700)
+%
+O0016 (OTHER PARAMETERS; A CODE OF THE USER COMES BEFORE THE CONTROL'S OWN)
+X10. F0.2
+X[ATAN[-1]/[-1]] Z[ASIN[-0.5]]
+#3004=7
+G65 P9018 A1. B2.
+G65 P9018 A3.
+G01 A7.
+G700 A8.
+M30
+O9018
+X#1 Z#2
+M99
+O9120
+Z#1
+M99
+O9139
+Z#1
+M99
+%

@@ -1,0 +1,125 @@
+//! What the fixtures cover: every row that a run acts on stands in a good program, every alarm in a bad one.
+
+use macroline::controls::syntax::Function;
+use macroline::controls::{ALL, Alarm, Code, CodeDef, Control, VarKind};
+
+use super::fixtures;
+
+/// The good programs of a control, as one text per file, comments left out but for settings.
+fn good(control: &Control) -> Vec<String> {
+    fixtures(control, "ok").into_iter().map(|(_, source)| source).collect()
+}
+
+/// Whether a word stands in a program with nothing behind it that would make it another.
+fn stands(sources: &[String], word: &str) -> bool {
+    sources.iter().any(|source| {
+        let behind = source.match_indices(word).map(|(at, _)| source[at + word.len()..].chars().next());
+        behind.into_iter().any(|c| !c.is_some_and(|c| c.is_ascii_digit() || c == '.'))
+    })
+}
+
+#[track_caller]
+fn nothing(missing: &[String], what: &str) {
+    assert!(missing.is_empty(), "{what}:\n{}", missing.join("\n"));
+}
+
+/// What no text can bring about.
+const NOT_FROM_TEXT: [Alarm; 3] = [Alarm::Budget, Alarm::SoftLimit, Alarm::EmergencyStop];
+
+#[test]
+fn each_alarm_has_a_program_that_raises_it() {
+    let mut missing = Vec::new();
+    for control in ALL {
+        let bad = fixtures(control, "bad");
+        let rows = control.alarms.iter().filter(|row| !NOT_FROM_TEXT.contains(&row.kind));
+        for number in rows.map(|row| row.number) {
+            if !bad.iter().any(|(_, source)| source.starts_with(&format!("({number} "))) {
+                missing.push(format!("{} {number}", control.id));
+            }
+        }
+    }
+    missing.dedup();
+    nothing(&missing, "no bad program raises");
+}
+
+#[test]
+fn each_code_that_is_acted_on_stands_in_a_good_program() {
+    let acted = |row: &&CodeDef| !matches!(row.code, Code::NotSimulated | Code::Cancel);
+    let mut missing = Vec::new();
+    for control in ALL {
+        let good = good(control);
+        for row in control.codes.iter().filter(acted) {
+            let number = f64::from(row.number) / 10.0;
+            let spelled = [format!("{}{number}", row.letter as char), format!("{}{number:02}", row.letter as char)];
+            if !spelled.iter().any(|word| stands(&good, word)) {
+                missing.push(format!("{} {}", control.id, spelled[0]));
+            }
+        }
+    }
+    nothing(&missing, "no good program has");
+}
+
+#[test]
+fn each_variable_that_is_acted_on_stands_in_a_good_program() {
+    let mut missing = Vec::new();
+    for control in ALL {
+        let good = good(control);
+        for row in control.vars.iter().filter(|row| !matches!(row.kind, VarKind::NotSimulated | VarKind::AlarmMessage))
+        {
+            if !(row.first..=row.last).any(|number| stands(&good, &format!("#{number}"))) {
+                missing.push(format!("{} #{} ({})", control.id, row.first, row.text));
+            }
+        }
+    }
+    nothing(&missing, "no good program has");
+}
+
+#[test]
+fn each_function_stands_in_a_good_program() {
+    let mut missing = Vec::new();
+    for control in ALL {
+        let good = good(control);
+        let bare = |name: &str| good.iter().any(|source| source.contains(name));
+        for (name, function) in control.syntax.functions {
+            // `SIN` stands in `ASIN` too.
+            let found = match function {
+                Function::Sin | Function::Cos | Function::Tan => {
+                    ["[", "+", "=", "*"].iter().any(|ahead| bare(&format!("{ahead}{name}")))
+                }
+                _ => bare(name),
+            };
+            if !found {
+                missing.push(format!("{} {name}", control.id));
+            }
+        }
+        for (number, operation) in control.macros.functions {
+            if *number != 99 && !stands(&good, &format!("G65 H{number:02}")) {
+                missing.push(format!("{} G65 H{number:02} ({operation:?})", control.id));
+            }
+        }
+    }
+    nothing(&missing, "no good program has");
+}
+
+#[test]
+fn each_setting_of_a_switch_stands_in_a_good_program() {
+    let mut missing = Vec::new();
+    for control in ALL {
+        let good = good(control);
+        let set = |id: &str, value: &str| good.iter().any(|source| source.contains(&format!("(SET {id} {value}")));
+        for row in control.switches {
+            // Names of registers; no program can tell.
+            if row.id == "macro-input-base" {
+                continue;
+            }
+            let others: &[&str] = if row.is_text() { &[""] } else { &row.options[1..] };
+            missing.extend(
+                others
+                    .iter()
+                    .filter(|option| !set(row.id, option))
+                    .map(|option| format!("{} {} {option}", control.id, row.id)),
+            );
+        }
+    }
+    nothing(&missing, "no good program sets");
+}
