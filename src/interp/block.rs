@@ -108,7 +108,7 @@ impl State {
         if codes.path {
             self.queue.push(Canon::PathMode { exact: self.modal.exact });
         }
-        let moved = self.motion(cx, block, words, &codes, &values)?;
+        let moved = self.motion(cx, &codes, &values)?;
         let commands = !self.queue.is_empty();
         match codes.stop {
             Some(Code::Stop) => self.queue.push(Canon::Stop),

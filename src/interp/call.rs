@@ -124,7 +124,8 @@ impl State {
     fn program_of(&self, cx: &Cx, number: f64) -> Run<u32> {
         let found = if (1.0..4e9).contains(&number) { cx.shared.index.program(number as u32) } else { None };
         let hint = msg!("interp.hint-program");
-        found.ok_or_else(|| Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", (number, 0))).hint(hint))
+        let trap = || Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", (number, 0))).hint(hint).behind(b"P");
+        found.ok_or_else(trap)
     }
 
     fn repeats(&self, cx: &Cx, repeats: Option<f64>) -> Run<u32> {
@@ -132,7 +133,9 @@ impl State {
         match repeats {
             None => Ok(1),
             Some(repeats) if (0.0..=f64::from(max)).contains(&repeats) => Ok(repeats as u32),
-            Some(repeats) => Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", repeats, 0_u32, max))),
+            Some(repeats) => {
+                Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", repeats, 0_u32, max)).behind(b"LP"))
+            }
         }
     }
 
@@ -167,7 +170,9 @@ impl State {
             Some(number) => {
                 let wanted = if (1.0..4e9).contains(&number) { number as u32 } else { 0 };
                 let found = cx.shared.index.sequence(program, wanted, first);
-                found.ok_or_else(|| Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 0))))?
+                found.ok_or_else(|| {
+                    Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 0))).behind(b"H")
+                })?
             }
         };
         let repeats = self.repeats(cx, l)?;

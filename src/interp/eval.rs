@@ -121,6 +121,7 @@ fn out_of_range(large: bool) -> Trap {
 }
 
 /// The value of an operator between two numbers. Comparisons give 1 or 0.
+#[inline]
 pub(super) fn operate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
     match op {
         Op::Add => in_range(cx, a + b),

@@ -1,7 +1,8 @@
 //! Why a block did not come to its end, on the way to becoming a diagnostic.
 
+use super::call::word_span;
 use crate::controls::Alarm;
-use crate::nc::{ExprId, Parsed, part_span};
+use crate::nc::{Block, Deck, ExprId, Parsed, part_span};
 use crate::text::{Diagnostic, Message, Place, Span};
 
 /// An alarm in the making.
@@ -13,6 +14,8 @@ pub(super) struct Fault {
     word: Option<Span>,
     /// The part of a formula that has no value.
     part: Option<ExprId>,
+    /// Letters of the word that it is about.
+    letters: &'static [u8],
     /// The number that is shown instead of that of the kind.
     number: Option<u32>,
 }
@@ -33,7 +36,15 @@ impl Trap {
     /// An alarm with what is wrong.
     #[cold]
     pub(super) fn alarm(alarm: Alarm, message: Message) -> Trap {
-        Trap::Alarm(Box::new(Fault { alarm, message, hints: Vec::new(), word: None, part: None, number: None }))
+        Trap::Alarm(Box::new(Fault {
+            alarm,
+            message,
+            hints: Vec::new(),
+            word: None,
+            part: None,
+            letters: b"",
+            number: None,
+        }))
     }
 
     /// An alarm that the parser has already found.
@@ -46,6 +57,7 @@ impl Trap {
             hints: finding.hints.clone(),
             word,
             part: None,
+            letters: b"",
             number: None,
         }))
     }
@@ -77,6 +89,17 @@ impl Trap {
         self
     }
 
+    /// The same in the first word of its block with one of these letters, if no narrower place is known.
+    #[cold]
+    pub(super) fn behind(mut self, letters: &'static [u8]) -> Trap {
+        if let Trap::Alarm(fault) = &mut self
+            && fault.letters.is_empty()
+        {
+            fault.letters = letters;
+        }
+        self
+    }
+
     /// The same in a word, if no narrower place is known.
     #[cold]
     pub(super) fn within(mut self, word: Span) -> Trap {
@@ -88,6 +111,12 @@ impl Trap {
 }
 
 impl Fault {
+    /// Looks for the word that it is about in its block.
+    pub(super) fn locate(&mut self, deck: &Deck, block: &Block) {
+        let word = deck.words_of(block).iter().find(|word| self.letters.contains(&word.letter));
+        self.word = self.word.or(word.map(|word| word_span(block, word)));
+    }
+
     /// The diagnostic in the control's numbers; `block` is its place where neither part nor word is known.
     pub(super) fn diagnostic(self, parsed: &Parsed, block: Place) -> Diagnostic {
         let part = self.part.and_then(|part| part_span(parsed, block, part));

@@ -1,6 +1,5 @@
 //! `G65 Hnn P Q R`: calculations and jumps of controls that had no formulas once.
 
-use super::call::word_span;
 use super::eval::{function, operate, or_zero};
 use super::fault::{Run, Trap};
 use super::state::{Cx, State};
@@ -20,23 +19,19 @@ impl State {
     /// Does a function.
     pub(super) fn function_words(&mut self, cx: &mut Cx, at: u32, block: &Block, words: &[Word]) -> Run<()> {
         let word = |letter: u8| words.iter().rfind(|word| word.letter == letter);
-        let within = |trap: Trap, letter: u8| match word(letter) {
-            Some(word) => trap.within(word_span(block, word)),
-            None => trap,
-        };
         let number = match word(b'H') {
             Some(word) => self.whole(cx, block, word)?.unwrap_or(0.0),
             None => 0.0,
         };
         let row = cx.control.macros.functions.iter().find(|row| f64::from(row.0) == number);
         let Some(&(_, operation)) = row else {
-            return Err(within(Trap::alarm(Alarm::CallFunction, msg!("interp.no-function", (number, 0))), b'H'));
+            return Err(Trap::alarm(Alarm::CallFunction, msg!("interp.no-function", (number, 0))).behind(b"H"));
         };
         let missing = |letter: &str| Trap::alarm(Alarm::CallOperands, msg!("interp.no-operand", letter, (number, 0)));
         // Constants count as they are written.
         let mut operand = |letter: u8, needed: bool| match word(letter) {
             Some(Word { value: WordValue::Number(dec), .. }) => Ok(dec.to_f64()),
-            Some(Word { value: WordValue::Expr(id), .. }) => self.value(cx, *id).map_err(|trap| within(trap, letter)),
+            Some(Word { value: WordValue::Expr(id), .. }) => self.value(cx, *id),
             None if needed => Err(missing(&(letter as char).to_string())),
             None => Ok(0.0),
         };
@@ -56,19 +51,19 @@ impl State {
         };
         if jump.is_none() && operation != Operation::Alarm {
             let Some(Word { value: WordValue::Expr(id), .. }) = word(b'P') else {
-                let trap = Trap::alarm(Alarm::CallOperands, msg!("interp.function-result"));
-                return Err(within(trap, b'P'));
+                return Err(Trap::alarm(Alarm::CallOperands, msg!("interp.function-result")).behind(b"P"));
             };
-            let target = self.variable_of(cx, *id).map_err(|trap| within(trap, b'P'))?;
+            let target = self.variable_of(cx, *id)?;
             // Adding 0 makes -0 to 0.
-            let value = self.calculate(cx, operation, (q, r), target)? + 0.0;
-            return self.write(cx, block, target, value);
+            let operand = if needed.contains(&b'R') { b"R" } else { b"Q" };
+            let value = self.calculate(cx, operation, (q, r), target).map_err(|trap| trap.behind(operand))? + 0.0;
+            return self.write(cx, block, target, value).map_err(|trap| trap.part(*id));
         }
         let p = or_zero(operand(b'P', true)?);
         match jump {
-            Some(true) => self.go_to_number(cx, at, p).map_err(|trap| within(trap, b'P')),
+            Some(true) => self.go_to_number(cx, at, p).map_err(|trap| trap.behind(b"P")),
             Some(false) => Ok(()),
-            None => Err(within(user_alarm(cx, block, p.round()), b'P')),
+            None => Err(user_alarm(cx, block, p.round()).behind(b"P")),
         }
     }
 

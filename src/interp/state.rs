@@ -225,7 +225,12 @@ impl State {
                 self.synced = true;
                 Step::Sync(self.place)
             }
-            Err(trap) => self.fail(shared, trap),
+            Err(mut trap) => {
+                if let Trap::Alarm(fault) = &mut trap {
+                    fault.locate(deck, block);
+                }
+                self.fail(shared, trap)
+            }
         }
     }
 
@@ -311,7 +316,7 @@ impl State {
 
     fn go_to(&mut self, cx: &mut Cx, from: u32, target: ExprId) -> Run<()> {
         let number = self.number(cx, target)?;
-        self.go_to_number(cx, from, number)
+        self.go_to_number(cx, from, number).map_err(|trap| trap.part(target))
     }
 
     /// Goes on at a sequence number of the running program; `from` is the block that jumps.
@@ -319,10 +324,10 @@ impl State {
         let number = number.round();
         let digits = u32::from(cx.control.syntax.sequence_digits.min(9));
         if !(1.0..f64::from(10_u32.pow(digits))).contains(&number) {
-            return Err(Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", (number, 0))));
+            return Err(Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", (number, 0))).behind(b"P"));
         }
         let Some(to) = cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1)) else {
-            return Err(Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 0))));
+            return Err(Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 0))).behind(b"P"));
         };
         if cx.shared.index.enters_loop(self.program, from, to) {
             return Err(Trap::alarm(Alarm::IntoLoop, msg!("interp.into-loop", (number, 0))));

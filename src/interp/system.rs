@@ -86,19 +86,21 @@ impl State {
     pub(super) fn assign(&mut self, cx: &mut Cx, block: &Block, to: ExprId, value: ExprId) -> Run<()> {
         let value = self.assigned(cx, value)?;
         let number = self.variable_of(cx, to)?;
-        self.write(cx, block, number, value)
+        self.write(cx, block, number, value).map_err(|trap| trap.part(to))
     }
 
     /// The number of the variable that an expression is.
+    #[inline]
     pub(super) fn variable_of(&self, cx: &mut Cx, id: ExprId) -> Run<u32> {
         match cx.deck.expr(id) {
             Expr::Var(number) => Ok(number),
-            Expr::Indirect(number) => variable_number(self.value(cx, number)?),
+            Expr::Indirect(number) => variable_number(self.value(cx, number)?).map_err(|trap| trap.part(id)),
             _ => Err(Trap::alarm(Alarm::Format, msg!("interp.not-a-variable"))),
         }
     }
 
     /// Writes a variable; vacant is NaN.
+    #[inline]
     pub(super) fn write(&mut self, cx: &mut Cx, block: &Block, number: u32, value: f64) -> Run<()> {
         match cx.shared.index.slot(cx.control, number) {
             Slot::Common(slot) => {

@@ -2,25 +2,16 @@
 
 use super::arc::{Chord, Impossible, by_center, by_moved_center, by_radius};
 use super::block::{Codes, Words};
-use super::call::word_span;
 use super::canon::{AXES, Canon, Feed, Target};
 use super::fault::{Run, Trap};
 use super::state::{Cx, State};
 use crate::controls::{Alarm, Code};
 use crate::msg;
-use crate::nc::{Block, Word};
 
 impl State {
     /// The command for the axis words of a block; whether axes move.
     #[inline]
-    pub(super) fn motion(
-        &mut self,
-        cx: &Cx,
-        block: &Block,
-        words: &[Word],
-        codes: &Codes,
-        values: &Words,
-    ) -> Run<bool> {
+    pub(super) fn motion(&mut self, cx: &Cx, codes: &Codes, values: &Words) -> Run<bool> {
         match codes.special {
             Some(Code::Dwell) => {
                 self.queue.push(Canon::Dwell { seconds: values.dwell.unwrap_or(0.0) });
@@ -81,12 +72,7 @@ impl State {
                         if self.modal.motion == Code::Linear {
                             Canon::Linear { to, feed, exact }
                         } else {
-                            let center = words.iter().find(|word| matches!(word.letter, b'I' | b'J' | b'K' | b'R'));
-                            let within = |trap: Trap| match center {
-                                Some(word) => trap.within(word_span(block, word)),
-                                None => trap,
-                            };
-                            self.arc(cx, values, to, feed, exact).map_err(within)?
+                            self.arc(cx, values, to, feed, exact).map_err(|trap| trap.behind(b"IJKR"))?
                         }
                     }
                 }
