@@ -319,8 +319,8 @@ impl Reader<'_> {
         if self.ended() || byte == b',' {
             return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, msg!("nc.unclosed-square"), false));
         }
-        if self.comparison_ahead() {
-            return Err(self.lost_comparison(Alarm::Format));
+        if let Some(lost) = self.lost_comparison(Alarm::Format) {
+            return Err(lost);
         }
         let mut failure = self.unexpected();
         failure.at_word = false;

@@ -193,8 +193,8 @@ impl Reader<'_> {
         };
         let right = self.formula(false)?;
         self.skip();
-        if self.comparison_ahead() {
-            return Err(self.lost_comparison(alarm));
+        if let Some(lost) = self.lost_comparison(alarm) {
+            return Err(lost);
         }
         if self.keyword_ahead() {
             // The bracket can have been meant nowhere else.
@@ -244,14 +244,11 @@ impl Reader<'_> {
         Some(op)
     }
 
-    pub(super) fn comparison_ahead(&self) -> bool {
-        let signs = SIGNS.iter().filter(|(sign, ..)| *sign != "=").map(|(sign, ..)| *sign);
-        COMPARISONS.iter().map(|(word, _)| *word).chain(signs).any(|word| self.ahead(word))
-    }
-
-    /// The failure of a comparison that is not the one of a condition.
-    pub(super) fn lost_comparison(&self, alarm: Alarm) -> Box<Failure> {
-        self.failure(alarm, self.at, self.at + 2, msg!("nc.lost-comparison"), false)
+    /// The failure of a comparison ahead that is not the one of a condition.
+    pub(super) fn lost_comparison(&self, alarm: Alarm) -> Option<Box<Failure>> {
+        let signs = SIGNS.iter().map(|(sign, ..)| *sign).filter(|sign| *sign != "=");
+        let word = COMPARISONS.iter().map(|(word, _)| *word).chain(signs).find(|word| self.ahead(word))?;
+        Some(self.failure(alarm, self.at, self.at + word.len(), msg!("nc.lost-comparison"), false))
     }
 
     /// The number behind `DO` or `END`.
@@ -332,11 +329,16 @@ impl Reader<'_> {
                     self.at = self.line.len();
                     return Ok(());
                 }
-                _ if self.comparison_ahead() => return Err(self.lost_comparison(Alarm::Format)),
-                _ if byte.is_ascii_alphabetic() => {
-                    return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), true));
+                _ => {
+                    let failure = match self.lost_comparison(Alarm::Format) {
+                        Some(lost) => lost,
+                        None if byte.is_ascii_alphabetic() => {
+                            self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), true)
+                        }
+                        None => self.unexpected(),
+                    };
+                    return Err(failure);
                 }
-                _ => return Err(self.unexpected()),
             }
         }
     }
