@@ -5,6 +5,7 @@ mod cli;
 mod controls;
 mod differences;
 mod figures;
+mod generated;
 mod language;
 mod machines;
 mod numbers;

@@ -1,0 +1,201 @@
+//! Laws on generated programs: written out block by block they do the same, and read, write and run of them hold what is promised.
+
+mod dice;
+mod flat;
+mod laws;
+mod program;
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::rc::Rc;
+
+use macroline::controls::{self, Code, Control, Switches};
+use macroline::interp::world::Still;
+use macroline::interp::{End, Interp, Start};
+use macroline::motion::{
+    Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Program, RunEnd, Setup, SpindlePlant,
+};
+use macroline::nc::{self, Files};
+use proptest::prelude::*;
+
+use flat::Recorder;
+
+fn interp(control: &'static Control, text: &str) -> Interp {
+    Interp::new(Rc::new(nc::parse(&Files::one("O1.nc", text), control)), Start::First, &Switches::default())
+}
+
+/// The bench of the control.
+fn plant(control: &Control) -> Plant {
+    let bench = &control.bench;
+    let axes = bench.axes.iter().map(|axis| AxisPlant {
+        letter: axis.letter,
+        rotary: false,
+        diameter: control.axis(axis.letter).is_some_and(|k| control.axes[k].diameter),
+        rapid: axis.rapid,
+        clamp: axis.clamp,
+        time_constant: axis.time_constant,
+        position_gain: axis.position_gain,
+    });
+    Plant {
+        axes: axes.collect(),
+        spindle: SpindlePlant {
+            speed_at_full: bench.speed_at_full,
+            speed_clamp: bench.speed_clamp,
+            volts_full: bench.volts_full,
+            output_bits: bench.output_bits,
+            ramp: bench.ramp,
+            gain: 1.0,
+            slip: 0.0,
+        },
+        block_time: control.timing.block,
+        macro_time: control.timing.macro_block,
+        preread: control.timing.preread,
+        in_position: bench.in_position,
+    }
+}
+
+/// Planned to its end or for ten minutes, with a hand that answers stops and turns the knob.
+fn planned<P: Program>(control: &Control, program: P) -> Planner<P> {
+    let knob = Event { t: 2.3, action: Action::FeedOverride(80.0) };
+    let mut planner = Planner::new(Setup {
+        program,
+        control,
+        plant: &plant(control),
+        plc: Box::new(BenchPlc::new(control.bench.fin_delay, control.bench.override_echo)),
+        panel: Panel::new([knob]),
+        limits: Limits { blocks: 5000, seconds: 600.0 },
+        keep: Keep::Timeline,
+    });
+    for _ in 0..40 {
+        if planner.advance(f64::INFINITY, 100_000).ended != Some(RunEnd::Stop) {
+            break;
+        }
+        planner.event(Event { t: planner.timeline().end() + 0.1, action: Action::Start });
+    }
+    planner
+}
+
+fn written_out_it_moves_the_same(control: &'static Control, bytes: &[u8]) -> Result<(), TestCaseError> {
+    let text = program::program(control, bytes);
+    let recorder = Recorder::new(interp(control, &text));
+    let ran = Rc::clone(&recorder.ran);
+    let first = planned(control, recorder);
+    let plain = flat::flat(control, &ran.borrow());
+    let recorder = Recorder::new(interp(control, &plain));
+    let ran_plain = Rc::clone(&recorder.ran);
+    let second = planned(control, recorder);
+    let names = interp(control, &text).names();
+    let log = |ran: &[flat::Ran]| -> Vec<String> {
+        ran.iter().flat_map(|ran| &ran.commands).map(|canon| canon.line(names).to_string()).collect()
+    };
+    let (ran, ran_plain) = (ran.borrow(), ran_plain.borrow());
+    prop_assert_eq!(log(&ran), log(&ran_plain), "{} {}\n{}", control.id, text, plain);
+    prop_assert_eq!(first.timeline().end(), second.timeline().end(), "{} {}\n{}", control.id, text, plain);
+    for k in 0..=200 {
+        let t = first.timeline().end() * f64::from(k) / 200.0;
+        let (a, b) = (first.timeline().at(t), second.timeline().at(t));
+        prop_assert_eq!(&a.axes, &b.axes, "at {} of {} {}\n{}", t, control.id, text, plain);
+        prop_assert_eq!((a.spindle, a.mode), (b.spindle, b.mode), "at {} of {} {}\n{}", t, control.id, text, plain);
+    }
+    Ok(())
+}
+
+fn bytes() -> impl Strategy<Value = Vec<u8>> {
+    proptest::collection::vec(any::<u8>(), 0..400)
+}
+
+proptest! {
+    #[test]
+    fn a_run_written_out_in_plain_blocks_moves_the_same(bytes in bytes()) {
+        for control in controls::ALL {
+            written_out_it_moves_the_same(control, &bytes)?;
+        }
+    }
+
+    #[test]
+    fn programs_are_read_and_written_without_loss(bytes in bytes()) {
+        controls::ALL.iter().for_each(|control| laws::reading(control, &program::program(control, &bytes)));
+    }
+
+    #[test]
+    fn broken_programs_are_read_and_written_without_loss(bytes in bytes()) {
+        controls::ALL.iter().for_each(|control| laws::reading(control, &program::broken(control, &bytes)));
+    }
+
+    #[test]
+    fn soups_of_words_are_read_and_written_without_loss(bytes in bytes()) {
+        controls::ALL.iter().for_each(|control| laws::reading(control, &program::soup(control, &bytes)));
+    }
+
+    #[test]
+    fn bytes_are_read_and_written_without_loss(bytes in bytes()) {
+        controls::ALL.iter().for_each(|control| laws::reading(control, &String::from_utf8_lossy(&bytes)));
+    }
+
+    #[test]
+    fn whatever_is_run_ends_within_its_budget(bytes in bytes(), world in bytes()) {
+        for control in controls::ALL {
+            laws::running(control, &program::program(control, &bytes), &world);
+            laws::running(control, &program::broken(control, &bytes), &world);
+            laws::running(control, &program::soup(control, &bytes), &world);
+            laws::running(control, &String::from_utf8_lossy(&bytes), &world);
+        }
+    }
+}
+
+/// How often each kind of command comes in programs of this control, and how many of them end as programs do.
+fn kinds(control: &'static Control, programs: u32) -> (BTreeMap<String, u32>, u32) {
+    let (mut kinds, mut ended, mut state) = (BTreeMap::new(), 0, 1_u64);
+    let mut byte = || {
+        // A linear congruential generator (Knuth, MMIX).
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as u8
+    };
+    for _ in 0..programs {
+        let bytes: Vec<u8> = (0..400).map(|_| byte()).collect();
+        let mut interp = interp(control, &program::program(control, &bytes));
+        let end = macroline::interp::run(&mut interp, &mut Still::default(), 5000, |canon, _| {
+            let name = format!("{canon:?}");
+            *kinds.entry(name.split([' ', '(']).next().unwrap().to_owned()).or_default() += 1;
+        });
+        ended += u32::from(end == Some(End::Program));
+    }
+    (kinds, ended)
+}
+
+#[test]
+fn what_is_generated_is_worth_running() {
+    let every = ["Rapid", "Linear", "Arc", "Dwell", "Preset", "SpindleSpeed", "SpindleDirection", "Auxiliary", "Tool"];
+    for control in controls::ALL {
+        let (kinds, ended) = kinds(control, 300);
+        let mut wanted = every.to_vec();
+        wanted.extend(["Output", "Stop", "OptionalStop", "End"]);
+        if control.can(Code::SurfaceSpeed) {
+            wanted.extend(["SurfaceSpeed", "ConstantSpeed", "SpeedLimit"]);
+        }
+        if control.can(Code::Thread) {
+            wanted.push("Thread");
+        }
+        let rare: Vec<_> = wanted.iter().filter(|kind| !kinds.contains_key(**kind)).collect();
+        assert!(rare.is_empty(), "{}: {rare:?} in {kinds:?}", control.id);
+        assert!(ended > 150, "{}: only {ended} of 300 programs come to their end", control.id);
+    }
+}
+
+#[test]
+fn the_fixtures_hold_the_laws() {
+    for control in controls::ALL {
+        for folder in ["ok", "bad"] {
+            let folder =
+                Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/programs").join(control.id).join(folder);
+            for entry in std::fs::read_dir(folder).unwrap() {
+                let path = entry.unwrap().path();
+                if path.extension().is_some_and(|ending| ending == "nc") {
+                    let text = std::fs::read_to_string(&path).unwrap();
+                    laws::reading(control, &text);
+                    laws::running(control, &text, &[]);
+                }
+            }
+        }
+    }
+}

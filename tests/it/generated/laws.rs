@@ -1,0 +1,177 @@
+//! What holds for any text on any control. Shared with the fuzz targets: a law that is broken panics.
+
+use std::rc::Rc;
+
+use macroline::controls::{Alarm, Control, Switches};
+use macroline::interp::canon::AXES;
+use macroline::interp::{Interp, Start, Step, World};
+use macroline::motion::{Keep, Limits, Panel};
+use macroline::nc::{self, Files, Parsed};
+use macroline::project::run::{Begin, of_programs, to_end};
+use macroline::project::told::Teller;
+use macroline::text::Span;
+
+use super::dice::Dice;
+
+/// Reading, writing and mending.
+pub(crate) fn reading(control: &'static Control, text: &str) {
+    let files = Files::one("O1.nc", text);
+    let parsed = nc::parse(&files, control);
+    let deck = parsed.deck();
+    assert_eq!(nc::emit_parsed(&parsed, deck).files, files, "what nobody edited stays, byte for byte");
+    let mut at = 0;
+    for program in &deck.programs {
+        assert_eq!(program.first, at, "programs hold their blocks side by side");
+        at = program.end;
+    }
+    assert_eq!(at as usize, deck.blocks.len());
+    let mut at = 0;
+    for block in &deck.blocks {
+        assert!(block.span.start >= at && !block.span.of(text).is_empty(), "blocks follow one another: {block:?}");
+        at = block.span.end;
+    }
+    told(&parsed, text);
+    let mut at = 0;
+    for (span, _) in nc::tokens(text, control) {
+        assert!(span.start >= at && !span.of(text).is_empty(), "pieces follow one another: {span:?}");
+        at = span.end;
+    }
+    edited(&parsed, text);
+    written(&parsed);
+}
+
+/// Findings have places in the text, sentences without gaps, and fixes that fit.
+fn told(parsed: &Parsed, text: &str) {
+    let teller = Teller::new(parsed.files());
+    for finding in parsed.diagnostics() {
+        let place = finding.place.expect("a finding about a program has a place");
+        assert!(text.get(place.span.start as usize..place.span.end as usize).is_some(), "{finding:?}");
+        assert!(!teller.text(finding).contains('\u{0}'));
+        for fix in &finding.fixes {
+            let mended = nc::fix(parsed.files(), fix);
+            assert_ne!(&mended, parsed.files(), "a fix changes something: {fix:?}");
+            nc::parse(&mended, parsed.control());
+        }
+    }
+}
+
+/// Edits every third block: all else stays as it was.
+fn edited(parsed: &Parsed, text: &str) {
+    let mut deck = parsed.deck().clone();
+    let edited = |at: usize| at % 3 == text.len() % 3;
+    let old: Vec<Span> = deck.blocks.iter().map(|block| block.span).collect();
+    for (_, block) in deck.blocks.iter_mut().enumerate().filter(|(at, _)| edited(*at)) {
+        block.span = Span::default();
+    }
+    let out = nc::emit_parsed(parsed, &deck);
+    assert_eq!(out.files.0.len(), 1);
+    // With the old text in place of what was written anew it is the old file.
+    let mut again = String::new();
+    let mut end = 0;
+    for (at, (place, old)) in out.places.iter().zip(&old).enumerate() {
+        let Span { start, end: stop, .. } = place.span;
+        again.push_str(&out.files.0[0].text[end..start as usize]);
+        again.push_str(if edited(at) { old.of(text) } else { place.span.of(&out.files.0[0].text) });
+        end = stop as usize;
+    }
+    again.push_str(&out.files.0[0].text[end..]);
+    assert_eq!(again, text, "around edited blocks nothing changes");
+}
+
+/// What is written anew reads back as it was, lowered; lowering twice is lowering once.
+fn written(parsed: &Parsed) {
+    let control = parsed.control();
+    let low = nc::lower(parsed.deck(), control);
+    assert!(nc::lower(&low, control).same_as(&low), "lowering twice is lowering once");
+    let out = nc::emit(parsed.deck(), control);
+    if parsed.has_errors() || out.files.0.len() != parsed.deck().programs.len() {
+        return;
+    }
+    // Each program is a file of its own.
+    let read = nc::parse(&out.files, control);
+    let too_much = [Alarm::BracketDepth, Alarm::BlockTooLong].map(|alarm| control.alarm_number(alarm));
+    let refused = read.diagnostics().iter().any(|d| d.alarm.is_some() && too_much.contains(&d.alarm.as_deref()));
+    let anew: Vec<&str> = out.files.0.iter().map(|file| file.text.as_str()).collect();
+    let old = &parsed.files().0[0].text;
+    assert!(refused || read.deck().same_as(&low), "{old}\nis written\n{}\n{:?}", anew.concat(), read.diagnostics());
+}
+
+/// A machine that answers anything.
+struct AnyWorld<'a>(Dice<'a>);
+
+impl AnyWorld<'_> {
+    fn number(&mut self) -> f64 {
+        let whole = f64::from(self.0.byte()) - 100.0;
+        match self.0.byte() {
+            255 => f64::NAN,
+            254 => f64::INFINITY,
+            253 => -1e300,
+            252 => 1e15,
+            byte => whole + f64::from(byte) / 1000.0,
+        }
+    }
+}
+
+impl World for AnyWorld<'_> {
+    fn input(&mut self, _: u32) -> f64 {
+        self.number()
+    }
+
+    fn clock_ms(&mut self, _: bool) -> f64 {
+        self.number()
+    }
+
+    fn position(&mut self, axis: usize) -> f64 {
+        assert!(axis < AXES);
+        self.number()
+    }
+
+    fn block_skip(&mut self, _: u8) -> bool {
+        self.0.rarely(40)
+    }
+}
+
+/// Steps of the interpreter, and blocks of the planner, that a text gets.
+const STEPS: u32 = 2000;
+const BLOCKS: u64 = 300;
+
+/// Running: it ends or goes on block by block, and all that it commands are numbers.
+pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
+    let parsed = Rc::new(nc::parse(&Files::one("O1.nc", text), control));
+    let mut interp = Interp::new(Rc::clone(&parsed), Start::First, &Switches::default());
+    let names = interp.names();
+    let mut machine = AnyWorld(Dice(world));
+    let (mut ended, mut syncs) = (false, 0);
+    for _ in 0..STEPS {
+        match interp.step(&mut machine) {
+            Step::Command(canon, _) => {
+                let line = canon.line(names).to_string();
+                assert!(!line.contains("NaN") && !line.contains("inf"), "{line}");
+                syncs = 0;
+            }
+            Step::Sync(_) => {
+                syncs += 1;
+                assert!(syncs < 3, "a machine at rest is at rest");
+            }
+            Step::Logic(_) => syncs = 0,
+            Step::Ended(_) => {
+                ended = true;
+                break;
+            }
+        }
+    }
+    let counts = interp.blocks();
+    assert!(ended || counts.nc + counts.macros > 0, "steps are blocks");
+    let limits = Limits { blocks: BLOCKS, seconds: 100.0 };
+    let begin = Begin { start: None, settings: &[], limits, keep: Keep::Log };
+    let mut run = of_programs(parsed, None, Panel::default(), &begin);
+    let outcome = to_end(&mut run, |line| {
+        let line = line.to_string();
+        assert!(!line.contains("NaN") && !line.contains("inf"), "{line}");
+        Ok::<(), ()>(())
+    });
+    let outcome = outcome.expect("the log is taken");
+    assert!(outcome.time.is_finite() && outcome.time <= 100.0 && outcome.blocks <= BLOCKS, "{}", outcome.text());
+    assert!(outcome.axes.iter().all(|axis| axis.1.is_finite()), "{}", outcome.text());
+    assert!(outcome.spindle.volts.is_finite() && outcome.spindle.turns.is_finite());
+}
