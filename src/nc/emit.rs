@@ -8,6 +8,7 @@ use super::parsed::Parsed;
 use crate::controls::Control;
 use crate::controls::syntax::{Function, Percent};
 use crate::msg;
+use crate::text::find::newline;
 use crate::text::{Diagnostic, FileId, Place, Span};
 
 /// Trees deeper than this are no formulas; reading stops at as many parts.
@@ -147,7 +148,7 @@ pub fn emit_parsed(parsed: &Parsed, deck: &Deck) -> Emitted {
                     Writer { deck: &low, control: parsed.control(), text: String::new(), start: 0, too_deep: false };
                 for (at, (block, _)) in lines.enumerate() {
                     if at > 0 {
-                        w.text.push_str(if file.text.contains("\r\n") { "\r\n" } else { "\n" });
+                        w.text.push_str(newline(&file.text));
                     }
                     w.block(block);
                 }

@@ -26,7 +26,7 @@ impl fmt::Display for Shortest {
             0 => write!(f, "{digits}"),
             _ => {
                 let text = digits.to_string();
-                let (first, rest) = text.split_at(1);
+                let (first, rest) = text.split_at_checked(1).unwrap_or_default();
                 let point = if rest.is_empty() { "" } else { "." };
                 write!(f, "{first}{point}{rest}e{}", exponent + rest.len() as i32)
             }

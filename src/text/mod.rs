@@ -4,6 +4,8 @@ pub mod span;
 
 pub mod lines;
 
+pub mod find;
+
 pub mod number;
 
 pub mod double;

@@ -169,7 +169,7 @@ async fn read(blob: &Blob, scope: &DedicatedWorkerGlobalScope) -> String {
 fn checked(text: String, control: &'static crate::controls::Control) -> JsValue {
     let lines = LineIndex::new(&text);
     let end = text.match_indices('\n').nth(SHOWN as usize - 1).map_or(text.len(), |(at, _)| at);
-    let head = text[..end].to_owned();
+    let head = text.get(..end).unwrap_or_default().to_owned();
     let parsed = nc::parse(&Files::one("", text), control);
     let rows = js_sys::Array::new();
     for diagnostic in parsed.diagnostics().iter().take(LISTED) {

@@ -7,7 +7,7 @@ use crate::controls::interface::SignalRole;
 use crate::controls::{ParamDef, ParamRole};
 use crate::text::catalog::{Language, words};
 use crate::text::number::Plain;
-use crate::text::{Citation, Grade};
+use crate::text::{Citation, Grade, find};
 use crate::view::ladder::{Contact, Rung};
 use crate::view::{Row, Sheet};
 
@@ -97,8 +97,12 @@ fn parameter(line: &Fitted, def: &ParamDef, axis: &str, setting: Setting) -> Opt
     if text.is_empty() {
         return None;
     }
-    let unit =
-        if line.degrees() && !matches!(axis, "" | "X") { def.unit.replace("mm", "°") } else { def.unit.to_owned() };
+    let unit = match find::last(def.unit, "mm").and_then(|at| def.unit.split_at_checked(at)) {
+        Some((before, rest)) if line.degrees() && !matches!(axis, "" | "X") => {
+            format!("{before}°{}", rest.strip_prefix("mm").unwrap_or(rest))
+        }
+        _ => def.unit.to_owned(),
+    };
     Some(row([def.number.to_owned(), def.name.to_owned(), axis.to_owned(), text, unit, def.text.to_owned()], def.cite))
 }
 

@@ -7,7 +7,7 @@ use super::FINDINGS;
 use crate::controls::{Alarm, Code, Control};
 use crate::msg;
 use crate::order;
-use crate::text::{Diagnostic, Message, Place, Span};
+use crate::text::{Diagnostic, Message, Place, Span, find};
 
 /// Checks every program; `later` are its blocks with calls and jumps in words.
 pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u32], found: &mut Vec<Diagnostic>) {
@@ -66,7 +66,7 @@ impl Check<'_> {
     /// The part of a block from a keyword on, for loops and jumps.
     fn keyword_span(&self, block: &Block, keyword: &str) -> Span {
         let upper = block.span.of(self.text).to_ascii_uppercase();
-        let at = upper.rfind(keyword).unwrap_or(0) as u32;
+        let at = find::last(&upper, keyword).unwrap_or(0) as u32;
         let tail = upper.get(at as usize..).unwrap_or("");
         let comment = tail.find('(').unwrap_or(tail.len());
         let len = tail.get(..comment).unwrap_or(tail).trim_end().len() as u32;
@@ -123,7 +123,7 @@ impl Check<'_> {
 
     fn names_loop(&self, block: &Block) -> bool {
         let text = block.span.of(self.text).to_ascii_uppercase();
-        ["DO", "END", "WHILE"].iter().any(|word| text.contains(word))
+        ["DO", "END", "WHILE"].iter().any(|word| find::holds(&text, word))
     }
 
     /// Jumps to a constant number that is not in the program.
@@ -216,7 +216,7 @@ impl Check<'_> {
         let span = last.or(blocks.last()).map_or(self.program.span, |block| block.span);
         let behind = self.text.get(span.end as usize..).unwrap_or("");
         let line = behind.find('\n').unwrap_or(behind.len());
-        let newline = if self.text.contains("\r\n") { "\r\n" } else { "\n" };
+        let newline = find::newline(self.text);
         let tail = behind.get(..line).unwrap_or("");
         let at = span.end + tail.strip_suffix('\r').unwrap_or(tail).len() as u32;
         let place = Place { file: self.program.file, span };
@@ -263,7 +263,7 @@ impl Check<'_> {
             }
             Stmt::Bad(_) => {
                 let text = block.span.of(self.text).to_ascii_uppercase();
-                !["M99", "M30", "M2", "M02"].iter().any(|end| text.contains(end))
+                !["M99", "M30", "M2", "M02"].iter().any(|end| find::holds(&text, end))
             }
             _ => true,
         }

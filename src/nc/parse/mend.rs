@@ -4,6 +4,7 @@ use super::{BYTE_ORDER_MARK, FINDINGS, Reader};
 use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, VarKind, VarRange};
 use crate::msg;
+use crate::text::find::newline;
 use crate::text::{Diagnostic, Span};
 
 /// Fixes that reach through the whole text are offered up to this size.
@@ -63,7 +64,7 @@ impl Reader<'_> {
     }
 
     fn percent(&mut self, opened: bool, closed: bool) {
-        let newline = if self.source.contains("\r\n") { "\r\n" } else { "\n" };
+        let newline = newline(self.source);
         let len = self.source.len() as u32;
         let mut edits = Vec::new();
         if !opened {

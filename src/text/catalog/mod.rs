@@ -31,24 +31,25 @@ pub fn words(language: Language, id: &'static str) -> &'static str {
 pub fn sentence(language: Language, message: &Message) -> String {
     let mut out = String::new();
     let mut rest = words(language, message.id);
-    while let Some(open) = rest.find('{') {
-        out.push_str(&rest[..open]);
-        let tail = &rest[open + 1..];
-        let value = tail.find('}').and_then(|end| Some((end, message.values.get(tail[..end].parse::<usize>().ok()?)?)));
-        match value {
-            Some((end, Value::Number(number, decimals))) => {
+    while let Some((before, tail)) = rest.split_once('{') {
+        out.push_str(before);
+        let value = tail
+            .split_once('}')
+            .and_then(|(at, behind)| Some((message.values.get(at.parse::<usize>().ok()?)?, behind)));
+        rest = match value {
+            Some((Value::Number(number, decimals), behind)) => {
                 out.push_str(&number_text(*number, *decimals));
-                rest = &tail[end + 1..];
+                behind
             }
-            Some((end, Value::Text(text))) => {
+            Some((Value::Text(text), behind)) => {
                 out.push_str(text);
-                rest = &tail[end + 1..];
+                behind
             }
             None => {
                 out.push('{');
-                rest = tail;
+                tail
             }
-        }
+        };
     }
     out.push_str(rest);
     out
