@@ -1,14 +1,15 @@
 //! Things in order, in little code: the standard sorts and trees cost the page 1 to 4 KB for each type that they hold.
 
 use std::borrow::Borrow;
+use std::collections::BinaryHeap;
 
 /// Sorts by the key; what has the same key stays in the order it was.
 pub fn by_key<T>(items: &mut Vec<T>, key: impl Fn(&T) -> u64) {
     if items.is_sorted_by_key(&key) {
         return;
     }
-    let mut order: Vec<(u64, usize)> = items.iter().enumerate().map(|(at, item)| (key(item), at)).collect();
-    order.sort_unstable();
+    let order: BinaryHeap<(u64, usize)> = items.iter().enumerate().map(|(at, item)| (key(item), at)).collect();
+    let order = order.into_sorted_vec();
     let mut taken: Vec<Option<T>> = items.drain(..).map(Some).collect();
     items.extend(order.iter().filter_map(|&(_, at)| taken[at].take()));
 }

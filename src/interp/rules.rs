@@ -3,6 +3,7 @@
 use super::canon::AXES;
 use crate::controls::macros::{CodeCall, VacantWord};
 use crate::controls::{Control, Group, Limits, Switches};
+use crate::text::find::holds;
 
 /// Where the results of ASIN lie, in degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,10 +77,10 @@ impl Rules {
             vacant_word: macros.vacant_word == VacantWord::Zero,
             vacant_equals_zero: macros.vacant_equals_zero,
             result: macros.value_range.unwrap_or((0.0, f64::MAX)),
-            atan_turn: angles.contains("ATAN 0 to 360"),
-            asin: if angles.contains("ASIN 90 to 270") {
+            atan_turn: holds(angles, "ATAN 0 to 360"),
+            asin: if holds(angles, "ASIN 90 to 270") {
                 AsinRange::AroundHalfTurn
-            } else if angles.contains("ASIN 270 to 90") {
+            } else if holds(angles, "ASIN 270 to 90") {
                 AsinRange::WithinTurn
             } else {
                 AsinRange::AroundZero

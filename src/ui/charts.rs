@@ -11,6 +11,7 @@ use super::model::Model;
 use super::words::{figure, t};
 use crate::machines::form::Values;
 use crate::machines::{AnyMachine, On, Samples};
+use crate::math;
 use crate::text::number::filled;
 use crate::view::svg::escape;
 use crate::view::{Chart, csv, plot};
@@ -43,7 +44,7 @@ impl Charts {
     /// The time at a part of the page.
     pub(super) fn time(&self, part: f64) -> f64 {
         let (from, to) = self.page;
-        from + (to - from) * part.clamp(0.0, 1.0)
+        from + (to - from) * math::clamp(part, 0.0, 1.0)
     }
 
     /// The seconds that are shown when the head stands at `head`.
@@ -91,7 +92,7 @@ impl Charts {
     /// Moves the cursor.
     pub(super) fn cursor(&self, head: f64) {
         let (from, to) = self.page;
-        let part = ((head - from) / (to - from)).clamp(0.0, 1.0) * 100.0;
+        let part = math::clamp((head - from) / (to - from), 0.0, 1.0) * 100.0;
         let at = filled("translateX(#%)", &[part]);
         for cursor in &self.cursors {
             let _ = cursor.style().set_property("transform", &at);

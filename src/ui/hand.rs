@@ -7,6 +7,7 @@ use super::el::{El, button, el, icon_button};
 use super::model::Model;
 use super::words::{clock, short, t};
 use crate::machines::form::Value;
+use crate::math;
 use crate::motion::{Action, Event, Mode};
 use crate::project::Project;
 use crate::text::catalog::number_text;
@@ -176,7 +177,7 @@ fn knob(
     action: fn(f64) -> Action,
 ) -> El {
     let turn = move |percent: f64| {
-        let percent = percent.clamp(0.0, FULL);
+        let percent = math::clamp(percent, 0.0, FULL);
         if percent != untrack(value) {
             act(model, action(percent));
         }

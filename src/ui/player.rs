@@ -11,6 +11,7 @@ use super::stage::Stage;
 use crate::controls::{Control, Switches};
 use crate::machines::form::Values;
 use crate::machines::{AnyMachine, Frame, On};
+use crate::math;
 use crate::motion::{Action, Event, Keep, Limits, RunEnd, Snapshot};
 use crate::project::Project;
 use crate::project::program::Written;
@@ -346,7 +347,7 @@ impl Player {
         let speed = self.speed.get_untracked();
         self.state.quietly(|state| {
             // A tab that was hidden does not jump.
-            let passed = state.stamp.map_or(0.0, |last| (stamp - last).clamp(0.0, 100.0));
+            let passed = state.stamp.map_or(0.0, |last| math::clamp(stamp - last, 0.0, 100.0));
             state.stamp = Some(stamp);
             state.head += passed / 1000.0 * speed;
         });

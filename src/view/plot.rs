@@ -130,7 +130,7 @@ fn keys((from, to): (f64, f64), at_most: usize) -> Vec<f64> {
 /// Decimals that tell neighbouring figures apart.
 fn decimals(values: &[f64]) -> u8 {
     let step = values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(f64::INFINITY, f64::min);
-    if step.is_finite() && step > 0.0 { (-math::log10(step).floor()).clamp(0.0, 9.0) as u8 } else { 3 }
+    if step.is_finite() && step > 0.0 { math::clamp(-math::log10(step).floor(), 0.0, 9.0) as u8 } else { 3 }
 }
 
 /// The backend: paths with classes.

@@ -90,7 +90,7 @@ impl Params {
     pub fn count(&self) -> f64 {
         match self.job {
             Job::Pitches => self.pitch_count,
-            Job::Length => (self.product_length / self.pitch).round().clamp(1.0, 1e7),
+            Job::Length => math::clamp((self.product_length / self.pitch).round(), 1.0, 1e7),
         }
     }
 

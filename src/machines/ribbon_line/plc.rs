@@ -3,6 +3,7 @@
 use super::derive::AT_SPEED;
 use super::fitted::Fitted;
 use super::params::{OverrideForm, Wait};
+use crate::math;
 use crate::motion::{Io, Plc};
 
 /// Seconds from a strobe to FIN where nothing has to be waited for: a few scans of the ladder.
@@ -32,7 +33,7 @@ impl RibbonPlc {
 
     /// The knob in whole steps, 0 to 200 %.
     fn override_percent(&self, io: &Io) -> f64 {
-        ((io.spindle_override / self.step).round() * self.step).clamp(0.0, 200.0)
+        math::clamp((io.spindle_override / self.step).round() * self.step, 0.0, 200.0)
     }
 
     /// M3 waits for the spindle's speed where the project says so; everything else is done after a few scans.
@@ -51,7 +52,7 @@ impl Plc for RibbonPlc {
             OverrideForm::Percent => percent,
             OverrideForm::FinalSpeed => io.spindle_command.abs().round(),
         };
-        io.inputs.insert(self.input, word.clamp(self.range.0, self.range.1));
+        io.inputs.insert(self.input, math::clamp(word, self.range.0, self.range.1));
         if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
             self.strobe_since = None;
             io.fin = false;

@@ -5,7 +5,7 @@ use super::params::Params;
 use super::scene::{self, DOTS, PITCH, group, node};
 use super::show;
 use crate::machines::Frame;
-use crate::math::PI;
+use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::text::number::figure;
 use crate::view::Pose;
@@ -95,7 +95,7 @@ pub(super) fn pose(line: &Fitted, now: &Snapshot, frame: Frame) -> Pose {
 
 /// 1 where single marks can be followed by the eye, 0 where they blur, and a little in between.
 fn seen(step: f64) -> f64 {
-    ((1.5 * SEEN - step) / (0.5 * SEEN)).clamp(0.0, 1.0)
+    math::clamp((1.5 * SEEN - step) / (0.5 * SEEN), 0.0, 1.0)
 }
 
 /// The dots move with X; the newest was printed where the last head met the ribbon.
@@ -106,7 +106,7 @@ fn dots(line: &Fitted, now: &Snapshot, frame: Frame, state: &State, pose: &mut P
     let part = if frame.strobe { 0.0 } else { passed - printed };
     let step = now.axes[line.pull()].feed / 60.0 * frame.step / p.pitch;
     // Beyond a third of a pitch a frame the eye joins wrong dots.
-    let clear = if frame.strobe { 1.0 } else { ((0.45 - step) / 0.15).clamp(0.0, 1.0) };
+    let clear = if frame.strobe { 1.0 } else { math::clamp((0.45 - step) / 0.15, 0.0, 1.0) };
     for dot in 0..DOTS {
         let there = f64::from(dot) <= printed;
         pose.placements.push(Placement {

@@ -114,7 +114,7 @@ pub(super) fn scene(line: &Fitted) -> Scene {
 
 /// The loop between unwinder and pull roller: its depth shows the slack, down to the capacity and up to a straight ribbon.
 pub(super) fn loop_path(slack: f64, capacity: f64) -> String {
-    let share = if capacity > 0.0 { (slack / capacity).clamp(-1.0, 1.0) } else { 0.0 };
+    let share = if capacity > 0.0 { math::clamp(slack / capacity, -1.0, 1.0) } else { 0.0 };
     let low = WEB + LOOP_DEPTH * (1.0 + share);
     let (from, to) = (UNWINDER.0, PULL.0);
     let middle = (from + to) / 2.0;
@@ -271,7 +271,7 @@ fn print(pen: &mut Pen, p: &Params) {
     let body = r - 6.0;
     pen.disc(0, x, y, body, "steel", "roller");
     pen.ring(0, (x, y, body - 1.0), "dim", 0.8, "soft");
-    let heads = p.heads.clamp(1.0, HEADS);
+    let heads = math::clamp(p.heads, 1.0, HEADS);
     // A head is as wide as the rest of the circumference allows, and never wider than a dot.
     let width = (0.6 * 2.0 * PI * body / heads).min(7.0);
     for head in 0..heads as u32 {

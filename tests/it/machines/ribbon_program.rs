@@ -481,9 +481,11 @@ fn any_value(field: FieldInfo) -> BoxedStrategy<(String, Value)> {
                 .prop_map(move |(at, edge)| match edge {
                     0 => Value::Number(min),
                     1 => Value::Number(max),
-                    _ => Value::Number(
-                        ((low * math::exp(math::ln(max / low) * at) * scale).round() / scale).clamp(min, max),
-                    ),
+                    _ => Value::Number(math::clamp(
+                        (low * math::exp(math::ln(max / low) * at) * scale).round() / scale,
+                        min,
+                        max,
+                    )),
                 })
                 .boxed()
         }
