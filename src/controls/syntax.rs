@@ -75,6 +75,8 @@ pub struct Syntax {
     pub point_alarm: bool,
     /// Addresses whose words are read in the command unit where the point is missing.
     pub increment_addresses: &'static [u8],
+    /// Addresses that put a corner behind a straight line or an arc, with what they put there. They are not simulated.
+    pub corners: &'static [(u8, &'static str)],
     /// Ending of a program file without the point.
     pub extension: &'static str,
     /// Source and grade.

@@ -75,6 +75,8 @@ pub static CONTROL: Control = Control {
         integer_addresses: b"GLMNOPST",
         point_alarm: false,
         increment_addresses: b"ABCHIJKRUVWXYZ",
+        // GSK980TDi manual, 3.11.
+        corners: &[(b'L', "chamfer"), (b'D', "rounded corner")],
         extension: "nc",
         cite: Citation::new("GSK980TDi manual, 3.28 and 3.29; characters and alarms of the 980MDi", Grade::Sister),
     },

@@ -70,6 +70,7 @@ pub static CONTROL: Control = Control {
         integer_addresses: b"GLMNOPST",
         point_alarm: true,
         increment_addresses: b"ABCHIJKRUVWXYZ",
+        corners: &[],
         extension: "nc",
         cite: Citation::new("FANUC Custom Macro B, sheet section 4; block length unknown", Grade::Open),
     },

@@ -71,6 +71,7 @@ pub static CONTROL: Control = Control {
         integer_addresses: b"DGHLMNOST",
         point_alarm: false,
         increment_addresses: b"ABCIJKRUVWXYZ",
+        corners: &[],
         extension: "nc",
         cite: Citation::new("M700V/M70V programming manual, p.19, 23, 28, 40; macro text from memory", Grade::Sister),
     },

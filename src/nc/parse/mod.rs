@@ -114,6 +114,8 @@ struct Tables<'a> {
     once: u32,
     /// Bit `letter & 31`: letters whose number must not have a point.
     whole: u32,
+    /// Bit `letter & 31`: letters that may put a corner behind a motion.
+    corners: u32,
     /// Words of a block.
     most_words: usize,
 }
@@ -131,6 +133,7 @@ impl<'a> Tables<'a> {
             letters: letter_bits(control.syntax.addresses.iter().copied().chain(control.axis_letters())),
             once: if control.syntax.address_twice { !letter_bits(b"GM".iter().copied()) } else { 0 },
             whole: 0,
+            corners: letter_bits(control.syntax.corners.iter().map(|corner| corner.0)),
             most_words: (control.syntax.block_words as usize).min(u16::MAX as usize),
         };
         if control.syntax.point_alarm {

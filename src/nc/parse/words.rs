@@ -168,8 +168,9 @@ impl<'a> Reader<'a> {
         let (odd, twice, pointed) = (seen & !tables.letters, twice & tables.once, pointed & tables.whole);
         if calls {
             self.check_call(first);
-        } else if (odd | twice | pointed) != 0 {
+        } else if (odd | twice | pointed | seen & tables.corners) != 0 {
             self.faulty_words(first, odd, twice, pointed);
+            self.corner(first);
         }
         let count = self.deck.words.len() - first;
         if count > self.tables.most_words {
@@ -200,6 +201,29 @@ impl<'a> Reader<'a> {
                 self.needless_point(word.letter, number, start, end);
             }
             seen |= bit;
+        }
+    }
+
+    /// A corner that a block with motion puts behind itself is said to be left out.
+    #[cold]
+    fn corner(&mut self, first: usize) {
+        let words = self.deck.words.get(first..).unwrap_or_default();
+        // Cycles, threads and calls have other uses for these letters.
+        let plain = |word: &Word| match (word.letter, word.value) {
+            (letter @ (b'G' | b'M'), WordValue::Number(number)) => {
+                let row = self.control.code(letter, (number.to_f64() * 10.0) as u16);
+                !row.is_some_and(|row| matches!(row.code, Code::NotSimulated | Code::Thread | Code::SubCall))
+            }
+            _ => true,
+        };
+        let axis = |word: &Word| self.control.axis_letters().any(|letter| letter == word.letter);
+        let motion = words.iter().all(plain) && words.iter().any(axis);
+        let corners = self.control.syntax.corners;
+        let found =
+            words.iter().find_map(|word| Some((*word, corners.iter().find(|corner| corner.0 == word.letter)?.1)));
+        if let (true, Some((word, what))) = (motion, found) {
+            let (start, letter) = (word.offset as usize, word.letter as char);
+            self.not_simulated((word.letter, 0), start, start + word.len as usize, &format!("{letter} ({what})"));
         }
     }
 

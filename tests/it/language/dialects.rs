@@ -624,3 +624,25 @@ fn functions_behind_g65() {
     "#]],
     );
 }
+
+#[test]
+fn corners() {
+    check(
+        "G01 X10 Z-5 L2 F100\nX20 D1\nM98 P2 L2\nG65 P2 L2 X1",
+        expect![[r#"
+        --- Mitsubishi E60
+        G:1 X:10 Z:-5 L:2 F:100
+        X:20 D:1
+        M:98 P:2 L:2
+        G:65 P:2 L:2 X:1
+        --- GSK 980TDc
+        1:13 warning - L (chamfer) is read, but not simulated: the run here goes on without it.
+        2:5 warning - D (rounded corner) is read, but not simulated: the run here goes on without it.
+        --- KND K2000T
+        G:1 X:10 Z:-5 L:2 F:100
+        X:20 D:1
+        M:98 P:2 L:2
+        G:65 P:2 L:2 X:1
+    "#]],
+    );
+}
