@@ -1,5 +1,6 @@
-//! The figures of the ribbon line, by running the program that the project exports.
+//! The figures of the ribbon line, by running the program that the project exports, on every control.
 
+use macroline::controls::syntax::Percent;
 use macroline::machines::form::Value;
 use macroline::motion::{Keep, Limits, RunEnd};
 use macroline::nc::{self, Files};
@@ -7,8 +8,16 @@ use macroline::project::Project;
 use macroline::project::run::{self, Begin, Outcome};
 use proptest::prelude::*;
 
+fn controls() -> &'static [&'static str] {
+    macroline::machines::find("ribbon-line").unwrap().controls()
+}
+
 fn ribbon(values: &[(&str, f64)]) -> Project {
-    let mut project = Project::of("ribbon-line", None).unwrap();
+    ribbon_on(controls()[0], values)
+}
+
+fn ribbon_on(control: &str, values: &[(&str, f64)]) -> Project {
+    let mut project = Project::of("ribbon-line", Some(control)).unwrap();
     for (id, value) in values {
         project.values.insert((*id).to_owned(), Value::Number(*value));
     }
@@ -57,13 +66,18 @@ fn the_override_table_comes_out_row_by_row() {
         (200.0, 1480.0, 18588.800, 147101.315, 25.822, 18598.229, 147249.385, 25.809, 10.0),
     ];
     for (percent, rpm, v314, f314, t314, v, f, t, volts) in table {
-        for (pi, speed, feed, time) in [("3.14", v314, f314, t314), ("exact", v, f, t)] {
-            let mut project = ribbon(&[("pitch-count", 3.0), ("override", percent)]);
+        let forms = [("3.14", v314, f314, t314), ("exact", v, f, t)];
+        for (control, (pi, speed, feed, time)) in controls().iter().flat_map(|id| forms.map(|form| (id, form))) {
+            let mut project = ribbon_on(control, &[("pitch-count", 3.0), ("override", percent)]);
             choose(&mut project, "pi", pi);
+            if project.control.limits.feed_max < feed {
+                choose(&mut project, "feed-form", "per-revolution");
+                project.values.insert("spindle-encoder".to_owned(), Value::Flag(true));
+            }
             let out = run(&project);
             near(variable(&out, "#104"), rpm, 1e-12);
-            assert!((variable(&out, "#105") - speed).abs() < 6e-4, "{percent} {pi} #105");
-            assert!((variable(&out, "#115") - feed).abs() < 6e-4, "{percent} {pi} #115");
+            assert!((variable(&out, "#105") - speed).abs() < 6e-4, "{control} {percent} {pi} #105");
+            assert!((variable(&out, "#115") - feed).abs() < 6e-4, "{control} {percent} {pi} #115");
             let design = project.design();
             let value = |id| design.readouts.iter().find(|r| r.id == id).unwrap().value;
             assert!((value("block-time") - time).abs() < 6e-4, "{percent} {pi} block time");
@@ -89,8 +103,8 @@ fn the_volts_stand_at_the_spindle_while_it_prints() {
 
 #[test]
 fn exported_programs_are_as_the_control_wants_them() {
-    for crlf in [false, true] {
-        let mut project = ribbon(&[]);
+    for (control, crlf) in controls().iter().flat_map(|id| [(id, false), (id, true)]) {
+        let mut project = ribbon_on(control, &[]);
         choose(&mut project, "newline", if crlf { "crlf" } else { "lf" });
         project.values.insert("customer".to_owned(), Value::Text("Müller & Söhne (№ 1) %".to_owned()));
         let export = project.export();
@@ -100,11 +114,9 @@ fn exported_programs_are_as_the_control_wants_them() {
             let read = nc::parse(&Files::one(&file.name, file.text.as_str()), project.control);
             assert!(read.diagnostics().is_empty(), "{:?}", read.diagnostics());
             let end = if crlf { "\r\n" } else { "\n" };
-            assert!(
-                file.text.starts_with(&format!("%{end}O9")) && file.text.ends_with(&format!("{end}%{end}")),
-                "{}",
-                file.name
-            );
+            let begin =
+                if project.control.syntax.percent == Percent::Both { format!("%{end}O9") } else { "O9".to_owned() };
+            assert!(file.text.starts_with(&begin) && file.text.ends_with(&format!("{end}%{end}")), "{}", file.name);
             assert!(file.text.is_ascii() && file.text == file.text.to_uppercase());
             assert_eq!(file.text.matches('\r').count(), if crlf { file.text.lines().count() } else { 0 });
             for line in file.text.lines() {
@@ -118,14 +130,17 @@ fn exported_programs_are_as_the_control_wants_them() {
 
 #[test]
 fn a_dropped_program_brings_the_form_back() {
-    let mut project = ribbon(&[("pitch", 12.5), ("heads", 47.0), ("clamp-x", 25_000.0), ("pitches-per-block", 4.0)]);
-    choose(&mut project, "y-unit", "degrees");
+    let values = [("pitch", 12.5), ("heads", 47.0), ("clamp-x", 25_000.0), ("pitches-per-block", 4.0)];
     let present = ribbon(&[]);
-    for file in project.written().files.0 {
-        let opened = macroline::project::open::open(&present, &file.name, &file.text);
-        let restored = opened.project.unwrap();
-        assert!(restored.values == project.values, "{}", file.name);
-        assert!(restored.edited.is_none());
+    for control in controls() {
+        let mut project = ribbon_on(control, &values);
+        choose(&mut project, "y-unit", "degrees");
+        for file in project.written().files.0 {
+            let opened = macroline::project::open::open(&present, &file.name, &file.text);
+            let restored = opened.project.unwrap();
+            assert!(restored.control.id == *control && restored.values == project.values, "{}", file.name);
+            assert!(restored.edited.is_none());
+        }
     }
 }
 
@@ -161,17 +176,23 @@ proptest! {
     fn running_the_program_gives_the_closed_form(
         speed in 100u32..1480, ratio in 5.0..60.0f64, press in 40.0..200.0f64, pitch in 2.0..60.0f64, heads in 1u32..60,
         roller in 20.0..300.0f64, count in 1u32..60, per_block in 1u32..9, percent in 10u32..120, degrees: bool,
+        control in proptest::sample::select(controls()),
     ) {
         let round = |x: f64| (x * 1000.0).round() / 1000.0;
-        let (ratio, press, pitch, roller) = (round(ratio), round(press), round(pitch), round(roller));
-        let mut project = ribbon(&[
-            ("spindle-speed", f64::from(speed)), ("reduction-ratio", ratio), ("press-roller-diameter", press), ("pitch", pitch),
+        let (press, pitch, roller) = (round(press), round(pitch), round(roller));
+        let mut project = ribbon_on(control, &[
+            ("spindle-speed", f64::from(speed)), ("reduction-ratio", round(ratio)), ("press-roller-diameter", press), ("pitch", pitch),
             ("heads", f64::from(heads)), ("print-roller-diameter", roller), ("pitch-count", f64::from(count)),
             ("pitches-per-block", f64::from(per_block)), ("override", f64::from(percent)),
             ("clamp-x", 1e6), ("clamp-y", 1e6), ("rapid-x", 1e6), ("rapid-y", 1e6),
         ]);
         choose(&mut project, "y-unit", if degrees { "degrees" } else { "mm" });
-        prop_assume!(project.design().diagnostics.iter().all(|d| d.severity != macroline::text::Severity::Error));
+        // As fast as the control reads F.
+        let feed = project.design().readouts.iter().find(|row| row.id == "vector-feed").unwrap().value;
+        let ratio = round(ratio * (feed / project.control.limits.feed_max * 1.01).max(1.0));
+        project.values.insert("reduction-ratio".to_owned(), Value::Number(ratio));
+        let told = project.design().diagnostics;
+        prop_assert!(told.iter().all(|d| d.severity == macroline::text::Severity::Info), "{:?}", told);
         let out = run(&project);
         prop_assert!(matches!(out.ended, RunEnd::ProgramEnd), "{:?}", out.ended);
         let n = (f64::from(speed) * f64::from(percent) / 100.0).min(1480.0);
@@ -183,7 +204,9 @@ proptest! {
         prop_assert!(close(variable(&out, "#110"), y));
         prop_assert!(close(variable(&out, "#115"), v * (pitch * pitch + y * y).sqrt() / pitch));
         let count = f64::from(count);
-        prop_assert!((out.axes[0].1 - pitch * count).abs() < 1e-6, "X {}", out.axes[0].1);
-        prop_assert!((out.axes[1].1 - y * count).abs() <= 0.001 + 1e-6, "Y {} of {}", out.axes[1].1, y * count);
+        let at = |letter: char| out.axes.iter().find(|axis| axis.0 == letter).unwrap().1;
+        let words = if project.control.counts_diameters(0, &project.switches) { 2.0 } else { 1.0 };
+        prop_assert!((at('X') - words * pitch * count).abs() < 1e-6, "X {}", at('X'));
+        prop_assert!((at('Y') - y * count).abs() <= 0.001 + 1e-6, "Y {} of {}", at('Y'), y * count);
     }
 }

@@ -348,7 +348,7 @@ pub static FIELDS: &[Field<Params>] = &[
         "ribbon.group.unwinder",
         "ribbon.speed-at-10v",
         "ribbon.speed-at-10v.help",
-        "slimt",
+        "n10",
         number!(speed_at_10v, "r/min", 1.0..60000.0, 1480.0, 3, 10.0)
     ),
     fact!(

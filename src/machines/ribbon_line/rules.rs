@@ -63,9 +63,9 @@ pub(super) const RULES: &[Rule] = &[
     rule!(2, "smear", smear, "sizing sheet 3.2 and 3.4, engineering choice", Inferred),
     rule!(3, "x-motor-speed", motor_x, "data sheet of the motor", Manual),
     rule!(3, "y-motor-speed", motor_y, "data sheet of the motor", Manual),
-    rule!(4, "line-speed", clamp_x, "parameter #2002", Sister),
-    rule!(4, "x-feed", clamp_x, "parameter #2002", Sister),
-    rule!(4, "y-feed", clamp_y, "parameter #2002", Sister),
+    rule!(4, "line-speed", clamp_x, "cutting feed clamp, a parameter", Sister),
+    rule!(4, "x-feed", clamp_x, "cutting feed clamp, a parameter", Sister),
+    rule!(4, "y-feed", clamp_y, "cutting feed clamp, a parameter", Sister),
     rule!(4, "vector-feed", feed_limit, "ranges of the control", Open),
     rule!(4, "feed-per-revolution", revolution_feed, "ranges of the control", Open),
     rule!(5, "block-time", block_time, "sizing sheet section 4, times from memory", Open),
@@ -157,11 +157,15 @@ fn long_blocks(case: &Case) -> Option<Diagnostic> {
 }
 
 /// The highest whole S that keeps all of rule 4.
-fn slower_advice(case: &Case) -> Message {
+fn fastest(case: &Case) -> f64 {
     let Case { line, p, d, .. } = case;
     let clamps = (p.clamp_x / d.x_feed).min(p.clamp_y / d.y_feed);
     let share = if line.in_step() { clamps } else { clamps.min(line.feed_max() / d.vector_feed) };
-    msg!("ribbon.run-slower", ((d.actual_speed * share).floor(), 0))
+    (d.actual_speed * share).floor()
+}
+
+fn slower_advice(case: &Case) -> Message {
+    msg!("ribbon.run-slower", (fastest(case), 0))
 }
 
 fn within_or_error(value: f64, limit: f64, case: &Case) -> Option<Judgement> {
@@ -180,7 +184,8 @@ fn feed_limit(case: &Case) -> Option<Judgement> {
     let limit = (!case.line.in_step()).then(|| case.line.feed_max());
     match too_fast(case) {
         Some((message, mut advice)) => {
-            advice.insert(0, message);
+            let short = msg!("ribbon.feed-above-range", case.line.feed_max(), (fastest(case), 0));
+            advice.splice(0..0, [short, message]);
             fail(limit, advice)
         }
         None => limit.and_then(ok),

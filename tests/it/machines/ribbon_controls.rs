@@ -112,6 +112,7 @@ fn a_feed_beyond_the_range_of_a_control_says_how_fast_it_may_run_and_the_way_out
     assert_eq!(
         advice,
         [
+            "the control takes 15000: at most 150 r/min",
             "The vector feed would be 119391.393 mm/min, the control takes 15000 at most.",
             "At most 150 r/min of the unwinder keep within all limits.",
             "Or take the feed per revolution, F99.493 mm: the range of F per minute does not bind it. It needs a spindle encoder on the unwinder.",

@@ -318,7 +318,7 @@ fn blocks_that_the_control_cannot_read_are_errors() {
     assert_eq!(errors(&fast), [""; 0]);
     let feed = readout(&design(&fast), "vector-feed");
     assert_eq!((feed.verdict, feed.limit), (Verdict::Fail, Some(1e6)));
-    assert_eq!(advice(&feed)[0], "The vector feed would be 1895024.044 mm/min, the control takes 1000000 at most.");
+    assert_eq!(advice(&feed)[1], "The vector feed would be 1895024.044 mm/min, the control takes 1000000 at most.");
 }
 
 #[test]

@@ -50,6 +50,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("ribbon.encoder-resolution", "Encoder resolution"),
     ("ribbon.encoder-resolution.help", "Pulses per revolution of the servo motors."),
     ("ribbon.feed-above-limit", "The vector feed would be {0} mm/min, the control takes {1} at most."),
+    ("ribbon.feed-above-range", "the control takes {0}: at most {1} r/min"),
     (
         "ribbon.feed-below-increment",
         "The vector feed would be {0} mm/min: the control reads F in steps of {1}, less is F0. A higher speed or a smaller reduction mends it.",
@@ -367,12 +368,12 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("ribbon.speed-at-10v", "Speed at 10 V"),
     (
         "ribbon.speed-at-10v.help",
-        "Motor speed that the full analog signal stands for (parameter slimt). Best measured at 10 V under running load.",
+        "Motor speed that the full analog signal stands for, a parameter of the control. Best measured at 10 V under running load.",
     ),
     ("ribbon.speed-clamp", "Speed clamp"),
     (
         "ribbon.speed-clamp.help",
-        "Highest spindle speed that the control puts out (parameter smax); the program clamps itself in the same way.",
+        "Highest spindle speed that the control puts out, a parameter; the program clamps itself in the same way.",
     ),
     ("ribbon.spindle-encoder", "Spindle encoder"),
     (
