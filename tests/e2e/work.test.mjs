@@ -86,6 +86,43 @@ test('the paper’s example shows its figures and says in words why it slips', (
     assert.match(await page.locator('.result.fail').first().textContent(), /7\.854/);
   }));
 
+test('another control keeps the values, shows what it has, and can be undone', () =>
+  withPage(app, {}, async ({ page }) => {
+    await openGroups(page);
+    await field(page, 'pitch').fill('12.5');
+    assert.equal(await field(page, 'print-axis').isVisible(), false);
+    await page.selectOption('select.control', 'gsk-980tdc');
+    assert.equal(await field(page, 'pitch').inputValue(), '12.5');
+    assert.deepEqual(
+      [await field(page, 'print-axis').isVisible(), await field(page, 'path-mode').isVisible()],
+      [true, false],
+    );
+    await page.locator('.card.fail', { hasText: 'Vector feed' }).waitFor();
+    // C counts degrees: there is nothing to choose.
+    await page.selectOption('#print-axis', 'c');
+    await field(page, 'y-unit').waitFor({ state: 'hidden' });
+    await page.locator('#tab-program').click();
+    await page.getByRole('button', { name: 'O9101.nc' }).click();
+    await page.locator('.listing, #program', { hasText: 'U#129 H#124' }).first().waitFor();
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    assert.equal(await page.locator('select.control').inputValue(), 'mitsubishi-e60');
+    assert.equal(await field(page, 'pitch').inputValue(), '12.5');
+  }));
+
+test('a setting of the control that is free text is typed', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.selectOption('select.control', 'knd-k2000t');
+    await page.locator('#tab-parameters').click();
+    const calls = page.locator('.switches input');
+    assert.equal(await calls.inputValue(), '4120=512 4121=502');
+    await calls.fill('4120=600');
+    await calls.press('Enter');
+    await page.locator('h1').click();
+    await page.keyboard.press('Control+z');
+    await page.waitForFunction(() => document.querySelector('.switches input').value === '4120=512 4121=502');
+  }));
+
 test('it plays, steps block by block, and marks the block that runs', () =>
   withPage(app, {}, async ({ page }) => {
     await page.locator('h1').click();
