@@ -1,4 +1,4 @@
-//! How fast programs are read and written.
+//! How fast programs are read, reviewed and written.
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod summary;
@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use criterion::{Criterion, Throughput, criterion_group};
 use macroline::controls;
-use macroline::nc::{Files, emit, parse, tokens};
+use macroline::nc::{Files, Parsed, emit, parse, review, tokens};
 
 /// Blocks of the flat program.
 const COUNT: u64 = 100_000;
@@ -31,6 +31,10 @@ fn formulas() -> Files {
     Files::one("formulas.nc", text)
 }
 
+fn reviewed(parsed: &Parsed) -> usize {
+    review(parsed, None, &[]).len()
+}
+
 fn speed(c: &mut Criterion) {
     let control = controls::ALL[0];
     let mut group = c.benchmark_group("nc");
@@ -39,7 +43,10 @@ fn speed(c: &mut Criterion) {
     let (flat, formulas) = (flat(), formulas());
     group.bench_function("flat blocks, read", |b| b.iter(|| parse(&flat, control)));
     group.bench_function("formulas, read", |b| b.iter(|| parse(&formulas, control)));
-    let deck = parse(&flat, control).deck().clone();
+    let (flat_read, formulas_read) = (parse(&flat, control), parse(&formulas, control));
+    group.bench_function("flat blocks, reviewed", |b| b.iter(|| reviewed(&flat_read)));
+    group.bench_function("formulas, reviewed", |b| b.iter(|| reviewed(&formulas_read)));
+    let deck = flat_read.deck().clone();
     group.bench_function("flat blocks, write", |b| b.iter(|| emit(&deck, control)));
     let text = &flat.0[0].text;
     group.bench_function("flat blocks, colour", |b| b.iter(|| tokens(text, control)));
@@ -52,8 +59,11 @@ fn main() {
     benches();
     let control = controls::ALL[0];
     let (flat, formulas) = (flat(), formulas());
-    let deck = parse(&flat, control).deck().clone();
+    let (flat_read, formulas_read) = (parse(&flat, control), parse(&formulas, control));
+    let deck = flat_read.deck().clone();
     summary::line("flat blocks, read", COUNT, "blocks", None, || parse(&flat, control));
     summary::line("formulas, read", COUNT, "blocks", None, || parse(&formulas, control));
+    summary::line("flat blocks, reviewed", COUNT, "blocks", None, || reviewed(&flat_read));
+    summary::line("formulas, reviewed", COUNT, "blocks", None, || reviewed(&formulas_read));
     summary::line("flat blocks, written", COUNT, "blocks", None, || emit(&deck, control));
 }

@@ -28,8 +28,10 @@ mod native {
     use macroline::nc::{self, File, Files};
     use macroline::project::console::{Console, Said};
     use macroline::project::run::{self, Begin, Run, Setting};
+    use macroline::project::silence::silence;
     use macroline::project::told::{Teller, summary};
     use macroline::project::{Project, list, saved};
+    use macroline::text::catalog::{self, Language};
     use macroline::text::{Diagnostic, Severity};
 
     /// Sizes special CNC machines, writes their macro programs and runs that very text.
@@ -72,17 +74,20 @@ mod native {
             #[arg(long)]
             out: PathBuf,
         },
-        /// Diagnostics of programs, nothing run
+        /// Diagnostics of programs or of a project, nothing run
         Check {
-            /// Program files
+            /// Program files with --control, or one project file
             #[arg(required = true)]
             files: Vec<PathBuf>,
-            /// Control that they are for
+            /// Control that bare programs are for
             #[arg(long)]
-            control: String,
+            control: Option<String>,
             /// Settles an open point of the control, see `list`; repeat as needed
             #[arg(long = "switch", value_name = "ID=VALUE")]
             switch: Vec<String>,
+            /// Leaves out a warning by its id, for instance lint.unreachable; repeat as needed
+            #[arg(long, value_name = "ID")]
+            silence: Vec<String>,
             /// For programs
             #[arg(long)]
             json: bool,
@@ -131,6 +136,9 @@ mod native {
         /// Ends the run after so many seconds of machine time
         #[arg(long, default_value_t = 3600.0)]
         seconds: f64,
+        /// Leaves out a warning by its id, for instance lint.unreachable; repeat as needed
+        #[arg(long, value_name = "ID")]
+        silence: Vec<String>,
     }
 
     /// Why a command did not get as far as diagnostics.
@@ -155,7 +163,9 @@ mod native {
             Command::New { machine, control } => new(&machine, control.as_deref()),
             Command::Design { project, json } => design(&project, json),
             Command::Export { project, out } => export(&project, &out),
-            Command::Check { files, control, switch, json } => check(&files, &control, &switch, json),
+            Command::Check { files, control, switch, silence, json } => {
+                check(&files, control.as_deref(), &switch, &silence, json)
+            }
             Command::Run { args, no_canon, json } => run(&args, !no_canon, json),
             Command::Step(args) => step(&args),
         };
@@ -290,21 +300,69 @@ mod native {
         Ok(Files(files))
     }
 
-    fn check(paths: &[PathBuf], id: &str, settings: &[String], json: bool) -> Result<(), Failure> {
-        let control = control(id)?;
-        let switches = switched(Switches::default(), settings, control)?;
-        let parsed = nc::parse_with(&programs(paths)?, control, &switches);
-        let diagnostics = parsed.diagnostics();
+    fn check(
+        paths: &[PathBuf],
+        id: Option<&str>,
+        settings: &[String],
+        silenced: &[String],
+        json: bool,
+    ) -> Result<(), Failure> {
+        let mut silenced = known(silenced)?;
+        let (files, mut diagnostics) = match id {
+            Some(id) => {
+                let control = control(id)?;
+                let switches = switched(Switches::default(), settings, control)?;
+                let parsed = nc::parse_with(&programs(paths)?, control, &switches);
+                (parsed.files().clone(), nc::review(&parsed, None, &[]))
+            }
+            None => {
+                let (mut project, mut diagnostics) = project(only_project(paths)?)?;
+                project.switches = switched(project.switches, settings, project.control)?;
+                diagnostics.extend(project.design().diagnostics);
+                let written = project.written();
+                diagnostics.extend(written.diagnostics);
+                silenced.extend(project.silenced);
+                (written.files, diagnostics)
+            }
+        };
+        let count = silence(&mut diagnostics, &silenced);
         if json {
-            let teller = Teller::new(parsed.files());
+            let teller = Teller::new(&files);
             let told: Vec<Json> = diagnostics.iter().map(|d| teller.json(d)).collect();
             print(pretty(&json!({ "diagnostics": told })))?;
-        } else if diagnostics.is_empty() {
-            eprintln!("{}", summary(diagnostics));
         } else {
-            tell(parsed.files(), diagnostics);
+            tell(&files, &diagnostics);
+            if diagnostics.is_empty() {
+                eprintln!("{}", summary(&diagnostics));
+            }
+            tell_silenced(count);
         }
-        verdict(diagnostics)
+        verdict(&diagnostics)
+    }
+
+    /// Ids of warnings that there are.
+    fn known(ids: &[String]) -> Result<Vec<String>, Failure> {
+        let rows = || catalog::areas(Language::English).iter().flat_map(|rows| rows.iter());
+        match ids.iter().find(|id| rows().all(|row| row.0 != *id)) {
+            Some(id) => Err(Failure::Usage(format!(
+                "--silence: there is no warning “{id}”; each shows its id in brackets, for instance lint.unreachable"
+            ))),
+            None => Ok(ids.to_vec()),
+        }
+    }
+
+    fn tell_silenced(count: usize) {
+        if count > 0 {
+            eprintln!("{count} silenced");
+        }
+    }
+
+    /// The project file among arguments that name no control.
+    fn only_project(paths: &[PathBuf]) -> Result<&Path, Failure> {
+        match paths {
+            [path] if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) => Ok(path),
+            _ => Err(Failure::Usage("bare program files need --control".to_owned())),
+        }
     }
 
     /// Variables and inputs that can be set on this control.
@@ -326,12 +384,15 @@ mod native {
         switches: Switches,
         /// What is to be said already.
         found: Vec<Diagnostic>,
+        /// Ids of what is not.
+        silenced: Vec<String>,
     }
 
     fn prepare(args: &RunArgs, keep: Keep) -> Result<Prepared, Failure> {
         if args.seconds.is_nan() || args.seconds < 0.0 {
             return Err(Failure::Usage("--seconds takes 0 or more".to_owned()));
         }
+        let mut silenced = known(&args.silence)?;
         let mut found = Vec::new();
         let panel = match &args.panel {
             None => Panel::default(),
@@ -355,13 +416,7 @@ mod native {
         let limits = Limits { blocks: args.blocks, seconds: args.seconds };
         let begin = Begin { start, settings: &settings, limits, keep };
         let Some(id) = &args.control else {
-            let [path] = args.files.as_slice() else {
-                return Err(Failure::Usage("bare program files need --control".to_owned()));
-            };
-            if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) {
-                return Err(Failure::Usage("bare program files need --control".to_owned()));
-            }
-            let (mut project, diagnostics) = project(path)?;
+            let (mut project, diagnostics) = project(only_project(&args.files)?)?;
             found.extend(diagnostics);
             project.switches = switched(project.switches, &args.switch, project.control)?;
             settable(&settings, project.control, &project.switches)?;
@@ -371,8 +426,9 @@ mod native {
             found.extend(project.design().diagnostics);
             let written = project.written();
             found.extend(written.diagnostics.iter().cloned());
+            silenced.extend(project.silenced.iter().cloned());
             let run = run::of_project(&project, &written, &begin);
-            return Ok(Prepared { run, files: written.files.clone(), switches: project.switches, found });
+            return Ok(Prepared { run, files: written.files.clone(), switches: project.switches, found, silenced });
         };
         let control = control(id)?;
         let plant = match &args.plant {
@@ -380,20 +436,24 @@ mod native {
             Some(path) => {
                 let (project, diagnostics) = project(path)?;
                 found.extend(diagnostics);
+                silenced.extend(project.silenced.iter().cloned());
                 Some(project)
             }
         };
         let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
         let switches = switched(switches, &args.switch, control)?;
         let parsed = Rc::new(nc::parse_with(&programs(&args.files)?, control, &switches));
-        found.extend(parsed.diagnostics().iter().cloned());
         settable(&settings, control, &switches)?;
+        let first = parsed.deck().programs.first().map(|program| program.number);
+        let set = run::set_by_operator(&settings, &panel);
+        found.extend(nc::review(&parsed, start.or(first), &set));
         let files = parsed.files().clone();
-        Ok(Prepared { run: run::of_programs(parsed, plant.as_ref(), panel, &begin), files, switches, found })
+        let run = run::of_programs(parsed, plant.as_ref(), panel, &begin);
+        Ok(Prepared { run, files, switches, found, silenced })
     }
 
     fn run(args: &RunArgs, wanted: bool, json: bool) -> Result<(), Failure> {
-        let Prepared { run: mut planner, files, found: mut diagnostics, .. } = prepare(args, Keep::Log)?;
+        let Prepared { run: mut planner, files, found: mut diagnostics, silenced, .. } = prepare(args, Keep::Log)?;
         let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
         let mut canon: Vec<Json> = Vec::new();
         let outcome = run::to_end(&mut planner, |line: run::LogLine| {
@@ -408,6 +468,7 @@ mod native {
         })?;
         diagnostics.extend(outcome.diagnostics.iter().cloned());
         run::once_each(&mut diagnostics);
+        let count = silence(&mut diagnostics, &silenced);
         if json {
             let teller = Teller::new(&files);
             let mut object = outcome.json();
@@ -420,6 +481,7 @@ mod native {
         out.flush()?;
         if !json {
             tell(&files, &diagnostics);
+            tell_silenced(count);
             eprintln!("{}", outcome.text());
         }
         verdict(&diagnostics)
@@ -427,8 +489,10 @@ mod native {
 
     /// Wrong commands are told and end, after all others, in exit status 2.
     fn step(args: &RunArgs) -> Result<(), Failure> {
-        let Prepared { run, files, switches, found: mut diagnostics } = prepare(args, Keep::Timeline)?;
+        let Prepared { run, files, switches, found: mut diagnostics, silenced } = prepare(args, Keep::Timeline)?;
+        let count = silence(&mut diagnostics, &silenced);
         tell(&files, &diagnostics);
+        tell_silenced(count);
         let terminal = io::stdin().is_terminal();
         let mut console = Console::new(run, &files, switches);
         let mut out = io::stdout().lock();

@@ -117,6 +117,11 @@ pub struct Macros {
     pub cite: Citation,
 }
 
+/// Local variable of an address in argument specification I, by letter from A; 0 where an address is no argument. G, L, N, O and P
+/// are arguments of G66.1 only.
+pub const ARGUMENT: [u8; 26] =
+    [1, 2, 3, 7, 8, 9, 10, 11, 4, 5, 6, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
+
 /// Id of the switch that holds parameters of macro calls by code, for instance `4120=512 4121=502`.
 pub const CALL_PARAMETERS: &str = "call-parameters";
 

@@ -6,7 +6,7 @@ use super::fault::{Run, Trap};
 use super::state::{Cx, State};
 use super::vars::{LOCALS, Locals, VACANT};
 use crate::controls::Alarm;
-use crate::controls::macros::{ArgumentSets, CallKind, CodeCall};
+use crate::controls::macros::{ARGUMENT, ArgumentSets, CallKind, CodeCall};
 use crate::msg;
 use crate::nc::dec::POW10;
 use crate::nc::{Block, Word};
@@ -72,10 +72,6 @@ pub(super) struct Arguments {
     pub(super) locals: Locals,
 }
 
-/// Local variable of an address in argument specification I, by letter from A; 0 where an address is no argument. G, L, N, O and P
-/// are arguments of G66.1 only.
-const ARGUMENT: [u8; 26] =
-    [1, 2, 3, 7, 8, 9, 10, 11, 4, 5, 6, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
 /// Sets of I, J, K in argument specification II.
 const SETS: usize = 10;
 

@@ -204,6 +204,14 @@ pub(super) fn fresh_numbers() -> impl Iterator<Item = u32> {
     (9001..=9999).chain(1..=9000)
 }
 
+impl Word {
+    /// The bytes of the word in its file.
+    pub fn span(&self, block: &Block) -> Span {
+        let start = block.span.start.saturating_add(u32::from(self.offset));
+        Span::new(start, start.saturating_add(u32::from(self.len)))
+    }
+}
+
 impl Deck {
     /// Gives back the room that reading reserved and did not need.
     pub(crate) fn shrink(&mut self) {

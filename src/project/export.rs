@@ -1,6 +1,7 @@
 //! What leaves the house: program files, sheets, report; nothing where the control would refuse or misread it.
 
 use super::Project;
+use super::silence::silence;
 use crate::machines::report::report;
 use crate::nc::{File, Files};
 use crate::text::catalog::Language;
@@ -22,8 +23,10 @@ impl Project {
     /// The files that go to the machine. Verdicts are in the report and do not stand in the way; errors do.
     pub fn export(&self) -> Export {
         let design = self.design();
-        let written = self.written();
+        let mut written = self.written();
+        silence(&mut written.diagnostics, &self.silenced);
         let mut diagnostics = design.diagnostics.clone();
+        silence(&mut diagnostics, &self.silenced);
         diagnostics.extend(written.diagnostics.iter().cloned());
         let mut files = Vec::new();
         if !diagnostics.iter().any(|d| d.severity == Severity::Error) {

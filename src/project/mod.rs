@@ -22,6 +22,8 @@ pub mod export;
 
 pub mod told;
 
+pub mod silence;
+
 pub mod list;
 
 use crate::controls::{self, Control, Switches};

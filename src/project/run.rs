@@ -52,6 +52,15 @@ impl Setting {
     }
 }
 
+/// Variables that the operator sets: before the start, and at the panel.
+pub fn set_by_operator(settings: &[Setting], panel: &Panel) -> Vec<u32> {
+    let events = panel.events().iter().filter_map(|event| match event.action {
+        Action::Variable(number, Some(_)) => Some(number),
+        _ => None,
+    });
+    settings.iter().filter_map(Setting::number).chain(events).collect()
+}
+
 /// The number of a program from its name: `O9101`, `9101`, `o9101.nc`.
 pub fn program_number(name: &str) -> Option<u32> {
     let stem = name.split('.').next()?;
@@ -278,7 +287,8 @@ fn clean(value: f64) -> f64 {
     if value.abs() < 1e3 { (value * 1e12).round() / 1e12 } else { value }
 }
 
-/// Leaves out repetitions, in place; the order stays. The run repeats what the reader has found, about the whole block.
+/// Leaves out repetitions, in place; the order stays. The run repeats what the reader has found, about the whole block, and tells
+/// again of axes that stop where the text has told it already.
 pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
     let mut seen: Vec<Diagnostic> = Vec::new();
     diagnostics.retain(|d| {
@@ -286,6 +296,9 @@ pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
             covers(d.place, s.place)
                 && s.alarm == d.alarm
                 && (s.message == d.message || d.severity == Severity::Error && d.alarm.is_some())
+                || d.message.id == "motion.starved"
+                    && s.message.id == "lint.short-blocks"
+                    && d.place.map(|place| place.file) == s.place.map(|place| place.file)
         });
         if new {
             seen.push(d.clone());

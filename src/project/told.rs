@@ -18,8 +18,8 @@ impl<'f> Teller<'f> {
         Teller { files, indices: files.0.iter().map(|file| LineIndex::new(&file.text)).collect() }
     }
 
-    /// Severity, alarm and sentence, then file:line:column, the line itself with the place marked, the hints, and the lines as each
-    /// fix would have them.
+    /// Severity with the alarm, or with the id that silences it, and the sentence; then file:line:column, the line itself with the place
+    /// marked, the hints, and the lines as each fix would have them.
     pub fn text(&self, diagnostic: &Diagnostic) -> String {
         let mended: Vec<_> = diagnostic.fixes.iter().map(|fix| self.mended(fix)).collect();
         let place = diagnostic.place.and_then(|place| self.position(place));
@@ -92,7 +92,7 @@ impl<'f> Teller<'f> {
         format!("{file}:{line}: {}", harmless(&Shown::new(text, 0, 0).text))
     }
 
-    /// The diagnostic as an object with severity, alarm, message, file, line, column, field, hints and titles of
+    /// The diagnostic as an object with severity, alarm, id, message, file, line, column, field, hints and titles of
     /// fixes; what does not apply is null.
     pub fn json(&self, diagnostic: &Diagnostic) -> Json {
         let hints: Vec<String> = diagnostic.hints.iter().map(|hint| sentence(Language::English, hint)).collect();
@@ -101,6 +101,7 @@ impl<'f> Teller<'f> {
         json!({
             "severity": word(diagnostic.severity),
             "alarm": diagnostic.alarm,
+            "id": diagnostic.message.id,
             "message": sentence(Language::English, &diagnostic.message),
             "file": place.map(|(file, _, _)| file),
             "line": place.map(|(_, line, _)| line),
@@ -127,8 +128,12 @@ impl<'f> Teller<'f> {
 
 /// Severity, alarm and sentence.
 pub fn headline(diagnostic: &Diagnostic) -> String {
-    let alarm = diagnostic.alarm.as_ref().map_or(String::new(), |alarm| format!("[{alarm}]"));
-    format!("{}{alarm}: {}", word(diagnostic.severity), sentence(Language::English, &diagnostic.message))
+    let tag = match (diagnostic.severity, diagnostic.alarm.as_deref()) {
+        (_, Some(alarm)) => format!("[{alarm}]"),
+        (Severity::Error, None) => String::new(),
+        (_, None) => format!("[{}]", diagnostic.message.id),
+    };
+    format!("{}{tag}: {}", word(diagnostic.severity), sentence(Language::English, &diagnostic.message))
 }
 
 /// A program may hold anything, and a terminal obeys control characters.

@@ -66,6 +66,13 @@ impl Diagnostic {
         Diagnostic::new(Severity::Info, message)
     }
 
+    /// Sorts by place; what has none stands first, what shares one stays as it was.
+    pub fn in_order(found: &mut Vec<Diagnostic>) {
+        crate::order::by_key(found, |d| {
+            d.place.map_or(0, |place| (u64::from(place.file.0) + 1) << 32 | u64::from(place.span.start))
+        });
+    }
+
     /// The same at a place.
     pub fn at(mut self, place: Place) -> Diagnostic {
         self.place = Some(place);

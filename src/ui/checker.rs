@@ -18,6 +18,8 @@ use super::model::Model;
 use super::script::{get, object};
 use super::words::{figure, sign, t, tell, tone};
 use crate::nc::{self, Files};
+use crate::project::Project;
+use crate::project::silence::silence;
 use crate::text::LineIndex;
 use crate::text::catalog::number_text;
 
@@ -80,8 +82,9 @@ pub(super) fn check(model: Model, source: Source) {
         return;
     };
     let all = blob.size();
-    let control = model.project.with_untracked(|project| project.control.id);
-    let waiting = RefCell::new(Some(object([("blob", blob.into()), ("control", control.into())])));
+    // The project says for which control, with which switches, and what it silences.
+    let project = Project { edited: None, ..model.project.get_untracked() }.to_json();
+    let waiting = RefCell::new(Some(object([("blob", blob.into()), ("project", project.into())])));
     let asked = worker.clone();
     let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
         let data = event.data();
@@ -140,10 +143,10 @@ pub fn work() {
         let (data, scope) = (event.data(), answer.clone());
         // Not Leptos' own: that waits for a mounted page.
         wasm_bindgen_futures::spawn_local(async move {
-            let control = get(&data, "control").as_string().unwrap_or_default();
-            let Some(control) = crate::controls::find(&control) else { return };
+            let project = get(&data, "project").as_string().unwrap_or_default();
+            let Some(project) = Project::from_json(&project).project else { return };
             let text = read(&get(&data, "blob").unchecked_into(), &scope).await;
-            let _ = scope.post_message(&checked(text, control));
+            let _ = scope.post_message(&checked(text, &project));
         });
     });
     scope.set_onmessage(Some(listener.as_ref().unchecked_ref()));
@@ -166,20 +169,21 @@ async fn read(blob: &Blob, scope: &DedicatedWorkerGlobalScope) -> String {
     String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
 }
 
-fn checked(text: String, control: &'static crate::controls::Control) -> JsValue {
+fn checked(text: String, project: &Project) -> JsValue {
     let lines = LineIndex::new(&text);
     let end = text.match_indices('\n').nth(SHOWN as usize - 1).map_or(text.len(), |(at, _)| at);
     let head = text.get(..end).unwrap_or_default().to_owned();
-    let parsed = nc::parse(&Files::one("", text), control);
+    let parsed = nc::parse_with(&Files::one("", text), project.control, &project.switches);
+    let mut found = nc::review(&parsed, None, &[]);
+    silence(&mut found, &project.silenced);
     let rows = js_sys::Array::new();
-    for diagnostic in parsed.diagnostics().iter().take(LISTED) {
+    for diagnostic in found.iter().take(LISTED) {
         let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));
         let alarm = diagnostic.alarm.as_deref().unwrap_or_default();
         let text = format!("{} {line}: {alarm} {}", t("page.line"), tell(diagnostic));
         rows.push(&object([("tone", tone(diagnostic.severity).into()), ("text", text.into())]));
     }
-    let counts =
-        count(parsed.diagnostics()).map(|(severity, count)| format!("{} {count}", sign(tone(severity)))).join("  ");
+    let counts = count(&found).map(|(severity, count)| format!("{} {count}", sign(tone(severity)))).join("  ");
     object([
         ("kind", "report".into()),
         ("lines", f64::from(lines.count()).into()),

@@ -103,6 +103,10 @@ fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
         escape(out, &say(&row.title));
         out.push_str("</button>");
     }
+    if diagnostic.severity != Severity::Error {
+        let (id, words) = (diagnostic.message.id, t("page.silence"));
+        let _ = write!(out, "<button type=\"button\" class=\"quiet\" data-silence=\"{id}\">{words}</button>");
+    }
     out.push_str("</li>");
 }
 

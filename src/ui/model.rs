@@ -15,6 +15,7 @@ use crate::machines::form::{Provenance, Value};
 use crate::project::Project;
 use crate::project::program::Written;
 use crate::project::run;
+use crate::project::silence::silence;
 use crate::text::{Diagnostic, Severity};
 use crate::view::Scene;
 
@@ -54,8 +55,10 @@ pub(super) struct Model {
     pub edited: Local<bool>,
     /// The program files, parsed.
     pub written: Local<Rc<Written>>,
-    /// What is said of the program: by writing and reading it, then by running it.
+    /// What is said of the program: by writing and reading it, then by running it; without what is silenced.
     pub findings: Local<Vec<Diagnostic>>,
+    /// How many findings are silenced.
+    pub silenced: Local<usize>,
     /// The drawing.
     pub scene: Local<Scene>,
     /// Fields whose text is wrong, with what is wrong.
@@ -112,6 +115,7 @@ impl Model {
         let written = Local::new(written);
         let model = Model {
             findings: Local::new(Vec::new()),
+            silenced: Local::new(0),
             edited: Local::new(edited),
             machine: Local::new(machine),
             control: Local::new(control),
@@ -138,7 +142,11 @@ impl Model {
             history: Local::new(History::default()),
         };
         store::keep(model);
-        Effect::new(move |_| model.findings.put(model.found()));
+        Effect::new(move |_| {
+            let mut found = model.found();
+            model.silenced.put(model.project.with(|project| silence(&mut found, &project.silenced)));
+            model.findings.put(found);
+        });
         model
     }
 

@@ -74,6 +74,14 @@ pub(super) fn program(model: Model) -> Vec<El> {
             .collect()
         })
     };
+    let silenced = move || match model.silenced.get() {
+        0 => Vec::new(),
+        count => {
+            let again = move || model.edit("", |project| project.silenced.clear());
+            let told = format!("{count} {} ", t("page.silenced"));
+            vec![el("p.silenced").text(&told).add(&[button("button.link", t("page.show-again"), again)])]
+        }
+    };
     let bar = move || if model.edited.get() { detached(model, shown) } else { Vec::new() };
     vec![
         el("div.bar").add(&[
@@ -87,6 +95,7 @@ pub(super) fn program(model: Model) -> Vec<El> {
             button("button.quiet.end", t("page.paper"), paper),
         ]),
         el("div").swap(bar),
+        el("div").swap(silenced),
         el("div.fill").swap(body).run(run),
     ]
 }
@@ -164,9 +173,12 @@ fn listing_view(model: Model, follow: Local<bool>) -> El {
         mark();
     };
     let click = move |event: Event| {
-        let button =
-            event.target().and_then(|e| e.dyn_into::<Element>().ok()).and_then(|e| e.closest("[data-fix]").ok()?);
-        let numbers = button.and_then(|button| button.get_attribute("data-fix")).unwrap_or_default();
+        let target = event.target().and_then(|e| e.dyn_into::<Element>().ok());
+        let pressed = |name: &str| target.as_ref()?.closest(&format!("[{name}]")).ok()??.get_attribute(name);
+        if let Some(id) = pressed("data-silence") {
+            model.edit("", |project| project.silenced.push(id));
+        }
+        let numbers = pressed("data-fix").unwrap_or_default();
         if let Some((diagnostic, fix)) = numbers.split_once(',')
             && let (Ok(diagnostic), Ok(fix)) = (diagnostic.parse(), fix.parse())
         {

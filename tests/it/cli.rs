@@ -206,7 +206,7 @@ fn diagnostics_have_the_same_keys_with_and_without_a_place() {
     assert!(told.iter().any(|d| d["line"].is_null()) && told.iter().any(|d| d["line"] == 4), "{told:#?}");
     for diagnostic in told {
         let keys: Vec<_> = diagnostic.as_object().unwrap().keys().map(String::as_str).collect();
-        assert_eq!(keys, ["alarm", "column", "field", "file", "fixes", "hints", "line", "message", "severity"]);
+        assert_eq!(keys, ["alarm", "column", "field", "file", "fixes", "hints", "id", "line", "message", "severity"]);
     }
 }
 
@@ -332,4 +332,72 @@ fn step_takes_a_project_with_its_panel_and_budget() {
         step(&[&project, "--blocks", "5000"], "break O9101 N30 if #1033 GT 0\nbreaks\ncontinue\ncontinue\n");
     assert_eq!(status, 0);
     assert!(out.contains("breakpoint 1\n"), "{out}");
+}
+
+/// What a command says of findings: `[id]` of each in text, and how many are silenced.
+fn ids_told(out: &Output) -> (Vec<String>, String) {
+    let said = String::from_utf8(out.stderr.clone()).unwrap();
+    let id = |line: &str| Some(line.split_once('[')?.1.split_once("]: ")?.0.to_owned());
+    let ids = said.lines().filter(|line| !line.starts_with(' ')).filter_map(id).collect();
+    (ids, said.lines().find(|line| line.ends_with("silenced")).unwrap_or_default().to_owned())
+}
+
+#[test]
+fn warnings_show_the_id_that_silences_them() {
+    let folder = folder("silence");
+    let path = folder.join("O1.nc");
+    std::fs::write(&path, "%\nO1\nG91 G01 X8 F100\nM30\nX1.\nM30\n%\n").unwrap();
+    let (path, control) = (text(&path), ["--control", "mitsubishi-e60"]);
+    for command in ["check", "run"] {
+        let line = |more: &[&str]| macroline(&[&[command, path.as_str()], &control[..], more].concat());
+        let all = ["lint.no-point".to_owned(), "lint.unreachable".to_owned()];
+        assert_eq!(ids_told(&line(&[])), (all.to_vec(), String::new()), "{command}");
+        let out = line(&["--silence", "lint.no-point"]);
+        assert_eq!(ids_told(&out), (all[1..].to_vec(), "1 silenced".to_owned()), "{command}");
+        let out = line(&["--silence", "lint.no-point", "--silence", "lint.unreachable", "--json"]);
+        let json: Json = serde_json::from_slice(&out.stdout).unwrap();
+        assert_eq!(json["diagnostics"], json!([]), "{command}");
+        assert_eq!(line(&["--silence", "lint.no-such"]).status.code(), Some(2), "{command}");
+    }
+    let out = macroline(&["check", &path, "--control", "mitsubishi-e60", "--json"]);
+    let json: Json = serde_json::from_slice(&out.stdout).unwrap();
+    assert_eq!(
+        (&json["diagnostics"][0]["id"], &json["diagnostics"][0]["alarm"]),
+        (&json!("lint.no-point"), &Json::Null)
+    );
+}
+
+#[test]
+fn what_a_project_silences_stays_silent_everywhere_but_errors() {
+    let folder = folder("silenced-project");
+    let path = project(&folder, json!({}));
+    let mut saved: Json = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    saved["edited"] = json!([{ "name": "O1.nc", "text": "%\nO1\nG91 G01 X8 F100\nM30\nX1.\nM30\n%\n" }]);
+    saved["silenced"] = json!(["lint.unreachable", "form.assumed"]);
+    std::fs::write(&path, saved.to_string()).unwrap();
+    let out = text(&folder.join("out"));
+    for line in [&["check", &path][..], &["run", &path], &["export", &path, "--out", &out]] {
+        let (ids, _) = ids_told(&macroline(line));
+        assert_eq!(ids, ["lint.no-point"], "{line:?}");
+    }
+    let report = std::fs::read_to_string(folder.join("out/report.md")).unwrap();
+    assert!(report.contains("X8 is 0.008 mm") && !report.contains("Nothing leads here"), "{report}");
+    saved["edited"][0]["text"] = json!("%\nO1\nGOTO7\nM30\n%\n");
+    saved["silenced"] = json!(["nc.no-such-sequence", "form.assumed"]);
+    std::fs::write(&path, saved.to_string()).unwrap();
+    let out = macroline(&["check", &path]);
+    assert_eq!((ids_told(&out).0, out.status.code()), (vec!["P231".to_owned()], Some(1)));
+}
+
+#[test]
+fn axes_that_stop_between_short_blocks_are_told_once() {
+    let folder = folder("short");
+    let path = folder.join("O1.nc");
+    let program = format!("%\nO1\nG91 G64 G01 X10. F30000\n{}M30\n%\n", "X0.5\n".repeat(40));
+    std::fs::write(&path, program).unwrap();
+    let args = ["run", &text(&path), "--control", "mitsubishi-e60"];
+    assert_eq!(ids_told(&macroline(&args)).0, ["lint.short-blocks"]);
+    // Calculated lengths are told by the run.
+    std::fs::write(&path, format!("%\nO1\n#1=0.5\nG91 G64 G01 X10. F30000\n{}M30\n%\n", "X#1\n".repeat(40))).unwrap();
+    assert_eq!(ids_told(&macroline(&args)).0, ["motion.starved"]);
 }

@@ -4,3 +4,4 @@ mod look;
 mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;
+mod written;

@@ -15,4 +15,5 @@ mod saved;
 mod stepping;
 mod tidy;
 mod told;
+mod warnings;
 mod writing;

@@ -89,8 +89,8 @@ fn what_does_not_fit_is_named_and_the_rest_is_kept() {
         expect![[r#"
             error: Field “pitch”: text is not what belongs there; the default is taken.
              --> field pitch
-            warning: The machine has no field “colour”; it was left out.
-            warning: The control has no switch “moon” with this setting; it was left out.
+            warning[project.unknown-field]: The machine has no field “colour”; it was left out.
+            warning[project.unknown-switch]: The control has no switch “moon” with this setting; it was left out.
             error: Panel entry 1 has no time: { "t": seconds, … } with 0 or more seconds.
             error: Panel entry 2: “dance” is no action of the panel, or its value does not fit.
             a project"#]],

@@ -106,32 +106,32 @@ fn marks_stand_under_what_they_mean() {
         "mitsubishi-e60",
         "%\nO1\n\tG00\tQ1.\t\tX#107.\n(主轴 转速) G00 X１０\nM30\n%\n",
         expect![[r#"
-        error[P33]: “.” ends nothing: a point belongs to a number, not to a variable.
-         --> O1.nc:3:16
-          |
-        3 |     G00 Q1.     X#107.
-          |                      ^
-        help: Drop “.”
-          |
-        3 +     G00 Q1.     X#107
+            error[P33]: “.” ends nothing: a point belongs to a number, not to a variable.
+             --> O1.nc:3:16
+              |
+            3 |     G00 Q1.     X#107.
+              |                      ^
+            help: Drop “.”
+              |
+            3 +     G00 Q1.     X#107
 
-        warning: The control has no character “主”, not even for comments.
-         --> O1.nc:4:2
-          |
-        4 | (主轴 转速) G00 X１０
-          |  ^^
+            warning[nc.foreign-comment]: The control has no character “主”, not even for comments.
+             --> O1.nc:4:2
+              |
+            4 | (主轴 转速) G00 X１０
+              |  ^^
 
-        error[P32]: The control has no character “１”.
-         --> O1.nc:4:14
-          |
-        4 | (主轴 转速) G00 X１０
-          |                  ^^
-        help: Write the characters of the control
-          |
-        4 + (主轴 转速) G00 X10
+            error[P32]: The control has no character “１”.
+             --> O1.nc:4:14
+              |
+            4 | (主轴 转速) G00 X１０
+              |                  ^^
+            help: Write the characters of the control
+              |
+            4 + (主轴 转速) G00 X10
 
-        2 errors, 1 warning
-    "#]],
+            2 errors, 1 warning
+        "#]],
     );
 }
 
@@ -165,25 +165,25 @@ fn fixes_that_reach_through_the_file_are_named_alone() {
         "mitsubishi-e60",
         &format!("o1\n{}m30\n%\n", "g04x1.\n".repeat(200)),
         expect![[r#"
-        info: A file for the control starts and ends with a line %.
-         --> O1.nc:1:1
-          |
-        1 | o1
-          | ^
-        help: Add the missing %
-          |
-        1 + %
-        2 + o1
+            info[nc.no-percent]: A file for the control starts and ends with a line %.
+             --> O1.nc:1:1
+              |
+            1 | o1
+              | ^
+            help: Add the missing %
+              |
+            1 + %
+            2 + o1
 
-        info: The Mitsubishi E60 writes capitals; small letters are read as such here.
-         --> O1.nc:1:1
-          |
-        1 | o1
-          | ^
-        help: Write capitals
+            info[nc.small-letters]: The Mitsubishi E60 writes capitals; small letters are read as such here.
+             --> O1.nc:1:1
+              |
+            1 | o1
+              | ^
+            help: Write capitals
 
-        2 remarks
-    "#]],
+            2 remarks
+        "#]],
     );
 }
 

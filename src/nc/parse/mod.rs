@@ -41,7 +41,6 @@ use super::parsed::Parsed;
 use crate::controls::macros::{CallKind, CodeCall};
 use crate::controls::{Alarm, Control, Switches};
 use crate::msg;
-use crate::order;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
 
 /// Findings that are listed; a file of garbage has millions.
@@ -85,10 +84,7 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
         later.append(&mut reader.later);
     }
     check::programs(&deck, control, files, &later, &mut found);
-    // Stable: what is at one place stays in the order it was found.
-    order::by_key(&mut found, |d| {
-        d.place.map_or(0, |place| (u64::from(place.file.0) + 1) << 32 | u64::from(place.span.start))
-    });
+    Diagnostic::in_order(&mut found);
     if found.len() > FINDINGS {
         found.truncate(FINDINGS);
         found.push(Diagnostic::info(msg!("nc.more-findings", FINDINGS as u32)));

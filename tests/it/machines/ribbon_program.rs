@@ -28,7 +28,8 @@ fn plan(on: On, values: &Values) -> (Plan, Emitted) {
 pub(super) fn parsed(on: On<'static>, values: &Values) -> (Plan, Rc<Parsed>) {
     let (plan, emitted) = plan(on, values);
     let parsed = nc::parse(&emitted.files, on.control);
-    let findings: Vec<_> = emitted.diagnostics.iter().chain(parsed.diagnostics()).collect();
+    let review = nc::review(&parsed, Some(plan.main), &[]);
+    let findings: Vec<_> = emitted.diagnostics.iter().chain(&review).collect();
     let said = |d: &&macroline::text::Diagnostic| format!("{:?}: {}", d.place, sentence(Language::English, &d.message));
     assert!(findings.is_empty(), "{:#?}", findings.iter().map(said).collect::<Vec<_>>());
     (plan, Rc::new(parsed))

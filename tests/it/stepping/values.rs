@@ -387,7 +387,7 @@ fn a_long_way_gives_its_last_commands() {
               gives linear X28 F6000
               gives linear X29 F6000
               gives linear X30 F6000
-            warning: The axes stop between blocks: this block takes longer to read (7.1 ms, and 3 ms for each macro block before it) than the one before takes to execute. More travel per block, or fewer macro blocks, mends it.
+            warning[motion.starved]: The axes stop between blocks: this block takes longer to read (7.1 ms, and 3 ms for each macro block before it) than the one before takes to execute. More travel per block, or fewer macro blocks, mends it.
              --> a.nc:5:1
               |
             5 | G01 X#1 F6000

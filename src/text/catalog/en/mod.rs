@@ -2,6 +2,7 @@
 
 mod form;
 mod interp;
+mod lint;
 mod motion;
 mod nc;
 mod page;
@@ -10,4 +11,4 @@ mod ribbon;
 
 /// All areas, each a file of rows.
 pub(super) const AREAS: &[&[(&str, &str)]] =
-    &[nc::ROWS, interp::ROWS, motion::ROWS, form::ROWS, ribbon::ROWS, project::ROWS, page::ROWS];
+    &[nc::ROWS, lint::ROWS, interp::ROWS, motion::ROWS, form::ROWS, ribbon::ROWS, project::ROWS, page::ROWS];

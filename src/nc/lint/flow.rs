@@ -1,0 +1,159 @@
+//! Where a program goes from a block, and which blocks nothing leads to.
+
+use super::super::ast::{Block, Deck, Expr, ExprId, Stmt, WordValue};
+use super::roles::{END, RETURN, Roles};
+use super::words::{Facts, whole};
+use super::{Lint, NONE};
+use crate::controls::{Control, VarKind};
+
+/// A jump to a calculated sequence number: to any.
+pub(super) const ANY: u32 = NONE - 1;
+
+/// The blocks of one program and where they lead. Indices count from its first block.
+pub(super) struct Flow<'a> {
+    pub(super) deck: &'a Deck,
+    pub(super) control: &'static Control,
+    pub(super) roles: &'a Roles<'a>,
+    /// Index of the program.
+    program: u32,
+    pub(super) blocks: &'a [Block],
+    /// Index of the first block in the deck.
+    pub(super) base: u32,
+    /// (sequence number, block), sorted.
+    numbers: Vec<(u64, usize)>,
+    /// END of a DO and DO of an END; empty without loops.
+    partner: Vec<u32>,
+}
+
+impl<'a> Flow<'a> {
+    pub(super) fn new(deck: &'a Deck, control: &'static Control, roles: &'a Roles<'a>, program: usize) -> Flow<'a> {
+        let row = &deck.programs[program];
+        let blocks = deck.blocks_of(row);
+        let mut numbers = Vec::new();
+        let mut partner = Vec::new();
+        let mut open: Vec<(u64, usize)> = Vec::new();
+        for (at, block) in blocks.iter().enumerate() {
+            if let Some(number) = block.number {
+                numbers.push((number.into(), at));
+            }
+            match block.stmt {
+                Stmt::While { label, .. } => open.push((label.into(), at)),
+                Stmt::End { .. } => {
+                    // Loops that do not match have been told as errors.
+                    if let Some((_, start)) = open.pop() {
+                        partner.resize(blocks.len(), NONE);
+                        partner[start] = at as u32;
+                        partner[at] = start as u32;
+                    }
+                }
+                _ => {}
+            }
+        }
+        numbers.sort_unstable();
+        Flow { deck, control, roles, program: program as u32, blocks, base: row.first, numbers, partner }
+    }
+
+    /// The block with a sequence number: searched from a block on to the end, then from the head.
+    fn target(&self, number: u32, from: u32) -> u32 {
+        let number = u64::from(number);
+        let mut at = self.numbers.partition_point(|&row| row < (number, from as usize));
+        if self.numbers.get(at).is_none_or(|row| row.0 != number) {
+            at = self.numbers.partition_point(|&row| row.0 < number);
+        }
+        self.numbers.get(at).filter(|row| row.0 == number).map_or(NONE, |row| row.1 as u32)
+    }
+
+    fn jump(&self, target: ExprId, from: u32) -> u32 {
+        match self.deck.expr(target) {
+            Expr::Number(number) => whole(WordValue::Number(number)).map_or(NONE, |number| self.target(number, from)),
+            _ => ANY,
+        }
+    }
+
+    /// Where a block jumps ([`NONE`] nowhere, or [`ANY`]), and whether the next one may follow it.
+    pub(super) fn step(&self, at: u32) -> (u32, bool) {
+        let Some(block) = self.blocks.get(at as usize) else { return (NONE, false) };
+        let partner = || self.partner.get(at as usize).copied().unwrap_or(NONE);
+        let (jump, falls) = match block.stmt {
+            Stmt::Words { .. } => {
+                let words = self.deck.words_of(block);
+                // A `/` in the middle of a block makes what follows it optional.
+                (NONE, self.roles.block(words) & (END | RETURN) == 0 || words.iter().any(|word| word.letter == b'/'))
+            }
+            Stmt::If { target, .. } => (self.jump(target, at), true),
+            Stmt::Goto(target) => (self.jump(target, at), false),
+            // Behind the END is beyond all blocks where it is the last: a jump to nowhere.
+            Stmt::While { cond: Some(_), .. } => (partner().saturating_add(1), true),
+            Stmt::End { .. } => (partner(), false),
+            Stmt::Assign { to, .. } => (NONE, !self.is_alarm(to)),
+            _ => (NONE, true),
+        };
+        (jump, falls || block.skip > 0)
+    }
+
+    fn is_alarm(&self, to: ExprId) -> bool {
+        let Expr::Var(number) = self.deck.expr(to) else { return false };
+        self.control.var(number).is_some_and(|row| row.kind == VarKind::AlarmMessage)
+    }
+
+    /// Whether a block ends in an alarm before it goes anywhere else: what jumps there has something wrong to tell.
+    pub(super) fn is_alarm_exit(&self, from: u32) -> bool {
+        let mut at = from;
+        while at < from + 20 && self.step(at) == (NONE, true) {
+            at += 1;
+        }
+        matches!(self.blocks.get(at as usize), Some(Block { stmt: Stmt::Assign { to, .. }, .. }) if self.is_alarm(*to))
+    }
+
+    /// Tells blocks that nothing leads to, each row of them once.
+    pub(super) fn unreachable(&self, lint: &mut Lint, facts: &Facts) {
+        let part = facts.parts[self.program as usize];
+        let mut seen = vec![false; self.blocks.len()];
+        let mut open = vec![0];
+        for &(to, number) in &facts.entries {
+            if to == NONE || to == self.program {
+                open.push(self.target(number, 0));
+            }
+        }
+        // Of a subprogram whose callers are not here, any number may be an entry.
+        if !part.called && !part.ends || facts.any_entry {
+            open.push(ANY);
+        }
+        let mut all = false;
+        while let Some(mut at) = open.pop() {
+            if at == ANY && !all {
+                all = true;
+                for row in &self.numbers {
+                    open.push(row.1 as u32);
+                }
+            }
+            while let Some(seen) = seen.get_mut(at as usize).filter(|seen| !**seen) {
+                *seen = true;
+                let (jump, falls) = self.step(at);
+                open.push(jump);
+                if !falls {
+                    break;
+                }
+                at += 1;
+            }
+        }
+        // Behind the last block stands one that was seen, so that each row ends.
+        seen.push(true);
+        let (mut first, mut count) = (0, 0_u32);
+        for (at, seen) in seen.into_iter().enumerate() {
+            if let Some(block) = self.blocks.get(at).filter(|_| !seen) {
+                // A program needs its end even where nothing gets there.
+                let words = self.deck.words_of(block);
+                let end = words.len() == 1 && self.roles.block(words) & (END | RETURN) != 0;
+                if block.stmt != Stmt::Empty && !end {
+                    first = if count == 0 { at } else { first };
+                    count += 1;
+                }
+            } else if count > 0 {
+                let span = self.blocks[first].span;
+                lint.say(self.base + first as u32, span, "lint.unreachable", &[&count.to_string()], "");
+                count = 0;
+            }
+        }
+    }
+}

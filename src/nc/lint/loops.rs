@@ -1,0 +1,139 @@
+//! Spindle and auxiliary functions in every pass of a loop: each waits for the PLC, and the path stops.
+
+use super::super::ast::{Expr, Stmt, Word, WordValue};
+use super::flow::{ANY, Flow};
+use super::roles::{AUXILIARY, CALL, CURVED, LINEAR, RAPID, SPECIAL, SPINDLE, SPINDLE_REST, SUB};
+use super::vars::visit;
+use super::words::Facts;
+use super::{Lint, NONE};
+use crate::text::{Place, Span};
+
+/// Blocks that are looked at, for each block of the text: loops in loops are looked at again.
+const BUDGET: usize = 8;
+
+/// Programs that loops call.
+const CALLED: usize = 1000;
+
+/// Different words of one kind that are told apart.
+const KINDS: usize = 4;
+
+/// Words of one kind in a pass.
+#[derive(Default)]
+struct Function<'a> {
+    /// All different ones: a pass that switches to and fro means it.
+    all: Vec<&'a Word>,
+    /// The first of each block that is in every pass, with the block.
+    always: Vec<(u32, Span)>,
+}
+
+/// Looks at the loops of all programs.
+pub(super) fn loops(lint: &mut Lint, facts: &Facts, flows: &[Flow]) {
+    let mut called: Vec<u32> = Vec::new();
+    for flow in flows {
+        let mut budget = BUDGET * flow.blocks.len();
+        for at in 0..flow.blocks.len() as u32 {
+            let (start, _) = flow.step(at);
+            let blocks = at.wrapping_sub(start) as usize;
+            if blocks <= budget {
+                budget -= blocks;
+                pass(lint, flow, facts, (start, at), &mut called);
+            }
+        }
+    }
+    let Some(flow) = flows.first() else { return };
+    let mut at = 0;
+    while let Some(&program) = called.get(at).filter(|_| at < CALLED) {
+        if !called[..at].contains(&program) {
+            let flow = Flow::new(flow.deck, flow.control, flow.roles, program as usize);
+            let end = flow.blocks.len().saturating_sub(1) as u32;
+            pass(lint, &flow, facts, (0, end), &mut called);
+        }
+        at += 1;
+    }
+}
+
+/// Looks at one pass of a loop, or of a program that a loop calls: the blocks from `start` to `end`, and which of them no jump within
+/// the pass leaves out. Programs that every pass calls are added to `called`.
+fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), called: &mut Vec<u32>) {
+    let mut spindle = Function::default();
+    let mut auxiliary = Function::default();
+    // Blocks before this one are not in every pass.
+    let mut certain = start;
+    let (mut rapid, mut moves, mut cuts, mut rests) = (false, false, false, false);
+    let mut assigned: Vec<u32> = Vec::new();
+    for at in start..=end {
+        let Some(block) = flow.blocks.get(at as usize) else { break };
+        let always = at >= certain && block.skip == 0;
+        let (jump, falls) = flow.step(at);
+        // What stands behind a block that never goes on is reached by a jump only.
+        if jump == ANY || !falls && at < end {
+            certain = NONE;
+        } else if jump > at && jump <= end && !flow.is_alarm_exit(jump) {
+            certain = certain.max(jump);
+        }
+        if let Stmt::Assign { to, .. } | Stmt::IfThen { to, .. } = block.stmt {
+            assigned.push(if let Expr::Var(number) = flow.deck.expr(to) { number } else { NONE });
+        }
+        let words = flow.deck.words_of(block);
+        let bits = flow.roles.block(words);
+        let here = at + flow.base;
+        if bits & (CALL | SUB) != 0 && always {
+            let call = facts.calls.partition_point(|call| call.block < here);
+            called.extend(facts.calls.get(call).filter(|call| call.block == here).map(|call| call.to));
+        }
+        if bits & (CALL | SPECIAL) != 0 {
+            continue;
+        }
+        rapid |= bits & RAPID != 0;
+        cuts |= bits & (LINEAR | CURVED) != 0;
+        rests |= bits & SPINDLE_REST != 0;
+        for word in words {
+            moves |= flow.control.axis(word.letter).is_some();
+            let role = if word.letter == b'M' { flow.roles.word(word) } else { 0 };
+            let function = if word.letter == b'S' || role & SPINDLE != 0 {
+                &mut spindle
+            } else if role & AUXILIARY != 0 {
+                &mut auxiliary
+            } else {
+                continue;
+            };
+            if function.all.len() < KINDS
+                && function.all.iter().all(|row| (row.letter, row.value) != (word.letter, word.value))
+            {
+                function.all.push(word);
+            }
+            if always && function.always.last().is_none_or(|row| row.0 != here) {
+                function.always.push((here, word.span(block)));
+            }
+        }
+    }
+    // M03 and M04, two speeds, a speed that the pass changes: it is meant.
+    for (at, word) in spindle.all.iter().enumerate() {
+        rests |= spindle.all[..at].iter().any(|other| other.letter == word.letter);
+        if let WordValue::Expr(id) = word.value {
+            visit(flow.deck, id, &mut |_, expr| {
+                let number = if let Expr::Var(number) = expr { number } else { NONE };
+                rests |= assigned.iter().any(|&other| other == number || other == NONE);
+            });
+        }
+    }
+    if !rests {
+        spindle.tell(lint, "lint.spindle-in-loop");
+    }
+    if auxiliary.all.len() == 1 && (cuts || moves && !rapid) {
+        auxiliary.tell(lint, "lint.auxiliary-in-loop");
+    }
+}
+
+impl Function<'_> {
+    fn tell(&self, lint: &mut Lint, id: &'static str) {
+        for &(block, span) in &self.always {
+            let place = lint.place(block, span);
+            // A loop in a loop, or a program that two loops call, is looked at twice.
+            let start = |place: Place| (place.file, place.span.start);
+            if lint.found.iter().all(|d| d.message.id != id || d.place.map(start) != Some(start(place))) {
+                lint.say(block, span, id, &[], "");
+            }
+        }
+    }
+}

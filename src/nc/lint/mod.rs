@@ -1,0 +1,125 @@
+//! Warnings that a senior programmer would give about programs that read well: what will not do what was meant.
+//!
+//! A few linear looks at the tree, each with a budget. Looks that follow jumps and values are left out while the text has errors: what
+//! does not read is not known. Each warning is meant to be right; where the text leaves a doubt, nothing is said.
+
+mod flow;
+mod loops;
+mod roles;
+mod short;
+mod values;
+mod vars;
+mod words;
+
+use super::ast::{Deck, ExprId};
+use super::parse::part_span;
+use super::parsed::Parsed;
+use crate::controls::Control;
+use crate::text::{Diagnostic, Message, Place, Span, Value};
+use flow::Flow;
+use roles::Roles;
+use vars::Vars;
+
+/// No index, no number.
+const NONE: u32 = u32::MAX;
+
+/// Findings that are listed, those of the reader among them.
+const FINDINGS: usize = 1000;
+
+struct Lint<'a> {
+    parsed: &'a Parsed,
+    deck: &'a Deck,
+    control: &'static Control,
+    start: Option<u32>,
+    set: &'a [u32],
+    /// (program number, index of the program), sorted.
+    numbers: Vec<(u64, usize)>,
+    found: Vec<Diagnostic>,
+}
+
+/// Everything that is said of read programs, in the order of the text: the reader's findings, and the warnings. `start` is the number
+/// of the program that is started, where somebody has said; `set` are variables that the operator sets.
+pub fn review(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
+    let deck = parsed.deck();
+    let found = parsed.diagnostics().to_vec();
+    if found.len() >= FINDINGS {
+        return found;
+    }
+    let mut numbers: Vec<(u64, usize)> = deck.programs.iter().map(|row| row.number.into()).zip(0..).collect();
+    numbers.sort_unstable();
+    let mut lint = Lint { parsed, deck, control: parsed.control(), start, set, numbers, found };
+    let roles = Roles::new(lint.control, parsed.calls());
+    let facts = words::survey(&mut lint, &roles);
+    facts.main_returns(&mut lint);
+    if !parsed.has_errors() && !facts.functions {
+        let mut flows: Vec<Flow> = Vec::new();
+        for program in (0..deck.programs.len()).filter(|&program| facts.parts[program].bends) {
+            let flow = Flow::new(deck, lint.control, &roles, program);
+            flow.unreachable(&mut lint, &facts);
+            flows.push(flow);
+        }
+        loops::loops(&mut lint, &facts, &flows);
+        if !deck.exprs.is_empty() {
+            let mut vars = Vars::new(&lint, &facts);
+            vars.settle();
+            vars.tell(&mut lint, &facts);
+        }
+    }
+    let mut found = lint.found;
+    Diagnostic::in_order(&mut found);
+    found
+}
+
+impl Lint<'_> {
+    /// Says a sentence about bytes of a block's file; the block is an index in the deck. {0} of the sentence is what stands there, {1}
+    /// and so on are `more`. `hint` is the id of another sentence with the same values, or empty.
+    fn say(&mut self, block: u32, span: Span, id: &'static str, more: &[&str], hint: &'static str) {
+        let mut place = self.place(block, span);
+        // A formula may end in space.
+        let text = self.parsed.text(place).trim_end();
+        place.span.end = span.start + text.len() as u32;
+        if self.found.len() < FINDINGS {
+            let text = [text.trim_matches(['[', ']'])];
+            let message = |id| Message { id, values: text.iter().chain(more).map(|text| Value::from(*text)).collect() };
+            let mut finding = Diagnostic::warning(message(id)).at(place);
+            if !hint.is_empty() {
+                finding.hints.push(message(hint));
+            }
+            self.found.push(finding);
+        }
+    }
+
+    /// Bytes of the file of a block.
+    fn place(&self, block: u32, span: Span) -> Place {
+        let program = self.deck.programs.partition_point(|program| program.end <= block);
+        Place { file: self.deck.programs.get(program).map_or_else(Default::default, |program| program.file), span }
+    }
+
+    /// A part of a formula of a block; the block where it is not found again.
+    fn part(&self, block: u32, part: ExprId) -> Span {
+        let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
+        part_span(self.parsed, self.place(block, span), part).unwrap_or(span)
+    }
+
+    /// Index of the first program with a number.
+    fn program(&self, number: u32) -> Option<u32> {
+        let at = self.numbers.partition_point(|row| row.0 < u64::from(number));
+        self.numbers.get(at).filter(|row| row.0 == u64::from(number)).map(|row| row.1 as u32)
+    }
+
+    /// Whether a switch has this setting.
+    fn is(&self, id: &str, setting: &str) -> bool {
+        self.parsed.switches().get(self.control.switches, id) == Some(setting)
+    }
+
+    /// Bit `letter & 31`: a number without a point counts increments; for dimensions, and for arguments of macros.
+    fn increments(&self) -> [u32; 2] {
+        let mut bits = 0;
+        if !self.is("decimal-point", "millimetres") {
+            for letter in self.control.syntax.increment_addresses {
+                bits |= 1 << (letter & 31);
+            }
+        }
+        [bits, if self.is("argument-point", "as written") { 0 } else { bits }]
+    }
+}

@@ -1,0 +1,146 @@
+//! Blocks with constant lengths at a constant feed that are over before the control has read the next one.
+
+use super::super::ast::{Block, Stmt, Word, WordValue};
+use super::Lint;
+use super::roles::{
+    ABSOLUTE, AUXILIARY, CALL, CURVED, CUTTING, DWELL, EXACT, INCREMENTAL, LINEAR, OTHER_FEED, PER_MINUTE, RAPID,
+    RETURN, SPECIAL, SPINDLE, SPINDLE_REST, STOP, SUB,
+};
+use crate::controls::Control;
+use crate::text::Span;
+use crate::text::catalog::number_text;
+
+/// Blocks that stop the path, or after which nothing is known of the codes in force.
+const BREAKS: u32 =
+    CURVED | RAPID | EXACT | DWELL | CALL | SUB | RETURN | STOP | SPECIAL | SPINDLE | SPINDLE_REST | AUXILIARY;
+
+/// Codes in force that short blocks need.
+const NEEDED: u32 = LINEAR | INCREMENTAL | PER_MINUTE | CUTTING;
+
+/// What is known of motion at a block.
+pub(super) struct Short {
+    control: &'static Control,
+    increments: u32,
+    /// Of [`NEEDED`], what is in force.
+    modes: u32,
+    /// Millimetres that a block needs at the feed in force, and the fastest feed of any axis.
+    limit: f64,
+    fastest: f64,
+    /// Short blocks in a row; since the DO before, nothing else has moved.
+    run: u32,
+    in_loop: bool,
+    /// First of the row and its seconds; and of the first row that is told.
+    first: (u32, Span, f64),
+    told: (u32, Span, f64),
+    count: u32,
+}
+
+impl Short {
+    pub(super) fn new(lint: &Lint, increments: u32) -> Short {
+        let fastest = lint.control.bench.axes.iter().fold(0.0, |fastest, axis| axis.clamp.max(fastest));
+        let none = (0, Span::default(), 0.0);
+        let (run, count, in_loop) = (0, 0, false);
+        let modes = PER_MINUTE | CUTTING;
+        Short {
+            control: lint.control,
+            increments,
+            modes,
+            limit: 0.0,
+            fastest,
+            run,
+            in_loop,
+            first: none,
+            told: none,
+            count,
+        }
+    }
+
+    fn value(&self, word: &Word) -> Option<f64> {
+        let WordValue::Number(dec) = word.value else { return None };
+        let counts = !dec.point && self.increments & 1 << (word.letter & 31) != 0;
+        Some(if counts { dec.to_f64() * self.control.limits.increment } else { dec.to_f64() })
+    }
+
+    /// A block that only computes or jumps.
+    pub(super) fn macro_block(&mut self, stmt: &Stmt) {
+        match stmt {
+            Stmt::Assign { .. } | Stmt::IfThen { .. } | Stmt::Empty => {}
+            Stmt::While { .. } => {
+                self.end_run(false);
+                self.in_loop = true;
+            }
+            Stmt::End { .. } => self.end_run(self.in_loop),
+            _ => self.end_run(false),
+        }
+    }
+
+    /// The blocks in a row end here: they are told where a loop repeats them, or where they have used up what was read in advance.
+    fn end_run(&mut self, repeated: bool) {
+        if self.run > u32::from(self.control.timing.preread) || repeated && self.run > 0 {
+            if self.count == 0 {
+                self.told = self.first;
+            }
+            self.count += self.run;
+        }
+        self.run = 0;
+        self.in_loop = false;
+    }
+
+    /// A block of words, with its index.
+    #[inline]
+    pub(super) fn block(&mut self, (at, block): (u32, &Block), words: &[Word], bits: u32) {
+        self.modes |= bits & NEEDED;
+        if bits & (ABSOLUTE | OTHER_FEED | BREAKS) != 0 {
+            self.stop(bits);
+        }
+        let (mut square, mut moves, mut certain) = (0.0, false, self.modes == NEEDED);
+        for word in words {
+            if word.letter == b'F' {
+                // Millimetres = mm/min * s / 60.
+                let feed = self.value(word).map_or(0.0, |feed| feed.min(self.fastest));
+                self.limit = feed * self.control.timing.block / 60.0;
+            } else if self.control.axis(word.letter).is_some() {
+                moves = true;
+                match self.value(word) {
+                    Some(length) => square += length * length,
+                    None => certain = false,
+                }
+            }
+        }
+        // Compared without a root.
+        if certain && square > 0.0 && square < self.limit * self.limit {
+            if self.run == 0 {
+                self.first = (at, block.span, square.sqrt() / self.limit * self.control.timing.block);
+            }
+            self.run += 1;
+        } else if moves {
+            self.end_run(false);
+        }
+    }
+
+    #[cold]
+    fn stop(&mut self, bits: u32) {
+        let lost = [
+            (ABSOLUTE, INCREMENTAL),
+            (OTHER_FEED, PER_MINUTE),
+            (EXACT, CUTTING),
+            (RAPID | CURVED | SPECIAL | CALL | SUB, LINEAR),
+        ];
+        for (code, mode) in lost {
+            if bits & code != 0 {
+                self.modes &= !mode;
+            }
+        }
+        self.end_run(false);
+    }
+
+    pub(super) fn tell(mut self, lint: &mut Lint) {
+        self.end_run(false);
+        if self.count > 0 {
+            let (block, span, time) = self.told;
+            let texts =
+                [time * 1e3, self.control.timing.block * 1e3, self.count.into()].map(|value| number_text(value, 1));
+            lint.say(block, span, "lint.short-blocks", &[&texts[0], &texts[1], &texts[2]], "");
+        }
+    }
+}

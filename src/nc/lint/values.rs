@@ -1,0 +1,256 @@
+//! What can be said of values without running: comparing decimals, dividing by zero, reading what nobody sets.
+
+use super::super::ast::{Expr, ExprId, Op, WordValue};
+use super::super::dec::{Dec, POW10};
+use super::vars::{Kind, LOCALS, Site, Var, Vars, visit};
+use super::words::Facts;
+use super::{Lint, NONE};
+use crate::controls::macros::{ARGUMENT, VacantWord};
+use crate::controls::syntax::Function;
+use crate::controls::{Alarm, VarKind};
+use crate::text::Severity;
+
+/// Rounds in which assignments may hand their kinds on; each round is one look at every assignment.
+const ROUNDS: usize = 8;
+
+/// Variables that one remark names.
+const NAMES: usize = 20;
+
+impl Vars<'_> {
+    /// Finds what values each variable can have.
+    pub(super) fn settle(&mut self) {
+        for var in &mut self.list {
+            let entered = if var.word.0 == NONE { Kind::Entered } else { Kind::Decimals };
+            var.kind = match self.control.var(var.number).map(|row| row.kind) {
+                Some(VarKind::Kept) => entered,
+                Some(VarKind::Local | VarKind::Common | VarKind::Retained) if var.sets == 0 => entered,
+                Some(VarKind::BlockEnd | VarKind::MachinePosition | VarKind::WorkPosition) => Kind::Calculated,
+                _ => Kind::Whole,
+            };
+        }
+        for _ in 0..ROUNDS {
+            let mut changed = false;
+            for at in 0..self.sets.len() {
+                let set = &self.sets[at];
+                let slot = set.slot as usize;
+                let (kind, nonzero) = match set.value {
+                    WordValue::Number(number) => (written(number), number.mantissa != 0),
+                    WordValue::Expr(id) => (self.kind(set.group, id), self.nonzero(set.group, id, None)),
+                };
+                let var = &mut self.list[slot];
+                changed |= kind > var.kind || var.nonzero && !nonzero;
+                var.kind = var.kind.max(kind);
+                var.nonzero &= nonzero;
+            }
+            if !changed {
+                break;
+            }
+        }
+    }
+
+    fn kind(&self, group: u32, id: ExprId) -> Kind {
+        match self.deck.expr(id) {
+            Expr::Number(number) => written(number),
+            Expr::Var(0) => Kind::Whole,
+            Expr::Var(number) => self.get(group, number).map_or(Kind::Entered, |var| var.kind),
+            Expr::Indirect(_) => Kind::Entered,
+            Expr::Negate(inner) | Expr::Call(Function::Abs, inner) => self.kind(group, inner),
+            Expr::Call(function, _) if rounds(function) => Kind::Whole,
+            Expr::Call(..) | Expr::Binary(Op::Divide | Op::Atan, ..) => Kind::Calculated,
+            Expr::Binary(Op::Add | Op::Subtract | Op::Multiply | Op::Modulo, left, right) => {
+                match self.kind(group, left).max(self.kind(group, right)) {
+                    Kind::Decimals => Kind::Calculated,
+                    kind => kind,
+                }
+            }
+            Expr::Binary(..) => Kind::Whole,
+        }
+    }
+
+    /// Whether a value cannot be 0. In a block, what was compared before it counts as guarded; without one, what is compared anywhere.
+    fn nonzero(&self, group: u32, id: ExprId, block: Option<u32>) -> bool {
+        match self.deck.expr(id) {
+            Expr::Number(number) => number.mantissa != 0,
+            Expr::Var(number) => {
+                let var = self.get(group, number);
+                var.is_some_and(|var| var.sets > 0 && var.nonzero || self.guarded(var, block))
+            }
+            Expr::Negate(inner)
+            | Expr::Binary(Op::Divide, inner, _)
+            | Expr::Call(Function::Abs | Function::Sqrt, inner) => self.nonzero(group, inner, block),
+            Expr::Binary(Op::Multiply, left, right) => {
+                self.nonzero(group, left, block) && self.nonzero(group, right, block)
+            }
+            // With a number added, zero would be a coincidence.
+            Expr::Binary(Op::Add, left, right) => {
+                matches!(self.deck.expr(left), Expr::Number(_)) || matches!(self.deck.expr(right), Expr::Number(_))
+            }
+            Expr::Call(Function::Exp, _) => true,
+            _ => false,
+        }
+    }
+
+    /// Whether the variable was compared before a block of its program, or in another program; without a block, anywhere.
+    fn guarded(&self, var: &Var, block: Option<u32>) -> bool {
+        let (first, last) = var.compared;
+        let Some(block) = block else { return first != NONE };
+        let program = self.deck.programs.partition_point(|program| program.end <= block);
+        first < block || first != NONE && self.deck.programs.get(program).is_some_and(|program| last >= program.end)
+    }
+
+    /// The part of a divisor that can be 0: a variable or a difference that nothing has compared before.
+    fn can_be_zero(&self, site: Site) -> Option<ExprId> {
+        match self.deck.expr(site.id) {
+            Expr::Var(_) => (!self.nonzero(site.group, site.id, Some(site.block))).then_some(site.id),
+            Expr::Negate(id) | Expr::Call(Function::Abs | Function::Sqrt, id) => self.can_be_zero(Site { id, ..site }),
+            Expr::Binary(Op::Multiply, left, right) => {
+                self.can_be_zero(Site { id: left, ..site }).or_else(|| self.can_be_zero(Site { id: right, ..site }))
+            }
+            Expr::Binary(Op::Subtract, left, right) => {
+                let open = |id| match self.deck.expr(id) {
+                    Expr::Var(number) => Some(!self.guarded(self.get(site.group, number)?, Some(site.block))),
+                    Expr::Number(_) => Some(true),
+                    _ => None,
+                };
+                (open(left)? && open(right)?).then_some(site.id)
+            }
+            _ => None,
+        }
+    }
+
+    /// Tells all that values give to tell.
+    pub(super) fn tell(&self, lint: &mut Lint, facts: &Facts) {
+        let alarm = self.control.alarm_number(Alarm::DivisionByZero).unwrap_or("");
+        let mut divisors: Vec<(usize, u32)> = Vec::new();
+        for site in &self.divisors {
+            let Some(id) = self.can_be_zero(*site) else { continue };
+            let (number, hint) = match self.deck.expr(id) {
+                Expr::Var(number) => (number, "lint.hint-divisor"),
+                _ => (NONE, "lint.hint-difference"),
+            };
+            let key = (self.deck.programs.partition_point(|program| program.end <= site.block), number);
+            if number == NONE || !divisors.contains(&key) {
+                divisors.push(key);
+                let span = lint.part(site.block, id);
+                lint.say(site.block, span, "lint.zero-divisor", &[alarm], hint);
+            }
+        }
+        for site in self.equals.iter().filter(|site| self.differs(site)) {
+            let span = lint.part(site.block, site.id);
+            lint.say(site.block, span, "lint.equal-decimals", &[], "lint.hint-equal");
+        }
+        let ends = facts.parts.iter().any(|part| part.ends);
+        let mut unset: Vec<(u64, usize)> = Vec::new();
+        for (slot, var) in self.list.iter().enumerate().filter(|row| row.1.number > LOCALS) {
+            let Some(row) = self.control.var(var.number) else { continue };
+            let (block, id) = var.set_at;
+            match row.kind {
+                VarKind::Common | VarKind::Retained
+                    if var.sets == 0 && !self.wild && !lint.set.contains(&var.number) =>
+                {
+                    if var.read.0 != NONE {
+                        unset.push((var.number.into(), slot));
+                    }
+                    if var.compared.0 == NONE && divisors.iter().all(|key| key.1 != var.number) {
+                        self.vacant_word(lint, var);
+                    }
+                }
+                VarKind::Kept if var.scratch && var.used => {
+                    lint.say(block, lint.part(block, id), "lint.kept-as-scratch", &[row.text], "");
+                }
+                // Safeguards that are switched off, and nothing that switches them on again.
+                VarKind::SuppressSingleBlock | VarKind::SuppressOverride if !ends && var.nonzero && block != NONE => {
+                    lint.say(block, lint.part(block, id), "lint.suppression-stays", &[], "");
+                }
+                _ => {}
+            }
+        }
+        self.entries(lint, unset);
+        for (group, &base) in self.locals.iter().enumerate() {
+            if base != NONE && !self.open[group] && !self.wild {
+                for var in self.list.iter().skip(base as usize).take(LOCALS as usize) {
+                    self.local(lint, self.calls[group], var);
+                }
+            }
+        }
+    }
+
+    /// Whether a test for equality may fail where it should not.
+    fn differs(&self, site: &Site) -> bool {
+        let Expr::Binary(_, left, right) = self.deck.expr(site.id) else { return false };
+        // Where something is rounded, the comparison asks whether it is whole.
+        let mut whole = false;
+        visit(self.deck, site.id, &mut |_, expr| whole |= matches!(expr, Expr::Call(function, _) if rounds(function)));
+        // Against its own copy a value tells whether it has changed.
+        let slot = |id| match self.deck.expr(id) {
+            Expr::Var(number) => self.slot(site.group, number),
+            _ => None,
+        };
+        if let (Some(a), Some(b)) = (slot(left), slot(right)) {
+            whole |= self.list[a].copies == b as u32 || self.list[b].copies == a as u32;
+        }
+        let (left, right) = (self.kind(site.group, left), self.kind(site.group, right));
+        let most = left.max(right);
+        !whole && (most == Kind::Calculated || most == Kind::Decimals && left.min(right) == Kind::Entered)
+    }
+
+    /// A local variable that nothing sets, or that not every call passes.
+    fn local(&self, lint: &mut Lint, calls: u32, var: &Var) {
+        if var.sets == 0 && var.given == 0 && !var.vacancy {
+            let (block, id) = var.read;
+            let letter = ARGUMENT.iter().position(|&number| u32::from(number) == var.number).filter(|_| calls > 0);
+            let hint = if letter.is_some() { "lint.hint-argument" } else { "lint.hint-unset-local" };
+            let letter = char::from(b'A' + letter.unwrap_or(0) as u8).to_string();
+            if block != NONE {
+                lint.say(block, lint.part(block, id), "lint.unset-local", &[&letter], hint);
+            }
+        } else if var.given < calls && var.sets <= var.given && var.compared.0 == NONE {
+            self.vacant_word(lint, var);
+        }
+    }
+
+    fn vacant_word(&self, lint: &mut Lint, var: &Var) {
+        let (block, span) = var.word;
+        if self.control.macros.vacant_word == VacantWord::Dropped && block != NONE {
+            lint.say(block, span, "lint.vacant-word", &[&name(var)], "lint.hint-vacant");
+        }
+    }
+
+    /// Variables that the operator is to set, in one remark where the first of them is read.
+    fn entries(&self, lint: &mut Lint, mut unset: Vec<(u64, usize)>) {
+        unset.sort_unstable();
+        let mut names = String::new();
+        let mut first = (NONE, ExprId(NONE));
+        for (count, &(_, slot)) in unset.iter().enumerate() {
+            let var = &self.list[slot];
+            if count <= NAMES {
+                names += if count > 0 { ", " } else { "" };
+                names += &if count < NAMES { name(var) } else { "…".to_owned() };
+            }
+            if (var.read.0, var.read.1.0) < (first.0, first.1.0) {
+                first = var.read;
+            }
+        }
+        if !names.is_empty() {
+            lint.say(first.0, lint.part(first.0, first.1), "lint.unset-common", &[&names], "");
+            if let Some(finding) = lint.found.last_mut().filter(|finding| finding.message.id == "lint.unset-common") {
+                finding.severity = Severity::Info;
+            }
+        }
+    }
+}
+
+/// The variable as it is written.
+fn name(var: &Var) -> String {
+    format!("#{}", var.number)
+}
+
+/// A number as it is written.
+fn written(number: Dec) -> Kind {
+    if number.mantissa % POW10[number.scale.min(18) as usize] == 0 { Kind::Whole } else { Kind::Decimals }
+}
+
+/// Whether a function gives whole numbers.
+fn rounds(function: Function) -> bool {
+    matches!(function, Function::Round | Function::Fix | Function::Fup | Function::Bin | Function::Bcd)
+}

@@ -1,0 +1,358 @@
+//! Every variable of a deck with what all programs together do to it.
+
+use super::super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, WordValue};
+use super::words::{Call, Facts};
+use super::{Lint, NONE};
+use crate::controls::macros::ARGUMENT;
+use crate::controls::{Control, VarKind};
+use crate::text::Span;
+
+/// Numbers up to here are followed.
+const NUMBERS: usize = 16_384;
+
+/// Local variables of a level.
+pub(super) const LOCALS: u32 = 33;
+
+/// More than a copy of one variable.
+const MANY: u32 = NONE - 1;
+
+/// What values a variable or formula can have, as far as comparing them goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kind {
+    /// Whole numbers.
+    Whole,
+    /// What somebody enters: nobody knows.
+    Entered,
+    /// Decimals, but as they were written or entered.
+    Decimals,
+    /// Results of a calculation that leaves digits behind the point.
+    Calculated,
+}
+
+/// A variable. Blocks are indices in the deck, [`NONE`] where there is none.
+pub(super) struct Var {
+    pub(super) number: u32,
+    pub(super) kind: Kind,
+    /// No value that it is given can be 0, as far as is known; means something for assigned variables.
+    pub(super) nonzero: bool,
+    /// How often it is given a value, calls among them.
+    pub(super) sets: u32,
+    /// Calls that pass it as an argument.
+    pub(super) given: u32,
+    /// The variable that it copies: [`NONE`] none yet, [`MANY`] it is more than a copy.
+    pub(super) copies: u32,
+    /// First and last block of a comparison.
+    pub(super) compared: (u32, u32),
+    /// It is compared with the vacant variable.
+    pub(super) vacancy: bool,
+    /// First reading, but for comparisons with the vacant variable.
+    pub(super) read: (u32, ExprId),
+    /// First word of an axis that is this variable and nothing else.
+    pub(super) word: (u32, Span),
+    /// First assignment; whether one calculates it of the program's own variables; whether formulas or words of others read it.
+    pub(super) set_at: (u32, ExprId),
+    pub(super) scratch: bool,
+    pub(super) used: bool,
+}
+
+/// One assignment.
+pub(super) struct Set {
+    /// The variable, by its place in the list.
+    pub(super) slot: u32,
+    /// Where the local variables of the value are.
+    pub(super) group: u32,
+    pub(super) value: WordValue,
+}
+
+/// A part of a formula that is looked at when everything is known.
+#[derive(Clone, Copy)]
+pub(super) struct Site {
+    pub(super) block: u32,
+    pub(super) group: u32,
+    pub(super) id: ExprId,
+}
+
+/// All variables.
+pub(super) struct Vars<'a> {
+    pub(super) deck: &'a Deck,
+    pub(super) control: &'static Control,
+    /// Place of a number in `list`; locals apart.
+    slots: Vec<u32>,
+    pub(super) list: Vec<Var>,
+    /// Programs that share local variables, by program; and the place of the first local of a group.
+    group: Vec<u32>,
+    pub(super) locals: Vec<u32>,
+    /// Groups with callers that are not here.
+    pub(super) open: Vec<bool>,
+    /// Calls with arguments, by group.
+    pub(super) calls: Vec<u32>,
+    pub(super) sets: Vec<Set>,
+    /// Tests for equality.
+    pub(super) equals: Vec<Site>,
+    pub(super) divisors: Vec<Site>,
+    /// Something assigns a variable by a calculated number.
+    pub(super) wild: bool,
+}
+
+impl<'a> Vars<'a> {
+    /// Reads every formula once.
+    pub(super) fn new(lint: &Lint<'a>, facts: &Facts) -> Vars<'a> {
+        let programs = lint.deck.programs.len();
+        let mut vars = Vars {
+            deck: lint.deck,
+            control: lint.control,
+            slots: vec![NONE; NUMBERS],
+            list: Vec::new(),
+            group: (0..programs as u32).collect(),
+            locals: vec![NONE; programs],
+            open: vec![facts.any_called; programs],
+            calls: vec![0; programs],
+            sets: Vec::new(),
+            equals: Vec::new(),
+            divisors: Vec::new(),
+            wild: false,
+        };
+        // Subprograms share the local variables of their callers.
+        for call in facts.calls.iter().filter(|call| !call.with_locals) {
+            let (a, b) = (vars.root(call.from), vars.root(call.to));
+            vars.group[a as usize] = b;
+        }
+        let start = lint.start.and_then(|number| lint.program(number));
+        for (index, part) in (0..).zip(&facts.parts) {
+            let group = vars.root(index);
+            vars.group[index as usize] = group;
+            vars.open[group as usize] |= part.each_block || !part.called && !part.ends && start != Some(index);
+        }
+        let increments = lint.increments()[1];
+        for call in facts.calls.iter().filter(|call| call.with_locals) {
+            vars.arguments(increments, call);
+        }
+        for (index, program) in lint.deck.programs.iter().enumerate() {
+            for (at, block) in (program.first..).zip(lint.deck.blocks_of(program)) {
+                vars.block(Site { block: at, group: vars.group[index], id: ExprId(NONE) }, block);
+            }
+        }
+        vars
+    }
+
+    fn root(&self, program: u32) -> u32 {
+        let mut at = program;
+        while self.group[at as usize] != at {
+            at = self.group[at as usize];
+        }
+        at
+    }
+
+    /// The place of a variable in the list; `None` for what is not followed.
+    pub(super) fn slot(&self, group: u32, number: u32) -> Option<usize> {
+        let slot = match number.wrapping_sub(1) {
+            local @ 0..LOCALS => self.locals.get(group as usize).map(|base| base.saturating_add(local)),
+            _ => self.slots.get(number as usize).copied(),
+        };
+        slot.filter(|slot| *slot != NONE).map(|slot| slot as usize)
+    }
+
+    pub(super) fn get(&self, group: u32, number: u32) -> Option<&Var> {
+        self.list.get(self.slot(group, number)?)
+    }
+
+    /// The same, made where it is named for the first time.
+    fn make(&mut self, group: u32, number: u32) -> Option<&mut Var> {
+        if self.slot(group, number).is_none() {
+            let next = self.list.len() as u32;
+            let local = (1..=LOCALS).contains(&number);
+            let (table, at) = if local { (&mut self.locals, group) } else { (&mut self.slots, number) };
+            *table.get_mut(at as usize).filter(|_| number != 0)? = next;
+            for number in if local { 1..=LOCALS } else { number..=number } {
+                self.list.push(Var {
+                    number,
+                    kind: Kind::Whole,
+                    nonzero: true,
+                    sets: 0,
+                    given: 0,
+                    copies: NONE,
+                    compared: (NONE, 0),
+                    vacancy: false,
+                    read: (NONE, ExprId(0)),
+                    word: (NONE, Span::default()),
+                    set_at: (NONE, ExprId(0)),
+                    scratch: false,
+                    used: false,
+                });
+            }
+        }
+        let slot = self.slot(group, number)?;
+        self.list.get_mut(slot)
+    }
+
+    /// What the arguments of a macro call set.
+    fn arguments(&mut self, increments: u32, call: &Call) {
+        let (from, to) = (self.group[call.from as usize], self.group[call.to as usize]);
+        self.calls[to as usize] += 1;
+        let mut mask = 0_u64;
+        for word in self.deck.words_of(&self.deck.blocks[call.block as usize]) {
+            let letter = word.letter;
+            let number = ARGUMENT.get(usize::from(letter.wrapping_sub(b'A'))).copied().unwrap_or(0);
+            if number == 0 || matches!(letter, b'G' | b'L' | b'N' | b'O' | b'P') {
+                continue;
+            }
+            // A second I, J or K is one of many; which, is not needed.
+            if mask & 1 << number != 0 && matches!(letter, b'I'..=b'K') {
+                mask = u64::MAX;
+                break;
+            }
+            mask |= 1 << number;
+            let mut value = word.value;
+            if let WordValue::Number(dec) = &mut value
+                && !dec.point
+                && increments & 1 << (letter & 31) != 0
+            {
+                // Increments: 1 is 0.001.
+                dec.scale = (dec.scale + 3).min(18);
+            }
+            self.set(from, to, number.into(), value);
+        }
+        for number in 1..=LOCALS {
+            if let Some(var) = self.make(to, number) {
+                var.given += (mask >> number & 1) as u32;
+            }
+        }
+    }
+
+    /// An assignment: locals of the value are those of `from`, of the variable those of `to`.
+    fn set(&mut self, from: u32, to: u32, number: u32, value: WordValue) {
+        let copied = match value {
+            WordValue::Number(_) => NONE,
+            WordValue::Expr(id) => match self.deck.expr(id) {
+                Expr::Number(_) | Expr::Var(0) => NONE,
+                Expr::Var(other) => {
+                    self.make(from, other);
+                    self.slot(from, other).map_or(MANY, |slot| slot as u32)
+                }
+                _ => MANY,
+            },
+        };
+        let Some(var) = self.make(to, number) else { return };
+        var.sets += 1;
+        if copied != NONE {
+            var.copies = if var.copies == NONE || var.copies == copied { copied } else { MANY };
+        }
+        if let Some(slot) = self.slot(to, number) {
+            self.sets.push(Set { slot: slot as u32, group: from, value });
+        }
+    }
+
+    fn block(&mut self, site: Site, block: &Block) {
+        match block.stmt {
+            Stmt::Assign { to, value } => self.assign(site, to, value),
+            Stmt::IfThen { cond, to, value } => {
+                self.compare(Site { id: cond, ..site });
+                self.assign(site, to, value);
+            }
+            Stmt::If { cond, target } => {
+                self.compare(Site { id: cond, ..site });
+                self.read(site, target, NONE);
+            }
+            Stmt::Goto(target) => self.read(site, target, NONE),
+            Stmt::While { cond: Some(cond), .. } => self.compare(Site { id: cond, ..site }),
+            Stmt::Words { .. } => {
+                for word in self.deck.words_of(block) {
+                    let WordValue::Expr(id) = word.value else { continue };
+                    self.read(site, id, NONE);
+                    let bare = match self.deck.expr(id) {
+                        Expr::Negate(inner) => self.deck.expr(inner),
+                        expr => expr,
+                    };
+                    if let Expr::Var(number) = bare
+                        && self.control.axis_letters().any(|letter| letter == word.letter)
+                        && let Some(var) = self.make(site.group, number)
+                        && var.word.0 == NONE
+                    {
+                        var.word = (site.block, word.span(block));
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn assign(&mut self, site: Site, to: ExprId, id: ExprId) {
+        let Expr::Var(number) = self.deck.expr(to) else {
+            self.wild = true;
+            self.read(site, to, NONE);
+            return self.read(site, id, NONE);
+        };
+        self.read(site, id, number);
+        // What is measured belongs where it is kept; only what programs compute of their own variables is scratch.
+        let mut scratch = !matches!(self.deck.expr(id), Expr::Number(_));
+        visit(self.deck, id, &mut |_, expr| {
+            if let Expr::Var(other) = expr {
+                scratch &= other != number && (other <= LOCALS || self.is_common(other));
+            }
+        });
+        self.set(site.group, site.group, number, WordValue::Expr(id));
+        if let Some(var) = self.make(site.group, number) {
+            if var.set_at.0 == NONE {
+                var.set_at = (site.block, to);
+            }
+            var.scratch |= scratch;
+        }
+    }
+
+    /// A condition.
+    fn compare(&mut self, site: Site) {
+        let deck = self.deck;
+        let Expr::Binary(op, left, right) = deck.expr(site.id) else { return };
+        let equal = matches!(op, Op::Equal | Op::NotEqual);
+        let vacancy = equal && (deck.expr(left) == Expr::Var(0) || deck.expr(right) == Expr::Var(0));
+        visit(deck, site.id, &mut |_, expr| {
+            let Expr::Var(number) = expr else { return };
+            if let Some(var) = self.make(site.group, number) {
+                var.vacancy |= vacancy;
+                var.compared = (var.compared.0.min(site.block), var.compared.1.max(site.block));
+            }
+        });
+        if !vacancy {
+            self.read(site, site.id, NONE);
+            if equal {
+                self.equals.push(site);
+            }
+        }
+    }
+
+    /// Everything that a formula reads and divides by; `to` is the variable that it gives its value.
+    fn read(&mut self, site: Site, id: ExprId, to: u32) {
+        visit(self.deck, id, &mut |id, expr| match expr {
+            Expr::Var(number) => {
+                if let Some(var) = self.make(site.group, number) {
+                    if var.read.0 == NONE {
+                        var.read = (site.block, id);
+                    }
+                    var.used |= to != number;
+                }
+            }
+            Expr::Binary(Op::Divide | Op::Modulo, _, divisor) => self.divisors.push(Site { id: divisor, ..site }),
+            _ => {}
+        });
+    }
+
+    /// Whether it is a variable that keeps what programs and operators write.
+    fn is_common(&self, number: u32) -> bool {
+        let kind = self.control.var(number).map(|row| row.kind);
+        matches!(kind, Some(VarKind::Common | VarKind::Retained))
+    }
+}
+
+/// Every part of a formula. It goes as deep as the formula does; the parser bounds that.
+pub(super) fn visit(deck: &Deck, id: ExprId, each: &mut dyn FnMut(ExprId, Expr)) {
+    let expr = deck.expr(id);
+    each(id, expr);
+    match expr {
+        Expr::Number(_) | Expr::Var(_) => {}
+        Expr::Indirect(inner) | Expr::Negate(inner) | Expr::Call(_, inner) => visit(deck, inner, each),
+        Expr::Binary(_, left, right) => {
+            visit(deck, left, each);
+            visit(deck, right, each);
+        }
+    }
+}

@@ -1,0 +1,285 @@
+//! One look at every word: numbers without their point, F0, and who calls, returns and ends.
+
+use super::super::ast::{Block, Stmt, Word, WordValue};
+use super::super::dec::{Dec, POW10};
+use super::roles::{CALL, DWELL, EACH_BLOCK, END, INCH, RETURN, Roles, SPECIAL, SUB};
+use super::short::Short;
+use super::{Lint, NONE};
+use crate::controls::{Code, ParamRole};
+use crate::msg;
+use crate::text::catalog::number_text;
+use crate::text::{Fix, Message, Place, Span};
+
+/// Places of one kind that a fix reaches.
+const PLACES: usize = 1000;
+
+/// Increments from which on a number without a point is meant as it is: in 0.001 mm, nobody who forgets points programs ten metres, and
+/// nobody who counts increments does without a centimetre.
+const DELIBERATE: u64 = 10_000;
+
+/// Increments of a dwell from which on it is meant as it is.
+const DELIBERATE_DWELL: u64 = 100;
+
+/// What a program is to the others.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Part {
+    /// It has a program end.
+    pub(super) ends: bool,
+    /// It is called in these files.
+    pub(super) called: bool,
+    /// The words of blocks are its arguments.
+    pub(super) each_block: bool,
+    /// A block in it may go elsewhere than to the next.
+    pub(super) bends: bool,
+    /// Returns of it, `M99`, and the block of the last one.
+    returns: u32,
+    return_at: u32,
+}
+
+/// A call of a program by its number.
+#[derive(Clone, Copy)]
+pub(super) struct Call {
+    pub(super) block: u32,
+    /// Indices of the programs.
+    pub(super) from: u32,
+    pub(super) to: u32,
+    /// With arguments, else as a subprogram that shares its caller's locals.
+    pub(super) with_locals: bool,
+}
+
+/// What one look at all words has told.
+#[derive(Default)]
+pub(super) struct Facts {
+    /// One for each program.
+    pub(super) parts: Vec<Part>,
+    /// In the order of the blocks.
+    pub(super) calls: Vec<Call>,
+    /// Programs are called by calculated numbers: any of them may be meant.
+    pub(super) any_called: bool,
+    /// Sequence numbers that calls and returns name, with the program or [`NONE`] for any.
+    pub(super) entries: Vec<(u32, u32)>,
+    /// Calls or returns go to calculated sequence numbers.
+    pub(super) any_entry: bool,
+    /// Variables and jumps are written as `G65 H`, which nothing here follows.
+    pub(super) functions: bool,
+}
+
+/// Numbers of one kind behind one letter that have no point.
+struct Pointless {
+    kind: u32,
+    letter: u8,
+    count: usize,
+    block: u32,
+    words: Vec<(Span, Dec)>,
+}
+
+/// Looks at every word once.
+pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
+    let deck = lint.deck;
+    let mut facts = Facts { parts: vec![Part::default(); deck.programs.len()], ..Facts::default() };
+    let increments = lint.increments();
+    for (index, program) in (0..).zip(&deck.programs) {
+        let mut pointless: Vec<Pointless> = Vec::new();
+        // The program counts increments, and knows it; or inches, of which nothing is said.
+        let mut deliberate = false;
+        let mut no_feed = false;
+        let mut short = Short::new(lint, increments[0]);
+        let mut bends = false;
+        for (at, block) in (program.first..).zip(deck.blocks_of(program)) {
+            if !matches!(block.stmt, Stmt::Words { .. }) {
+                bends |= block.stmt != Stmt::Empty;
+                short.macro_block(&block.stmt);
+                continue;
+            }
+            let words = deck.words_of(block);
+            let (mut bits, mut counts, mut zero) = (0, false, None);
+            for word in words {
+                if matches!(word.letter, b'G' | b'M') {
+                    bits |= roles.word(word);
+                } else if let WordValue::Number(dec) = word.value {
+                    counts |= !dec.point && dec.mantissa != 0 && increments[0] & 1 << (word.letter & 31) != 0;
+                    if word.letter == b'F' && dec.mantissa == 0 {
+                        zero = Some(word);
+                    }
+                }
+            }
+            deliberate |= bits & INCH != 0;
+            if counts && !deliberate && bits & SPECIAL == 0 {
+                let increments = increments[usize::from(bits & CALL != 0)];
+                deliberate = collect(&mut pointless, at, block, words, bits & (CALL | DWELL), increments);
+            }
+            if let Some(word) = zero.filter(|_| bits & (CALL | DWELL) == 0 && !no_feed) {
+                no_feed = true;
+                let digit = lint.control.param(ParamRole::FeedOneDigit).map_or("", |row| row.number);
+                let id = match digit {
+                    "" => "lint.feed-zero",
+                    _ if lint.is("feed-zero", "rapid") => "lint.feed-zero-rapid",
+                    _ => "lint.feed-zero-digit",
+                };
+                lint.say(at, word.span(block), id, &[digit], "");
+            }
+            short.block((at, block), words, bits);
+            if bits & (CALL | SUB | RETURN | END) != 0 {
+                bends |= at + 1 < program.end;
+                facts.note(lint, roles, (index, at), words, bits);
+            }
+        }
+        if let Some(part) = facts.parts.get_mut(index as usize) {
+            part.bends = bends;
+        }
+        short.tell(lint);
+        for row in pointless.iter().filter(|_| !deliberate) {
+            row.tell(lint);
+        }
+    }
+    facts
+}
+
+/// Notes the numbers without a point of a block; true where one shows that the program counts increments.
+#[cold]
+fn collect(rows: &mut Vec<Pointless>, at: u32, block: &Block, words: &[Word], kind: u32, increments: u32) -> bool {
+    for word in words {
+        let WordValue::Number(dec) = word.value else { continue };
+        let letter = word.letter;
+        let size = dec.mantissa.unsigned_abs();
+        if dec.point || size == 0 || increments & 1 << (letter & 31) == 0 || kind == DWELL && size >= DELIBERATE_DWELL {
+            continue;
+        }
+        if size >= DELIBERATE {
+            return true;
+        }
+        let known = rows.iter().position(|row| row.kind == kind && row.letter == letter);
+        if known.is_none() {
+            rows.push(Pointless { kind, letter, count: 0, block: at, words: Vec::new() });
+        }
+        if let Some(row) = known.map_or(rows.len().checked_sub(1), Some).and_then(|at| rows.get_mut(at)) {
+            row.count += 1;
+            if row.count <= PLACES {
+                row.words.push((word.span(block), dec));
+            }
+        }
+    }
+    false
+}
+
+impl Facts {
+    /// Notes calls, returns and ends of a block, both by index.
+    fn note(&mut self, lint: &Lint, roles: &Roles, (program, block): (u32, u32), words: &[Word], bits: u32) {
+        let number = |letter: u8| words.iter().find(|word| word.letter == letter).map(|word| whole(word.value));
+        let Some(part) = self.parts.get_mut(program as usize) else { return };
+        part.ends |= bits & END != 0;
+        if bits & RETURN != 0 {
+            part.returns += 1;
+            part.return_at = block;
+            self.entry(NONE, number(b'P'));
+        }
+        let macros = &lint.control.macros;
+        if bits & CALL != 0 && !macros.functions.is_empty() && number(b'H').is_some() {
+            self.functions = true;
+        } else if bits & (CALL | SUB) != 0 {
+            let sub = bits & SUB != 0;
+            let to = match (roles.called(words), number(b'P')) {
+                (Some(number), _) => lint.program(number),
+                (None, Some(Some(number))) => {
+                    lint.program(if sub && macros.repeats_in_p { number % 10_000 } else { number })
+                }
+                (None, None) => sub.then_some(program),
+                (None, Some(None)) => {
+                    self.any_called = true;
+                    None
+                }
+            };
+            if sub && macros.sub_sequence {
+                self.entry(to.unwrap_or(NONE), number(b'H'));
+            }
+            if let Some(to) = to
+                && let Some(part) = self.parts.get_mut(to as usize)
+            {
+                // A program that calls itself has no other caller by that.
+                part.called |= to != program;
+                part.each_block |= bits & EACH_BLOCK != 0;
+                self.calls.push(Call { block, from: program, to, with_locals: !sub });
+            }
+        }
+    }
+
+    /// A sequence number behind P of a return or H of a call.
+    fn entry(&mut self, program: u32, number: Option<Option<u32>>) {
+        match number {
+            Some(Some(label)) => self.entries.push((program, label)),
+            Some(None) => self.any_entry = true,
+            None => {}
+        }
+    }
+
+    /// A main program that returns starts again for ever. Whether a program is one is known of the started program; of others only where
+    /// nothing here can be one.
+    pub(super) fn main_returns(&self, lint: &mut Lint) {
+        let ends = self.any_called || self.parts.iter().any(|part| part.ends);
+        // Numbers from 8000 on are the builder's and the user's standard programs: they are called.
+        let main = match lint.start {
+            Some(number) => lint.program(number),
+            None => lint.deck.programs.first().filter(|row| row.number < 8000 && !ends).map(|_| 0),
+        };
+        let end = lint.control.codes.iter().find(|row| row.code == Code::EndRewind);
+        if let (Some(main), Some(end)) = (main, end)
+            && let Some(part) = self.parts.get(main as usize)
+            && part.returns > 0
+            && !part.called
+            && !part.ends
+            && let Some(block) = lint.deck.blocks.get(part.return_at as usize)
+            && let Some(word) = lint.deck.words_of(block).iter().find(|word| word.letter == b'M')
+        {
+            let span = word.span(block);
+            let end = format!("{}{}", end.letter as char, end.number / 10);
+            lint.say(part.return_at, span, "lint.main-returns", &[&end], "");
+            if part.returns == 1 {
+                lint.fix(msg!("nc.fix.end-main", end.as_str()), &[(span, Dec::default())], &|_| end.clone());
+            }
+        }
+    }
+}
+
+/// A whole number that is written as one.
+pub(super) fn whole(value: WordValue) -> Option<u32> {
+    let WordValue::Number(dec) = value else { return None };
+    let unit = POW10[dec.scale.min(18) as usize];
+    if dec.mantissa % unit == 0 { u32::try_from(dec.mantissa / unit).ok() } else { None }
+}
+
+impl Pointless {
+    fn tell(&self, lint: &mut Lint) {
+        let Some(&(span, dec)) = self.words.first() else { return };
+        let step = lint.control.limits.increment;
+        let letter = (self.letter as char).to_string();
+        let rotary = lint.control.axis(self.letter).is_some_and(|axis| lint.control.axes[axis].rotary);
+        let id = match self.kind {
+            DWELL => "lint.no-point-dwell",
+            CALL => "lint.no-point-argument",
+            _ => "lint.no-point",
+        };
+        let value = number_text(dec.to_f64() * step, 6);
+        let unit = if rotary { "°" } else { "mm" };
+        let count = number_text(self.count as f64, 0);
+        lint.say(self.block, span, id, &[&value, unit, &count, &letter], "");
+        let meant = |dec: Dec| format!("{letter}{}", Dec { point: true, ..dec });
+        if self.count == self.words.len() {
+            lint.fix(msg!("lint.fix.point", meant(dec)), &self.words, &meant);
+            // As it is now: the control's increments are thousandths.
+            let present = |dec: Dec| format!("{letter}{}", number_text(dec.to_f64() * step, 9));
+            lint.fix(msg!("lint.fix.present", present(dec)), &self.words, &present);
+        }
+    }
+}
+
+impl Lint<'_> {
+    /// Mends the last finding by another text for each of these words of its file.
+    fn fix(&mut self, title: Message, words: &[(Span, Dec)], text: &dyn Fn(Dec) -> String) {
+        if let Some(finding) = self.found.last_mut()
+            && let Some(place) = finding.place
+        {
+            let edits = words.iter().map(|&(span, dec)| (Place { span, ..place }, text(dec))).collect();
+            finding.fixes.push(Fix { title, edits });
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! What the machines write raises no finding: every machine, every control it goes with, every choice of its form.
+
+use macroline::machines::form::{KindInfo, Value};
+use macroline::machines::{self, AnyMachine};
+use macroline::project::Project;
+use macroline::text::catalog::{Language, sentence};
+
+/// Programs that are looked at for each machine and control at most; choices beyond are passed over in even steps.
+const MOST: usize = 2000;
+
+/// Every field that is chosen, with what it can be.
+fn choices(machine: &dyn AnyMachine) -> Vec<(&'static str, Vec<Value>)> {
+    let fields = machine.fields().into_iter();
+    let values = fields.map(|field| match field.kind {
+        KindInfo::Choice(options) => (field.id, options.iter().map(|row| Value::Text(row.0.to_owned())).collect()),
+        KindInfo::Flag(_) => (field.id, vec![Value::Flag(false), Value::Flag(true)]),
+        _ => (field.id, Vec::new()),
+    });
+    values.filter(|(_, values)| !values.is_empty()).collect()
+}
+
+#[test]
+fn no_program_of_a_machine_raises_a_finding() {
+    for machine in machines::ALL {
+        for control in machine.controls() {
+            let choices = choices(*machine);
+            let all: usize = choices.iter().map(|(_, values)| values.len()).product();
+            for at in (0..all).step_by(all.div_ceil(MOST)) {
+                let mut project = Project::of(machine.id(), Some(control)).unwrap();
+                let mut rest = at;
+                for (id, values) in &choices {
+                    project.values.insert((*id).to_owned(), values[rest % values.len()].clone());
+                    rest /= values.len();
+                }
+                let found = project.written().diagnostics;
+                let said = |d: &macroline::text::Diagnostic| {
+                    format!("{}: {}", d.message.id, sentence(Language::English, &d.message))
+                };
+                let said: Vec<String> = found.iter().map(said).collect();
+                assert!(said.is_empty(), "{} on {control}, {:?}: {said:#?}", machine.id(), project.values);
+            }
+        }
+    }
+}
