@@ -49,13 +49,20 @@ impl Reader<'_> {
         if self.parts > PARTS {
             return Err(self.failure(Alarm::Format, 0, self.line.len(), msg!("nc.formula-too-long", PARTS), false));
         }
-        if let Some(parts) = &mut self.places {
-            let text = self.line.get(start..self.at).unwrap_or_default();
-            let start = self.at - text.trim_ascii_start().len();
-            parts.push(Span::new(start as u32, (start + text.trim_ascii().len()) as u32));
+        if self.places.is_some() {
+            self.note_place(start);
         }
         self.deck.exprs.push(expr);
         Ok(ExprId(self.deck.exprs.len() as u32 - 1))
+    }
+
+    /// Remembers where a part stands, without the blanks around it.
+    #[cold]
+    fn note_place(&mut self, start: usize) {
+        let text = self.line.get(start..self.at).unwrap_or_default();
+        let start = self.at - text.trim_ascii_start().len();
+        let span = Span::new(start as u32, (start + text.trim_ascii().len()) as u32);
+        self.places.get_or_insert_default().push(span);
     }
 
     /// An expression. Behind an address (`word`) a `/` before a letter is a block skip, not a division.
@@ -106,7 +113,11 @@ impl Reader<'_> {
         match self.peek() {
             b'+' | b'-' | b'*' => true,
             b'/' => !self.skip_mark_ahead(),
-            _ => LETTERED.iter().any(|(word, _)| self.ahead(word)),
+            // Mostly the next word stands here, a letter with its number.
+            _ => {
+                let letters = self.line.get(self.at + 1).is_some_and(u8::is_ascii_alphabetic);
+                letters && LETTERED.iter().any(|(word, _)| self.ahead(word))
+            }
         }
     }
 
@@ -334,15 +345,16 @@ impl Reader<'_> {
         match self.skip() {
             b'0'..=b'9' => {
                 let from = self.at;
-                while self.peek().is_ascii_digit() {
+                let mut number = 0_u32;
+                for &byte in self.line.get(from..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit()) {
+                    // What is too large stays too large.
+                    number = number.saturating_mul(10).saturating_add(u32::from(byte - b'0'));
                     self.at += 1;
                 }
-                if self.zero_for_o() {
+                if matches!(self.peek(), b'O' | b'o') && self.zero_for_o() {
                     return self.part(Expr::Var(0), start);
                 }
-                let digits = core::str::from_utf8(self.line.get(from..self.at).unwrap_or_default()).unwrap_or("");
-                let number = digits.parse::<u32>().unwrap_or(u32::MAX);
-                if let (true, 4, 9000..=9999) = (self.control.syntax.nine_hash, digits.len(), number) {
+                if let (true, 4, 9000..=9999) = (self.control.syntax.nine_hash, self.at - from, number) {
                     self.check_variable(number - 9000, start, false);
                     let inner = self.part(Expr::Var(number - 9000), start)?;
                     return self.part(Expr::Indirect(inner), start);
@@ -379,10 +391,22 @@ impl Reader<'_> {
         }
     }
 
+    /// Whether a variable exists and can stand on this side.
+    #[inline]
     fn check_variable(&mut self, number: u32, start: usize, written: bool) {
+        if !self.plain.contains(&number) {
+            self.check_row(number, start, written);
+        }
+    }
+
+    fn check_row(&mut self, number: u32, start: usize, written: bool) {
         let alarm = match self.control.var(number) {
             None => Alarm::VariableRange,
             Some(row) => match row.kind {
+                VarKind::Local | VarKind::Common | VarKind::Retained => {
+                    self.plain = row.first..row.last.saturating_add(1);
+                    return;
+                }
                 kind if kind == VarKind::NotSimulated || written && kind == VarKind::SuppressSingleBlock => {
                     let (key, to) = ((b'#', row.first), self.at);
                     return self.not_simulated(key, start, to, &format!("#{number} ({})", row.text));

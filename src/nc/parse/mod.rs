@@ -195,6 +195,8 @@ struct Reader<'a> {
     /// What was said to be not simulated: a letter and a number, `#` for variables.
     said: Vec<(u8, u32)>,
     misused: Vec<Misused>,
+    /// Variables that can be read and written, the last such row.
+    plain: core::ops::Range<u32>,
     /// First small letter outside comments.
     small: Option<u32>,
     /// First `;` that ends a block.
@@ -246,6 +248,7 @@ impl<'a> Reader<'a> {
             found: Vec::new(),
             said: Vec::new(),
             misused: Vec::new(),
+            plain: 0..0,
             small: None,
             semicolon: None,
             foreign: None,

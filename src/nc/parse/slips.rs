@@ -1,6 +1,6 @@
 //! Slips that leave no doubt about what was meant: said once, with their fix, and read as they were meant.
 
-use super::super::ast::{Expr, ExprId, Op, WordValue, fresh_numbers};
+use super::super::ast::{Expr, ExprId, Op, fresh_numbers};
 use super::super::dec::Dec;
 use super::recover::prose;
 use super::statement::letters_of;
@@ -138,22 +138,22 @@ impl Reader<'_> {
         None
     }
 
-    /// `=` behind an address, which is left out, or a letter O, which gives the value 0.
-    #[cold]
-    pub(super) fn odd_value(&mut self, start: usize, byte: u8) -> Option<WordValue> {
-        let rest = self.line.get(start..).unwrap_or_default();
-        if byte == b'=' {
-            self.slip(Alarm::Format, self.at, self.at + 1, msg!("nc.equals-in-word"), "");
+    /// Signs `=` behind an address, which is none on these controls; skips them.
+    pub(super) fn equals_in_word(&mut self) {
+        let at = self.at;
+        while self.skip() == b'=' {
             self.at += 1;
-            return None;
         }
+        let to = self.ended_at();
+        self.slip(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
+    }
+
+    /// Whether a letter O directly behind an address stands for 0, which it is read as.
+    pub(super) fn zero_behind_letter(&mut self, start: usize) -> bool {
         let at = core::mem::replace(&mut self.at, start);
-        let other = self.keyword_ahead() || prose(rest);
+        let other = self.keyword_ahead() || prose(self.line.get(start..).unwrap_or_default());
         self.at = at;
-        if at > start + 1 || other {
-            return None;
-        }
-        self.zero_for_o().then(|| WordValue::Number(Dec::int(0)))
+        at == start + 1 && !other && self.zero_for_o()
     }
 
     /// A comma or a letter O in a number, which is at hand.
@@ -173,6 +173,7 @@ impl Reader<'_> {
     }
 
     /// Letters O that stand in a number for zeros, with the digits behind them; whether there are any.
+    #[cold]
     pub(super) fn zero_for_o(&mut self) -> bool {
         let from = self.at;
         if !matches!(self.peek(), b'O' | b'o') || self.ahead("OR") {
@@ -187,6 +188,7 @@ impl Reader<'_> {
     }
 
     /// `a**b`, which no control has; `a` is from `start` to `end`, the second `*` is at hand.
+    #[cold]
     pub(super) fn power(&mut self, base: ExprId, start: usize, end: usize) -> Read<ExprId> {
         self.at += 1;
         let exponent = self.factor()?;

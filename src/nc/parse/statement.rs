@@ -192,7 +192,10 @@ impl Reader<'_> {
             });
         };
         let right = self.formula(false)?;
-        self.skip();
+        if self.skip() == close {
+            self.close(open)?;
+            return self.part(Expr::Binary(op, left, right), start);
+        }
         if let Some(lost) = self.lost_comparison(alarm) {
             return Err(lost);
         }

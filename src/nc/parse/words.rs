@@ -129,8 +129,8 @@ impl<'a> Reader<'a> {
 
     fn words(&mut self) -> Read<Stmt> {
         let first = self.deck.words.len();
-        // Bits of the letters: all, those that stand twice, those of numbers with a point.
-        let (mut seen, mut twice, mut pointed) = (0_u32, 0_u32, 0_u32);
+        // Bits of the letters.
+        let mut seen = 0_u32;
         let mut calls = false;
         loop {
             let byte = self.skip();
@@ -148,31 +148,24 @@ impl<'a> Reader<'a> {
             }
             self.at += 1;
             let value = self.value(start, letter)?;
-            let bit = 1 << (letter & 31);
-            twice |= seen & bit;
-            seen |= bit;
-            if let WordValue::Number(number) = value {
-                if number.point {
-                    pointed |= bit;
-                }
-                match letter {
-                    b'G' => calls |= self.g_code(number, start),
-                    b'M' => calls |= self.m_code(number, start),
-                    _ => {}
-                }
+            seen |= 1 << (letter & 31);
+            match (letter, value) {
+                (b'G', WordValue::Number(number)) => calls |= self.g_code(number, start),
+                (b'M', WordValue::Number(number)) => calls |= self.m_code(number, start),
+                _ => {}
             }
             let len = (self.at - start).min(u8::MAX as usize) as u8;
             self.deck.words.push(Word { letter, len, offset: start as u16, value });
         }
+        let count = self.deck.words.len() - first;
         let tables = self.tables;
-        let (odd, twice, pointed) = (seen & !tables.letters, twice & tables.once, pointed & tables.whole);
+        let twice = tables.once != 0 && count > seen.count_ones() as usize;
         if calls {
             self.check_call(first);
-        } else if (odd | twice | pointed | seen & tables.corners) != 0 {
-            self.faulty_words(first, odd, twice, pointed);
+        } else if (seen & !tables.letters | seen & (tables.whole | tables.corners)) != 0 || twice {
+            self.check_words(first);
             self.corner(first);
         }
-        let count = self.deck.words.len() - first;
         if count > self.tables.most_words {
             let start = self.deck.words.get(first + self.tables.most_words).map_or(0, |word| word.offset as usize);
             let message = msg!("nc.too-many-words", self.tables.most_words as u32);
@@ -183,20 +176,24 @@ impl<'a> Reader<'a> {
 
     /// Reports the first word of each letter that is no address here, the second word of each letter that may stand only once, and
     /// the numbers that must not have a point.
-    #[cold]
-    fn faulty_words(&mut self, first: usize, mut odd: u32, twice: u32, pointed: u32) {
-        let mut seen = 0_u32;
+    fn check_words(&mut self, first: usize) {
+        let (mut seen, mut twice) = (0_u32, 0_u32);
         for at in first..self.deck.words.len() {
             let Some(word) = self.deck.words.get(at).copied() else { break };
             let (bit, start) = (1 << (word.letter & 31), word.offset as usize);
             let end = start + word.len as usize;
-            if odd & bit != 0 {
-                odd &= !bit;
+            // A skip in the middle of the block is no letter.
+            if word.letter == b'/' {
+                continue;
+            }
+            if self.tables.letters & bit == 0 && seen & bit == 0 {
                 self.odd_letter(word.letter, start);
-            } else if seen & twice & bit != 0 {
+            } else if self.tables.once & seen & bit & !twice != 0 {
+                twice |= bit;
                 let letter = (word.letter as char).to_string();
                 self.report(Alarm::AddressTwice, start, end, msg!("nc.address-twice", letter));
-            } else if let (true, WordValue::Number(number @ Dec { point: true, .. })) = (pointed & bit != 0, word.value)
+            } else if let WordValue::Number(number @ Dec { point: true, .. }) = word.value
+                && self.tables.whole & bit != 0
             {
                 self.needless_point(word.letter, number, start, end);
             }
@@ -286,12 +283,6 @@ impl<'a> Reader<'a> {
     #[inline]
     fn value(&mut self, start: usize, letter: u8) -> Read<WordValue> {
         let mut next = self.skip();
-        if matches!(next, b'=' | b'O' | b'o') {
-            if let Some(value) = self.odd_value(start, next) {
-                return Ok(value);
-            }
-            next = self.skip();
-        }
         let mut sign = 1;
         let value_at = self.at;
         if matches!(next, b'-' | b'+') {
@@ -322,16 +313,8 @@ impl<'a> Reader<'a> {
                     return Ok(WordValue::Number(number));
                 }
             }
-        } else if !next.is_ascii() {
-            return Err(self.unexpected());
         } else if !matches!(next, b'#' | b'[' | b'-' | b'+' | b'(') && !self.function_ahead() {
-            // The address alone: X, or the start of a word that is none.
-            self.at = start;
-            if self.keyword_ahead() {
-                return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), false));
-            }
-            let message = msg!("nc.no-value", (letter as char).to_string());
-            return Err(self.failure(Alarm::NoNumber, start, start + 1, message, true));
+            return self.no_value(start, letter, next);
         }
         let value = self.formula(true)?;
         while self.skip() == b'.' {
@@ -340,12 +323,33 @@ impl<'a> Reader<'a> {
         Ok(WordValue::Expr(value))
     }
 
+    /// What stands behind an address letter and starts no value.
+    #[cold]
+    fn no_value(&mut self, start: usize, letter: u8, next: u8) -> Read<WordValue> {
+        match next {
+            b'=' => {
+                self.equals_in_word();
+                return self.value(start, letter);
+            }
+            b'O' | b'o' if self.zero_behind_letter(start) => return Ok(WordValue::Number(Dec::int(0))),
+            byte if !byte.is_ascii() => return Err(self.unexpected()),
+            _ => {}
+        }
+        // The address alone: X, or the start of a word that is none.
+        self.at = start;
+        if self.keyword_ahead() {
+            return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), false));
+        }
+        let message = msg!("nc.no-value", (letter as char).to_string());
+        Err(self.failure(Alarm::NoNumber, start, start + 1, message, true))
+    }
+
     /// An unsigned number; the reader stands at a digit or a point.
     #[inline]
     pub(super) fn digits(&mut self) -> Read<Dec> {
         let start = self.at;
         let (mut mantissa, mut scale, mut point, mut full) = (0_i64, 0_u8, false, false);
-        let mut length = 0;
+        let (mut length, mut odd) = (0, false);
         for &byte in self.line.get(start..).unwrap_or_default() {
             let digit = byte.wrapping_sub(b'0');
             if digit < 10 {
@@ -358,12 +362,13 @@ impl<'a> Reader<'a> {
             } else if byte == b'.' && !point {
                 point = true;
             } else {
+                odd = matches!(byte, b',' | b'O' | b'o');
                 break;
             }
             length += 1;
         }
         self.at += length;
-        if matches!(self.peek(), b',' | b'O' | b'o') {
+        if odd {
             self.odd_digit();
         }
         if length == usize::from(point) {

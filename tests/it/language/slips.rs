@@ -316,6 +316,11 @@ slips! {
                 Drop “=”: 1:6 "="→""
             = G00 X10.
         "#]];
+        "G00 X= = 10." => expect![[r#"
+            1:6 error P33|0101|004 The value stands directly behind its address, without “=”.
+                Drop “= =”: 1:6 "= ="→""
+            = G00 X 10.
+        "#]];
         "G00 X 10. Z" => expect![[r#"
             1:11 error P33|0003|005 The address Z has no value.
         "#]];
