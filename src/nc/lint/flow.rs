@@ -5,6 +5,7 @@ use super::roles::{END, RETURN, Roles};
 use super::words::{Facts, whole};
 use super::{Lint, NONE};
 use crate::controls::{Control, VarKind};
+use crate::order;
 
 /// A jump to a calculated sequence number: to any.
 pub(super) const ANY: u32 = NONE - 1;
@@ -49,7 +50,7 @@ impl<'a> Flow<'a> {
                 _ => {}
             }
         }
-        numbers.sort_unstable();
+        order::by_key(&mut numbers, |row| row.0);
         Flow { deck, control, roles, program: program as u32, blocks, base: row.first, numbers, partner }
     }
 

@@ -15,6 +15,7 @@ use super::ast::{Deck, ExprId};
 use super::parse::part_span;
 use super::parsed::Parsed;
 use crate::controls::Control;
+use crate::order;
 use crate::text::{Diagnostic, Message, Place, Span, Value};
 use flow::Flow;
 use roles::Roles;
@@ -46,7 +47,7 @@ pub fn review(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnosti
         return found;
     }
     let mut numbers: Vec<(u64, usize)> = deck.programs.iter().map(|row| row.number.into()).zip(0..).collect();
-    numbers.sort_unstable();
+    order::by_key(&mut numbers, |row| row.0);
     let mut lint = Lint { parsed, deck, control: parsed.control(), start, set, numbers, found };
     let roles = Roles::new(lint.control, parsed.calls());
     let facts = words::survey(&mut lint, &roles);

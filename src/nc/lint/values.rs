@@ -8,6 +8,7 @@ use super::{Lint, NONE};
 use crate::controls::macros::{ARGUMENT, VacantWord};
 use crate::controls::syntax::Function;
 use crate::controls::{Alarm, VarKind};
+use crate::order;
 use crate::text::Severity;
 
 /// Rounds in which assignments may hand their kinds on; each round is one look at every assignment.
@@ -218,7 +219,7 @@ impl Vars<'_> {
 
     /// Variables that the operator is to set, in one remark where the first of them is read.
     fn entries(&self, lint: &mut Lint, mut unset: Vec<(u64, usize)>) {
-        unset.sort_unstable();
+        order::by_key(&mut unset, |row| row.0);
         let mut names = String::new();
         let mut first = (NONE, ExprId(NONE));
         for (count, &(_, slot)) in unset.iter().enumerate() {
