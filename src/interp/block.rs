@@ -66,7 +66,8 @@ impl State {
     /// Runs a block of words.
     pub(super) fn words(&mut self, cx: &mut Cx, at: u32, block: &Block, words: &[Word]) -> Run<()> {
         let surface = self.modal.surface.then(|| self.surface_zero(cx));
-        let codes = self.codes(cx, block, words)?;
+        let mut codes = Codes { count: words.len(), ..Codes::default() };
+        self.codes(cx, block, words, &mut codes)?;
         let words = words.get(..codes.count).unwrap_or(words);
         if let Some(call) = self.modal_call.as_ref().filter(|call| call.each_block).map(Rc::clone)
             && codes.special != Some(Code::MacroModalEnd)
@@ -93,7 +94,8 @@ impl State {
                 }
             }
         }
-        let values = self.values(cx, block, words, &codes)?;
+        let mut values = Words::default();
+        self.values(cx, block, words, &codes, &mut values)?;
         self.speed(cx, &codes, values.speed, surface);
         if let Some(sign) = codes.spindle {
             self.queue.push(Canon::SpindleDirection { sign });
@@ -217,13 +219,12 @@ impl State {
 
     /// Puts the codes of a block in force.
     #[inline]
-    fn codes(&mut self, cx: &mut Cx, block: &Block, words: &[Word]) -> Run<Codes> {
-        let mut codes = Codes { count: words.len(), ..Codes::default() };
+    fn codes(&mut self, cx: &mut Cx, block: &Block, words: &[Word], codes: &mut Codes) -> Run<()> {
         for (at, word) in words.iter().enumerate() {
             match word.letter {
                 b'G' => {
                     let Some(number) = self.code_number(cx, block, word)? else { continue };
-                    if !cx.shared.rules.calls.is_empty() && self.calls(cx, word.letter, number, at, &mut codes) {
+                    if !cx.shared.rules.calls.is_empty() && self.calls(cx, word.letter, number, at, codes) {
                         continue;
                     }
                     let Some(row) = cx.shared.index.code(cx.control, b'G', number) else {
@@ -231,11 +232,11 @@ impl State {
                         let trap = Trap::alarm(Alarm::UnknownCode, msg!("interp.unknown-code", written));
                         return Err(trap.within(word_span(block, word)));
                     };
-                    self.g_code(cx, row, at, &mut codes);
+                    self.g_code(cx, row, at, codes);
                 }
                 // Behind a macro call it is an argument.
-                b'M' if codes.special.is_some() && macro_kind(&codes).is_some() => codes.mixed |= mixes(cx, word),
-                b'M' => self.m_word(cx, block, word, at, &mut codes)?,
+                b'M' if codes.special.is_some() && macro_kind(codes).is_some() => codes.mixed |= mixes(cx, word),
+                b'M' => self.m_word(cx, block, word, at, codes)?,
                 b'/' if self.skips(cx, word) => {
                     codes.count = at;
                     break;
@@ -243,7 +244,7 @@ impl State {
                 _ => {}
             }
         }
-        Ok(codes)
+        Ok(())
     }
 
     /// Whether an optional block skip in the middle of a block is switched on.
@@ -309,8 +310,7 @@ impl State {
 
     /// Reads the values of a block; F stays in force.
     #[inline]
-    fn values(&mut self, cx: &mut Cx, block: &Block, words: &[Word], codes: &Codes) -> Run<Words> {
-        let mut values = Words::default();
+    fn values(&mut self, cx: &mut Cx, block: &Block, words: &[Word], codes: &Codes, values: &mut Words) -> Run<()> {
         let inch = self.modal.inch;
         let thread = self.modal.motion == Code::Thread;
         for word in words {
@@ -324,7 +324,9 @@ impl State {
                 if let (Some(value), false) = (self.dimension(cx, block, word, inch)?, yields) {
                     values.axes[axis] = value;
                     values.mask |= bit;
-                    values.incremental = values.incremental & !bit | u8::from(incremental) << axis;
+                    if incremental || values.incremental != 0 {
+                        values.incremental = values.incremental & !bit | u8::from(incremental) << axis;
+                    }
                 }
             } else {
                 match letter {
@@ -372,7 +374,7 @@ impl State {
                 }
             }
         }
-        Ok(values)
+        Ok(())
     }
 }
 

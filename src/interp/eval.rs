@@ -121,8 +121,13 @@ fn out_of_range(large: bool) -> Trap {
 }
 
 /// The value of an operator between two numbers. Comparisons give 1 or 0.
-#[inline]
 pub(super) fn operate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
+    calculate(cx, op, a, b)
+}
+
+/// The same in the midst of a formula.
+#[inline(always)]
+fn calculate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
     match op {
         Op::Add => in_range(cx, a + b),
         Op::Subtract => in_range(cx, a - b),
@@ -153,25 +158,49 @@ fn truth(x: bool) -> Run<f64> {
 }
 
 impl State {
-    /// The value of an expression; vacant where it is nothing but a vacant variable.
+    /// The value of an expression; vacant where it is nothing but a vacant variable. An alarm is about the part that has no value.
+    pub(super) fn value(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
+        match self.part(cx, id) {
+            Err(trap @ Trap::Alarm(_)) => Err(self.blame(cx, id, trap)),
+            value => value,
+        }
+    }
+
+    /// The value of a part of an expression.
     ///
     /// It goes as deep as the formula does; the parser takes formulas of a few hundred parts at most.
-    pub(super) fn value(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
+    fn part(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
         match cx.deck.expr(id) {
             Expr::Number(dec) => Ok(dec.to_f64()),
-            Expr::Var(number) => self.read(cx, number).map_err(|trap| trap.part(id)),
-            Expr::Binary(op, left, right) => self.binary(cx, op, left, right).map_err(|trap| trap.part(id)),
+            Expr::Var(number) => self.read(cx, number),
+            Expr::Binary(op, left, right) => self.binary(cx, op, left, right),
             Expr::Indirect(number) => {
-                let number = self.value(cx, number)?;
-                variable_number(number).and_then(|number| self.read(cx, number)).map_err(|trap| trap.part(id))
+                let number = self.part(cx, number)?;
+                self.read(cx, variable_number(number)?)
             }
             Expr::Negate(x) => {
                 // A vacant variable with a sign stays vacant: `X-#1` is dropped as `X#1` is.
-                Ok(-self.value(cx, x)?)
+                Ok(-self.part(cx, x)?)
             }
             Expr::Call(name, x) => {
-                let x = self.value(cx, x)?;
-                function(cx, name, or_zero(x)).map_err(|trap| trap.part(id))
+                let x = self.part(cx, x)?;
+                function(cx, name, or_zero(x))
+            }
+        }
+    }
+
+    /// Finds the smallest part without a value: what it is made of has one.
+    #[cold]
+    fn blame(&self, cx: &mut Cx, mut id: ExprId, trap: Trap) -> Trap {
+        loop {
+            let parts = match cx.deck.expr(id) {
+                Expr::Number(_) | Expr::Var(_) => [None; 2],
+                Expr::Indirect(x) | Expr::Negate(x) | Expr::Call(_, x) => [Some(x), None],
+                Expr::Binary(_, left, right) => [Some(left), Some(right)],
+            };
+            match parts.into_iter().flatten().find(|part| self.part(cx, *part).is_err()) {
+                Some(part) => id = part,
+                None => return trap.part(id),
             }
         }
     }
@@ -191,21 +220,18 @@ impl State {
     }
 
     fn binary(&self, cx: &mut Cx, op: Op, left: ExprId, right: ExprId) -> Run<f64> {
-        let a = self.value(cx, left)?;
-        let b = self.value(cx, right)?;
-        if a.is_nan() != b.is_nan() && !cx.shared.rules.vacant_equals_zero {
-            // EQ and NE alone tell vacant from 0.
-            match op {
-                Op::Equal => return truth(false),
-                Op::NotEqual => return truth(true),
-                _ => {}
-            }
-        }
-        let (a, b) = (or_zero(a), or_zero(b));
+        let left = self.part(cx, left)?;
+        let divisor = right;
+        let right = self.part(cx, right)?;
+        let (a, b) = (or_zero(left), or_zero(right));
+        let tells = || left.is_nan() != right.is_nan() && !cx.shared.rules.vacant_equals_zero;
         match op {
-            Op::Divide if b == 0.0 => Err(self.division_by_zero(cx, right)),
-            Op::Modulo if b.round() == 0.0 => Err(self.division_by_zero(cx, right)),
-            op => operate(cx, op, a, b),
+            Op::Divide if b == 0.0 => Err(self.division_by_zero(cx, divisor)),
+            Op::Modulo if b.round() == 0.0 => Err(self.division_by_zero(cx, divisor)),
+            // EQ and NE alone tell vacant from 0.
+            Op::Equal if tells() => truth(false),
+            Op::NotEqual if tells() => truth(true),
+            op => calculate(cx, op, a, b),
         }
     }
 
