@@ -41,6 +41,8 @@ pub(super) struct ModalCall {
     pub(super) arguments: Rc<Locals>,
     /// G66.1: each block is a call, and nothing but a call.
     pub(super) each_block: bool,
+    /// A code put it in force.
+    by_code: bool,
     /// The modal call that was in force before: it acts within the macro, and again when this one ends.
     pub(super) outer: Option<Rc<ModalCall>>,
 }
@@ -199,7 +201,7 @@ impl State {
 
     /// A call by a modal call in force.
     pub(super) fn call_modal(&mut self, cx: &Cx, call: &ModalCall, arguments: Rc<Locals>) -> Run<()> {
-        self.call_macro(cx, (call.program, call.repeats), arguments, call.outer.clone(), false)
+        self.call_macro(cx, (call.program, call.repeats), arguments, call.outer.clone(), call.by_code)
     }
 
     /// `G65 P L arguments`, or `G66`, `G66.1` that put a call in force.
@@ -238,7 +240,7 @@ impl State {
         let arguments = Rc::new(arguments.locals);
         if matches!(kind, CallKind::Modal | CallKind::ModalBlock) {
             let (each_block, outer) = (kind == CallKind::ModalBlock, self.modal_call.take());
-            self.modal_call = Some(Rc::new(ModalCall { program, repeats, arguments, each_block, outer }));
+            self.modal_call = Some(Rc::new(ModalCall { program, repeats, arguments, each_block, by_code, outer }));
             return Ok(());
         }
         if cx.control.macros.call_ends_modal {
