@@ -139,6 +139,29 @@ impl Control {
         self.vars.get(at).filter(|row| row.first <= number)
     }
 
+    /// The word of the PLC that a bit stands in, and which bit of it that is, both as variables see them.
+    pub fn word_of_bit(&self, number: u32) -> Option<(u32, u32)> {
+        let at = self.vars.partition_point(|row| row.last < number);
+        let row = self.vars.get(at).filter(|row| row.first <= number)?;
+        // Rows of bits that follow one another go on through the same word.
+        let before = self.vars.get(..at)?.iter().rev();
+        let run = before.scan(row.first, |first, row| {
+            let joined = row.last + 1 == *first;
+            *first = row.first;
+            joined.then_some(row)
+        });
+        let first = run.take_while(|other| other.kind == row.kind).last().unwrap_or(row);
+        let word = self.vars.iter().find(|word| {
+            let fits = match row.kind {
+                VarKind::InputBit => matches!(word.kind, VarKind::InputWord(_)),
+                VarKind::OutputBit => matches!(word.kind, VarKind::OutputWord(_)),
+                _ => false,
+            };
+            fits && word.device == first.device
+        })?;
+        Some((word.first, number - first.first))
+    }
+
     /// Index of an axis letter in `axes`.
     pub fn axis(&self, letter: u8) -> Option<usize> {
         self.axes.iter().position(|axis| axis.letter == letter)

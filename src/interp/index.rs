@@ -73,7 +73,7 @@ pub(super) struct Index {
 /// Whether values of these variables are kept by the interpreter.
 fn is_stored(kind: VarKind) -> bool {
     use VarKind::*;
-    matches!(kind, Common | Retained | OutputBit | OutputWord(_) | Kept | SuppressSingleBlock | SuppressOverride)
+    matches!(kind, Common | Retained | OutputWord(_) | Kept | SuppressSingleBlock | SuppressOverride)
 }
 
 fn code_table(control: &Control, letter: u8) -> Vec<u16> {

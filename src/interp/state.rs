@@ -156,7 +156,7 @@ impl State {
         for (at, row) in shared.control.vars.iter().enumerate() {
             let kept = match row.kind {
                 Common => !shared.rules.clear_common,
-                Retained | Kept | OutputBit | OutputWord(_) => true,
+                Retained | Kept | OutputWord(_) => true,
                 _ => false,
             };
             for number in row.first..=row.last {

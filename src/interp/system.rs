@@ -30,14 +30,16 @@ impl State {
         let millimetres = |increments: i64| increments as f64 / cx.shared.units.per_unit;
         let value = match row.kind {
             VarKind::Vacant | VarKind::Local | VarKind::Common | VarKind::Retained => VACANT,
-            VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord => {
+            VarKind::InputBit if finite_or_zero(cx.world.input(number)) != 0.0 => 1.0,
+            // A bit of the register that a word shows too.
+            VarKind::InputBit | VarKind::OutputBit => match cx.control.word_of_bit(number) {
+                Some((word, bit)) => (self.read(cx, word)? as i64 >> bit & 1) as f64,
+                None => 0.0,
+            },
+            VarKind::InputWord(_) | VarKind::ExchangeWord => {
                 fit(row.width(number), finite_or_zero(cx.world.input(number)))
             }
-            VarKind::OutputBit
-            | VarKind::OutputWord(_)
-            | VarKind::Kept
-            | VarKind::SuppressSingleBlock
-            | VarKind::SuppressOverride => {
+            VarKind::OutputWord(_) | VarKind::Kept | VarKind::SuppressSingleBlock | VarKind::SuppressOverride => {
                 // These have a value from the start.
                 let slot = cx.shared.index.stored_at(row, at as usize, number);
                 slot.map_or(0.0, |slot| zero_if_vacant(self.vars.common(slot)))
@@ -120,7 +122,15 @@ impl State {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
         let slot = cx.shared.index.stored_at(row, at as usize, number);
         match row.kind {
-            VarKind::OutputBit | VarKind::OutputWord(_) | VarKind::ExchangeWord => {
+            VarKind::OutputBit => {
+                let on = value.round() != 0.0;
+                if let Some((word, bit)) = cx.control.word_of_bit(number) {
+                    let others = self.read(cx, word)? as i64 & !(1 << bit);
+                    self.store(cx, word, others | i64::from(on) << bit);
+                }
+                self.queue.push(Canon::Output { variable: number, value: f64::from(u8::from(on)) });
+            }
+            VarKind::OutputWord(_) | VarKind::ExchangeWord => {
                 let value = fit(row.width(number), value.round());
                 if let Some(slot) = slot {
                     self.vars.set_common(slot, value);
@@ -198,6 +208,18 @@ impl State {
     }
 }
 
+impl State {
+    /// Puts the bits of a word of the PLC into its store.
+    fn store(&mut self, cx: &Cx, word: u32, bits: i64) {
+        let Slot::Row(at) = cx.shared.index.slot(cx.control, word) else { return };
+        let Some(row) = cx.control.vars.get(at as usize) else { return };
+        let value = if row.width(word) == Some(Width::Long) { f64::from(bits as i32) } else { f64::from(bits as i16) };
+        if let Some(slot) = cx.shared.index.stored_at(row, at as usize, word) {
+            self.vars.set_common(slot, value);
+        }
+    }
+}
+
 fn zero_if_vacant(x: f64) -> f64 {
     if x.is_nan() { 0.0 } else { x }
 }
@@ -207,12 +229,10 @@ fn finite_or_zero(x: f64) -> f64 {
     if x.is_finite() { x } else { 0.0 }
 }
 
-/// What a word of the PLC can hold of a value, or a bit (`None`).
+/// What a word of the PLC can hold of a value.
 fn fit(width: Option<Width>, x: f64) -> f64 {
-    match width.map(Width::range) {
-        Some((least, most)) => math::clamp(x, least, most),
-        None => f64::from(u8::from(x != 0.0)),
-    }
+    let (least, most) = width.unwrap_or(Width::Long).range();
+    math::clamp(x, least, most)
 }
 
 /// The alarm that a program raises; the comment of the block is its message.

@@ -404,3 +404,19 @@ fn codes_that_call_macros_are_parameters() {
     let list = "#7201=200 #7202=1 #7203=9010 #7011=80 #7013=9011 #7021=81 #7022=3 #7023=9012";
     assert_eq!(calls("mitsubishi-e60", list), ["G200 Macro 9010", "M80 Sub 9011", "M81 ModalBlock 9012"]);
 }
+
+#[test]
+fn each_bit_stands_in_a_word() {
+    for control in ALL {
+        for row in control.vars.iter().filter(|row| matches!(row.kind, VarKind::InputBit | VarKind::OutputBit)) {
+            let at = |number: u32| control.word_of_bit(number);
+            let (word, bit) = at(row.first).unwrap();
+            assert_eq!(at(row.last), Some((word, bit + row.last - row.first)), "{} #{}", control.id, row.last);
+        }
+    }
+    assert_eq!(e60().word_of_bit(1000), Some((1032, 0)));
+    assert_eq!(e60().word_of_bit(1031), Some((1032, 31)));
+    assert_eq!(e60().word_of_bit(1116), Some((1132, 16)));
+    assert_eq!(gsk().word_of_bit(1107), Some((1132, 7)));
+    assert_eq!(knd().word_of_bit(1132), None);
+}
