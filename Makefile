@@ -31,6 +31,18 @@ bench: ## benchmarks, native and in wasm; each ends in lines `summary: …`
 	cargo bench --locked --bench interp --bench parse --bench plan --bench run
 	node scripts/both.mjs
 
+# How long each fuzz target runs.
+FUZZ_SECONDS ?= 900
+
+.PHONY: fuzz
+fuzz: ## parser and interpreter on bytes that try to break them, 15 minutes each (FUZZ_SECONDS=…)
+	@scripts/setup.sh fuzz
+	cargo fuzz run -s none parser fuzz/corpus/parser $(FUZZ_SEEDS) -- $(FUZZ_FLAGS)
+	cargo fuzz run -s none interpreter fuzz/corpus/interpreter $(FUZZ_SEEDS) -- $(FUZZ_FLAGS)
+
+FUZZ_SEEDS = $(wildcard tests/data/programs/*/ok tests/data/programs/*/bad)
+FUZZ_FLAGS = -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -timeout=20 -dict=fuzz/nc.dict -print_final_stats=1
+
 .PHONY: dist
 dist: ## the static site in dist/
 	@scripts/setup.sh target tools node

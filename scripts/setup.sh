@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser]`.
+# Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser] [fuzz]`.
 #
 # Every version stands once, where the tool that needs it reads it: Trunk's in Trunk.toml, wasm-bindgen's in Cargo.lock
-# (Trunk and the test runner refuse any other), the npm packages' in package-lock.json.
+# (Trunk and the test runner refuse any other), the npm packages' in package-lock.json. Only cargo-fuzz has nobody who reads it but this.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -58,6 +58,12 @@ node() {
   [ node_modules/.package-lock.json -nt package-lock.json ] && return
   npm ci --no-audit --no-fund
   touch node_modules/.package-lock.json
+}
+
+# libFuzzer is C++.
+fuzz() {
+  packages c++:g++
+  tool cargo-fuzz 0.13.2 cargo-fuzz
 }
 
 # The fonts are for the screenshots and measures of Chinese text, which would be empty boxes without.
