@@ -128,6 +128,11 @@ proptest! {
     }
 
     #[test]
+    fn any_text_is_read_and_written_without_loss(text in "\\PC{0,80}") {
+        controls::ALL.iter().for_each(|control| laws::reading(control, &text));
+    }
+
+    #[test]
     fn bytes_are_read_and_written_without_loss(bytes in bytes()) {
         controls::ALL.iter().for_each(|control| laws::reading(control, &String::from_utf8_lossy(&bytes)));
     }

@@ -1,7 +1,6 @@
 //! Programs run: canonical logs of the fixtures of every control, and alarms at their places.
 
 mod coverage;
-mod random;
 mod running;
 
 use std::fmt::Write as _;

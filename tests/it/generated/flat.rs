@@ -163,7 +163,7 @@ impl Writer {
             Canon::Arc { to, plane, center, clockwise, feed, exact } => {
                 self.arc(to, *plane, *center, *clockwise, self.cutting(Code::PlaneXy, *feed, *exact))
             }
-            Canon::Dwell { seconds } => format!("{} X{seconds:.6}", self.g(Code::Dwell)),
+            Canon::Dwell { seconds } => format!("{} X{seconds:?}", self.g(Code::Dwell)),
             Canon::Preset { to } => {
                 let mut text = self.g(Code::SetCoordinates);
                 for (k, axis) in self.control.axes.iter().enumerate().filter(|(k, _)| to.mask & 1 << k != 0) {
@@ -207,7 +207,7 @@ impl Writer {
             Feed::PerRevolution(feed) => (Code::FeedPerRevolution, feed),
         };
         let once = if exact { self.g(Code::ExactStopOnce) } else { String::new() };
-        format!("{} F{feed:.6} {once} {}", self.g(unit), self.g(code))
+        format!("{} F{feed:?} {once} {}", self.g(unit), self.g(code))
     }
 
     fn go(&mut self, code: &str, to: &Target, incremental: bool) -> String {

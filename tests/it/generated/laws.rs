@@ -9,7 +9,7 @@ use macroline::motion::{Keep, Limits, Panel};
 use macroline::nc::{self, Files, Parsed};
 use macroline::project::run::{Begin, of_programs, to_end};
 use macroline::project::told::Teller;
-use macroline::text::Span;
+use macroline::text::{Diagnostic, Span};
 
 use super::dice::Dice;
 
@@ -30,7 +30,8 @@ pub(crate) fn reading(control: &'static Control, text: &str) {
         assert!(block.span.start >= at && !block.span.of(text).is_empty(), "blocks follow one another: {block:?}");
         at = block.span.end;
     }
-    told(&parsed, text);
+    told(&parsed, parsed.diagnostics(), text);
+    told(&parsed, &nc::review(&parsed, None, &[]), text);
     let mut at = 0;
     for (span, _) in nc::tokens(text, control) {
         assert!(span.start >= at && !span.of(text).is_empty(), "pieces follow one another: {span:?}");
@@ -41,9 +42,9 @@ pub(crate) fn reading(control: &'static Control, text: &str) {
 }
 
 /// Findings have places in the text, sentences without gaps, and fixes that fit.
-fn told(parsed: &Parsed, text: &str) {
+fn told(parsed: &Parsed, findings: &[Diagnostic], text: &str) {
     let teller = Teller::new(parsed.files());
-    for finding in parsed.diagnostics() {
+    for finding in findings {
         let place = finding.place.expect("a finding about a program has a place");
         assert!(text.get(place.span.start as usize..place.span.end as usize).is_some(), "{finding:?}");
         assert!(!teller.text(finding).contains('\u{0}'));
