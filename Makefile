@@ -80,7 +80,7 @@ lint:
 
 .PHONY: lint-web
 lint-web:
-	cargo clippy --locked $(WEB) --lib --bin app --test web --test parity -- -D warnings
+	cargo clippy --locked $(WEB) --lib --bin app --bin worker --test web --test parity -- -D warnings
 
 .PHONY: test-native
 test-native: ## native tests

@@ -1,4 +1,4 @@
-//! Browser app: reports a panic and shows the page, or works for it in a worker.
+//! Browser app: reports a panic and shows the page.
 
 use macroline::ui;
 
@@ -7,10 +7,5 @@ fn main() {
         web_sys::console::error_1(&panic.to_string().into());
         ui::broken(&panic.to_string());
     }));
-    // The same module also runs in workers (style/worker_boot.js), which have no page to show.
-    if web_sys::window().is_some() {
-        leptos::mount::mount_to_body(ui::App);
-    } else {
-        ui::work();
-    }
+    leptos::mount::mount_to_body(ui::App);
 }

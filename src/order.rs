@@ -3,13 +3,17 @@
 use std::borrow::Borrow;
 use std::collections::BinaryHeap;
 
+/// Pairs in rising order.
+pub fn pairs(items: Vec<(u64, usize)>) -> Vec<(u64, usize)> {
+    if items.is_sorted() { items } else { BinaryHeap::from(items).into_sorted_vec() }
+}
+
 /// Sorts by the key; what has the same key stays in the order it was.
 pub fn by_key<T>(items: &mut Vec<T>, key: impl Fn(&T) -> u64) {
     if items.is_sorted_by_key(&key) {
         return;
     }
-    let order: BinaryHeap<(u64, usize)> = items.iter().enumerate().map(|(at, item)| (key(item), at)).collect();
-    let order = order.into_sorted_vec();
+    let order = pairs(items.iter().enumerate().map(|(at, item)| (key(item), at)).collect());
     let mut taken: Vec<Option<T>> = items.drain(..).map(Some).collect();
     items.extend(order.iter().filter_map(|&(_, at)| taken[at].take()));
 }

@@ -1,5 +1,4 @@
-// Starts the same module in a worker. The file names come through the worker's name, `<js> <wasm>`, because they carry a
-// hash that only the page knows: new Worker('worker_boot.js', { type: 'module', name: `${js} ${wasm}` }).
-const [js, wasm] = self.name.split(' ');
-const { default: init } = await import(new URL(js, import.meta.url));
-await init({ module_or_path: new URL(wasm, import.meta.url) });
+// Starts the module that works for the page, in a worker. The page's own module names its hash, which comes as the worker's name, so that
+// no older one is taken from a cache: new Worker('worker_boot.js', { type: 'module', name: hash }).
+const { default: init } = await import(`./worker.js?${self.name}`);
+await init({ module_or_path: new URL(`worker_bg.wasm?${self.name}`, import.meta.url) });

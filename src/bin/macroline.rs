@@ -31,7 +31,7 @@ mod native {
     use macroline::project::silence::silence;
     use macroline::project::told::{Teller, summary};
     use macroline::project::{Project, list, saved};
-    use macroline::text::catalog::{self, Language};
+    use macroline::text::catalog;
     use macroline::text::{Diagnostic, Severity};
 
     /// Sizes special CNC machines, writes their macro programs and runs that very text.
@@ -277,7 +277,7 @@ mod native {
 
     fn export(path: &Path, out: &Path) -> Result<(), Failure> {
         let (project, mut diagnostics) = project(path)?;
-        let export = project.export();
+        let export = project.export_with(&project.warnings(&project.written()));
         diagnostics.extend(export.diagnostics);
         tell(&export.about, &diagnostics);
         verdict(&diagnostics)?;
@@ -320,7 +320,9 @@ mod native {
                 project.switches = switched(project.switches, settings, project.control)?;
                 diagnostics.extend(project.design().diagnostics);
                 let written = project.written();
+                diagnostics.extend(project.warnings(&written));
                 diagnostics.extend(written.diagnostics);
+                Diagnostic::in_order(&mut diagnostics);
                 silenced.extend(project.silenced);
                 (written.files, diagnostics)
             }
@@ -342,8 +344,7 @@ mod native {
 
     /// Ids of warnings that there are.
     fn known(ids: &[String]) -> Result<Vec<String>, Failure> {
-        let rows = || catalog::areas(Language::English).iter().flat_map(|rows| rows.iter());
-        match ids.iter().find(|id| rows().all(|row| row.0 != *id)) {
+        match ids.iter().find(|id| catalog::id(id).is_none()) {
             Some(id) => Err(Failure::Usage(format!(
                 "--silence: there is no warning “{id}”; each shows its id in brackets, for instance lint.unreachable"
             ))),
@@ -426,6 +427,8 @@ mod native {
             found.extend(project.design().diagnostics);
             let written = project.written();
             found.extend(written.diagnostics.iter().cloned());
+            found.extend(project.warnings(&written));
+            Diagnostic::in_order(&mut found);
             silenced.extend(project.silenced.iter().cloned());
             let run = run::of_project(&project, &written, &begin);
             return Ok(Prepared { run, files: written.files.clone(), switches: project.switches, found, silenced });

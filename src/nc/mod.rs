@@ -24,7 +24,7 @@ pub use dec::Dec;
 pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
 pub use files::{File, Files};
 pub use fix::fix;
-pub use lint::review;
+pub use lint::{review, warnings};
 pub use lower::lower;
 pub use parse::{Formula, formula, parse, parse_with, part_span};
 pub use parsed::Parsed;

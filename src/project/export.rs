@@ -22,18 +22,25 @@ pub struct Export {
 impl Project {
     /// The files that go to the machine. Verdicts are in the report and do not stand in the way; errors do.
     pub fn export(&self) -> Export {
+        self.export_with(&[])
+    }
+
+    /// The same with [`warnings`](Project::warnings) about the program, which are told, and written in the report.
+    pub fn export_with(&self, warnings: &[Diagnostic]) -> Export {
         let design = self.design();
-        let mut written = self.written();
-        silence(&mut written.diagnostics, &self.silenced);
+        let written = self.written();
+        let mut found = written.diagnostics;
+        found.extend_from_slice(warnings);
+        Diagnostic::in_order(&mut found);
+        silence(&mut found, &self.silenced);
         let mut diagnostics = design.diagnostics.clone();
         silence(&mut diagnostics, &self.silenced);
-        diagnostics.extend(written.diagnostics.iter().cloned());
+        diagnostics.extend(found.iter().cloned());
         let mut files = Vec::new();
         if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
             files.extend(written.files.0.iter().cloned());
             let sheets = self.machine.sheets(&self.values, self.on());
-            let told =
-                report(self.machine, &self.name, (&self.values, &self.provenance), self.on(), &written.diagnostics);
+            let told = report(self.machine, &self.name, (&self.values, &self.provenance), self.on(), &found);
             files.push(File { name: "report.md".to_owned(), text: view::report::markdown(&told, Language::English) });
             for sheet in sheets {
                 files.push(File {

@@ -13,7 +13,7 @@ pub struct Written {
     pub files: Files,
     /// The same text read again; everything that runs comes from here.
     pub parsed: Rc<Parsed>,
-    /// What was wrong with writing and reading it, and what a senior programmer would say; what is silenced too.
+    /// What was wrong with writing and reading it.
     pub diagnostics: Vec<Diagnostic>,
     /// Whether the text is the user's own and no longer follows the form.
     pub edited: bool,
@@ -36,13 +36,17 @@ impl Project {
             }
         };
         let parsed = Rc::new(nc::parse_with(&files, self.control, &self.switches));
+        diagnostics.extend(parsed.diagnostics().iter().cloned());
         let has = |number: u32| parsed.deck().program(number).is_some();
         // Edited text may hold other programs: then the first one runs, and nothing is set up.
         let first = parsed.deck().programs.first().map_or(0, |program| program.number);
         let (setup, main) =
             if has(plan.main) { (if has(plan.setup) { plan.setup } else { 0 }, plan.main) } else { (0, first) };
-        let set = run::set_by_operator(&[], &self.panel);
-        diagnostics.extend(nc::review(&parsed, Some(main), &set));
         Written { files, parsed, diagnostics, edited: self.edited.is_some(), setup, main }
+    }
+
+    /// What a senior programmer would say of the program. What is silenced too.
+    pub fn warnings(&self, written: &Written) -> Vec<Diagnostic> {
+        nc::warnings(&written.parsed, Some(written.main), &run::set_by_operator(&[], &self.panel))
     }
 }

@@ -3,31 +3,18 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use leptos::prelude::*;
 use leptos::wasm_bindgen::closure::Closure;
 use leptos::wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_futures::JsFuture;
-use web_sys::{
-    Blob, DedicatedWorkerGlobalScope, File, HtmlDialogElement, MessageEvent, Worker, WorkerOptions, WorkerType,
-};
+use web_sys::{Blob, File, HtmlDialogElement, MessageEvent, Worker};
 
 use super::dom;
 use super::el::{El, button, el, icon_button};
-use super::listing::{SHOWN, count};
+use super::listing::SHOWN;
 use super::model::Model;
-use super::script::{get, object};
-use super::words::{figure, sign, t, tell, tone};
-use crate::nc::{self, Files};
-use crate::project::Project;
-use crate::project::silence::silence;
-use crate::text::LineIndex;
+use super::reviewer::{job, worker};
+use super::script::get;
+use super::words::{figure, t};
 use crate::text::catalog::number_text;
-
-/// Findings that are listed at most.
-const LISTED: usize = 200;
-
-/// Bytes that are read in one go, between two reports of progress.
-const PIECE: f64 = 4_000_000.0;
 
 /// A text that is too large for the page.
 pub(super) enum Source {
@@ -77,14 +64,13 @@ pub(super) fn check(model: Model, source: Source) {
             (t("page.pasted").to_owned(), blob)
         }
     };
-    let Some(worker) = start() else {
+    let Some(worker) = worker() else {
         model.notify("fail", t("page.no-worker").to_owned());
         return;
     };
     let all = blob.size();
-    // The project says for which control, with which switches, and what it silences.
-    let project = Project { edited: None, ..model.project.get_untracked() }.to_json();
-    let waiting = RefCell::new(Some(object([("blob", blob.into()), ("project", project.into())])));
+    let job = model.project.with_untracked(|project| job(project, [("blob", blob.into())]));
+    let waiting = RefCell::new(Some(job));
     let asked = worker.clone();
     let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
         let data = event.data();
@@ -114,16 +100,6 @@ pub(super) fn check(model: Model, source: Source) {
     model.check.set(Some(Check { name, progress: (0.0, all), report: None, _worker: Some(job) }));
 }
 
-/// A worker that runs the same module as the page.
-fn start() -> Option<Worker> {
-    let script = document().query_selector("script[data-js]").ok().flatten()?;
-    let name = format!("{} {}", script.get_attribute("data-js")?, script.get_attribute("data-wasm")?);
-    let options = WorkerOptions::new();
-    options.set_type(WorkerType::Module);
-    options.set_name(&name);
-    Worker::new_with_options("worker_boot.js", &options).ok()
-}
-
 fn report(data: &JsValue) -> Report {
     let rows: js_sys::Array = get(data, "rows").unchecked_into();
     let text = |value: &JsValue, name: &str| get(value, name).as_string().unwrap_or_default();
@@ -133,64 +109,6 @@ fn report(data: &JsValue) -> Report {
         head: text(data, "head"),
         rows: rows.iter().map(|row| (text(&row, "tone"), text(&row, "text"))).collect(),
     }
-}
-
-/// What the module does in a worker: waits for a text, checks it, answers, for ever.
-pub fn work() {
-    let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
-    let answer = scope.clone();
-    let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
-        let (data, scope) = (event.data(), answer.clone());
-        // Not Leptos' own: that waits for a mounted page.
-        wasm_bindgen_futures::spawn_local(async move {
-            let project = get(&data, "project").as_string().unwrap_or_default();
-            let Some(project) = Project::from_json(&project).project else { return };
-            let text = read(&get(&data, "blob").unchecked_into(), &scope).await;
-            let _ = scope.post_message(&checked(text, &project));
-        });
-    });
-    scope.set_onmessage(Some(listener.as_ref().unchecked_ref()));
-    listener.forget();
-    let _ = scope.post_message(&object([("kind", "ready".into())]));
-}
-
-/// The text of a blob, read in pieces.
-async fn read(blob: &Blob, scope: &DedicatedWorkerGlobalScope) -> String {
-    let all = blob.size();
-    let mut bytes = Vec::with_capacity(all as usize);
-    let mut at = 0.0;
-    while at < all {
-        let Ok(piece) = blob.slice_with_f64_and_f64(at, at + PIECE) else { break };
-        let Ok(buffer) = JsFuture::from(piece.array_buffer()).await else { break };
-        bytes.extend(js_sys::Uint8Array::new(&buffer).to_vec());
-        at += PIECE;
-        let _ = scope.post_message(&object([("kind", "progress".into()), ("read", at.min(all).into())]));
-    }
-    String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
-}
-
-fn checked(text: String, project: &Project) -> JsValue {
-    let lines = LineIndex::new(&text);
-    let end = text.match_indices('\n').nth(SHOWN as usize - 1).map_or(text.len(), |(at, _)| at);
-    let head = text.get(..end).unwrap_or_default().to_owned();
-    let parsed = nc::parse_with(&Files::one("", text), project.control, &project.switches);
-    let mut found = nc::review(&parsed, None, &[]);
-    silence(&mut found, &project.silenced);
-    let rows = js_sys::Array::new();
-    for diagnostic in found.iter().take(LISTED) {
-        let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));
-        let alarm = diagnostic.alarm.as_deref().unwrap_or_default();
-        let text = format!("{} {line}: {alarm} {}", t("page.line"), tell(diagnostic));
-        rows.push(&object([("tone", tone(diagnostic.severity).into()), ("text", text.into())]));
-    }
-    let counts = count(&found).map(|(severity, count)| format!("{} {count}", sign(tone(severity)))).join("  ");
-    object([
-        ("kind", "report".into()),
-        ("lines", f64::from(lines.count()).into()),
-        ("counts", counts.into()),
-        ("head", head.into()),
-        ("rows", rows.into()),
-    ])
 }
 
 /// The dialog of a check.

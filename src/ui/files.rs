@@ -159,7 +159,8 @@ pub(super) fn export_dialog(model: Model) -> El {
     let export = Local::new(None::<Export>);
     let open = move || {
         if model.exporting.get() {
-            export.set(Some(model.project.with_untracked(Project::export)));
+            let warnings = model.warnings.get_untracked();
+            export.set(Some(model.project.with_untracked(|project| project.export_with(&warnings))));
             model.exporting.set(false);
             asked.set(true);
         }

@@ -40,6 +40,8 @@ mod program;
 
 mod results;
 
+mod reviewer;
+
 mod script;
 
 mod sheets;
@@ -55,6 +57,8 @@ mod transport;
 mod variables;
 
 mod words;
+
+mod work;
 
 use leptos::html;
 use leptos::prelude::*;
@@ -77,7 +81,7 @@ use words::{sign, t};
 
 use crate::motion::RunEnd;
 
-pub use checker::work;
+pub use work::work;
 
 /// The page.
 #[component]

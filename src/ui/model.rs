@@ -8,6 +8,7 @@ use super::checker::Check;
 use super::dom;
 use super::local::Local;
 use super::player::Player;
+use super::reviewer;
 use super::side::Tab;
 use super::store::{self, Kept};
 use crate::machines::Design;
@@ -57,6 +58,8 @@ pub(super) struct Model {
     pub written: Local<Rc<Written>>,
     /// What is said of the program: by writing and reading it, then by running it; without what is silenced.
     pub findings: Local<Vec<Diagnostic>>,
+    /// Warnings about a program of the user's own.
+    pub warnings: Local<Vec<Diagnostic>>,
     /// How many findings are silenced.
     pub silenced: Local<usize>,
     /// The drawing.
@@ -115,6 +118,7 @@ impl Model {
         let written = Local::new(written);
         let model = Model {
             findings: Local::new(Vec::new()),
+            warnings: Local::new(Vec::new()),
             silenced: Local::new(0),
             edited: Local::new(edited),
             machine: Local::new(machine),
@@ -142,6 +146,7 @@ impl Model {
             history: Local::new(History::default()),
         };
         store::keep(model);
+        reviewer::follow(model);
         Effect::new(move |_| {
             let mut found = model.found();
             model.silenced.put(model.project.with(|project| silence(&mut found, &project.silenced)));
@@ -152,6 +157,8 @@ impl Model {
 
     fn found(self) -> Vec<Diagnostic> {
         let mut found = self.written.with(|written| written.diagnostics.clone());
+        found.extend(self.warnings.get());
+        Diagnostic::in_order(&mut found);
         found.extend(self.player.findings());
         // What reading has found already is not told again by the run that stops there.
         run::once_each(&mut found);

@@ -257,6 +257,30 @@ test('an open point of the control is set, acts and is saved', () =>
     assert.equal(await base.inputValue(), 'R172');
   }));
 
+test('warnings about a pasted program come with their fixes, are silenced, and shown again', () =>
+  withPage(app, {}, async ({ page, requests }) => {
+    assert.ok(!requests.some((url) => url.includes('worker')), 'the page opens without what finds warnings');
+    const program = '%\nO1\nG91 G01 X8 F100\nM30\nX1.\nM30\n%\n';
+    await page.setInputFiles('#open', { name: 'O1.nc', mimeType: 'text/plain', buffer: Buffer.from(program) });
+    const says = page.locator('.says.warn');
+    await says.filter({ hasText: 'X8 is 0.008 mm' }).waitFor();
+    const unreachable = says.filter({ hasText: 'Nothing leads here' });
+    await unreachable.getByRole('button', { name: 'Silence' }).click();
+    await page.getByText('1 silenced.').waitFor();
+    assert.equal(await unreachable.count(), 0);
+    await accessible(page);
+    await page.waitForTimeout(500);
+    await page.reload();
+    await ready(page);
+    await says.filter({ hasText: 'X8 is 0.008 mm' }).waitFor();
+    assert.equal(await unreachable.count(), 0);
+    await page.getByRole('button', { name: 'Show again' }).click();
+    await unreachable.waitFor();
+    await page.getByRole('button', { name: 'Add the point: X8.' }).click();
+    await page.locator('.listing').getByText('X8.').waitFor();
+    await says.filter({ hasText: 'X8 is' }).waitFor({ state: 'detached' });
+  }));
+
 test('any bytes are answered, and a large file is read aside without the page waiting', () =>
   withPage(app, {}, async ({ page }) => {
     const junk = Buffer.from([0, 255, 37, 10, 71, 192, 40, 10, 123]);

@@ -50,7 +50,7 @@ impl<'a> Flow<'a> {
                 _ => {}
             }
         }
-        order::by_key(&mut numbers, |row| row.0);
+        let numbers = order::pairs(numbers);
         Flow { deck, control, roles, program: program as u32, blocks, base: row.first, numbers, partner }
     }
 

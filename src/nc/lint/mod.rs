@@ -35,20 +35,18 @@ struct Lint<'a> {
     set: &'a [u32],
     /// (program number, index of the program), sorted.
     numbers: Vec<(u64, usize)>,
+    /// How many are listed at most.
+    most: usize,
     found: Vec<Diagnostic>,
 }
 
-/// Everything that is said of read programs, in the order of the text: the reader's findings, and the warnings. `start` is the number
-/// of the program that is started, where somebody has said; `set` are variables that the operator sets.
-pub fn review(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
+/// The warnings, in the order of the text. `start` is the number of the program that is started, where somebody has said; `set` are
+/// variables that the operator sets.
+pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
     let deck = parsed.deck();
-    let found = parsed.diagnostics().to_vec();
-    if found.len() >= FINDINGS {
-        return found;
-    }
-    let mut numbers: Vec<(u64, usize)> = deck.programs.iter().map(|row| row.number.into()).zip(0..).collect();
-    order::by_key(&mut numbers, |row| row.0);
-    let mut lint = Lint { parsed, deck, control: parsed.control(), start, set, numbers, found };
+    let numbers = order::pairs(deck.programs.iter().map(|row| row.number.into()).zip(0..).collect());
+    let most = FINDINGS.saturating_sub(parsed.diagnostics().len());
+    let mut lint = Lint { parsed, deck, control: parsed.control(), start, set, numbers, most, found: Vec::new() };
     let roles = Roles::new(lint.control, parsed.calls());
     let facts = words::survey(&mut lint, &roles);
     facts.main_returns(&mut lint);
@@ -71,6 +69,14 @@ pub fn review(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnosti
     found
 }
 
+/// Everything that is said of read programs, in the order of the text: the reader's findings, and the [`warnings`].
+pub fn review(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
+    let mut found = parsed.diagnostics().to_vec();
+    found.extend(warnings(parsed, start, set));
+    Diagnostic::in_order(&mut found);
+    found
+}
+
 impl Lint<'_> {
     /// Says a sentence about bytes of a block's file; the block is an index in the deck. {0} of the sentence is what stands there, {1}
     /// and so on are `more`. `hint` is the id of another sentence with the same values, or empty.
@@ -79,7 +85,7 @@ impl Lint<'_> {
         // A formula may end in space.
         let text = self.parsed.text(place).trim_end();
         place.span.end = span.start + text.len() as u32;
-        if self.found.len() < FINDINGS {
+        if self.found.len() < self.most {
             let text = [text.trim_matches(['[', ']'])];
             let message = |id| Message { id, values: text.iter().chain(more).map(|text| Value::from(*text)).collect() };
             let mut finding = Diagnostic::warning(message(id)).at(place);

@@ -218,11 +218,10 @@ impl Vars<'_> {
     }
 
     /// Variables that the operator is to set, in one remark where the first of them is read.
-    fn entries(&self, lint: &mut Lint, mut unset: Vec<(u64, usize)>) {
-        order::by_key(&mut unset, |row| row.0);
+    fn entries(&self, lint: &mut Lint, unset: Vec<(u64, usize)>) {
         let mut names = String::new();
         let mut first = (NONE, ExprId(NONE));
-        for (count, &(_, slot)) in unset.iter().enumerate() {
+        for (count, &(_, slot)) in order::pairs(unset).iter().enumerate() {
             let var = &self.list[slot];
             if count <= NAMES {
                 names += if count > 0 { ", " } else { "" };

@@ -27,6 +27,11 @@ pub fn words(language: Language, id: &'static str) -> &'static str {
     areas(language).iter().flat_map(|rows| rows.iter()).find(|(key, _)| *key == id).map_or(id, |(_, text)| text)
 }
 
+/// The id that reads so, where the catalog has it.
+pub fn id(text: &str) -> Option<&'static str> {
+    areas(Language::English).iter().flat_map(|rows| rows.iter()).map(|row| row.0).find(|id| *id == text)
+}
+
 /// The message as a sentence.
 pub fn sentence(language: Language, message: &Message) -> String {
     let mut out = String::new();

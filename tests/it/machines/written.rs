@@ -32,7 +32,8 @@ fn no_program_of_a_machine_raises_a_finding() {
                     project.values.insert((*id).to_owned(), values[rest % values.len()].clone());
                     rest /= values.len();
                 }
-                let found = project.written().diagnostics;
+                let written = project.written();
+                let found: Vec<_> = written.diagnostics.iter().cloned().chain(project.warnings(&written)).collect();
                 let said = |d: &macroline::text::Diagnostic| {
                     format!("{}: {}", d.message.id, sentence(Language::English, &d.message))
                 };
