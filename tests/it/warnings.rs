@@ -63,6 +63,29 @@ impl Case<'_> {
     }
 }
 
+/// A lathe program without G99 on a control that starts with G98 crawls; the other way round it digs.
+#[test]
+fn feed_of_the_other_unit() {
+    let slow = "O1 (SHAFT)\nT0101 M03 S800\nG00 X40. Z2.\nG01 Z-20. F0.15\nX44. F.2\nM30";
+    GSK.check(slow, expect![[r#"
+        5:11 “F0.15” warning lint.feed-per-minute
+            F0.15 is 0.15 mm a minute: no program here says G99, and the control starts with feed per minute (2× here). Write G99 before it, or set how this control starts.
+            Write G99 in front of it: F0.15→G99 F0.15
+    "#]]);
+    let fast = Case { switches: &[("startup-feed", "G99")], ..KND };
+    fast.check("O1\nM03 S800\nG01 Z-20. F200\nM30", expect![[r#"
+        4:11 “F200” warning lint.feed-per-revolution
+            F200 is 200 mm a revolution: no program here says G98, and this control is set to start with feed per revolution (1× here). Write G98 before it, or set how this control starts.
+            Write G98 in front of it: F200→G98 F200
+    "#]]);
+    // It is said, or usual: nothing to say.
+    GSK.quiet(&slow.replace("T0101", "G99 T0101"));
+    GSK.quiet(&slow.replace("F.2", "F100"));
+    fast.quiet("O1\nM03 S800\nG01 Z-20. F0.2\nM30");
+    // A lead is per revolution whatever is in force.
+    GSK.quiet("O1\nM03 S800\nG32 Z-20. F1.5\nM30");
+}
+
 #[test]
 fn decimals_are_not_compared_digit_by_digit() {
     E60.check("O1\n#1=1/3\nIF[#1*3 EQ 1]GOTO9\nX#1\nN9 M30", expect![[r#"

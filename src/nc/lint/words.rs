@@ -2,7 +2,9 @@
 
 use super::super::ast::{Block, Stmt, Word, WordValue};
 use super::super::dec::{Dec, POW10};
-use super::roles::{CALL, DWELL, EACH_BLOCK, END, INCH, RETURN, Roles, SPECIAL, SUB};
+use super::roles::{
+    CALL, CURVED, DWELL, EACH_BLOCK, END, INCH, LINEAR, OTHER_FEED, PER_MINUTE, RAPID, RETURN, Roles, SPECIAL, SUB,
+};
 use super::short::Short;
 use super::{Lint, NONE};
 use crate::controls::{Code, ParamRole};
@@ -19,6 +21,12 @@ const DELIBERATE: u64 = 10_000;
 
 /// Increments of a dwell from which on it is meant as it is.
 const DELIBERATE_DWELL: u64 = 100;
+
+/// Feeds per minute below this are meant per revolution: nobody cuts two millimetres a minute.
+const SLOWEST: f64 = 2.0;
+
+/// Feeds per revolution above this are meant per minute.
+const COARSEST: f64 = 20.0;
 
 /// What a program is to the others.
 #[derive(Clone, Copy, Default)]
@@ -78,11 +86,13 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
     let deck = lint.deck;
     let mut facts = Facts { parts: vec![Part::default(); deck.programs.len()], ..Facts::default() };
     let increments = lint.increments();
+    let mut units = Units::default();
     for (index, program) in (0..).zip(&deck.programs) {
         let mut pointless: Vec<Pointless> = Vec::new();
         // The program counts increments, and knows it; or inches, of which nothing is said.
         let mut deliberate = false;
         let mut no_feed = false;
+        let mut linear = false;
         let mut short = Short::new(lint, increments[0]);
         let mut bends = false;
         for (at, block) in (program.first..).zip(deck.blocks_of(program)) {
@@ -92,14 +102,14 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
                 continue;
             }
             let words = deck.words_of(block);
-            let (mut bits, mut counts, mut zero) = (0, false, None);
+            let (mut bits, mut counts, mut feed) = (0, false, None);
             for word in words {
                 if matches!(word.letter, b'G' | b'M') {
                     bits |= roles.word(word);
                 } else if let WordValue::Number(dec) = word.value {
                     counts |= !dec.point && dec.mantissa != 0 && increments[0] & 1 << (word.letter & 31) != 0;
-                    if word.letter == b'F' && dec.mantissa == 0 {
-                        zero = Some(word);
+                    if word.letter == b'F' {
+                        feed = Some((word, dec));
                     }
                 }
             }
@@ -108,6 +118,17 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
                 let increments = increments[usize::from(bits & CALL != 0)];
                 deliberate = collect(&mut pointless, at, block, words, bits & (CALL | DWELL), increments);
             }
+            units.written |= bits & (PER_MINUTE | OTHER_FEED | INCH) != 0;
+            if bits & (RAPID | LINEAR | CURVED) != 0 {
+                linear = bits & LINEAR != 0;
+            }
+            if let Some((word, dec)) = feed
+                && linear
+                && bits & (CALL | DWELL | SPECIAL) == 0
+            {
+                units.feeds.extend((units.feeds.len() < PLACES).then(|| (at, word.span(block), dec)));
+            }
+            let zero = feed.filter(|(_, dec)| dec.mantissa == 0).map(|(word, _)| word);
             if let Some(word) = zero.filter(|_| bits & (CALL | DWELL) == 0 && !no_feed) {
                 no_feed = true;
                 let digit = lint.control.param(ParamRole::FeedOneDigit).map_or("", |row| row.number);
@@ -132,6 +153,7 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
             row.tell(lint);
         }
     }
+    units.tell(lint);
     facts
 }
 
@@ -245,6 +267,39 @@ pub(super) fn whole(value: WordValue) -> Option<u32> {
     let WordValue::Number(dec) = value else { return None };
     let unit = POW10[dec.scale.min(18) as usize];
     if dec.mantissa % unit == 0 { u32::try_from(dec.mantissa / unit).ok() } else { None }
+}
+
+/// Feeds of straight lines, and whether any program says what they are per.
+#[derive(Default)]
+struct Units {
+    written: bool,
+    feeds: Vec<(u32, Span, Dec)>,
+}
+
+impl Units {
+    /// Where nothing says what F is per, it is what it is after power-on: one look at its size shows whether that was meant.
+    fn tell(&self, lint: &mut Lint) {
+        let revolution = lint.is("startup-feed", "G99");
+        let (id, other) = match revolution {
+            true => ("lint.feed-per-revolution", Code::FeedPerMinute),
+            false => ("lint.feed-per-minute", Code::FeedPerRevolution),
+        };
+        let strange = |dec: &Dec| {
+            let feed = dec.to_f64();
+            if revolution { feed > COARSEST } else { feed > 0.0 && feed < SLOWEST }
+        };
+        // One feed of a usual size, and the unit is meant.
+        if self.written || self.feeds.iter().any(|(_, _, dec)| !strange(dec)) {
+            return;
+        }
+        let row = lint.control.codes.iter().find(|row| row.code == other);
+        if let (Some(&(at, span, dec)), Some(row)) = (self.feeds.first(), row) {
+            let code = format!("{}{}", row.letter as char, row.number / 10);
+            let count = number_text(self.feeds.len() as f64, 0);
+            lint.say(at, span, id, &[&number_text(dec.to_f64(), 6), &code, &count], "");
+            lint.fix(msg!("lint.fix.unit", code.as_str()), &[(span, dec)], &|dec| format!("{code} F{dec}"));
+        }
+    }
 }
 
 impl Pointless {

@@ -10,6 +10,14 @@ pub(super) const ROWS: &[(&str, &str)] = &[
         "lint.equal-decimals",
         "{0} compares every digit, and the value can have decimals: what should be equal may differ in the last one.",
     ),
+    (
+        "lint.feed-per-minute",
+        "{0} is {1} mm a minute: no program here says {2}, and the control starts with feed per minute ({3}× here). Write {2} before it, or set how this control starts.",
+    ),
+    (
+        "lint.feed-per-revolution",
+        "{0} is {1} mm a revolution: no program here says {2}, and this control is set to start with feed per revolution ({3}× here). Write {2} before it, or set how this control starts.",
+    ),
     ("lint.feed-zero", "F0 is no feed: a cutting motion stops with an alarm. Jump over the motion, or wait by G04."),
     (
         "lint.feed-zero-digit",
@@ -18,6 +26,7 @@ pub(super) const ROWS: &[(&str, &str)] = &[
     ("lint.feed-zero-rapid", "F0 is rapid traverse here ({1}). Jump over the motion, or wait by G04."),
     ("lint.fix.point", "Add the point: {0}"),
     ("lint.fix.present", "Write what it is now: {0}"),
+    ("lint.fix.unit", "Write {0} in front of it"),
     ("lint.hint-argument", "No call here passes the argument {1}."),
     ("lint.hint-difference", "Test it before: IF[ABS[{0}] LT 0.0001]GOTO …"),
     ("lint.hint-divisor", "Test it before: IF[{0} LE 0]GOTO …"),
