@@ -46,6 +46,8 @@ pub(super) struct Rules {
     pub(super) moves: [f64; AXES],
     /// The axis that is square to the spindle, for constant surface speed.
     pub(super) surface_axis: usize,
+    /// What is added to the number of a user alarm to give the number that is shown.
+    pub(super) user_alarm_base: Option<u32>,
     /// Codes that call programs.
     pub(super) calls: Vec<CodeCall>,
     /// G codes in force at the start, ten times their numbers.
@@ -87,6 +89,7 @@ impl Rules {
             },
             moves: core::array::from_fn(|k| if control.counts_diameters(k, switches) { 0.5 } else { 1.0 }),
             surface_axis: square.unwrap_or(0).min(AXES - 1),
+            user_alarm_base: get("user-alarm-base").and_then(|base| base.parse().ok()).or(macros.user_alarm_base),
             calls: control.code_calls(switches),
             startup,
         }

@@ -242,7 +242,7 @@ pub(super) fn user_alarm(cx: &Cx, block: &Block, number: f64) -> Trap {
     if !(f64::from(min)..=f64::from(max)).contains(&number) {
         return Trap::alarm(Alarm::UserAlarmRange, msg!("interp.value-range", number, min, max));
     }
-    let shown = cx.control.macros.user_alarm_base.map(|base| base + number as u32);
+    let shown = cx.shared.rules.user_alarm_base.map(|base| base + number as u32);
     let text = cx.deck.comment(block.comment).trim_start_matches('/');
     let message =
         if text.is_empty() { msg!("interp.user-alarm", number) } else { msg!("interp.user-alarm-text", number, text) };

@@ -7,6 +7,8 @@ use crate::controls::switch::switch;
 use crate::text::{Citation, Grade};
 
 const CALLS: Citation = Citation::new("GSK980TDi manual, 3.32; M codes: notes on new functions", Grade::Sister);
+const ALARMS: Citation =
+    Citation::new("GSK980TDi manual, 3.28: 5900 + n; an older list has 500 + n for H99", Grade::Sister);
 /// All samples of the manuals leave the point out.
 const SAMPLES: Citation =
     Citation::new("samples of the 980TDi manual: G00 X100 Z50 is 100 mm and 50 mm", Grade::Inferred);
@@ -24,6 +26,7 @@ pub(super) const SWITCHES: &[Switch] = &[
         STATEMENT,
     ),
     switch("spindle-word", "S with decimals", &["round", "truncate"], MEMORY),
+    switch("user-alarm-base", "Number of a user alarm (#3000 = n, H99 P n): this and n", &["5900", "500"], ALARMS),
     switch(
         CALL_PARAMETERS,
         "No.086 to No.091: codes that call programs, for instance 86=3 87=100 88=2000 for G100 to G102",

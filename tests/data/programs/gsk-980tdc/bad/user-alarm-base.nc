@@ -1,0 +1,6 @@
+(515 4:9)
+(SET user-alarm-base 500)
+O1
+G65 H99 P15(/AS OLDER LISTS HAVE IT)
+M30
+%
