@@ -242,3 +242,5 @@ pub fn fill<P>(fields: &[Field<P>], values: &Values, params: &mut P) -> Vec<Diag
 }
 
 mod read;
+
+pub(super) mod rows;

@@ -8,6 +8,10 @@ pub mod settings;
 
 pub mod report;
 
+mod judge;
+
+mod charts;
+
 pub mod ribbon_line;
 
 use crate::controls::{Control, Switches};

@@ -6,6 +6,8 @@ pub mod readout;
 
 pub mod scene;
 
+pub mod pen;
+
 pub mod ladder;
 
 pub mod sheet;

@@ -20,15 +20,17 @@ mod scene;
 
 mod pose;
 
-mod charts;
+mod graphs;
 
 mod sheets;
 
 use crate::controls::Control;
+use crate::machines::charts;
 use crate::machines::form::{Field, Value};
+use crate::machines::judge::{Row, Rows, judge};
 use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
 use crate::motion::{Action, Plant, Plc, Snapshot};
-use crate::view::{Chart, Pose, Readout, Scene, Sheet, Verdict};
+use crate::view::{Chart, Pose, Scene, Sheet};
 use derive::Derived;
 use fitted::Fitted;
 use params::{FIELDS, Newline, Params};
@@ -95,8 +97,17 @@ impl Machine for RibbonLine {
     }
 
     fn charts(p: &Params, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        charts::charts(&Fitted::new(p, on), run, from, to, points)
+        charts::charts(graphs::ROWS, &Fitted::new(p, on), run, from, to, points)
     }
+}
+
+/// The line, for its rows.
+struct Line;
+
+impl Rows for Line {
+    type Fitted<'a> = Fitted<'a>;
+    type Derived = Derived;
+    type Case<'a> = Case<'a>;
 }
 
 /// The control's own times and ranges, and the parameter without which a second start would find no values.
@@ -122,39 +133,13 @@ fn start(control: &Control) -> Start {
 fn design(line: &Fitted) -> Design {
     let d = Derived::new(&line.p, line.control.bench.output_bits);
     let case = Case { line, p: &line.p, d: &d, limits: &line.control.limits };
-    let readouts = readouts::ROWS.iter().map(|row| judged(row, &case)).collect();
+    let judged = |row| judge(row, &d, unit(row, line), RULES, &case);
+    let readouts = readouts::ROWS.iter().map(judged).collect();
     Design { readouts, diagnostics: rules::findings(&case) }
 }
 
-/// A result with the judgement of every rule about it: the worst verdict, all advice.
-fn judged(row: &readouts::Row, case: &Case) -> Readout {
-    let mut readout = Readout {
-        id: row.id,
-        label: row.label,
-        value: (row.value)(case.d),
-        unit: unit(row, case.line),
-        decimals: row.decimals,
-        limit: None,
-        verdict: Verdict::None,
-        advice: Vec::new(),
-        formula: row.formula,
-        cite: row.cite,
-        headline: row.headline,
-    };
-    for rule in RULES.iter().filter(|rule| rule.on == row.id) {
-        let Some(judgement) = (rule.judge)(case) else { continue };
-        if judgement.verdict >= readout.verdict {
-            readout.cite = rule.cite;
-        }
-        readout.verdict = readout.verdict.max(judgement.verdict);
-        readout.limit = readout.limit.or(judgement.limit);
-        readout.advice.extend(judgement.advice);
-    }
-    readout
-}
-
 /// The print roller's axis counts degrees where it is fitted so.
-fn unit(row: &readouts::Row, line: &Fitted) -> &'static str {
+fn unit(row: &Row<Line>, line: &Fitted) -> &'static str {
     match row.id {
         "y-stroke" | "y-drift" if line.degrees() => "°",
         "y-feed" if line.degrees() => "°/min",

@@ -1,28 +1,8 @@
 //! The form of the ribbon line: every input with unit, range and default, and the parameters that it fills.
 
 use super::fitted;
-use crate::controls::Control;
-use crate::machines::form::{Field, Kind};
-
-/// A choice of the form; the first is the default.
-macro_rules! choice {
-    ($(#[$doc:meta])* $name:ident { $(#[$first_doc:meta])* $first:ident, $($(#[$rest_doc:meta])* $rest:ident),* $(,)? }) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-        pub enum $name {
-            $(#[$first_doc])*
-            #[default]
-            $first,
-            $($(#[$rest_doc])* $rest),*
-        }
-
-        impl $name {
-            fn at(index: usize) -> $name {
-                [$name::$first, $($name::$rest),*].get(index).copied().unwrap_or_default()
-            }
-        }
-    };
-}
+use crate::machines::form::Field;
+use crate::machines::form::rows::{choice, essential, fact, flag, number, one_of, setting, words};
 
 choice! {
     /// How the override reaches the program.
@@ -237,102 +217,6 @@ pub struct Params {
     pub newline: Newline,
     pub customer: String,
     pub product: String,
-}
-
-/// Rows of the form. `number!(member, unit, min..max, default, decimals, step)` and its kin make the kind.
-macro_rules! number {
-    ($member:ident, $unit:literal, $min:literal .. $max:literal, $default:literal, $decimals:literal, $step:literal) => {
-        Kind::Number {
-            unit: $unit,
-            min: $min,
-            max: $max,
-            default: $default,
-            decimals: $decimals,
-            step: $step,
-            get: |p| p.$member,
-            set: |p, value| p.$member = value,
-        }
-    };
-}
-
-macro_rules! flag {
-    ($member:ident) => {
-        Kind::Flag { default: false, get: |p| p.$member, set: |p, value| p.$member = value }
-    };
-}
-
-macro_rules! one_of {
-    ($member:ident: $kind:ident, $($option:literal $label:literal),+) => {
-        Kind::Choice {
-            options: &[$(($option, $label)),+],
-            get: |p| p.$member as usize,
-            set: |p, index| p.$member = $kind::at(index),
-        }
-    };
-}
-
-macro_rules! words {
-    ($member:ident) => {
-        Kind::Text { max: 22, get: |p| &p.$member, set: |p, text| p.$member = text }
-    };
-}
-
-/// One of the few that define the product, and its variable.
-macro_rules! essential {
-    ($id:literal, $group:literal, $label:literal, $help:literal, $symbol:literal, fact $fact:literal, $kind:expr) => {
-        Field {
-            id: $id,
-            group: $group,
-            label: $label,
-            help: $help,
-            symbol: $symbol,
-            essential: true,
-            fact: $fact,
-            shown: always,
-            kind: $kind,
-        }
-    };
-}
-
-/// A fact of the machine.
-macro_rules! fact {
-    ($id:literal, $group:literal, $label:literal, $help:literal, $symbol:literal, $kind:expr) => {
-        Field {
-            id: $id,
-            group: $group,
-            label: $label,
-            help: $help,
-            symbol: $symbol,
-            essential: false,
-            fact: true,
-            shown: always,
-            kind: $kind,
-        }
-    };
-}
-
-/// A choice of the engineer; `when` says where there is one.
-macro_rules! setting {
-    ($id:literal, $group:literal, $label:literal, $help:literal, $symbol:literal, $kind:expr) => {
-        setting!($id, $group, $label, $help, $symbol, when always, $kind)
-    };
-    ($id:literal, $group:literal, $label:literal, $help:literal, $symbol:literal, when $shown:path, $kind:expr) => {
-        Field {
-            id: $id,
-            group: $group,
-            label: $label,
-            help: $help,
-            symbol: $symbol,
-            essential: false,
-            fact: false,
-            shown: $shown,
-            kind: $kind,
-        }
-    };
-}
-
-fn always(_: &Params, _: &Control) -> bool {
-    true
 }
 
 /// Every input, in the order of the form.

@@ -1,23 +1,12 @@
 //! The results of the ribbon line as rows: what is shown, in which unit, by which formula, from which source.
 
-use super::derive::Derived;
+use super::Line;
+use crate::machines::judge::Row;
 use crate::text::{Citation, Grade};
-
-/// A result before it is judged.
-pub(super) struct Row {
-    pub(super) id: &'static str,
-    pub(super) label: &'static str,
-    pub(super) unit: &'static str,
-    pub(super) decimals: u8,
-    pub(super) formula: &'static str,
-    pub(super) cite: Citation,
-    pub(super) headline: bool,
-    pub(super) value: fn(&Derived) -> f64,
-}
 
 /// Rows in the order they are shown; the headline ones first.
 #[rustfmt::skip]
-pub(super) const ROWS: &[Row] = &[
+pub(super) const ROWS: &[Row<Line>] = &[
     Row {
         id: "line-speed", label: "ribbon.readout.line-speed", unit: "mm/min", decimals: 3, headline: true,
         formula: "#105 = K · #104",

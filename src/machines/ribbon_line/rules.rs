@@ -4,12 +4,14 @@
 //! kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
+use super::Line;
 use super::derive::Derived;
 use super::fitted::Fitted;
 use super::params::{Params, PathMode, PiForm, Variant, Wait};
 use super::program;
 use crate::controls::{Code, Limits, ParamRole};
 use crate::drives::web;
+use crate::machines::judge::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade, Message};
 use crate::view::Verdict;
@@ -22,35 +24,6 @@ pub(super) struct Case<'a> {
     pub(super) limits: &'a Limits,
 }
 
-/// The judgement of one rule.
-pub(super) struct Judgement {
-    pub(super) verdict: Verdict,
-    pub(super) limit: Option<f64>,
-    pub(super) advice: Vec<Message>,
-}
-
-/// A rule.
-pub(super) struct Rule {
-    /// Id of the result that it judges.
-    pub(super) on: &'static str,
-    /// Where its limit comes from.
-    pub(super) cite: Citation,
-    /// The judgement; `None` where the rule has nothing to say.
-    pub(super) judge: fn(&Case) -> Option<Judgement>,
-}
-
-fn ok(limit: impl Into<Option<f64>>) -> Option<Judgement> {
-    Some(Judgement { verdict: Verdict::Ok, limit: limit.into(), advice: Vec::new() })
-}
-
-fn warn(limit: impl Into<Option<f64>>, advice: impl Into<Vec<Message>>) -> Option<Judgement> {
-    Some(Judgement { verdict: Verdict::Warn, limit: limit.into(), advice: advice.into() })
-}
-
-fn fail(limit: impl Into<Option<f64>>, advice: impl Into<Vec<Message>>) -> Option<Judgement> {
-    Some(Judgement { verdict: Verdict::Fail, limit: limit.into(), advice: advice.into() })
-}
-
 macro_rules! rule {
     ($number:literal, $on:literal, $judge:expr, $source:literal, $grade:ident) => {
         Rule { on: $on, cite: Citation::new(concat!("rule ", $number, "; ", $source), Grade::$grade), judge: $judge }
@@ -58,7 +31,7 @@ macro_rules! rule {
 }
 
 /// All rules that judge a result.
-pub(super) const RULES: &[Rule] = &[
+pub(super) const RULES: &[Rule<Line>] = &[
     rule!(2, "surface-ratio", ratio, "sizing sheet 3.2 and 3.4, engineering choice", Inferred),
     rule!(2, "smear", smear, "sizing sheet 3.2 and 3.4, engineering choice", Inferred),
     rule!(3, "x-motor-speed", motor_x, "data sheet of the motor", Manual),

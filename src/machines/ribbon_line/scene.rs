@@ -8,7 +8,8 @@ use super::params::Params;
 use crate::math::{self, PI};
 use crate::text::catalog::{Language, words};
 use crate::text::number::filled;
-use crate::view::{Node, Scene, Shape};
+use crate::view::Scene;
+use crate::view::pen::{Pen, ray};
 
 /// Groups that poses move.
 pub(super) mod group {
@@ -123,79 +124,6 @@ pub(super) fn loop_path(slack: f64, capacity: f64) -> String {
         "M# #C# # # # # #C# # # # # #",
         &[from, WEB, first[0], WEB, first[1], low, middle, low, last[0], low, last[1], WEB, to, WEB],
     )
-}
-
-/// A line from a centre outwards in the direction (c, s), between two radii.
-fn ray(x: f64, y: f64, (c, s): (f64, f64), from: f64, to: f64) -> String {
-    filled("M# #L# #", &[x + from * c, y + from * s, x + to * c, y + to * s])
-}
-
-/// Collects nodes.
-#[derive(Default)]
-struct Pen {
-    nodes: Vec<Node>,
-}
-
-impl Pen {
-    fn node(
-        &mut self,
-        group: u16,
-        shape: Shape,
-        fill: &'static str,
-        stroke: &'static str,
-        width: f64,
-        class: &'static str,
-    ) {
-        self.nodes.push(Node { group, shape, fill, stroke, width, class });
-    }
-
-    fn path(
-        &mut self,
-        group: u16,
-        d: String,
-        fill: &'static str,
-        stroke: &'static str,
-        width: f64,
-        class: &'static str,
-    ) {
-        self.node(group, Shape::Path { d }, fill, stroke, width, class);
-    }
-
-    fn line(&mut self, group: u16, d: &str, stroke: &'static str, width: f64) {
-        self.path(group, d.to_owned(), "", stroke, width, "");
-    }
-
-    fn disc(&mut self, group: u16, x: f64, y: f64, r: f64, fill: &'static str, class: &'static str) {
-        self.node(group, Shape::Circle { x, y, r }, fill, "", 0.0, class);
-    }
-
-    fn ring(&mut self, group: u16, (x, y, r): (f64, f64, f64), stroke: &'static str, width: f64, class: &'static str) {
-        self.node(group, Shape::Circle { x, y, r }, "", stroke, width, class);
-    }
-
-    fn rect(&mut self, x: f64, y: f64, w: f64, h: f64, fill: &'static str, class: &'static str) {
-        self.node(0, Shape::Rect { x, y, w, h }, fill, "", 0.0, class);
-    }
-
-    fn text(&mut self, x: f64, y: f64, anchor: &'static str, text: String, fill: &'static str, class: &'static str) {
-        self.node(0, Shape::Text { x, y, anchor, text }, fill, "", 0.0, class);
-    }
-
-    /// A smooth roller with hub and `spokes` marks, all of one group; `blur` is the ring shown when it turns too fast to see.
-    fn roller(&mut self, (x, y, r): (f64, f64, f64), marks: u16, blur: Option<u16>, spokes: u8) {
-        self.disc(0, x, y, r, "steel", "roller");
-        self.ring(0, (x, y, r - 1.0), "dim", 0.8, "soft");
-        for spoke in 0..spokes {
-            let (s, c) = math::sin_cos(2.0 * PI * f64::from(spoke) / f64::from(spokes));
-            let d = ray(x, y, (c, s), 0.42 * r, 0.86 * r);
-            self.path(marks, d, "", "pane", r * 0.11, "mark");
-        }
-        if let Some(blur) = blur {
-            self.ring(blur, (x, y, 0.64 * r), "pane", 0.44 * r, "blur");
-        }
-        self.disc(0, x, y, 0.24 * r, "pane", "");
-        self.ring(0, (x, y, 0.24 * r), "dim", 1.0, "");
-    }
 }
 
 /// The machine's plates behind the stations, and the floor.
