@@ -12,6 +12,8 @@ mod judge;
 
 mod charts;
 
+mod writing;
+
 pub mod ribbon_line;
 
 use crate::controls::{Control, Switches};

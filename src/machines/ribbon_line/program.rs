@@ -7,7 +7,7 @@ use super::RibbonLine;
 use super::fitted::Fitted;
 use super::params::{FeedForm, OverrideForm, Params, PathMode, Variant, Wait};
 use crate::controls::{Code, VarKind};
-use crate::machines::settings;
+use crate::machines::writing;
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, p as program, real, s, v, word, x};
 
@@ -98,18 +98,13 @@ pub(super) fn deck(line: &Fitted) -> Deck {
     b.finish()
 }
 
-/// What wrote the program, and the settings it was written from.
 fn header(b: &mut Builder, line: &Fitted) {
-    b.comment(concat!("WRITTEN BY MACROLINE ", env!("CARGO_PKG_VERSION")));
-    for text in settings::write::<RibbonLine>(line.form, line.control) {
-        b.comment(&text);
-    }
+    writing::header::<RibbonLine>(b, line.form, line.control);
 }
 
 /// Codes of the control for what is wanted, as far as it has them.
 fn codes(line: &Fitted, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
-    let row = |code: Code| line.control.codes.iter().find(|row| row.letter == b'G' && row.code == code);
-    wanted.into_iter().filter_map(|code| Some(g(u32::from(row(code)?.number / 10)))).collect()
+    writing::codes(line.control, wanted)
 }
 
 /// A word that moves an axis by `by`: its incremental address, or its own under G91.
@@ -203,26 +198,6 @@ fn per_turn(line: &Fitted) -> Formula {
     pi(line) * v(102) / v(101)
 }
 
-/// Every entry above zero, whole where it counts; else on to [`alarms`].
-fn guards(b: &mut Builder) {
-    for (at, (entry, _)) in (1..).zip(ENTRIES) {
-        b.n(at).if_goto(v(entry).le(0), 900 + at);
-    }
-    for (at, (entry, _)) in (11..).zip(ENTRIES.iter().filter(|(_, whole)| *whole)) {
-        b.n(at).if_goto((v(*entry) - v(*entry).round()).abs().gt(real(0.0001, 4)), 900 + at);
-    }
-}
-
-/// What the operator reads where an entry cannot be.
-fn alarms(b: &mut Builder) {
-    for (at, (entry, _)) in (1..).zip(ENTRIES) {
-        b.n(900 + at).alarm(at, &format!("#{entry} MUST BE ABOVE ZERO"));
-    }
-    for (at, (entry, _)) in (11..).zip(ENTRIES.iter().filter(|(_, whole)| *whole)) {
-        b.n(900 + at).alarm(at, &format!("#{entry} MUST BE A WHOLE NUMBER"));
-    }
-}
-
 /// F is more than the control takes.
 fn feed_alarm(b: &mut Builder, line: &Fitted) {
     b.n(920).alarm(20, &format!("FEED #{} ABOVE LIMIT #119", if line.in_step() { PER_TURN } else { 115 }));
@@ -232,7 +207,7 @@ fn feed_alarm(b: &mut Builder, line: &Fitted) {
 /// O9100, ready-made: guards, copies of what the run watches, and the paper's equations.
 fn compute(b: &mut Builder, line: &Fitted) {
     b.program(COMPUTE, "RIBBON LINE - COMPUTE");
-    guards(b);
+    writing::guards(b, &ENTRIES);
     // Copied before it is used: what changes from here on differs from its copy and is computed again.
     for (at, (watched, copy)) in (20..).zip(watched(line)) {
         b.n(at).assign(copy, v(watched));
@@ -256,7 +231,7 @@ fn compute(b: &mut Builder, line: &Fitted) {
     });
     b.n(38).assign(123, v(110) * v(128)).note(&about(line, "PER BLOCK"));
     b.n(39).words([m(99)]);
-    alarms(b);
+    writing::alarms(b, &ENTRIES);
     feed_alarm(b, line);
     // Behind the end: read by people, never by a running line.
     header(b, line);
@@ -373,7 +348,7 @@ fn published(b: &mut Builder, line: &Fitted) {
 fn run_published(b: &mut Builder, line: &Fitted) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
-    guards(b);
+    writing::guards(b, &ENTRIES);
     override_off(b, line, 20);
     b.n(21).assign(125, v(120)).note("PITCHES LEFT");
     b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", print_letter(line)));
@@ -383,7 +358,7 @@ fn run_published(b: &mut Builder, line: &Fitted) {
     b.n(31).words([m(98), program(COMPUTE)]);
     b.n(32).end_do(1);
     end(b, line);
-    alarms(b);
+    writing::alarms(b, &ENTRIES);
     b.words([m(30)]);
 }
 

@@ -1,0 +1,46 @@
+//! Writing a program: what the programs of all machines have in common.
+
+use super::{Machine, settings};
+use crate::controls::{Code, Control};
+use crate::nc::build::{Builder, NewWord, g, m, real, v};
+
+/// What wrote the program, and the settings it was written from.
+pub(super) fn header<M: Machine>(b: &mut Builder, params: &M::Params, control: &Control) {
+    b.comment(concat!("WRITTEN BY MACROLINE ", env!("CARGO_PKG_VERSION")));
+    for text in settings::write::<M>(params, control) {
+        b.comment(&text);
+    }
+}
+
+/// Codes of the control for what is wanted, as far as it has them.
+pub(super) fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
+    let word = |code: Code| {
+        let row = control.codes.iter().find(|row| row.code == code)?;
+        let number = u32::from(row.number / 10);
+        Some(if row.letter == b'M' { m(number) } else { g(number) })
+    };
+    wanted.into_iter().filter_map(word).collect()
+}
+
+/// An operator's variable, and whether only whole numbers make sense.
+pub(super) type Entry = (u32, bool);
+
+/// Every entry above zero, whole where it counts; else on to [`alarms`].
+pub(super) fn guards(b: &mut Builder, entries: &[Entry]) {
+    for (at, (entry, _)) in (1..).zip(entries) {
+        b.n(at).if_goto(v(*entry).le(0), 900 + at);
+    }
+    for (at, (entry, _)) in (11..).zip(entries.iter().filter(|(_, whole)| *whole)) {
+        b.n(at).if_goto((v(*entry) - v(*entry).round()).abs().gt(real(0.0001, 4)), 900 + at);
+    }
+}
+
+/// What the operator reads where an entry cannot be.
+pub(super) fn alarms(b: &mut Builder, entries: &[Entry]) {
+    for (at, (entry, _)) in (1..).zip(entries) {
+        b.n(900 + at).alarm(at, &format!("#{entry} MUST BE ABOVE ZERO"));
+    }
+    for (at, (entry, _)) in (11..).zip(entries.iter().filter(|(_, whole)| *whole)) {
+        b.n(900 + at).alarm(at, &format!("#{entry} MUST BE A WHOLE NUMBER"));
+    }
+}
