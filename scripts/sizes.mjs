@@ -7,9 +7,10 @@ import { brotliCompressSync, constants } from 'node:zlib';
 const KB = 1000;
 const LIMITS = { wasm: 250 * KB, total: 300 * KB };
 
-// Parts of the standard library that the module does without, by a file that their panics name, and what takes their place. Without
-// this one line of code would bring back what took days to find.
+// What the module does without, by a text that it would bring along (of the standard library a file that its panics name), and what
+// takes its place. Without this one line of code would bring back what took days to find.
 const UNWANTED = {
+  'The sentences in English': 'the catalog of sentences: text::catalog::load',
   'core/src/num/flt2dec': 'printing of floats ({} of an f64): text::number and text::double',
   'core/src/unicode/printable': 'a text that is sliced, split_at or searched for a text: get(..), text::find',
   'alloc/src/collections/btree': 'BTreeMap: order::Map',
@@ -23,7 +24,7 @@ export function firstLoad(folder) {
   const found = new Set(['index.html']);
   for (const name of found) {
     const text = ['.html', '.js'].includes(extname(name)) ? readFileSync(join(folder, name), 'utf8') : '';
-    const names = name.endsWith('.html') ? /(?:href|src|data-js|data-wasm)="([^"]+)"/g : /^(?:import|export)\b[^;'"]*['"]([^'"]+)['"]/gm;
+    const names = name.endsWith('.html') ? /(?:href|src|data-js|data-wasm|data-words)="([^"]+)"/g : /^(?:import|export)\b[^;'"]*['"]([^'"]+)['"]/gm;
     for (const [, at] of text.matchAll(names)) {
       const path = new URL(at, `http://site/${name}`).pathname.slice(1);
       if (path !== '') found.add(path);

@@ -1,4 +1,4 @@
-//! Browser app: reports a panic and shows the page.
+//! Browser app: reports a panic, takes the sentences and shows the page.
 
 use macroline::ui;
 
@@ -7,5 +7,6 @@ fn main() {
         web_sys::console::error_1(&panic.to_string().into());
         ui::broken(&panic.to_string());
     }));
+    ui::learn();
     leptos::mount::mount_to_body(ui::App);
 }

@@ -5,6 +5,7 @@
 use leptos::mount::mount_to;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
+use macroline::text::catalog::load;
 use macroline::ui::App;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -19,6 +20,7 @@ fn host() -> web_sys::HtmlElement {
 
 /// The app in a fresh browser, mounted; it stays as long as the handle.
 async fn app() -> (web_sys::HtmlElement, impl Sized) {
+    assert!(load(include_str!("../src/text/catalog/en.txt").to_owned()));
     window().local_storage().unwrap().unwrap().clear().unwrap();
     let host = host();
     let mounted = mount_to(host.clone(), App);

@@ -81,6 +81,7 @@ use words::{sign, t};
 
 use crate::motion::RunEnd;
 
+pub use words::learn;
 pub use work::work;
 
 /// The page.

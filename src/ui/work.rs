@@ -9,7 +9,7 @@ use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
 use super::listing::{SHOWN, count};
 use super::script::{get, object};
-use super::words::{sign, t, tell, tone};
+use super::words::{learn, sign, t, tell, tone};
 use crate::controls::{self, Control, Switches};
 use crate::nc::{self, File, Files};
 use crate::project::silence::silence;
@@ -25,6 +25,7 @@ const PIECE: f64 = 4_000_000.0;
 /// Waits for jobs and answers them, for ever.
 pub fn work() {
     std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
+    learn();
     let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
     let answer = scope.clone();
     let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {

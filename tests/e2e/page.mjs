@@ -38,7 +38,7 @@ export async function withPage(app, options, act) {
       if (['error', 'warning'].includes(message.type())) complaints.push(`console ${message.type()}: ${message.text()}`);
     });
     context.on('weberror', (fault) => complaints.push(`uncaught: ${fault.error().message}`));
-    context.on('request', (request) => requests.push(request.url().replace(app.url, '')));
+    context.on('request', (request) => requests.push(request.url().replace(app.url, '').replace(/\?.*/, '')));
     context.on('requestfailed', (request) => complaints.push(`failed: ${request.url()} ${request.failure()?.errorText}`));
     context.on('response', (response) => {
       if (response.status() >= 400) complaints.push(`status ${response.status()}: ${response.url()}`);

@@ -22,6 +22,15 @@ test('before anything is touched the browser loads what scripts/sizes.mjs counts
     assert.deepEqual(requests.map((name) => name || 'index.html').filter(noIcon).sort(), firstLoad(DIST).filter(noIcon));
   }));
 
+test('sentences of another version are told, not shown', async () => {
+  const foreign = async ({ page }) => {
+    await page.route(/en\.txt/, (route) => route.fulfill({ body: 'page.title another' }));
+    await page.reload();
+    await page.locator('#boot', { hasText: 'could not start in this browser: the file en.txt' }).waitFor();
+  };
+  await assert.rejects(withPage(app, {}, foreign), ({ actual }) => actual.some((text) => text.startsWith('uncaught: the file en.txt')));
+});
+
 for (const colorScheme of ['light', 'dark']) {
   test(`the page is accessible (${colorScheme})`, () => withPage(app, { colorScheme }, ({ page }) => accessible(page)));
 }

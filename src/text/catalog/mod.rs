@@ -1,8 +1,11 @@
-//! The one place where kinds and values become sentences, one file of rows per area and language.
+//! The one place where kinds and values become sentences: a file of lines per language.
 //!
-//! A row is `(id, sentence)`; `{0}`, `{1}` … are the places of the values. Another language is another folder of the same rows.
+//! A line is an id, a space and its sentence; `{0}`, `{1}` … are the places of the values. Another language is another file of the
+//! same ids. The page does not carry the file in its module: it is loaded at the same time, and handed to [`load`].
 
-mod en;
+use std::cmp::Ordering;
+#[cfg(feature = "web")]
+use std::sync::OnceLock;
 
 use super::message::{Message, Value};
 use super::number::Plain;
@@ -15,21 +18,74 @@ pub enum Language {
     English,
 }
 
-/// Every row of a language, by area.
-pub fn areas(language: Language) -> &'static [&'static [(&'static str, &'static str)]] {
-    match language {
-        Language::English => en::AREAS,
+impl Language {
+    /// The file of the language.
+    const fn file(self) -> &'static str {
+        match self {
+            Language::English => include_str!("en.txt"),
+        }
+    }
+}
+
+/// The loaded file; one, as the page speaks one language.
+#[cfg(feature = "web")]
+static LOADED: OnceLock<String> = OnceLock::new();
+
+/// Takes the file that was loaded beside the module; false where it is not the one that the module was built with.
+#[cfg(feature = "web")]
+pub fn load(text: String) -> bool {
+    let same = check(&text) == const { check(Language::English.file()) };
+    if same {
+        let _ = LOADED.set(text);
+    }
+    same
+}
+
+/// A number that tells one text from another (FNV-1a).
+#[cfg(feature = "web")]
+const fn check(text: &str) -> u32 {
+    let (bytes, mut at, mut sum) = (text.as_bytes(), 0, 0x811c_9dc5_u32);
+    while at < bytes.len() {
+        sum = (sum ^ bytes[at] as u32).wrapping_mul(0x0100_0193);
+        at += 1;
+    }
+    sum
+}
+
+#[cfg(feature = "web")]
+fn lines(_: Language) -> &'static str {
+    LOADED.get().map_or("", |text| text)
+}
+
+#[cfg(not(feature = "web"))]
+fn lines(language: Language) -> &'static str {
+    language.file()
+}
+
+/// The line of an id, in halves: the lines are sorted.
+fn row(language: Language, id: &str) -> Option<(&'static str, &'static str)> {
+    let mut rest = lines(language);
+    loop {
+        let (before, behind) = rest.as_bytes().split_at_checked(rest.len() / 2)?;
+        let start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+        let end = before.len() + behind.iter().position(|byte| *byte == b'\n')?;
+        let (key, sentence) = rest.get(start..end)?.split_once(' ')?;
+        rest = match key.cmp(id) {
+            Ordering::Less => rest.get(end + 1..)?,
+            Ordering::Equal => return Some((key, sentence)),
+            Ordering::Greater => rest.get(..start)?,
+        };
     }
 }
 
 /// The sentence of an id without values (labels, help, titles); the id itself where the catalog lacks it.
 pub fn words(language: Language, id: &'static str) -> &'static str {
-    areas(language).iter().flat_map(|rows| rows.iter()).find(|(key, _)| *key == id).map_or(id, |(_, text)| text)
+    row(language, id).map_or(id, |(_, sentence)| sentence)
 }
 
 /// The id that reads so, where the catalog has it.
 pub fn id(text: &str) -> Option<&'static str> {
-    areas(Language::English).iter().flat_map(|rows| rows.iter()).map(|row| row.0).find(|id| *id == text)
+    row(Language::default(), text).map(|(id, _)| id)
 }
 
 /// The message as a sentence.
