@@ -188,7 +188,7 @@ fn the_ribbon_line_is_designed_written_run_and_drawn_the_same() {
     for k in 0..=100 {
         let _ = writeln!(out, "{}", moment(&planner.timeline().at(end * f64::from(k) / 100.0)));
     }
-    for chart in project.machine.charts(&project.values, project.on(), planner.timeline(), 0.0, end, 60) {
+    for chart in project.machine.charts(&project.values, project.on(), &planner, 0.0, end, 60) {
         out.push_str(&view::plot::svg(&chart));
         out.push('\n');
     }

@@ -14,10 +14,12 @@ mod charts;
 
 mod writing;
 
+mod sheets;
+
 pub mod ribbon_line;
 
 use crate::controls::{Control, Switches};
-use crate::motion::{Action, Plant, Plc, Snapshot, Timeline};
+use crate::motion::{Action, Planner, Plant, Plc, Program, Snapshot};
 use crate::msg;
 use crate::nc::Deck;
 use crate::text::Diagnostic;
@@ -64,15 +66,32 @@ pub struct Start {
     pub switches: Switches,
 }
 
+impl Start {
+    /// Common variables stay at reset: without them a second start would find no values.
+    fn keep_common(&mut self, control: &Control) {
+        let kept = "kept";
+        let reset = control.switches.iter().find(|row| row.id == "common-at-reset");
+        if let Some(row) = reset.filter(|row| row.takes(kept) && row.options.first() != Some(&kept)) {
+            self.switches.0.push((row.id.to_owned(), kept.to_owned()));
+        }
+    }
+}
+
 /// How a chart or pose samples the run.
 pub trait Samples {
     /// The machine at time `t`.
     fn at(&self, t: f64) -> Snapshot;
+    /// A variable as the control's screen shows it at time `t`; `None` is vacant.
+    fn variable(&self, number: u32, t: f64) -> Option<f64>;
 }
 
-impl Samples for Timeline {
+impl<P: Program> Samples for Planner<P> {
     fn at(&self, t: f64) -> Snapshot {
-        Timeline::at(self, t)
+        self.timeline().at(t)
+    }
+
+    fn variable(&self, number: u32, t: f64) -> Option<f64> {
+        self.variable_at(number, t)
     }
 }
 
@@ -118,7 +137,7 @@ pub trait Machine: 'static {
     /// The drawing.
     fn scene(params: &Self::Params, on: On) -> Scene;
     /// The drawing at a moment.
-    fn pose(params: &Self::Params, on: On, now: &Snapshot, frame: Frame) -> Pose;
+    fn pose(params: &Self::Params, on: On, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
     /// Charts from `from` to `to` seconds with `points` points each.
     fn charts(params: &Self::Params, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
 }
@@ -156,7 +175,7 @@ pub trait AnyMachine: Sync {
     /// The drawing.
     fn scene(&self, values: &Values, on: On) -> Scene;
     /// The drawing at a moment.
-    fn pose(&self, values: &Values, on: On, now: &Snapshot, frame: Frame) -> Pose;
+    fn pose(&self, values: &Values, on: On, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
     /// Charts from `from` to `to` seconds with `points` points each.
     fn charts(&self, values: &Values, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
 }
@@ -256,8 +275,8 @@ impl<M: Machine> AnyMachine for Erased<M> {
         M::scene(&Erased::<M>::params(values).0, on)
     }
 
-    fn pose(&self, values: &Values, on: On, now: &Snapshot, frame: Frame) -> Pose {
-        M::pose(&Erased::<M>::params(values).0, on, now, frame)
+    fn pose(&self, values: &Values, on: On, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+        M::pose(&Erased::<M>::params(values).0, on, run, now, frame)
     }
 
     fn charts(&self, values: &Values, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {

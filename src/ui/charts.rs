@@ -101,7 +101,7 @@ impl Charts {
 
     /// Shows the values at the head.
     pub(super) fn read(&self, head: f64) {
-        let lines = self.charts.iter().flat_map(|chart| &chart.series);
+        let lines = self.charts.iter().filter(|chart| chart.over_time()).flat_map(|chart| &chart.series);
         for (line, place) in lines.zip(&self.values) {
             let at = line.points.partition_point(|point| point.0 < head).min(line.points.len().saturating_sub(1));
             let text = line.points.get(at).map_or(String::new(), |point| figure(point.1, digits(point.1)));
@@ -124,11 +124,15 @@ fn figure_of(out: &mut String, chart: &Chart) {
     escape(out, t(chart.title));
     let _ = write!(out, " <i>{}</i></span><span class=\"legend\">", chart.unit);
     for line in &chart.series {
-        let _ = write!(out, "<span class=\"l{}\">{} <b></b></span>", line.tone, t(line.label));
+        let value = if chart.over_time() { " <b></b>" } else { "" };
+        let _ = write!(out, "<span class=\"l{}\">{}{value}</span>", line.tone, t(line.label));
     }
     out.push_str("</span></figcaption><div class=\"plot\">");
     out.push_str(&plot::svg(chart));
-    out.push_str("<div class=\"over\"><div class=\"cursor\"></div></div></div></figure>");
+    if chart.over_time() {
+        out.push_str("<div class=\"over\"><div class=\"cursor\"></div></div>");
+    }
+    out.push_str("</div></figure>");
 }
 
 /// Charts with their choice of time.

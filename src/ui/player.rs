@@ -228,9 +228,7 @@ impl Player {
     pub(super) fn all_charts(self, points: usize) -> Vec<crate::view::Chart> {
         let end = self.planned.get_untracked().0;
         self.state.with_untracked(|state| match (&state.planner, state.machine()) {
-            (Some(planner), Some((machine, on))) => {
-                machine.charts(&state.values, on, planner.timeline(), 0.0, end, points)
-            }
+            (Some(planner), Some((machine, on))) => machine.charts(&state.values, on, planner, 0.0, end, points),
             _ => Vec::new(),
         })
     }
@@ -375,12 +373,12 @@ impl Player {
             let snapshot = timeline.at(head);
             let block = timeline.block_at(head);
             if let Some(stage) = &mut state.stage {
-                stage.pose(&machine.pose(&state.values, on, &snapshot, frame));
+                stage.pose(&machine.pose(&state.values, on, planner, &snapshot, frame));
                 stage.time(head, planned);
             }
             let (from, to) = state.charts.page(head, planned, window);
             if (state.charts_stale || state.charts.moved(from, to)) && !state.charts_drawn {
-                state.charts.draw(machine, &state.values, on, planner.timeline(), from, to);
+                state.charts.draw(machine, &state.values, on, planner, from, to);
                 state.charts_drawn = true;
                 state.charts_stale = false;
             }

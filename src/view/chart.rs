@@ -1,4 +1,4 @@
-//! A chart as data: series of points over time. `plot` draws it.
+//! A chart as data: series of points over time, or over another quantity. `plot` draws it.
 
 /// A line of a chart.
 #[derive(Debug, Clone, PartialEq)]
@@ -11,7 +11,7 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
-/// A chart: one quantity over time.
+/// A chart: one quantity over another, most often time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chart {
     /// Id.
@@ -24,4 +24,11 @@ pub struct Chart {
     pub x_unit: &'static str,
     /// The lines.
     pub series: Vec<Series>,
+}
+
+impl Chart {
+    /// Whether its x is the time of the run, in seconds.
+    pub fn over_time(&self) -> bool {
+        self.x_unit == "s"
+    }
 }

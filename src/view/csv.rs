@@ -6,10 +6,10 @@ use super::{Chart, Sheet};
 use crate::text::catalog::{Language, words};
 use crate::text::number::Fixed;
 
-/// The lines of all charts side by side, over the x of the first; the heads carry units. Empty where there is no line.
+/// The lines of all charts over time side by side; the heads carry units. Empty where there is no line.
 pub fn charts(charts: &[Chart]) -> String {
-    let lines: Vec<_> =
-        charts.iter().flat_map(|chart| chart.series.iter().map(move |line| (chart.unit, line))).collect();
+    let over_time = charts.iter().filter(|chart| chart.over_time());
+    let lines: Vec<_> = over_time.flat_map(|chart| chart.series.iter().map(move |line| (chart.unit, line))).collect();
     let (Some(first), Some((_, line))) = (charts.first(), lines.first()) else { return String::new() };
     let mut out = format!("t [{}]", first.x_unit);
     for (unit, line) in &lines {

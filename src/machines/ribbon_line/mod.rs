@@ -92,7 +92,7 @@ impl Machine for RibbonLine {
         scene::scene(&Fitted::new(p, on))
     }
 
-    fn pose(p: &Params, on: On, now: &Snapshot, frame: Frame) -> Pose {
+    fn pose(p: &Params, on: On, _: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
         pose::pose(&Fitted::new(p, on), now, frame)
     }
 
@@ -121,11 +121,7 @@ fn start(control: &Control) -> Start {
     ] {
         start.values.insert(id.to_owned(), Value::Number((value * 1000.0).round() / 1000.0));
     }
-    let kept = "kept";
-    let reset = control.switches.iter().find(|row| row.id == "common-at-reset");
-    if let Some(row) = reset.filter(|row| row.takes(kept) && row.options.first() != Some(&kept)) {
-        start.switches.0.push((row.id.to_owned(), kept.to_owned()));
-    }
+    start.keep_common(control);
     start
 }
 

@@ -594,24 +594,24 @@ pub static FIELDS: &[Field<Params>] = &[
     fact!(
         "block-time",
         "ribbon.group.control",
-        "ribbon.block-time",
-        "ribbon.block-time.help",
+        "form.block-time",
+        "form.block-time.help",
         "",
         number!(block_time, "ms", 0.1..1000.0, 7.1, 3, 0.1)
     ),
     fact!(
         "macro-time",
         "ribbon.group.control",
-        "ribbon.macro-time",
-        "ribbon.macro-time.help",
+        "form.macro-time",
+        "form.macro-time.help",
         "",
         number!(macro_time, "ms", 0.0..1000.0, 3.0, 3, 0.1)
     ),
     fact!(
         "preread",
         "ribbon.group.control",
-        "ribbon.preread",
-        "ribbon.preread.help",
+        "form.preread",
+        "form.preread.help",
         "",
         number!(preread, "", 1.0..100.0, 5.0, 0, 1.0)
     ),
@@ -667,11 +667,11 @@ pub static FIELDS: &[Field<Params>] = &[
     setting!(
         "newline",
         "ribbon.group.program",
-        "ribbon.newline",
-        "ribbon.newline.help",
+        "form.newline",
+        "form.newline.help",
         "",
-        one_of!(newline: Newline, "lf" "ribbon.newline.lf", "crlf" "ribbon.newline.crlf")
+        one_of!(newline: Newline, "lf" "form.newline.lf", "crlf" "form.newline.crlf")
     ),
-    setting!("customer", "ribbon.group.program", "ribbon.customer", "ribbon.customer.help", "", words!(customer)),
-    setting!("product", "ribbon.group.program", "ribbon.product", "ribbon.product.help", "", words!(product)),
+    setting!("customer", "ribbon.group.program", "form.customer", "form.customer.help", "", words!(customer)),
+    setting!("product", "ribbon.group.program", "form.product", "form.product.help", "", words!(product)),
 ];

@@ -92,7 +92,7 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
         found.push(Diagnostic::info(msg!("ribbon.override-acts")));
     }
     if line.control.param(ParamRole::VariablesAtPowerOn).is_none() {
-        found.push(Diagnostic::info(msg!("ribbon.values-are-lost", program::SETUP)));
+        found.push(Diagnostic::info(msg!("form.values-are-lost", program::SETUP)));
     }
     found
 }

@@ -2,14 +2,15 @@
 
 use super::fitted::Fitted;
 use super::params::{OverrideForm, PrintAxis, Wait};
-use super::{program, show};
+use super::program;
+use crate::controls::ParamRole;
 use crate::controls::interface::SignalRole;
-use crate::controls::{ParamDef, ParamRole};
+use crate::machines::sheets::{self, Axes, Setting, row};
 use crate::text::catalog::{Language, words};
 use crate::text::number::Plain;
-use crate::text::{Citation, Grade, find};
+use crate::text::{Citation, Grade};
+use crate::view::Sheet;
 use crate::view::ladder::{Contact, Rung};
-use crate::view::{Row, Sheet};
 
 /// All sheets.
 pub(super) fn sheets(line: &Fitted) -> Vec<Sheet> {
@@ -18,10 +19,6 @@ pub(super) fn sheets(line: &Fitted) -> Vec<Sheet> {
 
 fn say(id: &'static str) -> String {
     words(Language::English, id).to_owned()
-}
-
-fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {
-    Row { cells: cells.into(), grade: cite.grade, source: cite.source }
 }
 
 /// Parameters with their values for this project.
@@ -35,7 +32,7 @@ fn parameters(line: &Fitted) -> Sheet {
     // A rotary axis can be C or what was fitted as Y.
     let turning = if p.print_axis == PrintAxis::Z { vec![] } else { vec![(print, Setting::Answer(line.degrees()))] };
     let yes = |on: bool| one(Setting::Answer(on));
-    let values = [
+    let values = vec![
         (ParamRole::SpindleCount, yes(true)),
         (ParamRole::SpindleConnection, yes(true)),
         (ParamRole::SpindleLimit, one(number(p.speed_at_10v))),
@@ -58,62 +55,8 @@ fn parameters(line: &Fitted) -> Sheet {
         (ParamRole::EditLock, yes(false)),
         (ParamRole::MacroSingle, yes(false)),
     ];
-    let rows = values
-        .into_iter()
-        .filter_map(|(role, values)| Some((line.control.param(role)?, values)))
-        .flat_map(|(def, values)| values.into_iter().filter_map(move |(axis, value)| parameter(line, def, axis, value)))
-        .collect();
-    Sheet {
-        id: "parameters",
-        title: "ribbon.sheet.parameters",
-        columns: vec![
-            "ribbon.sheet.number",
-            "ribbon.sheet.name",
-            "ribbon.sheet.axis",
-            "ribbon.sheet.value",
-            "ribbon.sheet.unit",
-            "ribbon.sheet.meaning",
-        ],
-        rows,
-        ladder: Vec::new(),
-    }
-}
-
-/// What a parameter is set to.
-enum Setting {
-    /// A number, in mm, mm/min, r/min, ms or 1/s.
-    Number(f64),
-    /// Yes or no, in the control's own figures.
-    Answer(bool),
-}
-
-/// A row of the sheet; none where nobody knows how the control wants it written.
-fn parameter(line: &Fitted, def: &ParamDef, axis: &str, setting: Setting) -> Option<Row> {
-    let words = if def.diameter && axis == "X" { f64::from(line.pull_words()) } else { 1.0 };
-    let text = match setting {
-        Setting::Number(value) => show(value * words * per_unit(def.unit)?, 3),
-        Setting::Answer(yes) => def.answer(yes).to_owned(),
-    };
-    if text.is_empty() {
-        return None;
-    }
-    let unit = match find::last(def.unit, "mm").and_then(|at| def.unit.split_at_checked(at)) {
-        Some((before, rest)) if line.degrees() && !matches!(axis, "" | "X") => {
-            format!("{before}°{}", rest.strip_prefix("mm").unwrap_or(rest))
-        }
-        _ => def.unit.to_owned(),
-    };
-    Some(row([def.number.to_owned(), def.name.to_owned(), axis.to_owned(), text, unit, def.text.to_owned()], def.cite))
-}
-
-/// Units of a parameter per unit of the form.
-fn per_unit(unit: &str) -> Option<f64> {
-    match unit {
-        "0.001 mm" => Some(1000.0),
-        "0.01/s" => Some(100.0),
-        "pulses" => None,
-        _ => Some(1.0),
-    }
+    let axes = Axes { cross_words: f64::from(line.pull_words()), rotary: line.degrees().then_some(print) };
+    sheets::parameters(line.control, &axes, values)
 }
 
 /// Registers between PLC and control, as far as the control has them: who writes, who reads, what for.
@@ -153,20 +96,7 @@ fn interface(line: &Fitted) -> Sheet {
             open,
         ));
     }
-    Sheet {
-        id: "interface",
-        title: "ribbon.sheet.interface",
-        columns: vec![
-            "ribbon.sheet.device",
-            "ribbon.sheet.variable",
-            "ribbon.sheet.writes",
-            "ribbon.sheet.reads",
-            "ribbon.sheet.unit",
-            "ribbon.sheet.use",
-        ],
-        rows,
-        ladder: Vec::new(),
-    }
+    sheets::interface(rows)
 }
 
 /// The rungs of the paper's figure 1, and FIN. What the control has no register for is left out.
@@ -243,7 +173,7 @@ fn ladder(line: &Fitted) -> Sheet {
     Sheet {
         id: "ladder",
         title: "ribbon.sheet.ladder",
-        columns: vec!["ribbon.sheet.step", "ribbon.sheet.instruction", "ribbon.sheet.use"],
+        columns: vec!["ribbon.sheet.step", "ribbon.sheet.instruction", "sheet.use"],
         rows,
         ladder,
     }

@@ -25,7 +25,7 @@ fn running(t: f64) -> Snapshot {
 }
 
 fn pose(t: f64, step: f64, strobe: bool) -> Pose {
-    machine().pose(&values(&[]), on(), &running(t), Frame { step, strobe })
+    machine().pose(&values(&[]), on(), &Running, &running(t), Frame { step, strobe })
 }
 
 #[test]
@@ -33,7 +33,7 @@ fn poses_move_what_the_scene_has() {
     for heads in ["1", "6", "60", "1000"] {
         let values = values(&[("heads", heads)]);
         let scene = machine().scene(&values, on());
-        let pose = machine().pose(&values, on(), &running(3.0), Frame { step: 0.001, strobe: false });
+        let pose = machine().pose(&values, on(), &Running, &running(3.0), Frame { step: 0.001, strobe: false });
         assert!(scene.nodes.len() < 250, "{heads} heads: {} nodes", scene.nodes.len());
         assert!(scene.nodes.iter().all(|node| node.group <= scene.groups));
         for (at, _) in &pose.texts {
@@ -96,6 +96,10 @@ struct Running;
 impl Samples for Running {
     fn at(&self, t: f64) -> Snapshot {
         running(t)
+    }
+
+    fn variable(&self, _: u32, _: f64) -> Option<f64> {
+        None
     }
 }
 

@@ -159,7 +159,7 @@ fn a_feed_per_revolution_runs_in_step_with_the_unwinder_on_every_control() {
         // In ramps, too: the loop never takes more than what X lags at 110 %, half its time constant and its gain, and what the unwinder
         // turns before the program has read its first block.
         let end = planner.timeline().end() - 0.5;
-        let charts = machine().charts(&project.values, project.on(), planner.timeline(), 0.0, end, 2000);
+        let charts = machine().charts(&project.values, project.on(), &planner, 0.0, end, 2000);
         let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
         let lag = 280.0 * (0.05 + 1.0 / 33.0) + 4.0;
         let most = slack.iter().map(|(_, mm)| *mm).fold(0.0, f64::max);
@@ -196,7 +196,7 @@ fn the_design_of_a_feed_per_revolution_is_its_run() {
         let planner = over_time(&project, vec![]);
         let design = project.design();
         let result = |id: &str| design.readouts.iter().find(|row| row.id == id).unwrap().value;
-        let charts = machine().charts(&project.values, project.on(), planner.timeline(), 0.0, 15.0, 1501);
+        let charts = machine().charts(&project.values, project.on(), &planner, 0.0, 15.0, 1501);
         let slack = charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points[1000].1;
         // A scan of the PLC and the steps of F.
         assert!((slack - result("slack-start")).abs() < 1.0, "{dwell} {ramp}: {slack} {}", result("slack-start"));

@@ -403,7 +403,7 @@ fn slack_in_the_run_is_the_designs() {
         let mut run = planned(&values, vec![]);
         run.advance(3600.0, 10_000_000);
         let end = run.timeline().end();
-        let charts = machine().charts(&values, on(), run.timeline(), 0.0, end, 2001);
+        let charts = machine().charts(&values, on(), &run, 0.0, end, 2001);
         let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
         let (middle, last) = (slack[1200].1, slack[2000].1);
         // The 12 bits of the output unwind 0.1 r/min less than is asked for: 0.25 mm in the time of a run.

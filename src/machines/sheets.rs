@@ -1,0 +1,86 @@
+//! Sheets that stand beside a program: what those of all machines have in common.
+
+use crate::controls::{Control, ParamDef, ParamRole};
+use crate::text::catalog::number_text;
+use crate::text::{Citation, find};
+use crate::view::{Row, Sheet};
+
+/// A row with its evidence.
+pub(super) fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {
+    Row { cells: cells.into(), grade: cite.grade, source: cite.source }
+}
+
+/// What a parameter is set to.
+pub(super) enum Setting {
+    /// A number, in mm, mm/min, r/min, ms, mV or 1/s.
+    Number(f64),
+    /// Yes or no, in the control's own figures.
+    Answer(bool),
+}
+
+/// What the axes of a machine count.
+pub(super) struct Axes<'a> {
+    /// What words of X count for each millimetre that it moves.
+    pub(super) cross_words: f64,
+    /// The axis that counts degrees, if one does.
+    pub(super) rotary: Option<&'a str>,
+}
+
+/// Values of a parameter: by axis, or one under an empty name.
+pub(super) type Values<'a> = Vec<(&'a str, Setting)>;
+
+/// Parameters with their values, as far as the control has them.
+pub(super) fn parameters(control: &Control, axes: &Axes, values: Vec<(ParamRole, Values)>) -> Sheet {
+    let rows = values
+        .into_iter()
+        .filter_map(|(role, values)| Some((control.param(role)?, values)))
+        .flat_map(|(def, values)| values.into_iter().filter_map(move |(axis, value)| parameter(axes, def, axis, value)))
+        .collect();
+    Sheet {
+        id: "parameters",
+        title: "sheet.parameters",
+        columns: vec!["sheet.number", "sheet.name", "sheet.axis", "sheet.value", "sheet.unit", "sheet.meaning"],
+        rows,
+        ladder: Vec::new(),
+    }
+}
+
+/// Registers between PLC and control: who writes, who reads, what for.
+pub(super) fn interface(rows: Vec<Row>) -> Sheet {
+    Sheet {
+        id: "interface",
+        title: "sheet.interface",
+        columns: vec!["sheet.device", "sheet.variable", "sheet.writes", "sheet.reads", "sheet.unit", "sheet.use"],
+        rows,
+        ladder: Vec::new(),
+    }
+}
+
+/// A row of the sheet; none where nobody knows how the control wants it written.
+fn parameter(axes: &Axes, def: &ParamDef, axis: &str, setting: Setting) -> Option<Row> {
+    let words = if def.diameter && axis == "X" { axes.cross_words } else { 1.0 };
+    let text = match setting {
+        Setting::Number(value) => number_text(value * words * per_unit(def.unit)?, 3),
+        Setting::Answer(yes) => def.answer(yes).to_owned(),
+    };
+    if text.is_empty() {
+        return None;
+    }
+    let unit = match find::last(def.unit, "mm").and_then(|at| def.unit.split_at_checked(at)) {
+        Some((before, rest)) if axes.rotary == Some(axis) => {
+            format!("{before}°{}", rest.strip_prefix("mm").unwrap_or(rest))
+        }
+        _ => def.unit.to_owned(),
+    };
+    Some(row([def.number.to_owned(), def.name.to_owned(), axis.to_owned(), text, unit, def.text.to_owned()], def.cite))
+}
+
+/// Units of a parameter per unit of the form.
+fn per_unit(unit: &str) -> Option<f64> {
+    match unit {
+        "0.001 mm" => Some(1000.0),
+        "0.01/s" => Some(100.0),
+        "pulses" => None,
+        _ => Some(1.0),
+    }
+}
