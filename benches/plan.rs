@@ -7,6 +7,7 @@ use std::rc::Rc;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group};
 use macroline::controls::{self, Control, Switches};
+use macroline::drives::Analog;
 use macroline::interp::{Interp, Start};
 use macroline::motion::{
     Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Progress, Setup, SpindlePlant,
@@ -31,15 +32,8 @@ fn plant() -> Plant {
         time_constant: 0.1,
         position_gain: 33.0,
     };
-    let spindle = SpindlePlant {
-        speed_at_full: 1480.0,
-        speed_clamp: 1480.0,
-        volts_full: 10.0,
-        output_bits: 12,
-        ramp: 2.0,
-        gain: 1.0,
-        slip: 0.0,
-    };
+    let rules = control().spindle_rules(&Switches::default());
+    let spindle = SpindlePlant::new(Analog::unipolar(1480.0, 10.0), 1480.0, 2.0, rules);
     Plant {
         axes: vec![axis(b'X'), axis(b'Y')],
         spindle,

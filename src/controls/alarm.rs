@@ -129,6 +129,12 @@ pub enum Alarm {
     IntoLoop,
     /// An arc whose radius is shorter than half its chord.
     ArcRadius,
+    /// A spindle that cannot be brought to an angle.
+    NoPositioning,
+    /// Constant surface speed before any cutting speed was given, where that is an alarm.
+    NoSurfaceSpeed,
+    /// A cutting speed outside its range.
+    SurfaceSpeedRange,
 }
 
 /// An alarm as one control shows it.
@@ -214,6 +220,9 @@ impl Alarm {
         Alarm::DoNumber,
         Alarm::IntoLoop,
         Alarm::ArcRadius,
+        Alarm::NoPositioning,
+        Alarm::NoSurfaceSpeed,
+        Alarm::SurfaceSpeedRange,
     ];
 
     /// The wider kind that a control shows where it has no number for this one; `None` for the widest.
@@ -225,7 +234,9 @@ impl Alarm {
             DoNumber => WhileSentence,
             IntoLoop => DoPair,
             NoCallProgram => NoProgram,
-            Digits | SequenceDigits | FeedRange | UserAlarmRange => OutOfRange,
+            Digits | SequenceDigits | FeedRange | UserAlarmRange | SurfaceSpeedRange => OutOfRange,
+            NoSurfaceSpeed => NoFeed,
+            NoPositioning => UnknownCode,
             BlockWords => BlockTooLong,
             JumpNumber => NoSequence,
             ReadOnly => VariableSide,

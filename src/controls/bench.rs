@@ -15,13 +15,28 @@ pub struct BenchAxis {
     pub position_gain: f64,
 }
 
+/// A gear change, in volts and seconds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BenchShift {
+    /// Volts while it shifts.
+    pub volts: f64,
+    /// Until the old gear goes out.
+    pub before: f64,
+    /// Until the new one is in position.
+    pub meshing: f64,
+    /// Until the voltage of the speed stands.
+    pub after: f64,
+}
+
 /// Axes, spindle and PLC of the bench.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bench {
     /// Axes.
     pub axes: &'static [BenchAxis],
-    /// Spindle speed at full output in r/min.
-    pub speed_at_full: f64,
+    /// Spindle speed at full output in r/min, gear by gear.
+    pub gears: &'static [f64],
+    /// How gears are shifted.
+    pub shift: BenchShift,
     /// Spindle clamp in r/min.
     pub speed_clamp: f64,
     /// Full output in volts.

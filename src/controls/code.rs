@@ -83,6 +83,12 @@ pub enum Code {
     SpindleCcw,
     /// Spindle stop (M05).
     SpindleStop,
+    /// Gear stage of the spindle (M41 …), 0 for automatic selection by S (M40).
+    GearStage(u8),
+    /// Lower limit of the spindle speed, behind S (G25).
+    LowerSpeedLimit,
+    /// Upper limit of the spindle speed, behind S (G26).
+    UpperSpeedLimit,
     /// Spindle orientation (M19).
     SpindleOrient,
     /// Cancel or default state that the simulation is in anyway (G40, G80 …).

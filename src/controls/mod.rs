@@ -22,6 +22,8 @@ pub mod interface;
 
 pub mod bench;
 
+pub mod spindle;
+
 pub mod mitsubishi_e60;
 
 pub mod gsk_980tdc;
@@ -35,6 +37,7 @@ pub use interface::Signal;
 pub use limits::{Limits, Timing};
 pub use macros::Macros;
 pub use params::{ParamDef, ParamRole};
+pub use spindle::SpindleRules;
 pub use switch::{Switch, Switches};
 pub use syntax::Syntax;
 pub use vars::{VarKind, VarRange};
@@ -72,6 +75,8 @@ pub struct Control {
     pub interface: &'static [Signal],
     /// Points that the manuals leave open, each with a default.
     pub switches: &'static [Switch],
+    /// What S, M3, constant surface speed and limits do.
+    pub spindle: SpindleRules,
     /// The plant that a bare program runs on.
     pub bench: Bench,
 }

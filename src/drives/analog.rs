@@ -1,41 +1,79 @@
 //! The analog spindle output: a speed becomes a voltage through a converter with few bits.
 
-/// An output of 0 V to `volts_full` in steps.
+/// An output in steps, on a straight line through two points: standstill and rated speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Analog {
-    /// Speed at full output in r/min.
-    pub speed_at_full: f64,
-    /// Full output in volts.
-    pub volts_full: f64,
-    /// Bits of the converter (12: 0 to 4095).
+    /// Speed in r/min that `rated_volts` stands for.
+    pub rated_speed: f64,
+    /// Volts at rated speed: the gain of the output.
+    pub rated_volts: f64,
+    /// Volts that are added at standstill.
+    pub offset_zero: f64,
+    /// Volts that are added at rated speed.
+    pub offset_rated: f64,
+    /// Volts beyond which the converter gives no more.
+    pub volts_max: f64,
+    /// Bits of the converter from 0 V to `volts_max` (12: 0 to 4095).
     pub bits: u8,
+    /// The sign of the voltage is the direction (±10 V); else contacts tell the direction and the voltage is never negative.
+    pub bipolar: bool,
 }
 
 impl Analog {
-    /// Volts that a speed in r/min of either direction asks for: `V = volts_full · |n| / speed_at_full`, at most `volts_full`.
+    /// 0 V to `volts` at `speed` on 12 bits, no offsets, direction by contacts.
+    pub const fn unipolar(speed: f64, volts: f64) -> Analog {
+        Analog {
+            rated_speed: speed,
+            rated_volts: volts,
+            offset_zero: 0.0,
+            offset_rated: 0.0,
+            volts_max: volts,
+            bits: 12,
+            bipolar: false,
+        }
+    }
+
+    /// Volts that a speed in r/min asks for, within what the converter gives:
+    /// `V = c₀ + (V_rated + c₁ - c₀) · n / n_rated`, on a bipolar output with the sign of n on the whole line but c₀.
     ///
-    /// Source: `reference/mitsubishi-e60.md` section 3.1 (10 V at `slimt`).
+    /// Source: `reference/gsk-knd-polygon.md` section 1.1 (c₀ is No.036, c₁ No.021), `reference/mitsubishi-e60.md` section 3.1 (10 V at
+    /// `slimt`), `reference/sinumerik-802d.md` section 4 (rated volts: RATED_OUTVAL, rated speed: RATED_VELO).
     pub fn command(&self, rpm: f64) -> f64 {
-        self.volts_full * self.share(rpm)
+        let volts = self.offset_zero + self.slope() * if self.bipolar { rpm } else { rpm.abs() };
+        let least = if self.bipolar { -self.volts_max } else { 0.0 };
+        crate::math::clamp(volts, least, self.volts_max)
     }
 
     /// The converter's value for a speed in r/min, to the nearest step: 1200 of 1480 r/min on 12 bits is 3320 of 4095.
-    pub fn code(&self, rpm: f64) -> u32 {
-        (self.share(rpm) * f64::from(self.steps())).round() as u32
+    pub fn code(&self, rpm: f64) -> i32 {
+        let share = if self.volts_max > 0.0 { self.command(rpm) / self.volts_max } else { 0.0 };
+        (share * f64::from(self.steps())).round() as i32
     }
 
     /// Volts as they leave the converter for a speed in r/min.
     pub fn output(&self, rpm: f64) -> f64 {
-        self.volts_full * f64::from(self.code(rpm)) / f64::from(self.steps())
+        self.volts_max * f64::from(self.code(rpm)) / f64::from(self.steps())
     }
 
     /// Largest value of the converter, at least 1.
-    pub fn steps(&self) -> u32 {
+    pub fn steps(&self) -> i32 {
         (1 << self.bits.clamp(1, 24)) - 1
     }
 
-    /// Fraction of full output, 0 to 1; 0 where `speed_at_full` is not above 0.
-    fn share(&self, rpm: f64) -> f64 {
-        if self.speed_at_full > 0.0 { (rpm.abs() / self.speed_at_full).min(1.0) } else { 0.0 }
+    /// Highest speed that the output can ask for: where the line reaches `volts_max`.
+    pub fn top_speed(&self) -> f64 {
+        self.speed(self.volts_max)
+    }
+
+    /// The speed in r/min that a voltage asks for; infinite where no speed changes the voltage.
+    pub fn speed(&self, volts: f64) -> f64 {
+        let slope = self.slope();
+        if slope > 0.0 { ((volts - self.offset_zero) / slope).max(0.0) } else { f64::INFINITY }
+    }
+
+    /// Volts per r/min; 0 where `rated_speed` is not above 0.
+    fn slope(&self) -> f64 {
+        let volts = self.rated_volts + self.offset_rated - self.offset_zero;
+        if self.rated_speed > 0.0 { volts.max(0.0) / self.rated_speed } else { 0.0 }
     }
 }

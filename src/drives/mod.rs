@@ -1,6 +1,12 @@
-//! Engineering shared by machines: analog output, web (strip), a servo's block, induction drive.
+//! Engineering shared by machines: analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive.
 
 pub mod analog;
+
+pub mod speed;
+
+pub mod orient;
+
+pub mod cutting;
 
 pub mod web;
 
@@ -9,3 +15,5 @@ pub mod block;
 pub mod induction;
 
 pub use analog::Analog;
+pub use orient::{Approach, Positioning};
+pub use speed::{Bound, SpeedLimits, Stage};

@@ -27,6 +27,7 @@ pub(super) struct Codes {
     /// Exact stop mode or cutting mode is commanded.
     path: bool,
     spindle: Option<i8>,
+    gear: Option<u8>,
     auxiliary: [u32; M_CODES],
     auxiliaries: usize,
     /// M00, M01, M02, M30.
@@ -54,7 +55,7 @@ pub(super) struct Words {
     /// I, J, K.
     pub(super) center: [Option<i64>; 3],
     pub(super) radius: Option<i64>,
-    speed: Option<f64>,
+    pub(super) speed: Option<f64>,
     tool: Option<u32>,
     pub(super) dwell: Option<f64>,
     p: Option<f64>,
@@ -96,8 +97,12 @@ impl State {
         }
         let mut values = Words::default();
         self.values(cx, block, words, &codes, &mut values)?;
-        self.speed(cx, &codes, values.speed, surface);
-        if let Some(sign) = codes.spindle {
+        if let Some(stage) = codes.gear {
+            self.queue.push(Canon::Gear { stage });
+        }
+        self.speed(cx, &codes, &values, surface)?;
+        let stops_last = codes.spindle == Some(0) && cx.shared.rules.spindle.stop_last;
+        if let Some(sign) = codes.spindle.filter(|_| !stops_last) {
             self.queue.push(Canon::SpindleDirection { sign });
         }
         for &code in codes.auxiliary.iter().take(codes.auxiliaries) {
@@ -111,6 +116,9 @@ impl State {
             self.queue.push(Canon::PathMode { exact: self.modal.exact });
         }
         let moved = self.motion(cx, &codes, &values)?;
+        if stops_last {
+            self.queue.push(Canon::SpindleDirection { sign: 0 });
+        }
         let commands = !self.queue.is_empty();
         match codes.stop {
             Some(Code::Stop) => self.queue.push(Canon::Stop),
@@ -175,48 +183,6 @@ impl State {
         self.macro_words(cx, block, words, caller, kind)
     }
 
-    /// S, and constant surface speed on and off. `surface` is its zero before the block, where it was on.
-    #[inline]
-    fn speed(&mut self, cx: &Cx, codes: &Codes, speed: Option<f64>, surface: Option<i64>) {
-        if speed.is_none() && surface.is_none() && !self.modal.surface {
-            return;
-        }
-        if let (Some(Code::SetCoordinates), Some(rpm)) = (codes.special, speed) {
-            self.queue.push(Canon::SpeedLimit { rpm });
-            return;
-        }
-        if let Some(speed) = speed {
-            self.modal.word(b'S', speed);
-        }
-        if self.modal.surface {
-            if let Some(speed) = speed {
-                self.modal.surface_speed = speed;
-            }
-            if speed.is_some() || surface != Some(self.surface_zero(cx)) {
-                self.surface_speed(cx);
-            }
-            return;
-        }
-        if surface.is_some() {
-            self.queue.push(Canon::ConstantSpeed);
-        }
-        if let Some(rpm) = speed {
-            self.queue.push(Canon::SpindleSpeed { rpm });
-        }
-    }
-
-    fn surface_zero(&self, cx: &Cx) -> i64 {
-        self.modal.zero.get(cx.shared.rules.surface_axis).copied().unwrap_or(0)
-    }
-
-    /// Says the surface speed, where it is on: it is new, or its zero has moved.
-    pub(super) fn surface_speed(&mut self, cx: &Cx) {
-        if self.modal.surface {
-            let (axis, zero) = (cx.shared.rules.surface_axis as u8, self.surface_zero(cx));
-            self.queue.push(Canon::SurfaceSpeed { speed: self.modal.surface_speed, axis, zero });
-        }
-    }
-
     /// Puts the codes of a block in force.
     #[inline]
     fn codes(&mut self, cx: &mut Cx, block: &Block, words: &[Word], codes: &mut Codes) -> Run<()> {
@@ -268,7 +234,7 @@ impl State {
         use Code::*;
         match row.code {
             Dwell | ReferenceReturn | MachineCoordinates | MachineRapid | SetCoordinates | LocalCoordinates
-            | MacroCall | MacroModal | MacroModalBlock | MacroModalEnd => {
+            | LowerSpeedLimit | UpperSpeedLimit | MacroCall | MacroModal | MacroModalBlock | MacroModalEnd => {
                 (codes.special, codes.caller) = (Some(row.code), at);
             }
             ExactStopOnce => codes.exact = true,
@@ -295,6 +261,7 @@ impl State {
             Some(Code::SpindleCw) => codes.spindle = Some(1),
             Some(Code::SpindleCcw) => codes.spindle = Some(-1),
             Some(Code::SpindleStop) => codes.spindle = Some(0),
+            Some(Code::GearStage(stage)) => codes.gear = Some(stage),
             _ => {
                 let max = (cx.control.limits.m_codes as usize).clamp(1, M_CODES);
                 if codes.auxiliaries == max {

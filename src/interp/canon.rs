@@ -6,6 +6,8 @@
 use core::fmt::{self, Display as _, Write as _};
 
 use crate::controls::AxisDef;
+use crate::drives::Approach;
+use crate::drives::speed::Limit;
 use crate::text::number::Plain;
 
 /// Axes that a control can have at most.
@@ -95,10 +97,25 @@ pub enum Canon {
     },
     /// No constant surface speed any more (G97); the spindle keeps the speed that it has.
     ConstantSpeed,
-    /// Highest spindle speed under constant surface speed, in r/min (G50 S, G92 S).
+    /// A limit of the spindle speed in r/min (G25, G26, G50 S, G92 S, LIMS). It stays until another one is given.
     SpeedLimit {
+        /// Which.
+        limit: Limit,
         /// r/min.
         rpm: f64,
+    },
+    /// Gear stage of the spindle (M41 …), 0 for one that each S selects (M40); the program waits for FIN.
+    Gear {
+        /// From 1.
+        stage: u8,
+    },
+    /// The spindle goes to an angle, beside the motion of its block, and is held there until a direction or stop is given (SPOS). The next
+    /// block begins when it is there.
+    Orient {
+        /// Degrees, clockwise from the zero mark; [`Approach::Incremental`]: from where it is.
+        angle: f64,
+        /// Which way it goes.
+        approach: Approach,
     },
     /// Spindle turns clockwise (1), counter-clockwise (-1) or stops (0): M03, M04, M05.
     SpindleDirection {
@@ -248,7 +265,26 @@ impl fmt::Display for Line<'_> {
                 write!(f, "surface-speed {} {letter}{}", decimal(*speed), decimal(*zero as f64 * names.increment))
             }
             Canon::ConstantSpeed => f.write_str("constant-speed"),
-            Canon::SpeedLimit { rpm } => write!(f, "speed-limit {}", decimal(*rpm)),
+            Canon::SpeedLimit { limit, rpm } => {
+                f.write_str(match limit {
+                    Limit::Lower => "lower-",
+                    Limit::Upper => "upper-",
+                    Limit::Surface => "",
+                })?;
+                write!(f, "speed-limit {}", decimal(*rpm))
+            }
+            Canon::Gear { stage: 0 } => f.write_str("gear automatic"),
+            Canon::Gear { stage } => write!(f, "gear {stage}"),
+            Canon::Orient { angle, approach } => {
+                f.write_str("orient ")?;
+                decimal(*angle).fmt(f)?;
+                f.write_str(match approach {
+                    Approach::Direct => "",
+                    Approach::Clockwise => " cw",
+                    Approach::CounterClockwise => " ccw",
+                    Approach::Incremental => " incremental",
+                })
+            }
             Canon::SpindleDirection { sign: 1 } => f.write_str("spindle-cw"),
             Canon::SpindleDirection { sign: -1 } => f.write_str("spindle-ccw"),
             Canon::SpindleDirection { .. } => f.write_str("spindle-stop"),

@@ -19,6 +19,7 @@ mod index;
 pub mod inspect;
 mod modal;
 mod rules;
+mod spindle;
 mod state;
 mod system;
 mod travel;

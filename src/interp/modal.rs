@@ -42,8 +42,12 @@ pub(super) struct Modal {
     pub(super) lead: Option<f64>,
     /// Constant surface speed is on.
     pub(super) surface: bool,
-    /// The last surface speed as programmed, in m/min.
-    pub(super) surface_speed: f64,
+    /// The last surface speed as programmed, in m/min; `None` before the first.
+    pub(super) surface_speed: Option<f64>,
+    /// A code of feed has ended constant surface speed: the last S in r/min is in force again.
+    pub(super) surface_undone: bool,
+    /// The last S in r/min; `None` before the first.
+    pub(super) last_speed: Option<f64>,
     /// The last value of each address letter that modal variables show, by letter from A.
     pub(super) words: [f64; 26],
     /// Ten times the number of the code in force, by group.
@@ -69,7 +73,9 @@ impl Modal {
             feed: None,
             lead: None,
             surface: false,
-            surface_speed: 0.0,
+            surface_speed: None,
+            surface_undone: false,
+            last_speed: None,
             words: [f64::NAN; 26],
             codes: [0; GROUPS],
         };
@@ -101,20 +107,32 @@ impl Modal {
             Inch => self.inch = true,
             Metric => self.inch = false,
             FeedPerMinute | FeedPerRevolution => {
-                let per_revolution = row.code == FeedPerRevolution;
-                if per_revolution != self.per_revolution && !control.limits.feed_kept {
-                    self.feed = None;
+                self.count_feed(control, row.code == FeedPerRevolution);
+                if control.spindle.feed_ends_surface && self.surface {
+                    (self.surface, self.surface_undone) = (false, true);
                 }
-                self.per_revolution = per_revolution;
             }
             _ if row.group == Group::PathMode => self.exact = row.code == ExactStop,
-            SurfaceSpeed | SurfaceSpeedOff => self.surface = row.code == SurfaceSpeed,
+            SurfaceSpeed | SurfaceSpeedOff => {
+                (self.surface, self.surface_undone) = (row.code == SurfaceSpeed, false);
+                if control.spindle.surface_per_revolution {
+                    self.count_feed(control, true);
+                }
+            }
             WorkCoordinates(number) => {
                 self.coordinates = usize::from(number);
                 self.place_zero();
             }
             _ => {}
         }
+    }
+
+    /// What F counts from now on.
+    fn count_feed(&mut self, control: &Control, per_revolution: bool) {
+        if per_revolution != self.per_revolution && !control.limits.feed_kept {
+            self.feed = None;
+        }
+        self.per_revolution = per_revolution;
     }
 
     fn place_zero(&mut self) {

@@ -2,7 +2,7 @@
 
 use super::canon::AXES;
 use crate::controls::macros::{CodeCall, VacantWord};
-use crate::controls::{Control, Group, Limits, Switches};
+use crate::controls::{Control, Group, Limits, SpindleRules, Switches};
 use crate::text::find::holds;
 
 /// Where the results of ASIN lie, in degrees.
@@ -48,6 +48,8 @@ pub(super) struct Rules {
     pub(super) surface_axis: usize,
     /// What is added to the number of a user alarm to give the number that is shown.
     pub(super) user_alarm_base: Option<u32>,
+    /// What the control does with its spindle.
+    pub(super) spindle: SpindleRules,
     /// Codes that call programs.
     pub(super) calls: Vec<CodeCall>,
     /// G codes in force at the start, ten times their numbers.
@@ -90,6 +92,7 @@ impl Rules {
             moves: core::array::from_fn(|k| if control.counts_diameters(k, switches) { 0.5 } else { 1.0 }),
             surface_axis: square.unwrap_or(0).min(AXES - 1),
             user_alarm_base: get("user-alarm-base").and_then(|base| base.parse().ok()).or(macros.user_alarm_base),
+            spindle: control.spindle_rules(switches),
             calls: control.code_calls(switches),
             startup,
         }

@@ -21,6 +21,8 @@ impl State {
                 self.set_coordinates(cx, values);
                 return Ok(false);
             }
+            // Limits of the working area are not simulated.
+            Some(Code::LowerSpeedLimit | Code::UpperSpeedLimit) => return Ok(false),
             Some(Code::LocalCoordinates) => {
                 for k in (0..AXES).filter(|k| values.mask & 1 << k != 0) {
                     self.modal.set_local(k, values.axes[k]);

@@ -5,7 +5,8 @@ use super::path::Segment;
 use super::program::Program;
 use super::signals::percent;
 use super::snapshot::Mode;
-use super::state::{Once, Over, Queued, Sim, Surface};
+use super::state::{Once, Over, Queued, Sim};
+use crate::drives::speed::stage_for;
 use crate::interp::canon::{AXES, Target};
 use crate::interp::{Canon, Feed};
 use crate::math;
@@ -22,6 +23,8 @@ pub(super) enum Exec {
     Idle,
     /// Moves.
     Moving(Box<Move>),
+    /// Waits for the spindle's speed, before this movement.
+    Spinning(Box<Move>),
     /// Lets the axes settle until then.
     Settling(f64),
     /// Waits for standstill until then, before this command.
@@ -52,7 +55,7 @@ impl Exec {
     }
 
     /// Whether a thread is being cut, which no hold interrupts.
-    fn threads(&self) -> bool {
+    pub(super) fn threads(&self) -> bool {
         matches!(self, Exec::Moving(motion) if matches!(motion.pace, Pace::Thread(_)))
     }
 
@@ -86,11 +89,16 @@ impl<P: Program> Sim<'_, P> {
         match &s.exec {
             Exec::Idle if self.holding() => f64::INFINITY,
             Exec::Idle => match (s.queue.front(), &s.over) {
+                (next, _) if self.orients() && next.is_none_or(|next| next.first || next.canon.is_cut().is_none()) => {
+                    f64::INFINITY
+                }
                 (Some(queued), _) => queued.ready.max(s.now),
                 (None, Some(_)) => s.read_at.max(s.now).max(self.rest_time()),
                 (None, None) => f64::INFINITY,
             },
-            Exec::Moving(motion) => motion.end_time().min(motion.again).min(self.follow_time()),
+            Exec::Spinning(_) if self.holding() => f64::INFINITY,
+            Exec::Spinning(_) => self.speed_time().max(s.now),
+            Exec::Moving(motion) => motion.end_time().min(motion.again),
             Exec::Settling(t) | Exec::Resting(t, _) | Exec::Dwelling(t) => *t,
             _ => f64::INFINITY,
         }
@@ -103,10 +111,13 @@ impl<P: Program> Sim<'_, P> {
                 let (end, exact, pace) = (motion.end, motion.exact, motion.pace);
                 if motion.end_time() <= t {
                     self.arrive(t, end, exact, pace);
-                } else if self.follow_time() <= t {
-                    self.follow(t);
                 } else {
                     self.pace(t);
+                }
+            }
+            Exec::Spinning(_) => {
+                if let Exec::Spinning(motion) = core::mem::replace(&mut self.s.exec, Exec::Idle) {
+                    self.begin(t, *motion);
                 }
             }
             Exec::Resting(_, canon) => {
@@ -152,12 +163,12 @@ impl<P: Program> Sim<'_, P> {
             Canon::Linear { to, feed, exact } => {
                 let end = self.goal(&to);
                 let motion = Move::line(self.s.position, end, Pace::Feed(feed), exact, &self.machine.axes);
-                self.begin(t, motion);
+                self.cut(t, motion);
             }
             Canon::Thread { to, lead } => {
                 let end = self.goal(&to);
                 let motion = Move::line(self.s.position, end, Pace::Thread(lead), false, &self.machine.axes);
-                self.begin(t, motion);
+                self.cut(t, motion);
             }
             Canon::Arc { to, plane, center, clockwise, feed, exact } => {
                 let end = self.goal(&to);
@@ -165,20 +176,17 @@ impl<P: Program> Sim<'_, P> {
                 let center = (center.0 * scale(plane.0), center.1 * scale(plane.1));
                 let axes = &self.machine.axes;
                 let motion = Move::line(self.s.position, end, Pace::Feed(feed), exact, axes);
-                self.begin(t, motion.around(plane, center, clockwise, axes));
+                self.cut(t, motion.around(plane, center, clockwise, axes));
             }
             Canon::SurfaceSpeed { speed, axis, zero } => {
-                let axis = usize::from(axis);
-                let scale = self.machine.scale.get(axis);
-                self.s.surface =
-                    scale.map(|scale| Surface { speed, axis, zero: zero as f64 * scale, again: f64::INFINITY });
+                self.begin_surface(t, speed, axis, zero);
+            }
+            Canon::ConstantSpeed => self.end_surface(t),
+            Canon::SpeedLimit { limit, rpm } => {
+                self.s.turning.limit(limit, rpm);
                 self.follow(t);
             }
-            Canon::ConstantSpeed => self.s.surface = None,
-            Canon::SpeedLimit { rpm } => {
-                self.s.speed_limit = rpm.max(0.0);
-                self.follow(t);
-            }
+            Canon::Orient { angle, approach } => self.orient(t, angle, approach),
             // These only say that the interpreter has changed its mind, or have acted when they were read.
             Canon::Preset { .. } | Canon::PathMode { .. } => {}
             Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. } => {}
@@ -221,7 +229,13 @@ impl<P: Program> Sim<'_, P> {
         match canon {
             Canon::Dwell { seconds } => self.s.exec = Exec::Dwelling(t + seconds.max(0.0)),
             Canon::Stop | Canon::OptionalStop | Canon::Message { .. } => self.s.exec = Exec::Stopped,
-            Canon::End => self.s.exec = Exec::Finished,
+            Canon::End => {
+                self.s.exec = Exec::Finished;
+                if self.machine.spindle.rules.end_stops {
+                    (self.s.turning.speed, self.s.turning.direction) = (0.0, 0);
+                    self.follow(t);
+                }
+            }
             _ => {
                 self.strobe(canon);
                 // S, M and T of one block are put out together (reference/mitsubishi-e60.md section 5).
@@ -244,7 +258,9 @@ impl<P: Program> Sim<'_, P> {
     fn free(&self, canon: &Canon) -> bool {
         match canon {
             Canon::SpindleSpeed { .. } => self.s.io.s_strobe.is_none(),
-            Canon::SpindleDirection { .. } | Canon::Auxiliary { .. } => self.s.io.m_strobe.is_none(),
+            Canon::SpindleDirection { .. } | Canon::Auxiliary { .. } | Canon::Gear { .. } => {
+                self.s.io.m_strobe.is_none()
+            }
             Canon::Tool { .. } => self.s.io.t_strobe.is_none(),
             _ => false,
         }
@@ -253,12 +269,30 @@ impl<P: Program> Sim<'_, P> {
     fn strobe(&mut self, canon: Canon) {
         match canon {
             Canon::SpindleSpeed { rpm } => {
-                self.s.surface = None;
-                self.s.speed = rpm.max(0.0);
+                let turning = &mut self.s.turning;
+                turning.surface = None;
+                turning.speed = rpm.max(0.0);
                 self.s.io.s_strobe = Some(rpm);
+                if turning.automatic
+                    && let Some(stage) = stage_for(self.machine.spindle.stages(), self.s.io.gear, rpm)
+                    && stage != self.s.io.gear
+                {
+                    self.s.io.gear_wanted = Some(stage);
+                }
+            }
+            Canon::Gear { stage } => {
+                self.s.turning.automatic = stage == 0;
+                self.s.io.m_strobe = Some(40 + u32::from(stage));
+                let count = self.machine.spindle.stage_count;
+                if stage > count {
+                    self.say(Once::NoStage as u32, || msg!("motion.no-stage", u32::from(stage), u32::from(count)));
+                } else if stage > 0 {
+                    self.s.io.gear_wanted = Some(stage);
+                }
             }
             Canon::SpindleDirection { sign } => {
-                self.s.direction = sign.signum();
+                self.s.turning.orienting = None;
+                self.s.turning.direction = sign.signum();
                 self.s.io.m_strobe = Some(match sign.signum() {
                     1 => 3,
                     -1 => 4,
@@ -269,6 +303,19 @@ impl<P: Program> Sim<'_, P> {
             Canon::Tool { code } => self.s.io.t_strobe = Some(code),
             _ => {}
         }
+    }
+
+    /// A cut begins, or waits for the spindle's speed, where the control does so.
+    fn cut(&mut self, t: f64, motion: Move) {
+        if self.machine.spindle.rules.reached.is_some() {
+            self.aim_at_cut(t);
+            if self.speed_time() > t {
+                self.s.flow_end = None;
+                self.s.exec = Exec::Spinning(Box::new(motion));
+                return;
+            }
+        }
+        self.begin(t, motion);
     }
 
     fn begin(&mut self, t: f64, motion: Move) {
@@ -286,7 +333,8 @@ impl<P: Program> Sim<'_, P> {
         }
         self.s.exec = Exec::Moving(Box::new(motion));
         self.s.moving = true;
-        self.put(t);
+        self.put_segment(t);
+        self.aim_at_motion(t);
         self.follow(t);
     }
 
@@ -309,27 +357,28 @@ impl<P: Program> Sim<'_, P> {
         if asked.0.min(motion.limit) == motion.speed {
             motion.again = asked.1;
         } else {
-            self.put(t);
+            self.put_segment(t);
         }
     }
 
     /// Starts a segment of the path at `t`.
-    fn put(&mut self, t: f64) {
+    fn put_segment(&mut self, t: f64) {
         let (asked, again) = self.asked_speed(t);
         let Exec::Moving(motion) = &mut self.s.exec else { return };
         motion.set_speed(t, asked.min(motion.limit));
         motion.again = again;
         let (segment, circle) = motion.segment();
         let motion = **motion;
-        if let Some(surface) = &mut self.s.surface {
-            let follows = motion.pace != Pace::Rapid && motion.speed > 0.0 && motion.moves(surface.axis);
-            surface.again = if follows { surface.again.min(t + MEASURE) } else { f64::INFINITY };
-        }
         self.out.timeline.put_segment(segment, circle);
+        self.watch(t);
         if matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_))) {
             self.say_clamped(&motion, asked * 60.0);
             if self.waits_for_spindle() {
-                self.say(Once::SpindleStands as u32, || msg!("motion.spindle-stands"));
+                if self.machine.spindle.encoder {
+                    self.say(Once::SpindleStands as u32, || msg!("motion.spindle-stands"));
+                } else {
+                    self.say(Once::NoEncoder as u32, || msg!("motion.no-encoder"));
+                }
             }
         }
     }
@@ -338,7 +387,7 @@ impl<P: Program> Sim<'_, P> {
     pub(super) fn waits_for_spindle(&self) -> bool {
         let Exec::Moving(motion) = &self.s.exec else { return false };
         let by_turns = matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_)));
-        let stands = self.out.timeline.ramps.last().is_none_or(|r| r.actual(&self.machine.spindle, self.s.now) == 0.0);
+        let stands = self.measured(self.s.now) == 0.0;
         by_turns && stands && motion.speed == 0.0 && !motion.again.is_finite() && !self.holding()
     }
 
@@ -360,11 +409,25 @@ impl<P: Program> Sim<'_, P> {
     /// Path speed of a feed in mm per revolution. While the spindle changes its speed the feed follows in steps, each with the mean speed
     /// of its span.
     fn in_step(&self, t: f64, feed: f64) -> (f64, f64) {
-        let again = if self.s.reached_at.is_finite() { self.s.reached_at.min(t + MEASURE) } else { f64::INFINITY };
+        let reached = self.s.turning.reached_at;
+        let again = if reached.is_finite() { reached.min(t + MEASURE) } else { f64::INFINITY };
         let middle = if again.is_finite() { 0.5 * (t + again) } else { t };
-        let ramp = self.out.timeline.ramps.last();
-        let rpm = ramp.map_or(0.0, |ramp| ramp.actual(&self.machine.spindle, middle).abs());
-        (feed * rpm / 60.0, again)
+        (feed * self.measured(middle) / 60.0, again)
+    }
+
+    /// Speed of the spindle in r/min as its encoder measures it, without sign; 0 without encoder.
+    fn measured(&self, t: f64) -> f64 {
+        let plant = &self.machine.spindle;
+        let ramp = self.out.timeline.ramps.last().filter(|_| plant.encoder);
+        ramp.map_or(0.0, |ramp| ramp.actual(plant, t).abs())
+    }
+
+    /// When the spindle is fast enough for a cut.
+    fn speed_time(&self) -> f64 {
+        let plant = &self.machine.spindle;
+        let (Some(part), Some(ramp)) = (plant.rules.reached, self.out.timeline.ramps.last()) else { return self.s.now };
+        let looked = if ramp.told.span > 0.0 { ramp.t } else { ramp.t + plant.reached_delay };
+        if self.s.turning.direction == 0 { self.s.now } else { ramp.within(part).max(looked) }
     }
 
     /// The unfiltered path has come to the end of a block.
@@ -372,7 +435,6 @@ impl<P: Program> Sim<'_, P> {
         self.s.position = end;
         self.s.exec = Exec::Idle;
         self.s.flow_end = (!exact).then_some(t);
-        self.follow(t);
         if !exact || (self.s.suppress_exact && pace != Pace::Rapid) {
             return;
         }

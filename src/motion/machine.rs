@@ -3,6 +3,8 @@
 use super::plan::Limits;
 use super::plant::{AxisPlant, Plant, SpindlePlant};
 use crate::controls::{Alarm, Control, VarKind, VarRange};
+use crate::drives::Positioning;
+use crate::drives::speed::STAGES;
 use crate::interp::canon::AXES;
 
 /// Every block takes some time, so that time passes in a loop that waits.
@@ -23,6 +25,7 @@ pub(super) struct Machine {
     pub(super) standstill: f64,
     pub(super) limits: Limits,
     pub(super) emergency: Option<&'static str>,
+    pub(super) no_positioning: Option<&'static str>,
     vars: &'static [VarRange],
     /// Bit `k`: the machine has axis `k`.
     pub(super) fitted: u8,
@@ -57,14 +60,23 @@ impl Machine {
                 ..axis
             }
         });
-        let spindle = SpindlePlant {
-            speed_at_full: positive(plant.spindle.speed_at_full, 1.0),
+        let mut spindle = SpindlePlant {
             speed_clamp: positive(plant.spindle.speed_clamp, 0.0),
             ramp: positive(plant.spindle.ramp, 0.0),
             gain: positive(plant.spindle.gain, 1.0),
             slip: if plant.spindle.slip.is_finite() { plant.spindle.slip } else { 0.0 },
+            stage_count: plant.spindle.stage_count.clamp(1, STAGES as u8),
+            reached_delay: positive(plant.spindle.reached_delay, 0.0),
+            surface_low: positive(plant.spindle.surface_low, 0.0),
             ..plant.spindle
         };
+        for stage in &mut spindle.stages {
+            stage.rated = positive(stage.rated, 1.0);
+        }
+        spindle.positioning = spindle.positioning.filter(|positioning| positioning.speed > 0.0).map(|positioning| {
+            let speed = positioning.speed.min(spindle.speed_clamp).max(1e-3);
+            Positioning { speed, acceleration: positive(positioning.acceleration, 1e9), ..positioning }
+        });
         Machine {
             standstill: axes.iter().map(|axis| axis.time_constant).fold(0.0, f64::max),
             scale: axes.map(|axis| control.limits.increment / axis.words_per_unit()),
@@ -76,10 +88,16 @@ impl Machine {
             in_position: positive(plant.in_position, 1e-6),
             limits,
             emergency: control.alarm_number(Alarm::EmergencyStop),
+            no_positioning: control.alarm_number(Alarm::NoPositioning),
             vars: control.vars,
             fitted,
             log,
         }
+    }
+
+    /// The axis that counts diameters: it is square to the spindle.
+    pub(super) fn square(&self) -> Option<u8> {
+        self.axes.iter().position(|axis| axis.diameter).map(|at| at as u8)
     }
 
     /// Whether a variable is written by the PLC.

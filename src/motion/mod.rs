@@ -42,6 +42,8 @@ mod machine;
 
 mod moves;
 
+mod orienting;
+
 mod operator;
 
 mod path;
@@ -56,11 +58,13 @@ mod state;
 
 mod track;
 
+mod turning;
+
 pub use look::{Gate, Given};
 pub use panel::{Action, Event, Panel};
 pub use plan::{Keep, Limits, Planner, Progress, RunEnd, Setup};
 pub use plant::{AxisPlant, Plant, SpindlePlant};
-pub use plc::{BenchPlc, Io, Part, Plc};
+pub use plc::{BenchPlc, GearShift, Io, Part, Plc};
 pub use program::Program;
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};
 pub use timeline::Timeline;

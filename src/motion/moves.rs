@@ -157,12 +157,6 @@ impl Move {
         place
     }
 
-    /// Where an axis will be at `t` if the speed stays.
-    pub(super) fn axis_at(&self, k: usize, t: f64) -> f64 {
-        let done = (self.done + self.speed * (t - self.since)).min(self.length);
-        self.place(done / self.length)[k]
-    }
-
     /// Whether an axis moves.
     pub(super) fn moves(&self, k: usize) -> bool {
         self.line[k] != 0.0 || self.bow.is_some_and(|bow| bow.plane.0 as usize == k || bow.plane.1 as usize == k)

@@ -4,7 +4,7 @@ use super::executor::Exec;
 use super::panel::Action;
 use super::plc::Part;
 use super::program::Program;
-use super::signals::percent;
+use super::signals::{percent, sense};
 use super::state::Sim;
 use super::timeline::Change;
 use crate::msg;
@@ -46,11 +46,15 @@ impl<P: Program> Sim<'_, P> {
             Action::BlockSkip(on) => self.s.knobs.block_skip = *on,
             Action::ManualSpeed(rpm) => {
                 if !matches!(self.s.exec, Exec::Emergency(_)) && rpm.is_finite() {
-                    self.s.surface = None;
-                    self.s.speed = rpm.abs();
-                    self.s.direction = if *rpm == 0.0 { 0 } else { rpm.signum() as i8 };
+                    let turning = &mut self.s.turning;
+                    (turning.surface, turning.orienting) = (None, None);
+                    (turning.speed, turning.direction) = (rpm.abs(), sense(*rpm));
                     self.scan(t);
                 }
+            }
+            Action::SpeedLimit(limit, rpm) => {
+                self.s.turning.limit(*limit, *rpm);
+                self.scan(t);
             }
             Action::Input(name, value) => match forced(name).filter(|(number, _)| self.machine.is_input(*number)) {
                 Some(key) => {
@@ -94,7 +98,7 @@ impl<P: Program> Sim<'_, P> {
         }
     }
 
-    /// Stops everything: the axes over their time constants, the spindle over its ramp with its command at 0.
+    /// Stops everything: the axes over their time constants, the spindle over its ramp, where the control does so.
     fn reset(&mut self, t: f64, then: Exec) {
         self.break_off(t);
         if self.machine.log {
@@ -104,10 +108,16 @@ impl<P: Program> Sim<'_, P> {
             }
         }
         self.clear();
+        let emergency = matches!(then, Exec::Emergency(_));
+        if emergency || self.orients() {
+            self.s.turning.orienting = None;
+        }
+        if emergency || !self.machine.spindle.rules.turns_through_reset {
+            self.s.turning.direction = 0;
+        }
         self.s.exec = then;
-        self.s.direction = 0;
         let io = &mut self.s.io;
-        (io.m_strobe, io.s_strobe, io.t_strobe) = (None, None, None);
+        (io.m_strobe, io.s_strobe, io.t_strobe, io.gear_wanted) = (None, None, None, None);
         self.scan(t);
     }
 
@@ -123,7 +133,7 @@ impl<P: Program> Sim<'_, P> {
         s.flow_end = None;
         (s.suppress_hold, s.suppress_override, s.suppress_exact) = (false, false, false);
         (s.suppress_single_block, s.suppress_fin) = (false, false);
-        s.surface = None;
+        s.turning.surface = None;
     }
 }
 

@@ -1,5 +1,7 @@
 //! The operator's hand over time. A run is a pure function of the project and these events.
 
+use crate::drives::speed::Limit;
+
 /// What the operator does.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Action {
@@ -25,6 +27,8 @@ pub enum Action {
     BlockSkip(bool),
     /// S given by hand in r/min; 0 stops the spindle.
     ManualSpeed(f64),
+    /// A limit of the spindle speed set in r/min, as in the setting data.
+    SpeedLimit(Limit, f64),
     /// A macro input is forced: the variable (`#1033`), or its lower or upper half (`#1033.low`, `#1033.high`).
     Input(String, f64),
     /// A variable set on the control's screen, by number.

@@ -178,6 +178,19 @@ impl Path {
         state
     }
 
+    /// Commanded position of one axis behind acceleration at `t`, which may lie ahead: as in [`axis`](Path::axis).
+    pub(super) fn commanded(&self, k: usize, plant: &AxisPlant, t: f64) -> f64 {
+        let segments = self.segments.until(t);
+        let Some(now) = segments.last() else { return 0.0 };
+        let mut place = self.run(now, k).position(t - now.t);
+        let tau = plant.time_constant;
+        if tau > 0.0 {
+            let late = Weight { level: 1.0, slope: -1.0 / tau, decay: 0.0, gain: 0.0, shift: 0.0 };
+            self.window(segments, k, t, 0.0, tau, |run, age, young, old| place -= late.integral(run, age, young, old));
+        }
+        place
+    }
+
     /// How far the axis itself is behind the unfiltered path: `∫ u(t-s) H(s) ds`.
     fn missing(&self, segments: &[Segment], k: usize, t: f64, tau: f64, gain: f64) -> f64 {
         let mut missing = 0.0;

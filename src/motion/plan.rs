@@ -112,7 +112,7 @@ impl<P: Program> Planner<P> {
         let timeline = Timeline::new(machine.axes, machine.spindle);
         Planner {
             records: Records { timeline, log: VecDeque::new(), taken: 0, diagnostics: Vec::new(), given: None },
-            state: State::new(setup.program, setup.plc),
+            state: State::new(setup.program, setup.plc, machine.square()),
             machine,
             panel: setup.panel,
             checkpoints: Vec::new(),

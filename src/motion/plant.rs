@@ -1,4 +1,8 @@
-//! The machine as motion sees it: axes with clamps and time constants, one spindle with ramps and analog output.
+//! The machine as motion sees it: axes with clamps and time constants, one spindle with gear stages, ramps and analog output.
+
+use crate::controls::{Control, SpindleRules, Switches};
+use crate::drives::speed::STAGES;
+use crate::drives::{Analog, Positioning, Stage};
 
 /// An axis of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,21 +33,94 @@ impl AxisPlant {
 /// A spindle on an analog output, through an inverter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpindlePlant {
-    /// Speed at full output in r/min.
-    pub speed_at_full: f64,
-    /// Clamp in r/min.
+    /// The analog output; its rated speed is that of the gear stage.
+    pub analog: Analog,
+    /// Gear stages.
+    pub stages: [Stage; STAGES],
+    /// How many of them there are.
+    pub stage_count: u8,
+    /// Clamp in r/min: of spindle or chuck.
     pub speed_clamp: f64,
-    /// Full output in volts.
-    pub volts_full: f64,
-    /// Bits of the output (12: 0 to 4095).
-    pub output_bits: u8,
-    /// Seconds from 0 to `speed_at_full`, and back.
+    /// Lowest speed in r/min under constant surface speed (No.043).
+    pub surface_low: f64,
+    /// Seconds from 0 to the rated speed of a stage, and back.
     pub ramp: f64,
     /// Speed of the unloaded motor per commanded speed: an induction motor at 50 Hz turns 1500 where 1480 is asked for.
     pub gain: f64,
-    /// Speed lost under load as a fraction of the speed at full output: actual = gain × command - slip × `speed_at_full` while
+    /// Speed lost under load as a fraction of the rated speed: actual = gain × command - slip × rated speed while
     /// turning (constant at any speed, as for V/f control).
     pub slip: f64,
+    /// An encoder measures the speed; without one, nothing moves by feed per revolution.
+    pub encoder: bool,
+    /// What positioning needs, where the spindle can be positioned.
+    pub positioning: Option<Positioning>,
+    /// Seconds from a new speed until it is looked at whether it is reached, where cuts wait for that (No.072).
+    pub reached_delay: f64,
+    /// Where the turning centre lies on the axis that is square to it, in mm in the machine frame; `None` where nobody knows.
+    pub centre: Option<f64>,
+    /// What the control does with it.
+    pub rules: SpindleRules,
+}
+
+impl SpindlePlant {
+    /// A spindle with one stage, an encoder, and neither slip nor positioning.
+    pub fn new(analog: Analog, speed_clamp: f64, ramp: f64, rules: SpindleRules) -> SpindlePlant {
+        SpindlePlant {
+            analog,
+            stages: [Stage::new(analog.rated_speed); STAGES],
+            stage_count: 1,
+            speed_clamp,
+            surface_low: 0.0,
+            ramp,
+            gain: 1.0,
+            slip: 0.0,
+            encoder: true,
+            positioning: None,
+            reached_delay: 0.0,
+            centre: None,
+            rules,
+        }
+    }
+
+    /// The spindle of a control's bench.
+    pub fn bench(control: &Control, switches: &Switches) -> SpindlePlant {
+        let bench = &control.bench;
+        let first = bench.gears.first().copied().unwrap_or(0.0);
+        let analog = Analog { bits: bench.output_bits, ..Analog::unipolar(first, bench.volts_full) };
+        SpindlePlant::new(analog, bench.speed_clamp, bench.ramp, control.spindle_rules(switches))
+            .with_stages(bench.gears.iter().copied().map(Stage::new))
+    }
+
+    /// The same with these stages, as many as a spindle can have; with none it keeps its first one.
+    pub fn with_stages(mut self, stages: impl IntoIterator<Item = Stage>) -> SpindlePlant {
+        let mut count = 0;
+        for (place, stage) in self.stages.iter_mut().zip(stages) {
+            *place = stage;
+            count += 1;
+        }
+        self.stage_count = count.max(1);
+        self
+    }
+
+    /// The stages that there are.
+    pub fn stages(&self) -> &[Stage] {
+        self.stages.get(..usize::from(self.stage_count)).unwrap_or(&self.stages)
+    }
+
+    /// A stage by its number from 1; the first where there is none such.
+    pub fn stage(&self, number: u8) -> &Stage {
+        self.stages().get(usize::from(number).wrapping_sub(1)).unwrap_or(&self.stages[0])
+    }
+
+    /// The analog output in a stage.
+    pub fn analog(&self, stage: u8) -> Analog {
+        Analog { rated_speed: self.stage(stage).rated, ..self.analog }
+    }
+
+    /// Acceleration by the inverter's ramp in a stage, r/min per second; infinite without ramp.
+    pub fn acceleration(&self, stage: u8) -> f64 {
+        if self.ramp > 0.0 { self.stage(stage).rated / self.ramp } else { f64::INFINITY }
+    }
 }
 
 /// The whole plant.

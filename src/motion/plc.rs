@@ -1,5 +1,6 @@
 //! The machine builder's logic: reads what the control puts out, writes what the control reads, in the order of time.
 
+use crate::drives::speed::Steps;
 use crate::order::Map;
 
 /// Which part of an input word is forced. The whole word yields to its halves.
@@ -42,10 +43,16 @@ pub struct Io {
     pub s_strobe: Option<f64>,
     /// T code that waits for FIN.
     pub t_strobe: Option<u32>,
+    /// Gear stage that waits for FIN, from 1.
+    pub gear_wanted: Option<u8>,
     /// The PLC's answer: the waiting code is done.
     pub fin: bool,
     /// Percent that the PLC gives to the control as spindle override (register method).
     pub spindle_override_out: f64,
+    /// Gear stage that is engaged, from 1, as the PLC tells the control.
+    pub gear: u8,
+    /// Volts that the PLC puts out to the spindle instead of those of the speed, while it shifts gears.
+    pub gear_volts: Option<f64>,
     /// Spindle speed in r/min that the control puts out after override and clamps, signed.
     pub spindle_command: f64,
     /// Spindle speed in r/min as it is, signed.
@@ -62,8 +69,11 @@ impl Default for Io {
             m_strobe: None,
             s_strobe: None,
             t_strobe: None,
+            gear_wanted: None,
             fin: false,
             spindle_override_out: 100.0,
+            gear: 1,
+            gear_volts: None,
             spindle_command: 0.0,
             spindle_actual: 0.0,
         }
@@ -78,6 +88,36 @@ pub trait Plc {
     fn boxed(&self) -> Box<dyn Plc>;
 }
 
+/// A builder's gear change: the shift voltage, a delay, the old gear out and the new one in, the wait for its contact, another delay; then
+/// the voltage is that of the speed again.
+///
+/// Source: `reference/gsk-knd-polygon.md` section 1.2 (No.067, DT33, ASPn, DT34).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct GearShift {
+    /// Volts while it shifts.
+    pub volts: f64,
+    /// Seconds until the old gear goes out.
+    pub before: f64,
+    /// Seconds until the new gear is in position.
+    pub meshing: f64,
+    /// Seconds until the voltage of the speed stands.
+    pub after: f64,
+}
+
+impl GearShift {
+    /// Shifts to the stage that is wanted since `since`; when it is done, and until then the next moment that something happens.
+    pub fn shift(&self, t: f64, since: f64, io: &mut Io) -> Option<f64> {
+        let wanted = io.gear_wanted.filter(|&wanted| wanted != io.gear || io.gear_volts.is_some())?;
+        let out = since + self.before;
+        let done = out + self.meshing + self.after;
+        io.gear_volts = (t < done).then_some(self.volts);
+        if t >= out {
+            io.gear = wanted;
+        }
+        (t < done).then_some(if t < out { out } else { done })
+    }
+}
+
 /// The bench's PLC: answers codes after a delay and echoes the spindle override into a macro input.
 #[derive(Debug, Clone)]
 pub struct BenchPlc {
@@ -85,31 +125,37 @@ pub struct BenchPlc {
     pub fin_delay: f64,
     /// Variable that shows the spindle override in percent.
     pub override_echo: Option<u32>,
+    /// How it shifts gears.
+    pub shift: GearShift,
+    /// Positions of the override knob, where it has such.
+    pub knob: Option<Steps>,
     waiting_since: Option<f64>,
 }
 
 impl BenchPlc {
     /// A PLC that answers after `fin_delay` seconds.
     pub fn new(fin_delay: f64, override_echo: Option<u32>) -> BenchPlc {
-        BenchPlc { fin_delay, override_echo, waiting_since: None }
+        BenchPlc { fin_delay, override_echo, shift: GearShift::default(), knob: None, waiting_since: None }
     }
 }
 
 impl Plc for BenchPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        io.spindle_override_out = io.spindle_override;
+        let percent = self.knob.map_or(io.spindle_override, |knob| knob.nearest(io.spindle_override));
+        io.spindle_override_out = percent;
         if let Some(variable) = self.override_echo {
-            io.inputs.insert(variable, io.spindle_override);
+            io.inputs.insert(variable, percent);
         }
         if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
             self.waiting_since = None;
-            io.fin = false;
+            (io.fin, io.gear_volts) = (false, None);
             return None;
         }
         let since = *self.waiting_since.get_or_insert(t);
+        let shifted = self.shift.shift(t, since, io);
         let due = since + self.fin_delay;
-        io.fin = t >= due;
-        (!io.fin).then_some(due)
+        io.fin = t >= due && shifted.is_none();
+        (!io.fin).then_some(shifted.unwrap_or(due))
     }
 
     fn boxed(&self) -> Box<dyn Plc> {

@@ -139,6 +139,7 @@ impl<P: Program> Sim<'_, P> {
                 self.s.drain = matches!(canon, Canon::Stop | Canon::OptionalStop | Canon::Message { .. } | Canon::End);
                 self.s.ahead += usize::from(first);
                 self.s.queue.push_back(Queued { canon, place, ready: self.s.read_at, first, logged });
+                self.aim_ahead(t);
             }
         }
     }

@@ -1,5 +1,6 @@
 //! The machine at one moment of a run, in what its axes move: half of what words of diameters count.
 
+use crate::drives::Bound;
 use crate::interp::canon::AXES;
 use crate::text::Place;
 
@@ -23,12 +24,22 @@ pub struct SpindleState {
     pub command: f64,
     /// Speed of the motor behind ramp and slip, signed, r/min.
     pub actual: f64,
-    /// Analog command in volts before rounding to steps.
+    /// Analog command in volts before rounding to steps; its sign is the direction where the output has one.
     pub volts_command: f64,
     /// Analog output in volts as it leaves the converter.
     pub volts: f64,
     /// Revolutions of the motor since the run began, signed.
     pub turns: f64,
+    /// Angle in degrees, 0 to 360, clockwise from the zero mark.
+    pub angle: f64,
+    /// It is held at its angle.
+    pub held: bool,
+    /// Gear stage that is engaged, from 1.
+    pub stage: u8,
+    /// What holds the command, where it is not what was asked for.
+    pub bound: Bound,
+    /// Surface speed at the tool in m/min, where the machine has an axis square to the spindle.
+    pub surface_speed: Option<f64>,
 }
 
 /// What the control is doing.

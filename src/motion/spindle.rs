@@ -3,11 +3,39 @@
 use super::plant::SpindlePlant;
 use super::snapshot::SpindleState;
 use super::track::Timed;
-use crate::drives::Analog;
+use crate::drives::Bound;
+use crate::drives::orient::turn;
 use crate::math;
 
+/// What a spindle is told. Two that are equal ask for the same.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Told {
+    /// Speed in r/min without sign now, and `span` seconds later: under constant surface speed it changes evenly.
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) span: f64,
+    /// Direction, 0 for standstill.
+    pub(super) sign: i8,
+    /// Gear stage, from 1.
+    pub(super) stage: u8,
+    /// What holds the speed.
+    pub(super) bound: Bound,
+}
+
+/// Whether a spindle turns by speed or goes to an angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) enum Control {
+    /// By speed, behind the inverter, with its slip.
+    #[default]
+    Speed,
+    /// To an angle, in position control.
+    Position,
+    /// It is held at an angle.
+    Held,
+}
+
 /// From `t` until the next segment the inverter runs from `start` toward `target`.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Ramp {
     /// Seconds.
     pub(super) t: f64,
@@ -15,10 +43,15 @@ pub(super) struct Ramp {
     pub(super) start: f64,
     /// Speed at the end of the ramp, signed, r/min.
     pub(super) target: f64,
-    /// Commanded speed, signed, r/min.
-    pub(super) command: f64,
+    /// Change of speed in r/min per second.
+    pub(super) rate: f64,
     /// Turns at `t`.
     pub(super) turns: f64,
+    /// What it is told.
+    pub(super) told: Told,
+    pub(super) control: Control,
+    /// The axis that is square to the spindle, and its place in mm where the diameter is 0.
+    pub(super) square: Option<(u8, f64)>,
 }
 
 impl Timed for Ramp {
@@ -27,31 +60,23 @@ impl Timed for Ramp {
     }
 }
 
-impl SpindlePlant {
-    /// The analog output.
-    pub fn analog(&self) -> Analog {
-        Analog { speed_at_full: self.speed_at_full, volts_full: self.volts_full, bits: self.output_bits }
-    }
+/// How an inverter turns a speed into that of its motor: `gain · n`, less `lost` toward standstill. A motor that is driven along (less
+/// than nothing lost) runs at most twice as fast as without, so that it starts from 0 without a jump.
+#[derive(Clone, Copy)]
+struct Slip {
+    gain: f64,
+    lost: f64,
+}
 
-    /// Seconds from one speed to another.
-    fn ramp_time(&self, from: f64, to: f64) -> f64 {
-        if self.ramp > 0.0 && self.speed_at_full > 0.0 {
-            (to - from).abs() / self.speed_at_full * self.ramp
-        } else {
-            0.0
-        }
-    }
-
-    /// Speed of the motor: `gain · n`, less `slip · speed_at_full` toward standstill. A motor that is driven along (negative slip)
-    /// runs at most twice as fast as without, so that it starts from 0 without a jump.
-    fn slipped(&self, speed: f64) -> f64 {
+impl Slip {
+    fn speed(self, speed: f64) -> f64 {
         let free = self.gain * speed;
-        free - math::clamp(self.slip * self.speed_at_full, -free.abs(), free.abs()) * free.signum()
+        free - math::clamp(self.lost, -free.abs(), free.abs()) * free.signum()
     }
 
-    /// `∫ slipped(n) dn` from 0.
-    fn slipped_area(&self, speed: f64) -> f64 {
-        let (free, lost) = ((self.gain * speed).abs(), self.slip * self.speed_at_full);
+    /// `∫ speed(n) dn` from 0.
+    fn area(self, speed: f64) -> f64 {
+        let (free, lost) = ((self.gain * speed).abs(), self.lost);
         let area = if lost >= 0.0 {
             let left = (free - lost).max(0.0);
             0.5 * left * left
@@ -61,47 +86,89 @@ impl SpindlePlant {
         };
         area / self.gain
     }
+
+    /// Whether the speed is straight between two speeds.
+    fn straight(self, a: f64, b: f64) -> bool {
+        self.lost == 0.0 || a * b > 0.0 && self.gain * a.abs().min(b.abs()) >= self.lost.abs()
+    }
 }
 
 impl Ramp {
+    /// Seconds that the ramp takes.
+    fn whole(&self) -> f64 {
+        let change = (self.target - self.start).abs();
+        if change > 0.0 && self.rate > 0.0 { change / self.rate } else { 0.0 }
+    }
+
     /// When the ramp is over.
-    pub(super) fn reached(&self, plant: &SpindlePlant) -> f64 {
-        self.t + plant.ramp_time(self.start, self.target)
+    pub(super) fn reached(&self) -> f64 {
+        self.t + self.whole()
     }
 
     /// Speed behind the ramp, before slip, signed.
-    pub(super) fn speed(&self, plant: &SpindlePlant, t: f64) -> f64 {
-        let whole = plant.ramp_time(self.start, self.target);
-        let part = t - self.t;
+    pub(super) fn speed(&self, t: f64) -> f64 {
+        let (whole, part) = (self.whole(), t - self.t);
         if part < whole { self.start + (self.target - self.start) * (part / whole) } else { self.target }
     }
 
-    /// Speed of the motor, signed.
+    /// When the speed is within a part of what it will be.
+    pub(super) fn within(&self, part: f64) -> f64 {
+        let left = (self.target - self.start).abs() - part * self.target.abs();
+        if left > 0.0 && self.rate > 0.0 { self.t + left / self.rate } else { self.t }
+    }
+
+    fn slip(&self, plant: &SpindlePlant) -> Slip {
+        match self.control {
+            Control::Speed => Slip { gain: plant.gain, lost: plant.slip * plant.stage(self.told.stage).rated },
+            _ => Slip { gain: 1.0, lost: 0.0 },
+        }
+    }
+
+    /// Speed of the spindle, signed.
     pub(super) fn actual(&self, plant: &SpindlePlant, t: f64) -> f64 {
-        plant.slipped(self.speed(plant, t))
+        self.slip(plant).speed(self.speed(t))
     }
 
     /// Turns since the run began.
     pub(super) fn turns(&self, plant: &SpindlePlant, t: f64) -> f64 {
-        let whole = plant.ramp_time(self.start, self.target);
+        let (slip, whole) = (self.slip(plant), self.whole());
         let part = math::clamp(t - self.t, 0.0, whole);
-        let mut minutes_rpm = (t - self.t - part) * plant.slipped(self.target);
+        let mut minutes_rpm = (t - self.t - part) * slip.speed(self.target);
         if part > 0.0 {
-            let area = plant.slipped_area(self.speed(plant, t)) - plant.slipped_area(self.start);
-            minutes_rpm += area * whole / (self.target - self.start);
+            let now = self.speed(t);
+            minutes_rpm += if slip.straight(self.start, now) {
+                0.5 * (slip.speed(self.start) + slip.speed(now)) * part
+            } else {
+                (slip.area(now) - slip.area(self.start)) * whole / (self.target - self.start)
+            };
         }
         self.turns + minutes_rpm / 60.0
     }
 
-    /// The spindle at `t`.
-    pub(super) fn state(&self, plant: &SpindlePlant, t: f64) -> SpindleState {
-        let analog = plant.analog();
+    /// Commanded speed without sign.
+    fn told(&self, t: f64) -> f64 {
+        let Told { from, to, span, .. } = self.told;
+        if t < self.t + span { from + (to - from) * ((t - self.t) / span) } else { to }
+    }
+
+    /// The spindle at `t`; `place` tells where an axis is.
+    pub(super) fn state(&self, plant: &SpindlePlant, t: f64, place: impl Fn(usize) -> f64) -> SpindleState {
+        let (analog, told) = (plant.analog(self.told.stage), self.told(t));
+        let command = told * f64::from(self.told.sign);
+        let out = if plant.rules.volts_stay && self.told.sign == 0 { told } else { command };
+        let (actual, turns) = (self.actual(plant, t), self.turns(plant, t));
+        let diameter = self.square.map(|(axis, zero)| 2.0 * (place(usize::from(axis)) - zero).abs());
         SpindleState {
-            command: self.command,
-            actual: self.actual(plant, t),
-            volts_command: analog.command(self.command),
-            volts: analog.output(self.command),
-            turns: self.turns(plant, t),
+            command,
+            actual,
+            volts_command: analog.command(out),
+            volts: analog.output(out),
+            turns,
+            angle: turn(turns * 360.0),
+            held: self.control == Control::Held,
+            stage: self.told.stage,
+            bound: self.told.bound,
+            surface_speed: diameter.map(|diameter| crate::drives::speed::surface_speed(actual, diameter)),
         }
     }
 }

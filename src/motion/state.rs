@@ -10,7 +10,9 @@ use super::plan::RunEnd;
 use super::plc::{Io, Plc};
 use super::program::Program;
 use super::snapshot::Mode;
+use super::spindle::Told;
 use super::timeline::{Lengths, Mark, Timeline};
+use super::turning::Turning;
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, End};
 use crate::msg;
@@ -119,19 +121,6 @@ pub(super) struct Knobs {
     pub(super) block_skip: bool,
 }
 
-/// Constant surface speed.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Surface {
-    /// m/min.
-    pub(super) speed: f64,
-    /// The axis that measures the radius.
-    pub(super) axis: usize,
-    /// Its place in mm where the radius is 0.
-    pub(super) zero: f64,
-    /// When the spindle follows the axis next: while that moves, in steps.
-    pub(super) again: f64,
-}
-
 /// Diagnostics that are said once a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
@@ -139,6 +128,9 @@ pub(super) enum Once {
     Starved,
     SpindleClamp,
     SpindleStands,
+    OffCentre,
+    NoStage,
+    NoEncoder,
     Clamp = 8,
     Missing = 16,
 }
@@ -183,14 +175,8 @@ pub(super) struct State<P> {
     pub(super) io: Io,
     /// Macro inputs as the screen showed them last.
     pub(super) shown: Map<u32, f64>,
-    /// Speed in r/min before override, by S word or surface speed, and direction.
-    pub(super) speed: f64,
-    pub(super) direction: i8,
-    pub(super) surface: Option<Surface>,
-    /// Highest speed in r/min under constant surface speed.
-    pub(super) speed_limit: f64,
-    /// End of the spindle's ramp.
-    pub(super) reached_at: f64,
+    /// What is commanded of the spindle.
+    pub(super) turning: Turning,
     pub(super) run_since: Option<f64>,
     pub(super) run_time: f64,
     pub(super) starved: u64,
@@ -200,7 +186,7 @@ pub(super) struct State<P> {
 }
 
 impl<P> State<P> {
-    pub(super) fn new(program: P, plc: Box<dyn Plc>) -> State<P> {
+    pub(super) fn new(program: P, plc: Box<dyn Plc>, square: Option<u8>) -> State<P> {
         State {
             now: 0.0,
             started: false,
@@ -229,11 +215,7 @@ impl<P> State<P> {
             plc_at: f64::INFINITY,
             io: Io::default(),
             shown: Map::new(),
-            speed: 0.0,
-            direction: 0,
-            surface: None,
-            speed_limit: f64::INFINITY,
-            reached_at: f64::INFINITY,
+            turning: Turning::new(square),
             run_since: None,
             run_time: 0.0,
             starved: 0,
@@ -282,7 +264,7 @@ impl<P: Program> Sim<'_, P> {
         for (t, who) in [
             (first, Who::Operator),
             (self.s.plc_at, Who::Plc),
-            (self.s.reached_at, Who::Spindle),
+            (self.s.turning.next(), Who::Spindle),
             (self.reader_time(), Who::Reader),
             (self.executor_time(), Who::Executor),
             (operator_at, Who::Operator),
@@ -301,11 +283,7 @@ impl<P: Program> Sim<'_, P> {
             Who::PowerOn => self.power_on(),
             Who::Operator => self.operate(t),
             Who::Plc => self.scan(t),
-            Who::Spindle => {
-                self.s.reached_at = f64::INFINITY;
-                self.scan(t);
-                self.pace(t);
-            }
+            Who::Spindle => self.spindle(t),
             Who::Reader => self.read(t),
             Who::Executor => self.execute(t),
         }
@@ -323,7 +301,7 @@ impl<P: Program> Sim<'_, P> {
             Exec::Finished => Some(RunEnd::ProgramEnd),
             Exec::Alarm(diagnostic) | Exec::Emergency(diagnostic) => Some(RunEnd::Alarm(diagnostic.clone())),
             Exec::OutOfBlocks => Some(RunEnd::Blocks),
-            Exec::Moving(_) | Exec::Idle if self.holding() => Some(RunEnd::Stop),
+            Exec::Moving(_) | Exec::Spinning(_) | Exec::Idle if self.holding() => Some(RunEnd::Stop),
             _ => None,
         }
     }
@@ -340,7 +318,7 @@ impl<P: Program> Sim<'_, P> {
 
     fn power_on(&mut self) {
         self.s.started = true;
-        self.put_ramp(0.0, 0.0, 0.0);
+        self.put_ramp(0.0, Told { stage: 1, ..Told::default() });
         self.s.moving = true;
         self.rest(0.0);
         self.s.rest_since = f64::NEG_INFINITY;

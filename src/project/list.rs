@@ -22,7 +22,7 @@ pub fn json() -> Json {
             .map(|a| json!({ "axis": (a.letter as char).to_string(), "rotary": rotary(c, a.letter), "rapid": a.rapid, "clamp": a.clamp, "time_constant_s": a.time_constant, "position_gain": a.position_gain }))
             .collect();
         json!({ "id": c.id, "name": c.name, "bench": {
-            "axes": axes, "speed_at_full": c.bench.speed_at_full, "speed_clamp": c.bench.speed_clamp,
+            "axes": axes, "speed_at_full": c.bench.gears.first(), "gears": c.bench.gears, "speed_clamp": c.bench.speed_clamp,
             "volts": c.bench.volts_full, "output_bits": c.bench.output_bits, "ramp_s": c.bench.ramp },
             "switches": c.switches.iter().map(switch).collect::<Vec<_>>() })
     };
@@ -56,7 +56,7 @@ pub fn text() -> String {
             "  {:<20} bench: {}; spindle {} r/min at {} V, ramp {} s\n",
             "",
             axes.collect::<Vec<_>>().join(", "),
-            number_text(bench.speed_at_full, 3),
+            number_text(bench.gears.first().copied().unwrap_or(0.0), 3),
             number_text(bench.volts_full, 3),
             number_text(bench.ramp, 3),
         );

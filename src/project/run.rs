@@ -7,13 +7,15 @@ use serde_json::{Map, Value as Json, json};
 
 use super::program::Written;
 use super::{Project, inputs};
+use crate::controls::bench::BenchShift;
 use crate::controls::{Control, Switches, VarKind};
 use crate::interp::canon::Names;
 use crate::interp::world::Still;
 use crate::interp::{Canon, Interp, Start, Step};
 use crate::machines::On;
 use crate::motion::{
-    Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Plc, RunEnd, Setup, SpindlePlant,
+    Action, AxisPlant, BenchPlc, Event, GearShift, Keep, Limits, Panel, Planner, Plant, Plc, RunEnd, Setup,
+    SpindlePlant,
 };
 use crate::nc::Parsed;
 use crate::text::catalog::number_text;
@@ -164,21 +166,16 @@ fn bench(control: &'static Control, switches: &Switches) -> (Plant, Box<dyn Plc>
     });
     let plant = Plant {
         axes: axes.collect(),
-        spindle: SpindlePlant {
-            speed_at_full: bench.speed_at_full,
-            speed_clamp: bench.speed_clamp,
-            volts_full: bench.volts_full,
-            output_bits: bench.output_bits,
-            ramp: bench.ramp,
-            gain: 1.0,
-            slip: 0.0,
-        },
+        spindle: SpindlePlant::bench(control, switches),
         block_time: control.timing.block,
         macro_time: control.timing.macro_block,
         preread: control.timing.preread,
         in_position: bench.in_position,
     };
-    (plant, Box::new(BenchPlc::new(bench.fin_delay, bench.override_echo)))
+    let BenchShift { volts, before, meshing, after } = bench.shift;
+    let mut plc = BenchPlc::new(bench.fin_delay, bench.override_echo);
+    (plc.shift, plc.knob) = (GearShift { volts, before, meshing, after }, Some(control.spindle.knob));
+    (plant, Box::new(plc))
 }
 
 /// A command of the log as a line.
@@ -270,7 +267,8 @@ impl Outcome {
             "axes": axes,
             "spindle": {
                 "rpm": clean(self.spindle.command), "volts": clean(self.spindle.volts),
-                "volts_command": clean(self.spindle.volts_command), "gear": 1, "angle_deg": null,
+                "volts_command": clean(self.spindle.volts_command), "gear": self.spindle.stage,
+                "angle_deg": self.spindle.held.then(|| clean(self.spindle.angle)),
             },
         })
     }

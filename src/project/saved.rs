@@ -3,6 +3,7 @@
 use super::Project;
 use super::json::{Fault, Json};
 use crate::controls::{self, Switches};
+use crate::drives::speed::Limit;
 use crate::machines::form::{KindInfo, Provenance, Value};
 use crate::machines::{self, AnyMachine};
 use crate::motion::{Action, Event, Panel};
@@ -139,6 +140,14 @@ fn event_text(event: &Event) -> String {
         Action::OptionalStop(on) => ("optional_stop", on.to_string()),
         Action::BlockSkip(on) => ("block_skip", on.to_string()),
         Action::ManualSpeed(rpm) => ("manual_s", Shortest(*rpm).to_string()),
+        Action::SpeedLimit(limit, rpm) => {
+            let key = match limit {
+                Limit::Lower => "lower_speed_limit",
+                Limit::Upper => "upper_speed_limit",
+                Limit::Surface => "surface_speed_limit",
+            };
+            (key, Shortest(*rpm).to_string())
+        }
         Action::Input(name, value) => ("input", format!("{{ {}: {} }}", quoted(name), Shortest(*value))),
         Action::Variable(number, Some(value)) => ("variable", format!("{{ \"#{number}\": {} }}", Shortest(*value))),
         Action::Variable(number, None) => ("variable", format!("{{ \"#{number}\": null }}")),
@@ -257,6 +266,7 @@ impl Reader {
 /// The actions of one entry of a panel file; `None` where the entry is none. A switch that is `false` is not pressed.
 fn actions(key: &str, value: &Json) -> Option<Vec<Action>> {
     let percent = || value.as_f64().filter(|percent| (0.0..=1000.0).contains(percent));
+    let limit = |limit| value.as_f64().filter(|rpm| *rpm >= 0.0).map(|rpm| vec![Action::SpeedLimit(limit, rpm)]);
     let pressed = |action: Action| value.as_bool().map(|on| if on { vec![action] } else { Vec::new() });
     match key {
         "spindle_override" => percent().map(|p| vec![Action::SpindleOverride(p)]),
@@ -270,6 +280,9 @@ fn actions(key: &str, value: &Json) -> Option<Vec<Action>> {
         "optional_stop" => value.as_bool().map(|on| vec![Action::OptionalStop(on)]),
         "block_skip" => value.as_bool().map(|on| vec![Action::BlockSkip(on)]),
         "manual_s" => value.as_f64().map(|rpm| vec![Action::ManualSpeed(rpm)]),
+        "lower_speed_limit" => limit(Limit::Lower),
+        "upper_speed_limit" => limit(Limit::Upper),
+        "surface_speed_limit" => limit(Limit::Surface),
         "input" => {
             let inputs = value.as_object()?.iter();
             inputs.map(|(name, value)| Some(Action::Input(name.clone(), value.as_f64()?))).collect()

@@ -6,6 +6,7 @@ use super::dom;
 use super::el::{El, button, el, icon_button};
 use super::model::Model;
 use super::words::{clock, short, t};
+use crate::drives::speed::Limit;
 use crate::machines::form::Value;
 use crate::math;
 use crate::motion::{Action, Event, Mode};
@@ -40,6 +41,14 @@ fn name(action: &Action) -> String {
         Action::OptionalStop(state) => on("page.optional-stop", *state),
         Action::BlockSkip(state) => on("page.block-skip", *state),
         Action::ManualSpeed(rpm) => format!("S {}", plain(*rpm)),
+        Action::SpeedLimit(limit, rpm) => {
+            let id = match limit {
+                Limit::Lower => "page.lower-speed-limit",
+                Limit::Upper => "page.upper-speed-limit",
+                Limit::Surface => "page.surface-speed-limit",
+            };
+            format!("{} {}", t(id), plain(*rpm))
+        }
         Action::Input(name, value) => format!("{name} = {}", plain(*value)),
         Action::Variable(number, Some(value)) => format!("#{number} = {}", plain(*value)),
         Action::Variable(number, None) => format!("#{number} = {}", t("page.vacant")),

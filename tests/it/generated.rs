@@ -38,15 +38,7 @@ fn plant(control: &Control) -> Plant {
     });
     Plant {
         axes: axes.collect(),
-        spindle: SpindlePlant {
-            speed_at_full: bench.speed_at_full,
-            speed_clamp: bench.speed_clamp,
-            volts_full: bench.volts_full,
-            output_bits: bench.output_bits,
-            ramp: bench.ramp,
-            gain: 1.0,
-            slip: 0.0,
-        },
+        spindle: SpindlePlant::bench(control, &Switches::default()),
         block_time: control.timing.block,
         macro_time: control.timing.macro_block,
         preread: control.timing.preread,

@@ -1,5 +1,6 @@
 //! Time against mathematics: paths, speeds, accelerations, waits, spindle, and a past that the operator changes.
 
+mod drives;
 mod lathe;
 mod operator;
 mod past;
@@ -10,7 +11,8 @@ mod script;
 mod spindle;
 mod strange;
 
-use macroline::controls::{self, Control};
+use macroline::controls::{self, Control, Switches};
+use macroline::drives::Analog;
 use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Feed, Target};
 use macroline::math;
@@ -36,15 +38,8 @@ fn axis(letter: u8) -> AxisPlant {
 }
 
 fn plant() -> Plant {
-    let spindle = SpindlePlant {
-        speed_at_full: 1480.0,
-        speed_clamp: 1480.0,
-        volts_full: 10.0,
-        output_bits: 12,
-        ramp: 2.0,
-        gain: 1.0,
-        slip: 0.0,
-    };
+    let rules = control().spindle_rules(&Switches::default());
+    let spindle = SpindlePlant::new(Analog::unipolar(1480.0, 10.0), 1480.0, 2.0, rules);
     Plant {
         axes: vec![axis(b'X'), axis(b'Y')],
         spindle,

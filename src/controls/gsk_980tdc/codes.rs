@@ -104,6 +104,10 @@ pub(super) const CODES: &[CodeDef] = &[
     m(40, SpindleCcw, "spindle counter-clockwise", SPINDLE),
     m(50, SpindleStop, "spindle stop", SPINDLE),
     m(300, EndRewind, "program end and rewind", TDI),
+    m(410, GearStage(1), "gear stage 1 of the spindle", SPINDLE),
+    m(420, GearStage(2), "gear stage 2 of the spindle", SPINDLE),
+    m(430, GearStage(3), "gear stage 3 of the spindle", SPINDLE),
+    m(440, GearStage(4), "gear stage 4 of the spindle", SPINDLE),
     m(980, SubCall, "subprogram call", TDI),
     m(990, SubEnd, "subprogram return", TDI),
 ];

@@ -8,10 +8,12 @@ mod params;
 mod switches;
 mod vars;
 
-use super::bench::{Bench, BenchAxis};
+use super::bench::{Bench, BenchAxis, BenchShift};
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
+use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
 use super::syntax::{Function, Percent, Round};
 use super::{AxisDef, Control, Limits, Macros, Syntax, Timing};
+use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 
 /// Nothing but memory of the 980T family.
@@ -136,6 +138,27 @@ pub static CONTROL: Control = Control {
     params: params::PARAMS,
     interface: interface::SIGNALS,
     switches: switches::SWITCHES,
+    spindle: SpindleRules {
+        volts_stay: true,
+        rapid: RapidSpeed::OfEnd,
+        surface_at_once: true,
+        surface_limit_stays: false,
+        surface_per_revolution: false,
+        feed_ends_surface: false,
+        surface_range: None,
+        limit_place: LimitPlace::Nothing,
+        override_last: false,
+        thread_override: false,
+        reached: None,
+        stop_last: false,
+        turns_through_reset: false,
+        end_stops: false,
+        knob: Steps { low: 50.0, high: 120.0, step: 10.0 },
+        cite: Citation::new(
+            "GSK980TDc manual, 2.2.2 and 2.2.3; rapids, override by GSK980TDi and 988TA",
+            Grade::Sister,
+        ),
+    },
     bench: Bench {
         axes: &[
             BenchAxis { letter: b'X', rapid: 7600.0, clamp: 8000.0, time_constant: 0.1, position_gain: 33.0 },
@@ -143,7 +166,9 @@ pub static CONTROL: Control = Control {
             BenchAxis { letter: b'Z', rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 33.0 },
             BenchAxis { letter: b'C', rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 33.0 },
         ],
-        speed_at_full: 3000.0,
+        gears: &[3000.0, 2000.0, 1200.0, 600.0],
+        // Delays of 5 s are those of the standard ladder before anyone sets them.
+        shift: BenchShift { volts: 0.1, before: 5.0, meshing: 0.5, after: 5.0 },
         speed_clamp: 3000.0,
         volts_full: 10.0,
         output_bits: 12,

@@ -6,6 +6,7 @@ use crate::controls::macros::CALL_PARAMETERS;
 use crate::controls::switch::switch;
 use crate::text::{Citation, Grade};
 
+const LADDER: Citation = Citation::new("GSK980MDi manual, ladder 3.1", Grade::Sister);
 const CALLS: Citation = Citation::new("GSK980TDi manual, 3.32; M codes: notes on new functions", Grade::Sister);
 const ALARMS: Citation =
     Citation::new("GSK980TDi manual, 3.28: 5900 + n; an older list has 500 + n for H99", Grade::Sister);
@@ -25,6 +26,20 @@ pub(super) const SWITCHES: &[Switch] = &[
         &["ATAN 0 to 360, ASIN -90 to 90", "ATAN -180 to 180, ASIN 90 to 270"],
         STATEMENT,
     ),
+    switch(
+        "speed-limit-sets-zero",
+        "What G50 S makes of the present position",
+        &["reference point", "work zero", "nothing"],
+        Citation::new(
+            "GSK980TDc manual, 2.2.3: the program reference point; on the TDi it sets nothing",
+            Grade::Manual,
+        ),
+    ),
+    switch("speed-reached", "Cuts and the spindle's speed (No.175#6)", &["do not wait", "wait"], PARAMETERS),
+    switch("override-order", "Spindle override", &["before the limits", "behind the limits"], MEMORY),
+    switch("m5-timing", "M05 beside a motion", &["before", "end"], MEMORY),
+    switch("spindle-at-reset", "The spindle at reset (K10 RSJG)", &["stops", "turns"], LADDER),
+    switch("spindle-at-end", "The spindle at M30 (K10 MTSS)", &["turns", "stops"], LADDER),
     switch("spindle-word", "S with decimals", &["round", "truncate"], MEMORY),
     switch("user-alarm-base", "Number of a user alarm (#3000 = n, H99 P n): this and n", &["5900", "500"], ALARMS),
     switch(

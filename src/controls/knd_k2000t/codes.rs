@@ -79,6 +79,10 @@ pub(super) const CODES: &[CodeDef] = &[
     m(50, SpindleStop, "spindle stop", PAPER),
     m(190, SpindleOrient, "spindle orientation", MEMORY),
     m(300, EndRewind, "program end and rewind", PAPER),
+    m(410, GearStage(1), "gear stage 1 of the spindle", MEMORY),
+    m(420, GearStage(2), "gear stage 2 of the spindle", MEMORY),
+    m(430, GearStage(3), "gear stage 3 of the spindle", MEMORY),
+    m(440, GearStage(4), "gear stage 4 of the spindle", MEMORY),
     m(980, SubCall, "subprogram call", MEMORY),
     m(990, SubEnd, "subprogram return", MEMORY),
 ];

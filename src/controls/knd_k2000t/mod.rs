@@ -7,10 +7,12 @@ mod params;
 mod switches;
 mod vars;
 
-use super::bench::{Bench, BenchAxis};
+use super::bench::{Bench, BenchAxis, BenchShift};
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
+use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
 use super::syntax::{Function, Percent, Round};
 use super::{AxisDef, Control, Limits, Macros, Syntax, Timing};
+use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 
 /// Nothing but memory of FANUC lathe controls.
@@ -127,6 +129,24 @@ pub static CONTROL: Control = Control {
     params: params::PARAMS,
     interface: interface::SIGNALS,
     switches: switches::SWITCHES,
+    spindle: SpindleRules {
+        volts_stay: false,
+        rapid: RapidSpeed::OfEnd,
+        surface_at_once: true,
+        surface_limit_stays: false,
+        surface_per_revolution: false,
+        feed_ends_surface: false,
+        surface_range: None,
+        limit_place: LimitPlace::Nothing,
+        override_last: false,
+        thread_override: false,
+        reached: None,
+        stop_last: false,
+        turns_through_reset: false,
+        end_stops: false,
+        knob: Steps { low: 0.0, high: 254.0, step: 1.0 },
+        cite: MEMORY,
+    },
     bench: Bench {
         axes: &[
             BenchAxis { letter: b'X', rapid: 12_000.0, clamp: 12_000.0, time_constant: 0.1, position_gain: 33.0 },
@@ -134,7 +154,8 @@ pub static CONTROL: Control = Control {
             BenchAxis { letter: b'Y', rapid: 240_000.0, clamp: 240_000.0, time_constant: 0.1, position_gain: 33.0 },
             BenchAxis { letter: b'C', rapid: 240_000.0, clamp: 240_000.0, time_constant: 0.1, position_gain: 33.0 },
         ],
-        speed_at_full: 3000.0,
+        gears: &[3000.0, 2000.0, 1200.0, 600.0],
+        shift: BenchShift { volts: 0.1, before: 1.0, meshing: 0.5, after: 1.0 },
         speed_clamp: 3000.0,
         volts_full: 10.0,
         output_bits: 12,

@@ -7,10 +7,12 @@ mod params;
 mod switches;
 mod vars;
 
-use super::bench::{Bench, BenchAxis};
+use super::bench::{Bench, BenchAxis, BenchShift};
 use super::macros::{ArgumentSets, CodeCalls, VacantWord};
+use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
 use super::syntax::{Function, Percent, Round};
 use super::{Control, Limits, Macros, Syntax, Timing, axis};
+use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 
 /// Programming manual of the younger sister control.
@@ -135,13 +137,35 @@ pub static CONTROL: Control = Control {
     params: params::PARAMS,
     interface: interface::SIGNALS,
     switches: switches::SWITCHES,
+    spindle: SpindleRules {
+        volts_stay: false,
+        rapid: RapidSpeed::OfEnd,
+        surface_at_once: true,
+        surface_limit_stays: false,
+        surface_per_revolution: false,
+        feed_ends_surface: false,
+        surface_range: None,
+        limit_place: LimitPlace::Nothing,
+        override_last: false,
+        thread_override: true,
+        reached: None,
+        stop_last: false,
+        turns_through_reset: false,
+        end_stops: false,
+        knob: Steps { low: 0.0, high: 200.0, step: 1.0 },
+        cite: Citation::new(
+            "ribbon dot-printing paper, E60: S times override, clamped; the rest from memory",
+            Grade::Open,
+        ),
+    },
     bench: Bench {
         axes: &[
             BenchAxis { letter: b'X', rapid: 240_000.0, clamp: 240_000.0, time_constant: 0.1, position_gain: 33.0 },
             BenchAxis { letter: b'Y', rapid: 240_000.0, clamp: 240_000.0, time_constant: 0.1, position_gain: 33.0 },
             BenchAxis { letter: b'Z', rapid: 30_000.0, clamp: 30_000.0, time_constant: 0.1, position_gain: 33.0 },
         ],
-        speed_at_full: 1480.0,
+        gears: &[1480.0],
+        shift: BenchShift { volts: 0.0, before: 0.0, meshing: 0.0, after: 0.0 },
         speed_clamp: 1480.0,
         volts_full: 10.0,
         output_bits: 12,

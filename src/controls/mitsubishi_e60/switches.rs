@@ -23,6 +23,13 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("feed-zero", "What F0 does (#1079)", &["alarm", "rapid"], MEMORY),
     switch("spindle-word", "S with decimals", &["truncate", "round"], DECIMALS),
     switch(
+        "speed-reached",
+        "Cuts and the spindle's speed (SAR)",
+        &["do not wait", "wait"],
+        Citation::new("MELDAS 50 practice with an inverter: no such signal", Grade::Open),
+    ),
+    switch("m5-timing", "M05 beside a motion", &["before", "end"], MEMORY),
+    switch(
         CALL_PARAMETERS,
         "Macro list: code, type (0 as M98, 1 G65, 2 G66, 3 G66.1), program: #7201=200 #7202=1 #7203=9010 for G200",
         &[""],

@@ -161,7 +161,7 @@ impl Derived {
         let surface_speed = line_speed * arc / p.pitch;
         let surface_ratio = arc / p.pitch;
         let print_roller_speed = surface_speed / (PI * p.print_roller_diameter);
-        let analog = Analog { speed_at_full: p.speed_at_10v, volts_full: 10.0, bits };
+        let analog = Analog { bits, ..Analog::unipolar(p.speed_at_10v, 10.0) };
         let timing = Timing::new(p, pitch_time);
         let slack = Slack::new(p, line_speed, actual_speed, timing.product);
         let (tau_x, tau_y) = (p.time_constant_x / 1000.0, p.time_constant_y / 1000.0);

@@ -1,6 +1,7 @@
 //! The plant of the ribbon line: two servo axes and the unwinder on the analog output.
 
 use super::fitted::{Fitted, PULL};
+use crate::drives::Analog;
 use crate::math::PI;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
@@ -41,13 +42,7 @@ fn spindle(line: &Fitted) -> SpindlePlant {
     let motor = p.induction();
     let (gain, slip) =
         if p.dancer { (p.program_pi() / PI, 0.0) } else { (motor.gain(), motor.slip() / p.speed_at_10v) };
-    SpindlePlant {
-        speed_at_full: p.speed_at_10v,
-        speed_clamp: p.top_speed(),
-        volts_full: bench.volts_full,
-        output_bits: bench.output_bits,
-        ramp: p.inverter_ramp,
-        gain,
-        slip,
-    }
+    let analog = Analog { bits: bench.output_bits, ..Analog::unipolar(p.speed_at_10v, bench.volts_full) };
+    let rules = line.control.spindle_rules(line.switches);
+    SpindlePlant { gain, slip, ..SpindlePlant::new(analog, p.top_speed(), p.inverter_ramp, rules) }
 }

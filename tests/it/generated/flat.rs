@@ -134,18 +134,26 @@ impl Writer {
         // The two rapids of a reference return are one code.
         let rapids = ran.commands.iter().filter(|canon| matches!(canon, Canon::Rapid { .. })).count();
         let last = ran.commands.len() - 1;
+        let limited = ran.commands.iter().any(|canon| matches!(canon, Canon::SpeedLimit { .. }));
         let words: Vec<String> = (0..=last)
             .map(|at| match &ran.commands[at] {
                 Canon::Rapid { to } if rapids == 2 && at == last => {
                     self.position = to.position;
                     String::new()
                 }
+                // A limit of the speed tells the position along with it.
+                Canon::Preset { to } if limited && self.stands(to) => String::new(),
                 Canon::Rapid { to } if rapids == 2 => self.go(&self.g(Code::ReferenceReturn), to, false),
                 canon => self.command(canon),
             })
             .collect();
         let words: Vec<&str> = words.iter().flat_map(|words| words.split_whitespace()).collect();
         let _ = writeln!(self.out, "{}", words.join(" "));
+    }
+
+    /// Whether the work position is this already.
+    fn stands(&self, to: &Target) -> bool {
+        (0..AXES).all(|k| to.mask & 1 << k == 0 || to.position[k] == self.position[k] - self.zero[k])
     }
 
     /// The words of a command.
@@ -175,7 +183,9 @@ impl Writer {
             Canon::SpindleSpeed { rpm } => format!("S{rpm}"),
             Canon::SurfaceSpeed { speed, .. } => format!("{} S{speed}", self.g(Code::SurfaceSpeed)),
             Canon::ConstantSpeed => self.g(Code::SurfaceSpeedOff),
-            Canon::SpeedLimit { rpm } => format!("{} S{rpm}", self.g(Code::SetCoordinates)),
+            Canon::SpeedLimit { rpm, .. } => format!("{} S{rpm}", self.g(Code::SetCoordinates)),
+            Canon::Gear { stage } => self.m(Code::GearStage(*stage)),
+            Canon::Orient { .. } => String::new(),
             Canon::SpindleDirection { sign: 1 } => self.m(Code::SpindleCw),
             Canon::SpindleDirection { sign: -1 } => self.m(Code::SpindleCcw),
             Canon::SpindleDirection { .. } => self.m(Code::SpindleStop),

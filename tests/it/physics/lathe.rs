@@ -1,5 +1,7 @@
 //! What lathe controls need: diameters, feed in step with the spindle, threads, constant surface speed, waits that a program switches off.
 
+use macroline::drives::speed::Limit;
+
 use super::*;
 
 /// X counts diameters and the axes follow without delay, so that the commanded path itself is seen.
@@ -194,7 +196,7 @@ fn at_the_centre_the_limit_holds_and_constant_speed_keeps_the_last() {
         let mut lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(120.0, 0.0), linear(0.0, 0.0, 3000.0)];
         lines.extend([one(Canon::ConstantSpeed), linear(100.0, 0.0, 3000.0), one(Canon::End)]);
         if let Some(rpm) = limit {
-            lines.insert(0, one(Canon::SpeedLimit { rpm }));
+            lines.insert(0, one(Canon::SpeedLimit { limit: Limit::Surface, rpm }));
         }
         lines
     };
@@ -205,9 +207,13 @@ fn at_the_centre_the_limit_holds_and_constant_speed_keeps_the_last() {
         assert_eq!(planner.timeline().at(end).spindle.command, wanted, "{limit:?}");
         assert!(planner.diagnostics().is_empty());
     }
-    // The knob acts behind the limit.
-    let planner = on_lathe(vec![at(0.0, Action::SpindleOverride(50.0))], lines(Some(900.0)));
-    assert_eq!(planner.timeline().at(planner.timeline().end()).spindle.command, 450.0);
+    // The knob acts before the limit, or behind it.
+    for (override_last, wanted) in [(false, 900.0), (true, 450.0)] {
+        let mut plant = lathe();
+        plant.spindle.rules.override_last = override_last;
+        let planner = run_on(&plant, vec![at(0.0, Action::SpindleOverride(50.0))], lines(Some(900.0)));
+        assert_eq!(planner.timeline().at(planner.timeline().end()).spindle.command, wanted);
+    }
 }
 
 #[test]

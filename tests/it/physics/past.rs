@@ -1,5 +1,6 @@
 //! A past that changes: planning on equals planning from zero.
 
+use macroline::drives::speed::Limit;
 use proptest::prelude::*;
 
 use super::*;
@@ -32,7 +33,7 @@ fn busy() -> Vec<Line> {
         one(Canon::Arc { to: target(0.0, 3.0), plane: (0, 1), center: (9e3, 9e3), clockwise: true, feed, exact: true }),
         Line::Add(101, 1.0),
         Line::Position(103),
-        one(Canon::SpeedLimit { rpm: 1100.0 }),
+        one(Canon::SpeedLimit { limit: Limit::Surface, rpm: 1100.0 }),
         one(Canon::SurfaceSpeed { speed: 60.0, axis: 0, zero: -9_000 }),
         linear(30.0, 6.0, 4000.0),
         one(Canon::Linear { to: target(5.0, 6.0), feed, exact: false }),

@@ -1,6 +1,5 @@
 //! Ramps, turns, slip, volts, and a PLC that waits for the speed.
 
-use macroline::drives::Analog;
 use macroline::motion::Io;
 
 use super::*;
@@ -32,7 +31,7 @@ fn the_spindle_ramps_straight_and_counts_its_turns_exactly() {
 #[test]
 fn volts_are_those_of_the_reference() {
     // mitsubishi-e60.md section 6.2: override, volts.
-    let analog = Analog { speed_at_full: 1480.0, volts_full: 10.0, bits: 12 };
+    let analog = Analog::unipolar(1480.0, 10.0);
     let table = [
         (10.0, 0.811),
         (50.0, 4.054),

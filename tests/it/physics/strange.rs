@@ -1,5 +1,7 @@
 //! Whatever is commanded, on whatever plant: a run ends, and nothing panics.
 
+use macroline::drives::speed::Limit;
+use macroline::drives::{Approach, Positioning, Stage};
 use proptest::prelude::*;
 
 use super::*;
@@ -21,6 +23,15 @@ fn feed() -> impl Strategy<Value = Feed> {
     (number(), any::<bool>()).prop_map(|(f, turns)| if turns { Feed::PerRevolution(f) } else { Feed::PerMinute(f) })
 }
 
+fn limit() -> impl Strategy<Value = Limit> {
+    prop::sample::select(vec![Limit::Lower, Limit::Upper, Limit::Surface])
+}
+
+fn approach() -> impl Strategy<Value = Approach> {
+    use Approach::{Clockwise, CounterClockwise, Direct, Incremental};
+    prop::sample::select(vec![Direct, Clockwise, CounterClockwise, Incremental])
+}
+
 fn canon() -> impl Strategy<Value = Canon> {
     let arc = (goal(), any::<(u8, u8)>(), number(), number(), any::<bool>(), feed(), any::<bool>());
     prop_oneof![
@@ -39,7 +50,9 @@ fn canon() -> impl Strategy<Value = Canon> {
             axis: axis % 8,
             zero
         }),
-        number().prop_map(|rpm| Canon::SpeedLimit { rpm }),
+        (limit(), number()).prop_map(|(limit, rpm)| Canon::SpeedLimit { limit, rpm }),
+        any::<u8>().prop_map(|stage| Canon::Gear { stage: stage % 7 }),
+        (number(), approach()).prop_map(|(angle, approach)| Canon::Orient { angle, approach }),
         Just(Canon::ConstantSpeed),
         any::<(bool, bool)>().prop_map(|(single_block, fin)| Canon::SuppressWaits { single_block, fin }),
         Just(Canon::OptionalStop),
@@ -53,9 +66,17 @@ fn any_plant() -> impl Strategy<Value = Plant> {
             AxisPlant { diameter, rapid: n[0], clamp: n[1], time_constant: n[2], position_gain: n[3], ..axis(b'X') };
         let mut plant = plant();
         plant.axes = vec![axis; axes];
-        plant.spindle.speed_at_full = n[4];
+        plant.spindle.stages = [Stage { rated: n[4], range: (n[5], n[6]), automatic: (n[7], n[0]) }; 5];
+        plant.spindle.stage_count = small;
+        plant.spindle.positioning =
+            (small % 3 > 0).then_some(Positioning { speed: n[1], acceleration: n[2], clockwise: diameter });
+        plant.spindle.analog =
+            Analog { rated_volts: n[0], offset_zero: n[1], offset_rated: n[2], ..plant.spindle.analog };
+        plant.spindle.rules.reached = (small % 5 == 0).then_some(n[3]);
+        plant.spindle.rules.override_last = small % 7 < 3;
+        (plant.spindle.surface_low, plant.spindle.reached_delay) = (n[1], n[2]);
         plant.spindle.speed_clamp = n[5];
-        plant.spindle.output_bits = small;
+        plant.spindle.analog.bits = small;
         plant.spindle.ramp = n[6];
         plant.spindle.gain = n[3];
         plant.spindle.slip = n[7];

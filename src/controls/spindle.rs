@@ -1,0 +1,94 @@
+//! How a control commands its spindle: what S, M3, constant surface speed and limits do on it.
+
+use super::{Control, Switches};
+use crate::drives::speed::Steps;
+use crate::text::Citation;
+
+/// The speed in a rapid under constant surface speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RapidSpeed {
+    /// That of its end, from its beginning on.
+    OfEnd,
+    /// Unchanged, unless the next motion is a cut: then that of its end, as soon as the next block is read.
+    BeforeCut,
+}
+
+/// What an upper limit by G50 S does besides with the position.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LimitPlace {
+    /// Nothing.
+    Nothing,
+    /// The present position is the reference point of the program from now on; coordinates stay.
+    ReferencePoint,
+    /// The present position is work zero from now on.
+    WorkZero,
+}
+
+/// Rules of the spindle. Flags name what happens where they are set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpindleRules {
+    /// The voltage of S stands without M03 and M04, and through reset and emergency stop; contacts switch the drive.
+    pub volts_stay: bool,
+    /// Rapids under constant surface speed.
+    pub rapid: RapidSpeed,
+    /// G96 sets the speed for where the tool is at once, not with the next cut.
+    pub surface_at_once: bool,
+    /// The upper limit of constant surface speed holds constant speeds too.
+    pub surface_limit_stays: bool,
+    /// G96 counts feed per revolution.
+    pub surface_per_revolution: bool,
+    /// G94 and G95 end constant surface speed, and the last S in r/min is in force again.
+    pub feed_ends_surface: bool,
+    /// Least and largest cutting speed behind S in m/min; `None` where S has the same range as always.
+    pub surface_range: Option<(f64, f64)>,
+    /// What G50 S does with the position.
+    pub limit_place: LimitPlace,
+    /// The override acts behind the limits, not before them.
+    pub override_last: bool,
+    /// The spindle override acts on threads.
+    pub thread_override: bool,
+    /// A cut begins when the speed is within this part of what is commanded, for instance 0.1; `None`: at once.
+    pub reached: Option<f64>,
+    /// M05 beside a motion acts at its end.
+    pub stop_last: bool,
+    /// The spindle goes on through reset.
+    pub turns_through_reset: bool,
+    /// M02 and M30 stop the spindle and leave S0.
+    pub end_stops: bool,
+    /// Positions of the override knob.
+    pub knob: Steps,
+    /// Source and grade.
+    pub cite: Citation,
+}
+
+/// Part of the speed within which it counts as reached, where the drive's own signal tells the control.
+/// Source: `reference/sinumerik-802d.md` section 3.2 (MD35150).
+const REACHED: f64 = 0.1;
+
+impl Control {
+    /// The rules of the spindle as the switches have them.
+    pub fn spindle_rules(&self, switches: &Switches) -> SpindleRules {
+        let row = self.spindle;
+        let is = |id: &str, setting: &str, otherwise: bool| {
+            switches.get(self.switches, id).map_or(otherwise, |set| set == setting)
+        };
+        let place = match switches.get(self.switches, "speed-limit-sets-zero") {
+            Some("reference point") => LimitPlace::ReferencePoint,
+            Some("work zero") => LimitPlace::WorkZero,
+            Some(_) => LimitPlace::Nothing,
+            None => row.limit_place,
+        };
+        let reached = is("speed-reached", "wait", row.reached.is_some());
+        SpindleRules {
+            limit_place: place,
+            reached: reached.then_some(row.reached.unwrap_or(REACHED)),
+            stop_last: is("m5-timing", "end", row.stop_last),
+            surface_limit_stays: is("lims-in-g97", "yes", row.surface_limit_stays),
+            surface_at_once: is("g96-at-once", "yes", row.surface_at_once),
+            override_last: is("override-order", "behind the limits", row.override_last),
+            turns_through_reset: is("spindle-at-reset", "turns", row.turns_through_reset),
+            end_stops: is("spindle-at-end", "stops", row.end_stops),
+            ..row
+        }
+    }
+}

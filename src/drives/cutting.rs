@@ -1,0 +1,67 @@
+//! Turning in closed form: how long a straight cut takes at constant surface speed or constant speed, and what it asks of the motor.
+
+use super::speed::{limit_diameter, surface_rpm};
+use crate::math::PI;
+
+/// A straight cut: along the part, across its face, or a taper. The diameter changes evenly along the path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cut {
+    /// Diameters in mm at begin and end; negative beyond the centre.
+    pub diameters: (f64, f64),
+    /// Length of the path in mm; half the difference of the diameters on a face.
+    pub length: f64,
+    /// Feed in mm per revolution.
+    pub feed: f64,
+}
+
+impl Cut {
+    /// Seconds at a constant speed in r/min: `t = 60 L / (f n)`.
+    pub fn time_at(&self, rpm: f64) -> f64 {
+        60.0 * self.length / (self.feed * rpm)
+    }
+
+    /// Seconds at a surface speed in m/min whose spindle speed is held within `low` and `high` r/min. Without limits
+    /// `t = 60 π L d / (1000 v f)` with the mean diameter d, on a face `60 π (r₁² - r₂²) / (1000 v f)`; the parts where a limit binds
+    /// take `60 L / (f n)`.
+    ///
+    /// Source: `reference/sinumerik-802d.md` section 7 (10.019832 s for the face there).
+    pub fn surface_time(&self, speed: f64, (low, high): (f64, f64)) -> f64 {
+        let (from, to) = self.diameters;
+        if from * to < 0.0 {
+            let share = from / (from - to);
+            let part = |diameters, share| Cut { diameters, length: self.length * share, feed: self.feed };
+            return part((from, 0.0), share).surface_time(speed, (low, high))
+                + part((0.0, to), 1.0 - share).surface_time(speed, (low, high));
+        }
+        let (small, large) = (from.abs().min(to.abs()), from.abs().max(to.abs()));
+        if small == large {
+            return self.time_at(surface_rpm(speed, small).max(low).min(high));
+        }
+        // Below the diameter of the upper limit, between the two, and above that of the lower one.
+        let within = |d: f64| d.max(small).min(large);
+        let (first, last) = (within(limit_diameter(speed, high)), within(limit_diameter(speed, low)).max(small));
+        let per_diameter = self.length / (large - small);
+        let length = |a: f64, b: f64| (b - a).max(0.0) * per_diameter;
+        let at = |rpm: f64, length: f64| if length > 0.0 { 60.0 * length / (self.feed * rpm) } else { 0.0 };
+        let free = 60.0 * PI * length(first, last) * 0.5 * (first + last) / (1000.0 * speed * self.feed);
+        at(high, length(small, first)) + free + at(low, length(last.max(first), large))
+    }
+
+    /// The diameter in mm after `t` seconds at a surface speed in m/min, as long as no limit binds and the centre is not reached:
+    /// `d² = d₁² + 2 · 1000 v f t (d₂ - d₁) / (60 π L)`.
+    pub fn surface_diameter(&self, speed: f64, t: f64) -> f64 {
+        let (from, to) = self.diameters;
+        let square = from * from + 2.0 * 1000.0 * speed * self.feed * t * (to - from) / (60.0 * PI * self.length);
+        square.max(0.0).sqrt()
+    }
+}
+
+/// Power in kW that a cutting force in N takes at a surface speed in m/min: `P = F v / 60 000`.
+pub fn power(force: f64, speed: f64) -> f64 {
+    force * speed / 60e3
+}
+
+/// Torque in Nm of a cutting force in N at a diameter in mm: `M = F d / 2000`.
+pub fn torque(force: f64, diameter: f64) -> f64 {
+    force * diameter.abs() / 2000.0
+}

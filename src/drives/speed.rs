@@ -1,0 +1,166 @@
+//! The speed of a spindle: constant surface speed, gear stages, and the limits that hold it, with the one that binds.
+
+use crate::math::PI;
+
+/// Spindle speed in r/min for a surface speed in m/min at a diameter in mm: `n = 1000 v / (π d)`. Infinite at the centre.
+///
+/// Source: `reference/gsk-knd-polygon.md` section 1.3, `reference/sinumerik-802d.md` section 3.4.
+pub fn surface_rpm(speed: f64, diameter: f64) -> f64 {
+    if speed > 0.0 { 1000.0 * speed / (PI * diameter.abs()) } else { 0.0 }
+}
+
+/// Surface speed in m/min at a diameter in mm: `v = π d n / 1000`.
+pub fn surface_speed(rpm: f64, diameter: f64) -> f64 {
+    PI * diameter.abs() * rpm.abs() / 1000.0
+}
+
+/// Diameter in mm at which a surface speed in m/min needs just this spindle speed: `d = 1000 v / (π n)`; beyond it a limit of that speed
+/// does not bind. 22.918 mm for 180 m/min and 2500 r/min.
+pub fn limit_diameter(speed: f64, rpm: f64) -> f64 {
+    if speed > 0.0 { 1000.0 * speed / (PI * rpm) } else { 0.0 }
+}
+
+/// What sets the speed of a spindle where it is not what was asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Bound {
+    /// It is what was asked for.
+    #[default]
+    None,
+    /// The highest speed of spindle or chuck.
+    Machine,
+    /// The highest speed of the gear stage.
+    Gear,
+    /// The programmed upper limit, which is setting data (G26).
+    Upper,
+    /// The upper limit of constant surface speed (G50 S, G92 S, LIMS).
+    Surface,
+    /// The programmed lower limit, which is setting data (G25).
+    Lower,
+    /// The lowest speed of the gear stage.
+    GearLow,
+    /// The lowest speed of constant surface speed.
+    SurfaceLow,
+    /// The converter is at its full voltage.
+    Output,
+}
+
+impl Bound {
+    /// Whether the speed would be higher without it.
+    pub fn is_upper(self) -> bool {
+        matches!(self, Bound::Machine | Bound::Gear | Bound::Upper | Bound::Surface)
+    }
+}
+
+/// A limit that a program or the operator sets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Limit {
+    /// Lowest speed: setting data, kept (G25).
+    Lower,
+    /// Highest speed: setting data, kept (G26).
+    Upper,
+    /// Highest speed under constant surface speed (G50 S, G92 S, LIMS).
+    Surface,
+}
+
+/// Every limit of a speed in r/min. Upper ones that do not exist are infinite, lower ones 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpeedLimits {
+    /// Of spindle or chuck.
+    pub machine: f64,
+    /// Of the gear stage: lowest and highest.
+    pub gear: (f64, f64),
+    /// Setting data: lowest and highest.
+    pub set: (f64, f64),
+    /// Of constant surface speed, where that counts: lowest and highest.
+    pub surface: (f64, f64),
+}
+
+impl SpeedLimits {
+    /// No limit at all.
+    pub const NONE: SpeedLimits = {
+        let any = (0.0, f64::INFINITY);
+        SpeedLimits { machine: f64::INFINITY, gear: any, set: any, surface: any }
+    };
+
+    /// A speed within the limits and what holds it there: the smallest of the upper limits, the largest of the lower ones; where both
+    /// cannot be, the upper. Standstill is below no limit.
+    ///
+    /// Source: `reference/sinumerik-802d.md` section 3.4, `reference/gsk-knd-polygon.md` section 1.3 (the upper one wins).
+    pub fn hold(&self, rpm: f64) -> (f64, Bound) {
+        if rpm <= 0.0 {
+            return (0.0, Bound::None);
+        }
+        let mut held = (rpm, Bound::None);
+        let lower = [(self.set.0, Bound::Lower), (self.gear.0, Bound::GearLow), (self.surface.0, Bound::SurfaceLow)];
+        let upper = [
+            (self.machine, Bound::Machine),
+            (self.gear.1, Bound::Gear),
+            (self.set.1, Bound::Upper),
+            (self.surface.1, Bound::Surface),
+        ];
+        for (limit, bound) in lower {
+            if limit > held.0 {
+                held = (limit, bound);
+            }
+        }
+        for (limit, bound) in upper {
+            if limit < held.0 {
+                held = (limit, bound);
+            }
+        }
+        held
+    }
+}
+
+/// Gear stages that a spindle can have at most (M41 to M45).
+pub const STAGES: usize = 5;
+
+/// A gear stage. Speeds in r/min of the spindle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stage {
+    /// Speed at the rated voltage of the output.
+    pub rated: f64,
+    /// Lowest and highest speed of the stage.
+    pub range: (f64, f64),
+    /// Speeds between which automatic gear selection (M40) takes the stage.
+    pub automatic: (f64, f64),
+}
+
+impl Stage {
+    /// A stage without limits of its own; automatic gear selection takes it up to its rated speed.
+    pub const fn new(rated: f64) -> Stage {
+        Stage { rated, range: (0.0, f64::INFINITY), automatic: (0.0, rated) }
+    }
+}
+
+/// The stage, counted from 1, that automatic gear selection takes for a speed: the present one where it fits, else the first that does.
+/// `None` where none fits, and nothing is changed.
+///
+/// Source: `reference/sinumerik-802d.md` sections 3.4 and 4.
+pub fn stage_for(stages: &[Stage], present: u8, rpm: f64) -> Option<u8> {
+    let fits = |stage: &Stage| (stage.automatic.0..=stage.automatic.1).contains(&rpm);
+    if stages.get(usize::from(present).wrapping_sub(1)).is_some_and(fits) {
+        return Some(present);
+    }
+    stages.iter().position(fits).map(|at| at as u8 + 1)
+}
+
+/// Positions of an override knob in percent.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Steps {
+    /// Lowest position.
+    pub low: f64,
+    /// Highest position.
+    pub high: f64,
+    /// Percent from one position to the next; 0 for a knob without steps.
+    pub step: f64,
+}
+
+impl Steps {
+    /// The position nearest to a percentage.
+    pub fn nearest(&self, percent: f64) -> f64 {
+        let steps =
+            if self.step > 0.0 { ((percent - self.low) / self.step).round() * self.step } else { percent - self.low };
+        crate::math::clamp(self.low + steps, self.low, self.high)
+    }
+}

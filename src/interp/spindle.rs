@@ -1,0 +1,105 @@
+//! S, constant surface speed, and limits of the speed: what the words of a block command of the spindle.
+
+use super::block::{Codes, Words};
+use super::canon::{AXES, Canon, Target};
+use super::fault::{Run, Trap};
+use super::state::{Cx, State};
+use crate::controls::spindle::LimitPlace;
+use crate::controls::{Alarm, Code};
+use crate::drives::speed::Limit;
+use crate::msg;
+
+impl State {
+    /// S, and constant surface speed on and off. `surface` is its zero before the block, where it was on.
+    #[inline]
+    pub(super) fn speed(&mut self, cx: &Cx, codes: &Codes, values: &Words, surface: Option<i64>) -> Run<()> {
+        let speed = values.speed;
+        if speed.is_none() && surface.is_none() && !self.modal.surface {
+            return Ok(());
+        }
+        match (codes.special, speed) {
+            (Some(Code::SetCoordinates), Some(rpm)) => {
+                self.limit_speed(Limit::Surface, rpm);
+                if values.mask == 0 {
+                    self.limit_place(cx);
+                }
+            }
+            (Some(Code::LowerSpeedLimit), Some(rpm)) => self.limit_speed(Limit::Lower, rpm),
+            (Some(Code::UpperSpeedLimit), Some(rpm)) => self.limit_speed(Limit::Upper, rpm),
+            _ if self.modal.surface => return self.surface(cx, speed, surface),
+            _ => {
+                if surface.is_some() {
+                    self.queue.push(Canon::ConstantSpeed);
+                }
+                // Where a code of feed has ended it, the last S in r/min is in force again.
+                let back = self.modal.last_speed.filter(|_| surface.is_some() && self.modal.surface_undone);
+                if let Some(rpm) = speed {
+                    self.modal.word(b'S', rpm);
+                    self.modal.last_speed = Some(rpm);
+                }
+                if let Some(rpm) = speed.or(back) {
+                    self.queue.push(Canon::SpindleSpeed { rpm });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Constant surface speed is on.
+    fn surface(&mut self, cx: &Cx, speed: Option<f64>, before: Option<i64>) -> Run<()> {
+        if let Some(speed) = speed {
+            if let Some((least, most)) = cx.shared.rules.spindle.surface_range
+                && !(least..=most).contains(&speed)
+            {
+                let message = msg!("interp.word-range", "S", (speed, 9), least, most);
+                return Err(Trap::alarm(Alarm::SurfaceSpeedRange, message).behind(b"S"));
+            }
+            self.modal.word(b'S', speed);
+            self.modal.surface_speed = Some(speed);
+        } else if self.modal.surface_speed.is_none() && cx.control.raises(Alarm::NoSurfaceSpeed) {
+            return Err(Trap::alarm(Alarm::NoSurfaceSpeed, msg!("interp.no-surface-speed")).behind(b"G"));
+        }
+        if speed.is_some() || before != Some(self.surface_zero(cx)) {
+            self.surface_speed(cx);
+        }
+        Ok(())
+    }
+
+    /// A limit of the speed in r/min.
+    pub(super) fn limit_speed(&mut self, limit: Limit, rpm: f64) {
+        self.queue.push(Canon::SpeedLimit { limit, rpm });
+    }
+
+    /// What a limit of the speed makes of the present position.
+    fn limit_place(&mut self, cx: &Cx) {
+        let place = cx.shared.rules.spindle.limit_place;
+        if place == LimitPlace::Nothing {
+            return;
+        }
+        let mut to = Target::default();
+        for (k, _) in cx.control.axes.iter().enumerate().take(AXES).filter(|(_, axis)| !axis.rotary) {
+            if place == LimitPlace::WorkZero {
+                self.modal.set_zero(k, self.position[k]);
+            }
+            to.mask |= 1 << k;
+            to.position[k] = self.position[k].saturating_sub(self.modal.zero[k]);
+        }
+        self.queue.push(Canon::Preset { to });
+        if place == LimitPlace::WorkZero {
+            self.surface_speed(cx);
+        }
+    }
+
+    pub(super) fn surface_zero(&self, cx: &Cx) -> i64 {
+        self.modal.zero.get(cx.shared.rules.surface_axis).copied().unwrap_or(0)
+    }
+
+    /// Says the surface speed, where it is on: it is new, or its zero has moved.
+    pub(super) fn surface_speed(&mut self, cx: &Cx) {
+        if self.modal.surface {
+            let (axis, zero) = (cx.shared.rules.surface_axis as u8, self.surface_zero(cx));
+            let speed = self.modal.surface_speed.unwrap_or(0.0);
+            self.queue.push(Canon::SurfaceSpeed { speed, axis, zero });
+        }
+    }
+}

@@ -1,0 +1,7 @@
+(SET speed-reached wait)
+(SET m5-timing end)
+O0019 (WITH A MOTION IN THE BLOCK M05 COMES LAST)
+S500 M03
+G01 X10. F100 M05
+M30
+%
