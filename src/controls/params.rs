@@ -11,6 +11,12 @@ pub enum ParamRole {
     SpindleConnection,
     /// Spindle speed at full analog output, first gear.
     SpindleLimit,
+    /// The same of the other gear stages, from 2.
+    StageLimit(u8),
+    /// What is added to the output at full speed.
+    OffsetFull,
+    /// What is added to the output at speed 0.
+    OffsetZero,
     /// Spindle speed clamp, first gear.
     SpindleMaximum,
     /// Smallest spindle speed.

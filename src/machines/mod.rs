@@ -18,6 +18,8 @@ mod sheets;
 
 pub mod ribbon_line;
 
+pub mod turning_spindle;
+
 use crate::controls::{Control, Switches};
 use crate::motion::{Action, Planner, Plant, Plc, Program, Snapshot};
 use crate::msg;
@@ -114,7 +116,7 @@ pub trait Machine: 'static {
     const NAME: &'static str;
     /// Ids of the controls it goes with; the first is the default.
     const CONTROLS: &'static [&'static str];
-    /// The published listing of the machine's program, word for word as printed.
+    /// The published listing of the machine's program, word for word as printed; empty where none is known.
     const LISTING: &'static str;
     /// The form, in the order it is shown.
     fn fields() -> &'static [Field<Self::Params>];
@@ -285,7 +287,8 @@ impl<M: Machine> AnyMachine for Erased<M> {
 }
 
 /// All machines, in the order they are listed.
-pub static ALL: &[&dyn AnyMachine] = &[&Erased::<ribbon_line::RibbonLine>::new()];
+pub static ALL: &[&dyn AnyMachine] =
+    &[&Erased::<ribbon_line::RibbonLine>::new(), &Erased::<turning_spindle::TurningSpindle>::new()];
 
 /// The machine of an id.
 pub fn find(id: &str) -> Option<&'static dyn AnyMachine> {

@@ -69,8 +69,8 @@ fn a_file_that_is_no_project_says_so() {
     check(
         r#"{ "version": 1, "machine": "loom" }"#,
         expect![[r#"
-        error: The file names no machine that is known. Possible: ribbon-line.
-        no project"#]],
+            error: The file names no machine that is known. Possible: ribbon-line, turning-spindle.
+            no project"#]],
     );
     check(
         r#"{ "version": 1, "machine": "ribbon-line", "control": "abacus" }"#,

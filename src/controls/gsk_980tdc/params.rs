@@ -21,11 +21,16 @@ pub(super) const PARAMS: &[ParamDef] = &[
         "0: smooth from block to block, 1: each block ends in position",
         PARAMETERS,
     ),
+    param(OffsetFull, "No.021", "", "mV", "offset of the analog output at its highest voltage", SPINDLE),
     param(AxisRapid, "No.022", "", "mm/min", "rapid traverse", RANGES),
     param(AxisClamp, "No.027", "", "mm/min", "upper limit of the cutting feed; of X as diameter", RANGES)
         .in_diameters(),
     param(AxisTimeConstant, "No.029", "", "ms", "time constant of acceleration, cutting feed, 10 to 4000", RANGES),
-    param(SpindleLimit, "No.037", "", "r/min", "spindle speed at 10 V, gear 1 (gears 2 to 4: No.038 to 040)", SPINDLE),
+    param(OffsetZero, "No.036", "", "mV", "offset of the analog output at speed 0", SPINDLE),
+    param(SpindleLimit, "No.037", "", "r/min", "spindle speed at 10 V, gear 1", SPINDLE),
+    param(StageLimit(2), "No.038", "", "r/min", "spindle speed at 10 V, gear 2", SPINDLE),
+    param(StageLimit(3), "No.039", "", "r/min", "spindle speed at 10 V, gear 3", SPINDLE),
+    param(StageLimit(4), "No.040", "", "r/min", "spindle speed at 10 V, gear 4", SPINDLE),
     param(SpindleMinimum, "No.043", "", "r/min", "smallest spindle speed at constant surface speed", PARAMETERS),
     param(AxisSoftLimits, "No.045/046", "", "0.001 mm", "soft limits 1, machine coordinates", PARAMETERS)
         .answered("", ""),

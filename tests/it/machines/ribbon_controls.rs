@@ -320,7 +320,7 @@ fn the_parameters_of_the_lathe_controls() {
         expect![[r#"
             No.196#4 |  |  | 0 |  | 1: several spindles
             No.001#4 |  |  | 1 |  | 1: analog voltage, 0: gears by contacts
-            No.037 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1 (gears 2 to 4: No.038 to 040)
+            No.037 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
             No.075 |  |  | 1480 | r/min | spindle speed clamp, 0: none
             No.043 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
             No.069/070 |  |  | 1 |  | spindle encoder fitted, and its lines (100 to 10000)

@@ -1,0 +1,202 @@
+//! The formulas of the turning spindle, each once: what follows from the inputs before anything runs.
+
+use super::params::{Gear, Output, Params, Path, SpeedMode};
+use crate::drives::cutting::{self, Cut};
+use crate::drives::speed::{SpeedLimits, limit_diameter, surface_rpm, surface_speed};
+use crate::drives::{Analog, Bound};
+use crate::math;
+
+/// Passes that are counted at most.
+pub const PASSES: f64 = 2000.0;
+
+/// What follows from the inputs. Speeds in r/min, diameters in mm, times in seconds, voltages in volts.
+#[derive(Debug, Clone, Default)]
+#[allow(missing_docs)] // One row of the readouts documents each member: label, unit, formula, source.
+pub struct Derived {
+    pub passes: f64,
+    pub largest: f64,
+    pub smallest: f64,
+    pub speed_largest: f64,
+    pub speed_smallest: f64,
+    /// What sets the speed at the smallest diameter.
+    pub bound: Bound,
+    pub limit_diameter: f64,
+    pub low_diameter: f64,
+    pub limited_share: f64,
+    pub surface_smallest: f64,
+    pub fixed_speed: f64,
+    pub fixed_surface_smallest: f64,
+    pub surface_time: f64,
+    pub fixed_time: f64,
+    pub cutting_time: f64,
+    pub saved: f64,
+    /// Number of the gear stage, from 1.
+    pub stage: u8,
+    pub stage_speed: f64,
+    pub volts_largest: f64,
+    pub volts_smallest: f64,
+    pub analog_step: f64,
+    pub power: f64,
+    pub power_available: f64,
+    pub torque: f64,
+    pub acceleration_needed: f64,
+    pub acceleration: f64,
+    pub feed_top: f64,
+}
+
+impl Params {
+    /// Passes from stock to finished part.
+    pub fn passes(&self) -> f64 {
+        let depth = match self.path {
+            Path::Facing => self.allowance,
+            Path::Turning => 0.5 * (self.stock_diameter - self.finished_diameter),
+            Path::Taper => 0.5 * (self.stock_diameter - self.finished_diameter.min(self.large_diameter)),
+        };
+        // Nine decimals: 0.3 / 0.1 is three passes.
+        math::clamp(((depth / self.depth * 1e9).round() / 1e9).ceil(), 0.0, PASSES)
+    }
+
+    /// What is left to cut behind pass `pass` (from 1): mm in Z on a face, in diameter else.
+    pub fn left(&self, pass: f64) -> f64 {
+        match self.path {
+            Path::Facing => (self.allowance - pass * self.depth).max(0.0),
+            Path::Turning => (self.stock_diameter - self.finished_diameter - 2.0 * pass * self.depth).max(0.0),
+            Path::Taper => {
+                let small = self.finished_diameter.min(self.large_diameter);
+                (self.stock_diameter - small - 2.0 * pass * self.depth).max(0.0)
+            }
+        }
+    }
+
+    /// The cuts of a pass (from 1), one or two. They begin at the clearance.
+    pub fn cuts(&self, pass: f64) -> impl Iterator<Item = Cut> {
+        let (feed, clear) = (self.feed, self.clearance);
+        let along = |diameter: f64, length: f64| Cut { diameters: (diameter, diameter), length, feed };
+        let cuts = match self.path {
+            Path::Facing => {
+                let from = self.stock_diameter + 2.0 * clear;
+                let length = 0.5 * (from - self.finished_diameter);
+                [Some(Cut { diameters: (from, self.finished_diameter), length, feed }), None]
+            }
+            Path::Turning => [Some(along(self.finished_diameter + self.left(pass), self.length + clear)), None],
+            Path::Taper => {
+                let offset = self.left(pass);
+                let (from, to) = (self.finished_diameter + offset, self.large_diameter + offset);
+                let length = math::hypot(self.length, 0.5 * (to - from));
+                [Some(along(from, clear)), Some(Cut { diameters: (from, to), length, feed })]
+            }
+        };
+        cuts.into_iter().flatten()
+    }
+
+    /// Largest and smallest diameter at which anything is cut, the way in from the clearance included.
+    pub fn diameters(&self) -> (f64, f64) {
+        let ends = [1.0, self.passes().max(1.0)].map(|pass| {
+            self.cuts(pass).fold((0.0_f64, f64::INFINITY), |(large, small), Cut { diameters: (from, to), .. }| {
+                (large.max(from).max(to), small.min(from).min(to))
+            })
+        });
+        (ends[0].0.max(ends[1].0), ends[0].1.min(ends[1].1))
+    }
+
+    /// Surface speed in m/min with the override.
+    pub fn speed(&self) -> f64 {
+        self.cutting_speed * self.override_percent / 100.0
+    }
+
+    /// The converter of the analog output in a gear stage that has `rated` r/min at 10 V.
+    pub fn analog(&self, rated: f64, volts: f64, bits: u8) -> Analog {
+        Analog {
+            bits,
+            offset_zero: self.offset_zero / 1000.0,
+            offset_rated: self.offset_full / 1000.0,
+            bipolar: self.output == Output::Bipolar,
+            ..Analog::unipolar(rated, volts)
+        }
+    }
+
+    /// Number of the gear stage, from 1, and its speed at full output: the chosen one where it is fitted, else the lowest that reaches
+    /// `top` r/min, else the fastest.
+    pub fn stage(&self, top: f64) -> (u8, f64) {
+        let stages = || (1..).zip(self.stages());
+        let chosen = stages().find(|(number, _)| self.gear != Gear::Best && *number == self.gear as u8);
+        let reaches = || stages().filter(|(_, speed)| *speed >= top).fold(None, slower);
+        let fastest = || stages().fold((1, self.stage_1), |a, b| if b.1 > a.1 { b } else { a });
+        chosen.or_else(reaches).unwrap_or_else(fastest)
+    }
+}
+
+fn slower(best: Option<(u8, f64)>, next: (u8, f64)) -> Option<(u8, f64)> {
+    Some(best.filter(|best| best.1 <= next.1).unwrap_or(next))
+}
+
+impl Derived {
+    /// Everything that follows from the inputs, with an output of `bits` bits and `volts` at its end.
+    pub fn new(p: &Params, volts: f64, bits: u8) -> Derived {
+        let (largest, smallest) = p.diameters();
+        let v = p.speed();
+        let machine = p.chuck_limit.min(p.upper_limit);
+        let (stage, stage_speed) = p.stage(surface_rpm(v, smallest).min(machine));
+        let analog = p.analog(stage_speed, volts, bits);
+        let limits = SpeedLimits {
+            machine: p.chuck_limit,
+            gear: (0.0, stage_speed),
+            surface: (p.lower_limit, p.upper_limit),
+            ..SpeedLimits::NONE
+        };
+        let at = |diameter: f64| limits.hold(surface_rpm(v, diameter));
+        let (speed_largest, _) = at(largest);
+        let (speed_smallest, bound) = at(smallest);
+        let high = machine.min(stage_speed);
+        let low = p.lower_limit.min(high);
+        let limit = limit_diameter(v, high);
+        let passes = p.passes();
+        let all = || (1..=passes as u32).flat_map(|pass| p.cuts(f64::from(pass)));
+        let fixed_speed = speed_largest;
+        let surface_time = all().map(|cut| cut.surface_time(v, (low, high))).sum::<f64>();
+        let fixed_time = all().map(|cut| cut.time_at(fixed_speed)).sum::<f64>();
+        let fixed = p.speed_mode == SpeedMode::Fixed;
+        let top = if fixed { fixed_speed } else { speed_smallest.max(speed_largest) };
+        let force_speed = surface_speed(speed_largest, largest);
+        let span = largest - smallest;
+        Derived {
+            passes,
+            largest,
+            smallest,
+            speed_largest,
+            speed_smallest: if fixed { fixed_speed } else { speed_smallest },
+            bound,
+            limit_diameter: limit,
+            low_diameter: if p.lower_limit > 0.0 { limit_diameter(v, p.lower_limit) } else { 0.0 },
+            limited_share: if span > 0.0 { math::clamp((limit - smallest) / span, 0.0, 1.0) } else { 0.0 },
+            surface_smallest: surface_speed(speed_smallest, smallest),
+            fixed_speed,
+            fixed_surface_smallest: surface_speed(fixed_speed, smallest),
+            surface_time,
+            fixed_time,
+            cutting_time: if fixed { fixed_time } else { surface_time },
+            saved: if fixed_time > 0.0 { 100.0 * (1.0 - surface_time / fixed_time) } else { 0.0 },
+            stage,
+            stage_speed,
+            volts_largest: analog.output(speed_largest),
+            volts_smallest: analog.output(if fixed { fixed_speed } else { speed_smallest }),
+            analog_step: analog.speed(analog.command(0.0) + volts / f64::from(analog.steps())),
+            power: cutting::power(p.cutting_force, force_speed),
+            power_available: p.motor_power * p.efficiency / 100.0,
+            torque: cutting::torque(p.cutting_force, largest),
+            acceleration_needed: if fixed { 0.0 } else { acceleration(p, v, limit.max(smallest)) },
+            acceleration: if p.spindle_ramp > 0.0 { stage_speed / p.spindle_ramp } else { f64::INFINITY },
+            feed_top: p.feed * top,
+        }
+    }
+}
+
+/// How fast the spindle has to speed up at a diameter, in r/min per second: `dn/dt = n² f s / (60 d)`, where the diameter changes by `s`
+/// for each millimetre of path (2 on a face).
+///
+/// Source: derivative of `n = 1000 v / (π d)` along the path.
+fn acceleration(p: &Params, v: f64, diameter: f64) -> f64 {
+    let slope = p.cuts(1.0).map(|cut| (cut.diameters.1 - cut.diameters.0).abs() / cut.length).fold(0.0, f64::max);
+    let n = surface_rpm(v, diameter);
+    n * n * p.feed * slope / (60.0 * diameter)
+}

@@ -1,0 +1,111 @@
+//! The lathe on a control: what of the form it can do there, and what its words count.
+
+use super::derive::Derived;
+use super::params::{Gear, Params, Path, SpeedMode};
+use crate::controls::{Code, Control, SpindleRules, Switches};
+use crate::drives::Stage;
+use crate::machines::On;
+use crate::motion::Snapshot;
+
+/// The axis that is square to the spindle, and the one along it.
+pub(super) const CROSS: u8 = b'X';
+pub(super) const ALONG: u8 = b'Z';
+
+/// The form on a control.
+pub(super) struct Fitted<'a> {
+    /// The form as it was filled in.
+    pub(super) form: &'a Params,
+    /// The form, with what the control has in place of what it lacks.
+    pub(super) p: Params,
+    pub(super) control: &'a Control,
+    pub(super) switches: &'a Switches,
+}
+
+impl<'a> Fitted<'a> {
+    pub(super) fn new(form: &'a Params, on: On<'a>) -> Fitted<'a> {
+        let On { control, switches } = on;
+        let mut p = form.clone();
+        if !holds_surface_speed(form, control) {
+            p.speed_mode = SpeedMode::Fixed;
+        }
+        if !has_gears(form, control) {
+            p.stage_2 = 0.0;
+            p.gear = Gear::First;
+        }
+        Fitted { form, p, control, switches }
+    }
+
+    /// Index of the axis that is square to the spindle.
+    pub(super) fn cross(&self) -> usize {
+        self.control.axis(CROSS).unwrap_or(0)
+    }
+
+    /// Index of the axis along the spindle.
+    pub(super) fn along(&self) -> usize {
+        self.control.axis(ALONG).unwrap_or(0)
+    }
+
+    /// Words of X count diameters; else radii.
+    pub(super) fn diameters(&self) -> bool {
+        self.control.counts_diameters(self.cross(), self.switches)
+    }
+
+    /// The spindle holds the surface speed.
+    pub(super) fn surface(&self) -> bool {
+        self.p.speed_mode == SpeedMode::Surface
+    }
+
+    /// What the control does with the spindle, as its open points are set.
+    pub(super) fn rules(&self) -> SpindleRules {
+        self.control.spindle_rules(self.switches)
+    }
+
+    /// What follows from the form.
+    pub(super) fn derived(&self) -> Derived {
+        let bench = &self.control.bench;
+        Derived::new(&self.p, bench.volts_full, bench.output_bits)
+    }
+
+    /// Number of the gear stage that the program engages.
+    pub(super) fn stage(&self) -> u8 {
+        self.derived().stage
+    }
+
+    /// Distance of the tool from the turning centre in mm, and from the finished face.
+    pub(super) fn tool(&self, now: &Snapshot) -> (f64, f64) {
+        let at = |axis: usize| now.axes.get(axis).map_or(0.0, |axis| axis.actual);
+        (0.5 * self.p.start_x + at(self.cross()), self.p.start_z + at(self.along()))
+    }
+
+    /// The diameter at which the tool stands.
+    pub(super) fn diameter(&self, now: &Snapshot) -> f64 {
+        2.0 * self.tool(now).0
+    }
+
+    /// The gear stages that are fitted.
+    pub(super) fn stages(&self) -> Vec<Stage> {
+        self.p.stages().map(Stage::new).collect()
+    }
+}
+
+/// Whether the control can hold a surface speed.
+pub(super) fn holds_surface_speed(_: &Params, control: &Control) -> bool {
+    control.can(Code::SurfaceSpeed)
+}
+
+/// Whether the control has codes for gear stages.
+pub(super) fn has_gears(_: &Params, control: &Control) -> bool {
+    control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..)))
+}
+
+pub(super) fn is_taper(p: &Params, _: &Control) -> bool {
+    p.path == Path::Taper
+}
+
+pub(super) fn is_facing(p: &Params, _: &Control) -> bool {
+    p.path == Path::Facing
+}
+
+pub(super) fn has_length(p: &Params, _: &Control) -> bool {
+    p.path != Path::Facing
+}

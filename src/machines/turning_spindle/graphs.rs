@@ -1,0 +1,66 @@
+//! The charts of the turning spindle: over time from the run, over the diameter from the formulas.
+
+use super::Lathe;
+use super::fitted::Fitted;
+use crate::drives::speed::{surface_rpm, surface_speed};
+use crate::machines::charts::{Line, Row};
+use crate::view::{Chart, Series};
+
+/// Charts over time, from top to bottom.
+#[rustfmt::skip]
+pub(super) const ROWS: &[Row<Lathe>] = &[
+    Row { id: "speed", title: "turning.chart.speed", unit: "r/min", lines: &[
+        Line { label: |_| "turning.chart.command", tone: 0, value: |_, now| now.spindle.command },
+        Line { label: |_| "turning.chart.actual", tone: 1, value: |_, now| now.spindle.actual },
+    ] },
+    Row { id: "surface", title: "turning.chart.surface", unit: "m/min", lines: &[
+        Line { label: |_| "turning.chart.at-tool", tone: 2, value: |lathe, now| surface_speed(now.spindle.actual, lathe.diameter(now)) },
+    ] },
+    Row { id: "volts", title: "turning.chart.volts", unit: "V", lines: &[
+        Line { label: |_| "turning.chart.output", tone: 3, value: |_, now| now.spindle.volts },
+    ] },
+    Row { id: "stage", title: "turning.chart.stage", unit: "", lines: &[
+        Line { label: |_| "turning.chart.engaged", tone: 4, value: |_, now| f64::from(now.spindle.stage) },
+    ] },
+    Row { id: "diameter", title: "turning.chart.diameter", unit: "mm", lines: &[
+        Line { label: |_| "turning.chart.tool", tone: 0, value: |lathe, now| lathe.diameter(now) },
+    ] },
+];
+
+/// Charts over the diameter: constant surface speed beside the fixed speed.
+pub(super) fn over_diameter(lathe: &Fitted, points: usize) -> Vec<Chart> {
+    let (p, d) = (&lathe.p, lathe.derived());
+    let points = points.max(2);
+    let step = (d.largest - d.smallest) / (points - 1) as f64;
+    let (low, high) = (p.lower_limit, d.stage_speed.min(p.upper_limit).min(p.chuck_limit));
+    let held = |diameter: f64| surface_rpm(p.speed(), diameter).max(low).min(high);
+    let line = |label: &'static str, tone: u8, value: &dyn Fn(f64) -> f64| Series {
+        label,
+        tone,
+        points: (0..points).map(|at| d.smallest + step * at as f64).map(|x| (x, value(x))).collect(),
+    };
+    let chart = |id: &'static str, title: &'static str, unit: &'static str, series: Vec<Series>| Chart {
+        id,
+        title,
+        unit,
+        x_unit: "mm",
+        series,
+    };
+    vec![
+        chart(
+            "speed-diameter",
+            "turning.chart.speed-diameter",
+            "r/min",
+            vec![line("turning.chart.constant-surface", 0, &held), line("turning.chart.fixed", 1, &|_| d.fixed_speed)],
+        ),
+        chart(
+            "surface-diameter",
+            "turning.chart.surface-diameter",
+            "m/min",
+            vec![
+                line("turning.chart.constant-surface", 2, &|x| surface_speed(held(x), x)),
+                line("turning.chart.fixed", 1, &|x| surface_speed(d.fixed_speed, x)),
+            ],
+        ),
+    ]
+}

@@ -1,0 +1,53 @@
+//! The plant of the turning spindle: two slides, the spindle with its gear stages, and the builder's logic between them.
+
+use super::fitted::{ALONG, CROSS, Fitted};
+use crate::motion::{AxisPlant, BenchPlc, GearShift, Plant, SpindlePlant};
+
+/// Seconds from a strobe to FIN where nothing has to be waited for: a few scans of the ladder.
+const FIN_DELAY: f64 = 0.05;
+
+/// The plant with the project's clamps, ramps and limits.
+pub(super) fn plant(lathe: &Fitted) -> Plant {
+    let p = &lathe.p;
+    let slide = |letter: u8, diameter: bool, rapid: f64, clamp: f64| AxisPlant {
+        letter,
+        rotary: false,
+        diameter,
+        rapid,
+        clamp,
+        time_constant: p.time_constant / 1000.0,
+        position_gain: p.position_gain,
+    };
+    Plant {
+        axes: vec![slide(CROSS, lathe.diameters(), p.rapid_x, p.clamp_x), slide(ALONG, false, p.rapid_z, p.clamp_z)],
+        spindle: spindle(lathe),
+        block_time: p.block_time / 1000.0,
+        macro_time: p.macro_time / 1000.0,
+        preread: p.preread as u8,
+        in_position: 0.02,
+    }
+}
+
+fn spindle(lathe: &Fitted) -> SpindlePlant {
+    let (p, bench) = (&lathe.p, &lathe.control.bench);
+    let analog = p.analog(p.stage_1, bench.volts_full, bench.output_bits);
+    let spindle = SpindlePlant::new(analog, p.chuck_limit, p.spindle_ramp, lathe.rules());
+    SpindlePlant {
+        surface_low: p.lower_limit,
+        // The program begins with the tool at the start point.
+        centre: Some(-0.5 * p.start_x),
+        ..spindle.with_stages(lathe.stages())
+    }
+}
+
+/// FIN for S, M and T, and the gear change.
+pub(super) fn plc(lathe: &Fitted) -> BenchPlc {
+    let half = 0.5 * lathe.p.gear_time;
+    let mut plc = BenchPlc::new(FIN_DELAY, None);
+    plc.shift = GearShift { volts: SHIFT_VOLTS, before: 0.25 * half, meshing: half, after: 0.75 * half };
+    plc.knob = Some(lathe.rules().knob);
+    plc
+}
+
+/// Volts while gears mesh: a slow turn (GSK No.067).
+const SHIFT_VOLTS: f64 = 0.1;

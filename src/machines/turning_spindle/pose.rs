@@ -1,0 +1,189 @@
+//! The drawing of the turning spindle at a moment: how much of the part is cut, where tool, jaws and needle stand, what the figures say.
+
+use super::fitted::Fitted;
+use super::params::{Output, Path};
+use super::program::LEFT;
+use super::scene::{self, JAWS, View, group, node};
+use super::show;
+use crate::drives::Bound;
+use crate::drives::speed::surface_speed;
+use crate::machines::{Frame, Samples};
+use crate::math::{self, PI};
+use crate::motion::Snapshot;
+use crate::text::catalog::{Language, words};
+use crate::text::number::{figure, filled};
+use crate::view::Pose;
+use crate::view::scene::Placement;
+
+/// Millimetres within which the tool counts as standing there.
+const NEAR: f64 = 1e-3;
+/// Passes that a control may have read ahead of the one that it cuts.
+const AHEAD: u32 = 4;
+/// Points of the part's outline.
+const POINTS: u32 = 48;
+/// A chuck that turns further from frame to frame is not seen turning, in degrees.
+const SEEN: f64 = 40.0;
+
+/// How far the part is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Progress {
+    /// Passes that are done.
+    pub(super) done: u32,
+    /// Where the tool cuts in the next one: Z along the part, the diameter on a face.
+    pub(super) at: Option<f64>,
+}
+
+/// How far the part is, from what the program has left to cut and where the tool stands.
+pub(super) fn progress(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Progress {
+    let p = &lathe.p;
+    let begun = run
+        .variable(LEFT, now.t)
+        .map_or(0, |left| (1..=p.passes() as u32).take_while(|&k| p.left(f64::from(k)) > left - NEAR).count() as u32);
+    let place = |axis: usize| now.axes.get(axis).map_or(0.0, |axis| axis.position);
+    let (d, z) = (p.start_x + 2.0 * place(lathe.cross()), p.start_z + place(lathe.along()));
+    let clear = p.stock_diameter + 2.0 * p.clearance;
+    // The control may have read the next pass while this one is cut.
+    for pass in (1..=begun).rev().take(AHEAD as usize) {
+        let left = p.left(f64::from(pass));
+        let more = p.left(f64::from(pass - 1)) - left;
+        let done = Progress { done: pass, at: None };
+        let (over, at, away, back) = match p.path {
+            Path::Facing => (z - left, d, d > clear + NEAR, (d - clear).abs() < NEAR),
+            Path::Turning => {
+                (d - p.finished_diameter - left, z, z > p.clearance + NEAR, (z - p.clearance).abs() < NEAR)
+            }
+            Path::Taper => (d - contour(lathe, z) - left, z, z > p.clearance + NEAR, (z - p.clearance).abs() < NEAR),
+        };
+        if away {
+            return done;
+        }
+        if over < NEAR {
+            return Progress { done: pass - 1, at: Some(at) };
+        }
+        let returned = match p.path {
+            Path::Taper => (d - clear).abs() < NEAR,
+            _ => (over - p.depth).abs() < NEAR,
+        };
+        if back {
+            return if returned { done } else { Progress { done: pass - 1, at: None } };
+        }
+        let within = if p.path == Path::Facing { more } else { 2.0 * p.depth };
+        if p.path == Path::Taper || over < within - NEAR || (over - p.depth).abs() < NEAR {
+            return done;
+        }
+    }
+    Progress { done: begun.saturating_sub(1).min(begun), at: None }
+}
+
+/// Diameter of the finished part at a place: the taper goes on as a cylinder in front of the face.
+fn contour(lathe: &Fitted, z: f64) -> f64 {
+    let p = &lathe.p;
+    let end = if p.path == Path::Taper { p.large_diameter } else { p.finished_diameter };
+    p.finished_diameter + (end - p.finished_diameter) * math::clamp(-z / p.length, 0.0, 1.0)
+}
+
+/// The outline of the part, both sides.
+pub(super) fn outline(lathe: &Fitted, progress: Progress) -> String {
+    let (p, view) = (&lathe.p, View::new(&lathe.p));
+    let Progress { done, at } = progress;
+    let left = |pass: u32| p.left(f64::from(pass));
+    let mut points: Vec<(f64, f64)> = vec![(-view.behind, p.stock_diameter)];
+    if p.path == Path::Facing {
+        let (face, rest) = (left(done), p.finished_diameter);
+        match at.filter(|&d| d < p.stock_diameter) {
+            Some(d) => {
+                let (cut, d) = (left(done + 1), d.max(rest));
+                points.extend([(cut, p.stock_diameter), (cut, d), (face, d)]);
+            }
+            None => points.push((face, p.stock_diameter)),
+        }
+        // What a tool that stops short of the centre leaves standing.
+        let stub = if done > 0 { p.allowance } else { face };
+        points.extend([(face, rest), (stub, rest), (stub, 0.0)]);
+    } else {
+        points.push((-p.length, p.stock_diameter));
+        let cut = at.map_or(0.0, |z| math::clamp(z, -p.length, 0.0));
+        let diameter = |z: f64, pass: u32| (contour(lathe, z) + left(pass)).min(p.stock_diameter);
+        let places = (0..=POINTS).map(|k| -p.length * (1.0 - f64::from(k) / f64::from(POINTS)));
+        points.extend(places.clone().filter(|&z| z < cut).map(|z| (z, diameter(z, done))));
+        points.push((cut, diameter(cut, done)));
+        if at.is_some() {
+            points.push((cut, diameter(cut, done + 1)));
+            points.extend(places.filter(|&z| z > cut).map(|z| (z, diameter(z, done + 1))));
+        }
+    }
+    let mut d = String::new();
+    let both = points.iter().copied().chain(points.iter().rev().map(|&(z, d)| (z, -d)));
+    for (at, (z, diameter)) in both.enumerate() {
+        let (x, y) = view.point(z, diameter);
+        d += &filled(if at == 0 { "M# #" } else { "L# #" }, &[x, y]);
+    }
+    d.push('Z');
+    d
+}
+
+/// Where everything stands.
+pub(super) fn pose(lathe: &Fitted, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+    let p = &lathe.p;
+    let view = View::new(p);
+    let (radius, z) = lathe.tool(now);
+    let progress = progress(lathe, run, now);
+    let turns = now.spindle.turns;
+    let step = (now.spindle.actual * 6.0 * frame.step).abs();
+    let seen = math::clamp((1.5 * SEEN - step) / (0.5 * SEEN), 0.0, 1.0);
+    let mut pose = Pose::default();
+    pose.placements.push(Placement {
+        group: group::TOOL,
+        dx: z * view.scale,
+        dy: -radius * view.scale,
+        opacity: 1.0,
+        ..Placement::default()
+    });
+    let volts = now.spindle.volts / 10.0;
+    let part = if p.output == Output::Bipolar { volts } else { 2.0 * volts - 1.0 };
+    let (cx, cy, _) = scene::METER;
+    let turn = math::clamp(part, -1.1, 1.1) * scene::SWEEP;
+    pose.placements.push(Placement { group: group::NEEDLE, turn, cx, cy, dx: 0.0, dy: 0.0, opacity: 1.0 });
+    for jaw in 0..JAWS {
+        let (s, c) = math::sin_cos(2.0 * PI * (turns % 1.0 + f64::from(jaw) / f64::from(JAWS)));
+        let opacity = if c > -0.2 { seen } else { 0.25 * seen };
+        pose.placements.push(Placement { group: group::JAWS + jaw, dy: 66.0 * s, opacity, ..Placement::default() });
+    }
+    pose.placements.push(Placement { group: group::BLUR, opacity: 0.35 * (1.0 - seen), ..Placement::default() });
+    pose.paths = vec![(node::PART, outline(lathe, progress))];
+    pose.texts = texts(lathe, now, progress);
+    pose
+}
+
+fn texts(lathe: &Fitted, now: &Snapshot, progress: Progress) -> Vec<(usize, String)> {
+    let p = &lathe.p;
+    let say = |id| words(Language::English, id).to_owned();
+    let spindle = &now.spindle;
+    let diameter = lathe.diameter(now);
+    let pass = (progress.done + u32::from(progress.at.is_some())).max(1);
+    let stage = lathe.p.stages().nth(usize::from(spindle.stage).saturating_sub(1)).unwrap_or(p.stage_1);
+    vec![
+        (node::SPEED, format!("{} r/min", figure(spindle.actual, 0))),
+        (node::SURFACE, format!("{} m/min", figure(surface_speed(spindle.actual, diameter), 1))),
+        (node::DIAMETER, format!("{} mm", figure(diameter, 2))),
+        (node::STAGE, format!("{} · {} r/min", spindle.stage, show(stage, 0))),
+        (node::VOLTS, format!("{} V", figure(spindle.volts, 3))),
+        (node::PASS, format!("{pass} / {}", show(p.passes(), 0))),
+        (node::BOUND, bound(spindle.bound).map(say).unwrap_or_default()),
+    ]
+}
+
+/// What holds the speed.
+fn bound(bound: Bound) -> Option<&'static str> {
+    Some(match bound {
+        Bound::None => return None,
+        Bound::Machine => "turning.bound.machine",
+        Bound::Gear => "turning.bound.gear",
+        Bound::Upper => "turning.bound.upper",
+        Bound::Surface => "turning.bound.surface",
+        Bound::Lower => "turning.bound.lower",
+        Bound::GearLow => "turning.bound.gear-low",
+        Bound::SurfaceLow => "turning.bound.surface-low",
+        Bound::Output => "turning.bound.output",
+    })
+}

@@ -1,0 +1,202 @@
+//! The program of the turning spindle: O9201 cuts pass by pass, O9202 sets the project's values once.
+//!
+//! Words and codes are those that the control has: diameters or radii, surface speed or a fixed one, gear stages or none. O9201 never
+//! writes the operator's variables, so that parts are changed by variables alone.
+
+use super::TurningSpindle;
+use super::fitted::Fitted;
+use super::params::{Direction, Path};
+use crate::controls::Code;
+use crate::machines::writing::{self, Entry};
+use crate::nc::Deck;
+use crate::nc::build::{Builder, Formula, NewWord, f, m, real, s, v, x, z};
+
+/// Number of the program that cuts.
+pub(super) const RUN: u32 = 9201;
+/// Number of the program that sets the project's values.
+pub(super) const SETUP: u32 = 9202;
+
+/// What is left to cut behind the pass: in diameter, on a face in Z.
+pub(super) const LEFT: u32 = 110;
+/// The speed that the spindle keeps.
+const SPEED: u32 = 109;
+
+/// The operator's variables that have to be above zero.
+const ENTRIES: [Entry; 7] =
+    [(100, false), (101, false), (102, false), (105, false), (106, false), (107, false), (108, false)];
+
+/// Variables that the operator reads and sets: number, meaning, unit.
+pub(super) fn variables(lathe: &Fitted) -> Vec<(u32, &'static str, &'static str)> {
+    let face = lathe.p.path == Path::Facing;
+    let mut all = vec![
+        (100, "turning.cutting-speed", "m/min"),
+        (101, "turning.feed", "mm/rev"),
+        (102, "turning.stock-diameter", "mm"),
+        (103, "turning.finished-diameter", "mm"),
+    ];
+    if lathe.p.path == Path::Taper {
+        all.push((104, "turning.large-diameter", "mm"));
+    }
+    all.extend([
+        (105, if face { "turning.allowance" } else { "turning.length" }, "mm"),
+        (106, "turning.depth", "mm"),
+        (107, "turning.upper-limit", "r/min"),
+        (108, "turning.clearance", "mm"),
+        (111, "turning.start-x", "mm"),
+        (112, "turning.start-z", "mm"),
+        (LEFT, "turning.variable.left", "mm"),
+    ]);
+    if !lathe.surface() {
+        all.push((SPEED, "turning.variable.speed", "r/min"));
+    }
+    all
+}
+
+/// The programs, one per file.
+pub(super) fn deck(lathe: &Fitted) -> Deck {
+    let mut b = Builder::new();
+    run(&mut b, lathe);
+    setup(&mut b, lathe);
+    b.finish()
+}
+
+/// A word of X for a diameter.
+fn cross(lathe: &Fitted, diameter: Formula) -> NewWord {
+    x(if lathe.diameters() { diameter } else { diameter / 2 })
+}
+
+fn codes(lathe: &Fitted, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
+    writing::codes(lathe.control, wanted)
+}
+
+/// A block: codes, then words.
+fn block(lathe: &Fitted, code: Code, words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
+    codes(lathe, [code]).into_iter().chain(words).collect()
+}
+
+/// Diameter at which the tool is clear of the stock.
+fn clear() -> Formula {
+    v(102) + v(108) * 2
+}
+
+/// O9201.
+fn run(b: &mut Builder, lathe: &Fitted) {
+    b.program(RUN, "TURNING - RUN");
+    writing::header::<TurningSpindle>(b, lathe.form, lathe.control);
+    writing::guards(b, &ENTRIES);
+    // The limit stands beside the position: controls whose limit takes the position as a reference get the same one.
+    let mut preset = block(lathe, Code::SetCoordinates, [cross(lathe, v(111)), z(v(112))]);
+    if lathe.surface() {
+        preset.push(s(v(107)));
+    }
+    b.n(20).words(preset).note("TOOL STANDS AT THE START");
+    b.n(21).words(codes(lathe, [Code::FeedPerRevolution]));
+    if let Some(gear) = gear(lathe) {
+        b.n(22).words(gear);
+    }
+    b.n(23).words(block(lathe, Code::Rapid, [cross(lathe, clear()), z(v(108))]));
+    start(b, lathe);
+    let face = lathe.p.path == Path::Facing;
+    let (whole, step) = match lathe.p.path {
+        Path::Facing => (v(105), v(106)),
+        Path::Turning => (v(102) - v(103), v(106) * 2),
+        Path::Taper => (v(102) - v(small(lathe)), v(106) * 2),
+    };
+    b.n(30).assign(LEFT, whole).note(if face { "LEFT TO CUT, Z" } else { "LEFT TO CUT, DIAMETER" });
+    b.n(31).while_do(v(LEFT).gt(0), 1);
+    b.n(32).assign(LEFT, v(LEFT) - step);
+    b.n(33).if_goto(v(LEFT).ge(0), 35);
+    b.n(34).assign(LEFT, 0).note("LAST PASS TAKES LESS");
+    pass(b, lathe);
+    b.n(44).end_do(1);
+    b.n(50).words(block(lathe, Code::Rapid, [cross(lathe, v(111)), z(v(112))]));
+    b.n(51).words([m(5)]);
+    if lathe.surface() {
+        b.n(52).words(codes(lathe, [Code::SurfaceSpeedOff]));
+    }
+    b.n(53).words([m(30)]);
+    writing::alarms(b, &ENTRIES);
+    b.words([m(30)]);
+}
+
+/// Variable of the smaller end of the taper.
+fn small(lathe: &Fitted) -> u32 {
+    if lathe.p.large_diameter < lathe.p.finished_diameter { 104 } else { 103 }
+}
+
+/// The code of the gear stage, where there are several.
+fn gear(lathe: &Fitted) -> Option<Vec<NewWord>> {
+    let stage = lathe.stage();
+    let words = codes(lathe, [Code::GearStage(stage)]);
+    (lathe.p.stages().nth(1).is_some() && !words.is_empty()).then_some(words)
+}
+
+/// The spindle: surface speed, or the speed of the largest diameter.
+fn start(b: &mut Builder, lathe: &Fitted) {
+    let turn = m(if lathe.p.direction == Direction::Clockwise { 3 } else { 4 });
+    if lathe.surface() {
+        b.n(25).words(block(lathe, Code::SurfaceSpeed, [s(v(100)), turn]));
+        return;
+    }
+    // n = 1000 v / (π d) at the largest diameter, as whole as S is.
+    let largest = if lathe.p.path == Path::Facing { clear() } else { v(102) };
+    b.n(24).assign(SPEED, (v(100) * 1000 / (real(crate::math::PI, 6) * largest)).fix());
+    b.n(25).if_goto(v(SPEED).le(v(107)), 27);
+    b.n(26).assign(SPEED, v(107).fix()).note("AT MOST THE LIMIT");
+    b.n(27).words(block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED)), turn]));
+}
+
+/// The blocks of a pass.
+fn pass(b: &mut Builder, lathe: &Fitted) {
+    let rapid = |words: Vec<NewWord>| block(lathe, Code::Rapid, words);
+    let cut = |words: Vec<NewWord>| block(lathe, Code::Linear, words);
+    let away = || v(103) + v(LEFT) + v(106);
+    match lathe.p.path {
+        Path::Facing => {
+            b.n(35).words(rapid(vec![z(v(LEFT))]));
+            b.n(36).words(cut(vec![cross(lathe, v(103)), f(v(101))]));
+            b.n(37).words(rapid(vec![z(v(LEFT) + v(106))]));
+            b.n(38).words([cross(lathe, clear())]);
+        }
+        Path::Turning => {
+            b.n(35).words(rapid(vec![cross(lathe, v(103) + v(LEFT))]));
+            b.n(36).words(cut(vec![z(-v(105)), f(v(101))]));
+            b.n(37).words(rapid(vec![cross(lathe, away())]));
+            b.n(38).words([z(v(108))]);
+        }
+        Path::Taper => {
+            b.n(35).words(rapid(vec![cross(lathe, v(103) + v(LEFT))]));
+            b.n(36).words(cut(vec![z(real(0.0, 0)), f(v(101))]));
+            b.n(37).words([cross(lathe, v(104) + v(LEFT)), z(-v(105))]);
+            b.n(38).words(rapid(vec![cross(lathe, clear())]));
+            b.n(39).words([z(v(108))]);
+        }
+    }
+}
+
+/// O9202: the values of the project, once.
+fn setup(b: &mut Builder, lathe: &Fitted) {
+    b.program(SETUP, "TURNING - SET VALUES ONCE");
+    writing::header::<TurningSpindle>(b, lathe.form, lathe.control);
+    let p = &lathe.p;
+    let face = p.path == Path::Facing;
+    let values = [
+        (100, p.cutting_speed, 2, "CUTTING SPEED M/MIN"),
+        (101, p.feed, 3, "FEED MM/REV"),
+        (102, p.stock_diameter, 3, "STOCK DIAMETER"),
+        (103, p.finished_diameter, 3, if p.path == Path::Taper { "DIAMETER AT THE FACE" } else { "FINISHED DIAMETER" }),
+        (104, p.large_diameter, 3, "DIAMETER AT THE END"),
+        (105, if face { p.allowance } else { p.length }, 3, if face { "ALLOWANCE" } else { "LENGTH" }),
+        (106, p.depth, 3, "DEPTH OF CUT"),
+        (107, p.upper_limit, 0, "SPEED LIMIT"),
+        (108, p.clearance, 3, "CLEARANCE"),
+        (111, p.start_x, 3, "START X, DIAMETER"),
+        (112, p.start_z, 3, "START Z"),
+    ];
+    for (at, (number, value, decimals, text)) in (1..).zip(values) {
+        if number != 104 || p.path == Path::Taper {
+            b.n(at).assign(number, real(value, decimals)).note(text);
+        }
+    }
+    b.n(20).words([m(30)]);
+}

@@ -1,0 +1,156 @@
+//! The rules a turning spindle is judged by, as rows: which result, which limit, what would mend it.
+
+use super::Lathe;
+use super::derive::Derived;
+use super::fitted::Fitted;
+use super::params::{Params, Path};
+use super::{program, show};
+use crate::controls::ParamRole;
+use crate::drives::Bound;
+use crate::machines::judge::{Judgement, Rule, fail, ok, warn};
+use crate::msg;
+use crate::text::{Citation, Diagnostic, Grade};
+
+/// Inputs, what follows from them, and what the control takes.
+pub(super) struct Case<'a> {
+    pub(super) lathe: &'a Fitted<'a>,
+    pub(super) p: &'a Params,
+    pub(super) d: &'a Derived,
+}
+
+macro_rules! rule {
+    ($on:literal, $judge:expr, $source:literal, $grade:ident) => {
+        Rule { on: $on, cite: Citation::new($source, Grade::$grade), judge: $judge }
+    };
+}
+
+/// All rules that judge a result.
+pub(super) const RULES: &[Rule<Lathe>] = &[
+    rule!("speed-smallest", top_speed, "highest speed of the chuck", Manual),
+    rule!("limit-diameter", limit, "sheet 1.3: the upper limit wins", Inferred),
+    rule!("volts-smallest", few_volts, "engineering choice", Inferred),
+    rule!("volts-largest", few_volts_large, "engineering choice", Inferred),
+    rule!("stage-speed", stage, "speed at 10 V of the gear stage", Manual),
+    rule!("feed-top", clamps, "cutting feed clamp, a parameter", Sister),
+    rule!("acceleration-needed", acceleration, "derivative of n = 1000 v / (π d)", Inferred),
+    rule!("power", power, "data sheet of the motor", Manual),
+];
+
+fn top_speed(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if p.upper_limit > p.chuck_limit {
+        let advice = msg!("turning.limit-above-chuck", (p.upper_limit, 0), (p.chuck_limit, 0));
+        return if d.speed_smallest.max(d.speed_largest) >= p.chuck_limit {
+            fail(p.chuck_limit, [advice])
+        } else {
+            warn(p.chuck_limit, [advice])
+        };
+    }
+    ok(p.chuck_limit)
+}
+
+/// Below the diameter of the limit the surface speed falls with the diameter.
+fn limit(case: &Case) -> Option<Judgement> {
+    let Case { lathe, d, .. } = case;
+    if !lathe.surface() || d.limited_share <= 0.0 {
+        return ok(None);
+    }
+    let advice = msg!("turning.limited", (d.limit_diameter, 3), (d.surface_smallest, 1), (d.limited_share * 100.0, 0));
+    if d.limited_share > 0.5 {
+        warn(d.smallest, [advice])
+    } else {
+        Some(Judgement { advice: vec![advice], ..ok(d.smallest)? })
+    }
+}
+
+fn few(volts: f64) -> Option<Judgement> {
+    if volts.abs() < 0.5 { warn(0.5, [msg!("turning.few-volts", (volts, 3))]) } else { ok(None) }
+}
+
+fn few_volts(case: &Case) -> Option<Judgement> {
+    few(case.d.volts_smallest)
+}
+
+fn few_volts_large(case: &Case) -> Option<Judgement> {
+    few(case.d.volts_largest)
+}
+
+fn stage(case: &Case) -> Option<Judgement> {
+    let Case { d, p, .. } = case;
+    if d.bound == Bound::Gear {
+        return warn(
+            d.speed_smallest,
+            [msg!("turning.stage-too-slow", f64::from(d.stage), (d.stage_speed, 0), (p.upper_limit, 0))],
+        );
+    }
+    ok(None)
+}
+
+fn clamps(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    let clamp = if p.path == Path::Facing { p.clamp_x } else { p.clamp_z };
+    if d.feed_top > clamp { fail(clamp, [msg!("turning.above-clamp", (d.feed_top, 0), (clamp, 0))]) } else { ok(clamp) }
+}
+
+fn acceleration(case: &Case) -> Option<Judgement> {
+    let d = case.d;
+    if d.acceleration_needed > d.acceleration {
+        return warn(d.acceleration, [msg!("turning.spindle-lags", (d.acceleration_needed, 0), (d.acceleration, 0))]);
+    }
+    ok(d.acceleration)
+}
+
+fn power(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if p.cutting_force <= 0.0 {
+        return None;
+    }
+    if d.power > d.power_available {
+        let slower = p.cutting_speed * d.power_available / d.power;
+        return fail(
+            d.power_available,
+            [msg!("turning.too-little-power", (d.power, 2), (d.power_available, 2), (slower, 0))],
+        );
+    }
+    ok(d.power_available)
+}
+
+/// Errors that keep the program from being exported, and what the operator has to know.
+pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
+    let Case { lathe, p, .. } = case;
+    let limits = &lathe.control.limits;
+    let mut found = Vec::new();
+    let largest = if p.path == Path::Taper { p.finished_diameter.max(p.large_diameter) } else { p.finished_diameter };
+    let field = if p.path == Path::Taper && p.large_diameter > p.finished_diameter {
+        "large-diameter"
+    } else {
+        "finished-diameter"
+    };
+    if largest >= p.stock_diameter {
+        let message = msg!("turning.nothing-to-cut", (largest, 3), (p.stock_diameter, 3));
+        found.push(Diagnostic::error(message).about(field));
+    }
+    if p.passes() >= super::derive::PASSES {
+        found.push(Diagnostic::error(msg!("turning.too-many-passes", super::derive::PASSES)).about("depth"));
+    }
+    if p.start_x <= p.stock_diameter + 2.0 * p.clearance {
+        let least = p.stock_diameter + 2.0 * p.clearance;
+        found.push(Diagnostic::error(msg!("turning.start-in-stock", (p.start_x, 3), (least, 3))).about("start-x"));
+    }
+    if p.upper_limit > limits.speed_max {
+        let message = msg!("turning.speed-above-range", (p.upper_limit, 0), limits.speed_max);
+        found.push(Diagnostic::error(message).about("upper-limit"));
+    }
+    if p.feed > limits.revolution_feed_max {
+        let message = msg!("turning.feed-above-range", (p.feed, 3), limits.revolution_feed_max);
+        found.push(Diagnostic::error(message).about("feed"));
+    }
+    if p.lower_limit > p.upper_limit {
+        let message = msg!("turning.limits-crossed", show(p.lower_limit, 0), show(p.upper_limit, 0));
+        found.push(Diagnostic::warning(message).about("lower-limit"));
+    }
+    if lathe.control.param(ParamRole::VariablesAtPowerOn).is_none() {
+        found.push(Diagnostic::info(msg!("form.values-are-lost", program::SETUP)));
+    }
+    found
+}

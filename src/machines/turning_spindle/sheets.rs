@@ -1,0 +1,43 @@
+//! What the machine builder sets beside the program: the parameters of spindle and slides.
+
+use super::fitted::Fitted;
+use crate::controls::ParamRole;
+use crate::machines::sheets::{self, Axes, Setting, Values};
+use crate::view::Sheet;
+
+/// All sheets.
+pub(super) fn sheets(lathe: &Fitted) -> Vec<Sheet> {
+    vec![parameters(lathe)]
+}
+
+fn parameters(lathe: &Fitted) -> Sheet {
+    let p = &lathe.p;
+    let number = |value: f64| vec![("", Setting::Number(value))];
+    let yes = |on: bool| vec![("", Setting::Answer(on))];
+    let slides = |x: f64, z: f64| vec![("X", Setting::Number(x)), ("Z", Setting::Number(z))];
+    let stage = |speed: f64| if speed > 0.0 { number(speed) } else { Vec::new() };
+    let values: Vec<(ParamRole, Values)> = vec![
+        (ParamRole::SpindleCount, yes(true)),
+        (ParamRole::SpindleConnection, yes(true)),
+        (ParamRole::OffsetFull, number(p.offset_full)),
+        (ParamRole::OffsetZero, number(p.offset_zero)),
+        (ParamRole::SpindleLimit, number(p.stage_1)),
+        (ParamRole::StageLimit(2), stage(p.stage_2)),
+        (ParamRole::StageLimit(3), stage(p.stage_3)),
+        (ParamRole::StageLimit(4), stage(p.stage_4)),
+        (ParamRole::SpindleMaximum, number(p.chuck_limit)),
+        (ParamRole::SpindleMinimum, number(p.lower_limit)),
+        (ParamRole::SpindleEncoder, yes(true)),
+        (ParamRole::AxisDiameter, vec![("X", Setting::Answer(lathe.diameters()))]),
+        (ParamRole::AxisRapid, slides(p.rapid_x, p.rapid_z)),
+        (ParamRole::AxisClamp, slides(p.clamp_x, p.clamp_z)),
+        (ParamRole::AxisAcceleration, vec![("X", Setting::Answer(true)), ("Z", Setting::Answer(true))]),
+        (ParamRole::AxisTimeConstant, slides(p.time_constant, p.time_constant)),
+        (ParamRole::AxisPositionGain, slides(p.position_gain, p.position_gain)),
+        (ParamRole::CommandUnit, yes(true)),
+        (ParamRole::VariablesAtReset, yes(false)),
+        (ParamRole::VariablesAtPowerOn, yes(false)),
+    ];
+    let axes = Axes { cross_words: if lathe.diameters() { 2.0 } else { 1.0 }, rotary: None };
+    sheets::parameters(lathe.control, &axes, values)
+}
