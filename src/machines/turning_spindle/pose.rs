@@ -54,25 +54,23 @@ pub(super) fn progress(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Pro
             }
             Path::Taper => (d - contour(lathe, z) - left, z, z > p.clearance + NEAR, (z - p.clearance).abs() < NEAR),
         };
-        if away {
-            return done;
-        }
         if over < NEAR {
             return Progress { done: pass - 1, at: Some(at) };
         }
         let returned = match p.path {
+            Path::Facing => (over - 0.5 * p.depth).abs() < NEAR,
+            Path::Turning => (over - p.depth).abs() < NEAR,
             Path::Taper => (d - clear).abs() < NEAR,
-            _ => (over - p.depth).abs() < NEAR,
         };
-        if back {
-            return if returned { done } else { Progress { done: pass - 1, at: None } };
+        if back && !returned && !away {
+            return Progress { done: pass - 1, at: None };
         }
-        let within = if p.path == Path::Facing { more } else { 2.0 * p.depth };
-        if p.path == Path::Taper || over < within - NEAR || (over - p.depth).abs() < NEAR {
+        let before_is_cut = (over - more).abs() < NEAR && pass > 1;
+        if away || back || !before_is_cut {
             return done;
         }
     }
-    Progress { done: begun.saturating_sub(1).min(begun), at: None }
+    Progress { done: 0, at: None }
 }
 
 /// Diameter of the finished part at a place: the taper goes on as a cylinder in front of the face.

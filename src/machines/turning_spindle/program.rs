@@ -155,7 +155,7 @@ fn pass(b: &mut Builder, lathe: &Fitted) {
         Path::Facing => {
             b.n(35).words(rapid(vec![z(v(LEFT))]));
             b.n(36).words(cut(vec![cross(lathe, v(103)), f(v(101))]));
-            b.n(37).words(rapid(vec![z(v(LEFT) + v(106))]));
+            b.n(37).words(rapid(vec![z(v(LEFT) + v(106) / 2)]));
             b.n(38).words([cross(lathe, clear())]);
         }
         Path::Turning => {

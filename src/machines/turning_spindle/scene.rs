@@ -86,10 +86,10 @@ pub(super) fn scene(lathe: &Fitted) -> Scene {
         (84.0, 300.0, "middle", "value"),
         (560.0, 262.0, "start", "value"),
         (560.0, 280.0, "start", "value"),
-        (84.0, 40.0, "middle", "value"),
+        (84.0, 66.0, "middle", "value"),
         (METER.0, METER.1 + 42.0, "middle", "value"),
         (560.0, 298.0, "start", "value"),
-        (METER.0, 232.0, "middle", "small"),
+        (METER.0, 214.0, "middle", "small"),
     ] {
         pen.text(x, y, anchor, String::new(), "ink", class);
     }
@@ -97,22 +97,22 @@ pub(super) fn scene(lathe: &Fitted) -> Scene {
     tool(&mut pen, &view);
     meter(&mut pen, p);
     for (x, y, anchor, id) in [
-        (84.0, 22.0, "middle", "turning.scene.gear"),
+        (84.0, 50.0, "middle", "turning.scene.gear"),
         (84.0, 284.0, "middle", "turning.scene.spindle"),
-        (METER.0, 26.0, "middle", "turning.scene.output"),
+        (METER.0, 196.0, "middle", "turning.scene.output"),
         (552.0, 262.0, "end", "turning.scene.surface"),
         (552.0, 280.0, "end", "turning.scene.diameter"),
         (552.0, 298.0, "end", "turning.scene.pass"),
     ] {
         pen.text(x, y, anchor, name(id), "dim", "label");
     }
-    Scene { view: [0.0, 0.0, 760.0, 312.0], nodes: pen.nodes, groups: group::JAWS + JAWS, alt: "turning.scene.alt" }
+    Scene { view: [0.0, 0.0, 760.0, 312.0], nodes: pen.nodes, groups: group::JAWS + JAWS, alt: "turning.scene.alt", strobe: false }
 }
 
 /// Headstock and chuck, the centre line, the stock as it was.
 fn frame(pen: &mut Pen, p: &Params, view: &View) {
     let (face, half) = CHUCK;
-    pen.path(0, filled("M24 #H#V#H24Z", &[CENTRE - 84.0, face - 54.0, CENTRE + 84.0]), "line", "", 0.0, "plate");
+    pen.path(0, filled("M24 #H#V#H24Z", &[CENTRE - 78.0, face - 54.0, CENTRE + 84.0]), "line", "", 0.0, "plate");
     pen.path(
         0,
         filled("M# #H#V#H#Z", &[face - 54.0, CENTRE - half, face - 14.0, CENTRE + half, face - 54.0]),
