@@ -492,7 +492,7 @@ mod native {
 
     /// Wrong commands are told and end, after all others, in exit status 2.
     fn step(args: &RunArgs) -> Result<(), Failure> {
-        let Prepared { run, files, switches, found: mut diagnostics, silenced } = prepare(args, Keep::Timeline)?;
+        let Prepared { run, files, switches, found: mut diagnostics, silenced } = prepare(args, Keep::Both)?;
         let count = silence(&mut diagnostics, &silenced);
         tell(&files, &diagnostics);
         tell_silenced(count);

@@ -3,7 +3,7 @@
 use super::Interp;
 use super::fault::Trap;
 use super::state::{Cx, State};
-use super::vars::{LOCALS, VACANT};
+use super::vars::{LOCALS, Locals, VACANT};
 use super::world::World;
 use crate::controls::{Group, VarKind};
 use crate::nc::{Block, Formula};
@@ -21,7 +21,7 @@ pub enum Entered {
 }
 
 /// A program that runs, or waits for what it called.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Level {
     /// Number of the program; 0 where it has none.
     pub program: u32,
@@ -33,8 +33,15 @@ pub struct Level {
     pub again: u32,
     /// Level of the local variables in force, from 0.
     pub level: usize,
-    /// Those that are not vacant, by number.
-    pub locals: Vec<(u32, f64)>,
+    values: Locals,
+}
+
+impl Level {
+    /// The local variables in force that are not vacant, by number; those of a subprogram are told with its caller.
+    pub fn locals(&self) -> impl Iterator<Item = (u32, f64)> + '_ {
+        let own = self.entered != Entered::Subprogram;
+        (1..).zip(self.values).filter(move |(_, value)| own && !value.is_nan())
+    }
 }
 
 /// What a change is about.
@@ -46,8 +53,8 @@ pub enum What {
     Local(u32),
     /// A code of a modal group: the values are its number.
     Code,
-    /// A word that stays in force, by its letter.
-    Word(u8),
+    /// F.
+    Feed,
 }
 
 /// What is other than it was; `None` is vacant, or nothing yet.
@@ -61,17 +68,12 @@ pub struct Change {
     pub after: Option<f64>,
 }
 
-/// Words that stay in force and are told when they change; S, M and T are told by the commands they give.
-const WORDS: &[u8] = b"F";
+/// Where F stands among the words that stay in force.
+const FEED: usize = (b'F' - b'A') as usize;
 
 /// A value as people look at it: vacant is nothing.
 fn shown(value: f64) -> Option<f64> {
     (!value.is_nan()).then_some(value)
-}
-
-fn change(what: What, before: f64, after: f64) -> Option<Change> {
-    let (before, after) = (shown(before), shown(after));
-    (before != after).then_some(Change { what, before, after })
 }
 
 impl Interp {
@@ -103,14 +105,13 @@ impl Interp {
                 Some(_) if arguments => Entered::Macro,
                 Some(_) => Entered::Subprogram,
             };
-            let values = (1..).zip(state.vars.locals_of(level));
             levels.push(Level {
                 program: deck.programs.get(program as usize).map_or(0, |program| program.number),
                 entered,
                 place,
                 again: by.map_or(0, |frame| frame.again),
                 level,
-                locals: values.filter(|(_, value)| !value.is_nan()).collect(),
+                values: state.vars.locals_of(level),
             });
         }
         levels.reverse();
@@ -150,23 +151,27 @@ impl Interp {
         let (now, then, index) = (&self.state, &earlier.state, &self.shared.index);
         let (shared, control, deck) = (&*self.shared, self.shared.control, self.shared.parsed.deck());
         let mut cx = Cx { shared, control, deck, world };
-        let (level, was) = (now.vars.level(), then.vars.level());
-        let locals = now.vars.locals_of(level).into_iter().zip(if level <= was {
-            then.vars.locals_of(level)
-        } else {
-            [VACANT; LOCALS]
-        });
-        let mut changes: Vec<Change> =
-            (1..).zip(locals).filter_map(|(number, (now, then))| change(What::Local(number), then, now)).collect();
+        let mut changes = Vec::new();
+        let mut compare = |what: What, then: f64, now: f64| {
+            let (before, after) = (shown(then), shown(now));
+            if before != after {
+                changes.push(Change { what, before, after });
+            }
+        };
+        let level = now.vars.level();
+        // What a new level was given is new.
+        let (values, vacant) = (now.vars.locals_of(level), [VACANT; LOCALS]);
+        let given = if level <= then.vars.level() { then.vars.locals_of(level) } else { vacant };
+        for (number, (&then, &now)) in (1..).zip(given.iter().zip(&values)) {
+            compare(What::Local(number), then, now);
+        }
         for (at, row) in self.shared.control.vars.iter().enumerate() {
             for number in row.first..=row.last {
                 let Some(slot) = index.stored_at(row, at, number) else { break };
-                let [then, now] = [then, now].map(|state| match row.kind {
-                    VarKind::Common | VarKind::Retained => state.vars.common(slot),
-                    // These have a value from the start.
-                    _ => shown(state.vars.common(slot)).unwrap_or(0.0),
-                });
-                changes.extend(change(What::Variable(number), then, now));
+                let zero = if matches!(row.kind, VarKind::Common | VarKind::Retained) { VACANT } else { 0.0 };
+                // The others have a value from the start.
+                let value = |state: &State| shown(state.vars.common(slot)).unwrap_or(zero);
+                compare(What::Variable(number), value(then), value(now));
             }
             let clock = match row.kind {
                 VarKind::PowerOnTime(_) => 0,
@@ -174,20 +179,17 @@ impl Interp {
                 _ => continue,
             };
             if now.clock_zero[clock] != then.clock_zero[clock] {
-                let after = now.read(&mut cx, row.first).ok().and_then(shown);
-                changes.push(Change { what: What::Variable(row.first), before: None, after });
+                compare(What::Variable(row.first), VACANT, now.read(&mut cx, row.first).unwrap_or(VACANT));
             }
         }
-        for (group, (&now, &then)) in now.modal.codes.iter().zip(&then.modal.codes).enumerate() {
+        for (group, (&then, &now)) in then.modal.codes.iter().zip(&now.modal.codes).enumerate() {
             // G00 is a motion; in every other group 0 is none.
-            let [then, now] = [then, now].map(|code| match code {
-                0 if group != Group::Motion as usize => VACANT,
-                code => f64::from(code) / 10.0,
-            });
-            changes.extend(change(What::Code, then, now));
+            let none = if group == Group::Motion as usize { 0.0 } else { VACANT };
+            let code = |code: u16| if code == 0 { none } else { f64::from(code) / 10.0 };
+            compare(What::Code, code(then), code(now));
         }
-        let word = |state: &State, letter: u8| state.modal.words[usize::from(letter - b'A')];
-        changes.extend(WORDS.iter().filter_map(|&l| change(What::Word(l), word(then, l), word(now, l))));
+        // S, M and T are told by the commands that they give.
+        compare(What::Feed, then.modal.words[FEED], now.modal.words[FEED]);
         changes
     }
 }

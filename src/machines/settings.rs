@@ -42,7 +42,7 @@ pub fn write<M: Machine>(params: &M::Params, control: &Control) -> Vec<String> {
 
 /// Text as it may stand inside a comment: printable ASCII without brackets and per cent signs.
 fn plain(text: &str) -> String {
-    let keep = |c: char| if c.is_ascii_graphic() && !"()%".contains(c) { c } else { ' ' };
+    let keep = |c: char| if c.is_ascii_graphic() && !matches!(c, '(' | ')' | '%') { c } else { ' ' };
     text.chars().map(keep).collect::<String>().split_whitespace().collect::<Vec<_>>().join(" ")
 }
 

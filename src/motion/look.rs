@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::plan::{Keep, Planner, Progress};
+use super::plan::{Checkpoint, Keep, Planner, Progress};
 use super::program::Program;
 use super::state::Records;
 use crate::interp::{Canon, World};
@@ -21,40 +21,15 @@ pub enum Gate {
 /// Asked before each step of the program: at its time, with the program and the machine as the program would see it.
 pub type Gatekeeper<'a, P> = &'a mut dyn FnMut(f64, &P, &mut dyn World) -> Gate;
 
-/// Commands that are kept, the newest.
+/// Commands that are kept while somebody looks on, the newest.
 const GIVEN: usize = 8;
 
-/// The commands of some steps of a program.
-#[derive(Debug, Clone, Default)]
-pub struct Given {
-    newest: VecDeque<Canon>,
-    count: u64,
-}
-
-impl Given {
-    pub(super) fn add(&mut self, canon: &Canon) {
-        if self.newest.len() == GIVEN {
-            self.newest.pop_front();
-        }
-        self.newest.push_back(canon.clone());
-        self.count += 1;
-    }
-
-    /// The newest of them, in the order of the program.
-    pub fn newest(&self) -> impl Iterator<Item = &Canon> {
-        self.newest.iter()
-    }
-
-    /// How many came before those.
-    pub fn earlier(&self) -> u64 {
-        self.count - self.newest.len() as u64
-    }
-}
-
 impl<P: Program> Planner<P> {
-    /// Plans on until the gate is shut, the run is over, or for `budget` events; whether the gate is shut.
-    pub fn advance_to(&mut self, budget: usize, gate: Gatekeeper<P>) -> (Progress, bool) {
-        self.plan(f64::INFINITY, budget, Some(gate))
+    /// As [`advance`](Planner::advance), but only until the gate is shut; whether it is. Of the log the newest commands stay.
+    pub fn advance_to(&mut self, until: f64, budget: usize, gate: Gatekeeper<P>) -> (Progress, bool) {
+        let answer = self.plan(until, budget, Some(gate));
+        self.records.forget_log(GIVEN);
+        answer
     }
 
     /// Shows the program at the end of what is planned, and the machine as it would see it, but with the axes where they are.
@@ -63,31 +38,31 @@ impl<P: Program> Planner<P> {
         self.state.look(t, &self.records.timeline, look)
     }
 
-    /// The commands that the program has given since the gate began anew.
-    pub fn given(&self) -> Option<&Given> {
-        self.records.given.as_ref()
+    /// The newest commands that the program has given since the gate began anew, where the run has a log, and how many came before.
+    pub fn given(&self) -> (usize, impl Iterator<Item = &Canon>) {
+        let log = &self.records.log;
+        (self.records.taken.saturating_sub(self.records.anew), log.iter().map(|(_, canon, _)| canon))
     }
 
-    /// A run of its own from the last checkpoint that fits (its time, the program there), or from the first: it comes to the same
-    /// timeline. It keeps only the newest moments.
-    pub fn fork(&self, fits: impl Fn(f64, &P) -> bool) -> Planner<P> {
-        let last = self.checkpoints.iter().rposition(|point| fits(point.t, &point.state.program)).unwrap_or(0);
-        let (timeline, state, t) = match self.checkpoints.get(last) {
-            Some(point) => (self.records.timeline.up_to(&point.marks.timeline, point.t), point.state.clone(), point.t),
-            None => (self.records.timeline.clone(), self.state.clone(), 0.0),
+    /// A run of its own from the last checkpoint not after `t` at which at most so many blocks were read, or from the first: it comes to
+    /// the same timeline. It keeps only the newest moments.
+    pub fn fork(&self, t: f64, blocks: u64) -> Planner<P> {
+        let fits = |point: &&Checkpoint<P>| {
+            let read = point.state.program.blocks();
+            point.t <= t && read.nc + read.macros <= blocks
         };
-        let mut machine = self.machine.clone();
-        machine.log = false;
+        let point = self.checkpoints.iter().rfind(fits).or(self.checkpoints.first());
+        let now = self.records.marks();
+        let (marks, state, t) = match point {
+            Some(point) => (&point.marks, &point.state, point.t),
+            None => (&now, &self.state, self.state.now),
+        };
+        let (timeline, state) = (self.records.timeline.up_to(&marks.timeline, t), state.clone());
+        let log = VecDeque::new();
         Planner {
-            records: Records {
-                timeline,
-                log: VecDeque::new(),
-                taken: 0,
-                diagnostics: Vec::new(),
-                given: Some(Given::default()),
-            },
+            records: Records { timeline, log, taken: 0, anew: 0, diagnostics: Vec::new() },
             state,
-            machine,
+            machine: self.machine.clone(),
             panel: self.panel.clone(),
             checkpoints: Vec::new(),
             keep: Keep::Log,

@@ -60,7 +60,7 @@ mod track;
 
 mod turning;
 
-pub use look::{Gate, Given};
+pub use look::Gate;
 pub use panel::{Action, Event, Panel};
 pub use plan::{Keep, Limits, Planner, Progress, RunEnd, Setup};
 pub use plant::{AxisPlant, Plant, SpindlePlant};

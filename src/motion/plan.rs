@@ -6,7 +6,7 @@
 
 use std::collections::VecDeque;
 
-use super::look::{Gate, Gatekeeper, Given};
+use super::look::{Gate, Gatekeeper};
 use super::machine::Machine;
 use super::panel::{Event, Panel};
 use super::plant::Plant;
@@ -33,6 +33,8 @@ pub struct Limits {
 pub enum Keep {
     /// The whole timeline and a checkpoint for every second: any moment can be shown, any event added.
     Timeline,
+    /// The same, and the commands as a log: for stepping on the command line.
+    Both,
     /// Only the newest moments, and the commands as a log for [`Planner::take_log`]: for long runs on the command line. An event that
     /// is added to the past happens now.
     Log,
@@ -108,10 +110,10 @@ pub struct Planner<P> {
 impl<P: Program> Planner<P> {
     /// A run at time 0; cycle start is pressed.
     pub fn new(setup: Setup<'_, P>) -> Planner<P> {
-        let machine = Machine::new(setup.control, setup.plant, setup.limits, setup.keep == Keep::Log);
+        let machine = Machine::new(setup.control, setup.plant, setup.limits, setup.keep != Keep::Timeline);
         let timeline = Timeline::new(machine.axes, machine.spindle);
         Planner {
-            records: Records { timeline, log: VecDeque::new(), taken: 0, diagnostics: Vec::new(), given: None },
+            records: Records { timeline, log: VecDeque::new(), taken: 0, anew: 0, diagnostics: Vec::new() },
             state: State::new(setup.program, setup.plc, machine.square()),
             machine,
             panel: setup.panel,
@@ -160,7 +162,10 @@ impl<P: Program> Planner<P> {
             if let (Who::Reader, Some(gate)) = (who, &mut gate) {
                 match self.state.look(t, &self.records.timeline, |program, world| gate(t, program, world)) {
                     Gate::Open => {}
-                    Gate::Anew => self.records.given = self.records.given.take().map(|_| Given::default()),
+                    Gate::Anew => {
+                        self.records.forget_log(0);
+                        self.records.anew = self.records.taken;
+                    }
                     Gate::Shut => {
                         self.records.timeline.end = t.max(self.records.timeline.end);
                         shut = true;
@@ -183,7 +188,7 @@ impl<P: Program> Planner<P> {
     /// Before the first event at or after a whole second. All events before have happened before `due`.
     fn checkpoint(&mut self, t: f64) {
         match self.keep {
-            Keep::Timeline => {
+            Keep::Timeline | Keep::Both => {
                 let marks = self.records.marks();
                 self.checkpoints.push(Checkpoint { t: self.due, state: self.state.clone(), marks });
             }
@@ -215,7 +220,7 @@ impl<P: Program> Planner<P> {
             self.records.diagnostics.pop();
         }
         let known = self.checkpoints.partition_point(|checkpoint| checkpoint.t <= t);
-        if self.keep == Keep::Timeline && t <= self.records.timeline.end && known > 0 {
+        if self.keep != Keep::Log && t <= self.records.timeline.end && known > 0 {
             self.checkpoints.truncate(known);
             let Some(last) = self.checkpoints.pop() else { return };
             self.records.truncate(&last.marks);

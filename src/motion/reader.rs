@@ -116,9 +116,6 @@ impl<P: Program> Sim<'_, P> {
         if self.machine.log {
             self.out.log.push_back((t, canon.clone(), place));
         }
-        if let Some(given) = &mut self.out.given {
-            given.add(&canon);
-        }
         match canon {
             // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).
             Canon::Output { variable, value } => {

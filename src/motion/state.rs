@@ -3,7 +3,6 @@
 use std::collections::VecDeque;
 
 use super::executor::Exec;
-use super::look::Given;
 use super::machine::Machine;
 use super::panel::{Action, Panel};
 use super::plan::RunEnd;
@@ -27,8 +26,8 @@ pub(super) struct Records {
     /// Log entries that were taken away.
     pub(super) taken: usize,
     pub(super) diagnostics: Vec<Diagnostic>,
-    /// Commands for whoever looks on.
-    pub(super) given: Option<Given>,
+    /// Number of the first log entry that whoever looks on asks for.
+    pub(super) anew: usize,
 }
 
 /// Lengths of the records at a checkpoint.
@@ -49,6 +48,14 @@ impl Marks {
 impl Records {
     pub(super) fn logged(&self) -> usize {
         self.taken + self.log.len()
+    }
+
+    /// Forgets the log but for its newest entries.
+    pub(super) fn forget_log(&mut self, keep: usize) {
+        while self.log.len() > keep {
+            self.log.pop_front();
+            self.taken += 1;
+        }
     }
 
     pub(super) fn marks(&self) -> Marks {

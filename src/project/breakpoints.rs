@@ -29,14 +29,12 @@ impl Spot {
     /// Reads `12`, `O9101.nc:12`, `N30`, `O9101 N30` or `O9101`; `here` is a block of the file and program that are meant where none is
     /// named.
     pub fn read(text: &str, parsed: &Parsed, here: Place) -> Option<Spot> {
-        let line = |file: FileId, line: &str| Some(Spot::Line { file, line: line.trim().parse().ok()? });
         let text = text.trim();
-        if let Some((name, number)) = text.rsplit_once(':') {
-            let file = parsed.files().0.iter().position(|file| file.name.eq_ignore_ascii_case(name.trim()))?;
-            return line(FileId(u16::try_from(file).ok()?), number);
+        if text.as_bytes().contains(&b':') {
+            return Spot::read_line(text, parsed);
         }
         if text.bytes().all(|b| b.is_ascii_digit()) {
-            return line(here.file, text);
+            return Some(Spot::Line { file: here.file, line: text.parse().ok()? });
         }
         let upper = text.to_ascii_uppercase();
         let (program, number) = match upper.split_once('N') {
@@ -47,23 +45,33 @@ impl Spot {
         Some(Spot::Sequence { program, number })
     }
 
+    /// Reads `O9101.nc:12`.
+    pub fn read_line(text: &str, parsed: &Parsed) -> Option<Spot> {
+        let (name, line) = text.rsplit_once(':')?;
+        let file = parsed.files().0.iter().position(|file| file.name.eq_ignore_ascii_case(name.trim()))?;
+        Some(Spot::Line { file: FileId(u16::try_from(file).ok()?), line: line.trim().parse().ok()? })
+    }
+
     /// The block, where there is one.
     pub fn place(&self, parsed: &Parsed) -> Option<Place> {
         let deck = parsed.deck();
+        let find = |fits: &mut dyn FnMut(&nc::Program, &nc::Block) -> bool| {
+            for program in &deck.programs {
+                if let Some(block) = deck.blocks_of(program).iter().find(|block| fits(program, block)) {
+                    return Some(Place { file: program.file, span: block.span });
+                }
+            }
+            None
+        };
         match *self {
             Spot::Line { file, line } => {
-                let text = &parsed.files().get(file)?.text;
-                let lines = LineIndex::new(text);
-                let programs = deck.programs.iter().filter(|program| program.file == file);
-                let mut blocks = programs.flat_map(|program| deck.blocks_of(program));
-                let block = blocks.find(|block| lines.line_of(block.span.start) >= line)?;
-                Some(Place { file, span: block.span })
+                let lines = LineIndex::new(&parsed.files().get(file)?.text);
+                find(&mut |of, block| of.file == file && lines.line_of(block.span.start) >= line)
             }
             Spot::Sequence { program, number } => {
-                let program = deck.program(program)?;
-                let mut blocks = deck.blocks_of(program).iter();
-                let block = blocks.find(|block| number.is_none() || block.number == number)?;
-                Some(Place { file: program.file, span: block.span })
+                // The first with this number.
+                let first = deck.program(program)?.first;
+                find(&mut |of, block| of.first == first && (number.is_none() || block.number == number))
             }
         }
     }
@@ -75,6 +83,34 @@ pub fn program_at(parsed: &Parsed, place: Place) -> Option<u32> {
     let holds = |blocks: &[nc::Block]| blocks.iter().any(|block| block.span == place.span);
     let mut programs = deck.programs.iter().filter(|program| program.file == place.file);
     programs.find(|program| holds(deck.blocks_of(program))).map(|program| program.number)
+}
+
+/// A line of a file as it was when it was last found.
+#[derive(Debug, Clone)]
+struct Line {
+    name: String,
+    text: String,
+    number: u32,
+}
+
+impl Line {
+    fn of(spot: &Spot, parsed: &Parsed) -> Option<Line> {
+        let Spot::Line { file, line: number } = *spot else { return None };
+        let file = parsed.files().get(file)?;
+        let text = LineIndex::new(&file.text).line(&file.text, number).to_owned();
+        Some(Line { name: file.name.clone(), text, number })
+    }
+
+    /// In the file of that name the nearest line with the same text; the line with the same number where none has it.
+    fn find(&self, parsed: &Parsed) -> Option<Spot> {
+        let at = parsed.files().0.iter().position(|file| file.name == self.name)?;
+        let text = &parsed.files().0.get(at)?.text;
+        let lines = LineIndex::new(text);
+        let same = |line: &u32| !self.text.is_empty() && lines.line(text, *line) == self.text;
+        let far = |line: &u32| line.abs_diff(self.number);
+        let line = (1..=lines.count()).filter(same).min_by_key(far).unwrap_or(self.number);
+        Some(Spot::Line { file: FileId(u16::try_from(at).ok()?), line })
+    }
 }
 
 /// A place to stop at.
@@ -92,7 +128,16 @@ pub struct Breakpoint {
     pub hits: u32,
     /// The block, where the program has it.
     pub place: Option<Place>,
-    formula: Option<Formula>,
+    /// Its line, to find it again in another text.
+    line: Option<Line>,
+    formula: Result<Option<Formula>, Box<Diagnostic>>,
+}
+
+impl Breakpoint {
+    /// File and line as last found, where it is set on a line.
+    pub fn name(&self) -> String {
+        self.line.as_ref().map_or_else(String::new, |line| format!("{}:{}", line.name, line.number))
+    }
 }
 
 /// All breakpoints, in the order in which they were set.
@@ -105,23 +150,46 @@ pub struct Breakpoints {
 impl Breakpoints {
     /// Sets one and gives its number; fails where the condition does not read.
     pub fn add(&mut self, spot: Spot, condition: &str, parsed: &Parsed) -> Result<u32, Box<Diagnostic>> {
-        let condition = condition.trim();
-        let formula = if condition.is_empty() { None } else { Some(nc::formula(condition, parsed.control())?) };
+        let condition = condition.trim().to_owned();
+        let formula = Ok(condition_of(&condition, parsed)?);
         self.set += 1;
-        let place = spot.place(parsed);
-        let condition = condition.to_owned();
-        self.list.push(Breakpoint { number: self.set, spot, condition, on: true, hits: 0, place, formula });
+        let (place, line) = (spot.place(parsed), Line::of(&spot, parsed));
+        self.list.push(Breakpoint { number: self.set, spot, condition, on: true, hits: 0, place, line, formula });
         Ok(self.set)
     }
 
-    /// Finds the blocks again in another text. Where a condition does not read any more, its breakpoint is switched off.
+    /// Removes the one before a block, or sets one there. With a condition that one is set, in place of another.
+    pub fn turn(
+        &mut self,
+        spot: Spot,
+        place: Place,
+        condition: Option<&str>,
+        parsed: &Parsed,
+    ) -> Result<(), Box<Diagnostic>> {
+        let known = self.list.iter().position(|point| point.place == Some(place));
+        if condition.is_some() || known.is_none() {
+            self.add(spot, condition.unwrap_or_default(), parsed)?;
+        }
+        if let Some(known) = known {
+            self.list.remove(known);
+        }
+        Ok(())
+    }
+
+    /// Finds the blocks again in another text: what is set on a line goes with that line. Where a condition does not read any more, its
+    /// breakpoint stops and tells it.
     pub fn resolve(&mut self, parsed: &Parsed) {
         for point in &mut self.list {
-            point.place = point.spot.place(parsed);
-            if point.formula.is_some() {
-                point.formula = nc::formula(&point.condition, parsed.control()).ok();
-                point.on &= point.formula.is_some();
+            let found = match &point.line {
+                Some(line) => line.find(parsed),
+                None => Some(point.spot.clone()),
+            };
+            point.place = found.as_ref().and_then(|spot| spot.place(parsed));
+            if let Some(spot) = found {
+                point.line = Line::of(&spot, parsed);
+                point.spot = spot;
             }
+            point.formula = condition_of(&point.condition, parsed);
         }
     }
 
@@ -143,10 +211,16 @@ impl Breakpoints {
     /// Whether one of them stops before a block.
     pub(super) fn stop(&mut self, place: Place, interp: &Interp, world: &mut dyn World) -> Option<Stop> {
         for point in self.list.iter_mut().filter(|point| point.on && point.place == Some(place)) {
-            let holds = match point.formula.as_ref().map(|formula| interp.evaluate(formula, world)) {
-                None => true,
-                Some(Ok(value)) => value.is_some_and(|value| value != 0.0),
-                Some(Err(why)) => return Some(Stop::Condition(point.number, why)),
+            let holds = match &point.formula {
+                Ok(None) => Ok(true),
+                Ok(Some(formula)) => {
+                    interp.evaluate(formula, world).map(|value| value.is_some_and(|value| value != 0.0))
+                }
+                Err(why) => Err(why.clone()),
+            };
+            let holds = match holds {
+                Ok(holds) => holds,
+                Err(why) => return Some(Stop::Condition(point.number, why)),
             };
             if holds {
                 point.hits += 1;
@@ -155,4 +229,8 @@ impl Breakpoints {
         }
         None
     }
+}
+
+fn condition_of(text: &str, parsed: &Parsed) -> Result<Option<Formula>, Box<Diagnostic>> {
+    if text.trim().is_empty() { Ok(None) } else { nc::formula(text.trim(), parsed.control()).map(Some) }
 }

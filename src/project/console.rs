@@ -80,11 +80,11 @@ fn change_text(change: &Change) -> String {
         (What::Variable(_) | What::Local(_), value) => value_text(value),
         (_, None) => "none".to_owned(),
         (What::Code, value) => format!("G{}", value_text(value)),
-        (What::Word(letter), value) => format!("{}{}", char::from(letter), value_text(value)),
+        (What::Feed, value) => format!("F{}", value_text(value)),
     };
     let name = match change.what {
         What::Variable(number) | What::Local(number) => format!("#{number} "),
-        What::Code | What::Word(_) => String::new(),
+        What::Code | What::Feed => String::new(),
     };
     format!("{name}{} -> {}", side(change.before), side(change.after))
 }
@@ -93,7 +93,7 @@ impl<'f> Console<'f> {
     /// A session that stands before the first block of a run; `files` are those of its program.
     pub fn new(main: Run, files: &'f Files, switches: Switches) -> Console<'f> {
         let mut console = Console {
-            debugger: Debugger::new(&main, 0.0),
+            debugger: Debugger::new(&main, 0.0, Goal::Into),
             main,
             points: Breakpoints::default(),
             watches: Vec::new(),
@@ -198,7 +198,7 @@ impl<'f> Console<'f> {
     /// Walks to the goal.
     fn reach(&mut self) -> Stop {
         loop {
-            if let Some(stop) = self.debugger.advance(&mut self.points, SLICE) {
+            if let Some(stop) = self.debugger.advance(&mut self.points, f64::INFINITY, SLICE) {
                 return stop;
             }
         }
@@ -248,38 +248,35 @@ impl<'f> Console<'f> {
         for change in self.debugger.changes() {
             out += &format!("  {}\n", change_text(&change));
         }
-        if let Some(given) = self.debugger.given() {
-            if given.earlier() > 0 {
-                out += &format!(
-                    "  gives {} commands, the last of them:\n",
-                    given.earlier() + given.newest().count() as u64
-                );
-            }
-            let names = self.main.program().names();
-            for canon in given.newest() {
-                out += &format!("  gives {}\n", canon.line(names));
-            }
+        let (earlier, newest) = self.debugger.run().given();
+        let names = self.main.program().names();
+        let newest: Vec<String> = newest.map(|canon| format!("  gives {}\n", canon.line(names))).collect();
+        if earlier > 0 {
+            out += &format!("  gives {} commands, the last of them:\n", earlier + newest.len());
         }
-        out
+        out + &newest.concat()
     }
 
     fn stack(&self) -> String {
         let mut out = String::new();
         for (at, level) in self.debugger.levels().iter().enumerate() {
             out += &format!("{at}  {}  {}\n", self.level(level), self.teller.block(level.place));
-            if level.entered != Entered::Subprogram && !level.locals.is_empty() {
-                out += &format!("   {}\n", locals_text(level));
+            let locals = locals_text(level);
+            if !locals.is_empty() {
+                out += &format!("   {locals}\n");
             }
         }
         out
     }
 
     fn locals(&self) -> String {
-        match self.debugger.levels().first() {
-            Some(level) if !level.locals.is_empty() => format!("level {}:{}\n", level.level, locals_text(level)),
-            Some(level) => format!("level {}: all vacant\n", level.level),
-            None => String::new(),
-        }
+        let levels = self.debugger.levels();
+        // A subprogram has those of the level that called it.
+        let Some(level) = levels.iter().find(|level| level.entered != Entered::Subprogram) else {
+            return String::new();
+        };
+        let locals = locals_text(level);
+        format!("level {}:{}\n", level.level, if locals.is_empty() { " all vacant" } else { &locals })
     }
 
     fn spot(&self, text: &str) -> Result<(Spot, Place), String> {
@@ -357,6 +354,7 @@ impl<'f> Console<'f> {
                 break;
             }
         }
+        drop(self.main.take_log());
         if self.debugger.back(&self.main) {
             Ok(self.walk())
         } else {
@@ -393,7 +391,7 @@ fn no_such(number: &str, list: &str) -> String {
 }
 
 fn locals_text(level: &Level) -> String {
-    level.locals.iter().map(|(number, value)| format!("  #{number}={}", number_text(*value, DECIMALS))).collect()
+    level.locals().map(|(number, value)| format!("  #{number}={}", number_text(value, DECIMALS))).collect()
 }
 
 /// What is wrong with an expression, with its place marked.

@@ -7,7 +7,7 @@ use super::breakpoints::Breakpoints;
 use super::run::Run;
 use crate::interp::inspect::{Change, Level};
 use crate::interp::{Interp, World};
-use crate::motion::{Event, Gate, Given, RunEnd};
+use crate::motion::{Event, Gate, RunEnd};
 use crate::nc::{self, Stmt};
 use crate::text::{Diagnostic, Place};
 
@@ -24,8 +24,6 @@ pub enum Goal {
     To(Place),
     /// To a breakpoint or the end.
     Continue,
-    /// To the first block that is read at this time or later, past all breakpoints.
-    Time(f64),
     /// To the block before which so many were read, past all breakpoints.
     Block(u64),
 }
@@ -62,8 +60,10 @@ struct Here {
 
 struct Walk {
     goal: Goal,
-    /// Calls that were open when the goal was set.
-    depth: usize,
+    /// Blocks that are read before this time are none to stop at.
+    from: f64,
+    /// Calls that were open at the first block that was.
+    depth: Option<usize>,
     /// The block that the walk stands before.
     here: Option<Here>,
     /// The block that it is about to leave: no reason to stop.
@@ -81,13 +81,8 @@ fn number(interp: &Interp) -> u64 {
 }
 
 impl Walk {
-    fn new(goal: Goal) -> Walk {
-        Walk { goal, depth: 0, here: None, leaving: None, last: None, before: None, stop: None }
-    }
-
-    /// Whether the goal is a place in the past or a moment, to be found again whatever lies between.
-    fn finds(&self) -> bool {
-        matches!(self.goal, Goal::Time(_) | Goal::Block(_))
+    fn new(goal: Goal, from: f64) -> Walk {
+        Walk { goal, from, depth: None, here: None, leaving: None, last: None, before: None, stop: None }
     }
 
     fn gate(&mut self, points: &mut Breakpoints, t: f64, interp: &Interp, world: &mut dyn World) -> Gate {
@@ -96,12 +91,15 @@ impl Walk {
         let idle = block.stmt == Stmt::Empty && block.number.is_none();
         let here = Here { number: number(interp), place };
         let leaves = self.leaving.take() == Some(here);
-        if !leaves {
-            self.stop = match self.finds() {
-                true => None,
-                false => points.stop(place, interp, world),
+        // The way to where the walk begins.
+        let early = t < self.from || matches!(self.goal, Goal::Block(to) if here.number < to);
+        if !leaves && !early {
+            let depth = *self.depth.get_or_insert(interp.depth());
+            self.stop = match self.goal {
+                Goal::Block(_) => None,
+                _ => points.stop(place, interp, world),
             };
-            if self.stop.is_none() && self.reaches(here, t, interp.depth(), idle) {
+            if self.stop.is_none() && self.reaches(place, interp.depth(), depth, idle) {
                 self.stop = Some(Stop::Reached);
             }
             if self.stop.is_some() {
@@ -113,48 +111,48 @@ impl Walk {
             return Gate::Open;
         }
         self.last = Some(here.number);
-        if leaves || self.finds() || self.before.is_none() {
+        if leaves || early || self.before.is_none() {
             self.before = Some(interp.clone());
             return Gate::Anew;
         }
         Gate::Open
     }
 
-    fn reaches(&self, here: Here, t: f64, depth: usize, idle: bool) -> bool {
+    fn reaches(&self, place: Place, now: usize, depth: usize, idle: bool) -> bool {
         match self.goal {
-            Goal::To(place) => here.place == place,
-            Goal::Block(number) => here.number >= number,
+            Goal::To(goal) => place == goal,
+            Goal::Block(_) => true,
             _ if idle => false,
             Goal::Into => true,
-            Goal::Over => depth <= self.depth,
-            Goal::Out => depth < self.depth,
+            Goal::Over => now <= depth,
+            Goal::Out => now < depth,
             Goal::Continue => false,
-            Goal::Time(until) => t >= until,
         }
     }
 }
 
 impl Debugger {
-    /// A walk that goes to the first block that `main` reads at time `t` or later; `main` has to be planned up to there.
-    pub fn new(main: &Run, t: f64) -> Debugger {
+    /// A walk to a goal from the first block on that `main` reads at time `t` or later; that block itself may be the goal. What `main` has
+    /// planned already is a short way.
+    pub fn new(main: &Run, t: f64, goal: Goal) -> Debugger {
         // The block before it has to be on the way, for `back` and for what it changed.
-        let read = number(main.fork(|at, _| at <= t).program());
-        let run = main.fork(|at, interp| at <= t && number(interp) + LEAD <= read);
-        Debugger { run, walk: Walk::new(Goal::Time(t)) }
+        let read = number(main.fork(t, u64::MAX).program());
+        let run = main.fork(t, read.saturating_sub(LEAD));
+        Debugger { run, walk: Walk::new(goal, t) }
     }
 
     /// Sets a goal from the present block on.
     pub fn go(&mut self, goal: Goal) {
         self.walk.goal = goal;
-        self.walk.depth = self.run.program().depth();
+        self.walk.depth = Some(self.run.program().depth());
         self.walk.leaving = self.walk.here.take();
     }
 
-    /// Goes back to the block that was read before; `main` has to be planned up to [`t`](Debugger::t). Whether there is one.
+    /// Goes back to the block that was read before. Whether there is one.
     pub fn back(&mut self, main: &Run) -> bool {
         let Some(to) = self.walk.last else { return false };
-        self.run = main.fork(|_, interp| number(interp) + LEAD <= to);
-        self.walk = Walk::new(Goal::Block(to));
+        self.run = main.fork(f64::INFINITY, to.saturating_sub(LEAD));
+        self.walk = Walk::new(Goal::Block(to), 0.0);
         true
     }
 
@@ -164,10 +162,11 @@ impl Debugger {
         self.walk.goal = Goal::Block(number(self.run.program()));
     }
 
-    /// Walks on for at most `budget` events of the machine; why the walk is over, if it is.
-    pub fn advance(&mut self, points: &mut Breakpoints, budget: usize) -> Option<Stop> {
+    /// Walks on, at most to machine time `until` and for `budget` events of the machine; why the walk is over, if it is.
+    pub fn advance(&mut self, points: &mut Breakpoints, until: f64, budget: usize) -> Option<Stop> {
         let walk = &mut self.walk;
-        let (progress, shut) = self.run.advance_to(budget, &mut |t, interp, world| walk.gate(points, t, interp, world));
+        let gate = &mut |t: f64, interp: &Interp, world: &mut dyn World| walk.gate(points, t, interp, world);
+        let (progress, shut) = self.run.advance_to(until, budget, gate);
         if shut { self.walk.stop.take() } else { progress.ended.map(Stop::Ended) }
     }
 
@@ -200,11 +199,6 @@ impl Debugger {
     pub fn changes(&self) -> Vec<Change> {
         let Some(before) = &self.walk.before else { return Vec::new() };
         self.run.look(|interp, world| interp.changes_since(before, world))
-    }
-
-    /// The commands that were given since then.
-    pub fn given(&self) -> Option<&Given> {
-        self.run.given()
     }
 
     /// The value of an expression or condition as the program would find it now; `None` is vacant.

@@ -3,6 +3,7 @@
 use leptos::wasm_bindgen::JsCast;
 use web_sys::HtmlDialogElement;
 
+use super::debug::COMMANDS;
 use super::el::{El, check, el, icon_button};
 use super::keys;
 use super::local::Local;
@@ -23,10 +24,12 @@ const KEYS: [(&str, &str); 8] = [
 
 /// The dialog of help.
 pub(super) fn help_dialog(model: Model) -> El {
-    let rows = KEYS.map(|(key, what)| {
+    let row = |key: &str, what: &'static str| {
         let head = el("th").at("scope", "row").add(&[el("kbd").text(key)]);
         el("tr").add(&[head, el("td").text(t(what))])
-    });
+    };
+    let keys = KEYS.iter().map(|(key, what)| row(key, what));
+    let rows: Vec<El> = keys.chain(COMMANDS.iter().map(|(key, _, what)| row(key, what))).collect();
     let body = [
         el("p").text(t("page.help-about")),
         el("p").text(t("page.help-program")),

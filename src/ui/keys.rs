@@ -4,6 +4,7 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
 
+use super::debug;
 use super::dom;
 use super::model::Model;
 
@@ -61,7 +62,7 @@ fn press(model: Model, event: &KeyboardEvent) -> bool {
         "." => player.step(true),
         "Home" if tag != "INPUT" => player.seek(0.0),
         "?" => model.helping.set(true),
-        _ => return false,
+        key => return debug::press(model, key),
     }
     true
 }

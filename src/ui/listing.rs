@@ -99,7 +99,7 @@ fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
     }
     out.push_str("</p>");
     for (fix, row) in diagnostic.fixes.iter().enumerate() {
-        let _ = write!(out, "<button type=\"button\" data-fix=\"{at},{fix}\">");
+        let _ = write!(out, "<button type=\"button\" data-d=\"{at}\" data-fix=\"{fix}\">");
         escape(out, &say(&row.title));
         out.push_str("</button>");
     }

@@ -8,6 +8,8 @@ mod charts;
 
 mod checker;
 
+mod debug;
+
 mod dom;
 
 mod editor;
@@ -56,6 +58,8 @@ mod transport;
 
 mod variables;
 
+mod walk;
+
 mod words;
 
 mod work;
@@ -78,8 +82,6 @@ use side::side;
 use stage::Stage;
 use transport::{mode_tone, mode_words, transport};
 use words::{sign, t};
-
-use crate::motion::RunEnd;
 
 pub use words::learn;
 pub use work::work;
@@ -146,13 +148,7 @@ fn drawing(model: Model) -> El {
 /// Why the machine stands at the end of what is planned.
 fn why(model: Model) -> String {
     let (at, (planned, _)) = (model.player.now.with(|now| now.t), model.player.planned.get());
-    match model.player.ended.get().filter(|_| at >= planned) {
-        None => String::new(),
-        Some(RunEnd::ProgramEnd) => t("page.end-program").to_owned(),
-        Some(RunEnd::Stop) => t("page.end-stop").to_owned(),
-        Some(RunEnd::Alarm(alarm)) => format!("{} {}", alarm.alarm.as_deref().unwrap_or_default(), words::tell(&alarm)),
-        Some(RunEnd::Blocks | RunEnd::Seconds) => t("page.end-budget").to_owned(),
-    }
+    model.player.ended.get().filter(|_| at >= planned).map_or_else(String::new, |end| debug::end_words(&end))
 }
 
 /// What the user has to know until it is dismissed.

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use leptos::prelude::*;
 
 use super::checker::Check;
+use super::debug;
 use super::dom;
 use super::local::Local;
 use super::player::Player;
@@ -145,6 +146,7 @@ impl Model {
             player,
             history: Local::new(History::default()),
         };
+        debug::restore(model);
         store::keep(model);
         reviewer::follow(model);
         Effect::new(move |_| {

@@ -8,12 +8,15 @@ use super::charts::Charts;
 use super::dom::{self, Frames};
 use super::local::Local;
 use super::stage::Stage;
+use super::walk::Walk;
 use crate::controls::{Control, Switches};
+use crate::interp::inspect::What;
 use crate::machines::form::Values;
 use crate::machines::{AnyMachine, Frame, On};
 use crate::math;
 use crate::motion::{Action, Event, Keep, Limits, RunEnd, Snapshot};
 use crate::project::Project;
+use crate::project::debug::{Debugger, Goal};
 use crate::project::program::Written;
 use crate::project::run::{self, Begin};
 use crate::text::{Diagnostic, Place};
@@ -65,6 +68,8 @@ pub(super) struct Player {
     pub window: Local<f64>,
     /// Counts the plans, for what asks the planner itself.
     pub plans: Local<u32>,
+    /// The debugger.
+    pub walk: Local<Walk>,
 }
 
 struct State {
@@ -121,6 +126,7 @@ impl Player {
             ended: Local::new(None),
             window: Local::new(10.0),
             plans: Local::new(0),
+            walk: Local::new(Walk::default()),
         };
         player.frames.quietly(|frames| *frames = Some(Frames::new(move |stamp| player.frame(stamp))));
         player
@@ -137,6 +143,8 @@ impl Player {
             state.values.clone_from(&project.values);
             state.charts_stale = true;
         });
+        self.walk_away();
+        self.walk.update(|walk| walk.points.resolve(&written.parsed));
     }
 
     /// Shows the run as it now is: after what the effects of a change write.
@@ -160,15 +168,21 @@ impl Player {
     pub(super) fn toggle(self) {
         let playing = !self.playing.get_untracked();
         if playing && self.at_end() {
-            self.state.quietly(|state| state.head = 0.0);
+            self.seek(0.0);
         }
         self.state.quietly(|state| state.stamp = None);
         self.playing.set(playing);
         self.ask();
     }
 
-    /// Sets the head.
+    /// Sets the head, away from where the debugger may have stopped.
     pub(super) fn seek(self, t: f64) {
+        self.walk_away();
+        self.set_head(t);
+    }
+
+    /// Sets the head.
+    pub(super) fn set_head(self, t: f64) {
         self.state.quietly(|state| {
             state.head = if t > 0.0 { t } else { 0.0 };
             state.slow_at = 0.0;
@@ -209,8 +223,25 @@ impl Player {
                 state.charts_stale = true;
             }
         });
+        // The run has become another; it stands before the same block of it, or before the first one that is read at last.
+        if self.walk_away() {
+            self.walk_to(Goal::Block(0));
+        }
         self.settle();
         event
+    }
+
+    /// A variable as the control's screen shows it now, and whether it has changed since the last stop of the debugger.
+    pub(super) fn variable(self, number: u32) -> (Option<f64>, bool) {
+        self.plans.track();
+        let t = self.now.with(|now| now.t);
+        // At a stop the block that is read at this very time is not read yet.
+        let stopped = self.walk.with(|walk| {
+            let debugger = walk.stands()?;
+            let changed = debugger.changes().iter().any(|change| change.what == What::Variable(number));
+            Some((debugger.run().variable_at(number, f64::INFINITY), changed))
+        });
+        stopped.unwrap_or_else(|| (self.ask_planner(|planner| planner.variable_at(number, t)).flatten(), false))
     }
 
     /// Asks the planner something.
@@ -343,18 +374,21 @@ impl Player {
     /// Moves the head by the time since the last frame; says how many seconds are planned ahead of it.
     fn advance(self, stamp: f64) -> f64 {
         let speed = self.speed.get_untracked();
-        self.state.quietly(|state| {
+        let from = self.head();
+        let passed = self.state.quietly(|state| {
             // A tab that was hidden does not jump.
             let passed = state.stamp.map_or(0.0, |last| math::clamp(stamp - last, 0.0, 100.0));
             state.stamp = Some(stamp);
-            state.head += passed / 1000.0 * speed;
+            passed
         });
-        let head = self.head();
+        let head = self.play_to(from, from + passed / 1000.0 * speed);
         if head > self.planned.get_untracked().0 {
             self.plan(self.soon(), IN_FRAME);
         }
         let (planned, ended) = self.planned.get_untracked();
-        self.state.quietly(|state| state.head = head.min(planned));
+        // It stands at a breakpoint, be it that the plan is not there yet.
+        let most = if self.playing.get_untracked() { planned.max(from) } else { head };
+        self.state.quietly(|state| state.head = head.min(most));
         if ended { f64::INFINITY } else { planned - head }
     }
 
@@ -368,10 +402,13 @@ impl Player {
         let shown = self.state.quietly(|state| {
             let (planner, machine) = (state.planner.as_ref()?, state.machine?);
             let on = On { control: state.control?, switches: &state.switches };
-            let timeline = planner.timeline();
-            let head = state.head.min(planned);
-            let snapshot = timeline.at(head);
-            let block = timeline.block_at(head);
+            // The debugger may stand where nothing is planned yet.
+            let snapshot = self.walk.with_untracked(|walk| {
+                let stop = walk.stands().filter(|debugger| debugger.t() > planned);
+                let timeline = stop.map_or(planner, Debugger::run).timeline();
+                timeline.at(state.head.min(timeline.end()))
+            });
+            let head = snapshot.t;
             if let Some(stage) = &mut state.stage {
                 stage.pose(&machine.pose(&state.values, on, planner, &snapshot, frame));
                 stage.time(head, planned);
@@ -388,9 +425,10 @@ impl Player {
                 state.slow_at = now;
                 state.charts.read(head);
             }
-            Some((snapshot, block, slow, state.charts_stale))
+            Some((snapshot, slow, state.charts_stale))
         });
-        let Some((snapshot, block, slow, again)) = shown else { return };
+        let Some((snapshot, slow, again)) = shown else { return };
+        let block = snapshot.block;
         if slow {
             self.now.put(snapshot);
         }

@@ -4,17 +4,19 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 use leptos::wasm_bindgen::JsCast;
-use web_sys::{Element, Event};
+use web_sys::{Element, Event, KeyboardEvent, MouseEvent};
 
+use super::debug;
 use super::dom;
 use super::editor::{difference, editor};
 use super::el::{El, button, check, el};
 use super::listing;
 use super::local::Local;
 use super::model::Model;
+use super::walk::Walk;
 use super::words::{sign, t, tone};
 use crate::nc;
-use crate::text::{FileId, LineIndex};
+use crate::text::{FileId, LineIndex, Place};
 
 /// What is shown of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,9 +39,10 @@ pub(super) fn program(model: Model) -> Vec<El> {
         };
         names.iter().enumerate().map(chip).collect()
     };
-    // The file that runs is shown while one follows the run.
+    // The file that runs is shown while one follows the run; at a stop of the debugger the block that is next.
     let run = move || {
-        if let Some(place) = model.player.running.get()
+        let next = model.player.walk.with(Walk::place);
+        if let Some(place) = next.or(model.player.running.get())
             && follow.get()
             && shown.get_untracked() == Shown::Listing
         {
@@ -60,7 +63,7 @@ pub(super) fn program(model: Model) -> Vec<El> {
         shown.set(Shown::Listing);
     };
     let body = move || match shown.get() {
-        Shown::Listing => vec![listing_view(model, follow)],
+        Shown::Listing => vec![debug::bar(model), listing_view(model, follow), debug::seen(model)],
         Shown::Editor => editor(model),
         Shown::Difference => difference(model),
     };
@@ -96,7 +99,7 @@ pub(super) fn program(model: Model) -> Vec<El> {
         ]),
         el("div").swap(bar),
         el("div").swap(silenced),
-        el("div.fill").swap(body).run(run),
+        el("div.fill").swap(body).run(run).on("click", move |event| press(model, &event)),
     ]
 }
 
@@ -126,70 +129,122 @@ fn detached(model: Model, shown: Local<Shown>) -> Vec<El> {
     ])]
 }
 
-/// The lines that are shown, and which one is marked, from 0.
+/// The lines that are shown, which of them are marked, and which is followed: from 0.
 #[derive(Default)]
 struct Rows {
     rows: Vec<Element>,
     lines: LineIndex,
-    marked: Option<usize>,
+    marked: Vec<usize>,
+    followed: Option<usize>,
 }
 
-/// The lines of the chosen file.
+impl Rows {
+    /// Marks the lines of a file: of breakpoints, of the cursor, the one that runs, the one that is next in the debugger.
+    fn mark(&mut self, file: FileId, walk: &Walk, running: Option<Place>, follow: bool) {
+        for row in self.marked.drain(..).filter_map(|at| self.rows.get(at)) {
+            row.set_class_name("");
+            let _ = row.remove_attribute("aria-current");
+        }
+        let next = walk.place();
+        let cursor = walk.cursor.filter(|at| at.0 == file).map(|at| at.1);
+        let line = |place: Option<Place>| Some(self.lines.line_of(place.filter(|p| p.file == file)?.span.start));
+        let points = walk.points.list().iter().map(|point| (line(point.place), "stop", point.condition.as_str()));
+        let marks = [(line(running), "run", ""), (line(next), "next", ""), (cursor, "cursor", "")];
+        for (line, class, condition) in marks.into_iter().chain(points) {
+            let at = line.map_or(usize::MAX, |line| line as usize - 1);
+            let Some(row) = self.rows.get(at) else { continue };
+            let _ = row.class_list().add_1(class);
+            match class {
+                "run" => dom::set(row, "aria-current", "step"),
+                "stop" => dom::set(row, "data-if", condition),
+                _ => {}
+            }
+            self.marked.push(at);
+        }
+        let followed = line(next.or(running)).map(|line| line as usize - 1);
+        if core::mem::replace(&mut self.followed, followed) != followed
+            && let Some(row) = followed.and_then(|at| self.rows.get(at)).filter(|_| follow)
+        {
+            reveal(row);
+        }
+    }
+}
+
+/// Pixels at the left of a line that are its number.
+const NUMBER: f64 = 46.0;
+
+/// Something in the listing or around it was pressed: a fix, a command or a watch of the debugger; a line sets the cursor, its number a
+/// breakpoint.
+fn press(model: Model, event: &Event) {
+    let Some(target) = event.target().and_then(|e| e.dyn_into::<Element>().ok()) else { return };
+    let attribute = |name: &str| target.closest(&format!("[{name}]")).ok()??.get_attribute(name);
+    let number = |name: &str| attribute(name)?.parse::<usize>().ok();
+    if let (Some(diagnostic), Some(fix)) = (number("data-d"), number("data-fix")) {
+        mend(model, diagnostic, fix);
+    } else if let Some(id) = attribute("data-silence") {
+        model.edit("", |project| project.silenced.push(id));
+    } else if let Some(key) = attribute("data-k") {
+        debug::press(model, &key);
+    } else if let Some(what) = attribute("data-r") {
+        debug::remove(model, &what);
+    } else if let Some(line) = number("data-l") {
+        let file = FileId(model.file.get_untracked() as u16);
+        model.player.walk.update(|walk| walk.cursor = Some((file, line as u32)));
+        let event: &MouseEvent = event.unchecked_ref();
+        let left = f64::from(event.client_x()) - target.get_bounding_client_rect().left();
+        if target.tag_name() == "LI" && left < NUMBER {
+            debug::set_point(model, None);
+        }
+    }
+}
+
+/// The lines of the chosen file; arrow keys move the cursor.
 fn listing_view(model: Model, follow: Local<bool>) -> El {
+    let walk = model.player.walk;
     let list = el("ol.listing").at("tabindex", "0").label(t("page.listing"));
     let host = list.dom().clone();
     let rows = Rc::new(RefCell::new(Rows::default()));
+    let file = move || FileId(model.file.get_untracked() as u16);
     let marked = Rc::clone(&rows);
     let mark = move || {
-        let place = model.player.running.get_untracked();
-        let here = place.filter(|place| place.file.0 as usize == model.file.get_untracked());
-        let mut rows = marked.borrow_mut();
-        let line = here.map(|place| rows.lines.line_of(place.span.start) as usize - 1);
-        if rows.marked == line {
-            return;
-        }
-        if let Some(row) = rows.marked.and_then(|at| rows.rows.get(at)) {
-            let _ = row.remove_attribute("aria-current");
-        }
-        rows.marked = line;
-        if let Some(row) = line.and_then(|at| rows.rows.get(at)) {
-            dom::set(row, "aria-current", "step");
-            if follow.get_untracked() {
-                reveal(row);
-            }
-        }
+        let running = model.player.running.get_untracked();
+        let follow = follow.get_untracked();
+        walk.with(|walk| marked.borrow_mut().mark(file(), walk, running, follow));
     };
     let again = mark.clone();
+    let drawn = Rc::clone(&rows);
     let draw = move || {
-        let at = model.file.get();
+        model.file.track();
         let findings = model.findings.get();
         model.written.with(|written| {
-            let Some(file) = written.files.0.get(at) else { return };
+            let Some(text) = written.files.get(file()) else { return };
             let control = written.parsed.control();
-            host.set_inner_html(&listing::html(file, FileId(at as u16), control, &findings));
-            let lines = LineIndex::new(&file.text);
-            rows.replace(Rows { rows: dom::all(&host, "[data-l]"), lines, marked: None });
+            host.set_inner_html(&listing::html(text, file(), control, &findings));
+            let lines = LineIndex::new(&text.text);
+            drawn.replace(Rows { rows: dom::all(&host, "[data-l]"), lines, ..Rows::default() });
         });
         mark();
     };
-    let click = move |event: Event| {
-        let target = event.target().and_then(|e| e.dyn_into::<Element>().ok());
-        let pressed = |name: &str| target.as_ref()?.closest(&format!("[{name}]")).ok()??.get_attribute(name);
-        if let Some(id) = pressed("data-silence") {
-            model.edit("", |project| project.silenced.push(id));
-        }
-        let numbers = pressed("data-fix").unwrap_or_default();
-        if let Some((diagnostic, fix)) = numbers.split_once(',')
-            && let (Ok(diagnostic), Ok(fix)) = (diagnostic.parse(), fix.parse())
-        {
-            mend(model, diagnostic, fix);
-        }
+    let keys = move |event: Event| {
+        let event: &KeyboardEvent = event.unchecked_ref();
+        let step = match event.key().as_str() {
+            "ArrowDown" => 1,
+            "ArrowUp" => -1,
+            _ => return,
+        };
+        event.prevent_default();
+        let at = walk.with_untracked(|walk| walk.cursor.filter(|at| at.0 == file()).map_or(0, |at| at.1));
+        let line = at.saturating_add_signed(step).max(1);
+        let Some(row) = rows.borrow().rows.get(line as usize - 1).cloned() else { return };
+        reveal(&row);
+        model.say(row.text_content().unwrap_or_default());
+        walk.update(|walk| walk.cursor = Some((file(), line)));
     };
     let run = move || {
         model.player.running.track();
         again();
     };
-    list.run(draw).run(run).on("click", click)
+    list.run(draw).run(run).on("keydown", keys)
 }
 
 /// Brings a line into view within its list only, so that the page itself stands still.

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use leptos::prelude::*;
 
+use super::debug;
 use super::dom;
 use super::local::Local;
 use super::model::{Model, Notice};
@@ -72,6 +73,7 @@ pub(super) fn keep(model: Model) {
     });
     // Whoever closes the page in that moment loses nothing either.
     let hide = move || {
+        debug::keep(model);
         if let Some(waiting) = timer.get_untracked() {
             waiting.clear();
             save();

@@ -30,9 +30,8 @@ fn row(model: Model, variable: u32, meaning: &'static str, unit: &str) -> El {
     let (field, line) = (input.input().clone(), row.dom().clone());
     let (last, flashes) = (Cell::new(None), Cell::new(0_u32));
     let follow = move || {
-        player.plans.track();
-        let t = player.now.with(|now| now.t);
-        let value = player.ask_planner(|planner| planner.variable_at(variable, t)).flatten();
+        let (value, changed) = player.variable(variable);
+        let _ = line.toggle_attribute_with_force("data-changed", changed);
         if last.replace(Some(value)) == Some(value) {
             return;
         }

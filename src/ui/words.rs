@@ -66,7 +66,7 @@ pub(super) fn figure(number: f64, decimals: u8) -> String {
 /// A number with at most so many decimals.
 pub(super) fn short(number: f64, decimals: u8) -> String {
     let text = figure(number, decimals);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    if text.as_bytes().contains(&b'.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 /// A machine time as minutes, seconds and tenths of milliseconds.

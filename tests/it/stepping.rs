@@ -24,7 +24,7 @@ fn e60() -> &'static Control {
 }
 
 fn bench(files: &Files, panel: Panel) -> Run {
-    let begin = Begin { start: None, settings: &[], limits: LIMITS, keep: Keep::Timeline };
+    let begin = Begin { start: None, settings: &[], limits: LIMITS, keep: Keep::Both };
     run::of_programs(Rc::new(nc::parse(files, e60())), None, panel, &begin)
 }
 
@@ -83,7 +83,7 @@ fn reach(debugger: &mut Debugger, points: &mut Breakpoints, goal: Goal) -> Stop 
 }
 
 fn arrive(debugger: &mut Debugger, points: &mut Breakpoints) -> Stop {
-    (0..10_000_000).find_map(|_| debugger.advance(points, 1)).unwrap()
+    (0..10_000_000).find_map(|_| debugger.advance(points, f64::INFINITY, 1)).unwrap()
 }
 
 /// The ribbon line with an operator who turns a knob, holds and starts again, planned for a time.
@@ -109,7 +109,7 @@ fn seen(run: &Run, from: f64, to: f64) -> Vec<String> {
 fn a_walk_is_the_run() {
     let main = ribbon(2.5);
     let mut points = Breakpoints::default();
-    let mut debugger = Debugger::new(&main, 0.3);
+    let mut debugger = Debugger::new(&main, 0.3, Goal::Into);
     assert_eq!(arrive(&mut debugger, &mut points), Stop::Reached);
     assert!(debugger.t() >= 0.3 && debugger.t() < 0.32, "{}", debugger.t());
     // Block by block over two seconds, the machine is where the run has it, in the block that the run executes.
@@ -137,11 +137,13 @@ fn a_walk_is_the_run() {
 fn back_is_where_one_was() {
     let main = ribbon(4.0);
     let mut points = Breakpoints::default();
-    let mut debugger = Debugger::new(&main, 1.0);
+    let mut debugger = Debugger::new(&main, 1.0, Goal::Into);
     arrive(&mut debugger, &mut points);
     let look = |debugger: &Debugger| {
         let values = ["#100", "#105", "#115", "#5021", "#3001"].map(|text| debugger.evaluate(text));
-        (debugger.t(), debugger.place(), debugger.executing(), debugger.levels(), debugger.changes(), values)
+        let levels = debugger.levels();
+        // Vacant is no number, so all of it is compared as text.
+        format!("{:?}", (debugger.t(), debugger.place(), debugger.executing(), levels, debugger.changes(), values))
     };
     let mut been = Vec::new();
     for _ in 0..150 {
@@ -154,7 +156,7 @@ fn back_is_where_one_was() {
         assert_eq!(look(&debugger), *there);
     }
     // At the very beginning there is nothing behind.
-    let mut first = Debugger::new(&main, 0.0);
+    let mut first = Debugger::new(&main, 0.0, Goal::Into);
     arrive(&mut first, &mut points);
     assert!(!first.back(&main));
 }
@@ -166,17 +168,28 @@ fn breakpoints_find_their_blocks_in_another_text() {
     let mut points = Breakpoints::default();
     points.add(Spot::Sequence { program: 1000, number: Some(40) }, "#100 EQ 3", &before).unwrap();
     points.add(Spot::Line { file: FileId(0), line: 99 }, "", &before).unwrap();
+    let line = 1 + CALLS.lines().position(|line| line.starts_with("N40")).unwrap() as u32;
+    points.add(Spot::Line { file: FileId(0), line }, "", &before).unwrap();
     points.resolve(&after);
     let place = points.list()[0].place.unwrap();
     assert_eq!(after.text(place), "N40 G01 X10. F1000");
     assert_eq!(points.list()[1].place, None);
+    // A line is found by its text; where that is another, by its number; in no other file.
+    let line_of = |points: &Breakpoints| points.list()[2].place.map(|place| after.text(place).to_owned());
+    assert_eq!(line_of(&points).as_deref(), Some("N40 G01 X10. F1000"));
+    let other = nc::parse(&Files::one("b.nc", CALLS), e60());
+    points.resolve(&other);
+    assert_eq!(points.list()[2].place, None);
+    let changed = nc::parse(&Files::one("a.nc", CALLS.replace("N40", "N38\nN41")), e60());
+    points.resolve(&changed);
+    assert_eq!(points.list()[2].place.map(|place| changed.text(place)), Some("N41 G01 X10. F1000"));
     assert!(points.add(Spot::Line { file: FileId(0), line: 1 }, "#1 EQ", &before).is_err());
 }
 
 #[test]
 fn a_finding_about_an_expression_has_no_place_in_the_program() {
     let files = Files::one("a.nc", CALLS);
-    let mut debugger = Debugger::new(&bench(&files, Panel::default()), 0.0);
+    let mut debugger = Debugger::new(&bench(&files, Panel::default()), 0.0, Goal::Into);
     arrive(&mut debugger, &mut Breakpoints::default());
     let why = debugger.evaluate("SQRT[-4]").unwrap_err();
     assert_eq!((told::headline(&why), why.place), ("error[P282]: SQRT of -4 has no value.".to_owned(), None));

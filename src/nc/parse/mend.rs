@@ -50,7 +50,7 @@ impl Reader<'_> {
             let finding = Diagnostic::warning(msg!("nc.byte-order-mark")).at(place);
             self.found.push(finding.fix(msg!("nc.fix.byte-order-mark"), vec![(place, String::new())]));
         }
-        if !self.source.contains('\n')
+        if !self.source.as_bytes().contains(&b'\n')
             && let Some(at) = self.source.trim_ascii_end().find('\r')
         {
             let at = self.place(Span::new(at as u32, at as u32 + 1));

@@ -487,7 +487,7 @@ impl<'a> Reader<'a> {
         let character = self.source.get(from..).and_then(|rest| rest.chars().next()).unwrap_or('\u{fffd}');
         let end = (start + character.len_utf8()).min(self.line.len());
         let shown = if character.is_control() { character.escape_default().to_string() } else { character.to_string() };
-        let known = character.is_ascii_alphanumeric() || "+-*/.,#[]()=%;:".contains(character);
+        let known = character.is_ascii_alphanumeric() || "+-*/.,#[]()=%;:".chars().any(|c| c == character);
         if known {
             let message = match character {
                 '0'..='9' => msg!("nc.number-without-address"),

@@ -1,0 +1,177 @@
+// Stepping through the program on the page: breakpoints, levels, watches, what changed.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { accessible, ready, start, withPage } from './page.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app?.close());
+
+// Lines of the file that is shown.
+const line = (page, text) => page.locator('.listing li[data-l]', { hasText: text }).first();
+const press = (page, name) => page.getByRole('button', { name, exact: true }).click();
+const file = (page, name) => page.getByRole('button', { name, exact: true }).click();
+const next = (page, text) => page.locator('.listing li.next', { hasText: text }).waitFor();
+const point = async (page, text) => {
+  await line(page, text).click();
+  await page.locator('.listing').press('b');
+};
+const enter = async (page, field, text) => {
+  const input = page.getByLabel(field);
+  await input.fill(text);
+  await input.press('Enter');
+};
+const why = (page) => page.locator('.here');
+const seen = (page) => page.locator('.seen').innerText();
+const clock = (page) => page.locator('#clock').textContent();
+
+test('a click on a line number is a breakpoint; stepping goes into calls, over them and out of them', () =>
+  withPage(app, {}, async ({ page }) => {
+    await file(page, 'O9101.nc');
+    await line(page, 'N5 M98 P9100').click({ position: { x: 20, y: 8 } });
+    await press(page, 'Run to a breakpoint or the end');
+    await page.locator('.listing li.stop.next').waitFor();
+    assert.equal(await why(page).textContent(), 'Breakpoint: N5 M98 P9100');
+    await press(page, 'Next block, into calls');
+    await next(page, 'N1 IF');
+    assert.equal(await page.locator('.chips .chip[aria-pressed="true"]', { hasText: '.nc' }).textContent(), 'O9100.nc', 'the file that runs is shown');
+    assert.equal(await why(page).textContent(), 'Next: N1 IF[#100 LE 0]GOTO901');
+    assert.match(await seen(page), /Call stack\s+O9100.nc:3\s+N1 IF[\s\S]*O9101.nc:15\s+N5 M98/);
+    await press(page, 'Out of this call');
+    await next(page, 'N6 G92');
+    assert.match(await seen(page), /Changed[\s\S]*#115\s+vacant → 119.391\.39/);
+    await press(page, 'Back by a block');
+    await next(page, 'N39 M99');
+    await accessible(page);
+    // The breakpoint is told with all others, and goes as it came or where it is told.
+    assert.match(await seen(page), /Breakpoints\s+O9101.nc:15\s+N5 M98 P9100\s+1 ×/);
+    await press(page, 'Remove O9101.nc:15');
+    await file(page, 'O9101.nc');
+    assert.equal(await page.locator('.listing li.stop').count(), 0);
+    await page.locator('.listing').press('x');
+    assert.equal(await page.locator('.seen').isVisible(), false);
+  }));
+
+test('a condition decides where it stops, and what it stops on is seen: changes, watches, variables', () =>
+  withPage(app, {}, async ({ page }) => {
+    await enter(page, 'Break if', '#125 EQ 490');
+    await page.getByText('First choose a line').first().waitFor();
+    await file(page, 'O9101.nc');
+    await line(page, 'N36 #125').click();
+    await enter(page, 'Break if', '#125 EQ');
+    await page.getByText('ends where a value should stand').first().waitFor();
+    assert.equal(await page.getByLabel('Break if').inputValue(), '#125 EQ', 'it is there to be mended');
+    await enter(page, 'Break if', '#125 EQ 490');
+    await page.locator('.listing li.stop[data-if="#125 EQ 490"]').waitFor();
+    await page.locator('.listing').press('c');
+    await next(page, 'N36');
+    for (const text of ['#125*2', '#1 +']) await enter(page, 'Watch', text);
+    assert.match(await seen(page), /#125\*2\s+980/);
+    assert.match(await seen(page), /#1 \+\s.*value should stand/);
+    await page.locator('h1').click();
+    await page.keyboard.press('i');
+    await next(page, 'N37');
+    assert.match(await seen(page), /#125\s+490 → 489[\s\S]*#125\*2\s+978/);
+    await press(page, 'Remove #1 +');
+    assert.doesNotMatch(await seen(page), /#1 \+/);
+    await page.locator('#tab-variables').click();
+    const row = page.locator('tr[data-changed]');
+    assert.equal(await row.count(), 1);
+    assert.equal(await row.locator('input').inputValue(), '489');
+    // What the operator sets is there at the stop, and the run goes on with it.
+    await row.locator('input').fill('1');
+    await row.locator('input').press('Enter');
+    await page.locator('#tab-program').click();
+    await page.waitForFunction(() => /#125\*2\s+2\s/.test(document.querySelector('.seen').innerText));
+    await next(page, 'N37');
+    // Letters in a field are text.
+    await page.getByLabel('Watch').pressSequentially('bitcoxur');
+    await next(page, 'N37');
+  }));
+
+test('the head is where the walk stands; playing stops at a breakpoint, the first block too', () =>
+  withPage(app, {}, async ({ page }) => {
+    await file(page, 'O9101.nc');
+    await line(page, 'N35 G01').click();
+    await page.locator('h1').click();
+    await page.keyboard.press('t');
+    await next(page, 'N35');
+    const at = await clock(page);
+    assert.notEqual(at, '00:00.0000');
+    await page.keyboard.press('b');
+    await page.selectOption('.speed', { label: '1 ×' });
+    await page.keyboard.press('Space');
+    await page.waitForFunction((at) => document.querySelector('#clock').textContent > at, at);
+    await page.locator('.listing li.stop.next').waitFor();
+    assert.equal(await page.locator('#play').getAttribute('aria-label'), 'Play');
+    // Another moment is no stop of the walk.
+    await page.keyboard.press('Home');
+    await page.waitForFunction(() => document.querySelector('#clock').textContent === '00:00.0000');
+    assert.equal(await page.locator('.listing li.next').count(), 0);
+    await page.keyboard.press('b');
+    await point(page, 'O9101(');
+    await page.keyboard.press('Space');
+    await page.locator('.listing li.next').waitFor();
+    assert.equal(await clock(page), '00:00.0000');
+    await page.keyboard.press('b');
+    await press(page, 'Run to a breakpoint or the end');
+    await why(page).getByText('The program is over.').waitFor();
+  }));
+
+test('breakpoints go with their lines; another program, machine or undo leaves no stop behind', () =>
+  withPage(app, {}, async ({ page }) => {
+    await file(page, 'O9101.nc');
+    await point(page, 'N12 #128');
+    await enter(page, 'Break if', '#125 LT 400');
+    await page.locator('.listing').press('i');
+    await next(page, 'N1 #3004');
+    // An edit from outside: the same program with a line more.
+    await press(page, 'Paper’s listing as printed');
+    assert.equal(await page.locator('.listing li.next').count(), 0, 'the walk is over with the run');
+    await page.getByText('not in this program').waitFor();
+    await page.keyboard.press('Control+z');
+    await file(page, 'O9101.nc');
+    await page.locator('.listing li.stop', { hasText: 'N12 #128' }).waitFor();
+    await page.locator('.listing').press('i');
+    await next(page, 'N1 #3004');
+    await page.selectOption('.control', 'gsk-980tdc');
+    assert.equal(await page.locator('.listing li.next').count(), 0);
+    await page.locator('.listing').press('o');
+    await page.locator('.listing li.next').waitFor();
+    await page.keyboard.press('Control+z');
+    assert.equal(await page.locator('.listing li.next').count(), 0);
+    // They are there after a reload.
+    await enter(page, 'Watch', '#100/2');
+    await page.reload();
+    await ready(page);
+    await file(page, 'O9101.nc');
+    await page.locator('.listing li.stop[data-if="#125 LT 400"]', { hasText: 'N12 #128' }).waitFor();
+    assert.match(await seen(page), /Watches\s+#100\/2/);
+  }));
+
+test('a walk without end leaves the page at work and is stopped by a key', () =>
+  withPage(app, {}, async ({ page }) => {
+    const text = 'O9101\nN1 #100=0\nN2 #100=#100+1\nGOTO2\nM30\n';
+    await page.setInputFiles('#open', { name: 'O9101.nc', mimeType: 'text/plain', buffer: Buffer.from(text) });
+    await line(page, 'N2 #100').click();
+    await enter(page, 'Break if', '#100 LT 0');
+    await page.locator('.listing').press('c');
+    await why(page).getByText('Runs to the next stop').waitFor();
+    const answered = await page.evaluate(async () => {
+      let longest = 0;
+      let last = performance.now();
+      for (let frame = 0; frame < 60; frame += 1) {
+        await new Promise((done) => requestAnimationFrame(done));
+        longest = Math.max(longest, performance.now() - last);
+        last = performance.now();
+      }
+      return longest;
+    });
+    assert.ok(answered < 100, `a frame took ${answered} ms`);
+    await page.locator('.listing').press('x');
+    await page.locator('.listing li.next').waitFor();
+    await page.locator('.listing').press('i');
+    await why(page).getByText('Next:').waitFor();
+    await page.locator('.listing').press('x');
+    assert.equal(await page.locator('.listing li.next').count(), 0);
+  }));
