@@ -118,6 +118,8 @@ pub trait Machine: 'static {
     const CONTROLS: &'static [&'static str];
     /// The published listing of the machine's program, word for word as printed; empty where none is known.
     const LISTING: &'static str;
+    /// Machine seconds per second at which there is something to see, one of the speeds of the page.
+    const SPEED: f64;
     /// The form, in the order it is shown.
     fn fields() -> &'static [Field<Self::Params>];
     /// What a new project has on this control instead of the defaults of the form: values of fields, settings of switches.
@@ -154,6 +156,8 @@ pub trait AnyMachine: Sync {
     fn controls(&self) -> &'static [&'static str];
     /// The published listing of its program, word for word as printed.
     fn listing(&self) -> &'static str;
+    /// Machine seconds per second at which there is something to see.
+    fn speed(&self) -> f64;
     /// The form.
     fn fields(&self) -> Vec<FieldInfo>;
     /// What a new project has on this control instead of the defaults of the form.
@@ -221,6 +225,10 @@ impl<M: Machine> AnyMachine for Erased<M> {
 
     fn listing(&self) -> &'static str {
         M::LISTING
+    }
+
+    fn speed(&self) -> f64 {
+        M::SPEED
     }
 
     fn fields(&self) -> Vec<FieldInfo> {

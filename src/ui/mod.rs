@@ -141,7 +141,11 @@ fn drawing(model: Model) -> El {
             .bind("class", move || format!("mode {}", mode_tone(mode())))
             .live(move || mode_words(mode()).to_owned()),
         el("p.why").at("role", "status").live(move || why(model)),
-        el("div.strobe").add(&[check(t("page.strobe"), move || player.strobe.get(), strobe)]),
+        el("div.strobe").mark("gone", move || model.scene.with(|scene| !scene.strobe)).add(&[check(
+            t("page.strobe"),
+            move || player.strobe.get(),
+            strobe,
+        )]),
     ])
 }
 

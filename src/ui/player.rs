@@ -134,10 +134,14 @@ impl Player {
 
     /// Takes another run; the head stays at its time.
     pub(super) fn load(self, project: &Project, written: &Written) {
+        let machine = project.machine;
+        if self.state.with_untracked(|state| state.machine.is_none_or(|before| before.id() != machine.id())) {
+            self.speed.set(machine.speed());
+        }
         self.state.quietly(|state| {
             let begin = Begin { start: None, settings: &[], limits: LIMITS, keep: Keep::Timeline };
             state.planner = Some(run::of_project(project, written, &begin));
-            state.machine = Some(project.machine);
+            state.machine = Some(machine);
             state.control = Some(project.control);
             state.switches.clone_from(&project.switches);
             state.values.clone_from(&project.values);

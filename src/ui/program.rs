@@ -85,6 +85,10 @@ pub(super) fn program(model: Model) -> Vec<El> {
             vec![el("p.silenced").text(&told).add(&[button("button.link", t("page.show-again"), again)])]
         }
     };
+    let unpublished = move || {
+        model.machine.track();
+        model.project.with_untracked(|project| project.machine.listing().is_empty())
+    };
     let bar = move || if model.edited.get() { detached(model, shown) } else { Vec::new() };
     vec![
         el("div.bar").add(&[
@@ -95,7 +99,7 @@ pub(super) fn program(model: Model) -> Vec<El> {
             toggle(shown, Shown::Editor, t("page.edit")),
             button("button.quiet", t("page.copy"), copy),
             check(t("page.follow"), move || follow.get(), move |on| follow.set(on)),
-            button("button.quiet.end", t("page.paper"), paper),
+            button("button.quiet.end", t("page.paper"), paper).mark("gone", unpublished),
         ]),
         el("div").swap(bar),
         el("div").swap(silenced),

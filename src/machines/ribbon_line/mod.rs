@@ -50,6 +50,7 @@ impl Machine for RibbonLine {
     const CONTROLS: &'static [&'static str] = &["mitsubishi-e60", "gsk-980tdc", "knd-k2000t"];
 
     const LISTING: &'static str = include_str!("listing.nc");
+    const SPEED: f64 = 0.05;
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS

@@ -110,7 +110,13 @@ pub(super) fn scene(line: &Fitted) -> Scene {
         }
         pen.text(x, y, anchor, text, "dim", "label");
     }
-    Scene { view: [0.0, 0.0, 760.0, 312.0], nodes: pen.nodes, groups: group::DOTS + DOTS, alt: "ribbon.scene.alt", strobe: true }
+    Scene {
+        view: [0.0, 0.0, 760.0, 312.0],
+        nodes: pen.nodes,
+        groups: group::DOTS + DOTS,
+        alt: "ribbon.scene.alt",
+        strobe: true,
+    }
 }
 
 /// The loop between unwinder and pull roller: its depth shows the slack, down to the capacity and up to a straight ribbon.

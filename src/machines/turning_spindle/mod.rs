@@ -54,6 +54,7 @@ impl Machine for TurningSpindle {
     const CONTROLS: &'static [&'static str] = &["gsk-980tdc", "knd-k2000t", "mitsubishi-e60"];
 
     const LISTING: &'static str = "";
+    const SPEED: f64 = 1.0;
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS

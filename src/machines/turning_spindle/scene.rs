@@ -106,7 +106,13 @@ pub(super) fn scene(lathe: &Fitted) -> Scene {
     ] {
         pen.text(x, y, anchor, name(id), "dim", "label");
     }
-    Scene { view: [0.0, 0.0, 760.0, 312.0], nodes: pen.nodes, groups: group::JAWS + JAWS, alt: "turning.scene.alt", strobe: false }
+    Scene {
+        view: [0.0, 0.0, 760.0, 312.0],
+        nodes: pen.nodes,
+        groups: group::JAWS + JAWS,
+        alt: "turning.scene.alt",
+        strobe: false,
+    }
 }
 
 /// Headstock and chuck, the centre line, the stock as it was.
