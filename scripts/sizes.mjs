@@ -11,6 +11,7 @@ const LIMITS = { wasm: 250 * KB, total: 300 * KB };
 // takes its place. Without this one line of code would bring back what took days to find.
 const UNWANTED = {
   'The sentences in English': 'the catalog of sentences: text::catalog::load',
+  'form.report.': 'sheets, report and export: the worker makes them, ui::papers',
   'core/src/num/flt2dec': 'printing of floats ({} of an f64): text::number and text::double',
   'core/src/unicode/printable': 'a text that is sliced, split_at or searched for a text: get(..), text::find',
   'alloc/src/collections/btree': 'BTreeMap: order::Map',

@@ -174,8 +174,6 @@ pub trait AnyMachine: Sync {
     fn hand(&self, values: &Values) -> Vec<Action>;
     /// The builder's PLC.
     fn plc(&self, values: &Values, on: On) -> Box<dyn Plc>;
-    /// Parameter sheet, interface, ladder list.
-    fn sheets(&self, values: &Values, on: On) -> Vec<Sheet>;
     /// Variables of the control that the operator reads and sets: number, catalog id of the meaning, unit.
     fn variables(&self, values: &Values, on: On) -> Vec<(u32, &'static str, &'static str)>;
     /// The drawing.
@@ -273,10 +271,6 @@ impl<M: Machine> AnyMachine for Erased<M> {
         M::plc(&Erased::<M>::params(values).0, on)
     }
 
-    fn sheets(&self, values: &Values, on: On) -> Vec<Sheet> {
-        M::sheets(&Erased::<M>::params(values).0, on)
-    }
-
     fn variables(&self, values: &Values, on: On) -> Vec<(u32, &'static str, &'static str)> {
         M::variables(&Erased::<M>::params(values).0, on)
     }
@@ -294,9 +288,28 @@ impl<M: Machine> AnyMachine for Erased<M> {
     }
 }
 
-/// All machines, in the order they are listed.
-pub static ALL: &[&dyn AnyMachine] =
-    &[&Erased::<ribbon_line::RibbonLine>::new(), &Erased::<turning_spindle::TurningSpindle>::new()];
+/// Makes the lists out of the machines.
+macro_rules! machines {
+    ($($machine:ty),*) => {
+        /// All machines, in the order they are listed.
+        pub static ALL: &[&dyn AnyMachine] = &[$(&Erased::<$machine>::new()),*];
+
+        /// Their sheets: beside [`AnyMachine`], so that who makes none does not carry them.
+        static SHEETS: &[(&str, fn(&Values, On) -> Vec<Sheet>)] = &[$((<$machine>::ID, sheets_of::<$machine>)),*];
+    };
+}
+
+machines![ribbon_line::RibbonLine, turning_spindle::TurningSpindle];
+
+fn sheets_of<M: Machine>(values: &Values, on: On) -> Vec<Sheet> {
+    M::sheets(&Erased::<M>::params(values).0, on)
+}
+
+/// Parameter sheet, interface, ladder list of a machine.
+pub fn sheets(machine: &dyn AnyMachine, values: &Values, on: On) -> Vec<Sheet> {
+    let found = SHEETS.iter().find(|(id, _)| *id == machine.id());
+    found.map_or_else(Vec::new, |(_, sheets)| sheets(values, on))
+}
 
 /// The machine of an id.
 pub fn find(id: &str) -> Option<&'static dyn AnyMachine> {

@@ -27,7 +27,7 @@ pub fn report(
         inputs: fields.map(|field| input(field, values, origins)).collect(),
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
-        sheets: machine.sheets(values, on),
+        sheets: super::sheets(machine, values, on),
         open: open(control, switches),
     }
 }

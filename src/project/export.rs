@@ -2,7 +2,7 @@
 
 use super::Project;
 use super::silence::silence;
-use crate::machines::report::report;
+use crate::machines::{self, report::report};
 use crate::nc::{File, Files};
 use crate::text::catalog::Language;
 use crate::text::{Diagnostic, Severity};
@@ -39,7 +39,7 @@ impl Project {
         let mut files = Vec::new();
         if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
             files.extend(written.files.0.iter().cloned());
-            let sheets = self.machine.sheets(&self.values, self.on());
+            let sheets = machines::sheets(self.machine, &self.values, self.on());
             let told = report(self.machine, &self.name, (&self.values, &self.provenance), self.on(), &found);
             files.push(File { name: "report.md".to_owned(), text: view::report::markdown(&told, Language::English) });
             for sheet in sheets {

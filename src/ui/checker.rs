@@ -7,12 +7,12 @@ use leptos::wasm_bindgen::closure::Closure;
 use leptos::wasm_bindgen::{JsCast, JsValue};
 use web_sys::{Blob, File, HtmlDialogElement, MessageEvent, Worker};
 
+use super::aside::{question, worker};
 use super::dom;
 use super::el::{El, button, el, icon_button};
 use super::listing::SHOWN;
 use super::model::Model;
-use super::reviewer::{job, worker};
-use super::script::get;
+use super::script::{get, rows, set, text};
 use super::words::{figure, t};
 use crate::text::catalog::number_text;
 
@@ -40,7 +40,8 @@ struct Report {
     lines: f64,
     counts: String,
     head: String,
-    rows: Vec<(String, String)>,
+    /// Class and sentence.
+    rows: Vec<[String; 2]>,
 }
 
 struct Job {
@@ -69,7 +70,8 @@ pub(super) fn check(model: Model, source: Source) {
         return;
     };
     let all = blob.size();
-    let job = model.project.with_untracked(|project| job(project, [("blob", blob.into())]));
+    let job = model.project.with_untracked(|project| question("check", project));
+    set(&job, "blob", &blob);
     let waiting = RefCell::new(Some(job));
     let asked = worker.clone();
     let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
@@ -101,13 +103,11 @@ pub(super) fn check(model: Model, source: Source) {
 }
 
 fn report(data: &JsValue) -> Report {
-    let rows: js_sys::Array = get(data, "rows").unchecked_into();
-    let text = |value: &JsValue, name: &str| get(value, name).as_string().unwrap_or_default();
     Report {
         lines: get(data, "lines").as_f64().unwrap_or_default(),
         counts: text(data, "counts"),
         head: text(data, "head"),
-        rows: rows.iter().map(|row| (text(&row, "tone"), text(&row, "text"))).collect(),
+        rows: rows(data, "rows"),
     }
 }
 
@@ -156,7 +156,7 @@ pub(super) fn check_dialog(model: Model) -> El {
 }
 
 fn shown(report: &Report) -> Vec<El> {
-    let rows: Vec<El> = report.rows.iter().map(|(tone, text)| el("li").at("class", tone).text(text)).collect();
+    let rows: Vec<El> = report.rows.iter().map(|[tone, text]| el("li").at("class", tone).text(text)).collect();
     let mut told = format!("{} {}  {}", figure(report.lines, 0), t("page.lines"), report.counts);
     if report.lines > f64::from(SHOWN) {
         told.push_str(&format!("  {} {SHOWN}", t("page.first-lines")));

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use leptos::prelude::*;
-use leptos::wasm_bindgen::JsCast;
+use leptos::wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{ClipboardEvent, DataTransfer, DragEvent, Element, File, HtmlDialogElement};
 
@@ -13,13 +13,13 @@ use super::el::{El, button, el};
 use super::help::dialog;
 use super::local::Local;
 use super::model::Model;
+use super::script::rows;
 use super::words::{say, t, tell, tone};
 use crate::msg;
 use crate::nc::{self, Files};
 use crate::project::Project;
-use crate::project::export::Export;
 use crate::project::open::{MAX_PROGRAM, open};
-use crate::text::{Diagnostic, Severity};
+use crate::text::Severity;
 
 /// Bytes above which a text is not taken into the page but read aside.
 const BIG: f64 = MAX_PROGRAM as f64;
@@ -145,11 +145,25 @@ pub(super) fn open_button(model: Model) -> [El; 2] {
     [input.on("change", take), button]
 }
 
-/// Everything that keeps the program from being exported.
-fn reasons(model: Model, export: &Export) -> Vec<Diagnostic> {
-    let mut found = model.wrong_fields();
-    let errors = export.diagnostics.iter().filter(|d| d.severity == Severity::Error);
-    found.extend(errors.filter(|d| !found.contains(d)).cloned().collect::<Vec<_>>());
+/// What the worker wrote for the machine, and what is said of it.
+struct Export {
+    /// Name and text.
+    files: Vec<[String; 2]>,
+    /// Class, alarm, sentence, field.
+    told: Vec<[String; 4]>,
+}
+
+/// Everything that keeps the program from being exported: alarm, sentence, field.
+fn reasons(model: Model, export: &Export) -> Vec<[String; 3]> {
+    let wrong =
+        model.wrong_fields().into_iter().map(|d| [String::new(), tell(&d), d.field.unwrap_or_default().to_owned()]);
+    let mut found: Vec<[String; 3]> = wrong.collect();
+    for [class, alarm, reason, field] in export.told.clone() {
+        let row = [alarm, reason, field];
+        if class == tone(Severity::Error) && !found.contains(&row) {
+            found.push(row);
+        }
+    }
     found
 }
 
@@ -157,37 +171,36 @@ fn reasons(model: Model, export: &Export) -> Vec<Diagnostic> {
 pub(super) fn export_dialog(model: Model) -> El {
     let asked = Local::new(false);
     let export = Local::new(None::<Export>);
+    let put = move |answer: Option<JsValue>| match answer {
+        Some(answer) => {
+            export.set(Some(Export { files: rows(&answer, "files"), told: rows(&answer, "told") }));
+            asked.set(true);
+        }
+        None => model.notify("fail", t("page.no-answer").to_owned()),
+    };
     let open = move || {
         if model.exporting.get() {
-            let warnings = model.warnings.get_untracked();
-            export.set(Some(model.project.with_untracked(|project| project.export_with(&warnings))));
             model.exporting.set(false);
-            asked.set(true);
+            model.project.with_untracked(|project| model.aside.ask("export", project, put));
         }
     };
     let content = move || {
         export.with(|export| {
             let Some(export) = export else { return Vec::new() };
             let reasons = untrack(|| reasons(model, export));
-            if reasons.is_empty() { offered(export) } else { refused(&reasons) }
+            if reasons.is_empty() { offered(export) } else { refused(reasons) }
         })
     };
     dialog("export-title", t("page.export"), asked).add(&[el("div.body-of").swap(content)]).run(open)
 }
 
-fn refused(reasons: &[Diagnostic]) -> Vec<El> {
-    let rows: Vec<El> = reasons
-        .iter()
-        .map(|reason| {
-            let row = el("li.fail").add(&[el("i").at("aria-hidden", "true").text("✕ ")]);
-            let row = row
-                .add(&[el("b").text(reason.alarm.as_deref().unwrap_or_default())])
-                .text(" ")
-                .text(&tell(reason))
-                .text(" ");
-            row.maybe(reason.field.map(|field| button("button.link", t("page.go-to-field"), move || go_to(field))))
-        })
-        .collect();
+fn refused(reasons: Vec<[String; 3]>) -> Vec<El> {
+    let row = |[alarm, reason, field]: [String; 3]| {
+        let row = el("li.fail").add(&[el("i").at("aria-hidden", "true").text("✕ "), el("b").text(&alarm)]);
+        let go = (!field.is_empty()).then(|| button("button.link", t("page.go-to-field"), move || go_to(&field)));
+        row.text(" ").text(&reason).text(" ").maybe(go)
+    };
+    let rows: Vec<El> = reasons.into_iter().map(row).collect();
     vec![el("p").text(t("page.refused")), el("ul.remarks").add(&rows)]
 }
 
@@ -208,8 +221,9 @@ fn offered(export: &Export) -> Vec<El> {
         .iter()
         .cloned()
         .map(|file| {
-            let size = say(&msg!("page.bytes", file.text.len() as f64));
-            let head = el("th").at("scope", "row").text(&file.name);
+            let [name, text] = &file;
+            let size = say(&msg!("page.bytes", text.len() as f64));
+            let head = el("th").at("scope", "row").text(name);
             let save = button("button", t("page.save-file"), move || save_file(&file));
             el("tr").add(&[head, el("td").text(&size), el("td").add(&[save])])
         })
@@ -221,7 +235,7 @@ fn offered(export: &Export) -> Vec<El> {
         }
     };
     let remarks: Vec<El> =
-        export.diagnostics.iter().map(|d| el("li").at("class", tone(d.severity)).text(&tell(d))).collect();
+        export.told.iter().map(|[class, _, text, _]| el("li").at("class", class).text(text)).collect();
     vec![
         el("p").text(t("page.export-about")),
         el("table.exported").add(&[el("tbody").add(&rows)]),
@@ -230,6 +244,6 @@ fn offered(export: &Export) -> Vec<El> {
     ]
 }
 
-fn save_file(file: &nc::File) {
-    dom::download(&file.name, "text/plain", file.text.as_bytes());
+fn save_file([name, text]: &[String; 2]) {
+    dom::download(name, "text/plain", text.as_bytes());
 }

@@ -34,6 +34,7 @@ pub(super) fn help_dialog(model: Model) -> El {
         el("p").text(t("page.help-about")),
         el("p").text(t("page.help-program")),
         el("p").text(t("page.help-hand")),
+        el("p").text(t("page.help-walk")),
         el("h3").text(t("page.keys")),
         el("table.shortcuts").add(&[el("tbody").add(&rows)]),
         check(t("page.keys-on"), keys::on, keys::turn),

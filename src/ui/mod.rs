@@ -2,6 +2,8 @@
 
 mod about;
 
+mod aside;
+
 mod cards;
 
 mod charts;
@@ -35,6 +37,8 @@ mod listing;
 mod local;
 
 mod model;
+
+mod papers;
 
 mod player;
 

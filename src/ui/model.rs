@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use leptos::prelude::*;
 
+use super::aside::Aside;
 use super::checker::Check;
 use super::debug;
 use super::dom;
@@ -91,6 +92,8 @@ pub(super) struct Model {
     pub tab: Local<Tab>,
     /// The program file that is shown.
     pub file: Local<usize>,
+    /// What answers questions in a worker.
+    pub aside: Aside,
     /// The run.
     pub player: Player,
     history: Local<History>,
@@ -143,6 +146,7 @@ impl Model {
             helping: Local::new(false),
             tab: Local::new(Tab::Program),
             file: Local::new(0),
+            aside: Aside::new(),
             player,
             history: Local::new(History::default()),
         };

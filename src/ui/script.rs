@@ -8,13 +8,33 @@ pub(super) fn get(object: &JsValue, name: &str) -> JsValue {
     js_sys::Reflect::get(object, &name.into()).unwrap_or_default()
 }
 
+/// A member of an object that is a text.
+pub(super) fn text(object: &JsValue, name: &str) -> String {
+    get(object, name).as_string().unwrap_or_default()
+}
+
+/// Sets a member of an object.
+pub(super) fn set(object: &JsValue, name: &str, value: &JsValue) {
+    let _ = js_sys::Reflect::set(object, &name.into(), value);
+}
+
 /// An object of these members.
 pub(super) fn object<const N: usize>(members: [(&str, JsValue); N]) -> JsValue {
-    let object = js_sys::Object::new();
-    for (name, value) in members {
-        let _ = js_sys::Reflect::set(&object, &name.into(), &value);
-    }
-    object.into()
+    let object = js_sys::Object::new().into();
+    members.iter().for_each(|(name, value)| set(&object, name, value));
+    object
+}
+
+/// Rows of texts as a member of an object.
+pub(super) fn table(rows: impl Iterator<Item = Vec<JsValue>>) -> JsValue {
+    rows.map(|row| row.into_iter().collect::<js_sys::Array>()).collect::<js_sys::Array>().into()
+}
+
+/// Rows of so many texts, a member of an object.
+pub(super) fn rows<const N: usize>(object: &JsValue, name: &str) -> Vec<[String; N]> {
+    let text = |row: &js_sys::Array, at: usize| row.get(at as u32).as_string().unwrap_or_default();
+    let row = |row: JsValue| core::array::from_fn(|at| text(row.unchecked_ref(), at));
+    js_sys::Array::from(&get(object, name)).iter().map(row).collect()
 }
 
 /// Calls a method.

@@ -1,32 +1,36 @@
 //! Parameter sheet, interface and ladder, as tables with sources and grades.
 
+use leptos::wasm_bindgen::JsValue;
+
 use super::el::{El, el, value};
 use super::model::Model;
-use super::words::t;
+use super::script::text;
+use super::words::{grade, t};
 use crate::controls::Switch;
 use crate::text::Grade;
-use crate::view::{Sheet, ladder};
 
 /// The sheet of the control's parameters.
 pub(super) fn parameters(model: Model) -> Vec<El> {
-    let mut parts = sheets(model, |id| id == "parameters");
-    parts.push(switches(model));
-    parts
+    vec![sheets(model, "parameters"), switches(model)]
 }
 
 /// Interface and ladder.
 pub(super) fn plc(model: Model) -> Vec<El> {
-    sheets(model, |id| id != "parameters")
+    vec![sheets(model, "plc")]
 }
 
-fn sheets(model: Model, which: fn(&str) -> bool) -> Vec<El> {
-    let all = move || {
-        model.project.with(|project| {
-            let sheets = project.machine.sheets(&project.values, project.on());
-            sheets.iter().filter(|sheet| which(sheet.id)).flat_map(table).collect()
-        })
-    };
-    vec![el("div.sheets").swap(all)]
+/// Sheets as the worker makes them, anew with every change of the project.
+fn sheets(model: Model, which: &'static str) -> El {
+    let host = el("div.sheets");
+    let element = host.dom().clone();
+    host.run(move || {
+        let element = element.clone();
+        let show = move |answer: Option<JsValue>| match answer {
+            Some(answer) => element.set_inner_html(&text(&answer, which)),
+            None => element.set_text_content(Some(t("page.no-answer"))),
+        };
+        model.project.with(|project| model.aside.ask("sheets", project, show));
+    })
 }
 
 /// The points of the control that no manual at hand settles, each with its settings, source and grade.
@@ -70,37 +74,4 @@ fn switch(model: Model, switch: &'static Switch) -> El {
         el("td").add(&[input]),
         el(class).at("title", switch.cite.source).text(grade(switch.cite.grade)),
     ])
-}
-
-fn grade(grade: Grade) -> &'static str {
-    match grade {
-        Grade::Manual => t("page.grade-manual"),
-        Grade::Sister => t("page.grade-sister"),
-        Grade::Measured => t("page.grade-measured"),
-        Grade::Inferred => t("page.grade-inferred"),
-        Grade::Open => t("page.grade-open"),
-    }
-}
-
-fn table(sheet: &Sheet) -> Vec<El> {
-    let mut parts = vec![el("h3").text(t(sheet.title))];
-    if !sheet.ladder.is_empty() {
-        let drawing = el("div.scroll").at("tabindex", "0").at("role", "group").label(t(sheet.title));
-        drawing.dom().set_inner_html(&ladder::svg(&sheet.ladder));
-        parts.push(drawing);
-    }
-    let head = |id: &&'static str| el("th").at("scope", "col").text(t(id));
-    let heads: Vec<El> = sheet.columns.iter().chain(&["page.grade"]).map(head).collect();
-    let rows: Vec<El> = sheet
-        .rows
-        .iter()
-        .map(|row| {
-            let cells: Vec<El> = row.cells.iter().map(|cell| el("td").text(cell)).collect();
-            let class = if row.grade == Grade::Open { "td.grade.open" } else { "td.grade" };
-            el("tr").add(&cells).add(&[el(class).at("title", row.source).text(grade(row.grade))])
-        })
-        .collect();
-    let table = el("table.sheet").add(&[el("thead").add(&[el("tr").add(&heads)]), el("tbody").add(&rows)]);
-    parts.push(el("div.scroll").at("tabindex", "0").at("role", "group").label(t(sheet.title)).add(&[table]));
-    parts
 }

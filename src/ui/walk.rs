@@ -123,7 +123,7 @@ impl Player {
         if let Some(stop) = self.walk.quietly(|walk| walk.advance(f64::INFINITY, SLICE)) {
             return self.arrive(stop);
         }
-        self.walk.update(|walk| walk.going = true);
+        self.walk.update(|walk| (walk.going, walk.stands) = (true, false));
         let on = move || {
             self.walk.quietly(|walk| walk.slicing = false);
             if self.walk.with_untracked(|walk| walk.going) {
@@ -156,16 +156,16 @@ impl Player {
 
     /// How far the head may go on its way while it plays: to the next breakpoint.
     pub(super) fn play_to(self, from: f64, to: f64) -> f64 {
-        let (idle, under_way) = self.walk.with_untracked(|walk| {
-            (walk.points.list().is_empty(), walk.debugger.is_some() && !walk.stands && !walk.going)
-        });
-        if idle {
+        let (idle, going) = self.walk.with_untracked(|walk| (walk.points.list().is_empty(), walk.going));
+        if idle || going {
             self.walk_away();
+        }
+        if idle {
             return to;
         }
-        if !under_way {
+        if self.walk.with_untracked(|walk| walk.stands || walk.debugger.is_none()) {
             self.set_goal(from, Goal::Continue);
-            self.walk.update(|walk| (walk.stands, walk.going) = (false, false));
+            self.walk.update(|walk| walk.stands = false);
         }
         match self.walk.quietly(|walk| walk.advance(to, IN_FRAME)) {
             None => math::clamp(self.walk.with_untracked(Walk::t), from, to),

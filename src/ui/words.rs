@@ -5,7 +5,7 @@ use leptos::wasm_bindgen::throw_str;
 use super::script::get;
 use crate::text::catalog::{self, Language};
 use crate::text::number;
-use crate::text::{Diagnostic, Message, Severity};
+use crate::text::{Diagnostic, Grade, Message, Severity};
 
 /// Takes the sentences that boot.js or worker_boot.js has loaded. Without them nothing can be said here: it throws what boot.js shows.
 pub fn learn() {
@@ -41,6 +41,17 @@ pub(super) fn tone(severity: Severity) -> &'static str {
         Severity::Error => "fail",
         Severity::Warning => "warn",
         Severity::Info => "info",
+    }
+}
+
+/// How well a fact is known.
+pub(super) fn grade(grade: Grade) -> &'static str {
+    match grade {
+        Grade::Manual => t("page.grade-manual"),
+        Grade::Sister => t("page.grade-sister"),
+        Grade::Measured => t("page.grade-measured"),
+        Grade::Inferred => t("page.grade-inferred"),
+        Grade::Open => t("page.grade-open"),
     }
 }
 

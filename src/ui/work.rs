@@ -1,17 +1,18 @@
-//! What a worker does for the page: checks large texts, and finds the warnings about a program of the user's own.
+//! What a worker does for the page: checks large texts, finds the warnings about a program of the user's own, makes sheets and export.
 //!
 //! It is a module of its own (`src/bin/worker.rs`), so that opening the page does not load what it seldom needs.
 
 use leptos::wasm_bindgen::closure::Closure;
-use leptos::wasm_bindgen::{JsCast, JsValue};
+use leptos::wasm_bindgen::{JsCast, JsValue, throw_str};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
 use super::listing::{SHOWN, count};
-use super::script::{get, object};
+use super::papers;
+use super::script::{get, object, set, table, text};
 use super::words::{learn, sign, t, tell, tone};
-use crate::controls::{self, Control, Switches};
-use crate::nc::{self, File, Files};
+use crate::nc::{self, Files};
+use crate::project::Project;
 use crate::project::silence::silence;
 use crate::text::catalog::number_text;
 use crate::text::{Diagnostic, LineIndex, Message, Severity, Value};
@@ -30,32 +31,28 @@ pub fn work() {
     let answer = scope.clone();
     let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
         let (job, scope) = (event.data(), answer.clone());
-        let Some(control) = controls::find(&text(&job, "control")) else { return };
-        let switches = strings(&job, "switches");
-        let switches = switches.chunks_exact(2).map(|pair| (pair[0].clone(), pair[1].clone())).collect();
-        let switches = Switches(switches);
-        let blob = get(&job, "blob");
-        if blob.is_undefined() {
-            let _ = scope.post_message(&warnings(&job, control, &switches));
-            return;
-        }
-        // Not Leptos' own: that waits for a mounted page.
-        wasm_bindgen_futures::spawn_local(async move {
-            let text = read(&blob.unchecked_into(), &scope).await;
-            let _ = scope.post_message(&checked(text, control, &switches, &strings(&job, "silenced")));
-        });
+        let Some(project) = Project::from_json(&text(&job, "project")).project else {
+            throw_str("the project of the page does not read")
+        };
+        let answer = match text(&job, "kind").as_str() {
+            "warnings" => warnings(&project),
+            "sheets" => papers::sheets(&project),
+            "export" => papers::export(&project),
+            _ => {
+                let blob = get(&job, "blob").unchecked_into();
+                // Not Leptos' own: that waits for a mounted page.
+                return wasm_bindgen_futures::spawn_local(async move {
+                    let text = read(&blob, &scope).await;
+                    let _ = scope.post_message(&checked(text, &project));
+                });
+            }
+        };
+        set(&answer, "number", &get(&job, "number"));
+        let _ = scope.post_message(&answer);
     });
     scope.set_onmessage(Some(listener.as_ref().unchecked_ref()));
     listener.forget();
     let _ = scope.post_message(&object([("kind", "ready".into())]));
-}
-
-fn text(object: &JsValue, name: &str) -> String {
-    get(object, name).as_string().unwrap_or_default()
-}
-
-fn strings(object: &JsValue, name: &str) -> Vec<String> {
-    js_sys::Array::from(&get(object, name)).iter().map(|text| text.as_string().unwrap_or_default()).collect()
 }
 
 /// The text of a blob, read in pieces.
@@ -74,40 +71,33 @@ async fn read(blob: &Blob, scope: &DedicatedWorkerGlobalScope) -> String {
 }
 
 /// A large text as the control reads it, and what is said of it.
-fn checked(text: String, control: &'static Control, switches: &Switches, silenced: &[String]) -> JsValue {
+fn checked(text: String, project: &Project) -> JsValue {
     let lines = LineIndex::new(&text);
     let end = text.match_indices('\n').nth(SHOWN as usize - 1).map_or(text.len(), |(at, _)| at);
     let head = text.get(..end).unwrap_or_default().to_owned();
-    let parsed = nc::parse_with(&Files::one("", text), control, switches);
+    let parsed = nc::parse_with(&Files::one("", text), project.control, &project.switches);
     let mut found = nc::review(&parsed, None, &[]);
-    silence(&mut found, silenced);
-    let rows = js_sys::Array::new();
-    for diagnostic in found.iter().take(LISTED) {
+    silence(&mut found, &project.silenced);
+    let row = |diagnostic: &Diagnostic| {
         let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));
         let alarm = diagnostic.alarm.as_deref().unwrap_or_default();
         let text = format!("{} {line}: {alarm} {}", t("page.line"), tell(diagnostic));
-        rows.push(&object([("tone", tone(diagnostic.severity).into()), ("text", text.into())]));
-    }
+        vec![tone(diagnostic.severity).into(), text.into()]
+    };
     let counts = count(&found).map(|(severity, count)| format!("{} {count}", sign(tone(severity)))).join("  ");
     object([
         ("kind", "report".into()),
         ("lines", f64::from(lines.count()).into()),
         ("counts", counts.into()),
         ("head", head.into()),
-        ("rows", rows.into()),
+        ("rows", table(found.iter().take(LISTED).map(row))),
     ])
 }
 
-/// The warnings about a program.
-fn warnings(job: &JsValue, control: &'static Control, switches: &Switches) -> JsValue {
-    let (names, texts) = (strings(job, "names"), strings(job, "texts"));
-    let files = names.into_iter().zip(texts).map(|(name, text)| File { name, text }).collect();
-    let parsed = nc::parse_with(&Files(files), control, switches);
-    let set: Vec<u32> =
-        js_sys::Array::from(&get(job, "set")).iter().filter_map(|set| Some(set.as_f64()? as u32)).collect();
-    let start = get(job, "start").as_f64().map(|start| start as u32);
-    let rows: js_sys::Array = nc::warnings(&parsed, start, &set).iter().map(row).collect();
-    object([("kind", "warnings".into()), ("number", get(job, "number")), ("rows", rows.into())])
+/// The warnings about the program of a project.
+fn warnings(project: &Project) -> JsValue {
+    let rows: js_sys::Array = project.warnings(&project.written()).iter().map(row).collect();
+    object([("rows", rows.into())])
 }
 
 /// A warning as plain values; `reviewer` makes one of them again.

@@ -164,7 +164,7 @@ fn rows(changes: &[(&str, &str)], id: &str) -> String {
 }
 
 fn rows_with(changes: &[(&str, &str)], switches: &Switches, id: &str) -> String {
-    let sheets = machine().sheets(&values(changes), On { control: control(), switches });
+    let sheets = macroline::machines::sheets(machine(), &values(changes), On { control: control(), switches });
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }
@@ -245,7 +245,7 @@ fn the_register_of_the_macro_input_is_where_the_switch_puts_it() {
 
 #[test]
 fn the_ladder_is_drawn() {
-    let sheets = machine().sheets(&values(&[("wait", "fin")]), on());
+    let sheets = macroline::machines::sheets(machine(), &values(&[("wait", "fin")]), on());
     let sheet = sheets.iter().find(|sheet| sheet.id == "ladder").unwrap();
     let drawn = ladder::svg(&sheet.ladder);
     assert_eq!(drawn.matches("<rect").count(), sheet.ladder.len());

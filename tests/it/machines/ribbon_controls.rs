@@ -302,7 +302,7 @@ fn a_dropped_program_finds_its_control() {
 }
 
 fn rows(on: On, changes: &[(&str, &str)], id: &str) -> String {
-    let sheets = machine().sheets(&values(changes), on);
+    let sheets = macroline::machines::sheets(machine(), &values(changes), on);
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }
