@@ -171,7 +171,7 @@ impl Model {
         found
     }
 
-    /// Changes the project in a step of the history. Changes with the same key that follow at once are one step.
+    /// Changes the project in a step of the history. Changes with the same key, if they have one, that follow at once are one step.
     pub(super) fn edit(self, key: &str, change: impl FnOnce(&mut Project)) {
         let before = self.project.get_untracked();
         let mut after = before.clone();
@@ -181,7 +181,7 @@ impl Model {
         }
         self.history.quietly(|history| {
             let now = dom::now();
-            if history.key != key || now - history.at > ONE_STEP {
+            if key.is_empty() || history.key != key || now - history.at > ONE_STEP {
                 history.past.push(before.clone());
                 if history.past.len() > STEPS {
                     history.past.remove(0);
