@@ -130,6 +130,14 @@ impl Interp {
         Names { axes: self.shared.control.axes, increment: self.shared.control.limits.increment }
     }
 
+    /// The block with a sequence number in the program that a run starts with.
+    pub fn numbered(&self, sequence: u32) -> Option<Place> {
+        let deck = self.shared.parsed.deck();
+        let program = deck.programs.get(*self.shared.start.as_ref().ok()? as usize)?;
+        let block = deck.blocks_of(program).iter().find(|block| block.number == Some(sequence))?;
+        Some(Place { file: program.file, span: block.span })
+    }
+
     /// A variable: `None` where it is vacant or nothing that the interpreter keeps.
     pub fn variable(&self, number: u32) -> Option<f64> {
         let value = match self.shared.index.slot(self.shared.control, number) {

@@ -83,8 +83,9 @@ impl Start {
 pub trait Samples {
     /// The machine at time `t`.
     fn at(&self, t: f64) -> Snapshot;
-    /// A variable as the control's screen shows it at time `t`; `None` is vacant.
-    fn variable(&self, number: u32, t: f64) -> Option<f64>;
+    /// How often the block with this sequence number in the program that was started has begun until time `t`, and whether it
+    /// executes then.
+    fn passes(&self, sequence: u32, t: f64) -> (u32, bool);
 }
 
 impl<P: Program> Samples for Planner<P> {
@@ -92,8 +93,10 @@ impl<P: Program> Samples for Planner<P> {
         self.timeline().at(t)
     }
 
-    fn variable(&self, number: u32, t: f64) -> Option<f64> {
-        self.variable_at(number, t)
+    fn passes(&self, sequence: u32, t: f64) -> (u32, bool) {
+        let Some(place) = self.program().numbered(sequence) else { return (0, false) };
+        let timeline = self.timeline();
+        (timeline.times(place, t), timeline.block_at(t) == Some(place))
     }
 }
 

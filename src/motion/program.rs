@@ -2,6 +2,7 @@
 
 use crate::interp::canon::AXES;
 use crate::interp::{Counts, Interp, Step, World};
+use crate::text::Place;
 
 /// A program that runs, timeless; a clone goes on exactly as the original would.
 pub trait Program: Clone {
@@ -16,6 +17,10 @@ pub trait Program: Clone {
     fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool;
     /// A common variable; `None` is vacant.
     fn variable(&self, number: u32) -> Option<f64>;
+    /// The block with a sequence number in the program that a run starts with.
+    fn numbered(&self, _sequence: u32) -> Option<Place> {
+        None
+    }
 }
 
 impl Program for Interp {
@@ -38,5 +43,9 @@ impl Program for Interp {
 
     fn variable(&self, number: u32) -> Option<f64> {
         Interp::variable(self, number)
+    }
+
+    fn numbered(&self, sequence: u32) -> Option<Place> {
+        Interp::numbered(self, sequence)
     }
 }

@@ -106,6 +106,15 @@ impl Timeline {
         self.marks.at(t).and_then(|mark| mark.begun.then_some(mark.place))
     }
 
+    /// How often the block at a place has begun until time `t`.
+    pub fn times(&self, place: Place, t: f64) -> u32 {
+        let marks = self.marks.until(t);
+        let there = |mark: &Mark| mark.begun && mark.place == place;
+        // A block may have several marks: it waits, then moves.
+        let begins = |at: usize| there(&marks[at]) && (at == 0 || !there(&marks[at - 1]));
+        (0..marks.len()).filter(|&at| begins(at)).count() as u32
+    }
+
     /// When the first block begins that begins after time `t`; `None` where none is planned.
     pub fn next_block(&self, t: f64) -> Option<f64> {
         let marks = self.marks.until(f64::INFINITY);

@@ -4,4 +4,5 @@ mod look;
 mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;
+mod turning;
 mod written;

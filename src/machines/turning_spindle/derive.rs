@@ -136,7 +136,7 @@ impl Derived {
         let (largest, smallest) = p.diameters();
         let v = p.speed();
         let machine = p.chuck_limit.min(p.upper_limit);
-        let (stage, stage_speed) = p.stage(surface_rpm(v, smallest).min(machine));
+        let (stage, stage_speed) = p.stage(surface_rpm(v, smallest).max(p.lower_limit).min(machine));
         let analog = p.analog(stage_speed, volts, bits);
         let limits = SpeedLimits {
             machine: p.chuck_limit,
@@ -152,18 +152,21 @@ impl Derived {
         let limit = limit_diameter(v, high);
         let passes = p.passes();
         let all = || (1..=passes as u32).flat_map(|pass| p.cuts(f64::from(pass)));
-        let fixed_speed = speed_largest;
+        // The lower limit holds constant surface speed only; S is a whole number.
+        let fixed_speed =
+            surface_rpm(p.cutting_speed, p.stock_diameter).min(p.upper_limit).floor() * p.override_percent / 100.0;
+        let fixed_speed = fixed_speed.min(machine).min(stage_speed);
         let surface_time = all().map(|cut| cut.surface_time(v, (low, high))).sum::<f64>();
         let fixed_time = all().map(|cut| cut.time_at(fixed_speed)).sum::<f64>();
         let fixed = p.speed_mode == SpeedMode::Fixed;
         let top = if fixed { fixed_speed } else { speed_smallest.max(speed_largest) };
-        let force_speed = surface_speed(speed_largest, largest);
+        let force_speed = surface_speed(if fixed { fixed_speed } else { speed_largest }, largest);
         let span = largest - smallest;
         Derived {
             passes,
             largest,
             smallest,
-            speed_largest,
+            speed_largest: if fixed { fixed_speed } else { speed_largest },
             speed_smallest: if fixed { fixed_speed } else { speed_smallest },
             bound,
             limit_diameter: limit,
@@ -178,7 +181,7 @@ impl Derived {
             saved: if fixed_time > 0.0 { 100.0 * (1.0 - surface_time / fixed_time) } else { 0.0 },
             stage,
             stage_speed,
-            volts_largest: analog.output(speed_largest),
+            volts_largest: analog.output(if fixed { fixed_speed } else { speed_largest }),
             volts_smallest: analog.output(if fixed { fixed_speed } else { speed_smallest }),
             analog_step: analog.speed(analog.command(0.0) + volts / f64::from(analog.steps())),
             power: cutting::power(p.cutting_force, force_speed),

@@ -21,7 +21,7 @@ choice! {
     SpeedMode {
         /// The surface speed, by the diameter.
         Surface,
-        /// Its own speed, that of the largest diameter.
+        /// Its own speed, that of the stock's diameter.
         Fixed,
     }
 }

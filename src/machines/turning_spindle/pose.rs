@@ -2,7 +2,7 @@
 
 use super::fitted::Fitted;
 use super::params::{Output, Path};
-use super::program::LEFT;
+use super::program::CUTS;
 use super::scene::{self, JAWS, View, group, node};
 use super::show;
 use crate::drives::Bound;
@@ -15,10 +15,6 @@ use crate::text::number::{figure, filled};
 use crate::view::Pose;
 use crate::view::scene::Placement;
 
-/// Millimetres within which the tool counts as standing there.
-const NEAR: f64 = 1e-3;
-/// Passes that a control may have read ahead of the one that it cuts.
-const AHEAD: u32 = 4;
 /// Points of the part's outline.
 const POINTS: u32 = 48;
 /// A chuck that turns further from frame to frame is not seen turning, in degrees.
@@ -33,44 +29,18 @@ pub(super) struct Progress {
     pub(super) at: Option<f64>,
 }
 
-/// How far the part is, from what the program has left to cut and where the tool stands.
+/// How far the part is: how often the cutting block has begun, and where the tool stands in it.
 pub(super) fn progress(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Progress {
     let p = &lathe.p;
-    let begun = run
-        .variable(LEFT, now.t)
-        .map_or(0, |left| (1..=p.passes() as u32).take_while(|&k| p.left(f64::from(k)) > left - NEAR).count() as u32);
-    let place = |axis: usize| now.axes.get(axis).map_or(0.0, |axis| axis.position);
-    let (d, z) = (p.start_x + 2.0 * place(lathe.cross()), p.start_z + place(lathe.along()));
-    let clear = p.stock_diameter + 2.0 * p.clearance;
-    // The control may have read the next pass while this one is cut.
-    for pass in (1..=begun).rev().take(AHEAD as usize) {
-        let left = p.left(f64::from(pass));
-        let more = p.left(f64::from(pass - 1)) - left;
-        let done = Progress { done: pass, at: None };
-        let (over, at, away, back) = match p.path {
-            Path::Facing => (z - left, d, d > clear + NEAR, (d - clear).abs() < NEAR),
-            Path::Turning => {
-                (d - p.finished_diameter - left, z, z > p.clearance + NEAR, (z - p.clearance).abs() < NEAR)
-            }
-            Path::Taper => (d - contour(lathe, z) - left, z, z > p.clearance + NEAR, (z - p.clearance).abs() < NEAR),
-        };
-        if over < NEAR {
-            return Progress { done: pass - 1, at: Some(at) };
-        }
-        let returned = match p.path {
-            Path::Facing => (over - 0.5 * p.depth).abs() < NEAR,
-            Path::Turning => (over - p.depth).abs() < NEAR,
-            Path::Taper => (d - clear).abs() < NEAR,
-        };
-        if back && !returned && !away {
-            return Progress { done: pass - 1, at: None };
-        }
-        let before_is_cut = (over - more).abs() < NEAR && pass > 1;
-        if away || back || !before_is_cut {
-            return done;
-        }
+    let (begun, mut cutting) = run.passes(CUTS[0], now.t);
+    if p.path == Path::Taper {
+        let (second, tapering) = run.passes(CUTS[1], now.t);
+        // Between the two blocks of a pass.
+        cutting |= tapering || second < begun;
     }
-    Progress { done: 0, at: None }
+    let (radius, z) = lathe.tool(now);
+    let at = if p.path == Path::Facing { 2.0 * radius } else { z };
+    Progress { done: begun - u32::from(cutting && begun > 0), at: (cutting && begun > 0).then_some(at) }
 }
 
 /// Diameter of the finished part at a place: the taper goes on as a cylinder in front of the face.

@@ -17,7 +17,9 @@ pub(super) const RUN: u32 = 9201;
 pub(super) const SETUP: u32 = 9202;
 
 /// What is left to cut behind the pass: in diameter, on a face in Z.
-pub(super) const LEFT: u32 = 110;
+const LEFT: u32 = 110;
+/// Sequence numbers of the blocks that cut; the second on a taper.
+pub(super) const CUTS: [u32; 2] = [36, 37];
 /// The speed that the spindle keeps.
 const SPEED: u32 = 109;
 
@@ -138,9 +140,8 @@ fn start(b: &mut Builder, lathe: &Fitted) {
         b.n(25).words(block(lathe, Code::SurfaceSpeed, [s(v(100)), turn]));
         return;
     }
-    // n = 1000 v / (π d) at the largest diameter, as whole as S is.
-    let largest = if lathe.p.path == Path::Facing { clear() } else { v(102) };
-    b.n(24).assign(SPEED, (v(100) * 1000 / (real(crate::math::PI, 6) * largest)).fix());
+    // n = 1000 v / (π d) at the stock's diameter, as whole as S is.
+    b.n(24).assign(SPEED, (v(100) * 1000 / (real(crate::math::PI, 6) * v(102))).fix());
     b.n(25).if_goto(v(SPEED).le(v(107)), 27);
     b.n(26).assign(SPEED, v(107).fix()).note("AT MOST THE LIMIT");
     b.n(27).words(block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED)), turn]));
@@ -154,20 +155,20 @@ fn pass(b: &mut Builder, lathe: &Fitted) {
     match lathe.p.path {
         Path::Facing => {
             b.n(35).words(rapid(vec![z(v(LEFT))]));
-            b.n(36).words(cut(vec![cross(lathe, v(103)), f(v(101))]));
-            b.n(37).words(rapid(vec![z(v(LEFT) + v(106) / 2)]));
+            b.n(CUTS[0]).words(cut(vec![cross(lathe, v(103)), f(v(101))]));
+            b.n(37).words(rapid(vec![z(v(LEFT) + v(106))]));
             b.n(38).words([cross(lathe, clear())]);
         }
         Path::Turning => {
             b.n(35).words(rapid(vec![cross(lathe, v(103) + v(LEFT))]));
-            b.n(36).words(cut(vec![z(-v(105)), f(v(101))]));
+            b.n(CUTS[0]).words(cut(vec![z(-v(105)), f(v(101))]));
             b.n(37).words(rapid(vec![cross(lathe, away())]));
             b.n(38).words([z(v(108))]);
         }
         Path::Taper => {
             b.n(35).words(rapid(vec![cross(lathe, v(103) + v(LEFT))]));
-            b.n(36).words(cut(vec![z(real(0.0, 0)), f(v(101))]));
-            b.n(37).words([cross(lathe, v(104) + v(LEFT)), z(-v(105))]);
+            b.n(CUTS[0]).words(cut(vec![z(real(0.0, 0)), f(v(101))]));
+            b.n(CUTS[1]).words([cross(lathe, v(104) + v(LEFT)), z(-v(105))]);
             b.n(38).words(rapid(vec![cross(lathe, clear())]));
             b.n(39).words([z(v(108))]);
         }

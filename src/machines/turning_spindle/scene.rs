@@ -24,8 +24,8 @@ pub(super) const JAWS: u16 = 3;
 
 /// Nodes whose path or text poses change; they stand behind the frame.
 pub(super) mod node {
-    /// Headstock, centre line, stock.
-    const FRAME: usize = 4;
+    /// Headstock, chuck, stock, centre line, the voltmeter's face.
+    const FRAME: usize = 5;
     pub(in super::super) const PART: usize = FRAME;
     pub(in super::super) const SPEED: usize = FRAME + 1;
     pub(in super::super) const SURFACE: usize = FRAME + 2;
@@ -131,6 +131,7 @@ fn frame(pen: &mut Pen, p: &Params, view: &View) {
     let ((left, top), (right, _)) = (view.point(-view.behind, p.stock_diameter), view.point(before, 0.0));
     pen.path(0, filled("M# #H#V#H#Z", &[left, top, right, 2.0 * CENTRE - top, left]), "", "dim", 1.0, "dash");
     pen.path(0, filled("M14 #H540", &[CENTRE]), "", "dim", 0.8, "dash");
+    pen.rect(METER.0 - 92.0, 34.0, 184.0, 144.0, "line", "box");
 }
 
 /// The jaws; poses lift and lower them as the chuck turns.
@@ -155,7 +156,6 @@ fn tool(pen: &mut Pen, view: &View) {
 /// The voltmeter: its arc with a mark at every fifth.
 fn meter(pen: &mut Pen, p: &Params) {
     let (x, y, r) = METER;
-    pen.rect(x - 92.0, 34.0, 184.0, 144.0, "line", "box");
     let bipolar = p.output == Output::Bipolar;
     for mark in 0..=10 {
         let part = f64::from(mark) / 5.0 - 1.0;
