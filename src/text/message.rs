@@ -51,10 +51,18 @@ pub struct Message {
     pub values: Vec<Value>,
 }
 
+impl Message {
+    /// A sentence with its values; for `msg!`. A call at each of many places is less code than what it does.
+    #[inline(never)]
+    pub fn new<const N: usize>(id: &'static str, values: [Value; N]) -> Message {
+        Message { id, values: values.into() }
+    }
+}
+
 /// `msg!("area.subject", value, …)`: a [`Message`]. Every id is in the catalog (held by a test).
 #[macro_export]
 macro_rules! msg {
     ($id:literal $(, $value:expr)* $(,)?) => {
-        $crate::text::Message { id: $id, values: vec![$($crate::text::Value::from($value)),*] }
+        $crate::text::Message::new($id, [$($crate::text::Value::from($value)),*])
     };
 }
