@@ -42,6 +42,8 @@ pub enum Bound {
     SurfaceLow,
     /// The converter is at its full voltage.
     Output,
+    /// The PLC shifts gears.
+    Shift,
 }
 
 impl Bound {

@@ -356,6 +356,7 @@ impl<P: Program> Sim<'_, P> {
         let Exec::Moving(motion) = &mut self.s.exec else { return };
         if asked.0.min(motion.limit) == motion.speed {
             motion.again = asked.1;
+            self.say_standing();
         } else {
             self.put_segment(t);
         }
@@ -373,13 +374,18 @@ impl<P: Program> Sim<'_, P> {
         self.watch(t);
         if matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_))) {
             self.say_clamped(&motion, asked * 60.0);
-            if self.waits_for_spindle() {
-                if self.machine.spindle.encoder {
-                    self.say(Once::SpindleStands as u32, || msg!("motion.spindle-stands"));
-                } else {
-                    self.say(Once::NoEncoder as u32, || msg!("motion.no-encoder"));
-                }
-            }
+            self.say_standing();
+        }
+    }
+
+    /// Says once that a feed per revolution waits for a spindle that stands, or that nothing measures.
+    fn say_standing(&mut self) {
+        if self.waits_for_spindle() {
+            let (once, message) = match self.machine.spindle.encoder {
+                true => (Once::SpindleStands, msg!("motion.spindle-stands")),
+                false => (Once::NoEncoder, msg!("motion.no-encoder")),
+            };
+            self.say(once as u32, || message);
         }
     }
 
@@ -435,6 +441,9 @@ impl<P: Program> Sim<'_, P> {
         self.s.position = end;
         self.s.exec = Exec::Idle;
         self.s.flow_end = (!exact).then_some(t);
+        if let Pace::Thread(_) = pace {
+            self.follow(t);
+        }
         if !exact || (self.s.suppress_exact && pace != Pace::Rapid) {
             return;
         }
@@ -471,6 +480,7 @@ impl<P: Program> Sim<'_, P> {
             self.s.rest_since = t;
             let segment = Segment { t, from: self.s.position, velocity: [0.0; AXES], circle: 0 };
             self.out.timeline.put_segment(segment, None);
+            self.watch(t);
         }
     }
 }

@@ -38,7 +38,7 @@ pub struct SpindleState {
     pub stage: u8,
     /// What holds the command, where it is not what was asked for.
     pub bound: Bound,
-    /// Surface speed at the tool in m/min, where the machine has an axis square to the spindle.
+    /// Surface speed in m/min where the tool is told to be, where the machine has an axis square to the spindle.
     pub surface_speed: Option<f64>,
 }
 

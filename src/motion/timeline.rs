@@ -86,7 +86,7 @@ impl Timeline {
             *axis = self.path.axis(k, plant, t);
         }
         if let Some(ramp) = self.ramps.at(t) {
-            now.spindle = ramp.state(&self.spindle, t, |axis| now.axes.get(axis).map_or(0.0, |axis| axis.actual));
+            now.spindle = ramp.state(&self.spindle, t, |axis| now.axes.get(axis).map_or(0.0, |axis| axis.position));
         }
         if let Some(mark) = self.marks.at(t) {
             now.mode = mark.mode;

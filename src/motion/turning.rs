@@ -164,7 +164,7 @@ impl<P: Program> Sim<'_, P> {
         let (plant, turning) = (&self.machine.spindle, &self.s.turning);
         let (stage, analog) = (plant.stage(self.gear()), plant.analog(self.gear()));
         if let Some(volts) = self.s.io.gear_volts {
-            return (analog.speed(volts).min(FASTEST), Bound::Gear);
+            return (analog.speed(volts).min(FASTEST), Bound::Shift);
         }
         let mut limits =
             SpeedLimits { machine: plant.speed_clamp, gear: stage.range, set: turning.set, ..SpeedLimits::NONE };

@@ -3,6 +3,7 @@
 mod drives;
 mod lathe;
 mod operator;
+mod orienting;
 mod past;
 mod path;
 mod program;
@@ -10,6 +11,7 @@ mod reading;
 mod script;
 mod spindle;
 mod strange;
+mod turning;
 
 use macroline::controls::{self, Control, Switches};
 use macroline::drives::Analog;

@@ -19,7 +19,7 @@ fn on_lathe(events: Vec<Event>, lines: Vec<Line>) -> Planner<Script> {
 }
 
 /// When a line begins.
-fn begins(planner: &Planner<Script>, line: usize) -> f64 {
+pub(super) fn begins(planner: &Planner<Script>, line: usize) -> f64 {
     let (timeline, mut t) = (planner.timeline(), 0.0);
     while timeline.block_at(t) != Some(place(line)) {
         t = timeline.next_block(t).expect("the line is run");
@@ -137,7 +137,7 @@ fn a_feed_per_revolution_above_a_clamp_is_said() {
     assert_eq!(clamped.map(|found| found.place), Some(Some(place(2))));
 }
 
-fn surface(speed: f64, zero: f64) -> Line {
+pub(super) fn surface(speed: f64, zero: f64) -> Line {
     one(Canon::SurfaceSpeed { speed, axis: 0, zero: (zero * 1000.0) as i64 })
 }
 

@@ -1,0 +1,398 @@
+//! A lathe's spindle over time: surface speed, limits, gears, volts without M03, waits for the speed.
+
+use macroline::controls::spindle::RapidSpeed;
+use macroline::drives::cutting::Cut;
+use macroline::drives::speed::{Limit, Steps, surface_rpm};
+use macroline::drives::{Bound, Stage};
+use macroline::motion::GearShift;
+
+use super::lathe::{begins, surface};
+use super::*;
+
+/// A lathe whose spindle has no inertia, up to 3500 r/min.
+fn quick(tau: f64) -> Plant {
+    let mut plant = plant();
+    plant.axes = vec![AxisPlant { diameter: true, time_constant: tau, ..axis(b'X') }, axis(b'Y')];
+    let analog = Analog::unipolar(3500.0, 10.0);
+    plant.spindle = SpindlePlant::new(analog, 3500.0, 0.0, plant.spindle.rules);
+    plant
+}
+
+fn per_turn(x: f64, y: f64, feed: f64) -> Line {
+    one(Canon::Linear { to: target(x, y), feed: Feed::PerRevolution(feed), exact: false })
+}
+
+fn limit(limit: Limit, rpm: f64) -> Line {
+    one(Canon::SpeedLimit { limit, rpm })
+}
+
+fn dwell(seconds: f64) -> Line {
+    one(Canon::Dwell { seconds })
+}
+
+fn spindle(planner: &Planner<Script>, t: f64) -> macroline::motion::SpindleState {
+    planner.timeline().at(t).spindle
+}
+
+#[test]
+fn the_face_of_the_sheet_takes_its_time() {
+    // sinumerik-802d.md section 7: 682.093 r/min at X84, 2500 from X22.918, 10.019832 s.
+    let lines = vec![
+        turn(800.0, 1),
+        limit(Limit::Surface, 2500.0),
+        rapid(84.0, 0.0),
+        surface(180.0, 0.0),
+        dwell(1.0),
+        per_turn(-1.6, 0.0, 0.2),
+        one(Canon::End),
+    ];
+    let planner = run_on(&quick(0.0), vec![], lines);
+    let (begin, end) = (begins(&planner, 5), begins(&planner, 6));
+    close(end - begin, 10.019832, 1e-5);
+    close(spindle(&planner, begin).command, 682.093, 1e-6);
+    let cut = Cut { diameters: (84.0, -1.6), length: 42.8, feed: 0.2 };
+    for i in 1..2000 {
+        let t = begin + (end - begin) * f64::from(i) / 2000.0;
+        let now = planner.timeline().at(t);
+        let diameter = 2.0 * now.axes[0].position;
+        if diameter > 22.918312 * 1.0001 {
+            // 0.1 % is asked for.
+            close(now.spindle.surface_speed.unwrap(), 180.0, 2e-4);
+            close(diameter, cut.surface_diameter(180.0, t - begin), 2e-5);
+            assert_eq!(now.spindle.bound, Bound::None);
+        } else if diameter.abs() < 22.918312 * 0.9999 {
+            assert_eq!((now.spindle.command, now.spindle.bound), (2500.0, Bound::Surface));
+        }
+    }
+}
+
+#[test]
+fn closed_forms_hold_for_any_straight_cut() {
+    for (from, to, along, speed, limits) in [
+        (60.0, 60.0, 80.0, 120.0, (0.0, 3500.0)),
+        (30.0, 90.0, 50.0, 150.0, (0.0, 3500.0)),
+        (90.0, 20.0, 0.0, 200.0, (0.0, 2000.0)),
+        (90.0, 20.0, 5.0, 100.0, (500.0, 900.0)),
+        (8.0, 50.0, 0.0, 60.0, (0.0, 3500.0)),
+        (30.0, -60.0, 20.0, 90.0, (0.0, 1500.0)),
+    ] {
+        let mut plant = quick(0.0);
+        plant.spindle.surface_low = limits.0;
+        let lines = vec![
+            turn(800.0, 1),
+            limit(Limit::Surface, limits.1),
+            rapid(from, 0.0),
+            surface(speed, 0.0),
+            dwell(1.0),
+            per_turn(to, along, 0.3),
+            one(Canon::End),
+        ];
+        let planner = run_on(&plant, vec![], lines);
+        let cut = Cut { diameters: (from, to), length: math::hypot((to - from) / 2.0, along), feed: 0.3 };
+        let time = begins(&planner, 6) - begins(&planner, 5);
+        // 0.01 % is asked for.
+        close(time, cut.surface_time(speed, limits), 5e-5);
+    }
+}
+
+#[test]
+fn the_tool_cuts_at_its_speed_while_the_axes_lag() {
+    // With acceleration the axis is behind the path; the spindle goes by where it is told to be.
+    let lines = vec![
+        turn(800.0, 1),
+        rapid(90.0, 0.0),
+        surface(180.0, 0.0),
+        dwell(1.0),
+        linear(30.0, 0.0, 600.0),
+        linear(60.0, 20.0, 400.0),
+        dwell(0.5),
+        one(Canon::End),
+    ];
+    let planner = run_on(&quick(0.1), vec![], lines);
+    let (begin, end) = (begins(&planner, 4), planner.timeline().end());
+    for i in 0..=2000 {
+        let now = planner.timeline().at(begin + (end - begin) * f64::from(i) / 2000.0);
+        close(surface_rpm(180.0, 2.0 * now.axes[0].position), now.spindle.actual, 1e-3);
+    }
+}
+
+#[test]
+fn a_rapid_to_a_cut_has_its_speed_and_another_changes_nothing() {
+    // sinumerik-802d.md section 7, N50 to N130; 802D rules.
+    let mut plant = quick(0.1);
+    plant.spindle.rules.rapid = RapidSpeed::BeforeCut;
+    for at_once in [false, true] {
+        plant.spindle.rules.surface_at_once = at_once;
+        let lines = vec![
+            turn(800.0, 1),
+            rapid(92.0, 5.0),
+            limit(Limit::Surface, 2500.0),
+            surface(180.0, 0.0),
+            rapid(92.0, 0.0),
+            rapid(84.0, 0.0),
+            per_turn(-1.6, 0.0, 0.2),
+            rapid(-1.6, 5.0),
+            rapid(120.0, 150.0),
+            one(Canon::ConstantSpeed),
+            dwell(0.1),
+            turn(300.0, 1),
+            dwell(0.1),
+        ];
+        let planner = run_on(&plant, vec![], lines);
+        let at = |line: usize| spindle(&planner, begins(&planner, line) + 1e-6).command;
+        let first = if at_once { 622.780 } else { 800.0 };
+        close(at(1), 800.0, 1e-9);
+        close(at(4), first, 1e-6);
+        // The next block is read before the rapid ends.
+        let late = begins(&planner, 6) - 1e-6;
+        close(spindle(&planner, late).command, 682.093, 1e-6);
+        for line in [7, 8, 10] {
+            close(at(line), 2500.0, 1e-9);
+        }
+        close(spindle(&planner, planner.timeline().end()).command, 300.0, 1e-9);
+    }
+}
+
+#[test]
+fn a_rapid_behind_which_a_cut_is_read_late_gets_its_speed_on_the_way() {
+    let mut plant = quick(0.0);
+    plant.spindle.rules.rapid = RapidSpeed::BeforeCut;
+    plant.macro_time = 0.05;
+    let lines =
+        vec![turn(800.0, 1), surface(180.0, 0.0), rapid(84.0, 0.0), Line::Add(1, 1.0), linear(20.0, 0.0, 300.0)];
+    let planner = run_on(&plant, vec![], lines);
+    let begin = begins(&planner, 2);
+    assert_ne!(spindle(&planner, begin + 0.001).command, spindle(&planner, begin + 0.06).command);
+    close(spindle(&planner, begin + 0.06).command, 682.093, 1e-6);
+}
+
+#[test]
+fn the_volts_of_s_stand_without_m03_and_through_reset() {
+    let lines = || vec![turn(1000.0, 0), dwell(1.0), turn(1000.0, 1), dwell(3.0), turn(0.0, 1), dwell(1.0)];
+    for (stay, event) in [(true, Action::Reset), (true, Action::EmergencyStop), (false, Action::Reset)] {
+        let mut plant = plant();
+        plant.spindle.rules.volts_stay = stay;
+        let events = vec![at(3.0, event)];
+        let planner = run_on(&plant, events, lines());
+        let volts = |t: f64| spindle(&planner, t).volts_command;
+        let kept = if stay { 10.0 * 1000.0 / 1480.0 } else { 0.0 };
+        // 0 V at power-on.
+        assert_eq!(volts(0.0), 0.0);
+        assert_eq!(spindle(&planner, 0.9).actual, 0.0);
+        close(volts(0.9), kept, 1e-12);
+        close(volts(2.5), 10.0 * 1000.0 / 1480.0, 1e-12);
+        close(volts(3.0), kept, 1e-12);
+        close(volts(9.0), kept, 1e-12);
+        assert_eq!(spindle(&planner, 9.0).actual, 0.0);
+        // S0.
+        let planner = run_on(&plant, vec![], lines());
+        assert_eq!(spindle(&planner, planner.timeline().end()).volts_command, 0.0);
+    }
+}
+
+#[test]
+fn a_spindle_may_turn_through_reset_but_not_through_emergency_stop() {
+    let mut plant = plant();
+    plant.spindle.rules.turns_through_reset = true;
+    for (event, rpm) in [(Action::Reset, 1000.0), (Action::EmergencyStop, 0.0)] {
+        let planner = run_on(&plant, vec![at(3.0, event)], vec![turn(1000.0, 1), dwell(9.0)]);
+        assert_eq!(spindle(&planner, 9.0).actual, rpm);
+    }
+    plant.spindle.rules.end_stops = true;
+    let planner = run_on(&plant, vec![], vec![turn(1000.0, 1), dwell(3.0), one(Canon::End)]);
+    assert_eq!(spindle(&planner, planner.timeline().end() + 5.0).actual, 0.0);
+}
+
+#[test]
+fn the_sign_of_a_signed_output_is_the_direction() {
+    let mut plant = plant();
+    plant.spindle.analog = Analog { rated_volts: 8.0, bipolar: true, ..Analog::unipolar(3000.0, 10.0) };
+    plant.spindle = plant.spindle.with_stages([Stage::new(3000.0)]);
+    let planner = run_on(&plant, vec![], vec![turn(1200.0, 1), dwell(3.0), turn(1200.0, -1), dwell(5.0)]);
+    close(spindle(&planner, 3.0).volts_command, 3.2, 1e-12);
+    close(spindle(&planner, 8.0).volts_command, -3.2, 1e-12);
+    close(spindle(&planner, 8.0).actual, -1200.0, 1e-12);
+}
+
+#[test]
+fn setting_data_holds_speeds_and_outlives_reset_while_s_stays_stored() {
+    let lines = vec![
+        turn(1200.0, 1),
+        dwell(1.0),
+        limit(Limit::Upper, 900.0),
+        dwell(1.0),
+        turn(20.0, 1),
+        limit(Limit::Lower, 50.0),
+        dwell(1.0),
+        turn(1200.0, 1),
+        dwell(1.0),
+    ];
+    let events = vec![
+        at(4.8, Action::SpeedLimit(Limit::Upper, 5000.0)),
+        at(10.0, Action::Reset),
+        at(10.0, Action::ManualSpeed(10.0)),
+    ];
+    let planner = run_on(&plant(), events, lines);
+    let held = |line: usize| {
+        let now = spindle(&planner, begins(&planner, line) + 0.01);
+        (now.command, now.bound)
+    };
+    assert_eq!(held(1), (1200.0, Bound::None));
+    assert_eq!(held(3), (900.0, Bound::Upper));
+    assert_eq!(held(6), (50.0, Bound::Lower));
+    assert_eq!(held(8), (900.0, Bound::Upper));
+    // The operator opens the upper limit: the S that was programmed is still there. The lower one outlives the reset.
+    assert_eq!(spindle(&planner, 4.9).command, 1200.0);
+    let now = spindle(&planner, 11.0);
+    assert_eq!((now.command, now.bound), (50.0, Bound::Lower));
+}
+
+#[test]
+fn a_limit_of_surface_speed_holds_constant_speed_only_where_the_control_says_so() {
+    for (stays, wanted) in [(false, 1200.0), (true, 700.0)] {
+        let mut plant = plant();
+        plant.spindle.rules.surface_limit_stays = stays;
+        let planner = run_on(&plant, vec![], vec![limit(Limit::Surface, 700.0), turn(1200.0, 1), dwell(1.0)]);
+        assert_eq!(spindle(&planner, 1.0).command, wanted);
+    }
+}
+
+#[test]
+fn constant_speed_keeps_what_surface_speed_and_knob_had_come_to() {
+    let lines = vec![turn(100.0, 1), rapid(60.0, 0.0), surface(100.0, 0.0), one(Canon::ConstantSpeed), dwell(1.0)];
+    let planner = run_on(&quick(0.0), vec![at(0.0, Action::SpindleOverride(70.0))], lines);
+    close(spindle(&planner, planner.timeline().end()).command, 0.7 * surface_rpm(100.0, 60.0), 1e-12);
+}
+
+#[test]
+fn the_knob_does_not_reach_a_thread_where_the_control_says_so() {
+    let thread = || one(Canon::Thread { to: target(0.0, 20.0), lead: 1.0 });
+    for (reaches, rpm) in [(false, 600.0), (true, 300.0)] {
+        let mut plant = quick(0.0);
+        plant.spindle.rules.thread_override = reaches;
+        let events = vec![at(0.0, Action::SpindleOverride(50.0))];
+        let planner = run_on(&plant, events, vec![turn(600.0, 1), thread(), dwell(1.0)]);
+        close(spindle(&planner, begins(&planner, 1) + 0.5).command, rpm, 1e-12);
+        close(spindle(&planner, planner.timeline().end()).command, 300.0, 1e-12);
+    }
+}
+
+#[test]
+fn gears_are_shifted_in_the_order_of_the_ladder() {
+    // gsk-knd-polygon.md section 1.2.
+    let stages = [750.0, 1500.0, 3000.0].map(Stage::new);
+    let mut plant = plant();
+    plant.spindle.speed_clamp = 9999.0;
+    plant.spindle = plant.spindle.with_stages(stages);
+    let mut plc = BenchPlc::new(0.05, None);
+    plc.shift = GearShift { volts: 0.2, before: 1.0, meshing: 0.3, after: 2.0 };
+    let gear = |stage| one(Canon::Gear { stage });
+    let lines = vec![turn(600.0, 1), dwell(4.0), gear(3), dwell(4.0), gear(3), gear(2), gear(9)];
+    let mut planner = planner_with(Box::new(plc), &plant, vec![], lines);
+    finish(&mut planner);
+    let begin = begins(&planner, 2);
+    let look = |t: f64| {
+        let now = spindle(&planner, t);
+        (now.stage, (now.volts_command * 1e9).round() / 1e9)
+    };
+    assert_eq!(look(begin - 1e-3), (1, 8.0));
+    assert_eq!(look(begin + 1e-3), (1, 0.2));
+    assert_eq!(look(begin + 0.999), (1, 0.2));
+    assert_eq!(look(begin + 1.001), (3, 0.2));
+    assert_eq!(look(begin + 3.299), (3, 0.2));
+    assert_eq!(look(begin + 3.301), (3, 2.0));
+    close(begins(&planner, 3) - begin, 3.3, 1e-3);
+    close(spindle(&planner, begins(&planner, 4) - 0.01).actual, 600.0, 1e-9);
+    // The same stage again: answered at once. One that is not there is said.
+    close(begins(&planner, 5) - begins(&planner, 4), 0.05, 1e-6);
+    assert_eq!(spindle(&planner, planner.timeline().end()).stage, 2);
+    let said: Vec<_> = planner.diagnostics().iter().map(|found| found.message.id).collect();
+    assert_eq!(said, ["motion.no-stage"]);
+}
+
+#[test]
+fn automatic_gears_follow_s() {
+    let stage = |low: f64, high: f64| Stage { automatic: (low, high), ..Stage::new(high) };
+    let mut plant = plant();
+    plant.spindle.speed_clamp = 9999.0;
+    plant.spindle = plant.spindle.with_stages([stage(0.0, 700.0), stage(600.0, 1500.0)]);
+    let speed = |rpm| one(Canon::SpindleSpeed { rpm });
+    let lines = vec![
+        one(Canon::Gear { stage: 0 }),
+        speed(650.0),
+        speed(800.0),
+        speed(650.0),
+        speed(500.0),
+        speed(5000.0),
+        dwell(0.1),
+    ];
+    let planner = run_on(&plant, vec![], lines);
+    let stages: Vec<u8> = (2..=6).map(|line| spindle(&planner, begins(&planner, line) - 1e-6).stage).collect();
+    assert_eq!(stages, [1, 2, 2, 1, 1]);
+}
+
+#[test]
+fn the_output_saturates_in_its_gear_and_under_surface_speed_the_gear_limits() {
+    let mut plant = quick(0.0);
+    plant.spindle = plant.spindle.with_stages([Stage::new(1000.0)]);
+    let planner = run_on(&plant, vec![], vec![turn(1500.0, 1), dwell(1.0)]);
+    let now = spindle(&planner, 1.0);
+    assert_eq!((now.command, now.actual, now.volts, now.bound), (1500.0, 1000.0, 10.0, Bound::Output));
+    let planner = run_on(&plant, vec![], vec![turn(100.0, 1), rapid(10.0, 0.0), surface(100.0, 0.0), dwell(1.0)]);
+    let now = spindle(&planner, planner.timeline().end());
+    assert_eq!((now.command, now.actual, now.bound), (1000.0, 1000.0, Bound::Gear));
+}
+
+#[test]
+fn a_cut_waits_for_the_speed_where_the_control_does() {
+    for (part, delay) in [(0.1, 0.0), (0.01, 0.0), (0.1, 3.0)] {
+        let mut plant = plant();
+        plant.spindle.rules.reached = Some(part);
+        plant.spindle.reached_delay = delay;
+        let lines = vec![turn(1200.0, 1), rapid(0.0, 5.0), linear(10.0, 5.0, 600.0), linear(20.0, 5.0, 600.0)];
+        let planner = run_on(&plant, vec![], lines);
+        let spun = 2.0 * 1200.0 * (1.0 - part) / 1480.0;
+        let moves = first(&planner, begins(&planner, 2), |now| now.axes[0].feed > 0.0);
+        close(moves - plant.block_time, spun.max(delay), 1e-3);
+        // The second cut follows the first.
+        close(planner.timeline().end() - moves, 2.0 + TAU, 1e-2);
+    }
+    // A knob that makes it slower is waited for no longer than that.
+    let mut plant = plant();
+    plant.spindle.rules.reached = Some(0.1);
+    let lines = vec![turn(1200.0, 1), linear(10.0, 5.0, 600.0)];
+    let planner = run_on(&plant, vec![at(0.5, Action::SpindleOverride(20.0))], lines);
+    close(first(&planner, 0.0, |now| now.axes[0].feed > 0.0), 0.5, 0.5);
+}
+
+#[test]
+fn without_an_encoder_a_feed_per_revolution_never_moves() {
+    let mut plant = plant();
+    plant.spindle.encoder = false;
+    let mut planner = planner(&plant, vec![], vec![turn(1200.0, 1), per_turn(10.0, 0.0, 0.2)]);
+    assert_eq!(finish(&mut planner).1, RunEnd::Stop);
+    assert_eq!(planner.diagnostics()[0].message.id, "motion.no-encoder");
+}
+
+#[test]
+fn a_work_zero_off_the_centre_is_said() {
+    let said = |centre| {
+        let mut plant = quick(0.0);
+        plant.spindle.centre = centre;
+        let lines = vec![turn(100.0, 1), rapid(50.0, 0.0), surface(100.0, 4.0), dwell(0.1)];
+        run_on(&plant, vec![], lines).diagnostics().iter().map(|found| found.message.id).collect::<Vec<_>>()
+    };
+    assert_eq!(said(Some(0.0)), ["motion.off-centre"]);
+    assert!(said(Some(2.0)).is_empty() && said(None).is_empty());
+}
+
+#[test]
+fn a_bench_knob_stands_in_its_steps() {
+    let mut plc = BenchPlc::new(0.05, Some(1033));
+    plc.knob = Some(Steps { low: 50.0, high: 120.0, step: 10.0 });
+    let events = vec![at(1.0, Action::SpindleOverride(47.0)), at(2.0, Action::SpindleOverride(300.0))];
+    let mut planner = planner_with(Box::new(plc), &plant(), events, vec![turn(1000.0, 1), dwell(5.0)]);
+    finish(&mut planner);
+    assert_eq!([1.5, 2.5].map(|t| spindle(&planner, t).command), [500.0, 1200.0]);
+    assert_eq!(planner.variable_at(1033, 1.5), Some(50.0));
+}
