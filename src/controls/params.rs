@@ -11,12 +11,18 @@ pub enum ParamRole {
     SpindleConnection,
     /// Spindle speed at full analog output, first gear.
     SpindleLimit,
-    /// The same of the other gear stages, from 2.
-    StageLimit(u8),
-    /// What is added to the output at full speed.
-    OffsetFull,
-    /// What is added to the output at speed 0.
-    OffsetZero,
+    /// Spindle speed at full analog output, gear 2 and up.
+    SpindleGear(u8),
+    /// What is added to the analog output at standstill.
+    SpindleOffsetZero,
+    /// What is added to the analog output at its rated speed, or its gain there.
+    SpindleOffsetRated,
+    /// Analog output while gears are shifted.
+    SpindleShiftVolts,
+    /// Whether cuts wait until the spindle has reached its speed.
+    SpindleReached,
+    /// How long after a new speed that is looked at.
+    SpindleReachedDelay,
     /// Spindle speed clamp, first gear.
     SpindleMaximum,
     /// Smallest spindle speed.

@@ -12,10 +12,13 @@
 //! * **Diameters.** Words of an axis may count diameters. What goes in and out at the program's side (targets, centres of arcs, positions
 //!   that it reads) counts them; plant, feeds, clamps, timeline and snapshots are what the slide moves.
 //! * **In step with the spindle.** Feed per revolution and threads take the actual speed, in steps of 10 ms while it changes; at
-//!   standstill they wait. A thread knows no override and no hold. Under constant surface speed the spindle follows the commanded diameter
-//!   of a cutting block, in steps of 10 ms; in a rapid it has the speed of its end.
-//! * **Spindle.** S times override, clamped; the inverter follows in a straight ramp, with slip. Override acts at once. M02 and M30 leave
-//!   the spindle as it is (switching it off is the PLC's affair); reset and emergency stop take its command away.
+//!   standstill they wait. A thread knows no override and no hold. Under constant surface speed the spindle follows the diameter of a cut
+//!   where the axis is told to be behind acceleration: its command is looked at every 10 ms, more often where the diameter changes fast or
+//!   a limit begins, and runs straight from one to the next. In a rapid it has the speed of the rapid's end, or waits for the next cut.
+//! * **Spindle.** S times override within its limits, of which the snapshot tells the one that binds; the inverter follows in a straight
+//!   ramp, with slip. Override acts at once. Gears are the PLC's: it is told the wanted stage, and tells the engaged one. An angle is
+//!   approached beside the motion of its block, which ends when both are there. What a control does at M30, at reset, without M03, in
+//!   threads, before cuts, is in its [rules](crate::controls::SpindleRules).
 //! * **PLC.** Asked when something that it sees has changed and when it wishes; codes of one block are put out together and end with FIN.
 //! * **Operator.** Feed hold lets dwell and codes run to their end. Reset breaks off: the axes stop over their time constants. Cycle
 //!   start at the very moment of a stop answers that stop; other actions come before what the machine does at the same moment.

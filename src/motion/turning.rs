@@ -46,6 +46,8 @@ pub(super) struct Turning {
     set: (f64, f64),
     /// Highest speed under constant surface speed in r/min.
     surface_high: f64,
+    /// Where the turning centre lies on the axis square to the spindle, in mm.
+    centre: Option<f64>,
     /// Gear stages are selected by S.
     pub(super) automatic: bool,
     /// The axis that is square to the spindle, and its place in mm where the diameter is 0.
@@ -67,6 +69,7 @@ impl Turning {
             surface: None,
             set: (0.0, f64::INFINITY),
             surface_high: f64::INFINITY,
+            centre: None,
             automatic: false,
             square: square.map(|axis| (axis, 0.0)),
             reached_at: f64::INFINITY,
@@ -232,7 +235,9 @@ impl<P: Program> Sim<'_, P> {
         let until = before.map_or(f64::NEG_INFINITY, |before| before.until);
         self.s.turning.surface = Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY });
         self.s.turning.square = Some((axis, zero));
-        if let Some(centre) = self.machine.spindle.centre.filter(|centre| (centre - zero).abs() > 1e-9) {
+        // Where nobody knows the turning centre, the first work zero is taken for it.
+        let centre = *self.s.turning.centre.get_or_insert(self.machine.spindle.centre.unwrap_or(zero));
+        if (centre - zero).abs() > 1e-9 {
             let letter = char::from(self.machine.axes[at].letter).to_string();
             self.say(Once::OffCentre as u32, || msg!("motion.off-centre", letter, ((zero - centre).abs(), 4)));
         }

@@ -273,6 +273,27 @@ fn the_spindle_stands_as_m00_left_it() {
     near(&out["spindle"]["volts"], 8.107, 1e-4);
 }
 
+#[test]
+fn gear_angle_and_limits_of_the_spindle_are_told() {
+    let folder = folder("spindle");
+    let path = folder.join("spindle.nc");
+    std::fs::write(&path, "O1\nS1000 M03\nM42\nG04 X5.\nM30\n%\n").unwrap();
+    let panel = folder.join("panel.json");
+    for (events, rpm) in [
+        ("[]", 1000.0),
+        (r#"[ { "t": 0, "upper_speed_limit": 700 } ]"#, 700.0),
+        (r#"[ { "t": 0, "lower_speed_limit": 1200 }, { "t": 1, "surface_speed_limit": 300 } ]"#, 1200.0),
+    ] {
+        std::fs::write(&panel, events).unwrap();
+        let out = run(&[&text(&path), "--control", "gsk-980tdc", "--panel", &text(&panel)], 0);
+        near(&out["spindle"]["rpm"], rpm, 1e-9);
+        near(&out["spindle"]["volts_command"], 10.0 * rpm / 2000.0, 1e-9);
+        assert_eq!((&out["spindle"]["gear"], &out["spindle"]["angle_deg"]), (&json!(2), &json!(null)));
+        // The standard ladder takes its time: 5 s, the gear, 5 s.
+        assert!(out["time_s"].as_f64().unwrap() > 15.0);
+    }
+}
+
 /// Eight bytes a block that stayed would be too many.
 #[cfg(unix)]
 #[test]

@@ -2,6 +2,7 @@
 
 mod coverage;
 mod running;
+mod spindle;
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

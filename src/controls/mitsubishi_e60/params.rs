@@ -67,6 +67,9 @@ pub(super) const PARAMS: &[ParamDef] = &[
         "spindle speed at 10 V, gear 00 (the paper prints it as #1001)",
         Citation::new("Custom-API header and M800 names; 10 V by the paper", Grade::Sister),
     ),
+    param(SpindleGear(2), "#3002", "slimt2", "r/min", "spindle speed at 10 V, gear 01", HEADER),
+    param(SpindleGear(3), "#3003", "slimt3", "r/min", "spindle speed at 10 V, gear 10", HEADER),
+    param(SpindleGear(4), "#3004", "slimt4", "r/min", "spindle speed at 10 V, gear 11", HEADER),
     param(SpindleMaximum, "#3005", "smax1", "r/min", "spindle speed clamp, gear 00; at most slimt1", NAME),
     param(SpindleMinimum, "#3023", "smini", "r/min", "smallest spindle speed", NAME),
     param(

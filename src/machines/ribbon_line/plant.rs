@@ -44,5 +44,10 @@ fn spindle(line: &Fitted) -> SpindlePlant {
         if p.dancer { (p.program_pi() / PI, 0.0) } else { (motor.gain(), motor.slip() / p.speed_at_10v) };
     let analog = Analog { bits: bench.output_bits, ..Analog::unipolar(p.speed_at_10v, bench.volts_full) };
     let rules = line.control.spindle_rules(line.switches);
-    SpindlePlant { gain, slip, ..SpindlePlant::new(analog, p.top_speed(), p.inverter_ramp, rules) }
+    SpindlePlant {
+        gain,
+        slip,
+        encoder: p.spindle_encoder,
+        ..SpindlePlant::new(analog, p.top_speed(), p.inverter_ramp, rules)
+    }
 }

@@ -50,4 +50,4 @@ pub(super) fn plc(lathe: &Fitted) -> BenchPlc {
 }
 
 /// Volts while gears mesh: a slow turn (GSK No.067).
-const SHIFT_VOLTS: f64 = 0.1;
+pub(super) const SHIFT_VOLTS: f64 = 0.1;

@@ -153,5 +153,6 @@ fn bound(bound: Bound) -> Option<&'static str> {
         Bound::GearLow => "turning.bound.gear-low",
         Bound::SurfaceLow => "turning.bound.surface-low",
         Bound::Output => "turning.bound.output",
+        Bound::Shift => "turning.bound.shift",
     })
 }

@@ -1,6 +1,7 @@
 //! What the machine builder sets beside the program: the parameters of spindle and slides.
 
 use super::fitted::Fitted;
+use super::plant::SHIFT_VOLTS;
 use crate::controls::ParamRole;
 use crate::machines::sheets::{self, Axes, Setting, Values};
 use crate::view::Sheet;
@@ -16,15 +17,21 @@ fn parameters(lathe: &Fitted) -> Sheet {
     let yes = |on: bool| vec![("", Setting::Answer(on))];
     let slides = |x: f64, z: f64| vec![("X", Setting::Number(x)), ("Z", Setting::Number(z))];
     let stage = |speed: f64| if speed > 0.0 { number(speed) } else { Vec::new() };
+    // Some controls want a gain here, or units of their own.
+    let volts = |role: ParamRole, value: f64| {
+        let millivolts = lathe.control.param(role).is_some_and(|row| row.unit == "mV");
+        if millivolts { number(value) } else { Vec::new() }
+    };
     let values: Vec<(ParamRole, Values)> = vec![
         (ParamRole::SpindleCount, yes(true)),
         (ParamRole::SpindleConnection, yes(true)),
-        (ParamRole::OffsetFull, number(p.offset_full)),
-        (ParamRole::OffsetZero, number(p.offset_zero)),
+        (ParamRole::SpindleOffsetRated, volts(ParamRole::SpindleOffsetRated, p.offset_full)),
+        (ParamRole::SpindleOffsetZero, volts(ParamRole::SpindleOffsetZero, p.offset_zero)),
+        (ParamRole::SpindleShiftVolts, volts(ParamRole::SpindleShiftVolts, 1000.0 * SHIFT_VOLTS)),
         (ParamRole::SpindleLimit, number(p.stage_1)),
-        (ParamRole::StageLimit(2), stage(p.stage_2)),
-        (ParamRole::StageLimit(3), stage(p.stage_3)),
-        (ParamRole::StageLimit(4), stage(p.stage_4)),
+        (ParamRole::SpindleGear(2), stage(p.stage_2)),
+        (ParamRole::SpindleGear(3), stage(p.stage_3)),
+        (ParamRole::SpindleGear(4), stage(p.stage_4)),
         (ParamRole::SpindleMaximum, number(p.chuck_limit)),
         (ParamRole::SpindleMinimum, number(p.lower_limit)),
         (ParamRole::SpindleEncoder, yes(true)),

@@ -122,3 +122,64 @@ fn an_hour_of_blocks_stays_small_and_answers_the_knob_from_a_checkpoint() {
     assert_eq!(planner.timeline().at(3590.0), old);
     close(planner.timeline().at(t + 1.0).axes[0].feed, 0.8 * 15079.645, 3e-6);
 }
+
+/// The sample of the GSK manual (gsk-knd-polygon.md section 1.3), on the bench of its control.
+fn sample(switches: &[(&str, &str)], lines: &str) -> Planner<Interp> {
+    let control = controls::find("gsk-980tdc").unwrap();
+    let switches = Switches(switches.iter().map(|(id, set)| (id.to_string(), set.to_string())).collect());
+    let parsed = parse(&Files::one("O1.nc", format!("O0001\n{lines}\nM30\n%\n")), control);
+    let mut plant = plant();
+    plant.axes = vec![AxisPlant { diameter: true, ..axis(b'X') }, axis(b'Z')];
+    plant.spindle = SpindlePlant::bench(control, &switches);
+    let mut planner = Planner::new(Setup {
+        program: Interp::new(Rc::new(parsed), Start::First, &switches),
+        control,
+        plant: &plant,
+        plc: Box::new(BenchPlc::new(0.05, None)),
+        panel: Panel::default(),
+        limits: Limits { blocks: 1000, seconds: 600.0 },
+        keep: Keep::Timeline,
+    });
+    planner.advance(f64::INFINITY, usize::MAX);
+    planner
+}
+
+/// When the n-th block begins.
+fn begins_at(planner: &Planner<Interp>, n: usize) -> f64 {
+    (0..=n).fold(0.0, |t, _| planner.timeline().next_block(t).expect("so many blocks"))
+}
+
+#[test]
+fn the_sample_of_the_lathes_manual_has_its_printed_speeds() {
+    let lines = "N10 M3 G96 S300\nN20 G0 X100 Z50\nN30 G0 X50 Z0\nN40 G1 W-30 F200\nN50 X80 W-20 F150\nN60 G0 X100 Z50";
+    let planner = sample(&[], lines);
+    let mut speeds = Vec::new();
+    let mut t = 0.0;
+    while let Some(next) = planner.timeline().next_block(t) {
+        t = next;
+        speeds.push(planner.timeline().at(t + 1e-4).spindle.command.round());
+    }
+    // At N10 the tool is at the centre: the gear limits. Behind N50 the rapid back has the speed of X100 again.
+    assert_eq!(speeds, [3000.0, 955.0, 1910.0, 1910.0, 1910.0, 955.0, 955.0]);
+    // N50 has come to X80 but for the last of its slowing down when the rapid begins.
+    let rapid = first_of(&planner, begins_at(&planner, 5) - 1e-3, |now| now.spindle.command < 1000.0);
+    close(planner.timeline().at(rapid - 2e-4).spindle.command, 1194.0, 2e-3);
+    // The voltage stands behind the program's end.
+    close(planner.timeline().at(t).spindle.volts_command, 10.0 * 954.9297 / 3000.0, 1e-6);
+}
+
+#[test]
+fn the_limit_of_the_lathe_takes_the_position_as_its_switch_says() {
+    let lines = "S100 M3\nG0 X60 Z5\nG50 S800\nG96 S300\nG1 X30 F300\nG97 M5";
+    for (setting, at_begin, at_end, x) in
+        [("reference point", 60.0, 30.0, 30.0), ("nothing", 60.0, 30.0, 30.0), ("work zero", 0.0, 30.0, 90.0)]
+    {
+        let planner = sample(&[("speed-limit-sets-zero", setting)], lines);
+        let end = planner.timeline().end();
+        assert_eq!(planner.timeline().words_at(end)[0], x, "{setting}");
+        let expected = |diameter: f64| (300e3 / (math::PI * diameter)).min(800.0);
+        let begin = first_of(&planner, 0.0, |now| now.spindle.command > 101.0);
+        close(planner.timeline().at(begin).spindle.command, expected(at_begin), 1e-9);
+        close(planner.timeline().at(end).spindle.volts_command, 10.0 * expected(at_end) / 3000.0, 1e-12);
+    }
+}

@@ -376,14 +376,17 @@ fn without_an_encoder_a_feed_per_revolution_never_moves() {
 
 #[test]
 fn a_work_zero_off_the_centre_is_said() {
-    let said = |centre| {
+    let said = |centre, zeros: &[f64]| {
         let mut plant = quick(0.0);
         plant.spindle.centre = centre;
-        let lines = vec![turn(100.0, 1), rapid(50.0, 0.0), surface(100.0, 4.0), dwell(0.1)];
+        let mut lines = vec![turn(100.0, 1), rapid(50.0, 0.0)];
+        lines.extend(zeros.iter().map(|&zero| surface(100.0, zero)));
         run_on(&plant, vec![], lines).diagnostics().iter().map(|found| found.message.id).collect::<Vec<_>>()
     };
-    assert_eq!(said(Some(0.0)), ["motion.off-centre"]);
-    assert!(said(Some(2.0)).is_empty() && said(None).is_empty());
+    assert_eq!(said(Some(0.0), &[4.0]), ["motion.off-centre"]);
+    assert!(said(Some(2.0), &[4.0]).is_empty() && said(None, &[4.0, 4.0]).is_empty());
+    // A zero that moves while the speed counts from it: G52, TRANS.
+    assert_eq!(said(None, &[4.0, 5.0]), ["motion.off-centre"]);
 }
 
 #[test]

@@ -1,0 +1,141 @@
+//! What the words of a block command of the spindle, by rules that differ from control to control.
+
+use expect_test::{Expect, expect};
+use macroline::controls::spindle::SpindleRules;
+use macroline::controls::{Alarm, AlarmDef, Code, CodeDef, Control, Group, gsk_980tdc};
+use macroline::text::{Citation, Grade};
+
+use super::{log_of, start_on};
+
+const MADE: Citation = Citation::new("made for tests", Grade::Inferred);
+
+/// A control with the rules of SINUMERIK turning controls in the words of another: the codes of feed and surface speed are one group, a
+/// limit stands behind G25 and G26, surface speed has a range and needs a first S.
+fn one_group() -> &'static Control {
+    let base = &gsk_980tdc::CONTROL;
+    let limit = |number, code| CodeDef { letter: b'G', number, code, group: Group::OneShot, text: "", cite: MADE };
+    let mut codes: Vec<CodeDef> = base.codes.to_vec();
+    codes.extend([limit(250, Code::LowerSpeedLimit), limit(260, Code::UpperSpeedLimit)]);
+    for row in &mut codes {
+        if matches!(row.code, Code::FeedPerMinute | Code::FeedPerRevolution) {
+            row.group = Group::SurfaceSpeed;
+        }
+    }
+    codes.sort_by_key(|row| (row.letter, row.number));
+    let alarm = |kind, number| AlarmDef { kind, number, text: "", cite: MADE };
+    let mut alarms = base.alarms.to_vec();
+    alarms.extend([alarm(Alarm::NoSurfaceSpeed, "10900"), alarm(Alarm::SurfaceSpeedRange, "14840")]);
+    let spindle = SpindleRules {
+        surface_per_revolution: true,
+        feed_ends_surface: true,
+        surface_range: Some((0.01, 9999.99)),
+        ..base.spindle
+    };
+    let mut limits = base.limits;
+    (limits.feed_kept, limits.speed_max) = (false, 99_999.999);
+    Box::leak(Box::new(Control {
+        codes: Box::leak(codes.into_boxed_slice()),
+        alarms: Box::leak(alarms.into_boxed_slice()),
+        switches: &[],
+        spindle,
+        limits,
+        ..gsk_980tdc::CONTROL
+    }))
+}
+
+#[track_caller]
+fn check(lines: &str, expected: Expect) {
+    let source = format!("O1\n{lines}\nM30\n%\n");
+    expected.assert_eq(&log_of(&source, &mut start_on(one_group(), &source, &[])));
+}
+
+#[test]
+fn a_code_of_feed_brings_the_last_s_back() {
+    check(
+        "S800 M03\nG96 S180\nG01 X80. F.2\nG98 F100\nG96\nG99 S500\nG96\nG97\nG98",
+        expect![[r#"
+            spindle-speed 800
+            spindle-cw
+            surface-speed 180 X0
+            linear X80 F0.2/rev
+            constant-speed
+            spindle-speed 800
+            surface-speed 180 X0
+            constant-speed
+            spindle-speed 500
+            surface-speed 180 X0
+            constant-speed
+            end
+        "#]],
+    );
+    // Where there is none, the spindle keeps the speed that it has.
+    check(
+        "G96 S180\nG98",
+        expect![[r#"
+            surface-speed 180 X0
+            constant-speed
+            end
+        "#]],
+    );
+}
+
+#[test]
+fn surface_speed_counts_feed_per_revolution_and_wants_it_anew() {
+    check(
+        "G98 F300\nG96 S180\nG01 X80.",
+        expect![[r#"
+            surface-speed 180 X0
+            = 0023 4:1 A cutting motion without feed.
+              Write F in this block or in one before.
+        "#]],
+    );
+    check(
+        "G99 F.3\nG96 S180\nG01 X80.\nG97 S300\nX20.",
+        expect![[r#"
+            surface-speed 180 X0
+            linear X80 F0.3/rev
+            constant-speed
+            spindle-speed 300
+            linear X20 F0.3/rev
+            end
+        "#]],
+    );
+}
+
+#[test]
+fn limits_stand_behind_their_codes_and_leave_s_as_it_is() {
+    check(
+        "S800\nG25 S50\nG26 S3000\nG25 X10. Z5.\nG96 S100\nG98",
+        expect![[r#"
+            spindle-speed 800
+            lower-speed-limit 50
+            upper-speed-limit 3000
+            surface-speed 100 X0
+            constant-speed
+            spindle-speed 800
+            end
+        "#]],
+    );
+}
+
+#[test]
+fn a_cutting_speed_is_needed_and_has_its_range() {
+    check(
+        "G96",
+        expect![[r#"
+            = 10900 2:1 Constant surface speed needs a cutting speed before its first use: S in m/min.
+        "#]],
+    );
+    check(
+        "G96 S10000",
+        expect![[r#"
+            = 14840 2:5 S10000 is outside the range of its address, 0.01 to 9999.99.
+        "#]],
+    );
+    check(
+        "G96 S0",
+        expect![[r#"
+            = 14840 2:5 S0 is outside the range of its address, 0.01 to 9999.99.
+        "#]],
+    );
+}
