@@ -134,7 +134,9 @@ pub enum Alarm {
     /// Constant surface speed before any cutting speed was given, where that is an alarm.
     NoSurfaceSpeed,
     /// A cutting speed outside its range.
-    SurfaceSpeedRange,
+    SurfaceRange,
+    /// An angle of the spindle outside a turn.
+    SpindleAngle,
 }
 
 /// An alarm as one control shows it.
@@ -222,7 +224,8 @@ impl Alarm {
         Alarm::ArcRadius,
         Alarm::NoPositioning,
         Alarm::NoSurfaceSpeed,
-        Alarm::SurfaceSpeedRange,
+        Alarm::SurfaceRange,
+        Alarm::SpindleAngle,
     ];
 
     /// The wider kind that a control shows where it has no number for this one; `None` for the widest.
@@ -234,7 +237,7 @@ impl Alarm {
             DoNumber => WhileSentence,
             IntoLoop => DoPair,
             NoCallProgram => NoProgram,
-            Digits | SequenceDigits | FeedRange | UserAlarmRange | SurfaceSpeedRange => OutOfRange,
+            Digits | SequenceDigits | FeedRange | UserAlarmRange | SurfaceRange | SpindleAngle => OutOfRange,
             NoSurfaceSpeed => NoFeed,
             NoPositioning => UnknownCode,
             BlockWords => BlockTooLong,

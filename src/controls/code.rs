@@ -85,10 +85,10 @@ pub enum Code {
     SpindleStop,
     /// Gear stage of the spindle (M41 …), 0 for automatic selection by S (M40).
     GearStage(u8),
-    /// Lower limit of the spindle speed, behind S (G25).
-    LowerSpeedLimit,
-    /// Upper limit of the spindle speed, behind S (G26).
-    UpperSpeedLimit,
+    /// Lower limit of the spindle speed behind S, of the working area behind axes (G25).
+    LowerLimits,
+    /// The upper ones (G26).
+    UpperLimits,
     /// Spindle orientation (M19).
     SpindleOrient,
     /// Cancel or default state that the simulation is in anyway (G40, G80 …).

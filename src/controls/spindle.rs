@@ -37,8 +37,10 @@ pub struct SpindleRules {
     pub surface_limit_stays: bool,
     /// G96 counts feed per revolution.
     pub surface_per_revolution: bool,
-    /// G94 and G95 end constant surface speed, and the last S in r/min is in force again.
+    /// G94 and G95 end constant surface speed.
     pub feed_ends_surface: bool,
+    /// Where they do, the last S in r/min is in force again; else the spindle keeps its speed.
+    pub last_speed_back: bool,
     /// Least and largest cutting speed behind S in m/min; `None` where S has the same range as always.
     pub surface_range: Option<(f64, f64)>,
     /// What G50 S does with the position.
@@ -53,6 +55,10 @@ pub struct SpindleRules {
     pub stop_last: bool,
     /// The spindle goes on through reset.
     pub turns_through_reset: bool,
+    /// M19 is the control's own positioning at 0°, not the PLC's.
+    pub orients: bool,
+    /// Angles beyond a turn are taken back into it; else they are an alarm.
+    pub angle_wraps: bool,
     /// M02 and M30 stop the spindle and leave S0.
     pub end_stops: bool,
     /// Positions of the override knob.
@@ -84,8 +90,10 @@ impl Control {
             reached: reached.then_some(row.reached.unwrap_or(REACHED)),
             stop_last: is("m5-timing", "end", row.stop_last),
             surface_limit_stays: is("lims-in-g97", "yes", row.surface_limit_stays),
-            surface_at_once: is("g96-at-once", "yes", row.surface_at_once),
+            surface_at_once: is("g96-apply-at-activation", "yes", row.surface_at_once),
             override_last: is("override-order", "behind the limits", row.override_last),
+            last_speed_back: is("g9x-without-s", "last programmed", row.last_speed_back),
+            angle_wraps: is("spos-out-of-range", "modulo", row.angle_wraps),
             turns_through_reset: is("spindle-at-reset", "turns", row.turns_through_reset),
             end_stops: is("spindle-at-end", "stops", row.end_stops),
             ..row

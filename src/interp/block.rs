@@ -9,6 +9,7 @@ use super::fault::{Run, Trap};
 use super::state::{Cx, State};
 use crate::controls::macros::{CallKind, CodeCall};
 use crate::controls::{Alarm, Code, Group};
+use crate::drives::Approach;
 use crate::msg;
 use crate::nc::{Block, Word, WordValue};
 
@@ -28,6 +29,8 @@ pub(super) struct Codes {
     path: bool,
     spindle: Option<i8>,
     gear: Option<u8>,
+    /// Angle that the spindle goes to.
+    orient: Option<(f64, Approach)>,
     auxiliary: [u32; M_CODES],
     auxiliaries: usize,
     /// M00, M01, M02, M30.
@@ -114,6 +117,9 @@ impl State {
         }
         if codes.path {
             self.queue.push(Canon::PathMode { exact: self.modal.exact });
+        }
+        if let Some((angle, approach)) = codes.orient {
+            self.orient(cx, angle, approach)?;
         }
         let moved = self.motion(cx, &codes, &values)?;
         if stops_last {
@@ -234,7 +240,7 @@ impl State {
         use Code::*;
         match row.code {
             Dwell | ReferenceReturn | MachineCoordinates | MachineRapid | SetCoordinates | LocalCoordinates
-            | LowerSpeedLimit | UpperSpeedLimit | MacroCall | MacroModal | MacroModalBlock | MacroModalEnd => {
+            | LowerLimits | UpperLimits | MacroCall | MacroModal | MacroModalBlock | MacroModalEnd => {
                 (codes.special, codes.caller) = (Some(row.code), at);
             }
             ExactStopOnce => codes.exact = true,
@@ -262,6 +268,9 @@ impl State {
             Some(Code::SpindleCcw) => codes.spindle = Some(-1),
             Some(Code::SpindleStop) => codes.spindle = Some(0),
             Some(Code::GearStage(stage)) => codes.gear = Some(stage),
+            Some(Code::SpindleOrient) if cx.shared.rules.spindle.orients => {
+                codes.orient = Some((0.0, Approach::Direct))
+            }
             _ => {
                 let max = (cx.control.limits.m_codes as usize).clamp(1, M_CODES);
                 if codes.auxiliaries == max {

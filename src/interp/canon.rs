@@ -75,6 +75,11 @@ pub enum Canon {
         /// Seconds.
         seconds: f64,
     },
+    /// Axes stand still for so many turns of the spindle (G4 S).
+    DwellTurns {
+        /// Turns.
+        turns: f64,
+    },
     /// The present position is from now on this work position; machine positions do not change. Says only that it happened.
     Preset {
         /// Work position in command increments.
@@ -255,6 +260,7 @@ impl fmt::Display for Line<'_> {
                 write!(f, " {feed}{}", stop(*exact))
             }
             Canon::Dwell { seconds } => write!(f, "dwell {}s", decimal(*seconds)),
+            Canon::DwellTurns { turns } => write!(f, "dwell {}rev", decimal(*turns)),
             Canon::Preset { to } => {
                 f.write_str("preset")?;
                 to.write(f, names)

@@ -1,4 +1,4 @@
-//! S, constant surface speed, and limits of the speed: what the words of a block command of the spindle.
+//! S, constant surface speed, limits of the speed, angles: what the words of a block command of the spindle.
 
 use super::block::{Codes, Words};
 use super::canon::{AXES, Canon, Target};
@@ -6,6 +6,8 @@ use super::fault::{Run, Trap};
 use super::state::{Cx, State};
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Alarm, Code};
+use crate::drives::Approach;
+use crate::drives::orient::turn;
 use crate::drives::speed::Limit;
 use crate::msg;
 
@@ -24,15 +26,16 @@ impl State {
                     self.limit_place(cx);
                 }
             }
-            (Some(Code::LowerSpeedLimit), Some(rpm)) => self.limit_speed(Limit::Lower, rpm),
-            (Some(Code::UpperSpeedLimit), Some(rpm)) => self.limit_speed(Limit::Upper, rpm),
+            (Some(Code::LowerLimits), Some(rpm)) => self.limit_speed(Limit::Lower, rpm),
+            (Some(Code::UpperLimits), Some(rpm)) => self.limit_speed(Limit::Upper, rpm),
             _ if self.modal.surface => return self.surface(cx, speed, surface),
             _ => {
                 if surface.is_some() {
                     self.queue.push(Canon::ConstantSpeed);
                 }
                 // Where a code of feed has ended it, the last S in r/min is in force again.
-                let back = self.modal.last_speed.filter(|_| surface.is_some() && self.modal.surface_undone);
+                let undone = surface.is_some() && self.modal.surface_undone && cx.shared.rules.spindle.last_speed_back;
+                let back = self.modal.last_speed.filter(|_| undone);
                 if let Some(rpm) = speed {
                     self.modal.word(b'S', rpm);
                     self.modal.last_speed = Some(rpm);
@@ -52,7 +55,7 @@ impl State {
                 && !(least..=most).contains(&speed)
             {
                 let message = msg!("interp.word-range", "S", (speed, 9), least, most);
-                return Err(Trap::alarm(Alarm::SurfaceSpeedRange, message).behind(b"S"));
+                return Err(Trap::alarm(Alarm::SurfaceRange, message).behind(b"S"));
             }
             self.modal.word(b'S', speed);
             self.modal.surface_speed = Some(speed);
@@ -101,5 +104,15 @@ impl State {
             let speed = self.modal.surface_speed.unwrap_or(0.0);
             self.queue.push(Canon::SurfaceSpeed { speed, axis, zero });
         }
+    }
+
+    /// The spindle goes to an angle in degrees, beside the motion of the block.
+    pub(super) fn orient(&mut self, cx: &Cx, angle: f64, approach: Approach) -> Run<()> {
+        let within = approach == Approach::Incremental || (0.0..360.0).contains(&angle);
+        if !within && !cx.shared.rules.spindle.angle_wraps {
+            return Err(Trap::alarm(Alarm::SpindleAngle, msg!("interp.spindle-angle", (angle, 9))));
+        }
+        self.queue.push(Canon::Orient { angle: if within { angle } else { turn(angle) }, approach });
+        Ok(())
     }
 }

@@ -22,7 +22,7 @@ impl State {
                 return Ok(false);
             }
             // Limits of the working area are not simulated.
-            Some(Code::LowerSpeedLimit | Code::UpperSpeedLimit) => return Ok(false),
+            Some(Code::LowerLimits | Code::UpperLimits) => return Ok(false),
             Some(Code::LocalCoordinates) => {
                 for k in (0..AXES).filter(|k| values.mask & 1 << k != 0) {
                     self.modal.set_local(k, values.axes[k]);

@@ -16,6 +16,9 @@ use crate::text::Diagnostic;
 /// Seconds between two measurements while spindle and axes follow one another and change.
 pub(super) const MEASURE: f64 = 0.01;
 
+/// Turns that nobody misses.
+const TURNED: f64 = 1e-9;
+
 /// What the executor is at.
 #[derive(Debug, Clone)]
 pub(super) enum Exec {
@@ -31,6 +34,8 @@ pub(super) enum Exec {
     Resting(f64, Canon),
     /// Dwells until then.
     Dwelling(f64),
+    /// Dwells until the spindle has turned from there so far, in turns.
+    Counting(f64, f64),
     /// Waits for the PLC.
     Fin,
     /// Waits for cycle start, then goes on.
@@ -67,7 +72,7 @@ impl Exec {
             Exec::Emergency(_) => Mode::EmergencyStop,
             Exec::Fin => Mode::WaitFin,
             _ if holding => Mode::Hold,
-            Exec::Dwelling(_) => Mode::Dwell,
+            Exec::Dwelling(_) | Exec::Counting(..) => Mode::Dwell,
             _ => Mode::Running,
         }
     }
@@ -98,6 +103,7 @@ impl<P: Program> Sim<'_, P> {
             },
             Exec::Spinning(_) if self.holding() => f64::INFINITY,
             Exec::Spinning(_) => self.speed_time().max(s.now),
+            Exec::Counting(from, turns) => self.turns_time(*from, *turns),
             Exec::Moving(motion) => motion.end_time().min(motion.again),
             Exec::Settling(t) | Exec::Resting(t, _) | Exec::Dwelling(t) => *t,
             _ => f64::INFINITY,
@@ -125,6 +131,12 @@ impl<P: Program> Sim<'_, P> {
                 self.perform(t, canon);
             }
             Exec::Settling(_) | Exec::Dwelling(_) => self.s.exec = Exec::Idle,
+            Exec::Counting(from, turns) => {
+                let (from, turns) = (*from, *turns);
+                if self.turns_left(t, from, turns) <= 0.0 {
+                    self.s.exec = Exec::Idle;
+                }
+            }
             _ => {}
         }
     }
@@ -228,6 +240,7 @@ impl<P: Program> Sim<'_, P> {
         self.s.exec = Exec::Idle;
         match canon {
             Canon::Dwell { seconds } => self.s.exec = Exec::Dwelling(t + seconds.max(0.0)),
+            Canon::DwellTurns { turns } => self.s.exec = Exec::Counting(self.turns(t), turns.max(0.0)),
             Canon::Stop | Canon::OptionalStop | Canon::Message { .. } => self.s.exec = Exec::Stopped,
             Canon::End => {
                 self.s.exec = Exec::Finished;
@@ -426,6 +439,32 @@ impl<P: Program> Sim<'_, P> {
         let plant = &self.machine.spindle;
         let ramp = self.out.timeline.ramps.last().filter(|_| plant.encoder);
         ramp.map_or(0.0, |ramp| ramp.actual(plant, t).abs())
+    }
+
+    /// Turns of the spindle since the run began.
+    fn turns(&self, t: f64) -> f64 {
+        self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.turns(&self.machine.spindle, t))
+    }
+
+    /// Turns that a dwell still has to wait for.
+    fn turns_left(&self, t: f64, from: f64, turns: f64) -> f64 {
+        let left = turns - (self.turns(t) - from).abs();
+        if left > TURNED { left } else { 0.0 }
+    }
+
+    /// When a dwell may have had its turns; looked at again while the spindle changes its speed.
+    fn turns_time(&self, from: f64, turns: f64) -> f64 {
+        let t = self.s.now;
+        let (left, rpm) = (self.turns_left(t, from, turns), self.measured(t));
+        let next = if rpm > 0.0 { t + (left * 60.0 / rpm).max(1e-6) } else { f64::INFINITY };
+        let changes = self.s.turning.reached_at.is_finite();
+        if left <= 0.0 {
+            t
+        } else if changes {
+            next.min(t + MEASURE)
+        } else {
+            next
+        }
     }
 
     /// When the spindle is fast enough for a cut.

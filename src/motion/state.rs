@@ -317,6 +317,7 @@ impl<P: Program> Sim<'_, P> {
     pub(super) fn stuck(&self) -> Option<Diagnostic> {
         let message = match &self.s.exec {
             Exec::Fin => msg!("motion.no-fin"),
+            Exec::Counting(..) => msg!("motion.spindle-stands"),
             _ if self.waits_for_spindle() => return None,
             _ => msg!("motion.no-feed"),
         };

@@ -144,6 +144,7 @@ pub static CONTROL: Control = Control {
         surface_limit_stays: false,
         surface_per_revolution: false,
         feed_ends_surface: false,
+        last_speed_back: false,
         surface_range: None,
         limit_place: LimitPlace::Nothing,
         override_last: false,
@@ -151,6 +152,8 @@ pub static CONTROL: Control = Control {
         reached: None,
         stop_last: false,
         turns_through_reset: false,
+        orients: false,
+        angle_wraps: false,
         end_stops: false,
         knob: Steps { low: 0.0, high: 200.0, step: 1.0 },
         cite: Citation::new(

@@ -171,6 +171,7 @@ impl Writer {
             Canon::Arc { to, plane, center, clockwise, feed, exact } => {
                 self.arc(to, *plane, *center, *clockwise, self.cutting(Code::PlaneXy, *feed, *exact))
             }
+            Canon::DwellTurns { turns } => format!("{} S{turns:?}", self.g(Code::Dwell)),
             Canon::Dwell { seconds } => format!("{} X{seconds:?}", self.g(Code::Dwell)),
             Canon::Preset { to } => {
                 let mut text = self.g(Code::SetCoordinates);

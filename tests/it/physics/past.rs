@@ -50,6 +50,7 @@ fn busy() -> Vec<Line> {
         one(Canon::Auxiliary { code: 10 }),
         one(Canon::SuppressWaits { single_block: false, fin: false }),
         one(Canon::Dwell { seconds: 0.2 }),
+        one(Canon::DwellTurns { turns: 3.3 }),
         Line::Goto(1),
     ]
 }

@@ -41,6 +41,7 @@ fn canon() -> impl Strategy<Value = Canon> {
             Canon::Arc { to, plane: (a % 8, b % 8), center: (x, y), clockwise, feed, exact }
         }),
         number().prop_map(|seconds| Canon::Dwell { seconds }),
+        number().prop_map(|turns| Canon::DwellTurns { turns }),
         number().prop_map(|rpm| Canon::SpindleSpeed { rpm }),
         any::<i8>().prop_map(|sign| Canon::SpindleDirection { sign }),
         any::<u32>().prop_map(|code| Canon::Auxiliary { code }),

@@ -366,6 +366,26 @@ fn a_cut_waits_for_the_speed_where_the_control_does() {
 }
 
 #[test]
+fn a_dwell_may_count_turns() {
+    let turns = |turns| one(Canon::DwellTurns { turns });
+    for sign in [1, -1] {
+        let planner = run(vec![turn(600.0, sign), turns(7.5), turns(20.0), turns(0.0), one(Canon::End)]);
+        // From standstill it takes the ramp along.
+        for (from, to, counted) in [(1, 2, 7.5), (2, 4, 20.0)] {
+            let turned = |line| spindle(&planner, begins(&planner, line)).turns.abs();
+            assert!((turned(to) - turned(from) - counted).abs() < 1e-6);
+        }
+    }
+    // A spindle that stands is waited for.
+    let mut planner = planner(&plant(), vec![], vec![turns(5.0)]);
+    assert_eq!(finish(&mut planner).1, RunEnd::Stop);
+    assert_eq!(planner.diagnostics()[0].message.id, "motion.spindle-stands");
+    planner.event(at(5.0, Action::ManualSpeed(600.0)));
+    assert_eq!(finish(&mut planner).1, RunEnd::ProgramEnd);
+    close(planner.timeline().at(planner.timeline().end()).spindle.turns, 5.0, 1e-9);
+}
+
+#[test]
 fn without_an_encoder_a_feed_per_revolution_never_moves() {
     let mut plant = plant();
     plant.spindle.encoder = false;

@@ -2,12 +2,25 @@
 
 use expect_test::{Expect, expect};
 use macroline::controls::spindle::SpindleRules;
-use macroline::controls::{Alarm, AlarmDef, Code, CodeDef, Control, Group, gsk_980tdc};
+use macroline::controls::{Alarm, AlarmDef, Code, CodeDef, Control, Group, Switch, Switches, gsk_980tdc};
 use macroline::text::{Citation, Grade};
 
 use super::{log_of, start_on};
 
 const MADE: Citation = Citation::new("made for tests", Grade::Inferred);
+
+const fn switch(id: &'static str, options: &'static [&'static str]) -> Switch {
+    Switch { id, text: "", options, cite: MADE }
+}
+
+/// Open points of such controls (sinumerik-802d.md section 9).
+const SWITCHES: &[Switch] = &[
+    switch("m5-timing", &["before", "end"]),
+    switch("lims-in-g97", &["no", "yes"]),
+    switch("g96-apply-at-activation", &["yes", "no"]),
+    switch("g9x-without-s", &["last programmed", "hold"]),
+    switch("spos-out-of-range", &["alarm", "modulo"]),
+];
 
 /// A control with the rules of SINUMERIK turning controls in the words of another: the codes of feed and surface speed are one group, a
 /// limit stands behind G25 and G26, surface speed has a range and needs a first S.
@@ -15,7 +28,9 @@ fn one_group() -> &'static Control {
     let base = &gsk_980tdc::CONTROL;
     let limit = |number, code| CodeDef { letter: b'G', number, code, group: Group::OneShot, text: "", cite: MADE };
     let mut codes: Vec<CodeDef> = base.codes.to_vec();
-    codes.extend([limit(250, Code::LowerSpeedLimit), limit(260, Code::UpperSpeedLimit)]);
+    codes.extend([limit(250, Code::LowerLimits), limit(260, Code::UpperLimits)]);
+    let orient = CodeDef { letter: b'M', group: Group::Other, ..limit(190, Code::SpindleOrient) };
+    codes.push(orient);
     for row in &mut codes {
         if matches!(row.code, Code::FeedPerMinute | Code::FeedPerRevolution) {
             row.group = Group::SurfaceSpeed;
@@ -24,11 +39,13 @@ fn one_group() -> &'static Control {
     codes.sort_by_key(|row| (row.letter, row.number));
     let alarm = |kind, number| AlarmDef { kind, number, text: "", cite: MADE };
     let mut alarms = base.alarms.to_vec();
-    alarms.extend([alarm(Alarm::NoSurfaceSpeed, "10900"), alarm(Alarm::SurfaceSpeedRange, "14840")]);
+    alarms.extend([alarm(Alarm::NoSurfaceSpeed, "10900"), alarm(Alarm::SurfaceRange, "14840")]);
     let spindle = SpindleRules {
         surface_per_revolution: true,
         feed_ends_surface: true,
+        last_speed_back: true,
         surface_range: Some((0.01, 9999.99)),
+        orients: true,
         ..base.spindle
     };
     let mut limits = base.limits;
@@ -36,7 +53,7 @@ fn one_group() -> &'static Control {
     Box::leak(Box::new(Control {
         codes: Box::leak(codes.into_boxed_slice()),
         alarms: Box::leak(alarms.into_boxed_slice()),
-        switches: &[],
+        switches: SWITCHES,
         spindle,
         limits,
         ..gsk_980tdc::CONTROL
@@ -68,6 +85,9 @@ fn a_code_of_feed_brings_the_last_s_back() {
             end
         "#]],
     );
+    let source = "O1\nS800\nG96 S180\nG98\nM30\n%\n";
+    let held = log_of(source, &mut start_on(one_group(), source, &[("g9x-without-s", "hold")]));
+    assert_eq!(held, "spindle-speed 800\nsurface-speed 180 X0\nconstant-speed\nend\n");
     // Where there is none, the spindle keeps the speed that it has.
     check(
         "G96 S180\nG98",
@@ -119,6 +139,19 @@ fn limits_stand_behind_their_codes_and_leave_s_as_it_is() {
 }
 
 #[test]
+fn a_spindle_goes_to_its_angle_beside_the_motion() {
+    check(
+        "M19\nG00 X20. M19",
+        expect![[r#"
+            orient 0
+            orient 0
+            rapid X20
+            end
+        "#]],
+    );
+}
+
+#[test]
 fn a_cutting_speed_is_needed_and_has_its_range() {
     check(
         "G96",
@@ -138,4 +171,26 @@ fn a_cutting_speed_is_needed_and_has_its_range() {
             = 14840 2:5 S0 is outside the range of its address, 0.01 to 9999.99.
         "#]],
     );
+}
+
+#[test]
+fn every_open_point_of_the_spindle_is_a_switch() {
+    let rules = |settings: &[(&str, &str)]| {
+        let settings = settings.iter().map(|(id, set)| (id.to_string(), set.to_string())).collect();
+        one_group().spindle_rules(&Switches(settings))
+    };
+    let usual = rules(&[]);
+    let told =
+        (usual.stop_last, usual.surface_limit_stays, usual.surface_at_once, usual.last_speed_back, usual.angle_wraps);
+    assert_eq!(told, (false, false, true, true, false));
+    let other = rules(&[
+        ("m5-timing", "end"),
+        ("lims-in-g97", "yes"),
+        ("g96-apply-at-activation", "no"),
+        ("g9x-without-s", "hold"),
+        ("spos-out-of-range", "modulo"),
+    ]);
+    let told =
+        (other.stop_last, other.surface_limit_stays, other.surface_at_once, other.last_speed_back, other.angle_wraps);
+    assert_eq!(told, (true, true, false, false, true));
 }
