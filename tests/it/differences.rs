@@ -90,6 +90,11 @@ const QUESTIONS: &[(&str, &str)] = &[
     ("G67 alone", "G67"),
     ("G90 X1. F100", "G90 X1. F100"),
     ("G50 X1. F100", "G50 X1. F100"),
+    ("G50 S900", "G50 S900"),
+    ("M42", "M42"),
+    ("G96 S100", "G96 S100"),
+    ("G98 within G96", "S400; G96 S100; G98"),
+    ("G01 X1. F100 M05", "G01 X1. F100 M05"),
     ("G512 B2.", "G512 B2."),
     ("G01 X1. without F", "G01 X1."),
     ("GOTO77", "GOTO77"),
@@ -115,63 +120,68 @@ fn the_controls_differ_where_the_sheets_say() {
         table.push('\n');
     }
     expect![[r#"
-                             | Mitsubishi E60                     | GSK 980TDc                         | KND K2000T
-        vacant in an address | rapid X1                           | rapid X1 Y0                        | rapid X1
-        vacant EQ 0          | #100=0                             | -                                  | #100=0
-        vacant NE 0          | -                                  | #100=0                             | -
-        vacant GE 0          | -                                  | -                                  | -
-        vacant GT 0          | #100=0                             | #100=0                             | #100=0
-        0 EQ #0              | #100=0                             | -                                  | #100=0
-        vacant times 5       | #100=0                             | #100=0                             | #100=0
-        X[12.3456]           | rapid X12.346                      | rapid X12.346                      | rapid X12.346
-        X8                   | rapid X0.008                       | rapid X8                           | rapid X8
-        U8 W8.               | alarm P32                          | rapid X8 Z8                        | rapid X8 Z8
-        X1. U5.              | alarm P32                          | rapid X1                           | rapid X5
-        S[1000.5]            | spindle-speed 1000                 | spindle-speed 1001                 | spindle-speed 1001
-        S1000.5              | spindle-speed 1000                 | spindle-speed 1001                 | alarm 007
-        S1000.0              | spindle-speed 1000                 | spindle-speed 1000                 | alarm 007
-        G65 P3 I8            | #104=0.008                         | #104=8                             | #104=8
-        5.5 AND 3            | #100=2                             | alarm 0127                         | #100=2
-        7 MOD 3              | alarm P33                          | alarm 0101                         | #100=1
-        G65 H23 P#100 Q7 R3  | alarm P232                         | #100=1                             | alarm 076
-        ATAN[1]              | #100=45                            | alarm 0106                         | alarm 114
-        ATAN[1]/[1]          | #100=45                            | #100=45                            | #100=45
-        ATAN[-1]/[-1]        | #100=45                            | #100=225                           | #100=225
-        ASIN[-0.5]           | #100=-30                           | #100=-30                           | #100=330
-        ASIN[1.5]            | alarm P282                         | alarm 0110                         | alarm 119
-        TAN[90]              | alarm P282                         | alarm 0109                         | alarm 112
-        SQRT[-1]             | alarm P282                         | alarm 0108                         | alarm 119
-        LN[0]                | alarm P282                         | alarm 0107                         | alarm 119
-        1/0                  | alarm P283                         | alarm 0105                         | alarm 112
-        EXP[200]/EXP[200]    | #100=1                             | #100=1                             | alarm 111
-        SIN30                | alarm P33                          | #100=0.5                           | alarm 004
-        2 > 1                | alarm P290                         | -                                  | alarm 114
-        IF THEN              | alarm P290                         | #100=1                             | #100=1
-        X#9100               | alarm P241                         | rapid X5 #100=105 #105=5           | alarm 115
-        X##100               | rapid X5 #100=105 #105=5           | alarm 0101                         | rapid X5 #100=105 #105=5
-        six brackets         | alarm P280                         | alarm 0104                         | alarm 118
-        DO4                  | #100=1                             | alarm 0102                         | alarm 126
-        #0=1                 | alarm P243                         | alarm 0117                         | alarm 116
-        #1000=1              | alarm P243                         | alarm 0120                         | alarm 116
-        #200=1               | alarm P241                         | alarm 0111                         | alarm 115
-        #1133=-70000         | output #1133=-70000                | output #1133=-32768                | output #1133=-70000
-        X1. X2.              | rapid X2                           | alarm 0010                         | rapid X2
-        M98 P2 L2            | #102=2 #105=2                      | #102=2 #105=2                      | #102=2 #105=2
-        M98 P2 H5            | #105=1                             | rapid C5 #102=1 #105=1             | rapid C5 #102=1 #105=1
-        M98 P20002           | alarm P232                         | #102=2 #105=2                      | #102=2 #105=2
-        M98 P1 within O1     | alarm P230                         | alarm 0097                         | alarm 077
-        I2. J3.              | #104=2 #105=3                      | #104=2 #105=3                      | #104=2 #105=3
-        K1. I2. J3.          | #106=1 #107=2 #108=3               | #104=2 #105=3 #106=1               | #106=1 #107=2 #108=3
-        I1. J2. I3. J4. K5.  | #104=1 #105=2 #107=3 #108=4 #109=5 | #104=1 #105=2 #106=5 #107=3 #108=4 | #104=1 #105=2 #107=3 #108=4 #109=5
-        G65 behind a word    | #102=1 #105=1                      | alarm 0114                         | #102=1 #105=1
-        G65 while G66 is on  | rapid X1 #102=2 #105=2             | rapid X1 #102=1 #105=1             | rapid X1 #102=2 #105=2
-        G67 alone            | alarm P276                         | -                                  | -
-        G90 X1. F100         | linear X1 F100                     | -                                  | -
-        G50 X1. F100         | linear X1 F100                     | preset X1                          | preset X1
-        G512 B2.             | alarm P34                          | alarm 0002                         | alarm 078
-        G01 X1. without F    | alarm P62                          | alarm 0023                         | alarm 011
-        GOTO77               | alarm P231                         | alarm 0112                         | alarm 078
-        #3000=5              | alarm P277                         | alarm 5905                         | alarm 3005
-        #3000=150            | alarm P277                         | alarm 0126                         | alarm 3150
+                             | Mitsubishi E60                      | GSK 980TDc                             | KND K2000T
+        vacant in an address | rapid X1                            | rapid X1 Y0                            | rapid X1
+        vacant EQ 0          | #100=0                              | -                                      | #100=0
+        vacant NE 0          | -                                   | #100=0                                 | -
+        vacant GE 0          | -                                   | -                                      | -
+        vacant GT 0          | #100=0                              | #100=0                                 | #100=0
+        0 EQ #0              | #100=0                              | -                                      | #100=0
+        vacant times 5       | #100=0                              | #100=0                                 | #100=0
+        X[12.3456]           | rapid X12.346                       | rapid X12.346                          | rapid X12.346
+        X8                   | rapid X0.008                        | rapid X8                               | rapid X8
+        U8 W8.               | alarm P32                           | rapid X8 Z8                            | rapid X8 Z8
+        X1. U5.              | alarm P32                           | rapid X1                               | rapid X5
+        S[1000.5]            | spindle-speed 1000                  | spindle-speed 1001                     | spindle-speed 1001
+        S1000.5              | spindle-speed 1000                  | spindle-speed 1001                     | alarm 007
+        S1000.0              | spindle-speed 1000                  | spindle-speed 1000                     | alarm 007
+        G65 P3 I8            | #104=0.008                          | #104=8                                 | #104=8
+        5.5 AND 3            | #100=2                              | alarm 0127                             | #100=2
+        7 MOD 3              | alarm P33                           | alarm 0101                             | #100=1
+        G65 H23 P#100 Q7 R3  | alarm P232                          | #100=1                                 | alarm 076
+        ATAN[1]              | #100=45                             | alarm 0106                             | alarm 114
+        ATAN[1]/[1]          | #100=45                             | #100=45                                | #100=45
+        ATAN[-1]/[-1]        | #100=45                             | #100=225                               | #100=225
+        ASIN[-0.5]           | #100=-30                            | #100=-30                               | #100=330
+        ASIN[1.5]            | alarm P282                          | alarm 0110                             | alarm 119
+        TAN[90]              | alarm P282                          | alarm 0109                             | alarm 112
+        SQRT[-1]             | alarm P282                          | alarm 0108                             | alarm 119
+        LN[0]                | alarm P282                          | alarm 0107                             | alarm 119
+        1/0                  | alarm P283                          | alarm 0105                             | alarm 112
+        EXP[200]/EXP[200]    | #100=1                              | #100=1                                 | alarm 111
+        SIN30                | alarm P33                           | #100=0.5                               | alarm 004
+        2 > 1                | alarm P290                          | -                                      | alarm 114
+        IF THEN              | alarm P290                          | #100=1                                 | #100=1
+        X#9100               | alarm P241                          | rapid X5 #100=105 #105=5               | alarm 115
+        X##100               | rapid X5 #100=105 #105=5            | alarm 0101                             | rapid X5 #100=105 #105=5
+        six brackets         | alarm P280                          | alarm 0104                             | alarm 118
+        DO4                  | #100=1                              | alarm 0102                             | alarm 126
+        #0=1                 | alarm P243                          | alarm 0117                             | alarm 116
+        #1000=1              | alarm P243                          | alarm 0120                             | alarm 116
+        #200=1               | alarm P241                          | alarm 0111                             | alarm 115
+        #1133=-70000         | output #1133=-70000                 | output #1133=-32768                    | output #1133=-70000
+        X1. X2.              | rapid X2                            | alarm 0010                             | rapid X2
+        M98 P2 L2            | #102=2 #105=2                       | #102=2 #105=2                          | #102=2 #105=2
+        M98 P2 H5            | #105=1                              | rapid C5 #102=1 #105=1                 | rapid C5 #102=1 #105=1
+        M98 P20002           | alarm P232                          | #102=2 #105=2                          | #102=2 #105=2
+        M98 P1 within O1     | alarm P230                          | alarm 0097                             | alarm 077
+        I2. J3.              | #104=2 #105=3                       | #104=2 #105=3                          | #104=2 #105=3
+        K1. I2. J3.          | #106=1 #107=2 #108=3                | #104=2 #105=3 #106=1                   | #106=1 #107=2 #108=3
+        I1. J2. I3. J4. K5.  | #104=1 #105=2 #107=3 #108=4 #109=5  | #104=1 #105=2 #106=5 #107=3 #108=4     | #104=1 #105=2 #107=3 #108=4 #109=5
+        G65 behind a word    | #102=1 #105=1                       | alarm 0114                             | #102=1 #105=1
+        G65 while G66 is on  | rapid X1 #102=2 #105=2              | rapid X1 #102=1 #105=1                 | rapid X1 #102=2 #105=2
+        G67 alone            | alarm P276                          | -                                      | -
+        G90 X1. F100         | linear X1 F100                      | -                                      | -
+        G50 X1. F100         | linear X1 F100                      | preset X1                              | preset X1
+        G50 S900             | spindle-speed 900                   | speed-limit 900 preset X0 Y0 Z0        | speed-limit 900
+        M42                  | auxiliary M42                       | gear 2                                 | gear 2
+        G96 S100             | spindle-speed 100                   | surface-speed 100 X0                   | surface-speed 100 X0
+        G98 within G96       | spindle-speed 400 spindle-speed 100 | spindle-speed 400 surface-speed 100 X0 | spindle-speed 400 surface-speed 100 X0
+        G01 X1. F100 M05     | spindle-stop linear X1 F100         | spindle-stop linear X1 F100            | spindle-stop linear X1 F100
+        G512 B2.             | alarm P34                           | alarm 0002                             | alarm 078
+        G01 X1. without F    | alarm P62                           | alarm 0023                             | alarm 011
+        GOTO77               | alarm P231                          | alarm 0112                             | alarm 078
+        #3000=5              | alarm P277                          | alarm 5905                             | alarm 3005
+        #3000=150            | alarm P277                          | alarm 0126                             | alarm 3150
     "#]].assert_eq(&table);
 }

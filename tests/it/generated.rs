@@ -170,6 +170,9 @@ fn what_is_generated_is_worth_running() {
         if control.can(Code::SurfaceSpeed) {
             wanted.extend(["SurfaceSpeed", "ConstantSpeed", "SpeedLimit"]);
         }
+        if control.can(Code::GearStage(1)) {
+            wanted.push("Gear");
+        }
         if control.can(Code::Thread) {
             wanted.push("Thread");
         }

@@ -267,6 +267,10 @@ fn spindle_and_auxiliary_functions_in_every_pass() {
         4:1 “M8” warning lint.auxiliary-in-loop
             M8 stands in every pass of a loop that cuts: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it.
     "#]]);
+    GSK.check("O1\nWHILE[#1032 GT 0]DO1\nM42\nG01 U1. F100\nEND1\nM30", expect![[r#"
+        4:1 “M42” warning lint.auxiliary-in-loop
+            M42 stands in every pass of a loop that cuts: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it.
+    "#]]);
     E60.check("O1\nDO1\nS500\nG91 G01 X1. F100\nIF[#1000 EQ 1]GOTO9\nEND1\nN9 M30", expect![[r#"
         4:1 “S500” warning lint.spindle-in-loop
             S500 stands in every pass of a loop: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it while nothing has changed.

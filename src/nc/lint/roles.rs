@@ -70,7 +70,7 @@ fn bits(row: &CodeDef) -> u32 {
         Code::Stop | Code::OptionalStop => STOP,
         Code::SpindleCw | Code::SpindleCcw => SPINDLE,
         Code::SpindleStop | Code::SpindleOrient => SPINDLE_REST,
-        Code::Auxiliary => AUXILIARY,
+        Code::Auxiliary | Code::GearStage(_) => AUXILIARY,
         Code::ReferenceReturn
         | Code::MachineCoordinates
         | Code::MachineRapid

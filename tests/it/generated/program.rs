@@ -612,7 +612,10 @@ impl<'a> Writer<'a> {
             return self.motion();
         };
         let limit = g(self.control, Code::SetCoordinates).unwrap_or_default();
-        let texts = [format!("{on} S100"), off.clone(), format!("{off} S400"), format!("{limit} S900"), on];
+        let gear = 41 + self.dice.below(4);
+        let gear = if self.control.can(Code::GearStage(1)) { format!("M{gear} S300") } else { on.clone() };
+        let limited = format!("{limit} S900");
+        let texts = [format!("{on} S100"), off.clone(), format!("{off} S400"), limited, on, gear];
         let text = texts[self.dice.below(texts.len())].clone();
         self.line(&text);
     }
