@@ -133,6 +133,11 @@ impl Control {
         self.alarms.iter().any(|row| row.kind == kind)
     }
 
+    /// The number and the wording that the control shows for an alarm.
+    pub fn alarm_shown(&self, kind: Alarm) -> Option<(&'static str, &'static str)> {
+        self.alarm(kind).map(|row| (row.number, row.text))
+    }
+
     /// The number the control shows for an alarm.
     pub fn alarm_number(&self, kind: Alarm) -> Option<&'static str> {
         self.alarm(kind).map(|row| row.number)

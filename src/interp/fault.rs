@@ -121,10 +121,11 @@ impl Fault {
     pub(super) fn diagnostic(self, parsed: &Parsed, block: Place) -> Diagnostic {
         let part = self.part.and_then(|part| part_span(parsed, block, part));
         let place = Place { file: block.file, span: part.or(self.word).unwrap_or(block.span) };
-        let number = parsed.control().alarm_number(self.alarm);
-        let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(number);
+        let shown = parsed.control().alarm_shown(self.alarm);
+        let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(shown);
         if let Some(number) = self.number {
-            diagnostic.alarm = Some(number.to_string().into());
+            // Its wording is the program's.
+            (diagnostic.alarm, diagnostic.wording) = (Some(number.to_string().into()), None);
         }
         diagnostic.hints = self.hints;
         diagnostic

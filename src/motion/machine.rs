@@ -24,8 +24,8 @@ pub(super) struct Machine {
     /// Seconds from the end of the unfiltered path to standstill of the slowest axis.
     pub(super) standstill: f64,
     pub(super) limits: Limits,
-    pub(super) emergency: Option<&'static str>,
-    pub(super) no_positioning: Option<&'static str>,
+    pub(super) emergency: Option<(&'static str, &'static str)>,
+    pub(super) no_positioning: Option<(&'static str, &'static str)>,
     vars: &'static [VarRange],
     /// Bit `k`: the machine has axis `k`.
     pub(super) fitted: u8,
@@ -87,8 +87,8 @@ impl Machine {
             preread: usize::from(plant.preread.max(1)),
             in_position: positive(plant.in_position, 1e-6),
             limits,
-            emergency: control.alarm_number(Alarm::EmergencyStop),
-            no_positioning: control.alarm_number(Alarm::NoPositioning),
+            emergency: control.alarm_shown(Alarm::EmergencyStop),
+            no_positioning: control.alarm_shown(Alarm::NoPositioning),
             vars: control.vars,
             fitted,
             log,

@@ -2,6 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
+use crate::msg;
 use crate::nc::{self, Files};
 use crate::text::catalog::{Language, sentence};
 use crate::text::{Diagnostic, Fix, LineIndex, Place, Severity, Span};
@@ -30,6 +31,10 @@ impl<'f> Teller<'f> {
             out += &excerpt;
         } else if let Some(field) = diagnostic.field {
             out += &format!("{:width$}--> field {field}\n", "");
+        }
+        if let (Some(alarm), Some(wording)) = (diagnostic.alarm.as_deref(), diagnostic.wording) {
+            let shown = sentence(Language::English, &msg!("project.control-shows", alarm, wording));
+            out += &format!("{:width$} = {shown}\n", "");
         }
         for hint in &diagnostic.hints {
             out += &format!("{:width$} = {}\n", "", sentence(Language::English, hint));
@@ -92,7 +97,7 @@ impl<'f> Teller<'f> {
         format!("{file}:{line}: {}", harmless(&Shown::new(text, 0, 0).text))
     }
 
-    /// The diagnostic as an object with severity, alarm, id, message, file, line, column, field, hints and titles of
+    /// The diagnostic as an object with severity, alarm, its wording, id, message, file, line, column, field, hints and titles of
     /// fixes; what does not apply is null.
     pub fn json(&self, diagnostic: &Diagnostic) -> Json {
         let hints: Vec<String> = diagnostic.hints.iter().map(|hint| sentence(Language::English, hint)).collect();
@@ -101,6 +106,7 @@ impl<'f> Teller<'f> {
         json!({
             "severity": word(diagnostic.severity),
             "alarm": diagnostic.alarm,
+            "wording": diagnostic.wording,
             "id": diagnostic.message.id,
             "message": sentence(Language::English, &diagnostic.message),
             "file": place.map(|(file, _, _)| file),

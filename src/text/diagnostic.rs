@@ -38,6 +38,8 @@ pub struct Diagnostic {
     pub place: Option<Place>,
     /// The number that this control would show, for instance `P283`.
     pub alarm: Option<Cow<'static, str>>,
+    /// What the control says beside it, in its own words.
+    pub wording: Option<&'static str>,
     /// The form field that it is about, by id.
     pub field: Option<&'static str>,
     /// How to mend it, in words.
@@ -48,7 +50,16 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     fn new(severity: Severity, message: Message) -> Diagnostic {
-        Diagnostic { severity, message, place: None, alarm: None, field: None, hints: Vec::new(), fixes: Vec::new() }
+        Diagnostic {
+            severity,
+            message,
+            place: None,
+            alarm: None,
+            wording: None,
+            field: None,
+            hints: Vec::new(),
+            fixes: Vec::new(),
+        }
     }
 
     /// An error without a place yet.
@@ -85,9 +96,10 @@ impl Diagnostic {
         self
     }
 
-    /// The same with the control's alarm number.
-    pub fn alarm(mut self, alarm: Option<&'static str>) -> Diagnostic {
-        self.alarm = alarm.map(Cow::Borrowed);
+    /// The same with the control's alarm: its number and its wording.
+    pub fn alarm(mut self, alarm: Option<(&'static str, &'static str)>) -> Diagnostic {
+        self.alarm = alarm.map(|(number, _)| Cow::Borrowed(number));
+        self.wording = alarm.map(|(_, wording)| wording);
         self
     }
 

@@ -9,7 +9,7 @@ use super::dom;
 use super::el::{El, el};
 use super::model::Model;
 use super::walk::Walk;
-use super::words::{clock, short, t, tell};
+use super::words::{clock, short, t, tell, tell_alarm};
 use crate::interp::inspect::What;
 use crate::motion::RunEnd;
 use crate::nc::Files;
@@ -151,7 +151,7 @@ pub(super) fn end_words(end: &RunEnd) -> String {
     match end {
         RunEnd::ProgramEnd => t("page.end-program").to_owned(),
         RunEnd::Stop => t("page.end-stop").to_owned(),
-        RunEnd::Alarm(alarm) => format!("{} {}", alarm.alarm.as_deref().unwrap_or_default(), tell(alarm)),
+        RunEnd::Alarm(alarm) => tell_alarm(alarm),
         RunEnd::Blocks | RunEnd::Seconds => t("page.end-budget").to_owned(),
     }
 }

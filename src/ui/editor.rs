@@ -37,8 +37,7 @@ fn findings(model: Model, at: usize) -> JsValue {
         for (number, diagnostic) in model.findings.get_untracked().iter().enumerate() {
             let Some(place) = diagnostic.place.filter(|place| place.file == FileId(at as u16)) else { continue };
             let Span { start, end } = place.span;
-            let mut text = diagnostic.alarm.as_ref().map(|alarm| format!("{alarm} ")).unwrap_or_default();
-            text.push_str(&super::words::tell(diagnostic));
+            let text = super::words::tell_alarm(diagnostic);
             let fixes: js_sys::Array = diagnostic.fixes.iter().map(|fix| JsValue::from(say(&fix.title))).collect();
             list.push(&object([
                 ("from", units(&file.text, start).into()),

@@ -90,6 +90,11 @@ fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
     let _ = write!(out, "<li class=\"says {class}\"><p><i aria-hidden=\"true\">{}</i> ", sign(class));
     if let Some(alarm) = &diagnostic.alarm {
         let _ = write!(out, "<b>{alarm}</b> ");
+        if let Some(wording) = diagnostic.wording {
+            out.push_str("<q>");
+            escape(out, wording);
+            out.push_str("</q> ");
+        }
     }
     escape(out, &say(&diagnostic.message));
     for hint in &diagnostic.hints {

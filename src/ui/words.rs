@@ -66,6 +66,12 @@ pub(super) fn sign(tone: &str) -> &'static str {
     }
 }
 
+/// The same behind the alarm that the control shows.
+pub(super) fn tell_alarm(diagnostic: &Diagnostic) -> String {
+    let alarm = diagnostic.alarm.iter().map(|number| number.as_ref()).chain(diagnostic.wording);
+    alarm.map(|part| format!("{part} ")).collect::<String>() + &tell(diagnostic)
+}
+
 /// A number with a fixed count of decimals and thin spaces between thousands.
 pub(super) fn figure(number: f64, decimals: u8) -> String {
     if !number.is_finite() {

@@ -19,61 +19,66 @@ fn place_hints_and_fixes() {
         "mitsubishi-e60",
         "%\nO1\nN5 #2000=(3.14*#102)/#101\nIF[#1==0]THEN #2=1 (NOTE)\nM98P100\n%\n",
         expect![[r#"
-        error[P241]: #2000 is no variable of the Mitsubishi E60.
-         --> O1.nc:3:4
-          |
-        3 | N5 #2000=(3.14*#102)/#101
-          |    ^^^^^
-        help: Use #100 instead of #2000 everywhere
-          |
-        3 + N5 #100=(3.14*#102)/#101
+            error[P241]: #2000 is no variable of the Mitsubishi E60.
+             --> O1.nc:3:4
+              |
+            3 | N5 #2000=(3.14*#102)/#101
+              |    ^^^^^
+              = the control shows: P241 No variable number
+            help: Use #100 instead of #2000 everywhere
+              |
+            3 + N5 #100=(3.14*#102)/#101
 
-        error[P33]: On the Mitsubishi E60 round brackets are comments; arithmetic groups with square brackets.
-         --> O1.nc:3:10
-          |
-        3 | N5 #2000=(3.14*#102)/#101
-          |          ^^^^^^^^^^^
-          = Without the comment the block reads as if the brackets and all in them were not there.
-        help: Write square brackets
-          |
-        3 + N5 #2000=[3.14*#102]/#101
+            error[P33]: On the Mitsubishi E60 round brackets are comments; arithmetic groups with square brackets.
+             --> O1.nc:3:10
+              |
+            3 | N5 #2000=(3.14*#102)/#101
+              |          ^^^^^^^^^^^
+              = the control shows: P33 Format error
+              = Without the comment the block reads as if the brackets and all in them were not there.
+            help: Write square brackets
+              |
+            3 + N5 #2000=[3.14*#102]/#101
 
-        error[P290]: “==” is no comparison of the Mitsubishi E60: write EQ.
-         --> O1.nc:4:6
-          |
-        4 | IF[#1==0]THEN #2=1 (NOTE)
-          |      ^^
-        help: Write “EQ”
-          |
-        4 + IF[#1 EQ 0]THEN #2=1 (NOTE)
+            error[P290]: “==” is no comparison of the Mitsubishi E60: write EQ.
+             --> O1.nc:4:6
+              |
+            4 | IF[#1==0]THEN #2=1 (NOTE)
+              |      ^^
+              = the control shows: P290 IF sentence error
+            help: Write “EQ”
+              |
+            4 + IF[#1 EQ 0]THEN #2=1 (NOTE)
 
-        error[P290]: The Mitsubishi E60 has no THEN: jump over the block with GOTO on the opposite condition.
-         --> O1.nc:4:10
-          |
-        4 | IF[#1==0]THEN #2=1 (NOTE)
-          |          ^^^^
-        help: Jump over it on the opposite condition
-          |
-        4 + IF[#1 NE 0]GOTO9001
-        5 + #2=1 (NOTE)
-        6 + N9001
+            error[P290]: The Mitsubishi E60 has no THEN: jump over the block with GOTO on the opposite condition.
+             --> O1.nc:4:10
+              |
+            4 | IF[#1==0]THEN #2=1 (NOTE)
+              |          ^^^^
+              = the control shows: P290 IF sentence error
+            help: Jump over it on the opposite condition
+              |
+            4 + IF[#1 NE 0]GOTO9001
+            5 + #2=1 (NOTE)
+            6 + N9001
 
-        error[P36]: The program runs out of blocks: M02, M30 or M99 is missing at its end.
-         --> O1.nc:5:1
-          |
-        5 | M98P100
-          | ^^^^^^^
-        help: End as a main program, M30
-          |
-        5 + M98P100
-        6 + M30
-        help: End as a subprogram, M99
-          |
-        5 + M98P100
-        6 + M99
+            error[P36]: The program runs out of blocks: M02, M30 or M99 is missing at its end.
+             --> O1.nc:5:1
+              |
+            5 | M98P100
+              | ^^^^^^^
+              = the control shows: P36 Program end error
+            help: End as a main program, M30
+              |
+            5 + M98P100
+            6 + M30
+            help: End as a subprogram, M99
+              |
+            5 + M98P100
+            6 + M99
 
-        5 errors
-    "#]],
+            5 errors
+        "#]],
     );
 }
 
@@ -84,19 +89,20 @@ fn numbers_of_lines_are_aligned() {
         "mitsubishi-e60",
         &text,
         expect![[r#"
-        error[P290]: The Mitsubishi E60 has no THEN: jump over the block with GOTO on the opposite condition.
-          --> O1.nc:9:12
-           |
-         9 | IF[#1 EQ 0]THEN #2=1
-           |            ^^^^
-        help: Jump over it on the opposite condition
-           |
-         9 + IF[#1 NE 0]GOTO9001
-        10 + #2=1
-        11 + N9001
+            error[P290]: The Mitsubishi E60 has no THEN: jump over the block with GOTO on the opposite condition.
+              --> O1.nc:9:12
+               |
+             9 | IF[#1 EQ 0]THEN #2=1
+               |            ^^^^
+               = the control shows: P290 IF sentence error
+            help: Jump over it on the opposite condition
+               |
+             9 + IF[#1 NE 0]GOTO9001
+            10 + #2=1
+            11 + N9001
 
-        1 error
-    "#]],
+            1 error
+        "#]],
     );
 }
 
@@ -111,6 +117,7 @@ fn marks_stand_under_what_they_mean() {
               |
             3 |     G00 Q1.     X#107.
               |                      ^
+              = the control shows: P33 Format error
             help: Drop “.”
               |
             3 +     G00 Q1.     X#107
@@ -126,6 +133,7 @@ fn marks_stand_under_what_they_mean() {
               |
             4 | (主轴 转速) G00 X１０
               |                  ^^
+              = the control shows: P32 Illegal address
             help: Write the characters of the control
               |
             4 + (主轴 转速) G00 X10
@@ -141,21 +149,23 @@ fn long_lines_are_shown_around_the_place() {
         "mitsubishi-e60",
         &format!("%\nO1\n#1={}#2000{}\nM30\n%\n", "1+".repeat(100), "+1".repeat(100)),
         expect![[r#"
-        error[P33]: The formulas of this block have more than 250 parts. Split them over several blocks.
-         --> O1.nc:3:1
-          |
-        3 | #1=1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1
-          | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+            error[P33]: The formulas of this block have more than 250 parts. Split them over several blocks.
+             --> O1.nc:3:1
+              |
+            3 | #1=1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1
+              | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+              = the control shows: P33 Format error
 
-        error[P241]: #2000 is no variable of the Mitsubishi E60.
-         --> O1.nc:3:204
-          |
-        3 | 1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+#2000+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+
-          |                                         ^^^^^
-        help: Use #100 instead of #2000 everywhere
+            error[P241]: #2000 is no variable of the Mitsubishi E60.
+             --> O1.nc:3:204
+              |
+            3 | 1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+#2000+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+
+              |                                         ^^^^^
+              = the control shows: P241 No variable number
+            help: Use #100 instead of #2000 everywhere
 
-        2 errors
-    "#]],
+            2 errors
+        "#]],
     );
 }
 

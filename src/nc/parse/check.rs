@@ -59,7 +59,7 @@ struct Check<'a> {
 impl Check<'_> {
     fn report(&mut self, alarm: Alarm, span: Span, message: Message) {
         let place = Place { file: self.program.file, span };
-        let finding = Diagnostic::error(message).at(place).alarm(self.control.alarm_number(alarm));
+        let finding = Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(alarm));
         self.found.push(finding);
     }
 
@@ -221,8 +221,8 @@ impl Check<'_> {
         let at = span.end + tail.strip_suffix('\r').unwrap_or(tail).len() as u32;
         let place = Place { file: self.program.file, span };
         let insert = Place { file: self.program.file, span: Span::at(at) };
-        let number = self.control.alarm_number(Alarm::NoProgramEnd);
-        let mut finding = Diagnostic::error(msg!("nc.no-program-end")).at(place).alarm(number);
+        let shown = self.control.alarm_shown(Alarm::NoProgramEnd);
+        let mut finding = Diagnostic::error(msg!("nc.no-program-end")).at(place).alarm(shown);
         // The builder's and the user's standard programs are called: there the return is the likelier end.
         let called = self.program.number >= 8000;
         let ends = if called { [Code::SubEnd, Code::EndRewind] } else { [Code::EndRewind, Code::SubEnd] };

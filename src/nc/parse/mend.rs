@@ -99,7 +99,7 @@ impl Reader<'_> {
                 _ => msg!("nc.read-only-variable", name, ""),
             };
             let finding = Diagnostic::error(message).at(self.place(row.span));
-            let mut finding = finding.alarm(self.control.alarm_number(row.alarm));
+            let mut finding = finding.alarm(self.control.alarm_shown(row.alarm));
             let input = |range: &VarRange| {
                 matches!(range.kind, VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord)
             };

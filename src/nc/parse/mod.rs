@@ -556,7 +556,7 @@ impl<'a> Reader<'a> {
 
     /// An alarm of the control at bytes of the line.
     fn finding(&self, alarm: Alarm, from: usize, to: usize, message: Message) -> Diagnostic {
-        Diagnostic::error(message).at(self.place(self.span(from, to))).alarm(self.control.alarm_number(alarm))
+        Diagnostic::error(message).at(self.place(self.span(from, to))).alarm(self.control.alarm_shown(alarm))
     }
 
     /// Has the block looked at when all is read.

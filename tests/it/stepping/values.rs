@@ -72,6 +72,7 @@ fn a_condition_without_a_value_stops_and_says_why() {
             > c
             breakpoint 1: its condition has no value here
             error[P283]: Division by zero.
+              = the control shows: P283 Divided by zero
               = #500 is not set and counts as 0. Set it, or test it before: IF[#500 LE 0]GOTO …
               #100 vacant -> 3
               #101 vacant -> 3
@@ -281,6 +282,7 @@ fn an_alarm_is_told_at_its_place() {
               |
             3 | #101=SQRT[#100-5]
               |      ^^^^^^^^^^^^
+              = the control shows: P282 Calculation impossible
             > where
              --> a.nc:3:1
               |

@@ -272,73 +272,74 @@ fn the_limit_of_nesting_stops_with_the_stack_that_led_there() {
         DEEP,
         "break O2\ncontinue\ncontinue\ncontinue\ncontinue\ncontinue\nstack\nback\nback",
         expect![[r#"
-        > break O2
-        breakpoint 1: a.nc:5: #1=#1+1
-        > continue
-        breakpoint 1
-          #1 vacant -> 0.001
-         --> a.nc:5:1
-          |
-        5 | #1=#1+1
-          | ^^^^^^^
-          = O2, macro at level 1, 0.003 s
-        > continue
-        breakpoint 1
-          #1 vacant -> 1.001
-         --> a.nc:5:1
-          |
-        5 | #1=#1+1
-          | ^^^^^^^
-          = O2, macro at level 2, 0.009 s
-        > continue
-        breakpoint 1
-          #1 vacant -> 2.001
-         --> a.nc:5:1
-          |
-        5 | #1=#1+1
-          | ^^^^^^^
-          = O2, macro at level 3, 0.015 s
-        > continue
-        breakpoint 1
-          #1 vacant -> 3.001
-         --> a.nc:5:1
-          |
-        5 | #1=#1+1
-          | ^^^^^^^
-          = O2, macro at level 4, 0.021 s
-        > continue
-        the control stops with an alarm
-          #1 3.001 -> 4.001
-        error[P273]: Macro calls may be nested 4 deep.
-         --> a.nc:6:1
-          |
-        6 | G65 P2 A#1
-          | ^^^^^^^^^^
-        > stack
-        0  O2, macro at level 4  a.nc:6: G65 P2 A#1
-             #1=4.001
-        1  O2, macro at level 3  a.nc:6: G65 P2 A#1
-             #1=3.001
-        2  O2, macro at level 2  a.nc:6: G65 P2 A#1
-             #1=2.001
-        3  O2, macro at level 1  a.nc:6: G65 P2 A#1
-             #1=1.001
-        4  O1  a.nc:2: G65 P2 A1
-        > back
-          #1 3.001 -> 4.001
-         --> a.nc:6:1
-          |
-        6 | G65 P2 A#1
-          | ^^^^^^^^^^
-          = O2, macro at level 4, 0.024 s
-        > back
-          #1 vacant -> 3.001
-         --> a.nc:5:1
-          |
-        5 | #1=#1+1
-          | ^^^^^^^
-          = O2, macro at level 4, 0.021 s
-    "#]],
+            > break O2
+            breakpoint 1: a.nc:5: #1=#1+1
+            > continue
+            breakpoint 1
+              #1 vacant -> 0.001
+             --> a.nc:5:1
+              |
+            5 | #1=#1+1
+              | ^^^^^^^
+              = O2, macro at level 1, 0.003 s
+            > continue
+            breakpoint 1
+              #1 vacant -> 1.001
+             --> a.nc:5:1
+              |
+            5 | #1=#1+1
+              | ^^^^^^^
+              = O2, macro at level 2, 0.009 s
+            > continue
+            breakpoint 1
+              #1 vacant -> 2.001
+             --> a.nc:5:1
+              |
+            5 | #1=#1+1
+              | ^^^^^^^
+              = O2, macro at level 3, 0.015 s
+            > continue
+            breakpoint 1
+              #1 vacant -> 3.001
+             --> a.nc:5:1
+              |
+            5 | #1=#1+1
+              | ^^^^^^^
+              = O2, macro at level 4, 0.021 s
+            > continue
+            the control stops with an alarm
+              #1 3.001 -> 4.001
+            error[P273]: Macro calls may be nested 4 deep.
+             --> a.nc:6:1
+              |
+            6 | G65 P2 A#1
+              | ^^^^^^^^^^
+              = the control shows: P273 Macro call nests over
+            > stack
+            0  O2, macro at level 4  a.nc:6: G65 P2 A#1
+                 #1=4.001
+            1  O2, macro at level 3  a.nc:6: G65 P2 A#1
+                 #1=3.001
+            2  O2, macro at level 2  a.nc:6: G65 P2 A#1
+                 #1=2.001
+            3  O2, macro at level 1  a.nc:6: G65 P2 A#1
+                 #1=1.001
+            4  O1  a.nc:2: G65 P2 A1
+            > back
+              #1 3.001 -> 4.001
+             --> a.nc:6:1
+              |
+            6 | G65 P2 A#1
+              | ^^^^^^^^^^
+              = O2, macro at level 4, 0.024 s
+            > back
+              #1 vacant -> 3.001
+             --> a.nc:5:1
+              |
+            5 | #1=#1+1
+              | ^^^^^^^
+              = O2, macro at level 4, 0.021 s
+        "#]],
     );
 }
 
