@@ -1,0 +1,59 @@
+// A person sizes a turning spindle: values, cut, charts over time and over the diameter, export.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { accessible, start, withPage } from './page.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app?.close());
+
+const field = (page, id) => page.locator(`#${id}`);
+const card = async (page, label) =>
+  (await page.locator('.card', { hasText: label }).first().textContent()).replace(/\s/g, '');
+const lathe = (act) =>
+  withPage(app, {}, async ({ page }) => {
+    await page.getByRole('button', { name: 'Turning spindle' }).click();
+    await page.locator('.listing li', { hasText: 'G96 S#100 M3' }).waitFor();
+    await act(page);
+  });
+
+test('a lathe shows where its limit begins, its volts and the time that surface speed saves', () =>
+  lathe(async (page) => {
+    assert.match(await card(page, 'Limit begins'), /22\.918mm/);
+    assert.match(await card(page, 'Speed at largest'), /682\.1r\/min/);
+    assert.match(await card(page, 'Cutting time'), /17\.4\ds/);
+    // What only the ribbon line has is not there.
+    assert.equal(await page.getByText('Stroboscope').isVisible(), false);
+    assert.equal(await page.getByText('Paper’s listing as printed').isVisible(), false);
+    await accessible(page);
+  }));
+
+test('the part is cut, the speed follows the diameter, and the charts over the diameter have no time', () =>
+  lathe(async (page) => {
+    const outline = () => page.locator('[data-n="5"]').getAttribute('d');
+    const speed = async () => Number((await page.locator('[data-n="6"]').textContent()).replace(/[^\d.]/g, ''));
+    const whole = await outline();
+    const at = async (seconds) => {
+      await page.getByLabel('Go to').fill(String(seconds));
+      await page.getByLabel('Go to').press('Enter');
+    };
+    await at(5);
+    await page.waitForFunction((before) => document.querySelector('[data-n="5"]').getAttribute('d') !== before, whole);
+    const slow = await speed();
+    await at(9);
+    await page.waitForFunction((before) => Number(document.querySelector('[data-n="6"]').textContent.replace(/[^\d.]/g, '')) > before, slow + 100);
+    assert.equal(await page.locator('figure.chart').count(), 7);
+    assert.equal(await page.locator('figure.chart .cursor').count(), 5);
+  }));
+
+test('a taper on another control writes that control’s program, and it is exported', () =>
+  lathe(async (page) => {
+    await page.selectOption('#path', 'taper');
+    await field(page, 'large-diameter').waitFor();
+    await page.locator('.listing li', { hasText: 'X[#104+#110] Z[-#105]' }).waitFor();
+    await page.selectOption('select.control', 'mitsubishi-e60');
+    await page.locator('.listing li', { hasText: 'G97 S#109 M3' }).waitFor();
+    assert.equal(await field(page, 'speed-mode').isVisible(), false);
+    await page.locator('#export').click();
+    await page.getByText('O9201.nc').last().waitFor();
+  }));
