@@ -31,6 +31,7 @@ fn plant() -> Plant {
         clamp: 240e3,
         time_constant: 0.1,
         position_gain: 33.0,
+        home: 0.0,
     };
     let rules = control().spindle_rules(&Switches::default());
     let spindle = SpindlePlant::new(Analog::unipolar(1480.0, 10.0), 1480.0, 2.0, rules);

@@ -7,6 +7,9 @@ use crate::drives::Positioning;
 use crate::drives::speed::STAGES;
 use crate::interp::canon::AXES;
 
+/// No axis stands further from its zero than this, in mm or °.
+const HOME: f64 = 1e6;
+
 /// Every block takes some time, so that time passes in a loop that waits.
 const LEAST_BLOCK_TIME: f64 = 1e-4;
 
@@ -48,6 +51,7 @@ impl Machine {
                 clamp: 1e6,
                 time_constant: 0.0,
                 position_gain: 0.0,
+                home: 0.0,
             };
             let found = plant.axes.iter().find(|axis| axis.letter == letter).copied();
             fitted |= u8::from(found.is_some()) << k;
@@ -57,6 +61,7 @@ impl Machine {
                 clamp: positive(axis.clamp, missing.clamp),
                 time_constant: positive(axis.time_constant, 0.0),
                 position_gain: positive(axis.position_gain, 0.0),
+                home: if axis.home.abs() <= HOME { axis.home } else { 0.0 },
                 ..axis
             }
         });

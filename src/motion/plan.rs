@@ -9,12 +9,14 @@ use std::collections::VecDeque;
 use super::look::{Gate, Gatekeeper};
 use super::machine::Machine;
 use super::panel::{Event, Panel};
+use super::path::Segment;
 use super::plant::Plant;
 use super::plc::Plc;
 use super::program::Program;
 use super::state::{Marks, Records, Sim, State, Who};
 use super::timeline::Timeline;
 use crate::controls::Control;
+use crate::interp::canon::AXES;
 use crate::interp::{Canon, Counts};
 use crate::msg;
 use crate::text::{Diagnostic, Place};
@@ -111,10 +113,18 @@ impl<P: Program> Planner<P> {
     /// A run at time 0; cycle start is pressed.
     pub fn new(setup: Setup<'_, P>) -> Planner<P> {
         let machine = Machine::new(setup.control, setup.plant, setup.limits, setup.keep != Keep::Timeline);
-        let timeline = Timeline::new(machine.axes, machine.spindle);
+        let mut timeline = Timeline::new(machine.axes, machine.spindle);
+        let mut state = State::new(setup.program, setup.plc, machine.square());
+        let home = machine.axes.map(|axis| axis.home);
+        if home != [0.0; AXES] {
+            let increments = core::array::from_fn(|k| (home[k] / machine.scale[k]).round() as i64);
+            state.program.stand(increments);
+            state.position = home;
+            timeline.put_segment(Segment { t: 0.0, from: home, velocity: [0.0; AXES], circle: 0 }, None);
+        }
         Planner {
             records: Records { timeline, log: VecDeque::new(), taken: 0, anew: 0, diagnostics: Vec::new() },
-            state: State::new(setup.program, setup.plc, machine.square()),
+            state,
             machine,
             panel: setup.panel,
             checkpoints: Vec::new(),

@@ -21,6 +21,8 @@ pub struct AxisPlant {
     pub time_constant: f64,
     /// Position gain in 1/s: the axis lags `speed / gain` behind its command.
     pub position_gain: f64,
+    /// Where it stands when the control is switched on, in mm or ° as it moves, machine frame.
+    pub home: f64,
 }
 
 impl AxisPlant {

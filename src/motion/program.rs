@@ -13,6 +13,8 @@ pub trait Program: Clone {
     /// Back to the head of the start program with all modal states as after reset; the machine stands at this position, in command
     /// increments, machine frame. Common variables stay.
     fn restart(&mut self, position: [i64; AXES]);
+    /// The machine stands at this position when the run begins, in command increments, machine frame.
+    fn stand(&mut self, _position: [i64; AXES]) {}
     /// Sets a variable as the control's screen does; whether there is such a variable.
     fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool;
     /// A common variable; `None` is vacant.
@@ -34,6 +36,10 @@ impl Program for Interp {
 
     fn restart(&mut self, position: [i64; AXES]) {
         self.reset();
+        self.set_position(position);
+    }
+
+    fn stand(&mut self, position: [i64; AXES]) {
         self.set_position(position);
     }
 

@@ -163,6 +163,7 @@ fn bench(control: &'static Control, switches: &Switches) -> (Plant, Box<dyn Plc>
         clamp: axis.clamp,
         time_constant: axis.time_constant,
         position_gain: axis.position_gain,
+        home: 0.0,
     });
     let plant = Plant {
         axes: axes.collect(),

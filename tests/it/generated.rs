@@ -35,6 +35,7 @@ fn plant(control: &Control) -> Plant {
         clamp: axis.clamp,
         time_constant: axis.time_constant,
         position_gain: axis.position_gain,
+        home: 0.0,
     });
     Plant {
         axes: axes.collect(),

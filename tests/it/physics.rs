@@ -36,6 +36,7 @@ fn axis(letter: u8) -> AxisPlant {
         clamp: 120e3,
         time_constant: TAU,
         position_gain: GAIN,
+        home: 0.0,
     }
 }
 

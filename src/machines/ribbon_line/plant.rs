@@ -16,6 +16,7 @@ pub(super) fn plant(line: &Fitted) -> Plant {
         clamp: p.clamp_x,
         time_constant: p.time_constant_x / 1000.0,
         position_gain: p.position_gain_x,
+        home: 0.0,
     };
     let y = AxisPlant {
         letter: p.print_axis.letter(),
@@ -25,6 +26,7 @@ pub(super) fn plant(line: &Fitted) -> Plant {
         clamp: p.clamp_y,
         time_constant: p.time_constant_y / 1000.0,
         position_gain: p.position_gain_y,
+        home: 0.0,
     };
     Plant {
         axes: vec![x, y],

@@ -74,7 +74,7 @@ impl<'a> Fitted<'a> {
     /// Distance of the tool from the turning centre in mm, and from the finished face.
     pub(super) fn tool(&self, now: &Snapshot) -> (f64, f64) {
         let at = |axis: usize| now.axes.get(axis).map_or(0.0, |axis| axis.actual);
-        (0.5 * self.p.start_x + at(self.cross()), self.p.start_z + at(self.along()))
+        (at(self.cross()), at(self.along()))
     }
 
     /// The diameter at which the tool stands.

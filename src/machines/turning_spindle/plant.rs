@@ -9,7 +9,7 @@ const FIN_DELAY: f64 = 0.05;
 /// The plant with the project's clamps, ramps and limits.
 pub(super) fn plant(lathe: &Fitted) -> Plant {
     let p = &lathe.p;
-    let slide = |letter: u8, diameter: bool, rapid: f64, clamp: f64| AxisPlant {
+    let slide = |letter: u8, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
         letter,
         rotary: false,
         diameter,
@@ -17,9 +17,13 @@ pub(super) fn plant(lathe: &Fitted) -> Plant {
         clamp,
         time_constant: p.time_constant / 1000.0,
         position_gain: p.position_gain,
+        home,
     };
     Plant {
-        axes: vec![slide(CROSS, lathe.diameters(), p.rapid_x, p.clamp_x), slide(ALONG, false, p.rapid_z, p.clamp_z)],
+        axes: vec![
+            slide(CROSS, lathe.diameters(), p.rapid_x, p.clamp_x, 0.5 * p.start_x),
+            slide(ALONG, false, p.rapid_z, p.clamp_z, p.start_z),
+        ],
         spindle: spindle(lathe),
         block_time: p.block_time / 1000.0,
         macro_time: p.macro_time / 1000.0,
@@ -32,12 +36,7 @@ fn spindle(lathe: &Fitted) -> SpindlePlant {
     let (p, bench) = (&lathe.p, &lathe.control.bench);
     let analog = p.analog(p.stage_1, bench.volts_full, bench.output_bits);
     let spindle = SpindlePlant::new(analog, p.chuck_limit, p.spindle_ramp, lathe.rules());
-    SpindlePlant {
-        surface_low: p.lower_limit,
-        // The program begins with the tool at the start point.
-        centre: Some(-0.5 * p.start_x),
-        ..spindle.with_stages(lathe.stages())
-    }
+    SpindlePlant { surface_low: p.lower_limit, centre: Some(0.0), ..spindle.with_stages(lathe.stages()) }
 }
 
 /// FIN for S, M and T, and the gear change.

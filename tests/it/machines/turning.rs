@@ -111,7 +111,7 @@ fn the_surface_speed_is_held_wherever_nothing_binds() {
         for (from, to) in cuts(&project, &planner) {
             for at in 1..200 {
                 let now = planner.timeline().at(from + (to - from) * f64::from(at) / 200.0);
-                let diameter = 150.0 + 2.0 * now.axes[x].position;
+                let diameter = 2.0 * now.axes[x].position;
                 if diameter > limit + 0.1 {
                     let speed = surface_speed(now.spindle.actual, diameter);
                     assert!((speed / 180.0 - 1.0).abs() < 1e-3, "{path} at {diameter}: {speed}");
