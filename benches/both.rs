@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod summary;
+#[allow(dead_code)]
 mod work;
 
 use macroline::motion::{Keep, Limits, Panel};

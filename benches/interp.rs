@@ -2,13 +2,14 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod summary;
+#[allow(dead_code)]
 mod work;
 
 use criterion::{Criterion, Throughput, criterion_group};
 use macroline::controls::Switches;
 use macroline::interp::world::Still;
 use macroline::interp::{Interp, Start};
-use work::{COUNT, flat, formulas, parse, run};
+use work::{COUNT, flat, formulas, named, named_flat, named_formulas, parse, parse_on, run};
 
 fn speed(c: &mut Criterion) {
     let mut group = c.benchmark_group("interp");
@@ -42,4 +43,11 @@ fn main() {
     let (flat, formulas) = (flat(COUNT), formulas());
     summary::line("flat G91 G01 blocks, text to canon", COUNT, "blocks", Some(2.5e6), || run(&parse(&flat)));
     summary::line("P9100 formulas in a WHILE loop", COUNT, "passes", Some(500e3), || run(&parse(&formulas)));
+    let (flat, formulas) = (named_flat(COUNT), named_formulas());
+    let read = |files| parse_on(files, named());
+    summary::line("flat blocks with names, text to canon", COUNT, "blocks", Some(2.5e6), || run(&read(&flat)));
+    summary::line("P9100 in R parameters", COUNT, "passes", Some(500e3), || run(&read(&formulas)));
+    let (flat, formulas) = (read(&flat), read(&formulas));
+    summary::line("flat blocks with names, run alone", COUNT, "blocks", None, || run(&flat));
+    summary::line("P9100 in R parameters, run alone", COUNT, "passes", None, || run(&formulas));
 }

@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 mod summary;
+#[allow(dead_code)]
+mod work;
 
 use std::fmt::Write as _;
 
@@ -65,5 +67,7 @@ fn main() {
     summary::line("formulas, read", COUNT, "blocks", None, || parse(&formulas, control));
     summary::line("flat blocks, reviewed", COUNT, "blocks", None, || reviewed(&flat_read));
     summary::line("formulas, reviewed", COUNT, "blocks", None, || reviewed(&formulas_read));
+    let (named_flat, named) = (work::named_flat(COUNT), work::named());
+    summary::line("flat blocks with names, read", COUNT, "blocks", None, || parse(&named_flat, named));
     summary::line("flat blocks, written", COUNT, "blocks", None, || emit(&deck, control));
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 use std::rc::Rc;
 
-use macroline::controls::{self, Switches};
+use macroline::controls::{self, Control, Switches};
 use macroline::interp::world::Still;
 use macroline::interp::{self, End, Interp, Start};
 use macroline::nc::{self, Files, Parsed};
@@ -32,9 +32,40 @@ pub(crate) fn formulas() -> Files {
     Files::one("O9100.nc", text)
 }
 
+/// The control whose programs have names.
+pub(crate) fn named() -> &'static Control {
+    controls::ALL.iter().copied().find(|control| control.syntax.names.is_some()).unwrap()
+}
+
+/// The flat program as that control has it.
+pub(crate) fn named_flat(count: u64) -> Files {
+    let mut text = String::from("%_N_FLAT_MPF\n;$PATH=/_N_MPF_DIR\nG94\n");
+    for k in 0..count {
+        writeln!(text, "G91G1X{}.{:03}Y62.832F19391.393", k % 9, k % 1000).unwrap();
+    }
+    text.push_str("M30\n");
+    Files::one("FLAT.MPF", text)
+}
+
+/// The loop as that control has it.
+pub(crate) fn named_formulas() -> Files {
+    let text = format!(
+        "%_N_L9100_SPF\n;$PATH=/_N_SPF_DIR\nR100=600 R101=25 R102=100 R103=100 R107=8 R109=6 R111=120 R120=0\nG91 G94 G64\n\
+         PASS: R104=R100*R103/100\nN10 R105=(3.14159265*R102)/R101*R104\nN20 R110=(3.14159265*R111)/R109\n\
+         N30 R115=R105*SQRT(R107*R107+R110*R110)/R107\nN200 G1 X=R107 Y=R110 F=R115\nR120=R120+1\n\
+         IF R120<{COUNT} GOTOB PASS\nM30\n"
+    );
+    Files::one("L9100.SPF", text)
+}
+
 /// As the first control of the list reads it.
 pub(crate) fn parse(files: &Files) -> Rc<Parsed> {
-    Rc::new(nc::parse(files, controls::ALL[0]))
+    parse_on(files, controls::ALL[0])
+}
+
+/// As a control reads it.
+pub(crate) fn parse_on(files: &Files, control: &'static Control) -> Rc<Parsed> {
+    Rc::new(nc::parse(files, control))
 }
 
 /// Runs to the end; how many commands that were.

@@ -24,6 +24,7 @@ mod native {
     use serde_json::{Value as Json, json};
 
     use macroline::controls::{self, Control, Switches};
+    use macroline::interp;
     use macroline::motion::{Keep, Limits, Panel};
     use macroline::nc::{self, File, Files};
     use macroline::project::console::{Console, Said};
@@ -407,15 +408,14 @@ mod native {
         let Some(settings) = settings else {
             return Err(Failure::Usage("--set takes a variable and a number, for instance --set '#107=8'".to_owned()));
         };
-        let start = match args.start.as_deref().map(|name| (name, run::program_number(name))) {
-            Some((name, None)) => {
-                return Err(Failure::Usage(format!("--start takes a program, for instance O9101, not “{name}”")));
-            }
-            Some((_, number)) => number,
-            None => None,
+        let meant = |parsed: &nc::Parsed| match args.start.as_deref() {
+            None => Ok(None),
+            Some(name) => run::program_meant(name, parsed)
+                .map(Some)
+                .ok_or_else(|| Failure::Usage(format!("--start takes a program, for instance O9101, not “{name}”"))),
         };
         let limits = Limits { blocks: args.blocks, seconds: args.seconds };
-        let begin = Begin { start, settings: &settings, limits, keep };
+        let begin = |start: Option<interp::Start>| Begin { start, settings: &settings, limits, keep };
         let Some(id) = &args.control else {
             let (mut project, diagnostics) = project(only_project(&args.files)?)?;
             found.extend(diagnostics);
@@ -430,7 +430,7 @@ mod native {
             found.extend(project.warnings(&written));
             Diagnostic::in_order(&mut found);
             silenced.extend(project.silenced.iter().cloned());
-            let run = run::of_project(&project, &written, &begin);
+            let run = run::of_project(&project, &written, &begin(meant(&written.parsed)?));
             return Ok(Prepared { run, files: written.files.clone(), switches: project.switches, found, silenced });
         };
         let control = control(id)?;
@@ -447,11 +447,17 @@ mod native {
         let switches = switched(switches, &args.switch, control)?;
         let parsed = Rc::new(nc::parse_with(&programs(&args.files)?, control, &switches));
         settable(&settings, control, &switches)?;
+        let start = meant(&parsed)?;
         let first = parsed.deck().programs.first().map(|program| program.number);
-        let set = run::set_by_operator(&settings, &panel);
-        found.extend(nc::review(&parsed, start.or(first), &set));
+        let started = match start {
+            Some(interp::Start::Program(number)) => Some(number),
+            Some(interp::Start::Nth(at)) => parsed.deck().programs.get(at as usize).map(|program| program.number),
+            _ => first,
+        };
+        let set = run::set_by_operator(&settings, &panel, control);
+        found.extend(nc::review(&parsed, started, &set));
         let files = parsed.files().clone();
-        let run = run::of_programs(parsed, plant.as_ref(), panel, &begin);
+        let run = run::of_programs(parsed, plant.as_ref(), panel, &begin(start));
         Ok(Prepared { run, files, switches, found, silenced })
     }
 

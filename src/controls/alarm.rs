@@ -137,6 +137,32 @@ pub enum Alarm {
     SurfaceRange,
     /// An angle of the spindle outside a turn.
     SpindleAngle,
+    /// A code whose block can hold nothing else.
+    NotAlone,
+    /// Two codes of one modal group in a block.
+    GroupTwice,
+    /// Two codes in a block that both say what its words mean.
+    SyntaxTwice,
+    /// Two auxiliary functions of one group in a block.
+    AuxiliaryTwice,
+    /// More auxiliary functions in a block than it can hold.
+    Auxiliaries,
+    /// A label that stands twice, where that is an alarm.
+    LabelTwice,
+    /// A name that nothing has.
+    UnknownName,
+    /// A return in the main program, where that is an alarm.
+    MainReturn,
+    /// Two messages without a block between them that does anything, where that is an alarm.
+    MessageBlocks,
+    /// A repeat count that cannot be.
+    RepeatRange,
+    /// A spindle speed that cannot be.
+    SpeedRange,
+    /// A speed limit that cannot be.
+    SpeedLimitRange,
+    /// A thread without a lead.
+    NoLead,
 }
 
 /// An alarm as one control shows it.
@@ -226,6 +252,19 @@ impl Alarm {
         Alarm::NoSurfaceSpeed,
         Alarm::SurfaceRange,
         Alarm::SpindleAngle,
+        Alarm::NotAlone,
+        Alarm::GroupTwice,
+        Alarm::SyntaxTwice,
+        Alarm::AuxiliaryTwice,
+        Alarm::Auxiliaries,
+        Alarm::LabelTwice,
+        Alarm::UnknownName,
+        Alarm::MainReturn,
+        Alarm::MessageBlocks,
+        Alarm::RepeatRange,
+        Alarm::SpeedRange,
+        Alarm::SpeedLimitRange,
+        Alarm::NoLead,
     ];
 
     /// The wider kind that a control shows where it has no number for this one; `None` for the widest.
@@ -234,6 +273,8 @@ impl Alarm {
         Some(match self {
             SquareRoot | Logarithm | Tangent | ArcFunction | Overflow | NotWhole => Calculation,
             ArcRadius => Arc,
+            NoLead => NoFeed,
+            RepeatRange | SpeedRange | SpeedLimitRange => OutOfRange,
             DoNumber => WhileSentence,
             IntoLoop => DoPair,
             NoCallProgram => NoProgram,
@@ -246,7 +287,8 @@ impl Alarm {
             VacantWritten => ReadOnly,
             OwnCall => SubNesting,
             NoNumber | SequencePlace | AtanForm | PointNotAllowed | AddressTwice | BlockTooLong | CommentBracket
-            | CallNotFirst | CallMixed | ReturnInModal | ArgumentAddress | CallFunction | CallOperands => Format,
+            | CallNotFirst | CallMixed | ReturnInModal | ArgumentAddress | CallFunction | CallOperands | NotAlone
+            | GroupTwice | SyntaxTwice | AuxiliaryTwice | Auxiliaries | UnknownName => Format,
             _ => return None,
         })
     }

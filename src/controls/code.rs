@@ -1,5 +1,6 @@
 //! G and M codes: what they mean to the interpreter, in which modal group they stand.
 
+use super::syntax::long;
 use crate::text::Citation;
 
 /// What a code does, in the words of the trade; the interpreter knows these and no numbers.
@@ -91,6 +92,18 @@ pub enum Code {
     UpperLimits,
     /// Spindle orientation (M19).
     SpindleOrient,
+    /// Programmable offset in place of the one before.
+    Offset,
+    /// Programmable offset on top of the one before.
+    OffsetMore,
+    /// Words of the transverse axis count diameters.
+    Diameters,
+    /// Words of the transverse axis count radii.
+    Radii,
+    /// Absolute words of the transverse axis count diameters, incremental ones radii.
+    DiametersAbsolute,
+    /// End of subprogram that a main program cannot have (RET).
+    Return,
     /// Cancel or default state that the simulation is in anyway (G40, G80 …).
     Cancel,
     /// The control has it, the simulation does not act on it; said once per kind.
@@ -126,6 +139,14 @@ pub enum Group {
     Cycle,
     /// Tool radius compensation.
     Compensation,
+    /// Words of the transverse axis.
+    Diameter,
+    /// Spindle on and off.
+    Spindle,
+    /// Gears of the spindle.
+    Gear,
+    /// Program stops and ends.
+    Flow,
     /// M codes and everything else.
     Other,
 }
@@ -133,7 +154,7 @@ pub enum Group {
 /// A code of a control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CodeDef {
-    /// `G` or `M`.
+    /// `G`, `M`, or [`long::NAME`] for a code that is a name.
     pub letter: u8,
     /// Ten times the number: `G61.1` is 611, `M03` is 30. Rows are sorted by letter and number.
     pub number: u16,
@@ -155,4 +176,28 @@ pub(super) const fn g(number: u16, code: Code, group: Group, text: &'static str,
 /// A row of an M code.
 pub(super) const fn m(number: u16, code: Code, text: &'static str, cite: Citation) -> CodeDef {
     CodeDef { letter: b'M', number, code, group: Group::Other, text, cite }
+}
+
+/// A row of an M code in a group of its own.
+pub(super) const fn mg(number: u16, code: Code, group: Group, text: &'static str, cite: Citation) -> CodeDef {
+    CodeDef { letter: b'M', number, code, group, text, cite }
+}
+
+/// A row of a code that is a name: the `place`-th of its control's names.
+pub(super) const fn named(place: u16, code: Code, group: Group, text: &'static str, cite: Citation) -> CodeDef {
+    CodeDef { letter: long::NAME, number: 10 * place, code, group, text, cite }
+}
+
+impl CodeDef {
+    /// Whether it says what the words of its block mean: motions, and what takes axis words otherwise.
+    pub fn defines_syntax(&self) -> bool {
+        let one_shot = self.group == Group::OneShot && self.letter != b'M';
+        self.group == Group::Motion
+            || one_shot && !matches!(self.code, Code::ExactStopOnce | Code::MachineCoordinates | Code::Return)
+    }
+
+    /// Whether its block holds nothing but its own values.
+    pub fn stands_alone(&self) -> bool {
+        matches!(self.code, Code::Dwell | Code::LowerLimits | Code::UpperLimits)
+    }
 }

@@ -24,6 +24,8 @@ pub struct Limits {
     pub feed_kept: bool,
     /// Largest S word in r/min.
     pub speed_max: f64,
+    /// Least and largest limit of the spindle speed in r/min; `None` where it has the range of S.
+    pub speed_limit: Option<(f64, f64)>,
     /// M codes of one block that act, 8 at most; of more, the last ones do.
     pub m_codes: u8,
     /// Subprograms nested at most.

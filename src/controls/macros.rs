@@ -87,6 +87,10 @@ pub struct Macros {
     pub vacant_word: VacantWord,
     /// EQ and NE take vacant for 0, as the other comparisons do.
     pub vacant_equals_zero: bool,
+    /// Numbers that differ by no more than this part of the larger one count as equal in comparisons.
+    pub equal_within: f64,
+    /// AND, OR, XOR tell whether conditions hold; else they work bit by bit.
+    pub truths: bool,
     /// AND, OR, XOR of numbers that are not whole are an alarm; else they are rounded.
     pub whole_bits: bool,
     /// Least and largest magnitude of a result other than 0; `None` where only infinity is too large.
@@ -97,6 +101,10 @@ pub struct Macros {
     pub argument_sets: ArgumentSets,
     /// `M98 P` with more than four digits holds the repeats in front of the program number.
     pub repeats_in_p: bool,
+    /// The end of a subprogram ends a main program; else that starts again.
+    pub main_ends: bool,
+    /// The end of a program returns from a subprogram.
+    pub ends_return: bool,
     /// `M98 H` starts at a sequence number of the subprogram.
     pub sub_sequence: bool,
     /// Nothing but a sequence number may stand in front of a macro call.

@@ -30,6 +30,8 @@ pub mod gsk_980tdc;
 
 pub mod knd_k2000t;
 
+pub mod sinumerik_802d;
+
 pub use alarm::{Alarm, AlarmDef};
 pub use bench::Bench;
 pub use code::{Code, CodeDef, Group};
@@ -102,7 +104,8 @@ const fn axis(letter: u8, rotary: bool, cite: Citation) -> AxisDef {
 }
 
 /// All controls, in the order they are listed.
-pub static ALL: &[&Control] = &[&mitsubishi_e60::CONTROL, &gsk_980tdc::CONTROL, &knd_k2000t::CONTROL];
+pub static ALL: &[&Control] =
+    &[&mitsubishi_e60::CONTROL, &gsk_980tdc::CONTROL, &knd_k2000t::CONTROL, &sinumerik_802d::CONTROL];
 
 /// The control of an id.
 pub fn find(id: &str) -> Option<&'static Control> {
@@ -170,6 +173,67 @@ impl Control {
             fits && word.device == first.device
         })?;
         Some((word.first, number - first.first))
+    }
+
+    /// The highest number of a variable, as a switch has it that ends in it: `R0 to R249`.
+    pub fn last_variable(&self, switches: &Switches) -> u32 {
+        let setting =
+            switches.get(self.switches, "r-parameters").and_then(|setting| setting.rsplit(self.syntax.variable).next());
+        setting.and_then(|number| number.parse().ok()).unwrap_or(u32::MAX)
+    }
+
+    /// Codes that a switch keeps off: it is named for them, `codes-g22-g23`, and at its default they are an alarm.
+    pub fn codes_off(&self, switches: &Switches) -> Vec<(u8, u16)> {
+        let off = self.switches.iter().filter(|row| switches.get(self.switches, row.id) == Some("alarm"));
+        let names = off.filter_map(|row| row.id.strip_prefix("codes-")).flat_map(|codes| codes.split('-'));
+        let code = |name: &str| {
+            let number: u16 = name.get(1..)?.parse().ok()?;
+            Some((name.bytes().next()?.to_ascii_uppercase(), number.saturating_mul(10)))
+        };
+        names.filter_map(code).collect()
+    }
+
+    /// A variable as it is written.
+    pub fn variable(&self, number: u32) -> String {
+        format!("{}{number}", self.syntax.variable)
+    }
+
+    /// A jump on the condition that something is not above 0, as an example.
+    pub fn guard(&self, variable: &str) -> String {
+        match self.syntax.names {
+            Some(_) => format!("IF {variable}<=0 GOTOF"),
+            None => format!("IF[{variable} LE 0]GOTO"),
+        }
+    }
+
+    /// An address as it is written.
+    pub fn address(&self, letter: u8) -> String {
+        let names = self.syntax.names.iter().flat_map(|names| names.addresses);
+        let long = names.copied().find(|row| row.1 == letter).map(|row| row.0);
+        long.map_or_else(|| (letter as char).to_string(), str::to_owned)
+    }
+
+    /// A code as it is written, `number` is ten times its number.
+    pub fn code_name(&self, letter: u8, number: u32) -> String {
+        let names = self.syntax.names.filter(|_| letter == syntax::long::NAME);
+        match names.and_then(|names| names.codes.get(number as usize / 10)) {
+            Some(name) => (*name).to_owned(),
+            None if number.is_multiple_of(10) => format!("{}{}", letter as char, number / 10),
+            None => format!("{}{}.{}", letter as char, number / 10, number % 10),
+        }
+    }
+
+    /// The codes that end a program, as a list for a sentence.
+    pub fn program_ends(&self) -> String {
+        let ends = |row: &&CodeDef| matches!(row.code, Code::End | Code::EndRewind | Code::SubEnd | Code::Return);
+        let digits = if self.syntax.names.is_some() { 1 } else { 2 };
+        let name = |row: &CodeDef| match row.letter {
+            b'M' => format!("M{:0digits$}", row.number / 10),
+            letter => self.code_name(letter, row.number.into()),
+        };
+        let mut names: Vec<String> = self.codes.iter().filter(ends).map(name).collect();
+        let last = names.pop().unwrap_or_default();
+        format!("{} or {last}", names.join(", "))
     }
 
     /// Index of an axis letter in `axes`.

@@ -5,8 +5,10 @@ use crate::text::Citation;
 /// What round brackets mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Round {
-    /// `( … )` is a comment, ended by the first `)`.
+    /// `( … )` is a comment, ended by the first `)`; `;` ends a block.
     Comment,
+    /// `( … )` groups in formulas; a comment goes from `;` to the end of the line.
+    Group,
 }
 
 /// Where a file has its `%`.
@@ -16,13 +18,92 @@ pub enum Percent {
     Both,
     /// In its last line only.
     End,
+    /// In front of the name of a program, in its first line.
+    Head,
 }
+
+/// Codes of words that have several letters. Their five low bits are those of no letter, so that sets of letters do not know them.
+pub mod long {
+    const fn code(k: u8) -> u8 {
+        128 + 32 * (k / 6) + if k.is_multiple_of(6) { 0 } else { 26 + k % 6 }
+    }
+
+    /// A G code or a statement that is a name; the word's value is its place in [`Names::codes`](super::Names::codes).
+    pub const NAME: u8 = code(0);
+    /// Radius of an arc.
+    pub const CR: u8 = code(1);
+    /// Highest spindle speed under constant surface speed.
+    pub const LIMS: u8 = code(2);
+    /// Spindle position.
+    pub const SPOS: u8 = code(3);
+    /// Opening angle of an arc.
+    pub const AR: u8 = code(4);
+    /// Polar angle.
+    pub const AP: u8 = code(5);
+    /// Polar radius.
+    pub const RP: u8 = code(6);
+    /// Start angle of a thread.
+    pub const SF: u8 = code(7);
+    /// Chamfer.
+    pub const CHF: u8 = code(8);
+    /// Chamfer by the length of its legs.
+    pub const CHR: u8 = code(9);
+    /// Rounded corner.
+    pub const RND: u8 = code(10);
+    /// Angle of a contour.
+    pub const ANG: u8 = code(11);
+    /// Feed of chamfers and rounded corners.
+    pub const FRC: u8 = code(12);
+
+    /// Whether a letter is such a code.
+    pub const fn is(letter: u8) -> bool {
+        letter >= 128
+    }
+}
+
+/// What a language has in which programs, labels, codes and addresses carry names.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Names {
+    /// Addresses of several letters with their codes.
+    pub addresses: &'static [(&'static str, u8)],
+    /// Codes that are names, in the order of the numbers that stand for them.
+    pub codes: &'static [&'static str],
+    /// Addresses that can be extended by a number: `S1=500`.
+    pub extended: &'static [u8],
+    /// Statements of the maker's other controls.
+    pub foreign: &'static [&'static str],
+    /// What makes a name a subprogram's in its head, and a main program's: endings and directories.
+    pub endings: [&'static str; 2],
+    /// Letters of a program name that is a number.
+    pub numbered: &'static [&'static str],
+    /// Characters of a program name.
+    pub program_chars: usize,
+    /// Characters of a label at least.
+    pub label_least: usize,
+    /// Largest whole number without a point.
+    pub whole_max: i64,
+    /// Auxiliary words of a block: M, H, D, and all together.
+    pub auxiliary: [u8; 4],
+}
+
+/// Id of the switch that says how long labels are.
+pub const LABEL_LENGTH: &str = "label-length";
+
+/// Id of the switch that says how long a block is.
+pub const BLOCK_LENGTH: &str = "block-length";
+
+/// Id of the switch that says whether jumps may go to block numbers.
+pub const NUMBER_JUMPS: &str = "block-number-jumps";
 
 /// Spelling, characters and file form of a control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Syntax {
     /// Round brackets.
     pub round: Round,
+    /// What stands in front of the number of a variable.
+    pub variable: char,
+    /// Names, where the language has them.
+    pub names: Option<Names>,
     /// Letter of a program number (`O`); further letters are accepted when reading.
     pub program_letters: &'static [u8],
     /// Where a file has its `%`.
@@ -55,6 +136,10 @@ pub struct Syntax {
     pub absolute_holds: bool,
     /// Address of the threads per inch of a thread, beside F for its lead.
     pub threads_per_inch: Option<u8>,
+    /// The lead of a thread stands behind the I, J, K of its axis; else behind F.
+    pub lead_by_axis: bool,
+    /// Addresses of a dwell: P in milliseconds, S in spindle revolutions, others in seconds.
+    pub dwell_addresses: &'static [u8],
     /// The same address twice in a block is an alarm (G and M codes and macro arguments apart); else the last one holds.
     pub address_twice: bool,
     /// Characters of a block that the control reads, without comments.
@@ -108,6 +193,8 @@ pub enum Function {
     Bcd,
     /// Round half away from zero.
     Round,
+    /// Square.
+    Square,
     /// Toward zero.
     Fix,
     /// Away from zero.

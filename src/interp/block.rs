@@ -6,12 +6,15 @@ use super::End;
 use super::call::{Caller, word_span};
 use super::canon::{AXES, Canon};
 use super::fault::{Run, Trap};
+use super::modal::Radii;
 use super::state::{Cx, State};
 use crate::controls::macros::{CallKind, CodeCall};
+use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, Group};
 use crate::drives::Approach;
+use crate::drives::speed::Limit;
 use crate::msg;
-use crate::nc::{Block, Word, WordValue};
+use crate::nc::{Block, Form, Word, WordValue};
 
 /// M codes of a block that act on any control.
 const M_CODES: usize = 8;
@@ -53,14 +56,22 @@ pub(super) struct Words {
     pub(super) axes: [i64; AXES],
     /// Bit `k`: axis `k` was programmed.
     pub(super) mask: u8,
-    /// Bit `k`: by its incremental address.
+    /// Bit `k`: by its incremental address, or as an incremental value.
     pub(super) incremental: u8,
+    /// Bit `k`: as an absolute value, whatever is in force.
+    pub(super) absolute: u8,
     /// I, J, K.
     pub(super) center: [Option<i64>; 3],
     pub(super) radius: Option<i64>,
     pub(super) speed: Option<f64>,
+    /// Highest speed under constant surface speed.
+    speed_limit: Option<f64>,
+    /// Angle that the spindle goes to.
+    orient: Option<(f64, Approach)>,
     tool: Option<u32>,
     pub(super) dwell: Option<f64>,
+    /// Turns of the spindle that a dwell lasts.
+    pub(super) dwell_turns: Option<f64>,
     p: Option<f64>,
     h: Option<f64>,
     l: Option<f64>,
@@ -103,6 +114,9 @@ impl State {
         if let Some(stage) = codes.gear {
             self.queue.push(Canon::Gear { stage });
         }
+        if let Some(rpm) = values.speed_limit {
+            self.limit_speed(Limit::Surface, rpm);
+        }
         self.speed(cx, &codes, &values, surface)?;
         let stops_last = codes.spindle == Some(0) && cx.shared.rules.spindle.stop_last;
         if let Some(sign) = codes.spindle.filter(|_| !stops_last) {
@@ -118,7 +132,7 @@ impl State {
         if codes.path {
             self.queue.push(Canon::PathMode { exact: self.modal.exact });
         }
-        if let Some((angle, approach)) = codes.orient {
+        if let Some((angle, approach)) = values.orient.or(codes.orient) {
             self.orient(cx, angle, approach)?;
         }
         let moved = self.motion(cx, &codes, &values)?;
@@ -142,6 +156,9 @@ impl State {
                 self.call_sub(cx, Some(program), None, values.l, true)?;
             }
             (Some(Code::SubCall), None) => self.call_sub(cx, values.p, values.h, values.l, false)?,
+            (Some(Code::Return), None) if self.frames.is_empty() => {
+                return Err(Trap::alarm(Alarm::MainReturn, msg!("interp.main-return")));
+            }
             (Some(_), None) => self.end_sub(cx, at, values.p)?,
             (None, None) => {
                 if let (true, Some(call)) = (moved, self.modal_call.as_ref().map(Rc::clone)) {
@@ -208,7 +225,9 @@ impl State {
                 }
                 // Behind a macro call it is an argument.
                 b'M' if codes.special.is_some() && macro_kind(codes).is_some() => codes.mixed |= mixes(cx, word),
+                b'M' if word.index.is_some_and(|spindle| spindle > 1) => {}
                 b'M' => self.m_word(cx, block, word, at, codes)?,
+                long::NAME => self.named_code(cx, word, at, codes),
                 b'/' if self.skips(cx, word) => {
                     codes.count = at;
                     break;
@@ -217,6 +236,18 @@ impl State {
             }
         }
         Ok(())
+    }
+
+    /// Takes a code that is a name.
+    #[cold]
+    fn named_code(&mut self, cx: &Cx, word: &Word, at: usize, codes: &mut Codes) {
+        let WordValue::Number(place) = word.value else { return };
+        let number = u32::try_from(place.mantissa).unwrap_or(u32::MAX).saturating_mul(10);
+        match cx.shared.index.code(cx.control, long::NAME, number) {
+            Some(row) if row.code == Code::Return => codes.flow = Some(Code::Return),
+            Some(row) => self.g_code(cx, row, at, codes),
+            None => {}
+        }
     }
 
     /// Whether an optional block skip in the middle of a block is switched on.
@@ -240,7 +271,8 @@ impl State {
         use Code::*;
         match row.code {
             Dwell | ReferenceReturn | MachineCoordinates | MachineRapid | SetCoordinates | LocalCoordinates
-            | LowerLimits | UpperLimits | MacroCall | MacroModal | MacroModalBlock | MacroModalEnd => {
+            | Offset | OffsetMore | LowerLimits | UpperLimits | MacroCall | MacroModal | MacroModalBlock
+            | MacroModalEnd => {
                 (codes.special, codes.caller) = (Some(row.code), at);
             }
             ExactStopOnce => codes.exact = true,
@@ -262,6 +294,9 @@ impl State {
             return Ok(());
         }
         match cx.shared.index.code(cx.control, b'M', number.saturating_mul(10)).map(|row| row.code) {
+            Some(Code::End | Code::EndRewind) if cx.control.macros.ends_return && !self.frames.is_empty() => {
+                codes.flow = Some(Code::SubEnd);
+            }
             Some(code @ (Code::Stop | Code::OptionalStop | Code::End | Code::EndRewind)) => codes.stop = Some(code),
             Some(code @ (Code::SubCall | Code::SubEnd)) => codes.flow = Some(code),
             Some(Code::SpindleCw) => codes.spindle = Some(1),
@@ -291,8 +326,13 @@ impl State {
         let thread = self.modal.motion == Code::Thread;
         for word in words {
             let letter = word.letter;
-            if codes.special == Some(Code::Dwell) && matches!(letter, b'X' | b'U' | b'P') {
-                values.dwell = self.dwell_word(cx, block, word)?;
+            // Words of another spindle, or of what is not simulated.
+            if word.index.is_some_and(|index| index > 1 || !matches!(letter, b'M' | b'S' | long::SPOS)) {
+                continue;
+            }
+            if codes.special == Some(Code::Dwell) && cx.control.syntax.dwell_addresses.contains(&letter) {
+                let value = self.dwell_word(cx, block, word)?;
+                *(if letter == b'S' { &mut values.dwell_turns } else { &mut values.dwell }) = value;
             } else if let Some((axis, incremental)) = cx.shared.index.axis(letter) {
                 let inch = inch && !cx.control.axes[axis].rotary;
                 let bit = 1 << axis;
@@ -300,13 +340,18 @@ impl State {
                 if let (Some(value), false) = (self.dimension(cx, block, word, inch)?, yields) {
                     values.axes[axis] = value;
                     values.mask |= bit;
+                    match word.form {
+                        Form::Plain => {}
+                        Form::Incremental => values.incremental |= bit,
+                        _ => values.absolute |= bit,
+                    }
                     if incremental || values.incremental != 0 {
                         values.incremental = values.incremental & !bit | u8::from(incremental) << axis;
                     }
                 }
             } else {
                 match letter {
-                    b'F' if thread => {
+                    b'F' if thread && !cx.control.syntax.lead_by_axis => {
                         if let Some(lead) = self.lead_word(cx, block, word, inch)? {
                             self.modal.lead = Some(lead);
                             self.modal.word(b'F', lead);
@@ -331,10 +376,23 @@ impl State {
                     _ if thread && cx.control.syntax.threads_per_inch == Some(letter) => {
                         self.modal.lead = self.threads_word(cx, block, word)?.or(self.modal.lead);
                     }
+                    b'I' | b'J' | b'K' if thread && cx.control.syntax.lead_by_axis => {
+                        self.modal.lead = self.lead_word(cx, block, word, inch)?.or(self.modal.lead);
+                    }
                     b'I' | b'J' | b'K' => {
                         values.center[(letter - b'I') as usize] = self.dimension(cx, block, word, inch)?;
                     }
-                    b'R' => values.radius = self.dimension(cx, block, word, inch)?,
+                    b'R' | long::CR => values.radius = self.dimension(cx, block, word, inch)?,
+                    long::LIMS => values.speed_limit = self.speed_word(cx, block, word)?,
+                    long::SPOS => {
+                        let approach = match word.form {
+                            Form::Plain | Form::Absolute | Form::Shortest => Approach::Direct,
+                            Form::Positive => Approach::Clockwise,
+                            Form::Negative => Approach::CounterClockwise,
+                            Form::Incremental => Approach::Incremental,
+                        };
+                        values.orient = self.raw(cx, block, word)?.map(|angle| (angle, approach));
+                    }
                     b'P' => values.p = self.whole(cx, block, word)?,
                     b'L' => values.l = self.whole(cx, block, word)?,
                     b'D' | b'H' => {
@@ -350,7 +408,22 @@ impl State {
                 }
             }
         }
+        if self.modal.radii != Radii::No {
+            self.double(cx, values);
+        }
         Ok(())
+    }
+
+    /// Words that count radii, on an axis whose positions are diameters.
+    #[cold]
+    fn double(&self, cx: &Cx, values: &mut Words) {
+        for k in (0..AXES).filter(|&k| cx.shared.rules.moves[k] != 1.0) {
+            let bit = 1 << k;
+            let relative = (values.incremental & bit != 0 || !self.modal.absolute) && values.absolute & bit == 0;
+            if self.modal.radii == Radii::All || relative {
+                values.axes[k] = values.axes[k].saturating_mul(2);
+            }
+        }
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::rc::Rc;
 
+use super::End;
+use super::canon::Canon;
 use super::fault::{Run, Trap};
 use super::state::{Cx, State};
 use super::vars::{LOCALS, Locals, VACANT};
@@ -9,7 +11,7 @@ use crate::controls::Alarm;
 use crate::controls::macros::{ARGUMENT, ArgumentSets, CallKind, CodeCall};
 use crate::msg;
 use crate::nc::dec::POW10;
-use crate::nc::{Block, Word};
+use crate::nc::{Block, ExprId, TextId, Word};
 
 /// What a call remembers of its caller.
 #[derive(Debug, Clone)]
@@ -177,6 +179,29 @@ impl State {
         self.enter(cx, Callee { program, entry, repeats, arguments: None, modal_call: None, by_code })
     }
 
+    /// A call of a program by its name.
+    pub(super) fn call_named(&mut self, cx: &mut Cx, name: TextId, repeats: Option<ExprId>) -> Run<()> {
+        let name = cx.deck.text(Some(name));
+        let Some(program) = cx.shared.index.named(name) else {
+            let trap = Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", name));
+            return Err(trap.hint(msg!("interp.hint-program")));
+        };
+        let max = cx.control.limits.repeat_max;
+        let repeats = match repeats {
+            None => 1,
+            Some(id) => {
+                let repeats = self.number(cx, id)?.round();
+                if !(1.0..=f64::from(max)).contains(&repeats) {
+                    let message = msg!("interp.value-range", repeats, 1_u32, max);
+                    return Err(Trap::alarm(Alarm::RepeatRange, message).part(id));
+                }
+                repeats as u32
+            }
+        };
+        let entry = cx.deck.programs.get(program as usize).map_or(0, |program| program.first);
+        self.enter(cx, Callee { program, entry, repeats, arguments: None, modal_call: None, by_code: false })
+    }
+
     /// The alarm of a call or jump while a modal macro call is on, where that is one.
     fn refuse_in_modal(&self, cx: &Cx) -> Run<()> {
         if self.modal_call.is_some() && cx.control.raises(Alarm::ReturnInModal) {
@@ -316,6 +341,11 @@ impl State {
             self.refuse_in_modal(cx)?;
         }
         match self.frames.last_mut() {
+            None if cx.control.macros.main_ends => {
+                self.queue.push(Canon::End);
+                self.ended = Some(End::Program);
+                return Ok(());
+            }
             None => {
                 self.at = self.first;
                 return p.map_or(Ok(()), |number| self.go_to_number(cx, at, number));

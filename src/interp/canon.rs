@@ -170,6 +170,11 @@ pub enum Canon {
         /// What the operator reads.
         text: String,
     },
+    /// Message on the screen while the program goes on; an empty one takes the last away (MSG).
+    Show {
+        /// What the operator reads.
+        text: String,
+    },
     /// M00: waits for cycle start.
     Stop,
     /// M01: waits for cycle start if the optional stop switch is on.
@@ -306,6 +311,7 @@ impl fmt::Display for Line<'_> {
             Canon::PathMode { exact: true } => f.write_str("exact-stop"),
             Canon::PathMode { exact: false } => f.write_str("cutting"),
             Canon::Message { text } => write!(f, "message {text}"),
+            Canon::Show { text } => write!(f, "show {text}"),
             Canon::Stop => f.write_str("stop"),
             Canon::OptionalStop => f.write_str("optional-stop"),
             Canon::End => f.write_str("end"),

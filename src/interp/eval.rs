@@ -8,6 +8,7 @@ use crate::controls::syntax::Function;
 use crate::math;
 use crate::msg;
 use crate::nc::{Expr, ExprId, Op};
+use crate::text::catalog::number_text;
 
 /// A vacant operand of a calculation counts as 0.
 #[inline]
@@ -92,6 +93,7 @@ pub(super) fn function(cx: &Cx, function: Function, x: f64) -> Run<f64> {
         Function::Abs => x.abs(),
         Function::Bin => regroup(x, 16, 10)?,
         Function::Bcd => regroup(x, 10, 16)?,
+        Function::Square => x * x,
         // Half away from zero, as Rust rounds.
         Function::Round => x.round(),
         Function::Fix => x.trunc(),
@@ -133,6 +135,7 @@ fn calculate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
         Op::Subtract => in_range(cx, a - b),
         Op::Multiply => in_range(cx, a * b),
         Op::Divide if b != 0.0 => in_range(cx, a / b),
+        Op::Modulo if b != 0.0 && cx.control.macros.truths => in_range(cx, a % b),
         // Both are rounded before, as in Custom Macro B.
         Op::Modulo if b.round() != 0.0 => in_range(cx, a.round() % b.round()),
         Op::Divide | Op::Modulo => Err(Trap::alarm(Alarm::DivisionByZero, msg!("interp.division-by-zero"))),
@@ -140,16 +143,28 @@ fn calculate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
             let angle = math::atan2(a, b) * (180.0 / math::PI);
             Ok(if cx.shared.rules.atan_turn && angle < 0.0 { angle + 360.0 } else { angle })
         }
+        Op::And | Op::Or | Op::Xor if cx.control.macros.truths => truth(match op {
+            Op::And => a != 0.0 && b != 0.0,
+            Op::Or => a != 0.0 || b != 0.0,
+            _ => (a != 0.0) != (b != 0.0),
+        }),
         Op::And => Ok(f64::from(bits(cx, a)? & bits(cx, b)?)),
         Op::Or => Ok(f64::from(bits(cx, a)? | bits(cx, b)?)),
         Op::Xor => Ok(f64::from(bits(cx, a)? ^ bits(cx, b)?)),
-        Op::Equal => truth(a == b),
-        Op::NotEqual => truth(a != b),
-        Op::Greater => truth(a > b),
-        Op::GreaterEqual => truth(a >= b),
-        Op::Less => truth(a < b),
-        Op::LessEqual => truth(a <= b),
+        Op::Equal => truth(a == b || close(cx, a, b)),
+        Op::NotEqual => truth(a != b && !close(cx, a, b)),
+        Op::Greater => truth(a > b && !close(cx, a, b)),
+        Op::GreaterEqual => truth(a >= b || close(cx, a, b)),
+        Op::Less => truth(a < b && !close(cx, a, b)),
+        Op::LessEqual => truth(a <= b || close(cx, a, b)),
     }
+}
+
+/// Whether two numbers count as equal although they differ.
+#[inline]
+fn close(cx: &Cx, a: f64, b: f64) -> bool {
+    let part = cx.control.macros.equal_within;
+    part > 0.0 && (a - b).abs() <= part * a.abs().max(b.abs())
 }
 
 #[inline]
@@ -173,10 +188,12 @@ impl State {
         match cx.deck.expr(id) {
             Expr::Number(dec) => Ok(dec.to_f64()),
             Expr::Var(number) => self.read(cx, number),
+            Expr::Label(_) => Err(Trap::alarm(Alarm::Format, msg!("interp.not-a-variable"))),
             Expr::Binary(op, left, right) => self.binary(cx, op, left, right),
             Expr::Indirect(number) => {
                 let number = self.part(cx, number)?;
-                self.read(cx, variable_number(number)?)
+                let number = variable_number(cx, number)?;
+                self.read(cx, number)
             }
             Expr::Negate(x) => {
                 // A vacant variable with a sign stays vacant: `X-#1` is dropped as `X#1` is.
@@ -194,7 +211,7 @@ impl State {
     fn blame(&self, cx: &mut Cx, mut id: ExprId, trap: Trap) -> Trap {
         loop {
             let parts = match cx.deck.expr(id) {
-                Expr::Number(_) | Expr::Var(_) => [None; 2],
+                Expr::Number(_) | Expr::Label(_) | Expr::Var(_) => [None; 2],
                 Expr::Indirect(x) | Expr::Negate(x) | Expr::Call(_, x) => [Some(x), None],
                 Expr::Binary(_, left, right) => [Some(left), Some(right)],
             };
@@ -227,7 +244,9 @@ impl State {
         let tells = || left.is_nan() != right.is_nan() && !cx.shared.rules.vacant_equals_zero;
         match op {
             Op::Divide if b == 0.0 => Err(self.division_by_zero(cx, divisor)),
-            Op::Modulo if b.round() == 0.0 => Err(self.division_by_zero(cx, divisor)),
+            Op::Modulo if b.round() == 0.0 && !(cx.control.macros.truths && b != 0.0) => {
+                Err(self.division_by_zero(cx, divisor))
+            }
             // EQ and NE alone tell vacant from 0.
             Op::Equal if tells() => truth(false),
             Op::NotEqual if tells() => truth(true),
@@ -243,7 +262,7 @@ impl State {
         let mut named: Vec<u32> = Vec::new();
         while let Some(id) = open.pop() {
             let number = match cx.deck.expr(id) {
-                Expr::Number(_) => None,
+                Expr::Number(_) | Expr::Label(_) => None,
                 Expr::Negate(x) | Expr::Call(_, x) => {
                     open.push(x);
                     None
@@ -253,13 +272,15 @@ impl State {
                     None
                 }
                 Expr::Var(number) => Some(number),
-                Expr::Indirect(x) => self.value(cx, x).ok().and_then(|x| variable_number(x).ok()),
+                Expr::Indirect(x) => self.value(cx, x).ok().and_then(|x| variable_number(cx, x).ok()),
             };
             let Some(number) = number.filter(|number| !named.contains(number)) else { continue };
             named.push(number);
-            match self.read(cx, number) {
-                Ok(x) if x.is_nan() => trap = trap.hint(msg!("interp.hint-divisor-vacant", number)),
-                Ok(0.0) => trap = trap.hint(msg!("interp.hint-divisor-zero", number)),
+            let (name, value) = (cx.control.variable(number), self.read(cx, number));
+            let guard = cx.control.guard(&name);
+            match value {
+                Ok(x) if x.is_nan() => trap = trap.hint(msg!("interp.hint-divisor-vacant", name, guard)),
+                Ok(0.0) => trap = trap.hint(msg!("interp.hint-divisor-zero", name, guard)),
                 _ => {}
             }
         }
@@ -268,11 +289,12 @@ impl State {
 }
 
 /// The variable that a calculated number names; vacant names `#0`.
-pub(super) fn variable_number(x: f64) -> Run<u32> {
+pub(super) fn variable_number(cx: &Cx, x: f64) -> Run<u32> {
     let whole = or_zero(x).round();
     if (0.0..=4e9).contains(&whole) {
         Ok(whole as u32)
     } else {
-        Err(Trap::alarm(Alarm::VariableRange, msg!("interp.no-such-variable", (x, 0))))
+        let name = format!("{}{}", cx.control.syntax.variable, number_text(x, 0));
+        Err(Trap::alarm(Alarm::VariableRange, msg!("interp.no-such-variable", name)))
     }
 }

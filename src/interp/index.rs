@@ -1,7 +1,8 @@
 //! What a run looks up, made once per program: codes by number, variables by slot, sequence numbers, pairs of DO and END.
 
+use crate::controls::syntax::long;
 use crate::controls::{Alarm, CodeDef, Control, VarKind, VarRange};
-use crate::nc::{Deck, Stmt};
+use crate::nc::{Block, Deck, Expr, ExprId, Program, Stmt, Way};
 use crate::order;
 
 /// Where a variable lives.
@@ -58,6 +59,7 @@ struct Jumps {
 pub(super) struct Index {
     g_codes: Vec<u16>,
     m_codes: Vec<u16>,
+    named_codes: Vec<u16>,
     /// Axis by `letter & 31`, with [`INCREMENTAL`]; [`u8::MAX`] for no axis.
     axes: [u8; 32],
     direct: Vec<Slot>,
@@ -68,6 +70,10 @@ pub(super) struct Index {
     /// (program number, index of its first program), sorted.
     numbers: Vec<(u32, u32)>,
     jumps: Vec<Jumps>,
+    /// (target of a jump, block that it leads to), sorted; for languages whose jumps say where they look.
+    targets: Vec<(u32, u32)>,
+    /// Programs that have names.
+    names: Vec<(Box<str>, u32)>,
 }
 
 /// Whether values of these variables are kept by the interpreter.
@@ -109,20 +115,33 @@ impl Index {
         let mut index = Index {
             g_codes: code_table(control, b'G'),
             m_codes: code_table(control, b'M'),
+            named_codes: code_table(control, long::NAME),
             axes,
             direct: Vec::new(),
             bases,
             stored,
             numbers,
             jumps: deck.programs.iter().map(|program| jumps(deck, program.first..program.end, control)).collect(),
+            targets: Vec::new(),
+            names: Vec::new(),
         };
+        if control.syntax.names.is_some() {
+            index.targets = deck.programs.iter().flat_map(|program| targets(deck, program)).collect();
+            order::by_key(&mut index.targets, |&(target, _)| target.into());
+            let names = deck.programs.iter().zip(0..).filter(|(program, _)| program.name.is_some());
+            index.names = names.map(|(program, at)| (deck.text(program.name).into(), at)).collect();
+        }
         index.direct = (0..DIRECT).map(|number| index.find_slot(control, number)).collect();
         index
     }
 
     /// The row of a code; `number` is ten times what is written.
     pub(super) fn code(&self, control: &'static Control, letter: u8, number: u32) -> Option<&'static CodeDef> {
-        let table = if letter == b'G' { &self.g_codes } else { &self.m_codes };
+        let table = match letter {
+            b'G' => &self.g_codes,
+            b'M' => &self.m_codes,
+            _ => &self.named_codes,
+        };
         control.codes.get(*table.get(number as usize)? as usize)
     }
 
@@ -156,6 +175,17 @@ impl Index {
     pub(super) fn stored_at(&self, row: &VarRange, at: usize, number: u32) -> Option<u16> {
         let base = self.bases.get(at).copied().filter(|&base| base != NOT_STORED)?;
         u16::try_from(base + number.checked_sub(row.first)?).ok()
+    }
+
+    /// The block that a jump leads to.
+    pub(super) fn target(&self, target: ExprId) -> Option<u32> {
+        let at = self.targets.binary_search_by_key(&target.0, |row| row.0).ok()?;
+        self.targets.get(at).map(|row| row.1)
+    }
+
+    /// Index of the first program with a name, in capitals.
+    pub(super) fn named(&self, name: &str) -> Option<u32> {
+        self.names.iter().find(|row| *row.0 == *name).map(|row| row.1)
     }
 
     /// Index of the first program with a number.
@@ -196,6 +226,40 @@ impl Index {
         }
         false
     }
+}
+
+/// Where the jumps of a program lead that say where they look.
+fn targets(deck: &Deck, program: &Program) -> Vec<(u32, u32)> {
+    let blocks = deck.blocks_of(program);
+    // (what is jumped to, block), so that each jump is one search.
+    let mut labels: Vec<(&str, usize)> = Vec::new();
+    labels.extend(blocks.iter().zip(0..).filter(|row| row.0.label.is_some()).map(|(b, at)| (deck.text(b.label), at)));
+    let mut found = Vec::new();
+    for (at, block) in blocks.iter().enumerate() {
+        for (_, target, way) in deck.jumps_of(block.stmt) {
+            let on = |to: usize| match way {
+                Way::Round => true,
+                Way::Forward => to > at,
+                Way::Backward => to <= at,
+            };
+            let mut named: Vec<usize> = match deck.expr(target) {
+                Expr::Label(name) => {
+                    let name = deck.text(Some(name));
+                    labels.iter().filter(|row| row.0 == name && on(row.1)).map(|row| row.1).collect()
+                }
+                Expr::Number(number) => {
+                    let such =
+                        |row: &(&Block, usize)| row.0.number.map(i64::from) == Some(number.mantissa) && on(row.1);
+                    blocks.iter().zip(0..).filter(such).map(|row| row.1).collect()
+                }
+                _ => Vec::new(),
+            };
+            // The nearest on the way.
+            let to = if way == Way::Backward { named.pop() } else { named.first().copied() };
+            found.extend(to.map(|to| (target.0, program.first + to as u32)));
+        }
+    }
+    found
 }
 
 fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps {

@@ -25,6 +25,8 @@ pub enum Entered {
 pub struct Level {
     /// Number of the program; 0 where it has none.
     pub program: u32,
+    /// Name of the program; empty where it has none.
+    pub name: String,
     /// How it was entered.
     pub entered: Entered,
     /// The block that is next, or the one that called.
@@ -107,6 +109,7 @@ impl Interp {
             };
             levels.push(Level {
                 program: deck.programs.get(program as usize).map_or(0, |program| program.number),
+                name: deck.text(deck.programs.get(program as usize).and_then(|program| program.name)).to_owned(),
                 entered,
                 place,
                 again: by.map_or(0, |frame| frame.again),

@@ -71,6 +71,8 @@ pub enum Start {
     First,
     /// The program with this number.
     Program(u32),
+    /// The program at this place of the deck.
+    Nth(u32),
 }
 
 /// How many blocks a run has read.
@@ -97,6 +99,7 @@ impl Interp {
         let start = match start {
             Start::First if parsed.deck().programs.is_empty() => Err(0),
             Start::First => Ok(0),
+            Start::Nth(at) => Ok(at),
             Start::Program(number) => index.program(number).ok_or(number),
         };
         let rules = Rules::new(control, switches);
@@ -164,7 +167,7 @@ impl Interp {
         let kept = |kind| matches!(kind, VarKind::Local | VarKind::Common | VarKind::Retained);
         let rows = self.shared.control.vars.iter().filter(move |row| kept(row.kind));
         let numbers = rows.flat_map(|row| row.first..=row.last);
-        numbers.filter_map(|number| Some((format!("#{number}"), self.variable(number)?)))
+        numbers.filter_map(|number| Some((self.shared.control.variable(number), self.variable(number)?)))
     }
 
     /// Where the axes are when everything read so far is done, in command increments of the machine frame.

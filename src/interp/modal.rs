@@ -9,6 +9,17 @@ const GROUPS: usize = Group::Other as usize + 1;
 /// Work coordinate systems, and what shifts them all.
 const SYSTEMS: usize = 7;
 
+/// Which words of a transverse axis count radii where its positions are diameters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Radii {
+    /// None.
+    No,
+    /// Incremental ones.
+    Incremental,
+    /// All.
+    All,
+}
+
 /// Modal state at pre-read. Lengths in command increments.
 #[derive(Debug, Clone)]
 pub(super) struct Modal {
@@ -40,6 +51,8 @@ pub(super) struct Modal {
     pub(super) feed: Option<f64>,
     /// Lead of threads as programmed in mm/rev; `None` before the first.
     pub(super) lead: Option<f64>,
+    /// Words of the transverse axis that count radii.
+    pub(super) radii: Radii,
     /// Constant surface speed is on.
     pub(super) surface: bool,
     /// The last surface speed as programmed, in m/min; `None` before the first.
@@ -72,6 +85,7 @@ impl Modal {
             zero: [0; AXES],
             feed: None,
             lead: None,
+            radii: Radii::No,
             surface: false,
             surface_speed: None,
             surface_undone: false,
@@ -87,7 +101,11 @@ impl Modal {
 
     /// Puts a code in force. Codes that act in their own block only change nothing.
     pub(super) fn set(&mut self, control: &Control, row: &CodeDef) {
-        use Code::*;
+        use Code::{
+            Absolute, ArcCcw, ArcCw, Cancel, Diameters, DiametersAbsolute, ExactStop, FeedPerMinute, FeedPerRevolution,
+            Inch, Incremental, Linear, Metric, NotSimulated, PlaneXy, PlaneYz, PlaneZx, Rapid, SurfaceSpeed,
+            SurfaceSpeedOff, Thread, WorkCoordinates,
+        };
         if row.group != Group::OneShot {
             self.codes[row.group as usize] = row.number;
         }
@@ -112,6 +130,9 @@ impl Modal {
                     (self.surface, self.surface_undone) = (false, true);
                 }
             }
+            Diameters => self.radii = Radii::No,
+            Code::Radii => self.radii = Radii::All,
+            DiametersAbsolute => self.radii = Radii::Incremental,
             _ if row.group == Group::PathMode => self.exact = row.code == ExactStop,
             SurfaceSpeed | SurfaceSpeedOff => {
                 (self.surface, self.surface_undone) = (row.code == SurfaceSpeed, false);
@@ -142,6 +163,11 @@ impl Modal {
             let parts = [offsets[1][k], self.origin[k], self.local[k]];
             parts.into_iter().fold(offsets[0][k], i64::saturating_add)
         });
+    }
+
+    /// Local zero of an axis in the work frame.
+    pub(super) fn local(&self, axis: usize) -> i64 {
+        self.local[axis]
     }
 
     /// G52: local zero of an axis in the work frame.

@@ -61,8 +61,9 @@ impl Rules {
         let get = |id: &str| switches.get(control.switches, id);
         let is = |id: &str, setting: &str| get(id) == Some(setting);
         let mut startup = control.startup.to_vec();
-        let groups = [Group::Distance, Group::Motion, Group::FeedUnit];
-        for (id, group) in ["startup-distance", "startup-motion", "startup-feed"].into_iter().zip(groups) {
+        let groups = [Group::Distance, Group::Motion, Group::FeedUnit, Group::PathMode];
+        let ids = ["startup-distance", "startup-motion", "startup-feed", "startup-path"];
+        for (id, group) in ids.into_iter().zip(groups) {
             let number = get(id).and_then(|setting| setting.get(1..)).and_then(|number| number.parse::<u16>().ok());
             let row = number.and_then(|number| control.code(b'G', number.saturating_mul(10)));
             startup.extend(row.filter(|row| row.group == group).map(|row| row.number));

@@ -10,7 +10,7 @@ use super::modal::Modal;
 use super::rules::{Rules, Units};
 use super::vars::{VACANT, Vars};
 use super::{Counts, End, Step, World};
-use crate::controls::{Alarm, Control};
+use crate::controls::{Alarm, Code, Control};
 use crate::msg;
 use crate::nc::{Block, Deck, ExprId, Parsed, Stmt};
 use crate::text::{Diagnostic, FileId, Place, Span};
@@ -241,9 +241,19 @@ impl State {
         let last = (self.first < self.end).then(|| cx.deck.blocks.get(self.end as usize - 1)).flatten();
         let span = last.map_or(program.map_or(Span::default(), |program| program.span), |block| block.span);
         self.place = Place { file: self.file, span };
-        let hint = if self.frames.is_empty() { msg!("interp.hint-end-main") } else { msg!("interp.hint-end-sub") };
-        let number = program.map_or(0, |program| program.number);
-        self.fail(cx.shared, Trap::alarm(Alarm::NoProgramEnd, msg!("interp.no-end", number)).hint(hint))
+        let name = |code: Code| {
+            let row = cx.control.codes.iter().find(|row| row.code == code);
+            row.map_or(String::new(), |row| cx.control.code_name(row.letter, row.number.into()))
+        };
+        let hint = if self.frames.is_empty() {
+            msg!("interp.hint-end-main", name(Code::EndRewind))
+        } else {
+            msg!("interp.hint-end-sub", name(Code::SubEnd))
+        };
+        let number = program.map_or(0, |program| program.number).to_string();
+        let name = program.and_then(|program| program.name).map(|name| cx.deck.text(Some(name)).to_owned());
+        let message = msg!("interp.no-end", name.unwrap_or(number), cx.control.program_ends());
+        self.fail(cx.shared, Trap::alarm(Alarm::NoProgramEnd, message).hint(hint))
     }
 
     fn block(&mut self, cx: &mut Cx, at: u32, block: &Block) -> Run<()> {
@@ -260,17 +270,32 @@ impl State {
         match block.stmt {
             Stmt::Words { .. } | Stmt::Empty => {}
             Stmt::Assign { to, value } => self.assign(cx, block, to, value)?,
-            Stmt::If { cond, target } => {
+            Stmt::If { cond, target, .. } => {
                 if self.number(cx, cond)? != 0.0 {
                     self.go_to(cx, at, target)?;
                 }
             }
+            Stmt::Assigns { first, count } => {
+                for pair in cx.deck.pairs_of(first, count) {
+                    self.assign(cx, block, pair.left, pair.right)?;
+                }
+            }
+            Stmt::Ifs { first, count } => {
+                for pair in cx.deck.pairs_of(first, count) {
+                    if self.number(cx, pair.left)? != 0.0 {
+                        self.go_to(cx, at, pair.right)?;
+                        break;
+                    }
+                }
+            }
+            Stmt::Call { name, repeats } => self.call_named(cx, name, repeats)?,
+            Stmt::Message(text) => self.queue.push(Canon::Show { text: cx.deck.text(text).to_owned() }),
             Stmt::IfThen { cond, to, value } => {
                 if self.number(cx, cond)? != 0.0 {
                     self.assign(cx, block, to, value)?;
                 }
             }
-            Stmt::Goto(target) => self.go_to(cx, at, target)?,
+            Stmt::Goto { target, .. } => self.go_to(cx, at, target)?,
             Stmt::While { cond, .. } => {
                 let end = self.partner(cx, at)?;
                 let goes_on = match cond {
@@ -315,6 +340,14 @@ impl State {
     }
 
     fn go_to(&mut self, cx: &mut Cx, from: u32, target: ExprId) -> Run<()> {
+        if cx.control.syntax.names.is_some() {
+            self.at = cx
+                .shared
+                .index
+                .target(target)
+                .ok_or_else(|| Trap::alarm(Alarm::NoSequence, msg!("interp.no-label")).part(target))?;
+            return Ok(());
+        }
         let number = self.number(cx, target)?;
         self.go_to_number(cx, from, number).map_err(|trap| trap.part(target))
     }

@@ -70,12 +70,12 @@ impl State {
             VarKind::MachinePosition => finite_or_zero(cx.world.position(axis)),
             VarKind::WorkPosition => finite_or_zero(cx.world.position(axis)) - millimetres(self.modal.zero[axis]),
             VarKind::AlarmMessage | VarKind::StopMessage => {
-                return Err(Trap::alarm(Alarm::VariableSide, msg!("interp.write-only", number)));
+                return Err(Trap::alarm(Alarm::VariableSide, msg!("interp.write-only", cx.control.variable(number))));
             }
             VarKind::WorkOffset(system) | VarKind::WorkOffsetShown(system) => {
                 millimetres(self.modal.offset(system, axis))
             }
-            VarKind::NotSimulated => return Err(not_simulated(number, row)),
+            VarKind::NotSimulated => return Err(not_simulated(cx, number, row)),
         };
         Ok(value)
     }
@@ -96,7 +96,10 @@ impl State {
     pub(super) fn variable_of(&self, cx: &mut Cx, id: ExprId) -> Run<u32> {
         match cx.deck.expr(id) {
             Expr::Var(number) => Ok(number),
-            Expr::Indirect(number) => variable_number(self.value(cx, number)?).map_err(|trap| trap.part(id)),
+            Expr::Indirect(number) => {
+                let number = self.value(cx, number)?;
+                variable_number(cx, number).map_err(|trap| trap.part(id))
+            }
             _ => Err(Trap::alarm(Alarm::Format, msg!("interp.not-a-variable"))),
         }
     }
@@ -160,7 +163,7 @@ impl State {
             }
             VarKind::AlarmMessage => return Err(user_alarm(cx, block, value.round())),
             VarKind::StopMessage => {
-                self.queue.push(Canon::Message { text: cx.deck.comment(block.comment).to_owned() });
+                self.queue.push(Canon::Message { text: cx.deck.text(block.comment).to_owned() });
                 self.pause = true;
             }
             VarKind::PowerOnTime(clock) => {
@@ -183,9 +186,10 @@ impl State {
                 self.modal.set_offset(system, axis, increments as i64);
                 self.surface_speed(cx);
             }
-            VarKind::NotSimulated => return Err(not_simulated(number, row)),
+            VarKind::NotSimulated => return Err(not_simulated(cx, number, row)),
             VarKind::Vacant => {
-                let trap = Trap::alarm(Alarm::VacantWritten, msg!("interp.read-only", number, row.text));
+                let trap =
+                    Trap::alarm(Alarm::VacantWritten, msg!("interp.read-only", cx.control.variable(number), row.text));
                 return Err(with_common(cx, trap));
             }
             VarKind::Local | VarKind::Common | VarKind::Retained => {}
@@ -200,7 +204,8 @@ impl State {
             | VarKind::BlockEnd
             | VarKind::MachinePosition
             | VarKind::WorkPosition => {
-                let trap = Trap::alarm(Alarm::ReadOnly, msg!("interp.read-only", number, row.text));
+                let trap =
+                    Trap::alarm(Alarm::ReadOnly, msg!("interp.read-only", cx.control.variable(number), row.text));
                 return Err(with_common(cx, trap));
             }
         }
@@ -243,7 +248,7 @@ pub(super) fn user_alarm(cx: &Cx, block: &Block, number: f64) -> Trap {
         return Trap::alarm(Alarm::UserAlarmRange, msg!("interp.value-range", number, min, max));
     }
     let shown = cx.shared.rules.user_alarm_base.map(|base| base + number as u32);
-    let text = cx.deck.comment(block.comment).trim_start_matches('/');
+    let text = cx.deck.text(block.comment).trim_start_matches('/');
     let message =
         if text.is_empty() { msg!("interp.user-alarm", number) } else { msg!("interp.user-alarm-text", number, text) };
     Trap::alarm(Alarm::User, message).numbered(shown)
@@ -251,19 +256,23 @@ pub(super) fn user_alarm(cx: &Cx, block: &Block, number: f64) -> Trap {
 
 #[cold]
 fn no_such_variable(cx: &Cx, number: u32) -> Trap {
-    with_common(cx, Trap::alarm(Alarm::VariableRange, msg!("interp.no-such-variable", number)))
+    with_common(cx, Trap::alarm(Alarm::VariableRange, msg!("interp.no-such-variable", cx.control.variable(number))))
 }
 
 /// There is no alarm for what only the simulation lacks, and a made-up value would be worse.
 #[cold]
-fn not_simulated(number: u32, row: &VarRange) -> Trap {
-    Trap::alarm(Alarm::Budget, msg!("interp.variable-not-simulated", number, row.text))
+fn not_simulated(cx: &Cx, number: u32, row: &VarRange) -> Trap {
+    Trap::alarm(Alarm::Budget, msg!("interp.variable-not-simulated", cx.control.variable(number), row.text))
 }
 
 /// The way out: a variable that is free to use.
 fn with_common(cx: &Cx, trap: Trap) -> Trap {
-    match cx.control.vars.iter().find(|row| row.kind == VarKind::Common) {
-        Some(row) => trap.hint(msg!("interp.hint-common", row.first, row.last)),
+    let all = || cx.control.vars.iter();
+    let common = all().find(|row| row.kind == VarKind::Common);
+    match common.or_else(|| all().find(|row| row.kind == VarKind::Retained)) {
+        Some(row) => {
+            trap.hint(msg!("interp.hint-common", cx.control.variable(row.first), cx.control.variable(row.last)))
+        }
         None => trap,
     }
 }

@@ -5,6 +5,7 @@ use super::block::{Codes, Words};
 use super::canon::{AXES, Canon, Feed, Target};
 use super::fault::{Run, Trap};
 use super::state::{Cx, State};
+use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code};
 use crate::msg;
 
@@ -13,6 +14,10 @@ impl State {
     #[inline]
     pub(super) fn motion(&mut self, cx: &Cx, codes: &Codes, values: &Words) -> Run<bool> {
         match codes.special {
+            Some(Code::Dwell) if values.dwell_turns.is_some() => {
+                self.queue.push(Canon::DwellTurns { turns: values.dwell_turns.unwrap_or(0.0) });
+                return Ok(false);
+            }
             Some(Code::Dwell) => {
                 self.queue.push(Canon::Dwell { seconds: values.dwell.unwrap_or(0.0) });
                 return Ok(false);
@@ -23,6 +28,15 @@ impl State {
             }
             // Limits of the working area are not simulated.
             Some(Code::LowerLimits | Code::UpperLimits) => return Ok(false),
+            Some(code @ (Code::Offset | Code::OffsetMore)) => {
+                for k in 0..AXES {
+                    let programmed = if values.mask & 1 << k != 0 { values.axes[k] } else { 0 };
+                    let before = if code == Code::OffsetMore { self.modal.local(k) } else { 0 };
+                    self.modal.set_local(k, before.saturating_add(programmed));
+                }
+                self.surface_speed(cx);
+                return Ok(false);
+            }
             Some(Code::LocalCoordinates) => {
                 for k in (0..AXES).filter(|k| values.mask & 1 << k != 0) {
                     self.modal.set_local(k, values.axes[k]);
@@ -37,7 +51,7 @@ impl State {
             return Ok(false);
         }
         let machine = matches!(codes.special, Some(Code::MachineCoordinates | Code::MachineRapid));
-        let incremental = if self.modal.absolute || machine { values.incremental } else { u8::MAX };
+        let incremental = if self.modal.absolute || machine { values.incremental } else { u8::MAX } & !values.absolute;
         let mut to = Target { position: self.position, mask: values.mask };
         for k in 0..AXES {
             if values.mask & 1 << k != 0 {
@@ -67,20 +81,24 @@ impl State {
                 let exact = codes.exact || self.modal.exact;
                 match self.modal.feed {
                     Some(0.0) if cx.shared.rules.feed_zero_rapid => Canon::Rapid { to },
-                    None | Some(0.0) => return Err(no_feed(self.modal.feed)),
+                    None | Some(0.0) => return Err(no_feed(cx, self.modal.feed)),
                     Some(feed) => {
                         let per_revolution = self.modal.per_revolution;
                         let feed = if per_revolution { Feed::PerRevolution(feed) } else { Feed::PerMinute(feed) };
                         if self.modal.motion == Code::Linear {
                             Canon::Linear { to, feed, exact }
                         } else {
-                            self.arc(cx, values, to, feed, exact).map_err(|trap| trap.behind(b"IJKR"))?
+                            self.arc(cx, values, to, feed, exact)
+                                .map_err(|trap| trap.behind(&[b'I', b'J', b'K', b'R', long::CR]))?
                         }
                     }
                 }
             }
             Code::Thread => match self.modal.lead {
-                None | Some(0.0) => return Err(no_feed(self.modal.lead)),
+                None | Some(0.0) if cx.control.raises(Alarm::NoLead) => {
+                    return Err(Trap::alarm(Alarm::NoLead, msg!("interp.no-lead")));
+                }
+                None | Some(0.0) => return Err(no_feed(cx, self.modal.lead)),
                 Some(lead) => Canon::Thread { to, lead: lead * self.stretch(cx, to) },
             },
             _ => return Ok(false),
@@ -162,9 +180,10 @@ impl State {
 }
 
 #[cold]
-fn no_feed(feed: Option<f64>) -> Trap {
+fn no_feed(cx: &Cx, feed: Option<f64>) -> Trap {
     match feed {
         None => Trap::alarm(Alarm::NoFeed, msg!("interp.no-feed")).hint(msg!("interp.hint-feed")),
-        Some(_) => Trap::alarm(Alarm::NoFeed, msg!("interp.feed-zero")).hint(msg!("interp.hint-feed-zero")),
+        Some(_) => Trap::alarm(Alarm::NoFeed, msg!("interp.feed-zero"))
+            .hint(msg!("interp.hint-feed-zero", cx.control.guard(&format!("{}…", cx.control.syntax.variable)))),
     }
 }

@@ -5,6 +5,7 @@ use super::eval::WHOLE;
 use super::fault::{Run, Trap};
 use super::state::{Cx, State};
 use crate::controls::Alarm;
+use crate::controls::syntax::long;
 use crate::msg;
 use crate::nc::dec::POW10;
 use crate::nc::{Block, Dec, Word, WordValue};
@@ -170,11 +171,13 @@ impl State {
             Some(value) if whole => cut(value),
             Some(value) => value,
         };
-        let max = cx.control.limits.speed_max;
-        if (0.0..=max).contains(&speed) { Ok(Some(speed)) } else { Err(self.out_of_range(cx, block, word, 0.0, max)) }
+        let limits = &cx.control.limits;
+        let own = limits.speed_limit.filter(|_| word.letter == long::LIMS);
+        let (min, max) = own.unwrap_or((0.0, limits.speed_max));
+        if (min..=max).contains(&speed) { Ok(Some(speed)) } else { Err(self.out_of_range(cx, block, word, min, max)) }
     }
 
-    /// Seconds of a dwell: P in whole milliseconds, the other addresses in seconds.
+    /// A dwell: P in whole milliseconds, S in turns of the spindle, the other addresses in seconds.
     pub(super) fn dwell_word(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
         let seconds = match word.letter {
             b'P' => self.whole(cx, block, word)?.map(|milliseconds| milliseconds / 1000.0),
@@ -191,9 +194,14 @@ impl State {
     #[cold]
     pub(super) fn out_of_range(&self, cx: &mut Cx, block: &Block, word: &Word, min: f64, max: f64) -> Trap {
         let value = self.raw(cx, block, word).ok().flatten().unwrap_or(0.0);
-        let letter = char::from(word.letter).to_string();
-        let message = msg!("interp.word-range", letter, (value, 9), min, max);
-        let alarm = if word.letter == b'F' { Alarm::FeedRange } else { Alarm::OutOfRange };
+        let message = msg!("interp.word-range", cx.control.address(word.letter), (value, 9), min, max);
+        let alarm = match word.letter {
+            b'F' => Alarm::FeedRange,
+            b'S' if self.modal.surface => Alarm::SurfaceRange,
+            b'S' => Alarm::SpeedRange,
+            long::LIMS => Alarm::SpeedLimitRange,
+            _ => Alarm::OutOfRange,
+        };
         Trap::alarm(alarm, message).within(word_span(block, word))
     }
 }

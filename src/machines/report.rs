@@ -64,9 +64,7 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
 /// What no manual at hand confirms, by table; of the switches also those that are not at their default.
 fn open(control: &Control, switches: &Switches) -> Vec<Open> {
     let doubtful = |cite: &Citation| cite.grade == Grade::Open;
-    let code = |row: &&crate::controls::CodeDef| {
-        format!("{}{}", row.letter as char, number_text(f64::from(row.number) / 10.0, 1))
-    };
+    let code = |row: &&crate::controls::CodeDef| control.code_name(row.letter, row.number.into());
     let tables: [(&'static str, Vec<String>); 7] = [
         (
             "form.open.switches",
@@ -110,7 +108,7 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
         ("form.open.codes", control.codes.iter().filter(|row| doubtful(&row.cite)).map(|row| code(&row)).collect()),
         (
             "form.open.vars",
-            ranges(control.vars.iter().filter(|row| doubtful(&row.cite)).map(|row| (row.first, row.last))),
+            ranges(control, control.vars.iter().filter(|row| doubtful(&row.cite)).map(|row| (row.first, row.last))),
         ),
         ("form.open.alarms", numbers(control.alarms.iter().filter(|row| doubtful(&row.cite)).map(|row| row.number))),
     ];
@@ -118,7 +116,7 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
 }
 
 /// Ranges of variables as words; those that touch are one.
-fn ranges(rows: impl Iterator<Item = (u32, u32)>) -> Vec<String> {
+fn ranges(control: &Control, rows: impl Iterator<Item = (u32, u32)>) -> Vec<String> {
     let mut all: Vec<(u32, u32)> = Vec::new();
     for (first, last) in rows {
         match all.last_mut() {
@@ -126,8 +124,10 @@ fn ranges(rows: impl Iterator<Item = (u32, u32)>) -> Vec<String> {
             _ => all.push((first, last)),
         }
     }
-    let range =
-        |(first, last): (u32, u32)| if first == last { format!("#{first}") } else { format!("#{first} to #{last}") };
+    let range = |(first, last): (u32, u32)| match control.variable(first) {
+        first_name if first == last => first_name,
+        first_name => format!("{first_name} to {}", control.variable(last)),
+    };
     all.into_iter().map(range).collect()
 }
 

@@ -200,7 +200,7 @@ impl<P: Program> Sim<'_, P> {
             }
             Canon::Orient { angle, approach } => self.orient(t, angle, approach),
             // These only say that the interpreter has changed its mind, or have acted when they were read.
-            Canon::Preset { .. } | Canon::PathMode { .. } => {}
+            Canon::Preset { .. } | Canon::PathMode { .. } | Canon::Show { .. } => {}
             Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. } => {}
             Canon::OptionalStop if !self.s.knobs.optional_stop => {}
             _ => {

@@ -2,6 +2,8 @@
 //!
 //! A parsed deck keeps the bytes of every block; a block that an edit or a rewrite touched loses them and is written anew.
 
+use core::num::NonZeroU32;
+
 use super::dec::Dec;
 use crate::controls::syntax::Function;
 use crate::text::{FileId, Span};
@@ -9,6 +11,10 @@ use crate::text::{FileId, Span};
 /// Index of an expression in [`Deck::exprs`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct ExprId(pub u32);
+
+/// A text of a deck: a comment, a message, a name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct TextId(NonZeroU32);
 
 /// All programs of all files.
 #[derive(Debug, Clone, Default)]
@@ -21,8 +27,10 @@ pub struct Deck {
     pub words: Vec<Word>,
     /// Expressions; children stand before their parents.
     pub exprs: Vec<Expr>,
-    /// Texts of comments and messages, without brackets.
-    pub comments: Vec<Box<str>>,
+    /// Assignments and jumps of blocks that have several of them, a block's side by side.
+    pub pairs: Vec<Pair>,
+    /// Comments and messages without brackets, names of programs and labels.
+    pub texts: Vec<Box<str>>,
 }
 
 /// One program.
@@ -30,10 +38,14 @@ pub struct Deck {
 pub struct Program {
     /// File that it stands in.
     pub file: FileId,
-    /// Number behind `O`; 0 where the file has none.
+    /// Number behind `O`, or in a name such as `L9100`; 0 where there is none.
     pub number: u32,
-    /// Comment behind the number, index in [`Deck::comments`].
-    pub title: Option<u32>,
+    /// Name, where programs have names.
+    pub name: Option<TextId>,
+    /// Marked as a subprogram, where names come with such a mark.
+    pub sub: bool,
+    /// Comment behind the number.
+    pub title: Option<TextId>,
     /// Place of the program number.
     pub span: Span,
     /// First block in [`Deck::blocks`].
@@ -51,8 +63,10 @@ pub struct Block {
     pub number: Option<u32>,
     /// What it says.
     pub stmt: Stmt,
-    /// First comment in the block, index in [`Deck::comments`].
-    pub comment: Option<u32>,
+    /// First comment in the block.
+    pub comment: Option<TextId>,
+    /// Label, where blocks are jumped to by names.
+    pub label: Option<TextId>,
     /// Optional block skip: 0 none, 1 `/` or `/1`, 2 `/2` ….
     pub skip: u8,
 }
@@ -76,12 +90,28 @@ pub enum Stmt {
         /// Its new value.
         value: ExprId,
     },
+    /// Several assignments `pairs[first..first + count]`, done from left to right.
+    Assigns {
+        /// First assignment.
+        first: u32,
+        /// How many.
+        count: u16,
+    },
     /// `IF [cond] GOTO target`.
     If {
         /// The condition.
         cond: ExprId,
-        /// Sequence number to go to.
+        /// Sequence number or [`Expr::Label`] to go to.
         target: ExprId,
+        /// Where it is looked for.
+        way: Way,
+    },
+    /// Several conditions with jumps `pairs[first..first + count]`; the first condition that holds jumps.
+    Ifs {
+        /// First jump.
+        first: u32,
+        /// How many.
+        count: u16,
     },
     /// `IF [cond] THEN to = value`.
     IfThen {
@@ -93,7 +123,21 @@ pub enum Stmt {
         value: ExprId,
     },
     /// `GOTO target`.
-    Goto(ExprId),
+    Goto {
+        /// Sequence number or [`Expr::Label`] to go to.
+        target: ExprId,
+        /// Where it is looked for.
+        way: Way,
+    },
+    /// A call of a program by its name.
+    Call {
+        /// The name.
+        name: TextId,
+        /// How often it runs; once where nothing is said.
+        repeats: Option<ExprId>,
+    },
+    /// A message to the operator while the program goes on; none takes the last one away.
+    Message(Option<TextId>),
     /// `WHILE [cond] DO label`, or `DO label` without a condition.
     While {
         /// The condition; `None` is for ever.
@@ -110,15 +154,60 @@ pub enum Stmt {
     Bad(crate::controls::Alarm),
 }
 
+/// Where a jump looks for its target.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Way {
+    /// From here to the end of the program, then from its head.
+    Round,
+    /// Toward the end of the program only.
+    Forward,
+    /// Toward its head only.
+    Backward,
+}
+
+/// One of several assignments or jumps of a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// The variable, or the condition.
+    pub left: ExprId,
+    /// Its new value, or the target.
+    pub right: ExprId,
+    /// Where a target is looked for.
+    pub way: Way,
+}
+
+/// How the value of a word counts, where the word says so itself: `X=IC(5)`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Form {
+    /// As the codes in force have it.
+    #[default]
+    Plain,
+    /// `AC( )`: absolute.
+    Absolute,
+    /// `IC( )`: incremental.
+    Incremental,
+    /// `DC( )`: absolute on the shortest way.
+    Shortest,
+    /// `ACP( )`: absolute, turning in the positive direction.
+    Positive,
+    /// `ACN( )`: absolute, turning in the negative direction.
+    Negative,
+}
+
 /// An address and its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Word {
-    /// Address letter, upper case; `/` with a number for an optional block skip from here to the end of the block.
+    /// Address letter, upper case; `/` with a number for an optional block skip from here to the end of the block; 128 and above for an
+    /// address or a code of several letters ([`long`](crate::controls::syntax::long)).
     pub letter: u8,
     /// Bytes of the word.
     pub len: u8,
     /// Where the word starts, in bytes behind the start of its block.
     pub offset: u16,
+    /// Number that belongs to the address: `S1=500`, `SPOS[1]=0`.
+    pub index: Option<u8>,
+    /// How the value counts.
+    pub form: Form,
     /// What stands behind the letter.
     pub value: WordValue,
 }
@@ -137,9 +226,11 @@ pub enum WordValue {
 pub enum Expr {
     /// A constant.
     Number(Dec),
-    /// `#n`.
+    /// A label that is jumped to; it has no value.
+    Label(TextId),
+    /// `#n` or `Rn`.
     Var(u32),
-    /// `#[expr]` or `##n`.
+    /// `#[expr]`, `##n` or `R[expr]`.
     Indirect(ExprId),
     /// `-expr`.
     Negate(ExprId),
@@ -205,6 +296,11 @@ pub(super) fn fresh_numbers() -> impl Iterator<Item = u32> {
 }
 
 impl Word {
+    /// A word that was built, without a place.
+    pub const fn new(letter: u8, value: WordValue) -> Word {
+        Word { letter, len: 0, offset: 0, index: None, form: Form::Plain, value }
+    }
+
     /// The bytes of the word in its file.
     pub fn span(&self, block: &Block) -> Span {
         let start = block.span.start.saturating_add(u32::from(self.offset));
@@ -219,7 +315,8 @@ impl Deck {
         self.blocks.shrink_to_fit();
         self.words.shrink_to_fit();
         self.exprs.shrink_to_fit();
-        self.comments.shrink_to_fit();
+        self.pairs.shrink_to_fit();
+        self.texts.shrink_to_fit();
     }
 
     /// The words of a block; none where it has other text.
@@ -240,9 +337,59 @@ impl Deck {
         self.exprs[id.0 as usize]
     }
 
-    /// A comment or message by its index; empty where there is none.
-    pub fn comment(&self, index: Option<u32>) -> &str {
-        index.and_then(|index| self.comments.get(index as usize)).map_or("", |text| text)
+    /// A text; empty where there is none.
+    pub fn text(&self, id: Option<TextId>) -> &str {
+        id.and_then(|id| self.texts.get(id.0.get() as usize - 1)).map_or("", |text| text)
+    }
+
+    /// A text to change.
+    pub(super) fn text_mut(&mut self, id: TextId) -> Option<&mut Box<str>> {
+        self.texts.get_mut(id.0.get() as usize - 1)
+    }
+
+    /// Adds a text.
+    pub(super) fn add_text(&mut self, text: impl Into<Box<str>>) -> TextId {
+        self.texts.push(text.into());
+        TextId(NonZeroU32::new(self.texts.len() as u32).unwrap_or(NonZeroU32::MIN))
+    }
+
+    /// Assignments or jumps of a block that has several.
+    pub fn pairs_of(&self, first: u32, count: u16) -> &[Pair] {
+        self.pairs.get(first as usize..first as usize + count as usize).unwrap_or_default()
+    }
+
+    /// Where a block jumps, each with its condition; none where it does not.
+    pub fn jumps_of(&self, stmt: Stmt) -> impl Iterator<Item = (Option<ExprId>, ExprId, Way)> {
+        let one = match stmt {
+            Stmt::If { cond, target, way } => Some((Some(cond), target, way)),
+            Stmt::Goto { target, way } => Some((None, target, way)),
+            _ => None,
+        };
+        let several = match stmt {
+            Stmt::Ifs { first, count } => self.pairs_of(first, count),
+            _ => &[],
+        };
+        one.into_iter().chain(several.iter().map(|pair| (Some(pair.left), pair.right, pair.way)))
+    }
+
+    /// What a block assigns, each variable with its value; none where it does not, or under a condition.
+    pub fn assigned_in(&self, stmt: Stmt) -> impl Iterator<Item = (ExprId, ExprId)> {
+        let one = match stmt {
+            Stmt::Assign { to, value } => Some((to, value)),
+            _ => None,
+        };
+        let several = match stmt {
+            Stmt::Assigns { first, count } => self.pairs_of(first, count),
+            _ => &[],
+        };
+        one.into_iter().chain(several.iter().map(|pair| (pair.left, pair.right)))
+    }
+
+    /// The first program with a name, in capitals or not.
+    pub fn program_named(&self, name: &str) -> Option<u32> {
+        let at =
+            self.programs.iter().position(|row| row.name.is_some() && self.text(row.name).eq_ignore_ascii_case(name));
+        at.map(|at| at as u32)
     }
 
     /// The first program with a number.

@@ -13,7 +13,7 @@
 //! assert_eq!(deck.blocks.len(), 5);
 //! ```
 
-use super::ast::{Block, Deck, Expr, ExprId, Op, Program, Stmt, Word, WordValue};
+use super::ast::{Block, Deck, Expr, ExprId, Op, Program, Stmt, TextId, Way, Word, WordValue};
 use super::dec::Dec;
 use crate::controls::syntax::Function;
 use crate::text::{FileId, Span};
@@ -220,7 +220,8 @@ impl Builder {
         let title = (!title.is_empty()).then(|| self.text(title));
         let file = FileId(self.deck.programs.len().min(u16::MAX as usize) as u16);
         let at = self.deck.blocks.len() as u32;
-        self.deck.programs.push(Program { file, number, title, span: Span::default(), first: at, end: at });
+        let (name, sub, span) = (None, false, Span::default());
+        self.deck.programs.push(Program { file, number, name, sub, title, span, first: at, end: at });
         self
     }
 
@@ -244,7 +245,7 @@ impl Builder {
                 Formula::Number(number) => WordValue::Number(number),
                 other => WordValue::Expr(self.intern(other)),
             };
-            self.deck.words.push(Word { letter, len: 0, offset: 0, value });
+            self.deck.words.push(Word::new(letter, value));
         }
         let count = (self.deck.words.len() as u32 - first) as u16;
         self.push(if count == 0 { Stmt::Empty } else { Stmt::Words { first, count } })
@@ -268,7 +269,7 @@ impl Builder {
     pub fn if_goto(&mut self, condition: Condition, target: impl Into<Formula>) -> &mut Builder {
         let cond = self.intern(condition.0);
         let target = self.intern(target.into());
-        self.push(Stmt::If { cond, target })
+        self.push(Stmt::If { cond, target, way: Way::Round })
     }
 
     /// `IF [condition] THEN #to = value`.
@@ -282,7 +283,7 @@ impl Builder {
     /// `GOTO target`.
     pub fn goto(&mut self, target: impl Into<Formula>) -> &mut Builder {
         let target = self.intern(target.into());
-        self.push(Stmt::Goto(target))
+        self.push(Stmt::Goto { target, way: Way::Round })
     }
 
     /// `WHILE [condition] DO label`.
@@ -299,6 +300,19 @@ impl Builder {
     /// `END label`.
     pub fn end_do(&mut self, label: u16) -> &mut Builder {
         self.push(Stmt::End { label })
+    }
+
+    /// Calls a program by its number, so many times: `M98 P`, or a call by name.
+    pub fn call(&mut self, program: u32, repeats: Option<u32>) -> &mut Builder {
+        let name = self.text(&format!("L{program}"));
+        let repeats = repeats.map(|times| self.intern(times.into()));
+        self.push(Stmt::Call { name, repeats })
+    }
+
+    /// A message to the operator while the program goes on; a comment where a control has no such messages.
+    pub fn show(&mut self, text: &str) -> &mut Builder {
+        let text = self.text(text);
+        self.push(Stmt::Message(Some(text)))
     }
 
     /// `#3000 = number (text)`: the control's own alarm with a message.
@@ -330,9 +344,8 @@ impl Builder {
         self.deck
     }
 
-    fn text(&mut self, text: &str) -> u32 {
-        self.deck.comments.push(text.into());
-        self.deck.comments.len() as u32 - 1
+    fn text(&mut self, text: &str) -> TextId {
+        self.deck.add_text(text)
     }
 
     fn add(&mut self, expr: Expr) -> ExprId {
@@ -360,7 +373,7 @@ impl Builder {
             self.program(0, "");
         }
         let (number, skip) = (self.number.take(), core::mem::take(&mut self.skip));
-        self.deck.blocks.push(Block { span: Span::default(), number, stmt, comment: None, skip });
+        self.deck.blocks.push(Block { span: Span::default(), number, stmt, comment: None, label: None, skip });
         if let Some(program) = self.deck.programs.last_mut() {
             program.end = self.deck.blocks.len() as u32;
         }

@@ -1,18 +1,22 @@
 //! Tree to text, as the control takes it: one program a file, capitals, brackets only where precedence needs them.
 
-use super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, WordValue};
+use super::ast::{Block, Deck, Expr, ExprId, Op, Program, Stmt, TextId, WordValue};
 use super::dec::Dec;
+use super::emit_names::named_operator;
 use super::files::{File, Files};
 use super::lower::{is_message, lowered};
 use super::parsed::Parsed;
 use crate::controls::Control;
-use crate::controls::syntax::{Function, Percent};
+use crate::controls::syntax::{Function, Percent, Round};
 use crate::msg;
 use crate::text::find::newline;
 use crate::text::{Diagnostic, FileId, Place, Span};
 
 /// Trees deeper than this are no formulas; reading stops at as many parts.
 const DEPTH: u32 = 250;
+
+/// The level at which no operator stands bare.
+pub(super) const FACTOR: u8 = 6;
 
 /// Longest text of a block that is still written out.
 const BLOCK_TEXT: usize = 10_000;
@@ -65,7 +69,9 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
             w.text.push('%');
             w.text.push_str(eol);
         }
-        if program.number != 0 {
+        if let Some(names) = &control.syntax.names {
+            w.head(names, program, eol);
+        } else if program.number != 0 {
             let letter = control.syntax.program_letters.first().copied().unwrap_or(b'O');
             w.text.push_str(&format!("{}{}", letter as char, program.number));
             w.comment(program.title, false);
@@ -83,7 +89,7 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
             } else if written >= control.syntax.block_chars {
                 Some(Diagnostic::warning(msg!("nc.long-block", written as u32, control.syntax.block_chars as u32 - 1)))
             } else if shortened(deck, &low, block) {
-                Some(Diagnostic::warning(msg!("nc.clipped-text", w.deck.comment(block.comment))))
+                Some(Diagnostic::warning(msg!("nc.clipped-text", w.deck.text(block.comment))))
             } else {
                 None
             };
@@ -98,9 +104,11 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
                 w.text.push_str(eol);
             }
         }
-        w.text.push('%');
-        w.text.push_str(eol);
-        let name = file_name(program.number, control.syntax.extension, &out.files);
+        if control.syntax.percent != Percent::Head {
+            w.text.push('%');
+            w.text.push_str(eol);
+        }
+        let name = file_name(&low, program, control, &out.files);
         out.files.0.push(File { name, text: w.text });
     }
     out
@@ -108,12 +116,20 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
 
 /// Whether lowering cut the comment of a block; it keeps the indices of comments.
 fn shortened(before: &Deck, after: &Deck, block: &Block) -> bool {
-    before.comment(block.comment).chars().count() > after.comment(block.comment).chars().count()
+    before.text(block.comment).chars().count() > after.text(block.comment).chars().count()
 }
 
-/// `O9100.nc`; a second program of a number becomes `O9100-2.nc`.
-fn file_name(number: u32, extension: &str, files: &Files) -> String {
-    let stem = if number == 0 { "PROGRAM".to_owned() } else { format!("O{number}") };
+/// `O9100.nc`, `L9100.SPF`; a second program of a name becomes `O9100-2.nc`.
+fn file_name(deck: &Deck, program: &Program, control: &Control, files: &Files) -> String {
+    let extension = match &control.syntax.names {
+        Some(names) => names.endings[usize::from(program.sub)],
+        None => control.syntax.extension,
+    };
+    let stem = match (program.name, program.number) {
+        (Some(_), _) => deck.text(program.name).to_owned(),
+        (None, 0) => "PROGRAM".to_owned(),
+        (None, number) => format!("O{number}"),
+    };
     let named = |name: &str| files.0.iter().any(|file| file.name == name);
     let mut name = format!("{stem}.{extension}");
     let mut twin = 2;
@@ -174,13 +190,13 @@ pub(super) fn text_length(deck: &Deck, control: &Control, block: &Block) -> usiz
     w.text.len()
 }
 
-struct Writer<'a> {
-    deck: &'a Deck,
-    control: &'a Control,
-    text: String,
+pub(super) struct Writer<'a> {
+    pub(super) deck: &'a Deck,
+    pub(super) control: &'a Control,
+    pub(super) text: String,
     /// Where the block starts.
     start: usize,
-    too_deep: bool,
+    pub(super) too_deep: bool,
 }
 
 impl Writer<'_> {
@@ -194,15 +210,20 @@ impl Writer<'_> {
         }
         if let Some(number) = block.number {
             self.text.push_str(&format!("N{number}"));
-            if block.stmt != Stmt::Empty {
+            if block.stmt != Stmt::Empty || block.label.is_some() {
                 self.text.push(' ');
             }
         }
+        if self.control.syntax.names.is_some() {
+            return self.named_block(block);
+        }
         match block.stmt {
-            Stmt::Empty | Stmt::Bad(_) => {}
+            // What has no form here is left out by `lower`.
+            Stmt::Empty | Stmt::Bad(_) | Stmt::Assigns { .. } | Stmt::Ifs { .. } => {}
+            Stmt::Call { .. } | Stmt::Message(_) => {}
             Stmt::Words { .. } => self.words(block),
             Stmt::Assign { to, value } => self.assignment(to, value),
-            Stmt::If { cond, target } => {
+            Stmt::If { cond, target, .. } => {
                 self.text.push_str("IF[");
                 self.expr(cond, 0, true, 0);
                 self.text.push_str("]GOTO");
@@ -214,7 +235,7 @@ impl Writer<'_> {
                 self.text.push_str("]THEN ");
                 self.assignment(to, value);
             }
-            Stmt::Goto(target) => {
+            Stmt::Goto { target, .. } => {
                 self.text.push_str("GOTO");
                 self.expr(target, 0, true, 0);
             }
@@ -232,20 +253,21 @@ impl Writer<'_> {
         self.comment(block.comment, spaced);
     }
 
-    fn assignment(&mut self, to: ExprId, value: ExprId) {
-        self.expr(to, 3, true, 0);
+    pub(super) fn assignment(&mut self, to: ExprId, value: ExprId) {
+        self.expr(to, FACTOR, true, 0);
         self.text.push('=');
         self.expr(value, 0, true, 0);
     }
 
-    fn comment(&mut self, comment: Option<u32>, spaced: bool) {
+    pub(super) fn comment(&mut self, comment: Option<TextId>, spaced: bool) {
         if comment.is_some() {
+            let round = self.control.syntax.round == Round::Comment;
             if spaced {
                 self.text.push(' ');
             }
-            self.text.push('(');
-            self.text.push_str(self.deck.comment(comment));
-            self.text.push(')');
+            self.text.push(if round { '(' } else { ';' });
+            self.text.push_str(self.deck.text(comment));
+            self.text.push_str(if round { ")" } else { "" });
         }
     }
 
@@ -264,52 +286,59 @@ impl Writer<'_> {
                 }
                 WordValue::Number(number) => self.text.push_str(&number.to_string()),
                 WordValue::Expr(value) => match self.deck.expr(value) {
-                    Expr::Var(_) | Expr::Indirect(_) => self.expr(value, 3, true, 0),
+                    Expr::Var(_) | Expr::Indirect(_) => self.expr(value, FACTOR, true, 0),
                     _ => self.bracketed(value, 0),
                 },
             }
         }
     }
 
-    fn function_name(&mut self, function: Function) {
+    pub(super) fn function_name(&mut self, function: Function) {
         let row = self.control.syntax.functions.iter().find(|(_, other)| *other == function);
         let name = row.map_or_else(|| format!("{function:?}").to_ascii_uppercase(), |(name, _)| (*name).to_owned());
         self.text.push_str(&name);
     }
 
     fn bracketed(&mut self, id: ExprId, depth: u32) {
-        self.text.push('[');
+        let round = self.control.syntax.round == Round::Group;
+        self.text.push(if round { '(' } else { '[' });
         self.expr(id, 0, true, depth + 1);
-        self.text.push(']');
+        self.text.push(if round { ')' } else { ']' });
     }
 
-    /// Writes an expression where operators of at least `level` may stand bare (0 comparison, 1 additive, 2 multiplicative, 3
-    /// none); a sign only at the head of a bracket or block (`lead`).
-    fn expr(&mut self, id: ExprId, level: u8, lead: bool, depth: u32) {
+    /// Writes an expression where operators of at least `level` may stand bare, from comparisons at 0 to none at [`FACTOR`]; a sign
+    /// only at the head of a bracket or block (`lead`).
+    pub(super) fn expr(&mut self, id: ExprId, level: u8, lead: bool, depth: u32) {
         if depth > DEPTH || self.text.len() - self.start > BLOCK_TEXT {
             self.too_deep = true;
             self.text.push('0');
             return;
         }
         match self.deck.expr(id) {
-            Expr::Number(number) if number.mantissa < 0 && !lead => self.text.push_str(&format!("[{number}]")),
+            Expr::Number(number) if number.mantissa < 0 && !lead => self.bracketed(id, depth),
+            Expr::Label(name) => self.text.push_str(self.deck.text(Some(name))),
             Expr::Number(number) => self.text.push_str(&number.to_string()),
-            Expr::Var(number) => self.text.push_str(&format!("#{number}")),
+            Expr::Var(number) => self.text.push_str(&self.control.variable(number)),
             Expr::Indirect(inner) => {
-                self.text.push('#');
-                self.bracketed(inner, depth);
+                self.text.push(self.control.syntax.variable);
+                self.text.push('[');
+                self.expr(inner, 0, true, depth + 1);
+                self.text.push(']');
             }
             Expr::Negate(_) if !lead => self.bracketed(id, depth),
             Expr::Negate(inner) => {
                 self.text.push('-');
                 match self.deck.expr(inner) {
-                    Expr::Var(_) | Expr::Indirect(_) | Expr::Call(..) => self.expr(inner, 3, false, depth + 1),
+                    Expr::Var(_) | Expr::Indirect(_) | Expr::Call(..) => self.expr(inner, FACTOR, false, depth + 1),
                     _ => self.bracketed(inner, depth),
                 }
             }
             Expr::Call(function, inner) => {
                 self.function_name(function);
                 self.bracketed(inner, depth);
+            }
+            Expr::Binary(Op::Atan, left, right) if self.control.syntax.names.is_some() => {
+                self.two_arguments(left, right, depth);
             }
             Expr::Binary(Op::Atan, left, right) => {
                 self.function_name(Function::Atan);
@@ -318,7 +347,7 @@ impl Writer<'_> {
                 self.bracketed(right, depth);
             }
             Expr::Binary(op, left, right) => {
-                let (own, sign) = operator(op);
+                let (own, sign) = if self.control.syntax.names.is_some() { named_operator(op) } else { operator(op) };
                 if own < level {
                     return self.bracketed(id, depth);
                 }

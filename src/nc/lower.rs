@@ -12,9 +12,10 @@
 //! | … `ATAN` of one number | | `ATAN[a]/[1]` |
 //! | `short_texts` | long blocks and messages | comments clipped |
 
-use super::ast::{self, Block, Deck, Expr, ExprId, Op, Stmt, WordValue};
+use super::ast::{self, Block, Deck, Expr, ExprId, Op, Stmt, TextId, Way, WordValue};
 use super::dec::Dec;
 use super::emit::text_length;
+use super::lower_names::{no_names, with_names};
 use crate::controls::syntax::Function;
 use crate::controls::{Control, VarKind};
 use crate::text::Span;
@@ -27,7 +28,9 @@ pub fn lower(deck: &Deck, control: &Control) -> Deck {
 /// The deck as the control can take it, and for each of its blocks the index of the block that it comes from.
 pub(super) fn lowered(deck: &Deck, control: &Control) -> (Deck, Vec<u32>) {
     let mut low = deck.clone();
-    plain_texts(&mut low);
+    if control.syntax.names.is_none() {
+        plain_texts(&mut low);
+    }
     whole_signs(&mut low);
     if control.syntax.point_alarm {
         no_points(&mut low, control);
@@ -36,13 +39,17 @@ pub(super) fn lowered(deck: &Deck, control: &Control) -> (Deck, Vec<u32>) {
     if !control.syntax.if_then && low.blocks.iter().any(|block| matches!(block.stmt, Stmt::IfThen { .. })) {
         origins = no_if_then(&mut low);
     }
+    match &control.syntax.names {
+        Some(names) => with_names(&mut low, control, names, &mut origins),
+        None => no_names(&mut low, control),
+    }
     other_forms(&mut low, control);
     short_texts(&mut low, control);
     (low, origins)
 }
 
 fn plain_texts(deck: &mut Deck) {
-    for comment in &mut deck.comments {
+    for comment in &mut deck.texts {
         let plain = |c: char| match c {
             '(' => '[',
             ')' => ']',
@@ -113,14 +120,21 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
             };
             deck.exprs.extend([opposite, Expr::Number(Dec::int(number.into()))]);
             let end = deck.exprs.len() as u32;
-            let jump = Stmt::If { cond: ExprId(end - 2), target: ExprId(end - 1) };
+            let jump = Stmt::If { cond: ExprId(end - 2), target: ExprId(end - 1), way: Way::Round };
             let block = Block { span: Span::default(), ..*block };
             deck.blocks.push(Block { stmt: jump, comment: None, ..block });
-            deck.blocks.push(Block { stmt: Stmt::Assign { to, value }, number: None, ..block });
+            deck.blocks.push(Block { stmt: Stmt::Assign { to, value }, number: None, label: None, ..block });
             origins.extend([origin; 2]);
             if next.is_none() {
                 numbers.push(number);
-                deck.blocks.push(Block { stmt: Stmt::Empty, number: Some(number), comment: None, skip: 0, ..block });
+                deck.blocks.push(Block {
+                    stmt: Stmt::Empty,
+                    number: Some(number),
+                    comment: None,
+                    label: None,
+                    skip: 0,
+                    ..block
+                });
                 origins.push(origin);
             }
         }
@@ -137,6 +151,7 @@ fn other_forms(deck: &mut Deck, control: &Control) {
         Expr::Binary(Op::Modulo, ..) => !syntax.modulo,
         Expr::Binary(Op::Atan, ..) => !syntax.atan_of_two,
         Expr::Call(Function::Atan, _) => syntax.atan_of_two,
+        Expr::Call(Function::Square, _) => !syntax.functions.iter().any(|row| row.1 == Function::Square),
         _ => false,
     };
     if !deck.exprs.iter().any(strange) {
@@ -152,9 +167,13 @@ fn other_forms(deck: &mut Deck, control: &Control) {
             ExprId(exprs.len() as u32 - 1)
         };
         let id = match *expr {
-            Expr::Number(_) | Expr::Var(_) => push(*expr),
+            Expr::Number(_) | Expr::Label(_) | Expr::Var(_) => push(*expr),
             Expr::Indirect(inner) => push(Expr::Indirect(at(inner))),
             Expr::Negate(inner) => push(Expr::Negate(at(inner))),
+            Expr::Call(Function::Square, inner) if strange(expr) => {
+                let inner = at(inner);
+                push(Expr::Binary(Op::Multiply, inner, inner))
+            }
             Expr::Call(_, inner) if strange(expr) => {
                 let one = push(Expr::Number(Dec::int(1)));
                 push(Expr::Binary(Op::Atan, at(inner), one))
@@ -194,11 +213,12 @@ fn other_forms(deck: &mut Deck, control: &Control) {
                 at(to);
                 at(value);
             }
-            Stmt::If { cond, target } => {
+            Stmt::If { cond, target, .. } => {
                 at(cond);
                 at(target);
             }
-            Stmt::Goto(target) => at(target),
+            Stmt::Goto { target, .. } => at(target),
+            Stmt::Call { repeats: Some(repeats), .. } => at(repeats),
             Stmt::While { cond: Some(cond), .. } => at(cond),
             _ => {}
         }
@@ -207,6 +227,10 @@ fn other_forms(deck: &mut Deck, control: &Control) {
         if let WordValue::Expr(value) = &mut word.value {
             at(value);
         }
+    }
+    for pair in &mut deck.pairs {
+        at(&mut pair.left);
+        at(&mut pair.right);
     }
     deck.exprs = exprs;
 }
@@ -220,9 +244,12 @@ fn short_texts(deck: &mut Deck, control: &Control) {
     }
     for at in 0..deck.blocks.len() {
         let Some(block) = deck.blocks.get(at).copied() else { continue };
+        if let (Stmt::Message(Some(text)), true) = (block.stmt, control.syntax.names.is_some()) {
+            clip(deck, text, control.syntax.message_chars);
+        }
         let Some(comment) = block.comment else { continue };
         let message = is_message(deck, control, &block);
-        if deck.comment(Some(comment)).len() <= (if message { control.syntax.message_chars } else { 0 }) {
+        if deck.text(Some(comment)).len() <= (if message { control.syntax.message_chars } else { 0 }) {
             continue;
         }
         let before = text_length(deck, control, &block);
@@ -234,8 +261,8 @@ fn short_texts(deck: &mut Deck, control: &Control) {
 }
 
 /// Shortens a text, which is ASCII by now.
-fn clip(deck: &mut Deck, comment: u32, room: usize) {
-    if let Some(text) = deck.comments.get_mut(comment as usize).filter(|text| text.len() > room) {
+fn clip(deck: &mut Deck, comment: TextId, room: usize) {
+    if let Some(text) = deck.text_mut(comment).filter(|text| text.len() > room) {
         *text = text.chars().take(room).collect::<String>().trim_end().into();
     }
 }

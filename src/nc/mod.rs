@@ -11,15 +11,17 @@ pub mod files;
 pub mod build;
 
 mod emit;
+mod emit_names;
 mod fix;
 mod lint;
 mod lower;
+mod lower_names;
 mod parse;
 mod parsed;
 mod same;
 mod tokens;
 
-pub use ast::{Block, Deck, Expr, ExprId, Op, Program, Stmt, Word, WordValue};
+pub use ast::{Block, Deck, Expr, ExprId, Form, Op, Pair, Program, Stmt, TextId, Way, Word, WordValue};
 pub use dec::Dec;
 pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
 pub use files::{File, Files};

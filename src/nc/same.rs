@@ -1,18 +1,20 @@
 //! Whether two decks say the same: places, order of the arenas and blank blocks apart.
 
-use super::ast::{Block, Deck, Expr, ExprId, Stmt, WordValue};
+use super::ast::{Block, Deck, Expr, ExprId, Pair, Stmt, TextId, WordValue};
 
 impl Deck {
     /// Whether both hold the same programs, block by block.
     pub fn same_as(&self, other: &Deck) -> bool {
         self.programs.len() == other.programs.len()
             && self.programs.iter().zip(&other.programs).all(|(a, b)| {
-                let said = |deck: &Deck, title: Option<u32>| title.map(|_| deck.comment(title).to_owned());
+                let said = |deck: &Deck, text: Option<TextId>| text.map(|_| deck.text(text).to_owned());
                 let mut left = self.blocks_of(a).iter().filter(|block| says_something(block));
                 let mut right = other.blocks_of(b).iter().filter(|block| says_something(block));
                 let titles = said(self, a.title) == said(other, b.title);
-                a.number == b.number
+                let names = said(self, a.name) == said(other, b.name);
+                (a.number, a.sub) == (b.number, b.sub)
                     && titles
+                    && names
                     && loop {
                         match (left.next(), right.next()) {
                             (None, None) => break true,
@@ -31,7 +33,7 @@ impl Deck {
                 let (a, b) = (self.words_of(x), other.words_of(y));
                 a.len() == b.len()
                     && a.iter().zip(b).all(|(a, b)| {
-                        a.letter == b.letter
+                        (a.letter, a.index, a.form) == (b.letter, b.index, b.form)
                             && match (a.value, b.value) {
                                 (WordValue::Number(a), WordValue::Number(b)) => a == b,
                                 (WordValue::Expr(a), WordValue::Expr(b)) => same(a, b),
@@ -42,13 +44,30 @@ impl Deck {
             (Stmt::Assign { to, value }, Stmt::Assign { to: to2, value: value2 }) => {
                 same(to, to2) && same(value, value2)
             }
-            (Stmt::If { cond, target }, Stmt::If { cond: cond2, target: target2 }) => {
-                same(cond, cond2) && same(target, target2)
+            (Stmt::Assigns { first, count }, Stmt::Assigns { first: first2, count: count2 })
+            | (Stmt::Ifs { first, count }, Stmt::Ifs { first: first2, count: count2 }) => {
+                let (a, b) = (self.pairs_of(first, count), other.pairs_of(first2, count2));
+                let pair = |a: &Pair, b: &Pair| a.way == b.way && same(a.left, b.left) && same(a.right, b.right);
+                a.len() == b.len() && a.iter().zip(b).all(|(a, b)| pair(a, b))
+            }
+            (Stmt::If { cond, target, way }, Stmt::If { cond: cond2, target: target2, way: way2 }) => {
+                way == way2 && same(cond, cond2) && same(target, target2)
             }
             (Stmt::IfThen { cond, to, value }, Stmt::IfThen { cond: cond2, to: to2, value: value2 }) => {
                 same(cond, cond2) && same(to, to2) && same(value, value2)
             }
-            (Stmt::Goto(target), Stmt::Goto(target2)) => same(target, target2),
+            (Stmt::Goto { target, way }, Stmt::Goto { target: target2, way: way2 }) => {
+                way == way2 && same(target, target2)
+            }
+            (Stmt::Call { name, repeats }, Stmt::Call { name: name2, repeats: repeats2 }) => {
+                self.text(Some(name)) == other.text(Some(name2))
+                    && match (repeats, repeats2) {
+                        (None, None) => true,
+                        (Some(a), Some(b)) => same(a, b),
+                        _ => false,
+                    }
+            }
+            (Stmt::Message(a), Stmt::Message(b)) => a.is_some() == b.is_some() && self.text(a) == other.text(b),
             (Stmt::While { cond, label }, Stmt::While { cond: cond2, label: label2 }) => {
                 label == label2
                     && match (cond, cond2) {
@@ -61,13 +80,15 @@ impl Deck {
             (Stmt::Bad(a), Stmt::Bad(b)) => a == b,
             _ => false,
         };
-        let texts = x.comment.map(|_| self.comment(x.comment)) == y.comment.map(|_| other.comment(y.comment));
-        stmts && texts && x.number == y.number && x.skip == y.skip
+        let texts = x.comment.map(|_| self.text(x.comment)) == y.comment.map(|_| other.text(y.comment));
+        let labels = x.label.map(|_| self.text(x.label)) == y.label.map(|_| other.text(y.label));
+        stmts && texts && labels && x.number == y.number && x.skip == y.skip
     }
 
     fn same_expr(&self, a: ExprId, other: &Deck, b: ExprId) -> bool {
         match (self.expr(a), other.expr(b)) {
             (Expr::Number(a), Expr::Number(b)) => a == b,
+            (Expr::Label(a), Expr::Label(b)) => self.text(Some(a)) == other.text(Some(b)),
             (Expr::Var(a), Expr::Var(b)) => a == b,
             (Expr::Indirect(a), Expr::Indirect(b)) | (Expr::Negate(a), Expr::Negate(b)) => self.same_expr(a, other, b),
             (Expr::Call(f, a), Expr::Call(g, b)) => f == g && self.same_expr(a, other, b),
@@ -81,5 +102,9 @@ impl Deck {
 
 /// A block without text is not written, and so not read again.
 fn says_something(block: &Block) -> bool {
-    block.stmt != Stmt::Empty || block.number.is_some() || block.comment.is_some() || block.skip != 0
+    block.stmt != Stmt::Empty
+        || block.number.is_some()
+        || block.label.is_some()
+        || block.comment.is_some()
+        || block.skip != 0
 }

@@ -36,6 +36,7 @@ const KEYWORDS: [&str; 20] = [
 /// The pieces of a line (or of several lines), without white space, in order.
 pub fn tokens(text: &str, control: &Control) -> Vec<(Span, TokenKind)> {
     let bytes = text.as_bytes();
+    let named = control.syntax.names;
     let mut out = Vec::new();
     let mut at = 0;
     while let Some(&byte) = bytes.get(at) {
@@ -46,6 +47,28 @@ pub fn tokens(text: &str, control: &Control) -> Vec<(Span, TokenKind)> {
             b' ' | b'\t' | b'\r' | b'\n' => {
                 at += 1;
                 continue;
+            }
+            b';' if named.is_some() => {
+                at += rest.find('\n').unwrap_or(rest.len());
+                TokenKind::Comment
+            }
+            b'%' if named.is_some() => {
+                at += rest.find('\n').unwrap_or(rest.len());
+                TokenKind::Sequence
+            }
+            b'"' if named.is_some() => {
+                let line = rest.find('\n').unwrap_or(rest.len());
+                at += rest.get(1..).and_then(|rest| rest.find('"')).map_or(line, |close| (close + 2).min(line));
+                TokenKind::Comment
+            }
+            b'(' | b':' if named.is_some() => {
+                at += 1;
+                TokenKind::Operator
+            }
+            b if (b.is_ascii_alphabetic() || b == b'_') && named.is_some() => {
+                let (len, kind) = named_token(rest, control);
+                at += len;
+                kind
             }
             b'(' => {
                 let line = rest.find('\n').unwrap_or(rest.len());
@@ -96,6 +119,34 @@ pub fn tokens(text: &str, control: &Control) -> Vec<(Span, TokenKind)> {
         out.push((Span::new(start as u32, at as u32), kind));
     }
     out
+}
+
+/// A word of a language with names: how long it is, and what.
+fn named_token(rest: &str, control: &Control) -> (usize, TokenKind) {
+    let name = rest.bytes().take_while(|b| b.is_ascii_alphanumeric() || *b == b'_').count();
+    let letters = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+    let digits = rest.bytes().skip(1).take_while(|b| b.is_ascii_digit() || *b == b'.').count();
+    let is = |word: &str| rest.get(..name).is_some_and(|name| name.eq_ignore_ascii_case(word));
+    let names = control.syntax.names;
+    if letters == 1 && name > 1 || name == 1 {
+        let kind = match rest.as_bytes().first().map(u8::to_ascii_uppercase) {
+            Some(b'G' | b'M') if digits > 0 => TokenKind::Code,
+            Some(b'N') if digits > 0 => TokenKind::Sequence,
+            Some(b'R') if digits > 0 => return (1 + digits.min(name.saturating_sub(1)), TokenKind::Variable),
+            _ => return (1, TokenKind::Address),
+        };
+        return (1 + digits, kind);
+    }
+    if names.is_some_and(|names| names.codes.iter().any(|code| is(code))) {
+        return (name, TokenKind::Code);
+    }
+    if ["GOTOF", "GOTOB", "IF", "MSG", "AND", "OR", "XOR", "NOT", "MOD", "DIV"].into_iter().any(is)
+        || control.syntax.functions.iter().any(|(function, _)| is(function))
+    {
+        return (name, TokenKind::Keyword);
+    }
+    let label = rest.get(name..).is_some_and(|rest| rest.starts_with(':'));
+    (name, if label { TokenKind::Sequence } else { TokenKind::Address })
 }
 
 /// Length of the keyword or function name at the head of a text, 0 where none stands there.

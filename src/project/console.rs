@@ -75,7 +75,7 @@ fn value_text(value: Option<f64>) -> String {
 }
 
 /// A change as a line: `#105 vacant -> 15072`, `G0 -> G1`.
-fn change_text(change: &Change) -> String {
+fn change_text(change: &Change, control: &Control) -> String {
     let side = |value: Option<f64>| match (change.what, value) {
         (What::Variable(_) | What::Local(_), value) => value_text(value),
         (_, None) => "none".to_owned(),
@@ -83,7 +83,7 @@ fn change_text(change: &Change) -> String {
         (What::Feed, value) => format!("F{}", value_text(value)),
     };
     let name = match change.what {
-        What::Variable(number) | What::Local(number) => format!("#{number} "),
+        What::Variable(number) | What::Local(number) => control.variable(number) + " ",
         What::Code | What::Feed => String::new(),
     };
     format!("{name}{} -> {}", side(change.before), side(change.after))
@@ -180,7 +180,7 @@ impl<'f> Console<'f> {
 
     /// A program and how it was entered: `O9101, macro at level 1`.
     fn level(&self, level: &Level) -> String {
-        let program = self.program(level.program);
+        let program = if level.name.is_empty() { self.program(level.program) } else { level.name.clone() };
         let entered = match level.entered {
             Entered::Start => String::new(),
             Entered::Subprogram => ", subprogram".to_owned(),
@@ -246,7 +246,7 @@ impl<'f> Console<'f> {
     fn changed(&self) -> String {
         let mut out = String::new();
         for change in self.debugger.changes() {
-            out += &format!("  {}\n", change_text(&change));
+            out += &format!("  {}\n", change_text(&change, self.control()));
         }
         let (earlier, newest) = self.debugger.run().given();
         let names = self.main.program().names();

@@ -39,15 +39,15 @@ fn input(name: &str, value: f64, control: &Control, switches: &Switches) -> Vec<
 impl Setting {
     /// What the setting does at the start of a run: a variable set, or an input forced. `None` where the control has neither.
     pub fn action(&self, control: &Control, switches: &Switches) -> Option<Action> {
-        let kind = self.number().and_then(|number| control.var(number)).map(|row| row.kind);
+        let kind = self.number(control).and_then(|number| control.var(number)).map(|row| row.kind);
         let register = matches!(control.role(&self.name, switches),
             Some(role) if control.interface.iter().any(|row| row.role == role && row.plc_writes));
         match kind {
             Some(VarKind::Local | VarKind::Common | VarKind::Retained) => {
-                Some(Action::Variable(self.number()?, Some(self.value)))
+                Some(Action::Variable(self.number(control)?, Some(self.value)))
             }
             Some(VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord) => {
-                Some(Action::Input(format!("#{}", self.number()?), self.value))
+                Some(Action::Input(format!("#{}", self.number(control)?), self.value))
             }
             _ => register.then(|| Action::Input(self.name.clone(), self.value)),
         }

@@ -47,6 +47,6 @@ impl Project {
 
     /// What a senior programmer would say of the program. What is silenced too.
     pub fn warnings(&self, written: &Written) -> Vec<Diagnostic> {
-        nc::warnings(&written.parsed, Some(written.main), &run::set_by_operator(&[], &self.panel))
+        nc::warnings(&written.parsed, Some(written.main), &run::set_by_operator(&[], &self.panel, self.control))
     }
 }

@@ -49,18 +49,18 @@ impl Setting {
     }
 
     /// The variable's number, where it is one.
-    pub(super) fn number(&self) -> Option<u32> {
-        self.name.strip_prefix('#').unwrap_or(&self.name).parse().ok()
+    pub(super) fn number(&self, control: &Control) -> Option<u32> {
+        self.name.strip_prefix(control.syntax.variable).unwrap_or(&self.name).parse().ok()
     }
 }
 
 /// Variables that the operator sets: before the start, and at the panel.
-pub fn set_by_operator(settings: &[Setting], panel: &Panel) -> Vec<u32> {
+pub fn set_by_operator(settings: &[Setting], panel: &Panel, control: &Control) -> Vec<u32> {
     let events = panel.events().iter().filter_map(|event| match event.action {
         Action::Variable(number, Some(_)) => Some(number),
         _ => None,
     });
-    settings.iter().filter_map(Setting::number).chain(events).collect()
+    settings.iter().filter_map(|setting| setting.number(control)).chain(events).collect()
 }
 
 /// The number of a program from its name: `O9101`, `9101`, `o9101.nc`.
@@ -69,10 +69,18 @@ pub fn program_number(name: &str) -> Option<u32> {
     stem.trim_start_matches(['O', 'o', 'L', 'l']).parse().ok()
 }
 
+/// The program that somebody means: `O9101`, or by its name where programs have names.
+pub fn program_meant(name: &str, parsed: &Parsed) -> Option<Start> {
+    match parsed.control().syntax.names {
+        Some(_) => parsed.deck().program_named(name.split('.').next()?).map(Start::Nth),
+        None => program_number(name).map(Start::Program),
+    }
+}
+
 /// What a run starts from.
 pub struct Begin<'a> {
     /// Program to start; without it the main program, or the first program of the first file.
-    pub start: Option<u32>,
+    pub start: Option<Start>,
     /// Variables and inputs set before; those that the control does not have are left out ([`Setting::action`]).
     pub settings: &'a [Setting],
     /// Budgets.
@@ -84,7 +92,7 @@ pub struct Begin<'a> {
 /// The run of a project: its values are set by its own setup program, then its main program starts on its plant.
 pub fn of_project(project: &Project, written: &Written, begin: &Begin) -> Run {
     let control = project.control;
-    let start = Start::Program(begin.start.unwrap_or(written.main));
+    let start = begin.start.unwrap_or(Start::Program(written.main));
     let mut interp = Interp::new(Rc::clone(&written.parsed), start, &project.switches);
     set_up(&mut interp, project, written);
     let plant = project.machine.plant(&project.values, project.on());
@@ -98,7 +106,7 @@ pub fn of_project(project: &Project, written: &Written, begin: &Begin) -> Run {
 /// The run of bare programs, with the switches that they were read with: on the control's bench, or on the plant of a project.
 pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, begin: &Begin) -> Run {
     let control = parsed.control();
-    let start = begin.start.map_or(Start::First, Start::Program);
+    let start = begin.start.unwrap_or_default();
     let switches = parsed.switches().clone();
     let interp = Interp::new(parsed, start, &switches);
     let (plant, plc) = match plant {

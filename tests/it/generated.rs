@@ -3,6 +3,7 @@
 mod dice;
 mod flat;
 mod laws;
+mod named;
 mod program;
 
 use std::collections::BTreeMap;
@@ -163,11 +164,15 @@ fn kinds(control: &'static Control, programs: u32) -> (BTreeMap<String, u32>, u3
 
 #[test]
 fn what_is_generated_is_worth_running() {
-    let every = ["Rapid", "Linear", "Arc", "Dwell", "Preset", "SpindleSpeed", "SpindleDirection", "Auxiliary", "Tool"];
+    let every = ["Rapid", "Linear", "Arc", "Dwell", "SpindleSpeed", "SpindleDirection", "Auxiliary", "Tool"];
     for control in controls::ALL {
         let (kinds, ended) = kinds(control, 300);
         let mut wanted = every.to_vec();
-        wanted.extend(["Output", "Stop", "OptionalStop", "End"]);
+        wanted.extend(["Stop", "OptionalStop", "End"]);
+        match control.syntax.names {
+            Some(_) => wanted.push("Show"),
+            None => wanted.extend(["Output", "Preset"]),
+        }
         if control.can(Code::SurfaceSpeed) {
             wanted.extend(["SurfaceSpeed", "ConstantSpeed", "SpeedLimit"]);
         }

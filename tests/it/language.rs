@@ -1,6 +1,7 @@
 //! Reading programs: what the control would say of a text, where, and how it is mended.
 
 mod dialects;
+mod names;
 mod slips;
 mod trees;
 

@@ -1,6 +1,7 @@
 //! Programs run: canonical logs of the fixtures of every control, and alarms at their places.
 
 mod coverage;
+mod parameters;
 mod running;
 mod spindle;
 
@@ -30,9 +31,17 @@ fn start(source: &str, switches: &[(&str, &str)]) -> Interp {
     start_on(controls::find("mitsubishi-e60").unwrap(), source, switches)
 }
 
-/// A fixture, with the switches that its lines `(SET id value)` name.
+/// A text as a comment of the control.
+fn comment(control: &Control, text: &str) -> String {
+    if control.syntax.names.is_some() { format!(";{text}") } else { format!("({text})") }
+}
+
+/// A fixture, with the switches that its comments `SET id value` name.
 fn start_fixture(control: &'static Control, source: &str) -> Interp {
-    let settings = source.lines().filter_map(|line| line.strip_prefix("(SET ")?.strip_suffix(')')?.split_once(' '));
+    let settings = source.lines().filter_map(|line| {
+        let text = line.strip_prefix(';').or_else(|| line.strip_prefix('(')?.strip_suffix(')'))?;
+        text.strip_prefix("SET ")?.split_once(' ')
+    });
     let settings: Vec<(&str, &str)> = settings.collect();
     for (id, value) in &settings {
         let row = control.switches.iter().find(|row| row.id == *id);
@@ -126,9 +135,10 @@ fn bad_programs_stop_with_the_alarm_at_the_place_of_their_first_line() {
                 },
             };
             let first = source.lines().next().unwrap_or("");
-            if first != format!("({told})") {
+            let told = comment(control, &told);
+            if first != told {
                 let name = path.file_name().unwrap().display();
-                wrong.push(format!("{} {name}: expected {first}, got ({told})", control.id));
+                wrong.push(format!("{} {name}: expected {first}, got {told}", control.id));
             }
         }
     }

@@ -344,12 +344,24 @@ enum Step {
 }
 
 /// Letters of words that take any number, and of those that take whole ones.
+const NAMED: &[u8] = b"XYZFIJK";
 const REAL: &[u8] = b"XYZFIJKRQE";
 const WHOLE: &[u8] = b"STM";
 
+/// A step, or a comment in its place.
+fn only(such: bool, step: impl Strategy<Value = Step> + 'static) -> BoxedStrategy<Step> {
+    if such { step.boxed() } else { ".*".prop_map(Step::Comment).boxed() }
+}
+
 fn step(control: &'static Control) -> impl Strategy<Value = Step> {
     let formula = || formula(false);
-    let real = (proptest::sample::select(REAL), formula());
+    let named = control.syntax.names.is_some();
+    let real = (proptest::sample::select(if named { NAMED } else { REAL }), formula());
+    // A label has a place, a number that is calculated has none.
+    let target = move || {
+        let number = (1..100_000_u32).prop_map(Formula::from);
+        if named { number.boxed() } else { formula().boxed() }
+    };
     let whole = (proptest::sample::select(WHOLE), (0..9999_u32, any::<bool>()))
         .prop_map(|(letter, (number, point))| (letter, Formula::Number(Dec { point, ..Dec::int(number.into()) })));
     let words = proptest::collection::vec(prop_oneof![3 => real, 1 => whole], 0..4);
@@ -358,19 +370,19 @@ fn step(control: &'static Control) -> impl Strategy<Value = Step> {
         words.dedup_by_key(|(letter, _)| *letter);
         words
     });
-    let label = || 1..=control.syntax.do_max as u16;
+    let label = || 1..=control.syntax.do_max.max(1) as u16;
     let (least, most) = control.macros.user_alarms;
     prop_oneof![
         1 => (1..9999_u32, ".*").prop_map(|(number, title)| Step::Program(number, title)),
-        5 => (proptest::sample::select(vec![0_u8, 1, 4]), words).prop_map(|(g, w)| Step::Words(g, w)),
+        5 => (proptest::sample::select(if named { vec![0_u8, 1] } else { vec![0, 1, 4] }), words).prop_map(|(g, w)| Step::Words(g, w)),
         3 => (100..150_u32, formula()).prop_map(|(to, value)| Step::Assign(to, value)),
         1 => (formula(), formula()).prop_map(|(to, value)| Step::AssignAt(to, value)),
-        2 => (formula(), formula(), formula()).prop_map(|(a, b, to)| Step::If(a, b, to)),
+        2 => (formula(), formula(), target()).prop_map(|(a, b, to)| Step::If(a, b, to)),
         2 => (formula(), 100..150_u32, formula()).prop_map(|(a, to, value)| Step::IfThen(a, to, value)),
-        1 => formula().prop_map(Step::Goto),
-        1 => (proptest::option::of((formula(), formula())), label()).prop_map(|(c, label)| Step::While(c, label)),
-        1 => label().prop_map(Step::End),
-        1 => (least..=most, ".*").prop_map(|(number, text)| Step::Alarm(number, text)),
+        1 => target().prop_map(Step::Goto),
+        1 => only(!named, (proptest::option::of((formula(), formula())), label()).prop_map(|(c, label)| Step::While(c, label))),
+        1 => only(!named, label().prop_map(Step::End)),
+        1 => only(!named, (least..=most, ".*").prop_map(|(number, text)| Step::Alarm(number, text))),
         1 => ".*".prop_map(Step::Comment),
     ]
 }

@@ -1,6 +1,7 @@
 //! Where a program goes from a block, and which blocks nothing leads to.
 
-use super::super::ast::{Block, Deck, Expr, ExprId, Stmt, WordValue};
+use super::super::ast::{Block, Deck, Expr, ExprId, Stmt, Way, WordValue};
+use super::super::parse::on_way;
 use super::roles::{END, RETURN, Roles};
 use super::words::{Facts, whole};
 use super::{Lint, NONE};
@@ -64,8 +65,14 @@ impl<'a> Flow<'a> {
         self.numbers.get(at).filter(|row| row.0 == number).map_or(NONE, |row| row.1 as u32)
     }
 
-    fn jump(&self, target: ExprId, from: u32) -> u32 {
+    fn jump(&self, target: ExprId, from: u32, way: Way) -> u32 {
         match self.deck.expr(target) {
+            Expr::Label(label) => {
+                let label = self.deck.text(Some(label));
+                let lies = |row: &(usize, &Block)| row.1.label.is_some() && self.deck.text(row.1.label) == label;
+                let mut found = self.blocks.iter().enumerate().filter(lies).map(|row| row.0);
+                found.find(|&to| on_way(from as usize, to, way)).map_or(NONE, |to| to as u32)
+            }
             Expr::Number(number) => whole(WordValue::Number(number)).map_or(NONE, |number| self.target(number, from)),
             _ => ANY,
         }
@@ -81,8 +88,10 @@ impl<'a> Flow<'a> {
                 // A `/` in the middle of a block makes what follows it optional.
                 (NONE, self.roles.block(words) & (END | RETURN) == 0 || words.iter().any(|word| word.letter == b'/'))
             }
-            Stmt::If { target, .. } => (self.jump(target, at), true),
-            Stmt::Goto(target) => (self.jump(target, at), false),
+            Stmt::If { target, way, .. } => (self.jump(target, at, way), true),
+            Stmt::Goto { target, way } => (self.jump(target, at, way), false),
+            // To one of several.
+            Stmt::Ifs { .. } => (ANY, true),
             // Behind the END is beyond all blocks where it is the last: a jump to nowhere.
             Stmt::While { cond: Some(_), .. } => (partner().saturating_add(1), true),
             Stmt::End { .. } => (partner(), false),
@@ -127,6 +136,8 @@ impl<'a> Flow<'a> {
                 for row in &self.numbers {
                     open.push(row.1 as u32);
                 }
+                let labelled = self.blocks.iter().enumerate().filter(|row| row.1.label.is_some());
+                open.extend(labelled.map(|row| row.0 as u32));
             }
             while let Some(seen) = seen.get_mut(at as usize).filter(|seen| !**seen) {
                 *seen = true;

@@ -2,6 +2,7 @@
 
 use super::super::ast::{Word, WordValue};
 use crate::controls::macros::{CallKind, CodeCall};
+use crate::controls::syntax::long;
 use crate::controls::{Code, CodeDef, Control, Group};
 
 pub(super) const RAPID: u32 = 1;
@@ -47,6 +48,8 @@ const TABLE: usize = 1000;
 pub(super) struct Roles<'a> {
     g: Vec<u32>,
     m: Vec<u32>,
+    /// Codes that are names.
+    named: Vec<u32>,
     /// Codes that call programs by parameter; they go before what the control has itself.
     calls: &'a [CodeCall],
 }
@@ -65,7 +68,7 @@ fn bits(row: &CodeDef) -> u32 {
         Code::MacroCall | Code::MacroModal => CALL,
         Code::MacroModalBlock => CALL | EACH_BLOCK,
         Code::SubCall => SUB,
-        Code::SubEnd => RETURN,
+        Code::SubEnd | Code::Return => RETURN,
         Code::End | Code::EndRewind => END,
         Code::Stop | Code::OptionalStop => STOP,
         Code::SpindleCw | Code::SpindleCcw => SPINDLE,
@@ -75,6 +78,10 @@ fn bits(row: &CodeDef) -> u32 {
         | Code::MachineCoordinates
         | Code::MachineRapid
         | Code::SetCoordinates
+        | Code::Offset
+        | Code::OffsetMore
+        | Code::LowerLimits
+        | Code::UpperLimits
         | Code::LocalCoordinates => SPECIAL,
         _ => match row.group {
             Group::Motion => CURVED,
@@ -87,9 +94,13 @@ fn bits(row: &CodeDef) -> u32 {
 
 impl<'a> Roles<'a> {
     pub(super) fn new(control: &Control, calls: &'a [CodeCall]) -> Roles<'a> {
-        let mut roles = Roles { g: vec![0; TABLE], m: vec![AUXILIARY; TABLE], calls };
+        let mut roles = Roles { g: vec![0; TABLE], m: vec![AUXILIARY; TABLE], named: vec![0; TABLE], calls };
         for row in control.codes {
-            let table = if row.letter == b'G' { &mut roles.g } else { &mut roles.m };
+            let table = match row.letter {
+                b'G' => &mut roles.g,
+                b'M' => &mut roles.m,
+                _ => &mut roles.named,
+            };
             if let Some(slot) = table.get_mut(row.number as usize) {
                 *slot = bits(row);
             }
@@ -115,13 +126,20 @@ impl<'a> Roles<'a> {
                 CallKind::ModalBlock => CALL | EACH_BLOCK,
             };
         }
-        let (table, beyond) = if word.letter == b'G' { (&self.g, 0) } else { (&self.m, AUXILIARY) };
+        let (table, beyond) = match word.letter {
+            b'G' => (&self.g, 0),
+            b'M' => (&self.m, AUXILIARY),
+            _ => (&self.named, 0),
+        };
         table.get(tenths as usize).copied().unwrap_or(beyond)
     }
 
     /// The bits of all codes of a block.
     pub(super) fn block(&self, words: &[Word]) -> u32 {
-        words.iter().filter(|word| matches!(word.letter, b'G' | b'M')).fold(0, |bits, word| bits | self.word(word))
+        words
+            .iter()
+            .filter(|word| matches!(word.letter, b'G' | b'M' | long::NAME))
+            .fold(0, |bits, word| bits | self.word(word))
     }
 
     fn call(&self, letter: u8, tenths: i64) -> Option<&CodeCall> {

@@ -64,7 +64,7 @@ impl Short {
     /// A block that only computes or jumps.
     pub(super) fn macro_block(&mut self, stmt: &Stmt) {
         match stmt {
-            Stmt::Assign { .. } | Stmt::IfThen { .. } | Stmt::Empty => {}
+            Stmt::Assign { .. } | Stmt::Assigns { .. } | Stmt::Message(_) | Stmt::IfThen { .. } | Stmt::Empty => {}
             Stmt::While { .. } => {
                 self.end_run(false);
                 self.in_loop = true;

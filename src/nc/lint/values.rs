@@ -7,7 +7,7 @@ use super::words::Facts;
 use super::{Lint, NONE};
 use crate::controls::macros::{ARGUMENT, VacantWord};
 use crate::controls::syntax::Function;
-use crate::controls::{Alarm, VarKind};
+use crate::controls::{Alarm, Control, VarKind};
 use crate::order;
 use crate::text::Severity;
 
@@ -52,9 +52,9 @@ impl Vars<'_> {
     fn kind(&self, group: u32, id: ExprId) -> Kind {
         match self.deck.expr(id) {
             Expr::Number(number) => written(number),
-            Expr::Var(0) => Kind::Whole,
+            Expr::Var(number) if number == 0 && self.local_count > 0 => Kind::Whole,
             Expr::Var(number) => self.get(group, number).map_or(Kind::Entered, |var| var.kind),
-            Expr::Indirect(_) => Kind::Entered,
+            Expr::Indirect(_) | Expr::Label(_) => Kind::Entered,
             Expr::Negate(inner) | Expr::Call(Function::Abs, inner) => self.kind(group, inner),
             Expr::Call(function, _) if rounds(function) => Kind::Whole,
             Expr::Call(..) | Expr::Binary(Op::Divide | Op::Atan, ..) => Kind::Calculated,
@@ -125,9 +125,11 @@ impl Vars<'_> {
         let mut divisors: Vec<(usize, u32)> = Vec::new();
         for site in &self.divisors {
             let Some(id) = self.can_be_zero(*site) else { continue };
-            let (number, hint) = match self.deck.expr(id) {
-                Expr::Var(number) => (number, "lint.hint-divisor"),
-                _ => (NONE, "lint.hint-difference"),
+            let (number, hint) = match (self.deck.expr(id), self.control.syntax.names) {
+                (Expr::Var(number), None) => (number, "lint.hint-divisor"),
+                (Expr::Var(number), Some(_)) => (number, "lint.hint-divisor-named"),
+                (_, None) => (NONE, "lint.hint-difference"),
+                (_, Some(_)) => (NONE, "lint.hint-difference-named"),
             };
             let key = (self.deck.programs.partition_point(|program| program.end <= site.block), number);
             if number == NONE || !divisors.contains(&key) {
@@ -136,13 +138,18 @@ impl Vars<'_> {
                 lint.say(site.block, span, "lint.zero-divisor", &[alarm], hint);
             }
         }
-        for site in self.equals.iter().filter(|site| self.differs(site)) {
+        for site in &self.loose {
+            let span = lint.part(site.block, site.id);
+            lint.say(site.block, span, "lint.loose-comparison", &[], "");
+        }
+        let exact = self.control.macros.equal_within == 0.0;
+        for site in self.equals.iter().filter(|site| exact && self.differs(site)) {
             let span = lint.part(site.block, site.id);
             lint.say(site.block, span, "lint.equal-decimals", &[], "lint.hint-equal");
         }
         let ends = facts.parts.iter().any(|part| part.ends);
         let mut unset: Vec<(u64, usize)> = Vec::new();
-        for (slot, var) in self.list.iter().enumerate().filter(|row| row.1.number > LOCALS) {
+        for (slot, var) in self.list.iter().enumerate().filter(|row| row.1.number > self.local_count) {
             let Some(row) = self.control.var(var.number) else { continue };
             let (block, id) = var.set_at;
             match row.kind {
@@ -213,7 +220,7 @@ impl Vars<'_> {
     fn vacant_word(&self, lint: &mut Lint, var: &Var) {
         let (block, span) = var.word;
         if self.control.macros.vacant_word == VacantWord::Dropped && block != NONE {
-            lint.say(block, span, "lint.vacant-word", &[&name(var)], "lint.hint-vacant");
+            lint.say(block, span, "lint.vacant-word", &[&name(self.control, var)], "lint.hint-vacant");
         }
     }
 
@@ -225,7 +232,7 @@ impl Vars<'_> {
             let var = &self.list[slot];
             if count <= NAMES {
                 names += if count > 0 { ", " } else { "" };
-                names += &if count < NAMES { name(var) } else { "…".to_owned() };
+                names += &if count < NAMES { name(self.control, var) } else { "…".to_owned() };
             }
             if (var.read.0, var.read.1.0) < (first.0, first.1.0) {
                 first = var.read;
@@ -241,8 +248,8 @@ impl Vars<'_> {
 }
 
 /// The variable as it is written.
-fn name(var: &Var) -> String {
-    format!("#{}", var.number)
+fn name(control: &Control, var: &Var) -> String {
+    control.variable(var.number)
 }
 
 /// A number as it is written.

@@ -90,8 +90,12 @@ pub(super) struct Vars<'a> {
     /// Tests for equality.
     pub(super) equals: Vec<Site>,
     pub(super) divisors: Vec<Site>,
+    /// Comparisons of what AND, OR or XOR joins.
+    pub(super) loose: Vec<Site>,
     /// Something assigns a variable by a calculated number.
     pub(super) wild: bool,
+    /// Variables from 1 on that each level has for itself.
+    pub(super) local_count: u32,
 }
 
 impl<'a> Vars<'a> {
@@ -110,7 +114,9 @@ impl<'a> Vars<'a> {
             sets: Vec::new(),
             equals: Vec::new(),
             divisors: Vec::new(),
+            loose: Vec::new(),
             wild: false,
+            local_count: if lint.control.vars.iter().any(|row| row.kind == VarKind::Local) { LOCALS } else { 0 },
         };
         // Subprograms share the local variables of their callers.
         for call in facts.calls.iter().filter(|call| !call.with_locals) {
@@ -146,7 +152,7 @@ impl<'a> Vars<'a> {
     /// The place of a variable in the list; `None` for what is not followed.
     pub(super) fn slot(&self, group: u32, number: u32) -> Option<usize> {
         let slot = match number.wrapping_sub(1) {
-            local @ 0..LOCALS => self.locals.get(group as usize).map(|base| base.saturating_add(local)),
+            local if local < self.local_count => self.locals.get(group as usize).map(|base| base.saturating_add(local)),
             _ => self.slots.get(number as usize).copied(),
         };
         slot.filter(|slot| *slot != NONE).map(|slot| slot as usize)
@@ -159,10 +165,11 @@ impl<'a> Vars<'a> {
     /// The same, made where it is named for the first time.
     fn make(&mut self, group: u32, number: u32) -> Option<&mut Var> {
         if self.slot(group, number).is_none() {
+            let vacant = self.control.var(0).filter(|row| row.kind == VarKind::Vacant);
             let next = self.list.len() as u32;
-            let local = (1..=LOCALS).contains(&number);
+            let local = (1..=self.local_count).contains(&number);
             let (table, at) = if local { (&mut self.locals, group) } else { (&mut self.slots, number) };
-            *table.get_mut(at as usize).filter(|_| number != 0)? = next;
+            *table.get_mut(at as usize).filter(|_| number != 0 || vacant.is_none())? = next;
             for number in if local { 1..=LOCALS } else { number..=number } {
                 self.list.push(Var {
                     number,
@@ -249,11 +256,22 @@ impl<'a> Vars<'a> {
                 self.compare(Site { id: cond, ..site });
                 self.assign(site, to, value);
             }
-            Stmt::If { cond, target } => {
+            Stmt::If { cond, target, .. } => {
                 self.compare(Site { id: cond, ..site });
                 self.read(site, target, NONE);
             }
-            Stmt::Goto(target) => self.read(site, target, NONE),
+            Stmt::Goto { target, .. } => self.read(site, target, NONE),
+            Stmt::Assigns { first, count } => {
+                for pair in self.deck.pairs_of(first, count) {
+                    self.assign(site, pair.left, pair.right);
+                }
+            }
+            Stmt::Ifs { first, count } => {
+                for pair in self.deck.pairs_of(first, count) {
+                    self.compare(Site { id: pair.left, ..site });
+                }
+            }
+            Stmt::Call { repeats: Some(repeats), .. } => self.read(site, repeats, NONE),
             Stmt::While { cond: Some(cond), .. } => self.compare(Site { id: cond, ..site }),
             Stmt::Words { .. } => {
                 for word in self.deck.words_of(block) {
@@ -287,7 +305,7 @@ impl<'a> Vars<'a> {
         let mut scratch = !matches!(self.deck.expr(id), Expr::Number(_));
         visit(self.deck, id, &mut |_, expr| {
             if let Expr::Var(other) = expr {
-                scratch &= other != number && (other <= LOCALS || self.is_common(other));
+                scratch &= other != number && (other <= self.local_count || self.is_common(other));
             }
         });
         self.set(site.group, site.group, number, WordValue::Expr(id));
@@ -304,7 +322,8 @@ impl<'a> Vars<'a> {
         let deck = self.deck;
         let Expr::Binary(op, left, right) = deck.expr(site.id) else { return };
         let equal = matches!(op, Op::Equal | Op::NotEqual);
-        let vacancy = equal && (deck.expr(left) == Expr::Var(0) || deck.expr(right) == Expr::Var(0));
+        let vacant = self.control.var(0).is_some_and(|row| row.kind == VarKind::Vacant);
+        let vacancy = equal && vacant && (deck.expr(left) == Expr::Var(0) || deck.expr(right) == Expr::Var(0));
         visit(deck, site.id, &mut |_, expr| {
             let Expr::Var(number) = expr else { return };
             if let Some(var) = self.make(site.group, number) {
@@ -332,8 +351,25 @@ impl<'a> Vars<'a> {
                 }
             }
             Expr::Binary(Op::Divide | Op::Modulo, _, divisor) => self.divisors.push(Site { id: divisor, ..site }),
+            Expr::Binary(op, left, right)
+                if op.opposite() != op
+                    && self.control.macros.truths
+                    && [left, right].into_iter().any(|side| self.joins_number(side)) =>
+            {
+                self.loose.push(Site { id, ..site });
+            }
             _ => {}
         });
+    }
+
+    /// Whether a part is AND, OR or XOR of something that is no truth: its comparison was meant to come first.
+    fn joins_number(&self, id: ExprId) -> bool {
+        let Expr::Binary(Op::And | Op::Or | Op::Xor, left, right) = self.deck.expr(id) else { return false };
+        let truth = |id: ExprId| {
+            let Expr::Binary(op, ..) = self.deck.expr(id) else { return false };
+            matches!(op, Op::And | Op::Or | Op::Xor) || op.opposite() != op
+        };
+        !truth(left) || !truth(right)
     }
 
     /// Whether it is a variable that keeps what programs and operators write.
@@ -348,7 +384,7 @@ pub(super) fn visit(deck: &Deck, id: ExprId, each: &mut dyn FnMut(ExprId, Expr))
     let expr = deck.expr(id);
     each(id, expr);
     match expr {
-        Expr::Number(_) | Expr::Var(_) => {}
+        Expr::Number(_) | Expr::Label(_) | Expr::Var(_) => {}
         Expr::Indirect(inner) | Expr::Negate(inner) | Expr::Call(_, inner) => visit(deck, inner, each),
         Expr::Binary(_, left, right) => {
             visit(deck, left, each);

@@ -7,6 +7,7 @@ use super::roles::{
 };
 use super::short::Short;
 use super::{Lint, NONE};
+use crate::controls::syntax::long;
 use crate::controls::{Code, ParamRole};
 use crate::msg;
 use crate::text::catalog::number_text;
@@ -98,13 +99,18 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
         for (at, block) in (program.first..).zip(deck.blocks_of(program)) {
             if !matches!(block.stmt, Stmt::Words { .. }) {
                 bends |= block.stmt != Stmt::Empty;
+                if let Stmt::Call { name, .. } = block.stmt
+                    && let Some(to) = deck.program_named(deck.text(Some(name)))
+                {
+                    facts.call(Call { block: at, from: index, to, with_locals: false });
+                }
                 short.macro_block(&block.stmt);
                 continue;
             }
             let words = deck.words_of(block);
             let (mut bits, mut counts, mut feed) = (0, false, None);
             for word in words {
-                if matches!(word.letter, b'G' | b'M') {
+                if matches!(word.letter, b'G' | b'M' | long::NAME) {
                     bits |= roles.word(word);
                 } else if let WordValue::Number(dec) = word.value {
                     counts |= !dec.point && dec.mantissa != 0 && increments[0] & 1 << (word.letter & 31) != 0;
@@ -217,11 +223,17 @@ impl Facts {
             if let Some(to) = to
                 && let Some(part) = self.parts.get_mut(to as usize)
             {
-                // A program that calls itself has no other caller by that.
-                part.called |= to != program;
                 part.each_block |= bits & EACH_BLOCK != 0;
-                self.calls.push(Call { block, from: program, to, with_locals: !sub });
+                self.call(Call { block, from: program, to, with_locals: !sub });
             }
+        }
+    }
+
+    fn call(&mut self, call: Call) {
+        if let Some(part) = self.parts.get_mut(call.to as usize) {
+            // A program that calls itself has no other caller by that.
+            part.called |= call.to != call.from;
+            self.calls.push(call);
         }
     }
 
@@ -237,6 +249,9 @@ impl Facts {
     /// A main program that returns starts again for ever. Whether a program is one is known of the started program; of others only where
     /// nothing here can be one.
     pub(super) fn main_returns(&self, lint: &mut Lint) {
+        if lint.control.macros.main_ends {
+            return;
+        }
         let ends = self.any_called || self.parts.iter().any(|part| part.ends);
         // Numbers from 8000 on are the builder's and the user's standard programs: they are called.
         let main = match lint.start {
@@ -279,7 +294,10 @@ struct Units {
 impl Units {
     /// Where nothing says what F is per, it is what it is after power-on: one look at its size shows whether that was meant.
     fn tell(&self, lint: &mut Lint) {
-        let revolution = lint.is("startup-feed", "G99");
+        let unit = lint.parsed.switches().get(lint.control.switches, "startup-feed");
+        let number = unit.and_then(|unit| unit.get(1..)?.parse::<u16>().ok());
+        let row = number.and_then(|number| lint.control.code(b'G', number.saturating_mul(10)));
+        let revolution = row.is_some_and(|row| row.code == Code::FeedPerRevolution);
         let (id, other) = match revolution {
             true => ("lint.feed-per-revolution", Code::FeedPerMinute),
             false => ("lint.feed-per-minute", Code::FeedPerRevolution),

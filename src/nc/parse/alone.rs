@@ -2,7 +2,7 @@
 
 use super::super::ast::{Deck, Expr, ExprId};
 use super::{Read, Reader, Tables};
-use crate::controls::{Alarm, Control};
+use crate::controls::{Alarm, Control, Switches};
 use crate::text::{Diagnostic, FileId};
 
 /// An expression (`#100*#1033/100`) or a condition (`#120 LE 3`) that a control has read; only [`formula`] makes one.
@@ -27,7 +27,8 @@ impl Formula {
 /// Reads one expression or condition as the control would read it in a block; a condition may stand in its brackets or without them.
 /// The place of what is wrong counts from the start of the text, in file 0.
 pub fn formula(text: &str, control: &'static Control) -> Result<Formula, Box<Diagnostic>> {
-    let tables = Tables::new(control, &[]);
+    let switches = Switches::default();
+    let tables = Tables::new(control, &switches, &[]);
     let read = |bracketed: bool| {
         let mut reader = Reader::new(control, &tables, FileId(0), text, Deck::default());
         reader.take_line(text.as_bytes(), 0);
@@ -48,6 +49,11 @@ impl Reader<'_> {
     fn alone(&mut self, bracketed: bool) -> Read<ExprId> {
         self.skip();
         let start = self.at;
+        if self.names.is_some() {
+            let root = self.named_formula(true)?;
+            self.skip();
+            return if self.ended() { Ok(root) } else { Err(self.unexpected()) };
+        }
         let mut root = if bracketed { self.condition(Alarm::IfSentence, "")? } else { self.formula(false)? };
         if let Some(op) = self.comparison(Alarm::IfSentence) {
             let right = self.formula(false)?;

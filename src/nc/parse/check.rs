@@ -4,6 +4,7 @@ use super::super::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
 use super::super::dec::Dec;
 use super::super::files::Files;
 use super::FINDINGS;
+use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, Control};
 use crate::msg;
 use crate::order;
@@ -19,7 +20,10 @@ pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u
         let text = files.get(program.file).map_or("", |file| file.text.as_str());
         let mut check = Check { deck, control, program, text, numbers: None, found };
         check.loops();
-        check.targets();
+        match control.syntax.names {
+            Some(_) => check.named(),
+            None => check.targets(),
+        }
         check.end();
         for block in later.iter().filter(|&&at| (program.first..program.end).contains(&at)) {
             if let Some(block) = deck.blocks.get(*block as usize) {
@@ -29,7 +33,8 @@ pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u
         }
         if again {
             let place = Place { file: program.file, span: program.span };
-            let message = msg!("nc.program-twice", format!("O{}", program.number));
+            let name = program.name.map(|name| deck.text(Some(name)).to_owned());
+            let message = msg!("nc.program-twice", name.unwrap_or_else(|| format!("O{}", program.number)));
             check.found.push(Diagnostic::warning(message).at(place));
         }
     }
@@ -46,18 +51,18 @@ fn again(programs: &[Program]) -> Vec<bool> {
     again
 }
 
-struct Check<'a> {
-    deck: &'a Deck,
-    control: &'a Control,
-    program: &'a Program,
-    text: &'a str,
+pub(super) struct Check<'a> {
+    pub(super) deck: &'a Deck,
+    pub(super) control: &'a Control,
+    pub(super) program: &'a Program,
+    pub(super) text: &'a str,
     /// Sequence numbers of the program in rising order, once asked for.
     numbers: Option<Vec<u32>>,
-    found: &'a mut Vec<Diagnostic>,
+    pub(super) found: &'a mut Vec<Diagnostic>,
 }
 
 impl Check<'_> {
-    fn report(&mut self, alarm: Alarm, span: Span, message: Message) {
+    pub(super) fn report(&mut self, alarm: Alarm, span: Span, message: Message) {
         let place = Place { file: self.program.file, span };
         let finding = Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(alarm));
         self.found.push(finding);
@@ -130,7 +135,7 @@ impl Check<'_> {
     fn targets(&mut self) {
         let deck = self.deck;
         for block in deck.blocks_of(self.program) {
-            let (Stmt::If { target, .. } | Stmt::Goto(target)) = block.stmt else { continue };
+            let (Stmt::If { target, .. } | Stmt::Goto { target, .. }) = block.stmt else { continue };
             let Expr::Number(target) = deck.expr(target) else { continue };
             if !self.has_number(target) {
                 let span = self.keyword_span(block, "GOTO");
@@ -222,13 +227,14 @@ impl Check<'_> {
         let place = Place { file: self.program.file, span };
         let insert = Place { file: self.program.file, span: Span::at(at) };
         let shown = self.control.alarm_shown(Alarm::NoProgramEnd);
-        let mut finding = Diagnostic::error(msg!("nc.no-program-end")).at(place).alarm(shown);
+        let mut finding =
+            Diagnostic::error(msg!("nc.no-program-end", self.control.program_ends())).at(place).alarm(shown);
         // The builder's and the user's standard programs are called: there the return is the likelier end.
-        let called = self.program.number >= 8000;
+        let called = self.program.number >= 8000 || self.program.sub;
         let ends = if called { [Code::SubEnd, Code::EndRewind] } else { [Code::EndRewind, Code::SubEnd] };
         for end in ends {
             let Some(row) = self.control.codes.iter().find(|row| row.code == end) else { continue };
-            let code = format!("{}{}", row.letter as char, row.number / 10);
+            let code = self.control.code_name(row.letter, row.number.into());
             let title = match end {
                 Code::SubEnd => msg!("nc.fix.end-sub", code.as_str()),
                 _ => msg!("nc.fix.end-main", code.as_str()),
@@ -242,12 +248,16 @@ impl Check<'_> {
     fn falls_through(&self, blocks: &[Block], block: &Block) -> bool {
         match block.stmt {
             Stmt::Words { .. } => !self.deck.words_of(block).iter().any(|word| match word.value {
+                WordValue::Number(number) if word.letter == long::NAME => {
+                    let row = self.control.code(long::NAME, u16::try_from(number.mantissa * 10).unwrap_or(u16::MAX));
+                    row.is_some_and(|row| row.code == Code::Return)
+                }
                 WordValue::Number(number) if word.letter == b'M' => {
                     [Code::End, Code::EndRewind, Code::SubEnd].iter().any(|end| self.is_code(number, *end))
                 }
                 _ => false,
             }),
-            Stmt::Goto(_) => false,
+            Stmt::Goto { .. } => false,
             // The end of a loop without a condition is never passed.
             Stmt::End { label } => {
                 let heads = blocks.iter().rev().find_map(|block| match block.stmt {
@@ -263,7 +273,7 @@ impl Check<'_> {
             }
             Stmt::Bad(_) => {
                 let text = block.span.of(self.text).to_ascii_uppercase();
-                !["M99", "M30", "M2", "M02"].iter().any(|end| find::holds(&text, end))
+                !["M99", "M30", "M2", "M02", "M17", "RET"].iter().any(|end| find::holds(&text, end))
             }
             _ => true,
         }

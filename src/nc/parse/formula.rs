@@ -81,7 +81,16 @@ impl Reader<'_> {
         let mut left = self.factor()?;
         loop {
             let end = self.at;
-            let Some(op) = self.operator(word, true) else { return Ok(left) };
+            let Some(op) = self.operator(word, true) else {
+                let quotient = self.names.is_some() && self.peek() | 0x20 == b'd' && self.quotient_ahead();
+                if !quotient {
+                    return Ok(left);
+                }
+                let right = self.factor()?;
+                let ratio = self.part(Expr::Binary(Op::Divide, left, right), start)?;
+                left = self.part(Expr::Call(Function::Fix, ratio), start)?;
+                continue;
+            };
             let behind = self.at;
             if op == Op::Multiply && self.peek() == b'*' {
                 left = self.power(left, start, end)?;
@@ -137,6 +146,10 @@ impl Reader<'_> {
             b'/' if multiplicative && !(word && self.skip_mark_ahead()) => Op::Divide,
             byte if byte.is_ascii_alphabetic() => {
                 let (name, op) = LETTERED.iter().find(|(name, _)| self.ahead(name))?;
+                // Where comparisons come last, the others stand between them and sums.
+                if self.names.is_some() && *op != Op::Modulo {
+                    return None;
+                }
                 if matches!(op, Op::And | Op::Modulo) != multiplicative {
                     return None;
                 }
@@ -150,7 +163,7 @@ impl Reader<'_> {
     }
 
     /// Goes one level down, within the budget.
-    fn deeper(&mut self) -> Read<()> {
+    pub(super) fn deeper(&mut self) -> Read<()> {
         self.depth += 1;
         if self.depth > DEPTH {
             return Err(self.failure(Alarm::BracketDepth, self.at, self.at, self.too_deep(), false));
@@ -166,9 +179,16 @@ impl Reader<'_> {
         let byte = self.skip();
         let start = self.at;
         match byte {
+            b'R' | b'r' if self.parameter_ahead() => self.variable(false),
+            b'#' if self.names.is_some() => self.hash_variable(false),
+            b'[' if self.names.is_some() => self.square_group(),
+            b'$' if self.names.is_some() => Err(self.system_variable()),
             b'#' => self.variable(false),
             b'0'..=b'9' | b'.' => {
-                let number = self.digits()?;
+                let mut number = self.digits()?;
+                if self.names.is_some() {
+                    number = self.named_number(number, start);
+                }
                 self.part(Expr::Number(number), start)
             }
             b'+' | b'-' => {
@@ -176,6 +196,9 @@ impl Reader<'_> {
                 let next = self.skip();
                 if next.is_ascii_digit() || next == b'.' {
                     let mut number = self.digits()?;
+                    if self.names.is_some() {
+                        number = self.named_number(number, start);
+                    }
                     number.mantissa *= if byte == b'-' { -1 } else { 1 };
                     return self.part(Expr::Number(number), start);
                 }
@@ -202,6 +225,8 @@ impl Reader<'_> {
             None => self.misspelt_function()?,
         };
         let inner = match self.skip() {
+            b'(' if self.names.is_some() && function == Function::Atan => return self.two_arguments(start),
+            b'[' if self.names.is_some() => self.square_group()?,
             b'[' => self.group(b']')?,
             b'(' if self.rounds => self.group(b')')?,
             _ => self.bare_argument(start, name)?,
@@ -243,6 +268,10 @@ impl Reader<'_> {
         self.depth -= 1;
         if self.control.syntax.bare_functions {
             return argument;
+        }
+        if self.names.is_some() {
+            let end = start + name.len();
+            return Err(self.failure(Alarm::Format, start, end, msg!("nc.function-round", name), false));
         }
         let finding = self.finding(Alarm::Format, start, from, msg!("nc.function-bracket", name));
         let Ok(argument) = argument else {
@@ -299,14 +328,14 @@ impl Reader<'_> {
     }
 
     /// The bracketed expression at hand.
-    fn group(&mut self, close: u8) -> Read<ExprId> {
+    pub(super) fn group(&mut self, close: u8) -> Read<ExprId> {
         self.deeper()?;
         let open = self.open(close);
         if self.depth == u32::from(self.control.syntax.bracket_depth) + 1 {
             let message = self.too_deep();
             self.report(Alarm::BracketDepth, open.at, open.at + 1, message);
         }
-        let inner = self.formula(false)?;
+        let inner = if self.names.is_some() { self.named_formula(false)? } else { self.formula(false)? };
         self.close(open)?;
         self.depth -= 1;
         Ok(inner)
@@ -321,14 +350,15 @@ impl Reader<'_> {
     pub(super) fn close(&mut self, open: Open) -> Read<()> {
         let byte = self.skip();
         if byte == open.close {
-            if byte == b')' {
+            if byte == b')' && self.names.is_none() {
                 self.round_brackets.push((open.at, self.at));
             }
             self.at += 1;
             return Ok(());
         }
         if self.ended() || byte == b',' {
-            return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, msg!("nc.unclosed-square"), false));
+            let message = if self.names.is_some() { msg!("nc.unclosed-group") } else { msg!("nc.unclosed-square") };
+            return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false));
         }
         if let Some(lost) = self.lost_comparison(Alarm::Format) {
             return Err(lost);
@@ -402,9 +432,10 @@ impl Reader<'_> {
     fn check_row(&mut self, number: u32, start: usize, written: bool) {
         let alarm = match self.control.var(number) {
             None => Alarm::VariableRange,
+            Some(_) if number > self.tables.last_variable => Alarm::VariableRange,
             Some(row) => match row.kind {
                 VarKind::Local | VarKind::Common | VarKind::Retained => {
-                    self.plain = row.first..row.last.saturating_add(1);
+                    self.plain = row.first..row.last.min(self.tables.last_variable).saturating_add(1);
                     return;
                 }
                 kind if kind == VarKind::NotSimulated || written && kind == VarKind::SuppressSingleBlock => {

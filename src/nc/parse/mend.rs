@@ -20,10 +20,13 @@ impl Reader<'_> {
         }
         self.variables();
         let opened = opened || self.control.syntax.percent == Percent::End;
-        if !(opened && closed) {
+        if !(opened && closed) && self.control.syntax.percent != Percent::Head {
             self.percent(opened, closed);
         }
-        if let Some(at) = self.small {
+        if let Some(at) = self.hash {
+            self.hashes(at);
+        }
+        if let Some(at) = self.small.filter(|_| self.names.is_none()) {
             let place = self.place(Span::new(at, at + 1));
             let mut finding = Diagnostic::info(msg!("nc.small-letters", self.control.name)).at(place);
             if self.source.len() <= WHOLE {
@@ -77,10 +80,34 @@ impl Reader<'_> {
         let at = if opened { len } else { 0 };
         let message = match self.control.syntax.percent {
             Percent::Both => msg!("nc.no-percent"),
-            Percent::End => msg!("nc.no-last-percent"),
+            Percent::End | Percent::Head => msg!("nc.no-last-percent"),
         };
         let finding = Diagnostic::info(message).at(self.place(Span::at(at)));
         self.found.push(finding.fix(msg!("nc.fix.percent"), edits));
+    }
+
+    /// Variables written as on other controls, with a fix for all of them.
+    fn hashes(&mut self, at: u32) {
+        let letter = self.control.syntax.variable.to_string();
+        let name: String = self.source.get(at as usize..).unwrap_or("").chars().take(1).collect();
+        let message = msg!("nc.hash-variable", letter.as_str(), self.control.name);
+        let place = self.place(Span::new(at, at + name.len() as u32));
+        let mut finding = Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(Alarm::Format));
+        if self.source.len() <= WHOLE {
+            let mut edits = Vec::new();
+            let (mut comment, mut quoted) = (false, false);
+            for (at, byte) in (0..).zip(self.source.bytes()) {
+                match byte {
+                    b'\n' => (comment, quoted) = (false, false),
+                    b'"' => quoted ^= !comment,
+                    b';' if !quoted => comment = true,
+                    b'#' if !(comment || quoted) => edits.push((self.place(Span::new(at, at + 1)), letter.clone())),
+                    _ => {}
+                }
+            }
+            finding = finding.fix(msg!("nc.fix.variables", letter), edits);
+        }
+        self.add_finding(finding);
     }
 
     /// Variables that the control lacks or does not let write, each once, with a free one in their place.
@@ -89,10 +116,11 @@ impl Reader<'_> {
         if misused.is_empty() {
             return;
         }
-        let named = if self.source.len() <= WHOLE { variables_of(self.source) } else { Vec::new() };
+        let known = self.source.len() <= WHOLE && self.names.is_none();
+        let named = if known { variables_of(self.source) } else { Vec::new() };
         let mut taken = Vec::new();
         for row in &misused {
-            let name = row.span.of(self.source);
+            let name = row.span.of(self.source).trim();
             let message = match (row.alarm, self.control.var(row.number)) {
                 (Alarm::VariableRange, _) => msg!("nc.no-such-variable", name, self.control.name),
                 (_, Some(range)) => msg!("nc.read-only-variable", name, range.text),

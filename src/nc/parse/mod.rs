@@ -15,7 +15,8 @@
 //! cond   := expr ( EQ | NE | GT | GE | LT | LE ) expr
 //! ```
 //!
-//! Which of it a control has, and what it has besides (`==`, `SIN30`, `#9100`), its rows say.
+//! Which of it a control has, and what it has besides (`==`, `SIN30`, `#9100`), its rows say. Where programs, labels and codes have
+//! names, blocks are those of `named`.
 //!
 //! Spaces mean nothing; `( … )` up to the first `)` is a comment and may stand anywhere; EOB is a line end or `;`. Small letters
 //! are read as capitals. A block that does not read becomes [`Stmt::Bad`] and is reported once, at the place of the mistake, with
@@ -24,21 +25,29 @@
 mod alone;
 mod calls;
 mod check;
+mod check_names;
 mod formula;
+mod heads;
 mod mend;
+mod named;
+mod named_words;
 mod part;
 mod recover;
 mod slips;
 mod statement;
 mod words;
 
+pub(super) use check_names::on_way;
+pub(super) use heads::number_in;
+
 pub use alone::{Formula, formula};
 pub use part::part_span;
 
-use super::ast::{Block, Deck, Op, Program, Stmt};
+use super::ast::{Block, Deck, Op, Program, Stmt, TextId};
 use super::files::Files;
 use super::parsed::Parsed;
 use crate::controls::macros::{CallKind, CodeCall};
+use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, Round};
 use crate::controls::{Alarm, Control, Switches};
 use crate::msg;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
@@ -63,7 +72,7 @@ pub fn parse(files: &Files, control: &'static Control) -> Parsed {
 /// Reads files as a control would with its open points as they are set. Total: any text gives a value.
 pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
     let calls = control.code_calls(switches);
-    let tables = Tables::new(control, &calls);
+    let tables = Tables::new(control, switches, &calls);
     let mut deck = Deck::default();
     let mut found = Vec::new();
     let mut later = Vec::new();
@@ -77,6 +86,7 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
             continue;
         }
         let mut reader = Reader::new(control, &tables, FileId(id), &file.text, deck);
+        reader.file_name = &file.name;
         reader.reserve();
         reader.file();
         deck = reader.deck;
@@ -114,6 +124,16 @@ struct Tables<'a> {
     corners: u32,
     /// Words of a block.
     most_words: usize,
+    /// Characters of a block.
+    block_chars: u32,
+    /// Characters of a label.
+    label_chars: usize,
+    /// Jumps by name may go to block numbers too.
+    number_jumps: bool,
+    /// Highest number of a variable.
+    last_variable: u32,
+    /// Codes that a switch keeps off, ten times their numbers.
+    off: Vec<(u8, u16)>,
 }
 
 fn letter_bits(letters: impl Iterator<Item = u8>) -> u32 {
@@ -121,8 +141,14 @@ fn letter_bits(letters: impl Iterator<Item = u8>) -> u32 {
 }
 
 impl<'a> Tables<'a> {
-    fn new(control: &Control, calls: &'a [CodeCall]) -> Tables<'a> {
+    fn new(control: &Control, switches: &Switches, calls: &'a [CodeCall]) -> Tables<'a> {
+        let number = |id: &str| switches.get(control.switches, id).and_then(|setting| setting.parse().ok());
         let mut tables = Tables {
+            block_chars: number(BLOCK_LENGTH).unwrap_or(control.syntax.block_read_chars),
+            label_chars: number(LABEL_LENGTH).map_or(0, |chars| chars as usize),
+            number_jumps: switches.get(control.switches, NUMBER_JUMPS) == Some("yes"),
+            last_variable: control.last_variable(switches),
+            off: control.codes_off(switches),
             g: Box::new([0; 1000]),
             m: Box::new([0; 100]),
             calls,
@@ -138,10 +164,13 @@ impl<'a> Tables<'a> {
         }
         let rows = control.codes.iter().enumerate().map(|(at, row)| (row.letter, row.number.into(), at as u16 + 1));
         // A user's code comes before the control's own of the same number.
+        let off = tables.off.clone();
+        let rows = rows.filter(|row| !off.iter().any(|off| (off.0, off.1.into()) == (row.0, row.1)));
         for (letter, number, index) in rows.chain(calls.iter().map(|call| (call.letter, call.number, BOUND))) {
             let slot = match letter {
                 b'G' => tables.g.get_mut(number as usize),
-                _ => tables.m.get_mut(number as usize / 10),
+                b'M' => tables.m.get_mut(number as usize / 10),
+                _ => None,
             };
             if let Some(slot) = slot {
                 *slot = index;
@@ -173,7 +202,8 @@ type Read<T> = Result<T, Box<Failure>>;
 struct Mark {
     words: usize,
     exprs: usize,
-    comments: usize,
+    pairs: usize,
+    texts: usize,
     found: usize,
     variables: usize,
 }
@@ -187,8 +217,12 @@ struct Misused {
 
 struct Reader<'a> {
     control: &'static Control,
+    /// What has names, where the language has such.
+    names: Option<&'static Names>,
     tables: &'a Tables<'a>,
     id: FileId,
+    /// Name of the file.
+    file_name: &'a str,
     source: &'a str,
     deck: Deck,
     found: Vec<Diagnostic>,
@@ -203,6 +237,10 @@ struct Reader<'a> {
     semicolon: Option<u32>,
     /// First character in a comment that the control lacks.
     foreign: Option<Span>,
+    /// First `#` outside comments, where variables have a letter.
+    hash: Option<u32>,
+    /// The line before names a program: the next may tell its directory.
+    headed: bool,
     /// Index of the program that blocks go to.
     program: Option<usize>,
 
@@ -216,7 +254,8 @@ struct Reader<'a> {
     round_brackets: Vec<(usize, usize)>,
     number: Option<u32>,
     skip_switch: u8,
-    comment: Option<u32>,
+    comment: Option<TextId>,
+    label: Option<TextId>,
     bad: Option<Alarm>,
     depth: u32,
     parts: u32,
@@ -241,8 +280,10 @@ impl<'a> Reader<'a> {
     fn new(control: &'static Control, tables: &'a Tables<'a>, id: FileId, source: &'a str, deck: Deck) -> Reader<'a> {
         Reader {
             control,
+            names: control.syntax.names.as_ref(),
             tables,
             id,
+            file_name: "",
             source,
             deck,
             found: Vec::new(),
@@ -252,15 +293,18 @@ impl<'a> Reader<'a> {
             small: None,
             semicolon: None,
             foreign: None,
+            hash: None,
+            headed: false,
             program: None,
             line: &[],
             base: 0,
             at: 0,
-            rounds: false,
+            rounds: control.syntax.round == Round::Group,
             round_brackets: Vec::new(),
             number: None,
             skip_switch: 0,
             comment: None,
+            label: None,
             bad: None,
             depth: 0,
             parts: 0,
@@ -294,6 +338,8 @@ impl<'a> Reader<'a> {
             let (from, to) = self.trimmed(at, end);
             match bytes.get(from) {
                 _ if from == to => {}
+                Some(b'%') if self.names.is_some() => self.head(from, to),
+                _ if self.names.is_some() => self.named_block(from, to),
                 Some(b'%') => {
                     if !self.only_comments() {
                         closed = Some(from);
@@ -405,7 +451,7 @@ impl<'a> Reader<'a> {
             Ok(stmt) => stmt,
             Err(failure) => self.recover(mark, failure),
         };
-        if self.line.len() > self.control.syntax.block_read_chars as usize {
+        if self.line.len() > self.tables.block_chars as usize {
             self.check_length();
         }
         self.push(stmt);
@@ -438,6 +484,7 @@ impl<'a> Reader<'a> {
         self.number = None;
         self.skip_switch = 0;
         self.comment = None;
+        self.label = None;
         self.bad = None;
         self.depth = 0;
         self.parts = 0;
@@ -471,10 +518,7 @@ impl<'a> Reader<'a> {
             self.slip(Alarm::Format, 0, 1, msg!("nc.program-letter", usual.as_str()), &usual);
         }
         let number = number.unwrap_or(0);
-        let title = title.map(|title| {
-            self.deck.comments.push(title.into());
-            self.deck.comments.len() as u32 - 1
-        });
+        let title = title.map(|title| self.deck.add_text(title));
         if self.only_comments() && self.program.is_some() {
             // Comments above the number belong to its program.
             let program = self.program.and_then(|index| self.deck.programs.get_mut(index));
@@ -484,7 +528,8 @@ impl<'a> Reader<'a> {
         } else {
             let at = self.deck.blocks.len() as u32;
             self.program = Some(self.deck.programs.len());
-            self.deck.programs.push(Program { file: self.id, number, title, span, first: at, end: at });
+            let program = Program { file: self.id, number, name: None, sub: false, title, span, first: at, end: at };
+            self.deck.programs.push(program);
         }
         true
     }
@@ -511,15 +556,17 @@ impl<'a> Reader<'a> {
     fn push(&mut self, stmt: Stmt) {
         let stmt = self.bad.map_or(stmt, Stmt::Bad);
         let span = Span::new(self.base, self.base + self.line.len() as u32);
-        let block = Block { span, number: self.number, stmt, comment: self.comment, skip: self.skip_switch };
+        let (number, comment, label) = (self.number, self.comment, self.label);
+        let block = Block { span, number, stmt, comment, label, skip: self.skip_switch };
         self.deck.blocks.push(block);
         let end = self.deck.blocks.len() as u32;
         match self.program.and_then(|index| self.deck.programs.get_mut(index)) {
             Some(program) => program.end = end,
             None => {
                 self.program = Some(self.deck.programs.len());
-                let span = Span::default();
-                self.deck.programs.push(Program { file: self.id, number: 0, title: None, span, first: end - 1, end });
+                let (file, first, span) = (self.id, end - 1, Span::default());
+                let (name, sub, number) = self.file_program();
+                self.deck.programs.push(Program { file, number, name, sub, title: None, span, first, end });
             }
         }
     }
@@ -528,7 +575,8 @@ impl<'a> Reader<'a> {
         Mark {
             words: self.deck.words.len(),
             exprs: self.deck.exprs.len(),
-            comments: self.deck.comments.len(),
+            pairs: self.deck.pairs.len(),
+            texts: self.deck.texts.len(),
             found: self.found.len(),
             variables: self.misused.len(),
         }
@@ -538,7 +586,8 @@ impl<'a> Reader<'a> {
     fn rollback(&mut self, mark: &Mark) {
         self.deck.words.truncate(mark.words);
         self.deck.exprs.truncate(mark.exprs);
-        self.deck.comments.truncate(mark.comments);
+        self.deck.pairs.truncate(mark.pairs);
+        self.deck.texts.truncate(mark.texts);
         self.found.truncate(mark.found);
         self.misused.truncate(mark.variables);
         self.round_brackets.clear();

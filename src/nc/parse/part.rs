@@ -13,11 +13,10 @@ pub fn part_span(parsed: &Parsed, place: Place, part: ExprId) -> Option<Span> {
         let blocks = deck.blocks_of(program);
         blocks.get(blocks.partition_point(|block| block.span.start < place.span.start)).filter(|b| b.span == place.span)
     })?;
-    let tables = Tables::new(parsed.control(), parsed.calls());
+    let tables = Tables::new(parsed.control(), parsed.switches(), parsed.calls());
     let mut reader = Reader::new(parsed.control(), &tables, place.file, source, Deck::default());
     reader.places = Some(Vec::new());
-    reader.take_line(block.span.of(source).as_bytes(), block.span.start as usize);
-    let stmt = reader.statement().ok()?;
+    let stmt = reader.again(block.span).ok()?;
     // The parts of a block are read in one order.
     let moved = first_formula(deck, block.stmt)?.checked_sub(first_formula(&reader.deck, stmt)?)?;
     let span = *reader.places?.get(part.0.checked_sub(moved)? as usize)?;
@@ -28,8 +27,10 @@ pub fn part_span(parsed: &Parsed, place: Place, part: ExprId) -> Option<Span> {
 fn first_formula(deck: &Deck, stmt: Stmt) -> Option<u32> {
     let ExprId(index) = match stmt {
         Stmt::Assign { to, .. } => to,
+        Stmt::Assigns { first, .. } | Stmt::Ifs { first, .. } => deck.pairs.get(first as usize)?.left,
         Stmt::If { cond, .. } | Stmt::IfThen { cond, .. } => cond,
-        Stmt::Goto(target) => target,
+        Stmt::Goto { target, .. } => target,
+        Stmt::Call { repeats, .. } => repeats?,
         Stmt::While { cond, .. } => cond?,
         Stmt::Words { first, count } => {
             let words = deck.words.get(first as usize..first as usize + count as usize)?;
@@ -38,7 +39,7 @@ fn first_formula(deck: &Deck, stmt: Stmt) -> Option<u32> {
                 WordValue::Number(_) => None,
             })?
         }
-        Stmt::Empty | Stmt::End { .. } | Stmt::Bad(_) => return None,
+        Stmt::Empty | Stmt::End { .. } | Stmt::Message(_) | Stmt::Bad(_) => return None,
     };
     Some(index)
 }

@@ -1,7 +1,7 @@
 //! Slips that leave no doubt about what was meant: said once, with their fix, and read as they were meant.
 
 use super::super::ast::{Expr, ExprId, Op, fresh_numbers};
-use super::super::dec::Dec;
+use super::super::dec::{Dec, POW10};
 use super::recover::prose;
 use super::statement::letters_of;
 use super::{Failure, Read, Reader};
@@ -160,7 +160,8 @@ impl Reader<'_> {
     #[cold]
     pub(super) fn odd_digit(&mut self) {
         self.zero_for_o();
-        if self.peek() != b',' {
+        // In brackets a comma parts two numbers.
+        if self.peek() != b',' || self.names.is_some() && self.depth > 0 {
             return;
         }
         let at = self.at;
@@ -170,6 +171,34 @@ impl Reader<'_> {
             self.slip(Alarm::Format, at, at + 1, msg!("nc.decimal-comma"), ".");
             self.at += 1 + digits;
         }
+    }
+
+    /// `EX-3` behind a number that starts at `start`, if it stands there: a power of ten, which 18 digits have to hold.
+    #[cold]
+    pub(super) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
+        if !self.ahead("EX") {
+            return number;
+        }
+        self.at += 2;
+        let negative = self.peek() == b'-';
+        self.at += usize::from(matches!(self.peek(), b'-' | b'+'));
+        let mut exponent = 0_i32;
+        while self.peek().is_ascii_digit() {
+            exponent = exponent.saturating_mul(10).saturating_add(i32::from(self.peek() - b'0'));
+            self.at += 1;
+        }
+        let exponent = if negative { -exponent } else { exponent };
+        let scale = i32::from(number.scale).saturating_sub(exponent);
+        let unit = |scale: i32| POW10.get(scale.unsigned_abs() as usize).copied();
+        let whole = (scale < 0).then(|| number.mantissa.checked_mul(unit(scale)?)).flatten();
+        let raised = match u8::try_from(scale) {
+            Ok(scale @ 0..=18) => Some(Dec { scale, ..number }),
+            _ => whole.map(|mantissa| Dec { mantissa, scale: 0, point: true }),
+        };
+        if raised.is_none() && number.mantissa != 0 {
+            self.report(Alarm::Digits, start, self.at, msg!("nc.too-many-digits", 18));
+        }
+        Dec { point: true, ..raised.unwrap_or_default() }
     }
 
     /// Letters O that stand in a number for zeros, with the digits behind them; whether there are any.

@@ -1,12 +1,12 @@
 //! Macro statements: assignments, jumps, loops, and the conditions in them.
 
-use super::super::ast::{Expr, ExprId, Op, Stmt};
+use super::super::ast::{Expr, ExprId, Op, Stmt, Way};
 use super::slips::meant;
 use super::{Failure, Read, Reader};
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
 
-const COMPARISONS: [(&str, Op); 6] = [
+pub(super) const COMPARISONS: [(&str, Op); 6] = [
     ("EQ", Op::Equal),
     ("NE", Op::NotEqual),
     ("GT", Op::Greater),
@@ -16,7 +16,7 @@ const COMPARISONS: [(&str, Op); 6] = [
 ];
 
 /// Comparisons as signs, the longer ones first; whether a control that takes signs takes this one.
-const SIGNS: [(&str, Op, bool); 13] = [
+pub(super) const SIGNS: [(&str, Op, bool); 13] = [
     ("==", Op::Equal, true),
     ("<>", Op::NotEqual, true),
     (">=", Op::GreaterEqual, true),
@@ -81,7 +81,7 @@ impl Reader<'_> {
             Some("GOTO") => {
                 let target = self.target()?;
                 self.end_of_macro()?;
-                Stmt::Goto(target)
+                Stmt::Goto { target, way: Way::Round }
             }
             Some("WHILE") => {
                 let cond = self.condition(Alarm::WhileSentence, "WHILE")?;
@@ -126,7 +126,7 @@ impl Reader<'_> {
             }
             let target = self.target()?;
             self.end_of_macro()?;
-            return Ok(Stmt::If { cond, target });
+            return Ok(Stmt::If { cond, target, way: Way::Round });
         }
         if self.peek() != b'#' && !named {
             let end = self.at.max(start + 2);

@@ -42,7 +42,7 @@ impl<'a> Reader<'a> {
         loop {
             match self.peek() {
                 b' ' | b'\t' | b'\r' => self.at += 1,
-                b'(' if !self.rounds || !self.arithmetic_ahead() => self.take_comment(),
+                b'(' if self.names.is_none() && !(self.rounds && self.arithmetic_ahead()) => self.take_comment(),
                 byte => return byte,
             }
         }
@@ -61,8 +61,7 @@ impl<'a> Reader<'a> {
         let (from, to) = (self.base as usize + open + 1, self.base as usize + end);
         self.note_foreign(from, to);
         if self.comment.is_none() {
-            self.comment = Some(self.deck.comments.len() as u32);
-            self.deck.comments.push(self.source.get(from..to).unwrap_or("").into());
+            self.comment = Some(self.deck.add_text(self.source.get(from..to).unwrap_or("")));
         }
         self.at = (end + 1).min(self.line.len());
     }
@@ -155,7 +154,7 @@ impl<'a> Reader<'a> {
                 _ => {}
             }
             let len = (self.at - start).min(u8::MAX as usize) as u8;
-            self.deck.words.push(Word { letter, len, offset: start as u16, value });
+            self.deck.words.push(Word { len, offset: start as u16, ..Word::new(letter, value) });
         }
         let count = self.deck.words.len() - first;
         let tables = self.tables;
@@ -255,7 +254,7 @@ impl<'a> Reader<'a> {
             b'/' if self.skip_mark_ahead() => {
                 self.at += 1;
                 let value = WordValue::Number(Dec::int(1));
-                self.deck.words.push(Word { letter: b'/', len: 1, offset: start as u16, value });
+                self.deck.words.push(Word { len: 1, offset: start as u16, ..Word::new(b'/', value) });
             }
             b',' => {
                 self.at += 1;
@@ -381,8 +380,8 @@ impl<'a> Reader<'a> {
     }
 
     /// Looks a G code up; whether it is a macro call, which takes any letter.
-    #[inline]
-    fn g_code(&mut self, number: Dec, start: usize) -> bool {
+    #[inline(always)]
+    pub(super) fn g_code(&mut self, number: Dec, start: usize) -> bool {
         let tenths = match number.scale {
             0 => number.mantissa.checked_mul(10),
             1 => Some(number.mantissa),
@@ -411,7 +410,7 @@ impl<'a> Reader<'a> {
         if let Some(kind) = tenths.and_then(|tenths| self.tables.call(b'G', tenths)) {
             return kind != CallKind::Sub;
         }
-        if let Some(row) = tenths.and_then(|tenths| self.control.code(b'G', u16::try_from(tenths).ok()?)) {
+        if let Some(row) = tenths.and_then(|tenths| self.code_on(b'G', u16::try_from(tenths).ok()?)) {
             return self.known_g_code(row, number, start);
         }
         self.report(
@@ -423,9 +422,14 @@ impl<'a> Reader<'a> {
         false
     }
 
+    /// The row of a code that no switch keeps off.
+    pub(super) fn code_on(&self, letter: u8, tenths: u16) -> Option<&'static CodeDef> {
+        self.control.code(letter, tenths).filter(|_| !self.tables.off.contains(&(letter, tenths)))
+    }
+
     /// Looks an M code up; whether it is a macro call.
-    #[inline]
-    fn m_code(&mut self, number: Dec, start: usize) -> bool {
+    #[inline(always)]
+    pub(super) fn m_code(&mut self, number: Dec, start: usize) -> bool {
         let slot = usize::try_from(number.mantissa).ok().and_then(|number| self.tables.m.get(number)).copied();
         let slot = slot.unwrap_or(if self.tables.calls.is_empty() { 0 } else { BOUND });
         let row = self.control.codes.get((slot as usize).wrapping_sub(1)).filter(|_| number.scale == 0);

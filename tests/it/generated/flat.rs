@@ -82,17 +82,22 @@ impl Program for Recorder {
 
 /// A program of plain blocks that does what was run. Distances are absolute and incremental in turn.
 pub(crate) fn flat(control: &'static Control, ran: &[Ran]) -> String {
-    let mut w = Writer { control, position: [0; AXES], zero: [0; AXES], odd: false, out: String::new() };
-    w.out.push_str("%\nO1\n");
+    let named = control.syntax.names.is_some();
+    let mut w =
+        Writer { control, named, surface: false, position: [0; AXES], zero: [0; AXES], odd: false, out: String::new() };
+    w.out.push_str(if named { "%_N_PLAIN_MPF\n" } else { "%\nO1\n" });
     for ran in ran {
         w.block(ran);
     }
-    w.out.push_str("%\n");
+    w.out.push_str(if named { "" } else { "%\n" });
     w.out
 }
 
 struct Writer {
     control: &'static Control,
+    named: bool,
+    /// Constant surface speed is on.
+    surface: bool,
     position: [i64; AXES],
     zero: [i64; AXES],
     odd: bool,
@@ -121,11 +126,12 @@ impl Writer {
 
     fn block(&mut self, ran: &Ran) {
         if ran.alarm {
-            return self.out.push_str("#3000=1(ALARM)\n");
+            return self.out.push_str(if self.named { "RET\n" } else { "#3000=1(ALARM)\n" });
         }
         if ran.commands.is_empty() {
             let text = match (ran.waited, ran.is_macro) {
                 (true, _) => format!("#149=#{}", self.variable(|kind| kind == VarKind::MachinePosition)),
+                (false, true) if self.named => "R149=0".to_owned(),
                 (false, true) => "(MACRO)".to_owned(),
                 (false, false) => self.g(Code::Metric),
             };
@@ -164,6 +170,10 @@ impl Writer {
                 let code = self.cutting(Code::Linear, *feed, *exact);
                 self.go(&code, to, false)
             }
+            Canon::Thread { to, lead } if self.named => {
+                let letter = if to.mask & 1 == 0 { 'K' } else { 'I' };
+                self.go(&self.g(Code::Thread), to, false) + &format!(" {letter}{lead:?}")
+            }
             Canon::Thread { to, lead } => {
                 let code = self.cutting(Code::Thread, Feed::PerRevolution(*lead), false);
                 self.go(&code, to, false)
@@ -172,6 +182,7 @@ impl Writer {
                 self.arc(to, *plane, *center, *clockwise, self.cutting(Code::PlaneXy, *feed, *exact))
             }
             Canon::DwellTurns { turns } => format!("{} S{turns:?}", self.g(Code::Dwell)),
+            Canon::Dwell { seconds } if self.named => format!("{} F{seconds:?}", self.g(Code::Dwell)),
             Canon::Dwell { seconds } => format!("{} X{seconds:?}", self.g(Code::Dwell)),
             Canon::Preset { to } => {
                 let mut text = self.g(Code::SetCoordinates);
@@ -182,8 +193,15 @@ impl Writer {
                 text
             }
             Canon::SpindleSpeed { rpm } => format!("S{rpm}"),
-            Canon::SurfaceSpeed { speed, .. } => format!("{} S{speed}", self.g(Code::SurfaceSpeed)),
-            Canon::ConstantSpeed => self.g(Code::SurfaceSpeedOff),
+            Canon::SurfaceSpeed { speed, .. } => {
+                self.surface = true;
+                format!("{} S{speed}", self.g(Code::SurfaceSpeed))
+            }
+            Canon::ConstantSpeed => {
+                self.surface = false;
+                self.g(Code::SurfaceSpeedOff)
+            }
+            Canon::SpeedLimit { rpm, .. } if self.named => format!("LIMS={rpm}"),
             Canon::SpeedLimit { rpm, .. } => format!("{} S{rpm}", self.g(Code::SetCoordinates)),
             Canon::Gear { stage } => self.m(Code::GearStage(*stage)),
             Canon::Orient { .. } => String::new(),
@@ -205,6 +223,7 @@ impl Writer {
             Canon::Message { text } => {
                 format!("#{}=1({text})", self.variable(|kind| kind == VarKind::StopMessage))
             }
+            Canon::Show { text } => format!("MSG(\"{text}\")"),
             Canon::Stop => self.m(Code::Stop),
             Canon::OptionalStop => self.m(Code::OptionalStop),
             Canon::End => self.m(Code::EndRewind),
@@ -217,8 +236,10 @@ impl Writer {
             Feed::PerMinute(feed) => (Code::FeedPerMinute, feed),
             Feed::PerRevolution(feed) => (Code::FeedPerRevolution, feed),
         };
+        // A feed per revolution would end constant surface speed where both are codes of one group.
+        let unit = if self.named && self.surface { String::new() } else { self.g(unit) };
         let once = if exact { self.g(Code::ExactStopOnce) } else { String::new() };
-        format!("{} F{feed:?} {once} {}", self.g(unit), self.g(code))
+        format!("{unit} F{feed:?} {once} {}", self.g(code))
     }
 
     fn go(&mut self, code: &str, to: &Target, incremental: bool) -> String {
@@ -270,7 +291,8 @@ impl Writer {
             // Left of the chord for the shorter counter-clockwise arc.
             let left = chord[0] * offsets[1] - chord[1] * offsets[0] > 0.0;
             let radius = macroline::math::hypot(offsets[0], offsets[1]).round() as i64;
-            let _ = write!(text, " R{}", self.millimetres(if left == clockwise { -radius } else { radius }));
+            let name = if self.named { "CR=" } else { "R" };
+            let _ = write!(text, " {name}{}", self.millimetres(if left == clockwise { -radius } else { radius }));
         }
         text
     }

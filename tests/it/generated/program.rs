@@ -9,12 +9,16 @@ use macroline::controls::syntax::{Function, Operation};
 use macroline::controls::{Code, Control, VarKind};
 
 use super::dice::Dice;
+use super::named;
 
 /// Blocks that a program gets at most, subprograms included.
 const BLOCKS: usize = 120;
 
 /// A whole file for a control.
 pub(crate) fn program(control: &'static Control, bytes: &[u8]) -> String {
+    if control.syntax.names.is_some() {
+        return named::program(control, bytes);
+    }
     let (main, subs) = bytes.split_at(bytes.len() - bytes.len() / 4);
     let dice = Dice(main);
     let mut w = Writer {
@@ -62,6 +66,9 @@ pub(crate) fn soup(control: &'static Control, bytes: &[u8]) -> String {
 
 /// Something that stands in programs.
 fn word(control: &'static Control, dice: &mut Dice) -> String {
+    if control.syntax.names.is_some() {
+        return named::word(control, dice);
+    }
     const SIGNS: &[&str] = &[
         "\n",
         "\n",

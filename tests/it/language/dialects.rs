@@ -23,7 +23,7 @@ fn reading(parsed: &Parsed) -> String {
 #[track_caller]
 fn check(block: &str, expected: Expect) {
     let mut out = String::new();
-    for control in controls::ALL {
+    for control in controls::ALL.iter().filter(|control| control.syntax.names.is_none()) {
         out += &format!("--- {}\n{}", control.name, reading(&read_on(control, &format!("{block}\nM30\n%\n"))));
     }
     expected.assert_eq(&out);

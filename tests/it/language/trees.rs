@@ -1,7 +1,8 @@
 //! What is read, as trees.
 
 use expect_test::{Expect, expect};
-use macroline::nc::{Deck, Expr, ExprId, Parsed, Stmt, WordValue, part_span};
+use macroline::controls::syntax::long;
+use macroline::nc::{Deck, Expr, ExprId, Form, Parsed, Stmt, Way, WordValue, part_span};
 
 use super::{findings, read};
 
@@ -10,6 +11,7 @@ pub(super) fn tree(parsed: &Parsed) -> String {
     fn expr(deck: &Deck, id: ExprId) -> String {
         match deck.expr(id) {
             Expr::Number(number) => number.to_string(),
+            Expr::Label(name) => deck.text(Some(name)).to_owned(),
             Expr::Var(number) => format!("#{number}"),
             Expr::Indirect(inner) => format!("#({})", expr(deck, inner)),
             Expr::Negate(inner) => format!("(- {})", expr(deck, inner)),
@@ -17,30 +19,66 @@ pub(super) fn tree(parsed: &Parsed) -> String {
             Expr::Binary(op, left, right) => format!("({op:?} {} {})", expr(deck, left), expr(deck, right)),
         }
     }
-    let deck = parsed.deck();
+    fn to(way: Way) -> &'static str {
+        match way {
+            Way::Round => "",
+            Way::Forward => " ahead",
+            Way::Backward => " back",
+        }
+    }
+    let (deck, control) = (parsed.deck(), parsed.control());
     let mut out = String::new();
     for program in &deck.programs {
-        out += &format!("O{} {:?}\n", program.number, program.title.map(|_| deck.comment(program.title)));
+        let head = match program.name {
+            Some(_) => format!("{} {}", deck.text(program.name), if program.sub { "sub" } else { "main" }),
+            None => format!("O{} {:?}", program.number, program.title.map(|_| deck.text(program.title))),
+        };
+        out += &(head + "\n");
         for block in deck.blocks_of(program) {
             let say = |id| expr(deck, id);
-            let words = deck.words_of(block).iter().map(|word| match word.value {
-                WordValue::Number(number) => format!("{}:{number}", word.letter as char),
-                WordValue::Expr(value) => format!("{}:{}", word.letter as char, say(value)),
+            let words = deck.words_of(block).iter().map(|word| {
+                let index = word.index.map_or(String::new(), |index| format!("[{index}]"));
+                let form = if word.form == Form::Plain { String::new() } else { format!("{:?} ", word.form) };
+                let value = match word.value {
+                    WordValue::Number(number) if word.letter == long::NAME => {
+                        return control.code_name(long::NAME, 10 * number.mantissa as u32);
+                    }
+                    WordValue::Number(number) => number.to_string(),
+                    WordValue::Expr(value) => say(value),
+                };
+                format!("{}{index}:{form}{value}", control.address(word.letter))
             });
             let stmt = match block.stmt {
                 Stmt::Words { .. } => words.collect::<Vec<_>>().join(" "),
                 Stmt::Assign { to, value } => format!("{} = {}", say(to), say(value)),
-                Stmt::If { cond, target } => format!("if {} goto {}", say(cond), say(target)),
+                Stmt::If { cond, target, way } => format!("if {} goto {}{}", say(cond), say(target), to(way)),
+                Stmt::Assigns { first, count } => {
+                    let pairs = deck.pairs_of(first, count).iter();
+                    pairs.map(|pair| format!("{} = {}", say(pair.left), say(pair.right))).collect::<Vec<_>>().join(", ")
+                }
+                Stmt::Ifs { .. } => {
+                    let jumps = deck.jumps_of(block.stmt);
+                    let jump = |(cond, target, way): (Option<ExprId>, ExprId, Way)| {
+                        format!("if {} goto {}{}", cond.map_or(String::new(), say), say(target), to(way))
+                    };
+                    jumps.map(jump).collect::<Vec<_>>().join(", ")
+                }
+                Stmt::Call { name, repeats } => {
+                    let times = repeats.map_or(String::new(), |times| format!(" times {}", say(times)));
+                    format!("call {}{times}", deck.text(Some(name)))
+                }
+                Stmt::Message(text) => format!("message {:?}", text.map(|_| deck.text(text))),
                 Stmt::IfThen { cond, to, value } => format!("if {} then {} = {}", say(cond), say(to), say(value)),
-                Stmt::Goto(target) => format!("goto {}", say(target)),
+                Stmt::Goto { target, way } => format!("goto {}{}", say(target), to(way)),
                 Stmt::While { cond, label } => format!("while {} do {label}", cond.map_or("true".to_owned(), say)),
                 Stmt::End { label } => format!("end {label}"),
                 other => format!("{other:?}"),
             };
             let number = block.number.map_or(String::new(), |number| format!("N{number} "));
             let skip = if block.skip > 0 { format!("/{} ", block.skip) } else { String::new() };
-            let comment = block.comment.map_or(String::new(), |_| format!(" ({})", deck.comment(block.comment)));
-            out += &format!("  {skip}{number}{stmt}{comment}\n");
+            let comment = block.comment.map_or(String::new(), |_| format!(" ({})", deck.text(block.comment)));
+            let label = block.label.map_or(String::new(), |_| format!("{}: ", deck.text(block.label)));
+            out += &format!("  {skip}{number}{label}{stmt}{comment}\n");
         }
     }
     out

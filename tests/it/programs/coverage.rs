@@ -3,7 +3,7 @@
 use macroline::controls::syntax::Function;
 use macroline::controls::{ALL, Alarm, Code, CodeDef, Control, VarKind};
 
-use super::fixtures;
+use super::{comment, fixtures};
 
 /// The good programs of a control, as one text per file, comments left out but for settings.
 fn good(control: &Control) -> Vec<String> {
@@ -24,7 +24,7 @@ fn nothing(missing: &[String], what: &str) {
 }
 
 /// What no text can bring about.
-const NOT_FROM_TEXT: [Alarm; 3] = [Alarm::Budget, Alarm::SoftLimit, Alarm::EmergencyStop];
+const NOT_FROM_TEXT: [Alarm; 4] = [Alarm::Budget, Alarm::SoftLimit, Alarm::EmergencyStop, Alarm::NoPositioning];
 
 #[test]
 fn each_alarm_has_a_program_that_raises_it() {
@@ -33,7 +33,10 @@ fn each_alarm_has_a_program_that_raises_it() {
         let bad = fixtures(control, "bad");
         let rows = control.alarms.iter().filter(|row| !NOT_FROM_TEXT.contains(&row.kind));
         for number in rows.map(|row| row.number) {
-            if !bad.iter().any(|(_, source)| source.starts_with(&format!("({number} "))) {
+            if !bad
+                .iter()
+                .any(|(_, source)| source.starts_with(comment(control, &format!("{number} ")).trim_end_matches(')')))
+            {
                 missing.push(format!("{} {number}", control.id));
             }
         }
@@ -50,7 +53,10 @@ fn each_code_that_is_acted_on_stands_in_a_good_program() {
         let good = good(control);
         for row in control.codes.iter().filter(acted) {
             let number = f64::from(row.number) / 10.0;
-            let spelled = [format!("{}{number}", row.letter as char), format!("{}{number:02}", row.letter as char)];
+            let spelled = match control.syntax.names {
+                Some(_) => [row.letter, row.letter].map(|letter| control.code_name(letter, row.number.into())),
+                None => [format!("{}{number}", row.letter as char), format!("{}{number:02}", row.letter as char)],
+            };
             if !spelled.iter().any(|word| stands(&good, word)) {
                 missing.push(format!("{} {}", control.id, spelled[0]));
             }
@@ -66,7 +72,7 @@ fn each_variable_that_is_acted_on_stands_in_a_good_program() {
         let good = good(control);
         for row in control.vars.iter().filter(|row| !matches!(row.kind, VarKind::NotSimulated | VarKind::AlarmMessage))
         {
-            if !(row.first..=row.last).any(|number| stands(&good, &format!("#{number}"))) {
+            if !(row.first..=row.last).any(|number| stands(&good, &control.variable(number))) {
                 missing.push(format!("{} #{} ({})", control.id, row.first, row.text));
             }
         }
@@ -84,7 +90,7 @@ fn each_function_stands_in_a_good_program() {
             // `SIN` stands in `ASIN` too.
             let found = match function {
                 Function::Sin | Function::Cos | Function::Tan => {
-                    ["[", "+", "=", "*"].iter().any(|ahead| bare(&format!("{ahead}{name}")))
+                    ["[", "(", "+", "=", "*"].iter().any(|ahead| bare(&format!("{ahead}{name}")))
                 }
                 _ => bare(name),
             };
@@ -108,7 +114,10 @@ fn each_setting_of_a_switch_stands_in_a_program() {
         // Some settings show in alarms alone.
         let all: Vec<String> =
             ["ok", "bad"].iter().flat_map(|kind| fixtures(control, kind)).map(|(_, source)| source).collect();
-        let set = |id: &str, value: &str| all.iter().any(|source| source.contains(&format!("(SET {id} {value}")));
+        let set = |id: &str, value: &str| {
+            all.iter()
+                .any(|source| source.contains(comment(control, &format!("SET {id} {value}")).trim_end_matches(')')))
+        };
         for row in control.switches {
             // Names of registers; no program can tell.
             if row.id == "macro-input-base" {

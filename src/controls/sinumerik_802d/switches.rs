@@ -1,0 +1,35 @@
+//! Points of the 802D that no manual at hand settles, and data that change what a program means.
+
+use super::{BLOCKS, MEMORY, SPINDLE};
+use crate::controls::Switch;
+use crate::controls::switch::switch;
+use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS};
+use crate::text::{Citation, Grade};
+
+const RADII: Citation =
+    Citation::new("G22 and G23 belong to the 802S and 802C; the 802D has DIAMOF and DIAMON", Grade::Open);
+const M5: Citation =
+    Citation::new("808D parameter manual, p.60: before; the page on 802D spindle commands: end", Grade::Open);
+const ACTIVATION: Citation = Citation::new("no source says it", Grade::Open);
+const ANGLE: Citation = Citation::new("alarm 16830 of the 808D, p.245; MD30455 by a secondary page", Grade::Sister);
+const LABELS: Citation = Citation::new("2 to 8 characters by usage of the 802D; 32 on larger controls", Grade::Open);
+const JUMPS: Citation = Citation::new("alarm 14080 of the 808D, p.184: asks for a label, not a number", Grade::Sister);
+const RANGE: Citation = Citation::new("R0 to R249 on 802S and 802C", Grade::Sister);
+
+/// One row per point; the first option is the default.
+pub(super) const SWITCHES: &[Switch] = &[
+    switch("diameter", "Words of X (MD20100)", &["diameter", "radius"], SPINDLE),
+    switch("startup-motion", "Motion after power-on", &["G1", "G0"], MEMORY),
+    switch("startup-feed", "Unit of F after power-on", &["G95", "G94"], MEMORY),
+    switch("startup-path", "Exact stop or continuous path after power-on", &["G60", "G64"], MEMORY),
+    switch("m5-timing", "M5 beside a motion stops the spindle", &["before", "end"], M5),
+    switch("lims-in-g97", "LIMS holds G97 too", &["no", "yes"], SPINDLE),
+    switch("g96-apply-at-activation", "G96 sets the speed at once", &["yes", "no"], ACTIVATION),
+    switch("g9x-without-s", "S behind G94 and G95 that end G96", &["last programmed", "hold"], SPINDLE),
+    switch("spos-out-of-range", "SPOS outside 0 to 359.999 (MD30455)", &["alarm", "modulo"], ANGLE),
+    switch("r-parameters", "R parameters (MD28050)", &["R0 to R299", "R0 to R249"], RANGE),
+    switch(LABEL_LENGTH, "Characters of a label at most", &["8", "32"], LABELS),
+    switch(BLOCK_LENGTH, "Characters of a block: 200, on the 802D sl 512", &["200", "512"], BLOCKS),
+    switch(NUMBER_JUMPS, "GOTOF and GOTOB to block numbers", &["no", "yes"], JUMPS),
+    switch("codes-g22-g23", "G22 and G23", &["alarm", "radius and diameter"], RADII),
+];

@@ -1,0 +1,136 @@
+//! Tree to text in a language with names: heads, labels, `=` behind addresses, comparisons weakest.
+
+use super::ast::{Block, Expr, ExprId, Form, Op, Program, Stmt, Way, Word, WordValue};
+use super::emit::Writer;
+use crate::controls::syntax::{Function, Names, long};
+
+impl Writer<'_> {
+    /// The lines in front of a program.
+    pub(super) fn head(&mut self, names: &Names, program: &Program, eol: &str) {
+        let (name, ending) = (self.deck.text(program.name), names.endings[usize::from(program.sub)]);
+        self.text.push_str(&format!("%_N_{name}_{ending}{eol};$PATH=/_N_{ending}_DIR{eol}"));
+    }
+
+    /// A block behind its number.
+    pub(super) fn named_block(&mut self, block: &Block) {
+        if block.label.is_some() {
+            self.text.push_str(self.deck.text(block.label));
+            self.text.push(':');
+            if block.stmt != Stmt::Empty {
+                self.text.push(' ');
+            }
+        }
+        match block.stmt {
+            // What has no form here is rewritten by `lower`.
+            Stmt::Empty | Stmt::Bad(_) | Stmt::IfThen { .. } | Stmt::While { .. } | Stmt::End { .. } => {}
+            Stmt::Words { .. } => {
+                for (at, word) in self.deck.words_of(block).iter().enumerate() {
+                    self.gap(at);
+                    self.named_word(word);
+                }
+            }
+            Stmt::Assign { to, value } => self.assignment(to, value),
+            Stmt::Assigns { first, count } => {
+                for (at, pair) in self.deck.pairs_of(first, count).iter().enumerate() {
+                    self.gap(at);
+                    self.assignment(pair.left, pair.right);
+                }
+            }
+            stmt @ (Stmt::If { .. } | Stmt::Ifs { .. } | Stmt::Goto { .. }) => {
+                for (at, (cond, target, way)) in self.deck.jumps_of(stmt).enumerate() {
+                    self.gap(at);
+                    if let Some(cond) = cond {
+                        self.text.push_str("IF ");
+                        self.expr(cond, 0, true, 0);
+                        self.text.push(' ');
+                    }
+                    self.text.push_str(if way == Way::Backward { "GOTOB " } else { "GOTOF " });
+                    if let Expr::Number(_) = self.deck.expr(target) {
+                        self.text.push('N');
+                    }
+                    self.expr(target, 0, true, 0);
+                }
+            }
+            Stmt::Call { name, repeats } => {
+                self.text.push_str(self.deck.text(Some(name)));
+                if let Some(repeats) = repeats {
+                    let formula = !matches!(self.deck.expr(repeats), Expr::Number(_));
+                    self.text.push_str(if formula { " P=" } else { " P" });
+                    self.expr(repeats, 0, true, 0);
+                }
+            }
+            Stmt::Message(text) => {
+                let quote = if text.is_some() { "\"" } else { "" };
+                self.text.push_str(&format!("MSG({quote}{}{quote})", self.deck.text(text)));
+            }
+        }
+        let spaced = block.number.is_some() || block.label.is_some() || block.stmt != Stmt::Empty;
+        self.comment(block.comment, spaced);
+    }
+
+    fn gap(&mut self, at: usize) {
+        if at > 0 {
+            self.text.push(' ');
+        }
+    }
+
+    fn named_word(&mut self, word: &Word) {
+        if let (long::NAME, WordValue::Number(place)) = (word.letter, word.value) {
+            let place = u32::try_from(place.mantissa).unwrap_or(u32::MAX);
+            return self.text.push_str(&self.control.code_name(long::NAME, place.saturating_mul(10)));
+        }
+        self.text.push_str(&self.control.address(word.letter));
+        if let Some(index) = word.index {
+            let text = if long::is(word.letter) { format!("[{index}]") } else { index.to_string() };
+            self.text.push_str(&text);
+        }
+        let plain = word.index.is_none() && word.form == Form::Plain && !long::is(word.letter);
+        if !(plain && matches!(word.value, WordValue::Number(_))) {
+            self.text.push('=');
+        }
+        let form = match word.form {
+            Form::Plain => "",
+            Form::Absolute => "AC(",
+            Form::Incremental => "IC(",
+            Form::Shortest => "DC(",
+            Form::Positive => "ACP(",
+            Form::Negative => "ACN(",
+        };
+        self.text.push_str(form);
+        match word.value {
+            WordValue::Number(number) => self.text.push_str(&number.to_string()),
+            WordValue::Expr(id) => self.expr(id, 0, true, 0),
+        }
+        self.text.push_str(if form.is_empty() { "" } else { ")" });
+    }
+
+    /// `ATAN2(y,x)`.
+    pub(super) fn two_arguments(&mut self, left: ExprId, right: ExprId, depth: u32) {
+        self.function_name(Function::Atan);
+        self.text.push('(');
+        self.expr(left, 0, true, depth + 1);
+        self.text.push(',');
+        self.expr(right, 0, true, depth + 1);
+        self.text.push(')');
+    }
+}
+
+/// Level and spelling of an operator.
+pub(super) fn named_operator(op: Op) -> (u8, &'static str) {
+    match op {
+        Op::Equal => (0, "=="),
+        Op::NotEqual => (0, "<>"),
+        Op::Greater => (0, ">"),
+        Op::GreaterEqual => (0, ">="),
+        Op::Less => (0, "<"),
+        Op::LessEqual => (0, "<="),
+        Op::Or => (1, " OR "),
+        Op::Xor => (2, " XOR "),
+        Op::And => (3, " AND "),
+        Op::Add => (4, "+"),
+        Op::Subtract => (4, "-"),
+        Op::Multiply => (5, "*"),
+        Op::Divide | Op::Atan => (5, "/"),
+        Op::Modulo => (5, " MOD "),
+    }
+}

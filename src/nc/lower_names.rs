@@ -1,0 +1,339 @@
+//! Rewrites for languages with names, and of names where a language has none.
+//!
+//! | rewrite | where | becomes |
+//! |---|---|---|
+//! | `texts` | foreign characters in comments, quotes in messages | `?`, `'` |
+//! | `programs` | a program without a name; the comment behind its number | `L9100`, `MPF1`; a comment of its own |
+//! | `points` | the point of a whole number | the number without it |
+//! | `jumps` | loops, jumps to block numbers | jumps to labels |
+//! | `no_names` | calls by name, messages, what has no form without names | `M98`, a comment |
+
+use super::ast::{Block, Deck, Expr, ExprId, Op, Program, Stmt, TextId, Way, Word, WordValue};
+use super::dec::Dec;
+use super::parse::number_in;
+use crate::controls::syntax::{Names, long};
+use crate::controls::{Alarm, Code, Control};
+use crate::text::Span;
+
+/// All rewrites for a language with names; `origins` follows the blocks.
+pub(super) fn with_names(deck: &mut Deck, control: &Control, names: &Names, origins: &mut Vec<u32>) {
+    texts(deck);
+    programs(deck, control, names);
+    points(deck, names);
+    jumps(deck, origins);
+    titles(deck, origins);
+}
+
+fn plain(c: char) -> char {
+    match c {
+        c if c.is_ascii_graphic() => c,
+        c if c.is_whitespace() || c.is_control() => ' ',
+        _ => '?',
+    }
+}
+
+fn rewrite(deck: &mut Deck, id: Option<TextId>, change: impl Fn(char) -> char) {
+    if let Some(text) = id.and_then(|id| deck.text_mut(id)) {
+        *text = text.chars().map(change).collect::<String>().trim_end().into();
+    }
+}
+
+fn texts(deck: &mut Deck) {
+    for at in 0..deck.blocks.len() {
+        let block = deck.blocks[at];
+        rewrite(deck, block.comment, plain);
+        if let Stmt::Message(text) = block.stmt {
+            rewrite(deck, text, |c| if c == '"' { '\'' } else { plain(c) });
+        }
+    }
+    for at in 0..deck.programs.len() {
+        rewrite(deck, deck.programs[at].title, plain);
+    }
+}
+
+/// Every program has a name; its number is what stands in it.
+fn programs(deck: &mut Deck, control: &Control, names: &Names) {
+    for at in 0..deck.programs.len() {
+        let program = deck.programs[at].clone();
+        if program.name.is_some() {
+            continue;
+        }
+        let sub = program.sub || returns(deck, control, &program);
+        let name = match program.number {
+            0 => "PROGRAM".to_owned(),
+            number => format!("{}{number}", if sub { "L" } else { names.endings[0] }),
+        };
+        let number = number_in(names, &name);
+        let name = Some(deck.add_text(name));
+        deck.programs[at] = Program { name, sub, number, ..program };
+    }
+}
+
+/// Whether a program returns and does not end.
+fn returns(deck: &Deck, control: &Control, program: &Program) -> bool {
+    let (mut returns, mut ends) = (false, false);
+    for word in deck.blocks_of(program).iter().flat_map(|block| deck.words_of(block)) {
+        let (b'M' | long::NAME, WordValue::Number(number)) = (word.letter, word.value) else { continue };
+        let tenths = u16::try_from(number.mantissa.saturating_mul(10)).unwrap_or(u16::MAX);
+        match control.code(word.letter, tenths).map(|row| row.code) {
+            Some(Code::SubEnd | Code::Return) => returns = true,
+            Some(Code::End | Code::EndRewind) => ends = true,
+            _ => {}
+        }
+    }
+    returns && !ends
+}
+
+/// Whole numbers have no point but where they are too large without; a value that is nothing but a number is one.
+fn points(deck: &mut Deck, names: &Names) {
+    let plain = |number: Dec| match number.scale {
+        0 => Dec { point: number.mantissa.unsigned_abs() > names.whole_max.unsigned_abs(), ..number },
+        _ => number,
+    };
+    for expr in &mut deck.exprs {
+        if let Expr::Number(number) = expr {
+            *number = plain(*number);
+        }
+    }
+    for word in &mut deck.words {
+        let number = match word.value {
+            WordValue::Number(number) => Some(number),
+            WordValue::Expr(id) => match deck.exprs.get(id.0 as usize) {
+                Some(Expr::Number(number)) => Some(*number),
+                _ => None,
+            },
+        };
+        if let Some(number) = number {
+            word.value = WordValue::Number(plain(number));
+        }
+    }
+}
+
+/// What is not a jump to a label becomes one.
+fn jumps(deck: &mut Deck, origins: &mut Vec<u32>) {
+    let round = |way: Way| way == Way::Round;
+    let strange = |block: &Block| match block.stmt {
+        Stmt::While { .. } | Stmt::End { .. } => true,
+        Stmt::If { way, .. } | Stmt::Goto { way, .. } => round(way),
+        _ => false,
+    };
+    if !deck.blocks.iter().any(strange) {
+        return;
+    }
+    let old = core::mem::take(&mut deck.blocks);
+    let from = core::mem::take(origins);
+    let mut programs = core::mem::take(&mut deck.programs);
+    for program in &mut programs {
+        let range = program.first as usize..program.end as usize;
+        let (blocks, origin) = (old.get(range.clone()).unwrap_or_default(), from.get(range).unwrap_or_default());
+        let first = deck.blocks.len() as u32;
+        let labels = Labels::new(deck, blocks);
+        labels.write(deck, blocks, origin, origins);
+        (program.first, program.end) = (first, deck.blocks.len() as u32);
+    }
+    deck.programs = programs;
+}
+
+/// Where the jumps of a program lead, and the labels that stand there.
+struct Labels {
+    /// Label in front of each block, and behind the last.
+    before: Vec<Option<TextId>>,
+    /// The block in front of which the label of each jump stands; behind an END it is the one after.
+    to: Vec<Option<usize>>,
+}
+
+impl Labels {
+    fn new(deck: &mut Deck, blocks: &[Block]) -> Labels {
+        let mut to = vec![None; blocks.len()];
+        let mut open: Vec<(u16, usize)> = Vec::new();
+        for (at, block) in blocks.iter().enumerate() {
+            match block.stmt {
+                Stmt::While { label, .. } => open.push((label, at)),
+                Stmt::End { label } => {
+                    if let Some((_, start)) = open.pop_if(|row| row.0 == label) {
+                        to[at] = Some(start);
+                        to[start] = Some(at + 1);
+                    }
+                }
+                Stmt::If { target, way: Way::Round, .. } | Stmt::Goto { target, way: Way::Round } => {
+                    to[at] = target_of(deck, blocks, target, at);
+                }
+                _ => {}
+            }
+        }
+        let mut before: Vec<Option<TextId>> = blocks.iter().map(|block| block.label).chain([None]).collect();
+        let mut taken: Vec<String> = before.iter().flatten().map(|id| deck.text(Some(*id)).to_owned()).collect();
+        for target in to.clone().into_iter().flatten() {
+            if before.get(target).is_some_and(Option::is_none) {
+                let number = blocks.get(target).and_then(|block| block.number);
+                let wished = number.into_iter().map(|number| format!("LB{number}"));
+                let mut names = wished.chain((1..).map(|k| format!("LC{k}")));
+                let name = names.find(|name| name.len() <= 8 && !taken.contains(name)).unwrap_or_default();
+                taken.push(name.clone());
+                before[target] = Some(deck.add_text(name));
+            }
+        }
+        Labels { before, to }
+    }
+
+    /// Writes the blocks of the program anew.
+    fn write(&self, deck: &mut Deck, blocks: &[Block], from: &[u32], origins: &mut Vec<u32>) {
+        for (at, block) in blocks.iter().enumerate() {
+            let origin = from.get(at).copied().unwrap_or(0);
+            let label = self.before.get(at).copied().flatten();
+            let mut block = Block { label, ..*block };
+            let stmt = self.jump(deck, blocks, at);
+            if stmt != block.stmt || label != blocks[at].label {
+                block.span = Span::default();
+            }
+            block.stmt = stmt;
+            deck.blocks.push(block);
+            origins.push(origin);
+        }
+        // A loop that ends with the program goes on behind it.
+        if let Some(label) = self.before.last().copied().flatten() {
+            let span = Span::default();
+            deck.blocks.push(Block {
+                span,
+                number: None,
+                stmt: Stmt::Empty,
+                comment: None,
+                label: Some(label),
+                skip: 0,
+            });
+            origins.push(from.last().copied().unwrap_or(0));
+        }
+    }
+
+    /// The statement of a block with its jump to a label.
+    fn jump(&self, deck: &mut Deck, blocks: &[Block], at: usize) -> Stmt {
+        let stmt = blocks[at].stmt;
+        let to = self.to.get(at).copied().flatten();
+        let way = if to.is_some_and(|to| to <= at) { Way::Backward } else { Way::Forward };
+        let mut add = |expr: Expr| {
+            deck.exprs.push(expr);
+            ExprId(deck.exprs.len() as u32 - 1)
+        };
+        let label = to.and_then(|to| self.before.get(to).copied().flatten());
+        match (stmt, label) {
+            (Stmt::While { cond: None, .. }, Some(_)) => Stmt::Empty,
+            (Stmt::While { cond: Some(cond), .. }, Some(label)) => {
+                let target = add(Expr::Label(label));
+                let cond = match deck.expr(cond) {
+                    Expr::Binary(op, left, right) if op.opposite() != op => {
+                        deck.exprs.push(Expr::Binary(op.opposite(), left, right));
+                        ExprId(deck.exprs.len() as u32 - 1)
+                    }
+                    _ => {
+                        deck.exprs.push(Expr::Number(Dec::int(0)));
+                        let zero = ExprId(deck.exprs.len() as u32 - 1);
+                        deck.exprs.push(Expr::Binary(Op::Equal, cond, zero));
+                        ExprId(deck.exprs.len() as u32 - 1)
+                    }
+                };
+                Stmt::If { cond, target, way }
+            }
+            (Stmt::End { .. }, Some(label)) => Stmt::Goto { target: add(Expr::Label(label)), way },
+            (Stmt::If { cond, way: Way::Round, .. }, Some(label)) => {
+                Stmt::If { cond, target: add(Expr::Label(label)), way }
+            }
+            (Stmt::Goto { way: Way::Round, .. }, Some(label)) => Stmt::Goto { target: add(Expr::Label(label)), way },
+            (Stmt::If { target, way: Way::Round, .. } | Stmt::Goto { target, way: Way::Round }, None) => {
+                // A number that is not there: the control will say so of its label. One that is calculated has none.
+                let number = match deck.expr(target) {
+                    Expr::Number(Dec { mantissa: number @ 0..=999_999, scale: 0, .. }) => number,
+                    _ => return Stmt::Bad(Alarm::NoSequence),
+                };
+                let label = deck.add_text(format!("LB{number}"));
+                deck.exprs.push(Expr::Label(label));
+                let (target, way) = (ExprId(deck.exprs.len() as u32 - 1), Way::Forward);
+                match stmt {
+                    Stmt::If { cond, .. } => Stmt::If { cond, target, way },
+                    _ => Stmt::Goto { target, way },
+                }
+            }
+            // A loop without its other end.
+            (Stmt::While { .. } | Stmt::End { .. }, None) => Stmt::Bad(Alarm::DoPair),
+            (stmt, _) => stmt,
+        }
+    }
+}
+
+/// The block that a jump to a number goes to: searched from the jump on, then from the head.
+fn target_of(deck: &Deck, blocks: &[Block], target: ExprId, at: usize) -> Option<usize> {
+    let Expr::Number(number) = deck.expr(target) else { return None };
+    let number = u32::try_from(number.mantissa).ok().filter(|_| number.scale == 0)?;
+    let found = |block: &Block| block.number == Some(number);
+    let behind = blocks.iter().skip(at + 1).position(found).map(|k| at + 1 + k);
+    behind.or_else(|| blocks.iter().position(found))
+}
+
+/// The comment behind a program's number becomes a block.
+fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
+    if deck.programs.iter().all(|program| program.title.is_none()) {
+        return;
+    }
+    let old = core::mem::take(&mut deck.blocks);
+    let from = core::mem::take(origins);
+    let mut programs = core::mem::take(&mut deck.programs);
+    for program in &mut programs {
+        let range = program.first as usize..program.end as usize;
+        let first = deck.blocks.len() as u32;
+        if let Some(comment) = program.title.take() {
+            let (span, label) = (Span::default(), None);
+            deck.blocks.push(Block { span, number: None, stmt: Stmt::Empty, comment: Some(comment), label, skip: 0 });
+            // In a program without blocks the title comes from none.
+            let own = from.get(range.start).filter(|_| !range.is_empty());
+            origins.push(own.copied().unwrap_or(u32::MAX));
+        }
+        deck.blocks.extend(old.get(range.clone()).unwrap_or_default());
+        origins.extend(from.get(range).unwrap_or_default());
+        (program.first, program.end) = (first, deck.blocks.len() as u32);
+    }
+    deck.programs = programs;
+}
+
+/// A deck for a language without names.
+pub(super) fn no_names(deck: &mut Deck, control: &Control) {
+    let row = control.codes.iter().find(|row| row.code == Code::SubCall);
+    for program in &mut deck.programs {
+        (program.name, program.sub) = (None, false);
+    }
+    for at in 0..deck.blocks.len() {
+        let block = deck.blocks[at];
+        let stmt = match block.stmt {
+            Stmt::Message(text) => {
+                let comment = block.comment.or(text);
+                deck.blocks[at] = Block { comment, ..block };
+                Stmt::Empty
+            }
+            Stmt::Call { name, repeats } => {
+                let number = deck.text(Some(name)).strip_prefix('L').and_then(|digits| digits.parse::<u32>().ok());
+                match row.zip(number) {
+                    Some((row, number)) => {
+                        let first = deck.words.len() as u32;
+                        let mut word = |letter, value| deck.words.push(Word::new(letter, value));
+                        word(row.letter, WordValue::Number(Dec::int(i64::from(row.number / 10))));
+                        word(b'P', WordValue::Number(Dec::int(number.into())));
+                        if let Some(repeats) = repeats {
+                            let value = match deck.exprs.get(repeats.0 as usize) {
+                                Some(Expr::Number(number)) => WordValue::Number(*number),
+                                _ => WordValue::Expr(repeats),
+                            };
+                            word(b'L', value);
+                        }
+                        Stmt::Words { first, count: 2 + u16::from(repeats.is_some()) }
+                    }
+                    None => Stmt::Bad(Alarm::NoProgram),
+                }
+            }
+            Stmt::Assigns { .. } | Stmt::Ifs { .. } => Stmt::Bad(Alarm::Format),
+            stmt => stmt,
+        };
+        deck.blocks[at].stmt = stmt;
+        deck.blocks[at].label = None;
+        if stmt != block.stmt {
+            deck.blocks[at].span = Span::default();
+        }
+    }
+}

@@ -1,0 +1,527 @@
+//! NC words of a language with names: addresses of several letters, values behind `=`, codes that are names.
+
+use super::super::ast::{Expr, Form, Stmt, Word, WordValue};
+use super::super::dec::Dec;
+use super::{Read, Reader};
+use crate::controls::syntax::long;
+use crate::controls::{Alarm, Code, CodeDef, Group};
+use crate::msg;
+use crate::text::Diagnostic;
+
+/// How a value says that it counts.
+const FORMS: [(&str, Form); 5] = [
+    ("AC", Form::Absolute),
+    ("IC", Form::Incremental),
+    ("DC", Form::Shortest),
+    ("ACP", Form::Positive),
+    ("ACN", Form::Negative),
+];
+
+/// What a block has shown that has to be looked at when it is read: see [`Reader::check_named`].
+#[derive(Default)]
+struct Seen {
+    /// Bit `letter & 31`.
+    letters: u32,
+    /// Bit of the group of each code.
+    groups: u32,
+    /// Codes that say what the words mean.
+    syntax: u32,
+    /// Something has to be looked at.
+    odd: bool,
+}
+
+impl Seen {
+    /// Notes a code.
+    #[inline]
+    fn code(&mut self, row: &CodeDef) {
+        let bit = 1 << row.group as u32;
+        self.odd |= self.groups & bit != 0 || row.stands_alone();
+        if row.defines_syntax() {
+            self.odd |= self.syntax > 0;
+            self.syntax += 1;
+        } else if !matches!(row.group, Group::Other | Group::OneShot) {
+            self.groups |= bit;
+        }
+    }
+}
+
+impl Reader<'_> {
+    pub(super) fn named_words(&mut self) -> Read<Stmt> {
+        let first = self.deck.words.len();
+        let mut seen = Seen::default();
+        loop {
+            let byte = self.skip();
+            if !byte.is_ascii_alphabetic() {
+                if self.ended() {
+                    break;
+                }
+                self.between_names(byte)?;
+                continue;
+            }
+            let start = self.at;
+            let letter = byte & 0xDF;
+            let second = self.byte(1);
+            if second.is_ascii_alphabetic() || second == b'_' {
+                self.long_word(start, &mut seen)?;
+                continue;
+            }
+            self.at += 1;
+            let (index, form, value) = self.named_value(start, letter)?;
+            let bit = 1 << (letter & 31);
+            match (letter, value) {
+                (b'G', WordValue::Number(number)) => {
+                    self.named_code(b'G', number, start);
+                    if let Some(row) = self.row(b'G', number) {
+                        seen.code(row);
+                    }
+                }
+                (b'M', WordValue::Number(number)) => {
+                    self.named_code(b'M', number, start);
+                    if number == Dec::int(99) {
+                        self.foreign_return(start);
+                    }
+                    if let Some(row) = self.row(b'M', number) {
+                        seen.code(row);
+                    }
+                    // More of them are counted.
+                    seen.odd |= seen.letters & bit != 0;
+                }
+                _ => seen.odd |= seen.letters & bit != 0,
+            }
+            seen.letters |= bit;
+            let len = (self.at - start).min(u8::MAX as usize) as u8;
+            self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
+        }
+        if seen.odd || seen.letters & !self.tables.letters != 0 {
+            self.check_named(first);
+        }
+        let count = self.deck.words.len() - first;
+        if count > self.tables.most_words {
+            let message = msg!("nc.too-many-words", self.tables.most_words as u32);
+            self.report(Alarm::BlockWords, 0, self.line.len(), message);
+        }
+        Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
+    }
+
+    /// Looks a code up; one copy, as the words without names have their own.
+    #[inline(never)]
+    fn named_code(&mut self, letter: u8, number: Dec, start: usize) {
+        if letter == b'G' {
+            self.g_code(number, start)
+        } else {
+            self.m_code(number, start)
+        };
+    }
+
+    /// `M99`, which ends subprograms of other controls.
+    #[cold]
+    fn foreign_return(&mut self, start: usize) {
+        let row = self.control.codes.iter().find(|row| row.code == Code::SubEnd);
+        let end = row.map_or(String::new(), |row| self.control.code_name(row.letter, row.number.into()));
+        let place = self.place(self.span(start, self.at));
+        let finding = Diagnostic::warning(msg!("nc.foreign-return", "M99", end.as_str())).at(place);
+        self.add_finding(finding.fix(msg!("nc.fix.write", end.as_str()), vec![(place, end)]));
+    }
+
+    /// The row of a G or M code as it is written.
+    #[inline]
+    fn row(&self, letter: u8, number: Dec) -> Option<&'static CodeDef> {
+        let table = |number: i64| match letter {
+            b'G' => self.tables.g.get(usize::try_from(number.checked_mul(10)?).ok()?),
+            _ => self.tables.m.get(usize::try_from(number).ok()?),
+        };
+        match table(number.mantissa).filter(|_| number.scale == 0) {
+            Some(slot) => self.control.codes.get(usize::from(*slot).wrapping_sub(1)),
+            None => self.code_on(letter, u16::try_from(number.mantissa.checked_mul(10)?).ok()?),
+        }
+    }
+
+    /// What stands behind a letter: a number, or behind `=` a formula.
+    #[inline]
+    fn named_value(&mut self, start: usize, letter: u8) -> Read<(Option<u8>, Form, WordValue)> {
+        let mut next = self.skip();
+        let negative = next == b'-';
+        if negative || next == b'+' {
+            let digit = self.byte(1);
+            if digit.is_ascii_digit() || digit == b'.' {
+                self.at += 1;
+                next = digit;
+            }
+        }
+        if !(next.is_ascii_digit() || next == b'.') {
+            return self.equals(start, letter);
+        }
+        let mut number = self.digits()?;
+        if self.peek() | 0x20 == b'e' {
+            number = self.exponent(number, start);
+        }
+        if negative {
+            number.mantissa = -number.mantissa;
+        }
+        match self.peek() {
+            b'=' | b'+' | b'-' | b'*' | b'/' | b'.' | b' ' => self.behind_number(start, letter, number),
+            _ => Ok((None, Form::Plain, WordValue::Number(self.whole_number(number, start)))),
+        }
+    }
+
+    /// A number of a formula, which ends at hand: with its exponent, and within its range.
+    #[inline]
+    pub(super) fn named_number(&mut self, number: Dec, start: usize) -> Dec {
+        let number = if self.peek() | 0x20 == b'e' { self.exponent(number, start) } else { number };
+        self.whole_number(number, start)
+    }
+
+    /// A number without a point that is larger than whole numbers are.
+    #[inline]
+    pub(super) fn whole_number(&mut self, number: Dec, start: usize) -> Dec {
+        if number.mantissa.unsigned_abs() > 2_147_483_647 && !number.point {
+            self.check_whole(number, start);
+        }
+        number
+    }
+
+    #[cold]
+    fn check_whole(&mut self, number: Dec, start: usize) {
+        let most = self.names.map_or(i64::MAX, |names| names.whole_max);
+        if number.mantissa.unsigned_abs() > most.unsigned_abs() && !number.point {
+            let finding =
+                self.finding(Alarm::OutOfRange, start, self.at, msg!("nc.whole-range", Dec::int(most).to_string()));
+            self.replace(Alarm::OutOfRange, finding, self.at, self.at, ".0");
+        }
+    }
+
+    /// What stands behind the number of a word: mostly a blank, rarely what makes it another thing.
+    fn behind_number(&mut self, start: usize, letter: u8, number: Dec) -> Read<(Option<u8>, Form, WordValue)> {
+        let end = self.at;
+        let next = self.skip();
+        if next == b'=' && self.byte(1) != b'=' {
+            return self.extended(start, letter, number);
+        }
+        match next {
+            b'.' => self.stray_point(),
+            b'+' | b'-' | b'*' | b'/' => {
+                // A formula without its `=`.
+                self.at = start + 1;
+                return self.insert_equals(letter);
+            }
+            _ => self.at = end,
+        }
+        Ok((None, Form::Plain, WordValue::Number(self.whole_number(number, start))))
+    }
+
+    /// `S1=500`: the number belongs to the address.
+    fn extended(&mut self, start: usize, letter: u8, number: Dec) -> Read<(Option<u8>, Form, WordValue)> {
+        let known = self.names.is_some_and(|names| names.extended.contains(&letter));
+        let index = u8::try_from(number.mantissa).ok().filter(|_| number.scale == 0 && !number.point && known);
+        if index.is_none() {
+            let address = (letter as char).to_string();
+            self.report(Alarm::Format, start, self.at, msg!("nc.extended-address", address));
+        }
+        let (_, form, value) = self.equals(start, letter)?;
+        Ok((index, form, value))
+    }
+
+    /// `= value`, or the failure of an address without a value.
+    fn equals(&mut self, start: usize, letter: u8) -> Read<(Option<u8>, Form, WordValue)> {
+        match self.skip() {
+            b'=' => self.at += 1,
+            b'#' | b'[' | b'(' | b'-' | b'+' => return self.insert_equals(letter),
+            b'O' | b'o' if self.at == start + 1 && self.zero_behind_letter(start) => {
+                return Ok((None, Form::Plain, WordValue::Number(Dec::int(0))));
+            }
+            byte if !byte.is_ascii() => return Err(self.unexpected()),
+            _ => {
+                let message = msg!("nc.no-value", self.control.address(letter));
+                return Err(self.failure(Alarm::NoNumber, start, start + 1, message, true));
+            }
+        }
+        if matches!(letter, b'G' | b'N' | b'L') {
+            let message = msg!("nc.no-formula", (letter as char).to_string());
+            return Err(self.failure(Alarm::Format, start, self.at, message, false));
+        }
+        let form = self.form();
+        if form != Form::Plain {
+            self.skip();
+            self.deeper()?;
+            let open = self.open(b')');
+            let inner = self.named_constant()?;
+            self.close(open)?;
+            self.depth -= 1;
+            return Ok((None, form, inner));
+        }
+        Ok((None, form, self.named_constant()?))
+    }
+
+    /// Takes `AC` and the like with a bracket behind.
+    fn form(&mut self) -> Form {
+        if !self.skip().is_ascii_alphabetic() {
+            return Form::Plain;
+        }
+        let name = self.name();
+        let behind = self.line.get(self.at + name.len()..).unwrap_or_default().trim_ascii_start();
+        let form = FORMS.iter().find(|row| name.eq_ignore_ascii_case(row.0) && behind.first() == Some(&b'('));
+        self.at += form.map_or(0, |row| row.0.len());
+        form.map_or(Form::Plain, |row| row.1)
+    }
+
+    /// A formula; a number where it is nothing else.
+    fn named_constant(&mut self) -> Read<WordValue> {
+        let id = self.named_formula(false)?;
+        Ok(match self.deck.expr(id) {
+            Expr::Number(number) => {
+                self.deck.exprs.pop();
+                self.places.as_mut().and_then(Vec::pop);
+                WordValue::Number(number)
+            }
+            _ => WordValue::Expr(id),
+        })
+    }
+
+    /// A formula directly behind its address, as other controls have it; read as it was meant.
+    #[cold]
+    fn insert_equals(&mut self, letter: u8) -> Read<(Option<u8>, Form, WordValue)> {
+        let from = self.at;
+        let value = self.named_constant()?;
+        let finding =
+            self.finding(Alarm::Format, from, self.at, msg!("nc.no-equals-sign", self.control.address(letter)));
+        self.replace(Alarm::Format, finding, from, from, "=");
+        Ok((None, Form::Plain, value))
+    }
+
+    /// Whether a name is an address with a variable or a number that lacks its `=`: `XR1`, `LIMS3000`.
+    pub(super) fn missing_equals(&self, name: &str) -> bool {
+        let variable = |rest: &str| rest.len() > 1 && rest.bytes().skip(1).all(|b| b.is_ascii_digit());
+        let letter = name.bytes().next().unwrap_or(0).to_ascii_uppercase();
+        let known = self.tables.letters & 1 << (letter & 31) != 0;
+        known && name.get(1..).is_some_and(|rest| rest.starts_with(['R', 'r']) && variable(rest))
+    }
+
+    /// An address or a code of several letters.
+    #[cold]
+    fn long_word(&mut self, start: usize, seen: &mut Seen) -> Read<()> {
+        let written = self.name();
+        let name = written.to_ascii_uppercase();
+        let Some(names) = self.names else { return Err(self.unexpected()) };
+        if let Some(place) = names.codes.iter().position(|code| *code == name) {
+            self.at += name.len();
+            let row = self.code_on(long::NAME, 10 * place as u16);
+            if let Some(row) = row {
+                seen.code(row);
+                if row.code == Code::NotSimulated {
+                    let what = format!("{name} ({})", row.text);
+                    self.not_simulated((long::NAME, place as u32), start, self.at, &what);
+                    // Its arguments, for instance of SETMS(1).
+                    if self.peek() == b'(' {
+                        let rest = self.line.get(self.at..).unwrap_or_default();
+                        self.at += rest.iter().position(|&b| b == b')').map_or(rest.len(), |close| close + 1);
+                    }
+                }
+            }
+            let value = WordValue::Number(Dec::int(place as i64));
+            return self.push_long(start, long::NAME, (None, Form::Plain, value));
+        }
+        let longest = names.addresses.iter().filter(|row| name.starts_with(row.0)).max_by_key(|row| row.0.len());
+        if let Some(&(address, letter)) = longest {
+            let rest = name.get(address.len()..).unwrap_or("");
+            if rest.is_empty() || rest.bytes().all(|b| b.is_ascii_digit()) || self.missing_equals(&format!("X{rest}")) {
+                self.at += address.len();
+                let value = self.long_value(start, address, letter)?;
+                if self.deck.words.iter().rev().take(64).any(|word| word.letter == letter && word.offset < start as u16)
+                {
+                    seen.odd = true;
+                }
+                if let Some(row) = self.control.syntax.corners.iter().find(|row| row.0 == letter) {
+                    self.not_simulated((letter, 0), start, self.at, &format!("{address} ({})", row.1));
+                }
+                return self.push_long(start, letter, value);
+            }
+        }
+        if self.missing_equals(written) {
+            self.at += 1;
+            let letter = name.bytes().next().unwrap_or(0);
+            let value = self.insert_equals(letter)?;
+            return self.push_long(start, letter, value);
+        }
+        let behind = self.line.get(start + name.len()..).unwrap_or_default();
+        if matches!(name.as_str(), "IF" | "GOTOF" | "GOTOB" | "MSG") {
+            return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), false));
+        }
+        if behind.first() == Some(&b'(') && self.function_ahead() {
+            return Err(self.failure(Alarm::Format, start, self.line.len(), msg!("nc.no-address", name), false));
+        }
+        Err(self.unknown_name(start, written))
+    }
+
+    fn push_long(&mut self, start: usize, letter: u8, value: (Option<u8>, Form, WordValue)) -> Read<()> {
+        let len = (self.at - start).min(u8::MAX as usize) as u8;
+        let (index, form, value) = value;
+        self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
+        Ok(())
+    }
+
+    /// What stands behind an address of several letters, with an index in brackets or without.
+    fn long_value(&mut self, start: usize, address: &str, letter: u8) -> Read<(Option<u8>, Form, WordValue)> {
+        let mut index = None;
+        if self.peek() == b'[' {
+            self.at += 1;
+            let number = self.digits()?;
+            index = u8::try_from(number.mantissa).ok();
+            if self.skip() != b']' {
+                return Err(self.failure(Alarm::Format, start, self.at, msg!("nc.unclosed-group"), false));
+            }
+            self.at += 1;
+        }
+        if self.skip() == b'=' {
+            let (_, form, value) = self.equals(start, letter)?;
+            return Ok((index, form, value));
+        }
+        let end = start + address.len();
+        let value = self.peek().is_ascii_digit() || matches!(self.peek(), b'.' | b'-' | b'+' | b'#' | b'[' | b'(');
+        if !(value || self.parameter_ahead()) {
+            let message = msg!("nc.no-value", address);
+            return Err(self.failure(Alarm::NoNumber, start, end, message, false));
+        }
+        let from = self.at;
+        let value = self.named_constant()?;
+        let finding = self.finding(Alarm::Format, start, self.at, msg!("nc.no-equals-sign", address));
+        self.replace(Alarm::Format, finding, end.min(from), from, "=");
+        Ok((index, Form::Plain, value))
+    }
+
+    /// What is neither a word nor white space.
+    #[cold]
+    fn between_names(&mut self, byte: u8) -> Read<()> {
+        match byte {
+            b'(' if self.foreign_comment() => Ok(()),
+            b'.' => {
+                self.stray_point();
+                Ok(())
+            }
+            b'$' => Err(self.system_variable()),
+            b'#' => Err(self.failure(Alarm::Mixed, self.at, self.line.len(), msg!("nc.mixed"), true)),
+            _ => Err(self.unexpected()),
+        }
+    }
+
+    /// `( remark )` of other controls, at hand; told with its fix, and skipped.
+    #[cold]
+    pub(super) fn foreign_comment(&mut self) -> bool {
+        let start = self.at;
+        let rest = self.line.get(start..).unwrap_or_default();
+        let Some(close) = rest.iter().position(|&b| b == b')') else { return false };
+        let inner = String::from_utf8_lossy(rest.get(1..close).unwrap_or_default()).into_owned();
+        self.at = start + close + 1;
+        let finding = self.finding(Alarm::Format, start, self.at, msg!("nc.foreign-remark", self.control.name));
+        // In the midst of a block it would make a comment of the rest.
+        let last = self.skip() == 0 && self.ended() && self.comment.is_none();
+        self.replace(
+            Alarm::Format,
+            finding,
+            start,
+            start + close + 1,
+            &if last { format!(";{inner}") } else { String::new() },
+        );
+        true
+    }
+
+    /// Reports words that cannot stand together.
+    #[cold]
+    fn check_named(&mut self, first: usize) {
+        let words = self.deck.words.get(first..).unwrap_or_default().to_vec();
+        if self.foreign_call(&words) {
+            return;
+        }
+        let rows: Vec<Option<&CodeDef>> = words.iter().map(|word| self.row_of(word)).collect();
+        let end = |word: &Word| word.offset as usize + word.len as usize;
+        let mut counts = [0_u8; 4];
+        for (at, word) in words.iter().enumerate() {
+            let start = word.offset as usize;
+            let before = words.get(..at).unwrap_or_default();
+            let name = self.control.address(word.letter);
+            if !long::is(word.letter) && self.tables.letters & 1 << (word.letter & 31) == 0 {
+                let (alarm, message) = match word.letter {
+                    b'N' => (Alarm::SequencePlace, msg!("nc.number-not-first", "N")),
+                    b'R' => (Alarm::Mixed, msg!("nc.assignments-alone")),
+                    b'L' | b'P' => (Alarm::Format, msg!("nc.call-alone", name)),
+                    _ => (Alarm::IllegalAddress, msg!("nc.no-such-address", name, self.control.name)),
+                };
+                self.report(alarm, start, end(word), message);
+                continue;
+            }
+            let again = |other: &&Word| (other.letter, other.index) == (word.letter, word.index);
+            if !matches!(word.letter, b'G' | b'M' | long::NAME) && before.iter().any(|other| again(&other)) {
+                self.report(Alarm::AddressTwice, start, end(word), msg!("nc.address-twice", name));
+            }
+            if let Some(row) = rows.get(at).copied().flatten() {
+                self.check_code(row, word, &rows[..at.min(rows.len())], words.len());
+            }
+            let kind = match word.letter {
+                b'M' => 0,
+                b'H' => 1,
+                b'D' => 2,
+                b'S' | b'T' => 3,
+                _ => continue,
+            };
+            counts[kind] += 1;
+            counts[3] += u8::from(kind < 3);
+            let most = self.names.map_or([u8::MAX; 4], |names| names.auxiliary);
+            if kind < 3 && counts[kind] == most[kind] + 1 || counts[3] == most[3] + 1 {
+                let most = if kind < 3 && counts[kind] > most[kind] { most[kind] } else { most[3] };
+                self.report(Alarm::Auxiliaries, start, end(word), msg!("nc.too-many-auxiliaries", u32::from(most)));
+            }
+        }
+    }
+
+    /// `M98 P9100 L2`, which calls programs of other controls; whether it is that.
+    fn foreign_call(&mut self, words: &[Word]) -> bool {
+        let value = |letter: u8| {
+            let word = words.iter().find(|word| word.letter == letter)?;
+            Some((word, if let WordValue::Number(number) = word.value { Some(number) } else { None }?))
+        };
+        let (Some((call, number)), Some((_, program))) = (value(b'M'), value(b'P')) else { return false };
+        if number != Dec::int(98) || words.len() > 3 || words.len() == 3 && value(b'L').is_none() {
+            return false;
+        }
+        let (start, end) = (call.offset as usize, self.line.len());
+        let repeats = value(b'L').map_or(String::new(), |(_, number)| format!(" P{number}"));
+        self.slip(Alarm::Format, start, end, msg!("nc.foreign-call"), &format!("L{program}{repeats}"));
+        true
+    }
+
+    /// The row of a word that is a code.
+    fn row_of(&self, word: &Word) -> Option<&'static CodeDef> {
+        let WordValue::Number(number) = word.value else { return None };
+        let tenths = u16::try_from(number.mantissa.checked_mul(10)?).ok()?;
+        let code = matches!(word.letter, b'G' | b'M' | long::NAME) && number.scale == 0;
+        if code { self.code_on(word.letter, tenths) } else { None }
+    }
+
+    /// Reports a code that cannot stand behind those before it, or not with other words.
+    fn check_code(&mut self, row: &CodeDef, word: &Word, before: &[Option<&CodeDef>], count: usize) {
+        let (start, end) = (word.offset as usize, word.offset as usize + word.len as usize);
+        let name = self.control.code_name(row.letter, row.number.into());
+        let mut before = before.iter().flatten();
+        if row.stands_alone() {
+            let fits = |word: &Word| match row.code {
+                Code::Dwell => matches!(word.letter, b'F' | b'S'),
+                _ => word.letter == b'S' || self.control.axis(word.letter).is_some(),
+            };
+            let words = self.deck.words.get(self.deck.words.len() - count..).unwrap_or_default();
+            let both = words.iter().any(|word| word.letter == b'S') && words.len() > 2;
+            if both || words.iter().filter(|other| other.offset != word.offset).any(|word| !fits(word)) {
+                self.report(Alarm::NotAlone, start, end, msg!("nc.stands-alone", name));
+            }
+        } else if row.defines_syntax() {
+            if let Some(other) = before.find(|other| other.defines_syntax()) {
+                let other = self.control.code_name(other.letter, other.number.into());
+                self.report(Alarm::SyntaxTwice, start, end, msg!("nc.syntax-twice", other, name));
+            }
+        } else if !matches!(row.group, Group::Other | Group::OneShot)
+            && let Some(other) = before.find(|other| other.group == row.group)
+        {
+            let other = self.control.code_name(other.letter, other.number.into());
+            let alarm = if row.letter == b'M' { Alarm::AuxiliaryTwice } else { Alarm::GroupTwice };
+            self.report(alarm, start, end, msg!("nc.group-twice", other, name));
+        }
+    }
+}
