@@ -193,6 +193,11 @@ impl Control {
         names.filter_map(code).collect()
     }
 
+    /// A text about variables, `#101`, as the control writes them.
+    pub fn written(&self, text: &str) -> String {
+        text.chars().map(|c| if c == '#' { self.syntax.variable } else { c }).collect()
+    }
+
     /// A variable as it is written.
     pub fn variable(&self, number: u32) -> String {
         format!("{}{number}", self.syntax.variable)

@@ -24,6 +24,7 @@ pub fn report(
     let title = [words(Language::English, machine.name()), control.name, name];
     Report {
         title: title.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", "),
+        variable: control.syntax.variable,
         inputs: fields.map(|field| input(field, values, origins)).collect(),
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),

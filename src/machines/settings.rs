@@ -59,7 +59,8 @@ pub struct Found {
 
 /// Settings found in the comments of a program: values that the machine's fields know and allow. `None` where the text carries none.
 pub fn read(text: &str) -> Option<Found> {
-    let mut comments = text.split('(').skip(1).filter_map(|tail| tail.split(')').next());
+    // In round brackets, or behind a semicolon up to the end of the line.
+    let mut comments = text.split(['(', ';']).skip(1).filter_map(|tail| tail.split([')', '\n']).next());
     let id = comments.find_map(|comment| {
         let mut words = comment.split_whitespace();
         (words.next() == Some(MARK)).then(|| words.next()).flatten()

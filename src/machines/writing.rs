@@ -1,7 +1,7 @@
 //! Writing a program: what the programs of all machines have in common.
 
 use super::{Machine, settings};
-use crate::controls::{Code, Control};
+use crate::controls::{Code, Control, VarKind};
 use crate::nc::build::{Builder, NewWord, g, m, real, v};
 
 /// What wrote the program, and the settings it was written from.
@@ -36,11 +36,28 @@ pub(super) fn guards(b: &mut Builder, entries: &[Entry]) {
 }
 
 /// What the operator reads where an entry cannot be.
-pub(super) fn alarms(b: &mut Builder, entries: &[Entry]) {
+pub(super) fn alarms(b: &mut Builder, control: &Control, entries: &[Entry]) {
     for (at, (entry, _)) in (1..).zip(entries) {
-        b.n(900 + at).alarm(at, &format!("#{entry} MUST BE ABOVE ZERO"));
+        alarm(b, control, at, &format!("{} MUST BE ABOVE ZERO", control.variable(*entry)));
     }
     for (at, (entry, _)) in (11..).zip(entries.iter().filter(|(_, whole)| *whole)) {
-        b.n(900 + at).alarm(at, &format!("#{entry} MUST BE A WHOLE NUMBER"));
+        alarm(b, control, at, &format!("{} MUST BE A WHOLE NUMBER", control.variable(*entry)));
+    }
+}
+
+/// Whether a program can raise an alarm of its own.
+pub(super) fn has_alarms(control: &Control) -> bool {
+    control.vars.iter().any(|row| row.kind == VarKind::AlarmMessage)
+}
+
+/// The program stops with a text: as its own alarm, or as a message and a stop where the control has no such alarms. It goes on nowhere.
+pub(super) fn alarm(b: &mut Builder, control: &Control, number: u32, text: &str) {
+    b.n(900 + number);
+    if has_alarms(control) {
+        b.alarm(number, text);
+    } else {
+        b.show(text);
+        b.words([m(0)]);
+        b.words([m(30)]);
     }
 }

@@ -12,9 +12,10 @@ use super::walk::Walk;
 use super::words::{clock, short, t, tell, tell_alarm};
 use crate::interp::inspect::What;
 use crate::motion::RunEnd;
-use crate::nc::Files;
+
 use crate::project::breakpoints::Spot;
 use crate::project::debug::Goal;
+use crate::project::program::Written;
 use crate::text::{LineIndex, Place};
 use crate::view::svg::escape;
 
@@ -133,7 +134,7 @@ pub(super) fn seen(model: Model) -> El {
     let rows = el("div");
     let host = rows.dom().clone();
     let show = move || {
-        let html = walk.with(|walk| model.written.with_untracked(|written| html(walk, &written.files)));
+        let html = walk.with(|walk| model.written.with_untracked(|written| html(walk, written)));
         host.set_inner_html(&html);
     };
     let watch = field("page.walk-watch", move |text| {
@@ -161,7 +162,8 @@ fn shown(value: Option<f64>) -> String {
 }
 
 /// Rows: what has changed, the levels with their variables, watches with their values, breakpoints.
-fn html(walk: &Walk, files: &Files) -> String {
+fn html(walk: &Walk, written: &Written) -> String {
+    let (files, control) = (&written.files, written.parsed.control());
     let mut out = String::new();
     if walk.going {
         let _ = write!(out, "<p>{} s</p>", clock(walk.t()));
@@ -175,7 +177,7 @@ fn html(walk: &Walk, files: &Files) -> String {
         }
         for change in changes {
             let name = match change.what {
-                What::Variable(number) | What::Local(number) => format!("#{number}"),
+                What::Variable(number) | What::Local(number) => control.variable(number),
                 What::Code => "G".to_owned(),
                 What::Feed => "F".to_owned(),
             };

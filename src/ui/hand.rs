@@ -87,7 +87,7 @@ fn watched(model: Model, t: f64) -> Vec<(String, String)> {
     model.player.ask_planner(|planner| {
         for (number, _, _) in &rows {
             out.push((
-                format!("#{number}"),
+                control.variable(*number),
                 planner.variable_at(*number, t).map_or_else(vacant, |value| short(value, 3)),
             ));
         }

@@ -3,14 +3,15 @@
 use super::cards::{limit, verdict, verdict_words};
 use super::el::{El, el};
 use super::model::Model;
-use super::words::{figure, say, sign, t, tell, tone};
+use super::words::{figure, say, sign, t, tell, tone, written};
 use crate::text::Diagnostic;
 use crate::view::Readout;
 
 /// The results tab.
 pub(super) fn results(model: Model) -> Vec<El> {
     let remarks = move || model.design.with(|design| design.diagnostics.iter().map(remark).collect());
-    let rows = move || model.design.with(|design| design.readouts.iter().map(result).collect());
+    let rows =
+        move || model.design.with(|design| design.readouts.iter().map(|readout| result(model, readout)).collect());
     vec![el("ul.remarks").swap(remarks), el("div.results").mark("old", move || model.is_stale()).swap(rows)]
 }
 
@@ -23,7 +24,7 @@ fn mark_of(tone: &str) -> El {
     el("i").at("aria-hidden", "true").text(sign(tone))
 }
 
-fn result(readout: &Readout) -> El {
+fn result(model: Model, readout: &Readout) -> El {
     let tone = verdict(readout.verdict);
     let title = el("h3").add(&[mark_of(tone)]).text(" ").text(t(readout.label));
     let title = title.add(&[el("span.hidden").text(verdict_words(readout.verdict))]);
@@ -32,7 +33,7 @@ fn result(readout: &Readout) -> El {
     let mut parts = vec![title, value];
     parts.extend(limit(readout).map(|limit| el("p.limit").text(&limit)));
     if !readout.formula.is_empty() {
-        parts.push(el("p.formula").add(&[el("code").text(readout.formula)]));
+        parts.push(el("p.formula").add(&[el("code").text(&written(model, readout.formula))]));
     }
     if !readout.advice.is_empty() {
         let rows: Vec<El> = readout.advice.iter().map(|advice| el("li").text(&say(advice))).collect();

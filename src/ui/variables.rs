@@ -24,7 +24,7 @@ pub(super) fn variables(model: Model) -> Vec<El> {
 
 fn row(model: Model, variable: u32, meaning: &'static str, unit: &str) -> El {
     let player = model.player;
-    let name = format!("#{variable}");
+    let name = model.project.with_untracked(|project| project.control.variable(variable));
     let input = el("input").at("type", "text").at("inputmode", "decimal").at("autocomplete", "off").label(&name);
     let row = el("tr");
     let (field, line) = (input.input().clone(), row.dom().clone());

@@ -2,6 +2,7 @@
 
 use leptos::wasm_bindgen::throw_str;
 
+use super::model::Model;
 use super::script::get;
 use crate::text::catalog::{self, Language};
 use crate::text::number;
@@ -70,6 +71,12 @@ pub(super) fn sign(tone: &str) -> &'static str {
 pub(super) fn tell_alarm(diagnostic: &Diagnostic) -> String {
     let alarm = diagnostic.alarm.iter().map(|number| number.as_ref()).chain(diagnostic.wording);
     alarm.map(|part| format!("{part} ")).collect::<String>() + &tell(diagnostic)
+}
+
+/// A text about variables as the present control writes them.
+pub(super) fn written(model: Model, text: &str) -> String {
+    model.control.track();
+    model.project.with_untracked(|project| project.control.written(text))
 }
 
 /// A number with a fixed count of decimals and thin spaces between thousands.

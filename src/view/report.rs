@@ -37,6 +37,8 @@ pub struct Open {
 pub struct Report {
     /// Machine, control, name of the project.
     pub title: String,
+    /// How the control writes a variable: what stands for `#`.
+    pub variable: char,
     /// Inputs by group.
     pub inputs: Vec<Input>,
     /// Results with verdicts.
@@ -127,7 +129,7 @@ fn results(out: &mut String, report: &Report, language: Language) {
             if readout.value.is_finite() { shown(readout.value) } else { "-".to_owned() },
             readout.limit.map_or(String::new(), shown),
             verdict(readout.verdict, language).to_owned(),
-            readout.formula.to_owned(),
+            readout.formula.replace('#', report.variable.encode_utf8(&mut [0; 4])),
             readout.cite.source.to_owned(),
         ];
         line(out, &cells);
@@ -144,7 +146,7 @@ fn inputs(out: &mut String, report: &Report, language: Language) {
         let cells = [
             words(language, input.group).to_owned(),
             words(language, input.label).to_owned(),
-            input.symbol.to_owned(),
+            input.symbol.replace('#', report.variable.encode_utf8(&mut [0; 4])),
             format!("{} {}", input.value, input.unit).trim_end().to_owned(),
             input.origin.map_or(String::new(), |id| words(language, id).to_owned()),
         ];

@@ -200,7 +200,8 @@ fn per_turn(line: &Fitted) -> Formula {
 
 /// F is more than the control takes.
 fn feed_alarm(b: &mut Builder, line: &Fitted) {
-    b.n(920).alarm(20, &format!("FEED #{} ABOVE LIMIT #119", if line.in_step() { PER_TURN } else { 115 }));
+    let feed = line.control.variable(if line.in_step() { PER_TURN } else { 115 });
+    writing::alarm(b, line.control, 20, &format!("FEED {feed} ABOVE LIMIT {}", line.control.variable(119)));
     b.words([m(99)]);
 }
 
@@ -231,7 +232,7 @@ fn compute(b: &mut Builder, line: &Fitted) {
     });
     b.n(38).assign(123, v(110) * v(128)).note(&about(line, "PER BLOCK"));
     b.n(39).words([m(99)]);
-    writing::alarms(b, &ENTRIES);
+    writing::alarms(b, line.control, &ENTRIES);
     feed_alarm(b, line);
     // Behind the end: read by people, never by a running line.
     header(b, line);
@@ -358,7 +359,7 @@ fn run_published(b: &mut Builder, line: &Fitted) {
     b.n(31).words([m(98), program(COMPUTE)]);
     b.n(32).end_do(1);
     end(b, line);
-    writing::alarms(b, &ENTRIES);
+    writing::alarms(b, line.control, &ENTRIES);
     b.words([m(30)]);
 }
 

@@ -2,6 +2,7 @@
 
 use super::derive::Derived;
 use super::params::{Gear, Params, Path, SpeedMode};
+use crate::controls::syntax::long;
 use crate::controls::{Code, Control, SpindleRules, Switches};
 use crate::drives::Stage;
 use crate::machines::On;
@@ -55,6 +56,17 @@ impl<'a> Fitted<'a> {
         self.p.speed_mode == SpeedMode::Surface
     }
 
+    /// The address of the limit under constant surface speed, where that has a word of its own.
+    pub(super) fn limit_word(&self) -> Option<u8> {
+        let names = self.control.syntax.names.as_ref()?;
+        names.addresses.iter().find(|row| row.1 == long::LIMS).map(|row| row.1)
+    }
+
+    /// The spindle is brought to an angle behind the cut.
+    pub(super) fn positions(&self) -> bool {
+        self.p.keyway && can_position(self.form, self.control)
+    }
+
     /// What the control does with the spindle, as its open points are set.
     pub(super) fn rules(&self) -> SpindleRules {
         self.control.spindle_rules(self.switches)
@@ -96,6 +108,16 @@ pub(super) fn holds_surface_speed(_: &Params, control: &Control) -> bool {
 /// Whether the control has codes for gear stages.
 pub(super) fn has_gears(_: &Params, control: &Control) -> bool {
     control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..)))
+}
+
+/// Whether a word of the control brings the spindle to an angle.
+pub(super) fn can_position(_: &Params, control: &Control) -> bool {
+    control.syntax.names.as_ref().is_some_and(|names| names.addresses.iter().any(|row| row.1 == long::SPOS))
+}
+
+/// Whether there is an angle to bring it to.
+pub(super) fn has_keyway(p: &Params, control: &Control) -> bool {
+    p.keyway && can_position(p, control)
 }
 
 pub(super) fn is_taper(p: &Params, _: &Control) -> bool {

@@ -51,7 +51,7 @@ impl Machine for TurningSpindle {
     type Params = Params;
     const ID: &'static str = "turning-spindle";
     const NAME: &'static str = "turning.name";
-    const CONTROLS: &'static [&'static str] = &["gsk-980tdc", "knd-k2000t", "mitsubishi-e60"];
+    const CONTROLS: &'static [&'static str] = &["gsk-980tdc", "sinumerik-802d", "knd-k2000t", "mitsubishi-e60"];
 
     const LISTING: &'static str = "";
     const SPEED: f64 = 1.0;

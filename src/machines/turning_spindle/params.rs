@@ -2,7 +2,7 @@
 
 use super::fitted;
 use crate::machines::form::Field;
-use crate::machines::form::rows::{choice, essential, fact, number, one_of, setting, words};
+use crate::machines::form::rows::{choice, essential, fact, flag, number, one_of, setting, words};
 
 choice! {
     /// What is cut.
@@ -86,6 +86,8 @@ pub struct Params {
     pub clearance: f64,
     pub start_x: f64,
     pub start_z: f64,
+    pub keyway: bool,
+    pub keyway_angle: f64,
     pub speed_mode: SpeedMode,
     pub cutting_speed: f64,
     pub feed: f64,
@@ -162,6 +164,9 @@ pub static FIELDS: &[Field<Params>] = &[
         number!(start_x, "mm", 1.0..5000.0, 150.0, 3, 10.0)),
     setting!("start-z", "turning.group.cut", "turning.start-z", "turning.start-z.help", "#112",
         number!(start_z, "mm", 0.1..5000.0, 100.0, 3, 10.0)),
+    setting!("keyway", "turning.group.cut", "turning.keyway", "turning.keyway.help", "", when fitted::can_position, flag!(keyway)),
+    setting!("keyway-angle", "turning.group.cut", "turning.keyway-angle", "turning.keyway-angle.help", "#113",
+        when fitted::has_keyway, number!(keyway_angle, "°", 0.0..359.999, 0.0, 3, 5.0)),
     setting!("direction", "turning.group.spindle", "turning.direction", "turning.direction.help", "",
         one_of!(direction: Direction, "cw" "turning.direction.cw", "ccw" "turning.direction.ccw")),
     setting!("override", "turning.group.spindle", "turning.override", "turning.override.help", "",

@@ -1,6 +1,7 @@
 //! The plant of the turning spindle: two slides, the spindle with its gear stages, and the builder's logic between them.
 
 use super::fitted::{ALONG, CROSS, Fitted};
+use crate::drives::Positioning;
 use crate::motion::{AxisPlant, BenchPlc, GearShift, Plant, SpindlePlant};
 
 /// Seconds from a strobe to FIN where nothing has to be waited for: a few scans of the ladder.
@@ -36,7 +37,12 @@ fn spindle(lathe: &Fitted) -> SpindlePlant {
     let (p, bench) = (&lathe.p, &lathe.control.bench);
     let analog = p.analog(p.stage_1, bench.volts_full, bench.output_bits);
     let spindle = SpindlePlant::new(analog, p.chuck_limit, p.spindle_ramp, lathe.rules());
-    SpindlePlant { surface_low: p.lower_limit, centre: Some(0.0), ..spindle.with_stages(lathe.stages()) }
+    SpindlePlant {
+        surface_low: p.lower_limit,
+        centre: Some(0.0),
+        positioning: lathe.positions().then_some(POSITIONING),
+        ..spindle.with_stages(lathe.stages())
+    }
 }
 
 /// FIN for S, M and T, and the gear change.
@@ -47,6 +53,9 @@ pub(super) fn plc(lathe: &Fitted) -> BenchPlc {
     plc.knob = Some(lathe.rules().knob);
     plc
 }
+
+/// How the spindle is brought to an angle: assumed, as MD35300, MD35210 and MD35350 are the machine's.
+const POSITIONING: Positioning = Positioning { speed: 100.0, acceleration: 500.0, clockwise: true };
 
 /// Volts while gears mesh: a slow turn (GSK No.067).
 pub(super) const SHIFT_VOLTS: f64 = 0.1;

@@ -7,9 +7,10 @@ use super::TurningSpindle;
 use super::fitted::Fitted;
 use super::params::{Direction, Path};
 use crate::controls::Code;
+use crate::controls::syntax::long;
 use crate::machines::writing::{self, Entry};
 use crate::nc::Deck;
-use crate::nc::build::{Builder, Formula, NewWord, f, m, real, s, v, x, z};
+use crate::nc::build::{Builder, Formula, NewWord, f, m, real, s, v, word, x, z};
 
 /// Number of the program that cuts.
 pub(super) const RUN: u32 = 9201;
@@ -48,6 +49,9 @@ pub(super) fn variables(lathe: &Fitted) -> Vec<(u32, &'static str, &'static str)
         (112, "turning.start-z", "mm"),
         (LEFT, "turning.variable.left", "mm"),
     ]);
+    if lathe.positions() {
+        all.push((113, "turning.keyway-angle", "°"));
+    }
     if !lathe.surface() {
         all.push((SPEED, "turning.variable.speed", "r/min"));
     }
@@ -87,11 +91,13 @@ fn run(b: &mut Builder, lathe: &Fitted) {
     writing::header::<TurningSpindle>(b, lathe.form, lathe.control);
     writing::guards(b, &ENTRIES);
     // The limit stands beside the position: controls whose limit takes the position as a reference get the same one.
-    let mut preset = block(lathe, Code::SetCoordinates, [cross(lathe, v(111)), z(v(112))]);
-    if lathe.surface() {
-        preset.push(s(v(107)));
+    if lathe.control.can(Code::SetCoordinates) {
+        let mut preset = block(lathe, Code::SetCoordinates, [cross(lathe, v(111)), z(v(112))]);
+        if lathe.surface() {
+            preset.push(s(v(107)));
+        }
+        b.n(20).words(preset).note("TOOL STANDS AT THE START");
     }
-    b.n(20).words(preset).note("TOOL STANDS AT THE START");
     b.n(21).words(codes(lathe, [Code::FeedPerRevolution]));
     if let Some(gear) = gear(lathe) {
         b.n(22).words(gear);
@@ -116,9 +122,15 @@ fn run(b: &mut Builder, lathe: &Fitted) {
     if lathe.surface() {
         b.n(52).words(codes(lathe, [Code::SurfaceSpeedOff]));
     }
-    b.n(53).words([m(30)]);
-    writing::alarms(b, &ENTRIES);
-    b.words([m(30)]);
+    if lathe.positions() {
+        b.n(53).words([word(long::SPOS, v(113))]).note("FOR THE KEYWAY");
+        b.n(54).words([m(0)]);
+    }
+    b.n(55).words([m(30)]);
+    writing::alarms(b, lathe.control, &ENTRIES);
+    if writing::has_alarms(lathe.control) {
+        b.words([m(30)]);
+    }
 }
 
 /// Variable of the smaller end of the taper.
@@ -137,7 +149,11 @@ fn gear(lathe: &Fitted) -> Option<Vec<NewWord>> {
 fn start(b: &mut Builder, lathe: &Fitted) {
     let turn = m(if lathe.p.direction == Direction::Clockwise { 3 } else { 4 });
     if lathe.surface() {
-        b.n(25).words(block(lathe, Code::SurfaceSpeed, [s(v(100)), turn]));
+        let mut words = block(lathe, Code::SurfaceSpeed, [s(v(100))]);
+        // The limit in a word of its own, where no block in front has set it.
+        words.extend(lathe.limit_word().map(|address| word(address, v(107))));
+        words.push(turn);
+        b.n(25).words(words);
         return;
     }
     // n = 1000 v / (π d) at the stock's diameter, as whole as S is.
@@ -193,9 +209,15 @@ fn setup(b: &mut Builder, lathe: &Fitted) {
         (108, p.clearance, 3, "CLEARANCE"),
         (111, p.start_x, 3, "START X, DIAMETER"),
         (112, p.start_z, 3, "START Z"),
+        (113, p.keyway_angle, 3, "ANGLE OF THE KEYWAY"),
     ];
     for (at, (number, value, decimals, text)) in (1..).zip(values) {
-        if number != 104 || p.path == Path::Taper {
+        let needed = match number {
+            104 => p.path == Path::Taper,
+            113 => lathe.positions(),
+            _ => true,
+        };
+        if needed {
             b.n(at).assign(number, real(value, decimals)).note(text);
         }
     }

@@ -67,7 +67,7 @@ fn cuts(project: &Project, planner: &Planner<Interp>) -> Vec<(f64, f64)> {
         t = from;
         let place = timeline.block_at(from).unwrap();
         let text = &files.0[place.file.0 as usize].text[place.span.start as usize..place.span.end as usize];
-        if text.contains("G01") || taper && text.starts_with("N37 ") {
+        if text.starts_with("N36 ") || taper && text.starts_with("N37 ") {
             found.push((from, timeline.next_block(from).unwrap_or(timeline.end())));
         }
     }
@@ -77,7 +77,7 @@ fn cuts(project: &Project, planner: &Planner<Interp>) -> Vec<(f64, f64)> {
 #[test]
 fn the_run_cuts_as_long_as_the_closed_form_says() {
     let limits = [("2500", "0"), ("60000", "0"), ("900", "700"), ("1200", "0")];
-    for control in ["gsk-980tdc", "knd-k2000t"] {
+    for control in ["gsk-980tdc", "sinumerik-802d", "knd-k2000t"] {
         for path in PATHS {
             for (upper, lower) in limits {
                 for mode in ["surface", "fixed"] {
@@ -127,7 +127,9 @@ fn the_surface_speed_is_held_wherever_nothing_binds() {
 fn the_programs() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/machines/turning-spindle");
     type Case = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
-    let cases: [Case; 5] = [
+    let cases: [Case; 7] = [
+        ("sinumerik-802d", "facing", &[("keyway", "true"), ("keyway-angle", "90")]),
+        ("sinumerik-802d", "taper", &[("path", "taper"), ("speed-mode", "fixed")]),
         ("gsk-980tdc", "facing", &[]),
         (
             "gsk-980tdc",
