@@ -193,6 +193,12 @@ impl Control {
         names.filter_map(code).collect()
     }
 
+    /// Whether common variables are lost at power-off, and no parameter keeps them.
+    pub fn forgets(&self) -> bool {
+        let kept = self.var(100).is_some_and(|row| row.kind == VarKind::Retained);
+        !kept && self.param(ParamRole::VariablesAtPowerOn).is_none()
+    }
+
     /// A text about variables, `#101`, as the control writes them.
     pub fn written(&self, text: &str) -> String {
         text.chars().map(|c| if c == '#' { self.syntax.variable } else { c }).collect()

@@ -71,10 +71,14 @@ pub struct Start {
 impl Start {
     /// Common variables stay at reset: without them a second start would find no values.
     fn keep_common(&mut self, control: &Control) {
-        let kept = "kept";
-        let reset = control.switches.iter().find(|row| row.id == "common-at-reset");
-        if let Some(row) = reset.filter(|row| row.takes(kept) && row.options.first() != Some(&kept)) {
-            self.switches.0.push((row.id.to_owned(), kept.to_owned()));
+        self.set(control, "common-at-reset", "kept");
+    }
+
+    /// A setting of the control that the machine needs, where that is not the default.
+    fn set(&mut self, control: &Control, id: &str, setting: &str) {
+        let row = control.switches.iter().find(|row| row.id == id);
+        if let Some(row) = row.filter(|row| row.takes(setting) && row.options.first() != Some(&setting)) {
+            self.switches.0.push((row.id.to_owned(), setting.to_owned()));
         }
     }
 }

@@ -30,7 +30,7 @@ pub(super) fn guards(b: &mut Builder, entries: &[Entry]) {
     for (at, (entry, _)) in (1..).zip(entries) {
         b.n(at).if_goto(v(*entry).le(0), 900 + at);
     }
-    for (at, (entry, _)) in (11..).zip(entries.iter().filter(|(_, whole)| *whole)) {
+    for (at, (entry, _)) in (entries.len() as u32 + 1..).zip(entries.iter().filter(|(_, whole)| *whole)) {
         b.n(at).if_goto((v(*entry) - v(*entry).round()).abs().gt(real(0.0001, 4)), 900 + at);
     }
 }
@@ -40,7 +40,7 @@ pub(super) fn alarms(b: &mut Builder, control: &Control, entries: &[Entry]) {
     for (at, (entry, _)) in (1..).zip(entries) {
         alarm(b, control, at, &format!("{} MUST BE ABOVE ZERO", control.variable(*entry)));
     }
-    for (at, (entry, _)) in (11..).zip(entries.iter().filter(|(_, whole)| *whole)) {
+    for (at, (entry, _)) in (entries.len() as u32 + 1..).zip(entries.iter().filter(|(_, whole)| *whole)) {
         alarm(b, control, at, &format!("{} MUST BE A WHOLE NUMBER", control.variable(*entry)));
     }
 }
@@ -50,7 +50,7 @@ pub(super) fn has_alarms(control: &Control) -> bool {
     control.vars.iter().any(|row| row.kind == VarKind::AlarmMessage)
 }
 
-/// The program stops with a text: as its own alarm, or as a message and a stop where the control has no such alarms. It goes on nowhere.
+/// The program stops with a text: as its own alarm, or as a message and a stop, again and again until reset, where the control has no such alarms.
 pub(super) fn alarm(b: &mut Builder, control: &Control, number: u32, text: &str) {
     b.n(900 + number);
     if has_alarms(control) {
@@ -58,6 +58,6 @@ pub(super) fn alarm(b: &mut Builder, control: &Control, number: u32, text: &str)
     } else {
         b.show(text);
         b.words([m(0)]);
-        b.words([m(30)]);
+        b.goto(900 + number);
     }
 }

@@ -75,8 +75,8 @@ fn a_file_that_is_no_project_says_so() {
     check(
         r#"{ "version": 1, "machine": "ribbon-line", "control": "abacus" }"#,
         expect![[r#"
-        error: The file names no control that this machine goes with. Possible: mitsubishi-e60, gsk-980tdc, knd-k2000t.
-        no project"#]],
+            error: The file names no control that this machine goes with. Possible: mitsubishi-e60, gsk-980tdc, sinumerik-802d, knd-k2000t.
+            no project"#]],
     );
 }
 

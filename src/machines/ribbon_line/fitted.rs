@@ -9,6 +9,9 @@ use crate::machines::On;
 /// The axis that pulls the ribbon.
 pub(super) const PULL: u8 = b'X';
 
+/// The variable in which the operator types the override where the PLC cannot hand it over.
+const TYPED: u32 = 103;
+
 /// The form on a control.
 pub(super) struct Fitted<'a> {
     /// The form as it was filled in.
@@ -69,11 +72,16 @@ impl<'a> Fitted<'a> {
         if self.in_step() { limits.revolution_feed_max } else { self.p.feed_limit.min(limits.feed_max) }
     }
 
-    /// The variable in which the PLC hands over the override.
+    /// The variable in which the PLC hands over the override; where the control has none, the one in which it is typed.
     pub(super) fn input(&self) -> u32 {
+        self.handed().unwrap_or(TYPED)
+    }
+
+    /// The variable in which the PLC hands over the override, where the control has such.
+    pub(super) fn handed(&self) -> Option<u32> {
         let word = |kind| matches!(kind, VarKind::InputWord(_));
-        let first = || self.control.vars.iter().find(|row| word(row.kind)).map_or(0, |row| row.first);
-        self.control.bench.override_echo.unwrap_or_else(first)
+        let first = || self.control.vars.iter().find(|row| word(row.kind)).map(|row| row.first);
+        self.control.bench.override_echo.or_else(first)
     }
 
     /// Least and largest value of that variable.

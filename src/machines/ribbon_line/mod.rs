@@ -47,7 +47,7 @@ impl Machine for RibbonLine {
     type Params = Params;
     const ID: &'static str = ID;
     const NAME: &'static str = "ribbon.name";
-    const CONTROLS: &'static [&'static str] = &["mitsubishi-e60", "gsk-980tdc", "knd-k2000t"];
+    const CONTROLS: &'static [&'static str] = &["mitsubishi-e60", "gsk-980tdc", "sinumerik-802d", "knd-k2000t"];
 
     const LISTING: &'static str = include_str!("listing.nc");
     const SPEED: f64 = 0.05;
@@ -123,6 +123,8 @@ fn start(control: &Control) -> Start {
         start.values.insert(id.to_owned(), Value::Number((value * 1000.0).round() / 1000.0));
     }
     start.keep_common(control);
+    // Axes that wait until the unwinder has its speed let the ribbon pile up meanwhile.
+    start.set(control, "speed-reached", "do not wait");
     start
 }
 

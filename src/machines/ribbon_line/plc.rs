@@ -19,7 +19,7 @@ pub(super) struct RibbonPlc {
     form: OverrideForm,
     wait: Wait,
     /// The macro input, and what fits into it.
-    input: u32,
+    input: Option<u32>,
     range: (f64, f64),
     /// When the strobe that waits for FIN came.
     strobe_since: Option<f64>,
@@ -27,7 +27,7 @@ pub(super) struct RibbonPlc {
 
 impl RibbonPlc {
     pub(super) fn new(line: &Fitted) -> RibbonPlc {
-        let (p, input, range) = (&line.p, line.input(), line.input_range());
+        let (p, input, range) = (&line.p, line.handed(), line.input_range());
         RibbonPlc { step: p.knob_step.percent(), form: p.override_form, wait: p.wait, input, range, strobe_since: None }
     }
 
@@ -52,7 +52,9 @@ impl Plc for RibbonPlc {
             OverrideForm::Percent => percent,
             OverrideForm::FinalSpeed => io.spindle_command.abs().round(),
         };
-        io.inputs.insert(self.input, math::clamp(word, self.range.0, self.range.1));
+        if let Some(input) = self.input {
+            io.inputs.insert(input, math::clamp(word, self.range.0, self.range.1));
+        }
         if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
             self.strobe_since = None;
             io.fin = false;

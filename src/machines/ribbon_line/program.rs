@@ -7,9 +7,9 @@ use super::RibbonLine;
 use super::fitted::Fitted;
 use super::params::{FeedForm, OverrideForm, Params, PathMode, Variant, Wait};
 use crate::controls::{Code, VarKind};
-use crate::machines::writing;
+use crate::machines::writing::{self, Entry};
 use crate::nc::Deck;
-use crate::nc::build::{Builder, Formula, NewWord, f, g, m, p as program, real, s, v, word, x};
+use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x};
 
 /// Number of the program that computes.
 pub(super) const COMPUTE: u32 = 9100;
@@ -19,7 +19,7 @@ pub(super) const RUN: u32 = 9101;
 pub(super) const SETUP: u32 = 9102;
 
 /// The operator's variables: number and whether only whole numbers make sense.
-const ENTRIES: [(u32, bool); 10] = [
+const ENTRIES: [Entry; 10] = [
     (100, true),
     (101, false),
     (102, false),
@@ -31,6 +31,12 @@ const ENTRIES: [(u32, bool); 10] = [
     (120, true),
     (121, true),
 ];
+
+/// The operator's variables on this control.
+fn entries(line: &Fitted) -> Vec<Entry> {
+    let typed = line.handed().is_none().then_some((line.input(), false));
+    ENTRIES.into_iter().chain(typed).collect()
+}
 
 /// Variables that the operator reads and sets: number, meaning, unit.
 pub(super) fn variables(line: &Fitted) -> Vec<(u32, &'static str, &'static str)> {
@@ -162,10 +168,20 @@ pub(super) fn overrides_can_be_off(line: &Fitted) -> bool {
 
 /// Here is zero.
 fn preset(b: &mut Builder, line: &Fitted, number: u32) {
+    if !line.control.can(Code::SetCoordinates) {
+        return;
+    }
     let zero = || real(0.0, 0);
     let mut words = codes(line, [Code::SetCoordinates]);
     words.extend([x(zero()), word(line.p.print_axis.letter(), zero())]);
     b.n(number).words(words);
+}
+
+/// A dwell in seconds.
+fn dwell(line: &Fitted, seconds: f64) -> [NewWord; 2] {
+    let addresses = line.control.syntax.dwell_addresses;
+    let address = if addresses.contains(&b'X') { b'X' } else { addresses.first().copied().unwrap_or(b'X') };
+    [g(4), word(address, real(seconds, 3))]
 }
 
 /// π as it is written: 3.141592654, or 3.14.
@@ -202,13 +218,15 @@ fn per_turn(line: &Fitted) -> Formula {
 fn feed_alarm(b: &mut Builder, line: &Fitted) {
     let feed = line.control.variable(if line.in_step() { PER_TURN } else { 115 });
     writing::alarm(b, line.control, 20, &format!("FEED {feed} ABOVE LIMIT {}", line.control.variable(119)));
-    b.words([m(99)]);
+    if writing::has_alarms(line.control) {
+        b.words(codes(line, [Code::SubEnd]));
+    }
 }
 
 /// O9100, ready-made: guards, copies of what the run watches, and the paper's equations.
 fn compute(b: &mut Builder, line: &Fitted) {
     b.program(COMPUTE, "RIBBON LINE - COMPUTE");
-    writing::guards(b, &ENTRIES);
+    writing::guards(b, &entries(line));
     // Copied before it is used: what changes from here on differs from its copy and is computed again.
     for (at, (watched, copy)) in (20..).zip(watched(line)) {
         b.n(at).assign(copy, v(watched));
@@ -231,8 +249,8 @@ fn compute(b: &mut Builder, line: &Fitted) {
         "X PER BLOCK"
     });
     b.n(38).assign(123, v(110) * v(128)).note(&about(line, "PER BLOCK"));
-    b.n(39).words([m(99)]);
-    writing::alarms(b, line.control, &ENTRIES);
+    b.n(39).words(codes(line, [Code::SubEnd]));
+    writing::alarms(b, line.control, &entries(line));
     feed_alarm(b, line);
     // Behind the end: read by people, never by a running line.
     header(b, line);
@@ -246,7 +264,7 @@ fn run(b: &mut Builder, line: &Fitted) {
     b.n(2).assign(125, v(120)).note("PITCHES LEFT");
     b.n(3).assign(122, 0).note(&format!("REMAINDER OF {}", print_letter(line)));
     b.n(4).assign(128, v(121)).note("PITCHES OF A BLOCK");
-    b.n(5).words([m(98), program(COMPUTE)]);
+    b.n(5).call(COMPUTE, None);
     preset(b, line, 6);
     b.n(7).assign(127, v(100)).note("SPEED THAT RUNS");
     start_spindle(b, line, 8, 9);
@@ -255,12 +273,12 @@ fn run(b: &mut Builder, line: &Fitted) {
     b.n(12).assign(128, v(121));
     b.n(13).if_goto(v(125).ge(v(128)), 15);
     b.n(14).assign(128, v(125)).note("LAST BLOCK IS SHORTER");
-    b.n(15).words([m(98), program(COMPUTE)]);
+    b.n(15).call(COMPUTE, None);
     b.n(16).if_goto(v(100).eq(v(127)), 19);
     b.n(17).assign(127, v(100));
     b.n(18).words([s(v(100))]);
     b.n(19).if_goto(v(115).ge(real(0.001, 3)), 30).note("F BELOW IS F0");
-    b.n(20).words([g(4), x(real(0.1, 1))]).note("OVERRIDE 0: WAIT");
+    b.n(20).words(dwell(line, 0.1)).note("OVERRIDE 0: WAIT");
     b.n(21).goto(15);
     b.n(30).while_do(v(125).ge(v(128)), 2);
     let watched = watched(line);
@@ -294,7 +312,7 @@ fn start_spindle(b: &mut Builder, line: &Fitted, start: u32, wait: u32) {
     b.n(start).words([s(v(100)), m(3)]);
     match line.p.wait {
         Wait::Dwell if line.p.dwell > 0.0 => {
-            b.n(wait).words([g(4), x(real(line.p.dwell, 3))]).note("SPINDLE GETS ITS SPEED");
+            b.n(wait).words(dwell(line, line.p.dwell)).note("SPINDLE GETS ITS SPEED");
         }
         Wait::Dwell => {}
         Wait::Fin => {
@@ -338,9 +356,9 @@ fn published(b: &mut Builder, line: &Fitted) {
     b.n(200).words(modes(line).into_iter().chain(move_block(line, pull)));
     b.n(201).assign(122, v(122) + v(110) - v(124)).note(&about(line, "LEFT OVER"));
     b.n(202).assign(125, v(125) - 1);
-    b.n(203).words([m(99)]);
-    b.n(210).words([g(4), x(real(0.1, 1))]).note("OVERRIDE 0: WAIT");
-    b.n(211).words([m(99)]);
+    b.n(203).words(codes(line, [Code::SubEnd]));
+    b.n(210).words(dwell(line, 0.1)).note("OVERRIDE 0: WAIT");
+    b.n(211).words(codes(line, [Code::SubEnd]));
     feed_alarm(b, line);
     header(b, line);
 }
@@ -349,17 +367,17 @@ fn published(b: &mut Builder, line: &Fitted) {
 fn run_published(b: &mut Builder, line: &Fitted) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
-    writing::guards(b, &ENTRIES);
+    writing::guards(b, &entries(line));
     override_off(b, line, 20);
     b.n(21).assign(125, v(120)).note("PITCHES LEFT");
     b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", print_letter(line)));
     b.n(23).assign(127, 0).note("SPINDLE DOES NOT RUN YET");
     preset(b, line, 24);
     b.n(30).while_do(v(125).gt(0), 1);
-    b.n(31).words([m(98), program(COMPUTE)]);
+    b.n(31).call(COMPUTE, None);
     b.n(32).end_do(1);
     end(b, line);
-    writing::alarms(b, line.control, &ENTRIES);
+    writing::alarms(b, line.control, &entries(line));
     b.words([m(30)]);
 }
 
@@ -382,6 +400,9 @@ fn setup(b: &mut Builder, line: &Fitted) {
     ];
     for (at, (number, value, decimals, text)) in (1..).zip(values) {
         b.n(at).assign(number, real(value, decimals)).note(text);
+    }
+    if line.handed().is_none() {
+        b.n(11).assign(line.input(), real(p.override_stepped(), 0)).note("OVERRIDE PERCENT");
     }
     b.n(20).words([m(30)]);
 }

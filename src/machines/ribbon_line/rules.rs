@@ -9,7 +9,7 @@ use super::derive::Derived;
 use super::fitted::Fitted;
 use super::params::{Params, PathMode, PiForm, Variant, Wait};
 use super::program;
-use crate::controls::{Code, Limits, ParamRole};
+use crate::controls::{Code, Limits};
 use crate::drives::web;
 use crate::machines::judge::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
@@ -91,7 +91,7 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     if !program::overrides_can_be_off(line) {
         found.push(Diagnostic::info(msg!("ribbon.override-acts")));
     }
-    if line.control.param(ParamRole::VariablesAtPowerOn).is_none() {
+    if line.control.forgets() {
         found.push(Diagnostic::info(msg!("form.values-are-lost", program::SETUP)));
     }
     found

@@ -126,6 +126,7 @@ fn rungs(line: &Fitted) -> Vec<Rung> {
         (OverrideForm::FinalSpeed, Some(from)) => {
             rungs.push(rung(always(), format!("DMOV {from} {low}"), "ribbon.ladder.final"));
         }
+        _ if line.handed().is_none() => {}
         _ => {
             let note = if high.is_some() { "ribbon.ladder.low" } else { "ribbon.ladder.word" };
             rungs.push(rung(always(), format!("MOV {knob} {low}"), note));

@@ -5,7 +5,6 @@ use super::derive::Derived;
 use super::fitted::Fitted;
 use super::params::{Params, Path};
 use super::{program, show};
-use crate::controls::ParamRole;
 use crate::drives::Bound;
 use crate::machines::judge::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
@@ -149,7 +148,7 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
         let message = msg!("turning.limits-crossed", show(p.lower_limit, 0), show(p.upper_limit, 0));
         found.push(Diagnostic::warning(message).about("lower-limit"));
     }
-    if lathe.control.param(ParamRole::VariablesAtPowerOn).is_none() {
+    if lathe.control.forgets() {
         found.push(Diagnostic::info(msg!("form.values-are-lost", program::SETUP)));
     }
     found

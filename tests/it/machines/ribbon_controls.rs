@@ -43,7 +43,10 @@ fn first_cut(project: &Project, planner: &Planner<Interp>) -> f64 {
     loop {
         t = planner.timeline().next_block(t).expect("it cuts");
         let place = planner.timeline().block_at(t).unwrap();
-        if files.0[place.file.0 as usize].text[place.span.start as usize..place.span.end as usize].contains("G01") {
+        if files.0[place.file.0 as usize].text[place.span.start as usize..place.span.end as usize]
+            .split_whitespace()
+            .any(|word| matches!(word, "G01" | "G1"))
+        {
             return t;
         }
     }
@@ -70,7 +73,7 @@ fn a_case_that_all_controls_take_moves_the_machine_alike() {
             let project = project(control.id, &changes);
             let planner = over_time(&project, vec![]);
             assert_eq!(planner.starved(), 0);
-            let letter = if control.id == "mitsubishi-e60" { b'Y' } else { print };
+            let letter = if control.axis(print).is_none() || control.id == "mitsubishi-e60" { b'Y' } else { print };
             let axes = axes(&project, letter);
             let begin = first_cut(&project, &planner);
             let at = |t: f64| axes.map(|k| planner.timeline().at(begin + t).axes[k].position);

@@ -129,6 +129,13 @@ const CASES: &[Case] = &[
             ("pitches-per-block", "2"),
         ],
     ),
+    ("sinumerik-802d", "s1000", &[("spindle-speed", "1000")]),
+    (
+        "sinumerik-802d",
+        "per-revolution",
+        &[("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("path-mode", "exact-stop")],
+    ),
+    ("sinumerik-802d", "published", &[("spindle-speed", "100"), ("variant", "published"), ("y-unit", "degrees")]),
     ("knd-k2000t", "default", &[]),
     (
         "knd-k2000t",
@@ -181,10 +188,11 @@ fn travels(on: On, values: &Values) -> [f64; 2] {
 /// The axis of the print roller: that of the form, where the control has a choice.
 fn print_letter(on: On, values: &Values) -> u8 {
     let hidden = machine().hidden(values, on.control).contains(&"print-axis");
-    match values.get("print-axis") {
+    let letter = match values.get("print-axis") {
         Some(Value::Text(letter)) if !hidden => letter.as_bytes()[0].to_ascii_uppercase(),
         _ => b'Y',
-    }
+    };
+    if on.control.axis(letter).is_some() { letter } else { b'Y' }
 }
 
 #[test]

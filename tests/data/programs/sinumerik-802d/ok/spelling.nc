@@ -1,5 +1,6 @@
 ; the file names its program where no head does
 ;SET label-length 32
+;SET speed-reached do not wait
 ;SET block-length 512
 ;SET block-number-jumps yes
 ;SET codes-g22-g23 radius and diameter
