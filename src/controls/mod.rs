@@ -104,8 +104,13 @@ const fn axis(letter: u8, rotary: bool, cite: Citation) -> AxisDef {
 }
 
 /// All controls, in the order they are listed.
+#[cfg(not(feature = "web"))]
 pub static ALL: &[&Control] =
     &[&mitsubishi_e60::CONTROL, &gsk_980tdc::CONTROL, &knd_k2000t::CONTROL, &sinumerik_802d::CONTROL];
+
+/// The controls that the page has; see [`Syntax::names`].
+#[cfg(feature = "web")]
+pub static ALL: &[&Control] = &[&mitsubishi_e60::CONTROL, &gsk_980tdc::CONTROL, &knd_k2000t::CONTROL];
 
 /// The control of an id.
 pub fn find(id: &str) -> Option<&'static Control> {
@@ -211,7 +216,7 @@ impl Control {
 
     /// A jump on the condition that something is not above 0, as an example.
     pub fn guard(&self, variable: &str) -> String {
-        match self.syntax.names {
+        match self.syntax.names() {
             Some(_) => format!("IF {variable}<=0 GOTOF"),
             None => format!("IF[{variable} LE 0]GOTO"),
         }
@@ -219,14 +224,14 @@ impl Control {
 
     /// An address as it is written.
     pub fn address(&self, letter: u8) -> String {
-        let names = self.syntax.names.iter().flat_map(|names| names.addresses);
+        let names = self.syntax.names().into_iter().flat_map(|names| names.addresses);
         let long = names.copied().find(|row| row.1 == letter).map(|row| row.0);
         long.map_or_else(|| (letter as char).to_string(), str::to_owned)
     }
 
     /// A code as it is written, `number` is ten times its number.
     pub fn code_name(&self, letter: u8, number: u32) -> String {
-        let names = self.syntax.names.filter(|_| letter == syntax::long::NAME);
+        let names = self.syntax.names().filter(|_| letter == syntax::long::NAME);
         match names.and_then(|names| names.codes.get(number as usize / 10)) {
             Some(name) => (*name).to_owned(),
             None if number.is_multiple_of(10) => format!("{}{}", letter as char, number / 10),
@@ -237,7 +242,7 @@ impl Control {
     /// The codes that end a program, as a list for a sentence.
     pub fn program_ends(&self) -> String {
         let ends = |row: &&CodeDef| matches!(row.code, Code::End | Code::EndRewind | Code::SubEnd | Code::Return);
-        let digits = if self.syntax.names.is_some() { 1 } else { 2 };
+        let digits = if self.syntax.names().is_some() { 1 } else { 2 };
         let name = |row: &CodeDef| match row.letter {
             b'M' => format!("M{:0digits$}", row.number / 10),
             letter => self.code_name(letter, row.number.into()),

@@ -168,6 +168,15 @@ pub struct Syntax {
     pub cite: Citation,
 }
 
+impl Syntax {
+    /// What has names, where the language has such. The page does without such languages until its module has room for their reader and
+    /// writer, 30 KB: there is nothing to read and nothing to find of them.
+    #[inline]
+    pub const fn names(&self) -> Option<&Names> {
+        if cfg!(feature = "web") { None } else { self.names.as_ref() }
+    }
+}
+
 /// A function of the macro language.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Function {

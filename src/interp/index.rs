@@ -125,7 +125,7 @@ impl Index {
             targets: Vec::new(),
             names: Vec::new(),
         };
-        if control.syntax.names.is_some() {
+        if control.syntax.names().is_some() {
             index.targets = deck.programs.iter().flat_map(|program| targets(deck, program)).collect();
             order::by_key(&mut index.targets, |&(target, _)| target.into());
             let names = deck.programs.iter().zip(0..).filter(|(program, _)| program.name.is_some());

@@ -69,7 +69,7 @@ pub fn emit_with(deck: &Deck, control: &Control, newline: Newline) -> Emitted {
             w.text.push('%');
             w.text.push_str(eol);
         }
-        if let Some(names) = &control.syntax.names {
+        if let Some(names) = &control.syntax.names() {
             w.head(names, program, eol);
         } else if program.number != 0 {
             let letter = control.syntax.program_letters.first().copied().unwrap_or(b'O');
@@ -121,7 +121,7 @@ fn shortened(before: &Deck, after: &Deck, block: &Block) -> bool {
 
 /// `O9100.nc`, `L9100.SPF`; a second program of a name becomes `O9100-2.nc`.
 fn file_name(deck: &Deck, program: &Program, control: &Control, files: &Files) -> String {
-    let extension = match &control.syntax.names {
+    let extension = match &control.syntax.names() {
         Some(names) => names.endings[usize::from(program.sub)],
         None => control.syntax.extension,
     };
@@ -214,7 +214,7 @@ impl Writer<'_> {
                 self.text.push(' ');
             }
         }
-        if self.control.syntax.names.is_some() {
+        if self.control.syntax.names().is_some() {
             return self.named_block(block);
         }
         match block.stmt {
@@ -337,7 +337,7 @@ impl Writer<'_> {
                 self.function_name(function);
                 self.bracketed(inner, depth);
             }
-            Expr::Binary(Op::Atan, left, right) if self.control.syntax.names.is_some() => {
+            Expr::Binary(Op::Atan, left, right) if self.control.syntax.names().is_some() => {
                 self.two_arguments(left, right, depth);
             }
             Expr::Binary(Op::Atan, left, right) => {
@@ -347,7 +347,7 @@ impl Writer<'_> {
                 self.bracketed(right, depth);
             }
             Expr::Binary(op, left, right) => {
-                let (own, sign) = if self.control.syntax.names.is_some() { named_operator(op) } else { operator(op) };
+                let (own, sign) = if self.control.syntax.names().is_some() { named_operator(op) } else { operator(op) };
                 if own < level {
                     return self.bracketed(id, depth);
                 }

@@ -28,7 +28,7 @@ pub fn lower(deck: &Deck, control: &Control) -> Deck {
 /// The deck as the control can take it, and for each of its blocks the index of the block that it comes from.
 pub(super) fn lowered(deck: &Deck, control: &Control) -> (Deck, Vec<u32>) {
     let mut low = deck.clone();
-    if control.syntax.names.is_none() {
+    if control.syntax.names().is_none() {
         plain_texts(&mut low);
     }
     whole_signs(&mut low);
@@ -39,7 +39,7 @@ pub(super) fn lowered(deck: &Deck, control: &Control) -> (Deck, Vec<u32>) {
     if !control.syntax.if_then && low.blocks.iter().any(|block| matches!(block.stmt, Stmt::IfThen { .. })) {
         origins = no_if_then(&mut low);
     }
-    match &control.syntax.names {
+    match &control.syntax.names() {
         Some(names) => with_names(&mut low, control, names, &mut origins),
         None => no_names(&mut low, control),
     }
@@ -244,7 +244,7 @@ fn short_texts(deck: &mut Deck, control: &Control) {
     }
     for at in 0..deck.blocks.len() {
         let Some(block) = deck.blocks.get(at).copied() else { continue };
-        if let (Stmt::Message(Some(text)), true) = (block.stmt, control.syntax.names.is_some()) {
+        if let (Stmt::Message(Some(text)), true) = (block.stmt, control.syntax.names().is_some()) {
             clip(deck, text, control.syntax.message_chars);
         }
         let Some(comment) = block.comment else { continue };

@@ -36,7 +36,7 @@ const KEYWORDS: [&str; 20] = [
 /// The pieces of a line (or of several lines), without white space, in order.
 pub fn tokens(text: &str, control: &Control) -> Vec<(Span, TokenKind)> {
     let bytes = text.as_bytes();
-    let named = control.syntax.names;
+    let named = control.syntax.names();
     let mut out = Vec::new();
     let mut at = 0;
     while let Some(&byte) = bytes.get(at) {
@@ -127,7 +127,7 @@ fn named_token(rest: &str, control: &Control) -> (usize, TokenKind) {
     let letters = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
     let digits = rest.bytes().skip(1).take_while(|b| b.is_ascii_digit() || *b == b'.').count();
     let is = |word: &str| rest.get(..name).is_some_and(|name| name.eq_ignore_ascii_case(word));
-    let names = control.syntax.names;
+    let names = control.syntax.names();
     if letters == 1 && name > 1 || name == 1 {
         let kind = match rest.as_bytes().first().map(u8::to_ascii_uppercase) {
             Some(b'G' | b'M') if digits > 0 => TokenKind::Code,

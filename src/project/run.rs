@@ -71,7 +71,7 @@ pub fn program_number(name: &str) -> Option<u32> {
 
 /// The program that somebody means: `O9101`, or by its name where programs have names.
 pub fn program_meant(name: &str, parsed: &Parsed) -> Option<Start> {
-    match parsed.control().syntax.names {
+    match parsed.control().syntax.names() {
         Some(_) => parsed.deck().program_named(name.split('.').next()?).map(Start::Nth),
         None => program_number(name).map(Start::Program),
     }

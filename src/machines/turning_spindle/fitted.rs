@@ -58,7 +58,7 @@ impl<'a> Fitted<'a> {
 
     /// The address of the limit under constant surface speed, where that has a word of its own.
     pub(super) fn limit_word(&self) -> Option<u8> {
-        let names = self.control.syntax.names.as_ref()?;
+        let names = self.control.syntax.names()?;
         names.addresses.iter().find(|row| row.1 == long::LIMS).map(|row| row.1)
     }
 
@@ -112,7 +112,7 @@ pub(super) fn has_gears(_: &Params, control: &Control) -> bool {
 
 /// Whether a word of the control brings the spindle to an angle.
 pub(super) fn can_position(_: &Params, control: &Control) -> bool {
-    control.syntax.names.as_ref().is_some_and(|names| names.addresses.iter().any(|row| row.1 == long::SPOS))
+    control.syntax.names().is_some_and(|names| names.addresses.iter().any(|row| row.1 == long::SPOS))
 }
 
 /// Whether there is an angle to bring it to.

@@ -125,7 +125,7 @@ impl Vars<'_> {
         let mut divisors: Vec<(usize, u32)> = Vec::new();
         for site in &self.divisors {
             let Some(id) = self.can_be_zero(*site) else { continue };
-            let (number, hint) = match (self.deck.expr(id), self.control.syntax.names) {
+            let (number, hint) = match (self.deck.expr(id), self.control.syntax.names()) {
                 (Expr::Var(number), None) => (number, "lint.hint-divisor"),
                 (Expr::Var(number), Some(_)) => (number, "lint.hint-divisor-named"),
                 (_, None) => (NONE, "lint.hint-difference"),

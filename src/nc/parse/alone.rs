@@ -49,7 +49,7 @@ impl Reader<'_> {
     fn alone(&mut self, bracketed: bool) -> Read<ExprId> {
         self.skip();
         let start = self.at;
-        if self.names.is_some() {
+        if self.names().is_some() {
             let root = self.named_formula(true)?;
             self.skip();
             return if self.ended() { Ok(root) } else { Err(self.unexpected()) };

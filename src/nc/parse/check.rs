@@ -20,7 +20,7 @@ pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u
         let text = files.get(program.file).map_or("", |file| file.text.as_str());
         let mut check = Check { deck, control, program, text, numbers: None, found };
         check.loops();
-        match control.syntax.names {
+        match control.syntax.names() {
             Some(_) => check.named(),
             None => check.targets(),
         }

@@ -84,7 +84,7 @@ impl<'a> Check<'a> {
         for block in blocks {
             let Stmt::Call { name, .. } = block.stmt else { continue };
             let name = self.deck.text(Some(name));
-            let codes = self.control.syntax.names.map_or(&[][..], |names| names.codes);
+            let codes = self.control.syntax.names().map_or(&[][..], |names| names.codes);
             if name.len() < 3 || self.deck.program_named(name).is_some() || self.found.len() > FINDINGS {
                 continue;
             }

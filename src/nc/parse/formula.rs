@@ -82,7 +82,7 @@ impl Reader<'_> {
         loop {
             let end = self.at;
             let Some(op) = self.operator(word, true) else {
-                let quotient = self.names.is_some() && self.peek() | 0x20 == b'd' && self.quotient_ahead();
+                let quotient = self.names().is_some() && self.peek() | 0x20 == b'd' && self.quotient_ahead();
                 if !quotient {
                     return Ok(left);
                 }
@@ -147,7 +147,7 @@ impl Reader<'_> {
             byte if byte.is_ascii_alphabetic() => {
                 let (name, op) = LETTERED.iter().find(|(name, _)| self.ahead(name))?;
                 // Where comparisons come last, the others stand between them and sums.
-                if self.names.is_some() && *op != Op::Modulo {
+                if self.names().is_some() && *op != Op::Modulo {
                     return None;
                 }
                 if matches!(op, Op::And | Op::Modulo) != multiplicative {
@@ -180,13 +180,13 @@ impl Reader<'_> {
         let start = self.at;
         match byte {
             b'R' | b'r' if self.parameter_ahead() => self.variable(false),
-            b'#' if self.names.is_some() => self.hash_variable(false),
-            b'[' if self.names.is_some() => self.square_group(),
-            b'$' if self.names.is_some() => Err(self.system_variable()),
+            b'#' if self.names().is_some() => self.hash_variable(false),
+            b'[' if self.names().is_some() => self.square_group(),
+            b'$' if self.names().is_some() => Err(self.system_variable()),
             b'#' => self.variable(false),
             b'0'..=b'9' | b'.' => {
                 let mut number = self.digits()?;
-                if self.names.is_some() {
+                if self.names().is_some() {
                     number = self.named_number(number, start);
                 }
                 self.part(Expr::Number(number), start)
@@ -196,7 +196,7 @@ impl Reader<'_> {
                 let next = self.skip();
                 if next.is_ascii_digit() || next == b'.' {
                     let mut number = self.digits()?;
-                    if self.names.is_some() {
+                    if self.names().is_some() {
                         number = self.named_number(number, start);
                     }
                     number.mantissa *= if byte == b'-' { -1 } else { 1 };
@@ -225,8 +225,8 @@ impl Reader<'_> {
             None => self.misspelt_function()?,
         };
         let inner = match self.skip() {
-            b'(' if self.names.is_some() && function == Function::Atan => return self.two_arguments(start),
-            b'[' if self.names.is_some() => self.square_group()?,
+            b'(' if self.names().is_some() && function == Function::Atan => return self.two_arguments(start),
+            b'[' if self.names().is_some() => self.square_group()?,
             b'[' => self.group(b']')?,
             b'(' if self.rounds => self.group(b')')?,
             _ => self.bare_argument(start, name)?,
@@ -269,7 +269,7 @@ impl Reader<'_> {
         if self.control.syntax.bare_functions {
             return argument;
         }
-        if self.names.is_some() {
+        if self.names().is_some() {
             let end = start + name.len();
             return Err(self.failure(Alarm::Format, start, end, msg!("nc.function-round", name), false));
         }
@@ -335,7 +335,7 @@ impl Reader<'_> {
             let message = self.too_deep();
             self.report(Alarm::BracketDepth, open.at, open.at + 1, message);
         }
-        let inner = if self.names.is_some() { self.named_formula(false)? } else { self.formula(false)? };
+        let inner = if self.names().is_some() { self.named_formula(false)? } else { self.formula(false)? };
         self.close(open)?;
         self.depth -= 1;
         Ok(inner)
@@ -350,14 +350,14 @@ impl Reader<'_> {
     pub(super) fn close(&mut self, open: Open) -> Read<()> {
         let byte = self.skip();
         if byte == open.close {
-            if byte == b')' && self.names.is_none() {
+            if byte == b')' && self.names().is_none() {
                 self.round_brackets.push((open.at, self.at));
             }
             self.at += 1;
             return Ok(());
         }
         if self.ended() || byte == b',' {
-            let message = if self.names.is_some() { msg!("nc.unclosed-group") } else { msg!("nc.unclosed-square") };
+            let message = if self.names().is_some() { msg!("nc.unclosed-group") } else { msg!("nc.unclosed-square") };
             return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false));
         }
         if let Some(lost) = self.lost_comparison(Alarm::Format) {

@@ -34,7 +34,7 @@ pub(super) fn begins_as_name(name: &str) -> bool {
 impl Reader<'_> {
     /// `%_N_NAME_MPF`, `%NAME` or the `%` of other controls, which is none.
     pub(super) fn head(&mut self, from: usize, to: usize) {
-        let Some(names) = self.names else { return };
+        let Some(names) = self.names() else { return };
         let line = self.source.get(from..to).unwrap_or("");
         let line = line.split(';').next().unwrap_or("").trim_end();
         self.take_line(line.as_bytes(), from);
@@ -84,7 +84,7 @@ impl Reader<'_> {
 
     /// Name, kind and number of the program of a file without a head: those of the file.
     pub(super) fn file_program(&mut self) -> (Option<TextId>, bool, u32) {
-        let Some(names) = self.names else { return (None, false, 0) };
+        let Some(names) = self.names() else { return (None, false, 0) };
         let upper = self.file_name.to_ascii_uppercase();
         let (stem, ending) = upper.rsplit_once('.').unwrap_or((&upper, ""));
         let stem: String = stem.chars().filter(|c| c.is_ascii_alphanumeric() || *c == '_').collect();
@@ -94,7 +94,7 @@ impl Reader<'_> {
 
     /// `O1234` of other controls at the head of a line.
     pub(super) fn foreign_head(&mut self) -> bool {
-        let Some(names) = self.names else { return false };
+        let Some(names) = self.names() else { return false };
         let digits = self.line.get(1..).unwrap_or_default();
         let number = core::str::from_utf8(digits).unwrap_or("").trim();
         if number.is_empty() || !number.bytes().all(|b| b.is_ascii_digit()) {
@@ -110,7 +110,7 @@ impl Reader<'_> {
     pub(super) fn again(&mut self, span: Span) -> super::Read<super::Stmt> {
         let (from, to) = (span.start as usize, span.end as usize);
         let source = self.source;
-        if self.names.is_some() {
+        if self.names().is_some() {
             self.take_named(from, to);
             return self.named_statement();
         }

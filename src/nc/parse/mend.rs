@@ -26,7 +26,7 @@ impl Reader<'_> {
         if let Some(at) = self.hash {
             self.hashes(at);
         }
-        if let Some(at) = self.small.filter(|_| self.names.is_none()) {
+        if let Some(at) = self.small.filter(|_| self.names().is_none()) {
             let place = self.place(Span::new(at, at + 1));
             let mut finding = Diagnostic::info(msg!("nc.small-letters", self.control.name)).at(place);
             if self.source.len() <= WHOLE {
@@ -116,7 +116,7 @@ impl Reader<'_> {
         if misused.is_empty() {
             return;
         }
-        let known = self.source.len() <= WHOLE && self.names.is_none();
+        let known = self.source.len() <= WHOLE && self.names().is_none();
         let named = if known { variables_of(self.source) } else { Vec::new() };
         let mut taken = Vec::new();
         for row in &misused {

@@ -217,8 +217,6 @@ struct Misused {
 
 struct Reader<'a> {
     control: &'static Control,
-    /// What has names, where the language has such.
-    names: Option<&'static Names>,
     tables: &'a Tables<'a>,
     id: FileId,
     /// Name of the file.
@@ -277,10 +275,15 @@ fn count(bytes: &[u8], such: impl Fn(u8) -> bool) -> usize {
 }
 
 impl<'a> Reader<'a> {
+    /// What has names, where the language has such.
+    #[inline]
+    fn names(&self) -> Option<&'static Names> {
+        self.control.syntax.names()
+    }
+
     fn new(control: &'static Control, tables: &'a Tables<'a>, id: FileId, source: &'a str, deck: Deck) -> Reader<'a> {
         Reader {
             control,
-            names: control.syntax.names.as_ref(),
             tables,
             id,
             file_name: "",
@@ -338,8 +341,8 @@ impl<'a> Reader<'a> {
             let (from, to) = self.trimmed(at, end);
             match bytes.get(from) {
                 _ if from == to => {}
-                Some(b'%') if self.names.is_some() => self.head(from, to),
-                _ if self.names.is_some() => self.named_block(from, to),
+                Some(b'%') if self.names().is_some() => self.head(from, to),
+                _ if self.names().is_some() => self.named_block(from, to),
                 Some(b'%') => {
                     if !self.only_comments() {
                         closed = Some(from);

@@ -205,7 +205,7 @@ impl<'a> Reader<'a> {
             "MSG" => return self.message().map(Some),
             _ => {}
         }
-        let Some(names) = self.names else { return Ok(None) };
+        let Some(names) = self.names() else { return Ok(None) };
         let known = names.codes.contains(&name.as_str()) || names.addresses.iter().any(|row| name.starts_with(row.0));
         if known || behind.first() == Some(&b'=') || self.missing_equals(written) {
             return Ok(None);
@@ -231,7 +231,7 @@ impl<'a> Reader<'a> {
     }
 
     fn check_label(&mut self, name: &str, start: usize) {
-        let (least, most) = (self.names.map_or(2, |names| names.label_least), self.tables.label_chars);
+        let (least, most) = (self.names().map_or(2, |names| names.label_least), self.tables.label_chars);
         if !begins_as_name(name) || !(least..=most).contains(&name.len()) {
             let message = msg!("nc.label-name", name, least as u32, most as u32);
             self.report(Alarm::Format, start, start + name.len(), message);
@@ -289,7 +289,7 @@ impl<'a> Reader<'a> {
         let end = start + name.len();
         let message = msg!("nc.unknown-name", name, self.control.name);
         let mut failure = self.failure(Alarm::UnknownName, start, end, message, true);
-        let Some(names) = self.names else { return failure };
+        let Some(names) = self.names() else { return failure };
         let known = names.codes.iter().copied().chain(names.addresses.iter().map(|row| row.0));
         let upper = name.to_ascii_uppercase();
         if let Some(known) =
@@ -525,7 +525,7 @@ impl<'a> Reader<'a> {
     /// Whether a variable stands here: its letter with a number or an index.
     #[inline]
     pub(super) fn parameter_ahead(&self) -> bool {
-        self.names.is_some() && self.peek() | 0x20 == b'r' && (self.byte(1).is_ascii_digit() || self.byte(1) == b'[')
+        self.names().is_some() && self.peek() | 0x20 == b'r' && (self.byte(1).is_ascii_digit() || self.byte(1) == b'[')
     }
 
     /// An expression in which comparisons come last; in a condition a lone `=` is meant as one.

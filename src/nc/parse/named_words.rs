@@ -182,7 +182,7 @@ impl Reader<'_> {
 
     #[cold]
     fn check_whole(&mut self, number: Dec, start: usize) {
-        let most = self.names.map_or(i64::MAX, |names| names.whole_max);
+        let most = self.names().map_or(i64::MAX, |names| names.whole_max);
         if number.mantissa.unsigned_abs() > most.unsigned_abs() && !number.point {
             let finding =
                 self.finding(Alarm::OutOfRange, start, self.at, msg!("nc.whole-range", Dec::int(most).to_string()));
@@ -211,7 +211,7 @@ impl Reader<'_> {
 
     /// `S1=500`: the number belongs to the address.
     fn extended(&mut self, start: usize, letter: u8, number: Dec) -> Read<(Option<u8>, Form, WordValue)> {
-        let known = self.names.is_some_and(|names| names.extended.contains(&letter));
+        let known = self.names().is_some_and(|names| names.extended.contains(&letter));
         let index = u8::try_from(number.mantissa).ok().filter(|_| number.scale == 0 && !number.point && known);
         if index.is_none() {
             let address = (letter as char).to_string();
@@ -301,7 +301,7 @@ impl Reader<'_> {
     fn long_word(&mut self, start: usize, seen: &mut Seen) -> Read<()> {
         let written = self.name();
         let name = written.to_ascii_uppercase();
-        let Some(names) = self.names else { return Err(self.unexpected()) };
+        let Some(names) = self.names() else { return Err(self.unexpected()) };
         if let Some(place) = names.codes.iter().position(|code| *code == name) {
             self.at += name.len();
             let row = self.code_on(long::NAME, 10 * place as u16);
@@ -464,7 +464,7 @@ impl Reader<'_> {
             };
             counts[kind] += 1;
             counts[3] += u8::from(kind < 3);
-            let most = self.names.map_or([u8::MAX; 4], |names| names.auxiliary);
+            let most = self.names().map_or([u8::MAX; 4], |names| names.auxiliary);
             if kind < 3 && counts[kind] == most[kind] + 1 || counts[3] == most[3] + 1 {
                 let most = if kind < 3 && counts[kind] > most[kind] { most[kind] } else { most[3] };
                 self.report(Alarm::Auxiliaries, start, end(word), msg!("nc.too-many-auxiliaries", u32::from(most)));

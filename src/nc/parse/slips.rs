@@ -161,7 +161,7 @@ impl Reader<'_> {
     pub(super) fn odd_digit(&mut self) {
         self.zero_for_o();
         // In brackets a comma parts two numbers.
-        if self.peek() != b',' || self.names.is_some() && self.depth > 0 {
+        if self.peek() != b',' || self.names().is_some() && self.depth > 0 {
             return;
         }
         let at = self.at;

@@ -42,7 +42,7 @@ impl<'a> Reader<'a> {
         loop {
             match self.peek() {
                 b' ' | b'\t' | b'\r' => self.at += 1,
-                b'(' if self.names.is_none() && !(self.rounds && self.arithmetic_ahead()) => self.take_comment(),
+                b'(' if self.names().is_none() && !(self.rounds && self.arithmetic_ahead()) => self.take_comment(),
                 byte => return byte,
             }
         }
