@@ -1,6 +1,6 @@
 //! The formulas of the turning spindle, each once: what follows from the inputs before anything runs.
 
-use super::params::{Gear, Output, Params, Path, SpeedMode};
+use super::params::{Direction, Gear, Output, Params, Path, SpeedMode};
 use crate::drives::cutting::{self, Cut};
 use crate::drives::speed::{SpeedLimits, limit_diameter, surface_rpm, surface_speed};
 use crate::drives::{Analog, Bound};
@@ -99,11 +99,6 @@ impl Params {
         (ends[0].0.max(ends[1].0), ends[0].1.min(ends[1].1))
     }
 
-    /// Surface speed in m/min with the override.
-    pub fn speed(&self) -> f64 {
-        self.cutting_speed * self.override_percent / 100.0
-    }
-
     /// The converter of the analog output in a gear stage that has `rated` r/min at 10 V.
     pub fn analog(&self, rated: f64, volts: f64, bits: u8) -> Analog {
         Analog {
@@ -131,48 +126,60 @@ fn slower(best: Option<(u8, f64)>, next: (u8, f64)) -> Option<(u8, f64)> {
 }
 
 impl Derived {
-    /// Everything that follows from the inputs, with an output of `bits` bits and `volts` at its end.
-    pub fn new(p: &Params, volts: f64, bits: u8) -> Derived {
+    /// Everything that follows from the inputs, with an output of `bits` bits and `volts` at its end; the override acts behind the limits,
+    /// or before them.
+    pub fn new(p: &Params, volts: f64, bits: u8, override_last: bool) -> Derived {
         let (largest, smallest) = p.diameters();
-        let v = p.speed();
+        let fixed = p.speed_mode == SpeedMode::Fixed;
+        let knob = p.override_percent / 100.0;
+        let (before, behind) = if override_last { (1.0, knob) } else { (knob, 1.0) };
+        // What is commanded at a surface speed, and where that ends: behind the limits only the output itself holds the override.
+        let v = p.cutting_speed * before;
         let machine = p.chuck_limit.min(p.upper_limit);
-        let (stage, stage_speed) = p.stage(surface_rpm(v, smallest).max(p.lower_limit).min(machine));
+        let low = if fixed { 0.0 } else { p.lower_limit };
+        let top = if fixed {
+            surface_rpm(p.cutting_speed, p.stock_diameter) * knob
+        } else {
+            surface_rpm(v, smallest).max(low)
+        };
+        let (stage, stage_speed) = p.stage(top.min(if fixed { p.chuck_limit } else { machine }));
         let analog = p.analog(stage_speed, volts, bits);
         let limits = SpeedLimits {
             machine: p.chuck_limit,
             gear: (0.0, stage_speed),
-            surface: (p.lower_limit, p.upper_limit),
+            surface: if fixed { (0.0, f64::INFINITY) } else { (low, p.upper_limit) },
             ..SpeedLimits::NONE
         };
-        let at = |diameter: f64| limits.hold(surface_rpm(v, diameter));
-        let (speed_largest, _) = at(largest);
-        let (speed_smallest, bound) = at(smallest);
-        let high = machine.min(stage_speed);
-        let low = p.lower_limit.min(high);
+        let turned = |rpm: f64| (rpm * behind).min(analog.top_speed());
+        let at = |diameter: f64| {
+            let (rpm, bound) = limits.hold(surface_rpm(v, diameter));
+            (turned(rpm), bound)
+        };
+        // S is a whole number, and at most the operator's limit.
+        let s = surface_rpm(p.cutting_speed, p.stock_diameter).min(p.upper_limit).floor();
+        let fixed_speed = turned(limits.hold(s * before).0);
+        let speed = |diameter: f64| if fixed { fixed_speed } else { at(diameter).0 };
+        let high = limits.machine.min(limits.gear.1).min(limits.surface.1);
         let limit = limit_diameter(v, high);
         let passes = p.passes();
         let all = || (1..=passes as u32).flat_map(|pass| p.cuts(f64::from(pass)));
-        // The lower limit holds constant surface speed only; S is a whole number.
-        let fixed_speed =
-            surface_rpm(p.cutting_speed, p.stock_diameter).min(p.upper_limit).floor() * p.override_percent / 100.0;
-        let fixed_speed = fixed_speed.min(machine).min(stage_speed);
-        let surface_time = all().map(|cut| cut.surface_time(v, (low, high))).sum::<f64>();
+        let within = (low.min(high) * behind, (high * behind).min(analog.top_speed()));
+        let surface_time = all().map(|cut| cut.surface_time(v * behind, within)).sum::<f64>();
         let fixed_time = all().map(|cut| cut.time_at(fixed_speed)).sum::<f64>();
-        let fixed = p.speed_mode == SpeedMode::Fixed;
-        let top = if fixed { fixed_speed } else { speed_smallest.max(speed_largest) };
-        let force_speed = surface_speed(if fixed { fixed_speed } else { speed_largest }, largest);
         let span = largest - smallest;
+        let sign = if p.direction == Direction::CounterClockwise { -1.0 } else { 1.0 };
+        let middle = 0.5 * volts;
         Derived {
             passes,
             largest,
             smallest,
-            speed_largest: if fixed { fixed_speed } else { speed_largest },
-            speed_smallest: if fixed { fixed_speed } else { speed_smallest },
-            bound,
+            speed_largest: speed(largest),
+            speed_smallest: speed(smallest),
+            bound: if fixed { limits.hold(s * before).1 } else { at(smallest).1 },
             limit_diameter: limit,
-            low_diameter: if p.lower_limit > 0.0 { limit_diameter(v, p.lower_limit) } else { 0.0 },
-            limited_share: if span > 0.0 { math::clamp((limit - smallest) / span, 0.0, 1.0) } else { 0.0 },
-            surface_smallest: surface_speed(speed_smallest, smallest),
+            low_diameter: if low > 0.0 { limit_diameter(v, low) } else { 0.0 },
+            limited_share: if span > 0.0 && !fixed { math::clamp((limit - smallest) / span, 0.0, 1.0) } else { 0.0 },
+            surface_smallest: surface_speed(speed(smallest), smallest),
             fixed_speed,
             fixed_surface_smallest: surface_speed(fixed_speed, smallest),
             surface_time,
@@ -181,15 +188,15 @@ impl Derived {
             saved: if fixed_time > 0.0 { 100.0 * (1.0 - surface_time / fixed_time) } else { 0.0 },
             stage,
             stage_speed,
-            volts_largest: analog.output(if fixed { fixed_speed } else { speed_largest }),
-            volts_smallest: analog.output(if fixed { fixed_speed } else { speed_smallest }),
-            analog_step: analog.speed(analog.command(0.0) + volts / f64::from(analog.steps())),
-            power: cutting::power(p.cutting_force, force_speed),
+            volts_largest: analog.output(sign * speed(largest)),
+            volts_smallest: analog.output(sign * speed(smallest)),
+            analog_step: analog.speed(middle + volts / f64::from(analog.steps())) - analog.speed(middle),
+            power: cutting::power(p.cutting_force, surface_speed(speed(largest), largest)),
             power_available: p.motor_power * p.efficiency / 100.0,
             torque: cutting::torque(p.cutting_force, largest),
             acceleration_needed: if fixed { 0.0 } else { acceleration(p, v, limit.max(smallest)) },
             acceleration: if p.spindle_ramp > 0.0 { stage_speed / p.spindle_ramp } else { f64::INFINITY },
-            feed_top: p.feed * top,
+            feed_top: p.feed * speed(smallest).max(speed(largest)),
         }
     }
 }

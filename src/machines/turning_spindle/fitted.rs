@@ -33,6 +33,12 @@ impl<'a> Fitted<'a> {
             p.stage_2 = 0.0;
             p.gear = Gear::First;
         }
+        // As the knob can stand, and as S can be read.
+        p.override_percent = control.spindle_rules(switches).knob.nearest(p.override_percent);
+        if control.syntax.integer_addresses.contains(&b'S') {
+            let truncates = switches.get(control.switches, "spindle-word") == Some("truncate");
+            p.cutting_speed = if truncates { p.cutting_speed.floor() } else { p.cutting_speed.round() };
+        }
         Fitted { form, p, control, switches }
     }
 
@@ -75,7 +81,7 @@ impl<'a> Fitted<'a> {
     /// What follows from the form.
     pub(super) fn derived(&self) -> Derived {
         let bench = &self.control.bench;
-        Derived::new(&self.p, bench.volts_full, bench.output_bits)
+        Derived::new(&self.p, bench.volts_full, bench.output_bits, self.rules().override_last)
     }
 
     /// Number of the gear stage that the program engages.

@@ -33,7 +33,8 @@ pub(super) fn over_diameter(lathe: &Fitted, points: usize) -> Vec<Chart> {
     let points = points.max(2);
     let step = (d.largest - d.smallest) / (points - 1) as f64;
     let (low, high) = (p.lower_limit, d.stage_speed.min(p.upper_limit).min(p.chuck_limit));
-    let held = |diameter: f64| surface_rpm(p.speed(), diameter).max(low).min(high);
+    let v = p.cutting_speed * p.override_percent / 100.0;
+    let held = |diameter: f64| surface_rpm(v, diameter).max(low).min(high);
     let line = |label: &'static str, tone: u8, value: &dyn Fn(f64) -> f64| Series {
         label,
         tone,

@@ -78,8 +78,14 @@ impl Machine for TurningSpindle {
         let lathe = Fitted::new(p, on);
         let d = lathe.derived();
         let case = Case { lathe: &lathe, p: &lathe.p, d: &d };
-        let readouts =
-            readouts::ROWS.iter().filter(|row| row.id != "power" && row.id != "torque" || lathe.p.cutting_force > 0.0);
+        let shown = |id: &str| match id {
+            "power" | "torque" => lathe.p.cutting_force > 0.0,
+            "limit-diameter" | "limited-share" | "low-diameter" | "surface-smallest" | "acceleration-needed" => {
+                lathe.surface()
+            }
+            _ => true,
+        };
+        let readouts = readouts::ROWS.iter().filter(|row| shown(row.id));
         let readouts = readouts.map(|row| judge(row, &d, row.unit, RULES, &case)).collect();
         Design { readouts, diagnostics: rules::findings(&case) }
     }

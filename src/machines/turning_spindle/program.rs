@@ -25,8 +25,16 @@ pub(super) const CUTS: [u32; 2] = [36, 37];
 const SPEED: u32 = 109;
 
 /// The operator's variables that have to be above zero.
-const ENTRIES: [Entry; 7] =
-    [(100, false), (101, false), (102, false), (105, false), (106, false), (107, false), (108, false)];
+fn entries(lathe: &Fitted) -> Vec<Entry> {
+    let end = (lathe.p.path == Path::Taper).then_some(104);
+    let all = [100, 101, 102].into_iter().chain(end).chain([way(lathe), 106, 107, 108, 111, 112]);
+    all.map(|number| (number, false)).collect()
+}
+
+/// Variable of the length, or of the allowance of a face.
+fn way(lathe: &Fitted) -> u32 {
+    if lathe.p.path == Path::Facing { 114 } else { 105 }
+}
 
 /// Variables that the operator reads and sets: number, meaning, unit.
 pub(super) fn variables(lathe: &Fitted) -> Vec<(u32, &'static str, &'static str)> {
@@ -41,7 +49,7 @@ pub(super) fn variables(lathe: &Fitted) -> Vec<(u32, &'static str, &'static str)
         all.push((104, "turning.large-diameter", "mm"));
     }
     all.extend([
-        (105, if face { "turning.allowance" } else { "turning.length" }, "mm"),
+        (way(lathe), if face { "turning.allowance" } else { "turning.length" }, "mm"),
         (106, "turning.depth", "mm"),
         (107, "turning.upper-limit", "r/min"),
         (108, "turning.clearance", "mm"),
@@ -89,7 +97,7 @@ fn clear() -> Formula {
 fn run(b: &mut Builder, lathe: &Fitted) {
     b.program(RUN, "TURNING - RUN");
     writing::header::<TurningSpindle>(b, lathe.form, lathe.control);
-    writing::guards(b, &ENTRIES);
+    writing::guards(b, &entries(lathe));
     // The limit stands beside the position: controls whose limit takes the position as a reference get the same one.
     if lathe.control.can(Code::SetCoordinates) {
         let mut preset = block(lathe, Code::SetCoordinates, [cross(lathe, v(111)), z(v(112))]);
@@ -98,7 +106,7 @@ fn run(b: &mut Builder, lathe: &Fitted) {
         }
         b.n(20).words(preset).note("TOOL STANDS AT THE START");
     }
-    b.n(21).words(codes(lathe, [Code::FeedPerRevolution]));
+    b.n(21).words(codes(lathe, [Code::Absolute, Code::FeedPerRevolution, Code::Cutting]));
     if let Some(gear) = gear(lathe) {
         b.n(22).words(gear);
     }
@@ -106,7 +114,7 @@ fn run(b: &mut Builder, lathe: &Fitted) {
     start(b, lathe);
     let face = lathe.p.path == Path::Facing;
     let (whole, step) = match lathe.p.path {
-        Path::Facing => (v(105), v(106)),
+        Path::Facing => (v(way(lathe)), v(106)),
         Path::Turning => (v(102) - v(103), v(106) * 2),
         Path::Taper => (v(102) - v(small(lathe)), v(106) * 2),
     };
@@ -127,7 +135,7 @@ fn run(b: &mut Builder, lathe: &Fitted) {
         b.n(54).words([m(0)]);
     }
     b.n(55).words([m(30)]);
-    writing::alarms(b, lathe.control, &ENTRIES);
+    writing::alarms(b, lathe.control, &entries(lathe));
     if writing::has_alarms(lathe.control) {
         b.words([m(30)]);
     }
@@ -203,7 +211,7 @@ fn setup(b: &mut Builder, lathe: &Fitted) {
         (102, p.stock_diameter, 3, "STOCK DIAMETER"),
         (103, p.finished_diameter, 3, if p.path == Path::Taper { "DIAMETER AT THE FACE" } else { "FINISHED DIAMETER" }),
         (104, p.large_diameter, 3, "DIAMETER AT THE END"),
-        (105, if face { p.allowance } else { p.length }, 3, if face { "ALLOWANCE" } else { "LENGTH" }),
+        (way(lathe), if face { p.allowance } else { p.length }, 3, if face { "ALLOWANCE" } else { "LENGTH" }),
         (106, p.depth, 3, "DEPTH OF CUT"),
         (107, p.upper_limit, 0, "SPEED LIMIT"),
         (108, p.clearance, 3, "CLEARANCE"),

@@ -75,8 +75,8 @@ fn few_volts_large(case: &Case) -> Option<Judgement> {
 }
 
 fn stage(case: &Case) -> Option<Judgement> {
-    let Case { d, p, .. } = case;
-    if d.bound == Bound::Gear {
+    let Case { lathe, d, p } = case;
+    if d.bound == Bound::Gear && lathe.surface() {
         return warn(
             d.speed_smallest,
             [msg!("turning.stage-too-slow", f64::from(d.stage), (d.stage_speed, 0), (p.upper_limit, 0))],
@@ -116,7 +116,7 @@ fn power(case: &Case) -> Option<Judgement> {
 
 /// Errors that keep the program from being exported, and what the operator has to know.
 pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
-    let Case { lathe, p, .. } = case;
+    let Case { lathe, p, d } = case;
     let limits = &lathe.control.limits;
     let mut found = Vec::new();
     let largest = if p.path == Path::Taper { p.finished_diameter.max(p.large_diameter) } else { p.finished_diameter };
@@ -144,7 +144,24 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
         let message = msg!("turning.feed-above-range", (p.feed, 3), limits.revolution_feed_max);
         found.push(Diagnostic::error(message).about("feed"));
     }
-    if p.lower_limit > p.upper_limit {
+    if p.cutting_speed <= 0.0 {
+        found.push(Diagnostic::error(msg!("turning.speed-is-zero", lathe.form.cutting_speed)).about("cutting-speed"));
+    } else if p.cutting_speed != lathe.form.cutting_speed {
+        found.push(Diagnostic::warning(msg!("turning.whole-speed", p.cutting_speed)).about("cutting-speed"));
+    }
+    if p.override_percent != lathe.form.override_percent {
+        found.push(Diagnostic::warning(msg!("turning.knob-steps", p.override_percent)).about("override"));
+    }
+    if p.stages().count() < usize::from(p.gear as u8) {
+        found.push(Diagnostic::warning(msg!("turning.no-such-stage", f64::from(p.gear as u8))).about("gear"));
+    }
+    if !lathe.surface() && d.fixed_speed > p.upper_limit {
+        found.push(
+            Diagnostic::warning(msg!("turning.override-passes-limit", (d.fixed_speed, 0), (p.upper_limit, 0)))
+                .about("override"),
+        );
+    }
+    if lathe.surface() && p.lower_limit > p.upper_limit {
         let message = msg!("turning.limits-crossed", show(p.lower_limit, 0), show(p.upper_limit, 0));
         found.push(Diagnostic::warning(message).about("lower-limit"));
     }
