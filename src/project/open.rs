@@ -56,9 +56,10 @@ pub fn open(present: &Project, name: &str, text: &str) -> Opened {
 
 /// The project's files with this text in its place, where somebody has edited it since macroline wrote it; else `None`.
 fn differing(project: &Project, name: &str, text: &str) -> Option<Files> {
-    let mut files = project.written().files;
-    let number =
-        |text: &str| nc::parse(&Files::one("", text), project.control).deck().programs.first().map(|p| p.number);
+    let mut files = project.skimmed().files;
+    let number = |text: &str| {
+        nc::skim(&Files::one("", text), project.control, &project.switches).deck().programs.first().map(|p| p.number)
+    };
     let own = number(text);
     let slot = files.0.iter().position(|file| number(&file.text) == own);
     // Line ends and the version of macroline are not what a person edits.

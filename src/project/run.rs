@@ -299,19 +299,22 @@ fn clean(value: f64) -> f64 {
 pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
     let mut seen: Vec<Diagnostic> = Vec::new();
     diagnostics.retain(|d| {
-        let new = !seen.iter().any(|s| {
-            covers(d.place, s.place)
-                && s.alarm == d.alarm
-                && (s.message == d.message || d.severity == Severity::Error && d.alarm.is_some())
-                || d.message.id == "motion.starved"
-                    && s.message.id == "lint.short-blocks"
-                    && d.place.map(|place| place.file) == s.place.map(|place| place.file)
-        });
+        let new = !seen.iter().any(|s| repeats(d, s));
         if new {
             seen.push(d.clone());
         }
         new
     });
+}
+
+/// Whether a finding of a run tells of what has been told already.
+pub fn repeats(d: &Diagnostic, told: &Diagnostic) -> bool {
+    covers(d.place, told.place)
+        && told.alarm == d.alarm
+        && (told.message == d.message || d.severity == Severity::Error && d.alarm.is_some())
+        || d.message.id == "motion.starved"
+            && told.message.id == "lint.short-blocks"
+            && d.place.map(|place| place.file) == told.place.map(|place| place.file)
 }
 
 fn covers(outer: Option<Place>, inner: Option<Place>) -> bool {

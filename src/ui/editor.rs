@@ -117,9 +117,13 @@ pub(super) fn editor(model: Model) -> Vec<El> {
     Effect::new(move |_| {
         let at = model.file.get();
         model.findings.track();
+        let pending = model.pending.get();
         if let Some(Some(editor)) = handle.try_get_value() {
             let _ = call(&editor, "set", &[&file_text(model, at).into()]);
-            let _ = call(&editor, "mark", &[&findings(model, at)]);
+            // Until all is known of a text, the marks of the text before it stay.
+            if !pending {
+                let _ = call(&editor, "mark", &[&findings(model, at)]);
+            }
         }
     });
     all
@@ -133,7 +137,7 @@ pub(super) fn difference(model: Model) -> Vec<El> {
         let name = model.written.with_untracked(|written| written.files.0.get(at).map(|file| file.name.clone()));
         let mut generated = model.project.get_untracked();
         generated.edited = None;
-        let files = generated.written().files.0;
+        let files = generated.skimmed().files.0;
         let same = files.iter().find(|file| Some(&file.name) == name.as_ref()).or(files.first());
         let before = same.map(|file| file.text.clone()).unwrap_or_default();
         call(module, "difference", &[host, &before.into(), &edited.into(), &t("page.difference").into()])

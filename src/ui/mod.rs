@@ -85,7 +85,10 @@ use model::{Model, Notice};
 use side::side;
 use stage::Stage;
 use transport::{mode_tone, mode_words, transport};
-use words::{sign, t};
+use words::{sign, t, tell_alarm};
+
+use crate::motion::RunEnd;
+use crate::project::run::repeats;
 
 pub use words::learn;
 pub use work::work;
@@ -156,7 +159,13 @@ fn drawing(model: Model) -> El {
 /// Why the machine stands at the end of what is planned.
 fn why(model: Model) -> String {
     let (at, (planned, _)) = (model.player.now.with(|now| now.t), model.player.planned.get());
-    model.player.ended.get().filter(|_| at >= planned).map_or_else(String::new, |end| debug::end_words(&end))
+    match model.player.ended.get().filter(|_| at >= planned) {
+        // In the words that stand at its place in the program.
+        Some(RunEnd::Alarm(alarm)) => model
+            .findings
+            .with(|findings| tell_alarm(findings.iter().find(|told| repeats(&alarm, told)).unwrap_or(&alarm))),
+        end => end.map_or_else(String::new, |end| debug::end_words(&end)),
+    }
 }
 
 /// What the user has to know until it is dismissed.

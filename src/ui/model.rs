@@ -60,8 +60,10 @@ pub(super) struct Model {
     pub written: Local<Rc<Written>>,
     /// What is said of the program: by writing and reading it, then by running it; without what is silenced.
     pub findings: Local<Vec<Diagnostic>>,
-    /// Warnings about a program of the user's own.
-    pub warnings: Local<Vec<Diagnostic>>,
+    /// What the worker says of a program that may have faults; it knows more than the page.
+    pub reviewed: Local<Option<Vec<Diagnostic>>>,
+    /// Whether the worker is about to say more of the program.
+    pub pending: Local<bool>,
     /// How many findings are silenced.
     pub silenced: Local<usize>,
     /// The drawing.
@@ -111,7 +113,7 @@ impl Model {
     /// Begins with a project.
     pub(super) fn new(project: Project, notices: Vec<Notice>) -> Model {
         let design = Rc::new(project.design());
-        let written = Rc::new(project.written());
+        let written = Rc::new(project.skimmed());
         let (on, values) = (project.on(), &project.values);
         let scene = project.machine.scene(values, on);
         let hidden = project.machine.hidden(values, project.control);
@@ -122,7 +124,8 @@ impl Model {
         let written = Local::new(written);
         let model = Model {
             findings: Local::new(Vec::new()),
-            warnings: Local::new(Vec::new()),
+            reviewed: Local::new(None),
+            pending: Local::new(false),
             silenced: Local::new(0),
             edited: Local::new(edited),
             machine: Local::new(machine),
@@ -162,8 +165,8 @@ impl Model {
     }
 
     fn found(self) -> Vec<Diagnostic> {
-        let mut found = self.written.with(|written| written.diagnostics.clone());
-        found.extend(self.warnings.get());
+        let skimmed = self.written.with(|written| written.diagnostics.clone());
+        let mut found = self.reviewed.get().unwrap_or(skimmed);
         Diagnostic::in_order(&mut found);
         found.extend(self.player.findings());
         // What reading has found already is not told again by the run that stops there.
@@ -247,7 +250,7 @@ impl Model {
             }
         }
         if program {
-            let written = after.written();
+            let written = after.skimmed();
             self.edited.put(written.edited);
             self.written.set(Rc::new(written));
         }

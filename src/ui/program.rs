@@ -206,6 +206,7 @@ fn press(model: Model, event: &Event) {
 fn listing_view(model: Model, follow: Local<bool>) -> El {
     let walk = model.player.walk;
     let list = el("ol.listing").at("tabindex", "0").label(t("page.listing"));
+    let list = list.state("aria-busy", move || model.pending.get());
     let host = list.dom().clone();
     let rows = Rc::new(RefCell::new(Rows::default()));
     let file = move || FileId(model.file.get_untracked() as u16);
@@ -266,6 +267,10 @@ fn reveal(row: &Element) {
 /// Applies a fix, both by number; the program is then an edited one.
 pub(super) fn mend(model: Model, diagnostic: usize, fix: usize) {
     let mended = model.findings.with_untracked(|findings| {
+        // Marks in the editor may be those of the text before.
+        if model.pending.get_untracked() {
+            return None;
+        }
         let fix = findings.get(diagnostic)?.fixes.get(fix)?;
         Some(model.written.with_untracked(|written| nc::fix(&written.files, fix)))
     });

@@ -1,4 +1,4 @@
-//! What a worker does for the page: checks large texts, finds the warnings about a program of the user's own, makes sheets and export.
+//! What a worker does for the page: checks large texts, says all that is to be said of a program, makes sheets and export.
 //!
 //! It is a module of its own (`src/bin/worker.rs`), so that opening the page does not load what it seldom needs.
 
@@ -15,7 +15,7 @@ use crate::nc::{self, Files};
 use crate::project::Project;
 use crate::project::silence::silence;
 use crate::text::catalog::number_text;
-use crate::text::{Diagnostic, LineIndex, Message, Severity, Value};
+use crate::text::{Diagnostic, LineIndex, Message, Value};
 
 /// Findings that are listed at most.
 const LISTED: usize = 200;
@@ -35,7 +35,7 @@ pub fn work() {
             throw_str("the project of the page does not read")
         };
         let answer = match text(&job, "kind").as_str() {
-            "warnings" => warnings(&project),
+            "review" => review(&project),
             "sheets" => papers::sheets(&project),
             "export" => papers::export(&project),
             _ => {
@@ -94,13 +94,14 @@ fn checked(text: String, project: &Project) -> JsValue {
     ])
 }
 
-/// The warnings about the program of a project.
-fn warnings(project: &Project) -> JsValue {
-    let rows: js_sys::Array = project.warnings(&project.written()).iter().map(row).collect();
+/// What is said of the program of a project.
+fn review(project: &Project) -> JsValue {
+    let written = project.written();
+    let rows: js_sys::Array = written.diagnostics.iter().chain(&project.warnings(&written)).map(row).collect();
     object([("rows", rows.into())])
 }
 
-/// A warning as plain values; `reviewer` makes one of them again.
+/// A finding as plain values; `reviewer` makes one of them again.
 fn row(diagnostic: &Diagnostic) -> JsValue {
     let place = diagnostic.place.unwrap_or_default();
     let fixes = diagnostic.fixes.iter().map(|fix| {
@@ -112,8 +113,10 @@ fn row(diagnostic: &Diagnostic) -> JsValue {
     });
     object([
         ("message", message(&diagnostic.message)),
-        ("info", (diagnostic.severity == Severity::Info).into()),
-        ("file", u32::from(place.file.0).into()),
+        ("severity", (diagnostic.severity as u32).into()),
+        ("alarm", diagnostic.alarm.as_deref().into()),
+        ("wording", diagnostic.wording.into()),
+        ("file", diagnostic.place.map(|place| u32::from(place.file.0)).into()),
         ("start", place.span.start.into()),
         ("end", place.span.end.into()),
         ("hints", diagnostic.hints.iter().map(message).collect::<js_sys::Array>().into()),

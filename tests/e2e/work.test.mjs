@@ -205,6 +205,7 @@ test('the paper’s listing shows what is wrong with it, and a fix mends it', ()
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'Paper’s listing as printed' }).click();
     await page.getByText('Edited program.').waitFor();
+    await page.locator('.listing[aria-busy=false]').waitFor();
     const findings = page.locator('.says');
     const count = await findings.count();
     assert.ok(count > 3, `${count} findings`);

@@ -1,6 +1,6 @@
 //! Findings about a file as a whole, with fixes that reach through all of it.
 
-use super::{BYTE_ORDER_MARK, FINDINGS, Reader};
+use super::{BYTE_ORDER_MARK, FINDINGS, Misused, Reader};
 use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, VarKind, VarRange};
 use crate::msg;
@@ -86,13 +86,19 @@ impl Reader<'_> {
         self.found.push(finding.fix(msg!("nc.fix.percent"), edits));
     }
 
+    /// Variables written as on other controls, the first of them.
+    fn hash_misuse(&self, at: u32) -> Diagnostic {
+        let letter = self.control.syntax.variable.to_string();
+        let name: String = self.source.get(at as usize..).unwrap_or("").chars().take(1).collect();
+        let message = msg!("nc.hash-variable", letter, self.control.name);
+        let place = self.place(Span::new(at, at + name.len() as u32));
+        Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(Alarm::Format))
+    }
+
     /// Variables written as on other controls, with a fix for all of them.
     fn hashes(&mut self, at: u32) {
         let letter = self.control.syntax.variable.to_string();
-        let name: String = self.source.get(at as usize..).unwrap_or("").chars().take(1).collect();
-        let message = msg!("nc.hash-variable", letter.as_str(), self.control.name);
-        let place = self.place(Span::new(at, at + name.len() as u32));
-        let mut finding = Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(Alarm::Format));
+        let mut finding = self.hash_misuse(at);
         if self.source.len() <= WHOLE {
             let mut edits = Vec::new();
             let (mut comment, mut quoted) = (false, false);
@@ -110,6 +116,25 @@ impl Reader<'_> {
         self.add_finding(finding);
     }
 
+    /// Variables that the control does not have so, without what would mend them.
+    pub(super) fn say_misused(&mut self) {
+        let misused = core::mem::take(&mut self.misused);
+        let found: Vec<Diagnostic> = misused.iter().map(|row| self.misuse(row)).collect();
+        self.found.extend(found);
+        self.found.extend(self.hash.map(|at| self.hash_misuse(at)));
+    }
+
+    /// A variable that the control lacks or does not let write.
+    fn misuse(&self, row: &Misused) -> Diagnostic {
+        let name = row.span.of(self.source).trim();
+        let message = match (row.alarm, self.control.var(row.number)) {
+            (Alarm::VariableRange, _) => msg!("nc.no-such-variable", name, self.control.name),
+            (_, Some(range)) => msg!("nc.read-only-variable", name, range.text),
+            _ => msg!("nc.read-only-variable", name, ""),
+        };
+        Diagnostic::error(message).at(self.place(row.span)).alarm(self.control.alarm_shown(row.alarm))
+    }
+
     /// Variables that the control lacks or does not let write, each once, with a free one in their place.
     fn variables(&mut self) {
         let misused = core::mem::take(&mut self.misused);
@@ -120,14 +145,7 @@ impl Reader<'_> {
         let named = if known { variables_of(self.source) } else { Vec::new() };
         let mut taken = Vec::new();
         for row in &misused {
-            let name = row.span.of(self.source).trim();
-            let message = match (row.alarm, self.control.var(row.number)) {
-                (Alarm::VariableRange, _) => msg!("nc.no-such-variable", name, self.control.name),
-                (_, Some(range)) => msg!("nc.read-only-variable", name, range.text),
-                _ => msg!("nc.read-only-variable", name, ""),
-            };
-            let finding = Diagnostic::error(message).at(self.place(row.span));
-            let mut finding = finding.alarm(self.control.alarm_shown(row.alarm));
+            let mut finding = self.misuse(row);
             let input = |range: &VarRange| {
                 matches!(range.kind, VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord)
             };
@@ -136,7 +154,7 @@ impl Reader<'_> {
             let uses: Vec<Span> = uses.map(|&(_, span)| span).collect();
             if let Some(free) = self.free_variable(&named, &taken).filter(|_| scratch && !uses.is_empty()) {
                 taken.push(free);
-                let title = msg!("nc.fix.variable", format!("#{free}"), name);
+                let title = msg!("nc.fix.variable", format!("#{free}"), row.span.of(self.source).trim());
                 let edits = uses.into_iter().map(|span| (self.place(span), format!("#{free}"))).collect();
                 finding = finding.fix(title, edits);
             }

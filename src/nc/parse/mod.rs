@@ -69,8 +69,31 @@ pub fn parse(files: &Files, control: &'static Control) -> Parsed {
     parse_with(files, control, &Switches::default())
 }
 
+/// What is said of mistakes beyond that they are there: their known shapes, and what only a whole file or program shows.
+struct Advice {
+    recover: fn(&mut Reader<'_>, Mark, Box<Failure>),
+    file: fn(&mut Reader<'_>, bool, bool),
+    programs: fn(&Deck, &Control, &Files, &[u32], &mut Vec<Diagnostic>),
+}
+
+const ADVICE: Advice = Advice {
+    recover: |reader, mark, failure| reader.recover(mark, failure),
+    file: |reader, opened, closed| reader.mend_file(opened, closed),
+    programs: check::programs,
+};
+
 /// Reads files as a control would with its open points as they are set. Total: any text gives a value.
 pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
+    read(files, control, switches, Some(&ADVICE))
+}
+
+/// Reads files to the same tree as [`parse_with`], and says no more of a block that does not read than which alarm it raises. Who calls
+/// nothing else does without the code for all that advice.
+pub fn skim(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
+    read(files, control, switches, None)
+}
+
+fn read(files: &Files, control: &'static Control, switches: &Switches, advice: Option<&'static Advice>) -> Parsed {
     let calls = control.code_calls(switches);
     let tables = Tables::new(control, switches, &calls);
     let mut deck = Deck::default();
@@ -87,13 +110,16 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
         }
         let mut reader = Reader::new(control, &tables, FileId(id), &file.text, deck);
         reader.file_name = &file.name;
+        reader.advice = advice;
         reader.reserve();
         reader.file();
         deck = reader.deck;
         found.append(&mut reader.found);
         later.append(&mut reader.later);
     }
-    check::programs(&deck, control, files, &later, &mut found);
+    if let Some(advice) = advice {
+        (advice.programs)(&deck, control, files, &later, &mut found);
+    }
     Diagnostic::in_order(&mut found);
     if found.len() > FINDINGS {
         found.truncate(FINDINGS);
@@ -218,6 +244,7 @@ struct Misused {
 struct Reader<'a> {
     control: &'static Control,
     tables: &'a Tables<'a>,
+    advice: Option<&'static Advice>,
     id: FileId,
     /// Name of the file.
     file_name: &'a str,
@@ -285,6 +312,7 @@ impl<'a> Reader<'a> {
         Reader {
             control,
             tables,
+            advice: None,
             id,
             file_name: "",
             source,
@@ -366,7 +394,10 @@ impl<'a> Reader<'a> {
             }
             at = end + 1;
         }
-        self.mend_file(opened, closed.is_some());
+        match self.advice {
+            Some(advice) => (advice.file)(self, opened, closed.is_some()),
+            None => self.say_misused(),
+        }
     }
 
     /// What stands behind a `%` in its line is skipped by the control.
@@ -452,7 +483,16 @@ impl<'a> Reader<'a> {
         let mark = self.mark();
         let stmt = match self.statement() {
             Ok(stmt) => stmt,
-            Err(failure) => self.recover(mark, failure),
+            Err(failure) => {
+                // Whatever the block was meant to be, the control stops where it first does not read.
+                let (number, skip_switch, bad) = (self.number, self.skip_switch, self.bad.or(Some(failure.alarm)));
+                match self.advice {
+                    Some(advice) => (advice.recover)(self, mark, failure),
+                    None => self.skip_block(*failure),
+                }
+                (self.number, self.skip_switch, self.bad, self.comment) = (number, skip_switch, bad, None);
+                Stmt::Empty
+            }
         };
         if self.line.len() > self.tables.block_chars as usize {
             self.check_length();

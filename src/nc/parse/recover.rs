@@ -3,7 +3,6 @@
 //! Tried in this order: a comment with brackets in it; a remark without brackets or behind `//`, in front of which a block may stand; round brackets used for arithmetic; else the
 //! failure as the control would meet it. Whatever is found, the block is bad: the control would stop there.
 
-use super::super::ast::Stmt;
 use super::{FINDINGS, Failure, Mark, Read, Reader};
 use crate::controls::Alarm;
 use crate::msg;
@@ -17,16 +16,15 @@ const OPERATORS: [&[u8]; 10] = [b"AND", b"OR", b"XOR", b"MOD", b"EQ", b"NE", b"G
 const LOOKED_AT: usize = 1000;
 
 impl Reader<'_> {
-    /// Reports why the line at hand does not read, and gives what stands for it in the tree.
-    pub(super) fn recover(&mut self, mark: Mark, first: Box<Failure>) -> Stmt {
+    /// Reports why the line at hand does not read.
+    pub(super) fn recover(&mut self, mark: Mark, first: Box<Failure>) {
         let (alarm, whole) = (first.alarm, self.line);
         if whole.len() > LOOKED_AT || self.found.len() > FINDINGS {
-            return self.give_up(*first);
+            return self.add_finding(first.finding);
         }
         if let Some((open, inner, close)) = self.nested_comment() {
             self.rollback(&mark);
-            self.report_nested(alarm, open, &inner, close);
-            return Stmt::Bad(alarm);
+            return self.report_nested(alarm, open, &inner, close);
         }
         let Some(remark) = self.remark(&first) else { return self.try_rounds(&mark, *first) };
         self.rollback(&mark);
@@ -38,24 +36,22 @@ impl Reader<'_> {
         let mark = self.mark();
         self.line = head;
         self.rewind();
-        let stmt = match self.statement() {
-            Ok(_) => Stmt::Bad(alarm),
-            Err(failure) => self.try_rounds(&mark, *failure),
-        };
-        self.bad.get_or_insert(alarm);
+        if let Err(failure) = self.statement() {
+            self.try_rounds(&mark, *failure);
+        }
         self.line = whole;
-        stmt
     }
 
-    fn give_up(&mut self, failure: Failure) -> Stmt {
-        self.report_as(failure.alarm, failure.finding);
-        Stmt::Bad(failure.alarm)
+    /// Reports a block that does not read, all of it.
+    pub(super) fn skip_block(&mut self, failure: Failure) {
+        let whole = self.place(self.span(0, self.line.len()));
+        self.add_finding(failure.finding.at(whole));
     }
 
     /// Reads the line again with round brackets that group: if it reads then, they are the mistake.
-    fn try_rounds(&mut self, mark: &Mark, failure: Failure) -> Stmt {
+    fn try_rounds(&mut self, mark: &Mark, failure: Failure) {
         if !self.line.contains(&b'(') {
-            return self.give_up(failure);
+            return self.add_finding(failure.finding);
         }
         self.rollback(mark);
         self.rounds = true;
@@ -66,7 +62,7 @@ impl Reader<'_> {
             self.rollback(mark);
             // For what it finds on the way to its failure.
             let _ = self.statement();
-            return self.give_up(failure);
+            return self.add_finding(failure.finding);
         }
         let from = brackets.iter().map(|pair| pair.0).min().unwrap_or(0);
         let to = brackets.iter().map(|pair| pair.1 + 1).max().unwrap_or(0);
@@ -76,8 +72,6 @@ impl Reader<'_> {
         order::by_key(&mut edits, |(place, _)| place.span.start.into());
         let finding = self.finding(failure.alarm, from, to, msg!("nc.round-brackets", self.control.name));
         self.add_finding(finding.hint(msg!("nc.hint.round-brackets")).fix(msg!("nc.fix.square"), edits));
-        self.bad = Some(failure.alarm);
-        Stmt::Bad(failure.alarm)
     }
 
     /// Where a remark without brackets starts: at a run of dashes, or at prose where a word should stand.
