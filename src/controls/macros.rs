@@ -111,6 +111,8 @@ pub struct Macros {
     pub call_first: bool,
     /// A one-shot macro call ends a modal one.
     pub call_ends_modal: bool,
+    /// A return to the reference point is a motion that a modal macro call follows.
+    pub call_after_return: bool,
     /// `G65 Hnn P Q R` as functions: number and what it does. Empty where the control lacks them.
     pub functions: &'static [(u8, Operation)],
     /// Codes that call macros, by parameter. The settings are the text of the switch [`CALL_PARAMETERS`].

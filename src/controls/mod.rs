@@ -44,7 +44,7 @@ pub use switch::{Switch, Switches};
 pub use syntax::Syntax;
 pub use vars::{VarKind, VarRange};
 
-use crate::text::Citation;
+use crate::text::{Citation, Grade};
 
 /// Everything that is known of one control.
 #[derive(Debug)]
@@ -141,9 +141,11 @@ impl Control {
         self.alarms.iter().any(|row| row.kind == kind)
     }
 
-    /// The number and the wording that the control shows for an alarm.
+    /// The number and the wording that the control shows for an alarm; no wording where it is the simulation that stops.
     pub fn alarm_shown(&self, kind: Alarm) -> Option<(&'static str, &'static str)> {
-        self.alarm(kind).map(|row| (row.number, row.text))
+        let own =
+            |row: &AlarmDef| row.cite.grade != Grade::Open || row.number.bytes().any(|byte| byte.is_ascii_digit());
+        self.alarm(kind).map(|row| (row.number, if kind != Alarm::Budget && own(row) { row.text } else { "" }))
     }
 
     /// The number the control shows for an alarm.

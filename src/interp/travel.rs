@@ -72,7 +72,7 @@ impl State {
             }
             self.position = to.position;
             self.queue.push(Canon::Rapid { to });
-            return Ok(true);
+            return Ok(cx.control.macros.call_after_return);
         }
         let motion = match self.modal.motion {
             _ if codes.special == Some(Code::MachineRapid) => Canon::Rapid { to },

@@ -278,8 +278,8 @@ impl Writer<'_> {
             }
             self.text.push(word.letter as char);
             match word.value {
-                // The number of a skip in the middle of a block would be a divisor.
-                _ if word.letter == b'/' => {}
+                // The first switch of a skip in the middle of a block goes without its number.
+                WordValue::Number(Dec { mantissa: 1, .. }) if word.letter == b'/' => {}
                 // G codes have two digits in every manual.
                 WordValue::Number(number @ Dec { mantissa: 0..10, scale: 0, .. }) if word.letter == b'G' => {
                     self.text.push_str(&format!("0{number}"));

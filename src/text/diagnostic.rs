@@ -99,7 +99,7 @@ impl Diagnostic {
     /// The same with the control's alarm: its number and its wording.
     pub fn alarm(mut self, alarm: Option<(&'static str, &'static str)>) -> Diagnostic {
         self.alarm = alarm.map(|(number, _)| Cow::Borrowed(number));
-        self.wording = alarm.map(|(_, wording)| wording);
+        self.wording = alarm.map(|(_, wording)| wording).filter(|wording| !wording.is_empty());
         self
     }
 

@@ -484,10 +484,9 @@ fn variables() {
     );
     check_block(
         "#1000=1",
-        expect![[r##"
-        1:1 error P243 #1000 cannot be used on this side of an assignment: inputs from the PLC, bit by bit.
-            Use #100 instead of #1000 everywhere: 1:1 "#1000"→"#100"
-    "##]],
+        expect![[r#"
+            1:1 error P243 #1000 cannot be used on this side of an assignment: inputs from the PLC, bit by bit.
+        "#]],
     );
     check_block(
         "#0=1",
@@ -507,7 +506,6 @@ fn variables() {
             1:1 error P241 #150 is no variable of the Mitsubishi E60.
                 Use #100 instead of #150 everywhere: 1:1 "#150"→"#100"
             1:6 error P241 #99 is no variable of the Mitsubishi E60.
-                Use #101 instead of #99 everywhere: 1:6 "#99"→"#101"
         "##]],
     );
     check_block(
@@ -603,9 +601,8 @@ fn jumps_and_loops() {
     check_block(
         "DO1\nDO2\nEND1\nEND2",
         expect![[r#"
-        3:1 error P294 END1 closes a loop while DO2 inside it is still open: loops must not cross.
-        4:1 error P294 END2 has no DO2 in front of it.
-    "#]],
+            3:1 error P294 END1 closes a loop while DO2 inside it is still open: loops must not cross.
+        "#]],
     );
     check_block(
         "DO1\nDO1\nEND1\nEND1",

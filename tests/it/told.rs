@@ -162,7 +162,6 @@ fn long_lines_are_shown_around_the_place() {
             3 | 1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+#2000+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+
               |                                         ^^^^^
               = the control shows: P241 No variable number
-            help: Use #100 instead of #2000 everywhere
 
             2 errors
         "#]],

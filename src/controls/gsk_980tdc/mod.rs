@@ -101,6 +101,7 @@ pub static CONTROL: Control = Control {
         sub_sequence: false,
         call_first: true,
         call_ends_modal: true,
+        call_after_return: false,
         functions: functions::FUNCTIONS,
         code_calls: &[
             CodeCalls::Range { kind: CallKind::Macro, letter: b'G', count: 86, code: 87, program: 88 },

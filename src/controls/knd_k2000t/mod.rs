@@ -95,6 +95,7 @@ pub static CONTROL: Control = Control {
         sub_sequence: false,
         call_first: false,
         call_ends_modal: false,
+        call_after_return: true,
         functions: &[],
         code_calls: &[CodeCalls::Each { kind: CallKind::Macro, letter: b'G', first: 4120, count: 20, program: 9120 }],
         calls_override: true,

@@ -96,6 +96,7 @@ pub static CONTROL: Control = Control {
         sub_sequence: true,
         call_first: false,
         call_ends_modal: false,
+        call_after_return: true,
         functions: &[],
         code_calls: &[
             CodeCalls::Pairs { letter: b'G', code: 7201, kind: 7202, program: 7203, step: 10, count: 10 },

@@ -135,6 +135,7 @@ pub static CONTROL: Control = Control {
         sub_sequence: false,
         call_first: false,
         call_ends_modal: false,
+        call_after_return: true,
         functions: &[],
         code_calls: &[],
         calls_override: false,

@@ -15,6 +15,7 @@ use super::ast::{Deck, ExprId};
 use super::parse::part_span;
 use super::parsed::Parsed;
 use crate::controls::Control;
+use crate::controls::syntax::Round;
 use crate::order;
 use crate::text::{Diagnostic, Message, Place, Span, Value};
 use flow::Flow;
@@ -83,7 +84,11 @@ impl Lint<'_> {
     fn say(&mut self, block: u32, span: Span, id: &'static str, more: &[&str], hint: &'static str) {
         let mut place = self.place(block, span);
         // A formula may end in space.
-        let text = self.parsed.text(place).trim_end();
+        let mut text = self.parsed.text(place);
+        if self.control.syntax.round == Round::Comment {
+            text = text.split('(').next().unwrap_or(text);
+        }
+        let text = text.trim_end();
         place.span.end = span.start + text.len() as u32;
         if self.found.len() < self.most {
             let text = [text.trim_matches(['[', ']'])];

@@ -109,7 +109,7 @@ impl Check<'_> {
                         let inner = open.last().map_or(0, |(label, _)| u32::from(*label));
                         let span = self.keyword_span(block, "END");
                         self.report(Alarm::DoPair, span, msg!("nc.do-crossing", u32::from(label), inner));
-                        open.truncate(at);
+                        open.remove(at);
                     }
                     None if self.found.len() > 2 * FINDINGS => return,
                     None => {
@@ -182,7 +182,8 @@ impl Check<'_> {
         let program = |number: i64| u32::try_from(number).is_ok_and(|number| self.deck.program(number).is_some());
         let (repeats, called) = (number.mantissa / 10_000, number.mantissa % 10_000);
         let call = self.number_word(block, b'M').is_some_and(|(code, _)| self.is_code(code, Code::SubCall));
-        if !call || number.scale > 0 || repeats == 0 || program(number.mantissa) || !program(called) {
+        let told = self.number_word(block, b'L').is_some();
+        if !call || told || number.scale > 0 || repeats == 0 || program(number.mantissa) || !program(called) {
             return;
         }
         let place = Place { file: self.program.file, span };

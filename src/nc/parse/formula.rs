@@ -132,7 +132,14 @@ impl Reader<'_> {
 
     /// Whether the `/` at hand stands before a word: a block skip in the middle of a block.
     pub(super) fn skip_mark_ahead(&self) -> bool {
-        let rest = self.line.get(self.at + 1..).unwrap_or_default();
+        let mut rest = self.line.get(self.at + 1..).unwrap_or_default();
+        // `/2 Z1.` behind a blank: the second switch.
+        if let [b'1'..=b'9', b' ', ..] = rest
+            && self.at > 0
+            && self.line.get(self.at - 1) == Some(&b' ')
+        {
+            rest = &rest[1..];
+        }
         let mut letters = rest.iter().skip_while(|b| **b == b' ');
         letters.next().is_some_and(u8::is_ascii_alphabetic) && !letters.next().is_some_and(u8::is_ascii_alphabetic)
     }

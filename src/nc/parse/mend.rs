@@ -2,7 +2,7 @@
 
 use super::{BYTE_ORDER_MARK, FINDINGS, Misused, Reader};
 use crate::controls::syntax::Percent;
-use crate::controls::{Alarm, VarKind, VarRange};
+use crate::controls::{Alarm, VarKind};
 use crate::msg;
 use crate::text::find::newline;
 use crate::text::{Diagnostic, Span};
@@ -146,10 +146,14 @@ impl Reader<'_> {
         let mut taken = Vec::new();
         for row in &misused {
             let mut finding = self.misuse(row);
-            let input = |range: &VarRange| {
-                matches!(range.kind, VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord)
+            // What the PLC, the clock or the screen have on another control is no scratch variable, nor is what is only read.
+            let written = |span: &Span| {
+                let behind = self.source.get(span.end as usize..).unwrap_or("");
+                behind.trim_start_matches(' ').starts_with('=')
             };
-            let scratch = row.alarm == Alarm::VariableRange || self.control.var(row.number).is_some_and(input);
+            let scratch = row.alarm == Alarm::VariableRange
+                && matches!(row.number, 0..1000 | 1200..3000)
+                && named.iter().any(|(number, span)| *number == row.number && written(span));
             let uses = named.iter().filter(|(number, _)| *number == row.number).take(FINDINGS);
             let uses: Vec<Span> = uses.map(|&(_, span)| span).collect();
             if let Some(free) = self.free_variable(&named, &taken).filter(|_| scratch && !uses.is_empty()) {

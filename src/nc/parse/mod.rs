@@ -121,6 +121,8 @@ fn read(files: &Files, control: &'static Control, switches: &Switches, advice: O
         (advice.programs)(&deck, control, files, &later, &mut found);
     }
     Diagnostic::in_order(&mut found);
+    // A block that is read twice says some things twice.
+    found.dedup();
     if found.len() > FINDINGS {
         found.truncate(FINDINGS);
         found.push(Diagnostic::info(msg!("nc.more-findings", FINDINGS as u32)));

@@ -253,8 +253,16 @@ impl<'a> Reader<'a> {
         match byte {
             b'/' if self.skip_mark_ahead() => {
                 self.at += 1;
-                let value = WordValue::Number(Dec::int(1));
-                self.deck.words.push(Word { len: 1, offset: start as u16, ..Word::new(b'/', value) });
+                let switch = match self.peek() {
+                    digit @ b'1'..=b'9' => {
+                        self.at += 1;
+                        digit - b'0'
+                    }
+                    _ => 1,
+                };
+                let len = (self.at - start) as u8;
+                let value = WordValue::Number(Dec::int(switch.into()));
+                self.deck.words.push(Word { len, offset: start as u16, ..Word::new(b'/', value) });
             }
             b',' => {
                 self.at += 1;
