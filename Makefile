@@ -28,7 +28,7 @@ test: ## every test of every kind, with the time of each stage
 .PHONY: bench
 bench: ## benchmarks, native and in wasm; each ends in lines `summary: …`
 	@scripts/setup.sh target tools
-	cargo bench --locked --bench interp --bench parse --bench plan --bench run
+	cargo bench --locked --bench interp --bench parse --bench plan --bench run --bench polygon
 	node scripts/both.mjs
 
 # How long each fuzz target runs.

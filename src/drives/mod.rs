@@ -1,4 +1,4 @@
-//! Engineering shared by machines: analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive.
+//! Engineering shared by machines: analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning.
 
 pub mod analog;
 
@@ -13,6 +13,8 @@ pub mod web;
 pub mod block;
 
 pub mod induction;
+
+pub mod polygon;
 
 pub use analog::Analog;
 pub use orient::{Approach, Positioning};

@@ -6,6 +6,7 @@ mod operator;
 mod orienting;
 mod past;
 mod path;
+mod polygon;
 mod program;
 mod reading;
 mod script;

@@ -1,0 +1,52 @@
+//! How fast the section of a polygon is found.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+mod summary;
+
+use std::hint::black_box;
+
+use criterion::{Criterion, Throughput, criterion_group};
+use macroline::drives::polygon::{Ratio, Section, Setup};
+
+/// Angles of a full section.
+const ANGLES: u64 = 36_000;
+
+/// Twelve inserts at ratio 12/5: 144 sides.
+fn twelve() -> Setup {
+    Setup::even(20.0, 45.0, Ratio::new(12, 5).unwrap(), 12)
+}
+
+/// The same with inserts that are all a little out of their places, so that nothing repeats.
+fn worn() -> Setup {
+    let mut setup = twelve();
+    for (tip, off) in setup.tips.iter_mut().zip([3, 1, 4, 1, 5, 9, 2, 6, 5, 3, 5, 8]) {
+        tip.radius += 0.001 * f64::from(off);
+    }
+    setup
+}
+
+fn section(setup: &Setup) -> Vec<f64> {
+    Section::new(black_box(setup), 10.2).unwrap().radii(ANGLES as usize)
+}
+
+fn speed(c: &mut Criterion) {
+    let mut group = c.benchmark_group("polygon");
+    group.sample_size(20);
+    group.throughput(Throughput::Elements(ANGLES));
+    let (even, worn) = (twelve(), worn());
+    group.bench_function("full section", |b| b.iter(|| section(&even)));
+    group.bench_function("full section, worn inserts", |b| b.iter(|| section(&worn)));
+    group.bench_function("outline without radii", |b| b.iter(|| Section::new(black_box(&even), 10.2)));
+    group.finish();
+}
+
+criterion_group!(benches, speed);
+
+fn main() {
+    benches();
+    // 5 ms for a section.
+    let asked = Some(ANGLES as f64 / 5e-3);
+    let (even, worn) = (twelve(), worn());
+    summary::line("polygon, 12 inserts at ratio 12/5, full section", ANGLES, "angles", asked, || section(&even));
+    summary::line("polygon, the same with worn inserts", ANGLES, "angles", None, || section(&worn));
+}

@@ -1,0 +1,66 @@
+//! How the inserts cut: speed over the work, the angle at which they meet it, the relief they need, and twisted polygons.
+
+use super::curve::Curve;
+use super::ratio::Ratio;
+use crate::math::{self, PI};
+
+impl Curve {
+    /// The arm of the relative motion along the tool, `m = (k - 1) r`.
+    fn arm(&self) -> f64 {
+        (self.ratio() - 1.0) * self.radius()
+    }
+
+    /// Cutting speed in m/min at a work speed in r/min and σ from the middle of the side: `v = 2π n |V|`, `|V|² = a² + m² + 2 a m cos σ`,
+    /// `m = (k-1) r`. Source: sheet 3.3.
+    pub fn speed(&self, rpm: f64, sigma: f64) -> f64 {
+        let (sin, cos) = math::sin_cos(sigma);
+        let along = self.distance() * cos + self.arm();
+        2.0 * PI * rpm.abs() * math::hypot(along, self.distance() * sin) / 1000.0
+    }
+
+    /// Least and greatest cutting speed in m/min from the middle of the side to σ: it rises or falls all the way.
+    pub fn speeds(&self, rpm: f64, sigma: f64) -> (f64, f64) {
+        let (middle, edge) = (self.speed(rpm, 0.0), self.speed(rpm, sigma));
+        (middle.min(edge), middle.max(edge))
+    }
+
+    /// Whether the inserts cut as those of a cutter that turns in the sense of the work; else they have to face the other way.
+    /// The tip moves over the middle of the side by `a + (k-1) r = d + k r` for each radian of the work.
+    pub fn faces_forward(&self) -> bool {
+        self.distance() + self.arm() > 0.0
+    }
+
+    /// Angle by which the motion of the tip over the work leaves the tangent of the cutter at σ: `ψ = atan[a sin σ / (a cos σ + (k-1) r)]`. At
+    /// positive σ (behind the middle where the tool turns as angles count) it takes ψ from the relief and adds it to the rake, at negative σ
+    /// the other way round. A right angle or more: the insert cannot cut. Source: sheet 3.4.
+    pub fn engagement(&self, sigma: f64) -> f64 {
+        let (sin, cos) = math::sin_cos(sigma);
+        let along = self.distance() * cos + self.arm();
+        math::atan2(self.distance() * sin, if self.faces_forward() { along } else { -along })
+    }
+
+    /// What relief an insert has to have more than, where the cut reaches to σ on both sides of the middle: the greatest [`Curve::engagement`]. It
+    /// rises with σ, but where `m < -a` it is greatest at `cos σ = -a/m`.
+    pub fn relief_needed(&self, sigma: f64) -> f64 {
+        let (a, m) = (self.distance(), self.arm());
+        let peak = if m < -a { math::acos(-a / m) } else { PI };
+        self.engagement(sigma.min(peak))
+    }
+}
+
+/// Tool speed in r/min for a polygon that twists by a turn in `lead` mm, while the slide moves by `feed` mm/min along the work's axis:
+/// `n_tool = k (n_work + F/K)`. A positive lead turns the section counter-clockwise on the way of positive `feed`; it is right-handed where
+/// the angles are seen from the end that positive `feed` leads to. Source: sheet 3.5.
+pub fn helical_tool_speed(ratio: Ratio, work: f64, feed: f64, lead: f64) -> f64 {
+    ratio.value() * (work + feed / lead)
+}
+
+/// Angle in radians by which the section at a place is turned against that at its origin: `2π z / K`.
+pub fn twist(z: f64, lead: f64) -> f64 {
+    2.0 * PI * z / lead
+}
+
+/// Distance in mm between the marks of two cuts on the same flat at a feed in mm per turn of the work. Source: sheet 3.2.
+pub fn mark_pitch(ratio: Ratio, inserts: u32, feed_per_turn: f64) -> f64 {
+    feed_per_turn / ratio.passes_per_turn(inserts)
+}

@@ -1,0 +1,56 @@
+//! Ratio 2, where every pass is an ellipse: the sides in closed form. Lengths in mm, sheet 3.3.
+
+use crate::math::{self, PI};
+
+/// Half axes of the ellipse over each other: `ε = (a - r) / (a + r) = d / (2 r + d)`.
+fn flattening(apothem: f64, radius: f64) -> f64 {
+    apothem / (2.0 * radius + apothem)
+}
+
+fn half_angle_tangent(sides: u32) -> f64 {
+    math::tan(PI / f64::from(sides))
+}
+
+/// Distance of the side from the centre of the work at an angle from its normal: `ρ = d / √(cos² φ + ε² sin² φ)`.
+pub fn reach(apothem: f64, radius: f64, angle: f64) -> f64 {
+    let (sin, cos) = math::sin_cos(angle);
+    apothem / math::hypot(cos, flattening(apothem, radius) * sin)
+}
+
+/// How far the corners lie below the ideal side, with `T = tan(π/N)`: `δ = d [1 - 1/√(1 + ε² T²)]`. For 3 sides or more.
+pub fn sag(apothem: f64, radius: f64, sides: u32) -> f64 {
+    // 1 - 1/h is (h² - 1) / (h² + h), without the loss of digits.
+    let rise = flattening(apothem, radius) * half_angle_tangent(sides);
+    let root = math::hypot(1.0, rise);
+    apothem * rise * rise / (root * (root + 1.0))
+}
+
+/// Twice the distance of a corner from the centre: `2 d / (cos(π/N) √(1 + ε² T²))`. For 3 sides or more.
+pub fn across_corners(apothem: f64, radius: f64, sides: u32) -> f64 {
+    2.0 * reach(apothem, radius, PI / f64::from(sides))
+}
+
+/// Area of the section in mm²: `(N d² / ε) atan(ε T)`. For 3 sides or more.
+pub fn area(apothem: f64, radius: f64, sides: u32) -> f64 {
+    let e = flattening(apothem, radius);
+    f64::from(sides) * apothem * apothem / e * math::atan(e * half_angle_tangent(sides))
+}
+
+/// The least tip circle whose corners lie no more than `sag` below the ideal side: the formula of [`sag`] for r. 0 where any does.
+pub fn radius_for(apothem: f64, sides: u32, sag: f64) -> f64 {
+    let root = apothem / (apothem - sag);
+    let e = (root * root - 1.0).sqrt() / half_angle_tangent(sides);
+    (0.5 * apothem * (1.0 / e - 1.0)).max(0.0)
+}
+
+/// Where a side ends in stock of a radius, as the angle from its normal: `cos² φ = (d²/R² - ε²) / (1 - ε²)`.
+pub fn edge_in_stock(apothem: f64, radius: f64, stock: f64) -> f64 {
+    let e = flattening(apothem, radius);
+    let square = apothem * apothem / (stock * stock) - e * e;
+    math::acos(math::clamp(square / (1.0 - e * e), 0.0, 1.0).sqrt())
+}
+
+/// How far the edges lie below the ideal side where it ends in stock of a radius: `δ = d - R cos φ`.
+pub fn sag_in_stock(apothem: f64, radius: f64, stock: f64) -> f64 {
+    apothem - stock * math::cos(edge_in_stock(apothem, radius, stock))
+}

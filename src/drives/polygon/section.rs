@@ -1,0 +1,288 @@
+//! What is left of the stock when all inserts have passed: the exact section, and what there is to measure on it.
+
+use super::envelope::{self, Arc, Piece, halve};
+use super::setup::Setup;
+use crate::math::{self, PI};
+
+/// A section of the work in mm: the stock less all that the tips have passed. What the body of an insert may cut beside its tip is not in it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    stock: f64,
+    apothem: f64,
+    sides: u32,
+    begin: f64,
+    even: bool,
+    arcs: Vec<Arc>,
+}
+
+/// A side against the ideal plane it is meant to be. Deviations are positive outside of the plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Side {
+    /// Angle of its normal as it is meant to be.
+    pub normal: f64,
+    /// By how much the deepest pass stands turned from it.
+    pub turned: f64,
+    /// Deviation on the normal.
+    pub middle: f64,
+    /// Least deviation of what was cut.
+    pub low: f64,
+    /// Greatest deviation of what was cut.
+    pub high: f64,
+}
+
+impl Side {
+    /// Flatness error in mm.
+    pub fn flatness(&self) -> f64 {
+        self.high - self.low
+    }
+}
+
+/// What is between two sides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Corner {
+    /// Its angle; the middle of it where it is of the stock.
+    pub angle: f64,
+    /// Distance from the centre.
+    pub radius: f64,
+    /// Whether the two sides meet; else stock is left between them.
+    pub meets: bool,
+}
+
+/// The most sides of a section, and the most passes.
+pub const MOST_SIDES: u32 = 1000;
+
+impl Section {
+    /// The section that a cutter leaves of round stock of a radius. None where a tip reaches the centre of the work, or where there
+    /// are more than [`MOST_SIDES`] sides or passes.
+    pub fn new(setup: &Setup, stock: f64) -> Option<Section> {
+        let sides = setup.sides();
+        let passes = setup.inserts().saturating_mul(setup.ratio.tool().unsigned_abs());
+        let most = if setup.is_even() { sides } else { passes };
+        let sound = stock > 0.0 && stock < 1e6 && setup.normal(0.0).abs() < 1e6;
+        if !sound || most == 0 || most > MOST_SIDES {
+            return None;
+        }
+        Some(Section {
+            stock,
+            apothem: setup.distance - setup.radius,
+            sides,
+            begin: setup.normal(0.0),
+            even: setup.is_even(),
+            arcs: envelope::outline(setup, stock)?,
+        })
+    }
+
+    /// Radius of the stock.
+    pub fn stock(&self) -> f64 {
+        self.stock
+    }
+
+    /// Angle of the normal of side 0.
+    pub fn begin(&self) -> f64 {
+        self.begin
+    }
+
+    fn pitch(&self) -> f64 {
+        2.0 * PI / f64::from(self.sides)
+    }
+
+    /// Where on the outline an angle is, from the first normal.
+    fn place(&self, angle: f64) -> f64 {
+        let turns = (angle - self.begin) / (2.0 * PI);
+        self.begin + 2.0 * PI * (turns - turns.floor())
+    }
+
+    /// Distance of the outline from the centre at an angle.
+    pub fn radius(&self, angle: f64) -> f64 {
+        let angle = self.place(angle);
+        let arc = self.arcs.partition_point(|arc| arc.to < angle).min(self.arcs.len().saturating_sub(1));
+        self.arcs.get(arc).map_or(self.stock, |arc| arc.radius(self.stock, angle))
+    }
+
+    /// The distances at `count` angles, evenly from the first normal once round.
+    pub fn radii(&self, count: usize) -> Vec<f64> {
+        let sides = self.sides as usize;
+        // A side that is repeated is computed once, and of it the half that is mirrored.
+        if self.even && count.is_multiple_of(sides) {
+            let each = count / sides;
+            let half = self.walk(count, each / 2 + 1);
+            let side = (0..each).map(|i| half.get(i.min(each - i)).copied().unwrap_or(self.stock));
+            return side.cycle().take(count).collect();
+        }
+        self.walk(count, count)
+    }
+
+    /// The first `take` of `count` distances.
+    fn walk(&self, count: usize, take: usize) -> Vec<f64> {
+        let step = 2.0 * PI / count.max(1) as f64;
+        let mut radii = Vec::with_capacity(take);
+        let (mut at, mut last, mut before) = (0, 0.0, 0.0);
+        for i in 0..take {
+            let angle = self.begin + step * i as f64;
+            while at + 1 < self.arcs.len() && self.arcs[at].to < angle {
+                at += 1;
+            }
+            radii.push(match self.arcs.get(at).and_then(|arc| arc.cut) {
+                // The next σ is about as far from the last one as that is from the one before.
+                Some(piece) => {
+                    (before, last) = (last, piece.sigma(angle, 2.0 * last - before));
+                    piece.curve.reach(last)
+                }
+                None => self.stock,
+            });
+        }
+        radii
+    }
+
+    /// The outline as points once round: `each` steps along every arc, evenly in the tool's angle. Where the radius jumps, both ends of the jump.
+    pub fn points(&self, each: u32) -> Vec<(f64, f64)> {
+        let each = each.max(1);
+        let mut points: Vec<(f64, f64)> = Vec::with_capacity(self.arcs.len() * (each as usize + 1));
+        let mut put = |angle: f64, radius: f64| {
+            let (sin, cos) = math::sin_cos(angle);
+            let (x, y) = (radius * cos, radius * sin);
+            if points.last().is_none_or(|last| math::hypot(last.0 - x, last.1 - y) > NOTHING) {
+                points.push((x, y));
+            }
+        };
+        for arc in &self.arcs {
+            let (from, to) = arc.cut.map_or((arc.from, arc.to), |piece| ends(arc, &piece));
+            for i in 0..=each {
+                let at = from + (to - from) * f64::from(i) / f64::from(each);
+                match arc.cut {
+                    Some(piece) => put(piece.angle(at), piece.curve.reach(at)),
+                    None => put(at, self.stock),
+                }
+            }
+        }
+        points.pop();
+        points
+    }
+
+    /// Area in mm².
+    pub fn area(&self) -> f64 {
+        let arc = |arc: &Arc| match arc.cut {
+            Some(piece) => {
+                let (from, to) = ends(arc, &piece);
+                (piece.curve.area(to) - piece.curve.area(from)).abs()
+            }
+            None => 0.5 * self.stock * self.stock * (arc.to - arc.from),
+        };
+        self.arcs.iter().map(arc).sum()
+    }
+
+    /// The corners; corner i is between the sides i and i + 1.
+    pub fn corners(&self) -> Vec<Corner> {
+        let mut corners: Vec<Corner> = (0..self.sides)
+            .map(|i| Corner { angle: self.begin + self.pitch() * (f64::from(i) + 0.5), radius: 0.0, meets: true })
+            .collect();
+        let mut stock = vec![(0.0, 0.0); corners.len()];
+        for arc in &self.arcs {
+            let window = ((0.5 * (arc.from + arc.to) - self.begin) / self.pitch()) as usize;
+            let (Some(corner), Some(left)) = (corners.get_mut(window), stock.get_mut(window)) else { continue };
+            let (from, to) = (arc.radius(self.stock, arc.from), arc.radius(self.stock, arc.to));
+            if from.max(to) > corner.radius {
+                corner.radius = from.max(to);
+                corner.angle = if from > to { arc.from } else { arc.to };
+            }
+            if arc.cut.is_none() {
+                corner.meets = false;
+                *left = if left.1 > left.0 { (left.0, arc.to) } else { (arc.from, arc.to) };
+            }
+        }
+        for (corner, left) in corners.iter_mut().zip(stock) {
+            if !corner.meets {
+                (corner.angle, corner.radius) = (0.5 * (left.0 + left.1), self.stock);
+            }
+        }
+        corners
+    }
+
+    /// A side, counter-clockwise from the first. One of which nothing is left, or that others have cut away, is as far out as the section is on
+    /// its normal.
+    pub fn side(&self, index: usize) -> Option<Side> {
+        if index >= self.sides as usize {
+            return None;
+        }
+        let normal = self.begin + self.pitch() * index as f64;
+        let middle = self.radius(normal) - self.apothem;
+        let mut side = Side { normal, turned: 0.0, middle, low: f64::INFINITY, high: f64::NEG_INFINITY };
+        let mut deepest = f64::INFINITY;
+        for arc in &self.arcs {
+            let Some(piece) = arc.cut.filter(|piece| piece.pass.side == index) else { continue };
+            let (low, high) = self.deviations(arc, &piece, normal);
+            side.low = side.low.min(low);
+            side.high = side.high.max(high);
+            if piece.curve.apothem() < deepest {
+                deepest = piece.curve.apothem();
+                let off = (piece.pass.normal - normal) / (2.0 * PI);
+                side.turned = 2.0 * PI * (off - off.round());
+            }
+        }
+        if side.low > side.high {
+            (side.low, side.high) = (side.middle, side.middle);
+        }
+        Some(side)
+    }
+
+    /// The sides, counter-clockwise.
+    pub fn sides(&self) -> Vec<Side> {
+        let first = if self.even { self.side(0) } else { None };
+        let turned = |side: Side, index: usize| Side { normal: side.normal + self.pitch() * index as f64, ..side };
+        let one = |index: usize| first.map(|side| turned(side, index)).or_else(|| self.side(index));
+        (0..self.sides as usize).filter_map(one).collect()
+    }
+
+    /// Least and greatest distance of an arc from the plane of its side: `ρ cos(φ - ψ) - d`.
+    fn deviations(&self, arc: &Arc, piece: &Piece, normal: f64) -> (f64, f64) {
+        let off = |sigma: f64| piece.curve.reach(sigma) * math::cos(piece.angle(sigma) - normal) - self.apothem;
+        let rises = |sigma: f64| {
+            let (sin, cos) = math::sin_cos(piece.angle(sigma) - normal);
+            piece.curve.climb(sigma) * cos > piece.curve.reach(sigma) * piece.angle_slope(sigma) * sin
+        };
+        let (from, to) = ends(arc, piece);
+        let (mut low, mut high) = (off(from).min(off(to)), off(from).max(off(to)));
+        let mut at = from;
+        for i in 1..=STEPS {
+            let next = from + (to - from) * f64::from(i) / f64::from(STEPS);
+            // At the normal itself the curve neither rises nor falls: look a little beside it.
+            let before = rises(at + 1e-6 * (next - at));
+            if before != rises(next - 1e-6 * (next - at)) {
+                let turns = off(halve(at, next, |sigma| rises(sigma) == before));
+                (low, high) = (low.min(turns), high.max(turns));
+            }
+            at = next;
+        }
+        (low, high)
+    }
+
+    /// Distances over opposite sides as a micrometer feels them, the least and the greatest; twice the distance of a side from the centre where
+    /// the number of sides is odd.
+    pub fn across_flats(&self) -> (f64, f64) {
+        across(&self.sides().iter().map(|side| self.apothem + side.high).collect::<Vec<f64>>())
+    }
+
+    /// Distances over opposite corners, the least and the greatest; twice the radius of a corner where the number of sides is odd.
+    pub fn across_corners(&self) -> (f64, f64) {
+        across(&self.corners().iter().map(|corner| corner.radius).collect::<Vec<f64>>())
+    }
+}
+
+/// The σ at both ends of an arc.
+fn ends(arc: &Arc, piece: &Piece) -> (f64, f64) {
+    let guess = piece.branch.sigma.0;
+    (piece.sigma(arc.from, guess), piece.sigma(arc.to, guess))
+}
+
+/// Points nearer to each other in mm are one.
+const NOTHING: f64 = 1e-9;
+
+/// In how many steps an arc is searched for places where its deviation turns; it has one at most where the ratio is a usual one.
+const STEPS: u32 = 16;
+
+/// Least and greatest sum of what stands opposite each other.
+fn across(radii: &[f64]) -> (f64, f64) {
+    let half = if radii.len().is_multiple_of(2) { radii.len() / 2 } else { 0 };
+    let sums = radii.iter().zip(radii.iter().cycle().skip(half)).map(|(one, other)| one + other);
+    sums.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), sum| (low.min(sum), high.max(sum)))
+}
