@@ -4,6 +4,7 @@
 //! about (a, 0) with its tips at radius r, k times as fast. "Sheet" is `reference/gsk-knd-polygon.md`, whose section 3 derives the formulas;
 //! it agrees with the paper of the machine (`reference/sources/knd-k2000t-polygon.txt`) but for the slips in its section 3.7.
 
+pub mod choose;
 pub mod curve;
 pub mod cut;
 pub mod ellipse;

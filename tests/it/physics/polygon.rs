@@ -1,5 +1,6 @@
 //! Polygon turning against the check tables and closed forms of the sheet (gsk-knd-polygon.md section 3), and against its own tip paths.
 
+mod choosing;
 mod section;
 
 use macroline::drives::polygon::curve::{flat_radius, flat_ratio};

@@ -1,0 +1,146 @@
+//! From the polygon to the cutter: the flattest possible one first, and why the others are not possible.
+
+use macroline::drives::polygon::choose::{Choice, Cutter, Limit, Means, Wanted, choices};
+
+use super::*;
+
+const HEXAGON: Wanted = Wanted { sides: 6, across_flats: 20.0, stock: 12.0, flatness: 0.05, hollow: false };
+
+fn cutter(inserts: u32, radius: f64) -> Cutter {
+    Cutter { inserts, radius: (radius, radius), relief: 15.0 * PI / 180.0 }
+}
+
+fn means(cutters: Vec<Cutter>) -> Means {
+    Means {
+        cutters,
+        terms: (12, 5),
+        against: false,
+        work_speed: 1500.0,
+        tool_speed: 3000.0,
+        distance: (30.0, 120.0),
+        cutting_speed: (60.0, 200.0),
+    }
+}
+
+fn find(found: &[Choice], cutter: usize, k: Ratio) -> &Choice {
+    found.iter().find(|one| one.cutter == cutter && one.ratio == k).unwrap()
+}
+
+#[test]
+fn the_flattest_of_the_possible_ones_comes_first() {
+    let found = choices(&HEXAGON, &means(vec![cutter(3, 45.0), cutter(3, 60.0), cutter(2, 45.0), cutter(1, 45.0)]));
+    let best = &found[0];
+    assert_eq!((best.cutter, best.ratio, best.limits.is_empty()), (1, ratio(2, 1), true));
+    near(best.flatness(), 0.009847, 5e-6);
+    near(best.deviation.1, 0.0, 1e-9);
+    assert_eq!((found[1].cutter, found[1].ratio), (0, ratio(2, 1)));
+    let possible = found.iter().take_while(|one| one.limits.is_empty()).count();
+    assert!(found[possible..].iter().all(|one| !one.limits.is_empty()));
+    for part in [&found[..possible], &found[possible..]] {
+        assert!(part.is_sorted_by_key(Choice::flatness));
+    }
+    // Every one of them turns a hexagon.
+    let inserts = [3, 3, 2, 1];
+    assert!(found.iter().all(|one| one.ratio.sides(inserts[one.cutter]) == 6));
+}
+
+#[test]
+fn a_choice_names_every_limit_that_excludes_it() {
+    let narrow = Means { terms: (6, 1), ..means(vec![cutter(3, 45.0), cutter(2, 45.0)]) };
+    let found = choices(&HEXAGON, &narrow);
+    assert_eq!(find(&found, 0, ratio(2, 1)).limits, []);
+    assert_eq!(find(&found, 1, ratio(3, 1)).limits, [Limit::Hollow, Limit::Flatness]);
+    // The wrong sense: its sides would meet 12.895 mm from the centre.
+    let wrong = |stock: f64| {
+        let found = choices(&Wanted { stock, ..HEXAGON }, &narrow);
+        find(&found, 0, ratio(-2, 1))
+            .limits
+            .iter()
+            .copied()
+            .take_while(|limit| *limit != Limit::Relief)
+            .collect::<Vec<Limit>>()
+    };
+    assert_eq!(wrong(12.85), [Limit::Sense, Limit::Gap, Limit::Hollow, Limit::Flatness]);
+    assert_eq!(wrong(12.95), [Limit::Sense, Limit::Hollow, Limit::Flatness]);
+    let far = Means { distance: (60.0, 120.0), ..narrow.clone() };
+    assert_eq!(find(&choices(&HEXAGON, &far), 0, ratio(2, 1)).limits, [Limit::Distance]);
+    let mut blunt = narrow.clone();
+    blunt.cutters[0].relief = 3.0 * PI / 180.0;
+    assert_eq!(find(&choices(&HEXAGON, &blunt), 0, ratio(2, 1)).limits, [Limit::Relief]);
+    let hollow = Wanted { hollow: true, flatness: 0.2, ..HEXAGON };
+    assert_eq!(find(&choices(&hollow, &narrow), 1, ratio(3, 1)).limits, []);
+    assert!(choices(&Wanted { sides: 7, ..HEXAGON }, &narrow).is_empty());
+}
+
+#[test]
+fn speeds_are_as_fast_as_every_limit_allows() {
+    let one = means(vec![cutter(3, 45.0)]);
+    let of = |means: &Means| find(&choices(&HEXAGON, means), 0, ratio(2, 1)).clone();
+    let free = of(&one);
+    near(free.cutting_speed.1, 200.0, 1e-9);
+    close(free.tool_speed, 2.0 * free.work_speed, 1e-15);
+    // 2π n (a + r) / 1000 over the middle of the side.
+    close(free.cutting_speed.1, 2.0 * PI * free.work_speed * 100.0 / 1000.0, 1e-12);
+    let slow = of(&Means { tool_speed: 150.0, ..one.clone() });
+    close(slow.tool_speed, 150.0, 1e-12);
+    assert_eq!(slow.limits, [Limit::ToolSpeed]);
+    assert_eq!(of(&Means { work_speed: 50.0, ..one.clone() }).limits, [Limit::WorkSpeed]);
+    assert_eq!(of(&Means { cutting_speed: (150.0, 150.01), ..one }).limits, [Limit::CuttingSpeed]);
+}
+
+#[test]
+fn a_cutter_that_can_be_set_is_set_to_where_crown_and_hollow_balance() {
+    // Nothing else shall hold it back: every radius is possible.
+    let range = |inserts| Cutter { radius: (5.0, 60.0), relief: 1.5, ..cutter(inserts, 0.0) };
+    let free =
+        Means { distance: (10.0, 120.0), cutting_speed: (1.0, 200.0), ..means(vec![range(3), range(2), range(5)]) };
+    let wanted = Wanted { hollow: true, flatness: 1.0, ..HEXAGON };
+    let found = choices(&wanted, &free);
+    // Ratio 2: the greatest there is.
+    assert_eq!(find(&found, 0, ratio(2, 1)).radius, 60.0);
+    // Above it: near the radius that is flat in the middle, and flatter than its neighbours.
+    for (at, k, inserts, sides) in [(2, ratio(12, 5), 5, 12), (1, ratio(3, 1), 2, 6)] {
+        let wanted = Wanted { sides, ..wanted };
+        let list = choices(&wanted, &free);
+        let best = find(&list, at, k);
+        assert_eq!(best.limits, []);
+        let error = |radius: f64| {
+            let section = Section::new(&Setup::even(20.0, radius, k, inserts), wanted.stock).unwrap();
+            section.sides()[0].flatness()
+        };
+        near(error(best.radius), best.flatness(), 1e-12);
+        for i in 0..=200 {
+            let other = 5.0 + 55.0 * f64::from(i) / 200.0;
+            assert!(best.flatness() <= error(other) + 1e-9, "{k:?}: {other} is flatter than {}", best.radius);
+        }
+    }
+}
+
+#[test]
+fn a_cutter_is_set_to_what_is_possible() {
+    // No hollow sides: at ratio 3 the largest crowned circle, r = d/3 (curvature 0 in the middle).
+    let range = Cutter { radius: (3.0, 60.0), relief: 60.0 * PI / 180.0, ..cutter(2, 0.0) };
+    let near_by = Means { distance: (10.0, 120.0), cutting_speed: (5.0, 200.0), ..means(vec![range]) };
+    let found = choices(&HEXAGON, &near_by);
+    let crowned = find(&found, 0, ratio(3, 1));
+    assert_eq!(crowned.limits, []);
+    near(crowned.radius, 10.0 / 3.0, 0.01);
+    // Axes from 30 to 35 mm apart: hollow, and the less so the larger the circle.
+    let apart = Means { distance: (30.0, 35.0), ..near_by };
+    let hollow = Wanted { hollow: true, flatness: 0.2, ..HEXAGON };
+    let found = choices(&hollow, &apart);
+    near(find(&found, 0, ratio(3, 1)).radius, 25.0, 1e-3);
+    assert_eq!(find(&found, 0, ratio(3, 1)).limits, []);
+}
+
+#[test]
+fn odd_means_are_answered() {
+    for radius in [(f64::NAN, 1.0), (0.0, 0.0), (-5.0, 5.0), (60.0, 5.0), (1.0, f64::INFINITY)] {
+        let strange = means(vec![Cutter { radius, ..cutter(3, 1.0) }, Cutter { inserts: 0, ..cutter(1, 45.0) }]);
+        for across_flats in [20.0, 0.0, -4.0, f64::NAN] {
+            drop(choices(&Wanted { across_flats, ..HEXAGON }, &strange));
+        }
+    }
+    let most = Means { terms: (u32::MAX, u32::MAX), ..means(vec![cutter(u32::MAX, 45.0)]) };
+    drop(choices(&HEXAGON, &most));
+}
