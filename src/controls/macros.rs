@@ -113,6 +113,8 @@ pub struct Macros {
     pub call_ends_modal: bool,
     /// A return to the reference point is a motion that a modal macro call follows.
     pub call_after_return: bool,
+    /// The control keeps common variables at power-off, where its parameters are set so.
+    pub common_kept: bool,
     /// `G65 Hnn P Q R` as functions: number and what it does. Empty where the control lacks them.
     pub functions: &'static [(u8, Operation)],
     /// Codes that call macros, by parameter. The settings are the text of the switch [`CALL_PARAMETERS`].

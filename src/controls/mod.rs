@@ -71,8 +71,6 @@ pub struct Control {
     pub vars: &'static [VarRange],
     /// Every alarm that macroline can raise, in the control's own numbers.
     pub alarms: &'static [AlarmDef],
-    /// Parameters that a machine has to set.
-    pub params: &'static [ParamDef],
     /// Registers and signals between PLC and control.
     pub interface: &'static [Signal],
     /// Points that the manuals leave open, each with a default.
@@ -111,6 +109,14 @@ pub static ALL: &[&Control] =
 /// The controls that the page has; see [`Syntax::names`].
 #[cfg(feature = "web")]
 pub static ALL: &[&Control] = &[&mitsubishi_e60::CONTROL, &gsk_980tdc::CONTROL, &knd_k2000t::CONTROL];
+
+/// What a machine has to set on each control: apart from it, so that who asks for no parameter does without their rows.
+static PARAMS: &[(&Control, &[ParamDef])] = &[
+    (&mitsubishi_e60::CONTROL, mitsubishi_e60::PARAMS),
+    (&gsk_980tdc::CONTROL, gsk_980tdc::PARAMS),
+    (&knd_k2000t::CONTROL, knd_k2000t::PARAMS),
+    (&sinumerik_802d::CONTROL, sinumerik_802d::PARAMS),
+];
 
 /// The control of an id.
 pub fn find(id: &str) -> Option<&'static Control> {
@@ -200,12 +206,6 @@ impl Control {
         names.filter_map(code).collect()
     }
 
-    /// Whether common variables are lost at power-off, and no parameter keeps them.
-    pub fn forgets(&self) -> bool {
-        let kept = self.var(100).is_some_and(|row| row.kind == VarKind::Retained);
-        !kept && self.param(ParamRole::VariablesAtPowerOn).is_none()
-    }
-
     /// A text about variables, `#101`, as the control writes them.
     pub fn written(&self, text: &str) -> String {
         text.chars().map(|c| if c == '#' { self.syntax.variable } else { c }).collect()
@@ -275,8 +275,13 @@ impl Control {
         self.codes.iter().any(|row| row.code == code)
     }
 
+    /// Parameters that a machine has to set.
+    pub fn params(&self) -> &'static [ParamDef] {
+        PARAMS.iter().find(|row| row.0.id == self.id).map_or(&[], |row| row.1)
+    }
+
     /// The parameter of a role.
     pub fn param(&self, role: ParamRole) -> Option<&'static ParamDef> {
-        self.params.iter().find(|row| row.role == role)
+        self.params().iter().find(|row| row.role == role)
     }
 }

@@ -96,7 +96,7 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
         (
             "form.open.params",
             control
-                .params
+                .params()
                 .iter()
                 .filter(|row| doubtful(&row.cite))
                 .map(|row| format!("{} {}", row.number, row.name))

@@ -8,6 +8,8 @@ mod params;
 mod switches;
 mod vars;
 
+pub(super) use params::PARAMS;
+
 use super::bench::{Bench, BenchAxis, BenchShift};
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
 use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
@@ -102,6 +104,7 @@ pub static CONTROL: Control = Control {
         call_first: true,
         call_ends_modal: true,
         call_after_return: false,
+        common_kept: false,
         functions: functions::FUNCTIONS,
         code_calls: &[
             CodeCalls::Range { kind: CallKind::Macro, letter: b'G', count: 86, code: 87, program: 88 },
@@ -145,7 +148,6 @@ pub static CONTROL: Control = Control {
     codes: codes::CODES,
     vars: vars::VARS,
     alarms: alarms::ALARMS,
-    params: params::PARAMS,
     interface: interface::SIGNALS,
     switches: switches::SWITCHES,
     spindle: SpindleRules {

@@ -9,7 +9,7 @@ use crate::text::{Citation, Grade};
 const RANGES: Citation = Citation::new("GSK980TDi parameter list; range GSK980MDi manual, p.374", Grade::Sister);
 
 /// One row per parameter, by number.
-pub(super) const PARAMS: &[ParamDef] = &[
+pub(in super::super) const PARAMS: &[ParamDef] = &[
     param(CommandUnit, "No.001#1", "", "", "0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)", PARAMETERS).answered("0", "1"),
     param(AxisDiameter, "No.001#2", "", "", "words of X: 0 diameters, 1 radii", PARAMETERS).answered("0", "1"),
     param(SpindleConnection, "No.001#4", "", "", "1: analog voltage, 0: gears by contacts", PARAMETERS),

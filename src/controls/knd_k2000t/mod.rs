@@ -7,6 +7,8 @@ mod params;
 mod switches;
 mod vars;
 
+pub(super) use params::PARAMS;
+
 use super::bench::{Bench, BenchAxis, BenchShift};
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
 use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
@@ -96,6 +98,7 @@ pub static CONTROL: Control = Control {
         call_first: false,
         call_ends_modal: false,
         call_after_return: true,
+        common_kept: false,
         functions: &[],
         code_calls: &[CodeCalls::Each { kind: CallKind::Macro, letter: b'G', first: 4120, count: 20, program: 9120 }],
         calls_override: true,
@@ -136,7 +139,6 @@ pub static CONTROL: Control = Control {
     codes: codes::CODES,
     vars: vars::VARS,
     alarms: alarms::ALARMS,
-    params: params::PARAMS,
     interface: interface::SIGNALS,
     switches: switches::SWITCHES,
     spindle: SpindleRules {

@@ -7,6 +7,8 @@ mod params;
 mod switches;
 mod vars;
 
+pub(super) use params::PARAMS;
+
 use super::bench::{Bench, BenchAxis, BenchShift};
 use super::macros::{ArgumentSets, CodeCalls, VacantWord};
 use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
@@ -97,6 +99,7 @@ pub static CONTROL: Control = Control {
         call_first: false,
         call_ends_modal: false,
         call_after_return: true,
+        common_kept: true,
         functions: &[],
         code_calls: &[
             CodeCalls::Pairs { letter: b'G', code: 7201, kind: 7202, program: 7203, step: 10, count: 10 },
@@ -144,7 +147,6 @@ pub static CONTROL: Control = Control {
     codes: codes::CODES,
     vars: vars::VARS,
     alarms: alarms::ALARMS,
-    params: params::PARAMS,
     interface: interface::SIGNALS,
     switches: switches::SWITCHES,
     spindle: SpindleRules {

@@ -7,6 +7,8 @@ mod params;
 mod switches;
 mod vars;
 
+pub(super) use params::PARAMS;
+
 use super::bench::{Bench, BenchAxis, BenchShift};
 use super::macros::{ArgumentSets, VacantWord};
 use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
@@ -136,6 +138,7 @@ pub static CONTROL: Control = Control {
         call_first: false,
         call_ends_modal: false,
         call_after_return: true,
+        common_kept: true,
         functions: &[],
         code_calls: &[],
         calls_override: false,
@@ -196,7 +199,6 @@ pub static CONTROL: Control = Control {
     codes: codes::CODES,
     vars: vars::VARS,
     alarms: alarms::ALARMS,
-    params: params::PARAMS,
     interface: interface::SIGNALS,
     switches: switches::SWITCHES,
     bench: Bench {

@@ -12,7 +12,7 @@ const ENCODER: Citation = Citation::new("alarm 16770 of the 808D, p.243", Grade:
 const OUTPUT: Citation = Citation::new("start-up of Siemens controls, unverified", Grade::Open);
 
 /// One row per parameter, by number.
-pub(super) const PARAMS: &[ParamDef] = &[
+pub(in super::super) const PARAMS: &[ParamDef] = &[
     param(AxisDiameter, "MD20100", "DIAMETER_AX_DEF", "", "transverse axis, for diameters and G96", TRANSVERSE)
         .answered("X", ""),
     param(SpindleConnection, "MD30130", "CTRLOUT_TYPE", "", "0 simulation, 1 output to the drive", OUTPUT),

@@ -91,7 +91,7 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     if !program::overrides_can_be_off(line) {
         found.push(Diagnostic::info(msg!("ribbon.override-acts")));
     }
-    if line.control.forgets() {
+    if !line.control.macros.common_kept {
         found.push(Diagnostic::info(msg!("form.values-are-lost", program::SETUP)));
     }
     found

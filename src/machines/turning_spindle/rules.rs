@@ -165,7 +165,7 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
         let message = msg!("turning.limits-crossed", show(p.lower_limit, 0), show(p.upper_limit, 0));
         found.push(Diagnostic::warning(message).about("lower-limit"));
     }
-    if lathe.control.forgets() {
+    if !lathe.control.macros.common_kept {
         found.push(Diagnostic::info(msg!("form.values-are-lost", program::SETUP)));
     }
     found
