@@ -51,6 +51,7 @@ use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, R
 use crate::controls::{Alarm, Control, Switches};
 use crate::msg;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
+use slips::Mend;
 
 /// Findings that are listed; a file of garbage has millions.
 const FINDINGS: usize = 1000;
@@ -71,12 +72,16 @@ pub fn parse(files: &Files, control: &'static Control) -> Parsed {
 
 /// What is said of mistakes beyond that they are there: their known shapes, and what only a whole file or program shows.
 struct Advice {
+    mend: fn(&Reader<'_>, Diagnostic, Mend<'_>) -> Diagnostic,
+    jump_instead: fn(&mut Reader<'_>, Diagnostic, usize, usize) -> Diagnostic,
     recover: fn(&mut Reader<'_>, Mark, Box<Failure>),
     file: fn(&mut Reader<'_>, bool, bool),
     programs: fn(&Deck, &Control, &Files, &[u32], &mut Vec<Diagnostic>),
 }
 
 const ADVICE: Advice = Advice {
+    mend: |reader, finding, mend| reader.mend(finding, mend),
+    jump_instead: |reader, finding, then, behind| reader.jump_instead(finding, then, behind),
     recover: |reader, mark, failure| reader.recover(mark, failure),
     file: |reader, opened, closed| reader.mend_file(opened, closed),
     programs: check::programs,

@@ -8,7 +8,7 @@ use super::{Failure, Read, Reader};
 use crate::controls::Alarm;
 use crate::msg;
 use crate::order;
-use crate::text::{Diagnostic, Fix, Message};
+use crate::text::{Diagnostic, Message};
 
 /// Files longer than this get no fix that needs numbers which stand nowhere in them.
 const NUMBERED: usize = 1 << 20;
@@ -16,17 +16,23 @@ const NUMBERED: usize = 1 << 20;
 /// Lines that are searched for the other end of a loop.
 const SEARCHED: usize = 1000;
 
+/// What mends a mistake in a line.
+pub(super) enum Mend<'t> {
+    /// Other text in place of some bytes.
+    Write(usize, usize, &'t str),
+    /// Square brackets around some bytes.
+    Enclose(usize, usize),
+    /// `DO` at a byte, with the number of the `END` that has no other.
+    Do(usize),
+    /// The characters of the control, where this one is only another shape of one of them.
+    Plain(char),
+}
+
 impl Reader<'_> {
     /// Reports a finding, mended by other text in place of some bytes of the line.
     pub(super) fn replace(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize, new: &str) {
-        let old = String::from_utf8_lossy(self.line.get(from..to).unwrap_or_default()).into_owned();
-        let title = match (old.trim(), new.trim()) {
-            (old, "") => msg!("nc.fix.drop", old),
-            ("", new) => msg!("nc.fix.insert", new),
-            (_, new) => msg!("nc.fix.write", new),
-        };
-        let place = self.place(self.span(from, to));
-        self.report_as(alarm, finding.fix(title, vec![(place, new.to_owned())]));
+        let finding = self.mended(finding, Mend::Write(from, to, new));
+        self.report_as(alarm, finding);
     }
 
     /// Reports bytes of the line that should be other text.
@@ -37,9 +43,50 @@ impl Reader<'_> {
 
     /// Reports a finding, mended by square brackets around some bytes of the line.
     pub(super) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
-        let edit = |at, bracket: &str| (self.place(self.span(at, at)), bracket.to_owned());
-        let edits = vec![edit(from, "["), edit(to, "]")];
-        self.report_as(alarm, finding.fix(msg!("nc.fix.square"), edits));
+        let finding = self.mended(finding, Mend::Enclose(from, to));
+        self.report_as(alarm, finding);
+    }
+
+    /// A finding with what mends it, where somebody wants advice.
+    pub(super) fn mended(&self, finding: Diagnostic, mend: Mend) -> Diagnostic {
+        match self.advice {
+            Some(advice) => (advice.mend)(self, finding, mend),
+            None => finding,
+        }
+    }
+
+    /// A finding with what mends it.
+    pub(super) fn mend(&self, finding: Diagnostic, mend: Mend) -> Diagnostic {
+        let place = |from, to| self.place(self.span(from, to));
+        match mend {
+            Mend::Write(from, to, new) => {
+                let old = String::from_utf8_lossy(self.line.get(from..to).unwrap_or_default()).into_owned();
+                let title = match (old.trim(), new.trim()) {
+                    (old, "") => msg!("nc.fix.drop", old),
+                    ("", new) => msg!("nc.fix.insert", new),
+                    (_, new) => msg!("nc.fix.write", new),
+                };
+                finding.fix(title, vec![(place(from, to), new.to_owned())])
+            }
+            Mend::Enclose(from, to) => {
+                let edit = |at, bracket: &str| (place(at, at), bracket.to_owned());
+                finding.fix(msg!("nc.fix.square"), vec![edit(from, "["), edit(to, "]")])
+            }
+            Mend::Do(at) => match self.next_end() {
+                Some(label) => {
+                    let label = format!("DO{label}");
+                    finding.fix(msg!("nc.fix.insert", label.as_str()), vec![(place(at, at), label)])
+                }
+                None => finding,
+            },
+            Mend::Plain(character) => {
+                let start = self.base as usize;
+                let text = self.source.get(start..start + self.line.len()).filter(|_| plain(character) != character);
+                let Some(text) = text else { return finding };
+                let line = text.chars().map(plain).collect();
+                finding.fix(msg!("nc.fix.plain-characters"), vec![(place(0, self.line.len()), line)])
+            }
+        }
     }
 
     /// Where what was read ends, without the blanks that were skipped behind it.
@@ -108,11 +155,7 @@ impl Reader<'_> {
     pub(super) fn while_without_do(&self, start: usize) -> Box<Failure> {
         let at = self.ended_at().max(start + 5);
         let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"), false);
-        if let Some(label) = self.next_end() {
-            let label = format!("DO{label}");
-            let edit = (self.place(self.span(at, at)), label.clone());
-            failure.finding = failure.finding.fix(msg!("nc.fix.insert", label), vec![edit]);
-        }
+        failure.finding = self.mended(failure.finding, Mend::Do(at));
         failure
     }
 
@@ -231,14 +274,6 @@ impl Reader<'_> {
             _ => self.report_as(Alarm::Format, finding),
         }
         self.part(Expr::Binary(Op::Multiply, base, exponent), start)
-    }
-
-    /// The line in the characters of the control, where this one is only another shape of one of them.
-    pub(super) fn plain_characters(&self, character: char) -> Option<Fix> {
-        let start = self.base as usize;
-        let text = self.source.get(start..start + self.line.len()).filter(|_| plain(character) != character)?;
-        let line = self.place(self.span(0, self.line.len()));
-        Some(Fix { title: msg!("nc.fix.plain-characters"), edits: vec![(line, text.chars().map(plain).collect())] })
     }
 }
 

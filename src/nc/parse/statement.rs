@@ -150,7 +150,10 @@ impl Reader<'_> {
             false => msg!("nc.no-if-then", self.control.name),
         };
         let finding = self.finding(Alarm::IfSentence, then, if named { behind } else { then + 1 }, message);
-        let finding = self.jump_instead(finding, then, behind);
+        let finding = match self.advice {
+            Some(advice) => (advice.jump_instead)(self, finding, then, behind),
+            None => finding,
+        };
         self.report_as(Alarm::IfSentence, finding);
         Ok(stmt)
     }

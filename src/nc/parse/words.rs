@@ -2,6 +2,7 @@
 
 use super::super::ast::{Stmt, Word, WordValue};
 use super::super::dec::Dec;
+use super::slips::Mend;
 use super::{BOUND, Failure, Read, Reader};
 use crate::controls::macros::CallKind;
 use crate::controls::{Alarm, Code, CodeDef};
@@ -509,7 +510,7 @@ impl<'a> Reader<'a> {
         } else {
             let mut failure =
                 self.failure(Alarm::IllegalAddress, start, end, msg!("nc.illegal-character", shown), true);
-            failure.finding.fixes.extend(self.plain_characters(character));
+            failure.finding = self.mended(failure.finding, Mend::Plain(character));
             failure
         }
     }
