@@ -13,7 +13,7 @@ const FOLDER = process.env.TRUNK_STAGING_DIR;
 const FEATURES = ['bulk-memory', 'multivalue', 'mutable-globals', 'nontrapping-float-to-int', 'reference-types', 'sign-ext'];
 
 // Some passes make a module smaller and what is loaded of it larger: brotli lives on what recurs, and on neighbours that are alike.
-const SKIPPED = ['reorder-functions', 'inlining-optimizing', 'local-cse'];
+const SKIPPED = ['reorder-functions', 'inlining-optimizing', 'local-cse', 'simplify-locals', 'code-pushing'];
 
 // Exports of Leptos' server functions, which the page has not, and the classes around them.
 const UNUSED = '*intounderlying*';
