@@ -524,8 +524,8 @@ fn variables() {
     check_block(
         "#5061=1",
         expect![[r#"
-        1:1 warning - #5061 (skip position, axis by axis) is read, but not simulated: the run here goes on without it.
-    "#]],
+            1:1 warning - #5061 (skip position, axis by axis) is not simulated: a run stops where it stands. The control itself goes on.
+        "#]],
     );
 }
 
@@ -725,9 +725,7 @@ fn what_editors_leave_in_a_file() {
     );
     check(
         "%\nO1\n#3003=1\n#100=#3003\n#3003=0\nM30\n%\n",
-        expect![[r#"
-        3:1 warning - #3003 (single block and FIN suppressed) is read, but not simulated: the run here goes on without it.
-    "#]],
+        expect![""],
     );
 }
 

@@ -206,3 +206,41 @@ fn nothing_to_say() {
     "#]],
     );
 }
+
+/// A tape has a leader, and whatever its punch left behind the end: the control reads neither.
+#[test]
+fn what_stands_outside_the_record_is_said_once_and_not_read() {
+    check(
+        "mitsubishi-e60",
+        "LEADER TAPE\n%\nO1\nG00 X1.\nM30\n%\nREST OF THE TAPE\nG00 X9.\n",
+        expect![[r#"
+        warning[nc.leader]: What stands in front of the first % is leader: the control does not read it.
+         --> O1.nc:1:1
+          |
+        1 | LEADER TAPE
+          | ^^^^^^^^^^^
+
+        warning[nc.behind-end]: The % ends the record: the control does not read what follows. Put each program in a file of its own.
+         --> O1.nc:6:1
+          |
+        6 | %
+          | ^
+
+        2 warnings
+    "#]],
+    );
+    // A program that follows in the same file is read.
+    check(
+        "mitsubishi-e60",
+        "%\nO1\nM98 P2\nM30\n%\nO2\nM99\n%\n",
+        expect![[r#"
+        warning[nc.behind-end]: The % ends the record: the control does not read what follows. Put each program in a file of its own.
+         --> O1.nc:5:1
+          |
+        5 | %
+          | ^
+
+        1 warning
+    "#]],
+    );
+}

@@ -445,9 +445,9 @@ impl Reader<'_> {
                     self.plain = row.first..row.last.min(self.tables.last_variable).saturating_add(1);
                     return;
                 }
-                kind if kind == VarKind::NotSimulated || written && kind == VarKind::SuppressSingleBlock => {
-                    let (key, to) = ((b'#', row.first), self.at);
-                    return self.not_simulated(key, start, to, &format!("#{number} ({})", row.text));
+                VarKind::NotSimulated => {
+                    let message = msg!("nc.variable-stops", self.control.variable(number), row.text);
+                    return self.say_once((b'#', row.first), start, self.at, message);
                 }
                 VarKind::Vacant if written => Alarm::VacantWritten,
                 kind if written && !kind.writable() => Alarm::ReadOnly,

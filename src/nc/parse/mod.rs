@@ -47,7 +47,7 @@ use super::ast::{Block, Deck, Op, Program, Stmt, TextId};
 use super::files::Files;
 use super::parsed::Parsed;
 use crate::controls::macros::{CallKind, CodeCall};
-use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, Round};
+use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, Percent, Round};
 use crate::controls::{Alarm, Control, Switches};
 use crate::msg;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
@@ -370,6 +370,11 @@ impl<'a> Reader<'a> {
         // Whether a `%` would open the record (nothing but comments so far) or close it.
         let mut opened = false;
         let mut closed = None;
+        let mut told = false;
+        if let Some(record) = self.leader(at) {
+            self.warn(at, record, msg!("nc.leader"));
+            at = record;
+        }
         while at < bytes.len() {
             let rest = self.source.get(at..).unwrap_or_default();
             let end = at + rest.find('\n').unwrap_or(rest.len());
@@ -388,10 +393,15 @@ impl<'a> Reader<'a> {
                     self.behind_percent(from + 1, to);
                 }
                 _ => {
-                    if let Some(percent) = closed.take() {
+                    if let Some(percent) = closed.filter(|_| !told) {
                         self.warn(percent, percent + 1, msg!("nc.behind-end"));
+                        told = true;
                     }
-                    self.blocks(from, to);
+                    // Only what begins a program is worth reading behind the end of the record.
+                    if closed.is_none() || self.begins_program(from) {
+                        (closed, told) = (None, false);
+                        self.blocks(from, to);
+                    }
                 }
             }
             if self.deck.blocks.len() >= BLOCKS {
@@ -405,6 +415,44 @@ impl<'a> Reader<'a> {
             Some(advice) => (advice.file)(self, opened, closed.is_some()),
             None => self.say_misused(),
         }
+    }
+
+    /// Where a line begins with a program number, or with a comment, which may stand in front of one.
+    fn begins_program(&self, at: usize) -> bool {
+        let line = self.source.as_bytes().get(at..).unwrap_or_default();
+        match line {
+            [b'(', ..] => true,
+            [b'O' | b'o' | b':', digit, ..] => digit.is_ascii_digit(),
+            _ => false,
+        }
+    }
+
+    /// Where the record begins, if something that is neither comment nor program stands in front of its `%`: leader of a tape.
+    fn leader(&self, from: usize) -> Option<usize> {
+        if self.control.syntax.percent != Percent::Both {
+            return None;
+        }
+        let mut at = from;
+        let mut stray = false;
+        for line in self.source.get(from..)?.split_inclusive('\n') {
+            let (begin, end) = self.trimmed(at, at + line.trim_end_matches('\n').len());
+            match self.source.as_bytes().get(begin) {
+                _ if begin == end => {}
+                Some(b'%') => return stray.then_some(at),
+                Some(b'(') | None => {}
+                Some(byte) => {
+                    // A digit tells a block; tapes carry names.
+                    let digits =
+                        self.source.get(begin..end).is_some_and(|text| text.bytes().any(|b| b.is_ascii_digit()));
+                    if digits || *byte == b'#' || *byte == b'/' {
+                        return None;
+                    }
+                    stray = true;
+                }
+            }
+            at += line.len();
+        }
+        None
     }
 
     /// What stands behind a `%` in its line is skipped by the control.

@@ -456,10 +456,15 @@ impl<'a> Reader<'a> {
 
     /// Says once per kind that the control has it and the simulation does not act on it.
     pub(super) fn not_simulated(&mut self, key: (u8, u32), from: usize, to: usize, name: &str) {
+        self.say_once(key, from, to, msg!("nc.not-simulated", name));
+    }
+
+    /// Says something once per kind.
+    pub(super) fn say_once(&mut self, key: (u8, u32), from: usize, to: usize, message: Message) {
         if !self.said.contains(&key) {
             self.said.push(key);
             let base = self.base as usize;
-            self.warn(base + from, base + to, msg!("nc.not-simulated", name));
+            self.warn(base + from, base + to, message);
         }
     }
 
