@@ -128,13 +128,15 @@ impl State {
         found.ok_or_else(trap)
     }
 
-    fn repeats(&self, cx: &Cx, repeats: Option<f64>) -> Run<u32> {
+    fn repeats(&self, cx: &Cx, repeats: Option<f64>, at: &'static [u8]) -> Run<u32> {
         let max = cx.control.limits.repeat_max;
+        // Where there is an alarm for repeats, none at all is one, too.
+        let min = u32::from(cx.control.raises(Alarm::RepeatRange));
         match repeats {
             None => Ok(1),
-            Some(repeats) if (0.0..=f64::from(max)).contains(&repeats) => Ok(repeats as u32),
+            Some(repeats) if (f64::from(min)..=f64::from(max)).contains(&repeats) => Ok(repeats as u32),
             Some(repeats) => {
-                Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", repeats, 0_u32, max)).behind(b"LP"))
+                Err(Trap::alarm(Alarm::RepeatRange, msg!("interp.value-range", repeats, min, max)).behind(at))
             }
         }
     }
@@ -150,6 +152,7 @@ impl State {
     ) -> Run<()> {
         let macros = &cx.control.macros;
         self.refuse_in_modal(cx)?;
+        let at: &[u8] = if l.is_some() { b"L" } else { b"P" };
         let (mut p, mut l) = (p, l);
         if let (Some(number), true, false) = (p, macros.repeats_in_p, by_code) {
             // In front of the digits of the program number.
@@ -175,7 +178,7 @@ impl State {
                 })?
             }
         };
-        let repeats = self.repeats(cx, l)?;
+        let repeats = self.repeats(cx, l, at)?;
         self.enter(cx, Callee { program, entry, repeats, arguments: None, modal_call: None, by_code })
     }
 
@@ -261,7 +264,7 @@ impl State {
     }
 
     fn call_as(&mut self, cx: &Cx, program: u32, arguments: Arguments, kind: CallKind, by_code: bool) -> Run<()> {
-        let repeats = self.repeats(cx, arguments.repeats)?;
+        let repeats = self.repeats(cx, arguments.repeats, b"L")?;
         let arguments = Rc::new(arguments.locals);
         if matches!(kind, CallKind::Modal | CallKind::ModalBlock) {
             let (each_block, outer) = (kind == CallKind::ModalBlock, self.modal_call.take());

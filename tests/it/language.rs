@@ -723,10 +723,7 @@ fn what_editors_leave_in_a_file() {
         1:3 warning - The control skips what stands behind % in its line.
     "#]],
     );
-    check(
-        "%\nO1\n#3003=1\n#100=#3003\n#3003=0\nM30\n%\n",
-        expect![""],
-    );
+    check("%\nO1\n#3003=1\n#100=#3003\n#3003=0\nM30\n%\n", expect![""]);
 }
 
 #[test]

@@ -31,6 +31,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(BlockTooLong, "0037", "Block of more than 256 characters", LIST),
     alarm(CommentBracket, "0041", "Comment brackets not paired", LIST),
     alarm(Calculation, "0043", "Result of a macro calculation out of range", LIST),
+    alarm(RepeatRange, "0092", "Repeats of a call outside 1 to 9999", LIST),
     alarm(SubNesting, "0096", "Subprograms nested deeper than 4", LIST),
     alarm(MacroNesting, "0096", "Subprograms nested deeper than 4", NEAREST),
     alarm(OwnCall, "0097", "Called program is the running one", LIST),
