@@ -9,6 +9,9 @@ mod dice;
 #[path = "../../tests/it/generated/laws.rs"]
 #[allow(dead_code)]
 mod laws;
+#[path = "../../tests/it/generated/named.rs"]
+#[allow(dead_code)]
+mod named;
 #[path = "../../tests/it/generated/program.rs"]
 #[allow(dead_code)]
 mod program;
