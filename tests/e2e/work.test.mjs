@@ -225,8 +225,8 @@ test('the editor loads when asked for, keeps to the content security policy, and
     const editor = page.locator('.editor .cm-content');
     await editor.waitFor();
     await editor.press('Control+Home');
-    await editor.press('Control+End');
-    await page.keyboard.type('G999');
+    for (const key of ['ArrowDown', 'ArrowDown', 'Home']) await editor.press(key);
+    await page.keyboard.type('G999 ');
     await page.getByText('Edited program.').waitFor();
     await page.locator('.editor .cm-lintRange-error').first().waitFor();
     await page.getByRole('button', { name: 'Difference' }).click();
