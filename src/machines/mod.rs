@@ -21,12 +21,13 @@ pub mod ribbon_line;
 pub mod turning_spindle;
 
 use crate::controls::{Control, Switches};
+use crate::math;
 use crate::motion::{Action, Planner, Plant, Plc, Program, Snapshot};
 use crate::msg;
 use crate::nc::Deck;
 use crate::text::Diagnostic;
 use crate::view::{Chart, Pose, Readout, Scene, Sheet};
-use form::{Field, FieldInfo, Origins, Values};
+use form::{Field, FieldInfo, Origins, Value, Values};
 
 /// The control that a machine is on, with its open points as they are set.
 #[derive(Debug, Clone, Copy)]
@@ -69,6 +70,24 @@ pub struct Start {
 }
 
 impl Start {
+    /// The control's own times of blocks.
+    fn timing(control: &Control) -> Start {
+        let mut start = Start::default();
+        for (id, value) in [
+            ("block-time", control.timing.block * 1000.0),
+            ("macro-time", control.timing.macro_block * 1000.0),
+            ("preread", f64::from(control.timing.preread)),
+        ] {
+            start.number(id, value);
+        }
+        start
+    }
+
+    /// A number of the form, in thousandths.
+    fn number(&mut self, id: &str, value: f64) {
+        self.values.insert(id.to_owned(), Value::Number((value * 1000.0).round() / 1000.0));
+    }
+
     /// Common variables stay at reset: without them a second start would find no values.
     fn keep_common(&mut self, control: &Control) {
         self.set(control, "common-at-reset", "kept");
@@ -111,6 +130,14 @@ pub struct Frame {
     pub step: f64,
     /// Stroboscope: show the roller each time a head meets the ribbon.
     pub strobe: bool,
+}
+
+impl Frame {
+    /// How clearly a turning part is seen that turns `step` degrees from frame to frame: 1 up to `limit`, 0 where it blurs half as fast
+    /// again, and a little in between.
+    fn seen(step: f64, limit: f64) -> f64 {
+        math::clamp((1.5 * limit - step) / (0.5 * limit), 0.0, 1.0)
+    }
 }
 
 /// A machine: a form that fills `Params`, and what follows from them. Everything is total.

@@ -26,7 +26,7 @@ mod sheets;
 
 use crate::controls::Control;
 use crate::machines::charts;
-use crate::machines::form::{Field, Value};
+use crate::machines::form::Field;
 use crate::machines::judge::{Row, Rows, judge};
 use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
 use crate::motion::{Action, Plant, Plc, Snapshot};
@@ -113,15 +113,8 @@ impl Rows for Line {
 
 /// The control's own times and ranges, and the parameter without which a second start would find no values.
 fn start(control: &Control) -> Start {
-    let mut start = Start::default();
-    for (id, value) in [
-        ("block-time", control.timing.block * 1000.0),
-        ("macro-time", control.timing.macro_block * 1000.0),
-        ("preread", f64::from(control.timing.preread)),
-        ("feed-limit", control.limits.feed_max),
-    ] {
-        start.values.insert(id.to_owned(), Value::Number((value * 1000.0).round() / 1000.0));
-    }
+    let mut start = Start::timing(control);
+    start.number("feed-limit", control.limits.feed_max);
     start.keep_common(control);
     // Axes that wait until the unwinder has its speed let the ribbon pile up meanwhile.
     start.set(control, "speed-reached", "do not wait");

@@ -95,7 +95,7 @@ pub(super) fn pose(line: &Fitted, now: &Snapshot, frame: Frame) -> Pose {
 
 /// 1 where single marks can be followed by the eye, 0 where they blur, and a little in between.
 fn seen(step: f64) -> f64 {
-    math::clamp((1.5 * SEEN - step) / (0.5 * SEEN), 0.0, 1.0)
+    Frame::seen(step, SEEN)
 }
 
 /// The dots move with X; the newest was printed where the last head met the ribbon.

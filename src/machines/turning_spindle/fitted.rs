@@ -64,8 +64,7 @@ impl<'a> Fitted<'a> {
 
     /// The address of the limit under constant surface speed, where that has a word of its own.
     pub(super) fn limit_word(&self) -> Option<u8> {
-        let names = self.control.syntax.names()?;
-        names.addresses.iter().find(|row| row.1 == long::LIMS).map(|row| row.1)
+        has_address(self.control, long::LIMS).then_some(long::LIMS)
     }
 
     /// The spindle is brought to an angle behind the cut.
@@ -116,9 +115,14 @@ pub(super) fn has_gears(_: &Params, control: &Control) -> bool {
     control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..)))
 }
 
+/// Whether the control has an address of several letters.
+fn has_address(control: &Control, address: u8) -> bool {
+    control.syntax.names().is_some_and(|names| names.addresses.iter().any(|row| row.1 == address))
+}
+
 /// Whether a word of the control brings the spindle to an angle.
 pub(super) fn can_position(_: &Params, control: &Control) -> bool {
-    control.syntax.names().is_some_and(|names| names.addresses.iter().any(|row| row.1 == long::SPOS))
+    has_address(control, long::SPOS)
 }
 
 /// Whether there is an angle to bring it to.

@@ -24,7 +24,7 @@ mod sheets;
 
 use crate::controls::Control;
 use crate::machines::charts;
-use crate::machines::form::{Field, Value};
+use crate::machines::form::Field;
 use crate::machines::judge::{Rows, judge};
 use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
 use crate::motion::{Action, Plant, Plc, Snapshot};
@@ -62,14 +62,7 @@ impl Machine for TurningSpindle {
 
     /// The control's own times.
     fn start(control: &Control) -> Start {
-        let mut start = Start::default();
-        for (id, value) in [
-            ("block-time", control.timing.block * 1000.0),
-            ("macro-time", control.timing.macro_block * 1000.0),
-            ("preread", f64::from(control.timing.preread)),
-        ] {
-            start.values.insert(id.to_owned(), Value::Number((value * 1000.0).round() / 1000.0));
-        }
+        let mut start = Start::timing(control);
         start.keep_common(control);
         start
     }

@@ -98,7 +98,7 @@ pub(super) fn pose(lathe: &Fitted, run: &dyn Samples, now: &Snapshot, frame: Fra
     let progress = progress(lathe, run, now);
     let turns = now.spindle.turns;
     let step = (now.spindle.actual * 6.0 * frame.step).abs();
-    let seen = math::clamp((1.5 * SEEN - step) / (0.5 * SEEN), 0.0, 1.0);
+    let seen = Frame::seen(step, SEEN);
     let mut pose = Pose::default();
     pose.placements.push(Placement {
         group: group::TOOL,
