@@ -188,11 +188,20 @@ impl Control {
         Some((word.first, number - first.first))
     }
 
-    /// The highest number of a variable, as a switch has it that ends in it: `R0 to R249`.
-    pub fn last_variable(&self, switches: &Switches) -> u32 {
-        let setting =
-            switches.get(self.switches, "r-parameters").and_then(|setting| setting.rsplit(self.syntax.variable).next());
-        setting.and_then(|number| number.parse().ok()).unwrap_or(u32::MAX)
+    /// Id of the switch that names the common variables that are fitted; empty where all are.
+    pub fn fitted_by(&self) -> &'static str {
+        self.switches.iter().map(|row| row.id).find(|id| switch::FITTED.contains(id)).unwrap_or("")
+    }
+
+    /// The ranges of common variables that are fitted; none is named where all are.
+    pub fn fitted(&self, switches: &Switches) -> Vec<(u32, u32)> {
+        let setting = switches.get(self.switches, self.fitted_by()).unwrap_or("");
+        let mut numbers = setting.split(self.syntax.variable).filter_map(|text| {
+            let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+            text.get(..digits)?.parse().ok()
+        });
+        let pair = || Some((numbers.next()?, numbers.next()?));
+        core::iter::from_fn(pair).collect()
     }
 
     /// Codes that a switch keeps off: it is named for them, `codes-g22-g23`, and at its default they are an alarm.

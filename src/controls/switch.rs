@@ -15,6 +15,9 @@ pub struct Switch {
     pub cite: Citation,
 }
 
+/// Ids of the switches that name the common variables that are fitted, for instance `#100 to #149, #500 to #549`.
+pub(super) const FITTED: [&str; 2] = ["common-variables", "r-parameters"];
+
 /// Characters of a free text.
 const TEXT: usize = 500;
 

@@ -107,6 +107,11 @@ impl Clock {
     }
 }
 
+/// Whether a common variable is among the fitted ranges; no range stands for all.
+pub fn is_fitted(fitted: &[(u32, u32)], number: u32) -> bool {
+    fitted.is_empty() || fitted.iter().any(|&(first, last)| (first..=last).contains(&number))
+}
+
 /// A range of variable numbers of one kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VarRange {
@@ -151,6 +156,11 @@ impl VarRange {
 }
 
 impl VarKind {
+    /// Whether how many there are is an option of the control.
+    pub fn common(self) -> bool {
+        matches!(self, VarKind::Common | VarKind::Retained)
+    }
+
     /// Whether a program may assign a variable of this kind.
     pub fn writable(self) -> bool {
         !matches!(

@@ -1,7 +1,8 @@
 //! What a run looks up, made once per program: codes by number, variables by slot, sequence numbers, pairs of DO and END.
 
 use crate::controls::syntax::long;
-use crate::controls::{Alarm, CodeDef, Control, VarKind, VarRange};
+use crate::controls::vars::is_fitted;
+use crate::controls::{Alarm, CodeDef, Control, Switches, VarKind, VarRange};
 use crate::nc::{Block, Deck, Expr, ExprId, Program, Stmt, Way};
 use crate::order;
 
@@ -74,6 +75,8 @@ pub(super) struct Index {
     targets: Vec<(u32, u32)>,
     /// Programs that have names.
     names: Vec<(Box<str>, u32)>,
+    /// Ranges of common variables that are fitted.
+    fitted: Vec<(u32, u32)>,
 }
 
 /// Whether values of these variables are kept by the interpreter.
@@ -94,7 +97,7 @@ fn code_table(control: &Control, letter: u8) -> Vec<u16> {
 
 impl Index {
     /// Reads a deck and a control once.
-    pub(super) fn new(deck: &Deck, control: &Control) -> Index {
+    pub(super) fn new(deck: &Deck, control: &Control, switches: &Switches) -> Index {
         let mut axes = [u8::MAX; 32];
         for (k, axis) in control.axes.iter().enumerate().take(super::canon::AXES) {
             axes[(axis.letter & 31) as usize] = k as u8;
@@ -124,6 +127,7 @@ impl Index {
             jumps: deck.programs.iter().map(|program| jumps(deck, program.first..program.end, control)).collect(),
             targets: Vec::new(),
             names: Vec::new(),
+            fitted: control.fitted(switches),
         };
         if control.syntax.names().is_some() {
             index.targets = deck.programs.iter().flat_map(|program| targets(deck, program)).collect();
@@ -158,6 +162,7 @@ impl Index {
         };
         match (control.vars[at].kind, self.stored_at(&control.vars[at], at, number)) {
             (VarKind::Local, _) => Slot::Local((number - control.vars[at].first).min(32) as u8),
+            (kind, _) if kind.common() && !is_fitted(&self.fitted, number) => Slot::None,
             (VarKind::Common | VarKind::Retained, Some(slot)) => Slot::Common(slot),
             _ => Slot::Row(at as u16),
         }

@@ -95,7 +95,7 @@ impl Interp {
     /// A run at its start, axes at machine zero, variables vacant. `switches` settle the open points of the control.
     pub fn new(parsed: Rc<Parsed>, start: Start, switches: &Switches) -> Interp {
         let control = parsed.control();
-        let index = Index::new(parsed.deck(), control);
+        let index = Index::new(parsed.deck(), control, switches);
         let start = match start {
             Start::First if parsed.deck().programs.is_empty() => Err(0),
             Start::First => Ok(0),

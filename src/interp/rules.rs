@@ -33,6 +33,8 @@ pub(super) struct Rules {
     pub(super) keep_locals: bool,
     /// Common variables become vacant at reset.
     pub(super) clear_common: bool,
+    /// What a program writes to an offset counts increments.
+    pub(super) offset_increments: bool,
     /// A word of nothing but a vacant variable is 0, not left out.
     pub(super) vacant_word: bool,
     /// EQ and NE take vacant for 0.
@@ -79,6 +81,7 @@ impl Rules {
             suppress_override: !is("override-suppression", "no"),
             keep_locals: is("locals-of-calls", "kept"),
             clear_common: is("common-at-reset", "vacant"),
+            offset_increments: is("offset-values", "increments"),
             vacant_word: macros.vacant_word == VacantWord::Zero,
             vacant_equals_zero: macros.vacant_equals_zero,
             result: macros.value_range.unwrap_or((0.0, f64::MAX)),

@@ -124,6 +124,8 @@ impl State {
     fn write_row(&mut self, cx: &mut Cx, block: &Block, at: u16, number: u32, value: f64) -> Run<()> {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
         let slot = cx.shared.index.stored_at(row, at as usize, number);
+        let counted = matches!(row.kind, VarKind::Kept | VarKind::WorkOffset(_)) && cx.shared.rules.offset_increments;
+        let value = if counted { value / cx.shared.units.per_unit } else { value };
         match row.kind {
             VarKind::OutputBit => {
                 let on = value.round() != 0.0;
@@ -256,7 +258,12 @@ pub(super) fn user_alarm(cx: &Cx, block: &Block, number: f64) -> Trap {
 
 #[cold]
 fn no_such_variable(cx: &Cx, number: u32) -> Trap {
-    with_common(cx, Trap::alarm(Alarm::VariableRange, msg!("interp.no-such-variable", cx.control.variable(number))))
+    let name = cx.control.variable(number);
+    let message = match cx.control.var(number) {
+        Some(row) if row.kind.common() => msg!("nc.variable-not-fitted", name, row.text, cx.control.fitted_by()),
+        _ => msg!("interp.no-such-variable", name),
+    };
+    with_common(cx, Trap::alarm(Alarm::VariableRange, message))
 }
 
 /// There is no alarm for what only the simulation lacks, and a made-up value would be worse.

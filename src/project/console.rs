@@ -6,6 +6,7 @@ use super::inputs;
 use super::run::{Run, Setting};
 use super::told::{Teller, headline};
 use crate::controls::{Control, Switches};
+use crate::interp::Counts;
 use crate::interp::inspect::{Change, Entered, Level, What};
 use crate::motion::{Action, Event, Panel, RunEnd};
 use crate::nc::{Files, Parsed};
@@ -68,6 +69,8 @@ pub struct Console<'f> {
     teller: Teller<'f>,
     switches: Switches,
     diagnostics: Vec<Diagnostic>,
+    /// Where the run was over, and after how many blocks: nothing has happened since if it still is.
+    over: Option<(f64, Counts)>,
 }
 
 fn value_text(value: Option<f64>) -> String {
@@ -101,6 +104,7 @@ impl<'f> Console<'f> {
             teller: Teller::new(files),
             switches,
             diagnostics: Vec::new(),
+            over: None,
         };
         console.walk();
         console
@@ -207,6 +211,9 @@ impl<'f> Console<'f> {
     /// Walks to the goal and tells where that is.
     fn walk(&mut self) -> String {
         let stop = self.reach();
+        let over = matches!(stop, Stop::Ended(_)).then(|| (self.debugger.t(), self.debugger.run().blocks()));
+        let again = over.is_some() && over == self.over;
+        self.over = over;
         let mut out = match &stop {
             Stop::Reached => String::new(),
             Stop::Breakpoint(number) => format!("breakpoint {number}\n"),
@@ -218,7 +225,9 @@ impl<'f> Console<'f> {
             Stop::Ended(RunEnd::Alarm(_)) => "the control stops with an alarm\n".to_owned(),
             Stop::Ended(RunEnd::Blocks | RunEnd::Seconds) => "the run is given up here\n".to_owned(),
         };
-        out += &self.changed();
+        if !again {
+            out += &self.changed();
+        }
         let mut said: Vec<Diagnostic> = self.debugger.run().diagnostics().to_vec();
         if let Stop::Ended(RunEnd::Alarm(alarm)) = &stop {
             said.push((**alarm).clone());

@@ -2,6 +2,7 @@
 
 use super::run::Setting;
 use crate::controls::interface::SignalRole;
+use crate::controls::vars::is_fitted;
 use crate::controls::{Control, Switches, VarKind};
 use crate::motion::{Action, Event, Panel};
 
@@ -39,7 +40,9 @@ fn input(name: &str, value: f64, control: &Control, switches: &Switches) -> Vec<
 impl Setting {
     /// What the setting does at the start of a run: a variable set, or an input forced. `None` where the control has neither.
     pub fn action(&self, control: &Control, switches: &Switches) -> Option<Action> {
-        let kind = self.number(control).and_then(|number| control.var(number)).map(|row| row.kind);
+        let row = self.number(control).and_then(|number| Some((number, control.var(number)?.kind)));
+        let fitted = |&(number, kind): &(u32, VarKind)| !kind.common() || is_fitted(&control.fitted(switches), number);
+        let kind = row.filter(fitted).map(|row| row.1);
         let register = matches!(control.role(&self.name, switches),
             Some(role) if control.interface.iter().any(|row| row.role == role && row.plc_writes));
         match kind {

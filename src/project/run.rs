@@ -264,7 +264,7 @@ impl Outcome {
     /// The end as an object, without diagnostics and log.
     pub fn json(&self) -> Json {
         let variables: Map<String, Json> =
-            self.variables.iter().map(|(name, value)| (name.clone(), json!(value))).collect();
+            self.variables.iter().map(|(name, value)| (name.clone(), json!(value + 0.0))).collect();
         let axes: Map<String, Json> =
             self.axes.iter().map(|(axis, at)| (axis.to_string(), json!(clean(*at)))).collect();
         json!({
@@ -289,9 +289,9 @@ impl Outcome {
     }
 }
 
-/// Without the noise of the last bits: twelve decimals.
+/// Without the noise of the last bits: twelve decimals, and never `-0`, which adding 0 makes to 0.
 fn clean(value: f64) -> f64 {
-    if value.abs() < 1e3 { (value * 1e12).round() / 1e12 } else { value }
+    if value.abs() < 1e3 { (value * 1e12).round() / 1e12 + 0.0 } else { value }
 }
 
 /// Leaves out repetitions, in place; the order stays. The run repeats what the reader has found, about the whole block, and tells

@@ -97,11 +97,19 @@ impl<'f> Teller<'f> {
         format!("{file}:{line}: {}", harmless(&Shown::new(text, 0, 0).text))
     }
 
-    /// The diagnostic as an object with severity, alarm, its wording, id, message, file, line, column, field, hints and titles of
-    /// fixes; what does not apply is null.
+    /// The diagnostic as an object with severity, alarm, its wording, id, message, file, line, column, field, hints and fixes, each a
+    /// title and its edits; what does not apply is null. An edit replaces the bytes of a file from start to end, counted in UTF-8.
     pub fn json(&self, diagnostic: &Diagnostic) -> Json {
         let hints: Vec<String> = diagnostic.hints.iter().map(|hint| sentence(Language::English, hint)).collect();
-        let fixes: Vec<String> = diagnostic.fixes.iter().map(|fix| sentence(Language::English, &fix.title)).collect();
+        let edit = |(place, text): &(Place, String)| {
+            let file = self.files.get(place.file).map(|file| file.name.as_str());
+            json!({ "file": file, "start": place.span.start, "end": place.span.end, "text": text })
+        };
+        let fix = |fix: &Fix| {
+            let edits: Vec<Json> = fix.edits.iter().map(edit).collect();
+            json!({ "title": sentence(Language::English, &fix.title), "edits": edits })
+        };
+        let fixes: Vec<Json> = diagnostic.fixes.iter().map(fix).collect();
         let place = diagnostic.place.and_then(|place| self.position(place));
         json!({
             "severity": word(diagnostic.severity),

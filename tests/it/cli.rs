@@ -392,6 +392,43 @@ fn warnings_show_the_id_that_silences_them() {
 }
 
 #[test]
+fn fixes_are_told_with_their_edits() {
+    let path = folder("edits").join("O1.nc");
+    let source = "%\nO1\nG91 G01 X8 F100\nM30\n%\n";
+    std::fs::write(&path, source).unwrap();
+    let out = macroline(&["check", &text(&path), "--control", "mitsubishi-e60", "--json"]);
+    let json: Json = serde_json::from_slice(&out.stdout).unwrap();
+    let fix = &json["diagnostics"][0]["fixes"][0];
+    let edit = &fix["edits"][0];
+    assert_eq!((&edit["file"], &edit["text"]), (&json!("O1.nc"), &json!("X8.")));
+    let at = |key: &str| edit[key].as_u64().unwrap() as usize;
+    assert_eq!(&source[at("start")..at("end")], "X8");
+    assert!(fix["title"].as_str().unwrap().contains("X8."), "{fix}");
+}
+
+#[test]
+fn no_number_is_minus_zero() {
+    let path = folder("zero").join("O1.nc");
+    std::fs::write(&path, "%\nO1\nG00 X-0. Y[0*-1]\nG91 X1.\nX-1.\nM30\n%\n").unwrap();
+    let args = ["run", &text(&path), "--control", "mitsubishi-e60", "--set", "#100=-0", "--json"];
+    let out = String::from_utf8(macroline(&args).stdout).unwrap();
+    assert!(out.contains("\"#100\": 0.0") && !out.contains("-0.0"), "{out}");
+}
+
+#[test]
+fn the_last_command_is_told_once() {
+    let path = folder("end").join("O1.nc");
+    std::fs::write(&path, "%\nO1\nG00 X1.\nM30\n%\n").unwrap();
+    let args = [text(&path), "--control".to_owned(), "mitsubishi-e60".to_owned()];
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    let (_, out, _) = step(&args, "continue\ninto\nover\n");
+    assert_eq!((out.matches("gives end").count(), out.matches("the program is over").count()), (1, 3), "{out}");
+    // From an earlier block on it is news again.
+    let (_, out, _) = step(&args, "continue\nback\ncontinue\n");
+    assert_eq!(out.matches("gives end").count(), 2, "{out}");
+}
+
+#[test]
 fn what_a_project_silences_stays_silent_everywhere_but_errors() {
     let folder = folder("silenced-project");
     let path = project(&folder, json!({}));

@@ -132,7 +132,7 @@ fn variables_of_the_e60() {
         (34, None),
         (100, Some(VarKind::Common)),
         (149, Some(VarKind::Common)),
-        (150, None),
+        (150, Some(VarKind::Common)),
         (400, None),
         (549, Some(VarKind::Retained)),
         (1000, Some(VarKind::InputBit)),

@@ -503,7 +503,7 @@ fn variables() {
     check_block(
         "#150=#99",
         expect![[r##"
-            1:1 error P241 #150 is no variable of the Mitsubishi E60.
+            1:1 error P241 #150 is an option that is not set to be fitted (common, option: 200 sets and more). Where the control has it, set the switch common-variables.
                 Use #100 instead of #150 everywhere: 1:1 "#150"→"#100"
             1:6 error P241 #99 is no variable of the Mitsubishi E60.
         "##]],

@@ -16,6 +16,23 @@ pub(super) const SWITCHES: &[Switch] = &[
         &["R72", "R172", "R24", "R124", "R6436"],
         Citation::new("MELDAS 64 list and the paper (R74) against the M60 device map", Grade::Open),
     ),
+    switch(
+        "common-variables",
+        "Common variables: 100, 200, 300 or 600 sets",
+        &[
+            "#100 to #149, #500 to #549",
+            "#100 to #199, #500 to #599",
+            "#100 to #199, #500 to #699",
+            "#100 to #199, #500 to #999",
+        ],
+        Citation::new("MELDAS option list, unverified: 100 sets are the standard of the E60", Grade::Open),
+    ),
+    switch(
+        "offset-values",
+        "A value that a program writes to a tool or work offset",
+        &["as written", "increments"],
+        MEMORY,
+    ),
     switch("decimal-point", "A coordinate without a point (#1078)", &["increments", "millimetres"], DECIMALS),
     switch("argument-point", "A macro argument without a point", &["increments", "as written"], MEMORY),
     switch("startup-distance", "Dimensions after power-on (#1073)", &["G90", "G91"], MEMORY),

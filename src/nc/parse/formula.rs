@@ -5,6 +5,7 @@ use super::super::dec::Dec;
 use super::slips::meant;
 use super::{Misused, Read, Reader};
 use crate::controls::syntax::Function;
+use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
 use crate::text::{Message, Span};
@@ -439,10 +440,11 @@ impl Reader<'_> {
     fn check_row(&mut self, number: u32, start: usize, written: bool) {
         let alarm = match self.control.var(number) {
             None => Alarm::VariableRange,
-            Some(_) if number > self.tables.last_variable => Alarm::VariableRange,
+            Some(row) if row.kind.common() && !is_fitted(&self.tables.fitted, number) => Alarm::VariableRange,
             Some(row) => match row.kind {
                 VarKind::Local | VarKind::Common | VarKind::Retained => {
-                    self.plain = row.first..row.last.min(self.tables.last_variable).saturating_add(1);
+                    let last = self.tables.fitted.iter().map(|range| range.1).find(|&last| number <= last);
+                    self.plain = row.first..row.last.min(last.unwrap_or(u32::MAX)).saturating_add(1);
                     return;
                 }
                 VarKind::NotSimulated => {

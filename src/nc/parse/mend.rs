@@ -128,7 +128,10 @@ impl Reader<'_> {
     fn misuse(&self, row: &Misused) -> Diagnostic {
         let name = row.span.of(self.source).trim();
         let message = match (row.alarm, self.control.var(row.number)) {
-            (Alarm::VariableRange, _) => msg!("nc.no-such-variable", name, self.control.name),
+            (Alarm::VariableRange, None) => msg!("nc.no-such-variable", name, self.control.name),
+            (Alarm::VariableRange, Some(range)) => {
+                msg!("nc.variable-not-fitted", name, range.text, self.control.fitted_by())
+            }
             (_, Some(range)) => msg!("nc.read-only-variable", name, range.text),
             _ => msg!("nc.read-only-variable", name, ""),
         };

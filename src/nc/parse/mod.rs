@@ -163,8 +163,8 @@ struct Tables<'a> {
     label_chars: usize,
     /// Jumps by name may go to block numbers too.
     number_jumps: bool,
-    /// Highest number of a variable.
-    last_variable: u32,
+    /// Ranges of common variables that are fitted.
+    fitted: Vec<(u32, u32)>,
     /// Codes that a switch keeps off, ten times their numbers.
     off: Vec<(u8, u16)>,
 }
@@ -180,7 +180,7 @@ impl<'a> Tables<'a> {
             block_chars: number(BLOCK_LENGTH).unwrap_or(control.syntax.block_read_chars),
             label_chars: number(LABEL_LENGTH).map_or(0, |chars| chars as usize),
             number_jumps: switches.get(control.switches, NUMBER_JUMPS) == Some("yes"),
-            last_variable: control.last_variable(switches),
+            fitted: control.fitted(switches),
             off: control.codes_off(switches),
             g: Box::new([0; 1000]),
             m: Box::new([0; 100]),

@@ -153,9 +153,6 @@ fn to_goes_to_a_line_or_a_sequence_number() {
           = O1000, 0.7611 s
         > to 2
         the program is over
-          none -> F1000
-          gives linear X10 F1000
-          gives end
          --> a.nc:6:1
           |
         6 | N50 M30
@@ -167,9 +164,6 @@ fn to_goes_to_a_line_or_a_sequence_number() {
         There is no block “99”; a place is N40, O9101, O9101 N40, 12 (line) or O9101.nc:12.
         > to a.nc:5
         the program is over
-          none -> F1000
-          gives linear X10 F1000
-          gives end
          --> a.nc:6:1
           |
         6 | N50 M30
@@ -372,7 +366,6 @@ fn a_stop_waits_for_cycle_start_and_positions_are_those_of_the_machine() {
           = O1, 0.2071 s
         > into
         the control waits for the operator: “start” goes on
-          gives stop
          --> a.nc:3:1
           |
         3 | M00
@@ -414,7 +407,6 @@ fn a_stop_waits_for_cycle_start_and_positions_are_those_of_the_machine() {
           = O1, 0.2202 s
         > continue
         the program is over
-          gives end
          --> a.nc:6:1
           |
         6 | M30

@@ -1,0 +1,9 @@
+%
+O41(200 SETS OF COMMON VARIABLES)
+(SET common-variables #100 to #199, #500 to #599)
+#150=1
+#199=#150+1
+#550=#199+1
+G00 X#550
+M30
+%

@@ -1,0 +1,9 @@
+%
+O43(600 SETS OF COMMON VARIABLES)
+(SET common-variables #100 to #199, #500 to #999)
+#700=3
+#1=999
+#[#1]=#700+1
+G00 X#999
+M30
+%
