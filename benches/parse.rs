@@ -6,10 +6,12 @@ mod summary;
 mod work;
 
 use std::fmt::Write as _;
+use std::rc::Rc;
 
 use criterion::{Criterion, Throughput, criterion_group};
 use macroline::controls;
-use macroline::nc::{Files, Parsed, emit, parse, review, tokens};
+use macroline::nc::{Files, Parsed, emit, parse, tokens};
+use macroline::project::review::review;
 
 /// Blocks of the flat program.
 const COUNT: u64 = 100_000;
@@ -33,7 +35,7 @@ fn formulas() -> Files {
     Files::one("formulas.nc", text)
 }
 
-fn reviewed(parsed: &Parsed) -> usize {
+fn reviewed(parsed: &Rc<Parsed>) -> usize {
     review(parsed, None, &[]).len()
 }
 
@@ -45,7 +47,7 @@ fn speed(c: &mut Criterion) {
     let (flat, formulas) = (flat(), formulas());
     group.bench_function("flat blocks, read", |b| b.iter(|| parse(&flat, control)));
     group.bench_function("formulas, read", |b| b.iter(|| parse(&formulas, control)));
-    let (flat_read, formulas_read) = (parse(&flat, control), parse(&formulas, control));
+    let (flat_read, formulas_read) = (Rc::new(parse(&flat, control)), Rc::new(parse(&formulas, control)));
     group.bench_function("flat blocks, reviewed", |b| b.iter(|| reviewed(&flat_read)));
     group.bench_function("formulas, reviewed", |b| b.iter(|| reviewed(&formulas_read)));
     let deck = flat_read.deck().clone();
@@ -61,7 +63,7 @@ fn main() {
     benches();
     let control = controls::ALL[0];
     let (flat, formulas) = (flat(), formulas());
-    let (flat_read, formulas_read) = (parse(&flat, control), parse(&formulas, control));
+    let (flat_read, formulas_read) = (Rc::new(parse(&flat, control)), Rc::new(parse(&formulas, control)));
     let deck = flat_read.deck().clone();
     summary::line("flat blocks, read", COUNT, "blocks", None, || parse(&flat, control));
     summary::line("formulas, read", COUNT, "blocks", None, || parse(&formulas, control));

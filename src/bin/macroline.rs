@@ -28,6 +28,7 @@ mod native {
     use macroline::motion::{Keep, Limits, Panel};
     use macroline::nc::{self, File, Files};
     use macroline::project::console::{Console, Said};
+    use macroline::project::review::review;
     use macroline::project::run::{self, Begin, Run, Setting};
     use macroline::project::silence::silence;
     use macroline::project::told::{Teller, summary};
@@ -278,7 +279,7 @@ mod native {
 
     fn export(path: &Path, out: &Path) -> Result<(), Failure> {
         let (project, mut diagnostics) = project(path)?;
-        let export = project.export_with(&project.warnings(&project.written()));
+        let export = project.export_with(&project.advice(&project.written()));
         diagnostics.extend(export.diagnostics);
         tell(&export.about, &diagnostics);
         verdict(&diagnostics)?;
@@ -313,15 +314,15 @@ mod native {
             Some(id) => {
                 let control = control(id)?;
                 let switches = switched(Switches::default(), settings, control)?;
-                let parsed = nc::parse_with(&programs(paths)?, control, &switches);
-                (parsed.files().clone(), nc::review(&parsed, None, &[]))
+                let parsed = Rc::new(nc::parse_with(&programs(paths)?, control, &switches));
+                (parsed.files().clone(), review(&parsed, None, &[]))
             }
             None => {
                 let (mut project, mut diagnostics) = project(only_project(paths)?)?;
                 project.switches = switched(project.switches, settings, project.control)?;
                 diagnostics.extend(project.design().diagnostics);
                 let written = project.written();
-                diagnostics.extend(project.warnings(&written));
+                diagnostics.extend(project.advice(&written));
                 diagnostics.extend(written.diagnostics);
                 Diagnostic::in_order(&mut diagnostics);
                 silenced.extend(project.silenced);
@@ -427,7 +428,7 @@ mod native {
             found.extend(project.design().diagnostics);
             let written = project.written();
             found.extend(written.diagnostics.iter().cloned());
-            found.extend(project.warnings(&written));
+            found.extend(project.advice(&written));
             Diagnostic::in_order(&mut found);
             silenced.extend(project.silenced.iter().cloned());
             let run = run::of_project(&project, &written, &begin(meant(&written.parsed)?));
@@ -455,7 +456,7 @@ mod native {
             _ => first,
         };
         let set = run::set_by_operator(&settings, &panel, control);
-        found.extend(nc::review(&parsed, started, &set));
+        found.extend(review(&parsed, started, &set));
         let files = parsed.files().clone();
         let run = run::of_programs(parsed, plant.as_ref(), panel, &begin(start));
         Ok(Prepared { run, files, switches, found, silenced })

@@ -176,6 +176,23 @@ impl State {
         Ok(())
     }
 
+    /// Reads codes and values of a block, and does nothing of what they command. Whether the block calls or returns; `None` where that
+    /// depends on who has called.
+    pub(super) fn read_words(&mut self, cx: &mut Cx, block: &Block, words: &[Word]) -> Run<Option<bool>> {
+        let mut codes = Codes { count: words.len(), ..Codes::default() };
+        self.codes(cx, block, words, &mut codes)?;
+        if codes.call.is_some() {
+            return Ok(None);
+        }
+        let called = macro_kind(&codes).is_some();
+        if called {
+            self.arguments(cx, block, words, Caller { word: Some(codes.caller), all: false })?;
+        } else {
+            self.values(cx, block, words, &codes, &mut Words::default())?;
+        }
+        Ok(Some(called || codes.flow.is_some()))
+    }
+
     /// A block whose words are the arguments of a macro.
     fn call_words(
         &mut self,

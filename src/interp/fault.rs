@@ -111,6 +111,11 @@ impl Trap {
 }
 
 impl Fault {
+    /// Which alarm.
+    pub(super) fn kind(&self) -> Alarm {
+        self.alarm
+    }
+
     /// Looks for the word that it is about in its block.
     pub(super) fn locate(&mut self, deck: &Deck, block: &Block) {
         let word = deck.words_of(block).iter().find(|word| self.letters.contains(&word.letter));

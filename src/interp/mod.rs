@@ -14,6 +14,7 @@ mod call;
 pub mod canon;
 mod eval;
 mod fault;
+mod foretell;
 mod function;
 mod index;
 pub mod inspect;
@@ -30,6 +31,7 @@ pub mod world;
 use std::rc::Rc;
 
 pub use canon::{Canon, Feed, Target};
+pub use foretell::foretell;
 pub use world::World;
 
 use crate::controls::{Control, Switches, VarKind};

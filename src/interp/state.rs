@@ -339,7 +339,7 @@ impl State {
         }
     }
 
-    fn go_to(&mut self, cx: &mut Cx, from: u32, target: ExprId) -> Run<()> {
+    pub(super) fn go_to(&mut self, cx: &mut Cx, from: u32, target: ExprId) -> Run<()> {
         if cx.control.syntax.names().is_some() {
             self.at = cx
                 .shared

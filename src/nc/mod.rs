@@ -26,7 +26,7 @@ pub use dec::Dec;
 pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
 pub use files::{File, Files};
 pub use fix::fix;
-pub use lint::{review, warnings};
+pub use lint::warnings;
 pub use lower::lower;
 pub use parse::{Formula, formula, parse, parse_with, part_span, skim};
 pub use parsed::Parsed;

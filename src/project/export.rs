@@ -25,12 +25,12 @@ impl Project {
         self.export_with(&[])
     }
 
-    /// The same with [`warnings`](Project::warnings) about the program, which are told, and written in the report.
-    pub fn export_with(&self, warnings: &[Diagnostic]) -> Export {
+    /// The same with [`advice`](Project::advice) about the program, which are told, and written in the report.
+    pub fn export_with(&self, advice: &[Diagnostic]) -> Export {
         let design = self.design();
         let written = self.written();
         let mut found = written.diagnostics;
-        found.extend_from_slice(warnings);
+        found.extend_from_slice(advice);
         Diagnostic::in_order(&mut found);
         silence(&mut found, &self.silenced);
         let mut diagnostics = design.diagnostics.clone();

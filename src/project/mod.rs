@@ -10,6 +10,8 @@ pub mod program;
 
 mod inputs;
 
+pub mod review;
+
 pub mod run;
 
 pub mod debug;

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::{Project, run};
+use super::Project;
 use crate::controls::{Control, Switches};
 use crate::nc::{self, Files, Newline, Parsed};
 use crate::text::Diagnostic;
@@ -53,10 +53,5 @@ impl Project {
         let (setup, main) =
             if has(plan.main) { (if has(plan.setup) { plan.setup } else { 0 }, plan.main) } else { (0, first) };
         Written { files, parsed, diagnostics, edited: self.edited.is_some(), setup, main }
-    }
-
-    /// What a senior programmer would say of the program. What is silenced too.
-    pub fn warnings(&self, written: &Written) -> Vec<Diagnostic> {
-        nc::warnings(&written.parsed, Some(written.main), &run::set_by_operator(&[], &self.panel, self.control))
     }
 }

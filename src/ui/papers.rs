@@ -64,7 +64,7 @@ fn tagged(out: &mut String, tag: &str, text: &str) {
 
 /// The files of the export with name and text, and what is said of them: class, alarm, sentence, field.
 pub(super) fn export(project: &Project) -> JsValue {
-    let export = project.export_with(&project.warnings(&project.written()));
+    let export = project.export_with(&project.advice(&project.written()));
     let files = export.files.iter().map(|file| vec![file.name.as_str().into(), file.text.as_str().into()]);
     let told = |found: &Diagnostic| {
         let alarm = found.alarm.as_deref().unwrap_or_default();

@@ -2,6 +2,8 @@
 //!
 //! It is a module of its own (`src/bin/worker.rs`), so that opening the page does not load what it seldom needs.
 
+use std::rc::Rc;
+
 use leptos::wasm_bindgen::closure::Closure;
 use leptos::wasm_bindgen::{JsCast, JsValue, throw_str};
 use wasm_bindgen_futures::JsFuture;
@@ -12,8 +14,8 @@ use super::papers;
 use super::script::{get, object, set, table, text};
 use super::words::{learn, sign, t, tell, tone};
 use crate::nc::{self, Files};
-use crate::project::Project;
 use crate::project::silence::silence;
+use crate::project::{Project, review};
 use crate::text::catalog::number_text;
 use crate::text::{Diagnostic, LineIndex, Message, Value};
 
@@ -35,7 +37,7 @@ pub fn work() {
             throw_str("the project of the page does not read")
         };
         let answer = match text(&job, "kind").as_str() {
-            "review" => review(&project),
+            "review" => reviewed(&project),
             "sheets" => papers::sheets(&project),
             "export" => papers::export(&project),
             _ => {
@@ -76,7 +78,7 @@ fn checked(text: String, project: &Project) -> JsValue {
     let end = text.match_indices('\n').nth(SHOWN as usize - 1).map_or(text.len(), |(at, _)| at);
     let head = text.get(..end).unwrap_or_default().to_owned();
     let parsed = nc::parse_with(&Files::one("", text), project.control, &project.switches);
-    let mut found = nc::review(&parsed, None, &[]);
+    let mut found = review::review(&Rc::new(parsed), None, &[]);
     silence(&mut found, &project.silenced);
     let row = |diagnostic: &Diagnostic| {
         let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));
@@ -95,9 +97,9 @@ fn checked(text: String, project: &Project) -> JsValue {
 }
 
 /// What is said of the program of a project.
-fn review(project: &Project) -> JsValue {
+fn reviewed(project: &Project) -> JsValue {
     let written = project.written();
-    let rows: js_sys::Array = written.diagnostics.iter().chain(&project.warnings(&written)).map(row).collect();
+    let rows: js_sys::Array = written.diagnostics.iter().chain(&project.advice(&written)).map(row).collect();
     object([("rows", rows.into())])
 }
 

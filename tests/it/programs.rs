@@ -1,6 +1,7 @@
 //! Programs run: canonical logs of the fixtures of every control, and alarms at their places.
 
 mod coverage;
+mod foretold;
 mod parameters;
 mod running;
 mod spindle;

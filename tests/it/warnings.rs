@@ -1,8 +1,11 @@
 //! Warnings that a senior programmer would give: programs that raise them, with wording and place, and programs that must not.
 
+use std::rc::Rc;
+
 use expect_test::{Expect, expect};
 use macroline::controls::{Switches, find};
 use macroline::nc::{self, Files};
+use macroline::project::review::review;
 use macroline::text::catalog::{Language, sentence};
 use macroline::text::{Diagnostic, LineIndex};
 
@@ -25,7 +28,7 @@ impl Case<'_> {
         let switches = self.switches.iter().map(|(id, value)| (id.to_string(), value.to_string())).collect();
         let files = Files::one("O1.nc", text.as_str());
         let parsed = nc::parse_with(&files, find(self.control).unwrap(), &Switches(switches));
-        let found = nc::review(&parsed, self.start, self.set);
+        let found = review(&Rc::new(parsed), self.start, self.set);
         (text, found)
     }
 

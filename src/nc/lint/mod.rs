@@ -70,14 +70,6 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     found
 }
 
-/// Everything that is said of read programs, in the order of the text: the reader's findings, and the [`warnings`].
-pub fn review(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
-    let mut found = parsed.diagnostics().to_vec();
-    found.extend(warnings(parsed, start, set));
-    Diagnostic::in_order(&mut found);
-    found
-}
-
 impl Lint<'_> {
     /// Says a sentence about bytes of a block's file; the block is an index in the deck. {0} of the sentence is what stands there, {1}
     /// and so on are `more`. `hint` is the id of another sentence with the same values, or empty.

@@ -160,7 +160,11 @@ impl Check<'_> {
 
     fn no_target(&mut self, number: Dec, span: Span) {
         if self.found.len() <= 2 * FINDINGS {
-            self.report(Alarm::NoSequence, span, msg!("nc.no-such-sequence", format!("N{number}")));
+            // Some numbers no block can have.
+            let (value, digits) = (number.to_f64(), u32::from(self.control.syntax.sequence_digits.min(9)));
+            let such = (1.0..f64::from(10_u32.pow(digits))).contains(&value);
+            let alarm = if such { Alarm::NoSequence } else { Alarm::JumpNumber };
+            self.report(alarm, span, msg!("nc.no-such-sequence", format!("N{number}")));
         }
     }
 

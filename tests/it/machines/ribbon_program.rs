@@ -13,6 +13,7 @@ use macroline::machines::{On, Plan, settings};
 use macroline::math::{self, PI, hypot};
 use macroline::motion::{Action, Event, Keep, Limits, Mode, Panel, Planner, RunEnd, Setup};
 use macroline::nc::{self, Emitted, Parsed};
+use macroline::project::review::review;
 use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence};
 use macroline::view::Verdict;
@@ -27,12 +28,12 @@ fn plan(on: On, values: &Values) -> (Plan, Emitted) {
 #[track_caller]
 pub(super) fn parsed(on: On<'static>, values: &Values) -> (Plan, Rc<Parsed>) {
     let (plan, emitted) = plan(on, values);
-    let parsed = nc::parse(&emitted.files, on.control);
-    let review = nc::review(&parsed, Some(plan.main), &[]);
+    let parsed = Rc::new(nc::parse(&emitted.files, on.control));
+    let review = review(&parsed, Some(plan.main), &[]);
     let findings: Vec<_> = emitted.diagnostics.iter().chain(&review).collect();
     let said = |d: &&macroline::text::Diagnostic| format!("{:?}: {}", d.place, sentence(Language::English, &d.message));
     assert!(findings.is_empty(), "{:#?}", findings.iter().map(said).collect::<Vec<_>>());
-    (plan, Rc::new(parsed))
+    (plan, parsed)
 }
 
 /// The PLC's word is #1033 or #1032.

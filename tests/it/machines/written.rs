@@ -33,7 +33,7 @@ fn no_program_of_a_machine_raises_a_finding() {
                     rest /= values.len();
                 }
                 let written = project.written();
-                let found: Vec<_> = written.diagnostics.iter().cloned().chain(project.warnings(&written)).collect();
+                let found: Vec<_> = written.diagnostics.iter().cloned().chain(project.advice(&written)).collect();
                 let said = |d: &macroline::text::Diagnostic| {
                     format!("{}: {}", d.message.id, sentence(Language::English, &d.message))
                 };

@@ -1,0 +1,345 @@
+//! What a run will certainly say: each block alone, with all in it that is constant, under all codes that can be in force there.
+
+use std::rc::Rc;
+
+use super::fault::{Run, Trap};
+use super::modal::Modal;
+use super::state::{Cx, State};
+use super::world::Still;
+use super::{Interp, Start};
+use crate::controls::macros::CallKind;
+use crate::controls::syntax::long;
+use crate::controls::{Alarm, Code, CodeDef, Group, VarKind};
+use crate::nc::{Block, Expr, ExprId, Parsed, Stmt, Word, WordValue};
+use crate::text::{Diagnostic, Place, Severity};
+
+/// Findings that are listed.
+const FINDINGS: usize = 1000;
+
+/// The alarms that blocks of read programs will raise whenever they run, in the order of the text: where a block depends on what is not
+/// known before, nothing is said. What the reader has said of a block stands for all of it.
+pub fn foretell(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
+    let Interp { shared, state } = Interp::new(Rc::clone(parsed), Start::First, parsed.switches());
+    let deck = parsed.deck();
+    let mut world = Still::default();
+    let cx = Cx { shared: &shared, control: shared.control, deck, world: &mut world };
+    let mut oracle = Oracle::new(cx, state);
+    let errors = parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
+    let errors: Vec<Place> = errors.filter_map(|finding| finding.place).collect();
+    let mut found: Vec<Diagnostic> = Vec::new();
+    for (index, program) in deck.programs.iter().enumerate() {
+        oracle.state.go_to_program(deck, index as u32);
+        for (at, block) in (program.first..).zip(deck.blocks_of(program)) {
+            oracle.block(at, block);
+            let (file, span) = (program.file, block.span);
+            let said = |e: &Place| e.file == file && e.span.start < span.end && span.start < e.span.end;
+            if !oracle.told.is_empty() && !errors.iter().any(said) {
+                found.append(&mut oracle.told);
+            }
+            oracle.told.clear();
+        }
+        if found.len() >= FINDINGS {
+            found.truncate(FINDINGS);
+            break;
+        }
+    }
+    Diagnostic::in_order(&mut found);
+    found
+}
+
+/// Whether the meaning of words depends on this code.
+fn matters(row: &CodeDef) -> bool {
+    use Code::{FeedPerMinute, FeedPerRevolution, Inch, Metric, SurfaceSpeed, SurfaceSpeedOff};
+    row.group == Group::Motion
+        || matches!(row.code, FeedPerMinute | FeedPerRevolution | Inch | Metric | SurfaceSpeed | SurfaceSpeedOff)
+}
+
+/// What [`matters`] of a modal state.
+fn key(modal: &Modal) -> (bool, bool, bool, bool) {
+    (modal.inch, modal.per_revolution, modal.surface, modal.motion == Code::Thread)
+}
+
+/// What a block of words does that can be known before, beyond its values.
+const ACTS: [Alarm; 15] = [
+    // Behind H; what stands behind P of a return is looked for in the program that has called.
+    Alarm::NoSequence,
+    // Known where P is.
+    Alarm::JumpNumber,
+    Alarm::RepeatRange,
+    Alarm::NoCallProgram,
+    Alarm::OwnCall,
+    Alarm::SpindleAngle,
+    Alarm::SurfaceRange,
+    // Functions by number.
+    Alarm::DivisionByZero,
+    Alarm::Calculation,
+    Alarm::SquareRoot,
+    Alarm::Tangent,
+    Alarm::Overflow,
+    Alarm::NotWhole,
+    Alarm::ReadOnly,
+    Alarm::VacantWritten,
+];
+
+/// What writing to a variable comes to; its own alarm a program means to raise.
+const WRITES: [Alarm; 4] = [Alarm::VariableRange, Alarm::ReadOnly, Alarm::VacantWritten, Alarm::VariableSide];
+
+struct Oracle<'a> {
+    cx: Cx<'a>,
+    /// A run that does no more than read its blocks, in the order of the text.
+    state: State,
+    /// Of each expression, whether it has the same value in every run.
+    constant: Vec<bool>,
+    /// The modal states that blocks can meet, as far as they matter.
+    modals: Vec<Modal>,
+    /// Words are what they look like: no modal call takes them for its arguments.
+    words: bool,
+    /// What is wrong with the block at hand.
+    told: Vec<Diagnostic>,
+}
+
+impl<'a> Oracle<'a> {
+    fn new(cx: Cx<'a>, state: State) -> Oracle<'a> {
+        let mut constant: Vec<bool> = Vec::with_capacity(cx.deck.exprs.len());
+        for expr in &cx.deck.exprs {
+            let known = |id: &ExprId| constant.get(id.0 as usize).copied().unwrap_or(false);
+            constant.push(match expr {
+                Expr::Number(_) => true,
+                Expr::Var(number) => cx.control.var(*number).is_some_and(|row| row.kind == VarKind::Vacant),
+                Expr::Label(_) | Expr::Indirect(_) => false,
+                Expr::Negate(x) | Expr::Call(_, x) => known(x),
+                Expr::Binary(_, left, right) => known(left) && known(right),
+            });
+        }
+        let modals = vec![state.modal.clone()];
+        let mut oracle = Oracle { cx, state, constant, modals, words: true, told: Vec::new() };
+        oracle.note_codes();
+        oracle
+    }
+
+    /// Finds the modal states that the codes of all programs can bring about.
+    fn note_codes(&mut self) {
+        let control = self.cx.control;
+        let mut rows: Vec<&CodeDef> = Vec::new();
+        let mut any = false;
+        for word in self.cx.deck.words.iter().filter(|word| is_code(word)) {
+            let WordValue::Number(number) = word.value else {
+                any = true;
+                continue;
+            };
+            let tenths = if number.scale == 0 { number.mantissa.saturating_mul(10) } else { number.mantissa };
+            let tenths = u32::try_from(tenths).unwrap_or(u32::MAX);
+            if let Some(row) = self.cx.shared.index.code(control, word.letter, tenths) {
+                self.words &= row.code != Code::MacroModalBlock;
+                if matters(row) && !rows.iter().any(|other| core::ptr::eq(*other, row)) {
+                    rows.push(row);
+                }
+            }
+        }
+        self.words &= self.cx.shared.rules.calls.iter().all(|call| call.kind != CallKind::ModalBlock);
+        if any {
+            rows = control.codes.iter().filter(|row| matters(row)).collect();
+        }
+        let mut at = 0;
+        while let Some(modal) = self.modals.get(at).cloned() {
+            for row in &rows {
+                let mut next = modal.clone();
+                next.set(control, row);
+                if self.modals.iter().all(|other| key(other) != key(&next)) {
+                    self.modals.push(next);
+                }
+            }
+            at += 1;
+        }
+    }
+
+    /// Notes what is wrong with a block in every run.
+    fn block(&mut self, at: u32, block: &Block) {
+        let deck = self.cx.deck;
+        match block.stmt {
+            Stmt::Words { .. } => {
+                let words = deck.words_of(block);
+                for word in words {
+                    if let WordValue::Expr(id) = word.value {
+                        self.formula(block, id);
+                    }
+                }
+                if self.words {
+                    self.block_words(at, block, words);
+                }
+            }
+            Stmt::IfThen { cond, to, value } => {
+                self.formula(block, cond);
+                self.formula(block, value);
+                self.assigned(block, to, value);
+            }
+            Stmt::While { cond, .. } => cond.into_iter().for_each(|id| self.formula(block, id)),
+            Stmt::Call { repeats, .. } => repeats.into_iter().for_each(|id| self.formula(block, id)),
+            stmt => {
+                for (to, value) in deck.assigned_in(stmt) {
+                    self.formula(block, value);
+                    self.assigned(block, to, value);
+                }
+                for (cond, target, _) in deck.jumps_of(stmt) {
+                    cond.into_iter().chain([target]).for_each(|id| self.formula(block, id));
+                    if self.is_constant(target) {
+                        let jumped = self.state.go_to(&mut self.cx, at, target);
+                        self.tell(block, jumped, &[Alarm::IntoLoop, Alarm::JumpNumber, Alarm::NoSequence]);
+                    }
+                }
+            }
+        }
+    }
+
+    fn is_constant(&self, id: ExprId) -> bool {
+        self.constant.get(id.0 as usize).copied().unwrap_or(false)
+    }
+
+    /// What a run says that ends in one of these alarms, or in any where none are named.
+    fn finding(&self, block: &Block, outcome: Run<()>, alarms: &[Alarm]) -> Option<Diagnostic> {
+        let Err(Trap::Alarm(mut fault)) = outcome else { return None };
+        if !alarms.is_empty() && !alarms.contains(&fault.kind()) {
+            return None;
+        }
+        fault.locate(self.cx.deck, block);
+        Some(fault.diagnostic(&self.cx.shared.parsed, Place { file: self.state.file, span: block.span }))
+    }
+
+    fn tell(&mut self, block: &Block, outcome: Run<()>, alarms: &[Alarm]) {
+        let finding = self.finding(block, outcome, alarms);
+        self.note(finding);
+    }
+
+    /// One place is told of once.
+    fn note(&mut self, finding: Option<Diagnostic>) {
+        self.told.extend(finding.filter(|finding| self.told.iter().all(|other| other.place != finding.place)));
+    }
+
+    /// Writes to the variable of an assignment, where it is known and more than a store.
+    fn assigned(&mut self, block: &Block, to: ExprId, value: ExprId) {
+        use VarKind::{Common, Kept, Local, Retained};
+        let kept = |number| {
+            self.cx.control.var(number).is_some_and(|row| matches!(row.kind, Local | Common | Retained | Kept))
+        };
+        match self.cx.deck.expr(to) {
+            Expr::Var(number) if kept(number) => return,
+            Expr::Indirect(x) if !self.is_constant(x) => return self.formula(block, x),
+            _ => {}
+        }
+        let mut state = self.state.clone();
+        let outcome = if self.is_constant(value) {
+            state.assign(&mut self.cx, block, to, value)
+        } else {
+            let number = state.variable_of(&mut self.cx, to);
+            number.and_then(|number| state.write(&mut self.cx, block, number, 0.0).map_err(|trap| trap.part(to)))
+        };
+        self.tell(block, outcome, &WRITES);
+    }
+
+    /// Calculates the constant parts of a formula.
+    fn formula(&mut self, block: &Block, id: ExprId) {
+        let expr = self.cx.deck.expr(id);
+        if self.is_constant(id) {
+            if !matches!(expr, Expr::Number(_) | Expr::Var(_)) {
+                let value = self.state.value(&mut self.cx, id).map(|_| ());
+                self.tell(block, value, &[]);
+            }
+            return;
+        }
+        match expr {
+            Expr::Number(_) | Expr::Label(_) | Expr::Var(_) => {}
+            Expr::Indirect(x) if self.is_constant(x) => {
+                let value = self.state.value(&mut self.cx, id).map(|_| ());
+                self.tell(block, value, &[]);
+            }
+            Expr::Indirect(x) | Expr::Negate(x) | Expr::Call(_, x) => self.formula(block, x),
+            Expr::Binary(_, left, right) => {
+                self.formula(block, left);
+                self.formula(block, right);
+            }
+        }
+    }
+
+    fn is_known(&self, word: &Word) -> bool {
+        match word.value {
+            WordValue::Number(_) => true,
+            WordValue::Expr(id) => self.is_constant(id),
+        }
+    }
+
+    fn block_words(&mut self, at: u32, block: &Block, words: &[Word]) {
+        let open = words.iter().filter(|word| !self.is_known(word));
+        let (mut all, mut codes, mut results) = (true, true, true);
+        for word in open {
+            all = false;
+            codes &= !is_code(word);
+            results &= word.letter == b'P';
+        }
+        // Where a code is open, nobody knows what the other words mean.
+        if !codes {
+            return;
+        }
+        let known: Vec<Word>;
+        let told = if all {
+            words
+        } else {
+            known = words.iter().filter(|word| self.is_known(word)).copied().collect();
+            &known
+        };
+        match self.state.read_words(&mut self.cx, block, told) {
+            Ok(None) => {}
+            // P of a function names its result.
+            Ok(Some(calls)) => {
+                let function = !all && results && calls && self.state.is_function(&self.cx, words);
+                let spindle = || words.iter().any(|word| matches!(word.letter, b'S' | long::SPOS));
+                if function || all && (calls || spindle()) {
+                    let first = if !all { 2 } else { usize::from(words.iter().all(|word| word.letter != b'H')) };
+                    let acts = ACTS.get(first..).unwrap_or_default();
+                    let finding = self.always(block, acts, &mut |state, cx| state.words(cx, at, block, words));
+                    self.note(finding);
+                }
+            }
+            Err(_) => {
+                let mut together = |state: &mut State, cx: &mut Cx| state.read_words(cx, block, told).map(|_| ());
+                let finding = self.always(block, &[Alarm::ArgumentSets], &mut together);
+                self.note(finding);
+                for (at, word) in told.iter().enumerate() {
+                    let alone = told.iter().enumerate().filter(|row| row.0 == at || is_code(row.1));
+                    let alone: Vec<Word> = alone.map(|row| *row.1).collect();
+                    let span = word.span(block);
+                    let finding =
+                        self.always(block, &[], &mut |state, cx| state.read_words(cx, block, &alone).map(|_| ()));
+                    let inside = |place: Place| span.start <= place.span.start && place.span.end <= span.end;
+                    self.note(finding.filter(|finding| finding.place.is_some_and(inside)));
+                }
+            }
+        }
+    }
+
+    /// What is said in every modal state: as the order of the text has it, and all others.
+    fn always(
+        &mut self,
+        block: &Block,
+        alarms: &[Alarm],
+        run: &mut dyn FnMut(&mut State, &mut Cx) -> Run<()>,
+    ) -> Option<Diagnostic> {
+        let mut said: Option<Diagnostic> = None;
+        for at in 0..=self.modals.len() {
+            let mut state = self.state.clone();
+            if let Some(modal) = at.checked_sub(1).and_then(|at| self.modals.get(at)) {
+                state.modal.clone_from(modal);
+            }
+            let outcome = run(&mut state, &mut self.cx);
+            let finding = self.finding(block, outcome, alarms)?;
+            if said.as_ref().is_some_and(|said| (&said.alarm, said.place) != (&finding.alarm, finding.place)) {
+                return None;
+            }
+            said.get_or_insert(finding);
+        }
+        said
+    }
+}
+
+fn is_code(word: &Word) -> bool {
+    matches!(word.letter, b'G' | long::NAME)
+}

@@ -1,0 +1,282 @@
+//! Alarms that are told before a program runs: the same, at the same place, and never of a program that runs.
+
+use std::fmt::Write as _;
+
+use expect_test::{Expect, expect};
+use macroline::controls::{self, Control};
+use macroline::interp::{End, Interp, foretell};
+use macroline::project::review::review;
+use macroline::text::{Diagnostic, Severity};
+
+use super::{BUDGET, alarm_and_place, fixtures, interp, start_fixture, start_on, world};
+
+#[test]
+fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
+    let mut later = String::new();
+    for control in controls::ALL {
+        for (path, source) in fixtures(control, "bad") {
+            let mut interp = start_fixture(control, &source);
+            if interp.parsed().has_errors() {
+                continue;
+            }
+            let name = path.file_stem().unwrap().display().to_string();
+            let told = foretell(interp.parsed());
+            let Some(End::Alarm(alarm)) = interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}) else {
+                panic!("{name} runs");
+            };
+            let said = |finding: &Diagnostic| (alarm_and_place(&source, finding), finding.message.clone());
+            match told.first() {
+                Some(told) => assert_eq!(said(told), said(&alarm), "{} {name}", control.id),
+                None => writeln!(later, "{} {name}", control.id).unwrap(),
+            }
+        }
+    }
+    // What depends on what ran before.
+    expect![[r#"
+        mitsubishi-e60 arc-center
+        mitsubishi-e60 arc-deviation
+        mitsubishi-e60 arc-radius
+        mitsubishi-e60 code-in-code
+        mitsubishi-e60 division-in-word
+        mitsubishi-e60 division
+        mitsubishi-e60 feed-after-unit
+        mitsubishi-e60 feed-zero
+        mitsubishi-e60 indirect-variable
+        mitsubishi-e60 macro-nesting
+        mitsubishi-e60 macro-program
+        mitsubishi-e60 modal-call
+        mitsubishi-e60 negative-variable
+        mitsubishi-e60 no-feed
+        mitsubishi-e60 overflow
+        mitsubishi-e60 program
+        mitsubishi-e60 sequence-zero
+        mitsubishi-e60 square-root
+        mitsubishi-e60 sub-nesting
+        mitsubishi-e60 user-alarm
+        gsk-980tdc arc-center
+        gsk-980tdc arc-radius
+        gsk-980tdc division
+        gsk-980tdc function-alarm
+        gsk-980tdc macro-program
+        gsk-980tdc nine-variable
+        gsk-980tdc no-feed
+        gsk-980tdc overflow
+        gsk-980tdc program
+        gsk-980tdc return-in-modal
+        gsk-980tdc sub-nesting
+        gsk-980tdc user-alarm-base
+        gsk-980tdc user-alarm-number
+        gsk-980tdc user-alarm
+        knd-k2000t arc-center
+        knd-k2000t arc-radius
+        knd-k2000t division
+        knd-k2000t feed-zero
+        knd-k2000t jump-number
+        knd-k2000t macro-program
+        knd-k2000t no-feed
+        knd-k2000t overflow
+        knd-k2000t program
+        knd-k2000t sub-nesting
+        knd-k2000t user-alarm-number
+        knd-k2000t user-alarm
+        sinumerik-802d arc
+        sinumerik-802d division
+        sinumerik-802d feed-above
+        sinumerik-802d lead
+        sinumerik-802d main-return
+        sinumerik-802d nesting
+        sinumerik-802d no-feed
+        sinumerik-802d no-program
+        sinumerik-802d no-surface-speed
+        sinumerik-802d repeats-computed
+        sinumerik-802d variable-computed
+    "#]]
+    .assert_eq(&later);
+}
+
+#[test]
+fn nothing_is_foretold_of_programs_that_run() {
+    for control in controls::ALL {
+        for (path, source) in fixtures(control, "ok") {
+            let mut interp = start_fixture(control, &source);
+            let told = foretell(interp.parsed());
+            let end = interp::run(&mut interp, &mut world(), BUDGET, |_, _| {});
+            let said = told.first().map(|told| alarm_and_place(&source, told));
+            match end {
+                Some(End::Alarm(alarm)) if said.is_some() => {
+                    assert_eq!(said, Some(alarm_and_place(&source, &alarm)), "{}", path.display());
+                }
+                _ => assert_eq!(said, None, "{}", path.display()),
+            }
+        }
+    }
+}
+
+/// What reading says of one block, and that a run stops there with the same.
+fn told(control: &'static Control, block: &str) -> String {
+    let source = match control.syntax.names {
+        Some(_) => format!("%_N_MAIN_MPF\n{}\nM2\n", block),
+        None => format!("O1\n{block}\nM30\n%\n"),
+    };
+    let mut interp: Interp = start_on(control, &source, &[]);
+    let found = review(interp.parsed(), None, &[]);
+    let errors: Vec<&Diagnostic> = found.iter().filter(|finding| finding.severity == Severity::Error).collect();
+    let said: Vec<String> = errors.iter().map(|finding| alarm_and_place(&source, finding)).collect();
+    match interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}) {
+        Some(End::Alarm(alarm)) if said.is_empty() => return format!("runs into {}", alarm_and_place(&source, &alarm)),
+        Some(End::Alarm(alarm)) => {
+            assert_eq!(said.first(), Some(&alarm_and_place(&source, &alarm)), "{} {block}: {found:#?}", control.id);
+        }
+        end => assert_eq!((end, said.len()), (Some(End::Program), 0), "{} {block}", control.id),
+    }
+    said.join(", ")
+}
+
+/// One row for each block: what the four controls say, in their order.
+#[track_caller]
+fn check(blocks: &[&str], expected: Expect) {
+    let mut out = String::new();
+    for block in blocks {
+        let alarms: Vec<String> = controls::ALL
+            .iter()
+            .map(|control| {
+                // The other language writes its formulas in another way.
+                let named = control.syntax.names.is_some();
+                let text =
+                    if named { block.replace('#', "R").replace('[', "(").replace(']', ")") } else { block.to_string() };
+                let told = told(control, &text);
+                if told.is_empty() { "-".to_owned() } else { told }
+            })
+            .collect();
+        writeln!(out, "{}: {}", block.replace('\n', "; "), alarms.join(" | ")).unwrap();
+    }
+    expected.assert_eq(&out);
+}
+
+#[test]
+fn values_that_an_address_cannot_hold() {
+    check(
+        &[
+            "S10000 M3",
+            "S100000",
+            "S-1",
+            "G00 X100000.",
+            "G00 X-100000.",
+            "G00 Z[50000.*2]",
+            "G04 X-1",
+            "G04 P-5",
+            "T100000000",
+            "T-1",
+            "G01 X1. F999999",
+            "G01 X1. F-1",
+            "G32 Z-10. F1000.",
+            "G01 X100000. Z100000.",
+            "G01 X#1 Z100000.",
+            "M100000000",
+            "M3 S[-5]",
+        ],
+        expect![[r#"
+            S10000 M3: - | 0012 2:1 | - | -
+            S100000: - | 0012 2:1 | 110 2:1 | 16763 2:1
+            S-1: P35 2:1 | 0012 2:1 | 110 2:1 | 16763 2:1
+            G00 X100000.: P35 2:5 | 0012 2:5 | 110 2:5 | 12160 2:5
+            G00 X-100000.: P35 2:5 | 0012 2:5 | 110 2:5 | 12160 2:5
+            G00 Z[50000.*2]: P35 2:5 | 0012 2:5 | 110 2:5 | 12080 2:6
+            G04 X-1: P35 2:5 | 0012 2:5 | 110 2:5 | 12120 2:1
+            G04 P-5: P35 2:5 | 0012 2:5 | 110 2:5 | 12120 2:1, 12080 2:5
+            T100000000: P35 2:1 | 0012 2:1 | 110 2:1 | 12160 2:1
+            T-1: P35 2:1 | 0012 2:1 | 110 2:1 | 12160 2:1
+            G01 X1. F999999: - | 0023 2:9 | 110 2:9 | 14800 2:9
+            G01 X1. F-1: P35 2:9 | 0023 2:9 | 110 2:9 | 14800 2:9
+            G32 Z-10. F1000.: P34 2:1 | 0023 2:11 | 110 2:11 | 12470 2:1
+            G01 X100000. Z100000.: P35 2:5, P35 2:14 | 0012 2:5, 0012 2:14 | 110 2:5, 110 2:14 | 12160 2:5, 12160 2:14
+            G01 X#1 Z100000.: P35 2:9 | 0012 2:9 | 110 2:9 | 12080 2:6
+            M100000000: P35 2:1 | 0012 2:1 | 110 2:1 | 12160 2:1
+            M3 S[-5]: P35 2:4 | 0012 2:4 | 110 2:4 | 12080 2:5
+        "#]],
+    );
+}
+
+#[test]
+fn calculations_without_a_result() {
+    check(
+        &[
+            "#1=5/0",
+            "#1=[5-5]*2/[3-3]",
+            "#1=SQRT[-4]",
+            "#1=ASIN[1.5]",
+            "#1=ACOS[2]",
+            "#1=TAN[90]",
+            "#1=TAN[-90]",
+            "#1=TAN[89.9]",
+            "#1=LN[0]",
+            "#1=LN[-1]",
+            "#1=5 MOD 0",
+            "#1=5 MOD 0.3",
+            "#1=EXP[1000]",
+            "#1=1.5 AND 1",
+            "#1=BIN[10]",
+            "#1=#2+5/0",
+            "#[5/0]=1",
+            "G00 X[1/0]",
+            "G00 X#1 Z[SQRT[-1]]",
+            "#1=SQRT[-1]+LN[0]",
+        ],
+        expect![[r#"
+            #1=5/0: P283 2:6 | 0105 2:6 | 112 2:6 | 14051 2:6
+            #1=[5-5]*2/[3-3]: P283 2:13 | 0105 2:13 | 112 2:13 | 14051 2:13
+            #1=SQRT[-4]: P282 2:4 | 0108 2:4 | 119 2:4 | 14051 2:4
+            #1=ASIN[1.5]: P282 2:4 | 0110 2:4 | 119 2:4 | 14051 2:4
+            #1=ACOS[2]: P282 2:4 | 0110 2:4 | 119 2:4 | 14051 2:4
+            #1=TAN[90]: P282 2:4 | 0109 2:4 | 112 2:4 | 14051 2:4
+            #1=TAN[-90]: P282 2:4 | 0109 2:4 | 112 2:4 | 14051 2:4
+            #1=TAN[89.9]: - | - | - | -
+            #1=LN[0]: P282 2:4 | 0107 2:4 | 119 2:4 | 14051 2:4
+            #1=LN[-1]: P282 2:4 | 0107 2:4 | 119 2:4 | 14051 2:4
+            #1=5 MOD 0: P33 2:6 | 0101 2:6 | 112 2:10 | 14051 2:10
+            #1=5 MOD 0.3: P33 2:6 | 0101 2:6 | 112 2:10 | -
+            #1=EXP[1000]: P282 2:4 | 0043 2:4 | 111 2:4 | 14051 2:4
+            #1=1.5 AND 1: - | 0127 2:4 | - | -
+            #1=BIN[10]: P282 2:4 | 0043 2:4 | 111 2:4 | 12080 2:4
+            #1=#2+5/0: P283 2:9 | 0105 2:9 | 112 2:9 | 14051 2:9
+            #[5/0]=1: runs into P283 2:5 | runs into 0105 2:5 | runs into 112 2:5 | 12080 2:2, 12080 2:7
+            G00 X[1/0]: P283 2:9 | 0105 2:9 | 112 2:9 | 12080 2:6
+            G00 X#1 Z[SQRT[-1]]: P282 2:11 | 0108 2:11 | 119 2:11 | 12080 2:6, 12080 2:10
+            #1=SQRT[-1]+LN[0]: P282 2:4 | 0108 2:4 | 119 2:4 | 14051 2:4
+        "#]],
+    );
+}
+
+#[test]
+fn calls_and_jumps_that_cannot_be() {
+    check(
+        &[
+            "M98",
+            "M98 P1 L10000",
+            "M98 P1 L-1",
+            "G65",
+            "G65 P1 L10000",
+            "M99 P0",
+            "GOTO0",
+            "GOTO100000",
+            "GOTO-5",
+            "GOTO[2+3]",
+            "GOTO5\nWHILE[#1 LT 5]DO1\nN5 #1=#1+1\nEND1",
+            "WHILE[#1 LT 5]DO1\nN5 #1=#1+1\nEND1\nGOTO5",
+        ],
+        expect![[r#"
+            M98: runs into P230 2:1 | 0122 2:1 | 076 2:1 | -
+            M98 P1 L10000: P35 2:8 | 0092 2:8 | 110 2:8 | 12080 2:1
+            M98 P1 L-1: P35 2:8 | 0092 2:8 | 110 2:8 | 12080 2:1
+            G65: P232 2:1 | 0122 2:1 | 076 2:1 | 12470 2:1
+            G65 P1 L10000: P35 2:8 | 0092 2:8 | 110 2:8 | 12470 2:1, 12080 2:5, 12080 2:8
+            M99 P0: P231 2:5 | 0112 2:5 | 128 2:5 | 12080 2:5
+            GOTO0: P231 2:5 | 0112 2:5 | 128 2:5 | 12080 2:1
+            GOTO100000: P231 2:5 | 0112 2:5 | 128 2:5 | 12080 2:1
+            GOTO-5: P231 2:5 | 0112 2:5 | 128 2:5 | 12080 2:1
+            GOTO[2+3]: P231 2:6 | 0112 2:6 | 078 2:6 | 12080 2:1
+            GOTO5; WHILE[#1 LT 5]DO1; N5 #1=#1+1; END1: P294 2:5 | 0103 2:5 | 124 2:5 | 12080 2:1, 12080 3:1, 12080 5:1
+            WHILE[#1 LT 5]DO1; N5 #1=#1+1; END1; GOTO5: P294 5:5 | 0103 5:5 | 124 5:5 | 12080 2:1, 12080 4:1, 12080 5:1
+        "#]],
+    );
+}
