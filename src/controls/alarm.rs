@@ -163,6 +163,10 @@ pub enum Alarm {
     SpeedLimitRange,
     /// A thread without a lead.
     NoLead,
+    /// M04 while M03 is put out, or the other way round, where the PLC makes an alarm of it.
+    SpindleReversal,
+    /// A gear that is not in position in time.
+    GearTimeout,
 }
 
 /// An alarm as one control shows it.
@@ -265,6 +269,8 @@ impl Alarm {
         Alarm::SpeedRange,
         Alarm::SpeedLimitRange,
         Alarm::NoLead,
+        Alarm::SpindleReversal,
+        Alarm::GearTimeout,
     ];
 
     /// The wider kind that a control shows where it has no number for this one; `None` for the widest.
@@ -281,6 +287,7 @@ impl Alarm {
             Digits | SequenceDigits | FeedRange | UserAlarmRange | SurfaceRange | SpindleAngle => OutOfRange,
             NoSurfaceSpeed => NoFeed,
             NoPositioning => UnknownCode,
+            SpindleReversal | GearTimeout => EmergencyStop,
             BlockWords => BlockTooLong,
             JumpNumber => NoSequence,
             ReadOnly => VariableSide,

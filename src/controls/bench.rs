@@ -1,5 +1,7 @@
 //! The plant that a bare program runs on: axes, clamps and spindle of a test bench, with no builder's logic but an echo.
 
+use crate::drives::Positioning;
+
 /// An axis of the bench, in the control's axis order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BenchAxis {
@@ -47,6 +49,8 @@ pub struct Bench {
     pub in_position: f64,
     /// Seconds from 0 to full speed.
     pub ramp: f64,
+    /// How the spindle is brought to an angle, where the control does that.
+    pub positioning: Option<Positioning>,
     /// Variable number of the input word into which the bench's PLC copies the spindle override in percent.
     pub override_echo: Option<u32>,
     /// Seconds until the PLC answers an M or S code with FIN.

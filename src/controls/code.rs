@@ -92,6 +92,8 @@ pub enum Code {
     UpperLimits,
     /// Spindle orientation (M19).
     SpindleOrient,
+    /// The spindle that S and M words without a number are for (SETMS).
+    MasterSpindle,
     /// Programmable offset in place of the one before.
     Offset,
     /// Programmable offset on top of the one before.

@@ -49,6 +49,8 @@ pub struct SpindleRules {
     pub override_last: bool,
     /// The spindle override acts on threads.
     pub thread_override: bool,
+    /// Emergency stop takes S away, and with it the voltage.
+    pub emergency_clears: bool,
     /// A cut begins when the speed is within this part of what is commanded, for instance 0.1; `None`: at once.
     pub reached: Option<f64>,
     /// M05 beside a motion acts at its end.
@@ -63,6 +65,14 @@ pub struct SpindleRules {
     pub end_stops: bool,
     /// Positions of the override knob.
     pub knob: Steps,
+    /// The analog output may carry the direction as its sign (±10 V).
+    pub signed_output: bool,
+    /// M04 while the PLC puts out M03, or the other way round, is an alarm of the PLC: M05 has to come between.
+    pub stop_between: bool,
+    /// M code of the machine builder that locks the spindle at an angle; `None`: any code of his is taken for it.
+    pub lock: Option<u32>,
+    /// M code of the machine builder that starts a driven tool; `None`: only another spindle is one.
+    pub driven_tool: Option<u32>,
     /// Source and grade.
     pub cite: Citation,
 }
@@ -84,10 +94,13 @@ impl Control {
             Some(_) => LimitPlace::Nothing,
             None => row.limit_place,
         };
+        let code = |id: &str| switches.get(self.switches, id)?.trim_start_matches(['M', 'm']).parse().ok();
         let reached = is("speed-reached", "wait", row.reached.is_some());
         SpindleRules {
             limit_place: place,
             reached: reached.then_some(row.reached.unwrap_or(REACHED)),
+            volts_stay: is("volts-at-stop", "kept", row.volts_stay),
+            emergency_clears: is("volts-at-emergency-stop", "off", row.emergency_clears),
             stop_last: is("m5-timing", "end", row.stop_last),
             surface_limit_stays: is("lims-in-g97", "yes", row.surface_limit_stays),
             surface_at_once: is("g96-apply-at-activation", "yes", row.surface_at_once),
@@ -95,6 +108,9 @@ impl Control {
             last_speed_back: is("g9x-without-s", "last programmed", row.last_speed_back),
             angle_wraps: is("spos-out-of-range", "modulo", row.angle_wraps),
             turns_through_reset: is("spindle-at-reset", "turns", row.turns_through_reset),
+            stop_between: is("m03-m04", "alarm", row.stop_between),
+            lock: code("spindle-lock").or(row.lock),
+            driven_tool: code("driven-tool").or(row.driven_tool),
             end_stops: is("spindle-at-end", "stops", row.end_stops),
             ..row
         }

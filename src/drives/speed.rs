@@ -49,7 +49,7 @@ pub enum Bound {
 impl Bound {
     /// Whether the speed would be higher without it.
     pub fn is_upper(self) -> bool {
-        matches!(self, Bound::Machine | Bound::Gear | Bound::Upper | Bound::Surface)
+        matches!(self, Bound::Machine | Bound::Gear | Bound::Upper | Bound::Surface | Bound::Output)
     }
 }
 

@@ -242,7 +242,7 @@ impl State {
                 }
                 // Behind a macro call it is an argument.
                 b'M' if codes.special.is_some() && macro_kind(codes).is_some() => codes.mixed |= mixes(cx, word),
-                b'M' if word.index.is_some_and(|spindle| spindle > 1) => {}
+                b'M' if self.spindle_of(word) > 1 && self.other_spindle(cx, block, word)? => {}
                 b'M' => self.m_word(cx, block, word, at, codes)?,
                 long::NAME => self.named_code(cx, word, at, codes),
                 b'/' if self.skips(cx, word) => {
@@ -255,6 +255,28 @@ impl State {
         Ok(())
     }
 
+    /// The spindle that a word is for.
+    #[inline]
+    fn spindle_of(&self, word: &Word) -> u8 {
+        word.index.unwrap_or(self.modal.master)
+    }
+
+    /// Takes an M word of another spindle than the machine's own; whether it is that spindle's.
+    #[cold]
+    fn other_spindle(&mut self, cx: &mut Cx, block: &Block, word: &Word) -> Run<bool> {
+        let Some(number) = self.whole(cx, block, word)? else { return Ok(word.index.is_some()) };
+        let tenths = (number * 10.0) as u32;
+        let sign = match cx.shared.index.code(cx.control, b'M', tenths).map(|row| row.code) {
+            Some(Code::SpindleCw) => 1,
+            Some(Code::SpindleCcw) => -1,
+            Some(Code::SpindleStop) => 0,
+            Some(Code::SpindleOrient | Code::GearStage(_)) => return Ok(true),
+            _ => return Ok(word.index.is_some()),
+        };
+        self.queue.push(Canon::OtherSpindle { spindle: self.spindle_of(word), sign });
+        Ok(true)
+    }
+
     /// Takes a code that is a name.
     #[cold]
     fn named_code(&mut self, cx: &Cx, word: &Word, at: usize, codes: &mut Codes) {
@@ -262,6 +284,7 @@ impl State {
         let number = u32::try_from(place.mantissa).unwrap_or(u32::MAX).saturating_mul(10);
         match cx.shared.index.code(cx.control, long::NAME, number) {
             Some(row) if row.code == Code::Return => codes.flow = Some(Code::Return),
+            Some(row) if row.code == Code::MasterSpindle => self.modal.master = word.index.unwrap_or(1),
             Some(row) => self.g_code(cx, row, at, codes),
             None => {}
         }
@@ -344,7 +367,10 @@ impl State {
         for word in words {
             let letter = word.letter;
             // Words of another spindle, or of what is not simulated.
-            if word.index.is_some_and(|index| index > 1 || !matches!(letter, b'M' | b'S' | long::SPOS)) {
+            let spindles = matches!(letter, b'M' | b'S' | long::SPOS | long::LIMS);
+            if spindles && self.spindle_of(word) > 1 && codes.special != Some(Code::Dwell)
+                || !spindles && word.index.is_some()
+            {
                 continue;
             }
             if codes.special == Some(Code::Dwell) && cx.control.syntax.dwell_addresses.contains(&letter) {

@@ -127,6 +127,14 @@ pub enum Canon {
         /// 1, -1 or 0.
         sign: i8,
     },
+    /// Another spindle than the machine's own turns clockwise (1), counter-clockwise (-1) or stops (0): a driven tool. Nothing else of it is
+    /// simulated.
+    OtherSpindle {
+        /// Its number.
+        spindle: u8,
+        /// 1, -1 or 0.
+        sign: i8,
+    },
     /// An M code that is the PLC's; the program waits for FIN.
     Auxiliary {
         /// The number behind M.
@@ -299,6 +307,9 @@ impl fmt::Display for Line<'_> {
             Canon::SpindleDirection { sign: 1 } => f.write_str("spindle-cw"),
             Canon::SpindleDirection { sign: -1 } => f.write_str("spindle-ccw"),
             Canon::SpindleDirection { .. } => f.write_str("spindle-stop"),
+            Canon::OtherSpindle { spindle, sign } => {
+                write!(f, "other-spindle {spindle} {}", ["ccw", "stop", "cw"][(sign.signum() + 1) as usize])
+            }
             Canon::Auxiliary { code } => write!(f, "auxiliary M{code}"),
             Canon::Tool { code } => write!(f, "tool T{code}"),
             Canon::Output { variable, value } => write!(f, "output #{variable}={}", decimal(*value)),

@@ -61,6 +61,8 @@ pub(super) struct Modal {
     pub(super) surface_undone: bool,
     /// The last S in r/min; `None` before the first.
     pub(super) last_speed: Option<f64>,
+    /// The spindle that S and M words without a number are for.
+    pub(super) master: u8,
     /// The last value of each address letter that modal variables show, by letter from A.
     pub(super) words: [f64; 26],
     /// Ten times the number of the code in force, by group.
@@ -90,6 +92,7 @@ impl Modal {
             surface_speed: None,
             surface_undone: false,
             last_speed: None,
+            master: 1,
             words: [f64::NAN; 26],
             codes: [0; GROUPS],
         };

@@ -199,6 +199,7 @@ impl<P: Program> Sim<'_, P> {
                 self.follow(t);
             }
             Canon::Orient { angle, approach } => self.orient(t, angle, approach),
+            Canon::OtherSpindle { sign, .. } => self.s.turning.driven = sign != 0,
             // These only say that the interpreter has changed its mind, or have acted when they were read.
             Canon::Preset { .. } | Canon::PathMode { .. } | Canon::Show { .. } => {}
             Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. } => {}
@@ -306,13 +307,21 @@ impl<P: Program> Sim<'_, P> {
             Canon::SpindleDirection { sign } => {
                 self.s.turning.orienting = None;
                 self.s.turning.direction = sign.signum();
+                self.s.turning.locked = false;
                 self.s.io.m_strobe = Some(match sign.signum() {
                     1 => 3,
                     -1 => 4,
                     _ => 5,
                 });
             }
-            Canon::Auxiliary { code } => self.s.io.m_strobe = Some(code),
+            Canon::Auxiliary { code } => {
+                let rules = &self.machine.spindle.rules;
+                let turning = &mut self.s.turning;
+                // Tool changes and coolant lock nothing.
+                turning.locked |= rules.lock.map_or(!matches!(code, 6..=9), |lock| lock == code);
+                turning.driven |= rules.driven_tool == Some(code);
+                self.s.io.m_strobe = Some(code);
+            }
             Canon::Tool { code } => self.s.io.t_strobe = Some(code),
             _ => {}
         }
@@ -320,6 +329,16 @@ impl<P: Program> Sim<'_, P> {
 
     /// A cut begins, or waits for the spindle's speed, where the control does so.
     fn cut(&mut self, t: f64, motion: Move) {
+        let turning = &self.s.turning;
+        if turning.orienting.is_some() && motion.length > 0.0 {
+            let (locked, driven) = (turning.locked, turning.driven);
+            if !locked {
+                self.say(Once::NotLocked as u32, || msg!("motion.not-locked"));
+            }
+            if !driven {
+                self.say(Once::NoDrivenTool as u32, || msg!("motion.no-driven-tool"));
+            }
+        }
         if self.machine.spindle.rules.reached.is_some() {
             self.aim_at_cut(t);
             if self.speed_time() > t {

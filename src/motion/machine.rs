@@ -29,6 +29,8 @@ pub(super) struct Machine {
     pub(super) limits: Limits,
     pub(super) emergency: Option<(&'static str, &'static str)>,
     pub(super) no_positioning: Option<(&'static str, &'static str)>,
+    pub(super) reversal: Option<(&'static str, &'static str)>,
+    pub(super) gear_timeout: Option<(&'static str, &'static str)>,
     vars: &'static [VarRange],
     /// Bit `k`: the machine has axis `k`.
     pub(super) fitted: u8,
@@ -94,6 +96,8 @@ impl Machine {
             limits,
             emergency: control.alarm_shown(Alarm::EmergencyStop),
             no_positioning: control.alarm_shown(Alarm::NoPositioning),
+            reversal: control.alarm_shown(Alarm::SpindleReversal),
+            gear_timeout: control.alarm_shown(Alarm::GearTimeout),
             vars: control.vars,
             fitted,
             log,

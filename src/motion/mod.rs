@@ -67,7 +67,7 @@ pub use look::Gate;
 pub use panel::{Action, Event, Panel};
 pub use plan::{Keep, Limits, Planner, Progress, RunEnd, Setup};
 pub use plant::{AxisPlant, Plant, SpindlePlant};
-pub use plc::{BenchPlc, GearShift, Io, Part, Plc};
+pub use plc::{BenchPlc, GearShift, Io, Part, Plc, Strobes};
 pub use program::Program;
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};
 pub use timeline::Timeline;

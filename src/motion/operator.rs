@@ -112,12 +112,15 @@ impl<P: Program> Sim<'_, P> {
         if emergency || self.orients() {
             self.s.turning.orienting = None;
         }
-        if emergency || !self.machine.spindle.rules.turns_through_reset {
+        let rules = &self.machine.spindle.rules;
+        if emergency || !rules.turns_through_reset {
             self.s.turning.direction = 0;
         }
+        if emergency && rules.emergency_clears {
+            self.s.turning.speed = 0.0;
+        }
         self.s.exec = then;
-        let io = &mut self.s.io;
-        (io.m_strobe, io.s_strobe, io.t_strobe, io.gear_wanted) = (None, None, None, None);
+        self.s.io.clear_strobes();
         self.scan(t);
     }
 

@@ -1,6 +1,5 @@
 //! Bringing the spindle to an angle and holding it there.
 
-use super::executor::Exec;
 use super::program::Program;
 use super::signals::sense;
 use super::spindle::{Control, Ramp, Told};
@@ -49,13 +48,11 @@ impl<P: Program> Sim<'_, P> {
         let plant = &self.machine.spindle;
         if plant.positioning.is_none() || !plant.encoder {
             let diagnostic = Diagnostic::error(msg!("motion.no-positioning")).alarm(self.machine.no_positioning);
-            let diagnostic = Diagnostic { place: self.s.place, ..diagnostic };
-            self.out.diagnostics.push(diagnostic.clone());
-            self.s.exec = Exec::Alarm(Box::new(diagnostic));
-            return;
+            return self.stop_with(diagnostic);
         }
         self.s.turning.direction = 0;
         self.s.turning.surface = None;
+        self.s.turning.locked = false;
         let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
         self.s.turning.synced |= last.turns(plant, t).abs() >= 1.0;
         self.set_off(t, if target.is_finite() { target } else { 0.0 }, approach);

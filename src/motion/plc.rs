@@ -1,5 +1,7 @@
 //! The machine builder's logic: reads what the control puts out, writes what the control reads, in the order of time.
 
+use super::signals::sense;
+use crate::controls::Alarm;
 use crate::drives::speed::Steps;
 use crate::order::Map;
 
@@ -51,6 +53,8 @@ pub struct Io {
     pub spindle_override_out: f64,
     /// Gear stage that is engaged, from 1, as the PLC tells the control.
     pub gear: u8,
+    /// An alarm that the PLC raises: the program stops, and what it waits for is off.
+    pub alarm: Option<Alarm>,
     /// Volts that the PLC puts out to the spindle instead of those of the speed, while it shifts gears.
     pub gear_volts: Option<f64>,
     /// Spindle speed in r/min that the control puts out after override and clamps, signed.
@@ -73,10 +77,18 @@ impl Default for Io {
             fin: false,
             spindle_override_out: 100.0,
             gear: 1,
+            alarm: None,
             gear_volts: None,
             spindle_command: 0.0,
             spindle_actual: 0.0,
         }
+    }
+}
+
+impl Io {
+    /// Nothing waits for FIN any more.
+    pub(super) fn clear_strobes(&mut self) {
+        (self.m_strobe, self.s_strobe, self.t_strobe, self.gear_wanted) = (None, None, None, None);
     }
 }
 
@@ -91,7 +103,7 @@ pub trait Plc {
 /// A builder's gear change: the shift voltage, a delay, the old gear out and the new one in, the wait for its contact, another delay; then
 /// the voltage is that of the speed again.
 ///
-/// Source: `reference/gsk-knd-polygon.md` section 1.2 (No.067, DT33, ASPn, DT34).
+/// Source: `reference/gsk-knd-polygon.md` section 1.2 (No.067, DT000, ASPn, DT001; A1.0 where the contact does not come).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct GearShift {
     /// Volts while it shifts.
@@ -102,6 +114,8 @@ pub struct GearShift {
     pub meshing: f64,
     /// Seconds until the voltage of the speed stands.
     pub after: f64,
+    /// Seconds that the new gear may take to be in position; `None` where nobody looks.
+    pub patience: Option<f64>,
 }
 
 impl GearShift {
@@ -109,12 +123,33 @@ impl GearShift {
     pub fn shift(&self, t: f64, since: f64, io: &mut Io) -> Option<f64> {
         let wanted = io.gear_wanted.filter(|&wanted| wanted != io.gear || io.gear_volts.is_some())?;
         let out = since + self.before;
+        if let Some(patience) = self.patience.filter(|&patience| patience < self.meshing) {
+            let late = out + patience;
+            io.gear_volts = (t < late).then_some(self.volts);
+            io.alarm = (t >= late).then_some(Alarm::GearTimeout);
+            return Some(if t < out { out } else { late });
+        }
         let done = out + self.meshing + self.after;
         io.gear_volts = (t < done).then_some(self.volts);
         if t >= out {
             io.gear = wanted;
         }
         (t < done).then_some(if t < out { out } else { done })
+    }
+}
+
+/// Since when the codes of a block wait for FIN.
+#[derive(Debug, Clone, Default)]
+pub struct Strobes(Option<f64>);
+
+impl Strobes {
+    /// The time at which the present ones came; none where nothing waits, and then FIN is off.
+    pub fn since(&mut self, t: f64, io: &mut Io) -> Option<f64> {
+        if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
+            (self.0, io.fin) = (None, false);
+            return None;
+        }
+        Some(*self.0.get_or_insert(t))
     }
 }
 
@@ -129,13 +164,25 @@ pub struct BenchPlc {
     pub shift: GearShift,
     /// Positions of the override knob, where it has such.
     pub knob: Option<Steps>,
-    waiting_since: Option<f64>,
+    /// M03 and M04 need M05 between them.
+    pub stop_between: bool,
+    strobes: Strobes,
+    /// What it puts out: M03 (1), M04 (-1) or neither.
+    turns: i8,
 }
 
 impl BenchPlc {
     /// A PLC that answers after `fin_delay` seconds.
     pub fn new(fin_delay: f64, override_echo: Option<u32>) -> BenchPlc {
-        BenchPlc { fin_delay, override_echo, shift: GearShift::default(), knob: None, waiting_since: None }
+        BenchPlc {
+            fin_delay,
+            override_echo,
+            shift: GearShift::default(),
+            knob: None,
+            stop_between: false,
+            strobes: Strobes::default(),
+            turns: 0,
+        }
     }
 }
 
@@ -146,12 +193,15 @@ impl Plc for BenchPlc {
         if let Some(variable) = self.override_echo {
             io.inputs.insert(variable, percent);
         }
-        if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
-            self.waiting_since = None;
-            (io.fin, io.gear_volts) = (false, None);
+        let Some(since) = self.strobes.since(t, io) else {
+            io.gear_volts = None;
+            self.turns = sense(io.spindle_command);
+            return None;
+        };
+        if self.stop_between && matches!((io.m_strobe, self.turns), (Some(3), -1) | (Some(4), 1)) {
+            io.alarm = Some(Alarm::SpindleReversal);
             return None;
         }
-        let since = *self.waiting_since.get_or_insert(t);
         let shifted = self.shift.shift(t, since, io);
         let due = since + self.fin_delay;
         io.fin = t >= due && shifted.is_none();

@@ -5,6 +5,9 @@ use super::plc::Io;
 use super::program::Program;
 use super::state::Sim;
 use super::timeline::Change;
+use crate::controls::Alarm;
+use crate::msg;
+use crate::text::Diagnostic;
 
 impl<P: Program> Sim<'_, P> {
     /// Lets the PLC act until it and the spindle agree.
@@ -22,11 +25,14 @@ impl<P: Program> Sim<'_, P> {
                 let word = inputs.entry(*number, 0.0);
                 *word = part.put(*word, *value);
             }
+            if let Some(alarm) = self.s.io.alarm.take() {
+                self.plc_alarm(t, alarm);
+            }
             let io = &mut self.s.io;
             let waiting = io.m_strobe.is_some() || io.s_strobe.is_some() || io.t_strobe.is_some();
             let answered = waiting && io.fin;
             if answered {
-                (io.m_strobe, io.s_strobe, io.t_strobe, io.gear_wanted) = (None, None, None, None);
+                io.clear_strobes();
                 if matches!(self.s.exec, Exec::Fin) {
                     self.s.exec = Exec::Idle;
                 }
@@ -36,6 +42,29 @@ impl<P: Program> Sim<'_, P> {
             }
         }
         self.show_inputs(t);
+    }
+
+    /// The PLC stops the program.
+    fn plc_alarm(&mut self, t: f64, alarm: Alarm) {
+        let reversal = alarm == Alarm::SpindleReversal;
+        if reversal {
+            // What was put out before stays out.
+            self.s.turning.direction = -self.s.turning.direction;
+        }
+        let (shown, message) = match reversal {
+            true => (self.machine.reversal, msg!("motion.spindle-reversal")),
+            false => (self.machine.gear_timeout, msg!("motion.gear-timeout")),
+        };
+        self.s.io.clear_strobes();
+        self.stop_with(Diagnostic::error(message).alarm(shown));
+        self.turn(t);
+    }
+
+    /// An alarm at the block that is executing.
+    pub(super) fn stop_with(&mut self, diagnostic: Diagnostic) {
+        let diagnostic = Diagnostic { place: self.s.place, ..diagnostic };
+        self.out.diagnostics.push(diagnostic.clone());
+        self.s.exec = Exec::Alarm(Box::new(diagnostic));
     }
 
     /// Records macro inputs that have changed, for the screen.

@@ -164,7 +164,8 @@ impl Ramp {
             volts_command: analog.command(out),
             volts: analog.output(out),
             turns,
-            angle: turn(turns * 360.0),
+            // Whole turns leave no noise behind: 0 and not 359.99….
+            angle: turn((turns * 360e9).round() / 1e9),
             held: self.control == Control::Held,
             stage: self.told.stage,
             bound: self.told.bound,

@@ -138,6 +138,8 @@ pub(super) enum Once {
     OffCentre,
     NoStage,
     NoEncoder,
+    NotLocked,
+    NoDrivenTool,
     Clamp = 8,
     Missing = 16,
 }

@@ -58,6 +58,10 @@ pub(super) struct Turning {
     pub(super) orienting: Option<Orienting>,
     /// The zero mark of the encoder was seen.
     pub(super) synced: bool,
+    /// The builder's lock holds the spindle at its angle.
+    pub(super) locked: bool,
+    /// A driven tool turns.
+    pub(super) driven: bool,
 }
 
 impl Turning {
@@ -75,6 +79,8 @@ impl Turning {
             reached_at: f64::INFINITY,
             orienting: None,
             synced: false,
+            locked: false,
+            driven: false,
         }
     }
 
@@ -143,7 +149,11 @@ impl<P: Program> Sim<'_, P> {
         let limited = self.s.turning.surface.is_none() && told.sign != 0;
         if limited && bound.is_upper() {
             let wanted = now * self.override_share();
-            self.say(Once::SpindleClamp as u32, || msg!("motion.spindle-clamp", wanted, to));
+            let stage = told.stage;
+            self.say(Once::SpindleClamp as u32, || match bound {
+                Bound::Output => msg!("motion.output-full", wanted, f64::from(stage), (to, 3)),
+                _ => msg!("motion.spindle-clamp", wanted, to),
+            });
         }
         self.put_ramp(t, told);
         self.pace(t);
@@ -185,8 +195,9 @@ impl<P: Program> Sim<'_, P> {
         } else {
             limits.hold(rpm * share)
         };
-        let saturated = rpm > analog.top_speed() && bound == Bound::None;
-        (rpm, if saturated { Bound::Output } else { bound })
+        // The output ends at full voltage, whatever is commanded.
+        let top = analog.top_speed();
+        if rpm > top { (top, Bound::Output) } else { (rpm, bound) }
     }
 
     /// Speed for where the axis of constant surface speed is, before override and limits.
@@ -329,9 +340,8 @@ impl<P: Program> Sim<'_, P> {
         let plant = &self.machine.spindle;
         let last = self.out.timeline.ramps.last();
         let (mut start, turns) = last.map_or((0.0, 0.0), |ramp| (ramp.speed(t), ramp.turns(plant, t)));
-        let (sign, top) = (f64::from(told.sign), plant.analog(told.stage).top_speed());
-        // The output ends at full voltage, whatever is commanded.
-        let (from, target) = (sign * told.from.min(top), sign * told.to.min(top));
+        let sign = f64::from(told.sign);
+        let (from, target) = (sign * told.from, sign * told.to);
         let mut rate = plant.acceleration(told.stage);
         if told.span > 0.0 {
             if rate == f64::INFINITY {
@@ -339,7 +349,7 @@ impl<P: Program> Sim<'_, P> {
             }
             rate = rate.min((target - start).abs() / told.span);
         }
-        self.s.io.spindle_command = sign * told.to;
+        self.s.io.spindle_command = target;
         let square = self.s.turning.square;
         let ramp = Ramp { t, start, target, rate, turns, told, control: Control::Speed, square };
         self.put(ramp);

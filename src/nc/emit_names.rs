@@ -77,7 +77,11 @@ impl Writer<'_> {
     fn named_word(&mut self, word: &Word) {
         if let (long::NAME, WordValue::Number(place)) = (word.letter, word.value) {
             let place = u32::try_from(place.mantissa).unwrap_or(u32::MAX);
-            return self.text.push_str(&self.control.code_name(long::NAME, place.saturating_mul(10)));
+            self.text.push_str(&self.control.code_name(long::NAME, place.saturating_mul(10)));
+            if let Some(index) = word.index {
+                self.text.push_str(&format!("({index})"));
+            }
+            return;
         }
         self.text.push_str(&self.control.address(word.letter));
         if let Some(index) = word.index {

@@ -10,6 +10,7 @@ mod polygon;
 mod program;
 mod reading;
 mod script;
+mod sheets;
 mod spindle;
 mod strange;
 mod turning;
@@ -20,8 +21,8 @@ use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Feed, Target};
 use macroline::math;
 use macroline::motion::{
-    Action, AxisPlant, BenchPlc, Event, Keep, Limits, Mode, Panel, Planner, Plant, Plc, Program, RunEnd, Setup,
-    Snapshot, SpindlePlant,
+    Action, AxisPlant, BenchPlc, Event, GearShift, Keep, Limits, Mode, Panel, Planner, Plant, Plc, Program, RunEnd,
+    Setup, Snapshot, SpindlePlant,
 };
 use script::{Line, Script, place};
 

@@ -11,8 +11,13 @@ const USER: Citation = Citation::new("GSK980TDi manual, 3.28; older lists have 5
 /// The number says what is wrong, but not in these words.
 const NEAREST: Citation = Citation::new("GSK980MDi manual 2022, p.437: the nearest in the list", Grade::Open);
 
+/// Alarms of the standard ladder.
+const LADDER: Citation = Citation::new("GSK980MDi manual 2022, ladder 3.1 and 3.3", Grade::Sister);
+
 /// One row per kind.
 pub(super) const ALARMS: &[AlarmDef] = &[
+    alarm(SpindleReversal, "A0.3", "M03 and M04 without M05 between them", LADDER),
+    alarm(GearTimeout, "A1.0", "Gear shift takes too long", LADDER),
     alarm(EmergencyStop, "0000", "Emergency stop", LIST),
     alarm(NoProgram, "0001", "Called program does not exist", LIST),
     alarm(UnknownCode, "0002", "Illegal G code", LIST),

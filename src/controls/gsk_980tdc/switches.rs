@@ -7,6 +7,9 @@ use crate::controls::switch::switch;
 use crate::text::{Citation, Grade};
 
 const LADDER: Citation = Citation::new("GSK980MDi manual, ladder 3.1", Grade::Sister);
+const PLC_DATA: Citation = Citation::new("GSK980TDi PLC data list, K16.5 and K17.3", Grade::Sister);
+const ESCD: Citation =
+    Citation::new("GSK980TDc manual, 2.2.2: kept; parameter GSK980MDi manual 2022, p.374", Grade::Sister);
 const CALLS: Citation = Citation::new("GSK980TDi manual, 3.32; M codes: notes on new functions", Grade::Sister);
 const ALARMS: Citation =
     Citation::new("GSK980TDi manual, 3.28: 5900 + n; an older list has 500 + n for H99", Grade::Sister);
@@ -37,9 +40,12 @@ pub(super) const SWITCHES: &[Switch] = &[
     ),
     switch("speed-reached", "Cuts and the spindle's speed (No.175#6)", &["do not wait", "wait"], PARAMETERS),
     switch("override-order", "Spindle override", &["before the limits", "behind the limits"], MEMORY),
-    switch("m5-timing", "M05 beside a motion", &["before", "end"], MEMORY),
-    switch("spindle-at-reset", "The spindle at reset (K10 RSJG)", &["stops", "turns"], LADDER),
-    switch("spindle-at-end", "The spindle at M30 (K10 MTSS)", &["turns", "stops"], LADDER),
+    switch("m5-timing", "M05 beside a motion (PLC K16.5)", &["end", "before"], PLC_DATA),
+    switch("volts-at-stop", "The analog output at M05 (PLC K17.3)", &["kept", "off"], PLC_DATA),
+    switch("volts-at-emergency-stop", "The analog output at emergency stop (No.173#0)", &["kept", "off"], ESCD),
+    switch("m03-m04", "M04 while a machine's PLC puts out M03, or M03 while M04 (A0.3)", &["alarm", "turns back"], LADDER),
+    switch("spindle-at-reset", "The spindle at reset (K10.1 RSJG)", &["stops", "turns"], LADDER),
+    switch("spindle-at-end", "The spindle at M30 (K10 MTSS of the milling control)", &["turns", "stops"], LADDER),
     switch("spindle-word", "S with decimals", &["round", "truncate"], MEMORY),
     switch("user-alarm-base", "Number of a user alarm (#3000 = n, H99 P n): this and n", &["5900", "500"], ALARMS),
     switch(

@@ -109,7 +109,7 @@ pub(super) const CODES: &[CodeDef] = &[
     named(23, NotSimulated, Group::OneShot, "programmable mirroring", MEMORY),
     named(24, NotSimulated, Group::OneShot, "additional programmable mirroring", MEMORY),
     named(25, Cancel, Group::Other, "preprocessing stop", MEMORY),
-    named(26, NotSimulated, Group::Other, "master spindle", MEMORY),
+    named(26, MasterSpindle, Group::Other, "master spindle", MEMORY),
     named(27, NotSimulated, Group::Other, "milling of faces by turning", MEMORY),
     named(28, NotSimulated, Group::Other, "milling of cylinders by turning", MEMORY),
     named(29, Cancel, Group::Other, "transformation off", MEMORY),

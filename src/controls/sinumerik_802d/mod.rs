@@ -14,6 +14,7 @@ use super::macros::{ArgumentSets, VacantWord};
 use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
 use super::syntax::{Function, Names, Percent, Round, long};
 use super::{AxisDef, Control, Limits, Macros, Syntax, Timing};
+use crate::drives::Positioning;
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 
@@ -181,6 +182,7 @@ pub static CONTROL: Control = Control {
         limit_place: LimitPlace::Nothing,
         override_last: false,
         thread_override: true,
+        emergency_clears: false,
         reached: Some(0.1),
         stop_last: false,
         turns_through_reset: false,
@@ -188,6 +190,10 @@ pub static CONTROL: Control = Control {
         angle_wraps: false,
         end_stops: true,
         knob: Steps { low: 50.0, high: 120.0, step: 5.0 },
+        signed_output: true,
+        stop_between: false,
+        lock: None,
+        driven_tool: None,
         cite: SPINDLE,
     },
     timing: Timing {
@@ -214,6 +220,7 @@ pub static CONTROL: Control = Control {
         output_bits: 12,
         in_position: 0.02,
         ramp: 2.0,
+        positioning: Some(Positioning { speed: 100.0, acceleration: 500.0, clockwise: true }),
         override_echo: None,
         fin_delay: 0.02,
     },

@@ -13,6 +13,10 @@ const M5: Citation =
 const REACHED: Citation = Citation::new("808D parameter manual: MD35500 and MD35150", Grade::Sister);
 const ACTIVATION: Citation = Citation::new("no source says it", Grade::Open);
 const ANGLE: Citation = Citation::new("alarm 16830 of the 808D, p.245; MD30455 by a secondary page", Grade::Sister);
+const BUILDER: Citation = Citation::new(
+    "the machine builder's; the page on 802D spindle commands asks for lock and driven tool",
+    Grade::Open,
+);
 const LABELS: Citation = Citation::new("2 to 8 characters by usage of the 802D; 32 on larger controls", Grade::Open);
 const JUMPS: Citation = Citation::new("alarm 14080 of the 808D, p.184: asks for a label, not a number", Grade::Sister);
 const RANGE: Citation = Citation::new("R0 to R249 on 802S and 802C", Grade::Sister);
@@ -29,6 +33,13 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("g96-apply-at-activation", "G96 sets the speed at once", &["yes", "no"], ACTIVATION),
     switch("g9x-without-s", "S behind G94 and G95 that end G96", &["last programmed", "hold"], SPINDLE),
     switch("spos-out-of-range", "SPOS outside 0 to 359.999 (MD30455)", &["alarm", "modulo"], ANGLE),
+    switch(
+        "spindle-lock",
+        "M code that locks the spindle at its angle; empty: any M code of the builder",
+        &[""],
+        BUILDER,
+    ),
+    switch("driven-tool", "M code that starts a driven tool; empty: only another spindle is one", &[""], BUILDER),
     switch("r-parameters", "R parameters (MD28050)", &["R0 to R299", "R0 to R249"], RANGE),
     switch(LABEL_LENGTH, "Characters of a label at most", &["8", "32"], LABELS),
     switch(BLOCK_LENGTH, "Characters of a block: 200, on the 802D sl 512", &["200", "512"], BLOCKS),

@@ -4,7 +4,7 @@ use super::derive::AT_SPEED;
 use super::fitted::Fitted;
 use super::params::{OverrideForm, Wait};
 use crate::math;
-use crate::motion::{Io, Plc};
+use crate::motion::{Io, Plc, Strobes};
 
 /// Seconds from a strobe to FIN where nothing has to be waited for: a few scans of the ladder.
 pub(super) const FIN_DELAY: f64 = 0.05;
@@ -21,14 +21,20 @@ pub(super) struct RibbonPlc {
     /// The macro input, and what fits into it.
     input: Option<u32>,
     range: (f64, f64),
-    /// When the strobe that waits for FIN came.
-    strobe_since: Option<f64>,
+    strobes: Strobes,
 }
 
 impl RibbonPlc {
     pub(super) fn new(line: &Fitted) -> RibbonPlc {
         let (p, input, range) = (&line.p, line.handed(), line.input_range());
-        RibbonPlc { step: p.knob_step.percent(), form: p.override_form, wait: p.wait, input, range, strobe_since: None }
+        RibbonPlc {
+            step: p.knob_step.percent(),
+            form: p.override_form,
+            wait: p.wait,
+            input,
+            range,
+            strobes: Strobes::default(),
+        }
     }
 
     /// The knob in whole steps, 0 to 200 %.
@@ -55,12 +61,7 @@ impl Plc for RibbonPlc {
         if let Some(input) = self.input {
             io.inputs.insert(input, math::clamp(word, self.range.0, self.range.1));
         }
-        if io.m_strobe.is_none() && io.s_strobe.is_none() && io.t_strobe.is_none() {
-            self.strobe_since = None;
-            io.fin = false;
-            return None;
-        }
-        let since = *self.strobe_since.get_or_insert(t);
+        let since = self.strobes.since(t, io)?;
         io.fin = self.done(t, since, io);
         (!io.fin).then_some((since + FIN_DELAY).max(t + SCAN))
     }

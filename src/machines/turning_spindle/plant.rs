@@ -49,8 +49,10 @@ fn spindle(lathe: &Fitted) -> SpindlePlant {
 pub(super) fn plc(lathe: &Fitted) -> BenchPlc {
     let half = 0.5 * lathe.p.gear_time;
     let mut plc = BenchPlc::new(FIN_DELAY, None);
-    plc.shift = GearShift { volts: SHIFT_VOLTS, before: 0.25 * half, meshing: half, after: 0.75 * half };
+    plc.shift =
+        GearShift { volts: SHIFT_VOLTS, before: 0.25 * half, meshing: half, after: 0.75 * half, patience: None };
     plc.knob = Some(lathe.rules().knob);
+    plc.stop_between = lathe.rules().stop_between;
     plc
 }
 

@@ -310,15 +310,17 @@ impl Reader<'_> {
                 if row.code == Code::NotSimulated {
                     let what = format!("{name} ({})", row.text);
                     self.not_simulated((long::NAME, place as u32), start, self.at, &what);
-                    // Its arguments, for instance of SETMS(1).
+                    // Its arguments, for instance of TRACYL(40).
                     if self.peek() == b'(' {
                         let rest = self.line.get(self.at..).unwrap_or_default();
                         self.at += rest.iter().position(|&b| b == b')').map_or(rest.len(), |close| close + 1);
                     }
                 }
             }
+            let master = row.is_some_and(|row| row.code == Code::MasterSpindle);
+            let index = if master { self.spindle_number(start)? } else { None };
             let value = WordValue::Number(Dec::int(place as i64));
-            return self.push_long(start, long::NAME, (None, Form::Plain, value));
+            return self.push_long(start, long::NAME, (index, Form::Plain, value));
         }
         let longest = names.addresses.iter().filter(|row| name.starts_with(row.0)).max_by_key(|row| row.0.len());
         if let Some(&(address, letter)) = longest {
@@ -350,6 +352,21 @@ impl Reader<'_> {
             return Err(self.failure(Alarm::Format, start, self.line.len(), msg!("nc.no-address", name), false));
         }
         Err(self.unknown_name(start, written))
+    }
+
+    /// `(2)` behind SETMS; without it the spindle is the one that it was at power-on.
+    fn spindle_number(&mut self, start: usize) -> Read<Option<u8>> {
+        if self.skip() != b'(' {
+            return Ok(None);
+        }
+        let open = self.open(b')');
+        self.skip();
+        let number = self.digits()?;
+        self.close(open)?;
+        match u8::try_from(number.mantissa) {
+            Ok(index @ 1..) if number.scale == 0 => Ok(Some(index)),
+            _ => Err(self.failure(Alarm::OutOfRange, start, self.at, msg!("nc.spindle-number"), false)),
+        }
     }
 
     fn push_long(&mut self, start: usize, letter: u8, value: (Option<u8>, Form, WordValue)) -> Read<()> {

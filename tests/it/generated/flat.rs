@@ -208,6 +208,7 @@ impl Writer {
             Canon::SpindleDirection { sign: 1 } => self.m(Code::SpindleCw),
             Canon::SpindleDirection { sign: -1 } => self.m(Code::SpindleCcw),
             Canon::SpindleDirection { .. } => self.m(Code::SpindleStop),
+            Canon::OtherSpindle { spindle, sign } => format!("M{spindle}={}", [4, 5, 3][(sign + 1) as usize]),
             Canon::Auxiliary { code } => format!("M{code}"),
             Canon::Tool { code } => format!("T{code}"),
             Canon::Output { variable, value } => format!("#{variable}={value}"),

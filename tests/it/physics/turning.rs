@@ -285,7 +285,7 @@ fn gears_are_shifted_in_the_order_of_the_ladder() {
     plant.spindle.speed_clamp = 9999.0;
     plant.spindle = plant.spindle.with_stages(stages);
     let mut plc = BenchPlc::new(0.05, None);
-    plc.shift = GearShift { volts: 0.2, before: 1.0, meshing: 0.3, after: 2.0 };
+    plc.shift = GearShift { volts: 0.2, before: 1.0, meshing: 0.3, after: 2.0, patience: None };
     let gear = |stage| one(Canon::Gear { stage });
     let lines = vec![turn(600.0, 1), dwell(4.0), gear(3), dwell(4.0), gear(3), gear(2), gear(9)];
     let mut planner = planner_with(Box::new(plc), &plant, vec![], lines);
@@ -337,7 +337,9 @@ fn the_output_saturates_in_its_gear_and_under_surface_speed_the_gear_limits() {
     plant.spindle = plant.spindle.with_stages([Stage::new(1000.0)]);
     let planner = run_on(&plant, vec![], vec![turn(1500.0, 1), dwell(1.0)]);
     let now = spindle(&planner, 1.0);
-    assert_eq!((now.command, now.actual, now.volts, now.bound), (1500.0, 1000.0, 10.0, Bound::Output));
+    assert_eq!((now.command, now.actual, now.volts, now.bound), (1000.0, 1000.0, 10.0, Bound::Output));
+    let said: Vec<_> = planner.diagnostics().iter().map(|found| found.message.id).collect();
+    assert_eq!(said, ["motion.output-full"]);
     let planner = run_on(&plant, vec![], vec![turn(100.0, 1), rapid(10.0, 0.0), surface(100.0, 0.0), dwell(1.0)]);
     let now = spindle(&planner, planner.timeline().end());
     assert_eq!((now.command, now.actual, now.bound), (1000.0, 1000.0, Bound::Gear));

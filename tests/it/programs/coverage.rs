@@ -24,7 +24,14 @@ fn nothing(missing: &[String], what: &str) {
 }
 
 /// What no text can bring about.
-const NOT_FROM_TEXT: [Alarm; 4] = [Alarm::Budget, Alarm::SoftLimit, Alarm::EmergencyStop, Alarm::NoPositioning];
+const NOT_FROM_TEXT: [Alarm; 6] = [
+    Alarm::Budget,
+    Alarm::SoftLimit,
+    Alarm::EmergencyStop,
+    Alarm::NoPositioning,
+    Alarm::SpindleReversal,
+    Alarm::GearTimeout,
+];
 
 #[test]
 fn each_alarm_has_a_program_that_raises_it() {

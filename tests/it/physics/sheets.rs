@@ -1,0 +1,360 @@
+//! Programs of the sheets on plants of the sheets: text in, speeds, angles, volts and what is said of them out.
+
+use std::rc::Rc;
+
+use macroline::drives::{Bound, Positioning, Stage};
+use macroline::interp::{Interp, Start};
+use macroline::motion::SpindleState;
+use macroline::nc::{Files, parse_with};
+use macroline::text::Severity;
+
+use super::*;
+
+/// A program on a control: switches, hand, plant (changed from a lathe without inertia) and the builder's PLC.
+struct Lathe {
+    control: &'static Control,
+    switches: Switches,
+    events: Vec<Event>,
+    plant: Plant,
+    plc: BenchPlc,
+}
+
+impl Lathe {
+    fn new(control: &str, switches: &[(&str, &str)]) -> Lathe {
+        let control = controls::find(control).unwrap();
+        let switches = Switches(switches.iter().map(|(id, value)| (id.to_string(), value.to_string())).collect());
+        let slide = |letter, diameter| AxisPlant { diameter, time_constant: 0.0, position_gain: 1e4, ..axis(letter) };
+        let rules = control.spindle_rules(&switches);
+        let spindle = SpindlePlant::new(Analog::unipolar(3500.0, 10.0), 3500.0, 0.0, rules);
+        let positioning = Some(Positioning { speed: 100.0, acceleration: 500.0, clockwise: true });
+        let plant = Plant {
+            axes: vec![slide(b'X', control.counts_diameters(0, &switches)), slide(b'Z', false)],
+            spindle: SpindlePlant { positioning, centre: Some(0.0), ..spindle },
+            ..plant()
+        };
+        let mut plc = BenchPlc::new(0.01, None);
+        plc.stop_between = rules.stop_between;
+        Lathe { control, switches, events: Vec::new(), plant, plc }
+    }
+
+    /// The machine of `sinumerik-802d.md` section 7: MD35100 = 3500, MD35130 = 2800, MD35140 = 30.
+    fn of_the_sheet(switches: &[(&str, &str)]) -> Lathe {
+        let mut lathe = Lathe::new("sinumerik-802d", switches);
+        lathe.plant.spindle = lathe.plant.spindle.with_stages([Stage { range: (30.0, 2800.0), ..Stage::new(3500.0) }]);
+        lathe
+    }
+
+    fn run(self, lines: &str) -> Planner<Interp> {
+        let source = match self.control.syntax.names {
+            Some(_) => format!("%_N_SHEET_MPF\n{lines}\n"),
+            None => format!("O1\n{lines}\n%\n"),
+        };
+        let parsed = parse_with(&Files::one("SHEET.nc", source), self.control, &self.switches);
+        let mut planner = Planner::new(Setup {
+            program: Interp::new(Rc::new(parsed), Start::First, &self.switches),
+            control: self.control,
+            plant: &self.plant,
+            plc: Box::new(self.plc),
+            panel: Panel::new(self.events),
+            limits: Limits { blocks: 10_000, seconds: 3600.0 },
+            keep: Keep::Timeline,
+        });
+        planner.advance(f64::INFINITY, usize::MAX);
+        planner
+    }
+}
+
+fn last(planner: &Planner<Interp>) -> SpindleState {
+    planner.timeline().at(planner.timeline().end()).spindle
+}
+
+fn said(planner: &Planner<Interp>) -> Vec<&'static str> {
+    planner.diagnostics().iter().map(|found| found.message.id).collect()
+}
+
+/// When the block behind a sequence number begins.
+fn begins(planner: &Planner<Interp>, number: &str) -> f64 {
+    let source = &planner.program().parsed().files().0[0].text;
+    let at = source.find(&format!("\n{number} ")).unwrap() as u32 + 1;
+    let mut t = 0.0;
+    while planner.timeline().block_at(t).is_none_or(|place| place.span.start != at) {
+        t = planner.timeline().next_block(t).unwrap();
+    }
+    t
+}
+
+#[test]
+fn the_limit_cases_of_the_sheet() {
+    // sinumerik-802d.md section 7: G25 = 50, G26 = 3000, LIMS = 2500; what is programmed, override, speed, what holds it.
+    let (six, five) = (682.092_613, 545.674_091);
+    for (lines, percent, wanted, bound) in [
+        ("G97 S3200 M3", 100.0, 2800.0, Bound::Gear),
+        ("G97 S2700 M3", 100.0, 2700.0, Bound::None),
+        ("G97 S2600 M3", 120.0, 2800.0, Bound::Gear),
+        ("G97 S20 M3", 100.0, 50.0, Bound::Lower),
+        ("G97 S0 M3", 100.0, 0.0, Bound::None),
+        ("G0 X84\nG96 S180 F.2 M3", 100.0, six, Bound::None),
+        ("G0 X84\nG96 S180 F.2 M3", 80.0, five, Bound::None),
+        ("G0 X10\nG96 S180 F.2 M3", 100.0, 2500.0, Bound::Surface),
+        ("G0 X0\nG96 S180 F.2 M3", 100.0, 2500.0, Bound::Surface),
+    ] {
+        let mut lathe = Lathe::of_the_sheet(&[]);
+        lathe.events = vec![at(0.0, Action::SpindleOverride(percent))];
+        let planner = lathe.run(&format!("G25 S50\nG26 S3000\nLIMS=2500\n{lines}\nG4 F1\nM0"));
+        let now = last(&planner);
+        assert!((now.command - wanted).abs() < 1e-5, "{lines}: {}", now.command);
+        assert_eq!(now.bound, bound, "{lines}");
+    }
+    // LIMS in G97 too, as on the 840D.
+    let planner = Lathe::of_the_sheet(&[("lims-in-g97", "yes")]).run("G26 S3000\nLIMS=2500\nG97 S2700 M3\nG4 F1\nM0");
+    assert_eq!(last(&planner).command, 2500.0);
+    // Without G25 the gear's own lowest speed holds; where both cannot be, the upper limit does.
+    let planner = Lathe::of_the_sheet(&[]).run("G97 S20 M3\nG4 F1\nM0");
+    assert_eq!((last(&planner).command, last(&planner).bound), (30.0, Bound::GearLow));
+    let planner = Lathe::of_the_sheet(&[]).run("G25 S900\nG26 S60\nS100 M3\nG4 F1\nM0");
+    assert_eq!(last(&planner).command, 60.0);
+    for (lines, alarm) in [("G25 S50 X10", "12120"), ("G96", "10900"), ("SPOS=360", "16830"), ("G96 S10000", "14840")] {
+        let mut planner = Lathe::of_the_sheet(&[]).run(lines);
+        let found = planner.program().parsed().diagnostics().iter().chain(planner.diagnostics());
+        let alarms: Vec<_> = found.filter_map(|found| found.alarm.clone()).collect();
+        assert!(alarms.iter().any(|shown| shown == alarm), "{lines}: {alarms:?}");
+        assert!(matches!(planner.advance(f64::INFINITY, usize::MAX).ended, Some(RunEnd::Alarm(_))));
+    }
+}
+
+/// The worked program A, without the cuts of the keyway's own tool.
+const FACE: &str = "G18 G71 G90 G40 G54 G64 DIAMON
+N20 G25 S50
+N30 G26 S3000
+N40 T1 D1
+N50 G95 S800 M3 F0.2
+N60 G0 X92 Z5
+N70 G96 S180 LIMS=2500 F0.2
+N80 G0 Z0
+N90 G0 X84
+N95 G4 F1
+N100 G1 X-1.6
+N110 G0 Z5
+N120 G0 X120 Z150
+N130 G97 S300
+N140 M5
+N150 SPOS=0
+N160 M81
+N170 T5 D1
+N180 G94 F120
+N190 SETMS(2)
+N200 S1500 M3
+N210 G0 X42 Z-10
+N220 G1 X34 F40
+N230 G1 Z-30 F120
+N240 G0 X60
+N250 M5
+N260 SETMS(1)
+N270 M80
+N280 SPOS=IC(180)
+N290 M0";
+
+#[test]
+fn the_worked_program_of_the_sheet_faces_and_stands_at_its_keyways() {
+    for (at_once, first) in [("yes", 622.780_212), ("no", 800.0)] {
+        let planner = Lathe::of_the_sheet(&[("g96-apply-at-activation", at_once)]).run(FACE);
+        let command = |number: &str| planner.timeline().at(begins(&planner, number) + 1e-6).spindle.command;
+        close(command("N60"), 800.0, 1e-12);
+        close(command("N80"), first, 1e-7);
+        close(command("N100"), 682.092_613, 1e-6);
+        let (from, to) = (begins(&planner, "N100"), begins(&planner, "N110"));
+        close(to - from, 10.019_832, 1e-5);
+        for (diameter, rpm) in [(60.0, 954.930), (40.0, 1432.394), (30.0, 1909.859), (22.0, 2500.0), (10.0, 2500.0)] {
+            let passed = first_at(&planner, from, |now| 2.0 * now.axes[0].position <= diameter);
+            close(planner.timeline().at(passed).spindle.command, rpm, 2e-4);
+        }
+        close(command("N120"), 2500.0, 1e-12);
+        close(planner.timeline().at(begins(&planner, "N140") - 1e-6).spindle.command, 300.0, 1e-12);
+        let held = planner.timeline().at(begins(&planner, "N160") + 1e-6).spindle;
+        assert!(held.held && held.angle == 0.0, "{held:?}");
+        // What the second spindle does leaves the first where it is.
+        let held = planner.timeline().at(begins(&planner, "N230") + 0.1).spindle;
+        assert!(held.held && held.angle == 0.0, "{held:?}");
+        let end = last(&planner);
+        assert!(end.held && (end.angle - 180.0).abs() < 1e-9, "{end:?}");
+        assert_eq!(said(&planner), [""; 0]);
+    }
+}
+
+fn first_at(planner: &Planner<Interp>, mut t: f64, holds: impl Fn(&Snapshot) -> bool) -> f64 {
+    while !holds(&planner.timeline().at(t)) {
+        t += 1e-4;
+        assert!(t < planner.timeline().end(), "never holds");
+    }
+    t
+}
+
+#[test]
+fn the_directions_of_spos_by_its_words() {
+    // sinumerik-802d.md section 3.6: from, target, state before, form, way, end.
+    for (from, state, form, way, end) in [
+        (10.0, "S1 M3", "90", 80.0, 90.0),
+        (10.0, "S1 M4", "90", -280.0, 90.0),
+        (350.0, "", "20", 30.0, 20.0),
+        (20.0, "", "350", -30.0, 350.0),
+        (20.0, "S1 M3", "350", 330.0, 350.0),
+        (20.0, "S1 M4", "350", -30.0, 350.0),
+        (0.0, "", "180", 180.0, 180.0),
+        (100.0, "", "ACP(50)", 310.0, 50.0),
+        (100.0, "", "ACN(50)", -50.0, 50.0),
+        (100.0, "", "DC(50)", -50.0, 50.0),
+        (100.0, "", "IC(-450)", -450.0, 10.0),
+        (100.0, "", "AC(50)", -50.0, 50.0),
+    ] {
+        let mut lathe = Lathe::new("sinumerik-802d", &[]);
+        // A spindle that turns slowly and stops at once needs no more than the way itself.
+        lathe.plant.spindle.positioning = Some(Positioning { speed: 100.0, acceleration: 1e9, clockwise: true });
+        let planner = lathe.run(&format!("SPOS=0\nSPOS={from}\n{state}\nN9 SPOS={form}\nM0"));
+        let begin = begins(&planner, "N9");
+        let before = planner.timeline().at(begin).spindle;
+        // While it waits for the block it turns on, by less than a degree.
+        let turned = (last(&planner).turns - before.turns) * 360.0;
+        let late = if state.is_empty() { 0.0 } else { before.turns * 360.0 - from };
+        let late = (late + 180.0).rem_euclid(360.0) - 180.0;
+        assert!((turned + late - way).abs() < 1e-6, "{from} {state} {form}: {turned} {late}");
+        assert!((last(&planner).angle - end).abs() < 1e-6 && last(&planner).held);
+    }
+}
+
+#[test]
+fn a_shifted_zero_falsifies_surface_speed_and_is_said() {
+    let shifted = |lines: &str| {
+        let planner = Lathe::new("sinumerik-802d", &[]).run(&format!("S100 M3\n{lines}\nM0"));
+        (said(&planner), last(&planner).command)
+    };
+    assert_eq!(shifted("G0 X50\nG96 S100 F.1\nG1 X40").0, [""; 0]);
+    let (told, rpm) = shifted("TRANS X10\nG96 S100 F.1\nG0 X40\nG1 X30");
+    assert_eq!(told, ["motion.off-centre"]);
+    // The control takes 30 mm for the diameter where the tool is at 40 mm.
+    close(rpm, 1000.0 * 100.0 / (math::PI * 30.0), 1e-6);
+    assert_eq!(shifted("G96 S100 F.1\nATRANS X.02 Z5\nG1 X30").0, ["motion.off-centre"]);
+    assert_eq!(shifted("TRANS Z5\nG96 S100 F.1\nG1 X30").0, [""; 0]);
+    assert_eq!(shifted("TRANS X10\nG1 X30 F.1").0, [""; 0]);
+    // Other controls shift by G50 and by offsets.
+    let planner = Lathe::new("gsk-980tdc", &[]).run("G50 X80. Z0.\nG96 S100 M03\nG01 X70. F100\nM00");
+    assert_eq!(said(&planner), ["motion.off-centre"]);
+}
+
+#[test]
+fn cutting_at_an_angle_wants_a_lock_and_a_driven_tool() {
+    let told = |switches: &[(&str, &str)], lines: &str| {
+        let planner = Lathe::new("sinumerik-802d", switches).run(&format!("G94 S300 M3\n{lines}\nM0"));
+        said(&planner)
+    };
+    let both = ["motion.not-locked", "motion.no-driven-tool"];
+    assert_eq!(told(&[], "SPOS=0\nG1 X10 F100\nX20"), both);
+    assert_eq!(told(&[], "SPOS=0\nM8\nG1 X10 F100"), both);
+    assert_eq!(told(&[], "SPOS=0\nG0 X10"), [""; 0]);
+    assert_eq!(told(&[], "SPOS=0\nM3\nG1 X10 F100"), [""; 0]);
+    assert_eq!(told(&[], "SPOS=0\nM81\nG1 X10 F100"), ["motion.no-driven-tool"]);
+    assert_eq!(told(&[], "SPOS=0\nM2=3\nG1 X10 F100"), ["motion.not-locked"]);
+    assert_eq!(told(&[], "SPOS=0\nM81\nSETMS(2)\nS900 M4\nG1 X10 F100"), [""; 0]);
+    assert_eq!(told(&[], "M2=3\nSPOS=0\nM81\nM2=5\nG1 X10 F100"), ["motion.no-driven-tool"]);
+    // The next angle wants its lock again.
+    assert_eq!(told(&[], "M2=3\nSPOS=0\nM81\nG1 X10 F100\nSPOS=90\nG1 X20"), ["motion.not-locked"]);
+    let known = [("spindle-lock", "M81"), ("driven-tool", "M24")];
+    assert_eq!(told(&known, "SPOS=0\nM80\nM24\nG1 X10 F100"), ["motion.not-locked"]);
+    assert_eq!(told(&known, "SPOS=0\nM81\nM24\nG1 X10 F100"), [""; 0]);
+}
+
+#[test]
+fn m03_behind_m04_is_an_alarm_of_the_gsk_ladder() {
+    let run = |switches: &[(&str, &str)], lines: &str| Lathe::new("gsk-980tdc", switches).run(lines);
+    for (lines, rpm) in [("S500 M03\nG04 X1.\nM04\nG04 X1.\nM00", 500.0), ("S500 M04\nG04 X1.\nM03\nM00", -500.0)] {
+        let planner = run(&[], lines);
+        let alarms: Vec<_> = planner.diagnostics().iter().map(|found| found.alarm.as_deref()).collect();
+        assert_eq!((said(&planner), alarms), (vec!["motion.spindle-reversal"], vec![Some("A0.3")]));
+        // What was put out first stays out.
+        assert_eq!(last(&planner).command, rpm);
+    }
+    for lines in ["S500 M03\nM05\nM04\nG04 X1.\nM00", "S500 M03\nM03\nM05\nM04\nM00", "S500 M04\nS300\nM04\nM00"] {
+        let planner = run(&[], lines);
+        assert_eq!(said(&planner), [""; 0], "{lines}");
+        assert!(last(&planner).command < 0.0);
+    }
+    let planner = run(&[("m03-m04", "turns back")], "S500 M03\nM04\nG04 X1.\nM00");
+    assert_eq!((said(&planner), last(&planner).command), (vec![], -500.0));
+    // Reset takes both away.
+    let mut lathe = Lathe::new("gsk-980tdc", &[]);
+    lathe.events = vec![at(0.5, Action::Reset), at(1.0, Action::Start)];
+    let planner = lathe.run("#101=#101+1\nIF[#101 EQ 2]GOTO9\nS500 M03\nG04 X9.\nN9 S400 M04\nG04 X1.\nM00");
+    assert_eq!((said(&planner), last(&planner).command), (vec![], -400.0));
+}
+
+#[test]
+fn a_gear_that_does_not_mesh_in_time_is_an_alarm_of_the_gsk_ladder() {
+    for (patience, alarm) in [(None, None), (Some(2.0), None), (Some(0.4), Some("A1.0"))] {
+        let mut lathe = Lathe::new("gsk-980tdc", &[]);
+        lathe.plant.spindle = lathe.plant.spindle.with_stages([1000.0, 3000.0].map(Stage::new));
+        lathe.plc.shift = GearShift { volts: 0.1, before: 1.0, meshing: 0.5, after: 1.0, patience };
+        let planner = lathe.run("S500 M03\nN2 M42\nN3 G04 X1.\nM00");
+        assert_eq!(planner.diagnostics().iter().find_map(|found| found.alarm.as_deref()), alarm);
+        let (begin, end) = (begins(&planner, "N2"), planner.timeline().end());
+        match alarm {
+            None => assert_eq!(last(&planner).stage, 2),
+            // The old gear is out, the new one not in: nothing else happens.
+            Some(_) => {
+                close(end - begin, 1.4, 1e-6);
+                assert_eq!(planner.timeline().at(end).mode, Mode::Alarm);
+                let late = planner.timeline().at(begin + 1.2).spindle;
+                assert_eq!((late.volts_command, late.stage), (0.1, 1));
+            }
+        }
+    }
+}
+
+#[test]
+fn m05_beside_a_motion_comes_when_the_control_says() {
+    // The page on the 802D has it behind the motion, the other manuals before it; on the TDc it is a bit of the PLC.
+    for (control, setting, stands) in [
+        ("sinumerik-802d", "before", true),
+        ("sinumerik-802d", "end", false),
+        ("gsk-980tdc", "end", false),
+        ("gsk-980tdc", "before", true),
+    ] {
+        let per_minute = if control == "gsk-980tdc" { "G98 F60" } else { "G94 F60" };
+        let lathe = Lathe::new(control, &[("m5-timing", setting)]);
+        let planner = lathe.run(
+            &format!("{per_minute} S500 M3\nN2 G1 X4. M5\nN3 G4 X1.\nM0")
+                .replace("G4 X1.", if control == "gsk-980tdc" { "G4 X1." } else { "G4 F1" }),
+        );
+        let now = planner.timeline().at(begins(&planner, "N2") + 1.0);
+        assert!(now.axes[0].feed > 0.0);
+        assert_eq!(now.spindle.command == 0.0, stands, "{control} {setting}");
+        assert_eq!(last(&planner).command, 0.0);
+    }
+}
+
+#[test]
+fn the_gsk_output_keeps_its_volts_but_where_a_parameter_takes_them_away() {
+    let volts = |switches: &[(&str, &str)], action: Option<Action>, lines: &str| {
+        let mut lathe = Lathe::new("gsk-980tdc", switches);
+        lathe.events = action.into_iter().map(|action| at(2.0, action)).collect();
+        last(&lathe.run(lines)).volts_command
+    };
+    let (run, stop) = ("S700 M03\nG04 X9.\nM00", "S700 M03\nG04 X1.\nM05\nG04 X1.\nM00");
+    // 2.2.2: kept after S, at M05, reset and emergency stop; 0 V after S0.
+    for (action, lines) in [(None, stop), (Some(Action::Reset), run), (Some(Action::EmergencyStop), run)] {
+        close(volts(&[], action, lines), 2.0, 1e-12);
+    }
+    assert_eq!(volts(&[], None, "S700 M03\nG04 X1.\nS0\nG04 X1.\nM00"), 0.0);
+    assert_eq!(volts(&[("volts-at-stop", "off")], None, stop), 0.0);
+    assert_eq!(volts(&[("volts-at-emergency-stop", "off")], Some(Action::EmergencyStop), run), 0.0);
+    close(volts(&[("volts-at-emergency-stop", "off")], Some(Action::Reset), run), 2.0, 1e-12);
+}
+
+#[test]
+fn nothing_is_wrong_with_the_programs_of_the_sheets() {
+    let parsed = parse_with(
+        &Files::one("A.MPF", format!("%_N_FACEKEY_MPF\n{FACE}\n")),
+        Lathe::new("sinumerik-802d", &[]).control,
+        &Switches::default(),
+    );
+    let bad: Vec<_> = parsed.diagnostics().iter().filter(|found| found.severity > Severity::Info).collect();
+    assert!(bad.is_empty(), "{bad:?}");
+}
