@@ -53,6 +53,7 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
         mitsubishi-e60 square-root
         mitsubishi-e60 sub-nesting
         mitsubishi-e60 user-alarm
+        mitsubishi-e60 variable-option-computed
         gsk-980tdc arc-center
         gsk-980tdc arc-radius
         gsk-980tdc division
