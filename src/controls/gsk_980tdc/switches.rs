@@ -43,7 +43,12 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("m5-timing", "M05 beside a motion (PLC K16.5)", &["end", "before"], PLC_DATA),
     switch("volts-at-stop", "The analog output at M05 (PLC K17.3)", &["kept", "off"], PLC_DATA),
     switch("volts-at-emergency-stop", "The analog output at emergency stop (No.173#0)", &["kept", "off"], ESCD),
-    switch("m03-m04", "M04 while a machine's PLC puts out M03, or M03 while M04 (A0.3)", &["alarm", "turns back"], LADDER),
+    switch(
+        "m03-m04",
+        "M04 while a machine's PLC puts out M03, or M03 while M04 (A0.3)",
+        &["alarm", "turns back"],
+        LADDER,
+    ),
     switch("spindle-at-reset", "The spindle at reset (K10.1 RSJG)", &["stops", "turns"], LADDER),
     switch("spindle-at-end", "The spindle at M30 (K10 MTSS of the milling control)", &["turns", "stops"], LADDER),
     switch("spindle-word", "S with decimals", &["round", "truncate"], MEMORY),
