@@ -670,7 +670,7 @@ fn files_and_programs() {
     check(
         "%\nO1\nM30\n%\nO2\nM30\n%\n",
         expect![[r#"
-        4:1 warning - The % ends the record: the control does not read what follows. Put each program in a file of its own.
+        4:1 warning - The % ends the record: the control takes each program as a file of its own. What follows is read here as one.
     "#]],
     );
     check(

@@ -220,7 +220,7 @@ fn what_stands_outside_the_record_is_said_once_and_not_read() {
         1 | LEADER TAPE
           | ^^^^^^^^^^^
 
-        warning[nc.behind-end]: The % ends the record: the control does not read what follows. Put each program in a file of its own.
+        warning[nc.behind-end]: The % ends the record: the control does not read what follows.
          --> O1.nc:6:1
           |
         6 | %
@@ -234,7 +234,7 @@ fn what_stands_outside_the_record_is_said_once_and_not_read() {
         "mitsubishi-e60",
         "%\nO1\nM98 P2\nM30\n%\nO2\nM99\n%\n",
         expect![[r#"
-        warning[nc.behind-end]: The % ends the record: the control does not read what follows. Put each program in a file of its own.
+        warning[nc.next-record]: The % ends the record: the control takes each program as a file of its own. What follows is read here as one.
          --> O1.nc:5:1
           |
         5 | %

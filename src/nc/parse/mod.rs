@@ -393,12 +393,14 @@ impl<'a> Reader<'a> {
                     self.behind_percent(from + 1, to);
                 }
                 _ => {
+                    // Only what begins a program is worth reading behind the end of the record.
+                    let begins = closed.is_some() && self.begins_program(from);
                     if let Some(percent) = closed.filter(|_| !told) {
-                        self.warn(percent, percent + 1, msg!("nc.behind-end"));
+                        let said = if begins { msg!("nc.next-record") } else { msg!("nc.behind-end") };
+                        self.warn(percent, percent + 1, said);
                         told = true;
                     }
-                    // Only what begins a program is worth reading behind the end of the record.
-                    if closed.is_none() || self.begins_program(from) {
+                    if closed.is_none() || begins {
                         (closed, told) = (None, false);
                         self.blocks(from, to);
                     }
