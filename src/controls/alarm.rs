@@ -109,6 +109,8 @@ pub enum Alarm {
     UserAlarmRange,
     /// `#0` on the left side.
     VacantWritten,
+    /// A variable of the system is given a vacant value, where that is an alarm.
+    VacantValue,
     /// Root of a negative number.
     SquareRoot,
     /// Logarithm of a number that is not positive.
@@ -242,6 +244,7 @@ impl Alarm {
         Alarm::CallOperands,
         Alarm::UserAlarmRange,
         Alarm::VacantWritten,
+        Alarm::VacantValue,
         Alarm::SquareRoot,
         Alarm::Logarithm,
         Alarm::Tangent,
@@ -291,7 +294,7 @@ impl Alarm {
             BlockWords => BlockTooLong,
             JumpNumber => NoSequence,
             ReadOnly => VariableSide,
-            VacantWritten => ReadOnly,
+            VacantWritten | VacantValue => ReadOnly,
             OwnCall => SubNesting,
             NoNumber | SequencePlace | AtanForm | PointNotAllowed | AddressTwice | BlockTooLong | CommentBracket
             | CallNotFirst | CallMixed | ReturnInModal | ArgumentAddress | CallFunction | CallOperands | NotAlone

@@ -16,6 +16,8 @@ pub enum Code {
     ArcCcw,
     /// Thread cutting: a straight line whose feed per revolution is the lead, without overrides.
     Thread,
+    /// Straight cutting feed in this block, which a signal breaks off; in the simulation none comes.
+    Skip,
     /// Dwell.
     Dwell,
     /// Exact stop in this block.
@@ -110,6 +112,8 @@ pub enum Code {
     Cancel,
     /// The control has it, the simulation does not act on it; said once per kind.
     NotSimulated,
+    /// A cycle that is not simulated, whose blocks from P to Q are a contour and no motions.
+    Roughing,
     /// Any other M code: handed to the PLC, which answers with FIN.
     Auxiliary,
 }

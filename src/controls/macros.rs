@@ -109,6 +109,8 @@ pub struct Macros {
     pub sub_sequence: bool,
     /// Nothing but a sequence number may stand in front of a macro call.
     pub call_first: bool,
+    /// P or H stands directly behind the code of a macro call.
+    pub program_next: bool,
     /// A one-shot macro call ends a modal one.
     pub call_ends_modal: bool,
     /// A return to the reference point is a motion that a modal macro call follows.
@@ -154,9 +156,24 @@ pub struct CodeCall {
 const CALLS: u32 = 100;
 
 impl Macros {
+    /// Whether a parameter is one of calls by code.
+    pub fn has_parameter(&self, number: u32) -> bool {
+        let within = |first: u32, step: u32, count: u32| {
+            let behind = number.wrapping_sub(first);
+            behind.is_multiple_of(step.max(1)) && behind / step.max(1) < count
+        };
+        self.code_calls.iter().any(|row| match *row {
+            CodeCalls::Each { first, count, .. } => within(first, 1, count),
+            CodeCalls::Range { count, code, program, .. } => [count, code, program].contains(&number),
+            CodeCalls::Pairs { code, kind, program, step, count, .. } => {
+                [code, kind, program].into_iter().any(|first| within(first, step, count))
+            }
+        })
+    }
+
     /// The codes that call macros under these settings, for instance `4120=512 4121=502`. What cannot be read is left out.
     pub fn calls(&self, settings: &str) -> Vec<CodeCall> {
-        let set: Vec<(u32, u32)> = settings.split([' ', ',', ';']).filter_map(setting).collect();
+        let set: Vec<(u32, u32)> = settings.split(SEPARATORS).filter_map(setting).collect();
         let value = |parameter: u32| set.iter().rev().find(|(number, _)| *number == parameter).map(|(_, value)| *value);
         let mut calls = Vec::new();
         let mut bind = |letter: u8, code: Option<u32>, kind: CallKind, program: Option<u32>| {
@@ -192,8 +209,11 @@ impl Macros {
     }
 }
 
+/// What stands between settings of parameters.
+pub const SEPARATORS: [char; 3] = [' ', ',', ';'];
+
 /// `4120=512`, with or without `#` or `No.` in front.
-fn setting(text: &str) -> Option<(u32, u32)> {
+pub fn setting(text: &str) -> Option<(u32, u32)> {
     let (number, value) = text.split_once('=')?;
     let digits = number.trim_start_matches(|c: char| !c.is_ascii_digit());
     Some((digits.parse().ok()?, value.trim_start_matches(|c: char| !c.is_ascii_digit()).parse().ok()?))

@@ -59,6 +59,8 @@ pub enum VarKind {
     MachinePosition,
     /// Work position, axis by axis.
     WorkPosition,
+    /// Where the last motion with a skip signal ended, work coordinates, axis by axis.
+    SkipPosition,
     /// Exists on the control; the simulation neither reads nor writes it.
     NotSimulated,
 }
@@ -177,6 +179,7 @@ impl VarKind {
                 | VarKind::BlockEnd
                 | VarKind::MachinePosition
                 | VarKind::WorkPosition
+                | VarKind::SkipPosition
         )
     }
 }

@@ -17,7 +17,24 @@ use crate::msg;
 use crate::nc::{Block, Form, Word, WordValue};
 
 /// M codes of a block that act on any control.
-const M_CODES: usize = 8;
+pub(super) const M_CODES: u8 = 8;
+
+/// M00.
+const STOP: u8 = 1;
+/// M01.
+const OPTIONAL_STOP: u8 = 2;
+/// M02, M30.
+const END: u8 = 4;
+
+/// Bits `letter & 31` of some letters.
+const fn bits(letters: &[u8]) -> u32 {
+    let (mut bits, mut at) = (0, 0);
+    while at < letters.len() {
+        bits |= 1 << (letters[at] & 31);
+        at += 1;
+    }
+    bits
+}
 
 /// The codes of a block.
 #[derive(Default)]
@@ -26,6 +43,10 @@ pub(super) struct Codes {
     pub(super) special: Option<Code>,
     /// A code that is not simulated takes the axis words.
     pub(super) unmoved: bool,
+    /// Blocks from P to Q are a contour, not motions.
+    contour: bool,
+    /// A code that is not simulated, or the end of one, may take any word.
+    any_word: bool,
     /// Exact stop in this block.
     pub(super) exact: bool,
     /// Exact stop mode or cutting mode is commanded.
@@ -34,10 +55,10 @@ pub(super) struct Codes {
     gear: Option<u8>,
     /// Angle that the spindle goes to.
     orient: Option<(f64, Approach)>,
-    auxiliary: [u32; M_CODES],
+    auxiliary: [u32; M_CODES as usize],
     auxiliaries: usize,
-    /// M00, M01, M02, M30.
-    stop: Option<Code>,
+    /// [`STOP`], [`OPTIONAL_STOP`], [`END`].
+    stops: u8,
     /// M98, M99.
     flow: Option<Code>,
     /// A code that calls a program by parameter.
@@ -73,8 +94,11 @@ pub(super) struct Words {
     /// Turns of the spindle that a dwell lasts.
     pub(super) dwell_turns: Option<f64>,
     p: Option<f64>,
+    q: Option<f64>,
     h: Option<f64>,
     l: Option<f64>,
+    /// Bit `letter & 31`: words that do nothing in most blocks.
+    rare: u32,
 }
 
 impl State {
@@ -87,7 +111,7 @@ impl State {
         if let Some(call) = self.modal_call.as_ref().filter(|call| call.each_block).map(Rc::clone)
             && codes.special != Some(Code::MacroModalEnd)
             && codes.flow.is_none()
-            && codes.stop.is_none()
+            && codes.stops == 0
         {
             let caller = Caller { word: None, all: true };
             let arguments = self.arguments(cx, block, words, caller)?;
@@ -140,16 +164,20 @@ impl State {
             self.queue.push(Canon::SpindleDirection { sign: 0 });
         }
         let commands = !self.queue.is_empty();
-        match codes.stop {
-            Some(Code::Stop) => self.queue.push(Canon::Stop),
-            Some(Code::OptionalStop) => self.queue.push(Canon::OptionalStop),
-            Some(_) => {
-                self.queue.push(Canon::End);
-                self.ended = Some(End::Program);
-            }
-            None => {}
+        if codes.stops & STOP != 0 {
+            self.queue.push(Canon::Stop);
+        } else if codes.stops & OPTIONAL_STOP != 0 {
+            self.queue.push(Canon::OptionalStop);
         }
-        self.pause = codes.stop.is_some();
+        if codes.stops & END != 0 {
+            self.queue.push(Canon::End);
+            self.ended = Some(End::Program);
+        }
+        // What comes behind a skipped motion may ask where it ended.
+        self.pause = codes.stops != 0 || codes.special == Some(Code::Skip);
+        if codes.contour {
+            self.pass_contour(cx, at, block, words, &values);
+        }
         match (codes.flow, codes.call) {
             (_, Some(call)) => {
                 let program = f64::from(call.program);
@@ -207,10 +235,16 @@ impl State {
             Some(word) => trap.within(word_span(block, word)),
             None => trap,
         };
-        if cx.control.raises(Alarm::CallMixed) && (codes.mixed || codes.stop.is_some() || codes.flow.is_some()) {
+        if cx.control.raises(Alarm::CallMixed) && (codes.mixed || codes.stops != 0 || codes.flow.is_some()) {
             return Err(here(Trap::alarm(Alarm::CallMixed, msg!("interp.call-mixed"))));
         }
         let caller = Caller { word: Some(codes.caller), all: false };
+        if let (true, None, Some(word)) = (cx.control.macros.program_next, codes.call, words.get(codes.caller + 1))
+            && !matches!(word.letter, b'P' | b'H')
+        {
+            let trap = Trap::alarm(Alarm::NoCallProgram, msg!("interp.call-program-next"));
+            return Err(trap.within(word_span(block, word)));
+        }
         if let Some(call) = codes.call {
             return self.call_by_code(cx, block, words, caller, call);
         }
@@ -243,6 +277,7 @@ impl State {
                 // Behind a macro call it is an argument.
                 b'M' if codes.special.is_some() && macro_kind(codes).is_some() => codes.mixed |= mixes(cx, word),
                 b'M' if self.spindle_of(word) > 1 && self.other_spindle(cx, block, word)? => {}
+                b'M' if at + 1 < words.len() && self.is_overtaken(cx, block, words, at)? => {}
                 b'M' => self.m_word(cx, block, word, at, codes)?,
                 long::NAME => self.named_code(cx, word, at, codes),
                 b'/' if self.skips(cx, word) => {
@@ -275,6 +310,46 @@ impl State {
         };
         self.queue.push(Canon::OtherSpindle { spindle: self.spindle_of(word), sign });
         Ok(true)
+    }
+
+    /// Whether so many M codes follow that this one does not act.
+    fn is_overtaken(&self, cx: &mut Cx, block: &Block, words: &[Word], at: usize) -> Run<bool> {
+        let most = cx.shared.rules.m_codes;
+        let mut behind = 0;
+        for word in words.get(at + 1..).unwrap_or_default() {
+            match word.letter {
+                b'/' if self.skips(cx, word) => break,
+                b'M' if word.index.is_none_or(|spindle| spindle <= 1) && self.raw(cx, block, word)?.is_some() => {
+                    behind += 1;
+                }
+                _ => continue,
+            }
+            if behind == most && cx.shared.rules.m_alarm {
+                let trap = Trap::alarm(Alarm::Auxiliaries, msg!("interp.m-codes", u32::from(most)));
+                return Err(trap.within(word_span(block, word)));
+            }
+        }
+        if behind >= most
+            && let Some(word) = words.get(at)
+        {
+            self.remark(cx, word_span(block, word), msg!("interp.m-code-dropped", u32::from(most)));
+        }
+        Ok(behind >= most)
+    }
+
+    /// Goes on behind the contour of a cycle that is not simulated, where it lies ahead.
+    #[cold]
+    fn pass_contour(&mut self, cx: &mut Cx, at: u32, block: &Block, words: &[Word], values: &Words) {
+        let number = |value: Option<f64>| value.filter(|value| (1.0..1e9).contains(value)).map(|value| value as u32);
+        let (Some(first), Some(last)) = (number(values.p), number(values.q)) else { return };
+        let index = &cx.shared.index;
+        let start = index.sequence(self.program, first, at.saturating_add(1)).filter(|&start| start > at);
+        let end = start.and_then(|start| Some((start, index.sequence(self.program, last, start)?)));
+        let Some((_, end)) = end.filter(|(start, end)| end >= start) else { return };
+        self.at = end.saturating_add(1);
+        let word = words.iter().find(|word| word.letter == b'G');
+        let span = word.map_or(block.span, |word| word_span(block, word));
+        self.remark(cx, span, msg!("interp.contour", first, last));
     }
 
     /// Takes a code that is a name.
@@ -312,12 +387,16 @@ impl State {
         match row.code {
             Dwell | ReferenceReturn | MachineCoordinates | MachineRapid | SetCoordinates | LocalCoordinates
             | Offset | OffsetMore | LowerLimits | UpperLimits | MacroCall | MacroModal | MacroModalBlock
-            | MacroModalEnd => {
+            | MacroModalEnd | Skip => {
                 (codes.special, codes.caller) = (Some(row.code), at);
             }
             ExactStopOnce => codes.exact = true,
             ExactStop | Cutting => codes.path = self.modal.exact != (row.code == ExactStop),
-            NotSimulated if row.group == Group::OneShot => codes.unmoved = true,
+            NotSimulated | Cancel => {
+                codes.any_word = true;
+                codes.unmoved |= row.code == NotSimulated && row.group == Group::OneShot;
+            }
+            Roughing => (codes.any_word, codes.unmoved, codes.contour) = (true, true, true),
             _ => {}
         }
         self.modal.set(cx.control, row);
@@ -337,7 +416,9 @@ impl State {
             Some(Code::End | Code::EndRewind) if cx.control.macros.ends_return && !self.frames.is_empty() => {
                 codes.flow = Some(Code::SubEnd);
             }
-            Some(code @ (Code::Stop | Code::OptionalStop | Code::End | Code::EndRewind)) => codes.stop = Some(code),
+            Some(Code::Stop) => codes.stops |= STOP,
+            Some(Code::OptionalStop) => codes.stops |= OPTIONAL_STOP,
+            Some(Code::End | Code::EndRewind) => codes.stops |= END,
             Some(code @ (Code::SubCall | Code::SubEnd)) => codes.flow = Some(code),
             Some(Code::SpindleCw) => codes.spindle = Some(1),
             Some(Code::SpindleCcw) => codes.spindle = Some(-1),
@@ -347,13 +428,10 @@ impl State {
                 codes.orient = Some((0.0, Approach::Direct))
             }
             _ => {
-                let max = (cx.control.limits.m_codes as usize).clamp(1, M_CODES);
-                if codes.auxiliaries == max {
-                    codes.auxiliary.rotate_left(1);
-                    codes.auxiliaries -= 1;
+                if let Some(place) = codes.auxiliary.get_mut(codes.auxiliaries) {
+                    *place = number;
+                    codes.auxiliaries += 1;
                 }
-                codes.auxiliary[codes.auxiliaries] = number;
-                codes.auxiliaries += 1;
             }
         }
         Ok(())
@@ -417,15 +495,23 @@ impl State {
                         }
                     }
                     _ if thread && cx.control.syntax.threads_per_inch == Some(letter) => {
-                        self.modal.lead = self.threads_word(cx, block, word)?.or(self.modal.lead);
+                        let lead = match cx.shared.rules.fine_lead {
+                            true => self.lead_word(cx, block, word, inch)?,
+                            false => self.threads_word(cx, block, word)?,
+                        };
+                        self.modal.lead = lead.or(self.modal.lead);
                     }
                     b'I' | b'J' | b'K' if thread && cx.control.syntax.lead_by_axis => {
                         self.modal.lead = self.lead_word(cx, block, word, inch)?.or(self.modal.lead);
                     }
                     b'I' | b'J' | b'K' => {
                         values.center[(letter - b'I') as usize] = self.dimension(cx, block, word, inch)?;
+                        values.rare |= bits(b"I");
                     }
-                    b'R' | long::CR => values.radius = self.dimension(cx, block, word, inch)?,
+                    b'R' | long::CR => {
+                        values.radius = self.dimension(cx, block, word, inch)?;
+                        values.rare |= bits(b"R");
+                    }
                     long::LIMS => values.speed_limit = self.speed_word(cx, block, word)?,
                     long::SPOS => {
                         let approach = match word.form {
@@ -436,8 +522,15 @@ impl State {
                         };
                         values.orient = self.raw(cx, block, word)?.map(|angle| (angle, approach));
                     }
-                    b'P' => values.p = self.whole(cx, block, word)?,
-                    b'L' => values.l = self.whole(cx, block, word)?,
+                    b'P' | b'L' => {
+                        let number = self.whole(cx, block, word)?;
+                        *(if letter == b'P' { &mut values.p } else { &mut values.l }) = number;
+                        values.rare |= bits(b"P");
+                    }
+                    b'Q' => {
+                        values.q = self.raw(cx, block, word)?;
+                        values.rare |= bits(b"Q");
+                    }
                     b'D' | b'H' => {
                         let number = self.whole(cx, block, word)?;
                         if let Some(number) = number {
@@ -447,14 +540,63 @@ impl State {
                             values.h = number;
                         }
                     }
+                    b'B' | b'E' => values.rare |= bits(b"Q"),
                     _ => {}
                 }
             }
+        }
+        if values.rare & !self.uses(codes) != 0 || codes.special == Some(Code::Dwell) && values.mask != 0 {
+            self.idle_words(cx, block, words, codes);
         }
         if self.modal.radii != Radii::No {
             self.double(cx, values);
         }
         Ok(())
+    }
+
+    /// The rare words that do something in a block with these codes: bits of I for the centre of an arc, R, P for P and L, Q for
+    /// everything else.
+    #[inline]
+    fn uses(&self, codes: &Codes) -> u32 {
+        let any = codes.any_word || codes.call.is_some() || self.modal.cycle || self.modal.motion == Code::NotSimulated;
+        let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw);
+        match (any, arc) {
+            (true, _) => u32::MAX,
+            (_, true) => bits(b"IR"),
+            (_, false) if codes.flow.is_some() => bits(b"P"),
+            _ => 0,
+        }
+    }
+
+    /// Remarks the words of a block that do nothing in it. Languages with names refuse them when they are read.
+    #[cold]
+    fn idle_words(&self, cx: &mut Cx, block: &Block, words: &[Word], codes: &Codes) {
+        if cx.control.syntax.names.is_some() {
+            return;
+        }
+        let (uses, dwell) = (self.uses(codes), codes.special == Some(Code::Dwell));
+        for word in words {
+            let class = match word.letter {
+                letter if dwell && cx.control.syntax.dwell_addresses.contains(&letter) => continue,
+                letter if letter.is_ascii_alphabetic() && cx.shared.index.axis(letter).is_some() => {
+                    if !dwell {
+                        continue;
+                    }
+                    0
+                }
+                b'I' | b'J' | b'K' => bits(b"I"),
+                b'R' => bits(b"R"),
+                b'P' | b'L' => bits(b"P"),
+                b'B' | b'E' | b'Q' => bits(b"Q"),
+                _ => continue,
+            };
+            let corner = cx.control.syntax.corners.iter().any(|corner| corner.0 == word.letter);
+            let thread = self.modal.motion == Code::Thread && cx.control.syntax.threads_per_inch == Some(word.letter);
+            if uses & class == 0 && !corner && !thread {
+                let letter = char::from(word.letter).to_string();
+                self.remark(cx, word_span(block, word), msg!("interp.idle-word", letter));
+            }
+        }
     }
 
     /// Words that count radii, on an axis whose positions are diameters.

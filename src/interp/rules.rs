@@ -1,5 +1,6 @@
 //! What rows and switches of a control come to while a program runs: open points as they are set, ranges, roundings.
 
+use super::block::M_CODES;
 use super::canon::AXES;
 use crate::controls::macros::{CodeCall, VacantWord};
 use crate::controls::{Control, Group, Limits, SpindleRules, Switches};
@@ -35,6 +36,12 @@ pub(super) struct Rules {
     pub(super) clear_common: bool,
     /// What a program writes to an offset counts increments.
     pub(super) offset_increments: bool,
+    /// M codes of a block that act.
+    pub(super) m_codes: u8,
+    /// One more is an alarm; else the last ones act.
+    pub(super) m_alarm: bool,
+    /// What stands in the place of threads per inch is a lead.
+    pub(super) fine_lead: bool,
     /// A word of nothing but a vacant variable is 0, not left out.
     pub(super) vacant_word: bool,
     /// EQ and NE take vacant for 0.
@@ -82,6 +89,9 @@ impl Rules {
             keep_locals: is("locals-of-calls", "kept"),
             clear_common: is("common-at-reset", "vacant"),
             offset_increments: is("offset-values", "increments"),
+            m_codes: if is("m-codes", "the last 3 act") { 3 } else { control.limits.m_codes.clamp(1, M_CODES) },
+            m_alarm: is("m-codes", "alarm"),
+            fine_lead: is("thread-e", "lead"),
             vacant_word: macros.vacant_word == VacantWord::Zero,
             vacant_equals_zero: macros.vacant_equals_zero,
             result: macros.value_range.unwrap_or((0.0, f64::MAX)),

@@ -13,7 +13,7 @@ use super::{Counts, End, Step, World};
 use crate::controls::{Alarm, Code, Control};
 use crate::msg;
 use crate::nc::{Block, Deck, ExprId, Parsed, Stmt};
-use crate::text::{Diagnostic, FileId, Place, Span};
+use crate::text::{Diagnostic, FileId, Message, Place, Span};
 
 /// What all copies of a run share.
 #[derive(Debug)]
@@ -79,6 +79,8 @@ pub(super) struct State {
     pub(super) modal: Modal,
     /// Commanded position in command increments, machine frame.
     pub(super) position: [i64; AXES],
+    /// Where the last motion that a signal may skip came to its end, machine frame.
+    pub(super) skip: [i64; AXES],
     pub(super) queue: Queue,
     pub(super) frames: Vec<Frame>,
     pub(super) modal_call: Option<Rc<ModalCall>>,
@@ -107,6 +109,7 @@ impl State {
             vars: Vars::new(shared.index.stored),
             modal: Modal::new(shared.control, shared.rules.startup.iter().copied()),
             position: [0; AXES],
+            skip: [0; AXES],
             queue: Queue::default(),
             frames: Vec::new(),
             modal_call: None,
@@ -176,6 +179,12 @@ impl State {
             (self.first, self.end, self.at) = (row.first, row.end, row.first);
             self.modal.word(b'O', if row.number == 0 { VACANT } else { f64::from(row.number) });
         }
+    }
+
+    /// Says something about bytes of the block at hand that is no alarm.
+    #[cold]
+    pub(super) fn remark(&self, cx: &mut Cx, span: Span, message: Message) {
+        cx.world.remark(Diagnostic::warning(message).at(Place { file: self.file, span }));
     }
 
     #[cold]

@@ -59,6 +59,7 @@ impl State {
             VarKind::BlockEnd
             | VarKind::MachinePosition
             | VarKind::WorkPosition
+            | VarKind::SkipPosition
             | VarKind::WorkOffset(_)
             | VarKind::WorkOffsetShown(_)
                 if axis >= cx.control.axes.len().min(AXES) =>
@@ -69,6 +70,7 @@ impl State {
             VarKind::MachinePosition | VarKind::WorkPosition if !self.synced => return Err(Trap::Sync),
             VarKind::MachinePosition => finite_or_zero(cx.world.position(axis)),
             VarKind::WorkPosition => finite_or_zero(cx.world.position(axis)) - millimetres(self.modal.zero[axis]),
+            VarKind::SkipPosition => millimetres(self.skip[axis].saturating_sub(self.modal.zero[axis])),
             VarKind::AlarmMessage | VarKind::StopMessage => {
                 return Err(Trap::alarm(Alarm::VariableSide, msg!("interp.write-only", cx.control.variable(number))));
             }
@@ -115,7 +117,7 @@ impl State {
                 }
             }
             Slot::Local(index) => self.vars.set_local(index, value),
-            Slot::Row(at) => self.write_row(cx, block, at, number, zero_if_vacant(value))?,
+            Slot::Row(at) => self.write_row(cx, block, at, number, value)?,
             Slot::None => return Err(no_such_variable(cx, number)),
         }
         Ok(())
@@ -124,11 +126,18 @@ impl State {
     fn write_row(&mut self, cx: &mut Cx, block: &Block, at: u16, number: u32, value: f64) -> Run<()> {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
         let slot = cx.shared.index.stored_at(row, at as usize, number);
+        if value.is_nan() && row.kind.writable() && cx.control.raises(Alarm::VacantValue) {
+            return Err(Trap::alarm(Alarm::VacantValue, msg!("interp.vacant-value", cx.control.variable(number))));
+        }
+        let value = zero_if_vacant(value);
         let counted = matches!(row.kind, VarKind::Kept | VarKind::WorkOffset(_)) && cx.shared.rules.offset_increments;
         let value = if counted { value / cx.shared.units.per_unit } else { value };
         match row.kind {
             VarKind::OutputBit => {
                 let on = value.round() != 0.0;
+                if on && value.round() != 1.0 {
+                    self.remark_output(cx, block, number, value, 1.0);
+                }
                 if let Some((word, bit)) = cx.control.word_of_bit(number) {
                     let others = self.read(cx, word)? as i64 & !(1 << bit);
                     self.store(cx, word, others | i64::from(on) << bit);
@@ -136,7 +145,11 @@ impl State {
                 self.queue.push(Canon::Output { variable: number, value: f64::from(u8::from(on)) });
             }
             VarKind::OutputWord(_) | VarKind::ExchangeWord => {
-                let value = fit(row.width(number), value.round());
+                let whole = value.round();
+                let value = fit(row.width(number), whole);
+                if value != whole {
+                    self.remark_output(cx, block, number, whole, value);
+                }
                 if let Some(slot) = slot {
                     self.vars.set_common(slot, value);
                 }
@@ -205,7 +218,8 @@ impl State {
             | VarKind::ExecutingWord(_)
             | VarKind::BlockEnd
             | VarKind::MachinePosition
-            | VarKind::WorkPosition => {
+            | VarKind::WorkPosition
+            | VarKind::SkipPosition => {
                 let trap =
                     Trap::alarm(Alarm::ReadOnly, msg!("interp.read-only", cx.control.variable(number), row.text));
                 return Err(with_common(cx, trap));
@@ -216,6 +230,13 @@ impl State {
 }
 
 impl State {
+    /// A variable of the PLC is written beyond what it holds.
+    #[cold]
+    fn remark_output(&self, cx: &mut Cx, block: &Block, number: u32, written: f64, taken: f64) {
+        let message = msg!("interp.output-range", cx.control.variable(number), (written, 9), taken);
+        self.remark(cx, block.span, message);
+    }
+
     /// Puts the bits of a word of the PLC into its store.
     fn store(&mut self, cx: &Cx, word: u32, bits: i64) {
         let Slot::Row(at) = cx.shared.index.slot(cx.control, word) else { return };

@@ -46,8 +46,14 @@ impl State {
             }
             _ => {}
         }
-        let full_circle = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw) && values.center != [None; 3];
-        if values.mask == 0 && !full_circle || codes.unmoved || self.modal.cycle {
+        let code = match codes.special {
+            Some(Code::MachineRapid) => Code::Rapid,
+            Some(Code::Skip) => Code::Linear,
+            _ if self.modal.cycle => return Ok(false),
+            _ => self.modal.motion,
+        };
+        let full_circle = matches!(code, Code::ArcCw | Code::ArcCcw) && values.center != [None; 3];
+        if values.mask == 0 && !full_circle || codes.unmoved {
             return Ok(false);
         }
         let machine = matches!(codes.special, Some(Code::MachineCoordinates | Code::MachineRapid));
@@ -74,18 +80,21 @@ impl State {
             self.queue.push(Canon::Rapid { to });
             return Ok(cx.control.macros.call_after_return);
         }
-        let motion = match self.modal.motion {
-            _ if codes.special == Some(Code::MachineRapid) => Canon::Rapid { to },
+        let motion = match code {
             Code::Rapid => Canon::Rapid { to },
             Code::Linear | Code::ArcCw | Code::ArcCcw => {
-                let exact = codes.exact || self.modal.exact;
+                let skip = codes.special == Some(Code::Skip);
+                let exact = codes.exact || self.modal.exact || skip;
+                if skip {
+                    self.skip = to.position;
+                }
                 match self.modal.feed {
                     Some(0.0) if cx.shared.rules.feed_zero_rapid => Canon::Rapid { to },
                     None | Some(0.0) => return Err(no_feed(cx, self.modal.feed)),
                     Some(feed) => {
                         let per_revolution = self.modal.per_revolution;
                         let feed = if per_revolution { Feed::PerRevolution(feed) } else { Feed::PerMinute(feed) };
-                        if self.modal.motion == Code::Linear {
+                        if code == Code::Linear {
                             Canon::Linear { to, feed, exact }
                         } else {
                             self.arc(cx, values, to, feed, exact)

@@ -77,8 +77,20 @@ impl State {
     /// does so.
     pub(super) fn whole(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
         let value = self.raw(cx, block, word)?;
+        self.note_cut(cx, block, word);
         let round = cx.control.macros.round_words && matches!(word.value, WordValue::Expr(_));
         Ok(value.map(|value| if round { value.round() } else { cut(value) }))
+    }
+
+    /// Remarks a number that is written with decimals behind an address of whole numbers.
+    #[inline]
+    fn note_cut(&self, cx: &mut Cx, block: &Block, word: &Word) {
+        if let WordValue::Number(dec @ Dec { scale: 1.., .. }) = word.value
+            && dec.to_f64().fract() != 0.0
+        {
+            let letter = char::from(word.letter).to_string();
+            self.remark(cx, word_span(block, word), msg!("interp.decimals-dropped", letter));
+        }
     }
 
     /// Ten times the number of a G or M code, for a look-up; `None` where the word is left out.
@@ -171,6 +183,9 @@ impl State {
             Some(value) if whole => cut(value),
             Some(value) => value,
         };
+        if whole {
+            self.note_cut(cx, block, word);
+        }
         let limits = &cx.control.limits;
         let own = limits.speed_limit.filter(|_| word.letter == long::LIMS);
         let (min, max) = own.unwrap_or((0.0, limits.speed_max));

@@ -1,5 +1,7 @@
 //! What a program can read of the machine and write to it: the one way back against the arrow.
 
+use crate::text::Diagnostic;
+
 /// The machine as the interpreter sees it. Reads happen when a block is read, which may be blocks before it is executed.
 pub trait World {
     /// A macro input from the PLC (bit or signed word), by variable number.
@@ -12,6 +14,8 @@ pub trait World {
     fn block_skip(&mut self, number: u8) -> bool;
     /// A common variable has got another value (`None`: vacant) by the program. For whoever shows variables over time.
     fn changed(&mut self, _variable: u32, _value: Option<f64>) {}
+    /// Something of the block that is read does not do what it says, and the control raises no alarm, or none that is known.
+    fn remark(&mut self, _remark: Diagnostic) {}
 }
 
 /// A machine with fixed inputs, at rest at zero: for checks and tests of the language.
@@ -23,6 +27,8 @@ pub struct Still {
     pub positions: [f64; super::canon::AXES],
     /// Optional block skip.
     pub block_skip: bool,
+    /// What was remarked, in the order of the run, each time.
+    pub remarks: Vec<Diagnostic>,
 }
 
 impl World for Still {
@@ -40,5 +46,9 @@ impl World for Still {
 
     fn block_skip(&mut self, _number: u8) -> bool {
         self.block_skip
+    }
+
+    fn remark(&mut self, remark: Diagnostic) {
+        self.remarks.push(remark);
     }
 }

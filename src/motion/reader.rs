@@ -8,6 +8,7 @@ use super::timeline::{Change, Timeline};
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, Step, World};
 use crate::order::Map;
+use crate::text::Diagnostic;
 
 /// What a program sees of the machine when one of its blocks is read.
 struct Eyes<'a> {
@@ -17,7 +18,11 @@ struct Eyes<'a> {
     running: f64,
     block_skip: bool,
     changes: Vec<(u32, Option<f64>)>,
+    remarks: Vec<Diagnostic>,
 }
+
+/// Remarks of a run that are kept.
+const REMARKS: usize = 1000;
 
 /// Where the axes are.
 enum Axes<'a> {
@@ -37,6 +42,7 @@ impl<P> State<P> {
             running: self.run_time_at(t),
             block_skip: self.knobs.block_skip,
             changes: Vec::new(),
+            remarks: Vec::new(),
         };
         look(&self.program, &mut eyes)
     }
@@ -65,6 +71,10 @@ impl World for Eyes<'_> {
     fn changed(&mut self, variable: u32, value: Option<f64>) {
         self.changes.push((variable, value));
     }
+
+    fn remark(&mut self, remark: Diagnostic) {
+        self.remarks.push(remark);
+    }
 }
 
 impl<P: Program> Sim<'_, P> {
@@ -88,10 +98,19 @@ impl<P: Program> Sim<'_, P> {
             running,
             block_skip: s.knobs.block_skip,
             changes: Vec::new(),
+            remarks: Vec::new(),
         };
         let step = s.program.step(&mut eyes);
         for (number, value) in eyes.changes {
             self.out.timeline.changes.push(Change { t, number, value: value.unwrap_or(f64::NAN) });
+        }
+        for remark in eyes.remarks {
+            // A block in a loop says it once, whatever its values are.
+            let told = |d: &Diagnostic| (d.place, d.message.id) == (remark.place, remark.message.id);
+            let said = &mut self.out.diagnostics;
+            if said.len() < REMARKS && !said.iter().any(told) {
+                said.push(remark);
+            }
         }
         let after = s.program.blocks();
         let (nc, macros) = (after.nc - before.nc.min(after.nc), after.macros - before.macros.min(after.macros));

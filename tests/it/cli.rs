@@ -429,6 +429,43 @@ fn the_last_command_is_told_once() {
 }
 
 #[test]
+fn what_a_block_does_not_do_is_told_once() {
+    let path = folder("remarks").join("O1.nc");
+    let program =
+        "%\nO1\nWHILE[#1 LT 5]DO1\n#1=#1+1\n#1132=#1*1E9\nG04 P0.5\nEND1\nM30\n%\n".replace("1E9", "1000000000");
+    std::fs::write(&path, program).unwrap();
+    let out = macroline(&["run", &text(&path), "--control", "mitsubishi-e60"]);
+    assert_eq!(ids_told(&out).0, ["interp.decimals-dropped", "interp.output-range"]);
+    let silent = ["--silence", "interp.decimals-dropped", "--silence", "interp.output-range"];
+    let out = macroline(&[&["run", &text(&path), "--control", "mitsubishi-e60"], &silent[..]].concat());
+    assert_eq!(ids_told(&out), (Vec::new(), "2 silenced".to_owned()));
+}
+
+#[test]
+fn settings_of_calls_by_code_that_bind_nothing_are_told() {
+    let path = folder("call-parameters").join("O1.nc");
+    std::fs::write(&path, "O1\nM30\n%\n").unwrap();
+    for (control, setting, strange) in [
+        ("knd-k2000t", "4120=512 4121=502", &[][..]),
+        ("knd-k2000t", "4120=512, 4140=502; G502", &["4140=502", "G502"][..]),
+        ("knd-k2000t", "No.4120=0", &[][..]),
+        ("gsk-980tdc", "86=3 87=100 88=2000", &[][..]),
+        ("gsk-980tdc", "86=3 87=100", &["86=3", "87=100"][..]),
+        // Codes of the control itself stay what they are.
+        ("gsk-980tdc", "86=1 87=1 88=2000", &["86=1", "87=1", "88=2000"][..]),
+        ("mitsubishi-e60", "#7201=200 #7202=1 #7203=9010 #7301=200", &["#7301=200"][..]),
+    ] {
+        let switch = format!("call-parameters={setting}");
+        let out = macroline(&["check", &text(&path), "--control", control, "--switch", &switch, "--json"]);
+        let json: Json = serde_json::from_slice(&out.stdout).unwrap();
+        let found = json["diagnostics"].as_array().unwrap().iter().filter(|d| d["id"] == "lint.call-parameter");
+        let said: Vec<String> = found.map(|d| d["message"].to_string()).collect();
+        assert_eq!(said.len(), strange.len(), "{setting}: {said:?}");
+        assert!(said.iter().zip(strange).all(|(said, piece)| said.contains(piece)), "{setting}: {said:?}");
+    }
+}
+
+#[test]
 fn what_a_project_silences_stays_silent_everywhere_but_errors() {
     let folder = folder("silenced-project");
     let path = project(&folder, json!({}));

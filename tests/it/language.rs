@@ -522,9 +522,9 @@ fn variables() {
     "#]],
     );
     check_block(
-        "#5061=1",
+        "#5081=1",
         expect![[r#"
-            1:1 warning - #5061 (skip position, axis by axis) is not simulated: a run stops where it stands. The control itself goes on.
+            1:1 warning - #5081 (tool position offset, axis by axis) is not simulated: a run stops where it stands. The control itself goes on.
         "#]],
     );
 }

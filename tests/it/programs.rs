@@ -53,7 +53,12 @@ fn start_fixture(control: &'static Control, source: &str) -> Interp {
 
 /// The override knob at 100 %, X at 12.5 mm when the machine is asked.
 fn world() -> Still {
-    Still { inputs: vec![(1033, 100.0)], positions: [12.5, 2.0, 0.0, 0.0, 0.0, 0.0], block_skip: false }
+    Still {
+        inputs: vec![(1033, 100.0)],
+        positions: [12.5, 2.0, 0.0, 0.0, 0.0, 0.0],
+        block_skip: false,
+        ..Still::default()
+    }
 }
 
 /// `P283 3:5`
@@ -71,7 +76,13 @@ fn log_of(source: &str, interp: &mut Interp) -> String {
             .unwrap();
     }
     let names = interp.names();
-    let end = interp::run(interp, &mut world(), BUDGET, |canon, _| writeln!(log, "{}", canon.line(names)).unwrap());
+    let mut world = world();
+    let end = interp::run(interp, &mut world, BUDGET, |canon, _| writeln!(log, "{}", canon.line(names)).unwrap());
+    world.remarks.dedup();
+    for remark in &world.remarks {
+        writeln!(log, "({} {})", alarm_and_place(source, remark), sentence(Language::English, &remark.message))
+            .unwrap();
+    }
     match end {
         None => log.push_str("= budget\n"),
         Some(End::Program) => {}

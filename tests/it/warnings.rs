@@ -471,9 +471,9 @@ fn variables_that_are_kept_for_something_else() {
             To be set on the screen before the start, as no program here does: #500. What is not set is vacant, and counts as 0 in formulas.
     "#]]);
     // A correction, a value set, a measured length.
-    E60.check("O1\n#2001=#2001+0.01\n#2002=0\n#100=#2002\n#2003=#5063-#500\n#101=#2003\nM30", expect![[r#"
-        6:7 “#5063” warning nc.variable-stops
-            #5063 (skip position, axis by axis) is not simulated: a run stops where it stands. The control itself goes on.
+    E60.check("O1\n#2001=#2001+0.01\n#2002=0\n#100=#2002\n#2003=#5083-#500\n#101=#2003\nM30", expect![[r#"
+        6:7 “#5083” warning nc.variable-stops
+            #5083 (tool position offset, axis by axis) is not simulated: a run stops where it stands. The control itself goes on.
         6:13 “#500” info lint.unset-common
             To be set on the screen before the start, as no program here does: #500. What is not set is vacant, and counts as 0 in formulas.
     "#]]);

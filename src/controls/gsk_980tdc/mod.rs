@@ -102,6 +102,7 @@ pub static CONTROL: Control = Control {
         ends_return: false,
         sub_sequence: false,
         call_first: true,
+        program_next: true,
         call_ends_modal: true,
         call_after_return: false,
         common_kept: false,

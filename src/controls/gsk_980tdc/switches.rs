@@ -22,6 +22,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("decimal-point", "A coordinate without a point", &["millimetres", "increments"], SAMPLES),
     switch("argument-point", "A macro argument without a point", &["as written", "increments"], MACRO),
     switch("diameter", "Words of X (No.001#2)", &["diameter", "radius"], PARAMETERS),
+    switch("m-codes", "A second M code in a block", &["alarm", "the last acts"], MEMORY),
     switch("startup-feed", "Unit of F after power-on (No.182#0)", &["G98", "G99"], PARAMETERS),
     switch(
         "angle-range",

@@ -19,6 +19,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(NumberZero, "009", "Illegal address input", MEMORY),
     alarm(IllegalAddress, "009", "Illegal address input", MEMORY),
     alarm(UnknownCode, "010", "Improper G code", MEMORY),
+    alarm(Auxiliaries, "009", "Illegal address input", MEMORY),
     alarm(NoFeed, "011", "No feedrate commanded", MEMORY),
     alarm(Arc, "020", "Over tolerance of radius", MEMORY),
     alarm(ArcRadius, "023", "Illegal radius command", MEMORY),

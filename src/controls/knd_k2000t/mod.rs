@@ -96,6 +96,7 @@ pub static CONTROL: Control = Control {
         ends_return: false,
         sub_sequence: false,
         call_first: false,
+        program_next: false,
         call_ends_modal: false,
         call_after_return: true,
         common_kept: false,

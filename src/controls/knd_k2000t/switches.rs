@@ -14,6 +14,12 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("decimal-point", "A coordinate without a point (3401#0)", &["millimetres", "increments"], SAMPLE),
     switch("argument-point", "A macro argument without a point", &["as written", "increments"], SAMPLE),
     switch("diameter", "Words of X (1006#3)", &["diameter", "radius"], SAMPLE),
+    switch(
+        "m-codes",
+        "More than one M code in a block (3404#7)",
+        &["the last acts", "the last 3 act", "alarm"],
+        MEMORY,
+    ),
     switch("startup-motion", "Motion code after power-on (3402#0)", &["G00", "G01"], MEMORY),
     switch("startup-feed", "Unit of F after power-on (3402#4)", &["G98", "G99"], SAMPLE),
     switch(

@@ -37,6 +37,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("argument-point", "A macro argument without a point", &["increments", "as written"], MEMORY),
     switch("startup-distance", "Dimensions after power-on (#1073)", &["G90", "G91"], MEMORY),
     switch("startup-motion", "Motion code after power-on (#1075)", &["G01", "G00"], MEMORY),
+    switch("thread-e", "E of a thread, G33 (#8156)", &["threads per inch", "lead"], MEMORY),
     switch("feed-zero", "What F0 does (#1079)", &["alarm", "rapid"], MEMORY),
     switch("spindle-word", "S with decimals", &["truncate", "round"], DECIMALS),
     switch(

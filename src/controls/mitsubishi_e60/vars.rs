@@ -101,7 +101,7 @@ pub(super) const VARS: &[VarRange] = &[
     range(5001, 5004, BlockEnd, "", "end point of the block before, axis by axis", MEMORY),
     range(5021, 5024, MachinePosition, "", "machine position, axis by axis", MEMORY),
     range(5041, 5044, WorkPosition, "", "work position, axis by axis", MEMORY),
-    range(5061, 5064, NotSimulated, "", "skip position, axis by axis", MEMORY),
+    range(5061, 5064, SkipPosition, "", "skip position, axis by axis", MEMORY),
     range(5081, 5084, NotSimulated, "", "tool position offset, axis by axis", MEMORY),
     range(5101, 5104, NotSimulated, "", "servo deviation, axis by axis", MEMORY),
     range(5201, 5204, WorkOffset(0), "", "shift of all work coordinate systems, axis by axis", MEMORY),

@@ -137,6 +137,7 @@ pub static CONTROL: Control = Control {
         ends_return: true,
         sub_sequence: false,
         call_first: false,
+        program_next: false,
         call_ends_modal: false,
         call_after_return: true,
         common_kept: true,

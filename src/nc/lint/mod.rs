@@ -6,6 +6,7 @@
 mod flow;
 mod loops;
 mod roles;
+mod settings;
 mod short;
 mod values;
 mod vars;
@@ -49,6 +50,7 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     let most = FINDINGS.saturating_sub(parsed.diagnostics().len());
     let mut lint = Lint { parsed, deck, control: parsed.control(), start, set, numbers, most, found: Vec::new() };
     let roles = Roles::new(lint.control, parsed.calls());
+    settings::call_parameters(&mut lint);
     let facts = words::survey(&mut lint, &roles);
     facts.main_returns(&mut lint);
     if !parsed.has_errors() && !facts.functions {

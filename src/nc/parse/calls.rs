@@ -34,6 +34,11 @@ impl Reader<'_> {
         if code.is_some() && !words.iter().any(|word| word.letter == b'P') {
             return self.report_word(Alarm::NoCallProgram, caller, msg!("interp.call-without-program"));
         }
+        if let (true, Some(_), Some(word)) =
+            (macros.program_next, code, behind.first().filter(|word| word.letter != b'P'))
+        {
+            return self.report_word(Alarm::NoCallProgram, word, msg!("interp.call-program-next"));
+        }
         if self.control.raises(Alarm::ArgumentAddress) {
             let forbidden: &[u8] = if code.is_some() { b"GNO" } else { b"GNOP" };
             if let Some(word) = behind.iter().find(|word| forbidden.contains(&word.letter)) {

@@ -209,7 +209,9 @@ impl<'a> Reader<'a> {
         let plain = |word: &Word| match (word.letter, word.value) {
             (letter @ (b'G' | b'M'), WordValue::Number(number)) => {
                 let row = self.control.code(letter, (number.to_f64() * 10.0) as u16);
-                !row.is_some_and(|row| matches!(row.code, Code::NotSimulated | Code::Thread | Code::SubCall))
+                !row.is_some_and(|row| {
+                    matches!(row.code, Code::NotSimulated | Code::Roughing | Code::Thread | Code::SubCall)
+                })
             }
             _ => true,
         };
@@ -406,9 +408,11 @@ impl<'a> Reader<'a> {
 
     #[inline]
     fn known_g_code(&mut self, row: &CodeDef, number: Dec, start: usize) -> bool {
-        if row.code == Code::NotSimulated {
+        if matches!(row.code, Code::NotSimulated | Code::Roughing | Code::Skip) {
             let name = format!("G{number} ({})", row.text);
-            self.not_simulated((b'G', row.number.into()), start, self.at, &name);
+            let message =
+                if row.code == Code::Skip { msg!("nc.no-skip", name) } else { msg!("nc.not-simulated", name) };
+            self.say_once((b'G', row.number.into()), start, self.at, message);
         }
         matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)
     }

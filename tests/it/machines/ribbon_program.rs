@@ -38,7 +38,7 @@ pub(super) fn parsed(on: On<'static>, values: &Values) -> (Plan, Rc<Parsed>) {
 
 /// The PLC's word is #1033 or #1032.
 fn world(percent: f64) -> Still {
-    Still { inputs: vec![(1032, percent), (1033, percent)], positions: [0.0; 6], block_skip: false }
+    Still { inputs: vec![(1032, percent), (1033, percent)], positions: [0.0; 6], block_skip: false, ..Still::default() }
 }
 
 /// The run program behind the set-up program, as on the machine: variables stay.

@@ -61,9 +61,9 @@ fn an_alarm_names_the_way_out() {
     "#]],
     );
     check(
-        "O1\n#100=#5061\nM30",
+        "O1\n#100=#5081\nM30",
         expect![[r#"
-            = BUDGET 2:6 #5061 (skip position, axis by axis) is not simulated, so the run stops here. The control itself would go on.
+            = BUDGET 2:6 #5081 (tool position offset, axis by axis) is not simulated, so the run stops here. The control itself would go on.
         "#]],
     );
 }
@@ -108,9 +108,10 @@ fn switches_settle_the_open_points() {
         "O1\nS1199.7\nM30",
         ("spindle-word", "round"),
         expect![[r#"
-        spindle-speed 1200
-        end
-    "#]],
+            spindle-speed 1200
+            end
+            (none 2:1 S takes whole numbers: the decimals are lost.)
+        "#]],
     );
     check_switched(
         "O1\n#3004=7\nM30",

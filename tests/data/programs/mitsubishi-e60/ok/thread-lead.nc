@@ -1,0 +1,7 @@
+%
+O45(THREAD: E IS A LEAD)
+(SET thread-e lead)
+S500 M03
+G33 Z-10. E1.75
+M30
+%
