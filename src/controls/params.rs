@@ -27,6 +27,42 @@ pub enum ParamRole {
     SpindleMaximum,
     /// Smallest spindle speed.
     SpindleMinimum,
+    /// Whether the output is never negative.
+    SpindleUnipolar,
+    /// Part of the full output at the speed of [`SpindleLimit`](ParamRole::SpindleLimit).
+    SpindleRatedVolts,
+    /// Turns of the motor in the ratio of a gear stage.
+    SpindleRatioMotor,
+    /// Turns of the spindle in the ratio of a gear stage.
+    SpindleRatioSpindle,
+    /// Highest spindle speed of a gear stage, behind the gear.
+    SpindleStageMaximum,
+    /// Part of a speed within which it counts as reached.
+    SpindleTolerance,
+    /// Lowest speed that the operator and the program may set.
+    SpindleLowerSet,
+    /// Highest speed that the operator and the program may set.
+    SpindleUpperSet,
+    /// Highest speed under constant surface speed.
+    SpindleSurfaceLimit,
+    /// Speed at which the spindle goes to an angle.
+    PositioningSpeed,
+    /// Acceleration with which it does.
+    PositioningAcceleration,
+    /// Which way it looks for its zero mark; whether clockwise.
+    PositioningClockwise,
+    /// Whether gears are shifted by M codes.
+    GearShift,
+    /// Time until the old gear goes out.
+    GearShiftBefore,
+    /// Time until the voltage of the speed stands behind the new gear.
+    GearShiftAfter,
+    /// Whether M05 beside a motion stops the spindle at its end.
+    StopLast,
+    /// Whether the output goes to 0 V at M05.
+    VoltsOffAtStop,
+    /// Whether the spindle turns through a reset.
+    TurnsThroughReset,
     /// Whether a spindle encoder is fitted.
     SpindleEncoder,
     /// Whether words of the axis count diameters.

@@ -65,6 +65,12 @@ pub struct SpindleRules {
     pub end_stops: bool,
     /// Positions of the override knob.
     pub knob: Steps,
+    /// Millivolts that the parameters of the output's offsets may be, at speed 0 and at full output; `None` where no row has them.
+    pub offsets: Option<[(f64, f64); 2]>,
+    /// Speeds at full output that a gear stage may have, in r/min; `None` where no row says.
+    pub stage_speeds: Option<(f64, f64)>,
+    /// The lowest speed of the machine's data holds constant speeds too, not only those of a surface speed.
+    pub low_always: bool,
     /// The analog output may carry the direction as its sign (±10 V).
     pub signed_output: bool,
     /// M04 while the PLC puts out M03, or the other way round, is an alarm of the PLC: M05 has to come between.

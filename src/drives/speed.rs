@@ -114,6 +114,12 @@ impl SpeedLimits {
     }
 }
 
+impl Default for SpeedLimits {
+    fn default() -> SpeedLimits {
+        SpeedLimits::NONE
+    }
+}
+
 /// Gear stages that a spindle can have at most (M41 to M45).
 pub const STAGES: usize = 5;
 

@@ -12,7 +12,7 @@ pub(super) fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {
 
 /// What a parameter is set to.
 pub(super) enum Setting {
-    /// A number, in mm, mm/min, r/min, ms, mV or 1/s.
+    /// A number, in mm, mm/min, r/min, r/min per second, ms, mV or 1/s.
     Number(f64),
     /// Yes or no, in the control's own figures.
     Answer(bool),
@@ -31,11 +31,13 @@ pub(super) type Values<'a> = Vec<(&'a str, Setting)>;
 
 /// Parameters with their values, as far as the control has them.
 pub(super) fn parameters(control: &Control, axes: &Axes, values: Vec<(ParamRole, Values)>) -> Sheet {
-    let rows = values
-        .into_iter()
-        .filter_map(|(role, values)| Some((control.param(role)?, values)))
-        .flat_map(|(def, values)| values.into_iter().filter_map(move |(axis, value)| parameter(axes, def, axis, value)))
-        .collect();
+    // In the order of the control's numbers.
+    let values = &values;
+    let rows = control.params().iter().flat_map(|def| {
+        let set = values.iter().filter(|row| row.0 == def.role).flat_map(|row| &row.1);
+        set.filter_map(|(axis, value)| parameter(axes, def, axis, value))
+    });
+    let rows = rows.collect();
     Sheet {
         id: "parameters",
         title: "sheet.parameters",
@@ -57,11 +59,11 @@ pub(super) fn interface(rows: Vec<Row>) -> Sheet {
 }
 
 /// A row of the sheet; none where nobody knows how the control wants it written.
-fn parameter(axes: &Axes, def: &ParamDef, axis: &str, setting: Setting) -> Option<Row> {
+fn parameter(axes: &Axes, def: &ParamDef, axis: &str, setting: &Setting) -> Option<Row> {
     let words = if def.diameter && axis == "X" { axes.cross_words } else { 1.0 };
     let text = match setting {
-        Setting::Number(value) => number_text(value * words * per_unit(def.unit)?, 3),
-        Setting::Answer(yes) => def.answer(yes).to_owned(),
+        Setting::Number(value) => number_text(*value * words * per_unit(def.unit)?, 3),
+        Setting::Answer(yes) => def.answer(*yes).to_owned(),
     };
     if text.is_empty() {
         return None;
@@ -80,6 +82,8 @@ fn per_unit(unit: &str) -> Option<f64> {
     match unit {
         "0.001 mm" => Some(1000.0),
         "0.01/s" => Some(100.0),
+        "1000/min" => Some(0.06),
+        "rev/s²" => Some(1.0 / 60.0),
         "pulses" => None,
         _ => Some(1.0),
     }

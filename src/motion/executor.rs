@@ -331,7 +331,7 @@ impl<P: Program> Sim<'_, P> {
     fn cut(&mut self, t: f64, motion: Move) {
         let turning = &self.s.turning;
         if turning.orienting.is_some() && motion.length > 0.0 {
-            let (locked, driven) = (turning.locked, turning.driven);
+            let (locked, driven) = (turning.locked, turning.driven || self.machine.spindle.driven_tool);
             if !locked {
                 self.say(Once::NotLocked as u32, || msg!("motion.not-locked"));
             }

@@ -60,6 +60,8 @@ pub struct SpindlePlant {
     pub reached_delay: f64,
     /// Where the turning centre lies on the axis that is square to it, in mm in the machine frame; `None` where nobody knows.
     pub centre: Option<f64>,
+    /// A driven tool turns whenever something is cut at an angle.
+    pub driven_tool: bool,
     /// What the control does with it.
     pub rules: SpindleRules,
 }
@@ -80,6 +82,7 @@ impl SpindlePlant {
             positioning: None,
             reached_delay: 0.0,
             centre: None,
+            driven_tool: false,
             rules,
         }
     }

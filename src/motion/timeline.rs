@@ -1,5 +1,7 @@
 //! What happened when: answers any moment of a run, without running anything.
 
+use core::cell::Cell;
+
 use super::path::{Circle, Path, Segment};
 use super::plant::{AxisPlant, SpindlePlant};
 use super::snapshot::{Mode, Snapshot};
@@ -59,6 +61,15 @@ pub struct Timeline {
     pub(super) changes: Track<Change>,
     pub(super) start: f64,
     pub(super) end: f64,
+    counted: [Cell<Counted>; 2],
+}
+
+/// How often the block at a place has begun in the first marks: whoever asks for every moment of a run counts only what is new.
+#[derive(Debug, Clone, Copy, Default)]
+struct Counted {
+    place: Place,
+    marks: usize,
+    times: u32,
 }
 
 impl Timeline {
@@ -75,6 +86,7 @@ impl Timeline {
             changes: Track::default(),
             start: 0.0,
             end: 0.0,
+            counted: Default::default(),
         }
     }
 
@@ -112,7 +124,18 @@ impl Timeline {
         let there = |mark: &Mark| mark.begun && mark.place == place;
         // A block may have several marks: it waits, then moves.
         let begins = |at: usize| there(&marks[at]) && (at == 0 || !there(&marks[at - 1]));
-        (0..marks.len()).filter(|&at| begins(at)).count() as u32
+        let [kept, other] = &self.counted;
+        let known = |cell: &Cell<Counted>| cell.get().place == place && cell.get().marks <= marks.len();
+        if !known(kept) {
+            kept.swap(other);
+        }
+        let from = if known(kept) { kept.get() } else { Counted { place, ..Counted::default() } };
+        let count = |from: usize, to: usize| (from..to).filter(|&at| begins(at)).count() as u32;
+        // The newest mark may be replaced yet.
+        let sure = marks.len().saturating_sub(1).max(from.marks);
+        let times = from.times + count(from.marks, sure);
+        kept.set(Counted { place, marks: sure, times });
+        times + count(sure, marks.len())
     }
 
     /// When the first block begins that begins after time `t`; `None` where none is planned.
@@ -166,6 +189,7 @@ impl Timeline {
         self.path.circles.truncate(lengths.circles);
         self.ramps.truncate(lengths.ramps);
         self.marks.truncate(lengths.marks);
+        self.counted = Default::default();
         self.changes.truncate(lengths.changes);
     }
 
@@ -189,6 +213,7 @@ impl Timeline {
             changes: Track::default(),
             start: t,
             end: t,
+            counted: Default::default(),
         }
     }
 
@@ -199,6 +224,7 @@ impl Timeline {
         self.path.circles.forget(t - memory);
         self.ramps.forget(t);
         self.marks.forget(t);
+        self.counted = Default::default();
         self.changes.forget(t);
         self.start = t;
     }

@@ -8,6 +8,8 @@ use crate::text::{Citation, Grade};
 
 const RANGES: Citation = Citation::new("GSK980TDi parameter list; range GSK980MDi manual, p.374", Grade::Sister);
 
+const PLC_DATA: Citation = Citation::new("GSK980TDi PLC data list; bits counted from 0", Grade::Sister);
+
 /// One row per parameter, by number.
 pub(in super::super) const PARAMS: &[ParamDef] = &[
     param(CommandUnit, "No.001#1", "", "", "0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)", PARAMETERS).answered("0", "1"),
@@ -59,4 +61,10 @@ pub(in super::super) const PARAMS: &[ParamDef] = &[
     param(AxisInPosition, "No.248", "", "pulses", "in-position width", PARAMETERS),
     param(AxisAcceleration, "No.252", "", "", "acceleration of cutting feed: 0 linear, 1 S-shaped", PARAMETERS)
         .answered("0", "1"),
+    param(TurnsThroughReset, "K10.1", "", "", "1: the spindle turns on through reset", PLC_DATA),
+    param(GearShift, "K15.0", "", "", "1: gears are shifted by M41 to M44", PLC_DATA),
+    param(StopLast, "K16.5", "", "", "M05 beside a motion: 0 at its end, 1 at once", PLC_DATA).answered("0", "1"),
+    param(VoltsOffAtStop, "K17.3", "", "", "analog output at M05: 0 kept, 1 off", PLC_DATA),
+    param(GearShiftBefore, "DT000", "", "ms", "delay until the old gear goes out", PLC_DATA),
+    param(GearShiftAfter, "DT001", "", "ms", "delay behind the new gear", PLC_DATA),
 ];

@@ -11,15 +11,63 @@ const VELOCITY: Citation = Citation::new("alarm 22270 of the 828D, p.338", Grade
 const ENCODER: Citation = Citation::new("alarm 16770 of the 808D, p.243", Grade::Sister);
 const OUTPUT: Citation = Citation::new("start-up of Siemens controls, unverified", Grade::Open);
 
+const GEARS: Citation = Citation::new("802S start-up, p.4-48", Grade::Sister);
+const TOLERANCE: Citation = Citation::new("840D sl axes and spindles 06/2019, p.828", Grade::Sister);
+const ANGLE: Citation = Citation::new("840D sl axes and spindles 06/2019, p.754", Grade::Sister);
+const SETTING: Citation =
+    Citation::new("the page on 802D spindle commands: setting data; numbers unverified", Grade::Open);
+
 /// One row per parameter, by number.
 pub(in super::super) const PARAMS: &[ParamDef] = &[
     param(AxisDiameter, "MD20100", "DIAMETER_AX_DEF", "", "transverse axis, for diameters and G96", TRANSVERSE)
         .answered("X", ""),
     param(SpindleConnection, "MD30130", "CTRLOUT_TYPE", "", "0 simulation, 1 output to the drive", OUTPUT),
     param(SpindleEncoder, "MD30200", "NUM_ENCS", "", "measuring systems of the spindle", ENCODER),
-    param(AxisClamp, "MD32000", "MAX_AX_VELO", "mm/min", "largest axis velocity", VELOCITY),
+    param(SpindleUnipolar, "MD30134", "IS_UNIPOLAR_OUTPUT", "", "0: -10 to 10 V, 1: 0 to 10 V", OUTPUT),
+    param(SpindleRatioSpindle, "MD31050", "DRIVE_AX_RATIO_DENOM", "", "turns of the spindle, by gear stage", GEARS),
+    param(SpindleRatioMotor, "MD31060", "DRIVE_AX_RATIO_NUMERA", "", "turns of the motor, by gear stage", GEARS),
+    param(AxisRapid, "MD32000", "MAX_AX_VELO", "mm/min", "largest axis velocity", VELOCITY),
     param(AxisPositionGain, "MD32200", "POSCTRL_GAIN", "1000/min", "servo gain", OUTPUT),
+    param(SpindleRatedVolts, "MD32250", "RATED_OUTVAL", "%", "part of 10 V at the motor speed of MD32260", OUTPUT),
     param(SpindleLimit, "MD32260", "RATED_VELO", "r/min", "motor speed at the output of MD32250", OUTPUT),
     param(SpindleMaximum, "MD35100", "SPIND_VELO_LIMIT", "r/min", "largest spindle speed, of the chuck", SPINDLE),
-    param(SpindleMinimum, "MD35140", "GEAR_STEP_MIN_VELO_LIMIT", "r/min", "least spindle speed of a gear", SPINDLE),
+    param(
+        SpindleStageMaximum,
+        "MD35130",
+        "GEAR_STEP_MAX_VELO_LIMIT",
+        "r/min",
+        "largest spindle speed, by gear stage",
+        SPINDLE,
+    ),
+    param(
+        SpindleMinimum,
+        "MD35140",
+        "GEAR_STEP_MIN_VELO_LIMIT",
+        "r/min",
+        "least spindle speed, by gear stage",
+        SPINDLE,
+    ),
+    param(SpindleTolerance, "MD35150", "SPIND_DES_VELO_TOL", "", "part of the speed that counts as reached", TOLERANCE),
+    param(PositioningAcceleration, "MD35210", "GEAR_STEP_POSCTRL_ACCEL", "rev/s²", "acceleration to an angle", ANGLE),
+    param(PositioningSpeed, "MD35300", "SPIND_POSCTRL_VELO", "r/min", "speed to an angle (SPOS)", ANGLE),
+    param(
+        PositioningClockwise,
+        "MD35350",
+        "SPIND_POSITIONING_DIR",
+        "",
+        "first way to the zero mark: 3 as M3, 4 as M4",
+        OUTPUT,
+    )
+    .answered("3", "4"),
+    param(SpindleReached, "MD35500", "SPIND_ON_SPEED_AT_IPO_START", "", "1: cuts wait for the speed", TOLERANCE),
+    param(SpindleLowerSet, "SD43210", "SPIND_MIN_VELO_G25", "r/min", "lower limit, overwritten by G25", SETTING),
+    param(SpindleUpperSet, "SD43220", "SPIND_MAX_VELO_G26", "r/min", "upper limit, overwritten by G26", SETTING),
+    param(
+        SpindleSurfaceLimit,
+        "SD43230",
+        "SPIND_MAX_VELO_LIMS",
+        "r/min",
+        "upper limit at G96, overwritten by LIMS",
+        SETTING,
+    ),
 ];

@@ -22,6 +22,16 @@ macro_rules! choice {
     };
 }
 
+choice! {
+    /// Line ends.
+    Newline {
+        /// LF.
+        Lf,
+        /// CR LF.
+        CrLf,
+    }
+}
+
 /// `number!(member, unit, min..max, default, decimals, step)`: a number.
 macro_rules! number {
     ($member:ident, $unit:literal, $min:literal .. $max:literal, $default:literal, $decimals:literal, $step:literal) => {

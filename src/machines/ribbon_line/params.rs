@@ -2,7 +2,7 @@
 
 use super::fitted;
 use crate::machines::form::Field;
-use crate::machines::form::rows::{choice, essential, fact, flag, number, one_of, setting, words};
+use crate::machines::form::rows::{Newline, choice, essential, fact, flag, number, one_of, setting, words};
 
 choice! {
     /// How the override reaches the program.
@@ -95,16 +95,6 @@ choice! {
         Continuous,
         /// Exact stop, G61.
         ExactStop,
-    }
-}
-
-choice! {
-    /// Line ends.
-    Newline {
-        /// LF.
-        Lf,
-        /// CR LF.
-        CrLf,
     }
 }
 

@@ -1,6 +1,7 @@
 //! The formulas of the turning spindle, each once: what follows from the inputs before anything runs.
 
 use super::params::{Direction, Gear, Output, Params, Path, SpeedMode};
+use crate::controls::SpindleRules;
 use crate::drives::cutting::{self, Cut};
 use crate::drives::speed::{SpeedLimits, limit_diameter, surface_rpm, surface_speed};
 use crate::drives::{Analog, Bound};
@@ -8,6 +9,31 @@ use crate::math;
 
 /// Passes that are counted at most.
 pub const PASSES: f64 = 2000.0;
+
+/// The spindle's speed over the diameter, as the control holds it.
+#[derive(Debug, Clone, Default)]
+pub struct Held {
+    limits: SpeedLimits,
+    /// Surface speed behind an override that acts before the limits, m/min.
+    speed: f64,
+    /// Override that acts behind the limits.
+    behind: f64,
+    /// What the output can ask for.
+    top: f64,
+}
+
+impl Held {
+    /// Speed at a surface speed, and what holds it.
+    pub fn at(&self, diameter: f64) -> (f64, Bound) {
+        self.within(surface_rpm(self.speed, diameter))
+    }
+
+    fn within(&self, rpm: f64) -> (f64, Bound) {
+        let (rpm, bound) = self.limits.hold(rpm);
+        let rpm = rpm * self.behind;
+        if rpm > self.top { (self.top, if bound == Bound::None { Bound::Output } else { bound }) } else { (rpm, bound) }
+    }
+}
 
 /// What follows from the inputs. Speeds in r/min, diameters in mm, times in seconds, voltages in volts.
 #[derive(Debug, Clone, Default)]
@@ -42,6 +68,9 @@ pub struct Derived {
     pub acceleration_needed: f64,
     pub acceleration: f64,
     pub feed_top: f64,
+    /// The speed that was asked for at the stock's diameter, where the spindle keeps one speed.
+    pub asked: f64,
+    pub held: Held,
 }
 
 impl Params {
@@ -126,17 +155,16 @@ fn slower(best: Option<(u8, f64)>, next: (u8, f64)) -> Option<(u8, f64)> {
 }
 
 impl Derived {
-    /// Everything that follows from the inputs, with an output of `bits` bits and `volts` at its end; the override acts behind the limits,
-    /// or before them.
-    pub fn new(p: &Params, volts: f64, bits: u8, override_last: bool) -> Derived {
+    /// Everything that follows from the inputs, with an output of `bits` bits and `volts` at its end, on a control with these rules.
+    pub fn new(p: &Params, volts: f64, bits: u8, rules: &SpindleRules) -> Derived {
         let (largest, smallest) = p.diameters();
         let fixed = p.speed_mode == SpeedMode::Fixed;
         let knob = p.override_percent / 100.0;
-        let (before, behind) = if override_last { (1.0, knob) } else { (knob, 1.0) };
+        let (before, behind) = if rules.override_last { (1.0, knob) } else { (knob, 1.0) };
         // What is commanded at a surface speed, and where that ends: behind the limits only the output itself holds the override.
         let v = p.cutting_speed * before;
         let machine = p.chuck_limit.min(p.upper_limit);
-        let low = if fixed { 0.0 } else { p.lower_limit };
+        let low = if fixed && !rules.low_always { 0.0 } else { p.lower_limit };
         let top = if fixed {
             surface_rpm(p.cutting_speed, p.stock_diameter) * knob
         } else {
@@ -144,26 +172,26 @@ impl Derived {
         };
         let (stage, stage_speed) = p.stage(top.min(if fixed { p.chuck_limit } else { machine }));
         let analog = p.analog(stage_speed, volts, bits);
-        let limits = SpeedLimits {
+        let limits = |surface: bool| SpeedLimits {
             machine: p.chuck_limit,
-            gear: (0.0, stage_speed),
-            surface: if fixed { (0.0, f64::INFINITY) } else { (low, p.upper_limit) },
+            gear: (
+                if rules.low_always { p.lower_limit } else { 0.0 },
+                if surface { analog.top_speed() } else { f64::INFINITY },
+            ),
+            surface: if surface { (p.lower_limit, p.upper_limit) } else { (0.0, f64::INFINITY) },
             ..SpeedLimits::NONE
         };
-        let turned = |rpm: f64| (rpm * behind).min(analog.top_speed());
-        let at = |diameter: f64| {
-            let (rpm, bound) = limits.hold(surface_rpm(v, diameter));
-            (turned(rpm), bound)
-        };
+        let held = |surface: bool| Held { limits: limits(surface), speed: v, behind, top: analog.top_speed() };
+        let (surface, constant) = (held(true), held(false));
         // S is a whole number, and at most the operator's limit.
         let s = surface_rpm(p.cutting_speed, p.stock_diameter).min(p.upper_limit).floor();
-        let fixed_speed = turned(limits.hold(s * before).0);
-        let speed = |diameter: f64| if fixed { fixed_speed } else { at(diameter).0 };
-        let high = limits.machine.min(limits.gear.1).min(limits.surface.1);
+        let (fixed_speed, fixed_bound) = constant.within(s * before);
+        let speed = |diameter: f64| if fixed { fixed_speed } else { surface.at(diameter).0 };
+        let high = machine.min(analog.top_speed());
         let limit = limit_diameter(v, high);
         let passes = p.passes();
         let all = || (1..=passes as u32).flat_map(|pass| p.cuts(f64::from(pass)));
-        let within = (low.min(high) * behind, (high * behind).min(analog.top_speed()));
+        let within = (p.lower_limit.min(high) * behind, (high * behind).min(analog.top_speed()));
         let surface_time = all().map(|cut| cut.surface_time(v * behind, within)).sum::<f64>();
         let fixed_time = all().map(|cut| cut.time_at(fixed_speed)).sum::<f64>();
         let span = largest - smallest;
@@ -175,7 +203,7 @@ impl Derived {
             smallest,
             speed_largest: speed(largest),
             speed_smallest: speed(smallest),
-            bound: if fixed { limits.hold(s * before).1 } else { at(smallest).1 },
+            bound: if fixed { fixed_bound } else { surface.at(smallest).1 },
             limit_diameter: limit,
             low_diameter: if low > 0.0 { limit_diameter(v, low) } else { 0.0 },
             limited_share: if span > 0.0 && !fixed { math::clamp((limit - smallest) / span, 0.0, 1.0) } else { 0.0 },
@@ -197,6 +225,8 @@ impl Derived {
             acceleration_needed: if fixed { 0.0 } else { acceleration(p, v, limit.max(smallest)) },
             acceleration: if p.spindle_ramp > 0.0 { stage_speed / p.spindle_ramp } else { f64::INFINITY },
             feed_top: p.feed * speed(smallest).max(speed(largest)),
+            asked: s * before,
+            held: surface,
         }
     }
 }

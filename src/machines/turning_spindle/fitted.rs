@@ -1,9 +1,9 @@
 //! The lathe on a control: what of the form it can do there, and what its words count.
 
 use super::derive::Derived;
-use super::params::{Gear, Params, Path, SpeedMode};
+use super::params::{Gear, Output, Params, Path, SpeedMode};
 use crate::controls::syntax::long;
-use crate::controls::{Code, Control, SpindleRules, Switches};
+use crate::controls::{Alarm, Code, Control, SpindleRules, Switches};
 use crate::drives::Stage;
 use crate::machines::On;
 use crate::motion::Snapshot;
@@ -27,11 +27,14 @@ impl<'a> Fitted<'a> {
         let On { control, switches } = on;
         let mut p = form.clone();
         if !holds_surface_speed(form, control) {
-            p.speed_mode = SpeedMode::Fixed;
+            (p.speed_mode, p.lower_limit) = (SpeedMode::Fixed, 0.0);
         }
         if !has_gears(form, control) {
-            p.stage_2 = 0.0;
+            (p.stage_2, p.stage_3, p.stage_4) = (0.0, 0.0, 0.0);
             p.gear = Gear::First;
+        }
+        if !has_signed_output(form, control) {
+            p.output = Output::Unipolar;
         }
         // As the knob can stand, and as S can be read.
         p.override_percent = control.spindle_rules(switches).knob.nearest(p.override_percent);
@@ -80,7 +83,7 @@ impl<'a> Fitted<'a> {
     /// What follows from the form.
     pub(super) fn derived(&self) -> Derived {
         let bench = &self.control.bench;
-        Derived::new(&self.p, bench.volts_full, bench.output_bits, self.rules().override_last)
+        Derived::new(&self.p, bench.volts_full, bench.output_bits, &self.rules())
     }
 
     /// Number of the gear stage that the program engages.
@@ -101,7 +104,8 @@ impl<'a> Fitted<'a> {
 
     /// The gear stages that are fitted.
     pub(super) fn stages(&self) -> Vec<Stage> {
-        self.p.stages().map(Stage::new).collect()
+        let low = if self.rules().low_always { self.p.lower_limit } else { 0.0 };
+        self.p.stages().map(|speed| Stage { range: (low, f64::INFINITY), ..Stage::new(speed) }).collect()
     }
 }
 
@@ -113,6 +117,16 @@ pub(super) fn holds_surface_speed(_: &Params, control: &Control) -> bool {
 /// Whether the control has codes for gear stages.
 pub(super) fn has_gears(_: &Params, control: &Control) -> bool {
     control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..)))
+}
+
+/// Whether the output of the control can carry the direction as its sign.
+pub(super) fn has_signed_output(_: &Params, control: &Control) -> bool {
+    control.spindle.signed_output
+}
+
+/// Whether a gear that takes too long is an alarm.
+pub(super) fn has_gear_alarm(_: &Params, control: &Control) -> bool {
+    control.raises(Alarm::GearTimeout)
 }
 
 /// Whether the control has an address of several letters.

@@ -2,7 +2,7 @@
 
 use super::Lathe;
 use super::fitted::Fitted;
-use crate::drives::speed::{surface_rpm, surface_speed};
+use crate::drives::speed::surface_speed;
 use crate::machines::charts::{Line, Row};
 use crate::view::{Chart, Series};
 
@@ -29,12 +29,10 @@ pub(super) const ROWS: &[Row<Lathe>] = &[
 
 /// Charts over the diameter: constant surface speed beside the fixed speed.
 pub(super) fn over_diameter(lathe: &Fitted, points: usize) -> Vec<Chart> {
-    let (p, d) = (&lathe.p, lathe.derived());
+    let d = lathe.derived();
     let points = points.max(2);
     let step = (d.largest - d.smallest) / (points - 1) as f64;
-    let (low, high) = (p.lower_limit, d.stage_speed.min(p.upper_limit).min(p.chuck_limit));
-    let v = p.cutting_speed * p.override_percent / 100.0;
-    let held = |diameter: f64| surface_rpm(v, diameter).max(low).min(high);
+    let held = |diameter: f64| d.held.at(diameter).0;
     let line = |label: &'static str, tone: u8, value: &dyn Fn(f64) -> f64| Series {
         label,
         tone,

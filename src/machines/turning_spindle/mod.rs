@@ -25,13 +25,14 @@ mod sheets;
 use crate::controls::Control;
 use crate::machines::charts;
 use crate::machines::form::Field;
+use crate::machines::form::rows::Newline;
 use crate::machines::judge::{Rows, judge};
 use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
 use crate::motion::{Action, Plant, Plc, Snapshot};
 use crate::view::{Chart, Pose, Scene, Sheet};
 use derive::Derived;
 use fitted::Fitted;
-use params::{FIELDS, Newline, Params};
+use params::{FIELDS, Params};
 use rules::{Case, RULES};
 
 /// The machine.

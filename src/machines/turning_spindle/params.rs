@@ -2,7 +2,7 @@
 
 use super::fitted;
 use crate::machines::form::Field;
-use crate::machines::form::rows::{choice, essential, fact, flag, number, one_of, setting, words};
+use crate::machines::form::rows::{Newline, choice, essential, fact, flag, number, one_of, setting, words};
 
 choice! {
     /// What is cut.
@@ -62,16 +62,6 @@ choice! {
     }
 }
 
-choice! {
-    /// Line ends.
-    Newline {
-        /// LF.
-        Lf,
-        /// CR LF.
-        CrLf,
-    }
-}
-
 /// Inputs of the turning spindle, within the ranges of [`FIELDS`]. Units as in the form.
 #[derive(Debug, Clone, PartialEq, Default)]
 #[allow(missing_docs)] // One row of FIELDS documents each member: label, unit, range, help.
@@ -88,6 +78,8 @@ pub struct Params {
     pub start_z: f64,
     pub keyway: bool,
     pub keyway_angle: f64,
+    pub lock_code: f64,
+    pub driven_tool: bool,
     pub speed_mode: SpeedMode,
     pub cutting_speed: f64,
     pub feed: f64,
@@ -103,6 +95,7 @@ pub struct Params {
     pub chuck_limit: f64,
     pub spindle_ramp: f64,
     pub gear_time: f64,
+    pub gear_patience: f64,
     pub output: Output,
     pub offset_zero: f64,
     pub offset_full: f64,
@@ -167,6 +160,10 @@ pub static FIELDS: &[Field<Params>] = &[
     setting!("keyway", "turning.group.cut", "turning.keyway", "turning.keyway.help", "", when fitted::can_position, flag!(keyway)),
     setting!("keyway-angle", "turning.group.cut", "turning.keyway-angle", "turning.keyway-angle.help", "#113",
         when fitted::has_keyway, number!(keyway_angle, "°", 0.0..359.999, 0.0, 3, 5.0)),
+    setting!("lock-code", "turning.group.cut", "turning.lock-code", "turning.lock-code.help", "M",
+        when fitted::has_keyway, number!(lock_code, "", 0.0..999.0, 0.0, 0, 1.0)),
+    setting!("driven-tool", "turning.group.cut", "turning.driven-tool", "turning.driven-tool.help", "",
+        when fitted::has_keyway, flag!(driven_tool)),
     setting!("direction", "turning.group.spindle", "turning.direction", "turning.direction.help", "",
         one_of!(direction: Direction, "cw" "turning.direction.cw", "ccw" "turning.direction.ccw")),
     setting!("override", "turning.group.spindle", "turning.override", "turning.override.help", "",
@@ -187,8 +184,10 @@ pub static FIELDS: &[Field<Params>] = &[
         number!(spindle_ramp, "s", 0.0..600.0, 3.0, 2, 0.1)),
     Field { shown: fitted::has_gears, ..fact!("gear-time", "turning.group.spindle", "turning.gear-time", "turning.gear-time.help", "",
         number!(gear_time, "s", 0.0..60.0, 2.0, 2, 0.1)) },
-    fact!("output", "turning.group.output", "turning.output", "turning.output.help", "",
-        one_of!(output: Output, "0-10" "turning.output.unipolar", "+-10" "turning.output.bipolar")),
+    Field { shown: fitted::has_gear_alarm, ..fact!("gear-patience", "turning.group.spindle", "turning.gear-patience", "turning.gear-patience.help", "",
+        number!(gear_patience, "s", 0.0..60.0, 0.0, 2, 0.5)) },
+    Field { shown: fitted::has_signed_output, ..fact!("output", "turning.group.output", "turning.output", "turning.output.help", "",
+        one_of!(output: Output, "0-10" "turning.output.unipolar", "+-10" "turning.output.bipolar")) },
     fact!("offset-zero", "turning.group.output", "turning.offset-zero", "turning.offset-zero.help", "",
         number!(offset_zero, "mV", -2000.0..2000.0, 0.0, 0, 1.0)),
     fact!("offset-full", "turning.group.output", "turning.offset-full", "turning.offset-full.help", "",

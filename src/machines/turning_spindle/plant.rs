@@ -1,6 +1,7 @@
 //! The plant of the turning spindle: two slides, the spindle with its gear stages, and the builder's logic between them.
 
-use super::fitted::{ALONG, CROSS, Fitted};
+use super::fitted::{ALONG, CROSS, Fitted, has_gear_alarm};
+use crate::controls::SpindleRules;
 use crate::drives::Positioning;
 use crate::motion::{AxisPlant, BenchPlc, GearShift, Plant, SpindlePlant};
 
@@ -36,9 +37,14 @@ pub(super) fn plant(lathe: &Fitted) -> Plant {
 fn spindle(lathe: &Fitted) -> SpindlePlant {
     let (p, bench) = (&lathe.p, &lathe.control.bench);
     let analog = p.analog(p.stage_1, bench.volts_full, bench.output_bits);
-    let spindle = SpindlePlant::new(analog, p.chuck_limit, p.spindle_ramp, lathe.rules());
+    let rules = SpindleRules {
+        lock: (p.lock_code > 0.0).then_some(p.lock_code as u32).or(lathe.rules().lock),
+        ..lathe.rules()
+    };
+    let spindle = SpindlePlant::new(analog, p.chuck_limit, p.spindle_ramp, rules);
     SpindlePlant {
-        surface_low: p.lower_limit,
+        surface_low: if lathe.rules().low_always { 0.0 } else { p.lower_limit },
+        driven_tool: p.driven_tool,
         centre: Some(0.0),
         positioning: lathe.positions().then_some(POSITIONING),
         ..spindle.with_stages(lathe.stages())
@@ -47,17 +53,22 @@ fn spindle(lathe: &Fitted) -> SpindlePlant {
 
 /// FIN for S, M and T, and the gear change.
 pub(super) fn plc(lathe: &Fitted) -> BenchPlc {
-    let half = 0.5 * lathe.p.gear_time;
+    let p = &lathe.p;
     let mut plc = BenchPlc::new(FIN_DELAY, None);
     plc.shift =
-        GearShift { volts: SHIFT_VOLTS, before: 0.25 * half, meshing: half, after: 0.75 * half, patience: None };
+        shift(p.gear_time, (p.gear_patience > 0.0 && has_gear_alarm(p, lathe.control)).then_some(p.gear_patience));
     plc.knob = Some(lathe.rules().knob);
     plc.stop_between = lathe.rules().stop_between;
     plc
 }
 
+/// How gears are shifted: half of the time they mesh.
+pub(super) fn shift(seconds: f64, patience: Option<f64>) -> GearShift {
+    GearShift { volts: SHIFT_VOLTS, before: 0.125 * seconds, meshing: 0.5 * seconds, after: 0.375 * seconds, patience }
+}
+
 /// How the spindle is brought to an angle: assumed, as MD35300, MD35210 and MD35350 are the machine's.
-const POSITIONING: Positioning = Positioning { speed: 100.0, acceleration: 500.0, clockwise: true };
+pub(super) const POSITIONING: Positioning = Positioning { speed: 100.0, acceleration: 500.0, clockwise: true };
 
 /// Volts while gears mesh: a slow turn (GSK No.067).
 pub(super) const SHIFT_VOLTS: f64 = 0.1;

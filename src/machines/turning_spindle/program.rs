@@ -132,6 +132,10 @@ fn run(b: &mut Builder, lathe: &Fitted) {
     }
     if lathe.positions() {
         b.n(53).words([word(long::SPOS, v(113))]).note("FOR THE KEYWAY");
+        let lock = lathe.p.lock_code as u32;
+        if lock > 0 {
+            b.words([m(lock)]).note("LOCKS THE SPINDLE");
+        }
         b.n(54).words([m(0)]);
     }
     b.n(55).words([m(30)]);

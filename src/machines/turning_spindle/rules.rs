@@ -30,6 +30,7 @@ pub(super) const RULES: &[Rule<Lathe>] = &[
     rule!("volts-smallest", few_volts, "engineering choice", Inferred),
     rule!("volts-largest", few_volts_large, "engineering choice", Inferred),
     rule!("stage-speed", stage, "speed at 10 V of the gear stage", Manual),
+    rule!("stage", gear_time, "ladder of the control, A1.0", Sister),
     rule!("feed-top", clamps, "cutting feed clamp, a parameter", Sister),
     rule!("acceleration-needed", acceleration, "derivative of n = 1000 v / (π d)", Inferred),
     rule!("power", power, "data sheet of the motor", Manual),
@@ -76,6 +77,9 @@ fn few_volts_large(case: &Case) -> Option<Judgement> {
 
 fn stage(case: &Case) -> Option<Judgement> {
     let Case { lathe, d, p } = case;
+    if d.bound == Bound::Output {
+        return fail(None, [msg!("turning.output-full", f64::from(d.stage), (d.stage_speed, 0), (d.asked, 0))]);
+    }
     if d.bound == Bound::Gear && lathe.surface() {
         return warn(
             d.speed_smallest,
@@ -83,6 +87,17 @@ fn stage(case: &Case) -> Option<Judgement> {
         );
     }
     ok(None)
+}
+
+/// A gear that meshes longer than the PLC waits.
+fn gear_time(case: &Case) -> Option<Judgement> {
+    let Case { lathe, p, .. } = case;
+    let shift = super::plant::plc(lathe).shift;
+    let patience = shift.patience.filter(|&patience| patience < shift.meshing)?;
+    fail(
+        None,
+        [msg!("turning.gear-too-late", (shift.meshing, 2), (patience, 2), (2.0 * patience, 2), (p.gear_time, 2))],
+    )
 }
 
 fn clamps(case: &Case) -> Option<Judgement> {
@@ -114,6 +129,24 @@ fn power(case: &Case) -> Option<Judgement> {
     ok(d.power_available)
 }
 
+/// Parameters of the output that the control does not take.
+fn ranges(case: &Case, found: &mut Vec<Diagnostic>) {
+    let Case { lathe, p, .. } = case;
+    let rules = &lathe.control.spindle;
+    let mut check = |field: &'static str, value: f64, unit: &'static str, range: Option<(f64, f64)>| {
+        if let Some((low, high)) = range.filter(|(low, high)| !(*low..=*high).contains(&value)) {
+            let message = msg!("turning.parameter-range", (value, 3), (low, 3), (high, 3), unit);
+            found.push(Diagnostic::error(message).about(field));
+        }
+    };
+    let offsets = |at: usize| rules.offsets.and_then(|ranges| ranges.get(at).copied());
+    check("offset-zero", p.offset_zero, "mV", offsets(0));
+    check("offset-full", p.offset_full, "mV", offsets(1));
+    for (field, speed) in ["stage-1", "stage-2", "stage-3", "stage-4"].into_iter().zip(p.stages()) {
+        check(field, speed, "r/min", rules.stage_speeds);
+    }
+}
+
 /// Errors that keep the program from being exported, and what the operator has to know.
 pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     let Case { lathe, p, d } = case;
@@ -128,6 +161,9 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     if largest >= p.stock_diameter {
         let message = msg!("turning.nothing-to-cut", (largest, 3), (p.stock_diameter, 3));
         found.push(Diagnostic::error(message).about(field));
+    }
+    if p.path == Path::Turning && p.finished_diameter <= 0.0 || largest <= 0.0 && p.path == Path::Taper {
+        found.push(Diagnostic::error(msg!("turning.nothing-left")).about("finished-diameter"));
     }
     if p.passes() >= super::derive::PASSES {
         found.push(Diagnostic::error(msg!("turning.too-many-passes", super::derive::PASSES)).about("depth"));
@@ -151,6 +187,16 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     }
     if p.override_percent != lathe.form.override_percent {
         found.push(Diagnostic::warning(msg!("turning.knob-steps", p.override_percent)).about("override"));
+    }
+    ranges(case, &mut found);
+    if lathe.form.speed_mode != p.speed_mode {
+        found.push(Diagnostic::info(msg!("turning.no-surface-speed", lathe.control.name)));
+    }
+    if lathe.positions() && p.lock_code <= 0.0 {
+        found.push(Diagnostic::warning(msg!("turning.keyway-unlocked")).about("lock-code"));
+    }
+    if lathe.positions() && !p.driven_tool {
+        found.push(Diagnostic::warning(msg!("turning.keyway-no-tool")).about("driven-tool"));
     }
     if p.stages().count() < usize::from(p.gear as u8) {
         found.push(Diagnostic::warning(msg!("turning.no-such-stage", f64::from(p.gear as u8))).about("gear"));

@@ -1,7 +1,8 @@
 //! What the machine builder sets beside the program: the parameters of spindle and slides.
 
 use super::fitted::Fitted;
-use super::plant::SHIFT_VOLTS;
+use super::params::Output;
+use super::plant::{POSITIONING, SHIFT_VOLTS, plc};
 use crate::controls::ParamRole;
 use crate::machines::sheets::{self, Axes, Setting, Values};
 use crate::view::Sheet;
@@ -22,6 +23,16 @@ fn parameters(lathe: &Fitted) -> Sheet {
         let millivolts = lathe.control.param(role).is_some_and(|row| row.unit == "mV");
         if millivolts { number(value) } else { Vec::new() }
     };
+    // By gear stage, where the control counts so; else once.
+    let names = ["1", "2", "3", "4"];
+    let by_stage = |value: &dyn Fn(f64) -> f64| -> Values {
+        let stages = names.into_iter().zip(lathe.p.stages());
+        stages.map(|(name, speed)| (name, Setting::Number(value(speed)))).collect()
+    };
+    let (rules, shift) = (lathe.rules(), plc(lathe).shift);
+    let minimum = if rules.low_always { by_stage(&|_| p.lower_limit) } else { number(p.lower_limit) };
+    let shifts = p.stages().nth(1).is_some();
+    let angle = |value: f64| if lathe.positions() { number(value) } else { Vec::new() };
     let values: Vec<(ParamRole, Values)> = vec![
         (ParamRole::SpindleCount, yes(true)),
         (ParamRole::SpindleConnection, yes(true)),
@@ -33,7 +44,27 @@ fn parameters(lathe: &Fitted) -> Sheet {
         (ParamRole::SpindleGear(3), stage(p.stage_3)),
         (ParamRole::SpindleGear(4), stage(p.stage_4)),
         (ParamRole::SpindleMaximum, number(p.chuck_limit)),
-        (ParamRole::SpindleMinimum, number(p.lower_limit)),
+        (ParamRole::SpindleMinimum, minimum),
+        (ParamRole::SpindleUnipolar, yes(p.output == Output::Unipolar)),
+        (ParamRole::SpindleRatedVolts, number(100.0)),
+        (ParamRole::SpindleRatioSpindle, by_stage(&|speed| speed)),
+        (ParamRole::SpindleRatioMotor, by_stage(&|_| p.stage_1)),
+        (ParamRole::SpindleStageMaximum, by_stage(&|speed| speed)),
+        (ParamRole::SpindleTolerance, number(rules.reached.unwrap_or(0.1))),
+        (ParamRole::SpindleReached, yes(rules.reached.is_some())),
+        (ParamRole::SpindleReachedDelay, number(0.0)),
+        (ParamRole::PositioningAcceleration, angle(POSITIONING.acceleration)),
+        (ParamRole::PositioningSpeed, angle(POSITIONING.speed)),
+        (ParamRole::PositioningClockwise, if lathe.positions() { yes(POSITIONING.clockwise) } else { Vec::new() }),
+        (ParamRole::SpindleLowerSet, number(p.lower_limit)),
+        (ParamRole::SpindleUpperSet, number(p.chuck_limit)),
+        (ParamRole::SpindleSurfaceLimit, number(p.upper_limit)),
+        (ParamRole::TurnsThroughReset, yes(rules.turns_through_reset)),
+        (ParamRole::GearShift, yes(shifts)),
+        (ParamRole::GearShiftBefore, number(1000.0 * shift.before)),
+        (ParamRole::GearShiftAfter, number(1000.0 * shift.after)),
+        (ParamRole::StopLast, yes(rules.stop_last)),
+        (ParamRole::VoltsOffAtStop, yes(!rules.volts_stay)),
         (ParamRole::SpindleEncoder, yes(true)),
         (ParamRole::AxisDiameter, vec![("X", Setting::Answer(lathe.diameters()))]),
         (ParamRole::AxisRapid, slides(p.rapid_x, p.rapid_z)),

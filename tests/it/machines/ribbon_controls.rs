@@ -321,23 +321,23 @@ fn the_parameters_of_the_lathe_controls() {
         &[("print-axis", "c"), ("spindle-encoder", "true")],
         "parameters",
         expect![[r#"
-            No.196#4 |  |  | 0 |  | 1: several spindles
-            No.001#4 |  |  | 1 |  | 1: analog voltage, 0: gears by contacts
-            No.037 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
-            No.075 |  |  | 1480 | r/min | spindle speed clamp, 0: none
-            No.043 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
-            No.069/070 |  |  | 1 |  | spindle encoder fitted, and its lines (100 to 10000)
+            No.001#1 |  |  | 0 |  | 0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)
             No.001#2 |  | X | 0 |  | words of X: 0 diameters, 1 radii
-            No.187#0 |  | C | 01 |  | kind of the additional axes: 00 linear, 01 and 11 rotary, 10 none
+            No.001#4 |  |  | 1 |  | 1: analog voltage, 0: gears by contacts
             No.022 |  | X | 20000 | mm/min | rapid traverse
             No.022 |  | C | 150000 | °/min | rapid traverse
             No.027 |  | X | 40000 | mm/min | upper limit of the cutting feed; of X as diameter
             No.027 |  | C | 150000 | °/min | upper limit of the cutting feed; of X as diameter
-            No.252 |  | X | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
-            No.252 |  | C | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
             No.029 |  | X | 100 | ms | time constant of acceleration, cutting feed, 10 to 4000
             No.029 |  | C | 100 | ms | time constant of acceleration, cutting feed, 10 to 4000
-            No.001#1 |  |  | 0 |  | 0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)
+            No.037 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
+            No.043 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
+            No.069/070 |  |  | 1 |  | spindle encoder fitted, and its lines (100 to 10000)
+            No.075 |  |  | 1480 | r/min | spindle speed clamp, 0: none
+            No.187#0 |  | C | 01 |  | kind of the additional axes: 00 linear, 01 and 11 rotary, 10 none
+            No.196#4 |  |  | 0 |  | 1: several spindles
+            No.252 |  | X | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
+            No.252 |  | C | 0 |  | acceleration of cutting feed: 0 linear, 1 S-shaped
         "#]],
     );
     check(
@@ -345,11 +345,6 @@ fn the_parameters_of_the_lathe_controls() {
         &[("print-axis", "z")],
         "parameters",
         expect![[r#"
-            3701#1 | ISI |  | 1 |  | 0: serial spindle, 1: analog
-            3741 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
-            3772 |  |  | 1480 | r/min | spindle speed clamp, 0: none
-            3771 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
-            4002#1 |  |  | 0 |  | 1: spindle encoder fitted
             1006#3 | DIA | X | 1 |  | 1: words of the axis count diameters
             1420 |  | X | 20000 | mm/min | rapid traverse
             1420 |  | Z | 150000 | mm/min | rapid traverse
@@ -363,9 +358,14 @@ fn the_parameters_of_the_lathe_controls() {
             1825 |  | Z | 3300 | 0.01/s | servo loop gain
             1826 |  | X | 20 | 0.001 mm | in-position width
             1826 |  | Z | 20 | 0.001 mm | in-position width
-            6001#6 | CCV |  | 1 |  | 0: #100 to #199 become vacant at reset
             3202#4 | NE9 |  | 0 |  | 1: programs 9000 to 9999 cannot be edited; 0 to load O9120
+            3701#1 | ISI |  | 1 |  | 0: serial spindle, 1: analog
+            3741 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1
+            3771 |  |  | 0 | r/min | smallest spindle speed at constant surface speed
+            3772 |  |  | 1480 | r/min | spindle speed clamp, 0: none
+            4002#1 |  |  | 0 |  | 1: spindle encoder fitted
             6000#5 | SBM |  | 0 |  | 1: macro blocks stop in single block
+            6001#6 | CCV |  | 1 |  | 0: #100 to #199 become vacant at reset
         "#]],
     );
 }

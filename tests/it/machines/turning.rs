@@ -7,7 +7,7 @@ use macroline::drives::speed::surface_speed;
 use macroline::interp::Interp;
 use macroline::machines::form::{Origins, Values};
 use macroline::machines::{self, AnyMachine, Frame, Samples};
-use macroline::motion::{Keep, Limits, Planner};
+use macroline::motion::{Action, Event, Keep, Limits, Planner};
 use macroline::project::run::{self, Begin};
 use macroline::project::{Project, open};
 use macroline::text::Severity;
@@ -234,4 +234,246 @@ fn what_the_design_says() {
         Warning lower-limit: The lower limit of 3000 r/min lies above the upper one of 2500 r/min: the upper one holds.
     "#]]
     .assert_eq(&said(&[("cutting-speed", "20"), ("lower-limit", "3000")]));
+}
+
+/// The parameter sheet: number, name, index, value, unit.
+fn sheet(control: &str, changes: &[(&str, &str)]) -> String {
+    let project = project(control, changes);
+    let sheets = machines::sheets(machine(), &project.values, project.on());
+    let rows = sheets.iter().filter(|sheet| sheet.id == "parameters").flat_map(|sheet| &sheet.rows);
+    let lines = rows.map(|row| format!("{} {:?}", row.cells[..5].join(" ").trim_end(), row.grade));
+    lines.map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ") + "\n").collect()
+}
+
+#[test]
+fn the_parameters_that_the_builder_sets() {
+    let changes =
+        [("stage-3", "1500"), ("offset-zero", "-12"), ("offset-full", "35"), ("lower-limit", "40"), ("keyway", "true")];
+    expect![[r#"
+        MD20100 DIAMETER_AX_DEF X X Sister
+        MD30130 CTRLOUT_TYPE 1 Open
+        MD30200 NUM_ENCS 1 Sister
+        MD30134 IS_UNIPOLAR_OUTPUT 1 Open
+        MD31050 DRIVE_AX_RATIO_DENOM 1 1000 Sister
+        MD31050 DRIVE_AX_RATIO_DENOM 2 3000 Sister
+        MD31050 DRIVE_AX_RATIO_DENOM 3 1500 Sister
+        MD31060 DRIVE_AX_RATIO_NUMERA 1 1000 Sister
+        MD31060 DRIVE_AX_RATIO_NUMERA 2 1000 Sister
+        MD31060 DRIVE_AX_RATIO_NUMERA 3 1000 Sister
+        MD32000 MAX_AX_VELO X 8000 mm/min Sister
+        MD32000 MAX_AX_VELO Z 10000 mm/min Sister
+        MD32200 POSCTRL_GAIN X 1.98 1000/min Open
+        MD32200 POSCTRL_GAIN Z 1.98 1000/min Open
+        MD32250 RATED_OUTVAL 100 % Open
+        MD32260 RATED_VELO 1000 r/min Open
+        MD35100 SPIND_VELO_LIMIT 3000 r/min Sister
+        MD35130 GEAR_STEP_MAX_VELO_LIMIT 1 1000 r/min Sister
+        MD35130 GEAR_STEP_MAX_VELO_LIMIT 2 3000 r/min Sister
+        MD35130 GEAR_STEP_MAX_VELO_LIMIT 3 1500 r/min Sister
+        MD35140 GEAR_STEP_MIN_VELO_LIMIT 1 40 r/min Sister
+        MD35140 GEAR_STEP_MIN_VELO_LIMIT 2 40 r/min Sister
+        MD35140 GEAR_STEP_MIN_VELO_LIMIT 3 40 r/min Sister
+        MD35150 SPIND_DES_VELO_TOL 0.1 Sister
+        MD35210 GEAR_STEP_POSCTRL_ACCEL 8.333 rev/s² Sister
+        MD35300 SPIND_POSCTRL_VELO 100 r/min Sister
+        MD35350 SPIND_POSITIONING_DIR 3 Open
+        MD35500 SPIND_ON_SPEED_AT_IPO_START 1 Sister
+        SD43210 SPIND_MIN_VELO_G25 40 r/min Open
+        SD43220 SPIND_MAX_VELO_G26 3000 r/min Open
+        SD43230 SPIND_MAX_VELO_LIMS 2500 r/min Open
+    "#]]
+    .assert_eq(&sheet("sinumerik-802d", &changes));
+    expect![[r#"
+        No.001#1 0 Sister
+        No.001#2 X 0 Sister
+        No.001#4 1 Sister
+        No.021 35 mV Sister
+        No.022 X 8000 mm/min Sister
+        No.022 Z 10000 mm/min Sister
+        No.027 X 8000 mm/min Sister
+        No.027 Z 8000 mm/min Sister
+        No.029 X 100 ms Sister
+        No.029 Z 100 ms Sister
+        No.036 -12 mV Sister
+        No.037 1000 r/min Manual
+        No.038 3000 r/min Manual
+        No.039 1500 r/min Manual
+        No.043 40 r/min Sister
+        No.067 100 mV Sister
+        No.069/070 1 Sister
+        No.072 0 ms Sister
+        No.075 3000 r/min Sister
+        No.175#6 0 Sister
+        No.196#4 0 Sister
+        No.252 X 0 Sister
+        No.252 Z 0 Sister
+        K10.1 0 Sister
+        K15.0 1 Sister
+        K16.5 0 Sister
+        K17.3 0 Sister
+        DT000 250 ms Sister
+        DT001 750 ms Sister
+    "#]]
+    .assert_eq(&sheet("gsk-980tdc", &changes));
+    expect![[r#"
+        1006#3 DIA X 1 Open
+        1420 X 8000 mm/min Open
+        1420 Z 10000 mm/min Open
+        1422 X 4000 mm/min Open
+        1422 Z 8000 mm/min Open
+        1610#0 CTL X 1 Open
+        1610#0 CTL Z 1 Open
+        1622 X 100 ms Open
+        1622 Z 100 ms Open
+        1825 X 3300 0.01/s Open
+        1825 Z 3300 0.01/s Open
+        3701#1 ISI 1 Open
+        3708#0 SAR 0 Open
+        3740 0 ms Open
+        3741 1000 r/min Open
+        3742 3000 r/min Open
+        3743 1500 r/min Open
+        3771 40 r/min Open
+        3772 3000 r/min Open
+        4002#1 1 Open
+        6001#6 CCV 1 Open
+    "#]]
+    .assert_eq(&sheet("knd-k2000t", &changes));
+    expect![[r#"
+        #1015 cunit 10 0.1 µm Sister
+        #1039 spinno 1 Manual
+        #1128 RstVC1 0 Sister
+        #1129 PwrVC1 0 Sister
+        #2001 rapid X 8000 mm/min Sister
+        #2001 rapid Z 10000 mm/min Sister
+        #2002 clamp X 4000 mm/min Sister
+        #2002 clamp Z 8000 mm/min Sister
+        #2003 smgst X 11 hex Open
+        #2003 smgst Z 11 hex Open
+        #2007 G1tL X 100 ms Sister
+        #2007 G1tL Z 100 ms Sister
+        #2203 PGN1 X 33 1/s Open
+        #2203 PGN1 Z 33 1/s Open
+        #3001 slimt1 1000 r/min Sister
+        #3005 smax1 3000 r/min Open
+        #3023 smini 0 r/min Open
+        #3024 sout 2 Open
+        #3025 enc-on 1 Open
+    "#]]
+    .assert_eq(&sheet("mitsubishi-e60", &changes));
+}
+
+/// Errors and warnings of a form.
+fn findings(control: &str, changes: &[(&str, &str)]) -> String {
+    let project = project(control, changes);
+    let design = machine().design(&project.values, &Origins::default(), project.on());
+    let all = design.diagnostics.iter().filter(|d| !d.message.id.starts_with("form."));
+    all.map(|d| format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(Language::English, &d.message)))
+        .collect()
+}
+
+#[test]
+fn what_a_control_does_not_take_is_said() {
+    expect![[r#"
+        Error offset-zero: 1001 mV is beyond what the parameter of this control takes: -1000 to 1000 mV.
+        Error stage-1: 9 r/min is beyond what the parameter of this control takes: 10 to 9999 r/min.
+        Error stage-3: 10000 r/min is beyond what the parameter of this control takes: 10 to 9999 r/min.
+    "#]]
+    .assert_eq(&findings(
+        "gsk-980tdc",
+        &[
+            ("offset-zero", "1001"),
+            ("offset-full", "1999"),
+            ("stage-1", "9"),
+            ("stage-2", "9999"),
+            ("stage-3", "10000"),
+        ],
+    ));
+    expect![[""]]
+        .assert_eq(&findings("knd-k2000t", &[("offset-zero", "1001"), ("stage-1", "9"), ("stage-3", "10000")]));
+    expect![[r#"
+        Info : Constant surface speed of the Mitsubishi E60 is not simulated, and the program goes without it: the spindle keeps the speed of the stock’s diameter.
+    "#]].assert_eq(&findings("mitsubishi-e60", &[]));
+    expect![[r#"
+        Warning lock-code: Position control alone holds the spindle at its angle: before a keyway is cut it has to be locked. Say which M code of the machine does that, and the program locks it.
+        Warning driven-tool: A keyway is cut by a driven tool while the spindle stands: say that the machine has one, or leave the angle out.
+    "#]].assert_eq(&findings("sinumerik-802d", &[("keyway", "true")]));
+    expect![[""]]
+        .assert_eq(&findings("sinumerik-802d", &[("keyway", "true"), ("lock-code", "81"), ("driven-tool", "true")]));
+    expect![[r#"
+        Error finished-diameter: Turned down to 0 mm nothing is left of the part: take a larger diameter.
+    "#]]
+    .assert_eq(&findings("sinumerik-802d", &[("path", "turning"), ("finished-diameter", "0")]));
+}
+
+#[test]
+fn a_signed_output_is_there_where_the_control_has_one() {
+    for (control, signed) in
+        [("gsk-980tdc", false), ("sinumerik-802d", true), ("knd-k2000t", true), ("mitsubishi-e60", false)]
+    {
+        let project = ideal(control, &[("output", "+-10"), ("direction", "ccw")]);
+        assert_eq!(machine().hidden(&project.values, project.control).contains(&"output"), !signed, "{control}");
+        let planner = over_time(&project);
+        let (from, _) = cuts(&project, &planner)[0];
+        let volts = planner.timeline().at(from + 0.1).spindle.volts;
+        assert_eq!(volts < 0.0, signed, "{control}: {volts}");
+        assert!(volts.abs() > 1.0);
+    }
+}
+
+#[test]
+fn charts_and_results_say_the_same_speed() {
+    for control in machine().controls() {
+        for changes in [
+            &[("override", "120"), ("upper-limit", "900")][..],
+            &[("offset-full", "500"), ("stage-2", "1200"), ("stage-3", "0")],
+            &[("lower-limit", "800"), ("override", "80")],
+        ] {
+            let project = ideal(control, changes);
+            let planner = over_time(&project);
+            let charts = machine().charts(&project.values, project.on(), &planner, 0.0, planner.timeline().end(), 50);
+            let chart = charts.iter().find(|chart| chart.id == "speed-diameter").unwrap();
+            let surface = project.control.can(macroline::controls::Code::SurfaceSpeed);
+            let line = &chart.series[usize::from(!surface)].points;
+            let (small, large) = (line.first().unwrap().1, line.last().unwrap().1);
+            let wanted = ["speed-smallest", "speed-largest"].map(|id| result(&project, id));
+            assert!((small - wanted[0]).abs() < 1e-9 && (large - wanted[1]).abs() < 1e-9, "{control} {changes:?}");
+            // And so does the run, where the tool cuts.
+            let (from, to) = cuts(&project, &planner)[0];
+            for t in [from + 1e-4, to - 1e-4] {
+                let now = planner.timeline().at(t);
+                let x = project.control.axis(b'X').unwrap();
+                let diameter = 2.0 * now.axes[x].position;
+                let at = line.windows(2).find(|pair| (pair[0].0..=pair[1].0 + 1e-6).contains(&diameter)).unwrap();
+                let (low, high) = (at[0].1.min(at[1].1), at[0].1.max(at[1].1));
+                assert!(
+                    (low * 0.999..=high * 1.001).contains(&now.spindle.command.abs()),
+                    "{control} {changes:?} {diameter}: {} in {low}..{high}",
+                    now.spindle.command
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn passes_are_counted_whoever_asks_in_whatever_order() {
+    let project = ideal("gsk-980tdc", &[("path", "taper"), ("depth", "1")]);
+    let planner = over_time(&project);
+    let end = planner.timeline().end();
+    let asked = |fresh: &Planner<Interp>, t: f64| [36, 37, 50].map(|block| fresh.passes(block, t).0);
+    let moments: Vec<f64> = (0..400).map(|at| end * f64::from(at) / 399.0).collect();
+    // Forward, as it is watched; and back and forth, as it is looked through.
+    let forward: Vec<_> = moments.iter().map(|&t| asked(&planner, t)).collect();
+    let looked = over_time(&project);
+    for at in (0..400).map(|at| at * 157 % 400) {
+        assert_eq!(asked(&looked, moments[at]), forward[at]);
+    }
+    assert_eq!(forward[399], [30, 30, 1]);
+    // A changed past is counted anew.
+    let mut changed = planner.clone();
+    changed.event(Event { t: end / 2.0, action: Action::Reset });
+    changed.advance(f64::INFINITY, usize::MAX);
+    let half = asked(&changed, f64::INFINITY);
+    assert!(half[0] < 30 && half == asked(&planner, end / 2.0), "{half:?}");
 }
