@@ -37,6 +37,7 @@ fn plant() -> Plant {
     let spindle = SpindlePlant::new(Analog::unipolar(1480.0, 10.0), 1480.0, 2.0, rules);
     Plant {
         axes: vec![axis(b'X'), axis(b'Y')],
+        pmc: Vec::new(),
         spindle,
         block_time: 0.0071,
         macro_time: 0.003,

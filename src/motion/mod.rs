@@ -20,6 +20,9 @@
 //!   approached beside the motion of its block, which ends when both are there. What a control does at M30, at reset, without M03, in
 //!   threads, before cuts, is in its [rules](crate::controls::SpindleRules).
 //! * **PLC.** Asked when something that it sees has changed and when it wishes; codes of one block are put out together and end with FIN.
+//! * **PMC axes.** Axes that the PLC turns by itself: it gives them speeds, acceleration and lag are those of any axis. Neither hold nor the
+//!   program's clamps act on them; overrides, reset and emergency stop as far as the PLC lets them. What emergency stop does to a drive that it
+//!   switches off is not simulated: it stops over its time constant.
 //! * **Operator.** Feed hold lets dwell and codes run to their end. Reset breaks off: the axes stop over their time constants. Cycle
 //!   start at the very moment of a stop answers that stop; other actions come before what the machine does at the same moment.
 
@@ -51,6 +54,8 @@ mod operator;
 
 mod path;
 
+mod pmc;
+
 mod reader;
 
 mod signals;
@@ -68,6 +73,7 @@ pub use panel::{Action, Event, Panel};
 pub use plan::{Keep, Limits, Planner, Progress, RunEnd, Setup};
 pub use plant::{AxisPlant, Plant, SpindlePlant};
 pub use plc::{BenchPlc, GearShift, Io, Part, Plc, Strobes};
+pub use pmc::PMC_AXES;
 pub use program::Program;
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};
 pub use timeline::Timeline;

@@ -23,6 +23,8 @@ impl<P: Program> Sim<'_, P> {
             }
             Action::FeedOverride(value) => {
                 self.s.knobs.feed = *value;
+                self.s.io.feed_override = percent(*value);
+                self.scan(t);
                 self.pace(t);
             }
             Action::RapidOverride(value) => {
@@ -121,6 +123,7 @@ impl<P: Program> Sim<'_, P> {
         }
         self.s.exec = then;
         self.s.io.clear_strobes();
+        self.s.io.reset = true;
         self.scan(t);
     }
 

@@ -113,7 +113,7 @@ impl<P: Program> Planner<P> {
     /// A run at time 0; cycle start is pressed.
     pub fn new(setup: Setup<'_, P>) -> Planner<P> {
         let machine = Machine::new(setup.control, setup.plant, setup.limits, setup.keep != Keep::Timeline);
-        let mut timeline = Timeline::new(machine.axes, machine.spindle);
+        let mut timeline = Timeline::new(machine.axes, super::pmc::axes(&setup.plant.pmc), machine.spindle);
         let mut state = State::new(setup.program, setup.plc, machine.square());
         let home = machine.axes.map(|axis| axis.home);
         if home != [0.0; AXES] {

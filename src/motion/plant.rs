@@ -26,6 +26,18 @@ pub struct AxisPlant {
 }
 
 impl AxisPlant {
+    /// An axis that the PLC turns, and that follows at once.
+    pub const PMC: AxisPlant = AxisPlant {
+        letter: b'?',
+        rotary: true,
+        diameter: false,
+        rapid: 0.0,
+        clamp: 0.0,
+        time_constant: 0.0,
+        position_gain: 0.0,
+        home: 0.0,
+    };
+
     /// What words count for each millimetre that the axis moves.
     pub fn words_per_unit(&self) -> f64 {
         if self.diameter { 2.0 } else { 1.0 }
@@ -136,6 +148,8 @@ impl SpindlePlant {
 pub struct Plant {
     /// Axes, found by their letters. Axes of the control that the machine lacks are not here.
     pub axes: Vec<AxisPlant>,
+    /// Axes that the PLC turns by itself, [`PMC_AXES`](super::PMC_AXES) at most. Of each, time constant and gain count.
+    pub pmc: Vec<AxisPlant>,
     /// The spindle.
     pub spindle: SpindlePlant,
     /// Seconds a block with NC words costs the control.

@@ -1,5 +1,6 @@
 //! The machine builder's logic: reads what the control puts out, writes what the control reads, in the order of time.
 
+use super::pmc::PMC_AXES;
 use super::signals::sense;
 use crate::controls::Alarm;
 use crate::drives::speed::Steps;
@@ -33,6 +34,10 @@ impl Part {
 pub struct Io {
     /// Spindle override of the operator's knob in percent.
     pub spindle_override: f64,
+    /// Cutting feed override of the operator's knob in percent.
+    pub feed_override: f64,
+    /// Reset or emergency stop was pressed: for the one scan that sees it first.
+    pub reset: bool,
     /// Macro inputs, by variable number: what the program reads as `#1033` ….
     pub inputs: Map<u32, f64>,
     /// Macro outputs, by variable number, as the program wrote them.
@@ -61,12 +66,18 @@ pub struct Io {
     pub spindle_command: f64,
     /// Spindle speed in r/min as it is, signed.
     pub spindle_actual: f64,
+    /// Speeds in r/min, signed, at which the PLC turns its own axes.
+    pub pmc_speed: [f64; PMC_AXES],
+    /// Turns that it has told them since the run began, before acceleration.
+    pub pmc_turns: [f64; PMC_AXES],
 }
 
 impl Default for Io {
     fn default() -> Io {
         Io {
             spindle_override: 100.0,
+            feed_override: 100.0,
+            reset: false,
             inputs: Map::new(),
             outputs: Map::new(),
             forced: Map::new(),
@@ -81,6 +92,8 @@ impl Default for Io {
             gear_volts: None,
             spindle_command: 0.0,
             spindle_actual: 0.0,
+            pmc_speed: [0.0; PMC_AXES],
+            pmc_turns: [0.0; PMC_AXES],
         }
     }
 }

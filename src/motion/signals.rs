@@ -13,11 +13,13 @@ impl<P: Program> Sim<'_, P> {
     /// Lets the PLC act until it and the spindle agree.
     pub(super) fn scan(&mut self, t: f64) {
         self.turn(t);
+        self.show_pmc(t);
         // A PLC and a control that never agree are left for the next scan.
         for _ in 0..4 {
             self.s.io.spindle_actual =
                 self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.machine.spindle, t));
             let wish = self.s.plc.0.scan(t, &mut self.s.io);
+            self.s.io.reset = false;
             // A PLC that wants to be asked at once is asked in its next cycle.
             self.s.plc_at = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
             let Io { forced, inputs, .. } = &mut self.s.io;
@@ -41,6 +43,7 @@ impl<P: Program> Sim<'_, P> {
                 break;
             }
         }
+        self.turn_pmc(t);
         self.show_inputs(t);
     }
 

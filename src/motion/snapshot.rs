@@ -1,5 +1,6 @@
 //! The machine at one moment of a run, in what its axes move: half of what words of diameters count.
 
+use super::pmc::PMC_AXES;
 use crate::drives::Bound;
 use crate::interp::canon::AXES;
 use crate::text::Place;
@@ -71,6 +72,8 @@ pub struct Snapshot {
     pub t: f64,
     /// Axes in the control's order.
     pub axes: [AxisState; AXES],
+    /// Axes that the PLC turns, in ° and °/min.
+    pub pmc: [AxisState; PMC_AXES],
     /// The spindle.
     pub spindle: SpindleState,
     /// What the control does.

@@ -4,6 +4,7 @@ use core::cell::Cell;
 
 use super::path::{Circle, Path, Segment};
 use super::plant::{AxisPlant, SpindlePlant};
+use super::pmc::PMC_AXES;
 use super::snapshot::{Mode, Snapshot};
 use super::spindle::Ramp;
 use super::track::{Timed, Track};
@@ -45,6 +46,7 @@ impl Timed for Change {
 pub(super) struct Lengths {
     segments: usize,
     circles: usize,
+    pmc: usize,
     ramps: usize,
     marks: usize,
     pub(super) changes: usize,
@@ -54,8 +56,11 @@ pub(super) struct Lengths {
 #[derive(Debug, Clone)]
 pub struct Timeline {
     pub(super) axes: [AxisPlant; AXES],
+    pub(super) pmc_axes: [AxisPlant; PMC_AXES],
     pub(super) spindle: SpindlePlant,
     pub(super) path: Path,
+    /// What the PLC tells its own axes, in °.
+    pub(super) pmc: Path,
     pub(super) ramps: Track<Ramp>,
     pub(super) marks: Track<Mark>,
     pub(super) changes: Track<Change>,
@@ -76,11 +81,13 @@ impl Timeline {
     /// Memory of one block with motion.
     pub const BLOCK_BYTES: usize = size_of::<Segment>() + size_of::<Mark>();
 
-    pub(super) fn new(axes: [AxisPlant; AXES], spindle: SpindlePlant) -> Timeline {
+    pub(super) fn new(axes: [AxisPlant; AXES], pmc_axes: [AxisPlant; PMC_AXES], spindle: SpindlePlant) -> Timeline {
         Timeline {
             axes,
+            pmc_axes,
             spindle,
             path: Path::default(),
+            pmc: Path::default(),
             ramps: Track::default(),
             marks: Track::default(),
             changes: Track::default(),
@@ -96,6 +103,9 @@ impl Timeline {
         let mut now = Snapshot { t, ..Snapshot::default() };
         for (k, (axis, plant)) in now.axes.iter_mut().zip(&self.axes).enumerate() {
             *axis = self.path.axis(k, plant, t);
+        }
+        for (k, (axis, plant)) in now.pmc.iter_mut().zip(&self.pmc_axes).enumerate() {
+            *axis = self.pmc.axis(k, plant, t);
         }
         if let Some(ramp) = self.ramps.at(t) {
             now.spindle = ramp.state(&self.spindle, t, |axis| now.axes.get(axis).map_or(0.0, |axis| axis.position));
@@ -178,6 +188,7 @@ impl Timeline {
         Lengths {
             segments: self.path.segments.len(),
             circles: self.path.circles.len(),
+            pmc: self.pmc.segments.len(),
             ramps: self.ramps.len(),
             marks: self.marks.len(),
             changes: self.changes.len(),
@@ -187,6 +198,7 @@ impl Timeline {
     pub(super) fn truncate(&mut self, lengths: &Lengths) {
         self.path.segments.truncate(lengths.segments);
         self.path.circles.truncate(lengths.circles);
+        self.pmc.segments.truncate(lengths.pmc);
         self.ramps.truncate(lengths.ramps);
         self.marks.truncate(lengths.marks);
         self.counted = Default::default();
@@ -195,7 +207,7 @@ impl Timeline {
 
     /// Seconds for which a movement acts after it has ended.
     fn memory(&self) -> f64 {
-        self.axes.iter().map(Path::memory).fold(0.0, f64::max)
+        self.axes.iter().chain(&self.pmc_axes).map(Path::memory).fold(0.0, f64::max)
     }
 
     /// What acts at `t`, up to a state.
@@ -203,11 +215,13 @@ impl Timeline {
         let old = t - self.memory();
         Timeline {
             axes: self.axes,
+            pmc_axes: self.pmc_axes,
             spindle: self.spindle,
             path: Path {
                 segments: self.path.segments.part(old, lengths.segments),
                 circles: self.path.circles.part(old, lengths.circles),
             },
+            pmc: Path { segments: self.pmc.segments.part(old, lengths.pmc), ..Path::default() },
             ramps: self.ramps.part(t, lengths.ramps),
             marks: self.marks.part(t, lengths.marks),
             changes: Track::default(),
@@ -222,6 +236,7 @@ impl Timeline {
         let memory = self.memory();
         self.path.segments.forget(t - memory);
         self.path.circles.forget(t - memory);
+        self.pmc.segments.forget(t - memory);
         self.ramps.forget(t);
         self.marks.forget(t);
         self.counted = Default::default();

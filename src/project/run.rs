@@ -175,6 +175,7 @@ fn bench(control: &'static Control, switches: &Switches) -> (Plant, Box<dyn Plc>
     });
     let plant = Plant {
         axes: axes.collect(),
+        pmc: Vec::new(),
         spindle: SpindlePlant::bench(control, switches),
         block_time: control.timing.block,
         macro_time: control.timing.macro_block,

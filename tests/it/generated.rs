@@ -40,6 +40,7 @@ fn plant(control: &Control) -> Plant {
     });
     Plant {
         axes: axes.collect(),
+        pmc: Vec::new(),
         spindle: SpindlePlant::bench(control, &Switches::default()),
         block_time: control.timing.block,
         macro_time: control.timing.macro_block,

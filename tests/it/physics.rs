@@ -6,6 +6,7 @@ mod operator;
 mod orienting;
 mod past;
 mod path;
+mod pmc;
 mod polygon;
 mod program;
 mod reading;
@@ -47,6 +48,7 @@ fn plant() -> Plant {
     let spindle = SpindlePlant::new(Analog::unipolar(1480.0, 10.0), 1480.0, 2.0, rules);
     Plant {
         axes: vec![axis(b'X'), axis(b'Y')],
+        pmc: Vec::new(),
         spindle,
         block_time: 0.0071,
         macro_time: 0.003,

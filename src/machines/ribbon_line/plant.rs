@@ -30,6 +30,7 @@ pub(super) fn plant(line: &Fitted) -> Plant {
     };
     Plant {
         axes: vec![x, y],
+        pmc: Vec::new(),
         spindle: spindle(line),
         block_time: p.block_time / 1000.0,
         macro_time: p.macro_time / 1000.0,

@@ -26,6 +26,7 @@ pub(super) fn plant(lathe: &Fitted) -> Plant {
             slide(CROSS, lathe.diameters(), p.rapid_x, p.clamp_x, 0.5 * p.start_x),
             slide(ALONG, false, p.rapid_z, p.clamp_z, p.start_z),
         ],
+        pmc: Vec::new(),
         spindle: spindle(lathe),
         block_time: p.block_time / 1000.0,
         macro_time: p.macro_time / 1000.0,

@@ -1,0 +1,53 @@
+//! Axes that the PLC turns by itself (PMC axes): it gives them speeds, acceleration and servo do to them what they do to any axis.
+
+use super::path::Segment;
+use super::plant::AxisPlant;
+use super::program::Program;
+use super::state::Sim;
+use super::timeline::Timeline;
+use crate::interp::canon::AXES;
+
+/// The most axes that a PLC turns.
+pub const PMC_AXES: usize = 2;
+
+/// Degrees a second for each turn a minute.
+const DEGREES: f64 = 6.0;
+
+impl Timeline {
+    /// Degrees to which the PLC has told its axes to turn until `t`, before acceleration.
+    fn pmc_told(&self, t: f64) -> [f64; AXES] {
+        self.pmc
+            .segments
+            .at(t)
+            .map_or([0.0; AXES], |last| core::array::from_fn(|k| last.from[k] + last.velocity[k] * (t - last.t)))
+    }
+}
+
+impl<P: Program> Sim<'_, P> {
+    /// Shows the PLC how far it has told its axes to turn.
+    pub(super) fn show_pmc(&mut self, t: f64) {
+        let told = self.out.timeline.pmc_told(t);
+        self.s.io.pmc_turns = core::array::from_fn(|k| told[k] / 360.0);
+    }
+
+    /// Turns the axes of the PLC at the speeds that it now gives.
+    pub(super) fn turn_pmc(&mut self, t: f64) {
+        let speed = self.s.io.pmc_speed;
+        let asked = |k: usize| speed.get(k).copied().filter(|rpm| rpm.is_finite()).unwrap_or(0.0) * DEGREES;
+        let velocity: [f64; AXES] = core::array::from_fn(asked);
+        if velocity != self.out.timeline.pmc.segments.last().map_or([0.0; AXES], |last| last.velocity) {
+            let from = self.out.timeline.pmc_told(t);
+            self.out.timeline.pmc.segments.put(Segment { t, from, velocity, circle: 0 });
+        }
+    }
+}
+
+/// The axes of the PLC as the timeline needs them: where the machine has fewer, nothing turns.
+pub(super) fn axes(plant: &[AxisPlant]) -> [AxisPlant; PMC_AXES] {
+    let positive = |x: f64| if x > 0.0 && x.is_finite() { x } else { 0.0 };
+    core::array::from_fn(|k| {
+        let axis = plant.get(k).copied().unwrap_or(AxisPlant::PMC);
+        let (time_constant, position_gain) = (positive(axis.time_constant), positive(axis.position_gain));
+        AxisPlant { time_constant, position_gain, ..axis }
+    })
+}
