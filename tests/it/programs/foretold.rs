@@ -58,6 +58,7 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
         gsk-980tdc arc-radius
         gsk-980tdc division
         gsk-980tdc function-alarm
+        gsk-980tdc m-codes
         gsk-980tdc macro-program
         gsk-980tdc nine-variable
         gsk-980tdc no-feed
@@ -68,11 +69,13 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
         gsk-980tdc user-alarm-base
         gsk-980tdc user-alarm-number
         gsk-980tdc user-alarm
+        gsk-980tdc vacant-value
         knd-k2000t arc-center
         knd-k2000t arc-radius
         knd-k2000t division
         knd-k2000t feed-zero
         knd-k2000t jump-number
+        knd-k2000t m-codes
         knd-k2000t macro-program
         knd-k2000t no-feed
         knd-k2000t overflow
