@@ -204,6 +204,11 @@ impl Control {
         core::iter::from_fn(pair).collect()
     }
 
+    /// Digits of a number at most, as a switch has it where that is open; 18 fit everywhere.
+    pub fn number_digits(&self, switches: &Switches) -> usize {
+        switches.get(self.switches, "number-digits").and_then(|digits| digits.parse().ok()).unwrap_or(18)
+    }
+
     /// Codes that a switch keeps off: it is named for them, `codes-g22-g23`, and at its default they are an alarm.
     pub fn codes_off(&self, switches: &Switches) -> Vec<(u8, u16)> {
         let off = self.switches.iter().filter(|row| switches.get(self.switches, row.id) == Some("alarm"));

@@ -162,6 +162,8 @@ pub struct Syntax {
     pub increment_addresses: &'static [u8],
     /// Addresses that put a corner behind a straight line or an arc, with what they put there. They are not simulated.
     pub corners: &'static [(u8, &'static str)],
+    /// Addresses that may stand behind a comma; none of them is simulated.
+    pub comma_addresses: &'static [u8],
     /// Ending of a program file without the point.
     pub extension: &'static str,
     /// Source and grade.

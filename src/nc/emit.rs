@@ -219,7 +219,13 @@ impl Writer<'_> {
         }
         match block.stmt {
             // What has no form here is left out by `lower`.
-            Stmt::Empty | Stmt::Bad(_) | Stmt::Assigns { .. } | Stmt::Ifs { .. } => {}
+            Stmt::Empty | Stmt::Bad(_) | Stmt::Ifs { .. } => {}
+            Stmt::Assigns { first, count } => {
+                for (at, pair) in self.deck.pairs_of(first, count).iter().enumerate() {
+                    self.text.push_str(if at > 0 { " " } else { "" });
+                    self.assignment(pair.left, pair.right);
+                }
+            }
             Stmt::Call { .. } | Stmt::Message(_) => {}
             Stmt::Words { .. } => self.words(block),
             Stmt::Assign { to, value } => self.assignment(to, value),

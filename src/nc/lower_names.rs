@@ -327,7 +327,7 @@ pub(super) fn no_names(deck: &mut Deck, control: &Control) {
                     None => Stmt::Bad(Alarm::NoProgram),
                 }
             }
-            Stmt::Assigns { .. } | Stmt::Ifs { .. } => Stmt::Bad(Alarm::Format),
+            Stmt::Ifs { .. } => Stmt::Bad(Alarm::Format),
             stmt => stmt,
         };
         deck.blocks[at].stmt = stmt;

@@ -59,6 +59,9 @@ const QUESTIONS: &[(&str, &str, &str)] = &[
     ("vacant GT 0", "IF[#1 GT 0]GOTO9; #100=0; N9", "IF R1>0 GOTOF AB9; R100=1; AB9:"),
     ("0 EQ #0", "#1=0; IF[#1 EQ #0]GOTO9; #100=0; N9", ""),
     ("vacant times 5", "#100=#1*5", "R100=R1*5"),
+    ("X#100+10", "#100=1; G00 X#100+10", ""),
+    ("X#100.", "#100=1; G00 X#100.", ""),
+    ("X10.,Y5.", "G00 X10.,Y5.", ""),
     ("X[12.3456]", "G00 X[12.3456]", "G0 X=12.3456"),
     ("X8", "G00 X8", "G0 X8"),
     ("U8 W8.", "G00 U8 W8.", "G0 U8 W8"),
@@ -80,6 +83,7 @@ const QUESTIONS: &[(&str, &str, &str)] = &[
     ("LN[0]", "#100=LN[0]", "R100=LN(0)"),
     ("1/0", "#100=1/0", "R100=1/0"),
     ("EXP[200]/EXP[200]", "#100=EXP[200]/EXP[200]", "R100=EXP(200)/EXP(200)"),
+    ("13 digits", "#100=1.234567890123", "R100=1.234567890123"),
     ("SIN30", "#100=SIN30", "R100=SIN30"),
     ("2 > 1", "IF[2 > 1]GOTO9; #100=0; N9", "IF 2>1 GOTOF AB9; R100=1; AB9:"),
     ("IF THEN", "IF[2 GT 1]THEN #100=1", ""),
@@ -166,6 +170,9 @@ fn the_controls_differ_where_the_sheets_say() {
         vacant GT 0          | #100=0                                       | #100=0                                       | #100=0                                 | R100=1
         0 EQ #0              | #100=0                                       | -                                            | #100=0                                 |
         vacant times 5       | #100=0                                       | #100=0                                       | #100=0                                 | R100=0
+        X#100+10             | rapid X11 #100=1                             | rapid X11 #100=1                             | rapid X11 #100=1                       |
+        X#100.               | alarm P33                                    | alarm 0101                                   | alarm 004                              |
+        X10.,Y5.             | alarm P32                                    | alarm 0003                                   | alarm 009                              |
         X[12.3456]           | rapid X12.346                                | rapid X12.346                                | rapid X12.346                          | rapid X12.346
         X8                   | rapid X0.008                                 | rapid X8                                     | rapid X8                               | rapid X8
         U8 W8.               | alarm P32                                    | rapid X8 Z8                                  | rapid X8 Z8                            | alarm 12550
@@ -187,6 +194,7 @@ fn the_controls_differ_where_the_sheets_say() {
         LN[0]                | alarm P282                                   | alarm 0107                                   | alarm 119                              | alarm 14051
         1/0                  | alarm P283                                   | alarm 0105                                   | alarm 112                              | alarm 14051
         EXP[200]/EXP[200]    | #100=1                                       | #100=1                                       | alarm 111                              | R100=1
+        13 digits            | #100=1.23456789                              | #100=1.23456789                              | alarm 003                              | R100=1.23456789
         SIN30                | alarm P33                                    | #100=0.5                                     | alarm 004                              | alarm 12080
         2 > 1                | alarm P290                                   | -                                            | alarm 114                              | -
         IF THEN              | alarm P290                                   | #100=1                                       | #100=1                                 |

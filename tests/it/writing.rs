@@ -2,10 +2,10 @@
 
 use expect_test::{Expect, expect};
 use macroline::controls::syntax::Function;
-use macroline::controls::{self, Alarm, Control, find};
+use macroline::controls::{self, Alarm, Control, Switches, find};
 use macroline::nc::build::*;
 use macroline::nc::{
-    Dec, Deck, Files, Newline, Op, TokenKind, emit, emit_parsed, emit_with, fix, lower, parse, tokens,
+    Dec, Deck, Files, Newline, Op, TokenKind, emit, emit_parsed, emit_with, fix, lower, parse, parse_with, tokens,
 };
 use macroline::text::catalog::{Language, sentence};
 use macroline::text::{Place, Severity, Span};
@@ -238,6 +238,17 @@ fn a_changed_block_leaves_every_other_byte_alone() {
     let out = emit_parsed(&parsed, &deck);
     assert_eq!(out.files.0[0].text, text.replace("#1 = 2", "#1=2"));
     assert_eq!(out.places[2].span.of(&out.files.0[0].text), "M30");
+}
+
+#[test]
+fn several_assignments_of_a_block_stay_together() {
+    let switches = Switches(vec![("assignments".to_owned(), "several".to_owned())]);
+    let text = "O1\n#1 = 1  #2 = #1\nM30\n%\n";
+    let parsed = parse_with(&Files::one("A.MIN", text), e60(), &switches);
+    assert_eq!(emit_parsed(&parsed, parsed.deck()).files, *parsed.files());
+    let mut deck = parsed.deck().clone();
+    deck.blocks[0].span = Span::default();
+    assert_eq!(emit_parsed(&parsed, &deck).files.0[0].text, text.replace("#1 = 1  #2 = #1", "#1=1 #2=#1"));
 }
 
 /// Applies the first fix of the first finding that has one until none is left.

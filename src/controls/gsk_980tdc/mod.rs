@@ -85,6 +85,7 @@ pub static CONTROL: Control = Control {
         increment_addresses: b"ABCHIJKRUVWXYZ",
         // GSK980TDi manual, 3.11.
         corners: &[(b'L', "chamfer"), (b'D', "rounded corner")],
+        comma_addresses: b"ACR",
         extension: "nc",
         cite: Citation::new("GSK980TDi manual, 3.28 and 3.29; characters and alarms of the 980MDi", Grade::Sister),
     },

@@ -21,6 +21,9 @@ const SAMPLES: Citation =
 pub(super) const SWITCHES: &[Switch] = &[
     switch("decimal-point", "A coordinate without a point", &["millimetres", "increments"], SAMPLES),
     switch("argument-point", "A macro argument without a point", &["as written", "increments"], MACRO),
+    switch("point-behind-variable", "A point behind a variable, X#107.", &["alarm", "ignored"], MEMORY),
+    switch("assignments", "Assignments in a block", &["one", "several"], MEMORY),
+    switch("word-formula", "A formula behind an address, X#100+10", &["as it is", "in brackets"], MEMORY),
     switch("diameter", "Words of X (No.001#2)", &["diameter", "radius"], PARAMETERS),
     switch("m-codes", "A second M code in a block", &["alarm", "the last acts"], MEMORY),
     switch("startup-feed", "Unit of F after power-on (No.182#0)", &["G98", "G99"], PARAMETERS),

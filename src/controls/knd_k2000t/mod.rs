@@ -79,6 +79,7 @@ pub static CONTROL: Control = Control {
         point_alarm: true,
         increment_addresses: b"ABCHIJKRUVWXYZ",
         corners: &[],
+        comma_addresses: b"ACR",
         extension: "nc",
         cite: Citation::new("FANUC Custom Macro B, sheet section 4; block length unknown", Grade::Open),
     },

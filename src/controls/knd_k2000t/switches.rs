@@ -13,6 +13,15 @@ const SAMPLE: Citation = Citation::new("sample of the polygon turning paper; par
 pub(super) const SWITCHES: &[Switch] = &[
     switch("decimal-point", "A coordinate without a point (3401#0)", &["millimetres", "increments"], SAMPLE),
     switch("argument-point", "A macro argument without a point", &["as written", "increments"], SAMPLE),
+    switch("point-behind-variable", "A point behind a variable, X#107.", &["alarm", "ignored"], MEMORY),
+    switch("assignments", "Assignments in a block", &["one", "several"], MEMORY),
+    switch("word-formula", "A formula behind an address, X#100+10", &["as it is", "in brackets"], MEMORY),
+    switch(
+        "number-digits",
+        "Digits of a number",
+        &["12", "8"],
+        Citation::new("8 on older FANUC controls by a forum, 12 on newer ones from memory", Grade::Open),
+    ),
     switch("diameter", "Words of X (1006#3)", &["diameter", "radius"], SAMPLE),
     switch(
         "m-codes",

@@ -80,6 +80,7 @@ pub static CONTROL: Control = Control {
         point_alarm: false,
         increment_addresses: b"ABCIJKRUVWXYZ",
         corners: &[],
+        comma_addresses: b"ACDFHIJKPQRST",
         extension: "nc",
         cite: Citation::new("M700V/M70V programming manual, p.19, 23, 28, 40; macro text from memory", Grade::Sister),
     },

@@ -8,6 +8,9 @@ use crate::text::{Citation, Grade};
 
 const DECIMALS: Citation = Citation::new("M700V/M70V programming manual, p.40: parameter #1078", Grade::Sister);
 
+/// The listing of the paper has such points, and does not read for other reasons.
+const LISTING: Citation = Citation::new("ribbon dot-printing paper, E60, against MELDAS usage", Grade::Open);
+
 /// One row per point; the first option is the default.
 pub(super) const SWITCHES: &[Switch] = &[
     switch(
@@ -35,6 +38,8 @@ pub(super) const SWITCHES: &[Switch] = &[
     ),
     switch("decimal-point", "A coordinate without a point (#1078)", &["increments", "millimetres"], DECIMALS),
     switch("argument-point", "A macro argument without a point", &["increments", "as written"], MEMORY),
+    switch("point-behind-variable", "A point behind a variable, X#107.", &["alarm", "ignored"], LISTING),
+    switch("assignments", "Assignments in a block", &["one", "several"], MEMORY),
     switch("startup-distance", "Dimensions after power-on (#1073)", &["G90", "G91"], MEMORY),
     switch("startup-motion", "Motion code after power-on (#1075)", &["G01", "G00"], MEMORY),
     switch("thread-e", "E of a thread, G33 (#8156)", &["threads per inch", "lead"], MEMORY),

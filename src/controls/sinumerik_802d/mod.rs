@@ -120,6 +120,7 @@ pub static CONTROL: Control = Control {
             (long::RP, "polar radius"),
             (long::SF, "start angle of a thread"),
         ],
+        comma_addresses: b"",
         extension: "MPF",
         cite: BLOCKS,
     },

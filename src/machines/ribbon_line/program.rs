@@ -186,9 +186,11 @@ fn dwell(line: &Fitted, seconds: f64) -> [NewWord; 2] {
 
 /// π as it is written: 3.141592654, or 3.14.
 ///
-/// The vector feed takes π almost squared: with eight decimals it would come out 2.3e-9 low, with nine it is right to 3e-10.
+/// The vector feed takes π almost squared: with eight decimals it would come out 2.3e-9 low, with nine it is right to 3e-10. Where the
+/// control takes fewer digits, it gets what fits.
 fn pi(line: &Fitted) -> Formula {
-    real(line.p.program_pi(), 9)
+    let decimals = line.control.number_digits(line.switches).saturating_sub(1).min(9);
+    real(line.p.program_pi(), decimals as u8)
 }
 
 /// Actual spindle speed, equation (1). `input` holds the PLC's word.

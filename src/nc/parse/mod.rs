@@ -163,6 +163,14 @@ struct Tables<'a> {
     label_chars: usize,
     /// Jumps by name may go to block numbers too.
     number_jumps: bool,
+    /// A point behind a variable counts as not written: `X#107.`
+    variable_point: bool,
+    /// Several assignments may stand in a block.
+    assignments: bool,
+    /// A formula behind an address needs brackets.
+    enclosed: bool,
+    /// Digits of a number.
+    digits: usize,
     /// Ranges of common variables that are fitted.
     fitted: Vec<(u32, u32)>,
     /// Codes that a switch keeps off, ten times their numbers.
@@ -176,10 +184,15 @@ fn letter_bits(letters: impl Iterator<Item = u8>) -> u32 {
 impl<'a> Tables<'a> {
     fn new(control: &Control, switches: &Switches, calls: &'a [CodeCall]) -> Tables<'a> {
         let number = |id: &str| switches.get(control.switches, id).and_then(|setting| setting.parse().ok());
+        let is = |id: &str, setting: &str| switches.get(control.switches, id) == Some(setting);
         let mut tables = Tables {
             block_chars: number(BLOCK_LENGTH).unwrap_or(control.syntax.block_read_chars),
             label_chars: number(LABEL_LENGTH).map_or(0, |chars| chars as usize),
-            number_jumps: switches.get(control.switches, NUMBER_JUMPS) == Some("yes"),
+            number_jumps: is(NUMBER_JUMPS, "yes"),
+            variable_point: is("point-behind-variable", "ignored"),
+            assignments: is("assignments", "several"),
+            enclosed: is("word-formula", "in brackets"),
+            digits: control.number_digits(switches),
             fitted: control.fitted(switches),
             off: control.codes_off(switches),
             g: Box::new([0; 1000]),

@@ -1,6 +1,6 @@
 //! Macro statements: assignments, jumps, loops, and the conditions in them.
 
-use super::super::ast::{Expr, ExprId, Op, Stmt, Way};
+use super::super::ast::{Expr, ExprId, Op, Pair, Stmt, Way};
 use super::slips::meant;
 use super::{Failure, Read, Reader};
 use crate::controls::{Alarm, VarKind};
@@ -134,6 +134,7 @@ impl Reader<'_> {
         }
         let stmt = if self.peek() == b'#' {
             let (to, value) = self.assigned()?;
+            self.end_of_macro()?;
             if self.control.syntax.if_then {
                 if !named {
                     self.slip(Alarm::IfSentence, then, then, msg!("nc.no-then"), "THEN ");
@@ -283,10 +284,21 @@ impl Reader<'_> {
     /// `#… = expr`.
     pub(super) fn assignment(&mut self) -> Read<Stmt> {
         let (to, value) = self.assigned()?;
-        Ok(Stmt::Assign { to, value })
+        if !self.tables.assignments || self.skip() != b'#' {
+            self.end_of_macro()?;
+            return Ok(Stmt::Assign { to, value });
+        }
+        let first = self.deck.pairs.len();
+        self.deck.pairs.push(Pair { left: to, right: value, way: Way::Round });
+        while self.skip() == b'#' {
+            let (left, right) = self.assigned()?;
+            self.deck.pairs.push(Pair { left, right, way: Way::Round });
+        }
+        self.end_of_macro()?;
+        Ok(Stmt::Assigns { first: first as u32, count: (self.deck.pairs.len() - first) as u16 })
     }
 
-    /// The variable and the value of an assignment, to the end of the block.
+    /// The variable and the value of an assignment.
     fn assigned(&mut self) -> Read<(ExprId, ExprId)> {
         let start = self.at;
         let to = self.variable(true)?;
@@ -303,7 +315,6 @@ impl Reader<'_> {
         if let (Expr::Var(number), Expr::Number(value)) = (self.deck.expr(to), self.deck.expr(value)) {
             self.user_alarm(number, value.to_f64(), start);
         }
-        self.end_of_macro()?;
         Ok((to, value))
     }
 

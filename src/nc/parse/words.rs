@@ -1,6 +1,6 @@
 //! NC words: the fast path, taken by nearly every block.
 
-use super::super::ast::{Stmt, Word, WordValue};
+use super::super::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
 use super::super::dec::Dec;
 use super::slips::Mend;
 use super::{BOUND, Failure, Read, Reader};
@@ -273,6 +273,11 @@ impl<'a> Reader<'a> {
                 if !letter.is_ascii_alphabetic() {
                     return Err(self.unexpected());
                 }
+                if !self.control.syntax.comma_addresses.contains(&(letter & 0xDF)) {
+                    // Words need nothing between them.
+                    self.slip(Alarm::IllegalAddress, start, start + 1, msg!("nc.comma-between"), "");
+                    return Ok(());
+                }
                 self.at += 1;
                 self.value(start, letter & 0xDF)?;
                 let name = format!(",{}", (letter & 0xDF) as char);
@@ -327,10 +332,37 @@ impl<'a> Reader<'a> {
             return self.no_value(start, letter, next);
         }
         let value = self.formula(true)?;
+        if self.tables.enclosed {
+            self.check_enclosed(value, value_at);
+        }
         while self.skip() == b'.' {
-            self.stray_point();
+            let lone = !self.line.get(self.at + 1).is_some_and(u8::is_ascii_digit);
+            if lone && self.tables.variable_point {
+                self.at += 1;
+            } else {
+                self.stray_point();
+            }
         }
         Ok(WordValue::Expr(value))
+    }
+
+    /// A formula behind an address, from `from` on, stands in brackets.
+    #[cold]
+    fn check_enclosed(&mut self, value: ExprId, from: usize) {
+        if !matches!(self.deck.expr(value), Expr::Binary(op, ..) if op != Op::Atan) {
+            return;
+        }
+        let text = self.line.get(from..self.at).unwrap_or_default().trim_ascii_end();
+        let mut depth = 0_i32;
+        let closed = text.iter().position(|&byte| {
+            depth += i32::from(byte == b'[') - i32::from(byte == b']');
+            depth <= 0
+        });
+        if closed.map(|at| at + 1) != Some(text.len()) {
+            let to = from + text.len();
+            let finding = self.finding(Alarm::Format, from, to, msg!("nc.formula-brackets"));
+            self.enclose(Alarm::Format, finding, from, to);
+        }
     }
 
     /// What stands behind an address letter and starts no value.
@@ -384,8 +416,8 @@ impl<'a> Reader<'a> {
         if length == usize::from(point) {
             return Err(self.failure(Alarm::Format, start, self.at, msg!("nc.lone-point"), false));
         }
-        if full {
-            self.report(Alarm::Digits, start, self.at, msg!("nc.too-many-digits", 18));
+        if full || length > self.tables.digits + usize::from(point) {
+            self.report(Alarm::Digits, start, self.at, msg!("nc.too-many-digits", self.tables.digits as u32));
         }
         Ok(Dec { mantissa, scale, point })
     }
