@@ -337,6 +337,22 @@ impl Deck {
         self.exprs[id.0 as usize]
     }
 
+    /// Whether a comparison of two constants holds; `None` where it is of anything else.
+    pub(super) fn holds(&self, cond: ExprId) -> Option<bool> {
+        let Expr::Binary(op, left, right) = self.expr(cond) else { return None };
+        let (Expr::Number(left), Expr::Number(right)) = (self.expr(left), self.expr(right)) else { return None };
+        let (left, right) = (left.to_f64(), right.to_f64());
+        match op {
+            Op::Equal => Some(left == right),
+            Op::NotEqual => Some(left != right),
+            Op::Greater => Some(left > right),
+            Op::GreaterEqual => Some(left >= right),
+            Op::Less => Some(left < right),
+            Op::LessEqual => Some(left <= right),
+            _ => None,
+        }
+    }
+
     /// A text; empty where there is none.
     pub fn text(&self, id: Option<TextId>) -> &str {
         id.and_then(|id| self.texts.get(id.0.get() as usize - 1)).map_or("", |text| text)

@@ -1,6 +1,7 @@
 //! Reading programs: what the control would say of a text, where, and how it is mended.
 
 mod dialects;
+mod loops;
 mod names;
 mod slips;
 mod trees;
@@ -568,7 +569,8 @@ fn jumps_and_loops() {
     check_block(
         "IF[[#1 EQ 0]AND[#2 EQ 0]]GOTO5\nN5",
         expect![[r#"
-            1:8 error P33 A comparison stands only once, directly inside the brackets of IF or WHILE.
+            1:8 error P290 IF and WHILE take one comparison, directly inside their brackets.
+                = OR: write two IF with the same target, one below the other. AND: let the first IF jump over the second where it does not hold.
         "#]],
     );
     check_block(

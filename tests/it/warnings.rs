@@ -1,5 +1,7 @@
 //! Warnings that a senior programmer would give: programs that raise them, with wording and place, and programs that must not.
 
+mod each;
+
 use std::rc::Rc;
 
 use expect_test::{Expect, expect};
@@ -20,14 +22,17 @@ struct Case<'a> {
 const E60: Case = Case { control: "mitsubishi-e60", switches: &[], start: None, set: &[] };
 const GSK: Case = Case { control: "gsk-980tdc", ..E60 };
 const KND: Case = Case { control: "knd-k2000t", ..E60 };
+const NAMED: Case = Case { control: "sinumerik-802d", ..E60 };
 
 impl Case<'_> {
-    /// The program stands in `%`; line 1 of `text` is line 2 of the file, as if it stood in line 1 of its own.
+    /// The program stands in `%`, or has a head where programs have names; line 1 of `text` is line 2 of the file, as if it stood in line 1 of its own.
     fn review(&self, text: &str) -> (String, Vec<Diagnostic>) {
-        let text = format!("%\n{text}\n%\n");
+        let control = find(self.control).unwrap();
+        let text =
+            if control.syntax.names.is_some() { format!("%_N_MAIN_MPF\n{text}\n") } else { format!("%\n{text}\n%\n") };
         let switches = self.switches.iter().map(|(id, value)| (id.to_string(), value.to_string())).collect();
         let files = Files::one("O1.nc", text.as_str());
-        let parsed = nc::parse_with(&files, find(self.control).unwrap(), &Switches(switches));
+        let parsed = nc::parse_with(&files, control, &Switches(switches));
         let found = review(&Rc::new(parsed), self.start, self.set);
         (text, found)
     }
@@ -518,8 +523,144 @@ fn macro_functions_by_number_are_left_alone() {
 }
 
 #[test]
-fn a_text_with_errors_is_mended_first() {
+fn what_depends_on_a_block_that_does_not_read_is_left_open() {
     // What the first block sets is not known, so nothing is said of who reads it.
     let (_, found) = E60.review("O1\n#5=(1+2)\nX#5\nGOTO9\nX1.\nN9 M30");
     assert!(found.iter().all(|d| d.alarm.is_some()), "{found:#?}");
+    // It may call, test, and say what F is per.
+    let (_, found) =
+        GSK.review("O1\nG99 G01 X#1.\nIF[#100 LT 1 GOTO9\n#101=5/#100\nG01 Z#101 F0.2\nM98 P[2\nN9 M30\nO2\nX#1\nM99");
+    assert!(found.iter().all(|d| d.alarm.is_some()), "{found:#?}");
+}
+
+#[test]
+fn what_does_not_depend_on_it_is_told() {
+    E60.check(
+        "O1\n#5=[1+2\n#100=1/3\nIF[#100*3 EQ 1]GOTO9\n#101=5/#102\nG91 G01 X8 F0\nN9 M30\nO2\nGOTO9\nG00 X1.\nN9 M99",
+        expect![[r#"
+            3:4 “[” error nc.unclosed-square
+                This bracket is not closed: ] is missing.
+            5:3 “[#100*3 EQ 1]” warning lint.equal-decimals
+                #100*3 EQ 1 compares every digit, and the value can have decimals: what should be equal may differ in the last one.
+                = Compare by GE, GT, LE or LT, or within a tolerance: ABS[a-b] LT 0.0001.
+            6:8 “#102” warning lint.zero-divisor
+                #102 can be 0, and nothing compares it before: dividing by it would stop with P283.
+                = Test it before: IF[#102 LE 0]GOTO …
+            6:8 “#102” info lint.unset-common
+                To be set on the screen before the start, as no program here does: #102. What is not set is vacant, and counts as 0 in formulas.
+            7:9 “X8” warning lint.no-point
+                X8 is 0.008 mm: without its point a number counts increments (1× behind X in this program).
+                Add the point: X8.: X8→X8.
+                Write what it is now: X0.008: X8→X0.008
+            7:12 “F0” warning lint.feed-zero-digit
+                F0 is no feed: a cutting motion stops with an alarm, or runs in rapid traverse where #1079 is 1. Jump over the motion, or wait by G04.
+            11:1 “G00 X1.” warning lint.unreachable
+                Nothing leads here: this block and what follows it (1 in a row) never run. Jump here, or delete them.
+        "#]],
+    );
+}
+
+#[test]
+fn messages_longer_than_the_control_shows() {
+    E60.check(
+        "O1\nIF[#1033 LT 5]GOTO9\nM30\nN9 #3000=1(THE RIBBON IS AT ITS END, PUT IN ANOTHER)",
+        expect![[r#"
+        5:43 “N ANOTHER” warning lint.long-message
+            The message has 40 characters, and the control shows 31: this end is cut off.
+    "#]],
+    );
+    KND.check(
+        "O1\n#3006=1(TURN THE PART ROUND, CLOSE THE CHUCK)\nM30",
+        expect![[r#"
+        3:40 “CHUCK” warning lint.long-message
+            The message has 36 characters, and the control shows 31: this end is cut off.
+    "#]],
+    );
+    NAMED.check(
+        "G0 X1\nMSG(\"The ribbon is at its end, please put in another one, and press start\")\nM30",
+        expect![[r#"
+            3:71 “art” warning lint.long-message
+                The message has 68 characters, and the control shows 65: this end is cut off.
+        "#]],
+    );
+    // As long as it may be; a comment.
+    E60.quiet("O1\n#3006=1(ABCDEFGHIJKLMNOPQRSTUVWXYZABCDE)\n#3003=0(ABCDEFGHIJKLMNOPQRSTUVWXYZABCDEFGHIJKL)\nM30");
+}
+
+#[test]
+fn sequence_numbers_that_stand_twice() {
+    E60.check("O1\nIF[#1033 EQ 1]GOTO5\nN5 G00 X1.\nN5 G00 X2.\nN7 M5\nN7 M30", expect![[r#"
+        5:1 “N5” warning lint.number-twice
+            N5 stands twice, here and in line 4: a jump to it goes to the one that comes first from the jump on, and at the end from the head of the program. Give one of them a number of its own.
+    "#]]);
+    // By a calculated number it may be meant.
+    GSK.check("O1\n#100=#1033\nGOTO#100\nN7 M5\nN7 M30", expect![[r#"
+        6:1 “N7” warning lint.number-twice
+            N7 stands twice, here and in line 5: a jump to it goes to the one that comes first from the jump on, and at the end from the head of the program. Give one of them a number of its own.
+    "#]]);
+    // Nothing jumps to it; each program has its own.
+    E60.quiet("O1\nN5 G00 X1.\nN5 G00 X2.\nM30");
+    E60.quiet("O1\nGOTO5\nN5 M98 P2\nM30\nO2\nGOTO5\nN5 M99");
+}
+
+#[test]
+fn conditions_that_always_hold() {
+    E60.check(
+        "O1\nWHILE[1 EQ 1]DO1\nG91 G01 X1. F100\nEND1\nM5\nM30",
+        expect![[r#"
+        6:1 “M5” warning lint.unreachable
+            Nothing leads here: this block and what follows it (1 in a row) never run. Jump here, or delete them.
+    "#]],
+    );
+    E60.check(
+        "O1\nIF[1 EQ 1]GOTO9\nG91 G01 X1. F100\nN9 M30",
+        expect![[r#"
+        4:1 “G91 G01 X1. F100” warning lint.unreachable
+            Nothing leads here: this block and what follows it (1 in a row) never run. Jump here, or delete them.
+    "#]],
+    );
+    E60.check(
+        "O1\nWHILE[1 EQ 2]DO1\nG91 G01 X1. F100\nEND1\nM30",
+        expect![[r#"
+        4:1 “G91 G01 X1. F100” warning lint.unreachable
+            Nothing leads here: this block and what follows it (2 in a row) never run. Jump here, or delete them.
+    "#]],
+    );
+    // A way out of it; a program that ends in such a loop needs no other end.
+    E60.quiet("O1\nWHILE[1 EQ 1]DO1\nG91 G01 X1. F100\nIF[#1033 EQ 1]GOTO9\nEND1\nN9 M30");
+    E60.quiet("O1\nWHILE[1 EQ 1]DO1\nG91 G01 X1. F100\nEND1");
+}
+
+#[test]
+fn programs_that_are_called_and_not_here() {
+    E60.check(
+        "O1\nM98 P77\nG65 P77 A1.\nG65 P9810 A1.\nM30",
+        expect![[r#"
+        3:5 “P77” warning lint.no-such-program
+            O77 is in none of these files: the call stops with P232 unless the control has it in its memory.
+        5:5 “P9810” info lint.no-such-program
+            O9810 is in none of these files: the call stops with P232 unless the control has it in its memory.
+    "#]],
+    );
+    KND.check(
+        "O1\nM98 P30077\nM30",
+        expect![[r#"
+        3:5 “P30077” warning lint.no-such-program
+            O77 is in none of these files: the call stops with 078 unless the control has it in its memory.
+    "#]],
+    );
+    NAMED.check(
+        "L77\nKEYWAY P3\nM30",
+        expect![[r#"
+        2:1 “L77” warning lint.no-such-program
+            L77 is in none of these files: the call stops with 14011 unless the control has it in its memory.
+        3:1 “KEYWAY” warning lint.no-such-program
+            KEYWAY is in none of these files: the call stops with 14011 unless the control has it in its memory.
+    "#]],
+    );
+    E60.check("O1\nM98\nM30", expect![[r#"
+        3:1 “M98” warning lint.calls-itself
+            M98 without P calls the program that it stands in once more, from its head, and so on until subprograms are nested too deep. Write P and the number of the program.
+    "#]]);
+    E60.quiet("O1\nM98 H5 L2\nM30\nN5 G00 X1.\nM99");
 }

@@ -8,6 +8,9 @@ use super::{Lint, NONE};
 use crate::controls::{Control, VarKind};
 use crate::order;
 
+/// Sequence numbers of one program that are told to stand twice.
+const TWICE: usize = 20;
+
 /// A jump to a calculated sequence number: to any.
 pub(super) const ANY: u32 = NONE - 1;
 
@@ -88,12 +91,19 @@ impl<'a> Flow<'a> {
                 // A `/` in the middle of a block makes what follows it optional.
                 (NONE, self.roles.block(words) & (END | RETURN) == 0 || words.iter().any(|word| word.letter == b'/'))
             }
-            Stmt::If { target, way, .. } => (self.jump(target, at, way), true),
+            Stmt::If { cond, target, way } => match self.deck.holds(cond) {
+                Some(true) => (self.jump(target, at, way), false),
+                Some(false) => (NONE, true),
+                None => (self.jump(target, at, way), true),
+            },
             Stmt::Goto { target, way } => (self.jump(target, at, way), false),
             // To one of several.
             Stmt::Ifs { .. } => (ANY, true),
             // Behind the END is beyond all blocks where it is the last: a jump to nowhere.
-            Stmt::While { cond: Some(_), .. } => (partner().saturating_add(1), true),
+            Stmt::While { cond: Some(cond), .. } => match self.deck.holds(cond) {
+                Some(true) => (NONE, true),
+                holds => (partner().saturating_add(1), holds.is_none()),
+            },
             Stmt::End { .. } => (partner(), false),
             Stmt::Assign { to, .. } => (NONE, !self.is_alarm(to)),
             _ => (NONE, true),
@@ -113,6 +123,32 @@ impl<'a> Flow<'a> {
             at += 1;
         }
         matches!(self.blocks.get(at as usize), Some(Block { stmt: Stmt::Assign { to, .. }, .. }) if self.is_alarm(*to))
+    }
+
+    /// Tells sequence numbers that stand twice, where something jumps to them.
+    pub(super) fn twice(&self, lint: &mut Lint, facts: &Facts) {
+        if self.control.syntax.names().is_some() {
+            // Jumps there say where they look.
+            return;
+        }
+        let mut told = 0;
+        for pair in self.numbers.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+            let number = pair[0].0;
+            let to = |target: ExprId| match self.deck.expr(target) {
+                Expr::Number(target) => whole(WordValue::Number(target)).map(u64::from) == Some(number),
+                _ => true,
+            };
+            let entered =
+                facts.entries.iter().any(|row| (row.0 == NONE || row.0 == self.program) && u64::from(row.1) == number);
+            let jumped = || self.blocks.iter().any(|block| self.deck.jumps_of(block.stmt).any(|jump| to(jump.1)));
+            if told < TWICE && (entered || facts.any_entry || jumped()) {
+                told += 1;
+                let [first, second] = [pair[0], pair[1]].map(|row| self.base + row.1 as u32);
+                let span = lint.number(second);
+                let line = lint.line(first);
+                lint.say(second, span, "lint.number-twice", &[&line], "");
+            }
+        }
     }
 
     /// Tells blocks that nothing leads to, each row of them once.

@@ -43,7 +43,7 @@ pub(super) fn loops(lint: &mut Lint, facts: &Facts, flows: &[Flow]) {
     let Some(flow) = flows.first() else { return };
     let mut at = 0;
     while let Some(&program) = called.get(at).filter(|_| at < CALLED) {
-        if !called[..at].contains(&program) {
+        if !called[..at].contains(&program) && !facts.parts[program as usize].faulty {
             let flow = Flow::new(flow.deck, flow.control, flow.roles, program as usize);
             let end = flow.blocks.len().saturating_sub(1) as u32;
             pass(lint, &flow, facts, (0, end), &mut called);
@@ -88,7 +88,7 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
         cuts |= bits & (LINEAR | CURVED) != 0;
         rests |= bits & SPINDLE_REST != 0;
         for word in words {
-            moves |= flow.control.axis(word.letter).is_some();
+            moves |= flow.control.axis_letters().any(|letter| letter == word.letter);
             let role = if word.letter == b'M' { flow.roles.word(word) } else { 0 };
             let function = if word.letter == b'S' || role & SPINDLE != 0 {
                 &mut spindle

@@ -1,10 +1,12 @@
 //! Warnings that a senior programmer would give about programs that read well: what will not do what was meant.
 //!
-//! A few linear looks at the tree, each with a budget. Looks that follow jumps and values are left out while the text has errors: what
-//! does not read is not known. Each warning is meant to be right; where the text leaves a doubt, nothing is said.
+//! A few linear looks at the tree, each with a budget. Jumps are not followed in programs with errors, and of variables that stand in blocks
+//! that do not read nothing is known. Each warning is meant to be right; where the text leaves a doubt, nothing is said.
 
+mod faulty;
 mod flow;
 mod loops;
+mod messages;
 mod roles;
 mod settings;
 mod short;
@@ -53,11 +55,12 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     settings::call_parameters(&mut lint);
     let facts = words::survey(&mut lint, &roles);
     facts.main_returns(&mut lint);
-    if !parsed.has_errors() && !facts.functions {
+    if !facts.functions {
         let mut flows: Vec<Flow> = Vec::new();
-        for program in (0..deck.programs.len()).filter(|&program| facts.parts[program].bends) {
+        for program in (0..deck.programs.len()).filter(|&program| facts.parts[program].follows()) {
             let flow = Flow::new(deck, lint.control, &roles, program);
             flow.unreachable(&mut lint, &facts);
+            flow.twice(&mut lint, &facts);
             flows.push(flow);
         }
         loops::loops(&mut lint, &facts, &flows);
@@ -99,6 +102,24 @@ impl Lint<'_> {
     fn place(&self, block: u32, span: Span) -> Place {
         let program = self.deck.programs.partition_point(|program| program.end <= block);
         Place { file: self.deck.programs.get(program).map_or_else(Default::default, |program| program.file), span }
+    }
+
+    /// The sequence number of a block, with its letter.
+    fn number(&self, block: u32) -> Span {
+        let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
+        let text = self.parsed.text(self.place(block, span)).as_bytes();
+        let start = text.iter().position(|b| b | 0x20 == b'n').unwrap_or(0);
+        let behind = text.get(start + 1..).unwrap_or_default();
+        let len = behind.iter().take_while(|b| b.is_ascii_digit() || **b == b' ').count();
+        Span::new(span.start + start as u32, span.start + (start + 1 + len).min(text.len()) as u32)
+    }
+
+    /// The line that a block stands in, from 1.
+    fn line(&self, block: u32) -> String {
+        let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
+        let file = self.parsed.files().get(self.place(block, span).file);
+        let before = file.and_then(|file| file.text.as_bytes().get(..span.start as usize)).unwrap_or_default();
+        (before.iter().filter(|b| **b == b'\n').count() + 1).to_string()
     }
 
     /// A part of a formula of a block; the block where it is not found again.

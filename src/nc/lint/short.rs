@@ -21,6 +21,8 @@ const NEEDED: u32 = LINEAR | INCREMENTAL | PER_MINUTE | CUTTING;
 pub(super) struct Short {
     control: &'static Control,
     increments: u32,
+    /// Axes that can do so count diameters.
+    diameters: bool,
     /// Of [`NEEDED`], what is in force.
     modes: u32,
     /// Millimetres that a block needs at the feed in force, and the fastest feed of any axis.
@@ -44,6 +46,7 @@ impl Short {
         Short {
             control: lint.control,
             increments,
+            diameters: !lint.is("diameter", "radius"),
             modes,
             limit: 0.0,
             fastest,
@@ -93,16 +96,21 @@ impl Short {
         if bits & (ABSOLUTE | OTHER_FEED | BREAKS) != 0 {
             self.stop(bits);
         }
-        let (mut square, mut moves, mut certain) = (0.0, false, self.modes == NEEDED);
+        let (mut square, mut moves, mut certain) = (0.0, false, self.modes | INCREMENTAL == NEEDED);
+        let axes = self.control.axes;
         for word in words {
             if word.letter == b'F' {
                 // Millimetres = mm/min * s / 60.
                 let feed = self.value(word).map_or(0.0, |feed| feed.min(self.fastest));
                 self.limit = feed * self.control.timing.block / 60.0;
-            } else if self.control.axis(word.letter).is_some() {
+            } else if let Some(axis) =
+                axes.iter().find(|axis| axis.letter == word.letter || axis.incremental == Some(word.letter))
+            {
                 moves = true;
+                certain &= self.modes & INCREMENTAL != 0 || axis.letter != word.letter;
+                let scale = if axis.diameter && self.diameters { 0.5 } else { 1.0 };
                 match self.value(word) {
-                    Some(length) => square += length * length,
+                    Some(length) => square += length * length * scale * scale,
                     None => certain = false,
                 }
             }

@@ -1,6 +1,7 @@
 //! Every variable of a deck with what all programs together do to it.
 
 use super::super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, WordValue};
+use super::faulty::variables;
 use super::words::{Call, Facts};
 use super::{Lint, NONE};
 use crate::controls::macros::ARGUMENT;
@@ -133,12 +134,30 @@ impl<'a> Vars<'a> {
         for call in facts.calls.iter().filter(|call| call.with_locals) {
             vars.arguments(increments, call);
         }
+        for &(program, at) in &facts.bad {
+            vars.unread(lint, program, at);
+        }
         for (index, program) in lint.deck.programs.iter().enumerate() {
             for (at, block) in (program.first..).zip(lint.deck.blocks_of(program)) {
                 vars.block(Site { block: at, group: vars.group[index], id: ExprId(NONE) }, block);
             }
         }
         vars
+    }
+
+    /// What a block names that does not read, it may set and test: nothing is said of it.
+    fn unread(&mut self, lint: &Lint, program: u32, at: u32) {
+        let span = self.deck.blocks.get(at as usize).map_or_else(Span::default, |block| block.span);
+        let text = lint.parsed.text(lint.place(at, span));
+        let (numbers, any) = variables(text, self.control.syntax.variable);
+        self.wild |= any;
+        for number in numbers {
+            if let Some(var) = self.make(self.group[program as usize], number) {
+                var.sets += 1;
+                var.compared = (0, NONE);
+                var.nonzero = false;
+            }
+        }
     }
 
     fn root(&self, program: u32) -> u32 {

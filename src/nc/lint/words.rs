@@ -6,12 +6,19 @@ use super::roles::{
     CALL, CURVED, DWELL, EACH_BLOCK, END, INCH, LINEAR, OTHER_FEED, PER_MINUTE, RAPID, RETURN, Roles, SPECIAL, SUB,
 };
 use super::short::Short;
-use super::{Lint, NONE};
+use super::{Lint, NONE, messages};
 use crate::controls::syntax::long;
-use crate::controls::{Code, ParamRole};
+use crate::controls::{Alarm, Code, ParamRole};
 use crate::msg;
 use crate::text::catalog::number_text;
-use crate::text::{Fix, Message, Place, Span};
+use crate::text::find;
+use crate::text::{Fix, Message, Place, Severity, Span};
+
+/// Programs from this number on are the builder's and the user's standard programs: they are on the machine, and they are called.
+const STANDARD: u32 = 8000;
+
+/// Programs that are told to be missing.
+const MISSED: usize = 100;
 
 /// Places of one kind that a fix reaches.
 const PLACES: usize = 1000;
@@ -40,9 +47,18 @@ pub(super) struct Part {
     pub(super) each_block: bool,
     /// A block in it may go elsewhere than to the next.
     pub(super) bends: bool,
+    /// There is an error in it.
+    pub(super) faulty: bool,
     /// Returns of it, `M99`, and the block of the last one.
     returns: u32,
     return_at: u32,
+}
+
+impl Part {
+    /// Whether it is worth while to follow its jumps, and they are known.
+    pub(super) fn follows(&self) -> bool {
+        self.bends && !self.faulty
+    }
 }
 
 /// A call of a program by its number.
@@ -69,6 +85,10 @@ pub(super) struct Facts {
     pub(super) entries: Vec<(u32, u32)>,
     /// Calls or returns go to calculated sequence numbers.
     pub(super) any_entry: bool,
+    /// Numbers of programs that are called and not here.
+    missed: Vec<u32>,
+    /// Blocks that do not read, with the indices of their programs.
+    pub(super) bad: Vec<(u32, u32)>,
     /// Variables and jumps are written as `G65 H`, which nothing here follows.
     pub(super) functions: bool,
 }
@@ -86,6 +106,7 @@ struct Pointless {
 pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
     let deck = lint.deck;
     let mut facts = Facts { parts: vec![Part::default(); deck.programs.len()], ..Facts::default() };
+    facts.errors(lint);
     let increments = lint.increments();
     let mut units = Units::default();
     for (index, program) in (0..).zip(&deck.programs) {
@@ -99,10 +120,15 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
         for (at, block) in (program.first..).zip(deck.blocks_of(program)) {
             if !matches!(block.stmt, Stmt::Words { .. }) {
                 bends |= block.stmt != Stmt::Empty;
-                if let Stmt::Call { name, .. } = block.stmt
-                    && let Some(to) = deck.program_named(deck.text(Some(name)))
-                {
-                    facts.call(Call { block: at, from: index, to, with_locals: false });
+                if let Stmt::Bad(_) = block.stmt {
+                    units.written |= facts.bad_block(lint, (index, at), block);
+                }
+                messages::length(lint, at, block);
+                if let Stmt::Call { name, .. } = block.stmt {
+                    match deck.program_named(deck.text(Some(name))) {
+                        Some(to) => facts.call(Call { block: at, from: index, to, with_locals: false }),
+                        None => lint.missing_name(at, block, deck.text(Some(name))),
+                    }
                 }
                 short.macro_block(&block.stmt);
                 continue;
@@ -192,7 +218,7 @@ fn collect(rows: &mut Vec<Pointless>, at: u32, block: &Block, words: &[Word], ki
 
 impl Facts {
     /// Notes calls, returns and ends of a block, both by index.
-    fn note(&mut self, lint: &Lint, roles: &Roles, (program, block): (u32, u32), words: &[Word], bits: u32) {
+    fn note(&mut self, lint: &mut Lint, roles: &Roles, (program, block): (u32, u32), words: &[Word], bits: u32) {
         let number = |letter: u8| words.iter().find(|word| word.letter == letter).map(|word| whole(word.value));
         let Some(part) = self.parts.get_mut(program as usize) else { return };
         part.ends |= bits & END != 0;
@@ -209,9 +235,20 @@ impl Facts {
             let to = match (roles.called(words), number(b'P')) {
                 (Some(number), _) => lint.program(number),
                 (None, Some(Some(number))) => {
-                    lint.program(if sub && macros.repeats_in_p { number % 10_000 } else { number })
+                    let called = if sub && macros.repeats_in_p { number % 10_000 } else { number };
+                    let to = lint.program(called);
+                    // Of repeats in P the reader tells.
+                    if to.is_none() && (called <= 9999 || lint.program(called % 10_000).is_none()) {
+                        self.missing(lint, block, words, called);
+                    }
+                    to
                 }
-                (None, None) => sub.then_some(program),
+                (None, None) => {
+                    if sub && macros.sub_sequence && number(b'H').is_none() {
+                        lint.say_word(block, words, b'M', "lint.calls-itself", &[]);
+                    }
+                    sub.then_some(program)
+                }
                 (None, Some(None)) => {
                     self.any_called = true;
                     None
@@ -225,6 +262,19 @@ impl Facts {
             {
                 part.each_block |= bits & EACH_BLOCK != 0;
                 self.call(Call { block, from: program, to, with_locals: !sub });
+            }
+        }
+    }
+
+    /// A call of a program that is in none of the files, each such program once. Those from 8000 on are the builder's and the user's
+    /// standard programs: they are on the machine.
+    fn missing(&mut self, lint: &mut Lint, block: u32, words: &[Word], number: u32) {
+        if !self.missed.contains(&number) && self.missed.len() < MISSED {
+            self.missed.push(number);
+            let alarm = lint.control.alarm_number(Alarm::NoProgram).unwrap_or("");
+            lint.say_word(block, words, b'P', "lint.no-such-program", &[&format!("O{number}"), alarm]);
+            if let Some(finding) = lint.found.last_mut().filter(|_| number >= STANDARD) {
+                finding.severity = Severity::Info;
             }
         }
     }
@@ -253,15 +303,15 @@ impl Facts {
             return;
         }
         let ends = self.any_called || self.parts.iter().any(|part| part.ends);
-        // Numbers from 8000 on are the builder's and the user's standard programs: they are called.
         let main = match lint.start {
             Some(number) => lint.program(number),
-            None => lint.deck.programs.first().filter(|row| row.number < 8000 && !ends).map(|_| 0),
+            None => lint.deck.programs.first().filter(|row| row.number < STANDARD && !ends).map(|_| 0),
         };
         let end = lint.control.codes.iter().find(|row| row.code == Code::EndRewind);
         if let (Some(main), Some(end)) = (main, end)
             && let Some(part) = self.parts.get(main as usize)
             && part.returns > 0
+            && !part.faulty
             && !part.called
             && !part.ends
             && let Some(block) = lint.deck.blocks.get(part.return_at as usize)
@@ -346,6 +396,29 @@ impl Pointless {
 }
 
 impl Lint<'_> {
+    /// Says a sentence about the word with a letter in a block, or the block itself.
+    fn say_word(&mut self, block: u32, words: &[Word], letter: u8, id: &'static str, more: &[&str]) {
+        let Some(row) = self.deck.blocks.get(block as usize) else { return };
+        let span = words.iter().find(|word| word.letter == letter).map_or(row.span, |word| word.span(row));
+        self.say(block, span, id, more, "");
+    }
+
+    /// A call by a name that no program here has, where the reader has nothing to say of it.
+    fn missing_name(&mut self, at: u32, block: &Block, name: &str) {
+        let place = self.place(at, block.span);
+        let within = |other: Place| {
+            other.file == place.file && place.span.start <= other.span.start && other.span.end <= place.span.end
+        };
+        if self.parsed.diagnostics().iter().filter_map(|finding| finding.place).any(within) {
+            return;
+        }
+        let text = self.parsed.text(place).to_ascii_uppercase();
+        let start = place.span.start + find::last(&text, name).unwrap_or(0) as u32;
+        let span = Span::new(start, (start + name.len() as u32).min(place.span.end));
+        let alarm = self.control.alarm_number(Alarm::NoProgram).unwrap_or("");
+        self.say(at, span, "lint.no-such-program", &[name, alarm], "");
+    }
+
     /// Mends the last finding by another text for each of these words of its file.
     fn fix(&mut self, title: Message, words: &[(Span, Dec)], text: &dyn Fn(Dec) -> String) {
         if let Some(finding) = self.found.last_mut()

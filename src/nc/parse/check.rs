@@ -10,6 +10,12 @@ use crate::msg;
 use crate::order;
 use crate::text::{Diagnostic, Message, Place, Span, find};
 
+/// Blocks that are searched for the end of a loop.
+const SEARCHED: usize = 10_000;
+
+/// Number of a loop that does not read.
+const ANY: u16 = 0;
+
 /// Checks every program; `later` are its blocks with calls and jumps in words.
 pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u32], found: &mut Vec<Diagnostic>) {
     let again = again(&deck.programs);
@@ -51,6 +57,16 @@ fn again(programs: &[Program]) -> Vec<bool> {
     again
 }
 
+/// Whether a loop that is open ends in these blocks, before another of its number begins.
+fn ends_in(blocks: &[Block], label: u16) -> bool {
+    let found = blocks.iter().take(SEARCHED).find_map(|block| match block.stmt {
+        Stmt::End { label: other } if other == label => Some(true),
+        Stmt::While { label: other, .. } if other == label => Some(false),
+        _ => None,
+    });
+    found == Some(true)
+}
+
 pub(super) struct Check<'a> {
     pub(super) deck: &'a Deck,
     pub(super) control: &'a Control,
@@ -82,53 +98,90 @@ impl Check<'_> {
     fn loops(&mut self) {
         let deck = self.deck;
         let blocks = deck.blocks_of(self.program);
-        // A loop head or end that does not read was reported; its partner is not to blame.
-        let unread = |b: &Block| matches!(b.stmt, Stmt::Bad(_)) && self.names_loop(b);
-        if blocks.iter().any(unread) {
-            return;
-        }
         let deepest = self.control.syntax.do_depth as usize;
+        // Loops that are open; a head that does not read was reported, and its end is not to blame.
         let mut open: Vec<(u16, &Block)> = Vec::new();
-        for block in blocks {
-            match block.stmt {
+        for (at, block) in blocks.iter().enumerate() {
+            let rest = blocks.get(at + 1..).unwrap_or_default();
+            let stmt = match block.stmt {
+                Stmt::Bad(_) => self.unread_loop(block),
+                stmt => stmt,
+            };
+            match stmt {
                 Stmt::While { label, .. } => {
                     let span = self.keyword_span(block, "DO");
                     if open.len() == deepest {
+                        if let Stmt::Bad(_) = block.stmt {
+                            return;
+                        }
                         return self.report(Alarm::DoNesting, span, msg!("nc.do-nesting", deepest as u32));
                     }
-                    if open.iter().any(|(other, _)| *other == label) {
+                    if label != ANY && open.iter().any(|(other, _)| *other == label) {
                         self.report(Alarm::DoPair, span, msg!("nc.do-within-itself", u32::from(label)));
                     }
                     open.push((label, block));
                 }
-                Stmt::End { label } => match open.iter().rposition(|(other, _)| *other == label) {
-                    Some(at) if at + 1 == open.len() => {
-                        open.pop();
+                Stmt::End { label } => {
+                    match open.iter().rposition(|(other, _)| *other == label || label == ANY || *other == ANY) {
+                        Some(at) if at + 1 == open.len() => {
+                            open.pop();
+                        }
+                        Some(at) => {
+                            // Of a loop without an END its DO is told.
+                            for (inner, head) in open.split_off(at + 1) {
+                                if ends_in(rest, inner) {
+                                    open.push((inner, head));
+                                } else {
+                                    self.no_end_of_loop(inner, head);
+                                }
+                            }
+                            let inner = open.get(at + 1..).and_then(|inner| Some(u32::from(inner.last()?.0)));
+                            if let Some(inner) = inner.filter(|_| !matches!(block.stmt, Stmt::Bad(_))) {
+                                let span = self.keyword_span(block, "END");
+                                self.report(Alarm::DoPair, span, msg!("nc.do-crossing", u32::from(label), inner));
+                            }
+                            open.remove(at);
+                        }
+                        None if self.found.len() > 2 * FINDINGS => return,
+                        None if matches!(block.stmt, Stmt::Bad(_)) => {}
+                        None => {
+                            let span = self.keyword_span(block, "END");
+                            self.report(Alarm::DoPair, span, msg!("nc.end-without-do", u32::from(label)));
+                        }
                     }
-                    Some(at) => {
-                        let inner = open.last().map_or(0, |(label, _)| u32::from(*label));
-                        let span = self.keyword_span(block, "END");
-                        self.report(Alarm::DoPair, span, msg!("nc.do-crossing", u32::from(label), inner));
-                        open.remove(at);
-                    }
-                    None if self.found.len() > 2 * FINDINGS => return,
-                    None => {
-                        let span = self.keyword_span(block, "END");
-                        self.report(Alarm::DoPair, span, msg!("nc.end-without-do", u32::from(label)));
-                    }
-                },
+                }
                 _ => {}
             }
         }
         for (label, block) in open {
-            let span = self.keyword_span(block, "DO");
+            self.no_end_of_loop(label, block);
+        }
+    }
+
+    /// A loop without an END; a head that does not read was reported.
+    fn no_end_of_loop(&mut self, label: u16, head: &Block) {
+        if !matches!(head.stmt, Stmt::Bad(_)) {
+            let span = self.keyword_span(head, "DO");
             self.report(Alarm::DoPair, span, msg!("nc.do-without-end", u32::from(label)));
         }
     }
 
-    fn names_loop(&self, block: &Block) -> bool {
+    /// The loop that a block that does not read opens or ends, by what can be made out of it.
+    fn unread_loop(&self, block: &Block) -> Stmt {
         let text = block.span.of(self.text).to_ascii_uppercase();
-        ["DO", "END", "WHILE"].iter().any(|word| find::holds(&text, word))
+        let text = text.split('(').next().unwrap_or("");
+        // With the number behind it, if one stands there.
+        let label = |keyword: &str| {
+            let behind = text.get(find::last(text, keyword)? + keyword.len()..).unwrap_or("").trim_start();
+            let digits = behind.bytes().take_while(u8::is_ascii_digit).count();
+            let label: Option<u16> = behind.get(..digits).and_then(|digits| digits.parse().ok());
+            Some(label.filter(|&label| (1..=self.control.syntax.do_max).contains(&label.into())).unwrap_or(ANY))
+        };
+        match (label("DO").or_else(|| find::holds(text, "WHILE").then_some(ANY)), label("END")) {
+            (Some(label), _) => Stmt::While { cond: None, label },
+            (None, Some(label)) => Stmt::End { label },
+            (None, None) => block.stmt,
+        }
     }
 
     /// Jumps to a constant number that is not in the program.
@@ -269,7 +322,7 @@ impl Check<'_> {
                     Stmt::While { cond, label: other } if other == label => Some(cond),
                     _ => None,
                 });
-                !matches!(heads, Some(None))
+                heads.is_none_or(|cond| cond.is_some_and(|cond| self.deck.holds(cond) != Some(true)))
             }
             Stmt::Assign { to, .. } => {
                 let Expr::Var(number) = self.deck.expr(to) else { return true };

@@ -368,7 +368,7 @@ impl Reader<'_> {
             let message = if self.names().is_some() { msg!("nc.unclosed-group") } else { msg!("nc.unclosed-square") };
             return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false));
         }
-        if let Some(lost) = self.lost_comparison(Alarm::Format) {
+        if let Some(lost) = self.lost_comparison(self.sentence) {
             return Err(lost);
         }
         let mut failure = self.unexpected();

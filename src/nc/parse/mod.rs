@@ -304,6 +304,8 @@ struct Reader<'a> {
     bad: Option<Alarm>,
     depth: u32,
     parts: u32,
+    /// The alarm of the condition at hand, where one is read.
+    sentence: Alarm,
     /// The comparison of the block: where it stands, and what it is.
     compared: (usize, usize, Op),
     /// Blocks with calls and jumps in words, to be looked at when all is read.
@@ -359,6 +361,7 @@ impl<'a> Reader<'a> {
             bad: None,
             depth: 0,
             parts: 0,
+            sentence: Alarm::Format,
             compared: (0, 0, Op::Equal),
             later: Vec::new(),
             numbers: Vec::new(),
@@ -601,6 +604,7 @@ impl<'a> Reader<'a> {
         self.bad = None;
         self.depth = 0;
         self.parts = 0;
+        self.sentence = Alarm::Format;
     }
 
     /// `O9100(TITLE)` at the head of a line: starts a program. False where the letter is an ordinary address.

@@ -32,6 +32,9 @@ pub(super) const SIGNS: [(&str, Op, bool); 13] = [
     ("≤", Op::LessEqual, false),
 ];
 
+/// What would join conditions.
+const JOINTS: [&str; 5] = ["AND", "OR", "XOR", "&&", "||"];
+
 /// Words that open a macro statement.
 const KEYWORDS: [&str; 5] = ["IF", "GOTO", "WHILE", "DO", "END"];
 
@@ -85,7 +88,7 @@ impl Reader<'_> {
             }
             Some("WHILE") => {
                 let cond = self.condition(Alarm::WhileSentence, "WHILE")?;
-                self.skip();
+                self.no_other_condition(Alarm::WhileSentence)?;
                 if !self.take("DO") {
                     return Err(self.while_without_do(start));
                 }
@@ -115,7 +118,7 @@ impl Reader<'_> {
     /// What stands behind `IF`.
     fn if_statement(&mut self, start: usize) -> Read<Stmt> {
         let cond = self.condition(Alarm::IfSentence, "IF")?;
-        self.skip();
+        self.no_other_condition(Alarm::IfSentence)?;
         let then = self.at;
         let named = self.take("THEN");
         let behind = self.at;
@@ -178,6 +181,13 @@ impl Reader<'_> {
 
     /// `[ expr comparison expr ]`.
     pub(super) fn condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
+        self.sentence = alarm;
+        let cond = self.bracketed_condition(alarm, keyword);
+        self.sentence = Alarm::Format;
+        cond
+    }
+
+    fn bracketed_condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
         let start = self.at;
         let byte = self.skip();
         let close = match byte {
@@ -255,7 +265,27 @@ impl Reader<'_> {
     pub(super) fn lost_comparison(&self, alarm: Alarm) -> Option<Box<Failure>> {
         let signs = SIGNS.iter().map(|(sign, ..)| *sign).filter(|sign| *sign != "=");
         let word = COMPARISONS.iter().map(|(word, _)| *word).chain(signs).find(|word| self.ahead(word))?;
-        Some(self.failure(alarm, self.at, self.at + word.len(), msg!("nc.lost-comparison"), false))
+        Some(self.one_comparison(alarm, word.len()))
+    }
+
+    /// Nothing joins another condition to the one that was read.
+    fn no_other_condition(&mut self, alarm: Alarm) -> Read<()> {
+        self.skip();
+        match JOINTS.iter().find(|word| self.ahead(word)) {
+            Some(word) => Err(self.one_comparison(alarm, word.len())),
+            None => Ok(()),
+        }
+    }
+
+    /// The failure of a comparison where none, or no other, can stand; `len` bytes ahead show it.
+    fn one_comparison(&self, alarm: Alarm, len: usize) -> Box<Failure> {
+        let condition = matches!(alarm, Alarm::IfSentence | Alarm::WhileSentence);
+        let message = if condition { msg!("nc.two-comparisons") } else { msg!("nc.lost-comparison") };
+        let mut failure = self.failure(alarm, self.at, self.at + len, message, false);
+        if condition {
+            failure.finding = failure.finding.hint(msg!("nc.hint.two-conditions"));
+        }
+        failure
     }
 
     /// The number behind `DO` or `END`.

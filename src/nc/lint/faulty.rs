@@ -1,0 +1,71 @@
+//! What is known of programs with errors, and what is not: blocks that do not read may do anything that they name.
+
+use super::super::ast::Block;
+use super::Lint;
+use super::words::Facts;
+use crate::text::find::holds;
+use crate::text::{Place, Severity};
+
+impl Facts {
+    /// Marks programs with errors.
+    pub(super) fn errors(&mut self, lint: &Lint) {
+        let deck = lint.deck;
+        let start = |index: usize| {
+            let program = &deck.programs[index];
+            let first = deck.blocks_of(program).first().map_or(u32::MAX, |block| block.span.start);
+            // A program that begins with its first block has no place.
+            let head = if program.span.start < program.span.end { program.span.start } else { first };
+            (program.file, head.min(first))
+        };
+        let starts: Vec<_> = (0..deck.programs.len()).map(start).collect();
+        let errors = lint.parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
+        for Place { file, span } in errors.filter_map(|finding| finding.place) {
+            let behind = starts.partition_point(|start| *start <= (file, span.start));
+            if let Some(part) = self.parts.get_mut(behind.saturating_sub(1)) {
+                part.faulty = true;
+            }
+        }
+    }
+
+    /// Notes a block that does not read; whether it may say what F is per.
+    pub(super) fn bad_block(&mut self, lint: &Lint, (program, at): (u32, u32), block: &Block) -> bool {
+        let text = lint.parsed.text(lint.place(at, block.span)).to_ascii_uppercase();
+        let any = |words: &[&str]| words.iter().any(|word| holds(&text, word));
+        self.bad.push((program, at));
+        self.any_called |= lint.control.syntax.names().is_some() || any(&["G65", "G66", "M98"]);
+        self.any_called |= !lint.parsed.calls().is_empty();
+        self.any_entry |= any(&["M98", "M99"]);
+        if let Some(part) = self.parts.get_mut(program as usize) {
+            part.ends |= any(&["M30", "M02", "M2"]);
+        }
+        any(&["G"])
+    }
+}
+
+/// The numbers of the variables that a block names, and whether it names one by a formula.
+pub(super) fn variables(text: &str, letter: char) -> (Vec<u32>, bool) {
+    let (mut numbers, mut any) = (Vec::new(), false);
+    let mut bytes = text.bytes().peekable();
+    while let Some(byte) = bytes.next() {
+        if byte.to_ascii_uppercase() != letter as u8 {
+            continue;
+        }
+        let mut number: Option<u32> = None;
+        while let Some(&next) = bytes.peek() {
+            match next {
+                b' ' => {}
+                b'0'..=b'9' => {
+                    number = Some(number.unwrap_or(0).saturating_mul(10).saturating_add(u32::from(next - b'0')));
+                }
+                b'#' | b'[' | b'(' => {
+                    any |= number.is_none();
+                    break;
+                }
+                _ => break,
+            }
+            bytes.next();
+        }
+        numbers.extend(number);
+    }
+    (numbers, any)
+}

@@ -1,0 +1,28 @@
+//! Messages to the operator that are longer than what the control shows of them.
+
+use super::super::ast::{Block, Expr, Stmt};
+use super::Lint;
+use crate::controls::VarKind;
+use crate::text::Span;
+
+/// Tells a message that is too long, at what is cut off.
+pub(super) fn length(lint: &mut Lint, at: u32, block: &Block) {
+    let text = match block.stmt {
+        Stmt::Assign { to, .. } | Stmt::IfThen { to, .. } => {
+            let Expr::Var(number) = lint.deck.expr(to) else { return };
+            let kind = lint.control.var(number).map(|row| row.kind);
+            block.comment.filter(|_| matches!(kind, Some(VarKind::AlarmMessage | VarKind::StopMessage)))
+        }
+        Stmt::Message(text) => text,
+        _ => return,
+    };
+    let text = lint.deck.text(text);
+    let most = lint.control.syntax.message_chars;
+    let Some((cut, _)) = text.char_indices().nth(most) else { return };
+    let whole = lint.parsed.text(lint.place(at, block.span));
+    let Some(start) = crate::text::find::last(whole, text) else { return };
+    let from = block.span.start + (start + cut) as u32;
+    let span = Span::new(from, block.span.start + (start + text.len()) as u32);
+    let (count, most) = (text.chars().count().to_string(), most.to_string());
+    lint.say(at, span, "lint.long-message", &[&count, &most], "");
+}

@@ -1,0 +1,92 @@
+//! Loops and conditions that do not read, and what is said beside them.
+
+use expect_test::expect;
+
+use super::check_block;
+
+/// One of them hides nothing else, and its partner is not to blame.
+#[test]
+fn loops_beside_one_that_does_not_read() {
+    check_block(
+        "WHILE[#1 LT 5 DO1\nEND1\nDO2\nEND3",
+        expect![[r#"
+        1:6 error P281 This bracket is not closed: ] is missing.
+            Insert “]”: 1:14 ""→"]"
+        3:1 error P294 DO2 has no END2 in this program.
+        4:1 error P294 END3 has no DO3 in front of it.
+    "#]],
+    );
+    check_block(
+        "DO1\nEND\nDO2",
+        expect![[r#"
+        2:1 error P291 END needs a loop number from 1 to 127.
+        3:1 error P294 DO2 has no END2 in this program.
+    "#]],
+    );
+    check_block(
+        "DO\nDO2\nEND2\nEND4\nEND5",
+        expect![[r#"
+        1:1 error P291 DO needs a loop number from 1 to 127.
+        5:1 error P294 END5 has no DO5 in front of it.
+    "#]],
+    );
+    check_block(
+        "WHILE[#1 LT 5]\nDO2\nEND2\nEND1",
+        expect![[r#"
+        1:1 error P291 WHILE [condition] must be followed by DO and a loop number.
+            Insert “DO1”: 1:15 ""→"DO1"
+    "#]],
+    );
+    check_block(
+        "DO1\nDO2\nEND1",
+        expect![[r#"
+        2:1 error P294 DO2 has no END2 in this program.
+    "#]],
+    );
+    check_block(
+        "DO1\nDO2\nEND1\nDO2\nEND2",
+        expect![[r#"
+            2:1 error P294 DO2 has no END2 in this program.
+        "#]],
+    );
+}
+
+#[test]
+fn one_comparison_in_a_condition() {
+    check_block(
+        "IF[#1 EQ 0]AND[#2 EQ 0]GOTO5\nN5",
+        expect![[r#"
+        1:12 error P290 IF and WHILE take one comparison, directly inside their brackets.
+            = OR: write two IF with the same target, one below the other. AND: let the first IF jump over the second where it does not hold.
+    "#]],
+    );
+    check_block(
+        "IF[#1 EQ 0 OR #2 EQ 0]GOTO5\nN5",
+        expect![[r#"
+        1:18 error P290 IF and WHILE take one comparison, directly inside their brackets.
+            = OR: write two IF with the same target, one below the other. AND: let the first IF jump over the second where it does not hold.
+    "#]],
+    );
+    check_block(
+        "WHILE[#1 GT 0]&&[#2 GT 0]DO1\nEND1",
+        expect![[r#"
+        1:15 error P291 IF and WHILE take one comparison, directly inside their brackets.
+            = OR: write two IF with the same target, one below the other. AND: let the first IF jump over the second where it does not hold.
+    "#]],
+    );
+    check_block(
+        "WHILE[[#1 GT 0]XOR[#2 GT 0]]DO1\nEND1",
+        expect![[r#"
+        1:11 error P291 IF and WHILE take one comparison, directly inside their brackets.
+            = OR: write two IF with the same target, one below the other. AND: let the first IF jump over the second where it does not hold.
+    "#]],
+    );
+    check_block(
+        "#1=[#2 EQ 0]",
+        expect![[r#"
+        1:8 error P33 A comparison stands only once, directly inside the brackets of IF or WHILE.
+    "#]],
+    );
+    // Bit by bit of the values that are compared.
+    check_block("IF[#1 AND 1 EQ 1]GOTO5\nN5", expect![[""]]);
+}

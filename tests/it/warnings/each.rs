@@ -1,0 +1,146 @@
+//! Every warning on every control that can have it.
+
+use std::collections::BTreeSet;
+
+use expect_test::expect;
+use macroline::controls;
+
+use super::Case;
+
+/// A warning, with a program that raises it: in the language with variables in `#`, and in that with names; empty where the language
+/// has nothing of the kind.
+struct Row {
+    id: &'static str,
+    program: &'static str,
+    named: &'static str,
+    switches: &'static [(&'static str, &'static str)],
+}
+
+const fn row(id: &'static str, program: &'static str, named: &'static str) -> Row {
+    Row { id, program, named, switches: &[] }
+}
+
+const INCREMENTS: &[(&str, &str)] = &[("decimal-point", "increments"), ("argument-point", "increments")];
+
+const ROWS: &[Row] = &[
+    row(
+        "lint.auxiliary-in-loop",
+        "#1=0\nN1 M8\nG01 X#1 F100\n#1=#1+1\nIF[#1 LT 5]GOTO1",
+        "R1=0\nAB: M8\nG1 X=R1 F.1\nR1=R1+1\nIF R1<5 GOTOB AB",
+    ),
+    row("lint.calls-itself", "M98", ""),
+    row(
+        "lint.equal-decimals",
+        "#1=1/3\nIF[#1*3 EQ 1]GOTO9\nG00 X#1\nN9",
+        "R1=1/3\nIF R1*3==1 GOTOF AB\nG0 X=R1\nAB: M5",
+    ),
+    row("lint.feed-per-minute", "G01 Z-20. F0.15", ""),
+    Row {
+        id: "lint.feed-per-revolution",
+        program: "G01 Z-20. F200",
+        named: "G1 Z-20 F200",
+        switches: &[("startup-feed", "G99")],
+    },
+    row("lint.feed-zero", "G01 X1. F0", "G1 X1 F0"),
+    row("lint.feed-zero-digit", "G01 X1. F0", ""),
+    Row { id: "lint.feed-zero-rapid", program: "G01 X1. F0", named: "", switches: &[("feed-zero", "rapid")] },
+    row("lint.kept-as-scratch", "#2001=#100*2\n#101=#2001+1", ""),
+    row(
+        "lint.long-message",
+        "#3000=1(THE RIBBON IS AT ITS END, PUT IN A NEW ONE)",
+        "MSG(\"The ribbon is at its end, please put in a new one, and press start again\")\nG0 X1",
+    ),
+    row("lint.loose-comparison", "", "IF R1>0 AND R2>0 GOTOF AB\nR1=1 R2=1\nAB: M5"),
+    row("lint.main-returns", "", ""),
+    Row { id: "lint.no-point", program: "G00 X8", named: "", switches: INCREMENTS },
+    Row { id: "lint.no-point-argument", program: "G65 P2 A8", named: "", switches: INCREMENTS },
+    Row { id: "lint.no-point-dwell", program: "G04 X2", named: "", switches: INCREMENTS },
+    row("lint.no-such-program", "M98 P77", "L77"),
+    row("lint.number-twice", "GOTO5\nN5 G00 X1.\nN5 G00 X2.", ""),
+    row("lint.short-blocks", "", ""),
+    row(
+        "lint.spindle-in-loop",
+        "#1=0\nN1 S500\nG01 X#1 F100\n#1=#1+1\nIF[#1 LT 5]GOTO1",
+        "R1=0\nAB: S500\nG1 X=R1 F.1\nR1=R1+1\nIF R1<5 GOTOB AB",
+    ),
+    row("lint.suppression-stays", "", ""),
+    row("lint.unreachable", "GOTO9\nG00 X1.\nN9", "GOTOF AB\nG0 X1\nAB: M5"),
+    row("lint.unset-common", "G00 Z[#100+1]", "G0 Z=R1+1"),
+    row("lint.unset-local", "G00 Z[#1+1]", ""),
+    row("lint.vacant-word", "G00 Z#100", ""),
+    row("lint.zero-divisor", "#100=#101-5\n#102=5/#100\nG00 Z#102", "R1=R1-5\nR2=5/R1\nG0 Z=R2"),
+];
+
+#[test]
+fn each_warning_on_each_control() {
+    let mut missing = Vec::new();
+    let mut raised: BTreeSet<&str> = BTreeSet::new();
+    for control in controls::ALL {
+        for row in ROWS {
+            let named = control.syntax.names.is_some();
+            let (body, head, end) = if named { (row.named, "", "M30") } else { (row.program, "O1\n", "M30\nO2\nM99") };
+            // Switches that the control does not have are not set.
+            let switches: Vec<(&str, &str)> = row
+                .switches
+                .iter()
+                .copied()
+                .filter(|(id, _)| control.switches.iter().any(|row| row.id == *id))
+                .collect();
+            // These end in another way, or are long.
+            let text = match row.id {
+                "lint.main-returns" => "O1\nG00 X1.\nM99".to_owned(),
+                "lint.suppression-stays" => "O9001\n#3003=1\nM99".to_owned(),
+                "lint.short-blocks" if named => format!("G64 G94 G1 X10 F3000\n{}M30", "G91 X.05\n".repeat(8)),
+                "lint.short-blocks" if control.code(b'G', 910).is_some() => {
+                    format!("O1\nG91 G01 X10. F3000\n{}M30", "X0.05\n".repeat(8))
+                }
+                "lint.short-blocks" => format!("O1\nG98 G01 U10. F3000\n{}M30", "U0.05\n".repeat(20)),
+                _ => format!("{head}{body}\n{end}"),
+            };
+            let case = Case { control: control.id, switches: &switches, start: None, set: &[] };
+            if case.review(&text).1.iter().any(|finding| finding.message.id == row.id) {
+                raised.insert(row.id);
+            } else {
+                missing.push(format!("{} {}", control.id, row.id));
+            }
+        }
+    }
+    let rows: BTreeSet<&str> = ROWS.iter().map(|row| row.id).collect();
+    assert_eq!(rows, raised, "each is raised somewhere");
+    // Every sentence about a program that works has its row.
+    let catalog = include_str!("../../../src/text/catalog/en.txt").lines().filter_map(|line| line.split(' ').next());
+    let sentences: BTreeSet<&str> = catalog
+        .filter(|id| id.starts_with("lint.") && !id.starts_with("lint.fix.") && !id.starts_with("lint.hint-"))
+        .collect();
+    assert_eq!(rows, sentences);
+    // A row that one language or another control does not have: vacant words that count as 0, comparisons that round, one spelling of F0.
+    expect![[r#"
+        mitsubishi-e60 lint.feed-per-revolution
+        mitsubishi-e60 lint.feed-zero
+        mitsubishi-e60 lint.loose-comparison
+        gsk-980tdc lint.calls-itself
+        gsk-980tdc lint.feed-zero-digit
+        gsk-980tdc lint.feed-zero-rapid
+        gsk-980tdc lint.loose-comparison
+        gsk-980tdc lint.suppression-stays
+        gsk-980tdc lint.vacant-word
+        knd-k2000t lint.calls-itself
+        knd-k2000t lint.feed-zero-digit
+        knd-k2000t lint.feed-zero-rapid
+        knd-k2000t lint.loose-comparison
+        sinumerik-802d lint.calls-itself
+        sinumerik-802d lint.equal-decimals
+        sinumerik-802d lint.feed-per-minute
+        sinumerik-802d lint.feed-zero-digit
+        sinumerik-802d lint.feed-zero-rapid
+        sinumerik-802d lint.kept-as-scratch
+        sinumerik-802d lint.main-returns
+        sinumerik-802d lint.no-point
+        sinumerik-802d lint.no-point-argument
+        sinumerik-802d lint.no-point-dwell
+        sinumerik-802d lint.number-twice
+        sinumerik-802d lint.suppression-stays
+        sinumerik-802d lint.unset-local
+        sinumerik-802d lint.vacant-word"#]]
+    .assert_eq(&missing.join("\n"));
+}
