@@ -28,6 +28,12 @@ const ROWS: &[Row] = &[
         "#1=0\nN1 M8\nG01 X#1 F100\n#1=#1+1\nIF[#1 LT 5]GOTO1",
         "R1=0\nAB: M8\nG1 X=R1 F.1\nR1=R1+1\nIF R1<5 GOTOB AB",
     ),
+    Row {
+        id: "lint.call-parameter",
+        program: "G00 X1.",
+        named: "G0 X1",
+        switches: &[("call-parameters", "#9999=200")],
+    },
     row("lint.calls-itself", "M98", ""),
     row(
         "lint.equal-decimals",
@@ -128,6 +134,7 @@ fn each_warning_on_each_control() {
         knd-k2000t lint.feed-zero-digit
         knd-k2000t lint.feed-zero-rapid
         knd-k2000t lint.loose-comparison
+        sinumerik-802d lint.call-parameter
         sinumerik-802d lint.calls-itself
         sinumerik-802d lint.equal-decimals
         sinumerik-802d lint.feed-per-minute
