@@ -7,6 +7,7 @@ export WASM_BINDGEN_TEST_TIMEOUT ?= 120
 
 WASM := --target wasm32-unknown-unknown
 WEB := $(WASM) --features web
+FIRST := $(WASM) --no-default-features --features web
 
 .PHONY: help
 help: ## this list
@@ -80,7 +81,8 @@ lint:
 
 .PHONY: lint-web
 lint-web:
-	cargo clippy --locked $(WEB) --lib --bin app --bin worker --test web --test parity -- -D warnings
+	cargo clippy --locked $(WEB) --lib --bin whole --bin worker --test web --test parity -- -D warnings
+	cargo clippy --locked $(FIRST) --lib --bin app -- -D warnings
 
 .PHONY: test-native
 test-native: ## native tests

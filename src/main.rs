@@ -1,12 +1,5 @@
-//! Browser app: reports a panic, takes the sentences and shows the page.
-
-use macroline::ui;
+//! Browser app: the module that the page opens with, without what few need.
 
 fn main() {
-    std::panic::set_hook(Box::new(|panic| {
-        web_sys::console::error_1(&panic.to_string().into());
-        ui::broken(&panic.to_string());
-    }));
-    ui::learn();
-    leptos::mount::mount_to_body(ui::App);
+    macroline::ui::open();
 }

@@ -1,16 +1,91 @@
 // Starts the page. A file of its own, as the content security policy allows no inline script.
 const boot = document.getElementById('boot');
+const { js, wasm, words } = document.querySelector('script[data-js]').dataset;
+const at = (path) => new URL(path, document.baseURI);
+// Two modules can have the page: the first, and the whole one, which takes longer to load and has every control and machine (src/ui/whole.rs).
+// The first knows which sentences are its own; what is asked for by its hash is never an older one from a cache.
+const FIRST = [js, wasm];
+const WHOLE = [`whole.js?${wasm}`, `whole_bg.wasm?${wasm}`];
+const sentences = fetch(at(`${words}?${wasm}`)).then((answer) => answer.text());
+
 // wasm cannot call `import()` itself; what it loads this way is no part of the first load.
-globalThis.lazyImport = (path) => import(new URL(path, document.baseURI));
-try {
-  const { js, wasm, words } = document.querySelector('script[data-js]').dataset;
-  // The module knows which sentences are its own; asked for by its hash, no older ones are taken from a cache.
-  const sentences = fetch(new URL(`${words}?${wasm}`, document.baseURI)).then((answer) => answer.text());
-  const { default: init } = await import(new URL(js, document.baseURI));
+globalThis.lazyImport = (path) => import(at(path));
+
+// What the module that has the page hears of it, until another one has it.
+let hearing = new AbortController();
+globalThis.hear = (event, act) => addEventListener(event, act, { capture: event === 'paste', signal: hearing.signal });
+
+// Gives the page to a module. `hand` is what the module that has it hands over.
+async function open([js, wasm], hand) {
+  const compiled = WebAssembly.compileStreaming(fetch(at(wasm)));
+  // What fails up to here changes nothing, and may be tried again; an import that has failed fails for ever in some browsers.
+  if (hand) await compiled;
+  const [module_or_path, { default: init }] = await Promise.all([compiled, import(at(js))]);
   globalThis.sentences = await sentences;
-  await init({ module_or_path: new URL(wasm, document.baseURI) });
+  let again;
+  globalThis.handed = () => {
+    if (!hand) return undefined;
+    again = look();
+    // It keeps what is not kept yet.
+    dispatchEvent(new Event('pagehide'));
+    hearing.abort();
+    hearing = new AbortController();
+    const state = hand();
+    document.querySelector('.app').remove();
+    return state;
+  };
+  await init({ module_or_path });
+  again?.();
+}
+
+// Where a person is on the page, and what he has typed that is no value yet: the function brings it back.
+function look() {
+  const path = [];
+  const here = document.activeElement;
+  const { value, selectionStart, selectionEnd } = here;
+  for (let node = here; node && node !== document.body; node = node.parentElement) {
+    path.unshift([...node.parentElement.children].indexOf(node));
+  }
+  const typed = [...document.querySelectorAll('input[aria-invalid="true"]')].map(({ id, value }) => [id, value]);
+  const { scrollX, scrollY } = window;
+  return () =>
+    requestAnimationFrame(() => {
+      for (const [id, value] of typed) {
+        const input = document.getElementById(id);
+        if (!input) continue;
+        input.value = value;
+        input.dispatchEvent(new Event('input', { bubbles: true }));
+      }
+      const there = path.reduce((node, at) => node?.children[at], document.body);
+      there?.focus({ preventScroll: true });
+      if (there?.matches('input[type="text"]')) {
+        there.value = value;
+        there.setSelectionRange(selectionStart, selectionEnd);
+      }
+      scrollTo(scrollX, scrollY);
+    });
+}
+
+// The whole module in place of the first, which shows the page already or has seen that it cannot.
+let instead;
+globalThis.whole = (hand) => {
+  document.body.append(boot);
+  instead = open(WHOLE, hand);
+  return instead.finally(() => boot.remove());
+};
+
+try {
+  let module;
+  try {
+    module = localStorage.getItem('macroline.module');
+  } catch {
+    // A browser without a store.
+  }
+  await open(module === 'whole' ? WHOLE : FIRST);
+  await instead;
   boot.remove();
 } catch (error) {
+  document.body.prepend(boot);
   boot.textContent = `macroline could not start in this browser: ${error.message}`;
   throw error;
 }

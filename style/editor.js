@@ -4,29 +4,40 @@ import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirro
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
 import { unifiedMergeView } from '@codemirror/merge';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
-import { Annotation, EditorState } from '@codemirror/state';
-import { Decoration, EditorView, MatchDecorator, ViewPlugin, drawSelection, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
+import { Annotation, EditorState, RangeSetBuilder } from '@codemirror/state';
+import { Decoration, EditorView, ViewPlugin, drawSelection, highlightActiveLine, keymap, lineNumbers } from '@codemirror/view';
 
 // A change that came from the page and not from the keyboard.
 const fromPage = Annotation.define();
 const SEVERITY = { fail: 'error', warn: 'warning', info: 'info' };
-const WORDS = /(?<c>\([^)\n]*\)?|%)|(?<v>#\d*)|(?<k>\b(?:WHILE|DO|END|IF|GOTO|THEN|EQ|NE|GT|GE|LT|LE|AND|OR|XOR|MOD)\d*)|(?<g>[GM]\d+(?:\.\d+)?)|(?<n>[NO]\d+)|(?<d>-?\d+\.?\d*|\.\d+)/gi;
+// Characters of a line that are coloured at most.
+const COLOURED = 2000;
 
-const colours = ViewPlugin.fromClass(
-  class {
-    matcher = new MatchDecorator({
-      regexp: WORDS,
-      decoration: (match) => Decoration.mark({ class: `t-${Object.keys(match.groups).find((name) => match.groups[name] !== undefined)}` }),
-    });
-    constructor(view) {
-      this.decorations = this.matcher.createDeco(view);
-    }
-    update(update) {
-      this.decorations = this.matcher.updateDeco(update, this.decorations);
-    }
-  },
-  { decorations: (plugin) => plugin.decorations },
-);
+// The colours of the lines that are to be seen. `pieces` knows the words of the control: of a line it gives start, end and class of each piece.
+const colours = (pieces) =>
+  ViewPlugin.fromClass(
+    class {
+      constructor(view) {
+        this.draw(view);
+      }
+      update(update) {
+        if (update.docChanged || update.viewportChanged) this.draw(update.view);
+      }
+      draw({ state, visibleRanges }) {
+        const all = new RangeSetBuilder();
+        for (const range of visibleRanges) {
+          for (let at = range.from; at <= range.to; ) {
+            const { from, to, text } = state.doc.lineAt(at);
+            const found = pieces(text.slice(0, COLOURED));
+            for (const [start, end, name] of found) all.add(from + start, from + end, Decoration.mark({ class: name }));
+            at = to + 1;
+          }
+        }
+        this.decorations = all.finish();
+      }
+    },
+    { decorations: (plugin) => plugin.decorations },
+  );
 
 const theme = EditorView.theme({
   '&': { height: '100%', width: '100%', color: 'var(--ink)', backgroundColor: 'var(--pane)', fontSize: '12.5px' },
@@ -53,23 +64,24 @@ function shadow(host) {
   return host.shadowRoot ?? host.attachShadow({ mode: 'open' });
 }
 
-function view(host, doc, label, extensions) {
+function view(host, doc, { label, pieces }, extensions) {
   const root = shadow(host);
   root.replaceChildren();
   const box = document.createElement('div');
   box.style.cssText = 'width:100%;height:100%';
   root.append(box);
-  const common = [lineNumbers(), drawSelection(), highlightActiveLine(), colours, theme, EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false' })];
+  const common = [lineNumbers(), drawSelection(), highlightActiveLine(), colours(pieces), theme, EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false' })];
   return new EditorView({ state: EditorState.create({ doc, extensions: [...extensions, common] }), parent: box, root });
 }
 
-// Opens an editor in `host`. `changed` gets the text after each edit, `fix` the numbers of a diagnostic and of its fix.
-export function open(host, text, { changed, fix, label }) {
+// Opens an editor in `host`, called `label`. `changed` gets the text after each edit, `fix` the numbers of a diagnostic and of its fix.
+export function open(host, text, options) {
+  const { changed, fix } = options;
   const keys = keymap.of([...defaultKeymap, ...historyKeymap, ...searchKeymap, ...lintKeymap, indentWithTab]);
   const listener = EditorView.updateListener.of((update) => {
     if (update.docChanged && !update.transactions.some((one) => one.annotation(fromPage))) changed(update.state.doc.toString());
   });
-  const editor = view(host, text, label, [history(), search({ top: true }), highlightSelectionMatches(), lintGutter(), keys, listener]);
+  const editor = view(host, text, options, [history(), search({ top: true }), highlightSelectionMatches(), lintGutter(), keys, listener]);
   editor.focus();
   return {
     // Another text (undo, a fix, another file); the cursor stays where the text allows.
@@ -96,8 +108,8 @@ export function open(host, text, { changed, fix, label }) {
 }
 
 // Shows in `host` what differs between two texts.
-export function difference(host, before, after, label) {
+export function difference(host, before, after, options) {
   const merge = unifiedMergeView({ original: before, mergeControls: false, collapseUnchanged: { margin: 4, minSize: 8 } });
-  const editor = view(host, after, label, [merge, EditorState.readOnly.of(true)]);
+  const editor = view(host, after, options, [merge, EditorState.readOnly.of(true)]);
   return { close: () => editor.destroy() };
 }

@@ -48,6 +48,13 @@ async fn type_into(id: &str, text: &str) -> web_sys::HtmlInputElement {
     input
 }
 
+/// Chooses in a list as a person does.
+async fn choose(list: &web_sys::Element, value: &str) {
+    js_sys::Reflect::set(list, &"value".into(), &value.into()).unwrap();
+    list.dispatch_event(&web_sys::Event::new("change").unwrap()).unwrap();
+    settled().await;
+}
+
 fn press(button: &web_sys::Element) {
     button.unchecked_ref::<web_sys::HtmlElement>().click();
 }
@@ -96,6 +103,16 @@ async fn a_field_reaches_the_program() {
         found |= listing.text_content().unwrap().contains("#107=7.25");
     }
     assert!(found, "no file sets #107 to 7.25");
+}
+
+#[wasm_bindgen_test]
+async fn a_control_that_only_the_whole_module_has_writes_its_own_words() {
+    let (host, _mounted) = app().await;
+    let choice = host.query_selector("select.control").unwrap().unwrap();
+    choose(&choice, "sinumerik-802d").await;
+    assert!(host.query_selector(".listing").unwrap().unwrap().text_content().unwrap().contains("GOTOF"));
+    let field: web_sys::Element = find("form");
+    assert!(field.text_content().unwrap().contains("R107"));
 }
 
 #[wasm_bindgen_test]

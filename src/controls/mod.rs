@@ -101,24 +101,49 @@ const fn axis(letter: u8, rotary: bool, cite: Citation) -> AxisDef {
     AxisDef { letter, rotary, incremental: None, diameter: false, cite }
 }
 
-/// All controls, in the order they are listed.
-#[cfg(not(feature = "web"))]
-pub static ALL: &[&Control] =
-    &[&mitsubishi_e60::CONTROL, &gsk_980tdc::CONTROL, &knd_k2000t::CONTROL, &sinumerik_802d::CONTROL];
+/// Whether this is built with every control and machine. The page opens with a module that is not, the first one: it is smaller by what few
+/// need, and of that it knows only that there is such ([`LISTED`], [`crate::machines::LISTED`]). Where somebody asks for it, the whole
+/// module goes on with his project.
+pub const WHOLE: bool = cfg!(feature = "whole");
 
-/// The controls that the page has; see [`Syntax::names`].
-#[cfg(feature = "web")]
-pub static ALL: &[&Control] = &[&mitsubishi_e60::CONTROL, &gsk_980tdc::CONTROL, &knd_k2000t::CONTROL];
+/// What every module knows of a control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Listed {
+    /// Its id.
+    pub id: &'static str,
+    /// Its name.
+    pub name: &'static str,
+    /// Whether the first module has it.
+    pub first: bool,
+}
 
-/// What a machine has to set on each control: apart from it, so that who asks for no parameter does without their rows.
-static PARAMS: &[(&Control, &[ParamDef])] = &[
-    (&mitsubishi_e60::CONTROL, mitsubishi_e60::PARAMS),
-    (&gsk_980tdc::CONTROL, gsk_980tdc::PARAMS),
-    (&knd_k2000t::CONTROL, knd_k2000t::PARAMS),
-    (&sinumerik_802d::CONTROL, sinumerik_802d::PARAMS),
-];
+/// Makes the lists out of the controls: of those that the first module has too, and of those that only the whole one has.
+macro_rules! controls {
+    (first: $($first:ident),*; whole: $($whole:ident),*) => {
+        /// The controls of this module, in the order they are listed.
+        pub static ALL: &[&Control] =
+            if WHOLE { &[$(&$first::CONTROL,)* $(&$whole::CONTROL),*] } else { &[$(&$first::CONTROL),*] };
 
-/// The control of an id.
+        /// All controls there are.
+        pub static LISTED: &[Listed] = &[
+            $(Listed { id: $first::CONTROL.id, name: $first::CONTROL.name, first: true },)*
+            $(Listed { id: $whole::CONTROL.id, name: $whole::CONTROL.name, first: false },)*
+        ];
+
+        /// What a machine has to set on each control: apart from it, so that who asks for no parameter does without their rows.
+        static PARAMS: &[(&Control, &[ParamDef])] =
+            &[$((&$first::CONTROL, $first::PARAMS),)* $((&$whole::CONTROL, $whole::PARAMS)),*];
+    };
+}
+
+controls![first: mitsubishi_e60, gsk_980tdc, knd_k2000t; whole: sinumerik_802d];
+
+/// What is known of the control of an id, be it in this module or not.
+pub fn listed(id: &str) -> Option<&'static Listed> {
+    LISTED.iter().find(|row| row.id == id)
+}
+
+/// The control of an id, where this module has it.
 pub fn find(id: &str) -> Option<&'static Control> {
     ALL.iter().copied().find(|c| c.id == id)
 }
@@ -218,6 +243,11 @@ impl Control {
             Some((name.bytes().next()?.to_ascii_uppercase(), number.saturating_mul(10)))
         };
         names.filter_map(code).collect()
+    }
+
+    /// Whether a variable that nothing has set is vacant; else it is 0.
+    pub fn has_vacant(&self) -> bool {
+        self.vars.first().is_some_and(|row| row.kind == VarKind::Vacant)
     }
 
     /// A text about variables, `#101`, as the control writes them.

@@ -171,11 +171,10 @@ pub struct Syntax {
 }
 
 impl Syntax {
-    /// What has names, where the language has such. The page does without such languages until its module has room for their reader and
-    /// writer, 30 KB: there is nothing to read and nothing to find of them.
+    /// What has names, where the language has such. The first module does without such languages: their reader and writer are 30 KB.
     #[inline]
     pub const fn names(&self) -> Option<&Names> {
-        if cfg!(feature = "web") { None } else { self.names.as_ref() }
+        if super::WHOLE { self.names.as_ref() } else { None }
     }
 }
 

@@ -20,7 +20,7 @@ pub mod ribbon_line;
 
 pub mod turning_spindle;
 
-use crate::controls::{Control, Switches};
+use crate::controls::{Control, Switches, WHOLE};
 use crate::math;
 use crate::motion::{Action, Planner, Plant, Plc, Program, Snapshot};
 use crate::msg;
@@ -322,18 +322,45 @@ impl<M: Machine> AnyMachine for Erased<M> {
     }
 }
 
-/// Makes the lists out of the machines.
+/// What every module knows of a machine; see [`WHOLE`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Listed {
+    /// Its id.
+    pub id: &'static str,
+    /// Catalog id of its name.
+    pub name: &'static str,
+    /// Ids of the controls it goes with.
+    pub controls: &'static [&'static str],
+    /// Whether the first module has it.
+    pub first: bool,
+}
+
+impl Listed {
+    const fn of<M: Machine>(first: bool) -> Listed {
+        Listed { id: M::ID, name: M::NAME, controls: M::CONTROLS, first }
+    }
+}
+
+/// Makes the lists out of the machines: of those that the first module has too, and of those that only the whole one has.
 macro_rules! machines {
-    ($($machine:ty),*) => {
-        /// All machines, in the order they are listed.
-        pub static ALL: &[&dyn AnyMachine] = &[$(&Erased::<$machine>::new()),*];
+    (first: $($first:ty),*; whole: $($whole:ty),*) => {
+        /// The machines of this module, in the order they are listed.
+        pub static ALL: &[&dyn AnyMachine] = if WHOLE {
+            &[$(&Erased::<$first>::new(),)* $(&Erased::<$whole>::new()),*]
+        } else {
+            &[$(&Erased::<$first>::new()),*]
+        };
+
+        /// All machines there are.
+        pub static LISTED: &[Listed] = &[$(Listed::of::<$first>(true),)* $(Listed::of::<$whole>(false)),*];
 
         /// Their sheets: beside [`AnyMachine`], so that who makes none does not carry them.
-        static SHEETS: &[(&str, fn(&Values, On) -> Vec<Sheet>)] = &[$((<$machine>::ID, sheets_of::<$machine>)),*];
+        static SHEETS: &[(&str, fn(&Values, On) -> Vec<Sheet>)] =
+            &[$((<$first>::ID, sheets_of::<$first>),)* $((<$whole>::ID, sheets_of::<$whole>)),*];
     };
 }
 
-machines![ribbon_line::RibbonLine, turning_spindle::TurningSpindle];
+machines![first: ribbon_line::RibbonLine, turning_spindle::TurningSpindle; whole: ];
 
 fn sheets_of<M: Machine>(values: &Values, on: On) -> Vec<Sheet> {
     M::sheets(&Erased::<M>::params(values).0, on)
@@ -345,7 +372,12 @@ pub fn sheets(machine: &dyn AnyMachine, values: &Values, on: On) -> Vec<Sheet> {
     found.map_or_else(Vec::new, |(_, sheets)| sheets(values, on))
 }
 
-/// The machine of an id.
+/// What is known of the machine of an id, be it in this module or not.
+pub fn listed(id: &str) -> Option<&'static Listed> {
+    LISTED.iter().find(|row| row.id == id)
+}
+
+/// The machine of an id, where this module has it.
 pub fn find(id: &str) -> Option<&'static dyn AnyMachine> {
     ALL.iter().copied().find(|machine| machine.id() == id)
 }

@@ -73,17 +73,20 @@ pub struct Console<'f> {
     over: Option<(f64, Counts)>,
 }
 
-fn value_text(value: Option<f64>) -> String {
-    value.map_or_else(|| "vacant".to_owned(), |value| number_text(value, DECIMALS))
+fn value_text(value: Option<f64>, control: &Control) -> String {
+    match value {
+        None if control.has_vacant() => "vacant".to_owned(),
+        value => number_text(value.unwrap_or_default(), DECIMALS),
+    }
 }
 
 /// A change as a line: `#105 vacant -> 15072`, `G0 -> G1`.
 fn change_text(change: &Change, control: &Control) -> String {
     let side = |value: Option<f64>| match (change.what, value) {
-        (What::Variable(_) | What::Local(_), value) => value_text(value),
+        (What::Variable(_) | What::Local(_), value) => value_text(value, control),
         (_, None) => "none".to_owned(),
-        (What::Code, value) => format!("G{}", value_text(value)),
-        (What::Feed, value) => format!("F{}", value_text(value)),
+        (What::Code, value) => format!("G{}", value_text(value, control)),
+        (What::Feed, value) => format!("F{}", value_text(value, control)),
     };
     let name = match change.what {
         What::Variable(number) | What::Local(number) => control.variable(number) + " ",
@@ -247,7 +250,7 @@ impl<'f> Console<'f> {
     /// An expression with its value, or why it has none.
     fn shown(&self, lead: &str, text: &str) -> String {
         match self.debugger.evaluate(text) {
-            Ok(value) => format!("{lead}{text} = {}\n", value_text(value)),
+            Ok(value) => format!("{lead}{text} = {}\n", value_text(value, self.control())),
             Err(why) => format!("{lead}{text}: {}\n", headline(&why)),
         }
     }
@@ -352,7 +355,7 @@ impl<'f> Console<'f> {
 
     fn print(&self, text: &str) -> Result<String, String> {
         match self.debugger.evaluate(text) {
-            Ok(value) => Ok(format!("{text} = {}\n", value_text(value))),
+            Ok(value) => Ok(format!("{text} = {}\n", value_text(value, self.control()))),
             Err(why) => Err(told_about(text, &why)),
         }
     }

@@ -17,6 +17,8 @@ pub struct Opened {
     pub project: Option<Project>,
     /// Why, or what was left out.
     pub diagnostics: Vec<Diagnostic>,
+    /// It is for a machine or a control that only the whole module has ([`controls::WHOLE`]).
+    pub elsewhere: bool,
 }
 
 /// Opens a text beside the present project: a project file replaces it, a program that macroline wrote restores its form, any other
@@ -24,34 +26,35 @@ pub struct Opened {
 pub fn open(present: &Project, name: &str, text: &str) -> Opened {
     if text.trim_start().starts_with('{') {
         let loaded = Project::from_json(text);
-        return Opened { project: loaded.project, diagnostics: loaded.diagnostics };
+        return Opened { project: loaded.project, diagnostics: loaded.diagnostics, elsewhere: loaded.elsewhere };
     }
+    let opened = |project, diagnostics| Opened { project, diagnostics, elsewhere: false };
     if text.len() > MAX_PROGRAM {
         let message = msg!("project.program-too-large", (text.len() as f64 / 1e6, 1), (MAX_PROGRAM as f64 / 1e6, 0));
-        return Opened { project: None, diagnostics: vec![Diagnostic::error(message)] };
+        return opened(None, vec![Diagnostic::error(message)]);
     }
     if let Some(found) = settings::read(text) {
-        let of_program = machines::find(found.machine).zip(controls::find(found.control));
-        if let Some((machine, control)) = of_program {
-            let mut project = Project::new(machine, control);
-            project.name.clone_from(&present.name);
-            project.values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
-            project.values.extend(found.values);
-            if present.control.id == control.id {
-                project.switches.clone_from(&present.switches);
-            }
-            project.edited = differing(&project, name, text);
-            let told = if project.edited.is_some() {
-                msg!("project.form-restored-edited", name)
-            } else {
-                msg!("project.form-restored", name)
-            };
-            return Opened { project: Some(project), diagnostics: vec![Diagnostic::info(told)] };
+        let Some((machine, control)) = machines::find(found.machine).zip(controls::find(found.control)) else {
+            return Opened { elsewhere: true, ..opened(None, Vec::new()) };
+        };
+        let mut project = Project::new(machine, control);
+        project.name.clone_from(&present.name);
+        project.values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
+        project.values.extend(found.values);
+        if present.control.id == control.id {
+            project.switches.clone_from(&present.switches);
         }
+        project.edited = differing(&project, name, text);
+        let told = if project.edited.is_some() {
+            msg!("project.form-restored-edited", name)
+        } else {
+            msg!("project.form-restored", name)
+        };
+        return opened(Some(project), vec![Diagnostic::info(told)]);
     }
     let mut project = present.clone();
     project.edited = Some(Files(vec![File { name: name.to_owned(), text: text.to_owned() }]));
-    Opened { project: Some(project), diagnostics: Vec::new() }
+    opened(Some(project), Vec::new())
 }
 
 /// The project's files with this text in its place, where somebody has edited it since macroline wrote it; else `None`.

@@ -60,6 +60,13 @@ impl Aside {
         self.put(question(kind, project), Box::new(then));
     }
 
+    /// Ends the worker; what it was asked has no answer.
+    pub(super) fn end(self) {
+        if let Some(running) = self.0.take().worker {
+            running.worker.terminate();
+        }
+    }
+
     fn put(self, question: JsValue, then: Box<dyn FnOnce(Option<JsValue>)>) {
         let mut state = self.0.borrow_mut();
         state.last += 1;

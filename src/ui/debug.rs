@@ -9,10 +9,11 @@ use super::dom;
 use super::el::{El, el};
 use super::model::Model;
 use super::walk::Walk;
-use super::words::{clock, short, t, tell, tell_alarm};
+use super::words::{clock, say, short, t, tell, tell_alarm, value_of, written};
 use crate::interp::inspect::What;
 use crate::motion::RunEnd;
 
+use crate::msg;
 use crate::project::breakpoints::Spot;
 use crate::project::debug::Goal;
 use crate::project::program::Written;
@@ -106,12 +107,16 @@ pub(super) fn bar(model: Model) -> El {
         );
     }
     bar.dom().set_inner_html(&buttons);
-    bar.add(&[field("page.walk-condition", move |text| set_point(model, Some(&text)))])
+    let words = move || {
+        let signs = model.project.with_untracked(|project| project.control.syntax.comparison_signs);
+        say(&msg!("page.walk-condition", written(model, if signs { "#1<3" } else { "#1 LT 3" })))
+    };
+    bar.add(&[field(words, move |text| set_point(model, Some(&text)))])
 }
 
 /// A field that hands out what is typed when it is entered, and is then empty again if that was taken.
-fn field(words: &'static str, take: impl Fn(String) -> bool + 'static) -> El {
-    let field = el("input").at("type", "text").at("placeholder", t(words)).label(t(words));
+fn field(words: impl Fn() -> String + Copy + 'static, take: impl Fn(String) -> bool + 'static) -> El {
+    let field = el("input").at("type", "text").bind("placeholder", words).bind("aria-label", words);
     let input = field.input().clone();
     field.on("keydown", move |event| {
         let key: &KeyboardEvent = event.unchecked_ref();
@@ -137,10 +142,13 @@ pub(super) fn seen(model: Model) -> El {
         let html = walk.with(|walk| model.written.with_untracked(|written| html(walk, written)));
         host.set_inner_html(&html);
     };
-    let watch = field("page.walk-watch", move |text| {
-        walk.update(|walk| walk.watches.push(text));
-        true
-    });
+    let watch = field(
+        move || say(&msg!("page.walk-watch", written(model, "#100*2"))),
+        move |text| {
+            walk.update(|walk| walk.watches.push(text));
+            true
+        },
+    );
     let idle = move || {
         walk.with(|walk| !walk.stands && !walk.going && walk.watches.is_empty() && walk.points.list().is_empty())
     };
@@ -157,13 +165,10 @@ pub(super) fn end_words(end: &RunEnd) -> String {
     }
 }
 
-fn shown(value: Option<f64>) -> String {
-    value.map_or_else(|| t("page.vacant").to_owned(), |value| short(value, 6))
-}
-
 /// Rows: what has changed, the levels with their variables, watches with their values, breakpoints.
 fn html(walk: &Walk, written: &Written) -> String {
     let (files, control) = (&written.files, written.parsed.control());
+    let shown = |value| value_of(control, value, 6);
     let mut out = String::new();
     if walk.going {
         let _ = write!(out, "<p>{} s</p>", clock(walk.t()));
@@ -190,7 +195,7 @@ fn html(walk: &Walk, written: &Written) -> String {
             let mut text = level.place.span.of(&file.text).to_owned();
             let mut gap = '\n';
             for (number, value) in level.locals() {
-                let _ = write!(text, "{gap}#{number} = {}", short(value, 6));
+                let _ = write!(text, "{gap}{} = {}", control.variable(number), short(value, 6));
                 gap = ' ';
             }
             row(&mut out, "", &format!("{}:{line}", file.name), &text, "");

@@ -1,8 +1,9 @@
 //! The browser, in the few words that the page needs of it.
 
+use super::script::call;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::{JsCast, JsValue, closure::Closure};
-use web_sys::{Blob, BlobPropertyBag, Element, HtmlAnchorElement, HtmlElement, Performance, Storage, Url};
+use web_sys::{Blob, BlobPropertyBag, Element, Event, HtmlAnchorElement, HtmlElement, Performance, Storage, Url};
 
 /// Milliseconds since the page began.
 pub(super) fn now() -> f64 {
@@ -121,6 +122,12 @@ pub(super) fn all(root: &Element, selector: &str) -> Vec<Element> {
 /// The element with an id.
 pub(super) fn by_id(id: &str) -> Option<HtmlElement> {
     document().get_element_by_id(id)?.dyn_into().ok()
+}
+
+/// Does something at each event of a kind, anywhere on the page, as long as this module has it; boot.js knows how long that is.
+pub(super) fn hear(event: &str, act: impl Fn(Event) + 'static) {
+    let act: Box<dyn Fn(Event)> = Box::new(act);
+    let _ = call(&js_sys::global(), "hear", &[&event.into(), &Closure::wrap(act).into_js_value()]);
 }
 
 /// Whether keys pressed in this element are text.

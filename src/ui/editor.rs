@@ -9,10 +9,12 @@ use leptos::wasm_bindgen::closure::Closure;
 
 use super::dom;
 use super::el::{El, el};
+use super::listing::class;
 use super::model::Model;
 use super::program::mend;
-use super::script::{call, load, object};
+use super::script::{call, load, object, set, table};
 use super::words::{say, t, tone};
+use crate::nc::tokens;
 use crate::text::{FileId, Span};
 
 /// The bundle of the editor.
@@ -27,6 +29,21 @@ type Handle = StoredValue<Option<JsValue>, LocalStorage>;
 fn units(text: &str, byte: u32) -> f64 {
     let before = text.get(..byte as usize).unwrap_or(text);
     if before.is_ascii() { before.len() as f64 } else { before.encode_utf16().count() as f64 }
+}
+
+/// What both the editor and the difference are told: their name, and how the words of the control are coloured.
+fn options(model: Model, label: &'static str) -> JsValue {
+    let pieces = move |line: JsValue| {
+        let line = line.as_string().unwrap_or_default();
+        let control = model.project.with_untracked(|project| project.control);
+        let coloured =
+            tokens(&line, control).into_iter().map(|(span, kind)| (span, class(kind))).filter(|row| !row.1.is_empty());
+        table(coloured.map(|(Span { start, end }, class)| {
+            vec![units(&line, start).into(), units(&line, end).into(), class.into()]
+        }))
+    };
+    let pieces = Closure::<dyn Fn(JsValue) -> JsValue>::new(pieces).into_js_value();
+    object([("label", t(label).into()), ("pieces", pieces)])
 }
 
 /// The findings of a file as the editor takes them.
@@ -107,7 +124,9 @@ pub(super) fn editor(model: Model) -> Vec<El> {
             mend(model, diagnostic as usize, fix as usize);
         }
     });
-    let options = object([("changed", changed), ("fix", fix.into_js_value()), ("label", t("page.listing").into())]);
+    let options = options(model, "page.listing");
+    set(&options, "changed", &changed);
+    set(&options, "fix", &fix.into_js_value());
     let all = mount(handle, move |module, host| {
         let at = model.file.get_untracked();
         let editor = call(module, "open", &[host, &file_text(model, at).into(), &options])?;
@@ -140,6 +159,6 @@ pub(super) fn difference(model: Model) -> Vec<El> {
         let files = generated.skimmed().files.0;
         let same = files.iter().find(|file| Some(&file.name) == name.as_ref()).or(files.first());
         let before = same.map(|file| file.text.clone()).unwrap_or_default();
-        call(module, "difference", &[host, &before.into(), &edited.into(), &t("page.difference").into()])
+        call(module, "difference", &[host, &before.into(), &edited.into(), &options(model, "page.difference")])
     })
 }

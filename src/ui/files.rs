@@ -14,6 +14,7 @@ use super::help::dialog;
 use super::local::Local;
 use super::model::Model;
 use super::script::rows;
+use super::whole::{self, Wish};
 use super::words::{say, t, tell, tone};
 use crate::msg;
 use crate::nc::{self, Files};
@@ -59,28 +60,29 @@ fn take(model: Model, files: Vec<File>) {
             texts.push(nc::File { name: file.name(), text: String::from_utf8_lossy(&bytes).into_owned() });
         }
         if !texts.is_empty() {
-            read(model, texts);
+            whole::ask(model, Wish::Files(texts));
         }
     });
 }
 
-/// Reads texts: a project, a program that carries its settings, or any other programs.
-fn read(model: Model, files: Vec<nc::File>) {
-    let Some(first) = files.first() else { return };
+/// Reads texts: a project, a program that carries its settings, or any other programs. False where only the whole module can.
+pub(super) fn read(model: Model, files: &[nc::File]) -> bool {
+    let Some(first) = files.first() else { return true };
     let text = first.text.trim_start_matches('\u{feff}');
     let opened = model.project.with_untracked(|project| open(project, &first.name, text));
     for told in &opened.diagnostics {
         model.notify(tone(told.severity), tell(told));
     }
-    let Some(mut project) = opened.project else { return };
+    let Some(mut project) = opened.project else { return !opened.elsewhere };
     if project.edited.is_some() && !text.starts_with('{') {
-        project.edited = Some(Files(files));
+        project.edited = Some(Files(files.to_vec()));
         model.notify("info", t("page.opened-program").to_owned());
     }
     model.file.set(0);
     model.tab.set(super::side::Tab::Program);
     model.replace(project);
     model.say(t("page.opened"));
+    true
 }
 
 fn dropped(model: Model, data: &DataTransfer) -> bool {
@@ -98,36 +100,33 @@ fn dropped(model: Model, data: &DataTransfer) -> bool {
     } else if text.trim().is_empty() {
         return false;
     } else {
-        read(model, vec![nc::File { name: t("page.pasted").to_owned(), text }]);
+        whole::ask(model, Wish::Files(vec![nc::File { name: t("page.pasted").to_owned(), text }]));
     }
     true
 }
 
 /// Listens for files that are dropped or pasted anywhere on the page.
 pub(super) fn listen(model: Model) {
-    let _ = window_event_listener(leptos::ev::dragover, |event: DragEvent| event.prevent_default());
-    let _ = window_event_listener(leptos::ev::drop, move |event: DragEvent| {
+    dom::hear("dragover", |event| event.prevent_default());
+    dom::hear("drop", move |event| {
         event.prevent_default();
-        if let Some(data) = event.data_transfer() {
+        if let Some(data) = event.unchecked_ref::<DragEvent>().data_transfer() {
             dropped(model, &data);
         }
     });
     // Before any text field gets it: a paste of many megabytes must not go into one.
-    let paste =
-        leptos::wasm_bindgen::closure::Closure::<dyn FnMut(ClipboardEvent)>::new(move |event: ClipboardEvent| {
-            let Some(data) = event.clipboard_data() else { return };
-            let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-            let in_text = target.is_some_and(|target| dom::takes_text(&target));
-            if in_text && (data.get_data("text").map_or(0, |text| text.len()) as f64) < BIG {
-                return;
-            }
-            if dropped(model, &data) {
-                event.prevent_default();
-                event.stop_propagation();
-            }
-        });
-    let _ = document().add_event_listener_with_callback_and_bool("paste", paste.as_ref().unchecked_ref(), true);
-    paste.forget();
+    dom::hear("paste", move |event| {
+        let Some(data) = event.unchecked_ref::<ClipboardEvent>().clipboard_data() else { return };
+        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let in_text = target.is_some_and(|target| dom::takes_text(&target));
+        if in_text && (data.get_data("text").map_or(0, |text| text.len()) as f64) < BIG {
+            return;
+        }
+        if dropped(model, &data) {
+            event.prevent_default();
+            event.stop_propagation();
+        }
+    });
 }
 
 /// The button that opens files, and the input behind it.

@@ -5,7 +5,8 @@ use leptos::prelude::*;
 use super::dom;
 use super::el::{El, button, el, icon_button};
 use super::model::Model;
-use super::words::{clock, short, t};
+use super::words::{clock, short, t, value_of};
+use crate::controls::Control;
 use crate::drives::speed::Limit;
 use crate::machines::form::Value;
 use crate::math;
@@ -26,7 +27,7 @@ fn plain(number: f64) -> String {
 }
 
 /// What an action is called.
-fn name(action: &Action) -> String {
+fn name(action: &Action, control: &Control) -> String {
     let on = |id: &'static str, on: bool| format!("{} {}", t(id), t(if on { "page.on" } else { "page.off" }));
     let share = |id: &'static str, percent: f64| format!("{} {} %", t(id), plain(percent));
     match action {
@@ -50,8 +51,7 @@ fn name(action: &Action) -> String {
             format!("{} {}", t(id), plain(*rpm))
         }
         Action::Input(name, value) => format!("{name} = {}", plain(*value)),
-        Action::Variable(number, Some(value)) => format!("#{number} = {}", plain(*value)),
-        Action::Variable(number, None) => format!("#{number} = {}", t("page.vacant")),
+        Action::Variable(number, value) => format!("{} = {}", control.variable(*number), value_of(control, *value, 6)),
     }
 }
 
@@ -73,7 +73,8 @@ pub(super) fn act(model: Model, action: Action) {
             }
         }
         let effect = if changes.is_empty() { t("page.no-change").to_owned() } else { changes.join(", ") };
-        model.changed.set(format!("{} s: {} · {effect}", clock(event.t), name(&event.action)));
+        let done = model.project.with_untracked(|project| name(&event.action, project.control));
+        model.changed.set(format!("{} s: {done} · {effect}", clock(event.t)));
         dom::mark("knob-answered");
         dom::measure("knob", "knob-turned", "knob-answered");
     };
@@ -86,10 +87,7 @@ fn watched(model: Model, t: f64) -> Vec<(String, String)> {
     let mut out = Vec::with_capacity(rows.len() + 4);
     model.player.ask_planner(|planner| {
         for (number, _, _) in &rows {
-            out.push((
-                control.variable(*number),
-                planner.variable_at(*number, t).map_or_else(vacant, |value| short(value, 3)),
-            ));
+            out.push((control.variable(*number), value_of(control, planner.variable_at(*number, t), 3)));
         }
         let now = planner.timeline().at(t);
         for (axis, state) in control.axes.iter().zip(&now.axes) {
@@ -99,10 +97,6 @@ fn watched(model: Model, t: f64) -> Vec<(String, String)> {
         out.push((self::t("page.volts").to_owned(), short(now.spindle.volts, 3)));
     });
     out
-}
-
-fn vacant() -> String {
-    t("page.vacant").to_owned()
 }
 
 /// What the knobs stand at, at a time.

@@ -8,10 +8,10 @@ use super::files;
 use super::local::Local;
 use super::model::Model;
 use super::store::Kept;
+use super::whole::{self, Wish};
 use super::words::t;
 use crate::controls;
-use crate::machines::{self, AnyMachine};
-use crate::project::Project;
+use crate::machines;
 
 /// Where the choice of light and dark is kept.
 const THEME: &str = "macroline.theme";
@@ -61,18 +61,16 @@ pub(super) fn header(model: Model) -> El {
 }
 
 fn machine_picker(model: Model) -> El {
-    let rows: Vec<El> = machines::ALL
+    let rows: Vec<El> = machines::LISTED
         .iter()
         .map(|machine| {
-            let machine: &'static dyn AnyMachine = *machine;
-            let chosen = move || model.project.with(|project| project.machine.id() == machine.id());
+            let chosen = move || model.project.with(|project| project.machine.id() == machine.id);
             let choose = move || {
-                let project = Project::of(machine.id(), None).filter(|_| !untrack(chosen));
-                if let Some(project) = project {
-                    model.replace(project);
+                if !untrack(chosen) {
+                    whole::ask(model, Wish::Machine(machine.id));
                 }
             };
-            button("button", t(machine.name()), choose).state("aria-pressed", chosen)
+            button("button", t(machine.name), choose).state("aria-pressed", chosen)
         })
         .collect();
     el("div.segments").at("role", "group").label(t("page.machine")).add(&rows)
@@ -82,15 +80,18 @@ fn control_picker(model: Model) -> El {
     let rows = move || {
         model.machine.track();
         let ids = model.project.with_untracked(|project| project.machine.controls());
-        let found = ids.iter().filter_map(|id| controls::find(id));
+        let found = ids.iter().filter_map(|id| controls::listed(id));
         found.map(|control| el("option").at("value", control.id).text(control.name)).collect()
     };
     let choose = move |event| {
-        if let Some(control) = controls::find(&value(&event)) {
-            model.edit("", |project| project.move_to(control));
+        if let Some(control) = controls::listed(&value(&event)) {
+            whole::ask(model, Wish::Control(control.id));
         }
     };
-    let present = move || model.project.with(|project| project.control.id.to_owned());
+    let present = move || match model.wish.get() {
+        Some(Wish::Control(id)) => id.to_owned(),
+        _ => model.project.with(|project| project.control.id.to_owned()),
+    };
     el("select.control").label(t("page.control")).swap(rows).valued(present).on("change", choose)
 }
 

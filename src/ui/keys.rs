@@ -27,8 +27,8 @@ pub(super) fn turn(on: bool) {
 
 /// Listens to the keys.
 pub(super) fn listen(model: Model) {
-    let _ = window_event_listener(leptos::ev::keydown, move |event| {
-        if press(model, &event) {
+    dom::hear("keydown", move |event| {
+        if press(model, event.unchecked_ref()) {
             event.prevent_default();
         }
     });

@@ -71,7 +71,7 @@ fn words(out: &mut String, text: &str, start: usize, control: &Control, here: &[
 }
 
 /// The class of a piece of text.
-fn class(kind: TokenKind) -> &'static str {
+pub(super) fn class(kind: TokenKind) -> &'static str {
     match kind {
         TokenKind::Comment | TokenKind::Percent => "t-c",
         TokenKind::Code => "t-g",

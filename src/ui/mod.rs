@@ -64,6 +64,8 @@ mod variables;
 
 mod walk;
 
+mod whole;
+
 mod words;
 
 mod work;
@@ -90,8 +92,17 @@ use words::{sign, t, tell_alarm};
 use crate::motion::RunEnd;
 use crate::project::run::repeats;
 
-pub use words::learn;
 pub use work::work;
+
+/// Opens the page: a panic is reported, the sentences are taken, and the page is shown.
+pub fn open() {
+    std::panic::set_hook(Box::new(|panic| {
+        web_sys::console::error_1(&panic.to_string().into());
+        broken(&panic.to_string());
+    }));
+    words::learn();
+    leptos::mount::mount_to_body(App);
+}
 
 /// The page.
 #[component]
@@ -105,10 +116,18 @@ pub fn App() -> impl IntoView {
     view! { <div class="app" node_ref=host></div> }
 }
 
-/// All of the page; nothing where there is no machine to show.
+/// All of the page; nothing where this module lacks what the project needs, and the whole one opens it.
 fn page() -> Option<El> {
-    let (project, found) = store::load();
-    let model = Model::new(project?, found);
+    let handed = whole::handed();
+    let (project, found) = handed.as_ref().map_or_else(store::load, whole::Handed::project);
+    let Some(project) = project else {
+        whole::instead();
+        return None;
+    };
+    let model = Model::new(project, found);
+    if let Some(handed) = handed {
+        handed.go_on(model);
+    }
     keys::listen(model);
     files::listen(model);
     model.player.settle();
@@ -176,7 +195,7 @@ fn notices(model: Model) -> El {
 
 fn row(model: Model, notice: Notice) -> El {
     let text = notice.text.clone();
-    let dismiss = move || model.notices.update(|notices| notices.retain(|other| other.text != text));
+    let dismiss = move || model.dismiss(&text);
     let save = notice.file.map(|(name, content)| {
         button("button", t("page.save-file"), move || dom::download(name, "text/plain", content.as_bytes()))
     });
@@ -189,7 +208,7 @@ fn row(model: Model, notice: Notice) -> El {
 }
 
 /// Tells in plain DOM that the page has stopped: after a panic no signal works any more.
-pub fn broken(reason: &str) {
+fn broken(reason: &str) {
     let Some(body) = web_sys::window().and_then(|window| window.document()?.body()) else { return };
     let Ok(told) = document().create_element("p") else { return };
     told.set_class_name("broken");

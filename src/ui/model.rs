@@ -13,6 +13,7 @@ use super::player::Player;
 use super::reviewer;
 use super::side::Tab;
 use super::store::{self, Kept};
+use super::whole::Wish;
 use crate::machines::Design;
 use crate::machines::form::{Provenance, Value};
 use crate::project::Project;
@@ -96,6 +97,8 @@ pub(super) struct Model {
     pub file: Local<usize>,
     /// What answers questions in a worker.
     pub aside: Aside,
+    /// What was asked for and this module lacks, while the whole one is loaded.
+    pub wish: Local<Option<Wish>>,
     /// The run.
     pub player: Player,
     history: Local<History>,
@@ -150,6 +153,7 @@ impl Model {
             tab: Local::new(Tab::Program),
             file: Local::new(0),
             aside: Aside::new(),
+            wish: Local::new(None),
             player,
             history: Local::new(History::default()),
         };
@@ -219,6 +223,20 @@ impl Model {
             let forth = history.future.pop()?;
             history.past.push(present);
             Some(forth)
+        });
+    }
+
+    /// The steps behind and before the present one, for the whole module.
+    pub(super) fn steps(self) -> [Vec<Project>; 2] {
+        self.history.quietly(|history| [core::mem::take(&mut history.past), core::mem::take(&mut history.future)])
+    }
+
+    /// Takes the steps that the first module handed over.
+    pub(super) fn set_steps(self, [past, future]: [Vec<Project>; 2]) {
+        self.can.set((!past.is_empty(), !future.is_empty()));
+        self.history.quietly(|history| {
+            history.past = past;
+            history.future = future;
         });
     }
 
@@ -333,6 +351,11 @@ impl Model {
             notices.retain(|notice| notice.text != text);
             notices.push(Notice { tone, text, file: None });
         });
+    }
+
+    /// Takes a notice away.
+    pub(super) fn dismiss(self, text: &str) {
+        self.notices.update(|notices| notices.retain(|notice| notice.text != text));
     }
 
     /// Notes that a person has changed something, to measure how long the answer takes.

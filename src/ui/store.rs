@@ -8,6 +8,7 @@ use super::debug;
 use super::dom;
 use super::local::Local;
 use super::model::{Model, Notice};
+use super::whole;
 use super::words::{t, tell};
 use crate::machines;
 use crate::project::Project;
@@ -19,7 +20,7 @@ const KEY: &str = "macroline.project";
 const ASIDE: &str = "macroline.set-aside";
 
 /// Name of the file in which a state that was set aside is handed out.
-const ASIDE_FILE: &str = "macroline-set-aside.txt";
+pub(super) const ASIDE_FILE: &str = "macroline-set-aside.txt";
 
 /// How it stands with keeping.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,12 +33,15 @@ pub(super) enum Kept {
     No,
 }
 
-/// The project of the last visit, or a fresh one and what there is to say about it.
+/// The project of the last visit, or a fresh one and what there is to say about it. None where only the whole module can take it.
 pub(super) fn load() -> (Option<Project>, Vec<Notice>) {
     let fresh = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
     let mut notices = Vec::new();
     let Some(text) = dom::stored(KEY) else { return (fresh(), notices) };
     let loaded = Project::from_json(&text);
+    if loaded.elsewhere {
+        return (None, notices);
+    }
     if let Some(project) = loaded.project {
         notices.extend(loaded.diagnostics.iter().map(|d| Notice { tone: "warn", text: tell(d), file: None }));
         return (Some(project), notices);
@@ -55,7 +59,10 @@ pub(super) fn load() -> (Option<Project>, Vec<Notice>) {
 pub(super) fn keep(model: Model) {
     let timer = Local::new(None::<TimeoutHandle>);
     let save = move || {
-        let text = model.project.with_untracked(Project::to_json);
+        let text = model.project.with_untracked(|project| {
+            whole::keep(project);
+            project.to_json()
+        });
         model.kept.set(if dom::store(KEY, &text) { Kept::Yes } else { Kept::No });
         timer.quietly(|timer| *timer = None);
     };
@@ -79,6 +86,6 @@ pub(super) fn keep(model: Model) {
             save();
         }
     };
-    let _ = window_event_listener(leptos::ev::pagehide, move |_| hide());
-    let _ = window_event_listener(leptos::ev::visibilitychange, move |_| hide());
+    dom::hear("pagehide", move |_| hide());
+    dom::hear("visibilitychange", move |_| hide());
 }

@@ -8,7 +8,7 @@ use super::dom;
 use super::el::{El, el, number, value};
 use super::hand::act;
 use super::model::Model;
-use super::words::{short, t};
+use super::words::{t, value_of};
 use crate::motion::Action;
 
 /// The variables tab.
@@ -24,7 +24,8 @@ pub(super) fn variables(model: Model) -> Vec<El> {
 
 fn row(model: Model, variable: u32, meaning: &'static str, unit: &str) -> El {
     let player = model.player;
-    let name = model.project.with_untracked(|project| project.control.variable(variable));
+    let control = model.project.with_untracked(|project| project.control);
+    let name = control.variable(variable);
     let input = el("input").at("type", "text").at("inputmode", "decimal").at("autocomplete", "off").label(&name);
     let row = el("tr");
     let (field, line) = (input.input().clone(), row.dom().clone());
@@ -35,7 +36,7 @@ fn row(model: Model, variable: u32, meaning: &'static str, unit: &str) -> El {
         if last.replace(Some(value)) == Some(value) {
             return;
         }
-        field.set_value(&value.map_or_else(vacant, |value| short(value, 6)));
+        field.set_value(&value_of(control, value, 6));
         // Another animation by turns makes the row flash at each change but the first.
         let class = match flashes.replace(flashes.get() + 1) {
             0 => "",
@@ -48,6 +49,7 @@ fn row(model: Model, variable: u32, meaning: &'static str, unit: &str) -> El {
         let typed = value(&event);
         match number(&event) {
             None if !typed.trim().is_empty() => model.notify("warn", t("page.not-a-value").to_owned()),
+            None if !control.has_vacant() => act(model, Action::Variable(variable, Some(0.0))),
             set => act(model, Action::Variable(variable, set)),
         }
     };
@@ -57,8 +59,4 @@ fn row(model: Model, variable: u32, meaning: &'static str, unit: &str) -> El {
         el("td").text(unit),
         el("td").text(t(meaning)),
     ])
-}
-
-fn vacant() -> String {
-    t("page.vacant").to_owned()
 }

@@ -4,12 +4,13 @@ use leptos::wasm_bindgen::throw_str;
 
 use super::model::Model;
 use super::script::get;
+use crate::controls::Control;
 use crate::text::catalog::{self, Language};
 use crate::text::number;
 use crate::text::{Diagnostic, Grade, Message, Severity};
 
 /// Takes the sentences that boot.js or worker_boot.js has loaded. Without them nothing can be said here: it throws what boot.js shows.
-pub fn learn() {
+pub(super) fn learn() {
     let text = get(&js_sys::global(), "sentences").as_string().unwrap_or_default();
     if !catalog::load(text) {
         throw_str("the file en.txt, its sentences, is missing or of another version; reload the page");
@@ -77,6 +78,14 @@ pub(super) fn tell_alarm(diagnostic: &Diagnostic) -> String {
 pub(super) fn written(model: Model, text: &str) -> String {
     model.control.track();
     model.project.with_untracked(|project| project.control.written(text))
+}
+
+/// The value of a variable as the control shows it.
+pub(super) fn value_of(control: &Control, value: Option<f64>, decimals: u8) -> String {
+    match value {
+        None if control.has_vacant() => t("page.vacant").to_owned(),
+        value => short(value.unwrap_or_default(), decimals),
+    }
 }
 
 /// A number with a fixed count of decimals and thin spaces between thousands.

@@ -1,0 +1,176 @@
+//! From the first module to the whole one: what a person asks for is done here, or there with the project as it stands.
+//!
+//! boot.js loads the whole module beside the first one, which works on meanwhile. Once it runs it asks for the state and puts its page in
+//! the place of the first one's, all in one task: nothing that is done at the page is lost, and no frame is between the two.
+
+use leptos::wasm_bindgen::JsValue;
+use leptos::wasm_bindgen::closure::Closure;
+
+use super::dom;
+use super::files;
+use super::model::{Model, Notice};
+use super::script::{call, get, list, object, promised, rows, table, text};
+use super::side;
+use super::words::t;
+use crate::controls::{self, WHOLE};
+use crate::machines;
+use crate::nc::File;
+use crate::project::Project;
+
+/// Where it is kept which module the project needs, for boot.js.
+const KEY: &str = "macroline.module";
+
+/// What a person asks for, and what any module may lack.
+#[derive(Clone)]
+pub(super) enum Wish {
+    /// The control of an id, for the present machine.
+    Control(&'static str),
+    /// The machine of an id.
+    Machine(&'static str),
+    /// What is in files: a project, or programs.
+    Files(Vec<File>),
+}
+
+impl Wish {
+    /// Does it, where this module can; else says false.
+    fn grant(&self, model: Model) -> bool {
+        match self {
+            Wish::Control(id) => {
+                let found = controls::find(id);
+                if let Some(control) = found {
+                    model.edit("", |project| project.move_to(control));
+                }
+                found.is_some()
+            }
+            Wish::Machine(id) => {
+                let fresh = Project::of(id, None);
+                let there = fresh.is_some();
+                fresh.into_iter().for_each(|project| model.replace(project));
+                there
+            }
+            Wish::Files(files) => files::read(model, files),
+        }
+    }
+}
+
+/// Does what a person asks for, in whichever module can.
+pub(super) fn ask(model: Model, wish: Wish) {
+    if wish.grant(model) || WHOLE {
+        return;
+    }
+    let loading = model.wish.with_untracked(Option::is_some);
+    model.wish.set(Some(wish));
+    if loading {
+        return;
+    }
+    model.dismiss(t("page.not-loaded"));
+    let state = Closure::once_into_js(move || state(model));
+    let opened = promised("whole", &[&state]);
+    wasm_bindgen_futures::spawn_local(async move {
+        if opened.await.is_err() {
+            model.wish.set(None);
+            model.notify("fail", t("page.not-loaded").to_owned());
+        }
+    });
+}
+
+/// Opens the page with the whole module in place of this one, which has not begun yet.
+pub(super) fn instead() {
+    wasm_bindgen_futures::spawn_local(async {
+        let _ = promised("whole", &[]).await;
+    });
+}
+
+/// Keeps which module a project needs.
+pub(super) fn keep(project: &Project) {
+    let (machine, control) = (machines::listed(project.machine.id()), controls::listed(project.control.id));
+    let first = !WHOLE || machine.is_some_and(|row| row.first) && control.is_some_and(|row| row.first);
+    dom::store(KEY, if first { "first" } else { "whole" });
+}
+
+/// All that the other module has to know. This one rests from now on.
+fn state(model: Model) -> JsValue {
+    let player = model.player;
+    let playing = player.playing.get_untracked();
+    player.playing.set(false);
+    model.aside.end();
+    let [past, future] = model.steps().map(|steps| list(steps.iter().map(|project| project.to_json().into())));
+    let notices = model.notices.with_untracked(|notices| {
+        table(notices.iter().map(|notice| {
+            let (name, content) = notice.file.clone().unwrap_or_default();
+            vec![notice.tone.into(), notice.text.as_str().into(), name.into(), content.into()]
+        }))
+    });
+    let (kind, id, files) = match model.wish.get_untracked() {
+        Some(Wish::Control(id)) => ("control", id, Vec::new()),
+        Some(Wish::Machine(id)) => ("machine", id, Vec::new()),
+        Some(Wish::Files(files)) => ("files", "", files),
+        None => ("", "", Vec::new()),
+    };
+    object([
+        ("project", model.project.with_untracked(Project::to_json).into()),
+        ("past", past),
+        ("future", future),
+        ("notices", notices),
+        ("tab", side::number(model.tab.get_untracked()).into()),
+        ("file", (model.file.get_untracked() as u32).into()),
+        ("t", player.head().into()),
+        ("speed", player.speed.get_untracked().into()),
+        ("playing", playing.into()),
+        ("kind", kind.into()),
+        ("id", id.into()),
+        ("files", table(files.iter().map(|file| vec![file.name.as_str().into(), file.text.as_str().into()]))),
+    ])
+}
+
+/// What the first module hands over, where it had the page before.
+pub(super) struct Handed(JsValue);
+
+/// Takes the page over from the first module; none where this one opens it.
+pub(super) fn handed() -> Option<Handed> {
+    let state = call(&js_sys::global(), "handed", &[]).ok().filter(|_| WHOLE)?;
+    (!state.is_undefined()).then_some(Handed(state))
+}
+
+impl Handed {
+    /// The project and the notices.
+    pub(super) fn project(&self) -> (Option<Project>, Vec<Notice>) {
+        let tones = ["info", "warn", "fail"];
+        let notice = |[tone, text, name, content]: [String; 4]| {
+            let file = (!name.is_empty()).then_some((super::store::ASIDE_FILE, content));
+            Notice { tone: tones.into_iter().find(|one| *one == tone).unwrap_or_default(), text, file }
+        };
+        let notices = rows(&self.0, "notices").into_iter().map(notice).collect();
+        (Project::from_json(&text(&self.0, "project")).project, notices)
+    }
+
+    /// Goes on where the first module was: history, tab, play head, and what was asked for.
+    pub(super) fn go_on(self, model: Model) {
+        let number = |name| get(&self.0, name).as_f64().unwrap_or_default();
+        let steps = |name| {
+            let steps = js_sys::Array::from(&get(&self.0, name));
+            steps.iter().filter_map(|step| Project::from_json(&step.as_string()?).project).collect()
+        };
+        model.set_steps([steps("past"), steps("future")]);
+        model.tab.set(side::numbered(number("tab") as u32));
+        model.file.set(number("file") as usize);
+        let player = model.player;
+        player.speed.set(number("speed"));
+        player.seek(number("t"));
+        if get(&self.0, "playing").is_truthy() {
+            player.toggle();
+        }
+        let id = text(&self.0, "id");
+        let wish = match text(&self.0, "kind").as_str() {
+            "control" => controls::listed(&id).map(|row| Wish::Control(row.id)),
+            "machine" => machines::listed(&id).map(|row| Wish::Machine(row.id)),
+            "files" => {
+                let files = rows(&self.0, "files").into_iter().map(|[name, text]| File { name, text });
+                Some(Wish::Files(files.collect()))
+            }
+            _ => None,
+        };
+        // After the first effects: from then on every change is kept.
+        dom::soon(move || wish.into_iter().for_each(|wish| ask(model, wish)));
+    }
+}
