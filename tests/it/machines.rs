@@ -5,4 +5,5 @@ mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;
 mod turning;
+mod turning_controls;
 mod written;

@@ -143,6 +143,28 @@ fn a_feed_beyond_the_range_of_a_control_says_how_fast_it_may_run_and_the_way_out
 }
 
 #[test]
+fn the_range_of_f_per_minute_on_the_802d_is_said_with_its_numbers() {
+    for (rpm, fits) in [("600", true), ("1000", true), ("1005", true), ("1006", false), ("1200", false)] {
+        let project =
+            project("sinumerik-802d", &[("spindle-speed", rpm), ("pitch-count", "5"), ("spindle-encoder", "true")]);
+        let design = project.design();
+        let feed = design.readouts.iter().find(|row| row.id == "vector-feed").unwrap();
+        assert_eq!((feed.verdict == Verdict::Fail, feed.limit), (!fits, Some(99_999.999)), "{rpm}");
+        let mut planner = over_time(&project, vec![]);
+        assert_eq!(ended(&mut planner) == RunEnd::ProgramEnd, fits, "{rpm}");
+        if rpm == "1200" {
+            let advice: Vec<_> = feed.advice.iter().map(|message| sentence(Language::English, message)).collect();
+            expect![[r#"
+                the control takes 99999.999: at most 1005 r/min
+                The vector feed would be 119391.393 mm/min, the control takes 99999.999 at most.
+                At most 1005 r/min of the unwinder keep within all limits.
+                Or take the feed per revolution, F99.493 mm: the range of F per minute does not bind it. It needs a spindle encoder on the unwinder.
+            "#]].assert_eq(&(advice.join("\n") + "\n"));
+        }
+    }
+}
+
+#[test]
 fn a_feed_per_revolution_runs_in_step_with_the_unwinder_on_every_control() {
     let knob = |t: f64, percent: f64| Event { t, action: Action::SpindleOverride(percent) };
     for control in controls() {

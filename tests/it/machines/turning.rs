@@ -16,7 +16,7 @@ use macroline::view::Verdict;
 
 const PATHS: [&str; 3] = ["facing", "turning", "taper"];
 
-fn machine() -> &'static dyn AnyMachine {
+pub(super) fn machine() -> &'static dyn AnyMachine {
     machines::find("turning-spindle").unwrap()
 }
 
@@ -26,7 +26,7 @@ fn values(changes: &[(&str, &str)]) -> Values {
     changes.iter().map(|(id, typed)| ((*id).to_owned(), field(id).read(typed).unwrap())).collect()
 }
 
-fn project(control: &str, changes: &[(&str, &str)]) -> Project {
+pub(super) fn project(control: &str, changes: &[(&str, &str)]) -> Project {
     let mut project = Project::of("turning-spindle", Some(control)).unwrap();
     project.values.extend(values(changes));
     project
@@ -42,24 +42,40 @@ const IDEAL: [(&str, &str); 6] = [
     ("chuck-limit", "6000"),
 ];
 
-fn ideal(control: &str, changes: &[(&str, &str)]) -> Project {
+pub(super) fn ideal(control: &str, changes: &[(&str, &str)]) -> Project {
     project(control, &[&IDEAL, changes].concat())
 }
 
-fn over_time(project: &Project) -> Planner<Interp> {
-    let limits = Limits { blocks: 1_000_000, seconds: 3600.0 };
-    let begin = Begin { start: None, settings: &[], limits, keep: Keep::Timeline };
-    let mut planner = run::of_project(project, &project.written(), &begin);
+pub(super) fn over_time(project: &Project) -> Planner<Interp> {
+    let mut planner = run_of(project, None);
     assert_eq!(planner.advance(f64::INFINITY, usize::MAX).ended, Some(macroline::motion::RunEnd::ProgramEnd));
     planner
 }
 
-fn result(project: &Project, id: &str) -> f64 {
+/// A run that has not begun, in which the operator does something.
+pub(super) fn run_of(project: &Project, event: Option<Event>) -> Planner<Interp> {
+    let mut project = project.clone();
+    event.into_iter().for_each(|event| project.panel.add(event));
+    begun(&project, &[])
+}
+
+/// The same, in which he sets a variable first.
+pub(super) fn run_set(project: &Project, number: u32, value: f64) -> Planner<Interp> {
+    begun(project, &[run::Setting { name: project.control.variable(number), value }])
+}
+
+fn begun(project: &Project, settings: &[run::Setting]) -> Planner<Interp> {
+    let limits = Limits { blocks: 1_000_000, seconds: 3600.0 };
+    let begin = Begin { start: None, settings, limits, keep: Keep::Timeline };
+    run::of_project(project, &project.written(), &begin)
+}
+
+pub(super) fn result(project: &Project, id: &str) -> f64 {
     project.design().readouts.iter().find(|row| row.id == id).unwrap().value
 }
 
 /// From when to when blocks cut.
-fn cuts(project: &Project, planner: &Planner<Interp>) -> Vec<(f64, f64)> {
+pub(super) fn cuts(project: &Project, planner: &Planner<Interp>) -> Vec<(f64, f64)> {
     let (files, timeline) = (project.written().files, planner.timeline());
     let taper = values(&[("path", "taper")]).get("path") == project.values.get("path");
     let (mut t, mut found) = (0.0, Vec::new());

@@ -349,6 +349,79 @@ fn the_gsk_output_keeps_its_volts_but_where_a_parameter_takes_them_away() {
 }
 
 #[test]
+fn the_printed_surface_speeds_of_the_gsk_manual_by_its_own_words() {
+    // gsk-knd-polygon.md section 1.3: S300 at 100, 50 and 80 mm; and note 1, G96 with the S that it had.
+    for (diameter, rpm) in [(100.0, 955.0), (50.0, 1910.0), (80.0, 1194.0)] {
+        for (switches, word) in [(&[][..], diameter), (&[("diameter", "radius")], diameter / 2.0)] {
+            let planner =
+                Lathe::new("gsk-980tdc", switches).run(&format!("G00 X{word:?}\nM03 G96 S0300\nG04 X1.\nM00"));
+            assert_eq!(last(&planner).command.round(), rpm);
+        }
+    }
+    let planner =
+        Lathe::new("gsk-980tdc", &[]).run("G00 X60.\nG96 S50 M03\nG97 S1000\nG04 X1.\nG96 X60.\nG04 X1.\nM00");
+    close(last(&planner).command, 1000.0 * 50.0 / (math::PI * 60.0), 1e-12);
+    // Note 4: without S the last speed is kept. Repeated codes are no alarm.
+    let planner = Lathe::new("gsk-980tdc", &[]).run("G00 X60.\nG96 S50 M03\nG96\nG97\nG97\nG00 X90.\nM00");
+    close(last(&planner).command, 1000.0 * 50.0 / (math::PI * 60.0), 1e-12);
+    // G50 S0 without No.043: the spindle stands. No limit at power-on, and none at a constant speed.
+    let planner = Lathe::new("gsk-980tdc", &[]).run("G00 X60.\nG50 S0\nG96 S50 M03\nG04 X1.\nM00");
+    assert_eq!(last(&planner).command, 0.0);
+    let planner = Lathe::new("gsk-980tdc", &[]).run("G50 S700\nG97 S900 M03\nG04 X1.\nM00");
+    assert_eq!(last(&planner).command, 900.0);
+}
+
+#[test]
+fn volts_of_the_gsk_gears_and_offsets() {
+    // gsk-knd-polygon.md section 6: gears 1000, 2000, 4000, 5000, S800 is 8, 4, 2, 1.6 V.
+    for (gear, volts) in [(1, 8.0), (2, 4.0), (3, 2.0), (4, 1.6)] {
+        let mut lathe = Lathe::new("gsk-980tdc", &[]);
+        lathe.plant.spindle = lathe.plant.spindle.with_stages([1000.0, 2000.0, 4000.0, 5000.0].map(Stage::new));
+        let planner = lathe.run(&format!("M4{gear}\nS0800 M03\nG04 X1.\nM00"));
+        close(last(&planner).volts_command, volts, 1e-12);
+        assert!((last(&planner).volts - volts).abs() <= 10.0 / 4095.0 / 2.0 + 1e-12);
+    }
+    // No.021 = 100, No.036 = 20, half speed: 5.060 V. The printed formula counts to 9999, ours to 10000: 0.1 mV.
+    let analog = Analog { offset_zero: 0.02, offset_rated: 0.1, ..Analog::unipolar(2000.0, 10.0) };
+    let printed = |code: f64| ((9999.0 + 100.0 - 20.0) / 9999.0 * code + 20.0 * 4095.0 / 9999.0) / 4095.0 * 10.0;
+    for rpm in [0.0, 500.0, 1000.0, 1500.0] {
+        assert!((analog.command(rpm) - printed(4095.0 * rpm / 2000.0)).abs() < 1.1e-3, "{rpm}");
+    }
+    assert!((analog.command(1000.0) - 5.06).abs() < 1e-12);
+}
+
+#[test]
+fn p9100_in_r_parameters_computes_the_cases_of_the_sheet() {
+    // sinumerik-802d.md section 8.1: S, override, line speed, feed, status.
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/programs/sinumerik-802d/ok/ribbon.nc");
+    let source = std::fs::read_to_string(folder).unwrap();
+    for (rpm, percent, line, feed, status) in [
+        (1200.0, 80.0, 12_063.716, 95_513.115, 0.0),
+        (1200.0, 100.0, 15_079.645, 119_391.393, 2.0),
+        (1200.0, 120.0, 18_095.574, 143_269.672, 2.0),
+        (600.0, 100.0, 7_539.822, 59_695.697, 0.0),
+        (1000.0, 100.0, 12_566.371, 99_492.828, 0.0),
+        (1005.097, 100.0, 12_630.421, 99_999.95, 0.0),
+        (1005.2, 100.0, 12_631.716, 100_010.19, 2.0),
+        (1200.0, 0.0, f64::NAN, f64::NAN, 1.0),
+    ] {
+        let source =
+            source.replace("R100=1200", &format!("R100={rpm}")).replace("R103=100", &format!("R103={percent}"));
+        let control = controls::find("sinumerik-802d").unwrap();
+        let parsed = parse_with(&Files::one("RIBBON.MPF", source), control, &Switches::default());
+        let mut interp = Interp::new(Rc::new(parsed), Start::First, &Switches::default());
+        macroline::interp::run(&mut interp, &mut macroline::interp::world::Still::default(), 10_000, |_, _| {});
+        let r = |number: u32| interp.variable(number).unwrap_or(0.0);
+        assert_eq!(r(98), status, "{rpm} {percent}");
+        if status != 1.0 {
+            assert!((r(105) - line).abs() < 0.02 && (r(115) - feed).abs() < 0.05, "{} {}", r(105), r(115));
+            close(r(116), 99.492_828, 1e-8);
+            close(r(110), 62.831_853, 1e-8);
+        }
+    }
+}
+
+#[test]
 fn nothing_is_wrong_with_the_programs_of_the_sheets() {
     let parsed = parse_with(
         &Files::one("A.MPF", format!("%_N_FACEKEY_MPF\n{FACE}\n")),

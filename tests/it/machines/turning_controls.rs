@@ -1,0 +1,284 @@
+//! One part on every control: the same motion where their rules agree, and a table of where they do not.
+
+use std::fmt::Write as _;
+
+use expect_test::expect;
+use macroline::controls::{Code, Control};
+use macroline::interp::Interp;
+use macroline::motion::{Action, Event, Planner, RunEnd};
+
+use super::turning::{cuts, ideal, machine, over_time, project, result, run_of};
+use macroline::project::Project;
+
+/// The times of blocks are the control's and not the machine's.
+const TIMES: [(&str, &str); 3] = [("block-time", "5"), ("macro-time", "1"), ("preread", "5")];
+
+fn controls() -> impl Iterator<Item = &'static Control> {
+    machine().controls().iter().map(|id| macroline::controls::find(id).unwrap())
+}
+
+/// Slides and spindle over a cut: radius, Z, speed.
+fn moved(project: &Project, planner: &Planner<Interp>, from: f64, to: f64) -> Vec<[f64; 3]> {
+    let [x, z] = [b'X', b'Z'].map(|letter| project.control.axis(letter).unwrap());
+    let moments = (0..=200).map(|at| from + (to - from) * f64::from(at) / 200.0);
+    let look = |t: f64| {
+        let now = planner.timeline().at(t);
+        [now.axes[x].position, now.axes[z].position, now.spindle.actual]
+    };
+    moments.map(look).collect()
+}
+
+#[test]
+fn where_their_rules_agree_the_same_part_is_the_same_motion() {
+    let surface: Vec<&Control> = controls().filter(|control| control.can(Code::SurfaceSpeed)).collect();
+    assert_eq!(surface.len(), 3);
+    for path in ["facing", "turning", "taper"] {
+        for (mode, on) in [("surface", surface.clone()), ("fixed", controls().collect())] {
+            for knob in ["100", "80"] {
+                let changes = [
+                    &TIMES[..],
+                    &[
+                        ("path", path),
+                        ("speed-mode", mode),
+                        ("depth", "8"),
+                        ("override", knob),
+                        ("gear", "2"),
+                        ("stage-1", "3000"),
+                    ],
+                ]
+                .concat();
+                let runs: Vec<_> = on
+                    .iter()
+                    .map(|control| {
+                        let project = ideal(control.id, &changes);
+                        let planner = over_time(&project);
+                        let cuts = cuts(&project, &planner);
+                        // The first point of a cut is where a rapid ends: that is a rule of its own.
+                        let all: Vec<_> =
+                            cuts.iter().map(|(from, to)| moved(&project, &planner, from + 1e-6, to - 1e-6)).collect();
+                        (control.id, cuts.len(), all)
+                    })
+                    .collect();
+                let first = &runs[0];
+                for other in &runs[1..] {
+                    assert_eq!(first.1, other.1);
+                    for (a, b) in first.2.iter().flatten().zip(other.2.iter().flatten()) {
+                        for (a, b) in a.iter().zip(b) {
+                            let close = (a - b).abs() <= 1e-4 * a.abs().max(1.0);
+                            assert!(close, "{path} {mode} {knob}: {} {a}, {} {b}", first.0, other.0);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What is asked of a lathe on a control.
+type Question = (&'static str, fn(&Control) -> String);
+
+fn rounded(value: f64) -> String {
+    format!("{}", (value * 100.0).round() / 100.0 + 0.0)
+}
+
+/// The words of the run program's block that has a text.
+fn block(control: &Control, changes: &[(&str, &str)], holds: &str) -> String {
+    let text = &project(control.id, changes).written().files.0[0].text.clone();
+    text.lines().find(|line| line.contains(holds)).map_or("-".to_owned(), |line| line.replace("  ", " "))
+}
+
+/// The speed at a moment behind the begin of a cut, or before it.
+fn speed(control: &Control, changes: &[(&str, &str)], cut: usize, seconds: f64) -> String {
+    let project = ideal(control.id, &[&TIMES[..], changes].concat());
+    let planner = over_time(&project);
+    let all = cuts(&project, &planner);
+    let t = if seconds < 0.0 { all[cut].0 + seconds } else { all[cut].1 + seconds };
+    rounded(planner.timeline().at(t).spindle.command)
+}
+
+/// Volts at the end, where the run ended in some way.
+fn volts(control: &Control, changes: &[(&str, &str)], event: Option<Action>) -> String {
+    let project = ideal(control.id, changes);
+    let mut planner = run_of(&project, event.map(|action| Event { t: 3.0, action }));
+    planner.advance(f64::INFINITY, usize::MAX);
+    rounded(planner.timeline().at(planner.timeline().end() + 9.0).spindle.volts_command)
+}
+
+/// Seconds from the begin to the first cut, with a ramp of three seconds.
+fn waits(control: &Control) -> String {
+    let project = project(control.id, &[&TIMES[..], &[("stage-2", "0"), ("stage-1", "3000")]].concat());
+    let planner = over_time(&project);
+    let begin = cuts(&project, &planner)[0].0;
+    let x = project.control.axis(b'X').unwrap();
+    let mut t = begin;
+    while planner.timeline().at(t).axes[x].feed == 0.0 {
+        t += 1e-3;
+    }
+    if t - begin > 0.1 { "waits for the speed".to_owned() } else { "begins at once".to_owned() }
+}
+
+/// How the program stops where an entry cannot be.
+fn entry(control: &Control) -> String {
+    let project = project(control.id, &[]);
+    let written = project.written();
+    let mut planner = super::turning::run_set(&project, 101, 0.0);
+    match planner.advance(f64::INFINITY, usize::MAX).ended {
+        Some(RunEnd::Alarm(alarm)) => format!("alarm {}", alarm.alarm.unwrap_or_default()),
+        Some(RunEnd::Stop) => {
+            let shown = written.files.0[0].text.lines().any(|line| line.contains("MSG("));
+            if shown { "message, stop".to_owned() } else { "stop".to_owned() }
+        }
+        end => format!("{end:?}"),
+    }
+}
+
+const QUESTIONS: &[Question] = &[
+    ("surface speed", |c| block(c, &[], "N25 ")),
+    ("fixed speed", |c| block(c, &[("speed-mode", "fixed")], "N27 ")),
+    ("limit", |c| block(c, &[], "N20 ")),
+    ("feed and path", |c| block(c, &[], "N21 ")),
+    ("gear", |c| block(c, &[], "N22 ")),
+    ("angle", |c| block(c, &[("keyway", "true"), ("lock-code", "81")], "N53 ")),
+    ("X of a face", |c| block(c, &[], "N36 ")),
+    ("jump of the loop", |c| block(c, &[], "N31 ")),
+    ("entry of 0", entry),
+    ("cutting speed 95.5", |c| rounded(machine_speed(c, "95.5"))),
+    ("knob at 133 %", |c| {
+        rounded(result(&ideal(c.id, &[("override", "133"), ("cutting-speed", "60")]), "speed-largest"))
+    }),
+    ("rpm before cut 1", |c| speed(c, &[], 0, -1e-4)),
+    ("rpm behind cut 1", |c| speed(c, &[], 0, 0.05)),
+    ("rpm before cut 2", |c| speed(c, &[], 1, -0.001)),
+    ("fixed, low 900", |c| speed(c, &[("speed-mode", "fixed"), ("lower-limit", "900")], 0, -1e-4)),
+    ("speed reached", waits),
+    ("volts at the end", |c| volts(c, &[], None)),
+    ("volts at reset", |c| volts(c, &[], Some(Action::Reset))),
+    ("volts at stop", |c| volts(c, &[], Some(Action::EmergencyStop))),
+    ("M04, -10 to 10 V", |c| {
+        let project = ideal(c.id, &[("direction", "ccw"), ("output", "+-10"), ("speed-mode", "fixed")]);
+        let planner = over_time(&project);
+        rounded(planner.timeline().at(cuts(&project, &planner)[0].0 + 0.1).spindle.volts_command)
+    }),
+];
+
+/// The surface speed that is commanded where one is typed.
+fn machine_speed(control: &Control, typed: &str) -> f64 {
+    let project = ideal(control.id, &[("cutting-speed", typed)]);
+    result(&project, "surface-time").recip()
+        * result(&ideal(control.id, &[("cutting-speed", "100")]), "surface-time")
+        * 100.0
+}
+
+#[test]
+fn the_differences_of_a_part_on_the_controls() {
+    let mut table = String::new();
+    for (what, answer) in QUESTIONS {
+        let _ = writeln!(table, "{what}");
+        for control in controls() {
+            let _ = writeln!(table, "    {:<15} {}", control.id, answer(control));
+        }
+    }
+    expect![[r#"
+        surface speed
+            gsk-980tdc      N25 G96 S#100 M3
+            sinumerik-802d  N25 G96 S=R100 LIMS=R107 M3
+            knd-k2000t      N25 G96 S#100 M3
+            mitsubishi-e60  N25 IF[#109 LE #107]GOTO27
+        fixed speed
+            gsk-980tdc      N27 G97 S#109 M3
+            sinumerik-802d  N27 LB27: G97 S=R109 M3
+            knd-k2000t      N27 G97 S#109 M3
+            mitsubishi-e60  N27 G97 S#109 M3
+        limit
+            gsk-980tdc      N20 G50 X#111 Z#112 S#107 (TOOL STANDS AT THE START)
+            sinumerik-802d  -
+            knd-k2000t      N20 G50 X#111 Z#112 S#107 (TOOL STANDS AT THE START)
+            mitsubishi-e60  N20 G92 X[#111/2] Z#112 (TOOL STANDS AT THE START)
+        feed and path
+            gsk-980tdc      N21 G99
+            sinumerik-802d  N21 G90 G95 G64
+            knd-k2000t      N21 G99
+            mitsubishi-e60  N21 G90 G95 G64
+        gear
+            gsk-980tdc      N22 M42
+            sinumerik-802d  N22 M42
+            knd-k2000t      N22 M42
+            mitsubishi-e60  -
+        angle
+            gsk-980tdc      -
+            sinumerik-802d  N53 SPOS=R113 ;FOR THE KEYWAY
+            knd-k2000t      -
+            mitsubishi-e60  -
+        X of a face
+            gsk-980tdc      N36 G01 X#103 F#101
+            sinumerik-802d  N36 G1 X=R103 F=R101
+            knd-k2000t      N36 G01 X#103 F#101
+            mitsubishi-e60  N36 G01 X[#103/2] F#101
+        jump of the loop
+            gsk-980tdc      N31 WHILE[#110 GT 0]DO1
+            sinumerik-802d  N31 LB31: IF R110<=0 GOTOF LB50
+            knd-k2000t      N31 WHILE[#110 GT 0]DO1
+            mitsubishi-e60  N31 WHILE[#110 GT 0]DO1
+        entry of 0
+            gsk-980tdc      alarm 5902
+            sinumerik-802d  message, stop
+            knd-k2000t      alarm 3002
+            mitsubishi-e60  alarm P277
+        cutting speed 95.5
+            gsk-980tdc      96
+            sinumerik-802d  95.5
+            knd-k2000t      96
+            mitsubishi-e60  95.49
+        knob at 133 %
+            gsk-980tdc      272.84
+            sinumerik-802d  272.84
+            knd-k2000t      302.39
+            mitsubishi-e60  316.54
+        rpm before cut 1
+            gsk-980tdc      682.09
+            sinumerik-802d  682.09
+            knd-k2000t      682.09
+            mitsubishi-e60  716
+        rpm behind cut 1
+            gsk-980tdc      682.09
+            sinumerik-802d  2500
+            knd-k2000t      682.09
+            mitsubishi-e60  716
+        rpm before cut 2
+            gsk-980tdc      682.09
+            sinumerik-802d  682.09
+            knd-k2000t      682.09
+            mitsubishi-e60  716
+        fixed, low 900
+            gsk-980tdc      716
+            sinumerik-802d  900
+            knd-k2000t      716
+            mitsubishi-e60  716
+        speed reached
+            gsk-980tdc      begins at once
+            sinumerik-802d  waits for the speed
+            knd-k2000t      begins at once
+            mitsubishi-e60  begins at once
+        volts at the end
+            gsk-980tdc      1.27
+            sinumerik-802d  0
+            knd-k2000t      0
+            mitsubishi-e60  0
+        volts at reset
+            gsk-980tdc      2.3
+            sinumerik-802d  0
+            knd-k2000t      0
+            mitsubishi-e60  0
+        volts at stop
+            gsk-980tdc      2.3
+            sinumerik-802d  0
+            knd-k2000t      0
+            mitsubishi-e60  0
+        M04, -10 to 10 V
+            gsk-980tdc      7.16
+            sinumerik-802d  -7.16
+            knd-k2000t      -7.16
+            mitsubishi-e60  7.16
+    "#]]
+    .assert_eq(&table);
+}
