@@ -580,7 +580,7 @@ impl<'a> Reader<'a> {
         let most = self.control.syntax.block_read_chars;
         for (at, &byte) in self.line.iter().enumerate() {
             comment |= byte == b'(';
-            count += u32::from(!comment);
+            count += u32::from(!comment && begins_character(byte));
             comment &= byte != b')';
             if count > most && self.bad.is_none() {
                 return self.report(Alarm::BlockTooLong, at, self.line.len(), msg!("nc.block-too-long", most));
@@ -754,4 +754,9 @@ impl<'a> Reader<'a> {
         let place = self.place(Span::new(from as u32, to as u32));
         self.add_finding(Diagnostic::warning(message).at(place));
     }
+}
+
+/// Whether a byte of UTF-8 is the first of its character.
+fn begins_character(byte: u8) -> bool {
+    byte & 0b1100_0000 != 0b1000_0000
 }

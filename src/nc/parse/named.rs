@@ -16,7 +16,7 @@ use super::super::dec::Dec;
 use super::heads::begins_as_name;
 use super::slips::meant;
 use super::statement::{COMPARISONS, SIGNS};
-use super::{BLOCK_BYTES, Failure, Read, Reader};
+use super::{BLOCK_BYTES, Failure, Read, Reader, begins_character};
 use crate::controls::Alarm;
 use crate::msg;
 use crate::text::{Message, Place, Span};
@@ -55,7 +55,9 @@ impl<'a> Reader<'a> {
         };
         let most = self.tables.block_chars as usize;
         if code > most && self.bad.is_none() {
-            self.report(Alarm::BlockTooLong, most, code, msg!("nc.block-too-long", most as u32));
+            let rest = self.line.get(most..code).unwrap_or_default();
+            let at = most + rest.iter().position(|&byte| begins_character(byte)).unwrap_or(rest.len());
+            self.report(Alarm::BlockTooLong, at, code, msg!("nc.block-too-long", most as u32));
         }
         self.line = line;
         self.push(stmt);

@@ -519,3 +519,15 @@ fn a_line_in_pieces() {
     let text: Vec<String> = pieces.iter().map(|(span, kind)| format!("{}={kind:?}", span.of(line))).collect();
     expect![[r#"/=Operator N10=Sequence MARK1=Sequence :=Operator IF=Keyword (=Operator R1=Variable +=Operator 1=Number )=Operator >=Operator ==Operator 2.5=Number GOTOF=Keyword NEXT=Address G1=Code X=Address ==Operator IC=Address (=Operator -=Operator R2=Variable )=Operator LIMS=Address ==Operator 30=Number DIAMON=Code MSG=Keyword (=Operator "a;b"=Comment )=Operator ;note=Comment"#]].assert_eq(&text.join(" "));
 }
+
+/// Where a block gets too long is told between characters, also where one takes two bytes.
+#[test]
+fn a_message_that_is_too_long() {
+    check(
+        &format!("MSG(\"{}\")", "ä".repeat(150)),
+        expect![[r#"
+        1:6 warning - The control has no character “ä”, not even for comments.
+        1:104 error 12540 This block is too long: at most 200 characters are read.
+    "#]],
+    );
+}
