@@ -360,7 +360,7 @@ macro_rules! machines {
     };
 }
 
-machines![first: ribbon_line::RibbonLine, turning_spindle::TurningSpindle; whole: ];
+machines![first: ribbon_line::RibbonLine; whole: turning_spindle::TurningSpindle];
 
 fn sheets_of<M: Machine>(values: &Values, on: On) -> Vec<Sheet> {
     M::sheets(&Erased::<M>::params(values).0, on)
