@@ -15,7 +15,7 @@ globalThis.lazyImport = (path) => import(at(path));
 let hearing = new AbortController();
 globalThis.hear = (event, act) => addEventListener(event, act, { capture: event === 'paste', signal: hearing.signal });
 
-// Gives the page to a module. `hand` is what the module that has it hands over.
+// Gives the page to a module. `hand` gives all that the one that has it knows.
 async function open([js, wasm], hand) {
   const compiled = WebAssembly.compileStreaming(fetch(at(wasm)));
   // What fails up to here changes nothing, and may be tried again; an import that has failed fails for ever in some browsers.
@@ -66,12 +66,12 @@ function look() {
     });
 }
 
-// The whole module in place of the first, which shows the page already or has seen that it cannot.
+// The whole module in place of the first, which hears what failed if it shows the page already, and else has seen that it cannot.
 let instead;
 globalThis.whole = (hand) => {
   document.body.append(boot);
-  instead = open(WHOLE, hand);
-  return instead.finally(() => boot.remove());
+  instead = open(WHOLE, hand).finally(() => boot.remove());
+  if (hand) instead.catch(hand);
 };
 
 try {

@@ -119,7 +119,7 @@ pub fn App() -> impl IntoView {
 /// All of the page; nothing where this module lacks what the project needs, and the whole one opens it.
 fn page() -> Option<El> {
     let handed = whole::handed();
-    let (project, found) = handed.as_ref().map_or_else(store::load, whole::Handed::project);
+    let (project, found) = handed.as_ref().and_then(whole::Handed::project).unwrap_or_else(store::load);
     let Some(project) = project else {
         whole::instead();
         return None;

@@ -180,9 +180,15 @@ impl Model {
 
     /// Changes the project in a step of the history. Changes with the same key, if they have one, that follow at once are one step.
     pub(super) fn edit(self, key: &str, change: impl FnOnce(&mut Project)) {
-        let before = self.project.get_untracked();
-        let mut after = before.clone();
+        let mut after = self.project.get_untracked();
         change(&mut after);
+        self.step(key, after);
+    }
+
+    /// Apart from [`Model::edit`], so that it stands once and not with every change.
+    #[inline(never)]
+    fn step(self, key: &str, after: Project) {
+        let before = self.project.get_untracked();
         if after == before {
             return;
         }

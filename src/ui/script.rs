@@ -48,13 +48,8 @@ pub(super) fn call(object: &JsValue, name: &str, values: &[&JsValue]) -> Result<
     function.apply(object, &values.iter().copied().collect())
 }
 
-/// What a function of boot.js promises.
-pub(super) fn promised(name: &str, values: &[&JsValue]) -> impl Future<Output = Result<JsValue, JsValue>> + use<> {
-    let promise = call(&js_sys::global(), name, values);
-    async { JsFuture::from(promise?.dyn_into::<js_sys::Promise>()?).await }
-}
-
 /// Loads a module that stands beside the page. `import()` is no function that wasm can call: boot.js hands one out.
-pub(super) fn load(path: &str) -> impl Future<Output = Result<JsValue, JsValue>> + use<> {
-    promised("lazyImport", &[&path.into()])
+pub(super) async fn load(path: &str) -> Result<JsValue, JsValue> {
+    let promise = call(&js_sys::global(), "lazyImport", &[&path.into()])?;
+    JsFuture::from(promise.dyn_into::<js_sys::Promise>()?).await
 }

@@ -9,7 +9,7 @@ use leptos::wasm_bindgen::closure::Closure;
 use super::dom;
 use super::files;
 use super::model::{Model, Notice};
-use super::script::{call, get, list, object, promised, rows, table, text};
+use super::script::{call, get, list, object, rows, table, text};
 use super::side;
 use super::words::t;
 use crate::controls::{self, WHOLE};
@@ -64,21 +64,25 @@ pub(super) fn ask(model: Model, wish: Wish) {
         return;
     }
     model.dismiss(t("page.not-loaded"));
-    let state = Closure::once_into_js(move || state(model));
-    let opened = promised("whole", &[&state]);
-    wasm_bindgen_futures::spawn_local(async move {
-        if opened.await.is_err() {
-            model.wish.set(None);
-            model.notify("fail", t("page.not-loaded").to_owned());
+    // boot.js asks once for the state, or says what failed.
+    let hand = move |failed: JsValue| {
+        if failed.is_undefined() {
+            return state(model);
         }
-    });
+        model.wish.set(None);
+        model.notify("fail", t("page.not-loaded").to_owned());
+        failed
+    };
+    open(&Closure::<dyn Fn(JsValue) -> JsValue>::new(hand).into_js_value());
 }
 
 /// Opens the page with the whole module in place of this one, which has not begun yet.
 pub(super) fn instead() {
-    wasm_bindgen_futures::spawn_local(async {
-        let _ = promised("whole", &[]).await;
-    });
+    open(&JsValue::UNDEFINED);
+}
+
+fn open(hand: &JsValue) {
+    let _ = call(&js_sys::global(), "whole", &[hand]);
 }
 
 /// Keeps which module a project needs.
@@ -133,15 +137,16 @@ pub(super) fn handed() -> Option<Handed> {
 }
 
 impl Handed {
-    /// The project and the notices.
-    pub(super) fn project(&self) -> (Option<Project>, Vec<Notice>) {
+    /// The project and the notices; none where the project does not read.
+    pub(super) fn project(&self) -> Option<(Option<Project>, Vec<Notice>)> {
+        let project = Project::from_json(&text(&self.0, "project")).project?;
         let tones = ["info", "warn", "fail"];
         let notice = |[tone, text, name, content]: [String; 4]| {
             let file = (!name.is_empty()).then_some((super::store::ASIDE_FILE, content));
             Notice { tone: tones.into_iter().find(|one| *one == tone).unwrap_or_default(), text, file }
         };
         let notices = rows(&self.0, "notices").into_iter().map(notice).collect();
-        (Project::from_json(&text(&self.0, "project")).project, notices)
+        Some((Some(project), notices))
     }
 
     /// Goes on where the first module was: history, tab, play head, and what was asked for.
