@@ -15,13 +15,26 @@ globalThis.lazyImport = (path) => import(at(path));
 let hearing = new AbortController();
 globalThis.hear = (event, act) => addEventListener(event, act, { capture: event === 'paste', signal: hearing.signal });
 
+async function compiled(path) {
+  const answer = await fetch(at(path));
+  if (!answer.ok) throw new Error(`${path}: ${answer.status} ${answer.statusText}`);
+  // Not every host knows what a module is.
+  const known = answer.headers.get('Content-Type')?.startsWith('application/wasm');
+  return known ? WebAssembly.compileStreaming(answer) : WebAssembly.compile(await answer.arrayBuffer());
+}
+
 // Gives the page to a module. `hand` gives all that the one that has it knows.
 async function open([js, wasm], hand) {
-  const compiled = WebAssembly.compileStreaming(fetch(at(wasm)));
+  const module = compiled(wasm);
   // What fails up to here changes nothing, and may be tried again; an import that has failed fails for ever in some browsers.
-  if (hand) await compiled;
-  const [module_or_path, { default: init }] = await Promise.all([compiled, import(at(js))]);
+  if (hand) await module;
+  const [module_or_path, { default: init }] = await Promise.all([module, import(at(js))]);
   globalThis.sentences = await sentences;
+  if (hand && document.querySelector('.editor')) {
+    // What was typed there last is taken after a pause.
+    document.querySelector('.app').inert = true;
+    await new Promise((done) => setTimeout(done, 200));
+  }
   let again;
   globalThis.handed = () => {
     if (!hand) return undefined;

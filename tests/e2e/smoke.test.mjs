@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { firstLoad } from '../../scripts/sizes.mjs';
-import { DIST, accessible, start, withPage } from './page.mjs';
+import { DIST, accessible, ready, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -30,6 +30,17 @@ test('sentences of another version are told, not shown', async () => {
   };
   await assert.rejects(withPage(app, {}, foreign), ({ actual }) => actual.some((text) => text.startsWith('uncaught: the file en.txt')));
 });
+
+test('a host that does not know what a module is will do', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.route(/\.wasm/, async (route) => {
+      const answer = await route.fetch();
+      await route.fulfill({ response: answer, headers: { ...answer.headers(), 'content-type': 'application/octet-stream' } });
+    });
+    await page.reload();
+    await ready(page);
+    assert.ok(await page.getByRole('heading', { level: 1 }).isVisible());
+  }));
 
 for (const colorScheme of ['light', 'dark']) {
   test(`the page is accessible (${colorScheme})`, () => withPage(app, { colorScheme }, ({ page }) => accessible(page)));

@@ -204,6 +204,25 @@ test('without the network the user stays where he is, is told, and may try again
   await assert.rejects(withPage(app, {}, offline), away);
 });
 
+test('what is typed into the editor goes along, up to the last letter', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.getByRole('button', { name: 'Edit', exact: true }).click();
+    const editor = page.locator('.editor .cm-content');
+    await editor.waitFor();
+    await editor.press('Control+Home');
+    await page.evaluate((id) => {
+      window.typed = 0;
+      document.addEventListener('beforeinput', () => (window.typed += 1), true);
+      const select = document.querySelector('select.control');
+      select.value = id;
+      select.dispatchEvent(new Event('change'));
+    }, CONTROL);
+    const done = arrived(page).then(() => true);
+    while (!(await Promise.race([done, page.keyboard.type('A')])));
+    const text = await page.locator('.listing li code').first().textContent();
+    assert.equal(/^A*/.exec(text)[0].length, await page.evaluate(() => window.typed), text);
+  }));
+
 test('while it loads the page works on, and what is done meanwhile is not lost', () =>
   withPage(app, {}, async ({ page }) => {
     let go;
