@@ -1,11 +1,12 @@
 //! What a run will certainly say: each block alone, with all in it that is constant, under all codes that can be in force there.
 
+use std::cell::RefCell;
 use std::rc::Rc;
 
 use super::fault::{Run, Trap};
 use super::modal::Modal;
 use super::state::{Cx, State};
-use super::world::Still;
+use super::world::{Still, World};
 use super::{Interp, Start};
 use crate::controls::macros::CallKind;
 use crate::controls::syntax::long;
@@ -16,14 +17,18 @@ use crate::text::{Diagnostic, Place, Severity};
 /// Findings that are listed.
 const FINDINGS: usize = 1000;
 
-/// The alarms that blocks of read programs will raise whenever they run, in the order of the text: where a block depends on what is not
-/// known before, nothing is said. What the reader has said of a block stands for all of it.
+/// Findings after which nothing is listed but alarms.
+const REMARKS: usize = 200;
+
+/// The alarms that blocks of read programs will raise whenever they run, and what the run will remark of them, in the order of the text:
+/// where a block depends on what is not known before, nothing is said. What the reader has said of a block stands for all of it.
 pub fn foretell(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
     let Interp { shared, state } = Interp::new(Rc::clone(parsed), Start::First, parsed.switches());
     let deck = parsed.deck();
-    let mut world = Still::default();
+    let heard = RefCell::new(Vec::new());
+    let mut world = Listener { still: Still::default(), heard: &heard };
     let cx = Cx { shared: &shared, control: shared.control, deck, world: &mut world };
-    let mut oracle = Oracle::new(cx, state);
+    let mut oracle = Oracle::new(cx, state, &heard);
     let errors = parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
     let errors: Vec<Place> = errors.filter_map(|finding| finding.place).collect();
     let mut found: Vec<Diagnostic> = Vec::new();
@@ -33,10 +38,15 @@ pub fn foretell(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
             oracle.block(at, block);
             let (file, span) = (program.file, block.span);
             let said = |e: &Place| e.file == file && e.span.start < span.end && span.start < e.span.end;
+            if found.len() >= REMARKS {
+                // Room is for what stops a run.
+                oracle.told.retain(|finding| finding.severity == Severity::Error);
+            }
             if !oracle.told.is_empty() && !errors.iter().any(said) {
                 found.append(&mut oracle.told);
             }
             oracle.told.clear();
+            heard.take();
         }
         if found.len() >= FINDINGS {
             found.truncate(FINDINGS);
@@ -50,13 +60,20 @@ pub fn foretell(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
 /// Whether the meaning of words depends on this code.
 fn matters(row: &CodeDef) -> bool {
     use Code::{FeedPerMinute, FeedPerRevolution, Inch, Metric, SurfaceSpeed, SurfaceSpeedOff};
-    row.group == Group::Motion
+    matches!(row.group, Group::Motion | Group::Cycle)
         || matches!(row.code, FeedPerMinute | FeedPerRevolution | Inch | Metric | SurfaceSpeed | SurfaceSpeedOff)
 }
 
 /// What [`matters`] of a modal state.
-fn key(modal: &Modal) -> (bool, bool, bool, bool) {
-    (modal.inch, modal.per_revolution, modal.surface, modal.motion == Code::Thread)
+fn key(modal: &Modal) -> (bool, bool, bool, bool, u8) {
+    let words = match modal.motion {
+        _ if modal.cycle => 0,
+        Code::NotSimulated => 0,
+        Code::Thread => 1,
+        Code::ArcCw | Code::ArcCcw => 2,
+        _ => 3,
+    };
+    (modal.inch, modal.per_revolution, modal.surface, modal.motion == Code::Thread, words)
 }
 
 /// What a block of words does that can be known before, beyond its values.
@@ -84,8 +101,38 @@ const ACTS: [Alarm; 15] = [
 /// What writing to a variable comes to; its own alarm a program means to raise.
 const WRITES: [Alarm; 4] = [Alarm::VariableRange, Alarm::ReadOnly, Alarm::VacantWritten, Alarm::VariableSide];
 
+/// A machine at rest that keeps what is remarked.
+struct Listener<'a> {
+    still: Still,
+    heard: &'a RefCell<Vec<Diagnostic>>,
+}
+
+impl World for Listener<'_> {
+    fn input(&mut self, variable: u32) -> f64 {
+        self.still.input(variable)
+    }
+
+    fn clock_ms(&mut self, run: bool) -> f64 {
+        self.still.clock_ms(run)
+    }
+
+    fn position(&mut self, axis: usize) -> f64 {
+        self.still.position(axis)
+    }
+
+    fn block_skip(&mut self, number: u8) -> bool {
+        self.still.block_skip(number)
+    }
+
+    fn remark(&mut self, remark: Diagnostic) {
+        self.heard.borrow_mut().push(remark);
+    }
+}
+
 struct Oracle<'a> {
     cx: Cx<'a>,
+    /// What was remarked since somebody looked.
+    heard: &'a RefCell<Vec<Diagnostic>>,
     /// A run that does no more than read its blocks, in the order of the text.
     state: State,
     /// Of each expression, whether it has the same value in every run.
@@ -99,7 +146,7 @@ struct Oracle<'a> {
 }
 
 impl<'a> Oracle<'a> {
-    fn new(cx: Cx<'a>, state: State) -> Oracle<'a> {
+    fn new(cx: Cx<'a>, state: State, heard: &'a RefCell<Vec<Diagnostic>>) -> Oracle<'a> {
         let mut constant: Vec<bool> = Vec::with_capacity(cx.deck.exprs.len());
         for expr in &cx.deck.exprs {
             let known = |id: &ExprId| constant.get(id.0 as usize).copied().unwrap_or(false);
@@ -112,7 +159,7 @@ impl<'a> Oracle<'a> {
             });
         }
         let modals = vec![state.modal.clone()];
-        let mut oracle = Oracle { cx, state, constant, modals, words: true, told: Vec::new() };
+        let mut oracle = Oracle { cx, heard, state, constant, modals, words: true, told: Vec::new() };
         oracle.note_codes();
         oracle
     }
@@ -233,7 +280,11 @@ impl<'a> Oracle<'a> {
             let number = state.variable_of(&mut self.cx, to);
             number.and_then(|number| state.write(&mut self.cx, block, number, 0.0).map_err(|trap| trap.part(to)))
         };
-        self.tell(block, outcome, &WRITES);
+        match outcome {
+            // Another value may be remarked or not.
+            Ok(()) if self.is_constant(value) => self.told.extend(self.heard.take()),
+            outcome => self.tell(block, outcome, &WRITES),
+        }
     }
 
     /// Calculates the constant parts of a formula.
@@ -286,7 +337,13 @@ impl<'a> Oracle<'a> {
             known = words.iter().filter(|word| self.is_known(word)).copied().collect();
             &known
         };
-        match self.state.read_words(&mut self.cx, block, told) {
+        self.heard.take();
+        let read = self.state.read_words(&mut self.cx, block, told);
+        let heard = self.heard.take();
+        if all && read.is_ok() && !heard.is_empty() {
+            self.remarked(block, words, heard);
+        }
+        match read {
             Ok(None) => {}
             // P of a function names its result.
             Ok(Some(calls)) => {
@@ -314,6 +371,20 @@ impl<'a> Oracle<'a> {
                 }
             }
         }
+    }
+
+    /// What is remarked of a block in every modal state.
+    fn remarked(&mut self, block: &Block, words: &[Word], mut heard: Vec<Diagnostic>) {
+        for modal in &self.modals {
+            let mut state = self.state.clone();
+            state.modal.clone_from(modal);
+            if state.read_words(&mut self.cx, block, words).is_err() {
+                return;
+            }
+            let others = self.heard.take();
+            heard.retain(|remark| others.contains(remark));
+        }
+        self.told.append(&mut heard);
     }
 
     /// What is said in every modal state: as the order of the text has it, and all others.

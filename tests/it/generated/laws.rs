@@ -10,7 +10,7 @@ use macroline::nc::{self, Block, Files, Parsed, Stmt};
 use macroline::project::review::review;
 use macroline::project::run::{Begin, of_programs, to_end};
 use macroline::project::told::Teller;
-use macroline::text::{Diagnostic, Place, Span};
+use macroline::text::{Diagnostic, Place, Severity, Span};
 
 use super::dice::Dice;
 
@@ -154,7 +154,7 @@ pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
     let mut machine = AnyWorld(Dice(world));
     // Where a block has no condition and is not skipped, no run gets past the alarm that is foretold of it.
     let mut doomed: Vec<Place> = Vec::new();
-    for alarm in foretell(&parsed) {
+    for alarm in foretell(&parsed).into_iter().filter(|finding| finding.severity == Severity::Error) {
         let place = alarm.place.expect("an alarm of a block has a place");
         let around = |block: &&Block| block.span.start <= place.span.start && place.span.end <= block.span.end;
         let block = parsed.deck().blocks.iter().find(around).expect("it lies in a block");

@@ -1,14 +1,47 @@
 //! Alarms that are told before a program runs: the same, at the same place, and never of a program that runs.
 
 use std::fmt::Write as _;
+use std::rc::Rc;
 
 use expect_test::{Expect, expect};
 use macroline::controls::{self, Control};
 use macroline::interp::{End, Interp, foretell};
+use macroline::nc::Parsed;
 use macroline::project::review::review;
 use macroline::text::{Diagnostic, Severity};
 
 use super::{BUDGET, alarm_and_place, fixtures, interp, start_fixture, start_on, world};
+
+/// What stops a run, of all that is foretold.
+fn alarms(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
+    foretell(parsed).into_iter().filter(|finding| finding.severity == Severity::Error).collect()
+}
+
+#[test]
+fn remarks_of_a_run_are_foretold_where_they_are_certain() {
+    let e60 = controls::find("mitsubishi-e60").unwrap();
+    let remarks = |block: &str| {
+        let interp = start_on(e60, &format!("O1\nG00 X1.\n{block}\nM30\n%\n"), &[]);
+        let found = foretell(interp.parsed());
+        found
+            .iter()
+            .map(|d| (d.message.id, d.place.unwrap().span.of(&interp.parsed().files().0[0].text).to_owned()))
+            .collect::<Vec<_>>()
+    };
+    for (block, word, id) in [
+        ("G04 P0.5", "P0.5", "interp.decimals-dropped"),
+        ("G04 X1. Y5.", "Y5.", "interp.idle-word"),
+        ("G01 X2. P5 F100", "P5", "interp.idle-word"),
+        ("M10 M11 M12 M13 M14", "M10", "interp.m-code-dropped"),
+        ("#1132=5000000000", "#1132=5000000000", "interp.output-range"),
+    ] {
+        assert_eq!(remarks(block), [(id, word.to_owned())], "{block}");
+    }
+    // What other codes or values make right, is not certain.
+    for block in ["R5.\nG02 X0 R5. F100", "#1132=#1*5000000000", "M10 M11 M12 M13 M#1"] {
+        assert_eq!(remarks(block), [], "{block}");
+    }
+}
 
 #[test]
 fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
@@ -20,7 +53,7 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
                 continue;
             }
             let name = path.file_stem().unwrap().display().to_string();
-            let told = foretell(interp.parsed());
+            let told = alarms(interp.parsed());
             let Some(End::Alarm(alarm)) = interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}) else {
                 panic!("{name} runs");
             };
@@ -103,7 +136,7 @@ fn nothing_is_foretold_of_programs_that_run() {
     for control in controls::ALL {
         for (path, source) in fixtures(control, "ok") {
             let mut interp = start_fixture(control, &source);
-            let told = foretell(interp.parsed());
+            let told = alarms(interp.parsed());
             let end = interp::run(&mut interp, &mut world(), BUDGET, |_, _| {});
             let said = told.first().map(|told| alarm_and_place(&source, told));
             match end {
