@@ -112,7 +112,7 @@ fn the_papers_listing_as_printed() {
             18:1 error P36 The program runs out of blocks: M02, M30 or M99 is missing at its end.
                 End as a main program, M30: 18:32 ""→"\nM30"
                 End as a subprogram, M99: 18:32 ""→"\nM99"
-            18:19 error P33 “.” ends nothing: a point belongs to a number, not to a variable.
+            18:19 error P33 “.” belongs to no number: a number has one point, variables and sequence numbers have none.
                 Drop “.”: 18:19 "."→""
         "##]],
     );
@@ -187,16 +187,16 @@ fn what_is_no_block() {
     check_block(
         "G01 X1.5.2",
         expect![[r#"
-        1:9 error P33 “.2” ends nothing: a point belongs to a number, not to a variable.
-            Drop “.2”: 1:9 ".2"→""
-    "#]],
+            1:9 error P33 “.2” belongs to no number: a number has one point, variables and sequence numbers have none.
+                Drop “.2”: 1:9 ".2"→""
+        "#]],
     );
     check_block(
         "G01 X#1.",
         expect![[r#"
-        1:8 error P33 “.” ends nothing: a point belongs to a number, not to a variable.
-            Drop “.”: 1:8 "."→""
-    "#]],
+            1:8 error P33 “.” belongs to no number: a number has one point, variables and sequence numbers have none.
+                Drop “.”: 1:8 "."→""
+        "#]],
     );
     check_block(
         "X1 2",
@@ -427,8 +427,9 @@ fn formulas() {
     check_block(
         "#1=PI*2",
         expect![[r#"
-        1:4 error P33 “PI” stands where a value should.
-    "#]],
+            1:4 error P33 There is no name for π.
+                Write “3.14159265”: 1:4 "PI"→"3.14159265"
+        "#]],
     );
     check_block(
         "#1=SIN 30",
@@ -719,11 +720,9 @@ fn what_editors_leave_in_a_file() {
     check(
         "%\rO1\rG91G01X1.F100.\rM30\r%\r",
         expect![[r#"
-        1:1 warning - There is no program in this file.
-        1:2 error - The lines end in CR alone; a block ends in LF or CR LF.
-            End the lines in LF: 1:1 "%\rO1\rG91G01X1.F100.\rM30\r%\r"→"%\nO1\nG91G01X1.F100.\nM30\n%\n"
-        1:3 warning - The control skips what stands behind % in its line.
-    "#]],
+            1:2 error - The lines end in CR alone; a block ends in LF or CR LF.
+                End the lines in LF: 1:1 "%\rO1\rG91G01X1.F100.\rM30\r%\r"→"%\nO1\nG91G01X1.F100.\nM30\n%\n"
+        "#]],
     );
     check("%\nO1\n#3003=1\n#100=#3003\n#3003=0\nM30\n%\n", expect![""]);
 }

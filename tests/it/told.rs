@@ -112,7 +112,7 @@ fn marks_stand_under_what_they_mean() {
         "mitsubishi-e60",
         "%\nO1\n\tG00\tQ1.\t\tX#107.\n(主轴 转速) G00 X１０\nM30\n%\n",
         expect![[r#"
-            error[P33]: “.” ends nothing: a point belongs to a number, not to a variable.
+            error[P33]: “.” belongs to no number: a number has one point, variables and sequence numbers have none.
              --> O1.nc:3:16
               |
             3 |     G00 Q1.     X#107.

@@ -561,6 +561,37 @@ fn what_does_not_depend_on_it_is_told() {
 }
 
 #[test]
+fn a_cut_that_nothing_gives_a_feed() {
+    E60.check("O1\nG00 X1.\nG91 G01 X5.\nX6.\nM30", expect![[r#"
+        4:5 “G01” warning lint.no-feed
+            G01 cuts, and no program here gives F: the motion stops with P62 where no feed is in force from before. Write F behind it.
+    "#]]);
+    // A feed from another program, by a variable, or from a program that is not here.
+    E60.quiet("O1\nM98 P2\nG91 G01 X5.\nM30\nO2\nF100\nM99");
+    E60.quiet("O1\n#1=100\nF#1\nG91 G01 X5.\nM30");
+    E60.check(
+        "O1\nM98 P77\nG91 G01 X5.\nM30",
+        expect![[r#"
+        3:5 “P77” warning lint.no-such-program
+            O77 is in none of these files: the call stops with P232 unless the control has it in its memory.
+    "#]],
+    );
+}
+
+#[test]
+fn words_that_overwrite_another() {
+    E60.check(
+        "O1\nG91 G00 X1. Y2. X3.\nM30",
+        expect![[r#"
+        3:17 “X3.” warning lint.word-again
+            X3. is the second of its address in this block: X1. in front of it counts for nothing.
+    "#]],
+    );
+    // Codes, arguments of a macro, and what a block skip leaves out.
+    E60.quiet("O1\nG91 G00 X1. M8 M9\nG65 P2 I1. J2. I3.\nG00 X1. /X2.\nM30\nO2\n#100=#4+#5+#7\nM99");
+}
+
+#[test]
 fn messages_longer_than_the_control_shows() {
     E60.check(
         "O1\nIF[#1033 LT 5]GOTO9\nM30\nN9 #3000=1(THE RIBBON IS AT ITS END, PUT IN ANOTHER)",

@@ -41,6 +41,8 @@ struct Lint<'a> {
     numbers: Vec<(u64, usize)>,
     /// How many are listed at most.
     most: usize,
+    /// Words that were told to overwrite others.
+    again: usize,
     found: Vec<Diagnostic>,
 }
 
@@ -50,7 +52,8 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     let deck = parsed.deck();
     let numbers = order::pairs(deck.programs.iter().map(|row| row.number.into()).zip(0..).collect());
     let most = FINDINGS.saturating_sub(parsed.diagnostics().len());
-    let mut lint = Lint { parsed, deck, control: parsed.control(), start, set, numbers, most, found: Vec::new() };
+    let mut lint =
+        Lint { parsed, deck, control: parsed.control(), start, set, numbers, most, again: 0, found: Vec::new() };
     let roles = Roles::new(lint.control, parsed.calls());
     settings::call_parameters(&mut lint);
     let facts = words::survey(&mut lint, &roles);

@@ -17,6 +17,9 @@ use crate::text::{Fix, Message, Place, Severity, Span};
 /// Programs from this number on are the builder's and the user's standard programs: they are on the machine, and they are called.
 const STANDARD: u32 = 8000;
 
+/// Words that are told to overwrite others.
+const AGAIN: usize = 20;
+
 /// Programs that are told to be missing.
 const MISSED: usize = 100;
 
@@ -108,7 +111,9 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
     let mut facts = Facts { parts: vec![Part::default(); deck.programs.len()], ..Facts::default() };
     facts.errors(lint);
     let increments = lint.increments();
+    let values = lint.values();
     let mut units = Units::default();
+    let mut cutting = Cutting::default();
     for (index, program) in (0..).zip(&deck.programs) {
         let mut pointless: Vec<Pointless> = Vec::new();
         // The program counts increments, and knows it; or inches, of which nothing is said.
@@ -121,6 +126,7 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
             if !matches!(block.stmt, Stmt::Words { .. }) {
                 bends |= block.stmt != Stmt::Empty;
                 if let Stmt::Bad(_) = block.stmt {
+                    cutting.feeds = true;
                     units.written |= facts.bad_block(lint, (index, at), block);
                 }
                 messages::length(lint, at, block);
@@ -135,7 +141,11 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
             }
             let words = deck.words_of(block);
             let (mut bits, mut counts, mut feed) = (0, false, None);
+            let (mut letters, mut again) = (0_u32, false);
             for word in words {
+                let letter = 1 << (word.letter & 31);
+                again |= letters & letter & values != 0;
+                letters |= letter;
                 if matches!(word.letter, b'G' | b'M' | long::NAME) {
                     bits |= roles.word(word);
                 } else if let WordValue::Number(dec) = word.value {
@@ -144,6 +154,17 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
                         feed = Some((word, dec));
                     }
                 }
+            }
+            cutting.feeds |= letters & 1 << (b'F' & 31) != 0;
+            if cutting.first.is_none() && bits & LINEAR != 0 && bits & CALL == 0 {
+                let moves = |word: &Word| lint.control.axis_letters().any(|letter| letter == word.letter);
+                let code = words
+                    .iter()
+                    .find(|word| matches!(word.letter, b'G' | long::NAME) && roles.word(word) & LINEAR != 0);
+                cutting.first = code.filter(|_| words.iter().any(moves)).map(|word| (at, word.span(block)));
+            }
+            if again && bits & CALL == 0 {
+                lint.word_again(at, block, words, values);
             }
             deliberate |= bits & INCH != 0;
             if counts && !deliberate && bits & SPECIAL == 0 {
@@ -186,7 +207,20 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
         }
     }
     units.tell(lint);
+    // Who is called and not here may set it.
+    if let Some((at, span)) = cutting.first.filter(|_| !cutting.feeds && facts.missed.is_empty() && !facts.any_called) {
+        let alarm = lint.control.alarm_number(Alarm::NoFeed).unwrap_or("");
+        lint.say(at, span, "lint.no-feed", &[alarm], "");
+    }
     facts
+}
+
+/// Cutting motions, and whether anything can set a feed.
+#[derive(Default)]
+struct Cutting {
+    feeds: bool,
+    /// The first code of one, with its block.
+    first: Option<(u32, Span)>,
 }
 
 /// Notes the numbers without a point of a block; true where one shows that the program counts increments.
@@ -396,6 +430,33 @@ impl Pointless {
 }
 
 impl Lint<'_> {
+    /// Bit `letter & 31`: addresses whose values overwrite each other in a block, where that is no alarm.
+    fn values(&self) -> u32 {
+        if self.control.syntax.address_twice || self.control.syntax.names().is_some() {
+            return 0;
+        }
+        let letters = self.control.axis_letters().chain(*b"FST");
+        letters.fold(0, |bits, letter| bits | 1 << (letter & 31))
+    }
+
+    /// The second word of an address in a block.
+    #[cold]
+    fn word_again(&mut self, at: u32, block: &Block, words: &[Word], values: u32) {
+        // In front of a skip in the middle of the block it may be meant.
+        if self.again >= AGAIN || words.iter().any(|word| word.letter == b'/') {
+            return;
+        }
+        for (index, word) in words.iter().enumerate() {
+            let earlier = words.iter().take(index).rfind(|other| other.letter == word.letter);
+            if let Some(earlier) = earlier.filter(|_| values & 1 << (word.letter & 31) != 0) {
+                self.again += 1;
+                let place = self.place(at, earlier.span(block));
+                let text = self.parsed.text(place).to_owned();
+                self.say(at, word.span(block), "lint.word-again", &[&text], "");
+            }
+        }
+    }
+
     /// Says a sentence about the word with a letter in a block, or the block itself.
     fn say_word(&mut self, block: u32, words: &[Word], letter: u8, id: &'static str, more: &[&str]) {
         let Some(row) = self.deck.blocks.get(block as usize) else { return };

@@ -13,7 +13,9 @@ const WHOLE: usize = 1 << 20;
 impl Reader<'_> {
     /// What can be said only when the file is read: `%`, small letters, variables that do not exist.
     pub(super) fn mend_file(&mut self, opened: bool, closed: bool) {
-        self.foreign_bytes();
+        if self.foreign_bytes() {
+            return;
+        }
         if self.deck.programs.last().is_none_or(|program| program.file != self.id) {
             let place = self.place(Span::at(0));
             return self.found.push(Diagnostic::warning(msg!("nc.empty-file")).at(place));
@@ -46,8 +48,8 @@ impl Reader<'_> {
         }
     }
 
-    /// A byte order mark, and lines that end as on no control.
-    fn foreign_bytes(&mut self) {
+    /// A byte order mark, and lines that end as on no control: true for these, as then there is but one line.
+    fn foreign_bytes(&mut self) -> bool {
         if self.source.starts_with(BYTE_ORDER_MARK) {
             let place = self.place(Span::new(0, BYTE_ORDER_MARK.len_utf8() as u32));
             let finding = Diagnostic::warning(msg!("nc.byte-order-mark")).at(place);
@@ -62,8 +64,12 @@ impl Reader<'_> {
                 let all = self.place(Span::new(0, self.source.len() as u32));
                 finding = finding.fix(msg!("nc.fix.line-ends"), vec![(all, self.source.replace('\r', "\n"))]);
             }
+            // What was said of the text as one line.
+            self.found.retain(|finding| finding.message.id == "nc.byte-order-mark");
             self.found.push(finding);
+            return true;
         }
+        false
     }
 
     fn percent(&mut self, opened: bool, closed: bool) {

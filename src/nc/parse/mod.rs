@@ -27,6 +27,7 @@ mod calls;
 mod check;
 mod check_names;
 mod formula;
+mod habits;
 mod heads;
 mod mend;
 mod named;
@@ -252,6 +253,7 @@ struct Mark {
     texts: usize,
     found: usize,
     variables: usize,
+    small: Option<u32>,
 }
 
 /// A variable that the control does not have, or that cannot be written.
@@ -696,6 +698,7 @@ impl<'a> Reader<'a> {
             texts: self.deck.texts.len(),
             found: self.found.len(),
             variables: self.misused.len(),
+            small: self.small,
         }
     }
 
@@ -707,6 +710,7 @@ impl<'a> Reader<'a> {
         self.deck.texts.truncate(mark.texts);
         self.found.truncate(mark.found);
         self.misused.truncate(mark.variables);
+        self.small = mark.small;
         self.round_brackets.clear();
         self.rewind();
     }

@@ -22,9 +22,17 @@ impl Reader<'_> {
         if whole.len() > LOOKED_AT || self.found.len() > FINDINGS {
             return self.add_finding(first.finding);
         }
+        // A comment that is not closed was reported, and it hides the rest.
+        if self.found.iter().skip(mark.found).any(|finding| finding.message.id == "nc.open-comment") {
+            return;
+        }
         if let Some((open, inner, close)) = self.nested_comment() {
             self.rollback(&mark);
             return self.report_nested(alarm, open, &inner, close);
+        }
+        if let Some(finding) = self.habit(&first) {
+            self.rollback(&mark);
+            return self.add_finding(finding);
         }
         let Some(remark) = self.remark(&first) else { return self.try_rounds(&mark, *first) };
         self.rollback(&mark);
@@ -110,7 +118,17 @@ impl Reader<'_> {
                 vec![(self.place(self.span(0, end)), edit)],
             );
         }
-        let place = self.place(self.span(cut, end));
+        // A `;` in front of it was meant to begin it.
+        let before = self.source.get(..start + cut).unwrap_or("").trim_end_matches([' ', '\t']);
+        let semicolon = self.semicolon.filter(|&at| cut == 0 && before.len() == at as usize + 1);
+        let mut place = self.place(self.span(cut, end));
+        let mut cut = cut;
+        if let Some(at) = semicolon {
+            self.semicolon = None;
+            let head = before.strip_suffix(';').unwrap_or(before).trim_end_matches([' ', '\t']).len();
+            place.span.start = head as u32;
+            cut = usize::from(!self.source.get(..at as usize).unwrap_or("").ends_with('\n'));
+        }
         finding = match comment(bare) {
             Some(comment) => {
                 let gap = if cut > 0 { " " } else { "" };

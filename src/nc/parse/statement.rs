@@ -196,6 +196,10 @@ impl Reader<'_> {
             _ => return self.bare_condition(alarm, keyword, start),
         };
         let open = self.open(close);
+        self.skip();
+        if let Some(word) = COMPARISONS.iter().map(|row| row.0).find(|word| self.ahead(word)) {
+            return Err(self.failure(alarm, self.at, self.at + word.len(), msg!("nc.comparison-sides"), false));
+        }
         let left = self.formula(false)?;
         self.skip();
         let at = self.at;
@@ -205,6 +209,9 @@ impl Reader<'_> {
                 _ => self.unexpected(),
             });
         };
+        if self.skip() == close {
+            return Err(self.failure(alarm, at, self.compared.1, msg!("nc.comparison-sides"), false));
+        }
         let right = self.formula(false)?;
         if self.skip() == close {
             self.close(open)?;
@@ -237,7 +244,13 @@ impl Reader<'_> {
         let Ok(right) = self.formula(false) else { return Err(failure(self)) };
         let to = self.ended_at();
         let finding = self.finding(alarm, from, to, msg!("nc.no-condition", keyword));
-        self.enclose(alarm, finding, from, to);
+        if self.skip() == b']' {
+            // Its other end is there.
+            self.at += 1;
+            self.replace(alarm, finding, from, from, "[");
+        } else {
+            self.enclose(alarm, finding, from, to);
+        }
         self.part(Expr::Binary(op, left, right), from)
     }
 
@@ -333,6 +346,10 @@ impl Reader<'_> {
         let start = self.at;
         let to = self.variable(true)?;
         let end = self.at;
+        if self.skip() == b':' && self.line.get(self.at + 1) == Some(&b'=') {
+            self.slip(Alarm::NoEquals, self.at, self.at + 1, msg!("nc.double-equals"), "");
+            self.at += 1;
+        }
         if self.skip() != b'=' {
             return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
         }
@@ -358,6 +375,12 @@ impl Reader<'_> {
         }
     }
 
+    /// Whether `#n =` stands here.
+    fn assigns_ahead(&self) -> bool {
+        let rest = self.line.get(self.at + 1..).unwrap_or_default();
+        rest.iter().find(|b| !b.is_ascii_digit() && **b != b' ') == Some(&b'=') || rest.first() == Some(&b'[')
+    }
+
     /// Nothing but comments may follow macro text.
     fn end_of_macro(&mut self) -> Read<()> {
         loop {
@@ -368,7 +391,7 @@ impl Reader<'_> {
                 b'.' => self.stray_point(),
                 b']' => self.stray_square(),
                 b')' => self.stray_round()?,
-                b'#' => {
+                b'#' if self.assigns_ahead() => {
                     let finding = self.finding(Alarm::Format, start, self.line.len(), msg!("nc.second-assignment"));
                     let place = self.place(self.span(start, start));
                     let finding = finding.fix(msg!("nc.fix.own-block"), vec![(place, self.newline().to_owned())]);

@@ -233,7 +233,7 @@ slips! {
                 = Multiply as often as needed: a*a*a.
         "#]];
         "#1==5" => expect![[r#"
-            1:4 error P33|0101|004 An assignment has one “=”.
+            1:4 error P33|0101|004 An assignment has one “=”, and nothing in front of it.
                 Drop “=”: 1:4 "="→""
             = #1=5
         "#]];
@@ -280,7 +280,7 @@ slips! {
 
     words {
         "X#1." => expect![[r#"
-            1:4 error P33|0101|004 “.” ends nothing: a point belongs to a number, not to a variable.
+            1:4 error P33|0101|004 “.” belongs to no number: a number has one point, variables and sequence numbers have none.
                 Drop “.”: 1:4 "."→""
             = X#1
         "#]];
@@ -342,8 +342,8 @@ slips! {
         "#]];
         "G00 X1. ; move to start" => expect![[r#"
             1:11 error P33|0003|005 “move to start” is a remark: the control takes remarks only in round brackets.
-                Make it a comment: 1:11 "move to start"→"(MOVE TO START)"
-            = G00 X1. ; (MOVE TO START)
+                Make it a comment: 1:8 " ; move to start"→" (MOVE TO START)"
+            = G00 X1. (MOVE TO START)
         "#]];
         "G00 X1. // move to start" => expect![[r#"
             1:9 error P33|0101|004 “move to start” is a remark: the control takes remarks only in round brackets.
@@ -425,5 +425,97 @@ slips! {
                 Use #100 instead of #2000 everywhere: 1:1 "#2000"→"#100"
             = #100=1
         "##]];
+    }
+}
+
+slips! {
+    words_of_other_languages {
+        "IF[#100 EQ 2]GOTO10 ELSE GOTO20\nN10\nN20" => expect![[r#"
+            1:21 error P272|0101|127 ELSE is no word of the CONTROL.
+                = IF jumps by GOTO, or assigns by THEN where the control has it: jump over what the other case needs.
+        "#]];
+        "ENDIF" => expect![[r#"
+            1:1 error P291|0102|126 ENDIF is no word of the CONTROL.
+                = IF jumps by GOTO, or assigns by THEN where the control has it: jump over what the other case needs.
+        "#]];
+        "N5 FOR #1=1 TO 5" => expect![[r#"
+            1:4 error P33|0003|005 FOR is no word of the CONTROL.
+                = A loop is WHILE[condition]DO1 … END1; IF[condition]GOTO n leaves it.
+        "#]];
+        "NEXT" => expect![[r#"
+            1:1 error P33|0003|005 NEXT is no word of the CONTROL.
+                = A loop is WHILE[condition]DO1 … END1; IF[condition]GOTO n leaves it.
+        "#]];
+        "CALL P100" => expect![[r#"
+            1:1 error P33|0003|005 CALL is no word of the CONTROL.
+                = M98 P calls a subprogram by its number, G65 P a macro; both return by M99.
+        "#]];
+        // What reads like a sentence is a remark.
+        "RETURN TO START" => expect![[r#"
+            1:1 error P33|0003|005 “RETURN TO START” is a remark: the control takes remarks only in round brackets.
+                Make it a comment: 1:1 "RETURN TO START"→"(RETURN TO START)"
+            = (RETURN TO START)
+        "#]];
+    }
+
+    forms_of_other_languages {
+        "#100:=5" => expect![[r#"
+            1:5 error P242|0101|114 An assignment has one “=”, and nothing in front of it.
+                Drop “:”: 1:5 ":"→""
+            = #100=5
+        "#]];
+        "100=5" => expect![[r##"
+            1:1 error P33|0101|004 A number stands here without an address in front of it.
+                Insert “#”: 1:1 ""→"#"
+            = #100=5
+        "##]];
+        "#1=#2^2" => expect![[r#"
+            1:6 error P32|0003|009 There is no operator for powers.
+                = Multiply as often as needed: a*a*a.
+        "#]];
+        "#1=2#2" => expect![[r#"
+            1:5 error P33|0101|004 Between two values stands an operator: + - * /.
+        "#]];
+        "#1=5 5" => expect![[r#"
+            1:6 error P33|0101|004 Between two values stands an operator: + - * /.
+        "#]];
+        "#1=2*PI" => expect![[r#"
+            1:6 error P33|0101|004 There is no name for π.
+                Write “3.14159265”: 1:6 "PI"→"3.14159265"
+            = #1=2*3.14159265
+        "#]];
+        "0001" => expect![[r#"
+            1:1 error P33|0101|004 A number stands here without an address in front of it.
+                Insert “O”: 1:1 ""→"O"
+            = O0001
+        "#]];
+        "#1=5 ;start value" => expect![[r#"
+            1:7 error P33|0003|005 “start value” is a remark: the control takes remarks only in round brackets.
+                Make it a comment: 1:5 " ;start value"→" (START VALUE)"
+            = #1=5 (START VALUE)
+        "#]];
+    }
+
+    a_bracket_that_stays_open {
+        "#1=#1+(1" => expect![[r#"
+            1:7 error P33|0041|004 The comment is not closed: ) is missing.
+                Insert “)”: 1:9 ""→")"
+            = #1=#1+[1]
+        "#]];
+    }
+
+    conditions_with_a_part_missing {
+        "IF[#1 EQ]GOTO5\nN5" => expect![[r#"
+            1:7 error P290|0101|114 A comparison needs a value on both sides, for instance [#1 GT 0].
+        "#]];
+        "IF[EQ 5]GOTO5\nN5" => expect![[r#"
+            1:4 error P290|0101|114 A comparison needs a value on both sides, for instance [#1 GT 0].
+        "#]];
+        "IF #1 EQ 5]GOTO5\nN5" => expect![[r#"
+            1:4 error P290|0101|114 IF needs a condition in square brackets.
+                Insert “[”: 1:4 ""→"["
+            = IF [#1 EQ 5]GOTO5
+              N5
+        "#]];
     }
 }

@@ -58,6 +58,7 @@ const ROWS: &[Row] = &[
     ),
     row("lint.loose-comparison", "", "IF R1>0 AND R2>0 GOTOF AB\nR1=1 R2=1\nAB: M5"),
     row("lint.main-returns", "", ""),
+    row("lint.no-feed", "G01 X1.", "G1 X1"),
     Row { id: "lint.no-point", program: "G00 X8", named: "", switches: INCREMENTS },
     Row { id: "lint.no-point-argument", program: "G65 P2 A8", named: "", switches: INCREMENTS },
     Row { id: "lint.no-point-dwell", program: "G04 X2", named: "", switches: INCREMENTS },
@@ -74,6 +75,7 @@ const ROWS: &[Row] = &[
     row("lint.unset-common", "G00 Z[#100+1]", "G0 Z=R1+1"),
     row("lint.unset-local", "G00 Z[#1+1]", ""),
     row("lint.vacant-word", "G00 Z#100", ""),
+    row("lint.word-again", "G00 X1. X2.", ""),
     row("lint.zero-divisor", "#100=#101-5\n#102=5/#100\nG00 Z#102", "R1=R1-5\nR2=5/R1\nG0 Z=R2"),
 ];
 
@@ -130,6 +132,7 @@ fn each_warning_on_each_control() {
         gsk-980tdc lint.loose-comparison
         gsk-980tdc lint.suppression-stays
         gsk-980tdc lint.vacant-word
+        gsk-980tdc lint.word-again
         knd-k2000t lint.calls-itself
         knd-k2000t lint.feed-zero-digit
         knd-k2000t lint.feed-zero-rapid
@@ -148,6 +151,7 @@ fn each_warning_on_each_control() {
         sinumerik-802d lint.number-twice
         sinumerik-802d lint.suppression-stays
         sinumerik-802d lint.unset-local
-        sinumerik-802d lint.vacant-word"#]]
+        sinumerik-802d lint.vacant-word
+        sinumerik-802d lint.word-again"#]]
     .assert_eq(&missing.join("\n"));
 }

@@ -1,0 +1,96 @@
+//! Habits from other languages and from paper: words, signs and forms that the control does not have, each with the way out.
+
+use super::recover::prose;
+use super::slips::Mend;
+use super::{Failure, Reader};
+use crate::msg;
+use crate::text::{Diagnostic, Message};
+
+/// Words of other languages, and the sentence that helps.
+const WORDS: [(&[&str], &str); 3] = [
+    (&["ELSE", "ELSEIF", "ELIF", "ENDIF"], "nc.hint.else"),
+    (
+        &["FOR", "NEXT", "REPEAT", "UNTIL", "LOOP", "WEND", "ENDW", "ENDWHILE", "ENDFOR", "BREAK", "CONTINUE"],
+        "nc.hint.loop",
+    ),
+    (&["CALL", "GOSUB", "RETURN"], "nc.hint.call"),
+];
+
+/// As many digits as a word takes.
+const PI: &str = "3.14159265";
+
+impl Reader<'_> {
+    /// What is said instead of a failure where a habit explains it; the alarm stays.
+    pub(super) fn habit(&self, failure: &Failure) -> Option<Diagnostic> {
+        if self.names().is_some() {
+            return None;
+        }
+        let word = [failure.from, self.statement_start()].into_iter().find_map(|at| self.foreign_word(failure, at));
+        word.or_else(|| self.foreign_form(failure, failure.from))
+    }
+
+    /// Behind an optional block skip and a sequence number.
+    fn statement_start(&self) -> usize {
+        let lead = |b: &u8| matches!(b, b'/' | b'N' | b'n' | b'0'..=b'9' | b' ' | b'\t');
+        let letters = self.line.iter().take_while(|b| lead(b)).count();
+        // `NEXT` begins with no sequence number.
+        match self.line.get(letters) {
+            Some(b) if b.is_ascii_alphabetic() && letters > 0 && self.line[letters - 1].is_ascii_alphabetic() => {
+                letters - 1
+            }
+            _ => letters,
+        }
+    }
+
+    /// The letters that stand at a byte of the line, as capitals.
+    fn letters_at(&self, at: usize) -> String {
+        let rest = self.line.get(at..).unwrap_or_default();
+        let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+        String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase()
+    }
+
+    fn foreign_word(&self, failure: &Failure, at: usize) -> Option<Diagnostic> {
+        let word = self.letters_at(at);
+        let end = at + word.len();
+        if prose(self.line.get(end..).unwrap_or_default().trim_ascii()) {
+            // `RETURN TO START` is a remark.
+            return None;
+        }
+        if word == "PI" {
+            let finding = self.finding(failure.alarm, at, end, msg!("nc.no-pi"));
+            return Some(self.mended(finding, Mend::Write(at, end, PI)));
+        }
+        let &(_, id) = WORDS.iter().find(|row| row.0.contains(&word.as_str()))?;
+        let message = msg!("nc.foreign-word", word, self.control.name);
+        Some(self.finding(failure.alarm, at, end, message).hint(Message { id, values: Vec::new() }))
+    }
+
+    /// A sign or a number that cannot stand where it does.
+    fn foreign_form(&self, failure: &Failure, at: usize) -> Option<Diagnostic> {
+        let byte = *self.line.get(at)?;
+        let before = self.line.get(..at).unwrap_or_default().trim_ascii_end();
+        let rest = self.line.get(at..).unwrap_or_default();
+        let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
+        let behind = rest.get(digits..).unwrap_or_default().trim_ascii_start();
+        if byte == b'^' {
+            let finding = self.finding(failure.alarm, at, at + 1, msg!("nc.no-power"));
+            return Some(finding.hint(msg!("nc.hint.power")));
+        }
+        if digits > 0 && before.is_empty() {
+            // `100=5`, and a program number without its letter.
+            let letter = match behind.first() {
+                Some(b'=') => self.control.syntax.variable.to_string(),
+                None if self.only_comments() => self.program_letter(),
+                _ => return None,
+            };
+            let finding = self.finding(failure.alarm, at, at + digits, msg!("nc.number-without-address"));
+            return Some(self.mended(finding, Mend::Write(at, at, &letter)));
+        }
+        let value = before.last().is_some_and(|b| b.is_ascii_digit() || matches!(b, b']' | b'.'));
+        let value_ahead = byte.is_ascii_digit() || matches!(byte, b'#' | b'[');
+        (value && value_ahead && before.contains(&b'=')).then(|| {
+            let end = (at + digits).max(at + 1);
+            self.finding(failure.alarm, at, end, msg!("nc.no-operator"))
+        })
+    }
+}
