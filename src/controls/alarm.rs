@@ -165,6 +165,12 @@ pub enum Alarm {
     SpeedLimitRange,
     /// A thread without a lead.
     NoLead,
+    /// The shortest way to an angle, of an axis that does not turn, where that is an alarm.
+    ShortestWay,
+    /// The positive way to an angle, likewise.
+    PositiveWay,
+    /// The negative way to an angle, likewise.
+    NegativeWay,
     /// M04 while M03 is put out, or the other way round, where the PLC makes an alarm of it.
     SpindleReversal,
     /// A gear that is not in position in time.
@@ -272,6 +278,9 @@ impl Alarm {
         Alarm::SpeedRange,
         Alarm::SpeedLimitRange,
         Alarm::NoLead,
+        Alarm::ShortestWay,
+        Alarm::PositiveWay,
+        Alarm::NegativeWay,
         Alarm::SpindleReversal,
         Alarm::GearTimeout,
     ];
@@ -298,7 +307,8 @@ impl Alarm {
             OwnCall => SubNesting,
             NoNumber | SequencePlace | AtanForm | PointNotAllowed | AddressTwice | BlockTooLong | CommentBracket
             | CallNotFirst | CallMixed | ReturnInModal | ArgumentAddress | CallFunction | CallOperands | NotAlone
-            | GroupTwice | SyntaxTwice | AuxiliaryTwice | Auxiliaries | UnknownName => Format,
+            | ShortestWay | PositiveWay | NegativeWay | GroupTwice | SyntaxTwice | AuxiliaryTwice | Auxiliaries
+            | UnknownName => Format,
             _ => return None,
         })
     }

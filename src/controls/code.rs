@@ -96,6 +96,8 @@ pub enum Code {
     SpindleOrient,
     /// The spindle that S and M words without a number are for (SETMS).
     MasterSpindle,
+    /// The named axes go to their reference points (G74), or to a fixed point (G75), wherever those are.
+    GoTo(Point),
     /// Programmable offset in place of the one before.
     Offset,
     /// Programmable offset on top of the one before.
@@ -116,6 +118,15 @@ pub enum Code {
     Roughing,
     /// Any other M code: handed to the PLC, which answers with FIN.
     Auxiliary,
+}
+
+/// A place on the machine that a code goes to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Point {
+    /// Where the axes are referenced.
+    Reference,
+    /// A fixed point of the machine builder, for instance of tool change.
+    Fixed,
 }
 
 /// Modal group of a code.

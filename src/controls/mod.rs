@@ -34,7 +34,7 @@ pub mod sinumerik_802d;
 
 pub use alarm::{Alarm, AlarmDef};
 pub use bench::Bench;
-pub use code::{Code, CodeDef, Group};
+pub use code::{Code, CodeDef, Group, Point};
 pub use interface::Signal;
 pub use limits::{Limits, Timing};
 pub use macros::Macros;
@@ -307,6 +307,12 @@ impl Control {
     pub fn counts_diameters(&self, axis: usize, switches: &Switches) -> bool {
         let diameter = self.axes.get(axis).is_some_and(|row| row.diameter);
         diameter && switches.get(self.switches, "diameter") != Some("radius")
+    }
+
+    /// Whether an axis turns and counts a turn, by its row or as the switches have it.
+    pub fn is_rotary(&self, axis: usize, switches: &Switches) -> bool {
+        let named = switches.get(self.switches, syntax::ROTARY_AXES).unwrap_or("");
+        self.axes.get(axis).is_some_and(|row| row.rotary || named.bytes().any(|b| b.to_ascii_uppercase() == row.letter))
     }
 
     /// Address letters of axis words, absolute and incremental.

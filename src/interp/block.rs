@@ -81,6 +81,8 @@ pub(super) struct Words {
     pub(super) incremental: u8,
     /// Bit `k`: as an absolute value, whatever is in force.
     pub(super) absolute: u8,
+    /// How the axes go to angles.
+    pub(super) ways: [Form; AXES],
     /// I, J, K.
     pub(super) center: [Option<i64>; 3],
     pub(super) radius: Option<i64>,
@@ -385,9 +387,9 @@ impl State {
     fn g_code(&mut self, cx: &Cx, row: &crate::controls::CodeDef, at: usize, codes: &mut Codes) {
         use Code::*;
         match row.code {
-            Dwell | ReferenceReturn | MachineCoordinates | MachineRapid | SetCoordinates | LocalCoordinates
-            | Offset | OffsetMore | LowerLimits | UpperLimits | MacroCall | MacroModal | MacroModalBlock
-            | MacroModalEnd | Skip => {
+            GoTo(_) | Dwell | ReferenceReturn | MachineCoordinates | MachineRapid | SetCoordinates
+            | LocalCoordinates | Offset | OffsetMore | LowerLimits | UpperLimits | MacroCall | MacroModal
+            | MacroModalBlock | MacroModalEnd | Skip => {
                 (codes.special, codes.caller) = (Some(row.code), at);
             }
             ExactStopOnce => codes.exact = true,
@@ -413,7 +415,7 @@ impl State {
             return Ok(());
         }
         match cx.shared.index.code(cx.control, b'M', number.saturating_mul(10)).map(|row| row.code) {
-            Some(Code::End | Code::EndRewind) if cx.control.macros.ends_return && !self.frames.is_empty() => {
+            Some(Code::End | Code::EndRewind) if cx.shared.rules.ends_return && !self.frames.is_empty() => {
                 codes.flow = Some(Code::SubEnd);
             }
             Some(Code::Stop) => codes.stops |= STOP,
@@ -446,6 +448,11 @@ impl State {
             let letter = word.letter;
             // Words of another spindle, or of what is not simulated.
             let spindles = matches!(letter, b'M' | b'S' | long::SPOS | long::LIMS);
+            // Whatever stands behind the axes that go to a point: X1=0.
+            if let (Some(Code::GoTo(_)), Some((axis, _))) = (codes.special, cx.shared.index.axis(letter)) {
+                values.mask |= 1 << axis;
+                continue;
+            }
             if spindles && self.spindle_of(word) > 1 && codes.special != Some(Code::Dwell)
                 || !spindles && word.index.is_some()
             {
@@ -461,13 +468,13 @@ impl State {
                 if let (Some(value), false) = (self.dimension(cx, block, word, inch)?, yields) {
                     values.axes[axis] = value;
                     values.mask |= bit;
-                    match word.form {
-                        Form::Plain => {}
-                        Form::Incremental => values.incremental |= bit,
-                        _ => values.absolute |= bit,
+                    let relative = incremental || word.form == Form::Incremental;
+                    if relative || values.incremental != 0 {
+                        values.incremental = values.incremental & !bit | u8::from(relative) << axis;
                     }
-                    if incremental || values.incremental != 0 {
-                        values.incremental = values.incremental & !bit | u8::from(incremental) << axis;
+                    if !matches!(word.form, Form::Plain | Form::Incremental) {
+                        values.absolute |= bit;
+                        values.ways[axis] = word.form;
                     }
                 }
             } else {

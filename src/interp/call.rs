@@ -96,8 +96,9 @@ impl State {
         if callee.arguments.is_some() && macros >= limits.macro_depth as usize {
             return Err(Trap::alarm(Alarm::MacroNesting, msg!("interp.macro-nesting", u32::from(limits.macro_depth))));
         }
-        if callee.arguments.is_none() && self.frames.len() - macros >= limits.sub_depth as usize {
-            return Err(Trap::alarm(Alarm::SubNesting, msg!("interp.sub-nesting", u32::from(limits.sub_depth))));
+        if callee.arguments.is_none() && self.frames.len() - macros >= cx.shared.rules.sub_depth as usize {
+            let most = u32::from(cx.shared.rules.sub_depth);
+            return Err(Trap::alarm(Alarm::SubNesting, msg!("interp.sub-nesting", most)));
         }
         if callee.program == self.program && cx.control.raises(Alarm::OwnCall) {
             return Err(Trap::alarm(Alarm::OwnCall, msg!("interp.own-call")));

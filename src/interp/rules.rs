@@ -3,7 +3,7 @@
 use super::block::M_CODES;
 use super::canon::AXES;
 use crate::controls::macros::{CodeCall, VacantWord};
-use crate::controls::{Control, Group, Limits, SpindleRules, Switches};
+use crate::controls::{Control, Group, Limits, Point, SpindleRules, Switches};
 use crate::text::find::holds;
 
 /// Where the results of ASIN lie, in degrees.
@@ -53,6 +53,14 @@ pub(super) struct Rules {
     pub(super) asin: AsinRange,
     /// What an axis moves per unit of its words: 0.5 where they count diameters.
     pub(super) moves: [f64; AXES],
+    /// Axes that turn and count a turn.
+    pub(super) rotary: [bool; AXES],
+    /// Where reference points and fixed point lie, in command increments, machine frame.
+    pub(super) points: [[i64; AXES]; 2],
+    /// M02 and M30 in a subprogram return.
+    pub(super) ends_return: bool,
+    /// Subprograms inside one another at most.
+    pub(super) sub_depth: u8,
     /// The axis that is square to the spindle, for constant surface speed.
     pub(super) surface_axis: usize,
     /// What is added to the number of a user alarm to give the number that is shown.
@@ -78,6 +86,7 @@ impl Rules {
             startup.extend(row.filter(|row| row.group == group).map(|row| row.number));
         }
         let macros = &control.macros;
+        let levels: Option<u8> = get("subprogram-levels").and_then(|levels| levels.parse().ok());
         let angles = get("angle-range").unwrap_or("");
         let square = control.axes.iter().position(|axis| axis.diameter).or(control.axis(b'X'));
         Rules {
@@ -104,6 +113,10 @@ impl Rules {
                 AsinRange::AroundZero
             },
             moves: core::array::from_fn(|k| if control.counts_diameters(k, switches) { 0.5 } else { 1.0 }),
+            rotary: core::array::from_fn(|k| control.is_rotary(k, switches)),
+            points: ["reference-point", "fixed-point"].map(|id| point(control, get(id).unwrap_or(""))),
+            ends_return: get("end-in-subprogram").map_or(macros.ends_return, |setting| setting == "return"),
+            sub_depth: levels.map_or(control.limits.sub_depth, |levels| levels.saturating_sub(1)),
             surface_axis: square.unwrap_or(0).min(AXES - 1),
             user_alarm_base: get("user-alarm-base").and_then(|base| base.parse().ok()).or(macros.user_alarm_base),
             spindle: control.spindle_rules(switches),
@@ -112,11 +125,29 @@ impl Rules {
         }
     }
 
+    /// Where a point lies.
+    pub(super) fn point(&self, point: Point) -> [i64; AXES] {
+        self.points[usize::from(point == Point::Fixed)]
+    }
+
     /// What a code calls; `number` is ten times what is written.
     #[inline]
     pub(super) fn call(&self, letter: u8, number: u32) -> Option<CodeCall> {
         self.calls.iter().find(|call| (call.letter, call.number) == (letter, number)).copied()
     }
+}
+
+/// A place as words, `X300 Z-50.5`, in command increments; axes that are not named stay at 0.
+fn point(control: &Control, words: &str) -> [i64; AXES] {
+    let mut place = [0; AXES];
+    for word in words.split_ascii_whitespace() {
+        let axis = word.bytes().next().and_then(|letter| control.axis(letter.to_ascii_uppercase()));
+        let value = word.get(1..).and_then(|number| number.parse::<f64>().ok()).filter(|value| value.is_finite());
+        if let (Some(slot), Some(value)) = (axis.and_then(|axis| place.get_mut(axis)), value) {
+            *slot = (value / control.limits.increment).round() as i64;
+        }
+    }
+    place
 }
 
 /// Ranges and roundings of words, in the numbers that the hot path needs.

@@ -8,6 +8,7 @@ use super::state::{Cx, State};
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code};
 use crate::msg;
+use crate::nc::Form;
 
 impl State {
     /// The command for the axis words of a block; whether axes move.
@@ -44,6 +45,14 @@ impl State {
                 self.surface_speed(cx);
                 return Ok(false);
             }
+            Some(Code::GoTo(point)) => {
+                let mut to = Target { position: self.position, mask: values.mask };
+                let place = cx.shared.rules.point(point);
+                (0..AXES).filter(|k| values.mask & 1 << k != 0).for_each(|k| to.position[k] = place[k]);
+                self.position = to.position;
+                self.queue.push(Canon::Rapid { to });
+                return Ok(true);
+            }
             _ => {}
         }
         let code = match codes.special {
@@ -67,6 +76,9 @@ impl State {
                     (false, false) => self.modal.zero[k],
                 };
                 to.position[k] = from.saturating_add(values.axes[k]);
+                if cx.shared.rules.rotary[k] && !matches!(values.ways[k], Form::Plain | Form::Absolute) {
+                    to.position[k] = self.turned(cx, k, to.position[k], values.axes[k], values.ways[k])?;
+                }
             }
         }
         if codes.special == Some(Code::ReferenceReturn) {
@@ -115,6 +127,26 @@ impl State {
         self.position = to.position;
         self.queue.push(motion);
         Ok(true)
+    }
+
+    /// Where a rotary axis ends that goes to an angle by a way of its own: less than a turn from where it is.
+    #[cold]
+    fn turned(&self, cx: &Cx, axis: usize, to: i64, angle: i64, way: Form) -> Run<i64> {
+        let turn = (360.0 * cx.shared.units.per_unit) as i64;
+        if !(0..turn).contains(&angle) && !cx.shared.rules.spindle.angle_wraps {
+            let angle = angle as f64 / cx.shared.units.per_unit;
+            return Err(Trap::alarm(Alarm::SpindleAngle, msg!("interp.spindle-angle", (angle, 9))));
+        }
+        let from = self.position[axis];
+        let positive = to.saturating_sub(from).rem_euclid(turn.max(1));
+        let negative = if positive > 0 { positive - turn } else { 0 };
+        let by = match way {
+            Form::Positive => positive,
+            Form::Negative => negative,
+            _ if 2 * positive <= turn => positive,
+            _ => negative,
+        };
+        Ok(from.saturating_add(by))
     }
 
     /// Length of a path per travel of the axis that goes farthest, along which a lead counts.

@@ -69,6 +69,8 @@ pub struct Block {
     pub label: Option<TextId>,
     /// Optional block skip: 0 none, 1 `/` or `/1`, 2 `/2` ….
     pub skip: u8,
+    /// A main block, where a language has such: its number stands behind `:` and not behind N.
+    pub main: bool,
 }
 
 /// What a block says.

@@ -373,7 +373,15 @@ impl Builder {
             self.program(0, "");
         }
         let (number, skip) = (self.number.take(), core::mem::take(&mut self.skip));
-        self.deck.blocks.push(Block { span: Span::default(), number, stmt, comment: None, label: None, skip });
+        self.deck.blocks.push(Block {
+            span: Span::default(),
+            number,
+            stmt,
+            comment: None,
+            label: None,
+            skip,
+            main: false,
+        });
         if let Some(program) = self.deck.programs.last_mut() {
             program.end = self.deck.blocks.len() as u32;
         }

@@ -209,7 +209,8 @@ impl Writer<'_> {
             switch => self.text.push_str(&format!("/{switch}")),
         }
         if let Some(number) = block.number {
-            self.text.push_str(&format!("N{number}"));
+            self.text.push(if block.main { ':' } else { 'N' });
+            self.text.push_str(&number.to_string());
             if block.stmt != Stmt::Empty || block.label.is_some() {
                 self.text.push(' ');
             }

@@ -133,6 +133,7 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
                     comment: None,
                     label: None,
                     skip: 0,
+                    main: false,
                     ..block
                 });
                 origins.push(origin);

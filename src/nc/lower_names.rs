@@ -200,6 +200,7 @@ impl Labels {
                 comment: None,
                 label: Some(label),
                 skip: 0,
+                main: false,
             });
             origins.push(from.last().copied().unwrap_or(0));
         }
@@ -281,7 +282,15 @@ fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
         let first = deck.blocks.len() as u32;
         if let Some(comment) = program.title.take() {
             let (span, label) = (Span::default(), None);
-            deck.blocks.push(Block { span, number: None, stmt: Stmt::Empty, comment: Some(comment), label, skip: 0 });
+            deck.blocks.push(Block {
+                span,
+                number: None,
+                stmt: Stmt::Empty,
+                comment: Some(comment),
+                label,
+                skip: 0,
+                main: false,
+            });
             // In a program without blocks the title comes from none.
             let own = from.get(range.start).filter(|_| !range.is_empty());
             origins.push(own.copied().unwrap_or(u32::MAX));
@@ -331,7 +340,7 @@ pub(super) fn no_names(deck: &mut Deck, control: &Control) {
             stmt => stmt,
         };
         deck.blocks[at].stmt = stmt;
-        deck.blocks[at].label = None;
+        (deck.blocks[at].label, deck.blocks[at].main) = (None, false);
         if stmt != block.stmt {
             deck.blocks[at].span = Span::default();
         }

@@ -82,7 +82,7 @@ impl Deck {
         };
         let texts = x.comment.map(|_| self.text(x.comment)) == y.comment.map(|_| other.text(y.comment));
         let labels = x.label.map(|_| self.text(x.label)) == y.label.map(|_| other.text(y.label));
-        stmts && texts && labels && x.number == y.number && x.skip == y.skip
+        stmts && texts && labels && (x.number, x.skip, x.main) == (y.number, y.skip, y.main)
     }
 
     fn same_expr(&self, a: ExprId, other: &Deck, b: ExprId) -> bool {

@@ -2,8 +2,8 @@
 
 use super::{MEMORY, SPINDLE, WORDS};
 use crate::controls::Code::*;
-use crate::controls::CodeDef;
 use crate::controls::code::{Group, g, m, mg, named};
+use crate::controls::{CodeDef, Point};
 use crate::text::{Citation, Grade};
 
 const THREAD: Citation = Citation::new("808D milling, p.79; alarms 16720 and 16730", Grade::Sister);
@@ -50,8 +50,8 @@ pub(super) const CODES: &[CodeDef] = &[
     g(640, Cutting, Group::PathMode, "continuous path", WORDS),
     g(700, Inch, Group::LengthUnit, "inch input", WORDS),
     g(710, Metric, Group::LengthUnit, "metric input", WORDS),
-    g(740, NotSimulated, Group::OneShot, "reference point approach", MEMORY),
-    g(750, NotSimulated, Group::OneShot, "fixed point approach", MEMORY),
+    g(740, GoTo(Point::Reference), Group::OneShot, "reference point approach", MEMORY),
+    g(750, GoTo(Point::Fixed), Group::OneShot, "fixed point approach", MEMORY),
     g(900, Absolute, Group::Distance, "absolute dimensions", WORDS),
     g(910, Incremental, Group::Distance, "incremental dimensions", WORDS),
     g(940, FeedPerMinute, Group::FeedUnit, "feed per minute", SPINDLE),

@@ -3,7 +3,7 @@
 use super::{BLOCKS, MEMORY, SPINDLE};
 use crate::controls::Switch;
 use crate::controls::switch::switch;
-use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS};
+use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, ROTARY_AXES};
 use crate::text::{Citation, Grade};
 
 const RADII: Citation =
@@ -18,6 +18,9 @@ const BUILDER: Citation = Citation::new(
     Grade::Open,
 );
 const LABELS: Citation = Citation::new("2 to 8 characters by usage of the 802D; 32 on larger controls", Grade::Open);
+const ENDS: Citation = Citation::new("808D milling guide, p.79: M2 returns; M30 by usage", Grade::Open);
+const LEVELS: Citation =
+    Citation::new("808D milling guide, p.79, and 828D: 8; 808D diagnostics 07/2018, p.175: 16", Grade::Sister);
 const JUMPS: Citation = Citation::new("alarm 14080 of the 808D, p.184: asks for a label, not a number", Grade::Sister);
 const RANGE: Citation = Citation::new("R0 to R249 on 802S and 802C", Grade::Sister);
 
@@ -41,6 +44,16 @@ pub(super) const SWITCHES: &[Switch] = &[
     ),
     switch("driven-tool", "M code that starts a driven tool; empty: only another spindle is one", &[""], BUILDER),
     switch("r-parameters", "R parameters (MD28050)", &["R0 to R299", "R0 to R249"], RANGE),
+    switch("end-in-subprogram", "M2 and M30 in a subprogram", &["return", "end the program"], ENDS),
+    switch("subprogram-levels", "Levels of programs, the main one included", &["8", "16"], LEVELS),
+    switch(ROTARY_AXES, "Rotary axes (MD30300, MD30310), for instance Y: DC, ACP and ACN are for them", &[""], BUILDER),
+    switch(
+        "reference-point",
+        "Reference points (MD34100), where G74 goes: for instance X300 Z500; else 0",
+        &[""],
+        BUILDER,
+    ),
+    switch("fixed-point", "Fixed point (MD30600), where G75 goes: for instance X300 Z500; else 0", &[""], BUILDER),
     switch(LABEL_LENGTH, "Characters of a label at most", &["8", "32"], LABELS),
     switch(BLOCK_LENGTH, "Characters of a block: 200, on the 802D sl 512", &["200", "512"], BLOCKS),
     switch(NUMBER_JUMPS, "GOTOF and GOTOB to block numbers", &["no", "yes"], JUMPS),

@@ -154,6 +154,8 @@ struct Tables<'a> {
     once: u32,
     /// Bit `letter & 31`: letters whose number must not have a point.
     whole: u32,
+    /// Bit `letter & 31`: letters of rotary axes.
+    rotary: u32,
     /// Bit `letter & 31`: letters that may put a corner behind a motion.
     corners: u32,
     /// Words of a block.
@@ -202,6 +204,14 @@ impl<'a> Tables<'a> {
             letters: letter_bits(control.syntax.addresses.iter().copied().chain(control.axis_letters())),
             once: if control.syntax.address_twice { !letter_bits(b"GM".iter().copied()) } else { 0 },
             whole: 0,
+            rotary: letter_bits(
+                control
+                    .axes
+                    .iter()
+                    .enumerate()
+                    .filter(|(at, _)| control.is_rotary(*at, switches))
+                    .map(|(_, row)| row.letter),
+            ),
             corners: letter_bits(control.syntax.corners.iter().map(|corner| corner.0)),
             most_words: (control.syntax.block_words as usize).min(u16::MAX as usize),
         };
@@ -301,6 +311,8 @@ struct Reader<'a> {
     round_brackets: Vec<(usize, usize)>,
     number: Option<u32>,
     skip_switch: u8,
+    /// Its number stands behind `:`.
+    main: bool,
     comment: Option<TextId>,
     label: Option<TextId>,
     bad: Option<Alarm>,
@@ -358,6 +370,7 @@ impl<'a> Reader<'a> {
             round_brackets: Vec::new(),
             number: None,
             skip_switch: 0,
+            main: false,
             comment: None,
             label: None,
             bad: None,
@@ -601,6 +614,7 @@ impl<'a> Reader<'a> {
         self.at = 0;
         self.number = None;
         self.skip_switch = 0;
+        self.main = false;
         self.comment = None;
         self.label = None;
         self.bad = None;
@@ -676,7 +690,7 @@ impl<'a> Reader<'a> {
         let stmt = self.bad.map_or(stmt, Stmt::Bad);
         let span = Span::new(self.base, self.base + self.line.len() as u32);
         let (number, comment, label) = (self.number, self.comment, self.label);
-        let block = Block { span, number, stmt, comment, label, skip: self.skip_switch };
+        let block = Block { span, number, stmt, comment, label, skip: self.skip_switch, main: self.main };
         self.deck.blocks.push(block);
         let end = self.deck.blocks.len() as u32;
         match self.program.and_then(|index| self.deck.programs.get_mut(index)) {

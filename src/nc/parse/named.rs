@@ -166,6 +166,7 @@ impl<'a> Reader<'a> {
     /// `N10` or `:10`.
     fn block_number(&mut self) -> Read<()> {
         let start = self.at;
+        self.main = self.peek() == b':';
         self.at += 1;
         self.blank();
         let from = self.at;

@@ -67,6 +67,9 @@ impl Reader<'_> {
             }
             self.at += 1;
             let (index, form, value) = self.named_value(start, letter)?;
+            if !matches!(form, Form::Plain | Form::Absolute | Form::Incremental) {
+                self.check_way(start, letter, form);
+            }
             let bit = 1 << (letter & 31);
             match (letter, value) {
                 (b'G', WordValue::Number(number)) => {
@@ -352,6 +355,19 @@ impl Reader<'_> {
             return Err(self.failure(Alarm::Format, start, self.line.len(), msg!("nc.no-address", name), false));
         }
         Err(self.unknown_name(start, written))
+    }
+
+    /// Reports a way to an angle, of an axis that does not turn.
+    #[cold]
+    fn check_way(&mut self, start: usize, letter: u8, form: Form) {
+        let (alarm, name) = match form {
+            Form::Positive => (Alarm::PositiveWay, "ACP"),
+            Form::Negative => (Alarm::NegativeWay, "ACN"),
+            _ => (Alarm::ShortestWay, "DC"),
+        };
+        if self.control.axis(letter).is_some() && self.tables.rotary & 1 << (letter & 31) == 0 {
+            self.report(alarm, start, self.at, msg!("nc.way-of-angle", name, (letter as char).to_string()));
+        }
     }
 
     /// `(2)` behind SETMS; without it the spindle is the one that it was at power-on.

@@ -531,3 +531,38 @@ fn a_message_that_is_too_long() {
     "#]],
     );
 }
+
+#[test]
+fn main_blocks_stay_main_blocks() {
+    let text = "%_N_A_MPF\n;$PATH=/_N_MPF_DIR\n/:  20 G0 X1\n:30 AB: R1=1\nN40 M30\n";
+    let parsed = read_on(control(), text);
+    let written = emit(parsed.deck(), control());
+    assert_eq!(written.files.0[0].text, "%_N_A_MPF\n;$PATH=/_N_MPF_DIR\n/:20 G0 X1\n:30 AB: R1=1\nN40 M30\n");
+    assert!(parse(&written.files, control()).deck().same_as(parsed.deck()));
+    // Edited, too; what nobody edited stays byte for byte.
+    let mut deck = parsed.deck().clone();
+    deck.blocks[1].span = macroline::text::Span::default();
+    let edited = nc::emit_parsed(&parsed, &deck);
+    assert_eq!(edited.files.0[0].text, text);
+    deck.blocks[0].span = macroline::text::Span::default();
+    assert_eq!(nc::emit_parsed(&parsed, &deck).files.0[0].text, text.replace(":  20", ":20"));
+    // Where there are none, it is a number as others.
+    let other = find("gsk-980tdc").unwrap();
+    assert!(emit(parsed.deck(), other).files.0[0].text.contains("N20 G00 X1"));
+}
+
+#[test]
+fn ways_to_angles_are_for_rotary_axes() {
+    check(
+        "G0 X=DC(5)",
+        expect![[r#"
+        1:4 error 16800 DC says which way an axis turns to an angle; X is no rotary axis. Write the position alone, or with AC or IC.
+    "#]],
+    );
+    let set = |letters: &str| Switches(vec![("rotary-axes".to_owned(), letters.to_owned())]);
+    for (letters, errors) in [("", 1), ("y", 0), ("X Y", 0), ("Z", 1)] {
+        let parsed = parse_with(&Files::one("A.MPF", "G0 Y=ACP(5)\nM30\n"), control(), &set(letters));
+        let found = parsed.diagnostics().iter().filter(|found| found.severity == Severity::Error).count();
+        assert_eq!(found, errors, "{letters}");
+    }
+}

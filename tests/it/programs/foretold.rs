@@ -120,6 +120,7 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
         sinumerik-802d division
         sinumerik-802d feed-above
         sinumerik-802d lead
+        sinumerik-802d levels
         sinumerik-802d main-return
         sinumerik-802d nesting
         sinumerik-802d no-feed
@@ -127,6 +128,7 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
         sinumerik-802d no-surface-speed
         sinumerik-802d repeats-computed
         sinumerik-802d variable-computed
+        sinumerik-802d way-angle
     "#]]
     .assert_eq(&later);
 }

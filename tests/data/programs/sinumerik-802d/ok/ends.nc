@@ -1,0 +1,15 @@
+%_N_ENDS_MPF
+;SET end-in-subprogram end the program
+;SET subprogram-levels 16
+;$PATH=/_N_MPF_DIR
+: 10 R100=0
+DEEPER
+G0 X1
+M30
+%_N_DEEPER_SPF
+R100=R100+1
+IF R100<15 GOTOF ON_IT
+G0 X=R100
+M30
+ON_IT: DEEPER
+M17
