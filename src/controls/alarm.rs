@@ -165,6 +165,8 @@ pub enum Alarm {
     SpeedLimitRange,
     /// A thread without a lead.
     NoLead,
+    /// The lead of a thread stands behind the address of another axis.
+    LeadAxis,
     /// The shortest way to an angle, of an axis that does not turn, where that is an alarm.
     ShortestWay,
     /// The positive way to an angle, likewise.
@@ -278,6 +280,7 @@ impl Alarm {
         Alarm::SpeedRange,
         Alarm::SpeedLimitRange,
         Alarm::NoLead,
+        Alarm::LeadAxis,
         Alarm::ShortestWay,
         Alarm::PositiveWay,
         Alarm::NegativeWay,
@@ -291,7 +294,7 @@ impl Alarm {
         Some(match self {
             SquareRoot | Logarithm | Tangent | ArcFunction | Overflow | NotWhole => Calculation,
             ArcRadius => Arc,
-            NoLead => NoFeed,
+            NoLead | LeadAxis => NoFeed,
             RepeatRange | SpeedRange | SpeedLimitRange => OutOfRange,
             DoNumber => WhileSentence,
             IntoLoop => DoPair,

@@ -81,6 +81,8 @@ pub(super) struct Words {
     pub(super) incremental: u8,
     /// Bit `k`: as an absolute value, whatever is in force.
     pub(super) absolute: u8,
+    /// Axes X, Y, Z whose lead is programmed, bit by bit.
+    pub(super) leads: u8,
     /// How the axes go to angles.
     pub(super) ways: [Form; AXES],
     /// I, J, K.
@@ -510,6 +512,7 @@ impl State {
                     }
                     b'I' | b'J' | b'K' if thread && cx.control.syntax.lead_by_axis => {
                         self.modal.lead = self.lead_word(cx, block, word, inch)?.or(self.modal.lead);
+                        values.leads |= 1 << (letter - b'I');
                     }
                     b'I' | b'J' | b'K' => {
                         values.center[(letter - b'I') as usize] = self.dimension(cx, block, word, inch)?;

@@ -120,7 +120,17 @@ impl State {
                     return Err(Trap::alarm(Alarm::NoLead, msg!("interp.no-lead")));
                 }
                 None | Some(0.0) => return Err(no_feed(cx, self.modal.lead)),
-                Some(lead) => Canon::Thread { to, lead: lead * self.stretch(cx, to) },
+                Some(lead) => {
+                    let (stretch, longest) = self.stretch(cx, to);
+                    let letter = cx.control.axes.get(longest).map_or(b'Z', |axis| axis.letter);
+                    let own = letter.wrapping_sub(b'X');
+                    if values.leads & !(1 << (own & 7)) != 0 && to.position != self.position {
+                        let address = char::from(b'I'.wrapping_add(own)).to_string();
+                        let trap = Trap::alarm(Alarm::LeadAxis, msg!("interp.lead-axis", address));
+                        return Err(trap.behind(b"IJK"));
+                    }
+                    Canon::Thread { to, lead: lead * stretch }
+                }
             },
             _ => return Ok(false),
         };
@@ -149,12 +159,13 @@ impl State {
         Ok(from.saturating_add(by))
     }
 
-    /// Length of a path per travel of the axis that goes farthest, along which a lead counts.
-    fn stretch(&self, cx: &Cx, to: Target) -> f64 {
+    /// Length of a path per travel of the axis that goes farthest, along which a lead counts, and that axis.
+    fn stretch(&self, cx: &Cx, to: Target) -> (f64, usize) {
         let travel = |k: usize| to.position[k].saturating_sub(self.position[k]) as f64 * cx.shared.rules.moves[k];
         let squares = (0..AXES).map(|k| travel(k) * travel(k));
-        let longest = squares.clone().fold(0.0, f64::max);
-        if longest > 0.0 { (squares.sum::<f64>() / longest).sqrt() } else { 1.0 }
+        let (longest, axis) =
+            squares.clone().zip(0..).fold((0.0, 0), |most, next| if next.0 > most.0 { next } else { most });
+        (if longest > 0.0 { (squares.sum::<f64>() / longest).sqrt() } else { 1.0 }, axis)
     }
 
     /// G50 or G92: the present position is the one that is told, or differs from what it was by what is told.

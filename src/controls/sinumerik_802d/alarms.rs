@@ -64,6 +64,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     ),
     alarm(SurfaceRange, "14840", "Value for constant cutting speed out of range", LIST),
     alarm(NoLead, "16720", "Thread lead is zero", LIST),
+    alarm(LeadAxis, "16730", "Wrong parameter for the thread lead", LIST),
     alarm(SpeedRange, "16763", "Programmed speed is illegal (zero or negative)", LIST),
     alarm(NoPositioning, "16770", "Axis has no measuring system", LIST),
     alarm(ShortestWay, "16800", "DC is for rotary axes", LIST),

@@ -59,6 +59,10 @@ pub struct Derived {
     /// Number of the gear stage, from 1.
     pub stage: u8,
     pub stage_speed: f64,
+    /// What the output can ask for in it, offsets included.
+    pub stage_top: f64,
+    /// What the spindle is held at below the limit diameter.
+    pub high: f64,
     pub volts_largest: f64,
     pub volts_smallest: f64,
     pub analog_step: f64,
@@ -216,6 +220,8 @@ impl Derived {
             saved: if fixed_time > 0.0 { 100.0 * (1.0 - surface_time / fixed_time) } else { 0.0 },
             stage,
             stage_speed,
+            stage_top: analog.top_speed(),
+            high: high * behind,
             volts_largest: analog.output(sign * speed(largest)),
             volts_smallest: analog.output(sign * speed(smallest)),
             analog_step: analog.speed(middle + volts / f64::from(analog.steps())) - analog.speed(middle),

@@ -55,7 +55,13 @@ fn limit(case: &Case) -> Option<Judgement> {
     if !lathe.surface() || d.limited_share <= 0.0 {
         return ok(None);
     }
-    let advice = msg!("turning.limited", (d.limit_diameter, 3), (d.surface_smallest, 1), (d.limited_share * 100.0, 0));
+    let advice = msg!(
+        "turning.limited",
+        (d.limit_diameter, 3),
+        (d.surface_smallest, 1),
+        (d.limited_share * 100.0, 0),
+        (d.high, 0)
+    );
     if d.limited_share > 0.5 {
         warn(d.smallest, [advice])
     } else {
@@ -78,12 +84,12 @@ fn few_volts_large(case: &Case) -> Option<Judgement> {
 fn stage(case: &Case) -> Option<Judgement> {
     let Case { lathe, d, p } = case;
     if d.bound == Bound::Output {
-        return fail(None, [msg!("turning.output-full", f64::from(d.stage), (d.stage_speed, 0), (d.asked, 0))]);
+        return fail(None, [msg!("turning.output-full", f64::from(d.stage), (d.stage_top, 0), (d.asked, 0))]);
     }
-    if d.bound == Bound::Gear && lathe.surface() {
+    if d.bound == Bound::Gear && lathe.surface() && d.stage_top < p.upper_limit {
         return warn(
             d.speed_smallest,
-            [msg!("turning.stage-too-slow", f64::from(d.stage), (d.stage_speed, 0), (p.upper_limit, 0))],
+            [msg!("turning.stage-too-slow", f64::from(d.stage), (d.stage_top, 0), (p.upper_limit, 0))],
         );
     }
     ok(None)
@@ -129,6 +135,18 @@ fn power(case: &Case) -> Option<Judgement> {
     ok(d.power_available)
 }
 
+/// A part that the slides do not reach over: from where the tool starts to where it cuts last.
+fn travels(case: &Case, found: &mut Vec<Diagnostic>) {
+    let p = case.p;
+    let (cross, along) =
+        (0.5 * (p.start_x - case.d.smallest), p.start_z + if p.path == Path::Facing { 0.0 } else { p.length });
+    for (field, needed, travel) in [("travel-x", cross, p.travel_x), ("travel-z", along, p.travel_z)] {
+        if travel > 0.0 && needed > travel {
+            found.push(Diagnostic::error(msg!("turning.beyond-travel", (needed, 3), (travel, 3))).about(field));
+        }
+    }
+}
+
 /// Parameters of the output that the control does not take.
 fn ranges(case: &Case, found: &mut Vec<Diagnostic>) {
     let Case { lathe, p, .. } = case;
@@ -172,6 +190,7 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
         let least = p.stock_diameter + 2.0 * p.clearance;
         found.push(Diagnostic::error(msg!("turning.start-in-stock", (p.start_x, 3), (least, 3))).about("start-x"));
     }
+    travels(case, &mut found);
     if p.upper_limit > limits.speed_max {
         let message = msg!("turning.speed-above-range", (p.upper_limit, 0), limits.speed_max);
         found.push(Diagnostic::error(message).about("upper-limit"));

@@ -241,7 +241,7 @@ fn what_the_design_says() {
     "#]]
     .assert_eq(&said(&[("finished-diameter", "80"), ("start-x", "80")]));
     expect![[r#"
-        Warn limit-diameter: Below 57.296 mm the speed limit holds: the surface speed falls to 62.8 m/min, over 58 % of the diameter.
+        Warn limit-diameter: Below 57.296 mm the spindle is held at 1000 r/min: the surface speed falls to 62.8 m/min, over 58 % of the diameter.
         Warn stage-speed: Stage 1 ends at 1000 r/min, below the speed limit of 2500 r/min: the surface speed falls from there on. Take a faster stage.
         Warn acceleration-needed: The spindle would have to gain 1164 r/min each second, it can 333: the surface speed lags behind near the limit. A lower cutting speed, feed or speed limit mends it.
         Fail power: The cut takes 12 kW, 6 kW reach it: cut at 90 m/min or less, or with less depth.
@@ -492,4 +492,17 @@ fn passes_are_counted_whoever_asks_in_whatever_order() {
     changed.advance(f64::INFINITY, usize::MAX);
     let half = asked(&changed, f64::INFINITY);
     assert!(half[0] < 30 && half == asked(&planner, end / 2.0), "{half:?}");
+}
+
+#[test]
+fn a_part_beyond_the_travels_is_an_error() {
+    expect![[r#"
+        Error travel-x: From its start the tool has to move 65 mm, the slide has 60 mm: start nearer to the part, or take a shorter one.
+        Error travel-z: From its start the tool has to move 1100 mm, the slide has 1000 mm: start nearer to the part, or take a shorter one.
+    "#]].assert_eq(&findings(
+        "gsk-980tdc",
+        &[("path", "turning"), ("length", "1000"), ("travel-x", "60"), ("travel-z", "1000")],
+    ));
+    // Unknown, or far enough: from the start at 150 mm to a diameter of 20 mm, 100 mm and the length along the part.
+    expect![[""]].assert_eq(&findings("gsk-980tdc", &[("path", "turning"), ("travel-x", "65"), ("travel-z", "160")]));
 }

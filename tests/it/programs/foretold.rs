@@ -119,6 +119,7 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
         sinumerik-802d arc
         sinumerik-802d division
         sinumerik-802d feed-above
+        sinumerik-802d lead-axis
         sinumerik-802d lead
         sinumerik-802d levels
         sinumerik-802d main-return
