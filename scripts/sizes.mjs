@@ -16,6 +16,7 @@ const UNWANTED = {
   'The sentences in English': 'the catalog of sentences: text::catalog::load',
   'form.report.': 'sheets, report and export: the worker makes them, ui::papers',
   'core/src/num/flt2dec': 'printing of floats ({} of an f64): text::number and text::double',
+  'core/src/num/dec2flt': 'reading of floats (parse::<f64>): text::number::read',
   'core/src/unicode/printable': 'a text that is sliced, split_at or searched for a text: get(..), text::find',
   'alloc/src/collections/btree': 'BTreeMap: order::Map',
   'core/src/slice/sort': 'sort: order::by_key',

@@ -5,6 +5,7 @@ use super::canon::AXES;
 use crate::controls::macros::{CodeCall, VacantWord};
 use crate::controls::{Control, Group, Limits, Point, SpindleRules, Switches};
 use crate::text::find::holds;
+use crate::text::number;
 
 /// Where the results of ASIN lie, in degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -142,7 +143,7 @@ fn point(control: &Control, words: &str) -> [i64; AXES] {
     let mut place = [0; AXES];
     for word in words.split_ascii_whitespace() {
         let axis = word.bytes().next().and_then(|letter| control.axis(letter.to_ascii_uppercase()));
-        let value = word.get(1..).and_then(|number| number.parse::<f64>().ok()).filter(|value| value.is_finite());
+        let value = word.get(1..).and_then(number::read);
         if let (Some(slot), Some(value)) = (axis.and_then(|axis| place.get_mut(axis)), value) {
             *slot = (value / control.limits.increment).round() as i64;
         }
