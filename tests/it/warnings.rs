@@ -569,6 +569,7 @@ fn a_cut_that_nothing_gives_a_feed() {
     // A feed from another program, by a variable, or from a program that is not here.
     E60.quiet("O1\nM98 P2\nG91 G01 X5.\nM30\nO2\nF100\nM99");
     E60.quiet("O1\n#1=100\nF#1\nG91 G01 X5.\nM30");
+    E60.quiet("O9101\nG91 G01 X5.\nM99");
     E60.check(
         "O1\nM98 P77\nG91 G01 X5.\nM30",
         expect![[r#"

@@ -207,8 +207,9 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
         }
     }
     units.tell(lint);
-    // Who is called and not here may set it.
-    if let Some((at, span)) = cutting.first.filter(|_| !cutting.feeds && facts.missed.is_empty() && !facts.any_called) {
+    // Who is called and not here may set it, or who calls.
+    let silent = cutting.feeds || !facts.missed.is_empty() || facts.any_called;
+    if let Some((at, span)) = cutting.first.filter(|_| !silent && facts.parts.iter().any(|part| part.ends)) {
         let alarm = lint.control.alarm_number(Alarm::NoFeed).unwrap_or("");
         lint.say(at, span, "lint.no-feed", &[alarm], "");
     }
