@@ -555,7 +555,8 @@ impl State {
                 }
             }
         }
-        if values.rare & !self.uses(codes) != 0 || codes.special == Some(Code::Dwell) && values.mask != 0 {
+        let idle = values.rare != 0 && values.rare & !self.uses(codes) != 0;
+        if idle || codes.special == Some(Code::Dwell) && values.mask != 0 {
             self.idle_words(cx, block, words, codes);
         }
         if self.modal.radii != Radii::No {

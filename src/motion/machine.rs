@@ -2,6 +2,7 @@
 
 use super::plan::Limits;
 use super::plant::{AxisPlant, Plant, SpindlePlant};
+use super::plc::Part;
 use crate::controls::{Alarm, Control, VarKind, VarRange};
 use crate::drives::Positioning;
 use crate::drives::speed::STAGES;
@@ -107,6 +108,16 @@ impl Machine {
     /// The axis that counts diameters: it is square to the spindle.
     pub(super) fn square(&self) -> Option<u8> {
         self.axes.iter().position(|axis| axis.diameter).map(|at| at as u8)
+    }
+
+    /// Least and largest value of an input, or of half of it, which may be told signed or not.
+    pub(super) fn input_range(&self, number: u32, part: Part) -> (f64, f64) {
+        let row = self.vars.iter().find(|row| (row.first..=row.last).contains(&number));
+        match (part, row.map(|row| (row.kind, row.width(number)))) {
+            (Part::Whole, Some((VarKind::InputBit, _))) => (0.0, 1.0),
+            (Part::Whole, Some((_, Some(width)))) => width.range(),
+            _ => (-32_768.0, 65_535.0),
+        }
     }
 
     /// Whether a variable is written by the PLC.

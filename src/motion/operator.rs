@@ -7,6 +7,7 @@ use super::program::Program;
 use super::signals::{percent, sense};
 use super::state::Sim;
 use super::timeline::Change;
+use crate::math;
 use crate::msg;
 use crate::text::Diagnostic;
 
@@ -60,7 +61,13 @@ impl<P: Program> Sim<'_, P> {
             }
             Action::Input(name, value) => match forced(name).filter(|(number, _)| self.machine.is_input(*number)) {
                 Some(key) => {
-                    self.s.io.forced.insert(key, *value);
+                    let (least, most) = self.machine.input_range(key.0, key.1);
+                    let taken = math::clamp(*value, least, most);
+                    if taken != *value {
+                        let message = msg!("interp.output-range", name.as_str(), (*value, 9), taken);
+                        self.out.diagnostics.push(Diagnostic::warning(message));
+                    }
+                    self.s.io.forced.insert(key, taken);
                     self.scan(t);
                 }
                 None => self.nothing_to_set(name),

@@ -258,6 +258,12 @@ fn inputs_of_the_plc_are_forced_by_variable_or_register() {
         said.iter().any(|said| said.contains("R999")) && said.iter().any(|said| said.contains("#2000")),
         "{said:?}"
     );
+    // Beyond what the register holds.
+    std::fs::write(&panel, r##"[ { "t": 0, "input": { "#1033": 5e9, "R72": 70000, "#1005": 2 } } ]"##).unwrap();
+    let out = run(&[&path, "--control", "mitsubishi-e60", "--panel", &text(&panel)], 0);
+    let said = out["diagnostics"].as_array().unwrap().iter().filter(|d| d["id"] == "interp.output-range");
+    assert_eq!(said.count(), 3);
+    near(&out["variables"]["#100"], 2_147_483_647.0, 0.0);
     for name in ["#2000=1", "#3004=2", "R999=1", "R172=1", "#1033", "#100=abc", "#100=1e400"] {
         let out = macroline(&["run", &path, "--control", "mitsubishi-e60", "--set", name]);
         assert_eq!(out.status.code(), Some(2), "{name}");
