@@ -555,9 +555,9 @@ impl State {
                 }
             }
         }
-        let idle = values.rare != 0 && values.rare & !self.uses(codes) != 0;
+        let idle = values.rare != 0 && values.rare & !self.uses(codes, values) != 0;
         if idle || codes.special == Some(Code::Dwell) && values.mask != 0 {
-            self.idle_words(cx, block, words, codes);
+            self.idle_words(cx, block, words, (codes, values));
         }
         if self.modal.radii != Radii::No {
             self.double(cx, values);
@@ -568,12 +568,14 @@ impl State {
     /// The rare words that do something in a block with these codes: bits of I for the centre of an arc, R, P for P and L, Q for
     /// everything else.
     #[inline]
-    fn uses(&self, codes: &Codes) -> u32 {
+    fn uses(&self, codes: &Codes, values: &Words) -> u32 {
         let any = codes.any_word || codes.call.is_some() || self.modal.cycle || self.modal.motion == Code::NotSimulated;
         let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw);
         match (any, arc) {
             (true, _) => u32::MAX,
-            (_, true) => bits(b"IR"),
+            // An arc that has its radius needs no centre.
+            (_, true) if values.radius.is_some() => bits(b"R"),
+            (_, true) => bits(b"I"),
             (_, false) if codes.flow.is_some() => bits(b"P"),
             _ => 0,
         }
@@ -581,11 +583,11 @@ impl State {
 
     /// Remarks the words of a block that do nothing in it. Languages with names refuse them when they are read.
     #[cold]
-    fn idle_words(&self, cx: &mut Cx, block: &Block, words: &[Word], codes: &Codes) {
+    fn idle_words(&self, cx: &mut Cx, block: &Block, words: &[Word], (codes, values): (&Codes, &Words)) {
         if cx.control.syntax.names.is_some() {
             return;
         }
-        let (uses, dwell) = (self.uses(codes), codes.special == Some(Code::Dwell));
+        let (uses, dwell) = (self.uses(codes, values), codes.special == Some(Code::Dwell));
         for word in words {
             let class = match word.letter {
                 letter if dwell && cx.control.syntax.dwell_addresses.contains(&letter) => continue,
