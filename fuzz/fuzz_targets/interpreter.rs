@@ -12,6 +12,8 @@ mod laws;
 #[path = "../../tests/it/generated/named.rs"]
 #[allow(dead_code)]
 mod named;
+#[path = "../../tests/it/generated/parts.rs"]
+mod parts;
 #[path = "../../tests/it/generated/program.rs"]
 #[allow(dead_code)]
 mod program;

@@ -83,6 +83,9 @@ pub struct SpindleRules {
     pub cite: Citation,
 }
 
+/// The override switch of machine control panels.
+const PANEL: Steps = Steps { low: 50.0, high: 120.0, step: 5.0 };
+
 /// Part of the speed within which it counts as reached, where the drive's own signal tells the control.
 /// Source: `reference/sinumerik-802d.md` section 3.2 (MD35150).
 const REACHED: f64 = 0.1;
@@ -115,6 +118,7 @@ impl Control {
             angle_wraps: is("spos-out-of-range", "modulo", row.angle_wraps),
             turns_through_reset: is("spindle-at-reset", "turns", row.turns_through_reset),
             stop_between: is("m03-m04", "alarm", row.stop_between),
+            knob: if is("spindle-knob", "50 to 120 %", false) { PANEL } else { row.knob },
             lock: code("spindle-lock").or(row.lock),
             driven_tool: code("driven-tool").or(row.driven_tool),
             end_stops: is("spindle-at-end", "stops", row.end_stops),

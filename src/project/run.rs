@@ -184,7 +184,8 @@ fn bench(control: &'static Control, switches: &Switches) -> (Plant, Box<dyn Plc>
     };
     let BenchShift { volts, before, meshing, after } = bench.shift;
     let mut plc = BenchPlc::new(bench.fin_delay, bench.override_echo);
-    (plc.shift, plc.knob) = (GearShift { volts, before, meshing, after, patience: None }, Some(control.spindle.knob));
+    (plc.shift, plc.knob) =
+        (GearShift { volts, before, meshing, after, patience: None }, Some(control.spindle_rules(switches).knob));
     (plant, Box::new(plc))
 }
 

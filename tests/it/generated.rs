@@ -4,6 +4,7 @@ mod dice;
 mod flat;
 mod laws;
 mod named;
+mod parts;
 mod program;
 
 use std::collections::BTreeMap;

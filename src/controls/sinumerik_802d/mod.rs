@@ -191,7 +191,8 @@ pub static CONTROL: Control = Control {
         orients: true,
         angle_wraps: false,
         end_stops: true,
-        knob: Steps { low: 50.0, high: 120.0, step: 5.0 },
+        // That of the interface; what a panel has of it is a switch.
+        knob: Steps { low: 0.0, high: 200.0, step: 1.0 },
         offsets: None,
         stage_speeds: None,
         low_always: true,

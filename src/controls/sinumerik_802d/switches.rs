@@ -13,6 +13,8 @@ const M5: Citation =
 const REACHED: Citation = Citation::new("808D parameter manual: MD35500 and MD35150", Grade::Sister);
 const ACTIVATION: Citation = Citation::new("no source says it", Grade::Open);
 const ANGLE: Citation = Citation::new("alarm 16830 of the 808D, p.245; MD30455 by a secondary page", Grade::Sister);
+const KNOB: Citation =
+    Citation::new("840D sl basic functions 01/2015, p.1338 and 1666; panels by usage", Grade::Sister);
 const BUILDER: Citation = Citation::new(
     "the machine builder's; the page on 802D spindle commands asks for lock and driven tool",
     Grade::Open,
@@ -35,6 +37,12 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("lims-in-g97", "LIMS holds G97 too", &["no", "yes"], SPINDLE),
     switch("g96-apply-at-activation", "G96 sets the speed at once", &["yes", "no"], ACTIVATION),
     switch("g9x-without-s", "S behind G94 and G95 that end G96", &["last programmed", "hold"], SPINDLE),
+    switch(
+        "spindle-knob",
+        "Spindle override: what the interface takes, or what a panel has",
+        &["0 to 200 %", "50 to 120 %"],
+        KNOB,
+    ),
     switch("spos-out-of-range", "SPOS outside 0 to 359.999 (MD30455)", &["alarm", "modulo"], ANGLE),
     switch(
         "spindle-lock",

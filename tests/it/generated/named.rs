@@ -6,6 +6,7 @@ use macroline::controls::syntax::{Function, long};
 use macroline::controls::{Code, Control};
 
 use super::dice::Dice;
+use super::parts::{Arc, PLANES, mode};
 use super::program::g;
 
 /// Blocks that a program gets at most, subprograms included.
@@ -378,29 +379,20 @@ impl<'a> Writer<'a> {
 
     /// An arc from one quadrant point of a circle to another.
     fn arc(&mut self) {
-        let planes = [(Code::PlaneXy, b'X', b'Y'), (Code::PlaneZx, b'Z', b'X'), (Code::PlaneYz, b'Y', b'Z')];
-        let (plane, first, second) = self.dice.pick(&planes);
-        let clockwise = self.dice.rarely(128);
-        let radius = 1 + self.dice.below(20) as i32;
-        let (from, to) = (self.dice.below(4), self.dice.below(4));
-        let corner = |quarter: usize| [(1, 0), (0, 1), (-1, 0), (0, -1)][quarter];
-        let ((ax, ay), (bx, by)) = (corner(from), corner(to));
-        let way = self.code(if clockwise { Code::ArcCw } else { Code::ArcCcw });
-        let mut text = format!("{} {} {way}", self.code(plane), self.code(Code::Incremental));
-        for (letter, way) in [(first, (bx - ax) * radius), (second, (by - ay) * radius)] {
+        let arc = Arc::of(&mut self.dice, &PLANES);
+        let codes = [arc.plane, Code::Incremental, arc.code()].map(|code| self.code(code));
+        let mut text = codes.join(" ");
+        for (letter, way, _) in arc.axes {
             let Some(axis) = self.control.axis(letter).map(|k| &self.control.axes[k]) else { continue };
             if way != 0 {
                 let _ = write!(text, " {}{}", letter as char, if axis.diameter { 2 * way } else { way });
             }
         }
-        let quarters = if clockwise { from + 4 - to } else { to + 4 - from } % 4;
-        if quarters != 0 && self.dice.rarely(90) {
-            let _ = write!(text, " CR={}", if quarters == 3 { -radius } else { radius });
+        if arc.quarters != 0 && self.dice.rarely(90) {
+            let _ = write!(text, " CR={}", arc.signed_radius());
         } else {
-            for (letter, way) in [(first, -ax * radius), (second, -ay * radius)] {
-                if way != 0 {
-                    let _ = write!(text, " {}{way}", (letter - b'X' + b'I') as char);
-                }
+            for (letter, _, way) in arc.axes.into_iter().filter(|axis| axis.2 != 0) {
+                let _ = write!(text, " {}{way}", (letter - b'X' + b'I') as char);
             }
         }
         self.round = true;
@@ -492,27 +484,7 @@ impl<'a> Writer<'a> {
     }
 
     fn modes(&mut self) {
-        use Code::{
-            Absolute, Cutting, ExactStop, FeedPerMinute, FeedPerRevolution, Inch, Incremental, Metric, PlaneXy, PlaneZx,
-        };
-        let code = self.dice.pick(&[
-            ExactStop,
-            Cutting,
-            FeedPerMinute,
-            FeedPerRevolution,
-            Inch,
-            Metric,
-            Absolute,
-            Incremental,
-            PlaneXy,
-            PlaneZx,
-            Cutting,
-        ]);
-        let feed = match code {
-            FeedPerMinute => " F400.",
-            FeedPerRevolution => " F.2 S1000 M3",
-            _ => "",
-        };
+        let (code, feed) = mode(&mut self.dice);
         self.line(&(self.code(code) + feed));
     }
 }

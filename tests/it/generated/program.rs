@@ -10,6 +10,7 @@ use macroline::controls::{Code, Control, VarKind};
 
 use super::dice::Dice;
 use super::named;
+use super::parts::{Arc, PLANES, mode};
 
 /// Blocks that a program gets at most, subprograms included.
 const BLOCKS: usize = 120;
@@ -444,35 +445,24 @@ impl<'a> Writer<'a> {
 
     /// An arc from one quadrant point of a circle to another.
     fn arc(&mut self) {
-        let can = |code| self.control.can(code);
-        let planes = [(Code::PlaneXy, b'X', b'Y'), (Code::PlaneZx, b'Z', b'X'), (Code::PlaneYz, b'Y', b'Z')];
-        let planes: Vec<_> = planes.into_iter().filter(|plane| can(plane.0)).collect();
-        let (plane, first, second) = self.dice.pick(&planes);
-        let clockwise = self.dice.rarely(128);
-        let radius = 1 + self.dice.below(20) as i32;
-        let (from, to) = (self.dice.below(4), self.dice.below(4));
-        let corner = |quarter: usize| [(1, 0), (0, 1), (-1, 0), (0, -1)][quarter];
-        let ((ax, ay), (bx, by)) = (corner(from), corner(to));
-        let mut text = g(self.control, plane).unwrap_or_default();
+        let planes: Vec<_> = PLANES.into_iter().filter(|plane| self.control.can(plane.0)).collect();
+        let arc = Arc::of(&mut self.dice, &planes);
+        let mut text = g(self.control, arc.plane).unwrap_or_default();
         // The end is given relative to the start, as nobody knows where that is.
         text.extend(g(self.control, Code::Incremental).map(|code| format!(" {code}")));
-        text +=
-            &format!(" {}", g(self.control, if clockwise { Code::ArcCw } else { Code::ArcCcw }).unwrap_or_default());
-        for (letter, way) in [(first, (bx - ax) * radius), (second, (by - ay) * radius)] {
+        text += &format!(" {}", g(self.control, arc.code()).unwrap_or_default());
+        for (letter, way, _) in arc.axes {
             let Some(axis) = self.control.axis(letter).map(|k| &self.control.axes[k]) else { continue };
             if way != 0 {
                 let way = if axis.diameter { 2 * way } else { way };
                 let _ = write!(text, " {}{way}.", axis.incremental.unwrap_or(axis.letter) as char);
             }
         }
-        let quarters = if clockwise { from + 4 - to } else { to + 4 - from } % 4;
-        if quarters != 0 && self.dice.rarely(90) {
-            let _ = write!(text, " R{}.", if quarters == 3 { -radius } else { radius });
+        if arc.quarters != 0 && self.dice.rarely(90) {
+            let _ = write!(text, " R{}.", arc.signed_radius());
         } else {
-            for (letter, way) in [(first, -ax * radius), (second, -ay * radius)] {
-                if way != 0 {
-                    let _ = write!(text, " {}{way}.", (letter - b'X' + b'I') as char);
-                }
+            for (letter, _, way) in arc.axes.into_iter().filter(|axis| axis.2 != 0) {
+                let _ = write!(text, " {}{way}.", (letter - b'X' + b'I') as char);
             }
         }
         text += self.dice.pick(&["", " F300", " F222."]);
@@ -628,30 +618,8 @@ impl<'a> Writer<'a> {
     }
 
     fn modes(&mut self) {
-        use Code::{
-            Absolute, Cutting, ExactStop, FeedPerMinute, FeedPerRevolution, Inch, Incremental, Metric, PlaneXy, PlaneZx,
-        };
-        let code = self.dice.pick(&[
-            ExactStop,
-            Cutting,
-            FeedPerMinute,
-            FeedPerRevolution,
-            Inch,
-            Metric,
-            Absolute,
-            Incremental,
-            PlaneXy,
-            PlaneZx,
-            Cutting,
-            FeedPerMinute,
-            Metric,
-        ]);
+        let (code, feed) = mode(&mut self.dice);
         let Some(text) = g(self.control, code) else { return self.motion() };
-        let feed = match code {
-            FeedPerMinute => " F400.",
-            FeedPerRevolution => " F.2 S1000 M03",
-            _ => "",
-        };
         self.line(&(text + feed));
     }
 

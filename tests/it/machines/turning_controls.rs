@@ -231,7 +231,7 @@ fn the_differences_of_a_part_on_the_controls() {
             mitsubishi-e60  95.49
         knob at 133 %
             gsk-980tdc      272.84
-            sinumerik-802d  272.84
+            sinumerik-802d  302.39
             knd-k2000t      302.39
             mitsubishi-e60  316.54
         rpm before cut 1

@@ -105,6 +105,13 @@ fn the_limit_cases_of_the_sheet() {
         assert!((now.command - wanted).abs() < 1e-5, "{lines}: {}", now.command);
         assert_eq!(now.bound, bound, "{lines}");
     }
+    // Override 0 stops; a panel may not go so far.
+    for (knob, rpm) in [("0 to 200 %", 0.0), ("50 to 120 %", 500.0)] {
+        let mut lathe = Lathe::new("sinumerik-802d", &[("spindle-knob", knob)]);
+        lathe.plc.knob = Some(lathe.plant.spindle.rules.knob);
+        lathe.events = vec![at(0.0, Action::SpindleOverride(0.0))];
+        assert_eq!(last(&lathe.run("G25 S50\nS1000 M3\nG4 F1\nM0")).command, rpm);
+    }
     // LIMS in G97 too, as on the 840D.
     let planner = Lathe::of_the_sheet(&[("lims-in-g97", "yes")]).run("G26 S3000\nLIMS=2500\nG97 S2700 M3\nG4 F1\nM0");
     assert_eq!(last(&planner).command, 2500.0);

@@ -4,6 +4,7 @@
 ;SET g96-apply-at-activation no
 ;SET g9x-without-s hold
 ;SET spos-out-of-range modulo
+;SET spindle-knob 50 to 120 %
 ;SET spindle-lock M81
 ;SET driven-tool M24
 G94 S500 M3 F200

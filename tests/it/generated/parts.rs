@@ -1,0 +1,75 @@
+//! What generated programs of every language are made of.
+
+use macroline::controls::Code;
+
+use super::dice::Dice;
+
+/// An arc from one quadrant point of a circle to another, in units of the circle's own axes.
+pub(crate) struct Arc {
+    pub(crate) plane: Code,
+    /// Letter, way to the end, way to the centre: of the first axis of the plane, and of the second.
+    pub(crate) axes: [(u8, i32, i32); 2],
+    pub(crate) clockwise: bool,
+    pub(crate) radius: i32,
+    /// Quarters of the circle, 0 for all of it.
+    pub(crate) quarters: usize,
+}
+
+impl Arc {
+    /// One in some of these planes.
+    pub(crate) fn of(dice: &mut Dice, planes: &[Plane]) -> Arc {
+        let (plane, first, second) = dice.pick(planes);
+        let clockwise = dice.rarely(128);
+        let radius = 1 + dice.below(20) as i32;
+        let (from, to) = (dice.below(4), dice.below(4));
+        let corner = |quarter: usize| [(1, 0), (0, 1), (-1, 0), (0, -1)][quarter];
+        let ((ax, ay), (bx, by)) = (corner(from), corner(to));
+        let quarters = if clockwise { from + 4 - to } else { to + 4 - from } % 4;
+        let axes = [(first, (bx - ax) * radius, -ax * radius), (second, (by - ay) * radius, -ay * radius)];
+        Arc { plane, axes, clockwise, radius, quarters }
+    }
+
+    pub(crate) fn code(&self) -> Code {
+        if self.clockwise { Code::ArcCw } else { Code::ArcCcw }
+    }
+
+    /// The radius as it is written: negative where the arc is longer than half the circle.
+    pub(crate) fn signed_radius(&self) -> i32 {
+        if self.quarters == 3 { -self.radius } else { self.radius }
+    }
+}
+
+/// A plane and its two axes.
+pub(crate) type Plane = (Code, u8, u8);
+
+/// All planes.
+pub(crate) const PLANES: [Plane; 3] =
+    [(Code::PlaneXy, b'X', b'Y'), (Code::PlaneZx, b'Z', b'X'), (Code::PlaneYz, b'Y', b'Z')];
+
+/// A modal code, with the feed that it asks for.
+pub(crate) fn mode(dice: &mut Dice) -> (Code, &'static str) {
+    use Code::{
+        Absolute, Cutting, ExactStop, FeedPerMinute, FeedPerRevolution, Inch, Incremental, Metric, PlaneXy, PlaneZx,
+    };
+    let code = dice.pick(&[
+        ExactStop,
+        Cutting,
+        FeedPerMinute,
+        FeedPerRevolution,
+        Inch,
+        Metric,
+        Absolute,
+        Incremental,
+        PlaneXy,
+        PlaneZx,
+        Cutting,
+        FeedPerMinute,
+        Metric,
+    ]);
+    let feed = match code {
+        FeedPerMinute => " F400.",
+        FeedPerRevolution => " F.2 S1000 M3",
+        _ => "",
+    };
+    (code, feed)
+}
