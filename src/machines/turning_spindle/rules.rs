@@ -69,16 +69,23 @@ fn limit(case: &Case) -> Option<Judgement> {
     }
 }
 
-fn few(volts: f64) -> Option<Judgement> {
-    if volts.abs() < 0.5 { warn(0.5, [msg!("turning.few-volts", (volts, 3))]) } else { ok(None) }
+fn few(case: &Case, volts: f64) -> Option<Judgement> {
+    if volts.abs() >= 0.5 {
+        return ok(None);
+    }
+    let several = case.p.stages().nth(1).is_some();
+    warn(
+        0.5,
+        [if several { msg!("turning.few-volts", (volts, 3)) } else { msg!("turning.few-volts-alone", (volts, 3)) }],
+    )
 }
 
 fn few_volts(case: &Case) -> Option<Judgement> {
-    few(case.d.volts_smallest)
+    few(case, case.d.volts_smallest)
 }
 
 fn few_volts_large(case: &Case) -> Option<Judgement> {
-    few(case.d.volts_largest)
+    few(case, case.d.volts_largest)
 }
 
 fn stage(case: &Case) -> Option<Judgement> {
