@@ -20,11 +20,13 @@ pub mod ribbon_line;
 
 pub mod turning_spindle;
 
+pub mod polygon_lathe;
+
 use crate::controls::{Control, Switches, WHOLE};
 use crate::math;
 use crate::motion::{Action, Planner, Plant, Plc, Program, Snapshot};
 use crate::msg;
-use crate::nc::Deck;
+use crate::nc::{Deck, File};
 use crate::text::Diagnostic;
 use crate::view::{Chart, Pose, Readout, Scene, Sheet};
 use form::{Field, FieldInfo, Origins, Value, Values};
@@ -170,6 +172,10 @@ pub trait Machine: 'static {
     fn plc(params: &Self::Params, on: On) -> Box<dyn Plc>;
     /// Parameter sheet, interface, ladder list.
     fn sheets(params: &Self::Params, on: On) -> Vec<Sheet>;
+    /// Drawings that leave with an export.
+    fn drawings(_: &Self::Params, _: On) -> Vec<File> {
+        Vec::new()
+    }
     /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
     fn variables(params: &Self::Params, on: On) -> Vec<(u32, &'static str, &'static str)>;
     /// The drawing.
@@ -357,10 +363,14 @@ macro_rules! machines {
         /// Their sheets: beside [`AnyMachine`], so that who makes none does not carry them.
         static SHEETS: &[(&str, fn(&Values, On) -> Vec<Sheet>)] =
             &[$((<$first>::ID, sheets_of::<$first>),)* $((<$whole>::ID, sheets_of::<$whole>)),*];
+
+        /// Their drawings, likewise.
+        static DRAWINGS: &[(&str, fn(&Values, On) -> Vec<File>)] =
+            &[$((<$first>::ID, drawings_of::<$first>),)* $((<$whole>::ID, drawings_of::<$whole>)),*];
     };
 }
 
-machines![first: ribbon_line::RibbonLine; whole: turning_spindle::TurningSpindle];
+machines![first: ribbon_line::RibbonLine; whole: turning_spindle::TurningSpindle, polygon_lathe::PolygonLathe];
 
 fn sheets_of<M: Machine>(values: &Values, on: On) -> Vec<Sheet> {
     M::sheets(&Erased::<M>::params(values).0, on)
@@ -370,6 +380,16 @@ fn sheets_of<M: Machine>(values: &Values, on: On) -> Vec<Sheet> {
 pub fn sheets(machine: &dyn AnyMachine, values: &Values, on: On) -> Vec<Sheet> {
     let found = SHEETS.iter().find(|(id, _)| *id == machine.id());
     found.map_or_else(Vec::new, |(_, sheets)| sheets(values, on))
+}
+
+fn drawings_of<M: Machine>(values: &Values, on: On) -> Vec<File> {
+    M::drawings(&Erased::<M>::params(values).0, on)
+}
+
+/// Drawings of a machine that leave with an export.
+pub fn drawings(machine: &dyn AnyMachine, values: &Values, on: On) -> Vec<File> {
+    let found = DRAWINGS.iter().find(|(id, _)| *id == machine.id());
+    found.map_or_else(Vec::new, |(_, drawings)| drawings(values, on))
 }
 
 /// What is known of the machine of an id, be it in this module or not.

@@ -51,6 +51,7 @@ impl Project {
                     files.push(File { name: format!("{}.svg", sheet.id), text: view::ladder::svg(&sheet.ladder) });
                 }
             }
+            files.extend(machines::drawings(self.machine, &self.values, self.on()));
             files.push(File { name: "project.json".to_owned(), text: self.to_json() });
         }
         Export { files, diagnostics, about: written.files }

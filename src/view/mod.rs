@@ -14,6 +14,8 @@ pub mod sheet;
 
 pub mod svg;
 
+pub mod outline;
+
 pub mod csv;
 
 pub mod plot;

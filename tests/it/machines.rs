@@ -1,6 +1,7 @@
 //! The machines: their numbers against the independent oracle (`sizing_check.py`), their verdicts, their programs.
 
 mod look;
+mod polygon;
 mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;

@@ -69,7 +69,7 @@ fn a_file_that_is_no_project_says_so() {
     check(
         r#"{ "version": 1, "machine": "loom" }"#,
         expect![[r#"
-            error: The file names no machine that is known. Possible: ribbon-line, turning-spindle.
+            error: The file names no machine that is known. Possible: ribbon-line, turning-spindle, polygon-lathe.
             no project"#]],
     );
     check(

@@ -42,6 +42,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("m5-timing", "M05 beside a motion", &["before", "end"], MEMORY),
     switch("spindle-at-reset", "The spindle at reset", &["stops", "turns"], MEMORY),
     switch(CALL_PARAMETERS, "4120 to 4139: G codes that call O9120 to O9139", &["4120=512 4121=502"], PAPER),
+    switch("pmc-override", "Feed override and axes that the PMC turns", &["acts not", "acts"], MEMORY),
     switch("common-at-reset", "#100 to #199 at reset (6001#6)", &["vacant", "kept"], MEMORY),
     switch("locals-of-calls", "Locals without an argument", &["vacant", "kept"], MEMORY),
     switch("override-suppression", "#3004 bit 1 switches the cutting override off", &["yes", "no"], MEMORY),

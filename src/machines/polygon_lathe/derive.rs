@@ -1,0 +1,198 @@
+//! The formulas of the polygon lathe, each once: what follows from the inputs before anything runs.
+
+use super::fitted::Fitted;
+use super::params::Params;
+use crate::drives::polygon::choose::{Choice, choices};
+use crate::drives::polygon::cut;
+use crate::drives::polygon::{Ratio, Section, Setup};
+use crate::math::{self, PI};
+
+/// Passes that are written at most.
+pub const PASSES: f64 = 60.0;
+
+/// Degrees in a radian.
+const DEGREES: f64 = 180.0 / PI;
+
+/// What follows from the inputs. Lengths in mm, angles in degrees, speeds in r/min, times in seconds.
+#[derive(Debug, Clone, Default)]
+#[allow(missing_docs)] // One row of the readouts documents each member: label, unit, formula, source.
+pub struct Derived {
+    /// Whether there is a section at all.
+    pub cuts: bool,
+    pub sides: f64,
+    pub ratio: f64,
+    /// As a micrometer feels it.
+    pub across_flats: f64,
+    /// Least and greatest deviation of any side from its plane.
+    pub deviation: (f64, f64),
+    pub flatness: f64,
+    /// 1/mm, positive where the sides are crowned.
+    pub curvature: f64,
+    pub corner: f64,
+    pub across_corners: f64,
+    /// Whether the sides meet in the stock.
+    pub meets: bool,
+    pub area: f64,
+    pub distance: f64,
+    pub offset: f64,
+    pub relief_needed: f64,
+    /// Whether the inserts face the way of a cutter that turns in the sense of the work.
+    pub faces_forward: bool,
+    pub work_speed: f64,
+    pub tool_speed: f64,
+    pub slowest_cut: f64,
+    pub fastest_cut: f64,
+    pub orientation: f64,
+    pub orientation_error: f64,
+    /// The A that gives the orientation.
+    pub work_start: f64,
+    /// Of the tool, behind (negative) or ahead of the work.
+    pub phase: f64,
+    /// What that turns the polygon by.
+    pub phase_on_work: f64,
+    pub insert_depth: f64,
+    pub insert_turn: f64,
+    pub passes: f64,
+    pub feed: f64,
+    pub finish_feed: f64,
+    pub mark_pitch: f64,
+    pub ready: f64,
+    pub cutting_time: f64,
+}
+
+impl Params {
+    /// What is cut off a radius before the finishing pass.
+    fn rough(&self) -> f64 {
+        (0.5 * (self.stock_diameter - self.across_flats) - self.allowance).max(0.0)
+    }
+
+    /// Passes of which the last one finishes.
+    pub fn passes(&self) -> f64 {
+        // Nine decimals: 0.3 / 0.1 is three passes.
+        1.0 + math::clamp(((self.rough() / self.depth * 1e9).round() / 1e9).ceil(), 0.0, PASSES)
+    }
+
+    /// Across flats that a pass (from 1) cuts to.
+    pub fn size(&self, pass: f64) -> f64 {
+        let rough = self.across_flats + 2.0 * self.allowance;
+        if pass >= self.passes() {
+            self.across_flats
+        } else {
+            (self.stock_diameter - 2.0 * pass * self.depth).max(rough)
+        }
+    }
+
+    /// Feed of a pass in mm for each turn of the work.
+    pub fn feed_of(&self, pass: f64) -> f64 {
+        if pass >= self.passes() { self.finish_feed } else { self.feed }
+    }
+
+    /// Speed of the work in r/min, signed: `n = B · D`. Source: sheet 2.
+    pub fn work_speed(&self) -> f64 {
+        self.speed * self.work_ratio
+    }
+
+    /// Speed of the tool in r/min, signed: `n = B · Q`. Source: sheet 2.
+    pub fn tool_speed(&self) -> f64 {
+        self.speed * self.tool_ratio
+    }
+
+    /// F in mm/min for a feed for each turn of the work.
+    pub fn per_minute(&self, feed: f64) -> f64 {
+        feed * self.work_speed().abs()
+    }
+
+    /// Seconds until both axes have what they are told: the longer time constant, and eight times that of the servo.
+    pub fn settling(&self) -> f64 {
+        self.work_time_constant.max(self.tool_time_constant) / 1000.0 + 8.0 / self.work_gain.min(self.tool_gain)
+    }
+
+    /// By how much the tool runs ahead of the work at speed, in degrees of the tool: each axis is behind its command by
+    /// `6 n (τ/2 + 1/K)` degrees, and in ratio only where both are alike. Source: servo lag behind linear acceleration.
+    pub fn phase(&self) -> f64 {
+        let lag = |ms: f64, gain: f64| 0.5 * ms / 1000.0 + 1.0 / gain;
+        let early = lag(self.work_time_constant, self.work_gain) - lag(self.tool_time_constant, self.tool_gain);
+        6.0 * self.tool_speed() * early + 0.0
+    }
+
+    /// Seconds that an axis takes to its start angle.
+    pub fn index_time(&self) -> f64 {
+        self.work_start.abs().max(self.tool_start.abs()) / (6.0 * self.index_speed)
+    }
+}
+
+impl Derived {
+    /// Everything that follows from the inputs.
+    pub(super) fn new(lathe: &Fitted) -> Derived {
+        let p = &lathe.p;
+        let passes = p.passes();
+        let way = p.length + p.clearance;
+        let rough = p.per_minute(p.feed);
+        let finish = p.per_minute(p.finish_feed);
+        let whole = Derived {
+            ratio: lathe.ratio().map_or(0.0, Ratio::value),
+            work_speed: p.work_speed(),
+            tool_speed: p.tool_speed(),
+            offset: -p.tip_radius * lathe.words(),
+            distance: 0.5 * p.across_flats + p.tip_radius,
+            passes,
+            feed: rough,
+            finish_feed: finish,
+            ready: p.index_time() + 2.0 * p.settling(),
+            cutting_time: 60.0 * way * ((passes - 1.0) / rough + 1.0 / finish),
+            ..Derived::default()
+        };
+        let cut = lathe.setup(p.across_flats).zip(lathe.section());
+        cut.map_or_else(|| whole.clone(), |(setup, section)| whole.clone().with(p, &setup, &section))
+    }
+
+    /// The same with what is to be said of the section.
+    fn with(self, p: &Params, setup: &Setup, section: &Section) -> Derived {
+        let Some(curve) = setup.curve(0) else { return self };
+        let sides = section.sides();
+        let (low, high) = sides
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), side| (low.min(side.low), high.max(side.high)));
+        let corners = section.corners();
+        // The first pass meets stock all along the side.
+        let edge = curve.sigma_at(0.5 * p.stock_diameter);
+        let speeds = curve.speeds(self.work_speed, edge);
+        let pitch = 360.0 / f64::from(setup.sides());
+        let near = |angle: f64| angle - pitch * (angle / pitch).round();
+        let phase = p.phase();
+        let on_work = phase / self.ratio;
+        let orientation = setup.normal(0.0) * DEGREES;
+        let off = (p.off_insert as usize).checked_sub(1);
+        let error = off.map_or((0.0, 0.0), |at| setup.error(at));
+        Derived {
+            cuts: true,
+            sides: f64::from(setup.sides()),
+            across_flats: section.across_flats().1,
+            deviation: (low, high),
+            flatness: sides.iter().map(|side| side.flatness()).fold(0.0, f64::max),
+            curvature: curve.curvature(),
+            corner: corners.iter().map(|corner| corner.radius).fold(0.0, f64::max),
+            across_corners: section.across_corners().1,
+            meets: corners.iter().all(|corner| corner.meets),
+            area: section.area(),
+            relief_needed: curve.relief_needed(edge) * DEGREES,
+            faces_forward: curve.faces_forward(),
+            slowest_cut: speeds.0,
+            fastest_cut: speeds.1,
+            orientation: orientation.rem_euclid(pitch),
+            orientation_error: near(orientation + on_work - p.orientation),
+            work_start: near(setup.work_start_for(p.orientation / DEGREES) * DEGREES + on_work),
+            phase,
+            phase_on_work: on_work,
+            insert_depth: 2.0 * error.0,
+            insert_turn: error.1 * DEGREES / self.ratio,
+            mark_pitch: cut::mark_pitch(setup.ratio, setup.inserts(), p.finish_feed),
+            ..self
+        }
+    }
+}
+
+/// Every way to turn the polygon that is wanted, the best one first.
+pub(super) fn ways(lathe: &Fitted) -> Vec<Choice> {
+    choices(&lathe.wanted(), &lathe.means())
+}

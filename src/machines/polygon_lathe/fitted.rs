@@ -1,0 +1,160 @@
+//! The lathe on a control: what the form comes to, as geometry and as the words that start it.
+
+use super::derive::Derived;
+use super::params::{Params, Shape};
+use crate::controls::{Control, Switches};
+use crate::drives::polygon::choose::{Cutter, Means, Wanted};
+use crate::drives::polygon::{Ratio, Section, Setup};
+use crate::machines::On;
+use crate::math::PI;
+use crate::motion::Snapshot;
+
+/// The slide across the work, and the one along it.
+pub(super) const CROSS: u8 = b'X';
+pub(super) const ALONG: u8 = b'Z';
+
+/// Which axis of the PLC turns the work, and which the tool.
+pub(super) const WORK: usize = 0;
+pub(super) const TOOL: usize = 1;
+
+/// Radians in a degree.
+const RADIANS: f64 = PI / 180.0;
+
+/// The switch of whether overrides act on axes of the PMC.
+const OVERRIDE: &str = "pmc-override";
+
+/// The form on a control.
+pub(super) struct Fitted<'a> {
+    /// The form as it was filled in.
+    pub(super) form: &'a Params,
+    /// The form, with what the shape says of inserts and ratio.
+    pub(super) p: Params,
+    pub(super) control: &'a Control,
+    pub(super) switches: &'a Switches,
+}
+
+impl<'a> Fitted<'a> {
+    pub(super) fn new(form: &'a Params, on: On<'a>) -> Fitted<'a> {
+        let On { control, switches } = on;
+        let mut p = form.clone();
+        let shape = match p.shape {
+            Shape::Own => None,
+            Shape::Knob => Some((2.0, 1.0, 1.0, 2.0)),
+            Shape::Triangle => Some((3.0, 2.0, 2.0, 3.0)),
+            Shape::Square => Some((4.0, 2.0, 1.0, 2.0)),
+            Shape::Hexagon => Some((6.0, 3.0, 1.0, 2.0)),
+        };
+        if let Some(shape) = shape {
+            (p.sides, p.inserts, p.work_ratio, p.tool_ratio) = shape;
+        }
+        Fitted { form, p, control, switches }
+    }
+
+    /// What follows from the form.
+    pub(super) fn derived(&self) -> Derived {
+        Derived::new(self)
+    }
+
+    /// Index of the slide across the work.
+    pub(super) fn cross(&self) -> usize {
+        self.control.axis(CROSS).unwrap_or(0)
+    }
+
+    /// Index of the slide along the work.
+    pub(super) fn along(&self) -> usize {
+        self.control.axis(ALONG).unwrap_or(0)
+    }
+
+    /// What words of X count for each millimetre that the slide moves.
+    pub(super) fn words(&self) -> f64 {
+        if self.control.counts_diameters(self.cross(), self.switches) { 2.0 } else { 1.0 }
+    }
+
+    /// Whether the feed override acts on the axes of the PMC.
+    pub(super) fn overrides(&self) -> bool {
+        self.switches.get(self.control.switches, OVERRIDE) == Some("acts")
+    }
+
+    /// The codes that start and stop it, as the parameters bind them.
+    pub(super) fn codes(&self) -> [Option<u32>; 2] {
+        let calls = self.control.code_calls(self.switches);
+        super::program::MACROS.map(|program| {
+            let call = calls.iter().find(|call| call.letter == b'G' && call.program == program);
+            call.map(|call| call.number / 10)
+        })
+    }
+
+    /// Tool to work speed; none where D or Q is 0.
+    pub(super) fn ratio(&self) -> Option<Ratio> {
+        Ratio::new(self.p.tool_ratio as i32, self.p.work_ratio as i32)
+    }
+
+    /// The cutter at a distance across flats, with its inserts as they are seated.
+    pub(super) fn setup(&self, across_flats: f64) -> Option<Setup> {
+        let p = &self.p;
+        let mut setup = Setup::even(across_flats, p.tip_radius, self.ratio()?, p.inserts as u32);
+        (setup.work_start, setup.tool_start) = (p.work_start * RADIANS, p.tool_start * RADIANS);
+        if let Some(tip) = (p.off_insert as usize).checked_sub(1).and_then(|at| setup.tips.get_mut(at)) {
+            tip.radius += p.radius_error;
+            tip.angle += p.angle_error * RADIANS;
+        }
+        Some(setup)
+    }
+
+    /// The finished section.
+    pub(super) fn section(&self) -> Option<Section> {
+        Section::new(&self.setup(self.p.across_flats)?, 0.5 * self.p.stock_diameter)
+    }
+
+    /// The polygon that is wanted.
+    pub(super) fn wanted(&self) -> Wanted {
+        let p = &self.p;
+        Wanted {
+            sides: p.sides as u32,
+            across_flats: p.across_flats,
+            stock: 0.5 * p.stock_diameter,
+            flatness: p.flatness,
+            hollow: p.hollow,
+        }
+    }
+
+    /// What the machine allows.
+    pub(super) fn means(&self) -> Means {
+        let p = &self.p;
+        let radius = (p.least_radius.min(p.greatest_radius), p.greatest_radius);
+        let cutter = |inserts: u32| Cutter { inserts, radius, relief: p.relief * RADIANS };
+        Means {
+            cutters: (1..=p.most_inserts as u32).map(cutter).collect(),
+            terms: (p.most_tool_turns as u32, p.most_work_turns as u32),
+            against: p.against,
+            work_speed: p.work_limit,
+            tool_speed: p.tool_limit,
+            distance: (p.least_distance, p.greatest_distance),
+            cutting_speed: (p.slowest_cut, p.fastest_cut),
+        }
+    }
+
+    /// Across flats that the slide is set to, and where it stands along the work, in mm.
+    pub(super) fn slide(&self, now: &Snapshot) -> (f64, f64) {
+        let at = |axis: usize| now.axes.get(axis).map_or(0.0, |axis| axis.actual);
+        (2.0 * at(self.cross()), at(self.along()))
+    }
+
+    /// By how much the tool is ahead of where ratio and start angles want it beside the work, in degrees, half a turn at most.
+    pub(super) fn phase(&self, now: &Snapshot) -> f64 {
+        let k = self.ratio().map_or(0.0, Ratio::value);
+        let (work, tool) = (now.pmc[WORK].actual - self.p.work_start, now.pmc[TOOL].actual - self.p.tool_start);
+        let off = (tool - k * work) / 360.0;
+        360.0 * (off - off.round())
+    }
+}
+
+/// Whether the form says itself how many inserts there are, and at which ratio they turn.
+pub(super) fn is_own(p: &Params, _: &Control) -> bool {
+    p.shape == Shape::Own
+}
+
+/// Whether an insert stands beside its place.
+pub(super) fn has_off_insert(p: &Params, _: &Control) -> bool {
+    p.off_insert > 0.0
+}

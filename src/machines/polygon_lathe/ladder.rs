@@ -1,0 +1,77 @@
+//! The PMC program of the paper's figure 5, reconstructed: the figure is a picture that is lost, its signals stand in the text.
+
+use super::fitted::Fitted;
+use super::sheets::say;
+use crate::machines::sheets::row;
+use crate::text::{Citation, Grade};
+use crate::view::Sheet;
+use crate::view::ladder::{Contact, Rung};
+
+const OURS: Citation = Citation::new("ours; signals and channels by the paper's section 3.1", Grade::Open);
+
+/// Contacts (a leading `/` opens), what they switch, and what for.
+#[rustfmt::skip]
+const RUNGS: &[(&[&str], &str, &str)] = &[
+    (&["ON"], "OUT G159.2", "polygon.ladder.overlap-tool"),
+    (&["ON"], "OUT G159.3", "polygon.ladder.overlap-work"),
+    (&["ON"], "OUT G366.2", "polygon.ladder.select-tool"),
+    (&["ON"], "OUT G406.3", "polygon.ladder.select-work"),
+    (&["ON"], "MOV SPEED G367", "polygon.ladder.mode-tool"),
+    (&["ON"], "MOV SPEED G407", "polygon.ladder.mode-work"),
+    (&["F54.0", "/R1.3", "/R1.4"], "SET R1.0", "polygon.ladder.index"),
+    (&["R1.0"], "INDEX CH6 F496", "polygon.ladder.index-tool"),
+    (&["R1.0"], "INDEX CH7 F492", "polygon.ladder.index-work"),
+    (&["R1.0", "END CH6", "END CH7"], "SET R1.1", "polygon.ladder.at-angle"),
+    (&["R1.1"], "OUT G54.0", "polygon.ladder.bit"),
+    (&["ON"], "DMUL F480 F488 D100", "polygon.ladder.speed-tool"),
+    (&["ON"], "DMUL F480 F484 D104", "polygon.ladder.speed-work"),
+    (&["F54.1", "R1.1"], "SET R1.2", "polygon.ladder.turn"),
+    (&["R1.2"], "SPEED CH6 D100", "polygon.ladder.run-tool"),
+    (&["R1.2"], "SPEED CH7 D104", "polygon.ladder.run-work"),
+    (&["R1.2", "T300"], "OUT G54.1", "polygon.ladder.at-speed"),
+    (&["R1.2", "/F54.1"], "OUT G360.3", "polygon.ladder.stop-tool"),
+    (&["R1.2", "/F54.1"], "OUT G400.3", "polygon.ladder.stop-work"),
+    (&["RST"], "OUT G360.1", "polygon.ladder.reset-tool"),
+    (&["RST"], "OUT G400.1", "polygon.ladder.reset-work"),
+    (&["RST"], "SET R1.4", "polygon.ladder.spent"),
+    (&["/F54.0", "/F54.1"], "RES R1.4", "polygon.ladder.fresh"),
+    (&["STAND CH6", "STAND CH7", "/R1.2"], "RES R1.0", "polygon.ladder.off"),
+    (&["R1.0"], "OUT G54.2", "polygon.ladder.on"),
+    (&["/R1.0", "/F54.0", "/F54.1"], "OUT G54.3", "polygon.ladder.idle"),
+    (&["/R1.2", "/R1.0"], "OUT G360.6", "polygon.ladder.update-tool"),
+    (&["/R1.2", "/R1.0"], "OUT G400.6", "polygon.ladder.update-work"),
+    (&["M STROBE"], "OUT FIN", "polygon.ladder.fin"),
+];
+
+/// The rungs as an instruction list, with its drawing.
+pub(super) fn sheet(_: &Fitted) -> Sheet {
+    let contact = |device: &&str| match device.strip_prefix('/') {
+        Some(device) => Contact { device: device.to_owned(), inverted: true },
+        None => Contact::closes(*device),
+    };
+    let rung = |(contacts, output, note): &(&[&str], &str, &'static str)| Rung {
+        contacts: contacts.iter().map(contact).collect(),
+        output: (*output).to_owned(),
+        note: say(note),
+    };
+    let ladder: Vec<Rung> = RUNGS.iter().map(rung).collect();
+    let mut rows = Vec::new();
+    for rung in &ladder {
+        let contacts: Vec<String> = rung
+            .contacts
+            .iter()
+            .map(|contact| format!("{}{}", if contact.inverted { "/" } else { "" }, contact.device))
+            .collect();
+        rows.push(row(
+            [(rows.len() + 1).to_string(), contacts.join(" AND "), rung.output.clone(), rung.note.clone()],
+            OURS,
+        ));
+    }
+    Sheet {
+        id: "ladder",
+        title: "polygon.sheet.ladder",
+        columns: vec!["polygon.sheet.step", "polygon.sheet.contacts", "polygon.sheet.instruction", "sheet.use"],
+        rows,
+        ladder,
+    }
+}

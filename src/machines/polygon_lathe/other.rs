@@ -1,0 +1,71 @@
+//! The same part on controls that have polygon turning as a code of their own: G51.2 and G50.2 as a list of blocks.
+
+use super::fitted::Fitted;
+use super::sheets::say;
+use crate::machines::sheets::row;
+use crate::math;
+use crate::text::{Citation, Grade};
+use crate::view::Sheet;
+
+const MANUAL: Citation = Citation::new("maker's manual on G51.2; sheet 2", Grade::Sister);
+
+/// P and Q of the code: P above 0, Q with the sense. None where one of them is 0.
+fn terms(lathe: &Fitted) -> Option<(i32, i32)> {
+    let ratio = lathe.ratio()?;
+    Some((ratio.work(), ratio.tool()))
+}
+
+/// R in degrees: what the work is turned by at the start that the tool is not. The tool has no angle of its own there; E is that of the
+/// work by the ratio: `R = A - E/k`.
+fn offset(lathe: &Fitted) -> f64 {
+    let k = lathe.ratio().map_or(1.0, |ratio| ratio.value());
+    (lathe.p.work_start - lathe.p.tool_start / k).rem_euclid(360.0)
+}
+
+/// Blocks with what they do.
+pub(super) fn sheet(lathe: &Fitted) -> Sheet {
+    let p = &lathe.p;
+    let mut rows = Vec::new();
+    let whole = |value: f64| super::show(value, 3);
+    // With its point: without one it would count increments.
+    let number = |value: f64| match whole(value) {
+        text if text.contains('.') => text,
+        text => text + ".",
+    };
+    let mut add = |block: String, note: &'static str| {
+        rows.push(row([block, if note.is_empty() { String::new() } else { say(note) }], MANUAL));
+    };
+    if let Some((work, tool)) = terms(lathe) {
+        let clear = number(p.stock_diameter + 2.0 * p.clearance);
+        add("G98".to_owned(), "polygon.other.per-minute");
+        add(format!("T{:04}", p.tool as u32 * 101), "");
+        add(format!("G00 X{clear} Z{}", number(p.clearance)), "");
+        let offset = offset(lathe);
+        let r = if math::clamp(offset, 1e-6, 359.999_999) == offset {
+            format!(" R{}", number(offset))
+        } else {
+            String::new()
+        };
+        add(format!("G51.2 P{work} Q{tool}{r}"), "polygon.other.on");
+        add(format!("S{}", whole(p.work_speed().abs())), "polygon.other.speed");
+        let passes = p.passes() as u32;
+        for pass in 1..=passes {
+            let pass = f64::from(pass);
+            add(format!("G00 X{}", number(p.size(pass))), if pass == p.passes() { "polygon.other.finish" } else { "" });
+            add(format!("G01 Z-{} F{}", number(p.length), whole(p.per_minute(p.feed_of(pass)))), "");
+            add(format!("G00 X{clear}"), "");
+            add(format!("Z{}", number(p.clearance)), "");
+        }
+        add(format!("G00 X{} Z{}", number(p.start_x), number(p.start_z)), "");
+        add("S0".to_owned(), "polygon.other.stop");
+        add("G50.2".to_owned(), "polygon.other.off");
+        add("M30".to_owned(), "");
+    }
+    Sheet {
+        id: "own-code",
+        title: "polygon.sheet.own-code",
+        columns: vec!["polygon.sheet.block", "sheet.use"],
+        rows,
+        ladder: Vec::new(),
+    }
+}

@@ -1,0 +1,32 @@
+//! The plant of the polygon lathe: two slides, and the axes of work and tool that the PMC turns.
+
+use super::fitted::{ALONG, CROSS, Fitted};
+use crate::motion::{AxisPlant, Plant, SpindlePlant};
+
+/// The plant with the project's clamps and time constants.
+pub(super) fn plant(lathe: &Fitted) -> Plant {
+    let p = &lathe.p;
+    let slide = |letter: u8, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
+        letter,
+        rotary: false,
+        diameter,
+        rapid,
+        clamp,
+        time_constant: p.time_constant / 1000.0,
+        position_gain: p.position_gain,
+        home,
+    };
+    let turns = |ms: f64, position_gain: f64| AxisPlant { time_constant: ms / 1000.0, position_gain, ..AxisPlant::PMC };
+    Plant {
+        axes: vec![
+            slide(CROSS, lathe.words() > 1.0, p.rapid_x, p.clamp_x, 0.5 * p.start_x),
+            slide(ALONG, false, p.rapid_z, p.clamp_z, p.start_z),
+        ],
+        pmc: vec![turns(p.work_time_constant, p.work_gain), turns(p.tool_time_constant, p.tool_gain)],
+        spindle: SpindlePlant::bench(lathe.control, lathe.switches),
+        block_time: p.block_time / 1000.0,
+        macro_time: p.macro_time / 1000.0,
+        preread: p.preread as u8,
+        in_position: 0.02,
+    }
+}

@@ -1,0 +1,89 @@
+//! The drawing of the polygon lathe at a moment: how far the flats are, where cutter and slide stand, what the figures say.
+
+use super::fitted::{Fitted, TOOL, WORK};
+use super::progress::{self, GRID, Progress};
+use super::scene::{self, CLOSE, TIPS, View, closed, group, node};
+use super::show;
+use crate::machines::{Frame, Samples};
+use crate::math::{self, PI};
+use crate::motion::Snapshot;
+use crate::motion::snapshot::Mode;
+use crate::text::catalog::{Language, words};
+use crate::text::number::figure;
+use crate::view::Pose;
+use crate::view::scene::Placement;
+
+/// Inserts that turn further from frame to frame are not seen turning, in degrees, for one insert.
+const SEEN: f64 = 60.0;
+
+/// Where everything stands.
+pub(super) fn pose(lathe: &Fitted, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+    let p = &lathe.p;
+    let view = View::new(lathe);
+    let progress = progress::progress(lathe, run, now);
+    let (across_flats, z) = lathe.slide(now);
+    let mut pose = Pose::default();
+    let mut place = |group: u16, turn: f64, (cx, cy): (f64, f64), (dx, dy): (f64, f64), opacity: f64| {
+        pose.placements.push(Placement { group, turn, cx, cy, dx, dy, opacity });
+    };
+    // Counter-clockwise in millimetres is clockwise on the screen, less the sign.
+    let [work, tool] = [WORK, TOOL].map(|axis| -now.pmc[axis].actual % 360.0);
+    let away = (0.5 * (across_flats - p.across_flats) * view.scale, 0.0);
+    let step = (now.pmc[TOOL].feed / 60.0 * frame.step).abs();
+    let seen = Frame::seen(step, SEEN / p.inserts.max(1.0));
+    place(group::WORK, work, view.work, (0.0, 0.0), 1.0);
+    place(group::DISC, 0.0, view.cutter, away, 1.0);
+    place(group::INSERTS, tool, view.cutter, away, seen);
+    place(group::BLUR, 0.0, view.cutter, away, 0.5 * (1.0 - seen));
+    let side = (z * view.side.0, -0.5 * (across_flats - p.across_flats) * view.side.0);
+    place(group::SIDE, 0.0, (0.0, 0.0), side, 1.0);
+    if let Some((_, tips)) = progress::tips(lathe, now) {
+        let near = 1.02 * 0.5 * p.stock_diameter;
+        for (group, (x, y)) in (group::TIPS..group::TIPS + TIPS).zip(tips) {
+            let opacity = f64::from(u8::from(math::hypot(x, y) <= near));
+            place(group, 0.0, (0.0, 0.0), (x * view.close, -y * view.close), opacity);
+        }
+    }
+    let grid = progress::outline(lathe, progress, now);
+    let points = || {
+        grid.iter().enumerate().map(|(at, radius)| {
+            let (s, c) = math::sin_cos(2.0 * PI * at as f64 / GRID as f64);
+            (radius * c, radius * s)
+        })
+    };
+    pose.paths = vec![
+        (node::SECTION, closed(points(), view.work, view.scale)),
+        (node::CLOSE, closed(points(), (CLOSE.0, CLOSE.1), view.close)),
+        (node::BAR, bar(lathe, &view, progress)),
+    ];
+    pose.texts = texts(lathe, now, progress, across_flats);
+    pose
+}
+
+/// The bar from the side.
+fn bar(lathe: &Fitted, view: &View, progress: Progress) -> String {
+    let p = &lathe.p;
+    let half = |pass: u32| if pass == 0 { 0.5 * p.stock_diameter } else { 0.5 * p.size(f64::from(pass)) };
+    let deeper = progress.at.map(|(_, behind)| (behind, half(progress.done + 1)));
+    scene::bar(lathe, view, half(progress.done), deeper)
+}
+
+fn texts(lathe: &Fitted, now: &Snapshot, progress: Progress, across_flats: f64) -> Vec<(usize, String)> {
+    let speed = |axis: usize| format!("{} r/min", figure(now.pmc[axis].feed / 360.0, 1));
+    let pass = (progress.done + u32::from(progress.at.is_some())).max(1);
+    let turns = now.pmc[TOOL].feed != 0.0;
+    let state = match now.mode {
+        Mode::EmergencyStop => "polygon.state.emergency",
+        Mode::Hold if turns => "polygon.state.held",
+        _ if turns => "polygon.state.turns",
+        _ => "polygon.state.stands",
+    };
+    vec![
+        (node::WORK_SPEED, speed(WORK)),
+        (node::TOOL_SPEED, speed(TOOL)),
+        (node::SIZE, format!("X{}", show(across_flats * 0.5 * lathe.words(), 3))),
+        (node::PASS, format!("{pass} / {}", show(lathe.p.passes(), 0))),
+        (node::PHASE, format!("{}°", figure(lathe.phase(now), 2))),
+        (node::STATE, words(Language::English, state).to_owned()),
+    ]
+}

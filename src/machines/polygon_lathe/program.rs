@@ -1,0 +1,211 @@
+//! The programs of the polygon lathe: O3000 turns the part, O9120 (G512) starts the two axes, O9121 (G502) stops them.
+//!
+//! The part program is that of the paper, with more passes. What the paper says of O9120 and O9121 is which variables they write; the rest of
+//! them, and the bits between them and the PMC, is ours.
+
+use super::PolygonLathe;
+use super::fitted::Fitted;
+use crate::controls::Code;
+use crate::machines::writing;
+use crate::nc::Deck;
+use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, v, word, x, z};
+
+/// Number of the program that turns the part: the paper's.
+pub(super) const PART: u32 = 3000;
+/// Programs that the two codes call: start and stop.
+pub(super) const MACROS: [u32; 2] = [9120, 9121];
+
+/// What the macro programs write: speed, ratio of the work, ratio of the tool (the paper's).
+pub(super) const SPEED: u32 = 1480;
+pub(super) const WORK_RATIO: u32 = 1484;
+pub(super) const TOOL_RATIO: u32 = 1488;
+/// Start angles in 0.001°: work, tool (ours).
+pub(super) const WORK_ANGLE: u32 = 1492;
+pub(super) const TOOL_ANGLE: u32 = 1496;
+/// Bits to the PMC: go to the start angles, turn (ours).
+pub(super) const INDEX: u32 = 1100;
+pub(super) const TURN: u32 = 1101;
+/// Bits from the PMC: at the start angles, both at speed, polygon turning is on, nothing turns and nothing is asked for (ours).
+pub(super) const AT_ANGLE: u32 = 1000;
+pub(super) const AT_SPEED: u32 = 1001;
+pub(super) const ON: u32 = 1002;
+pub(super) const IDLE: u32 = 1003;
+
+/// Arguments of G512: A, B, D, E, Q.
+const A: u32 = 1;
+const B: u32 = 2;
+const D: u32 = 7;
+const E: u32 = 8;
+const Q: u32 = 17;
+/// Arguments that would be words of another command: F, M, S, T, U, W, X, Z.
+const OTHERS: [u32; 8] = [9, 13, 19, 20, 21, 23, 24, 26];
+/// A position is read into it: the control waits for standstill.
+const STANDS: u32 = 32;
+
+/// First sequence number of a pass, from 1, and that of its cutting block behind it.
+pub(super) fn number(pass: u32) -> u32 {
+    100 + 10 * pass
+}
+
+/// Variables that show what happens: number, meaning, unit.
+pub(super) const VARIABLES: [(u32, &str, &str); 11] = [
+    (SPEED, "polygon.speed", "r/min"),
+    (WORK_RATIO, "polygon.work-ratio", ""),
+    (TOOL_RATIO, "polygon.tool-ratio", ""),
+    (WORK_ANGLE, "polygon.work-start", "0.001°"),
+    (TOOL_ANGLE, "polygon.tool-start", "0.001°"),
+    (INDEX, "polygon.signal.index", ""),
+    (TURN, "polygon.signal.turn", ""),
+    (AT_ANGLE, "polygon.signal.at-angle", ""),
+    (AT_SPEED, "polygon.signal.at-speed", ""),
+    (ON, "polygon.signal.on", ""),
+    (IDLE, "polygon.signal.idle", ""),
+];
+
+/// The programs, one per file.
+pub(super) fn deck(lathe: &Fitted) -> Deck {
+    let mut b = Builder::new();
+    part(&mut b, lathe);
+    start(&mut b, lathe);
+    stop(&mut b, lathe);
+    b.finish()
+}
+
+fn rapid(words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
+    [g(0)].into_iter().chain(words).collect()
+}
+
+/// A word of X for a distance across flats or a diameter.
+fn cross(lathe: &Fitted, size: f64) -> NewWord {
+    x(real(size * 0.5 * lathe.words(), 3))
+}
+
+/// O3000.
+fn part(b: &mut Builder, lathe: &Fitted) {
+    let p = &lathe.p;
+    let [on, off] = lathe.codes().map(|code| code.unwrap_or(0));
+    let mm = |number: f64| real(number, 3);
+    let clear = p.stock_diameter + 2.0 * p.clearance;
+    b.program(PART, "POLYGON TURNING");
+    writing::header::<PolygonLathe>(b, lathe.form, lathe.control);
+    let offset = super::show(-p.tip_radius * lathe.words(), 3);
+    let across = super::show(p.across_flats, 3);
+    let word_of_x = super::show(p.across_flats * 0.5 * lathe.words(), 3);
+    b.comment(&format!("X OFFSET OF THE CUTTER IS {offset}, X0 WITH THE TIPS AT THE CENTRE"));
+    b.comment(&format!("THEN X{word_of_x} IS {across} MM ACROSS FLATS"));
+    b.n(10).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
+    b.n(11).words([word(b'T', p.tool as u32 * 101)]);
+    b.n(12).words(rapid([cross(lathe, clear), z(mm(p.clearance))]));
+    let arguments = [
+        (b'B', real(p.speed, 0)),
+        (b'D', Formula::from(p.work_ratio as i32)),
+        (b'Q', Formula::from(p.tool_ratio as i32)),
+        (b'A', mm(p.work_start)),
+        (b'E', mm(p.tool_start)),
+    ];
+    let call = [g(on)].into_iter().chain(arguments.map(|(letter, value)| word(letter, value)));
+    b.n(20).words(call).note("POLYGON TURNING ON");
+    let passes = p.passes() as u32;
+    for pass in 1..=passes {
+        let (size, at) = (p.size(f64::from(pass)), number(pass));
+        let feed = p.per_minute(p.feed_of(f64::from(pass)));
+        let note = if pass == passes { "FINISHING" } else { "ROUGHING" };
+        b.n(at).words(rapid([cross(lathe, size)])).note(note);
+        b.n(at + 1).words([g(1), z(mm(-p.length)), f(real(feed, 3))]);
+        b.n(at + 2).words(rapid([cross(lathe, clear)]));
+        b.n(at + 3).words([z(mm(p.clearance))]);
+    }
+    b.n(800).words(rapid([cross(lathe, p.start_x), z(mm(p.start_z))]));
+    b.n(801).words([g(off)]).note("POLYGON TURNING OFF");
+    b.n(802).words([m(30)]);
+}
+
+/// On to an alarm where the code does not stand alone in its block.
+fn alone(b: &mut Builder, target: u32) {
+    for other in OTHERS {
+        b.if_goto(v(other).ne(v(0)), target);
+    }
+}
+
+/// The slide stands before anything begins or ends: reading a position waits for that.
+fn wait_for_slide(b: &mut Builder) {
+    b.assign(STANDS, v(5041)).note("WAITS FOR STANDSTILL");
+}
+
+/// Waits for a bit of the PMC.
+fn wait_for(b: &mut Builder, bit: u32) {
+    b.while_do(v(bit).eq(0), 1);
+    b.end_do(1);
+}
+
+/// O9120.
+fn start(b: &mut Builder, lathe: &Fitted) {
+    let p = &lathe.p;
+    b.program(MACROS[0], "POLYGON TURNING ON");
+    b.comment("RECONSTRUCTED, NOT THE PAPER'S TEXT");
+    b.comment("B SPEED, D WORK RATIO, Q TOOL RATIO");
+    b.comment("A AND E START ANGLES OF WORK AND TOOL");
+    for (at, argument) in (1..).zip([B, D, Q]) {
+        b.n(at).if_goto(v(argument).eq(v(0)), 900 + at);
+    }
+    b.n(4).if_goto(v(B).le(0), 901);
+    for (at, term) in [(5, D), (6, Q)] {
+        b.n(at).if_goto(v(term).ne(v(term).fix()), 899 + at);
+    }
+    for (at, term) in [(7, D), (8, Q)] {
+        b.n(at).if_goto(v(term).eq(0), 906);
+    }
+    b.n(9);
+    alone(b, 907);
+    wait_for_slide(b);
+    b.n(10).if_goto(v(ON).eq(1), 908);
+    for (at, term, limit) in [(11, D, p.work_limit), (12, Q, p.tool_limit)] {
+        b.n(at).if_goto((v(B) * v(term)).abs().gt(real(limit, 0)), 898 + at);
+    }
+    for argument in [A, E] {
+        b.if_then(v(argument).eq(v(0)), argument, 0);
+    }
+    b.n(20).assign(TURN, 0);
+    b.assign(INDEX, 0);
+    wait_for(b, IDLE);
+    b.n(21).assign(SPEED, v(B));
+    b.assign(WORK_RATIO, v(D));
+    b.assign(TOOL_RATIO, v(Q));
+    b.assign(WORK_ANGLE, (v(A) * 1000).round());
+    b.assign(TOOL_ANGLE, (v(E) * 1000).round());
+    b.n(22).assign(INDEX, 1).note("TO THE START ANGLES");
+    wait_for(b, AT_ANGLE);
+    b.n(23).assign(TURN, 1).note("BOTH BEGIN AT ONCE");
+    wait_for(b, AT_SPEED);
+    b.n(24).words([m(99)]);
+    let alarms = [
+        "B MUST BE ABOVE ZERO",
+        "D IS MISSING",
+        "Q IS MISSING",
+        "D MUST BE A WHOLE NUMBER",
+        "Q MUST BE A WHOLE NUMBER",
+        "D AND Q MUST NOT BE ZERO",
+        "ALONE IN ITS BLOCK PLEASE",
+        "POLYGON TURNING IS ON ALREADY",
+        "THE WORK WOULD TURN TOO FAST",
+        "THE TOOL WOULD TURN TOO FAST",
+    ];
+    for (number, text) in (1..).zip(alarms) {
+        writing::alarm(b, lathe.control, number, text);
+    }
+    b.words([m(99)]);
+}
+
+/// O9121.
+fn stop(b: &mut Builder, lathe: &Fitted) {
+    b.program(MACROS[1], "POLYGON TURNING OFF");
+    b.comment("RECONSTRUCTED, NOT THE PAPER'S TEXT");
+    alone(b, 907);
+    wait_for_slide(b);
+    b.n(20).assign(TURN, 0);
+    b.assign(INDEX, 0);
+    wait_for(b, IDLE);
+    b.n(21).words([m(99)]);
+    writing::alarm(b, lathe.control, 7, "ALONE IN ITS BLOCK PLEASE");
+    b.words([m(99)]);
+}

@@ -1,0 +1,57 @@
+//! The results of the polygon lathe as rows: what is shown, in which unit, by which formula, from which source.
+
+use super::Lathe;
+use crate::machines::judge::Row;
+use crate::text::{Citation, Grade};
+
+const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
+const GEOMETRY: Citation = Citation::new("sheet 3, derived and checked by two methods", Grade::Inferred);
+const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
+
+macro_rules! row {
+    ($id:literal, $label:literal, $unit:literal, $decimals:literal, $headline:literal, $formula:literal, $cite:ident, $value:expr) => {
+        Row {
+            id: $id,
+            label: $label,
+            unit: $unit,
+            decimals: $decimals,
+            formula: $formula,
+            cite: $cite,
+            headline: $headline,
+            value: $value,
+        }
+    };
+}
+
+/// Rows in the order they are shown; the headline ones first.
+#[rustfmt::skip]
+pub(super) const ROWS: &[Row<Lathe>] = &[
+    row!("sides", "polygon.readout.sides", "", 0, true, "N = n |Q| / gcd(n, D), in lowest terms", GEOMETRY, |d| d.sides),
+    row!("flatness", "polygon.readout.flatness", "mm", 4, true, "highest less lowest point of a side", GEOMETRY, |d| d.flatness),
+    row!("across-flats", "polygon.readout.across-flats", "mm", 3, true, "2 (a - r), over the highest points", GEOMETRY, |d| d.across_flats),
+    row!("relief", "polygon.readout.relief", "°", 2, true, "atan[a sin σ / (a cos σ + (k - 1) r)]", GEOMETRY, |d| d.relief_needed),
+    row!("tool-speed", "polygon.readout.tool-speed", "r/min", 0, true, "B · Q", PAPER, |d| d.tool_speed),
+    row!("orientation", "polygon.readout.orientation", "°", 3, true, "E/k - A", GEOMETRY, |d| d.orientation),
+    row!("work-speed", "polygon.readout.work-speed", "r/min", 0, false, "B · D", PAPER, |d| d.work_speed),
+    row!("ratio", "polygon.readout.ratio", "", 4, false, "k = Q / D", PAPER, |d| d.ratio),
+    row!("curvature", "polygon.readout.curvature", "1/mm", 6, false, "[a - r (k - 1)²] / [a + r (k - 1)]²", GEOMETRY, |d| d.curvature),
+    row!("deviation-low", "polygon.readout.deviation-low", "mm", 4, false, "lowest point of the sides", GEOMETRY, |d| d.deviation.0),
+    row!("deviation-high", "polygon.readout.deviation-high", "mm", 4, false, "highest point of the sides", GEOMETRY, |d| d.deviation.1),
+    row!("corner", "polygon.readout.corner", "mm", 3, false, "distance of the corners from the centre", GEOMETRY, |d| d.corner),
+    row!("across-corners", "polygon.readout.across-corners", "mm", 3, false, "over opposite corners", GEOMETRY, |d| d.across_corners),
+    row!("area", "polygon.readout.area", "mm²", 2, false, "½ ∫ ρ² dφ", GEOMETRY, |d| d.area),
+    row!("slowest-cut", "polygon.readout.slowest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r", GEOMETRY, |d| d.slowest_cut),
+    row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r", GEOMETRY, |d| d.fastest_cut),
+    row!("distance", "polygon.readout.distance", "mm", 3, false, "a = AF/2 + r", GEOMETRY, |d| d.distance),
+    row!("offset", "polygon.readout.offset", "mm", 3, false, "-2 r, where X counts diameters", GEOMETRY, |d| d.offset),
+    row!("orientation-error", "polygon.readout.orientation-error", "°", 3, false, "E/k - A + phase/k - ψ", GEOMETRY, |d| d.orientation_error),
+    row!("phase", "polygon.readout.phase", "°", 3, false, "6 n [(τ/2 + 1/K) work - (τ/2 + 1/K) tool]", MECHANICS, |d| d.phase),
+    row!("insert-depth", "polygon.readout.insert-depth", "mm", 4, false, "2 Δr", GEOMETRY, |d| d.insert_depth),
+    row!("insert-turn", "polygon.readout.insert-turn", "°", 3, false, "Δφ / k", GEOMETRY, |d| d.insert_turn),
+    row!("passes", "polygon.readout.passes", "", 0, false, "(stock - AF - 2 allowance) / (2 depth), rounded up, and one", MECHANICS, |d| d.passes),
+    row!("feed", "polygon.readout.feed", "mm/min", 1, false, "f · n work", MECHANICS, |d| d.feed),
+    row!("finish-feed", "polygon.readout.finish-feed", "mm/min", 1, false, "f · n work", MECHANICS, |d| d.finish_feed),
+    row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |d| d.mark_pitch),
+    row!("ready", "polygon.readout.ready", "s", 2, false, "index to A and E, and twice (τ + 8/K)", MECHANICS, |d| d.ready),
+    row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 (L + clearance) / F, pass by pass", MECHANICS, |d| d.cutting_time),
+];

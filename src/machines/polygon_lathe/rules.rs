@@ -1,0 +1,258 @@
+//! The rules a polygon lathe is judged by, as rows: which result, which limit, what would mend it.
+
+use super::Lathe;
+use super::derive::{Derived, PASSES, ways};
+use super::fitted::Fitted;
+use super::params::Params;
+use crate::drives::polygon::curve::flat_ratio;
+use crate::drives::polygon::ellipse;
+use crate::machines::judge::{Judgement, Rule, fail, ok, warn};
+use crate::msg;
+use crate::text::{Citation, Diagnostic, Grade, Message};
+
+/// Inputs, what follows from them, and what the control takes.
+pub(super) struct Case<'a> {
+    pub(super) lathe: &'a Fitted<'a>,
+    pub(super) p: &'a Params,
+    pub(super) d: &'a Derived,
+}
+
+macro_rules! rule {
+    ($on:literal, $judge:expr, $source:literal, $grade:ident) => {
+        Rule { on: $on, cite: Citation::new($source, Grade::$grade), judge: $judge }
+    };
+}
+
+/// All rules that judge a result.
+pub(super) const RULES: &[Rule<Lathe>] = &[
+    rule!("sides", sides, "sheet 3.2", Inferred),
+    rule!("flatness", flatness, "sheet 3.3", Inferred),
+    rule!("curvature", sense, "sheet 3.3; 928Ti sheet on polygons: the wrong sense makes hollow sides", Sister),
+    rule!("curvature", hollow, "sheet 3.3", Inferred),
+    rule!("across-corners", corners, "sheet 3.3", Inferred),
+    rule!("relief", relief, "sheet 3.4", Inferred),
+    rule!("tool-speed", tool_speed, "greatest speed of the tool axis", Manual),
+    rule!("work-speed", work_speed, "greatest speed of the work axis", Manual),
+    rule!("slowest-cut", slowest, "what suits insert and material", Inferred),
+    rule!("fastest-cut", fastest, "what suits insert and material", Inferred),
+    rule!("distance", distance, "travel of the slide", Manual),
+    rule!("orientation-error", orientation, "sheet 3.1", Inferred),
+    rule!("phase", phase, "servo lag behind linear acceleration", Inferred),
+    rule!("insert-depth", insert, "sheet 3.1", Inferred),
+    rule!("insert-turn", insert_turn, "sheet 3.1", Inferred),
+    rule!("feed", clamp, "cutting feed clamp, a parameter", Inferred),
+];
+
+/// The flattest possible way, as advice; nothing where it is what the form has.
+fn better(case: &Case) -> Option<Message> {
+    let best = ways(case.lathe).into_iter().next().filter(|way| way.limits.is_empty())?;
+    let (inserts, ratio) = (best.cutter as u32 + 1, best.ratio);
+    let same =
+        Some(ratio) == case.lathe.ratio() && f64::from(inserts) == case.p.inserts && best.radius == case.p.tip_radius;
+    let (work, tool) = (f64::from(ratio.work()), f64::from(ratio.tool()));
+    (!same).then(|| msg!("polygon.better", inserts, work, tool, (best.radius, 3), (best.flatness(), 4)))
+}
+
+fn with_better(case: &Case, first: Message) -> Vec<Message> {
+    [Some(first), better(case)].into_iter().flatten().collect()
+}
+
+fn sides(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if d.sides == p.sides {
+        ok(p.sides)
+    } else {
+        fail(p.sides, with_better(case, msg!("polygon.other-sides", d.sides, p.sides)))
+    }
+}
+
+fn flatness(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if d.flatness <= p.flatness {
+        return ok(p.flatness);
+    }
+    let mut advice = vec![msg!("polygon.not-flat", (d.flatness, 4), (p.flatness, 4))];
+    if d.ratio == 2.0 && d.meets && p.sides >= 3.0 {
+        let radius = ellipse::radius_for(0.5 * p.across_flats, p.sides as u32, p.flatness);
+        advice.push(msg!("polygon.larger-cutter", (radius, 1)));
+    }
+    advice.extend(better(case));
+    fail(p.flatness, advice)
+}
+
+fn sense(case: &Case) -> Option<Judgement> {
+    (case.d.ratio < 0.0)
+        .then(|| msg!("polygon.wrong-sense"))
+        .and_then(|advice| if case.p.hollow { warn(0.0, [advice]) } else { fail(0.0, [advice]) })
+}
+
+fn hollow(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if d.deviation.1 <= 1e-9 || p.hollow {
+        return ok(None);
+    }
+    let flat = flat_ratio(d.distance, p.tip_radius);
+    fail(0.0, with_better(case, msg!("polygon.hollow-sides", (d.deviation.1, 4), (flat, 3))))
+}
+
+/// Stock is left between the sides.
+fn corners(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if d.meets || p.sides <= 2.0 {
+        return ok(None);
+    }
+    Some(Judgement { advice: vec![msg!("polygon.round-corners", (p.stock_diameter, 3))], ..ok(None)? })
+}
+
+fn relief(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if !d.cuts {
+        return None;
+    }
+    if d.relief_needed >= 90.0 {
+        return fail(p.relief, with_better(case, msg!("polygon.cannot-cut")));
+    }
+    if d.relief_needed >= p.relief {
+        return fail(p.relief, with_better(case, msg!("polygon.little-relief", (d.relief_needed, 2), (p.relief, 1))));
+    }
+    if !d.faces_forward {
+        return warn(p.relief, [msg!("polygon.faces-back")]);
+    }
+    if d.relief_needed > p.relief - 2.0 { warn(p.relief, [msg!("polygon.scarce-relief")]) } else { ok(p.relief) }
+}
+
+fn too_fast(speed: f64, limit: f64, term: f64, advice: impl Fn(f64) -> Message) -> Option<Judgement> {
+    if speed.abs() > limit { fail(limit, [advice((limit / term.abs()).floor())]) } else { ok(limit) }
+}
+
+fn tool_speed(case: &Case) -> Option<Judgement> {
+    let p = case.p;
+    too_fast(case.d.tool_speed, p.tool_limit, p.tool_ratio, |speed| {
+        msg!("polygon.tool-too-fast", (p.tool_limit, 0), speed)
+    })
+}
+
+fn work_speed(case: &Case) -> Option<Judgement> {
+    let p = case.p;
+    too_fast(case.d.work_speed, p.work_limit, p.work_ratio, |speed| {
+        msg!("polygon.work-too-fast", (p.work_limit, 0), speed)
+    })
+}
+
+fn slowest(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if d.slowest_cut >= p.slowest_cut || !d.cuts {
+        return ok(p.slowest_cut);
+    }
+    warn(p.slowest_cut, [msg!("polygon.cuts-slowly", (p.speed * p.slowest_cut / d.slowest_cut, 0))])
+}
+
+fn fastest(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if d.fastest_cut <= p.fastest_cut {
+        return ok(p.fastest_cut);
+    }
+    warn(p.fastest_cut, [msg!("polygon.cuts-fast", ((p.speed * p.fastest_cut / d.fastest_cut).floor(), 0))])
+}
+
+fn distance(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    let (low, high) = (p.least_distance, p.greatest_distance);
+    if d.distance < low {
+        fail(low, [msg!("polygon.too-near", (low, 2))])
+    } else if d.distance > high {
+        fail(high, [msg!("polygon.too-far", (high, 2))])
+    } else {
+        ok(None)
+    }
+}
+
+/// An angle in degrees that nobody sees.
+const SEEN: f64 = 0.05;
+
+fn orientation(case: &Case) -> Option<Judgement> {
+    let d = case.d;
+    if d.orientation_error.abs() <= SEEN || !d.cuts {
+        return ok(SEEN);
+    }
+    warn(SEEN, [msg!("polygon.turned", (d.orientation_error, 3), (d.work_start, 3))])
+}
+
+fn phase(case: &Case) -> Option<Judgement> {
+    let d = case.d;
+    if d.phase.abs() <= 1e-9 {
+        return ok(None);
+    }
+    warn(None, [msg!("polygon.out-of-phase", (d.phase, 3), (d.phase_on_work, 3))])
+}
+
+fn insert(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if d.insert_depth.abs() <= p.flatness {
+        return ok(p.flatness);
+    }
+    warn(p.flatness, [msg!("polygon.insert-deep", (d.insert_depth, 4))])
+}
+
+fn insert_turn(case: &Case) -> Option<Judgement> {
+    let d = case.d;
+    if d.insert_turn.abs() <= SEEN { ok(SEEN) } else { warn(SEEN, [msg!("polygon.insert-turned", (d.insert_turn, 3))]) }
+}
+
+fn clamp(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if d.feed > p.clamp_z {
+        fail(p.clamp_z, [msg!("polygon.above-clamp", (d.feed, 0), (p.clamp_z, 0))])
+    } else {
+        ok(p.clamp_z)
+    }
+}
+
+/// Errors that keep the program from being exported, and what the operator has to know.
+pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
+    let Case { lathe, p, d } = case;
+    let mut found = Vec::new();
+    let mut error = |message: Message, field: &'static str| found.push(Diagnostic::error(message).about(field));
+    if p.work_ratio == 0.0 {
+        error(msg!("polygon.zero-ratio", "D"), "work-ratio");
+    }
+    if p.tool_ratio == 0.0 {
+        error(msg!("polygon.zero-ratio", "Q"), "tool-ratio");
+    }
+    if p.across_flats >= p.stock_diameter {
+        error(msg!("polygon.nothing-to-cut", (p.across_flats, 3), (p.stock_diameter, 3)), "across-flats");
+    } else if p.work_ratio != 0.0 && p.tool_ratio != 0.0 && !d.cuts {
+        error(msg!("polygon.no-section"), "tool-ratio");
+    }
+    if p.passes() > PASSES {
+        error(msg!("polygon.too-many-passes", PASSES), "depth");
+    }
+    let least = p.stock_diameter + 2.0 * p.clearance;
+    if p.start_x < least {
+        error(msg!("polygon.start-in-stock", (p.start_x, 3), (least, 3)), "start-x");
+    }
+    if p.start_z < p.clearance {
+        error(msg!("polygon.start-in-stock", (p.start_z, 3), (p.clearance, 3)), "start-z");
+    }
+    if p.off_insert > p.inserts {
+        error(msg!("polygon.no-such-insert", p.inserts), "off-insert");
+    }
+    let least = lathe.control.limits.feed_increment;
+    for (feed, field) in [(d.feed, "feed"), (d.finish_feed, "finish-feed")] {
+        if feed < least && p.work_ratio != 0.0 {
+            error(msg!("polygon.feed-too-small", (feed, 6), least), field);
+        }
+    }
+    if let [None, _] | [_, None] = lathe.codes() {
+        found.push(Diagnostic::error(msg!("polygon.no-code")));
+    }
+    if d.phase.abs() > 1e-9 {
+        found.push(
+            Diagnostic::warning(msg!("polygon.out-of-phase", (d.phase, 3), (d.phase_on_work, 3)))
+                .about("tool-time-constant"),
+        );
+    }
+    found.push(Diagnostic::info(msg!("polygon.x-setting", (p.across_flats, 3), (d.offset, 3))));
+    found.push(Diagnostic::info(msg!("polygon.reconstructed")));
+    found
+}

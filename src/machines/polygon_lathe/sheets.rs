@@ -1,0 +1,205 @@
+//! What the machine builder sets beside the program: parameters, the interface of the PMC, its ladder, the sequence, and the ways to turn it.
+
+use super::derive::ways;
+use super::fitted::Fitted;
+use super::program::MACROS;
+use super::{ladder, other, show};
+use crate::controls::ParamRole;
+use crate::drives::polygon::choose::{Choice, Limit};
+use crate::machines::sheets::{self, Axes, Setting, row};
+use crate::math::PI;
+use crate::text::catalog::{Language, words};
+use crate::text::{Citation, Grade};
+use crate::view::Sheet;
+
+const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
+const OURS: Citation = Citation::new("ours: the paper does not tell", Grade::Open);
+
+/// All sheets.
+pub(super) fn sheets(lathe: &Fitted) -> Vec<Sheet> {
+    vec![parameters(lathe), interface(), sequence(lathe), ladder::sheet(lathe), choices(lathe), other::sheet(lathe)]
+}
+
+pub(super) fn say(id: &'static str) -> String {
+    words(Language::English, id).to_owned()
+}
+
+/// The first parameter that binds a code, and the program that it calls.
+const FIRST: u32 = 4120;
+
+fn parameters(lathe: &Fitted) -> Sheet {
+    let p = &lathe.p;
+    let slides = |x: f64, z: f64| vec![("X", Setting::Number(x)), ("Z", Setting::Number(z))];
+    let values = vec![
+        (ParamRole::AxisDiameter, vec![("X", Setting::Answer(lathe.words() > 1.0))]),
+        (ParamRole::AxisRapid, slides(p.rapid_x, p.rapid_z)),
+        (ParamRole::AxisClamp, slides(p.clamp_x, p.clamp_z)),
+        (ParamRole::AxisTimeConstant, slides(p.time_constant, p.time_constant)),
+        (ParamRole::AxisPositionGain, slides(p.position_gain, p.position_gain)),
+    ];
+    let axes = Axes { cross_words: lathe.words(), rotary: None };
+    let mut sheet = sheets::parameters(lathe.control, &axes, values);
+    for ((number, code), program) in (FIRST..).zip(lathe.codes()).zip(MACROS) {
+        let code = code.map_or(String::new(), |code| code.to_string());
+        let text = [number.to_string(), String::new(), String::new(), code, String::new()];
+        let calls = format!("{} O{program}", say("polygon.param.calls"));
+        sheet.rows.push(row(text.into_iter().chain([calls]).collect::<Vec<_>>(), PAPER));
+    }
+    for (axis, value, unit, text) in [
+        ("4", p.work_time_constant, "ms", "polygon.param.time-constant"),
+        ("3", p.tool_time_constant, "ms", "polygon.param.time-constant"),
+        ("4", p.work_gain, "1/s", "polygon.param.gain"),
+        ("3", p.tool_gain, "1/s", "polygon.param.gain"),
+    ] {
+        let cells = [String::new(), String::new(), axis.to_owned(), show(value, 3), unit.to_owned(), say(text)];
+        sheet.rows.push(row(cells, OURS));
+    }
+    sheet
+}
+
+/// Device, variable, who writes and who reads (`P` PMC, `N` program, `C` control), unit, meaning, whether the paper has it.
+#[rustfmt::skip]
+const SIGNALS: &[(&str, &str, &str, &str, &str, &str, bool)] = &[
+    ("F480", "#1480", "N", "P", "r/min", "polygon.plc.speed", true),
+    ("F484", "#1484", "N", "P", "", "polygon.plc.work-ratio", true),
+    ("F488", "#1488", "N", "P", "", "polygon.plc.tool-ratio", true),
+    ("F492", "#1492", "N", "P", "0.001°", "polygon.plc.work-angle", false),
+    ("F496", "#1496", "N", "P", "0.001°", "polygon.plc.tool-angle", false),
+    ("F54.0", "#1100", "N", "P", "", "polygon.signal.index", false),
+    ("F54.1", "#1101", "N", "P", "", "polygon.signal.turn", false),
+    ("G54.0", "#1000", "P", "N", "", "polygon.signal.at-angle", false),
+    ("G54.1", "#1001", "P", "N", "", "polygon.signal.at-speed", false),
+    ("G54.2", "#1002", "P", "N", "", "polygon.signal.on", false),
+    ("G54.3", "#1003", "P", "N", "", "polygon.signal.idle", false),
+    ("G159.2", "", "P", "C", "", "polygon.ladder.overlap-tool", true),
+    ("G159.3", "", "P", "C", "", "polygon.ladder.overlap-work", true),
+    ("G360.1", "", "P", "C", "", "polygon.ladder.reset-tool", true),
+    ("G400.1", "", "P", "C", "", "polygon.ladder.reset-work", true),
+    ("G360.2", "", "P", "C", "", "polygon.plc.hold-tool", true),
+    ("G400.2", "", "P", "C", "", "polygon.plc.hold-work", true),
+    ("G360.3", "", "P", "C", "", "polygon.ladder.stop-tool", true),
+    ("G400.3", "", "P", "C", "", "polygon.ladder.stop-work", true),
+    ("G360.6", "", "P", "C", "", "polygon.ladder.update-tool", true),
+    ("G400.6", "", "P", "C", "", "polygon.ladder.update-work", true),
+    ("G366.2", "", "P", "C", "", "polygon.ladder.select-tool", true),
+    ("G406.3", "", "P", "C", "", "polygon.ladder.select-work", true),
+    ("G367", "", "P", "C", "", "polygon.ladder.mode-tool", true),
+    ("G407", "", "P", "C", "", "polygon.ladder.mode-work", true),
+];
+
+fn interface() -> Sheet {
+    let who = |letter: &str| match letter {
+        "P" => "PMC".to_owned(),
+        "N" => say("polygon.plc.program"),
+        _ => say("polygon.plc.control"),
+    };
+    let signal =
+        |&(device, variable, writes, reads, unit, text, paper): &(&str, &str, &str, &str, &str, &'static str, bool)| {
+            let cells = [device.to_owned(), variable.to_owned(), who(writes), who(reads), unit.to_owned(), say(text)];
+            row(cells, if paper { PAPER } else { OURS })
+        };
+    sheets::interface(SIGNALS.iter().map(signal).collect())
+}
+
+/// Signals that rise and fall, in the order of the diagram.
+pub(super) const TRACKS: [&str; 6] = [
+    "polygon.track.index",
+    "polygon.track.at-angle",
+    "polygon.track.turn",
+    "polygon.track.at-speed",
+    "polygon.track.on",
+    "polygon.track.slide",
+];
+
+/// A step of the sequence: when it happens, its text, and which tracks (index, on) change.
+pub(super) type Step = (f64, &'static str, Vec<(usize, bool)>);
+
+/// What happens from G512 to G502: times in closed form, blocks of the macro programs apart.
+pub(super) fn steps(lathe: &Fitted) -> Vec<Step> {
+    let (p, d) = (&lathe.p, lathe.derived());
+    let angle = p.index_time() + p.settling();
+    let speed = angle + p.settling();
+    let cut = speed + d.cutting_time;
+    vec![
+        (0.0, "polygon.step.request", vec![(0, true), (4, true)]),
+        (p.index_time(), "polygon.step.told", vec![]),
+        (angle, "polygon.step.at-angle", vec![(1, true)]),
+        (angle, "polygon.step.turn", vec![(2, true)]),
+        (speed, "polygon.step.at-speed", vec![(3, true)]),
+        (speed, "polygon.step.cut", vec![(5, true)]),
+        (cut, "polygon.step.off", vec![(5, false), (2, false), (0, false), (1, false), (3, false)]),
+        (cut + p.settling(), "polygon.step.stands", vec![(4, false)]),
+    ]
+}
+
+fn sequence(lathe: &Fitted) -> Sheet {
+    let step = |(t, text, _): Step| row([show(t, 3), say(text)], OURS);
+    Sheet {
+        id: "sequence",
+        title: "polygon.sheet.sequence",
+        columns: vec!["polygon.sheet.time", "sheet.use"],
+        rows: steps(lathe).into_iter().map(step).collect(),
+        ladder: Vec::new(),
+    }
+}
+
+/// Ways that are listed.
+const WAYS: usize = 40;
+
+/// How the polygon can be turned, the best first, with what excludes the others.
+fn choices(lathe: &Fitted) -> Sheet {
+    let cite = Citation::new("sheet 3: the flattest among those within all limits is the best", Grade::Inferred);
+    let way = |(at, way): (usize, Choice)| {
+        let excluded: Vec<String> = way.limits.iter().map(|limit| say(limit_text(*limit))).collect();
+        let ratio = format!("{}:{}", way.ratio.tool(), way.ratio.work());
+        let cells = [
+            (at + 1).to_string(),
+            (way.cutter + 1).to_string(),
+            ratio,
+            show(way.radius, 3),
+            show(way.flatness(), 4),
+            show(way.deviation.0, 4),
+            show(way.deviation.1, 4),
+            show(way.relief * 180.0 / PI, 2),
+            show(way.work_speed, 0),
+            show(way.tool_speed, 0),
+            format!("{} .. {}", show(way.cutting_speed.0, 0), show(way.cutting_speed.1, 0)),
+            if excluded.is_empty() { say("polygon.limit.none") } else { excluded.join("; ") },
+        ];
+        row(cells, cite)
+    };
+    Sheet {
+        id: "choices",
+        title: "polygon.sheet.choices",
+        columns: vec![
+            "polygon.sheet.rank",
+            "polygon.inserts",
+            "polygon.sheet.ratio",
+            "polygon.tip-radius",
+            "polygon.readout.flatness",
+            "polygon.readout.deviation-low",
+            "polygon.readout.deviation-high",
+            "polygon.readout.relief",
+            "polygon.readout.work-speed",
+            "polygon.readout.tool-speed",
+            "polygon.sheet.cutting-speed",
+            "polygon.sheet.excluded",
+        ],
+        rows: ways(lathe).into_iter().take(WAYS).enumerate().map(way).collect(),
+        ladder: Vec::new(),
+    }
+}
+
+fn limit_text(limit: Limit) -> &'static str {
+    match limit {
+        Limit::Sense => "polygon.limit.sense",
+        Limit::Distance => "polygon.limit.distance",
+        Limit::Gap => "polygon.limit.gap",
+        Limit::Hollow => "polygon.limit.hollow",
+        Limit::Flatness => "polygon.limit.flatness",
+        Limit::Relief => "polygon.limit.relief",
+        Limit::WorkSpeed => "polygon.limit.work-speed",
+        Limit::ToolSpeed => "polygon.limit.tool-speed",
+        Limit::CuttingSpeed => "polygon.limit.cutting-speed",
+    }
+}

@@ -1,0 +1,524 @@
+//! The polygon lathe: its programs run, both axes keep their ratio, mistakes are alarms, the run cuts what the formulas say.
+
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use expect_test::{expect, expect_file};
+use macroline::controls::Switches;
+use macroline::interp::Interp;
+use macroline::machines::form::{Origins, Values};
+use macroline::machines::{self, AnyMachine, Frame, Samples};
+use macroline::motion::{Action, Event, Keep, Limits, Mode, Panel, Planner, RunEnd};
+use macroline::nc::{self, File, Files};
+use macroline::project::run::{self, Begin};
+use macroline::project::{Project, open};
+use macroline::text::Severity;
+use macroline::text::catalog::{Language, sentence};
+use macroline::view::{Verdict, svg};
+
+const WORK: usize = 0;
+const TOOL: usize = 1;
+
+fn machine() -> &'static dyn AnyMachine {
+    machines::find("polygon-lathe").unwrap()
+}
+
+fn values(changes: &[(&str, &str)]) -> Values {
+    let fields = machine().fields();
+    let field = |id: &str| fields.iter().find(|field| field.id == id).unwrap_or_else(|| panic!("no field {id}"));
+    changes.iter().map(|(id, typed)| ((*id).to_owned(), field(id).read(typed).unwrap())).collect()
+}
+
+fn project(changes: &[(&str, &str)]) -> Project {
+    let mut project = Project::of("polygon-lathe", None).unwrap();
+    project.values.extend(values(changes));
+    project
+}
+
+fn begin() -> Begin<'static> {
+    let limits = Limits { blocks: 1_000_000, seconds: 600.0 };
+    Begin { start: None, settings: &[], limits, keep: Keep::Timeline }
+}
+
+fn planned(project: &Project) -> Planner<Interp> {
+    let mut planner = run::of_project(project, &project.written(), &begin());
+    planner.advance(f64::INFINITY, usize::MAX);
+    planner
+}
+
+fn whole(project: &Project) -> Planner<Interp> {
+    let mut planner = planned(project);
+    assert_eq!(
+        planner.advance(f64::INFINITY, usize::MAX).ended,
+        Some(RunEnd::ProgramEnd),
+        "{:?}",
+        planner.diagnostics()
+    );
+    planner
+}
+
+/// A text in place of O3000, beside the macro programs, on the machine.
+fn edited(changes: &[(&str, &str)], text: &str) -> Project {
+    let mut project = project(changes);
+    let mut files = project.written().files;
+    let part = files.0.iter_mut().find(|file| file.name.starts_with("O3000")).unwrap();
+    text.clone_into(&mut part.text);
+    project.edited = Some(files);
+    project
+}
+
+fn result(project: &Project, id: &str) -> f64 {
+    project.design().readouts.iter().find(|row| row.id == id).unwrap().value
+}
+
+/// The paper's example.
+const PAPER: &str = include_str!("../../../src/machines/polygon_lathe/listing.nc");
+
+#[test]
+fn the_programs() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/machines/polygon-lathe/knd-k2000t");
+    type Case = (&'static str, &'static [(&'static str, &'static str)]);
+    let cases: [Case; 3] = [
+        ("square", &[]),
+        ("hexagon", &[("shape", "hexagon"), ("across-flats", "17"), ("work-start", "-7.5"), ("customer", "ACME")]),
+        (
+            "star",
+            &[
+                ("shape", "own"),
+                ("inserts", "5"),
+                ("work-ratio", "-5"),
+                ("tool-ratio", "-12"),
+                ("speed", "40"),
+                ("sides", "12"),
+            ],
+        ),
+    ];
+    for (name, changes) in cases {
+        for file in project(changes).written().files.0 {
+            expect_file![folder.join(name).join(&file.name)].assert_eq(&file.text);
+        }
+    }
+}
+
+#[test]
+fn the_papers_example_turns_work_and_tool_at_200_and_400() {
+    let planner = whole(&edited(&[], PAPER));
+    let timeline = planner.timeline();
+    // While Z cuts at X20.
+    let cutting = (0..6000).map(|i| timeline.at(f64::from(i) * 0.01)).filter(|now| {
+        let (x, z) = (now.axes[0], now.axes[1]);
+        now.mode == Mode::Running && (2.0 * x.actual - 20.0).abs() < 1e-6 && z.actual < -1.0 && z.actual > -14.0
+    });
+    let cutting: Vec<_> = cutting.collect();
+    assert!(cutting.len() > 300, "{}", cutting.len());
+    for now in &cutting {
+        assert!((now.pmc[WORK].feed / 360.0 - 200.0).abs() < 1e-9 && (now.pmc[TOOL].feed / 360.0 - 400.0).abs() < 1e-9);
+    }
+    let end = timeline.at(timeline.end());
+    assert_eq!((end.pmc[WORK].feed, end.pmc[TOOL].feed), (0.0, 0.0));
+    let square = project(&[("stock-diameter", "29")]);
+    assert_eq!(result(&square, "sides"), 4.0);
+    assert!((result(&square, "across-flats") - 20.0).abs() < 1e-9);
+    assert_eq!(result(&project(&[("shape", "own"), ("inserts", "3"), ("sides", "6")]), "sides"), 6.0);
+}
+
+#[test]
+fn the_tool_keeps_its_ratio_at_every_moment_through_every_change_of_speed() {
+    let ways = [("1", "2"), ("5", "12"), ("-1", "2"), ("3", "-7"), ("-2", "-3")];
+    for ((work, tool), override_acts) in ways.into_iter().flat_map(|way| [(way, true), (way, false)]) {
+        let changes = [
+            ("shape", "own"),
+            ("work-ratio", work),
+            ("tool-ratio", tool),
+            ("speed", "60"),
+            ("work-start", "33.3"),
+            ("tool-start", "-71.125"),
+        ];
+        let mut project = project(&changes);
+        if override_acts {
+            project.switches.0.push(("pmc-override".to_owned(), "acts".to_owned()));
+        }
+        let at = |t: f64, action: Action| Event { t, action };
+        for event in [
+            at(2.0, Action::FeedOverride(50.0)),
+            at(2.33, Action::FeedOverride(120.0)),
+            at(3.1, Action::Hold),
+            at(3.7, Action::Start),
+            at(6.0, Action::FeedOverride(90.0)),
+        ] {
+            project.panel.add(event);
+        }
+        let planner = planned(&project);
+        let timeline = planner.timeline();
+        let (d, q): (f64, f64) = (work.parse().unwrap(), tool.parse().unwrap());
+        let stands = |t: &f64| timeline.at(*t).pmc.map(|axis| axis.feed) == [0.0; 2];
+        let begun = (0..2000).map(|i| f64::from(i) * 0.001).rfind(stands).unwrap();
+        let mut turned = 0;
+        for i in 0..10_000 {
+            let now = timeline.at(f64::from(i) * 0.001);
+            let [w, t] = now.pmc;
+            // From where both have come to their start angles and stand for the last time before they turn.
+            if now.t < begun {
+                continue;
+            }
+            turned += 1;
+            let off = (t.position + 71.125) - q / d * (w.position - 33.3);
+            assert!(off.abs() / 360.0 < 1e-9, "{work}:{tool} at {}: {off}", now.t);
+            // Behind the servos only once the way to the start angles has died away.
+            if now.t < begun + 1.0 {
+                continue;
+            }
+            let off = (t.actual + 71.125) - q / d * (w.actual - 33.3);
+            assert!(off.abs() / 360.0 < 1e-9, "{work}:{tool} at {}: {off}", now.t);
+        }
+        assert!(turned > 8000);
+        let speed = timeline.at(2.9).pmc[WORK].feed / 360.0;
+        assert!((speed - 60.0 * d * if override_acts { 1.2 } else { 1.0 }).abs() < 1e-9, "{speed}");
+        // Hold does not stop what the PMC turns.
+        let held = timeline.at(3.65);
+        assert!(held.mode == Mode::Hold && held.axes[1].feed == 0.0 && held.pmc[WORK].feed != 0.0);
+    }
+}
+
+#[test]
+fn both_go_to_their_start_angles_in_the_sense_of_the_sign() {
+    for (a, e) in [("90", "-45"), ("-200", "359"), ("0", "0"), ("0.001", "-0.001")] {
+        let planner = planned(&project(&[("work-start", a), ("tool-start", e)]));
+        let timeline = planner.timeline();
+        let moving = |t: f64| timeline.at(t).pmc.map(|axis| axis.feed);
+        let index =
+            |axis: usize| (0..40_000).map(|i| moving(f64::from(i) * 0.0005)[axis]).find(|feed| *feed != 0.0).unwrap();
+        for (axis, angle) in [(WORK, a), (TOOL, e)] {
+            let angle: f64 = angle.parse().unwrap();
+            if angle != 0.0 {
+                assert_eq!(index(axis) > 0.0, angle > 0.0, "{a} {e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn mistakes_are_alarms() {
+    let said = |block: &str| {
+        let text = format!("O3000\nT0101\nG0X40.Z5.\n{block}\nG502\nM30\n");
+        let project = edited(&[], &text);
+        let mut planner = planned(&project);
+        match planner.advance(f64::INFINITY, usize::MAX).ended {
+            Some(RunEnd::Alarm(alarm)) => {
+                format!(
+                    "{}: {}",
+                    alarm.alarm.as_ref().map_or("", |number| number),
+                    sentence(Language::English, &alarm.message)
+                )
+            }
+            other => format!("{other:?}"),
+        }
+    };
+    expect!["Some(ProgramEnd)"].assert_eq(&said("G512 B200 D1 Q2 A0. E0."));
+    for (block, number) in [
+        ("G512 D1 Q2", "3001"),
+        ("G512 B0 D1 Q2", "3001"),
+        ("G512 B200 Q2", "3002"),
+        ("G512 B200 D1", "3003"),
+        ("G512 B200 D1.5 Q2", "3004"),
+        ("G512 B200 D1 Q2.5", "3005"),
+        ("G512 B200 D1 Q0", "3006"),
+        ("G512 B200 D0 Q2", "3006"),
+        ("G512 B200 D1 Q2 X20.", "3007"),
+        ("G512 B200 D1 Q2 M8", "3007"),
+        ("G512 B200 D1 Q2 F100.", "3007"),
+        ("G512 B200 D1 Q2 G502", "129"),
+        ("G512 B200 D1 Q2\nG512 B200 D1 Q2", "3008"),
+        ("G512 B2000 D1 Q2", "3009"),
+        ("G512 B200 D1 Q-12", "3010"),
+        ("G502 Z0", "3007"),
+    ] {
+        let said = said(block);
+        assert!(said.starts_with(number), "{block}: {said}");
+    }
+}
+
+#[test]
+fn reset_and_emergency_stop_end_it_and_it_begins_again_with_a_new_call() {
+    for action in [Action::Reset, Action::EmergencyStop] {
+        let mut project = project(&[]);
+        project.panel.add(Event { t: 5.0, action });
+        let mut planner = planned(&project);
+        let timeline = planner.timeline();
+        assert!(timeline.at(4.9).axes[1].position < 0.0 && timeline.at(4.9).pmc[WORK].feed > 0.0, "in the cut");
+        // Both stop over their time constant, in ratio; the slide stays in the cut.
+        for i in 0..100 {
+            let now = timeline.at(5.0 + 0.01 * f64::from(i));
+            assert!((now.pmc[TOOL].position - 2.0 * now.pmc[WORK].position).abs() < 1e-7);
+        }
+        assert_eq!(timeline.at(5.4).pmc.map(|axis| axis.feed), [0.0; 2]);
+        assert!(timeline.at(5.4).axes[1].position < 0.0);
+        planner.event(Event { t: 6.0, action: Action::Reset });
+        planner.event(Event { t: 7.0, action: Action::Start });
+        let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
+        assert_eq!(ended, Some(RunEnd::ProgramEnd), "{:?}", planner.diagnostics());
+        let timeline = planner.timeline();
+        assert_eq!(timeline.at(6.5).pmc[WORK].feed, 0.0);
+        let again = (7000..20_000).map(|i| timeline.at(0.001 * f64::from(i))).find(|now| now.pmc[WORK].feed > 71_999.0);
+        // Indexed to the same start angles: a whole turn of each is the same place.
+        let now = again.unwrap().pmc;
+        let off = (now[TOOL].position - 2.0 * now[WORK].position) / 360.0;
+        assert!((off - off.round()).abs() < 1e-9, "{off}");
+    }
+}
+
+#[test]
+fn unequal_time_constants_are_a_phase_error_of_which_a_warning_tells() {
+    let project = project(&[("tool-time-constant", "500"), ("work-gain", "40")]);
+    let design = project.design();
+    let warned: Vec<_> = design.diagnostics.iter().filter(|d| d.severity == Severity::Warning).collect();
+    assert_eq!(warned.len(), 1, "{warned:?}");
+    assert_eq!(warned[0].message.id, "polygon.out-of-phase");
+    let planner = whole(&project);
+    let now = planner.timeline().at(8.0);
+    let ahead = now.pmc[TOOL].actual - 2.0 * now.pmc[WORK].actual;
+    let told = result(&project, "phase");
+    assert!((ahead - told).abs() < 1e-3, "{ahead} for {told}");
+    // (0.25 + 1/30 - 0.15 - 1/40) s at 400 r/min.
+    assert!((told + 6.0 * 400.0 * (0.1 + 1.0 / 30.0 - 1.0 / 40.0)).abs() < 1e-9);
+}
+
+#[test]
+fn a_dropped_program_restores_the_form() {
+    let saved = project(&[("shape", "triangle"), ("across-flats", "8"), ("stock-diameter", "11"), ("product", "LOCK")]);
+    let present = Project::of("ribbon-line", None).unwrap();
+    for file in saved.written().files.0.into_iter().take(1) {
+        let opened = open::open(&present, &file.name, &file.text).project.unwrap();
+        let written =
+            |project: &Project| project.written().files.0.into_iter().map(|file| file.text).collect::<Vec<_>>();
+        assert_eq!((opened.machine.id(), opened.control.id), ("polygon-lathe", "knd-k2000t"));
+        assert_eq!(written(&opened), written(&saved));
+    }
+}
+
+#[test]
+fn what_the_design_says() {
+    let said = |changes: &[(&str, &str)]| {
+        let design = machine().design(&values(changes), &Origins::default(), project(&[]).on());
+        let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
+            let advice: Vec<_> = row.advice.iter().map(|advice| sentence(Language::English, advice)).collect();
+            format!("{:?} {}: {}\n", row.verdict, row.id, advice.join(" "))
+        });
+        let errors = design.diagnostics.iter().filter(|d| d.severity != Severity::Info);
+        let errors = errors.map(|d| {
+            format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(Language::English, &d.message))
+        });
+        verdicts.chain(errors).collect::<String>()
+    };
+    expect![[""]].assert_eq(&said(&[]));
+    expect![[r#"
+        Fail flatness: The sides are uneven by 0.0496 mm, 0.01 mm are allowed. Tips at a radius of 106.7 mm are flat enough at this ratio.
+    "#]].assert_eq(&said(&[("flatness", "0.01"), ("stock-diameter", "29")]));
+    expect![[r#"
+        Fail flatness: The sides are uneven by 0.9914 mm, 0.1 mm are allowed. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
+        Warn relief: The tips move over the work against the turning of the cutter: inserts have to face the other way.
+        Fail curvature: Tool and work turn against each other: sides come out hollow. Give D and Q the same sign. The sides are hollow: 0.9914 mm higher toward the corners than in the middle. A lower ratio (flat in the middle at 2.106), a smaller cutter or other inserts mend it. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
+    "#]].assert_eq(&said(&[("shape", "own"), ("tool-ratio", "-2")]));
+    expect![[r#"
+        Fail flatness: The sides are uneven by 0.1012 mm, 0.1 mm are allowed. The flattest possible way here: 3 inserts, D1 Q2, tips at a radius of 45 mm, 0.0166 mm of flatness error.
+        Fail curvature: The sides are hollow: 0.1012 mm higher toward the corners than in the middle. A lower ratio (flat in the middle at 2.106), a smaller cutter or other inserts mend it. The flattest possible way here: 3 inserts, D1 Q2, tips at a radius of 45 mm, 0.0166 mm of flatness error.
+    "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "3"), ("sides", "6")]));
+    expect![[r#"
+        Fail sides: This cutter turns 6 sides, not 4. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
+        Fail flatness: The sides are uneven by 0.239 mm, 0.1 mm are allowed. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
+        Fail tool-speed: The tool axis ends at 2000 r/min: B may be 333 at most.
+        Fail curvature: The sides are hollow: 0.239 mm higher toward the corners than in the middle. A lower ratio (flat in the middle at 2.106), a smaller cutter or other inserts mend it. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
+        Warn fastest-cut: The inserts cut faster than they may: 142 r/min for B is as fast as suits.
+    "#]].assert_eq(&said(&[
+        ("shape", "own"),
+        ("inserts", "1"),
+        ("tool-ratio", "6"),
+        ("sides", "4"),
+        ("speed", "400"),
+    ]));
+    expect![[r#"
+        Fail relief: The inserts need more than 4.76° of relief where the stock is met, they have 3°. Smaller stock, less depth at once or a larger cutter mends it.
+        Warn orientation-error: A side stands 15° beside the orientation that is asked for: A15 mends it.
+    "#]].assert_eq(&said(&[("tool-start", "30"), ("relief", "3")]));
+    expect![[r#"
+        Fail flatness: The sides are uneven by 0.1338 mm, 0.1 mm are allowed.
+        Warn insert-depth: That insert cuts its sides 0.2 mm deeper across flats than the others.
+        Warn insert-turn: That insert turns its sides by 0.5° against the others.
+    "#]]
+    .assert_eq(&said(&[("off-insert", "2"), ("radius-error", "0.1"), ("angle-error", "1")]));
+    expect![[r#"
+        Error across-flats: The finished part is 25 mm across flats, the stock has 24 mm: there is nothing to cut.
+        Error start-x: The slide would start at 20 mm, inside the stock or its clearance: start at 28 mm or more.
+    "#]]
+    .assert_eq(&said(&[("across-flats", "25"), ("start-x", "20"), ("depth", "0.01"), ("stock-diameter", "24")]));
+    expect![[r#"
+        Fail sides: This cutter turns 0 sides, not 4. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
+        Error tool-ratio: Q is 0: give a whole number other than 0.
+        Error off-insert: There are 2 inserts: give the number of one of them, or 0.
+    "#]].assert_eq(&said(&[("shape", "own"), ("tool-ratio", "0"), ("off-insert", "9")]));
+}
+
+fn rows(changes: &[(&str, &str)], id: &str) -> String {
+    let project = project(changes);
+    let sheets = machines::sheets(machine(), &project.values, project.on());
+    let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
+    sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
+}
+
+#[test]
+fn the_sheets() {
+    let all = rows(&[], "parameters");
+    assert!(
+        all.contains("4120 |  |  | 512 |  | G code that calls O9120\n4121 |  |  | 502 |  | G code that calls O9121"),
+        "{all}"
+    );
+    expect![[r#"
+        G98 | feed per minute
+        T0101 | 
+        G00 X29. Z2. | 
+        G51.2 P1 Q2 | polygon turning on, in a block of its own: P and Q as the ratio, R the offset of the work
+        S200 | speed of the work; the tool follows
+        G00 X23. | 
+        G01 Z-15. F100 | 
+        G00 X29. | 
+        Z2. | 
+        G00 X21. | 
+        G01 Z-15. F100 | 
+        G00 X29. | 
+        Z2. | 
+        G00 X20.4 | 
+        G01 Z-15. F100 | 
+        G00 X29. | 
+        Z2. | 
+        G00 X20. | finishing
+        G01 Z-15. F50 | 
+        G00 X29. | 
+        Z2. | 
+        G00 X60. Z30. | 
+        S0 | both stop
+        G50.2 | polygon turning off, in a block of its own
+        M30 | 
+    "#]]
+    .assert_eq(&rows(&[("shape", "hexagon")], "own-code"));
+    expect![[r#"
+        0 | G512: O9120 hands over the values and sets #1100; #1002 = 1
+        0.75 | Both are told to stand at A and E
+        1.317 | Both stand at A and E: #1000 = 1
+        1.317 | O9120 sets #1101: both begin at once
+        1.883 | Both have their speed: #1001 = 1, O9120 ends
+        1.883 | The slide cuts
+        52.883 | G502: O9121 takes #1101 and #1100 back
+        53.45 | Both stand: #1002 = 0, #1003 = 1, O9121 ends
+    "#]]
+    .assert_eq(&rows(&[("work-start", "90")], "sequence"));
+    let choices = rows(&[("most-inserts", "3"), ("most-work-turns", "2")], "choices");
+    expect![[r#"
+        1 | 2 | 2:1 | 45 | 0.0284 | -0.0284 | 0 | 4.76 | 398 | 796 | 249 .. 250 | possible
+        2 | 1 | 4:1 | 45 | 0.2487 | 0 | 0.2487 | 2.5 | 209 | 838 | 249 .. 250 | the sides are hollow; the sides are not flat enough
+        3 | 1 | -4:1 | 45 | 0.759 | 0 | 0.759 | 2.77 | 233 | -932 | 249 .. 250 | the tool turns against the work; the sides are hollow; the sides are not flat enough
+        4 | 2 | -2:1 | 45 | 0.9914 | 0 | 0.9914 | 5.86 | 491 | -982 | 247 .. 250 | the tool turns against the work; the sides are hollow; the sides are not flat enough
+    "#]].assert_eq(&choices);
+    let interface = rows(&[], "interface");
+    for row in ["F480 | #1480 | program | PMC | r/min", "G366.2 |  | PMC | control", "G406.3 |  | PMC | control"] {
+        assert!(interface.contains(row), "{interface}");
+    }
+    assert!(rows(&[], "ladder").contains("ON | DMUL F480 F488 D100 | speed of the tool: B times Q"));
+}
+
+/// Area of a closed path of straight lines.
+fn area(path: &str) -> f64 {
+    let numbers: Vec<f64> =
+        path.split(['M', 'L', 'Z', ' ']).filter(|part| !part.is_empty()).map(|part| part.parse().unwrap()).collect();
+    let points: Vec<&[f64]> = numbers.chunks(2).collect();
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>().abs() / 2.0
+}
+
+#[test]
+fn the_section_is_cut_never_grows_and_ends_as_the_exact_one() {
+    let shapes: [&[(&str, &str)]; 5] = [
+        &[],
+        &[("shape", "knob")],
+        &[("shape", "triangle"), ("across-flats", "8"), ("stock-diameter", "11"), ("work-start", "20")],
+        &[("shape", "hexagon"), ("stock-diameter", "24"), ("tool-start", "-40")],
+        &[
+            ("shape", "own"),
+            ("inserts", "5"),
+            ("work-ratio", "-5"),
+            ("tool-ratio", "-12"),
+            ("speed", "40"),
+            ("sides", "12"),
+        ],
+    ];
+    for changes in shapes {
+        let project = project(&[changes, &[("depth", "3"), ("preread", "3")]].concat());
+        let planner = whole(&project);
+        let end = planner.timeline().end();
+        let frame = Frame { step: 0.001, strobe: false };
+        let scene = machine().scene(&project.values, project.on());
+        let mut left = f64::INFINITY;
+        for at in 0..=400 {
+            let now = Samples::at(&planner, end * f64::from(at) / 400.0);
+            let pose = machine().pose(&project.values, project.on(), &planner, &now, frame);
+            let picture = svg::picture(&scene, &pose);
+            assert!(!picture.contains("NaN") && !picture.contains("inf"), "{changes:?}");
+            let now = area(&pose.paths[1].1);
+            assert!(now < left * 1.002, "{changes:?}: {left} to {now} at {at}");
+            left = now;
+        }
+        // The drawing has 74 units for the radius of the stock.
+        let stock = values(&[]).get("stock-diameter").is_none();
+        let radius: f64 = changes
+            .iter()
+            .find(|(id, _)| *id == "stock-diameter")
+            .map_or(12.5, |(_, d)| d.parse::<f64>().unwrap() / 2.0);
+        let scale = (74.0 / radius) * (74.0 / radius);
+        let exact = result(&project, "area");
+        assert!(stock && (left / scale / exact - 1.0).abs() < 2e-3, "{changes:?}: {} for {exact}", left / scale);
+    }
+}
+
+#[test]
+fn charts_and_drawings() {
+    let project = project(&[("stock-diameter", "29")]);
+    let planner = whole(&project);
+    let charts = machine().charts(&project.values, project.on(), &planner, 0.0, 10.0, 721);
+    let ids: Vec<_> = charts.iter().map(|chart| chart.id).collect();
+    assert_eq!(ids, ["speeds", "phase", "size", "along", "deviation"]);
+    let deviation = &charts[4].series[0].points;
+    let least = deviation.iter().map(|point| point.1).fold(f64::INFINITY, f64::min);
+    // -0.049628 mm of the check table, at the corner.
+    assert!((least + 49.628).abs() < 0.05 && deviation[0].1.abs() < 1e-6, "{least}");
+    let files = project.export().files;
+    let text = |name: &str| &files.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}")).text;
+    let dxf = text("section.dxf");
+    assert!(dxf.starts_with("0\nSECTION\n2\nHEADER\n") && dxf.ends_with("0\nENDSEC\n0\nEOF\n"));
+    let numbers: Vec<&str> = dxf.lines().collect();
+    let pairs: Vec<(&str, &str)> = numbers.chunks(2).map(|pair| (pair[0], pair[1])).collect();
+    let mut points = Vec::new();
+    for at in 0..pairs.len() {
+        if pairs[at] == ("0", "VERTEX") && pairs[at + 1] == ("8", "FINISHED") {
+            points.push((pairs[at + 2].1.parse::<f64>().unwrap(), pairs[at + 3].1.parse::<f64>().unwrap()));
+        }
+    }
+    let next = points.iter().cycle().skip(1);
+    let area = points.iter().zip(next).map(|(a, b)| a.0 * b.1 - b.0 * a.1).sum::<f64>() / 2.0;
+    // The table's area, in true millimetres.
+    assert!((area - 398.6746).abs() < 1e-2, "{area}");
+    assert!(
+        text("section.svg").contains("width=\"32mm\"") && text("section.svg").contains("viewBox=\"-16 -16 32 32\"")
+    );
+    assert!(text("sequence.svg").contains("Reconstructed"));
+    assert!(text("report.md").contains("X20 is 20 mm across flats"));
+}
+
+#[test]
+fn other_programs_run_on_the_machine_too() {
+    // The paper's listing as a bare file beside the macro programs, on the plant of the project.
+    let plant = project(&[]);
+    let mut files: Vec<File> = vec![File { name: "O3000.nc".to_owned(), text: PAPER.to_owned() }];
+    files.extend(plant.written().files.0.into_iter().skip(1));
+    let parsed = Rc::new(nc::parse_with(&Files(files), plant.control, &Switches::default()));
+    let mut planner = run::of_programs(parsed, Some(&plant), Panel::default(), &begin());
+    assert_eq!(planner.advance(f64::INFINITY, usize::MAX).ended, Some(RunEnd::ProgramEnd));
+}
