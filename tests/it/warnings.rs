@@ -696,3 +696,23 @@ fn programs_that_are_called_and_not_here() {
     "#]]);
     E60.quiet("O1\nM98 H5 L2\nM30\nN5 G00 X1.\nM99");
 }
+
+/// The paper's part goes back to Z20 at F200.
+#[test]
+fn ways_back_at_cutting_feed() {
+    KND.check("O3000\nG0 X22.Z2\nG01 X20.Z0.0 F200.\nZ-15.\nX25\nZ20.\nM30", expect![[r#"
+        7:1 “Z20.” warning lint.slow-way-back
+            Z20. goes back at cutting feed, out of the cut and further than the rapid in front of it: G01 is still in force, with its F. G00 is quicker.
+    "#]]);
+    for quiet in [
+        // Back to where it came from, at a rapid, inside a bore, along the next cut, unknown places.
+        "O1\nG98 G0 X22. Z2.\nG1 X20. F200.\nZ-15.\nX25.\nZ2.\nM30",
+        "O1\nG98 G0 X22. Z2.\nG1 X20. F200.\nZ-15.\nX25.\nG0 Z20.\nM30",
+        "O1\nG98 G0 X22. Z2.\nG1 Z-15. F200.\nX20.\nZ20.\nM30",
+        "O1\nG98 G0 X60. Z-50.\nG1 X40. F200.\nZ10.\nM30",
+        "O1\nG98 G0 X22. Z2.\nG1 Z-15. F200.\nU3.\nZ20.\nM30",
+        "O1\nG98 G0 X22.\nG1 Z-15. F200.\nX25.\nZ20.\nM30",
+    ] {
+        KND.quiet(quiet);
+    }
+}

@@ -196,3 +196,12 @@ impl Derived {
 pub(super) fn ways(lathe: &Fitted) -> Vec<Choice> {
     choices(&lathe.wanted(), &lathe.means())
 }
+
+/// The same with the tip circle as it is: quick enough for every key that is pressed.
+pub(super) fn ways_as_set(lathe: &Fitted) -> Vec<Choice> {
+    let mut means = lathe.means();
+    for cutter in &mut means.cutters {
+        cutter.radius = (lathe.p.tip_radius, lathe.p.tip_radius);
+    }
+    choices(&lathe.wanted(), &means)
+}

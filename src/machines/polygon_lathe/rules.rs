@@ -1,7 +1,7 @@
 //! The rules a polygon lathe is judged by, as rows: which result, which limit, what would mend it.
 
 use super::Lathe;
-use super::derive::{Derived, PASSES, ways};
+use super::derive::{Derived, PASSES, ways_as_set};
 use super::fitted::Fitted;
 use super::params::Params;
 use crate::drives::polygon::curve::flat_ratio;
@@ -43,9 +43,9 @@ pub(super) const RULES: &[Rule<Lathe>] = &[
     rule!("feed", clamp, "cutting feed clamp, a parameter", Inferred),
 ];
 
-/// The flattest possible way, as advice; nothing where it is what the form has.
+/// The flattest possible way on this tip circle, as advice; nothing where it is what the form has.
 fn better(case: &Case) -> Option<Message> {
-    let best = ways(case.lathe).into_iter().next().filter(|way| way.limits.is_empty())?;
+    let best = ways_as_set(case.lathe).into_iter().next().filter(|way| way.limits.is_empty())?;
     let (inserts, ratio) = (best.cutter as u32 + 1, best.ratio);
     let same =
         Some(ratio) == case.lathe.ratio() && f64::from(inserts) == case.p.inserts && best.radius == case.p.tip_radius;

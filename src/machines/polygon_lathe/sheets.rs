@@ -134,11 +134,13 @@ pub(super) fn steps(lathe: &Fitted) -> Vec<Step> {
 
 fn sequence(lathe: &Fitted) -> Sheet {
     let step = |(t, text, _): Step| row([show(t, 3), say(text)], OURS);
+    let breaks = ["polygon.step.held", "polygon.step.reset", "polygon.step.emergency"];
+    let breaks = breaks.map(|text| row([String::new(), say(text)], OURS));
     Sheet {
         id: "sequence",
         title: "polygon.sheet.sequence",
         columns: vec!["polygon.sheet.time", "sheet.use"],
-        rows: steps(lathe).into_iter().map(step).collect(),
+        rows: steps(lathe).into_iter().map(step).chain(breaks).collect(),
         ladder: Vec::new(),
     }
 }

@@ -7,6 +7,7 @@ mod faulty;
 mod flow;
 mod loops;
 mod messages;
+mod retract;
 mod roles;
 mod settings;
 mod short;
@@ -57,6 +58,7 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     let roles = Roles::new(lint.control, parsed.calls());
     settings::call_parameters(&mut lint);
     let facts = words::survey(&mut lint, &roles);
+    retract::retracts(&mut lint, &roles);
     facts.main_returns(&mut lint);
     if !facts.functions {
         let mut flows: Vec<Flow> = Vec::new();

@@ -103,6 +103,10 @@ fn the_programs() {
 #[test]
 fn the_papers_example_turns_work_and_tool_at_200_and_400() {
     let planner = whole(&edited(&[], PAPER));
+    // Its retract stays at F200.
+    let said = edited(&[], PAPER);
+    let said: Vec<_> = said.advice(&said.written()).iter().map(|d| d.message.id).collect();
+    assert_eq!(said, ["lint.slow-way-back"]);
     let timeline = planner.timeline();
     // While Z cuts at X20.
     let cutting = (0..6000).map(|i| timeline.at(f64::from(i) * 0.01)).filter(|now| {
@@ -409,6 +413,9 @@ fn the_sheets() {
         1.883 | The slide cuts
         52.883 | G502: O9121 takes #1101 and #1100 back
         53.45 | Both stand: #1002 = 0, #1003 = 1, O9121 ends
+         | At feed hold the slide stops; work and tool turn on beside it
+         | At reset, also within the cut, both come to rest in ratio and the slide stops where it is: retract it by hand before the next start. G512 finds the start angles again
+         | At emergency stop the same, as far as the drives brake alike
     "#]]
     .assert_eq(&rows(&[("work-start", "90")], "sequence"));
     let choices = rows(&[("most-inserts", "3"), ("most-work-turns", "2")], "choices");

@@ -66,6 +66,11 @@ const ROWS: &[Row] = &[
     row("lint.number-twice", "GOTO5\nN5 G00 X1.\nN5 G00 X2.", ""),
     row("lint.short-blocks", "", ""),
     row(
+        "lint.slow-way-back",
+        "G00 X22. Z2.\nG01 X20. Z0 F200\nZ-15.\nX25.\nZ20.",
+        "G0 X22 Z2\nG1 X20 Z0 F.2\nZ-15\nX25\nZ20",
+    ),
+    row(
         "lint.spindle-in-loop",
         "#1=0\nN1 S500\nG01 X#1 F100\n#1=#1+1\nIF[#1 LT 5]GOTO1",
         "R1=0\nAB: S500\nG1 X=R1 F.1\nR1=R1+1\nIF R1<5 GOTOB AB",
@@ -126,6 +131,7 @@ fn each_warning_on_each_control() {
         mitsubishi-e60 lint.feed-per-revolution
         mitsubishi-e60 lint.feed-zero
         mitsubishi-e60 lint.loose-comparison
+        mitsubishi-e60 lint.slow-way-back
         gsk-980tdc lint.calls-itself
         gsk-980tdc lint.feed-zero-digit
         gsk-980tdc lint.feed-zero-rapid

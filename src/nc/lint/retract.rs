@@ -1,0 +1,72 @@
+//! Ways back at cutting feed on a lathe: out of the cut, and further than where the rapid in front of it ended.
+
+use super::super::ast::{Form, Stmt, Word, WordValue};
+use super::Lint;
+use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
+
+/// Codes after which nothing is known of positions.
+const UNKNOWN: u32 = CALL | CURVED | INCH | RETURN | SPECIAL | SUB;
+
+/// A place across and along the spindle, as words count it; what is not known is NaN, which no comparison holds for.
+type Place = [f64; 2];
+const NOWHERE: Place = [f64::NAN; 2];
+
+/// Tells the first such block of every program.
+pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
+    let (deck, axes) = (lint.deck, lint.control.axes);
+    let across = axes.iter().find(|axis| axis.diameter);
+    let along = axes.iter().find(|axis| axis.letter == b'Z');
+    let (Some(across), Some(along)) = (across, along) else { return };
+    let axes = [across, along];
+    let increments = lint.increments()[0];
+    let least = lint.control.limits.increment;
+    let value = |word: &Word| match word.value {
+        _ if word.form != Form::Plain => f64::NAN,
+        WordValue::Number(dec) if !dec.point && increments & 1 << (word.letter & 31) != 0 => dec.to_f64() * least,
+        WordValue::Number(dec) => dec.to_f64(),
+        _ => f64::NAN,
+    };
+    for program in &deck.programs {
+        let (mut at, mut free, mut cuts) = (NOWHERE, NOWHERE, false);
+        for (index, block) in (program.first..).zip(deck.blocks_of(program)) {
+            if !matches!(block.stmt, Stmt::Words { .. }) {
+                if !matches!(block.stmt, Stmt::Empty | Stmt::Assign { .. } | Stmt::Message(_)) {
+                    (at, free) = (NOWHERE, NOWHERE);
+                }
+                continue;
+            }
+            let words = deck.words_of(block);
+            let bits = roles.block(words);
+            if bits & INCREMENTAL != 0 {
+                break;
+            }
+            cuts = (cuts || bits & LINEAR != 0) && bits & (RAPID | CURVED) == 0;
+            if bits & UNKNOWN != 0 {
+                (at, free) = (NOWHERE, NOWHERE);
+                continue;
+            }
+            let (mut to, mut last) = (at, None);
+            for word in words {
+                for (place, axis) in to.iter_mut().zip(axes) {
+                    if word.letter == axis.letter {
+                        *place = value(word);
+                    } else if axis.incremental == Some(word.letter) {
+                        *place = f64::NAN;
+                    } else {
+                        continue;
+                    }
+                    last = Some(word);
+                }
+            }
+            let Some(last) = last else { continue };
+            let out = at[0] >= free[0] && to[0] >= free[0];
+            if !cuts {
+                free = to;
+            } else if out && at[1] < free[1] && to[1] > free[1] {
+                lint.say(index, last.span(block), "lint.slow-way-back", &[], "");
+                break;
+            }
+            at = to;
+        }
+    }
+}
