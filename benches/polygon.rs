@@ -7,6 +7,8 @@ use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group};
 use macroline::drives::polygon::{Ratio, Section, Setup};
+use macroline::machines::form::Value;
+use macroline::project::Project;
 
 /// Angles of a full section.
 const ANGLES: u64 = 36_000;
@@ -40,6 +42,24 @@ fn speed(c: &mut Criterion) {
     group.finish();
 }
 
+/// A value of the form is dragged: results with advice, and the drawing. The hollow sides ask for the list of better ways.
+fn drag(project: &Project) -> usize {
+    let design = black_box(project).design();
+    design.readouts.len() + project.machine.scene(&project.values, project.on()).nodes.len()
+}
+
+/// A polygon lathe whose inserts turn five to twelve, badly.
+fn lathe() -> Project {
+    let mut project = Project::of("polygon-lathe", None).unwrap();
+    project.values.insert("shape".to_owned(), Value::Text("own".to_owned()));
+    for (id, value) in
+        [("inserts", 5.0), ("work-ratio", 5.0), ("tool-ratio", -12.0), ("most-inserts", 12.0), ("most-work-turns", 9.0)]
+    {
+        project.values.insert(id.to_owned(), Value::Number(value));
+    }
+    project
+}
+
 criterion_group!(benches, speed);
 
 fn main() {
@@ -49,4 +69,7 @@ fn main() {
     let (even, worn) = (twelve(), worn());
     summary::line("polygon, 12 inserts at ratio 12/5, full section", ANGLES, "angles", asked, || section(&even));
     summary::line("polygon, the same with worn inserts", ANGLES, "angles", None, || section(&worn));
+    // 60 values a second, and half of the time for the page.
+    let lathe = lathe();
+    summary::line("polygon lathe, one step of dragging", 1, "steps", Some(120.0), || drag(&lathe));
 }

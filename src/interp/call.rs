@@ -260,6 +260,13 @@ impl State {
         caller: Caller,
         call: CodeCall,
     ) -> Run<()> {
+        // Such a code stands alone where other codes are no arguments; behind it they are found among the arguments.
+        let first = words.iter().position(|word| word.letter == call.letter).filter(|at| caller.word != Some(*at));
+        if let Some(word) = first.and_then(|at| words.get(at)).filter(|_| cx.control.raises(Alarm::ArgumentAddress)) {
+            let letter = char::from(word.letter).to_string();
+            let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", letter));
+            return Err(trap.within(word_span(block, word)));
+        }
         let arguments = self.arguments(cx, block, words, caller)?;
         self.call_as(cx, call.program, arguments, call.kind, true)
     }
