@@ -1,8 +1,9 @@
-//! The charts of the polygon lathe: speeds, phase and slide over time, the deviation of the finished section over the angle.
+//! The charts of the polygon lathe: speeds, phase and slide over time, the deviation of the sides over angle and tip radius.
 
 use super::Lathe;
 use super::fitted::{Fitted, TOOL, WORK};
 use super::scene::deviations;
+use crate::drives::polygon::{Section, Setup};
 use crate::machines::charts::{Line, Row};
 use crate::math::PI;
 use crate::view::{Chart, Series};
@@ -40,5 +41,34 @@ pub(super) fn deviation(lathe: &Fitted, points: usize) -> Option<Chart> {
         unit: "µm",
         x_unit: "°",
         series: vec![Series { label: "polygon.chart.off", tone: 1, points }],
+    })
+}
+
+/// Tip circles that are looked at.
+const CIRCLES: usize = 60;
+
+/// Least and greatest deviation of the sides over the radius of the tip circle, at the ratio and the inserts of the form.
+pub(super) fn over_radius(lathe: &Fitted, points: usize) -> Option<Chart> {
+    let (p, ratio) = (&lathe.p, lathe.ratio()?);
+    let count = points.clamp(2, CIRCLES);
+    let (from, to) = (0.25 * p.tip_radius, 2.0 * p.tip_radius);
+    let radius = |at: usize| from + (to - from) * at as f64 / (count - 1) as f64;
+    let side = |radius: f64| {
+        let setup = Setup::even(p.across_flats, radius, ratio, p.inserts as u32);
+        let side = Section::new(&setup, 0.5 * p.stock_diameter)?.side(0)?;
+        Some((radius, 1000.0 * side.low, 1000.0 * side.high))
+    };
+    let sides: Vec<(f64, f64, f64)> = (0..count).map(radius).filter_map(side).collect();
+    let line = |label: &'static str, tone: u8, value: fn(&(f64, f64, f64)) -> f64| Series {
+        label,
+        tone,
+        points: sides.iter().map(|side| (side.0, value(side))).collect(),
+    };
+    Some(Chart {
+        id: "radius",
+        title: "polygon.chart.radius",
+        unit: "µm",
+        x_unit: "mm",
+        series: vec![line("polygon.chart.lowest", 0, |side| side.1), line("polygon.chart.highest", 1, |side| side.2)],
     })
 }

@@ -130,6 +130,7 @@ impl Machine for PolygonLathe {
         let lathe = Fitted::new(p, on);
         let mut all = charts::charts(graphs::ROWS, &lathe, run, from, to, points);
         all.extend(graphs::deviation(&lathe, points));
+        all.extend(graphs::over_radius(&lathe, points));
         all
     }
 }

@@ -493,11 +493,14 @@ fn charts_and_drawings() {
     let planner = whole(&project);
     let charts = machine().charts(&project.values, project.on(), &planner, 0.0, 10.0, 721);
     let ids: Vec<_> = charts.iter().map(|chart| chart.id).collect();
-    assert_eq!(ids, ["speeds", "phase", "size", "along", "deviation"]);
+    assert_eq!(ids, ["speeds", "phase", "size", "along", "deviation", "radius"]);
     let deviation = &charts[4].series[0].points;
     let least = deviation.iter().map(|point| point.1).fold(f64::INFINITY, f64::min);
     // -0.049628 mm of the check table, at the corner.
     assert!((least + 49.628).abs() < 0.05 && deviation[0].1.abs() < 1e-6, "{least}");
+    // The larger the tip circle, the flatter at ratio 2; twice 45 mm is beyond the table's 80 mm.
+    let lowest = &charts[5].series[0].points;
+    assert!(lowest.windows(2).all(|pair| pair[0].1 < pair[1].1) && lowest.last().unwrap().1 > -17.26);
     let files = project.export().files;
     let text = |name: &str| &files.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}")).text;
     let dxf = text("section.dxf");
