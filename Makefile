@@ -38,6 +38,7 @@ FUZZ_SECONDS ?= 900
 .PHONY: fuzz
 fuzz: ## parser and interpreter on bytes that try to break them, 15 minutes each (FUZZ_SECONDS=…)
 	@scripts/setup.sh fuzz
+	@mkdir -p fuzz/corpus/parser fuzz/corpus/interpreter
 	cargo fuzz run -s none parser fuzz/corpus/parser $(FUZZ_SEEDS) -- $(FUZZ_FLAGS)
 	cargo fuzz run -s none interpreter fuzz/corpus/interpreter $(FUZZ_SEEDS) -- $(FUZZ_FLAGS)
 

@@ -148,10 +148,14 @@ pub struct Syntax {
     pub block_read_chars: u32,
     /// Words of a block that the control reads.
     pub block_words: u32,
+    /// Characters of a word with a number, its letter among them.
+    pub word_chars: u32,
     /// Highest number of a `DO`.
     pub do_max: u32,
     /// `DO` … `END` may be nested this deep.
     pub do_depth: u8,
+    /// Functions that give random numbers, which no run here has.
+    pub random: &'static [&'static str],
     /// Function names: `(spelling, function)`; the first spelling of a function is the one that is written.
     pub functions: &'static [(&'static str, Function)],
     /// Address letters of words besides the axes; macro calls take every letter.

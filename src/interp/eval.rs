@@ -3,8 +3,8 @@
 use super::fault::{Run, Trap};
 use super::rules::AsinRange;
 use super::state::{Cx, State};
-use crate::controls::Alarm;
 use crate::controls::syntax::Function;
+use crate::controls::{Alarm, VarKind};
 use crate::math;
 use crate::msg;
 use crate::nc::{Expr, ExprId, Op};
@@ -95,7 +95,7 @@ pub(super) fn function(cx: &Cx, function: Function, x: f64) -> Run<f64> {
         Function::Bcd => regroup(x, 10, 16)?,
         Function::Square => x * x,
         // Half away from zero, as Rust rounds.
-        Function::Round => x.round(),
+        Function::Round => (x * cx.parts).round() / cx.parts,
         Function::Fix => x.trunc(),
         Function::Fup => x.abs().ceil().copysign(x),
         Function::Ln if x <= 0.0 => return outside(Alarm::Logarithm),
@@ -279,6 +279,9 @@ impl State {
             let (name, value) = (cx.control.variable(number), self.read(cx, number));
             let guard = cx.control.guard(&name);
             match value {
+                Ok(_) if cx.control.var(number).is_some_and(|row| row.kind == VarKind::Vacant) => {
+                    trap = trap.hint(msg!("interp.hint-divisor-null", name));
+                }
                 Ok(x) if x.is_nan() => trap = trap.hint(msg!("interp.hint-divisor-vacant", name, guard)),
                 Ok(0.0) => trap = trap.hint(msg!("interp.hint-divisor-zero", name, guard)),
                 _ => {}

@@ -27,7 +27,7 @@ pub fn foretell(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
     let deck = parsed.deck();
     let heard = RefCell::new(Vec::new());
     let mut world = Listener { still: Still::default(), heard: &heard };
-    let cx = Cx { shared: &shared, control: shared.control, deck, world: &mut world };
+    let cx = Cx { shared: &shared, control: shared.control, deck, world: &mut world, parts: 1.0 };
     let mut oracle = Oracle::new(cx, state, &heard);
     let errors = parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
     let errors: Vec<Place> = errors.filter_map(|finding| finding.place).collect();
@@ -347,6 +347,9 @@ impl<'a> Oracle<'a> {
             Ok(None) => {}
             // P of a function names its result.
             Ok(Some(calls)) => {
+                if all && words.iter().any(|word| word.letter == b'Q') {
+                    self.contour(at, block, words);
+                }
                 let function = !all && results && calls && self.state.is_function(&self.cx, words);
                 let spindle = || words.iter().any(|word| matches!(word.letter, b'S' | long::SPOS));
                 if function || all && (calls || spindle()) {
@@ -371,6 +374,13 @@ impl<'a> Oracle<'a> {
                 }
             }
         }
+    }
+
+    /// The contour that a cycle passes over.
+    fn contour(&mut self, at: u32, block: &Block, words: &[Word]) {
+        // What else comes of it depends on the state.
+        let _ = self.state.clone().words(&mut self.cx, at, block, words);
+        self.told.extend(self.heard.take().into_iter().filter(|remark| remark.message.id == "interp.contour"));
     }
 
     /// What is remarked of a block in every modal state.

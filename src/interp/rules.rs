@@ -27,6 +27,8 @@ pub(super) struct Rules {
     pub(super) argument_increments: bool,
     /// F0 is rapid traverse, not an alarm.
     pub(super) feed_zero_rapid: bool,
+    /// ROUND in a word rounds to the step of its address, not to a whole number.
+    pub(super) round_to_step: bool,
     /// S is rounded, not cut.
     pub(super) round_speed: bool,
     /// `#3004` switches the cutting override off.
@@ -94,6 +96,7 @@ impl Rules {
             whole_units: is("decimal-point", "millimetres"),
             argument_increments: is("argument-point", "increments"),
             feed_zero_rapid: is("feed-zero", "rapid"),
+            round_to_step: is("round-in-word", "to the step of the address"),
             round_speed: get("spindle-word").map_or(macros.round_words, |setting| setting == "round"),
             suppress_override: !is("override-suppression", "no"),
             keep_locals: is("locals-of-calls", "kept"),

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use super::call::{Frame, ModalCall};
 use super::canon::{AXES, Canon};
+use super::eval::WHOLE;
 use super::fault::{Run, Trap};
 use super::index::{Index, Partner};
 use super::modal::Modal;
@@ -33,6 +34,8 @@ pub(super) struct Cx<'a> {
     pub(super) control: &'static Control,
     pub(super) deck: &'a Deck,
     pub(super) world: &'a mut dyn World,
+    /// Parts of a unit that ROUND rounds to: 1 but for words whose step it counts.
+    pub(super) parts: f64,
 }
 
 /// Commands of the last block that were not taken yet.
@@ -213,7 +216,7 @@ impl State {
             return Step::Sync(self.place);
         }
         let deck = shared.parsed.deck();
-        let mut cx = Cx { shared, control: shared.control, deck, world };
+        let mut cx = Cx { shared, control: shared.control, deck, world, parts: 1.0 };
         let at = self.at;
         let Some(block) = deck.blocks.get(at as usize).filter(|_| at < self.end) else {
             return self.no_end(&cx);
@@ -363,13 +366,16 @@ impl State {
 
     /// Goes on at a sequence number of the running program; `from` is the block that jumps.
     pub(super) fn go_to_number(&mut self, cx: &Cx, from: u32, number: f64) -> Run<()> {
-        let number = number.round();
+        // A calculated number may miss the whole one by a last digit; no block has a number with decimals.
+        let whole = (number - number.round()).abs() < WHOLE;
+        let number = if whole { number.round() } else { number };
         let digits = u32::from(cx.control.syntax.sequence_digits.min(9));
         if !(1.0..f64::from(10_u32.pow(digits))).contains(&number) {
-            return Err(Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", (number, 0))).behind(b"P"));
+            return Err(Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", (number, 9))).behind(b"P"));
         }
-        let Some(to) = cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1)) else {
-            return Err(Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 0))).behind(b"P"));
+        let found = || cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1));
+        let Some(to) = whole.then(found).flatten() else {
+            return Err(Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 9))).behind(b"P"));
         };
         if cx.shared.index.enters_loop(self.program, from, to) {
             return Err(Trap::alarm(Alarm::IntoLoop, msg!("interp.into-loop", (number, 0))));

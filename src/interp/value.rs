@@ -32,6 +32,24 @@ fn cut(value: f64) -> f64 {
 impl State {
     /// The value of a word as it stands, `None` where it is vacant and the word is left out; on some controls it is 0 instead.
     pub(super) fn raw(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+        if !cx.shared.rules.round_to_step {
+            return self.as_written(cx, block, word);
+        }
+        let units = &cx.shared.units;
+        cx.parts = match word.letter {
+            letter if units.integer_letters & 1 << (letter & 31) != 0 => 1.0,
+            b'F' => units.per_feed,
+            // An increment in inches is 0.0001 inch where it is 0.001 mm.
+            _ if self.modal.inch => units.per_unit * 10.0,
+            _ => units.per_unit,
+        };
+        let value = self.as_written(cx, block, word);
+        cx.parts = 1.0;
+        value
+    }
+
+    /// The same where ROUND gives a whole number in any case, as it does in the arguments of a macro.
+    fn as_written(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
         match word.value {
             WordValue::Number(dec) => Ok(Some(dec.to_f64())),
             WordValue::Expr(id) => match self.value(cx, id) {
@@ -59,7 +77,7 @@ impl State {
             {
                 Ok(Some(dec.to_f64() / units.per_unit))
             }
-            _ => self.raw(cx, block, word),
+            _ => self.as_written(cx, block, word),
         }
     }
 

@@ -296,8 +296,8 @@ fn clean(value: f64) -> f64 {
     if value.abs() < 1e3 { (value * 1e12).round() / 1e12 + 0.0 } else { value }
 }
 
-/// Leaves out repetitions, in place; the order stays. The run repeats what the reader has found, about the whole block, and tells
-/// again of axes that stop where the text has told it already.
+/// Leaves out repetitions, in place; the order stays. The run repeats what the reader has found, about the whole block or about the
+/// other end of a loop, and tells again of axes that stop where the text has told it already.
 pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
     let mut seen: Vec<Diagnostic> = Vec::new();
     diagnostics.retain(|d| {
@@ -314,6 +314,10 @@ pub fn repeats(d: &Diagnostic, told: &Diagnostic) -> bool {
     covers(d.place, told.place)
         && told.alarm == d.alarm
         && (told.message == d.message || d.severity == Severity::Error && d.alarm.is_some())
+        // The reader has told of each loop that lacks its other end, or of the block that hides it.
+        || d.message.id == "interp.do-pair"
+            && told.severity == Severity::Error
+            && d.place.map(|place| place.file) == told.place.map(|place| place.file)
         || d.message.id == "motion.starved"
             && told.message.id == "lint.short-blocks"
             && d.place.map(|place| place.file) == told.place.map(|place| place.file)

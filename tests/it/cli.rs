@@ -435,6 +435,17 @@ fn the_last_command_is_told_once() {
 }
 
 #[test]
+fn a_loop_without_its_other_end_is_told_once() {
+    let path = text(&folder("loops").join("O1.nc"));
+    for (lines, alarm) in [("DO1\nG04 X1.\nEND", "P291"), ("DO1\nDO2\nEND1\nEND2", "P294"), ("G04 X1.\nEND1", "P294")] {
+        std::fs::write(&path, format!("%\nO1\n{lines}\nM30\n%\n")).unwrap();
+        let told = run(&[&path, "--control", "mitsubishi-e60"], 1);
+        let alarms: Vec<_> = told["diagnostics"].as_array().unwrap().iter().map(|d| &d["alarm"]).collect();
+        assert_eq!((alarms, &told["ended"]), (vec![&json!(alarm)], &json!("alarm")), "{lines}");
+    }
+}
+
+#[test]
 fn what_a_block_does_not_do_is_told_once() {
     let path = folder("remarks").join("O1.nc");
     let program =

@@ -63,6 +63,9 @@ const QUESTIONS: &[(&str, &str, &str)] = &[
     ("X#100.", "#100=1; G00 X#100.", ""),
     ("X10.,Y5.", "G00 X10.,Y5.", ""),
     ("X[12.3456]", "G00 X[12.3456]", "G0 X=12.3456"),
+    ("X[ROUND[12.3456]]", "G00 X[ROUND[12.3456]]", "G0 X=ROUND(12.3456)"),
+    ("F[ROUND[10.45]]", "G01 X1. F[ROUND[10.45]]", "G1 X1 F=ROUND(10.45)"),
+    ("I[ROUND[12.3456]]", "G65 P3 I[ROUND[12.3456]]", ""),
     ("X8", "G00 X8", "G0 X8"),
     ("U8 W8.", "G00 U8 W8.", "G0 U8 W8"),
     ("X1. U5.", "G00 X1. U5.", "G0 X1 X=IC(5)"),
@@ -84,6 +87,8 @@ const QUESTIONS: &[(&str, &str, &str)] = &[
     ("1/0", "#100=1/0", "R100=1/0"),
     ("EXP[200]/EXP[200]", "#100=EXP[200]/EXP[200]", "R100=EXP(200)/EXP(200)"),
     ("13 digits", "#100=1.234567890123", "R100=1.234567890123"),
+    ("RAND[5]", "#100=RAND[5]", ""),
+    ("12 characters", "G00 X-12345.6789", "G0 X-12345.6789"),
     ("SIN30", "#100=SIN30", "R100=SIN30"),
     ("2 > 1", "IF[2 > 1]GOTO9; #100=0; N9", "IF 2>1 GOTOF AB9; R100=1; AB9:"),
     ("IF THEN", "IF[2 GT 1]THEN #100=1", ""),
@@ -126,6 +131,7 @@ const QUESTIONS: &[(&str, &str, &str)] = &[
     ("G01 X1. F100 M05", "G01 X1. F100 M05", "G1 X1 F100 M5"),
     ("G512 B2.", "G512 B2.", "G512 B2"),
     ("G01 X1. without F", "G01 X1.", "G1 X1"),
+    ("GOTO[3/2]", "GOTO[3/2]; N2 #100=1", ""),
     ("GOTO77", "GOTO77", "GOTOF AB77"),
     ("#3000=5", "#3000=5(STOP)", ""),
     ("#3000=150", "#3000=150(STOP)", ""),
@@ -174,6 +180,9 @@ fn the_controls_differ_where_the_sheets_say() {
         X#100.               | alarm P33                                    | alarm 0101                                   | alarm 004                              |
         X10.,Y5.             | alarm P32                                    | alarm 0003                                   | alarm 009                              |
         X[12.3456]           | rapid X12.346                                | rapid X12.346                                | rapid X12.346                          | rapid X12.346
+        X[ROUND[12.3456]]    | rapid X12                                    | rapid X12                                    | rapid X12.346                          | rapid X12
+        F[ROUND[10.45]]      | linear X1 F10                                | linear X1 F10                                | linear X1 F10.45                       | linear X1 F10/rev exact
+        I[ROUND[12.3456]]    | #104=12                                      | #104=12                                      | #104=12                                |
         X8                   | rapid X0.008                                 | rapid X8                                     | rapid X8                               | rapid X8
         U8 W8.               | alarm P32                                    | rapid X8 Z8                                  | rapid X8 Z8                            | alarm 12550
         X1. U5.              | alarm P32                                    | rapid X1                                     | rapid X5                               | alarm 12000
@@ -195,6 +204,8 @@ fn the_controls_differ_where_the_sheets_say() {
         1/0                  | alarm P283                                   | alarm 0105                                   | alarm 112                              | alarm 14051
         EXP[200]/EXP[200]    | #100=1                                       | #100=1                                       | alarm 111                              | R100=1
         13 digits            | #100=1.23456789                              | #100=1.23456789                              | alarm 003                              | R100=1.23456789
+        RAND[5]              | alarm P33                                    | alarm BUDGET                                 | alarm 004                              |
+        12 characters        | rapid X-12345.679                            | alarm 0003                                   | rapid X-12345.679                      | rapid X-12345.679
         SIN30                | alarm P33                                    | #100=0.5                                     | alarm 004                              | alarm 12080
         2 > 1                | alarm P290                                   | -                                            | alarm 114                              | -
         IF THEN              | alarm P290                                   | #100=1                                       | #100=1                                 |
@@ -237,6 +248,7 @@ fn the_controls_differ_where_the_sheets_say() {
         G01 X1. F100 M05     | spindle-stop linear X1 F100                  | linear X1 F100 spindle-stop                  | spindle-stop linear X1 F100            | spindle-stop linear X1 F100/rev exact
         G512 B2.             | alarm P34                                    | alarm 0002                                   | alarm 078                              | alarm 12470
         G01 X1. without F    | alarm P62                                    | alarm 0023                                   | alarm 011                              | alarm 10860
+        GOTO[3/2]            | alarm P231                                   | alarm 0112                                   | alarm 078                              |
         GOTO77               | alarm P231                                   | alarm 0112                                   | alarm 078                              | alarm 14080
         #3000=5              | alarm P277                                   | alarm 5905                                   | alarm 3005                             |
         #3000=150            | alarm P277                                   | alarm 0126                                   | alarm 3150                             |

@@ -448,7 +448,7 @@ fn reads_back(deck: &Deck, control: &'static Control) -> Result<(), TestCaseErro
     prop_assert!(lower(&low, control).same_as(&low), "lowering twice is lowering once");
     let out = emit(deck, control);
     let read = parse(&out.files, control);
-    let too_much = [Alarm::BracketDepth, Alarm::BlockTooLong].map(|alarm| control.alarm_number(alarm));
+    let too_much = [Alarm::BracketDepth, Alarm::BlockTooLong, Alarm::Digits].map(|alarm| control.alarm_number(alarm));
     let refused = read.diagnostics().iter().any(|d| d.alarm.is_some() && too_much.contains(&d.alarm.as_deref()));
     prop_assert!(refused || read.deck().same_as(&low), "{}\n{:?}", out.files.0[0].text, read.diagnostics());
     Ok(())

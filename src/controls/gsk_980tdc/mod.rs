@@ -60,8 +60,10 @@ pub static CONTROL: Control = Control {
         address_twice: true,
         block_read_chars: 256,
         block_words: 100,
+        word_chars: 11,
         do_max: 3,
         do_depth: 3,
+        random: &["RAND", "SRAND"],
         functions: &[
             ("SIN", Function::Sin),
             ("COS", Function::Cos),

@@ -24,6 +24,12 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("point-behind-variable", "A point behind a variable, X#107.", &["alarm", "ignored"], MEMORY),
     switch("assignments", "Assignments in a block", &["one", "several"], MEMORY),
     switch("word-formula", "A formula behind an address, X#100+10", &["as it is", "in brackets"], MEMORY),
+    switch(
+        "round-in-word",
+        "ROUND behind an address, X[ROUND[#1]]",
+        &["to a whole number", "to the step of the address"],
+        Citation::new("GSK980TDi manual, 3.29, tells of statements, IF and WHILE alone", Grade::Open),
+    ),
     switch("diameter", "Words of X (No.001#2)", &["diameter", "radius"], PARAMETERS),
     switch("m-codes", "A second M code in a block", &["alarm", "the last acts"], MEMORY),
     switch("startup-feed", "Unit of F after power-on (No.182#0)", &["G98", "G99"], PARAMETERS),

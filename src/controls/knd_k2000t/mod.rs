@@ -53,8 +53,10 @@ pub static CONTROL: Control = Control {
         address_twice: false,
         block_read_chars: 60_000,
         block_words: 60_000,
+        word_chars: u32::MAX,
         do_max: 3,
         do_depth: 3,
+        random: &[],
         functions: &[
             ("SIN", Function::Sin),
             ("COS", Function::Cos),

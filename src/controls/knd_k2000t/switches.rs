@@ -17,6 +17,12 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("assignments", "Assignments in a block", &["one", "several"], MEMORY),
     switch("word-formula", "A formula behind an address, X#100+10", &["as it is", "in brackets"], MEMORY),
     switch(
+        "round-in-word",
+        "ROUND behind an address, X[ROUND[#1]]",
+        &["to the step of the address", "to a whole number"],
+        Citation::new("custom macro B of FANUC, by secondary sources", Grade::Inferred),
+    ),
+    switch(
         "number-digits",
         "Digits of a number",
         &["12", "8"],

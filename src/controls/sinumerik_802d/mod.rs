@@ -88,8 +88,10 @@ pub static CONTROL: Control = Control {
         address_twice: true,
         block_read_chars: 200,
         block_words: 512,
+        word_chars: u32::MAX,
         do_max: 0,
         do_depth: 0,
+        random: &[],
         functions: &[
             ("SIN", Function::Sin),
             ("COS", Function::Cos),

@@ -8,7 +8,7 @@ use crate::controls::syntax::Function;
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
-use crate::text::{Message, Span};
+use crate::text::{Message, Severity, Span};
 
 /// Parts of the formulas of one block: bounds the depth of every tree, for whoever walks it.
 const PARTS: u32 = 250;
@@ -263,6 +263,13 @@ impl Reader<'_> {
                 self.at += letters;
                 self.slip(Alarm::Format, start, self.at, message, known);
                 Ok((known, function))
+            }
+            None if self.control.syntax.random.contains(&name.as_str()) => {
+                let message = msg!("nc.random", name.as_str());
+                let mut failure = self.failure(Alarm::Budget, start, start + letters, message, false);
+                (failure.finding.severity, failure.finding.alarm, failure.finding.wording) =
+                    (Severity::Warning, None, None);
+                Err(failure)
             }
             None => Err(self.failure(Alarm::Format, start, start + letters, message, false)),
         }

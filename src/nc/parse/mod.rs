@@ -160,6 +160,8 @@ struct Tables<'a> {
     corners: u32,
     /// Words of a block.
     most_words: usize,
+    /// Characters of a word with a number.
+    word_chars: usize,
     /// Characters of a block.
     block_chars: u32,
     /// Characters of a label.
@@ -213,6 +215,7 @@ impl<'a> Tables<'a> {
                     .map(|(_, row)| row.letter),
             ),
             corners: letter_bits(control.syntax.corners.iter().map(|corner| corner.0)),
+            word_chars: control.syntax.word_chars as usize,
             most_words: (control.syntax.block_words as usize).min(u16::MAX as usize),
         };
         if control.syntax.point_alarm {

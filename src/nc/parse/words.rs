@@ -325,6 +325,9 @@ impl<'a> Reader<'a> {
                 }
                 _ => {
                     self.at = end;
+                    if end - value_at >= self.tables.word_chars {
+                        self.too_long(start, end);
+                    }
                     return Ok(WordValue::Number(number));
                 }
             }
@@ -344,6 +347,15 @@ impl<'a> Reader<'a> {
             }
         }
         Ok(WordValue::Expr(value))
+    }
+
+    /// A word of more characters than the control takes, unless its digits were too many already.
+    #[cold]
+    fn too_long(&mut self, from: usize, to: usize) {
+        let digits = self.line.get(from..to).unwrap_or_default().iter().filter(|b| b.is_ascii_digit()).count();
+        if digits <= self.tables.digits {
+            self.report(Alarm::Digits, from, to, msg!("nc.word-too-long", self.tables.word_chars as u32));
+        }
     }
 
     /// A formula behind an address, from `from` on, stands in brackets.

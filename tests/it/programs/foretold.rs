@@ -44,6 +44,18 @@ fn remarks_of_a_run_are_foretold_where_they_are_certain() {
 }
 
 #[test]
+fn the_contour_that_a_cycle_passes_over_is_foretold() {
+    let gsk = controls::find("gsk-980tdc").unwrap();
+    let ids = |p: &str| {
+        let source = format!("O1\nG71 U1. R1.\nG71 {p} Q20 U1. F100\nN10 G00 X1.\nN20 X2.\nM30\n%\n");
+        foretell(start_on(gsk, &source, &[]).parsed()).iter().map(|told| told.message.id).collect::<Vec<_>>()
+    };
+    assert_eq!(ids("P10"), ["interp.contour"]);
+    // Where it begins is not known, or nowhere.
+    assert_eq!((ids("P#1"), ids("P30")), (vec![], vec![]));
+}
+
+#[test]
 fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
     let mut later = String::new();
     for control in controls::ALL {
@@ -242,6 +254,7 @@ fn calculations_without_a_result() {
     check(
         &[
             "#1=5/0",
+            "#1=5/#0",
             "#1=[5-5]*2/[3-3]",
             "#1=SQRT[-4]",
             "#1=ASIN[1.5]",
@@ -264,6 +277,7 @@ fn calculations_without_a_result() {
         ],
         expect![[r#"
             #1=5/0: P283 2:6 | 0105 2:6 | 112 2:6 | 14051 2:6
+            #1=5/#0: P283 2:6 | 0105 2:6 | 112 2:6 | runs into 14051 2:6
             #1=[5-5]*2/[3-3]: P283 2:13 | 0105 2:13 | 112 2:13 | 14051 2:13
             #1=SQRT[-4]: P282 2:4 | 0108 2:4 | 119 2:4 | 14051 2:4
             #1=ASIN[1.5]: P282 2:4 | 0110 2:4 | 119 2:4 | 14051 2:4

@@ -38,6 +38,13 @@ fn an_alarm_names_the_way_out() {
         "#]],
     );
     check(
+        "O1\n#1=5/#0\nM30",
+        expect![[r#"
+            = P283 2:6 Division by zero.
+              #0 is always vacant and counts as 0: another variable belongs here.
+        "#]],
+    );
+    check(
         "O1\nG01 X1.\nM30",
         expect![[r#"
         = P62 2:1 A cutting motion without feed.
