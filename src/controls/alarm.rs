@@ -23,6 +23,8 @@ pub enum Alarm {
     SequenceDigits,
     /// Cutting feed without F, or F0.
     NoFeed,
+    /// A cutting feed of 0.
+    FeedZero,
     /// F outside its range.
     FeedRange,
     /// An arc that cannot be.
@@ -75,6 +77,8 @@ pub enum Alarm {
     Budget,
     /// An axis beyond its soft limit.
     SoftLimit,
+    /// A programmed end point beyond the working area.
+    WorkingArea,
     /// Emergency stop.
     EmergencyStop,
     /// An address without a number.
@@ -209,6 +213,7 @@ impl Alarm {
         Alarm::SequencePlace,
         Alarm::SequenceDigits,
         Alarm::NoFeed,
+        Alarm::FeedZero,
         Alarm::FeedRange,
         Alarm::Arc,
         Alarm::SubNesting,
@@ -235,6 +240,7 @@ impl Alarm {
         Alarm::DoPair,
         Alarm::Budget,
         Alarm::SoftLimit,
+        Alarm::WorkingArea,
         Alarm::EmergencyStop,
         Alarm::NoNumber,
         Alarm::Digits,
@@ -294,7 +300,8 @@ impl Alarm {
         Some(match self {
             SquareRoot | Logarithm | Tangent | ArcFunction | Overflow | NotWhole => Calculation,
             ArcRadius => Arc,
-            NoLead | LeadAxis => NoFeed,
+            NoLead | LeadAxis | FeedZero => NoFeed,
+            WorkingArea => SoftLimit,
             RepeatRange | SpeedRange | SpeedLimitRange => OutOfRange,
             DoNumber => WhileSentence,
             IntoLoop => DoPair,

@@ -14,6 +14,10 @@ pub enum Code {
     ArcCw,
     /// Counter-clockwise arc.
     ArcCcw,
+    /// Arc through an intermediate point (CIP).
+    ArcThrough,
+    /// Arc that goes on in the direction of the motion before it (CT).
+    ArcTangent,
     /// Thread cutting: a straight line whose feed per revolution is the lead, without overrides.
     Thread,
     /// Straight cutting feed in this block, which a signal breaks off; in the simulation none comes.
@@ -92,6 +96,8 @@ pub enum Code {
     LowerLimits,
     /// The upper ones (G26).
     UpperLimits,
+    /// Working area limits on or off.
+    WorkingArea(bool),
     /// Spindle orientation (M19).
     SpindleOrient,
     /// The spindle that S and M words without a number are for (SETMS).

@@ -54,6 +54,8 @@ pub mod long {
     pub const ANG: u8 = code(11);
     /// Feed of chamfers and rounded corners.
     pub const FRC: u8 = code(12);
+    /// Angle of a programmable rotation.
+    pub const RPL: u8 = code(13);
 
     /// Whether a letter is such a code.
     pub const fn is(letter: u8) -> bool {

@@ -65,3 +65,40 @@ pub(super) fn by_radius(chord: Chord, radius: f64, tolerance: f64) -> Result<(f6
     let side = if chord.clockwise == (radius > 0.0) { -beside } else { beside };
     Ok((x / 2.0 - y / length * side, y / 2.0 + x / length * side))
 }
+
+/// A centre relative to the start, and whether the arc is clockwise; nothing for a straight line.
+type Placed = Result<Option<((f64, f64), bool)>, Impossible>;
+
+/// Half an increment from the line, and a way is a line.
+const STRAIGHT: f64 = 0.5;
+
+fn dot(a: (f64, f64), b: (f64, f64)) -> f64 {
+    a.0 * b.0 + a.1 * b.1
+}
+
+/// Twice the area between two vectors, positive where the second lies left of the first.
+fn cross(a: (f64, f64), b: (f64, f64)) -> f64 {
+    a.0 * b.1 - a.1 * b.0
+}
+
+/// The arc through a point on its way, from the start: `2 c·p = p²` holds for the point and for the end.
+pub(super) fn by_point(end: (f64, f64), point: (f64, f64)) -> Placed {
+    let (turn, ends, points) = (cross(end, point), dot(end, end), dot(point, point));
+    if turn.abs() <= STRAIGHT * ends.sqrt() {
+        let between = (0.0..ends).contains(&dot(end, point));
+        return if between && points > 0.0 { Ok(None) } else { Err(Impossible::NoCenter) };
+    }
+    let center = (ends * point.1 - points * end.1, points * end.0 - ends * point.0);
+    Ok(Some(((center.0 / (2.0 * turn), center.1 / (2.0 * turn)), turn > 0.0)))
+}
+
+/// The arc that starts in a direction: its centre lies square to it, as far from the end as from the start.
+pub(super) fn by_tangent(end: (f64, f64), along: (f64, f64)) -> Placed {
+    let length = math::hypot(along.0, along.1).max(f64::MIN_POSITIVE);
+    let beside = cross(along, end) / length;
+    if beside.abs() <= STRAIGHT {
+        return if dot(along, end) > 0.0 { Ok(None) } else { Err(Impossible::NoCenter) };
+    }
+    let radius = dot(end, end) / (2.0 * beside);
+    Ok(Some(((-along.1 / length * radius, along.0 / length * radius), radius < 0.0)))
+}

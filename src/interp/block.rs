@@ -87,6 +87,8 @@ pub(super) struct Words {
     pub(super) ways: [Form; AXES],
     /// I, J, K.
     pub(super) center: [Option<i64>; 3],
+    /// I1, J1, K1: a point on the way.
+    pub(super) through: [Option<i64>; 3],
     pub(super) radius: Option<i64>,
     pub(super) speed: Option<f64>,
     /// Highest speed under constant surface speed.
@@ -312,6 +314,7 @@ impl State {
             Some(Code::SpindleOrient | Code::GearStage(_)) => return Ok(true),
             _ => return Ok(word.index.is_some()),
         };
+        self.modal.other.1 = sign != 0;
         self.queue.push(Canon::OtherSpindle { spindle: self.spindle_of(word), sign });
         Ok(true)
     }
@@ -458,6 +461,7 @@ impl State {
             if spindles && self.spindle_of(word) > 1 && codes.special != Some(Code::Dwell)
                 || !spindles && word.index.is_some()
             {
+                self.indexed_word(cx, block, word, values)?;
                 continue;
             }
             if codes.special == Some(Code::Dwell) && cx.control.syntax.dwell_addresses.contains(&letter) {
@@ -565,6 +569,18 @@ impl State {
         Ok(())
     }
 
+    /// A word of another spindle, or of a point on the way; all others with a number are of what is not simulated.
+    #[cold]
+    fn indexed_word(&mut self, cx: &mut Cx, block: &Block, word: &Word, values: &mut Words) -> Run<()> {
+        let at = usize::from(word.letter.wrapping_sub(b'I'));
+        if word.letter == b'S' {
+            self.modal.other.0 = self.speed_word(cx, block, word)?.unwrap_or(self.modal.other.0);
+        } else if let (Code::ArcThrough, Some(1), Some(_)) = (self.modal.motion, word.index, values.through.get(at)) {
+            values.through[at] = self.dimension(cx, block, word, self.modal.inch)?;
+        }
+        Ok(())
+    }
+
     /// The rare words that do something in a block with these codes: bits of I for the centre of an arc, R, P for P and L, Q for
     /// everything else.
     #[inline]
@@ -620,6 +636,11 @@ impl State {
             let relative = (values.incremental & bit != 0 || !self.modal.absolute) && values.absolute & bit == 0;
             if self.modal.radii == Radii::All || relative {
                 values.axes[k] = values.axes[k].saturating_mul(2);
+            }
+            let letter = cx.control.axes.get(k).map_or(0, |axis| axis.letter);
+            if self.modal.radii == Radii::All || !self.modal.absolute {
+                let point = values.through.get_mut(usize::from(letter.wrapping_sub(b'X')));
+                point.into_iter().flatten().for_each(|value| *value = value.saturating_mul(2));
             }
         }
     }

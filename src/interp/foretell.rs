@@ -71,6 +71,7 @@ fn key(modal: &Modal) -> (bool, bool, bool, bool, u8) {
         Code::NotSimulated => 0,
         Code::Thread => 1,
         Code::ArcCw | Code::ArcCcw => 2,
+        Code::ArcThrough | Code::ArcTangent => 4,
         _ => 3,
     };
     (modal.inch, modal.per_revolution, modal.surface, modal.motion == Code::Thread, words)

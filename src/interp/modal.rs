@@ -63,6 +63,12 @@ pub(super) struct Modal {
     pub(super) last_speed: Option<f64>,
     /// The spindle that S and M words without a number are for.
     pub(super) master: u8,
+    /// What is told another spindle: r/min, and whether it turns.
+    pub(super) other: (f64, bool),
+    /// Lower and upper limits of the working area in the machine frame, where a program has set some.
+    pub(super) area: Option<[[i64; AXES]; 2]>,
+    /// They are switched off.
+    pub(super) area_off: bool,
     /// The last value of each address letter that modal variables show, by letter from A.
     pub(super) words: [f64; 26],
     /// Ten times the number of the code in force, by group.
@@ -93,6 +99,9 @@ impl Modal {
             surface_undone: false,
             last_speed: None,
             master: 1,
+            other: (0.0, false),
+            area: None,
+            area_off: false,
             words: [f64::NAN; 26],
             codes: [0; GROUPS],
         };
@@ -105,9 +114,9 @@ impl Modal {
     /// Puts a code in force. Codes that act in their own block only change nothing.
     pub(super) fn set(&mut self, control: &Control, row: &CodeDef) {
         use Code::{
-            Absolute, ArcCcw, ArcCw, Cancel, Diameters, DiametersAbsolute, ExactStop, FeedPerMinute, FeedPerRevolution,
-            Inch, Incremental, Linear, Metric, NotSimulated, PlaneXy, PlaneYz, PlaneZx, Rapid, SurfaceSpeed,
-            SurfaceSpeedOff, Thread, WorkCoordinates,
+            Absolute, ArcCcw, ArcCw, ArcTangent, ArcThrough, Cancel, Diameters, DiametersAbsolute, ExactStop,
+            FeedPerMinute, FeedPerRevolution, Inch, Incremental, Linear, Metric, NotSimulated, PlaneXy, PlaneYz,
+            PlaneZx, Rapid, SurfaceSpeed, SurfaceSpeedOff, Thread, WorkCoordinates, WorkingArea,
         };
         if row.group != Group::OneShot {
             self.codes[row.group as usize] = row.number;
@@ -117,9 +126,10 @@ impl Modal {
             [axis(first), axis(second), axis(third)]
         };
         match row.code {
-            Rapid | Linear | ArcCw | ArcCcw | Thread => self.motion = row.code,
+            Rapid | Linear | ArcCw | ArcCcw | ArcThrough | ArcTangent | Thread => self.motion = row.code,
             NotSimulated if row.group == Group::Motion => self.motion = row.code,
             NotSimulated | Cancel if row.group == Group::Cycle => self.cycle = row.code == NotSimulated,
+            WorkingArea(on) => self.area_off = !on,
             PlaneXy => self.plane = plane(b'X', b'Y', b'Z'),
             PlaneZx => self.plane = plane(b'Z', b'X', b'Y'),
             PlaneYz => self.plane = plane(b'Y', b'Z', b'X'),
@@ -157,6 +167,12 @@ impl Modal {
             self.feed = None;
         }
         self.per_revolution = per_revolution;
+    }
+
+    /// G25 and G26: a limit of the working area of an axis in the machine frame.
+    pub(super) fn limit_area(&mut self, upper: bool, axis: usize, at: i64) {
+        let area = self.area.get_or_insert([[i64::MIN; AXES], [i64::MAX; AXES]]);
+        area[usize::from(upper)][axis] = at;
     }
 
     fn place_zero(&mut self) {
@@ -200,9 +216,9 @@ impl Modal {
         }
     }
 
-    /// Where work zeros lie outlives a reset; G52 does not.
+    /// Where work zeros and limits of the working area lie outlives a reset; G52 does not.
     pub(super) fn keep_zeros(&mut self, before: &Modal) {
-        (self.offsets, self.origin) = (before.offsets, before.origin);
+        (self.offsets, self.origin, self.area) = (before.offsets, before.origin, before.area);
         self.place_zero();
     }
 

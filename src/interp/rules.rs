@@ -3,7 +3,7 @@
 use super::block::M_CODES;
 use super::canon::AXES;
 use crate::controls::macros::{CodeCall, VacantWord};
-use crate::controls::{Control, Group, Limits, Point, SpindleRules, Switches};
+use crate::controls::{Alarm, Code, Control, Group, Limits, Point, SpindleRules, Switches};
 use crate::text::find::holds;
 use crate::text::number;
 
@@ -56,8 +56,12 @@ pub(super) struct Rules {
     pub(super) asin: AsinRange,
     /// What an axis moves per unit of its words: 0.5 where they count diameters.
     pub(super) moves: [f64; AXES],
-    /// Axes that turn and count a turn.
-    pub(super) rotary: [bool; AXES],
+    /// Axes that turn, and whose angles begin anew with each turn.
+    pub(super) modulo: [bool; AXES],
+    /// Limits of the working area hold the axes.
+    pub(super) area: bool,
+    /// Arcs may go on in the direction of the motion before.
+    pub(super) tangents: bool,
     /// Where reference points and fixed point lie, in command increments, machine frame.
     pub(super) points: [[i64; AXES]; 2],
     /// M02 and M30 in a subprogram return.
@@ -117,7 +121,9 @@ impl Rules {
                 AsinRange::AroundZero
             },
             moves: core::array::from_fn(|k| if control.counts_diameters(k, switches) { 0.5 } else { 1.0 }),
-            rotary: core::array::from_fn(|k| control.is_rotary(k, switches)),
+            modulo: core::array::from_fn(|k| control.raises(Alarm::PositiveWay) && control.is_rotary(k, switches)),
+            area: !is("working-area", "limit not"),
+            tangents: control.can(Code::ArcTangent),
             points: ["reference-point", "fixed-point"].map(|id| point(control, get(id).unwrap_or(""))),
             ends_return: get("end-in-subprogram").map_or(macros.ends_return, |setting| setting == "return"),
             sub_depth: levels.map_or(control.limits.sub_depth, |levels| levels.saturating_sub(1)),

@@ -50,6 +50,9 @@ impl State {
 
     /// Constant surface speed is on.
     fn surface(&mut self, cx: &Cx, speed: Option<f64>, before: Option<i64>) -> Run<()> {
+        if self.modal.master > 1 && before.is_none() {
+            return Err(self.other_spindle_asked());
+        }
         if let Some(speed) = speed {
             if let Some((least, most)) = cx.shared.rules.spindle.surface_range
                 && !(least..=most).contains(&speed)

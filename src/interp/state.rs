@@ -75,6 +75,24 @@ impl Queue {
     }
 }
 
+/// What an arc turns about.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Round {
+    pub(super) plane: (u8, u8),
+    /// In command increments, machine frame.
+    pub(super) center: (f64, f64),
+    pub(super) clockwise: bool,
+}
+
+/// How the last motion came to its end.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Came {
+    /// Where it began, in command increments, machine frame.
+    pub(super) from: [i64; AXES],
+    /// Of an arc, what it turned about.
+    pub(super) arc: Option<Round>,
+}
+
 /// A run between two steps.
 #[derive(Debug, Clone)]
 pub(super) struct State {
@@ -82,6 +100,8 @@ pub(super) struct State {
     pub(super) modal: Modal,
     /// Commanded position in command increments, machine frame.
     pub(super) position: [i64; AXES],
+    /// The last motion, where the next one may go on in its direction.
+    pub(super) came: Came,
     /// Where the last motion that a signal may skip came to its end, machine frame.
     pub(super) skip: [i64; AXES],
     pub(super) queue: Queue,
@@ -112,6 +132,7 @@ impl State {
             vars: Vars::new(shared.index.stored),
             modal: Modal::new(shared.control, shared.rules.startup.iter().copied()),
             position: [0; AXES],
+            came: Came::default(),
             skip: [0; AXES],
             queue: Queue::default(),
             frames: Vec::new(),

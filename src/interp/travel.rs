@@ -1,10 +1,10 @@
 //! The command for the axis words of a block: motion, dwell, coordinate systems. Radii of arcs and leads count what the slide moves.
 
-use super::arc::{Chord, Impossible, by_center, by_moved_center, by_radius};
+use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent};
 use super::block::{Codes, Words};
 use super::canon::{AXES, Canon, Feed, Target};
 use super::fault::{Run, Trap};
-use super::state::{Cx, State};
+use super::state::{Came, Cx, Round, State};
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code};
 use crate::msg;
@@ -27,8 +27,12 @@ impl State {
                 self.set_coordinates(cx, values);
                 return Ok(false);
             }
-            // Limits of the working area are not simulated.
-            Some(Code::LowerLimits | Code::UpperLimits) => return Ok(false),
+            Some(code @ (Code::LowerLimits | Code::UpperLimits)) => {
+                for k in (0..AXES).filter(|k| values.mask & 1 << k != 0) {
+                    self.modal.limit_area(code == Code::UpperLimits, k, values.axes[k]);
+                }
+                return Ok(false);
+            }
             Some(code @ (Code::Offset | Code::OffsetMore)) => {
                 for k in 0..AXES {
                     let programmed = if values.mask & 1 << k != 0 { values.axes[k] } else { 0 };
@@ -49,6 +53,7 @@ impl State {
                 let mut to = Target { position: self.position, mask: values.mask };
                 let place = cx.shared.rules.point(point);
                 (0..AXES).filter(|k| values.mask & 1 << k != 0).for_each(|k| to.position[k] = place[k]);
+                self.came = Came { from: self.position, arc: None };
                 self.position = to.position;
                 self.queue.push(Canon::Rapid { to });
                 return Ok(true);
@@ -76,7 +81,7 @@ impl State {
                     (false, false) => self.modal.zero[k],
                 };
                 to.position[k] = from.saturating_add(values.axes[k]);
-                if cx.shared.rules.rotary[k] && !matches!(values.ways[k], Form::Plain | Form::Absolute) {
+                if cx.shared.rules.modulo[k] && incremental & 1 << k == 0 {
                     to.position[k] = self.turned(cx, k, to.position[k], values.axes[k], values.ways[k])?;
                 }
             }
@@ -92,9 +97,10 @@ impl State {
             self.queue.push(Canon::Rapid { to });
             return Ok(cx.control.macros.call_after_return);
         }
+        self.within_area(cx, to)?;
         let motion = match code {
             Code::Rapid => Canon::Rapid { to },
-            Code::Linear | Code::ArcCw | Code::ArcCcw => {
+            Code::Linear | Code::ArcCw | Code::ArcCcw | Code::ArcThrough | Code::ArcTangent => {
                 let skip = codes.special == Some(Code::Skip);
                 let exact = codes.exact || self.modal.exact || skip;
                 if skip {
@@ -105,7 +111,11 @@ impl State {
                     None | Some(0.0) => return Err(no_feed(cx, self.modal.feed)),
                     Some(feed) => {
                         let per_revolution = self.modal.per_revolution;
-                        let feed = if per_revolution { Feed::PerRevolution(feed) } else { Feed::PerMinute(feed) };
+                        let feed = match per_revolution {
+                            true if self.modal.master > 1 => Feed::PerMinute(feed * self.other_speed()?),
+                            true => Feed::PerRevolution(feed),
+                            false => Feed::PerMinute(feed),
+                        };
                         if code == Code::Linear {
                             Canon::Linear { to, feed, exact }
                         } else {
@@ -115,6 +125,7 @@ impl State {
                     }
                 }
             }
+            Code::Thread if self.modal.master > 1 => return Err(self.other_spindle_asked()),
             Code::Thread => match self.modal.lead {
                 None | Some(0.0) if cx.control.raises(Alarm::NoLead) => {
                     return Err(Trap::alarm(Alarm::NoLead, msg!("interp.no-lead")));
@@ -134,12 +145,60 @@ impl State {
             },
             _ => return Ok(false),
         };
+        if cx.shared.rules.tangents && to.position != self.position {
+            let arc = match motion {
+                Canon::Arc { plane, center, clockwise, .. } => Some(Round { plane, center, clockwise }),
+                _ => None,
+            };
+            self.came = Came { from: self.position, arc };
+        }
         self.position = to.position;
         self.queue.push(motion);
         Ok(true)
     }
 
-    /// Where a rotary axis ends that goes to an angle by a way of its own: less than a turn from where it is.
+    /// Refuses an end point beyond the working area.
+    #[inline]
+    fn within_area(&self, cx: &Cx, to: Target) -> Run<()> {
+        match &self.modal.area {
+            Some(area) if cx.shared.rules.area && !self.modal.area_off => self.end_within(cx, to, area),
+            _ => Ok(()),
+        }
+    }
+
+    #[cold]
+    fn end_within(&self, cx: &Cx, to: Target, [low, high]: &[[i64; AXES]; 2]) -> Run<()> {
+        for (k, axis) in cx.control.axes.iter().enumerate().take(AXES).filter(|(k, _)| to.mask & 1 << k != 0) {
+            let at = to.position[k];
+            if !(low[k]..=high[k]).contains(&at) {
+                let limit = if at < low[k] { low[k] } else { high[k] };
+                let [at, limit] = [at, limit].map(|place| place as f64 / cx.shared.units.per_unit);
+                let letter = char::from(axis.letter).to_string();
+                let trap = Trap::alarm(Alarm::WorkingArea, msg!("interp.working-area", letter, (at, 4), (limit, 4)));
+                return Err(
+                    trap.behind(b"XYZ".chunks(1).nth(usize::from(axis.letter.wrapping_sub(b'X'))).unwrap_or(b"XYZ"))
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// Speed in r/min of the spindle, not the machine's own, that the master spindle is.
+    #[cold]
+    fn other_speed(&self) -> Run<f64> {
+        match self.modal.other {
+            (rpm, true) if rpm > 0.0 => Ok(rpm),
+            _ => Err(Trap::alarm(Alarm::Budget, msg!("interp.other-spindle-stands", u32::from(self.modal.master)))),
+        }
+    }
+
+    /// The master spindle is not the machine's own, and is asked for more than is simulated of it.
+    #[cold]
+    pub(super) fn other_spindle_asked(&self) -> Trap {
+        Trap::alarm(Alarm::Budget, msg!("interp.other-spindle", u32::from(self.modal.master)))
+    }
+
+    /// Where a rotary axis ends that goes to an angle, by a way of its own or without passing 0: less than a turn from where it is.
     #[cold]
     fn turned(&self, cx: &Cx, axis: usize, to: i64, angle: i64, way: Form) -> Run<i64> {
         let turn = (360.0 * cx.shared.units.per_unit) as i64;
@@ -148,6 +207,10 @@ impl State {
             return Err(Trap::alarm(Alarm::SpindleAngle, msg!("interp.spindle-angle", (angle, 9))));
         }
         let from = self.position[axis];
+        if matches!(way, Form::Plain | Form::Absolute) {
+            let present = from.saturating_sub(to.saturating_sub(angle)).rem_euclid(turn.max(1));
+            return Ok(from.saturating_add(angle).saturating_sub(present));
+        }
         let positive = to.saturating_sub(from).rem_euclid(turn.max(1));
         let negative = if positive > 0 { positive - turn } else { 0 };
         let by = match way {
@@ -191,7 +254,8 @@ impl State {
             let travel = to.position[axis as usize].saturating_sub(self.position[axis as usize]);
             travel as f64 * scale(axis)
         };
-        let clockwise = self.modal.motion == Code::ArcCw;
+        let motion = self.modal.motion;
+        let clockwise = motion == Code::ArcCw;
         let chord = Chord { end: (delta(first), delta(second)), clockwise };
         let units = &cx.shared.units;
         let tolerance = cx.control.limits.arc_tolerance * units.per_unit;
@@ -211,8 +275,15 @@ impl State {
                 }
             }
         };
+        let placed = match motion {
+            Code::ArcThrough => by_point(chord.end, (self.passed(cx, values, first), self.passed(cx, values, second))),
+            Code::ArcTangent => by_tangent(chord.end, self.heading(cx)),
+            _ => center.map(|center| Some((center, clockwise))),
+        };
         let millimetres = |increments: f64| (increments / units.per_unit, 4);
-        let (x, y) = center.map_err(|why| match why {
+        let placed = placed.map_err(|why| match why {
+            Impossible::NoCenter if motion == Code::ArcThrough => Trap::alarm(Alarm::Arc, msg!("interp.arc-through")),
+            Impossible::NoCenter if motion == Code::ArcTangent => Trap::alarm(Alarm::Arc, msg!("interp.arc-tangent")),
             Impossible::NoCenter => Trap::alarm(Alarm::Arc, msg!("interp.arc-no-center")),
             Impossible::Deviation(start, end) => {
                 let tolerance = cx.control.limits.arc_tolerance;
@@ -224,10 +295,40 @@ impl State {
                 Trap::alarm(Alarm::ArcRadius, message)
             }
         })?;
+        let Some(((x, y), clockwise)) = placed else { return Ok(Canon::Linear { to, feed, exact }) };
         to.mask |= 1 << first | 1 << second;
         let start = |axis: u8| self.position[axis as usize] as f64;
         let center = (start(first) + x / scale(first), start(second) + y / scale(second));
         Ok(Canon::Arc { to, plane: (first, second), center, clockwise, feed, exact })
+    }
+
+    /// How far the point that an arc passes lies from its start along an axis, in what the slide moves.
+    fn passed(&self, cx: &Cx, values: &Words, axis: u8) -> f64 {
+        let at = usize::from(axis);
+        let letter = cx.control.axes.get(at).map_or(0, |axis| axis.letter);
+        let point = values.through.get(usize::from(letter.wrapping_sub(b'X'))).copied().flatten();
+        let (Some(value), Some(scale)) = (point, cx.shared.rules.moves.get(at)) else { return 0.0 };
+        let from = if self.modal.absolute { self.modal.zero[at].saturating_sub(self.position[at]) } else { 0 };
+        value.saturating_add(from) as f64 * scale
+    }
+
+    /// Direction in the plane in which the last motion came to its end.
+    fn heading(&self, cx: &Cx) -> (f64, f64) {
+        let [first, second, _] = self.modal.plane;
+        let part = |axis: u8, from: f64| {
+            let at = usize::from(axis).min(AXES - 1);
+            (self.position[at] as f64 - from) * cx.shared.rules.moves[at]
+        };
+        match self.came.arc {
+            Some(Round { plane, center, clockwise }) if plane == (first, second) => {
+                let (x, y) = (part(first, center.0), part(second, center.1));
+                if clockwise { (y, -x) } else { (-y, x) }
+            }
+            _ => {
+                let from = |axis: u8| self.came.from[usize::from(axis).min(AXES - 1)] as f64;
+                (part(first, from(first)), part(second, from(second)))
+            }
+        }
     }
 }
 
@@ -235,7 +336,7 @@ impl State {
 fn no_feed(cx: &Cx, feed: Option<f64>) -> Trap {
     match feed {
         None => Trap::alarm(Alarm::NoFeed, msg!("interp.no-feed")).hint(msg!("interp.hint-feed")),
-        Some(_) => Trap::alarm(Alarm::NoFeed, msg!("interp.feed-zero"))
+        Some(_) => Trap::alarm(Alarm::FeedZero, msg!("interp.feed-zero"))
             .hint(msg!("interp.hint-feed-zero", cx.control.guard(&format!("{}…", cx.control.syntax.variable)))),
     }
 }

@@ -19,6 +19,12 @@ const RANGE: Citation =
 pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(EmergencyStop, "3000", "Emergency stop", Citation::new("usage of Siemens controls, unverified", Grade::Open)),
     alarm(SoftLimit, "10720", "Programmed end point lies behind a software limit", NEAREST),
+    alarm(
+        WorkingArea,
+        "10730",
+        "Programmed end point lies behind a working area limit",
+        Citation::new("usage of Siemens controls, unverified", Grade::Open),
+    ),
     alarm(NoFeed, "10860", "No feedrate programmed", LIST),
     alarm(NoSurfaceSpeed, "10900", "No S value programmed for constant cutting speed", LIST),
     alarm(AddressTwice, "12000", "Address programmed repeatedly", LIST),
@@ -33,6 +39,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(DoPair, "12080", "Syntax error in text", NEAREST),
     alarm(BracketPair, "12080", "Syntax error in text", LIST),
     alarm(ArgumentSets, "12080", "Syntax error in text", NEAREST),
+    alarm(NumberZero, "12080", "Syntax error in text", NEAREST),
     alarm(NotAlone, "12120", "Special G function not programmed separately", LIST),
     alarm(OutOfRange, "12160", "Value lies beyond the value range", LIST),
     alarm(VariableRange, "12290", "Arithmetic variable not defined", RANGE),
@@ -55,6 +62,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(MainReturn, "14091", "Function not permitted: RET on the main program level", LIST),
     alarm(AuxiliaryTwice, "14760", "Auxiliary function of a group programmed repeatedly", LIST),
     alarm(Auxiliaries, "14770", "Auxiliary function programmed incorrectly", LIST),
+    alarm(FeedZero, "14800", "Programmed path velocity less than or equal to zero", LIST),
     alarm(FeedRange, "14800", "Programmed path velocity less than or equal to zero", NEAREST),
     alarm(
         SpeedLimitRange,
@@ -72,6 +80,5 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(NegativeWay, "16820", "ACN is for modulo axes", LIST),
     alarm(SpindleAngle, "16830", "Incorrect position programmed for axis or spindle", LIST),
     alarm(MessageBlocks, "16930", "Blocks must be separated by an executable block", LIST),
-    alarm(NumberZero, "12080", "Syntax error in text", NEAREST),
     alarm(Budget, "BUDGET", "The simulation stopped it", Citation::new("no alarm of the control", Grade::Inferred)),
 ];

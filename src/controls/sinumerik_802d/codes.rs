@@ -9,6 +9,14 @@ use crate::text::{Citation, Grade};
 const THREAD: Citation = Citation::new("808D milling, p.79; alarms 16720 and 16730", Grade::Sister);
 const GROUPS: Citation = Citation::new("840D sl NC programming 12/2019, p.1249", Grade::Sister);
 const M_CODES: Citation = Citation::new("802D milling ISF 09.01, p.8-44", Grade::Manual);
+const ARC: Citation = Citation::new(
+    "CIP and CT: page on 802D spindle commands; I1=, K1=: grinding 07/2009, p.225; I1 counts as X does: memory",
+    Grade::Open,
+);
+const AREA: Citation = Citation::new(
+    "alarm 12120 of the 808D, p.142, and 840D NC programming 12/2019, p.1249: G25, G26; machine frame, end points: memory",
+    Grade::Open,
+);
 const FRAME: Citation =
     Citation::new("page on 802D spindle commands: TRANS, ATRANS on X; rules from memory", Grade::Open);
 
@@ -84,8 +92,8 @@ pub(super) const CODES: &[CodeDef] = &[
     mg(450, GearStage(5), Group::Gear, "gear 5", M_CODES),
     m(700, NotSimulated, "spindle becomes an axis", M_CODES),
     named(0, Return, Group::Flow, "end of subprogram, without stopping the path", GROUPS),
-    named(1, NotSimulated, Group::Motion, "arc through an intermediate point", SPINDLE),
-    named(2, NotSimulated, Group::Motion, "arc with tangential transition", SPINDLE),
+    named(1, ArcThrough, Group::Motion, "arc through an intermediate point", ARC),
+    named(2, ArcTangent, Group::Motion, "arc with tangential transition", ARC),
     named(3, Offset, Group::OneShot, "programmable offset", FRAME),
     named(4, OffsetMore, Group::OneShot, "additional programmable offset", FRAME),
     named(5, Diameters, Group::Diameter, "diameter dimensions", WORDS),
@@ -97,8 +105,8 @@ pub(super) const CODES: &[CodeDef] = &[
     named(11, Cancel, Group::Other, "feedforward off", MEMORY),
     named(12, Cancel, Group::Other, "approach on a straight line", MEMORY),
     named(13, NotSimulated, Group::Other, "approach around the contour", MEMORY),
-    named(14, Cancel, Group::Other, "working area limits on", MEMORY),
-    named(15, Cancel, Group::Other, "working area limits off", MEMORY),
+    named(14, WorkingArea(true), Group::Other, "working area limits on", AREA),
+    named(15, WorkingArea(false), Group::Other, "working area limits off", AREA),
     named(16, Cancel, Group::Other, "constant feed on the contour", MEMORY),
     named(17, NotSimulated, Group::Other, "constant feed of the tool centre", MEMORY),
     named(18, NotSimulated, Group::Other, "constant feed on inner radii", MEMORY),

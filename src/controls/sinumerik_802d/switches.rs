@@ -55,6 +55,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("end-in-subprogram", "M2 and M30 in a subprogram", &["return", "end the program"], ENDS),
     switch("subprogram-levels", "Levels of programs, the main one included", &["8", "16"], LEVELS),
     switch(ROTARY_AXES, "Rotary axes (MD30300, MD30310), for instance Y: DC, ACP and ACN are for them", &[""], BUILDER),
+    switch("working-area", "G25 and G26 with axes (SD43400, SD43410)", &["limit", "limit not"], MEMORY),
     switch(
         "reference-point",
         "Reference points (MD34100), where G74 goes: for instance X300 Z500; else 0",

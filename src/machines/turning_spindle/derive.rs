@@ -108,7 +108,7 @@ impl Params {
         let cuts = match self.path {
             Path::Facing => {
                 let from = self.stock_diameter + 2.0 * clear;
-                let length = 0.5 * (from - self.finished_diameter);
+                let length = (0.5 * (from - self.finished_diameter)).max(0.0);
                 [Some(Cut { diameters: (from, self.finished_diameter), length, feed }), None]
             }
             Path::Turning => [Some(along(self.finished_diameter + self.left(pass), self.length + clear)), None],

@@ -485,8 +485,10 @@ impl Reader<'_> {
             if !matches!(word.letter, b'G' | b'M' | long::NAME) && before.iter().any(|other| again(&other)) {
                 self.report(Alarm::AddressTwice, start, end(word), msg!("nc.address-twice", name));
             }
-            if let Some(row) = rows.get(at).copied().flatten() {
-                self.check_code(row, word, &rows[..at.min(rows.len())], words.len());
+            if let Some(row) = rows.get(at).copied().flatten()
+                && self.check_code(row, word, &rows[..at.min(rows.len())], words.len())
+            {
+                return;
             }
             let kind = match word.letter {
                 b'M' => 0,
@@ -529,8 +531,8 @@ impl Reader<'_> {
         if code { self.code_on(word.letter, tenths) } else { None }
     }
 
-    /// Reports a code that cannot stand behind those before it, or not with other words.
-    fn check_code(&mut self, row: &CodeDef, word: &Word, before: &[Option<&CodeDef>], count: usize) {
+    /// Reports a code that cannot stand behind those before it, or not with other words; whether the block has to be taken apart.
+    fn check_code(&mut self, row: &CodeDef, word: &Word, before: &[Option<&CodeDef>], count: usize) -> bool {
         let (start, end) = (word.offset as usize, word.offset as usize + word.len as usize);
         let name = self.control.code_name(row.letter, row.number.into());
         let mut before = before.iter().flatten();
@@ -543,6 +545,7 @@ impl Reader<'_> {
             let both = words.iter().any(|word| word.letter == b'S') && words.len() > 2;
             if both || words.iter().filter(|other| other.offset != word.offset).any(|word| !fits(word)) {
                 self.report(Alarm::NotAlone, start, end, msg!("nc.stands-alone", name));
+                return true;
             }
         } else if row.defines_syntax() {
             if let Some(other) = before.find(|other| other.defines_syntax()) {
@@ -556,5 +559,6 @@ impl Reader<'_> {
             let alarm = if row.letter == b'M' { Alarm::AuxiliaryTwice } else { Alarm::GroupTwice };
             self.report(alarm, start, end, msg!("nc.group-twice", other, name));
         }
+        false
     }
 }

@@ -128,9 +128,13 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
         knd-k2000t sub-nesting
         knd-k2000t user-alarm-number
         knd-k2000t user-alarm
+        sinumerik-802d arc-tangent
+        sinumerik-802d arc-through
         sinumerik-802d arc
+        sinumerik-802d area
         sinumerik-802d division
         sinumerik-802d feed-above
+        sinumerik-802d feed-zero
         sinumerik-802d lead-axis
         sinumerik-802d lead
         sinumerik-802d levels
@@ -142,6 +146,7 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
         sinumerik-802d repeats-computed
         sinumerik-802d variable-computed
         sinumerik-802d way-angle
+        sinumerik-802d way-plain
     "#]]
     .assert_eq(&later);
 }
@@ -235,7 +240,7 @@ fn values_that_an_address_cannot_hold() {
             G00 X-100000.: P35 2:5 | 0012 2:5 | 110 2:5 | 12160 2:5
             G00 Z[50000.*2]: P35 2:5 | 0012 2:5 | 110 2:5 | 12080 2:6
             G04 X-1: P35 2:5 | 0012 2:5 | 110 2:5 | 12120 2:1
-            G04 P-5: P35 2:5 | 0012 2:5 | 110 2:5 | 12120 2:1, 12080 2:5
+            G04 P-5: P35 2:5 | 0012 2:5 | 110 2:5 | 12120 2:1
             T100000000: P35 2:1 | 0012 2:1 | 110 2:1 | 12160 2:1
             T-1: P35 2:1 | 0012 2:1 | 110 2:1 | 12160 2:1
             G01 X1. F999999: - | 0023 2:9 | 110 2:9 | 14800 2:9

@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use macroline::controls::spindle::SpindleRules;
-use macroline::controls::{Alarm, AlarmDef, Code, CodeDef, Control, Group, Switch, Switches, gsk_980tdc};
+use macroline::controls::{self, Alarm, AlarmDef, Code, CodeDef, Control, Group, Switch, Switches, gsk_980tdc};
 use macroline::text::{Citation, Grade};
 
 use super::{log_of, start_on};
@@ -171,6 +171,25 @@ fn a_cutting_speed_is_needed_and_has_its_range() {
             = 14840 2:5 S0 is outside the range of its address, 0.01 to 9999.99.
         "#]],
     );
+}
+
+#[test]
+fn more_than_is_known_of_a_driven_tool_ends_the_run() {
+    let check = |lines: &str, expected: Expect| {
+        let source = format!("%_N_A_MPF\nSETMS(2)\n{lines}\nM30\n");
+        let control = controls::find("sinumerik-802d").unwrap();
+        expected.assert_eq(&log_of(&source, &mut start_on(control, &source, &[])));
+    };
+    check("G95 F0.1\nG1 X1", expect![[r#"
+        = BUDGET 4:1 F counts turns of spindle 2, the master here, which does not turn: the control would wait. Command its S with M3 or M4 before this block, or write G94.
+    "#]]);
+    check("G96 S100 F0.1", expect![[r#"
+        = BUDGET 3:1 Spindle 2 is the master here, and this block asks more of it than the simulation knows: a driven tool has S, M3, M4, M5 and feed per revolution. The run stops here; the control itself would go on.
+    "#]]);
+    check("S500 M3\nG33 Z10 K2", expect![[r#"
+        other-spindle 2 cw
+        = BUDGET 4:1 Spindle 2 is the master here, and this block asks more of it than the simulation knows: a driven tool has S, M3, M4, M5 and feed per revolution. The run stops here; the control itself would go on.
+    "#]]);
 }
 
 #[test]
