@@ -679,8 +679,8 @@ fn files_and_programs() {
     check(
         "O1\nM30\nO1\nM99\n",
         expect![[r#"
-        3:1 warning - O1 was there before; the control keeps only one program of a number.
-    "#]],
+            3:1 warning - O1 was there before; the control keeps only one program of a number or name.
+        "#]],
     );
     check(
         "O1\r\nM3\r\n",

@@ -4,7 +4,7 @@ use super::Lathe;
 use crate::machines::judge::Row;
 use crate::text::{Citation, Grade};
 
-const SURFACE: Citation = Citation::new("maker's page on S, G96 and G97; sheet 1.3", Grade::Manual);
+const SURFACE: Citation = Citation::new("the makers' pages on S, G96 and G97", Grade::Manual);
 const OUTPUT: Citation = Citation::new("sheet 1.1, 12 bits from a sister control", Grade::Sister);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 

@@ -4,6 +4,7 @@ use super::super::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
 use super::super::dec::Dec;
 use super::super::files::Files;
 use super::FINDINGS;
+use super::check_names::short;
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, Control};
 use crate::msg;
@@ -18,7 +19,7 @@ const ANY: u16 = 0;
 
 /// Checks every program; `later` are its blocks with calls and jumps in words.
 pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u32], found: &mut Vec<Diagnostic>) {
-    let again = again(&deck.programs);
+    let again = again(deck);
     for (program, again) in deck.programs.iter().zip(again) {
         if found.len() > 2 * FINDINGS {
             return;
@@ -46,13 +47,22 @@ pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u
     }
 }
 
-/// Of each program, whether its number was an earlier one's already.
-fn again(programs: &[Program]) -> Vec<bool> {
-    let mut by_number: Vec<usize> = (0..programs.len()).filter(|&at| programs[at].number != 0).collect();
-    order::by_key(&mut by_number, |&at| programs[at].number.into());
+/// Of each program, whether its number was an earlier one's already, or its name, where it has one.
+fn again(deck: &Deck) -> Vec<bool> {
+    let programs = &deck.programs;
+    let name = |at: usize| programs[at].name.map_or("", |name| deck.text(Some(name)));
+    let has_one = |at: &usize| programs[*at].number != 0 || !name(*at).is_empty();
+    let mut known: Vec<usize> = (0..programs.len()).filter(has_one).collect();
+    order::by_key(&mut known, |&at| match name(at) {
+        "" => programs[at].number.into(),
+        name => short(name),
+    });
+    let same = |a: usize, b: usize| {
+        (programs[a].number, programs[a].sub, name(a)) == (programs[b].number, programs[b].sub, name(b))
+    };
     let mut again = vec![false; programs.len()];
-    for pair in by_number.windows(2) {
-        again[pair[1]] = programs[pair[0]].number == programs[pair[1]].number;
+    for pair in known.windows(2) {
+        again[pair[1]] = same(pair[0], pair[1]);
     }
     again
 }

@@ -156,6 +156,6 @@ pub(in super::super) fn on_way(from: usize, to: usize, way: Way) -> bool {
 }
 
 /// The first eight bytes of a name, in which names stand in order.
-fn short(name: &str) -> u64 {
+pub(super) fn short(name: &str) -> u64 {
     name.bytes().chain([0; 8]).take(8).fold(0, |all, b| all << 8 | u64::from(b))
 }

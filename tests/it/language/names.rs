@@ -373,6 +373,19 @@ fn slips_of_an_engineer_from_other_controls() {
         1:3 error 12080 ATAN2 takes two numbers with a comma between them.
     "#]],
     );
+    // One finding: taken apart, the block has no other.
+    check(
+        "G4 G1 F1",
+        expect![[r#"
+        1:1 error 12120 G4 stands in a block of its own.
+    "#]],
+    );
+    check(
+        "G26 S3000 G25 S50",
+        expect![[r#"
+        1:1 error 12120 G26 stands in a block of its own.
+    "#]],
+    );
     check(
         "G0 L5 X1",
         expect![[r#"
@@ -457,6 +470,16 @@ fn decks_of_numbers_are_written_with_names() {
             M17
         "#]],
     );
+}
+
+#[test]
+fn programs_of_one_name_are_told_and_of_one_number_not() {
+    let twice = |text: &str| {
+        let parsed = read_on(control(), text);
+        parsed.diagnostics().iter().filter(|finding| finding.message.id == "nc.program-twice").count()
+    };
+    assert_eq!(twice("%_N_MPF7_MPF\nL7\nM30\n%_N_L7_SPF\nM17"), 0);
+    assert_eq!(twice("%_N_SAME_SPF\nM17\n%_N_SAMEX_SPF\nM17\n%_N_SAME_SPF\nM17"), 1);
 }
 
 /// What a senior programmer would say.
