@@ -50,8 +50,17 @@ pub struct Derived {
     pub phase: f64,
     /// What that turns the polygon by.
     pub phase_on_work: f64,
-    pub insert_depth: f64,
-    pub insert_turn: f64,
+    pub least_across_flats: f64,
+    /// Whether all inserts are in their places.
+    pub even: bool,
+    /// Of the insert that is the furthest beside the tip circle: its number, and how far it stands out.
+    pub insert_depth: (f64, f64),
+    /// Of the insert that is the furthest beside its angle: its number, and by how much that turns its sides.
+    pub insert_turn: (f64, f64),
+    /// Degrees along the length.
+    pub twist: f64,
+    /// Speed of the tool that it needs while the last pass feeds.
+    pub twist_speed: f64,
     pub passes: f64,
     pub feed: f64,
     pub finish_feed: f64,
@@ -162,8 +171,13 @@ impl Derived {
         let phase = p.phase();
         let on_work = phase / self.ratio;
         let orientation = setup.normal(0.0) * DEGREES;
-        let off = (p.off_insert as usize).checked_sub(1);
-        let error = off.map_or((0.0, 0.0), |at| setup.error(at));
+        let worst = |error: fn((f64, f64)) -> f64| {
+            let errors = (0..setup.tips.len()).map(|insert| (insert as f64 + 1.0, error(setup.error(insert))));
+            errors.fold((0.0_f64, 0.0_f64), |worst, next| if next.1.abs() > worst.1.abs() { next } else { worst })
+        };
+        let (depth, turn) = (worst(|error| error.0), worst(|error| error.1));
+        let twists = p.lead != 0.0;
+        let twist_speed = cut::helical_tool_speed(setup.ratio, self.work_speed, -self.finish_feed, p.lead);
         Derived {
             cuts: true,
             sides: f64::from(setup.sides()),
@@ -184,8 +198,12 @@ impl Derived {
             work_start: near(setup.work_start_for(p.orientation / DEGREES) * DEGREES + on_work),
             phase,
             phase_on_work: on_work,
-            insert_depth: 2.0 * error.0,
-            insert_turn: error.1 * DEGREES / self.ratio,
+            least_across_flats: section.across_flats().0,
+            even: setup.is_even(),
+            insert_depth: depth,
+            insert_turn: (turn.0, turn.1 * DEGREES / self.ratio),
+            twist: if twists { cut::twist(p.length, p.lead) * DEGREES } else { 0.0 },
+            twist_speed: if twists { twist_speed } else { self.tool_speed },
             mark_pitch: cut::mark_pitch(setup.ratio, setup.inserts(), p.finish_feed),
             ..self
         }

@@ -1,8 +1,9 @@
-//! Drawings that leave the house: the finished section in true millimetres, as SVG and DXF, and the sequence as a timing diagram.
+//! Files beside programs and sheets: the section in true millimetres as SVG and DXF, the timing diagram, the part with codes of its own.
 
 use core::fmt::Write;
 
 use super::fitted::Fitted;
+use super::other;
 use super::scene::ideal;
 use super::sheets::{TRACKS, say, steps};
 use crate::nc::File;
@@ -17,6 +18,9 @@ const STEPS: u32 = 64;
 pub(super) fn drawings(lathe: &Fitted) -> Vec<File> {
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
     let mut files = vec![file("sequence.svg", sequence(lathe))];
+    if lathe.ratio().is_some() {
+        files.push(other::file(lathe));
+    }
     if let Some(outline) = section(lathe) {
         files.push(file("section.svg", outline.svg()));
         files.push(file("section.dxf", outline.dxf()));

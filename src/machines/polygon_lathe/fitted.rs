@@ -8,6 +8,7 @@ use crate::drives::polygon::{Ratio, Section, Setup};
 use crate::machines::On;
 use crate::math::PI;
 use crate::motion::Snapshot;
+use crate::text::number;
 
 /// The slide across the work, and the one along it.
 pub(super) const CROSS: u8 = b'X';
@@ -94,9 +95,13 @@ impl<'a> Fitted<'a> {
         let p = &self.p;
         let mut setup = Setup::even(across_flats, p.tip_radius, self.ratio()?, p.inserts as u32);
         (setup.work_start, setup.tool_start) = (p.work_start * RADIANS, p.tool_start * RADIANS);
-        if let Some(tip) = (p.off_insert as usize).checked_sub(1).and_then(|at| setup.tips.get_mut(at)) {
-            tip.radius += p.radius_error;
-            tip.angle += p.angle_error * RADIANS;
+        let errors = |text: &str, most: f64| errors(text, setup.tips.len(), most).unwrap_or_default();
+        let (radii, angles) = (errors(&p.radius_errors, RADIUS_ERROR), errors(&p.angle_errors, ANGLE_ERROR));
+        for (tip, off) in setup.tips.iter_mut().zip(radii) {
+            tip.radius += off;
+        }
+        for (tip, off) in setup.tips.iter_mut().zip(angles) {
+            tip.angle += off * RADIANS;
         }
         Some(setup)
     }
@@ -154,7 +159,13 @@ pub(super) fn is_own(p: &Params, _: &Control) -> bool {
     p.shape == Shape::Own
 }
 
-/// Whether an insert stands beside its place.
-pub(super) fn has_off_insert(p: &Params, _: &Control) -> bool {
-    p.off_insert > 0.0
+/// The most that an insert is seated beside its place: in mm, and in degrees.
+pub(super) const RADIUS_ERROR: f64 = 1.0;
+pub(super) const ANGLE_ERROR: f64 = 10.0;
+
+/// The errors of the inserts as the form has them, one after the other; none where one is no number or too large, or where there are more than inserts.
+pub(super) fn errors(text: &str, inserts: usize, most: f64) -> Option<Vec<f64>> {
+    let within = |off: &f64| off.abs() <= most;
+    let errors: Option<Vec<f64>> = text.split_whitespace().map(|off| number::read(off).filter(within)).collect();
+    errors.filter(|errors| errors.len() <= inserts)
 }

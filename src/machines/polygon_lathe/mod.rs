@@ -81,7 +81,8 @@ impl Machine for PolygonLathe {
         let d = lathe.derived();
         let case = Case { lathe: &lathe, p: &lathe.p, d: &d };
         let shown = |id: &str| match id {
-            "insert-depth" | "insert-turn" => lathe.p.off_insert > 0.0,
+            "least-across-flats" | "insert-depth" | "insert-turn" => d.cuts && !d.even,
+            "twist" | "twist-speed" => lathe.p.lead != 0.0,
             _ => true,
         };
         let readouts = readouts::ROWS.iter().filter(|row| shown(row.id));

@@ -1,9 +1,10 @@
-//! The same part on controls that have polygon turning as a code of their own: G51.2 and G50.2 as a list of blocks.
+//! The same part on controls that have polygon turning as a code of their own: G51.2 and G50.2 as a file, and as a list of blocks.
 
 use super::fitted::Fitted;
 use super::sheets::say;
 use crate::machines::sheets::row;
 use crate::math;
+use crate::nc::File;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 
@@ -22,8 +23,8 @@ fn offset(lathe: &Fitted) -> f64 {
     (lathe.p.work_start - lathe.p.tool_start / k).rem_euclid(360.0)
 }
 
-/// Blocks with what they do.
-pub(super) fn sheet(lathe: &Fitted) -> Sheet {
+/// Blocks with what they do; none where there is no ratio.
+fn blocks(lathe: &Fitted) -> Vec<(String, &'static str)> {
     let p = &lathe.p;
     let mut rows = Vec::new();
     let whole = |value: f64| super::show(value, 3);
@@ -33,7 +34,7 @@ pub(super) fn sheet(lathe: &Fitted) -> Sheet {
         text => text + ".",
     };
     let mut add = |block: String, note: &'static str| {
-        rows.push(row([block, if note.is_empty() { String::new() } else { say(note) }], MANUAL));
+        rows.push((block, note));
     };
     if let Some((work, tool)) = terms(lathe) {
         let clear = number(p.stock_diameter + 2.0 * p.clearance);
@@ -46,8 +47,9 @@ pub(super) fn sheet(lathe: &Fitted) -> Sheet {
         } else {
             String::new()
         };
-        add(format!("G51.2 P{work} Q{tool}{r}"), "polygon.other.on");
-        add(format!("S{}", whole(p.work_speed().abs())), "polygon.other.speed");
+        let a = if p.lead == 0.0 { String::new() } else { format!(" A{}", number(p.lead)) };
+        add(format!("G51.2 P{work} Q{tool}{r}{a}"), "polygon.other.on");
+        add(format!("S{}", whole(p.work_speed())), "polygon.other.speed");
         let passes = p.passes() as u32;
         for pass in 1..=passes {
             let pass = f64::from(pass);
@@ -61,11 +63,27 @@ pub(super) fn sheet(lathe: &Fitted) -> Sheet {
         add("G50.2".to_owned(), "polygon.other.off");
         add("M30".to_owned(), "");
     }
+    rows
+}
+
+/// The blocks as a program.
+pub(super) fn file(lathe: &Fitted) -> File {
+    let mut text = format!("O{:04}\n", super::program::PART);
+    for (block, _) in blocks(lathe) {
+        text.push_str(&block);
+        text.push('\n');
+    }
+    File { name: "own-code.nc".to_owned(), text: text + "%\n" }
+}
+
+/// The blocks with what they do.
+pub(super) fn sheet(lathe: &Fitted) -> Sheet {
+    let told = |note: &'static str| if note.is_empty() { String::new() } else { say(note) };
     Sheet {
         id: "own-code",
         title: "polygon.sheet.own-code",
         columns: vec!["polygon.sheet.block", "sheet.use"],
-        rows,
+        rows: blocks(lathe).into_iter().map(|(block, note)| row([block, told(note)], MANUAL)).collect(),
         ladder: Vec::new(),
     }
 }

@@ -1,8 +1,8 @@
 //! The form of the polygon lathe: every input with unit, range and default, and the parameters that it fills.
 
 use super::fitted;
-use crate::machines::form::Field;
 use crate::machines::form::rows::{choice, essential, fact, flag, number, one_of, setting, words};
+use crate::machines::form::{Field, Kind};
 
 choice! {
     /// What is turned: it says how many inserts are fitted, and at which ratio they turn.
@@ -47,14 +47,14 @@ pub struct Params {
     pub tool_ratio: f64,
     pub tip_radius: f64,
     pub relief: f64,
-    pub off_insert: f64,
-    pub radius_error: f64,
-    pub angle_error: f64,
+    pub radius_errors: String,
+    pub angle_errors: String,
     pub speed: f64,
     pub work_start: f64,
     pub tool_start: f64,
     pub depth: f64,
     pub allowance: f64,
+    pub lead: f64,
     pub feed: f64,
     pub finish_feed: f64,
     pub clearance: f64,
@@ -92,6 +92,9 @@ pub struct Params {
     pub product: String,
 }
 
+/// Characters of the errors of all inserts.
+const ERRORS: usize = 200;
+
 /// Every input, in the order of the form.
 #[rustfmt::skip]
 pub static FIELDS: &[Field<Params>] = &[
@@ -121,12 +124,10 @@ pub static FIELDS: &[Field<Params>] = &[
         number!(tip_radius, "mm", 1.0..1000.0, 45.0, 3, 1.0)),
     fact!("relief", "polygon.group.cutter", "polygon.relief", "polygon.relief.help", "",
         number!(relief, "°", 0.0..45.0, 11.0, 1, 1.0)),
-    setting!("off-insert", "polygon.group.cutter", "polygon.off-insert", "polygon.off-insert.help", "",
-        number!(off_insert, "", 0.0..50.0, 0.0, 0, 1.0)),
-    setting!("radius-error", "polygon.group.cutter", "polygon.radius-error", "polygon.radius-error.help", "", when fitted::has_off_insert,
-        number!(radius_error, "mm", -1.0..1.0, 0.0, 4, 0.01)),
-    setting!("angle-error", "polygon.group.cutter", "polygon.angle-error", "polygon.angle-error.help", "", when fitted::has_off_insert,
-        number!(angle_error, "°", -10.0..10.0, 0.0, 3, 0.1)),
+    setting!("radius-errors", "polygon.group.cutter", "polygon.radius-errors", "polygon.radius-errors.help", "Δr",
+        Kind::Text { max: ERRORS, get: |p| &p.radius_errors, set: |p, text| p.radius_errors = text }),
+    setting!("angle-errors", "polygon.group.cutter", "polygon.angle-errors", "polygon.angle-errors.help", "Δφ",
+        Kind::Text { max: ERRORS, get: |p| &p.angle_errors, set: |p, text| p.angle_errors = text }),
     essential!("speed", "polygon.group.cut", "polygon.speed", "polygon.speed.help", "B", fact false,
         number!(speed, "r/min", 1.0..10000.0, 200.0, 0, 10.0)),
     setting!("work-start", "polygon.group.cut", "polygon.work-start", "polygon.work-start.help", "A",
@@ -137,6 +138,8 @@ pub static FIELDS: &[Field<Params>] = &[
         number!(depth, "mm", 0.01..50.0, 1.0, 3, 0.1)),
     setting!("allowance", "polygon.group.cut", "polygon.allowance", "polygon.allowance.help", "",
         number!(allowance, "mm", 0.0..10.0, 0.2, 3, 0.05)),
+    setting!("lead", "polygon.group.cut", "polygon.lead", "polygon.lead.help", "K",
+        number!(lead, "mm", -100000.0..100000.0, 0.0, 3, 10.0)),
     essential!("feed", "polygon.group.cut", "polygon.feed", "polygon.feed.help", "", fact false,
         number!(feed, "mm/rev", 0.001..10.0, 0.5, 3, 0.05)),
     setting!("finish-feed", "polygon.group.cut", "polygon.finish-feed", "polygon.finish-feed.help", "",

@@ -2,7 +2,7 @@
 
 use super::Lathe;
 use super::derive::{Derived, PASSES, ways_as_set};
-use super::fitted::Fitted;
+use super::fitted::{ANGLE_ERROR, Fitted, RADIUS_ERROR, errors};
 use super::params::Params;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
@@ -40,6 +40,7 @@ pub(super) const RULES: &[Rule<Lathe>] = &[
     rule!("phase", phase, "servo lag behind linear acceleration", Inferred),
     rule!("insert-depth", insert, "sheet 3.1", Inferred),
     rule!("insert-turn", insert_turn, "sheet 3.1", Inferred),
+    rule!("twist", twist, "polygon turning paper: D and Q are whole numbers", Manual),
     rule!("feed", clamp, "cutting feed clamp, a parameter", Inferred),
 ];
 
@@ -188,15 +189,25 @@ fn phase(case: &Case) -> Option<Judgement> {
 
 fn insert(case: &Case) -> Option<Judgement> {
     let Case { p, d, .. } = case;
-    if d.insert_depth.abs() <= p.flatness {
+    let (insert, depth) = d.insert_depth;
+    if depth.abs() <= p.flatness {
         return ok(p.flatness);
     }
-    warn(p.flatness, [msg!("polygon.insert-deep", (d.insert_depth, 4))])
+    warn(p.flatness, [msg!("polygon.insert-deep", insert, (depth, 4))])
 }
 
 fn insert_turn(case: &Case) -> Option<Judgement> {
-    let d = case.d;
-    if d.insert_turn.abs() <= SEEN { ok(SEEN) } else { warn(SEEN, [msg!("polygon.insert-turned", (d.insert_turn, 3))]) }
+    let (insert, turn) = case.d.insert_turn;
+    if turn.abs() <= SEEN { ok(SEEN) } else { warn(SEEN, [msg!("polygon.insert-turned", insert, (turn, 3))]) }
+}
+
+/// The code has no word for a lead.
+fn twist(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if p.lead == 0.0 || !d.cuts {
+        return ok(None);
+    }
+    fail(None, [msg!("polygon.no-twist", (d.twist_speed, 3))])
 }
 
 fn clamp(case: &Case) -> Option<Judgement> {
@@ -234,8 +245,12 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     if p.start_z < p.clearance {
         error(msg!("polygon.start-in-stock", (p.start_z, 3), (p.clearance, 3)), "start-z");
     }
-    if p.off_insert > p.inserts {
-        error(msg!("polygon.no-such-insert", p.inserts), "off-insert");
+    for (text, most, field) in
+        [(&p.radius_errors, RADIUS_ERROR, "radius-errors"), (&p.angle_errors, ANGLE_ERROR, "angle-errors")]
+    {
+        if errors(text, p.inserts as usize, most).is_none() {
+            error(msg!("polygon.bad-errors", p.inserts, most), field);
+        }
     }
     let least = lathe.control.limits.feed_increment;
     for (feed, field) in [(d.feed, "feed"), (d.finish_feed, "finish-feed")] {

@@ -17,7 +17,16 @@ const OURS: Citation = Citation::new("ours: the paper does not tell", Grade::Ope
 
 /// All sheets.
 pub(super) fn sheets(lathe: &Fitted) -> Vec<Sheet> {
-    vec![parameters(lathe), interface(), sequence(lathe), ladder::sheet(lathe), choices(lathe), other::sheet(lathe)]
+    let mut all = vec![
+        parameters(lathe),
+        interface(),
+        sequence(lathe),
+        ladder::sheet(lathe),
+        choices(lathe),
+        other::sheet(lathe),
+    ];
+    all.extend(inserts(lathe));
+    all
 }
 
 pub(super) fn say(id: &'static str) -> String {
@@ -190,6 +199,55 @@ fn choices(lathe: &Fitted) -> Sheet {
         rows: ways(lathe).into_iter().take(WAYS).enumerate().map(way).collect(),
         ladder: Vec::new(),
     }
+}
+
+/// Sides that are named.
+const NAMED: usize = 12;
+
+/// Every insert with its errors and what they do to the sides that it cuts; nothing where all are in their places.
+fn inserts(lathe: &Fitted) -> Option<Sheet> {
+    let cite = Citation::new("sheet 3.1, and the section itself", Grade::Inferred);
+    let setup = lathe.setup(lathe.p.across_flats).filter(|setup| !setup.is_even())?;
+    let sides = lathe.section()?.sides();
+    let one = |insert: usize| {
+        let mut its: Vec<usize> = setup.passes().filter(|pass| pass.insert == insert).map(|pass| pass.side).collect();
+        crate::order::by_key(&mut its, |side| *side as u64);
+        its.dedup();
+        let (radius, angle) = setup.error(insert);
+        let of = its.iter().filter_map(|side| sides.get(*side));
+        let (low, high) =
+            of.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), side| (low.min(side.low), high.max(side.high)));
+        let mut named: Vec<String> = its.iter().take(NAMED).map(|side| (side + 1).to_string()).collect();
+        if its.len() > NAMED {
+            named.push("…".to_owned());
+        }
+        let degrees = angle * 180.0 / PI;
+        let cells = [
+            (insert + 1).to_string(),
+            show(radius, 4),
+            show(degrees, 4),
+            named.join(" "),
+            show(low, 4),
+            show(high, 4),
+            show(degrees / setup.ratio.value(), 4),
+        ];
+        row(cells, cite)
+    };
+    Some(Sheet {
+        id: "inserts",
+        title: "polygon.sheet.inserts",
+        columns: vec![
+            "polygon.sheet.insert",
+            "polygon.radius-errors",
+            "polygon.angle-errors",
+            "polygon.sheet.its-sides",
+            "polygon.readout.deviation-low",
+            "polygon.readout.deviation-high",
+            "polygon.readout.insert-turn",
+        ],
+        rows: (0..setup.tips.len()).map(one).collect(),
+        ladder: Vec::new(),
+    })
 }
 
 fn limit_text(limit: Limit) -> &'static str {

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use expect_test::{expect, expect_file};
 use macroline::controls::Switches;
 use macroline::interp::Interp;
-use macroline::machines::form::{Origins, Values};
+use macroline::machines::form::{KindInfo, Origins, Values};
 use macroline::machines::{self, AnyMachine, Frame, Samples};
 use macroline::motion::{Action, Event, Keep, Limits, Mode, Panel, Planner, RunEnd};
 use macroline::nc::{self, File, Files};
@@ -274,6 +274,53 @@ fn reset_and_emergency_stop_end_it_and_it_begins_again_with_a_new_call() {
 }
 
 #[test]
+fn g502_within_the_cut_waits_for_the_slide_and_stops_both_in_ratio() {
+    let text = "O3000\nT0101\nG0X29.Z2.\nG512B200D1Q2\nG0X22.\nG98G1Z-10.F200.\nG502\nG0X40.\nM30\n";
+    let planner = whole(&edited(&[], text));
+    let timeline = planner.timeline();
+    let moments: Vec<_> = (0..20_000).map(|i| timeline.at(0.001 * f64::from(i))).collect();
+    let last = moments.iter().rposition(|now| now.pmc[WORK].feed == 72_000.0).unwrap();
+    // Both turn at speed until the slide stands at its place in the cut, and nothing moves away before both stand.
+    assert!((moments[last].axes[1].actual + 10.0).abs() < 0.03, "{:?}", moments[last].axes);
+    let stands = (last..moments.len()).find(|at| moments[*at].pmc[WORK].feed == 0.0).unwrap();
+    for now in &moments[last..=stands] {
+        assert!((now.axes[0].position - 11.0).abs() < 1e-9 && (now.axes[1].position + 10.0).abs() < 1e-9);
+        let off = now.pmc[TOOL].position - 2.0 * now.pmc[WORK].position;
+        assert!(off.abs() < 1e-6, "{off}");
+    }
+    assert!(moments[stands..].iter().any(|now| now.axes[0].position > 19.0));
+}
+
+#[test]
+fn whatever_is_typed_gives_a_design_soon() {
+    let fields = machine().fields();
+    let mut seed = 5_u64;
+    let mut dice = |sides: usize| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) as usize % sides
+    };
+    let mut slowest = 0.0_f64;
+    for _ in 0..150 {
+        let mut project = project(&[("shape", "own")]);
+        for field in &fields {
+            let ends = match &field.kind {
+                // Both ends of the range, and two within.
+                KindInfo::Number { min, max, .. } => [min.to_string(), max.to_string(), "0".to_owned(), "7".to_owned()],
+                KindInfo::Text(_) => ["1 2 3", "-0.3 0.3", "0,5", "nonsense"].map(str::to_owned),
+                _ => continue,
+            };
+            let typed = if dice(3) == 0 { field.read(&ends[dice(4)]).ok() } else { None };
+            project.values.extend(typed.map(|value| (field.id.to_owned(), value)));
+        }
+        let begun = std::time::Instant::now();
+        let _ = (project.design(), project.export());
+        slowest = slowest.max(begun.elapsed().as_secs_f64());
+    }
+    // Without optimisation, beside all other tests.
+    assert!(slowest < 3.0, "{slowest}");
+}
+
+#[test]
 fn unequal_time_constants_are_a_phase_error_of_which_a_warning_tells() {
     let project = project(&[("tool-time-constant", "500"), ("work-gain", "40")]);
     let design = project.design();
@@ -343,15 +390,20 @@ fn what_the_design_says() {
         ("speed", "400"),
     ]));
     expect![[r#"
-        Fail relief: The inserts need more than 4.76° of relief where the stock is met, they have 3°. Smaller stock, less depth at once or a larger cutter mends it.
+        Fail relief: The inserts need more than 4.76° of relief where the stock is met, the whole depth cut at once; they have 3°. Smaller stock, a larger cutter or more relief mends it.
         Warn orientation-error: A side stands 15° beside the orientation that is asked for: A15 mends it.
     "#]].assert_eq(&said(&[("tool-start", "30"), ("relief", "3")]));
     expect![[r#"
         Fail flatness: The sides are uneven by 0.1338 mm, 0.1 mm are allowed.
-        Warn insert-depth: That insert cuts its sides 0.2 mm deeper across flats than the others.
-        Warn insert-turn: That insert turns its sides by 0.5° against the others.
-    "#]]
-    .assert_eq(&said(&[("off-insert", "2"), ("radius-error", "0.1"), ("angle-error", "1")]));
+        Warn insert-depth: Insert 2 stands 0.1 mm beside the tip circle: sides that it cuts alone are deeper by as much, or higher where that is negative. Set it, or dress all to one radius.
+        Warn insert-turn: Insert 2 turns its sides by 0.5° against where they belong.
+    "#]].assert_eq(&said(&[
+        ("radius-errors", "0 0.1"),
+        ("angle-errors", "0 1"),
+    ]));
+    expect![[r#"
+        Fail twist: G512 has whole D and Q only: the program turns the sides straight. The twist needs the tool at 399.75 r/min while Z feeds, from the same angle in every pass; own-code.nc has it for a control with G51.2.
+    "#]].assert_eq(&said(&[("lead", "400")]));
     expect![[r#"
         Error across-flats: The finished part is 25 mm across flats, the stock has 24 mm: there is nothing to cut.
         Error start-x: The slide would start at 20 mm, inside the stock or its clearance: start at 28 mm or more.
@@ -360,8 +412,52 @@ fn what_the_design_says() {
     expect![[r#"
         Fail sides: This cutter turns 0 sides, not 4. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
         Error tool-ratio: Q is 0: give a whole number other than 0.
-        Error off-insert: There are 2 inserts: give the number of one of them, or 0.
-    "#]].assert_eq(&said(&[("shape", "own"), ("tool-ratio", "0"), ("off-insert", "9")]));
+        Error radius-errors: Give numbers from -1 to 1 with spaces between them, one for each of the 2 inserts at most.
+        Error angle-errors: Give numbers from -10 to 10 with spaces between them, one for each of the 2 inserts at most.
+    "#]].assert_eq(&said(&[("shape", "own"), ("tool-ratio", "0"), ("radius-errors", "0 0 9"), ("angle-errors", "x")]));
+    // The insert would have to cut with its back.
+    expect![[r#"
+        Fail flatness: The sides are uneven by 1.8627 mm, 0.1 mm are allowed. Tips at a radius of 30.1 mm are flat enough at this ratio.
+        Fail relief: Where the stock is met, the insert would move back into its flank: no relief is enough.
+        Warn slowest-cut: The inserts cut more slowly than they should: from 637 r/min for B on they do not.
+        Fail distance: The axes would be nearer to each other than 20 mm.
+    "#]].assert_eq(&said(&[("tip-radius", "2"), ("stock-diameter", "60"), ("start-x", "70")]));
+    expect![[r#"
+        Warn relief: Less than 2° of relief are left.
+    "#]]
+    .assert_eq(&said(&[("relief", "5.5")]));
+    expect![[r#"
+        Warn slowest-cut: The inserts cut more slowly than they should: from 96 r/min for B on they do not.
+    "#]]
+    .assert_eq(&said(&[("work-limit", "150"), ("speed", "40"), ("slowest-cut", "60")]));
+    expect![[r#"
+        Fail work-speed: The work axis ends at 150 r/min: B may be 150 at most.
+    "#]]
+    .assert_eq(&said(&[("work-limit", "150")]));
+    expect![[r#"
+        Fail distance: The axes would be nearer to each other than 70 mm.
+        Fail feed: 100 mm/min is more than the 50 mm/min that the slide may feed: lower the feed or the speed.
+    "#]]
+    .assert_eq(&said(&[("least-distance", "70"), ("clamp-z", "50")]));
+    expect![[r#"
+        Fail distance: The axes would be further apart than 50 mm.
+    "#]]
+    .assert_eq(&said(&[("greatest-distance", "50"), ("across-flats", "24"), ("stock-diameter", "24.5")]));
+    expect![[r#"
+        Warn slowest-cut: The inserts cut more slowly than they should: from 64 r/min for B on they do not.
+        Error depth: More than 60 passes: take more depth.
+    "#]]
+    .assert_eq(&said(&[("depth", "0.01"), ("feed", "0.001"), ("speed", "1"), ("finish-feed", "0.001")]));
+    expect![[r#"
+        Fail sides: This cutter turns 0 sides, not 4. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
+        Fail tool-speed: The tool axis ends at 2000 r/min: B may be 20 at most.
+        Error tool-ratio: This cutter leaves no section: it reaches the centre of the work, or there would be more than 1000 sides.
+    "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "50"), ("tool-ratio", "99")]));
+    expect![[r#"
+        Fail flatness: The sides are uneven by 2.195 mm, 0.1 mm are allowed. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0496 mm of flatness error.
+        Warn relief: The tips move over the work against the turning of the cutter: inserts have to face the other way.
+        Fail curvature: Tool and work turn against each other: sides come out hollow. Give D and Q the same sign. The sides are hollow: 2.195 mm higher toward the corners than in the middle. A lower ratio (flat in the middle at 2.106), a smaller cutter or other inserts mend it. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0496 mm of flatness error.
+    "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "-2"), ("stock-diameter", "30")]));
 }
 
 fn rows(changes: &[(&str, &str)], id: &str) -> String {
@@ -382,7 +478,7 @@ fn the_sheets() {
         G98 | feed per minute
         T0101 | 
         G00 X29. Z2. | 
-        G51.2 P1 Q2 | polygon turning on, in a block of its own: P and Q as the ratio, R the offset of the work
+        G51.2 P1 Q2 | polygon turning on, in a block of its own: P and Q as the ratio, R the offset of the work, A the lead of a twist
         S200 | speed of the work; the tool follows
         G00 X23. | 
         G01 Z-15. F100 | 
@@ -417,7 +513,7 @@ fn the_sheets() {
         53.45 | Both stand: #1002 = 0, #1003 = 1, O9121 ends
          | At feed hold the slide stops; work and tool turn on beside it
          | At reset, also within the cut, both come to rest in ratio and the slide stops where it is: retract it by hand before the next start. G512 finds the start angles again
-         | At emergency stop the same, as far as the drives brake alike
+         | At emergency stop the same while the drives stay on until both stand. Drives that are switched off at once coast, each by its own inertia and friction: the ratio is lost, and an insert in the cut takes the corners off. Delay the power-off until both stand, and part slide and work before the next start
     "#]]
     .assert_eq(&rows(&[("work-start", "90")], "sequence"));
     let choices = rows(&[("most-inserts", "3"), ("most-work-turns", "2")], "choices");
@@ -427,11 +523,160 @@ fn the_sheets() {
         3 | 1 | -4:1 | 45 | 0.759 | 0 | 0.759 | 2.77 | 233 | -932 | 249 .. 250 | the tool turns against the work; the sides are hollow; the sides are not flat enough
         4 | 2 | -2:1 | 45 | 0.9914 | 0 | 0.9914 | 5.86 | 491 | -982 | 247 .. 250 | the tool turns against the work; the sides are hollow; the sides are not flat enough
     "#]].assert_eq(&choices);
+    // A sense of its own for the work: S has it, P stays positive. R turns the work back for E; A is the lead.
+    let turned = [("shape", "own"), ("work-ratio", "-1"), ("tool-ratio", "-2"), ("tool-start", "30"), ("lead", "-80")];
+    let own = rows(&turned, "own-code");
+    assert!(own.contains("G51.2 P1 Q2 R345. A-80. | ") && own.contains("\nS-200 | "), "{own}");
     let interface = rows(&[], "interface");
     for row in ["F480 | #1480 | program | PMC | r/min", "G366.2 |  | PMC | control", "G406.3 |  | PMC | control"] {
         assert!(interface.contains(row), "{interface}");
     }
     assert!(rows(&[], "ladder").contains("ON | DMUL F480 F488 D100 | speed of the tool: B times Q"));
+}
+
+#[test]
+fn the_part_with_a_code_of_its_own_leaves_as_a_file_that_reads_without_errors() {
+    let control = macroline::controls::find("gsk-980tdc").unwrap();
+    for changes in [&[][..], &[("shape", "hexagon"), ("work-start", "12.5"), ("lead", "300")]] {
+        let files = project(changes).export().files;
+        let own = files.into_iter().find(|file| file.name == "own-code.nc").unwrap();
+        let parsed = nc::parse_with(&Files(vec![own]), control, &Switches::default());
+        let errors: Vec<_> = parsed.diagnostics().iter().filter(|d| d.severity == Severity::Error).collect();
+        assert!(errors.is_empty(), "{errors:?}");
+    }
+}
+
+#[test]
+fn every_insert_may_stand_beside_its_place() {
+    // Two at ratio 3 turn a hexagon: the sides of one stand opposite those of the other, so that 0.1 mm is 0.1 mm across flats.
+    let hexagon = [("shape", "own"), ("tool-ratio", "3"), ("sides", "6"), ("stock-diameter", "30")];
+    let off = |radii: &'static str| [&hexagon[..], &[("radius-errors", radii)]].concat();
+    expect![[r#"
+        1 | 0.1 | 0 | 1 3 5 | -0.1 | 0.0031 | 0
+        2 | 0 | 0 | 2 4 6 | 0 | 0.0974 | 0
+    "#]]
+    .assert_eq(&rows(&off("0.1"), "inserts"));
+    let (even, deep, both) = (off(""), off("0.1"), off("0.1 0.1"));
+    let felt = |changes: &[(&str, &str)], id: &str| result(&project(changes), id);
+    let across = felt(&even, "across-flats");
+    assert!((felt(&deep, "least-across-flats") - (across - 0.1)).abs() < 5e-3, "{}", felt(&deep, "least-across-flats"));
+    assert!((felt(&both, "across-flats") - (across - 0.2)).abs() < 5e-3);
+    // Two at ratio 2 turn a square: each cuts sides that stand opposite each other.
+    let square = [("stock-diameter", "29"), ("radius-errors", "0.02 -0.01"), ("angle-errors", "0 0.5")];
+    expect![[r#"
+        1 | 0.02 | 0 | 1 3 | -0.07 | -0.02 | 0
+        2 | -0.01 | 0.5 | 2 4 | -0.0823 | 0.0194 | 0.25
+    "#]]
+    .assert_eq(&rows(&square, "inserts"));
+    assert!((felt(&square, "least-across-flats") - 19.96).abs() < 1e-6, "{}", felt(&square, "least-across-flats"));
+    // Both cut every side of a triangle: the one that stands out cuts it, the other nothing.
+    let triangle = [("shape", "triangle"), ("stock-diameter", "22"), ("radius-errors", "0 -0.05")];
+    assert!(
+        (felt(&triangle, "across-flats") - 20.0).abs() < 1e-9
+            && (felt(&triangle, "least-across-flats") - 20.0).abs() < 1e-9
+    );
+    assert!(project(&[]).design().readouts.iter().all(|row| row.id != "least-across-flats"));
+}
+
+/// The ladder list, scan by scan, as a PLC would take it: times are over at once.
+fn scanned(rungs: &[(Vec<String>, String)], on: &mut Vec<String>) {
+    for (contacts, output) in rungs {
+        let closed = contacts.iter().all(|contact| match contact.strip_prefix('/') {
+            Some(contact) => !on.iter().any(|one| one == contact),
+            None => contact == "ON" || on.iter().any(|one| one == contact),
+        });
+        let mut words = output.split(' ');
+        let (instruction, device) = (words.next().unwrap(), words.next().unwrap_or("").to_owned());
+        let before = on.contains(&device);
+        let after = match instruction {
+            "OUT" | "TMR" => closed,
+            "SET" => before || closed,
+            "RES" => before && !closed,
+            _ => continue,
+        };
+        on.retain(|one| *one != device);
+        on.extend(after.then_some(device));
+    }
+}
+
+#[test]
+fn the_ladder_goes_through_the_sequence_as_the_plc_does() {
+    let rungs: Vec<(Vec<String>, String)> = rows(&[], "ladder")
+        .lines()
+        .map(|line| {
+            let cells: Vec<&str> = line.split(" | ").collect();
+            (cells[1].split(" AND ").map(str::to_owned).collect(), cells[2].to_owned())
+        })
+        .collect();
+    // Every relay and timer that is asked for is made somewhere.
+    for device in rungs.iter().flat_map(|rung| &rung.0).map(|contact| contact.trim_start_matches('/')) {
+        let ours = device.starts_with(['R', 'T']) && device != "RST";
+        assert!(!ours || rungs.iter().any(|rung| rung.1.split(' ').nth(1) == Some(device)), "{device}");
+    }
+    let mut on: Vec<String> = Vec::new();
+    let mut after = |change: &str| {
+        let (add, device) = (change.starts_with('+'), &change[1..]);
+        on.retain(|one| one != device);
+        on.extend(add.then(|| device.to_owned()));
+        (0..4).for_each(|_| scanned(&rungs, &mut on));
+        let shown = ["G54.0", "G54.1", "G54.2", "G54.3", "G360.3", "G400.3"];
+        shown.into_iter().filter(|bit| on.iter().any(|one| one == bit)).collect::<Vec<_>>().join(" ")
+    };
+    let said = |after: &mut dyn FnMut(&str) -> String, changes: &[&str]| {
+        changes.iter().map(|change| format!("{change}: {}\n", after(change))).collect::<String>()
+    };
+    // G512, G502; then G512, reset in the cut, which counts for nothing more until both requests fall.
+    let whole = [
+        "+STAND CH6",
+        "+STAND CH7",
+        "+F54.0",
+        "+END CH6",
+        "+END CH7",
+        "+F54.1",
+        "-STAND CH6",
+        "-STAND CH7",
+        "-F54.1",
+        "-F54.0",
+        "+STAND CH6",
+        "+STAND CH7",
+        "+F54.0",
+        "+F54.1",
+        "-STAND CH6",
+        "-STAND CH7",
+        "+RST",
+        "-RST",
+        "+STAND CH6",
+        "+STAND CH7",
+        "-F54.1",
+        "-F54.0",
+        "+F54.0",
+    ];
+    expect![[r#"
+        +STAND CH6: G54.3
+        +STAND CH7: G54.3
+        +F54.0: G54.2
+        +END CH6: G54.2
+        +END CH7: G54.0 G54.2
+        +F54.1: G54.0 G54.1 G54.2
+        -STAND CH6: G54.0 G54.1 G54.2
+        -STAND CH7: G54.0 G54.1 G54.2
+        -F54.1: G54.2 G360.3 G400.3
+        -F54.0: G54.2 G360.3 G400.3
+        +STAND CH6: G54.2 G360.3 G400.3
+        +STAND CH7: G54.3
+        +F54.0: G54.0 G54.2
+        +F54.1: G54.0 G54.1 G54.2
+        -STAND CH6: G54.0 G54.1 G54.2
+        -STAND CH7: G54.0 G54.1 G54.2
+        +RST: G54.2 G360.3 G400.3
+        -RST: G54.2 G360.3 G400.3
+        +STAND CH6: G54.2 G360.3 G400.3
+        +STAND CH7: 
+        -F54.1: 
+        -F54.0: G54.3
+        +F54.0: G54.0 G54.2
+    "#]]
+    .assert_eq(&said(&mut after, &whole));
 }
 
 /// Area of a closed path of straight lines.
