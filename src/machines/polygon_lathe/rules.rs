@@ -44,9 +44,13 @@ pub(super) const RULES: &[Rule<Lathe>] = &[
     rule!("feed", clamp, "cutting feed clamp, a parameter", Inferred),
 ];
 
-/// The flattest possible way on this tip circle, as advice; nothing where it is what the form has.
+/// The flattest possible way on this tip circle, as advice, or that there is none; nothing where it is what the form has.
 fn better(case: &Case) -> Option<Message> {
-    let best = ways_as_set(case.lathe).into_iter().next().filter(|way| way.limits.is_empty())?;
+    let ways = ways_as_set(case.lathe);
+    let best = ways.first()?;
+    if !best.limits.is_empty() {
+        return Some(msg!("polygon.no-better", (best.flatness(), 4)));
+    }
     let (inserts, ratio) = (best.cutter as u32 + 1, best.ratio);
     let same =
         Some(ratio) == case.lathe.ratio() && f64::from(inserts) == case.p.inserts && best.radius == case.p.tip_radius;

@@ -365,7 +365,7 @@ fn what_the_design_says() {
     };
     expect![[""]].assert_eq(&said(&[]));
     expect![[r#"
-        Fail flatness: The sides are uneven by 0.0496 mm, 0.01 mm are allowed. Tips at a radius of 106.7 mm are flat enough at this ratio.
+        Fail flatness: The sides are uneven by 0.0496 mm, 0.01 mm are allowed. Tips at a radius of 106.7 mm are flat enough at this ratio. No way to turn it on this tip circle keeps within every limit: the flattest has 0.0496 mm of flatness error. The list of ways says which limit excludes each.
     "#]].assert_eq(&said(&[("flatness", "0.01"), ("stock-diameter", "29")]));
     expect![[r#"
         Fail flatness: The sides are uneven by 0.9914 mm, 0.1 mm are allowed. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0284 mm of flatness error.
@@ -390,7 +390,7 @@ fn what_the_design_says() {
         ("speed", "400"),
     ]));
     expect![[r#"
-        Fail relief: The inserts need more than 4.76° of relief where the stock is met, the whole depth cut at once; they have 3°. Smaller stock, a larger cutter or more relief mends it.
+        Fail relief: The inserts need more than 4.76° of relief where the stock is met, the whole depth cut at once; they have 3°. Smaller stock, a larger cutter or more relief mends it. No way to turn it on this tip circle keeps within every limit: the flattest has 0.0284 mm of flatness error. The list of ways says which limit excludes each.
         Warn orientation-error: A side stands 15° beside the orientation that is asked for: A15 mends it.
     "#]].assert_eq(&said(&[("tool-start", "30"), ("relief", "3")]));
     expect![[r#"
@@ -415,10 +415,14 @@ fn what_the_design_says() {
         Error radius-errors: Give numbers from -1 to 1 with spaces between them, one for each of the 2 inserts at most.
         Error angle-errors: Give numbers from -10 to 10 with spaces between them, one for each of the 2 inserts at most.
     "#]].assert_eq(&said(&[("shape", "own"), ("tool-ratio", "0"), ("radius-errors", "0 0 9"), ("angle-errors", "x")]));
+    // A preset beyond its tolerance: there is no other way to turn it.
+    expect![[r#"
+        Fail flatness: The sides are uneven by 0.2212 mm, 0.1 mm are allowed. No way to turn it on this tip circle keeps within every limit: the flattest has 0.158 mm of flatness error. The list of ways says which limit excludes each.
+    "#]].assert_eq(&said(&[("shape", "triangle")]));
     // The insert would have to cut with its back.
     expect![[r#"
-        Fail flatness: The sides are uneven by 1.8627 mm, 0.1 mm are allowed. Tips at a radius of 30.1 mm are flat enough at this ratio.
-        Fail relief: Where the stock is met, the insert would move back into its flank: no relief is enough.
+        Fail flatness: The sides are uneven by 1.8627 mm, 0.1 mm are allowed. Tips at a radius of 30.1 mm are flat enough at this ratio. No way to turn it on this tip circle keeps within every limit: the flattest has 0.4928 mm of flatness error. The list of ways says which limit excludes each.
+        Fail relief: Where the stock is met, the insert would move back into its flank: no relief is enough. No way to turn it on this tip circle keeps within every limit: the flattest has 0.4928 mm of flatness error. The list of ways says which limit excludes each.
         Warn slowest-cut: The inserts cut more slowly than they should: from 637 r/min for B on they do not.
         Fail distance: The axes would be nearer to each other than 20 mm.
     "#]].assert_eq(&said(&[("tip-radius", "2"), ("stock-diameter", "60"), ("start-x", "70")]));
