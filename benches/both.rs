@@ -5,6 +5,9 @@ mod summary;
 #[allow(dead_code)]
 mod work;
 
+use std::hint::black_box;
+
+use macroline::drives::polygon::{Ratio, Section, Setup};
 use macroline::motion::{Keep, Limits, Panel};
 use macroline::nc::Files;
 use macroline::project::run::{Begin, of_programs, to_end};
@@ -20,11 +23,25 @@ fn plan(files: &Files) -> f64 {
     to_end(&mut planner, |_| Ok::<(), ()>(())).unwrap().time
 }
 
+/// Angles of a full section.
+const ANGLES: u64 = 36_000;
+
+/// Seconds that a section may take.
+const ASKED: f64 = if cfg!(target_arch = "wasm32") { 10e-3 } else { 5e-3 };
+
+/// The section that twelve inserts turn at ratio 12/5: 144 sides.
+fn section() -> Vec<f64> {
+    let setup = Setup::even(20.0, 45.0, Ratio::new(12, 5).unwrap(), 12);
+    Section::new(black_box(&setup), 10.2).unwrap().radii(ANGLES as usize)
+}
+
 fn figures() {
     let (flat, formulas) = (flat(COUNT), formulas());
     summary::line("flat blocks, text to canon", COUNT, "blocks", None, || run(&parse(&flat)));
     summary::line("P9100 passes, text to canon", COUNT, "passes", None, || run(&parse(&formulas)));
     summary::line("flat blocks, planned", COUNT, "blocks", None, || plan(&flat));
+    let asked = Some(ANGLES as f64 / ASKED);
+    summary::line("polygon, 12 inserts at ratio 12/5, full section", ANGLES, "angles", asked, section);
 }
 
 #[cfg(target_arch = "wasm32")]

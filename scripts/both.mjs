@@ -25,13 +25,16 @@ function cargo(args) {
 
 // Rates of each figure, one a round, by build.
 const rates = new Map();
+// What a figure asks of itself, by figure and build.
+const leasts = new Map();
 for (const { args } of BUILDS) cargo([...args, '--no-run']);
 for (let round = 0; round < ROUNDS; round++) {
   for (const { name, args } of BUILDS) {
-    for (const [, figure, rate, unit] of cargo(args).matchAll(/^summary: (.+): (\d+) (\w+\/s),/gm)) {
+    for (const [, figure, rate, unit, least] of cargo(args).matchAll(/^summary: (.+): (\d+) (\w+\/s),.*?(?:; at least (\d+) asked.*)?$/gm)) {
       const key = JSON.stringify([figure, unit]);
       if (!rates.has(key)) rates.set(key, Object.fromEntries(BUILDS.map((build) => [build.name, []])));
       rates.get(key)[name].push(Number(rate));
+      if (least) leasts.set(key + name, Number(least));
     }
   }
 }
@@ -42,7 +45,10 @@ for (const [key, of] of rates) {
   const [figure, unit] = JSON.parse(key);
   for (const { name } of BUILDS) {
     const part = median(of[name].map((rate, round) => rate / of.native[round]));
+    const rate = median(of[name]);
+    const least = leasts.get(key + name);
+    const itself = least ? `, at least ${least} asked: ${rate >= least ? 'met' : 'MISSED'}` : '';
     const asked = name === 'native' ? '' : `, ${part.toFixed(2)} of native; half of it asked: ${part >= 0.5 ? 'met' : 'MISSED'}`;
-    console.log(`summary: ${figure}, ${name}: ${median(of[name])} ${unit}${asked}`);
+    console.log(`summary: ${figure}, ${name}: ${rate} ${unit}${itself}${asked}`);
   }
 }
