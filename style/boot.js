@@ -81,7 +81,8 @@ function look() {
 
 // The whole module in place of the first, which hears what failed if it shows the page already, and else has seen that it cannot.
 let instead;
-globalThis.whole = (hand) => {
+globalThis.whole = (hand, told) => {
+  if (told) boot.textContent = told;
   document.body.append(boot);
   instead = open(WHOLE, hand).finally(() => boot.remove());
   if (hand) instead.catch(hand);

@@ -28,7 +28,7 @@ use crate::motion::{Action, Planner, Plant, Plc, Program, Snapshot};
 use crate::msg;
 use crate::nc::{Deck, File};
 use crate::text::Diagnostic;
-use crate::view::{Chart, Pose, Readout, Scene, Sheet};
+use crate::view::{Chart, Explorer, Pose, Readout, Scene, Sheet};
 use form::{Field, FieldInfo, Origins, Value, Values};
 
 /// The control that a machine is on, with its open points as they are set.
@@ -175,6 +175,10 @@ pub trait Machine: 'static {
     /// Drawings that leave with an export.
     fn drawings(_: &Self::Params, _: On) -> Vec<File> {
         Vec::new()
+    }
+    /// What is dragged to look for a shape; nothing for most machines.
+    fn explorer(_: &Self::Params, _: On) -> Option<Explorer> {
+        None
     }
     /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
     fn variables(params: &Self::Params, on: On) -> Vec<(u32, &'static str, &'static str)>;
@@ -367,6 +371,10 @@ macro_rules! machines {
         /// Their drawings, likewise.
         static DRAWINGS: &[(&str, fn(&Values, On) -> Vec<File>)] =
             &[$((<$first>::ID, drawings_of::<$first>),)* $((<$whole>::ID, drawings_of::<$whole>)),*];
+
+        /// Their explorers, likewise.
+        static EXPLORERS: &[(&str, fn(&Values, On) -> Option<Explorer>)] =
+            &[$((<$first>::ID, explorer_of::<$first>),)* $((<$whole>::ID, explorer_of::<$whole>)),*];
     };
 }
 
@@ -390,6 +398,15 @@ fn drawings_of<M: Machine>(values: &Values, on: On) -> Vec<File> {
 pub fn drawings(machine: &dyn AnyMachine, values: &Values, on: On) -> Vec<File> {
     let found = DRAWINGS.iter().find(|(id, _)| *id == machine.id());
     found.map_or_else(Vec::new, |(_, drawings)| drawings(values, on))
+}
+
+fn explorer_of<M: Machine>(values: &Values, on: On) -> Option<Explorer> {
+    M::explorer(&Erased::<M>::params(values).0, on)
+}
+
+/// What is dragged on a machine to look for a shape; nothing for most.
+pub fn explorer(machine: &dyn AnyMachine, values: &Values, on: On) -> Option<Explorer> {
+    EXPLORERS.iter().find(|(id, _)| *id == machine.id()).and_then(|(_, explorer)| explorer(values, on))
 }
 
 /// What is known of the machine of an id, be it in this module or not.

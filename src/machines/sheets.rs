@@ -7,7 +7,7 @@ use crate::view::{Row, Sheet};
 
 /// A row with its evidence.
 pub(super) fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {
-    Row { cells: cells.into(), grade: cite.grade, source: cite.source }
+    Row { cells: cells.into(), grade: cite.grade, source: cite.source, sets: Vec::new() }
 }
 
 /// What a parameter is set to.

@@ -43,7 +43,8 @@ pub(super) fn cards(model: Model) -> El {
         .add(&[el("div.row").swap(content), stale])
 }
 
-fn card(model: Model, readout: &Readout) -> El {
+/// One of them.
+pub(super) fn card(model: Model, readout: &Readout) -> El {
     let tone = verdict(readout.verdict);
     let advice = readout.advice.first().map(say);
     let detail = advice.clone().or_else(|| limit(readout)).unwrap_or_default();

@@ -119,7 +119,8 @@ fn digits(value: f64) -> u8 {
     }
 }
 
-fn figure_of(out: &mut String, chart: &Chart) {
+/// A chart as a figure.
+pub(super) fn figure_of(out: &mut String, chart: &Chart) {
     out.push_str("<figure class=\"chart\"><figcaption><span>");
     escape(out, t(chart.title));
     let _ = write!(out, " <i>{}</i></span><span class=\"legend\">", chart.unit);

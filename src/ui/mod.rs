@@ -18,6 +18,8 @@ mod editor;
 
 mod el;
 
+mod explore;
+
 mod field;
 
 mod files;

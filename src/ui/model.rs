@@ -10,6 +10,7 @@ use super::debug;
 use super::dom;
 use super::local::Local;
 use super::player::Player;
+use super::program::Shown;
 use super::reviewer;
 use super::side::Tab;
 use super::store::{self, Kept};
@@ -95,6 +96,8 @@ pub(super) struct Model {
     pub tab: Local<Tab>,
     /// The program file that is shown.
     pub file: Local<usize>,
+    /// What is shown of it.
+    pub shown: Local<Shown>,
     /// What answers questions in a worker.
     pub aside: Aside,
     /// What was asked for and this module lacks, while the whole one is loaded.
@@ -152,6 +155,7 @@ impl Model {
             helping: Local::new(false),
             tab: Local::new(Tab::Program),
             file: Local::new(0),
+            shown: Local::new(Shown::Listing),
             aside: Aside::new(),
             wish: Local::new(None),
             player,

@@ -10,14 +10,20 @@ use crate::text::{Diagnostic, Grade};
 use crate::view::svg::escape;
 use crate::view::{Sheet, ladder};
 
-/// The sheets for the tab of the parameters, and for the tab of the PLC.
+/// The sheets for the tab of the parameters, for the tab of the PLC, and those whose rows are ways that can be taken.
 pub(super) fn sheets(project: &Project) -> JsValue {
     let sheets = machines::sheets(project.machine, &project.values, project.on());
-    let (mut parameters, mut plc) = (String::new(), String::new());
+    let (mut parameters, mut plc, mut ways) = (String::new(), String::new(), String::new());
     for sheet in &sheets {
-        html(if sheet.id == "parameters" { &mut parameters } else { &mut plc }, sheet);
+        let takes = sheet.rows.iter().any(|row| !row.sets.is_empty());
+        let out = match sheet.id {
+            _ if takes => &mut ways,
+            "parameters" => &mut parameters,
+            _ => &mut plc,
+        };
+        html(out, sheet);
     }
-    object([("parameters", parameters.into()), ("plc", plc.into())])
+    object([("parameters", parameters.into()), ("plc", plc.into()), ("ways", ways.into())])
 }
 
 fn html(out: &mut String, sheet: &Sheet) {
@@ -41,8 +47,22 @@ fn html(out: &mut String, sheet: &Sheet) {
     }
     out.push_str("</tr></thead><tbody>");
     for row in &sheet.rows {
-        out.push_str("<tr>");
-        row.cells.iter().for_each(|cell| tagged(out, "td", cell));
+        if let [first, rest @ ..] = row.cells.as_slice()
+            && !row.sets.is_empty()
+        {
+            let sets: Vec<String> = row.sets.iter().map(|(id, text)| format!("{id}={text}")).collect();
+            out.push_str("<tr data-sets=\"");
+            escape(out, &sets.join(";"));
+            out.push_str("\"><td><button type=\"button\" class=\"chip\" aria-label=\"");
+            escape(out, &format!("{} {first}", t("page.take")));
+            out.push_str("\">");
+            escape(out, first);
+            out.push_str("</button></td>");
+            rest.iter().for_each(|cell| tagged(out, "td", cell));
+        } else {
+            out.push_str("<tr>");
+            row.cells.iter().for_each(|cell| tagged(out, "td", cell));
+        }
         out.push_str(if row.grade == Grade::Open {
             "<td class=\"grade open\" title=\""
         } else {

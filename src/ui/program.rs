@@ -20,15 +20,18 @@ use crate::text::{FileId, LineIndex, Place};
 
 /// What is shown of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Shown {
+pub(super) enum Shown {
+    /// Its lines.
     Listing,
+    /// The editor.
     Editor,
+    /// The lines beside those that the form writes.
     Difference,
 }
 
 /// The program tab.
 pub(super) fn program(model: Model) -> Vec<El> {
-    let shown = Local::new(Shown::Listing);
+    let shown = model.shown;
     let follow = Local::new(true);
     let files = move || {
         let names: Vec<String> =

@@ -20,8 +20,8 @@ pub(super) fn plc(model: Model) -> Vec<El> {
 }
 
 /// Sheets as the worker makes them, anew with every change of the project.
-fn sheets(model: Model, which: &'static str) -> El {
-    let host = el("div.sheets");
+pub(super) fn sheets(model: Model, which: &'static str) -> El {
+    let host = el("div.sheets").at("data-of", which);
     let element = host.dom().clone();
     host.run(move || {
         let element = element.clone();

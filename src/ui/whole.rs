@@ -9,11 +9,13 @@ use leptos::wasm_bindgen::closure::Closure;
 use super::dom;
 use super::files;
 use super::model::{Model, Notice};
+use super::program::Shown;
 use super::script::{call, get, list, object, rows, table, text};
 use super::side;
-use super::words::t;
+use super::words::{say, t};
 use crate::controls::{self, WHOLE};
 use crate::machines;
+use crate::msg;
 use crate::nc::File;
 use crate::project::Project;
 
@@ -51,6 +53,15 @@ impl Wish {
             Wish::Files(files) => files::read(model, files),
         }
     }
+
+    /// What it is called.
+    fn what(&self) -> &'static str {
+        match self {
+            Wish::Control(id) => controls::listed(id).map_or("", |row| row.name),
+            Wish::Machine(id) => machines::listed(id).map_or("", |row| t(row.name)),
+            Wish::Files(_) => t("page.loading-files"),
+        }
+    }
 }
 
 /// Does what a person asks for, in whichever module can.
@@ -58,6 +69,7 @@ pub(super) fn ask(model: Model, wish: Wish) {
     if wish.grant(model) || WHOLE {
         return;
     }
+    let what = wish.what();
     let loading = model.wish.with_untracked(Option::is_some);
     model.wish.set(Some(wish));
     if loading {
@@ -73,16 +85,17 @@ pub(super) fn ask(model: Model, wish: Wish) {
         model.notify("fail", t("page.not-loaded").to_owned());
         failed
     };
-    open(&Closure::<dyn Fn(JsValue) -> JsValue>::new(hand).into_js_value());
+    open(&Closure::<dyn Fn(JsValue) -> JsValue>::new(hand).into_js_value(), &say(&msg!("page.loading", what)));
 }
 
 /// Opens the page with the whole module in place of this one, which has not begun yet.
 pub(super) fn instead() {
-    open(&JsValue::UNDEFINED);
+    open(&JsValue::UNDEFINED, "");
 }
 
-fn open(hand: &JsValue) {
-    let _ = call(&js_sys::global(), "whole", &[hand]);
+/// `told` stands in the page meanwhile.
+fn open(hand: &JsValue, told: &str) {
+    let _ = call(&js_sys::global(), "whole", &[hand, &told.into()]);
 }
 
 /// Keeps which module a project needs.
@@ -118,6 +131,7 @@ fn state(model: Model) -> JsValue {
         ("notices", notices),
         ("tab", side::number(model.tab.get_untracked()).into()),
         ("file", (model.file.get_untracked() as u32).into()),
+        ("editor", (model.shown.get_untracked() == Shown::Editor).into()),
         ("t", player.head().into()),
         ("speed", player.speed.get_untracked().into()),
         ("playing", playing.into()),
@@ -159,6 +173,9 @@ impl Handed {
         model.set_steps([steps("past"), steps("future")]);
         model.tab.set(side::numbered(number("tab") as u32));
         model.file.set(number("file") as usize);
+        if get(&self.0, "editor").is_truthy() {
+            model.shown.set(Shown::Editor);
+        }
         let player = model.player;
         player.speed.set(number("speed"));
         player.seek(number("t"));

@@ -12,6 +12,8 @@ pub mod ladder;
 
 pub mod sheet;
 
+pub mod explorer;
+
 pub mod svg;
 
 pub mod outline;
@@ -23,6 +25,7 @@ pub mod plot;
 pub mod report;
 
 pub use chart::{Chart, Series};
+pub use explorer::{Explorer, Knob};
 pub use readout::{Readout, Verdict};
 pub use scene::{Node, Pose, Scene, Shape};
 pub use sheet::{Row, Sheet};

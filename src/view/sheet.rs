@@ -12,6 +12,8 @@ pub struct Row {
     pub grade: Grade,
     /// Where it comes from.
     pub source: &'static str,
+    /// What it sets in the form: id of a field, and what is typed there. A row that is no choice sets nothing.
+    pub sets: Vec<(&'static str, String)>,
 }
 
 /// A table with a title.

@@ -95,6 +95,7 @@ test('it runs, variables are set, open points act, and it is exported', () =>
 test('a bad line is marked where it stands, in the listing and in the editor, and the debugger stops at a condition', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'Turning spindle' }).click();
+    await line(page, 'G96 S#100 M3').waitFor();
     await choose(page);
     await line(page, 'G96 S=R100 LIMS=R107 M3').waitFor();
     await page.locator('.listing li', { hasText: 'LB31: IF' }).click();
@@ -219,7 +220,8 @@ test('what is typed into the editor goes along, up to the last letter', () =>
     }, CONTROL);
     const done = arrived(page).then(() => true);
     while (!(await Promise.race([done, page.keyboard.type('A')])));
-    const text = await page.locator('.listing li code').first().textContent();
+    // The editor stays open.
+    const text = await page.locator('.editor .cm-line').first().textContent();
     assert.equal(/^A*/.exec(text)[0].length, await page.evaluate(() => window.typed), text);
   }));
 
@@ -232,7 +234,7 @@ test('while it loads the page works on, and what is done meanwhile is not lost',
       await route.continue();
     });
     await choose(page);
-    await page.locator('#boot', { hasText: 'loading' }).waitFor();
+    await page.locator('#boot', { hasText: 'loading SINUMERIK 802D' }).waitFor();
     assert.equal(await chosen(page), CONTROL);
     await field(page, 'pitch').fill('9.25');
     await accessible(page);

@@ -22,7 +22,7 @@ pub(super) const ROWS: &[Row<Lathe>] = &[
         Line { label: |_| "polygon.chart.across", tone: 2, value: |lathe, now| lathe.slide(now).0 },
     ] },
     Row { id: "along", title: "polygon.chart.along", unit: "mm", lines: &[
-        Line { label: |_| "polygon.chart.z", tone: 4, value: |lathe, now| lathe.slide(now).1 },
+        Line { label: |_| "polygon.chart.z", tone: 0, value: |lathe, now| lathe.slide(now).1 },
     ] },
 ];
 

@@ -32,6 +32,8 @@ mod other;
 
 mod drawings;
 
+mod explore;
+
 use crate::controls::Control;
 use crate::machines::charts;
 use crate::machines::form::Field;
@@ -39,7 +41,7 @@ use crate::machines::judge::{Rows, judge};
 use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
 use crate::motion::{Action, Plant, Plc, Snapshot};
 use crate::nc::File;
-use crate::view::{Chart, Pose, Scene, Sheet};
+use crate::view::{Chart, Explorer, Pose, Scene, Sheet};
 use derive::Derived;
 use fitted::Fitted;
 use params::{FIELDS, Newline, Params};
@@ -113,6 +115,10 @@ impl Machine for PolygonLathe {
 
     fn drawings(p: &Params, on: On) -> Vec<File> {
         drawings::drawings(&Fitted::new(p, on))
+    }
+
+    fn explorer(p: &Params, on: On) -> Option<Explorer> {
+        Some(explore::explorer(&Fitted::new(p, on)))
     }
 
     fn variables(_: &Params, _: On) -> Vec<(u32, &'static str, &'static str)> {

@@ -3,14 +3,14 @@
 use super::derive::ways;
 use super::fitted::Fitted;
 use super::program::MACROS;
-use super::{ladder, other, show};
+use super::{explore, ladder, other, show};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, Limit};
 use crate::machines::sheets::{self, Axes, Setting, row};
 use crate::math::PI;
 use crate::text::catalog::{Language, words};
 use crate::text::{Citation, Grade};
-use crate::view::Sheet;
+use crate::view::{Row, Sheet};
 
 const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
 const OURS: Citation = Citation::new("ours: the paper does not tell", Grade::Open);
@@ -169,15 +169,18 @@ fn choices(lathe: &Fitted) -> Sheet {
             ratio,
             show(way.radius, 3),
             show(way.flatness(), 4),
+            if excluded.is_empty() { say("polygon.limit.none") } else { excluded.join("; ") },
             show(way.deviation.0, 4),
             show(way.deviation.1, 4),
             show(way.relief * 180.0 / PI, 2),
             show(way.work_speed, 0),
             show(way.tool_speed, 0),
             format!("{} .. {}", show(way.cutting_speed.0, 0), show(way.cutting_speed.1, 0)),
-            if excluded.is_empty() { say("polygon.limit.none") } else { excluded.join("; ") },
         ];
-        row(cells, cite)
+        let terms = (f64::from(way.ratio.tool()), f64::from(way.ratio.work()));
+        let mut sets = explore::own(lathe.p.sides, (way.cutter + 1) as f64, terms);
+        sets.push(("tip-radius", show(way.radius, 3)));
+        Row { sets, ..row(cells, cite) }
     };
     Sheet {
         id: "choices",
@@ -188,13 +191,13 @@ fn choices(lathe: &Fitted) -> Sheet {
             "polygon.sheet.ratio",
             "polygon.tip-radius",
             "polygon.readout.flatness",
+            "polygon.sheet.excluded",
             "polygon.readout.deviation-low",
             "polygon.readout.deviation-high",
             "polygon.readout.relief",
             "polygon.readout.work-speed",
             "polygon.readout.tool-speed",
             "polygon.sheet.cutting-speed",
-            "polygon.sheet.excluded",
         ],
         rows: ways(lathe).into_iter().take(WAYS).enumerate().map(way).collect(),
         ladder: Vec::new(),

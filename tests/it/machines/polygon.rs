@@ -522,10 +522,10 @@ fn the_sheets() {
     .assert_eq(&rows(&[("work-start", "90")], "sequence"));
     let choices = rows(&[("most-inserts", "3"), ("most-work-turns", "2")], "choices");
     expect![[r#"
-        1 | 2 | 2:1 | 45 | 0.0284 | -0.0284 | 0 | 4.76 | 398 | 796 | 249 .. 250 | possible
-        2 | 1 | 4:1 | 45 | 0.2487 | 0 | 0.2487 | 2.5 | 209 | 838 | 249 .. 250 | the sides are hollow; the sides are not flat enough
-        3 | 1 | -4:1 | 45 | 0.759 | 0 | 0.759 | 2.77 | 233 | -932 | 249 .. 250 | the tool turns against the work; the sides are hollow; the sides are not flat enough
-        4 | 2 | -2:1 | 45 | 0.9914 | 0 | 0.9914 | 5.86 | 491 | -982 | 247 .. 250 | the tool turns against the work; the sides are hollow; the sides are not flat enough
+        1 | 2 | 2:1 | 45 | 0.0284 | possible | -0.0284 | 0 | 4.76 | 398 | 796 | 249 .. 250
+        2 | 1 | 4:1 | 45 | 0.2487 | the sides are hollow; the sides are not flat enough | 0 | 0.2487 | 2.5 | 209 | 838 | 249 .. 250
+        3 | 1 | -4:1 | 45 | 0.759 | the tool turns against the work; the sides are hollow; the sides are not flat enough | 0 | 0.759 | 2.77 | 233 | -932 | 249 .. 250
+        4 | 2 | -2:1 | 45 | 0.9914 | the tool turns against the work; the sides are hollow; the sides are not flat enough | 0 | 0.9914 | 5.86 | 491 | -982 | 247 .. 250
     "#]].assert_eq(&choices);
     // A sense of its own for the work: S has it, P stays positive. R turns the work back for E; A is the lead.
     let turned = [("shape", "own"), ("work-ratio", "-1"), ("tool-ratio", "-2"), ("tool-start", "30"), ("lead", "-80")];
@@ -782,4 +782,50 @@ fn other_programs_run_on_the_machine_too() {
     let parsed = Rc::new(nc::parse_with(&Files(files), plant.control, &Switches::default()));
     let mut planner = run::of_programs(parsed, Some(&plant), Panel::default(), &begin());
     assert_eq!(planner.advance(f64::INFINITY, usize::MAX).ended, Some(RunEnd::ProgramEnd));
+}
+
+#[test]
+fn a_way_that_is_taken_gives_the_flatness_that_it_promises() {
+    let changes = [("shape", "hexagon"), ("least-radius", "30"), ("greatest-radius", "60"), ("flatness", "0.5")];
+    let first = project(&changes);
+    let sheets = machines::sheets(first.machine, &first.values, first.on());
+    let ways = &sheets.iter().find(|sheet| sheet.id == "choices").unwrap().rows;
+    let possible: Vec<_> = ways.iter().filter(|way| way.cells[5] == "possible").collect();
+    assert!(possible.len() > 1 && possible.len() < ways.len());
+    for way in possible {
+        let sets: Vec<(&str, &str)> = way.sets.iter().map(|(id, text)| (*id, text.as_str())).collect();
+        let taken = project(&[&changes[1..], &sets[..]].concat());
+        assert_eq!(result(&taken, "sides"), 6.0, "{sets:?}");
+        let promised: f64 = way.cells[4].parse().unwrap();
+        assert!((result(&taken, "flatness") - promised).abs() <= 1e-4, "{sets:?}");
+    }
+}
+
+#[test]
+fn what_is_dragged_has_the_same_sliders_everywhere_and_a_section_where_there_is_one() {
+    let look = |changes: &[(&str, &str)]| {
+        let project = project(changes);
+        machines::explorer(project.machine, &project.values, project.on()).unwrap()
+    };
+    let square = look(&[]);
+    let fields: Vec<&str> = square.knobs.iter().map(|knob| knob.field).collect();
+    assert_eq!(fields, ["sides", "inserts", "work-ratio", "tool-ratio", "tip-radius"]);
+    for knob in &square.knobs {
+        assert!(knob.range.0 <= knob.value && knob.value <= knob.range.1, "{knob:?}");
+        // Each slider alone, with what goes along with it, at both of its ends.
+        for end in [knob.range.0, knob.range.1] {
+            let text = end.to_string();
+            let along = knob.along.iter().map(|(id, text)| (*id, text.as_str()));
+            let changed = look(&along.chain([(knob.field, text.as_str())]).collect::<Vec<_>>());
+            assert!(changed.knobs.iter().map(|knob| knob.field).eq(fields.iter().copied()));
+            assert_eq!(changed.knobs.iter().find(|other| other.field == knob.field).unwrap().value, end);
+            assert_eq!(changed.charts.len(), 1, "{}", knob.field);
+            assert_eq!(changed.scene == square.scene, end == knob.value, "{} {end}", knob.field);
+        }
+    }
+    // Nothing turns: the stock is left, and nothing is counted.
+    let none = look(&[("shape", "own"), ("tool-ratio", "0")]);
+    assert!(none.charts.is_empty() && !none.scene.nodes.is_empty());
+    let ribbon = Project::of("ribbon-line", None).unwrap();
+    assert!(machines::explorer(ribbon.machine, &ribbon.values, ribbon.on()).is_none());
 }

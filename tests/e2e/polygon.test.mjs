@@ -1,0 +1,154 @@
+// A person sizes a polygon lathe: the preset, the run in which flats appear, the explorer, the drawings that leave with an export.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { accessible, start, withPage } from './page.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app?.close());
+
+const line = (page, text) => page.locator('.listing li', { hasText: text }).first();
+const named = (page, within, label) => page.locator(`${within} .card`).filter({ has: page.locator('.k', { hasText: label }) });
+const card = async (page, label) => (await named(page, '.cards', label).textContent()).replace(/\s/g, '');
+const lathe = (act, options = {}) =>
+  withPage(app, options, async ({ page }) => {
+    await page.getByRole('button', { name: 'Polygon lathe' }).click();
+    await line(page, 'G512').waitFor();
+    await act(page);
+  });
+const goTo = async (page, t) => {
+  await page.fill('#go-to', String(t));
+  await page.press('#go-to', 'Enter');
+};
+const drag = (page, id, value) =>
+  page.locator(`#explore-${id}`).evaluate((slider, value) => {
+    slider.value = value;
+    slider.dispatchEvent(new Event('input', { bubbles: true }));
+  }, value);
+const drop = (page, id) => page.locator(`#explore-${id}`).dispatchEvent('change');
+
+test('the square of the paper: B200 D1 Q2 with two inserts, and other shapes by preset', () =>
+  lathe(async (page) => {
+    await line(page, 'G512 B200. D1 Q2').waitFor();
+    assert.match(await card(page, 'Sides'), /^Sides4/);
+    assert.match(await card(page, 'Across flats'), /20\.000mm/);
+    assert.match(await card(page, 'Flatness'), /0\.0284mm/);
+    await page.selectOption('#shape', 'hexagon');
+    await page.waitForFunction(() => /Sides6/.test(document.querySelector('.cards').textContent.replace(/\s/g, '')));
+    await page.selectOption('#shape', 'triangle');
+    await line(page, 'D2 Q3').waitFor();
+    await accessible(page);
+  }));
+
+test('it runs: work and tool turn at their ratio, and flats appear pass by pass', () =>
+  lathe(async (page) => {
+    const outline = () => page.locator('.stage [data-n="1"]').getAttribute('d');
+    const at = async (t) => {
+      const before = await outline();
+      await goTo(page, t);
+      await page.waitForFunction((d) => document.querySelector('.stage [data-n="1"]').getAttribute('d') !== d, before);
+      return outline();
+    };
+    const round = await outline();
+    assert.notEqual(await at(6), round, 'the first pass cuts');
+    const texts = await page.locator('.stage text').allTextContents();
+    assert.ok(texts.includes('200.0 r/min') && texts.includes('400.0 r/min'), String(texts));
+    await at(50);
+    assert.ok((await page.locator('.stage text').allTextContents()).includes('4 / 4'));
+    // What stands at the end covers nothing of the drawing.
+    await goTo(page, 500);
+    const why = page.locator('.why', { hasText: /./ });
+    await why.waitFor();
+    const [told, scene] = [await why.boundingBox(), await page.locator('.stage svg').boundingBox()];
+    assert.ok(told.y >= scene.y + scene.height, 'the end is told below the drawing');
+  }));
+
+test('a value is dragged: the shape follows at once, the form takes it when it is let go, a way is taken by a click', () =>
+  lathe(async (page) => {
+    await page.click('#tab-explore');
+    await page.locator('.shape svg').waitFor();
+    const section = () => page.locator('.shape .part').getAttribute('d');
+    const sides = () => named(page, '#side', 'Sides').textContent();
+    const square = await section();
+    await drag(page, 'inserts', 3);
+    assert.notEqual(await section(), square);
+    assert.match(await sides(), /6.*turns 6 sides, not 4/);
+    // The form knows nothing of it yet.
+    assert.equal(await page.locator('#shape').inputValue(), 'square');
+    await drop(page, 'inserts');
+    await page.waitForFunction(() => document.querySelector('#shape').value === 'own');
+    assert.equal(await page.locator('#inserts').inputValue(), '3');
+    assert.match(await card(page, 'Sides'), /^Sides6.*not4/);
+    await drag(page, 'sides', 6);
+    await drop(page, 'sides');
+    const best = page.locator('[data-sets*="sides=6"]', { hasText: 'possible' }).first();
+    await best.waitFor();
+    await accessible(page);
+    // What speaks against the others is told.
+    await page.locator('[data-sets*="sides=6"]', { hasText: 'the sides are not flat enough' }).first().waitFor();
+    // The best way is the one that is set: another is taken.
+    const other = page.locator('[data-sets*="sides=6"]:not([data-sets*="inserts=3;"])').first();
+    const [, inserts] = /inserts=(\d+)/.exec(await other.getAttribute('data-sets'));
+    await other.getByRole('button').click();
+    await page.waitForFunction((inserts) => document.querySelector('#inserts').value === inserts, inserts);
+    assert.match(await card(page, 'Sides'), /^Sides6.*limit6/);
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    assert.equal(await page.locator('#shape').inputValue(), 'square');
+  }));
+
+test('dragging costs less than a frame of 60 a second', () =>
+  lathe(async (page) => {
+    await page.click('#tab-explore');
+    await page.locator('.shape svg').waitFor();
+    const steps = 60;
+    const walk = () =>
+      page.locator('#explore-tip-radius').evaluate(async (slider, steps) => {
+        for (let step = 0; step < steps; step++) {
+          slider.value = String(30 + step / 2);
+          slider.dispatchEvent(new Event('input', { bubbles: true }));
+          await new Promise((done) => requestAnimationFrame(done));
+        }
+      }, steps);
+    // The processor's time of the page's thread, so that whatever else the machine does is no matter.
+    const devtools = await page.context().newCDPSession(page);
+    await devtools.send('Performance.enable', { timeDomain: 'threadTicks' });
+    const spent = async () =>
+      (await devtools.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'TaskDuration').value;
+    await walk();
+    const begin = await spent();
+    await walk();
+    const each = ((await spent()) - begin) / steps;
+    console.log(`summary: polygon lathe, a step of dragging with drawing it: ${(1000 * each).toFixed(1)} ms of processor time, 16.7 asked`);
+    assert.ok(each < 1 / 60, `${(1000 * each).toFixed(1)} ms`);
+  }));
+
+test('sheets, ladder and the part for another control stand beside the program, and the export has the drawings', () =>
+  lathe(async (page) => {
+    await page.click('#tab-plc');
+    for (const text of ['G360.6', 'Sequence from G512 to G502', 'G51.2']) await page.locator('#side', { hasText: text }).waitFor();
+    await page.locator('#side svg.ladder').first().waitFor();
+    await page.click('#tab-parameters');
+    await page.locator('#side', { hasText: '4120' }).waitFor();
+    await accessible(page);
+    await page.click('#export');
+    const file = async (name) => {
+      const row = page.getByRole('row', { name });
+      const [download] = await Promise.all([page.waitForEvent('download'), row.getByRole('button').click()]);
+      return readFile(await download.path(), 'utf8');
+    };
+    assert.match(await file(/section\.svg/), /<svg[^]*mm/);
+    assert.match(await file(/section\.dxf/), /SECTION[^]*FINISHED/);
+    assert.match(await file(/sequence\.svg/), /polygon turning on/);
+  }));
+
+test('another machine has no explorer, and the tab is left', () =>
+  lathe(async (page) => {
+    await page.click('#tab-explore');
+    await page.getByRole('button', { name: 'Ribbon line' }).click();
+    await page.locator('#pitch').waitFor();
+    assert.equal(await page.locator('#tab-explore').isVisible(), false);
+    assert.equal(await page.locator('#tab-program').getAttribute('aria-selected'), 'true');
+  }));
