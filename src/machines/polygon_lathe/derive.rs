@@ -26,6 +26,8 @@ pub struct Derived {
     /// Least and greatest deviation of any side from its plane.
     pub deviation: (f64, f64),
     pub flatness: f64,
+    /// Greatest deviation where all inserts are in their places: above 0 the sides are hollow.
+    pub hollow: f64,
     /// 1/mm, positive where the sides are crowned.
     pub curvature: f64,
     pub corner: f64,
@@ -176,6 +178,8 @@ impl Derived {
             errors.fold((0.0_f64, 0.0_f64), |worst, next| if next.1.abs() > worst.1.abs() { next } else { worst })
         };
         let (depth, turn) = (worst(|error| error.0), worst(|error| error.1));
+        let even = Setup::even(p.across_flats, p.tip_radius, setup.ratio, setup.inserts());
+        let even = Section::new(&even, 0.5 * p.stock_diameter).and_then(|section| section.side(0));
         let twists = p.lead != 0.0;
         let twist_speed = cut::helical_tool_speed(setup.ratio, self.work_speed, -self.finish_feed, p.lead);
         Derived {
@@ -184,6 +188,7 @@ impl Derived {
             across_flats: section.across_flats().1,
             deviation: (low, high),
             flatness: sides.iter().map(|side| side.flatness()).fold(0.0, f64::max),
+            hollow: even.map_or(high, |side| side.high),
             curvature: curve.curvature(),
             corner: corners.iter().map(|corner| corner.radius).fold(0.0, f64::max),
             across_corners: section.across_corners().1,

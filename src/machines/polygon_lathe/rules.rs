@@ -93,11 +93,11 @@ fn sense(case: &Case) -> Option<Judgement> {
 
 fn hollow(case: &Case) -> Option<Judgement> {
     let Case { p, d, .. } = case;
-    if d.deviation.1 <= 1e-9 || p.hollow {
+    if d.hollow <= 1e-9 || p.hollow {
         return ok(None);
     }
     let flat = flat_ratio(d.distance, p.tip_radius);
-    fail(0.0, with_better(case, msg!("polygon.hollow-sides", (d.deviation.1, 4), (flat, 3))))
+    fail(0.0, with_better(case, msg!("polygon.hollow-sides", (d.hollow, 4), (flat, 3))))
 }
 
 /// Stock is left between the sides.

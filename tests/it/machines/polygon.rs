@@ -401,6 +401,8 @@ fn what_the_design_says() {
         ("radius-errors", "0 0.1"),
         ("angle-errors", "0 1"),
     ]));
+    // An insert that is short leaves its sides high, not hollow.
+    assert_eq!(said(&[("radius-errors", "0.01 -0.01")]), "");
     expect![[r#"
         Fail twist: G512 has whole D and Q only: the program turns the sides straight. The twist needs the tool at 399.75 r/min while Z feeds, from the same angle in every pass; own-code.nc has it for a control with G51.2.
     "#]].assert_eq(&said(&[("lead", "400")]));
