@@ -2,6 +2,7 @@
 
 mod look;
 mod polygon;
+mod polygon_sheets;
 mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;

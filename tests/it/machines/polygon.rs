@@ -19,7 +19,7 @@ use macroline::view::{Verdict, svg};
 const WORK: usize = 0;
 const TOOL: usize = 1;
 
-fn machine() -> &'static dyn AnyMachine {
+pub(super) fn machine() -> &'static dyn AnyMachine {
     machines::find("polygon-lathe").unwrap()
 }
 
@@ -29,7 +29,7 @@ fn values(changes: &[(&str, &str)]) -> Values {
     changes.iter().map(|(id, typed)| ((*id).to_owned(), field(id).read(typed).unwrap())).collect()
 }
 
-fn project(changes: &[(&str, &str)]) -> Project {
+pub(super) fn project(changes: &[(&str, &str)]) -> Project {
     let mut project = Project::of("polygon-lathe", None).unwrap();
     project.values.extend(values(changes));
     project
@@ -67,7 +67,7 @@ fn edited(changes: &[(&str, &str)], text: &str) -> Project {
     project
 }
 
-fn result(project: &Project, id: &str) -> f64 {
+pub(super) fn result(project: &Project, id: &str) -> f64 {
     project.design().readouts.iter().find(|row| row.id == id).unwrap().value
 }
 
@@ -464,225 +464,6 @@ fn what_the_design_says() {
         Warn relief: The tips move over the work against the turning of the cutter: inserts have to face the other way.
         Fail curvature: Tool and work turn against each other: sides come out hollow. Give D and Q the same sign. The sides are hollow: 2.195 mm higher toward the corners than in the middle. A lower ratio (flat in the middle at 2.106), a smaller cutter or other inserts mend it. The flattest possible way here: 2 inserts, D1 Q2, tips at a radius of 45 mm, 0.0496 mm of flatness error.
     "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "-2"), ("stock-diameter", "30")]));
-}
-
-fn rows(changes: &[(&str, &str)], id: &str) -> String {
-    let project = project(changes);
-    let sheets = machines::sheets(machine(), &project.values, project.on());
-    let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
-    sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
-}
-
-#[test]
-fn the_sheets() {
-    let all = rows(&[], "parameters");
-    assert!(
-        all.contains("4120 |  |  | 512 |  | G code that calls O9120\n4121 |  |  | 502 |  | G code that calls O9121"),
-        "{all}"
-    );
-    expect![[r#"
-        G98 | feed per minute
-        T0101 | 
-        G00 X29. Z2. | 
-        G51.2 P1 Q2 | polygon turning on, in a block of its own: P and Q as the ratio, R the offset of the work, A the lead of a twist
-        S200 | speed of the work; the tool follows
-        G00 X23. | 
-        G01 Z-15. F100 | 
-        G00 X29. | 
-        Z2. | 
-        G00 X21. | 
-        G01 Z-15. F100 | 
-        G00 X29. | 
-        Z2. | 
-        G00 X20.4 | 
-        G01 Z-15. F100 | 
-        G00 X29. | 
-        Z2. | 
-        G00 X20. | finishing
-        G01 Z-15. F50 | 
-        G00 X29. | 
-        Z2. | 
-        G00 X60. Z30. | 
-        S0 | both stop
-        G50.2 | polygon turning off, in a block of its own
-        M30 | 
-    "#]]
-    .assert_eq(&rows(&[("shape", "hexagon")], "own-code"));
-    expect![[r#"
-        0 | G512: O9120 hands over the values and sets #1100; #1002 = 1
-        0.75 | Both are told to stand at A and E
-        1.317 | Both stand at A and E: #1000 = 1
-        1.317 | O9120 sets #1101: both begin at once
-        1.883 | Both have their speed: #1001 = 1, O9120 ends
-        1.883 | The slide cuts
-        52.883 | G502: O9121 takes #1101 and #1100 back
-        53.45 | Both stand: #1002 = 0, #1003 = 1, O9121 ends
-         | At feed hold the slide stops; work and tool turn on beside it
-         | At reset, also within the cut, both come to rest in ratio and the slide stops where it is: retract it by hand before the next start. G512 finds the start angles again
-         | At emergency stop the same while the drives stay on until both stand. Drives that are switched off at once coast, each by its own inertia and friction: the ratio is lost, and an insert in the cut takes the corners off. Delay the power-off until both stand, and part slide and work before the next start
-    "#]]
-    .assert_eq(&rows(&[("work-start", "90")], "sequence"));
-    let choices = rows(&[("most-inserts", "3"), ("most-work-turns", "2")], "choices");
-    expect![[r#"
-        1 | 2 | 2:1 | 45 | 0.0284 | possible | -0.0284 | 0 | 4.76 | 398 | 796 | 249 .. 250
-        2 | 1 | 4:1 | 45 | 0.2487 | the sides are hollow; the sides are not flat enough | 0 | 0.2487 | 2.5 | 209 | 838 | 249 .. 250
-        3 | 1 | -4:1 | 45 | 0.759 | the tool turns against the work; the sides are hollow; the sides are not flat enough | 0 | 0.759 | 2.77 | 233 | -932 | 249 .. 250
-        4 | 2 | -2:1 | 45 | 0.9914 | the tool turns against the work; the sides are hollow; the sides are not flat enough | 0 | 0.9914 | 5.86 | 491 | -982 | 247 .. 250
-    "#]].assert_eq(&choices);
-    // A sense of its own for the work: S has it, P stays positive. R turns the work back for E; A is the lead.
-    let turned = [("shape", "own"), ("work-ratio", "-1"), ("tool-ratio", "-2"), ("tool-start", "30"), ("lead", "-80")];
-    let own = rows(&turned, "own-code");
-    assert!(own.contains("G51.2 P1 Q2 R345. A-80. | ") && own.contains("\nS-200 | "), "{own}");
-    let interface = rows(&[], "interface");
-    for row in ["F480 | #1480 | program | PMC | r/min", "G366.2 |  | PMC | control", "G406.3 |  | PMC | control"] {
-        assert!(interface.contains(row), "{interface}");
-    }
-    assert!(rows(&[], "ladder").contains("ON | DMUL F480 F488 D100 | speed of the tool: B times Q"));
-}
-
-#[test]
-fn the_part_with_a_code_of_its_own_leaves_as_a_file_that_reads_without_errors() {
-    let control = macroline::controls::find("gsk-980tdc").unwrap();
-    for changes in [&[][..], &[("shape", "hexagon"), ("work-start", "12.5"), ("lead", "300")]] {
-        let files = project(changes).export().files;
-        let own = files.into_iter().find(|file| file.name == "own-code.nc").unwrap();
-        let parsed = nc::parse_with(&Files(vec![own]), control, &Switches::default());
-        let errors: Vec<_> = parsed.diagnostics().iter().filter(|d| d.severity == Severity::Error).collect();
-        assert!(errors.is_empty(), "{errors:?}");
-    }
-}
-
-#[test]
-fn every_insert_may_stand_beside_its_place() {
-    // Two at ratio 3 turn a hexagon: the sides of one stand opposite those of the other, so that 0.1 mm is 0.1 mm across flats.
-    let hexagon = [("shape", "own"), ("tool-ratio", "3"), ("sides", "6"), ("stock-diameter", "30")];
-    let off = |radii: &'static str| [&hexagon[..], &[("radius-errors", radii)]].concat();
-    expect![[r#"
-        1 | 0.1 | 0 | 1 3 5 | -0.1 | 0.0031 | 0
-        2 | 0 | 0 | 2 4 6 | 0 | 0.0974 | 0
-    "#]]
-    .assert_eq(&rows(&off("0.1"), "inserts"));
-    let (even, deep, both) = (off(""), off("0.1"), off("0.1 0.1"));
-    let felt = |changes: &[(&str, &str)], id: &str| result(&project(changes), id);
-    let across = felt(&even, "across-flats");
-    assert!((felt(&deep, "least-across-flats") - (across - 0.1)).abs() < 5e-3, "{}", felt(&deep, "least-across-flats"));
-    assert!((felt(&both, "across-flats") - (across - 0.2)).abs() < 5e-3);
-    // Two at ratio 2 turn a square: each cuts sides that stand opposite each other.
-    let square = [("stock-diameter", "29"), ("radius-errors", "0.02 -0.01"), ("angle-errors", "0 0.5")];
-    expect![[r#"
-        1 | 0.02 | 0 | 1 3 | -0.07 | -0.02 | 0
-        2 | -0.01 | 0.5 | 2 4 | -0.0823 | 0.0194 | 0.25
-    "#]]
-    .assert_eq(&rows(&square, "inserts"));
-    assert!((felt(&square, "least-across-flats") - 19.96).abs() < 1e-6, "{}", felt(&square, "least-across-flats"));
-    // Both cut every side of a triangle: the one that stands out cuts it, the other nothing.
-    let triangle = [("shape", "triangle"), ("stock-diameter", "22"), ("radius-errors", "0 -0.05")];
-    assert!(
-        (felt(&triangle, "across-flats") - 20.0).abs() < 1e-9
-            && (felt(&triangle, "least-across-flats") - 20.0).abs() < 1e-9
-    );
-    assert!(project(&[]).design().readouts.iter().all(|row| row.id != "least-across-flats"));
-}
-
-/// The ladder list, scan by scan, as a PLC would take it: times are over at once.
-fn scanned(rungs: &[(Vec<String>, String)], on: &mut Vec<String>) {
-    for (contacts, output) in rungs {
-        let closed = contacts.iter().all(|contact| match contact.strip_prefix('/') {
-            Some(contact) => !on.iter().any(|one| one == contact),
-            None => contact == "ON" || on.iter().any(|one| one == contact),
-        });
-        let mut words = output.split(' ');
-        let (instruction, device) = (words.next().unwrap(), words.next().unwrap_or("").to_owned());
-        let before = on.contains(&device);
-        let after = match instruction {
-            "OUT" | "TMR" => closed,
-            "SET" => before || closed,
-            "RES" => before && !closed,
-            _ => continue,
-        };
-        on.retain(|one| *one != device);
-        on.extend(after.then_some(device));
-    }
-}
-
-#[test]
-fn the_ladder_goes_through_the_sequence_as_the_plc_does() {
-    let rungs: Vec<(Vec<String>, String)> = rows(&[], "ladder")
-        .lines()
-        .map(|line| {
-            let cells: Vec<&str> = line.split(" | ").collect();
-            (cells[1].split(" AND ").map(str::to_owned).collect(), cells[2].to_owned())
-        })
-        .collect();
-    // Every relay and timer that is asked for is made somewhere.
-    for device in rungs.iter().flat_map(|rung| &rung.0).map(|contact| contact.trim_start_matches('/')) {
-        let ours = device.starts_with(['R', 'T']) && device != "RST";
-        assert!(!ours || rungs.iter().any(|rung| rung.1.split(' ').nth(1) == Some(device)), "{device}");
-    }
-    let mut on: Vec<String> = Vec::new();
-    let mut after = |change: &str| {
-        let (add, device) = (change.starts_with('+'), &change[1..]);
-        on.retain(|one| one != device);
-        on.extend(add.then(|| device.to_owned()));
-        (0..4).for_each(|_| scanned(&rungs, &mut on));
-        let shown = ["G54.0", "G54.1", "G54.2", "G54.3", "G360.3", "G400.3"];
-        shown.into_iter().filter(|bit| on.iter().any(|one| one == bit)).collect::<Vec<_>>().join(" ")
-    };
-    let said = |after: &mut dyn FnMut(&str) -> String, changes: &[&str]| {
-        changes.iter().map(|change| format!("{change}: {}\n", after(change))).collect::<String>()
-    };
-    // G512, G502; then G512, reset in the cut, which counts for nothing more until both requests fall.
-    let whole = [
-        "+STAND CH6",
-        "+STAND CH7",
-        "+F54.0",
-        "+END CH6",
-        "+END CH7",
-        "+F54.1",
-        "-STAND CH6",
-        "-STAND CH7",
-        "-F54.1",
-        "-F54.0",
-        "+STAND CH6",
-        "+STAND CH7",
-        "+F54.0",
-        "+F54.1",
-        "-STAND CH6",
-        "-STAND CH7",
-        "+RST",
-        "-RST",
-        "+STAND CH6",
-        "+STAND CH7",
-        "-F54.1",
-        "-F54.0",
-        "+F54.0",
-    ];
-    expect![[r#"
-        +STAND CH6: G54.3
-        +STAND CH7: G54.3
-        +F54.0: G54.2
-        +END CH6: G54.2
-        +END CH7: G54.0 G54.2
-        +F54.1: G54.0 G54.1 G54.2
-        -STAND CH6: G54.0 G54.1 G54.2
-        -STAND CH7: G54.0 G54.1 G54.2
-        -F54.1: G54.2 G360.3 G400.3
-        -F54.0: G54.2 G360.3 G400.3
-        +STAND CH6: G54.2 G360.3 G400.3
-        +STAND CH7: G54.3
-        +F54.0: G54.0 G54.2
-        +F54.1: G54.0 G54.1 G54.2
-        -STAND CH6: G54.0 G54.1 G54.2
-        -STAND CH7: G54.0 G54.1 G54.2
-        +RST: G54.2 G360.3 G400.3
-        -RST: G54.2 G360.3 G400.3
-        +STAND CH6: G54.2 G360.3 G400.3
-        +STAND CH7: 
-        -F54.1: 
-        -F54.0: G54.3
-        +F54.0: G54.0 G54.2
-    "#]]
-    .assert_eq(&said(&mut after, &whole));
 }
 
 /// Area of a closed path of straight lines.
