@@ -151,7 +151,7 @@ test('files that need the whole module open directly: a project, a program that 
     const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save', exact: true }).click()]);
     const project = await readFile(await download.path());
     await page.getByRole('button', { name: 'L9100.SPF' }).click();
-    await line(page, 'WRITTEN BY MACROLINE').waitFor();
+    await line(page, 'PITCH=7.25').waitFor();
     const program = (await page.locator('.listing li[data-l] code').allTextContents()).join('\n');
     for (const [name, buffer] of [['project.json', project], ['L9100.SPF', Buffer.from(program)]]) {
       await page.evaluate(() => {
@@ -163,7 +163,7 @@ test('files that need the whole module open directly: a project, a program that 
       await page.setInputFiles('#open', { name, mimeType: 'text/plain', buffer });
       await line(page, 'R100').waitFor();
       assert.equal(await chosen(page), CONTROL);
-      assert.equal(await field(page, 'pitch').inputValue(), '7.25');
+      assert.equal(await field(page, 'pitch').inputValue(), '7.25', name);
       await page.getByRole('button', { name: 'Undo' }).click();
       assert.equal(await chosen(page), 'mitsubishi-e60');
     }
