@@ -147,6 +147,7 @@ test('a reload keeps it, with the whole module alone; back on another control th
 test('files that need the whole module open directly: a project, a program that macroline wrote, a kept project that nothing is known of', () =>
   withPage(app, {}, async ({ page, context }) => {
     await choose(page);
+    await line(page, 'R100').waitFor();
     await field(page, 'pitch').fill('7.25');
     const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save', exact: true }).click()]);
     const project = await readFile(await download.path());
