@@ -184,6 +184,11 @@ impl Syntax {
     pub const fn names(&self) -> Option<&Names> {
         if super::WHOLE { self.names.as_ref() } else { None }
     }
+
+    /// The sequence numbers that a block can have.
+    pub fn sequence_numbers(&self) -> core::ops::Range<f64> {
+        1.0..f64::from(10_u32.pow(self.sequence_digits.min(9).into()))
+    }
 }
 
 /// A function of the macro language.

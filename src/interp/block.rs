@@ -26,14 +26,21 @@ const OPTIONAL_STOP: u8 = 2;
 /// M02, M30.
 const END: u8 = 4;
 
-/// Bits `letter & 31` of some letters.
-const fn bits(letters: &[u8]) -> u32 {
-    let (mut bits, mut at) = (0, 0);
-    while at < letters.len() {
-        bits |= 1 << (letters[at] & 31);
-        at += 1;
+/// Words that do nothing in most blocks: the centre of an arc, its radius, what is called and how often, all others.
+const CENTRE: u8 = 1;
+const RADIUS: u8 = 2;
+const CALLED: u8 = 4;
+const OTHERS: u8 = 8;
+
+/// Which of them a letter is for; 0 where it is for none.
+const fn class(letter: u8) -> u8 {
+    match letter {
+        b'I' | b'J' | b'K' => CENTRE,
+        b'R' => RADIUS,
+        b'P' | b'L' => CALLED,
+        b'B' | b'E' | b'Q' => OTHERS,
+        _ => 0,
     }
-    bits
 }
 
 /// The codes of a block.
@@ -103,8 +110,8 @@ pub(super) struct Words {
     q: Option<f64>,
     h: Option<f64>,
     l: Option<f64>,
-    /// Bit `letter & 31`: words that do nothing in most blocks.
-    rare: u32,
+    /// Classes of the words that do nothing in most blocks.
+    rare: u8,
 }
 
 impl State {
@@ -520,11 +527,11 @@ impl State {
                     }
                     b'I' | b'J' | b'K' => {
                         values.center[(letter - b'I') as usize] = self.dimension(cx, block, word, inch)?;
-                        values.rare |= bits(b"I");
+                        values.rare |= CENTRE;
                     }
                     b'R' | long::CR => {
                         values.radius = self.dimension(cx, block, word, inch)?;
-                        values.rare |= bits(b"R");
+                        values.rare |= RADIUS;
                     }
                     long::LIMS => values.speed_limit = self.speed_word(cx, block, word)?,
                     long::SPOS => {
@@ -539,11 +546,11 @@ impl State {
                     b'P' | b'L' => {
                         let number = self.whole(cx, block, word)?;
                         *(if letter == b'P' { &mut values.p } else { &mut values.l }) = number;
-                        values.rare |= bits(b"P");
+                        values.rare |= CALLED;
                     }
                     b'Q' => {
                         values.q = self.raw(cx, block, word)?;
-                        values.rare |= bits(b"Q");
+                        values.rare |= OTHERS;
                     }
                     b'D' | b'H' => {
                         let number = self.whole(cx, block, word)?;
@@ -554,7 +561,7 @@ impl State {
                             values.h = number;
                         }
                     }
-                    b'B' | b'E' => values.rare |= bits(b"Q"),
+                    b'B' | b'E' => values.rare |= OTHERS,
                     _ => {}
                 }
             }
@@ -581,18 +588,17 @@ impl State {
         Ok(())
     }
 
-    /// The rare words that do something in a block with these codes: bits of I for the centre of an arc, R, P for P and L, Q for
-    /// everything else.
+    /// The classes of rare words that do something in a block with these codes.
     #[inline]
-    fn uses(&self, codes: &Codes, values: &Words) -> u32 {
+    fn uses(&self, codes: &Codes, values: &Words) -> u8 {
         let any = codes.any_word || codes.call.is_some() || self.modal.cycle || self.modal.motion == Code::NotSimulated;
         let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw);
         match (any, arc) {
-            (true, _) => u32::MAX,
+            (true, _) => u8::MAX,
             // An arc that has its radius needs no centre.
-            (_, true) if values.radius.is_some() => bits(b"R"),
-            (_, true) => bits(b"I"),
-            (_, false) if codes.flow.is_some() => bits(b"P"),
+            (_, true) if values.radius.is_some() => RADIUS,
+            (_, true) => CENTRE,
+            (_, false) if codes.flow.is_some() => CALLED,
             _ => 0,
         }
     }
@@ -613,10 +619,7 @@ impl State {
                     }
                     0
                 }
-                b'I' | b'J' | b'K' => bits(b"I"),
-                b'R' => bits(b"R"),
-                b'P' | b'L' => bits(b"P"),
-                b'B' | b'E' | b'Q' => bits(b"Q"),
+                letter if class(letter) != 0 => class(letter),
                 _ => continue,
             };
             let corner = cx.control.syntax.corners.iter().any(|corner| corner.0 == word.letter);

@@ -36,13 +36,12 @@ pub fn foretell(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
         oracle.state.go_to_program(deck, index as u32);
         for (at, block) in (program.first..).zip(deck.blocks_of(program)) {
             oracle.block(at, block);
-            let (file, span) = (program.file, block.span);
-            let said = |e: &Place| e.file == file && e.span.start < span.end && span.start < e.span.end;
+            let here = Place { file: program.file, span: block.span };
             if found.len() >= REMARKS {
                 // Room is for what stops a run.
                 oracle.told.retain(|finding| finding.severity == Severity::Error);
             }
-            if !oracle.told.is_empty() && !errors.iter().any(said) {
+            if !oracle.told.is_empty() && !errors.iter().any(|error| error.meets(here)) {
                 found.append(&mut oracle.told);
             }
             oracle.told.clear();

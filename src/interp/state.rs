@@ -390,8 +390,7 @@ impl State {
         // A calculated number may miss the whole one by a last digit; no block has a number with decimals.
         let whole = (number - number.round()).abs() < WHOLE;
         let number = if whole { number.round() } else { number };
-        let digits = u32::from(cx.control.syntax.sequence_digits.min(9));
-        if !(1.0..f64::from(10_u32.pow(digits))).contains(&number) {
+        if !cx.control.syntax.sequence_numbers().contains(&number) {
             return Err(Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", (number, 9))).behind(b"P"));
         }
         let found = || cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1));

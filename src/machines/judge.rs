@@ -42,6 +42,19 @@ pub(super) struct Rule<M: Rows> {
     pub(super) judge: fn(&M::Case<'_>) -> Option<Judgement>,
 }
 
+/// A row of the rules: the result that it judges, the judgement, where its limit comes from.
+macro_rules! rule {
+    ($on:literal, $judge:expr, $source:literal, $grade:ident) => {
+        $crate::machines::judge::Rule {
+            on: $on,
+            cite: $crate::text::Citation::new($source, $crate::text::Grade::$grade),
+            judge: $judge,
+        }
+    };
+}
+
+pub(super) use rule;
+
 /// It holds.
 pub(super) fn ok(limit: impl Into<Option<f64>>) -> Option<Judgement> {
     Some(Judgement { verdict: Verdict::Ok, limit: limit.into(), advice: Vec::new() })

@@ -156,6 +156,8 @@ pub trait Machine: 'static {
     const LISTING: &'static str;
     /// Machine seconds per second at which there is something to see, one of the speeds of the page.
     const SPEED: f64;
+    /// What is dragged to look for a shape; most machines have nothing.
+    const EXPLORER: Option<fn(&Self::Params, On) -> Explorer> = None;
     /// The form, in the order it is shown.
     fn fields() -> &'static [Field<Self::Params>];
     /// What a new project has on this control instead of the defaults of the form: values of fields, settings of switches.
@@ -175,10 +177,6 @@ pub trait Machine: 'static {
     /// Drawings that leave with an export.
     fn drawings(_: &Self::Params, _: On) -> Vec<File> {
         Vec::new()
-    }
-    /// What is dragged to look for a shape; nothing for most machines.
-    fn explorer(_: &Self::Params, _: On) -> Option<Explorer> {
-        None
     }
     /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
     fn variables(params: &Self::Params, on: On) -> Vec<(u32, &'static str, &'static str)>;
@@ -373,8 +371,10 @@ macro_rules! machines {
             &[$((<$first>::ID, drawings_of::<$first>),)* $((<$whole>::ID, drawings_of::<$whole>)),*];
 
         /// Their explorers, likewise.
-        static EXPLORERS: &[(&str, fn(&Values, On) -> Option<Explorer>)] =
-            &[$((<$first>::ID, explorer_of::<$first>),)* $((<$whole>::ID, explorer_of::<$whole>)),*];
+        static EXPLORERS: &[(&str, bool, fn(&Values, On) -> Option<Explorer>)] = &[
+            $((<$first>::ID, <$first>::EXPLORER.is_some(), explorer_of::<$first>),)*
+            $((<$whole>::ID, <$whole>::EXPLORER.is_some(), explorer_of::<$whole>)),*
+        ];
     };
 }
 
@@ -401,12 +401,17 @@ pub fn drawings(machine: &dyn AnyMachine, values: &Values, on: On) -> Vec<File> 
 }
 
 fn explorer_of<M: Machine>(values: &Values, on: On) -> Option<Explorer> {
-    M::explorer(&Erased::<M>::params(values).0, on)
+    M::EXPLORER.map(|explorer| explorer(&Erased::<M>::params(values).0, on))
+}
+
+/// Whether something is dragged on the machine of an id to look for a shape.
+pub fn explores(id: &str) -> bool {
+    EXPLORERS.iter().any(|row| row.0 == id && row.1)
 }
 
 /// What is dragged on a machine to look for a shape; nothing for most.
 pub fn explorer(machine: &dyn AnyMachine, values: &Values, on: On) -> Option<Explorer> {
-    EXPLORERS.iter().find(|(id, _)| *id == machine.id()).and_then(|(_, explorer)| explorer(values, on))
+    EXPLORERS.iter().find(|row| row.0 == machine.id()).and_then(|row| row.2(values, on))
 }
 
 /// What is known of the machine of an id, be it in this module or not.

@@ -6,7 +6,7 @@ use super::program::Written;
 use super::{Project, run};
 use crate::interp;
 use crate::nc::{self, Parsed};
-use crate::text::{Diagnostic, Place, Severity};
+use crate::text::{Diagnostic, Severity};
 
 /// All of it, in the order of the text. `start` is the number of the program that is started, where somebody has said; `set` are variables
 /// that the operator sets.
@@ -22,9 +22,8 @@ fn beyond(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagnosti
     let mut found = interp::foretell(parsed);
     let mut warnings = nc::warnings(parsed, start, set);
     // One mistake is said once.
-    let within = |a: Place, b: Place| a.file == b.file && a.span.start < b.span.end && b.span.start < a.span.end;
     let said = |warning: &Diagnostic| {
-        found.iter().any(|alarm| warning.place.zip(alarm.place).is_some_and(|(a, b)| within(a, b)))
+        found.iter().any(|alarm| warning.place.zip(alarm.place).is_some_and(|(a, b)| a.meets(b)))
     };
     warnings.retain(|warning| warning.severity == Severity::Info || !said(warning));
     found.append(&mut warnings);

@@ -47,3 +47,10 @@ pub struct Place {
     /// The bytes.
     pub span: Span,
 }
+
+impl Place {
+    /// Whether both share a byte.
+    pub fn meets(self, other: Place) -> bool {
+        self.file == other.file && self.span.start < other.span.end && other.span.start < self.span.end
+    }
+}

@@ -20,11 +20,7 @@ use crate::view::{Explorer, Knob};
 
 /// Whether there is something to drag on the machine.
 pub(super) fn explores(model: Model) -> bool {
-    if !WHOLE {
-        return false;
-    }
-    model.machine.track();
-    model.project.with_untracked(|project| look(project, &project.values).is_some())
+    WHOLE && model.machine.with(|id| machines::explores(id))
 }
 
 fn look(project: &Project, values: &Values) -> Option<Explorer> {

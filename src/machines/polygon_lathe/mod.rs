@@ -41,6 +41,7 @@ use crate::machines::judge::{Rows, judge};
 use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
 use crate::motion::{Action, Plant, Plc, Snapshot};
 use crate::nc::File;
+use crate::text::catalog::number_text as show;
 use crate::view::{Chart, Explorer, Pose, Scene, Sheet};
 use derive::Derived;
 use fitted::Fitted;
@@ -68,6 +69,7 @@ impl Machine for PolygonLathe {
 
     const LISTING: &'static str = include_str!("listing.nc");
     const SPEED: f64 = 0.05;
+    const EXPLORER: Option<fn(&Params, On) -> Explorer> = Some(|p, on| explore::explorer(&Fitted::new(p, on)));
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS
@@ -117,10 +119,6 @@ impl Machine for PolygonLathe {
         drawings::drawings(&Fitted::new(p, on))
     }
 
-    fn explorer(p: &Params, on: On) -> Option<Explorer> {
-        Some(explore::explorer(&Fitted::new(p, on)))
-    }
-
     fn variables(_: &Params, _: On) -> Vec<(u32, &'static str, &'static str)> {
         program::VARIABLES.to_vec()
     }
@@ -140,9 +138,4 @@ impl Machine for PolygonLathe {
         all.extend(graphs::over_radius(&lathe, points));
         all
     }
-}
-
-/// A number as it is shown.
-fn show(number: f64, decimals: u8) -> String {
-    crate::text::catalog::number_text(number, decimals)
 }

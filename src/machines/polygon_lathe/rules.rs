@@ -6,21 +6,15 @@ use super::fitted::{ANGLE_ERROR, Fitted, RADIUS_ERROR, errors};
 use super::params::Params;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
-use crate::machines::judge::{Judgement, Rule, fail, ok, warn};
+use crate::machines::judge::{Judgement, Rule, fail, ok, rule, warn};
 use crate::msg;
-use crate::text::{Citation, Diagnostic, Grade, Message};
+use crate::text::{Diagnostic, Message};
 
 /// Inputs, what follows from them, and what the control takes.
 pub(super) struct Case<'a> {
     pub(super) lathe: &'a Fitted<'a>,
     pub(super) p: &'a Params,
     pub(super) d: &'a Derived,
-}
-
-macro_rules! rule {
-    ($on:literal, $judge:expr, $source:literal, $grade:ident) => {
-        Rule { on: $on, cite: Citation::new($source, Grade::$grade), judge: $judge }
-    };
 }
 
 /// All rules that judge a result.

@@ -31,6 +31,7 @@ use crate::machines::form::rows::Newline;
 use crate::machines::judge::{Row, Rows, judge};
 use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
 use crate::motion::{Action, Plant, Plc, Snapshot};
+use crate::text::catalog::number_text as show;
 use crate::view::{Chart, Pose, Scene, Sheet};
 use derive::Derived;
 use fitted::Fitted;
@@ -138,9 +139,4 @@ fn unit(row: &Row<Line>, line: &Fitted) -> &'static str {
         "y-feed" if line.degrees() => "°/min",
         _ => row.unit,
     }
-}
-
-/// A number as it is shown.
-fn show(number: f64, decimals: u8) -> String {
-    crate::text::catalog::number_text(number, decimals)
 }

@@ -29,6 +29,7 @@ use crate::machines::form::rows::Newline;
 use crate::machines::judge::{Rows, judge};
 use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
 use crate::motion::{Action, Plant, Plc, Snapshot};
+use crate::text::catalog::number_text as show;
 use crate::view::{Chart, Pose, Scene, Sheet};
 use derive::Derived;
 use fitted::Fitted;
@@ -123,9 +124,4 @@ impl Machine for TurningSpindle {
         all.extend(graphs::over_diameter(&lathe, points));
         all
     }
-}
-
-/// A number as it is shown.
-fn show(number: f64, decimals: u8) -> String {
-    crate::text::catalog::number_text(number, decimals)
 }

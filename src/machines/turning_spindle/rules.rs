@@ -6,21 +6,15 @@ use super::fitted::Fitted;
 use super::params::{Params, Path};
 use super::{program, show};
 use crate::drives::Bound;
-use crate::machines::judge::{Judgement, Rule, fail, ok, warn};
+use crate::machines::judge::{Judgement, Rule, fail, ok, rule, warn};
 use crate::msg;
-use crate::text::{Citation, Diagnostic, Grade};
+use crate::text::Diagnostic;
 
 /// Inputs, what follows from them, and what the control takes.
 pub(super) struct Case<'a> {
     pub(super) lathe: &'a Fitted<'a>,
     pub(super) p: &'a Params,
     pub(super) d: &'a Derived,
-}
-
-macro_rules! rule {
-    ($on:literal, $judge:expr, $source:literal, $grade:ident) => {
-        Rule { on: $on, cite: Citation::new($source, Grade::$grade), judge: $judge }
-    };
 }
 
 /// All rules that judge a result.

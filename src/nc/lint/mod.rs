@@ -15,13 +15,13 @@ mod values;
 mod vars;
 mod words;
 
-use super::ast::{Deck, ExprId};
+use super::ast::{Deck, ExprId, Word, WordValue};
 use super::parse::part_span;
 use super::parsed::Parsed;
 use crate::controls::Control;
 use crate::controls::syntax::Round;
 use crate::order;
-use crate::text::{Diagnostic, Message, Place, Span, Value};
+use crate::text::{Diagnostic, LineIndex, Message, Place, Span, Value};
 use flow::Flow;
 use roles::Roles;
 use vars::Vars;
@@ -123,8 +123,7 @@ impl Lint<'_> {
     fn line(&self, block: u32) -> String {
         let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
         let file = self.parsed.files().get(self.place(block, span).file);
-        let before = file.and_then(|file| file.text.as_bytes().get(..span.start as usize)).unwrap_or_default();
-        (before.iter().filter(|b| **b == b'\n').count() + 1).to_string()
+        file.map_or(1, |file| LineIndex::new(&file.text).line_of(span.start)).to_string()
     }
 
     /// A part of a formula of a block; the block where it is not found again.
@@ -154,4 +153,11 @@ impl Lint<'_> {
         }
         [bits, if self.is("argument-point", "as written") { 0 } else { bits }]
     }
+}
+
+/// The number of a word, `least` for each increment that it counts (bits of [`Lint::increments`]); `None` where it is calculated.
+fn measure(word: &Word, increments: u32, least: f64) -> Option<f64> {
+    let WordValue::Number(dec) = word.value else { return None };
+    let counts = !dec.point && increments & 1 << (word.letter & 31) != 0;
+    Some(if counts { dec.to_f64() * least } else { dec.to_f64() })
 }

@@ -1,8 +1,8 @@
 //! Ways back at cutting feed on a lathe: out of the cut, and further than where the rapid in front of it ended.
 
-use super::super::ast::{Form, Stmt, Word, WordValue};
-use super::Lint;
+use super::super::ast::{Form, Stmt, Word};
 use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
+use super::{Lint, measure};
 
 /// Codes after which nothing is known of positions.
 const UNKNOWN: u32 = CALL | CURVED | INCH | RETURN | SPECIAL | SUB;
@@ -20,10 +20,8 @@ pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
     let axes = [across, along];
     let increments = lint.increments()[0];
     let least = lint.control.limits.increment;
-    let value = |word: &Word| match word.value {
-        _ if word.form != Form::Plain => f64::NAN,
-        WordValue::Number(dec) if !dec.point && increments & 1 << (word.letter & 31) != 0 => dec.to_f64() * least,
-        WordValue::Number(dec) => dec.to_f64(),
+    let value = |word: &Word| match word.form {
+        Form::Plain => measure(word, increments, least).unwrap_or(f64::NAN),
         _ => f64::NAN,
     };
     for program in &deck.programs {

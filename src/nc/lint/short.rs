@@ -1,6 +1,6 @@
 //! Blocks with constant lengths at a constant feed that are over before the control has read the next one.
 
-use super::super::ast::{Block, Stmt, Word, WordValue};
+use super::super::ast::{Block, Stmt, Word};
 use super::Lint;
 use super::roles::{
     ABSOLUTE, AUXILIARY, CALL, CURVED, CUTTING, DWELL, EXACT, INCREMENTAL, LINEAR, OTHER_FEED, PER_MINUTE, RAPID,
@@ -59,9 +59,7 @@ impl Short {
     }
 
     fn value(&self, word: &Word) -> Option<f64> {
-        let WordValue::Number(dec) = word.value else { return None };
-        let counts = !dec.point && self.increments & 1 << (word.letter & 31) != 0;
-        Some(if counts { dec.to_f64() * self.control.limits.increment } else { dec.to_f64() })
+        super::measure(word, self.increments, self.control.limits.increment)
     }
 
     /// A block that only computes or jumps.

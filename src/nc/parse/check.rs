@@ -224,8 +224,7 @@ impl Check<'_> {
     fn no_target(&mut self, number: Dec, span: Span) {
         if self.found.len() <= 2 * FINDINGS {
             // Some numbers no block can have.
-            let (value, digits) = (number.to_f64(), u32::from(self.control.syntax.sequence_digits.min(9)));
-            let such = (1.0..f64::from(10_u32.pow(digits))).contains(&value);
+            let such = self.control.syntax.sequence_numbers().contains(&number.to_f64());
             let alarm = if such { Alarm::NoSequence } else { Alarm::JumpNumber };
             self.report(alarm, span, msg!("nc.no-such-sequence", format!("N{number}")));
         }
