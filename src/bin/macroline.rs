@@ -466,15 +466,20 @@ mod native {
         let Prepared { run: mut planner, files, found: mut diagnostics, silenced, .. } = prepare(args, Keep::Log)?;
         let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
         let mut canon: Vec<Json> = Vec::new();
-        let outcome = run::to_end(&mut planner, |line: run::LogLine| {
-            if wanted && json {
-                canon.push(json!(line.to_string()));
-                Ok(())
-            } else if wanted {
-                writeln!(out, "{line}")
-            } else {
-                Ok(())
+        let mut text = String::new();
+        let outcome = run::to_end(&mut planner, |line| {
+            if !wanted {
+                return Ok(());
             }
+            text.clear();
+            // A text takes whatever is written.
+            let _ = line.write(&mut text);
+            if json {
+                canon.push(json!(text));
+                return Ok(());
+            }
+            text.push('\n');
+            out.write_all(text.as_bytes())
         })?;
         diagnostics.extend(outcome.diagnostics.iter().cloned());
         run::once_each(&mut diagnostics);

@@ -3,7 +3,7 @@
 //! Positions are whole command increments (0.001 mm or 0.001° on most controls) in the machine frame, so that a million
 //! incremental blocks add up exactly. They count what words count: on an axis that is programmed in diameters, diameters. Each variant's `Display` line is the test oracle.
 
-use core::fmt::{self, Display as _, Write as _};
+use core::fmt;
 
 use crate::controls::AxisDef;
 use crate::drives::Approach;
@@ -201,12 +201,12 @@ pub struct Names<'a> {
 }
 
 impl Target {
-    fn write(&self, f: &mut fmt::Formatter<'_>, names: &Names) -> fmt::Result {
+    fn write(&self, f: &mut impl fmt::Write, names: &Names) -> fmt::Result {
         for (k, axis) in names.axes.iter().enumerate().take(AXES) {
             if self.mask & (1 << k) != 0 {
                 f.write_char(' ')?;
                 f.write_char(axis.letter as char)?;
-                decimal(self.position[k] as f64 * names.increment).fmt(f)?;
+                decimal(self.position[k] as f64 * names.increment).write(f)?;
             }
         }
         Ok(())
@@ -218,12 +218,15 @@ fn decimal(value: f64) -> Plain {
     Plain(value, 6)
 }
 
-impl fmt::Display for Feed {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_char('F')?;
+impl Feed {
+    fn write(&self, f: &mut impl fmt::Write) -> fmt::Result {
+        f.write_str(" F")?;
         match self {
-            Feed::PerMinute(feed) => decimal(*feed).fmt(f),
-            Feed::PerRevolution(feed) => write!(f, "{}/rev", decimal(*feed)),
+            Feed::PerMinute(feed) => decimal(*feed).write(f),
+            Feed::PerRevolution(feed) => {
+                decimal(*feed).write(f)?;
+                f.write_str("/rev")
+            }
         }
     }
 }
@@ -244,6 +247,13 @@ pub struct Line<'a> {
 
 impl fmt::Display for Line<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(f)
+    }
+}
+
+impl Line<'_> {
+    /// Writes the line where pieces cost least: a run writes one for every command.
+    pub fn write(&self, f: &mut impl fmt::Write) -> fmt::Result {
         let names = &self.names;
         let stop = |exact: bool| if exact { " exact" } else { "" };
         match self.canon {
@@ -254,14 +264,13 @@ impl fmt::Display for Line<'_> {
             Canon::Linear { to, feed, exact } => {
                 f.write_str("linear")?;
                 to.write(f, names)?;
-                f.write_char(' ')?;
-                feed.fmt(f)?;
+                feed.write(f)?;
                 f.write_str(stop(*exact))
             }
             Canon::Thread { to, lead } => {
                 f.write_str("thread")?;
                 to.write(f, names)?;
-                write!(f, " {}", Feed::PerRevolution(*lead))
+                Feed::PerRevolution(*lead).write(f)
             }
             Canon::Arc { to, plane, center, clockwise, feed, exact } => {
                 f.write_str(if *clockwise { "arc-cw" } else { "arc-ccw" })?;
@@ -270,7 +279,8 @@ impl fmt::Display for Line<'_> {
                     let letter = names.axes.get(axis as usize).map_or('?', |axis| axis.letter as char);
                     write!(f, " c{letter}{}", decimal(center * names.increment))?;
                 }
-                write!(f, " {feed}{}", stop(*exact))
+                feed.write(f)?;
+                f.write_str(stop(*exact))
             }
             Canon::Dwell { seconds } => write!(f, "dwell {}s", decimal(*seconds)),
             Canon::DwellTurns { turns } => write!(f, "dwell {}rev", decimal(*turns)),
@@ -296,7 +306,7 @@ impl fmt::Display for Line<'_> {
             Canon::Gear { stage } => write!(f, "gear {stage}"),
             Canon::Orient { angle, approach } => {
                 f.write_str("orient ")?;
-                decimal(*angle).fmt(f)?;
+                decimal(*angle).write(f)?;
                 f.write_str(match approach {
                     Approach::Direct => "",
                     Approach::Clockwise => " cw",

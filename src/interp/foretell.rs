@@ -1,6 +1,7 @@
 //! What a run will certainly say: each block alone, with all in it that is constant, under all codes that can be in force there.
 
 use std::cell::RefCell;
+use std::mem;
 use std::rc::Rc;
 
 use super::fault::{Run, Trap};
@@ -11,7 +12,7 @@ use super::{Interp, Start};
 use crate::controls::macros::CallKind;
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, CodeDef, Group, VarKind};
-use crate::nc::{Block, Expr, ExprId, Parsed, Stmt, Word, WordValue};
+use crate::nc::{Block, Dec, Expr, ExprId, Parsed, Stmt, Word, WordValue};
 use crate::text::{Diagnostic, Place, Severity};
 
 /// Findings that are listed.
@@ -143,6 +144,32 @@ struct Oracle<'a> {
     words: bool,
     /// What is wrong with the block at hand.
     told: Vec<Diagnostic>,
+    /// The block of words before, where nothing was to be said of it.
+    clean: Vec<Clean>,
+}
+
+/// A word of a block of which nothing was to be said, and the numbers between which nothing is.
+struct Clean {
+    word: Word,
+    least: i64,
+    most: i64,
+    /// Whether it may say another number: lengths and feeds have ranges, each other number may mean something of its own.
+    ranges: bool,
+}
+
+impl Clean {
+    /// Whether the word is this one, but for how much it says.
+    fn is_like(&self, word: &Word) -> bool {
+        let (WordValue::Number(a), WordValue::Number(b)) = (self.word.value, word.value) else { return false };
+        (self.word.letter, self.word.index, self.word.form, a.scale, a.point)
+            == (word.letter, word.index, word.form, b.scale, b.point)
+            && (self.ranges || a.mantissa == b.mantissa)
+    }
+
+    fn holds(&self, word: &Word) -> bool {
+        matches!(word.value, WordValue::Number(n) if (self.least..=self.most).contains(&n.mantissa))
+            && self.is_like(word)
+    }
 }
 
 impl<'a> Oracle<'a> {
@@ -159,7 +186,8 @@ impl<'a> Oracle<'a> {
             });
         }
         let modals = vec![state.modal.clone()];
-        let mut oracle = Oracle { cx, heard, state, constant, modals, words: true, told: Vec::new() };
+        let mut oracle =
+            Oracle { cx, heard, state, constant, modals, words: true, told: Vec::new(), clean: Vec::new() };
         oracle.note_codes();
         oracle
     }
@@ -318,7 +346,32 @@ impl<'a> Oracle<'a> {
         }
     }
 
+    /// Notes that nothing is to be said of a block; `before` is what it was for the blocks in front of it.
+    fn note_clean(&mut self, words: &[Word], before: Vec<Clean>) {
+        self.clean = before;
+        if self.clean.len() != words.len() || !self.clean.iter().zip(words).all(|(clean, word)| clean.is_like(word)) {
+            self.clean.clear();
+        }
+        for (at, word) in words.iter().enumerate() {
+            let WordValue::Number(Dec { mantissa, .. }) = word.value else { return self.clean.clear() };
+            match self.clean.get_mut(at) {
+                Some(clean) => (clean.least, clean.most) = (clean.least.min(mantissa), clean.most.max(mantissa)),
+                None => {
+                    let ranges = matches!(word.letter, b'F' | b'I' | b'J' | b'K')
+                        || self.cx.shared.index.axis(word.letter).is_some();
+                    self.clean.push(Clean { word: *word, least: mantissa, most: mantissa, ranges });
+                }
+            }
+        }
+    }
+
     fn block_words(&mut self, at: u32, block: &Block, words: &[Word]) {
+        // Long programs repeat one form of block with other numbers. Its codes are in force already, and its numbers lie between such
+        // of which nothing was to be said.
+        if self.clean.len() == words.len() && self.clean.iter().zip(words).all(|(clean, word)| clean.holds(word)) {
+            return;
+        }
+        let before = mem::take(&mut self.clean);
         let open = words.iter().filter(|word| !self.is_known(word));
         let (mut all, mut codes, mut results) = (true, true, true);
         for word in open {
@@ -340,7 +393,8 @@ impl<'a> Oracle<'a> {
         self.heard.take();
         let read = self.state.read_words(&mut self.cx, block, told);
         let heard = self.heard.take();
-        if all && read.is_ok() && !heard.is_empty() {
+        let quiet = heard.is_empty();
+        if all && read.is_ok() && !quiet {
             self.remarked(block, words, heard);
         }
         match read {
@@ -357,6 +411,8 @@ impl<'a> Oracle<'a> {
                     let acts = ACTS.get(first..).unwrap_or_default();
                     let finding = self.always(block, acts, &mut |state, cx| state.words(cx, at, block, words));
                     self.note(finding);
+                } else if all && quiet {
+                    self.note_clean(words, before);
                 }
             }
             Err(_) => {

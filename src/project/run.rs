@@ -1,6 +1,5 @@
 //! A run from its beginning to its end: of a project, or of bare programs on the control's bench.
 
-use std::fmt;
 use std::rc::Rc;
 
 use serde_json::{Map, Value as Json, json};
@@ -9,9 +8,9 @@ use super::program::Written;
 use super::{Project, inputs};
 use crate::controls::bench::BenchShift;
 use crate::controls::{Control, Switches, VarKind};
-use crate::interp::canon::Names;
+use crate::interp::canon::Line;
 use crate::interp::world::Still;
-use crate::interp::{Canon, Interp, Start, Step};
+use crate::interp::{Interp, Start, Step};
 use crate::machines::On;
 use crate::motion::{
     Action, AxisPlant, BenchPlc, Event, GearShift, Keep, Limits, Panel, Planner, Plant, Plc, RunEnd, Setup,
@@ -189,18 +188,6 @@ fn bench(control: &'static Control, switches: &Switches) -> (Plant, Box<dyn Plc>
     (plant, Box::new(plc))
 }
 
-/// A command of the log as a line.
-pub struct LogLine<'a> {
-    canon: &'a Canon,
-    names: Names<'static>,
-}
-
-impl fmt::Display for LogLine<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.canon.line(self.names).fmt(f)
-    }
-}
-
 /// How a run ended.
 pub struct Outcome {
     /// Why.
@@ -219,13 +206,13 @@ pub struct Outcome {
     pub spindle: crate::motion::SpindleState,
 }
 
-/// Runs to the end and hands every command to `log` as it begins. Fails only where `log` does.
-pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(LogLine) -> Result<(), E>) -> Result<Outcome, E> {
+/// Runs to the end and hands every command, as a line of the canonical log, to `log` as it begins. Fails only where `log` does.
+pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(Line) -> Result<(), E>) -> Result<Outcome, E> {
     let names = run.program().names();
     let ended = loop {
         let progress = run.advance(f64::INFINITY, SLICE);
         for (_, canon, _) in run.take_log() {
-            log(LogLine { canon: &canon, names })?;
+            log(canon.line(names))?;
         }
         if let Some(ended) = progress.ended {
             break ended;

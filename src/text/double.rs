@@ -35,12 +35,12 @@ impl fmt::Display for Shortest {
 }
 
 /// A double of any size, or none: `1e15`, `-1.5e300`, `inf`, `NaN`.
-pub(super) fn exponential(f: &mut fmt::Formatter<'_>, x: f64) -> fmt::Result {
+pub(super) fn exponential(f: &mut impl fmt::Write, x: f64) -> fmt::Result {
     match x {
         f64::INFINITY => f.write_str("inf"),
         f64::NEG_INFINITY => f.write_str("-inf"),
         _ if x.is_nan() => f.write_str("NaN"),
-        _ => fmt::Display::fmt(&Shortest(x), f),
+        _ => write!(f, "{}", Shortest(x)),
     }
 }
 

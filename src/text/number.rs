@@ -55,12 +55,17 @@ const POW10: [f64; 11] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10
 
 impl fmt::Display for Plain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Some((mut digits, mut decimals)) = scaled(self.0, self.1) else { return double::exponential(f, self.0) };
-        while decimals > 0 && digits % 10 == 0 {
-            digits /= 10;
-            decimals -= 1;
+        self.write(f)
+    }
+}
+
+impl Plain {
+    /// Writes the number; what `Display` does, where the writer is known.
+    pub fn write(&self, f: &mut impl fmt::Write) -> fmt::Result {
+        match scaled(self.0, self.1) {
+            Some((digits, decimals)) => write_scaled(f, digits, decimals, false),
+            None => double::exponential(f, self.0),
         }
-        write_scaled(f, digits, decimals)
     }
 }
 
@@ -71,7 +76,7 @@ pub struct Fixed(pub f64, pub u8);
 impl fmt::Display for Fixed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match scaled(self.0, self.1) {
-            Some((digits, decimals)) => write_scaled(f, digits, decimals),
+            Some((digits, decimals)) => write_scaled(f, digits, decimals, true),
             None => double::exponential(f, self.0),
         }
     }
@@ -92,26 +97,38 @@ fn scaled(number: f64, decimals: u8) -> Option<(i64, usize)> {
     Some((scaled as i64, decimals))
 }
 
-/// `digits / 10^decimals`; at most ten decimals.
-fn write_scaled(f: &mut fmt::Formatter<'_>, digits: i64, decimals: usize) -> fmt::Result {
-    let mut rest = digits.unsigned_abs();
+/// `digits / 10^decimals`, at most ten decimals, with or without zeros at their end.
+fn write_scaled(f: &mut impl fmt::Write, digits: i64, decimals: usize, zeros: bool) -> fmt::Result {
+    let unit = 10_u64.pow(decimals as u32);
+    let size = digits.unsigned_abs();
+    let (mut whole, mut part, mut left) = (size / unit, size % unit, decimals);
     // Sign, sixteen digits, ten decimals of a smaller number, point.
-    let mut text = [b'0'; 28];
+    let mut text = [0; 28];
     let mut at = text.len();
-    let mut place = 0;
-    while rest > 0 || place <= decimals {
-        if place == decimals && place > 0 {
-            at -= 1;
-            text[at] = b'.';
-        }
+    let mut put = |byte: u8| {
         at -= 1;
-        text[at] = b'0' + (rest % 10) as u8;
-        rest /= 10;
-        place += 1;
+        text[at] = byte;
+    };
+    while !zeros && left > 0 && part.is_multiple_of(10) {
+        part /= 10;
+        left -= 1;
+    }
+    if left > 0 {
+        for _ in 0..left {
+            put(b'0' + (part % 10) as u8);
+            part /= 10;
+        }
+        put(b'.');
+    }
+    loop {
+        put(b'0' + (whole % 10) as u8);
+        whole /= 10;
+        if whole == 0 {
+            break;
+        }
     }
     if digits < 0 {
-        at -= 1;
-        text[at] = b'-';
+        put(b'-');
     }
     f.write_str(core::str::from_utf8(&text[at..]).unwrap_or_default())
 }

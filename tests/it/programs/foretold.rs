@@ -339,3 +339,47 @@ fn calls_and_jumps_that_cannot_be() {
         "#]],
     );
 }
+
+#[test]
+fn a_block_is_told_the_same_behind_blocks_of_its_form() {
+    let mut state = 1_u64;
+    let mut below = |n: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % n
+    };
+    let codes =
+        ["", "G0", "G1", "G2", "G4", "G33", "G20", "G21", "G70", "G71", "G94", "G95", "G98", "G99", "G96", "G50"];
+    let letters = ["X", "Z", "U", "F", "I", "K", "R", "S", "T", "P", "Q", "D", "E"];
+    let numbers = ["0", "1", "2", "-3", "0.5", "-0.5", "500", "500.", "3.5", "10000", "99999.9", "100000.", "99999999"];
+    let (mut findings, mut programs) = (0, 0);
+    for control in controls::ALL {
+        let program = |blocks: &[String]| match control.syntax.names {
+            Some(_) => format!("%_N_MAIN_MPF\n{}\nM2\n", blocks.join("\n")),
+            None => format!("O1\n{}\nM30\n%\n", blocks.join("\n")),
+        };
+        let told = |text: &str| -> Vec<(String, String)> {
+            let interp = start_on(control, text, &[]);
+            let found = foretell(interp.parsed());
+            let piece = |d: &Diagnostic| d.place.unwrap().span.of(text).to_owned();
+            found.iter().map(|d| (format!("{:?} {:?}", d.alarm, d.message), piece(d))).collect()
+        };
+        for _ in 0..1500 {
+            let (code, words) = (codes[below(codes.len())], 1 + below(3));
+            let form: Vec<&str> = (0..words).map(|_| letters[below(letters.len())]).collect();
+            let blocks: Vec<String> = (0..12)
+                .map(|_| {
+                    let code = if below(3) == 0 { codes[below(codes.len())] } else { code };
+                    let word = |letter: &&str| format!("{letter}{}", numbers[below(numbers.len())]);
+                    form.iter().map(word).fold(code.to_owned(), |block, word| block + &word)
+                })
+                .collect();
+            // An M code between any two: none stands behind another of its form.
+            let apart: Vec<String> = blocks.iter().flat_map(|block| [block.clone(), "M10".to_owned()]).collect();
+            let alone = told(&program(&apart));
+            findings += alone.len();
+            programs += usize::from(alone.is_empty());
+            assert_eq!(told(&program(&blocks)), alone, "{}: {blocks:#?}", control.id);
+        }
+    }
+    assert!(findings > 10_000 && programs > 500, "{findings} findings, {programs} programs without");
+}
