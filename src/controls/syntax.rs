@@ -304,3 +304,8 @@ impl Operation {
         matches!(self, Goto | IfEqual | IfNotEqual | IfGreater | IfLess | IfGreaterEqual | IfLessEqual)
     }
 }
+
+/// Addresses as bits: bit `letter & 31`.
+pub fn letter_bits(letters: impl Iterator<Item = u8>) -> u32 {
+    letters.fold(0, |bits, letter| bits | 1 << (letter & 31))
+}

@@ -32,18 +32,6 @@ fn bits(cx: &Cx, x: f64) -> Run<i32> {
     Ok(whole as i64 as i32)
 }
 
-/// `x` in degrees within one turn, and whether sine or cosine of it are exactly 0 or ±1: (sine, cosine).
-fn sin_cos_degrees(x: f64) -> (f64, f64) {
-    let turn = x % 360.0;
-    match turn {
-        0.0 => (0.0, 1.0),
-        90.0 | -270.0 => (1.0, 0.0),
-        180.0 | -180.0 => (0.0, -1.0),
-        270.0 | -90.0 => (-1.0, 0.0),
-        _ => math::sin_cos(turn * (math::PI / 180.0)),
-    }
-}
-
 /// Decimal digits of a whole number as groups of four bits, or back.
 fn regroup(x: f64, from: i64, to: i64) -> Run<f64> {
     let error = || Trap::alarm(Alarm::Calculation, msg!("interp.not-bcd", x));
@@ -65,29 +53,25 @@ fn regroup(x: f64, from: i64, to: i64) -> Run<f64> {
 
 /// The value of a function.
 pub(super) fn function(cx: &Cx, function: Function, x: f64) -> Run<f64> {
-    let degrees = 180.0 / math::PI;
     let outside = |alarm: Alarm| {
         let name = cx.control.syntax.functions.iter().find(|row| row.1 == function).map_or("", |row| row.0);
         Err(Trap::alarm(alarm, msg!("interp.outside-domain", name, (x, 9))))
     };
     let result = match function {
-        Function::Sin => sin_cos_degrees(x).0,
-        Function::Cos => sin_cos_degrees(x).1,
-        Function::Tan => {
-            let (sin, cos) = sin_cos_degrees(x);
-            if cos == 0.0 {
-                return outside(Alarm::Tangent);
-            }
-            sin / cos
-        }
+        Function::Sin => math::sin_cos_degrees(x).0,
+        Function::Cos => math::sin_cos_degrees(x).1,
+        Function::Tan => match math::tan_degrees(x) {
+            Some(tan) => tan,
+            None => return outside(Alarm::Tangent),
+        },
         Function::Asin | Function::Acos if x.abs() > 1.0 => return outside(Alarm::ArcFunction),
-        Function::Asin => match (math::asin(x) * degrees, cx.shared.rules.asin) {
+        Function::Asin => match (math::asin_degrees(x), cx.shared.rules.asin) {
             (angle, AsinRange::AroundHalfTurn) => 180.0 - angle,
             (angle, AsinRange::WithinTurn) if angle < 0.0 => angle + 360.0,
             (angle, _) => angle,
         },
-        Function::Acos => math::acos(x) * degrees,
-        Function::Atan => math::atan(x) * degrees,
+        Function::Acos => math::acos_degrees(x),
+        Function::Atan => math::atan2_degrees(x, 1.0),
         Function::Sqrt if x < 0.0 => return outside(Alarm::SquareRoot),
         Function::Sqrt => x.sqrt(),
         Function::Abs => x.abs(),
@@ -127,6 +111,17 @@ pub(super) fn operate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
     calculate(cx, op, a, b)
 }
 
+/// Whether nothing can be divided by a number: MOD rounds it before, but for controls with truths.
+#[inline]
+fn divides_not(cx: &Cx, op: Op, b: f64) -> bool {
+    match op {
+        Op::Divide => b == 0.0,
+        Op::Modulo if cx.control.macros.truths => b == 0.0,
+        Op::Modulo => b.round() == 0.0,
+        _ => false,
+    }
+}
+
 /// The same in the midst of a formula.
 #[inline(always)]
 fn calculate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
@@ -134,13 +129,15 @@ fn calculate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
         Op::Add => in_range(cx, a + b),
         Op::Subtract => in_range(cx, a - b),
         Op::Multiply => in_range(cx, a * b),
-        Op::Divide if b != 0.0 => in_range(cx, a / b),
-        Op::Modulo if b != 0.0 && cx.control.macros.truths => in_range(cx, a % b),
+        Op::Divide | Op::Modulo if divides_not(cx, op, b) => {
+            Err(Trap::alarm(Alarm::DivisionByZero, msg!("interp.division-by-zero")))
+        }
+        Op::Divide => in_range(cx, a / b),
+        Op::Modulo if cx.control.macros.truths => in_range(cx, a % b),
         // Both are rounded before, as in Custom Macro B.
-        Op::Modulo if b.round() != 0.0 => in_range(cx, a.round() % b.round()),
-        Op::Divide | Op::Modulo => Err(Trap::alarm(Alarm::DivisionByZero, msg!("interp.division-by-zero"))),
+        Op::Modulo => in_range(cx, a.round() % b.round()),
         Op::Atan => {
-            let angle = math::atan2(a, b) * (180.0 / math::PI);
+            let angle = math::atan2_degrees(a, b);
             Ok(if cx.shared.rules.atan_turn && angle < 0.0 { angle + 360.0 } else { angle })
         }
         Op::And | Op::Or | Op::Xor if cx.control.macros.truths => truth(match op {
@@ -236,6 +233,12 @@ impl State {
         Ok(or_zero(self.value(cx, id)?))
     }
 
+    /// What stands right of an operator has a value, and one that the operator takes whatever stands left of it.
+    pub(super) fn operand(&self, cx: &mut Cx, op: Op, right: ExprId) -> Run<()> {
+        let value = self.number(cx, right)?;
+        if divides_not(cx, op, value) { Err(self.division_by_zero(cx, right)) } else { Ok(()) }
+    }
+
     fn binary(&self, cx: &mut Cx, op: Op, left: ExprId, right: ExprId) -> Run<f64> {
         let left = self.part(cx, left)?;
         let divisor = right;
@@ -243,10 +246,7 @@ impl State {
         let (a, b) = (or_zero(left), or_zero(right));
         let tells = || left.is_nan() != right.is_nan() && !cx.shared.rules.vacant_equals_zero;
         match op {
-            Op::Divide if b == 0.0 => Err(self.division_by_zero(cx, divisor)),
-            Op::Modulo if b.round() == 0.0 && !(cx.control.macros.truths && b != 0.0) => {
-                Err(self.division_by_zero(cx, divisor))
-            }
+            Op::Divide | Op::Modulo if divides_not(cx, op, b) => Err(self.division_by_zero(cx, divisor)),
             // EQ and NE alone tell vacant from 0.
             Op::Equal if tells() => truth(false),
             Op::NotEqual if tells() => truth(true),

@@ -298,7 +298,12 @@ impl<'a> Oracle<'a> {
         };
         match self.cx.deck.expr(to) {
             Expr::Var(number) if kept(number) => return,
-            Expr::Indirect(x) if !self.is_constant(x) => return self.formula(block, x),
+            Expr::Indirect(x) => {
+                self.formula(block, x);
+                if !self.is_constant(x) {
+                    return;
+                }
+            }
             _ => {}
         }
         let mut state = self.state.clone();
@@ -332,9 +337,14 @@ impl<'a> Oracle<'a> {
                 self.tell(block, value, &[]);
             }
             Expr::Indirect(x) | Expr::Negate(x) | Expr::Call(_, x) => self.formula(block, x),
-            Expr::Binary(_, left, right) => {
+            Expr::Binary(op, left, right) => {
                 self.formula(block, left);
-                self.formula(block, right);
+                if self.is_constant(right) {
+                    let value = self.state.operand(&mut self.cx, op, right);
+                    self.tell(block, value, &[]);
+                } else {
+                    self.formula(block, right);
+                }
             }
         }
     }

@@ -3,6 +3,7 @@
 use super::block::M_CODES;
 use super::canon::AXES;
 use crate::controls::macros::{CodeCall, VacantWord};
+use crate::controls::syntax::letter_bits;
 use crate::controls::{Alarm, Code, Control, Group, Limits, Point, SpindleRules, Switches};
 use crate::text::find::holds;
 use crate::text::number;
@@ -177,10 +178,6 @@ pub(super) struct Units {
     pub(super) integer_letters: u32,
 }
 
-fn letter_bits(letters: &[u8]) -> u32 {
-    letters.iter().fold(0, |bits, letter| bits | 1 << (letter & 31))
-}
-
 impl Units {
     pub(super) fn new(control: &Control) -> Units {
         let Limits { increment, coordinate_max, feed_increment, .. } = control.limits;
@@ -194,8 +191,8 @@ impl Units {
             per_unit,
             coordinate_max: (coordinate_max * per_unit).round() as u64,
             per_feed: (1.0 / feed_increment).round(),
-            increment_letters: letter_bits(control.syntax.increment_addresses),
-            integer_letters: letter_bits(control.syntax.integer_addresses),
+            increment_letters: letter_bits(control.syntax.increment_addresses.iter().copied()),
+            integer_letters: letter_bits(control.syntax.integer_addresses.iter().copied()),
         }
     }
 }

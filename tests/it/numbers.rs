@@ -86,3 +86,92 @@ proptest! {
         prop_assert!(!behind.ends_with('0') && behind.len() <= usize::from(decimals).max(1) && text != "-0", "{value:?} as {text}");
     }
 }
+
+/// A number of twice as many digits: the sum of two doubles.
+type Long = (f64, f64);
+
+fn plus(a: Long, b: Long) -> Long {
+    let sum = a.0 + b.0;
+    let part = sum - a.0;
+    let lost = (a.0 - (sum - part)) + (b.0 - part) + a.1 + b.1;
+    (sum + lost, lost - (sum + lost - sum))
+}
+
+fn times(a: Long, b: Long) -> Long {
+    let product = a.0 * b.0;
+    let lost = a.0.mul_add(b.0, -product) + a.0 * b.1 + a.1 * b.0;
+    (product + lost, lost - (product + lost - product))
+}
+
+fn over(a: Long, b: Long) -> Long {
+    let part = a.0 / b.0;
+    let rest = plus(a, times((-part, 0.0), b));
+    plus((part, 0.0), (rest.0 / b.0, 0.0))
+}
+
+/// Sine and cosine of an angle in degrees by their series, to 30 digits.
+fn series(x: f64) -> (Long, Long) {
+    let quadrant = (x / 90.0).round();
+    let radian = times((x - 90.0 * quadrant, 0.0), (0.017453292519943295, 2.9486522708701687e-19));
+    let square = times(radian, radian);
+    let sum = |first: Long, from: i32| {
+        let mut term = first;
+        (0..12).fold(first, |sum, k| {
+            let divisor = f64::from((from + 2 * k) * (from + 2 * k + 1));
+            term = over(times((-term.0, -term.1), square), (divisor, 0.0));
+            plus(sum, term)
+        })
+    };
+    let (sin, cos) = (sum(radian, 2), sum((1.0, 0.0), 1));
+    let minus = |x: Long| (-x.0, -x.1);
+    match quadrant.rem_euclid(4.0) as i32 {
+        0 => (sin, cos),
+        1 => (cos, minus(sin)),
+        2 => (minus(sin), minus(cos)),
+        _ => (minus(cos), sin),
+    }
+}
+
+/// How many steps between neighbouring doubles a number lies off.
+fn steps(x: f64, is: Long) -> f64 {
+    ((x - is.0) - is.1).abs() / (is.0.abs().next_up() - is.0.abs())
+}
+
+#[test]
+fn functions_of_whole_degrees_are_exact() {
+    for (x, sin, cos) in [(0.0, 0.0, 1.0), (30.0, 0.5, 0.75f64.sqrt()), (45.0, 0.5f64.sqrt(), 0.5f64.sqrt())] {
+        for turn in [0.0, 360.0, -720.0, 36_000_000.0] {
+            assert_eq!(math::sin_cos_degrees(turn + x), (sin, cos));
+            assert_eq!(math::sin_cos_degrees(turn + 90.0 + x), (cos, 0.0 - sin));
+            assert_eq!(math::sin_cos_degrees(turn + 180.0 + x), (0.0 - sin, -cos));
+            assert_eq!(math::sin_cos_degrees(turn - 90.0 + x), (-cos, sin));
+        }
+    }
+    for x in -360i32..=360 {
+        let (sin, cos) = math::sin_cos_degrees(f64::from(x));
+        assert!([sin, cos].iter().all(|part| *part != 0.0 || part.is_sign_positive()), "{x}");
+        let within = f64::from((x + 540).rem_euclid(360) - 180);
+        assert_eq!(math::acos_degrees(cos), within.abs(), "{x}");
+        let upright = if within.abs() > 90.0 { 180.0f64.copysign(within) - within } else { within };
+        assert_eq!(math::asin_degrees(sin), upright, "{x}");
+        if (-90..=90).contains(&x) && x % 90 != 0 {
+            assert_eq!(math::atan2_degrees(math::tan_degrees(f64::from(x)).unwrap(), 1.0), f64::from(x));
+        }
+    }
+    let angles = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (1.0, -1.0), (0.0, -1.0), (-1.0, -1.0), (-1.0, 0.0), (-1.0, 1.0)];
+    assert_eq!(angles.map(|(y, x)| math::atan2_degrees(y, x)), [0.0, 45.0, 90.0, 135.0, 180.0, -135.0, -90.0, -45.0]);
+    assert_eq!([45.0, 135.0, 180.0, -45.0].map(math::tan_degrees), [1.0, -1.0, 0.0, -1.0].map(Some));
+    assert_eq!([90.0, -90.0, 270.0].map(math::tan_degrees), [None; 3]);
+}
+
+proptest! {
+    #[test]
+    fn functions_of_degrees_are_the_nearest_double_or_its_neighbour(x in prop_oneof![-720.0..720.0f64, (-720_000i32..720_000).prop_map(|x| f64::from(x) / 1000.0)]) {
+        let (sin, cos) = math::sin_cos_degrees(x);
+        let (sine, cosine) = series(x);
+        prop_assert!(steps(sin, sine) < 1.0 && steps(cos, cosine) < 1.0, "{x:?}: {} {}", steps(sin, sine), steps(cos, cosine));
+        if let Some(tan) = math::tan_degrees(x) {
+            prop_assert!(steps(tan, over(sine, cosine)) < 1.0, "{x:?}: {}", steps(tan, over(sine, cosine)));
+        }
+    }
+}

@@ -436,6 +436,29 @@ fn divisors_that_can_be_zero() {
 fn divisors_that_are_tested_or_cannot_be_zero() {
     E60.quiet("O1\n#109=6\nIF[#111 LE 0]GOTO9\n#110=[3.14*#109]/#111\nX#110\nN9 #111=1\nM30");
     E60.quiet("O1\n#1=#1033\n#2=100\nIF[#1 EQ #2]GOTO9\n#3=5/[#1-#2]\nX#3\nN9 M30");
+    // What is always 0 is an alarm.
+    E60.check(
+        "O1\n#1=#1033\n#2=#1/#0\n#3=#1/[3-3]\nM30",
+        expect![[r#"
+        4:7 “#0” error interp.division-by-zero
+            Division by zero.
+            = #0 is always vacant and counts as 0: another variable belongs here.
+        5:8 “3-3” error interp.division-by-zero
+            Division by zero.
+    "#]],
+    );
+    // What nobody sets is told of as that.
+    E60.check(
+        "O1\n#1=#1033\n#3=#1/#4\n#5=#1/[#6-#1]\nM30",
+        expect![[r#"
+        4:7 “#4” warning lint.unset-local
+            Nothing sets #4: it is vacant when it is read.
+            = Assign #4 before; what the operator sets is a common variable.
+        5:8 “#6” warning lint.unset-local
+            Nothing sets #6: it is vacant when it is read.
+            = Assign #6 before; what the operator sets is a common variable.
+    "#]],
+    );
     E60.quiet("O1\n#1=25\n#2=#1*4\n#3=7/#2\n#4=1/[#3*2.]\nX#4\nM30");
     E60.quiet("O1\n#3=SQRT[2]\nX[5/COS[30]] Y[#3/[#3+1]]\nM30");
     E60.quiet("O1\n#1=5\nWHILE[#1 GT 0]DO1\nX[100/#1]\n#1=#1-1\nEND1\nM30");

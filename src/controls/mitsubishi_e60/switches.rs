@@ -40,6 +40,12 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("argument-point", "A macro argument without a point", &["increments", "as written"], MEMORY),
     switch("point-behind-variable", "A point behind a variable, X#107.", &["alarm", "ignored"], LISTING),
     switch("assignments", "Assignments in a block", &["one", "several"], MEMORY),
+    switch(
+        "round-in-word",
+        "ROUND behind an address, X[ROUND[#1]]",
+        &["to a whole number", "to the step of the address"],
+        Citation::new("MELDAS usage, unverified, tells of whole numbers alone", Grade::Open),
+    ),
     switch("startup-distance", "Dimensions after power-on (#1073)", &["G90", "G91"], MEMORY),
     switch("startup-motion", "Motion code after power-on (#1075)", &["G01", "G00"], MEMORY),
     switch("thread-e", "E of a thread, G33 (#8156)", &["threads per inch", "lead"], MEMORY),

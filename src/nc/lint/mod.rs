@@ -19,7 +19,7 @@ use super::ast::{Deck, ExprId, Word, WordValue};
 use super::parse::part_span;
 use super::parsed::Parsed;
 use crate::controls::Control;
-use crate::controls::syntax::Round;
+use crate::controls::syntax::{Round, letter_bits};
 use crate::order;
 use crate::text::{Diagnostic, LineIndex, Message, Place, Span, Value};
 use flow::Flow;
@@ -145,12 +145,8 @@ impl Lint<'_> {
 
     /// Bit `letter & 31`: a number without a point counts increments; for dimensions, and for arguments of macros.
     fn increments(&self) -> [u32; 2] {
-        let mut bits = 0;
-        if !self.is("decimal-point", "millimetres") {
-            for letter in self.control.syntax.increment_addresses {
-                bits |= 1 << (letter & 31);
-            }
-        }
+        let written = self.is("decimal-point", "millimetres");
+        let bits = if written { 0 } else { letter_bits(self.control.syntax.increment_addresses.iter().copied()) };
         [bits, if self.is("argument-point", "as written") { 0 } else { bits }]
     }
 }

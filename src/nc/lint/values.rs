@@ -102,20 +102,37 @@ impl Vars<'_> {
     /// The part of a divisor that can be 0: a variable or a difference that nothing has compared before.
     fn can_be_zero(&self, site: Site) -> Option<ExprId> {
         match self.deck.expr(site.id) {
-            Expr::Var(_) => (!self.nonzero(site.group, site.id, Some(site.block))).then_some(site.id),
+            // What is never set is told of as such.
+            Expr::Var(number) => (!self.nonzero(site.group, site.id, Some(site.block))
+                && !self.unset(site.group, number))
+            .then_some(site.id),
             Expr::Negate(id) | Expr::Call(Function::Abs | Function::Sqrt, id) => self.can_be_zero(Site { id, ..site }),
             Expr::Binary(Op::Multiply, left, right) => {
                 self.can_be_zero(Site { id: left, ..site }).or_else(|| self.can_be_zero(Site { id: right, ..site }))
             }
             Expr::Binary(Op::Subtract, left, right) => {
                 let open = |id| match self.deck.expr(id) {
-                    Expr::Var(number) => Some(!self.guarded(self.get(site.group, number)?, Some(site.block))),
+                    Expr::Var(number) => Some(
+                        !self.guarded(self.get(site.group, number)?, Some(site.block))
+                            && !self.unset(site.group, number),
+                    ),
                     Expr::Number(_) => Some(true),
                     _ => None,
                 };
-                (open(left)? && open(right)?).then_some(site.id)
+                let numbers = [left, right].iter().all(|id| matches!(self.deck.expr(*id), Expr::Number(_)));
+                (!numbers && open(left)? && open(right)?).then_some(site.id)
             }
             _ => None,
+        }
+    }
+
+    /// Whether it is the vacant variable, or a local one that no call passes and no block sets or asks for.
+    fn unset(&self, group: u32, number: u32) -> bool {
+        match self.get(group, number) {
+            Some(var) if (1..=self.local_count).contains(&number) => {
+                !self.wild && !self.open[group as usize] && var.sets == 0 && var.given == 0 && !var.vacancy
+            }
+            _ => self.control.var(number).is_some_and(|row| row.kind == VarKind::Vacant),
         }
     }
 

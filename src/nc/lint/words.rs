@@ -7,7 +7,7 @@ use super::roles::{
 };
 use super::short::Short;
 use super::{Lint, NONE, messages};
-use crate::controls::syntax::long;
+use crate::controls::syntax::{letter_bits, long};
 use crate::controls::{Alarm, Code, ParamRole};
 use crate::msg;
 use crate::text::catalog::number_text;
@@ -436,8 +436,7 @@ impl Lint<'_> {
         if self.control.syntax.address_twice || self.control.syntax.names().is_some() {
             return 0;
         }
-        let letters = self.control.axis_letters().chain(*b"FST");
-        letters.fold(0, |bits, letter| bits | 1 << (letter & 31))
+        letter_bits(self.control.axis_letters().chain(*b"FST"))
     }
 
     /// The second word of an address in a block.

@@ -48,7 +48,7 @@ use super::ast::{Block, Deck, Op, Program, Stmt, TextId};
 use super::files::Files;
 use super::parsed::Parsed;
 use crate::controls::macros::{CallKind, CodeCall};
-use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, Percent, Round};
+use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, Percent, Round, letter_bits};
 use crate::controls::{Alarm, Control, Switches};
 use crate::msg;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
@@ -180,10 +180,6 @@ struct Tables<'a> {
     fitted: Vec<(u32, u32)>,
     /// Codes that a switch keeps off, ten times their numbers.
     off: Vec<(u8, u16)>,
-}
-
-fn letter_bits(letters: impl Iterator<Item = u8>) -> u32 {
-    letters.fold(0, |bits, letter| bits | 1 << (letter & 31))
 }
 
 impl<'a> Tables<'a> {

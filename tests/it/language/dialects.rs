@@ -578,18 +578,6 @@ fn functions_behind_g65() {
     "#]],
     );
     check(
-        "G65 H02 P100 Q#101 R1",
-        expect![[r##"
-        --- Mitsubishi E60
-        G:65 H:2 P:100 Q:#101 R:1
-        --- GSK 980TDc
-        1:9 error 0125 P has to name the variable that takes the result, for instance P#100.
-            Insert “#”: 1:10 ""→"#"
-        --- KND K2000T
-        G:65 H:2 P:100 Q:#101 R:1
-    "##]],
-    );
-    check(
         "G65 H80 P10\nG65 H81 P20 Q#1 R0\nN10",
         expect![[r#"
         --- Mitsubishi E60

@@ -38,12 +38,6 @@ fn loops_beside_one_that_does_not_read() {
     "#]],
     );
     check_block(
-        "DO1\nDO2\nEND1",
-        expect![[r#"
-        2:1 error P294 DO2 has no END2 in this program.
-    "#]],
-    );
-    check_block(
         "DO1\nDO2\nEND1\nDO2\nEND2",
         expect![[r#"
             2:1 error P294 DO2 has no END2 in this program.

@@ -2,9 +2,11 @@
 O49(WHAT NO MANUAL AT HAND SETTLES, THE OTHER WAY)
 (SET point-behind-variable ignored)
 (SET assignments several)
+(SET round-in-word to the step of the address)
 #107=8 #110=62.8 #115=#107*100
 G91 G01 X#107.Y#110. F#115.
 #1=#107 #107=#110 #110=#1
 X#107 Y#110
+X[ROUND[12.3456]]
 M30
 %
