@@ -20,6 +20,9 @@ pub enum Code {
     ArcTangent,
     /// Thread cutting: a straight line whose feed per revolution is the lead, without overrides.
     Thread,
+    /// Tapping: a straight line, in position control (G331) at S times the lead, with a compensating chuck (G63) at F. What the spindle does
+    /// in it is not simulated.
+    Tapping,
     /// Straight cutting feed in this block, which a signal breaks off; in the simulation none comes.
     Skip,
     /// Dwell.

@@ -13,6 +13,8 @@ pub struct Limits {
     pub feed_max: f64,
     /// Largest feed per revolution in mm/rev.
     pub revolution_feed_max: f64,
+    /// Largest lead of a thread in mm/rev.
+    pub lead_max: f64,
     /// Smallest feed step in mm/min.
     pub feed_increment: f64,
     /// Start and end of an arc may differ by this in their distance from the centre, in millimetres.
@@ -26,6 +28,10 @@ pub struct Limits {
     pub speed_max: f64,
     /// Least and largest limit of the spindle speed in r/min; `None` where it has the range of S.
     pub speed_limit: Option<(f64, f64)>,
+    /// Largest T word.
+    pub tool_max: u32,
+    /// Largest D word; `None` where no row says.
+    pub offset_max: Option<u32>,
     /// M codes of one block that act, 8 at most; of more, the last ones do.
     pub m_codes: u8,
     /// Subprograms nested at most.

@@ -102,3 +102,13 @@ pub(super) fn by_tangent(end: (f64, f64), along: (f64, f64)) -> Placed {
     let radius = dot(end, end) / (2.0 * beside);
     Ok(Some(((-along.1 / length * radius, along.0 / length * radius), radius < 0.0)))
 }
+
+/// Whether an arc between two points around its centre, a full circle where they are the same, passes in a direction from there.
+pub(super) fn passes((start, end): ((f64, f64), (f64, f64)), clockwise: bool, direction: (f64, f64)) -> bool {
+    let (from, to) = if clockwise { (end, start) } else { (start, end) };
+    let (turn, behind, before) = (cross(from, to), cross(from, direction), cross(direction, to));
+    if turn == 0.0 {
+        return dot(from, to) > 0.0 || behind >= 0.0;
+    }
+    if turn > 0.0 { behind >= 0.0 && before >= 0.0 } else { behind >= 0.0 || before >= 0.0 }
+}

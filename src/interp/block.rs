@@ -78,6 +78,13 @@ pub(super) struct Codes {
     count: usize,
 }
 
+impl Codes {
+    /// S is a limit of the speed.
+    fn limits(&self) -> bool {
+        matches!(self.special, Some(Code::LowerLimits | Code::UpperLimits | Code::SetCoordinates))
+    }
+}
+
 /// The values of a block.
 #[derive(Default)]
 pub(super) struct Words {
@@ -318,7 +325,11 @@ impl State {
             Some(Code::SpindleCw) => 1,
             Some(Code::SpindleCcw) => -1,
             Some(Code::SpindleStop) => 0,
-            Some(Code::SpindleOrient | Code::GearStage(_)) => return Ok(true),
+            Some(Code::SpindleOrient | Code::GearStage(_)) => {
+                let spindle = u32::from(self.spindle_of(word));
+                self.remark(cx, word_span(block, word), msg!("interp.other-spindle-word", spindle));
+                return Ok(true);
+            }
             _ => return Ok(word.index.is_some()),
         };
         self.modal.other.1 = sign != 0;
@@ -404,6 +415,7 @@ impl State {
             | MacroModalBlock | MacroModalEnd | Skip => {
                 (codes.special, codes.caller) = (Some(row.code), at);
             }
+            Tapping if row.group == Group::OneShot => codes.special = Some(row.code),
             ExactStopOnce => codes.exact = true,
             ExactStop | Cutting => codes.path = self.modal.exact != (row.code == ExactStop),
             NotSimulated | Cancel => {
@@ -455,7 +467,9 @@ impl State {
     #[inline]
     fn values(&mut self, cx: &mut Cx, block: &Block, words: &[Word], codes: &Codes, values: &mut Words) -> Run<()> {
         let inch = self.modal.inch;
-        let thread = self.modal.motion == Code::Thread;
+        let thread = matches!(self.modal.motion, Code::Thread | Code::Tapping);
+        // Limits behind S, and the first S of a surface speed, are words of their own.
+        let surface = self.modal.surface && !codes.limits();
         for word in words {
             let letter = word.letter;
             // Words of another spindle, or of what is not simulated.
@@ -504,12 +518,13 @@ impl State {
                             self.modal.word(b'F', feed);
                         }
                     }
-                    b'S' => values.speed = self.speed_word(cx, block, word)?,
+                    b'S' => values.speed = self.speed_word(cx, block, word, surface)?,
                     b'T' => {
                         let tool = self.whole(cx, block, word)?;
                         if let Some(tool) = tool {
-                            if !(0.0..=99_999_999.0).contains(&tool) {
-                                return Err(self.out_of_range(cx, block, word, 0.0, 99_999_999.0));
+                            let most = f64::from(cx.control.limits.tool_max);
+                            if !(0.0..=most).contains(&tool) {
+                                return Err(self.out_of_range(cx, block, word, 0.0, most));
                             }
                             values.tool = Some(tool as u32);
                         }
@@ -533,7 +548,7 @@ impl State {
                         values.radius = self.dimension(cx, block, word, inch)?;
                         values.rare |= RADIUS;
                     }
-                    long::LIMS => values.speed_limit = self.speed_word(cx, block, word)?,
+                    long::LIMS => values.speed_limit = self.speed_word(cx, block, word, false)?,
                     long::SPOS => {
                         let approach = match word.form {
                             Form::Plain | Form::Absolute | Form::Shortest => Approach::Direct,
@@ -555,6 +570,10 @@ impl State {
                     b'D' | b'H' => {
                         let number = self.whole(cx, block, word)?;
                         if let Some(number) = number {
+                            let most = cx.control.limits.offset_max.filter(|_| letter == b'D').map(f64::from);
+                            if let Some(most) = most.filter(|most| !(0.0..=*most).contains(&number)) {
+                                return Err(self.out_of_range(cx, block, word, 0.0, most));
+                            }
                             self.modal.word(letter, number);
                         }
                         if letter == b'H' {
@@ -581,7 +600,10 @@ impl State {
     fn indexed_word(&mut self, cx: &mut Cx, block: &Block, word: &Word, values: &mut Words) -> Run<()> {
         let at = usize::from(word.letter.wrapping_sub(b'I'));
         if word.letter == b'S' {
-            self.modal.other.0 = self.speed_word(cx, block, word)?.unwrap_or(self.modal.other.0);
+            self.modal.other.0 = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.other.0);
+        } else if matches!(word.letter, long::SPOS | long::LIMS) {
+            let spindle = u32::from(self.spindle_of(word));
+            self.remark(cx, word_span(block, word), msg!("interp.other-spindle-word", spindle));
         } else if let (Code::ArcThrough, Some(1), Some(_)) = (self.modal.motion, word.index, values.through.get(at)) {
             values.through[at] = self.dimension(cx, block, word, self.modal.inch)?;
         }

@@ -116,7 +116,7 @@ impl Modal {
         use Code::{
             Absolute, ArcCcw, ArcCw, ArcTangent, ArcThrough, Cancel, Diameters, DiametersAbsolute, ExactStop,
             FeedPerMinute, FeedPerRevolution, Inch, Incremental, Linear, Metric, NotSimulated, PlaneXy, PlaneYz,
-            PlaneZx, Rapid, SurfaceSpeed, SurfaceSpeedOff, Thread, WorkCoordinates, WorkingArea,
+            PlaneZx, Rapid, SurfaceSpeed, SurfaceSpeedOff, Tapping, Thread, WorkCoordinates, WorkingArea,
         };
         if row.group != Group::OneShot {
             self.codes[row.group as usize] = row.number;
@@ -127,7 +127,7 @@ impl Modal {
         };
         match row.code {
             Rapid | Linear | ArcCw | ArcCcw | ArcThrough | ArcTangent | Thread => self.motion = row.code,
-            NotSimulated if row.group == Group::Motion => self.motion = row.code,
+            NotSimulated | Tapping if row.group == Group::Motion => self.motion = row.code,
             NotSimulated | Cancel if row.group == Group::Cycle => self.cycle = row.code == NotSimulated,
             WorkingArea(on) => self.area_off = !on,
             PlaneXy => self.plane = plane(b'X', b'Y', b'Z'),

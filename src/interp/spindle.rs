@@ -54,12 +54,6 @@ impl State {
             return Err(self.other_spindle_asked());
         }
         if let Some(speed) = speed {
-            if let Some((least, most)) = cx.shared.rules.spindle.surface_range
-                && !(least..=most).contains(&speed)
-            {
-                let message = msg!("interp.word-range", "S", (speed, 9), least, most);
-                return Err(Trap::alarm(Alarm::SurfaceRange, message).behind(b"S"));
-            }
             self.modal.word(b'S', speed);
             self.modal.surface_speed = Some(speed);
         } else if self.modal.surface_speed.is_none() && cx.control.raises(Alarm::NoSurfaceSpeed) {

@@ -1,12 +1,13 @@
 //! The command for the axis words of a block: motion, dwell, coordinate systems. Radii of arcs and leads count what the slide moves.
 
-use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent};
+use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent, passes};
 use super::block::{Codes, Words};
 use super::canon::{AXES, Canon, Feed, Target};
 use super::fault::{Run, Trap};
 use super::state::{Came, Cx, Round, State};
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code};
+use crate::math;
 use crate::msg;
 use crate::nc::Form;
 
@@ -62,7 +63,7 @@ impl State {
         }
         let code = match codes.special {
             Some(Code::MachineRapid) => Code::Rapid,
-            Some(Code::Skip) => Code::Linear,
+            Some(Code::Skip | Code::Tapping) => Code::Linear,
             _ if self.modal.cycle => return Ok(false),
             _ => self.modal.motion,
         };
@@ -97,7 +98,9 @@ impl State {
             self.queue.push(Canon::Rapid { to });
             return Ok(cx.control.macros.call_after_return);
         }
-        self.within_area(cx, to)?;
+        if let Some(area) = self.area(cx) {
+            self.within(cx, to, area)?;
+        }
         let motion = match code {
             Code::Rapid => Canon::Rapid { to },
             Code::Linear | Code::ArcCw | Code::ArcCcw | Code::ArcThrough | Code::ArcTangent => {
@@ -126,25 +129,19 @@ impl State {
                 }
             }
             Code::Thread if self.modal.master > 1 => return Err(self.other_spindle_asked()),
-            Code::Thread => match self.modal.lead {
-                None | Some(0.0) if cx.control.raises(Alarm::NoLead) => {
-                    return Err(Trap::alarm(Alarm::NoLead, msg!("interp.no-lead")));
-                }
-                None | Some(0.0) => return Err(no_feed(cx, self.modal.lead)),
-                Some(lead) => {
-                    let (stretch, longest) = self.stretch(cx, to);
-                    let letter = cx.control.axes.get(longest).map_or(b'Z', |axis| axis.letter);
-                    let own = letter.wrapping_sub(b'X');
-                    if values.leads & !(1 << (own & 7)) != 0 && to.position != self.position {
-                        let address = char::from(b'I'.wrapping_add(own)).to_string();
-                        let trap = Trap::alarm(Alarm::LeadAxis, msg!("interp.lead-axis", address));
-                        return Err(trap.behind(b"IJK"));
-                    }
-                    Canon::Thread { to, lead: lead * stretch }
-                }
-            },
+            Code::Thread => Canon::Thread { to, lead: self.lead(cx, values, to)? },
+            Code::Tapping => {
+                let rpm = if self.modal.master > 1 { Some(self.modal.other.0) } else { self.modal.last_speed };
+                let Some(rpm) = rpm.filter(|rpm| *rpm > 0.0) else {
+                    return Err(Trap::alarm(Alarm::SpeedRange, msg!("interp.tapping-speed")));
+                };
+                Canon::Linear { to, feed: Feed::PerMinute(self.lead(cx, values, to)? * rpm), exact: true }
+            }
             _ => return Ok(false),
         };
+        if let (Canon::Arc { plane, center, clockwise, .. }, Some(area)) = (&motion, self.area(cx)) {
+            self.arc_within(cx, to, Round { plane: *plane, center: *center, clockwise: *clockwise }, area)?;
+        }
         if cx.shared.rules.tangents && to.position != self.position {
             let arc = match motion {
                 Canon::Arc { plane, center, clockwise, .. } => Some(Round { plane, center, clockwise }),
@@ -157,17 +154,15 @@ impl State {
         Ok(true)
     }
 
-    /// Refuses an end point beyond the working area.
+    /// The working area, where its limits are on.
     #[inline]
-    fn within_area(&self, cx: &Cx, to: Target) -> Run<()> {
-        match &self.modal.area {
-            Some(area) if cx.shared.rules.area && !self.modal.area_off => self.end_within(cx, to, area),
-            _ => Ok(()),
-        }
+    fn area(&self, cx: &Cx) -> Option<&[[i64; AXES]; 2]> {
+        self.modal.area.as_ref().filter(|_| cx.shared.rules.area && !self.modal.area_off)
     }
 
+    /// Refuses a place beyond the working area.
     #[cold]
-    fn end_within(&self, cx: &Cx, to: Target, [low, high]: &[[i64; AXES]; 2]) -> Run<()> {
+    fn within(&self, cx: &Cx, to: Target, [low, high]: &[[i64; AXES]; 2]) -> Run<()> {
         for (k, axis) in cx.control.axes.iter().enumerate().take(AXES).filter(|(k, _)| to.mask & 1 << k != 0) {
             let at = to.position[k];
             if !(low[k]..=high[k]).contains(&at) {
@@ -178,6 +173,32 @@ impl State {
                 return Err(
                     trap.behind(b"XYZ".chunks(1).nth(usize::from(axis.letter.wrapping_sub(b'X'))).unwrap_or(b"XYZ"))
                 );
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses an arc that leaves the working area between its ends.
+    #[cold]
+    fn arc_within(&self, cx: &Cx, to: Target, round: Round, area: &[[i64; AXES]; 2]) -> Run<()> {
+        let Round { plane: (first, second), center, clockwise } = round;
+        let scale = |axis: u8| cx.shared.rules.moves.get(usize::from(axis)).copied().unwrap_or(1.0);
+        let from_center = |place: &[i64; AXES]| {
+            let part = |axis: u8, center: f64| {
+                (place.get(usize::from(axis)).map_or(0.0, |at| *at as f64) - center) * scale(axis)
+            };
+            (part(first, center.0), part(second, center.1))
+        };
+        let (start, end) = (from_center(&self.position), from_center(&to.position));
+        let radius = math::hypot(start.0, start.1);
+        let sides = [(first, center.0, (1.0, 0.0)), (second, center.1, (0.0, 1.0))];
+        for ((axis, center, (x, y)), sign) in sides.into_iter().flat_map(|side| [(side, 1.0), (side, -1.0)]) {
+            let mut far = Target { position: to.position, mask: 1 << axis };
+            if let (true, Some(at)) =
+                (passes((start, end), clockwise, (sign * x, sign * y)), far.position.get_mut(usize::from(axis)))
+            {
+                *at = (center + sign * radius / scale(axis)).round() as i64;
+                self.within(cx, far, area)?;
             }
         }
         Ok(())
@@ -220,6 +241,25 @@ impl State {
             _ => negative,
         };
         Ok(from.saturating_add(by))
+    }
+
+    /// The lead in force, along the path.
+    fn lead(&self, cx: &Cx, values: &Words, to: Target) -> Run<f64> {
+        let Some(lead) = self.modal.lead.filter(|lead| *lead != 0.0) else {
+            if cx.control.raises(Alarm::NoLead) {
+                return Err(Trap::alarm(Alarm::NoLead, msg!("interp.no-lead")));
+            }
+            return Err(no_feed(cx, self.modal.lead));
+        };
+        let (stretch, longest) = self.stretch(cx, to);
+        let letter = cx.control.axes.get(longest).map_or(b'Z', |axis| axis.letter);
+        let own = letter.wrapping_sub(b'X');
+        if values.leads & !(1 << (own & 7)) != 0 && to.position != self.position {
+            let address = char::from(b'I'.wrapping_add(own)).to_string();
+            let trap = Trap::alarm(Alarm::LeadAxis, msg!("interp.lead-axis", address));
+            return Err(trap.behind(b"IJK"));
+        }
+        Ok(lead * stretch)
     }
 
     /// Length of a path per travel of the axis that goes farthest, along which a lead counts, and that axis.

@@ -4,8 +4,8 @@ use super::call::word_span;
 use super::eval::WHOLE;
 use super::fault::{Run, Trap};
 use super::state::{Cx, State};
-use crate::controls::Alarm;
 use crate::controls::syntax::long;
+use crate::controls::{Alarm, Code};
 use crate::msg;
 use crate::nc::dec::POW10;
 use crate::nc::{Block, Dec, Word, WordValue};
@@ -173,11 +173,16 @@ impl State {
         if (0.0..=max).contains(&feed) { Ok(Some(feed)) } else { Err(self.out_of_range(cx, block, word, 0.0, max)) }
     }
 
-    /// F in mm/rev: a feed, or the lead of a thread.
+    /// F in mm/rev: a feed, or the lead of a thread. That of a left-hand tap is negative.
     pub(super) fn lead_word(&self, cx: &mut Cx, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
         let Some(value) = self.plain(cx, block, word)? else { return Ok(None) };
         let lead = if inch { value * INCH } else { value };
-        let max = cx.control.limits.revolution_feed_max;
+        let limits = &cx.control.limits;
+        let (lead, max) = match word.letter {
+            b'F' => (lead, limits.revolution_feed_max),
+            _ if self.modal.motion == Code::Tapping => (lead.abs(), limits.lead_max),
+            _ => (lead, limits.lead_max),
+        };
         if (0.0..=max).contains(&lead) { Ok(Some(lead)) } else { Err(self.out_of_range(cx, block, word, 0.0, max)) }
     }
 
@@ -192,8 +197,8 @@ impl State {
         }
     }
 
-    /// S in r/min.
-    pub(super) fn speed_word(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+    /// S in r/min, or as a surface speed in m/min.
+    pub(super) fn speed_word(&self, cx: &mut Cx, block: &Block, word: &Word, surface: bool) -> Run<Option<f64>> {
         let whole = cx.shared.units.integer_letters & 1 << (word.letter & 31) != 0;
         let speed = match self.raw(cx, block, word)? {
             None => return Ok(None),
@@ -205,9 +210,19 @@ impl State {
             self.note_cut(cx, block, word);
         }
         let limits = &cx.control.limits;
-        let own = limits.speed_limit.filter(|_| word.letter == long::LIMS);
+        let own = match word.letter {
+            long::LIMS => limits.speed_limit,
+            _ => cx.control.spindle.surface_range.filter(|_| surface),
+        };
         let (min, max) = own.unwrap_or((0.0, limits.speed_max));
-        if (min..=max).contains(&speed) { Ok(Some(speed)) } else { Err(self.out_of_range(cx, block, word, min, max)) }
+        if (min..=max).contains(&speed) {
+            Ok(Some(speed))
+        } else if surface {
+            let message = msg!("interp.surface-range", (speed, 9), min, max);
+            Err(Trap::alarm(Alarm::SurfaceRange, message).within(word_span(block, word)))
+        } else {
+            Err(self.out_of_range(cx, block, word, min, max))
+        }
     }
 
     /// A dwell: P in whole milliseconds, S in turns of the spindle, the other addresses in seconds.
@@ -230,7 +245,6 @@ impl State {
         let message = msg!("interp.word-range", cx.control.address(word.letter), (value, 9), min, max);
         let alarm = match word.letter {
             b'F' => Alarm::FeedRange,
-            b'S' if self.modal.surface => Alarm::SurfaceRange,
             b'S' => Alarm::SpeedRange,
             long::LIMS => Alarm::SpeedLimitRange,
             _ => Alarm::OutOfRange,

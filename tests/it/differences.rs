@@ -245,7 +245,7 @@ fn the_controls_differ_where_the_sheets_say() {
         G33 Z1. E8           | thread Z1 F3.175/rev                         | -                                            | alarm 010                              |
         G96 S100             | spindle-speed 100                            | surface-speed 100 X0                         | surface-speed 100 X0                   | surface-speed 100 X0
         G98 within G96       | spindle-speed 400 spindle-speed 100          | spindle-speed 400 surface-speed 100 X0       | spindle-speed 400 surface-speed 100 X0 | spindle-speed 400 surface-speed 100 X0 constant-speed spindle-speed 400
-        G01 X1. F100 M05     | spindle-stop linear X1 F100                  | linear X1 F100 spindle-stop                  | spindle-stop linear X1 F100            | spindle-stop linear X1 F100/rev exact
+        G01 X1. F100 M05     | spindle-stop linear X1 F100                  | linear X1 F100 spindle-stop                  | spindle-stop linear X1 F100            | linear X1 F100/rev exact spindle-stop
         G512 B2.             | alarm P34                                    | alarm 0002                                   | alarm 078                              | alarm 12470
         G01 X1. without F    | alarm P62                                    | alarm 0023                                   | alarm 011                              | alarm 10860
         GOTO[3/2]            | alarm P231                                   | alarm 0112                                   | alarm 078                              |

@@ -7,6 +7,8 @@ use crate::controls::{CodeDef, Point};
 use crate::text::{Citation, Grade};
 
 const THREAD: Citation = Citation::new("808D milling, p.79; alarms 16720 and 16730", Grade::Sister);
+const TAPS: Citation =
+    Citation::new("alarms 16763 and 16770 of the 808D, p.242; G63 acts in its block alone: memory", Grade::Open);
 const GROUPS: Citation = Citation::new("840D sl NC programming 12/2019, p.1249", Grade::Sister);
 const M_CODES: Citation = Citation::new("802D milling ISF 09.01, p.8-44", Grade::Manual);
 const ARC: Citation = Citation::new(
@@ -54,7 +56,7 @@ pub(super) const CODES: &[CodeDef] = &[
     g(580, WorkCoordinates(5), Group::Coordinates, "settable work offset 5", WORDS),
     g(590, WorkCoordinates(6), Group::Coordinates, "settable work offset 6", WORDS),
     g(600, ExactStop, Group::PathMode, "exact stop", WORDS),
-    g(630, NotSimulated, Group::Motion, "tapping with compensating chuck", MEMORY),
+    g(630, Tapping, Group::OneShot, "tapping with compensating chuck", TAPS),
     g(640, Cutting, Group::PathMode, "continuous path", WORDS),
     g(700, Inch, Group::LengthUnit, "inch input", WORDS),
     g(710, Metric, Group::LengthUnit, "metric input", WORDS),
@@ -68,8 +70,8 @@ pub(super) const CODES: &[CodeDef] = &[
     g(970, SurfaceSpeedOff, Group::FeedUnit, "constant cutting speed off", SPINDLE),
     g(1110, NotSimulated, Group::OneShot, "pole", GROUPS),
     g(1530, MachineCoordinates, Group::OneShot, "all offsets suppressed in this block", MEMORY),
-    g(3310, NotSimulated, Group::Motion, "tapping in position control", MEMORY),
-    g(3320, NotSimulated, Group::Motion, "tapping in position control, retraction", MEMORY),
+    g(3310, Tapping, Group::Motion, "tapping in position control", TAPS),
+    g(3320, Tapping, Group::Motion, "tapping in position control, retraction", TAPS),
     g(4500, Cancel, Group::Other, "transition circle", MEMORY),
     g(4510, NotSimulated, Group::Other, "point of intersection", MEMORY),
     g(5000, WorkCoordinates(0), Group::Coordinates, "settable work offset off", WORDS),

@@ -26,6 +26,11 @@ const BLOCKS: Citation = Citation::new("802D turning BP-D 08/2005, p.133", Grade
 /// Words, ranges, one G code per group.
 const WORDS: Citation =
     Citation::new("802D sl BP-N 06/2006, p.8-122 and 8-126; grinding 07/2009, p.225", Grade::Manual);
+/// Ranges of words: of T and of leads only memory knows.
+const RANGES: Citation = Citation::new(
+    "802D sl BP-N 06/2006, p.8-126 (F, D); 808D diagnostics, p.217 (S, LIMS); S, T and leads unverified",
+    Grade::Manual,
+);
 /// Arithmetic: operators, their order, equality.
 const ARITHMETIC: Citation = Citation::new("840D sl NC programming 12/2019, p.392 and 444", Grade::Sister);
 /// Nothing but memory of Siemens controls.
@@ -164,17 +169,20 @@ pub static CONTROL: Control = Control {
         coordinate_max: 99_999.999,
         feed_max: 99_999.999,
         revolution_feed_max: 99_999.999,
+        lead_max: 20_000.0,
         feed_increment: 0.001,
         arc_tolerance: 0.01,
         arc_centre_moves: false,
         feed_kept: false,
         speed_max: 99_999.999,
         speed_limit: Some((0.1, 999_999.9)),
+        tool_max: 32_000,
+        offset_max: Some(9),
         m_codes: 5,
         sub_depth: 7,
         macro_depth: 7,
         repeat_max: 9999,
-        cite: WORDS,
+        cite: RANGES,
     },
     spindle: SpindleRules {
         volts_stay: false,
@@ -190,7 +198,7 @@ pub static CONTROL: Control = Control {
         thread_override: true,
         emergency_clears: false,
         reached: Some(0.1),
-        stop_last: false,
+        stop_last: true,
         turns_through_reset: false,
         orients: true,
         angle_wraps: false,

@@ -8,8 +8,10 @@ use crate::text::{Citation, Grade};
 
 const RADII: Citation =
     Citation::new("G22 and G23 belong to the 802S and 802C; the 802D has DIAMOF and DIAMON", Grade::Open);
-const M5: Citation =
-    Citation::new("808D parameter manual, p.60: before; the page on 802D spindle commands: end", Grade::Open);
+const M5: Citation = Citation::new(
+    "the page on 802D spindle commands, 1(2): the axes first; 808D parameter manual, p.60: before, where the builder leaves it",
+    Grade::Manual,
+);
 const REACHED: Citation = Citation::new("808D parameter manual: MD35500 and MD35150", Grade::Sister);
 const ACTIVATION: Citation = Citation::new("no source says it", Grade::Open);
 const ANGLE: Citation = Citation::new("alarm 16830 of the 808D, p.245; MD30455 by a secondary page", Grade::Sister);
@@ -33,7 +35,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("startup-feed", "Unit of F after power-on", &["G95", "G94"], MEMORY),
     switch("startup-path", "Exact stop or continuous path after power-on", &["G60", "G64"], MEMORY),
     switch("speed-reached", "Cuts and the spindle's speed (MD35500)", &["wait", "do not wait"], REACHED),
-    switch("m5-timing", "M5 beside a motion stops the spindle", &["before", "end"], M5),
+    switch("m5-timing", "M5 beside a motion stops the spindle", &["end", "before"], M5),
     switch("lims-in-g97", "LIMS holds G97 too", &["no", "yes"], SPINDLE),
     switch("g96-apply-at-activation", "G96 sets the speed at once", &["yes", "no"], ACTIVATION),
     switch("g9x-without-s", "S behind G94 and G95 that end G96", &["last programmed", "hold"], SPINDLE),

@@ -21,7 +21,7 @@ pub(super) const SETUP: u32 = 9202;
 const LEFT: u32 = 110;
 /// Sequence numbers of the blocks that cut; the second on a taper.
 pub(super) const CUTS: [u32; 2] = [36, 37];
-/// The speed that the spindle keeps.
+/// The speed that the spindle keeps, or has behind the cut: that of the largest diameter.
 const SPEED: u32 = 109;
 
 /// The operator's variables that have to be above zero.
@@ -60,9 +60,7 @@ pub(super) fn variables(lathe: &Fitted) -> Vec<(u32, &'static str, &'static str)
     if lathe.positions() {
         all.push((113, "turning.keyway-angle", "°"));
     }
-    if !lathe.surface() {
-        all.push((SPEED, "turning.variable.speed", "r/min"));
-    }
+    all.push((SPEED, "turning.variable.speed", "r/min"));
     all
 }
 
@@ -128,7 +126,7 @@ fn run(b: &mut Builder, lathe: &Fitted) {
     b.n(50).words(block(lathe, Code::Rapid, [cross(lathe, v(111)), z(v(112))]));
     b.n(51).words([m(5)]);
     if lathe.surface() {
-        b.n(52).words(codes(lathe, [Code::SurfaceSpeedOff]));
+        b.n(52).words(block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))]));
     }
     if lathe.positions() {
         b.n(53).words([word(long::SPOS, v(113))]).note("FOR THE KEYWAY");
@@ -160,19 +158,18 @@ fn gear(lathe: &Fitted) -> Option<Vec<NewWord>> {
 /// The spindle: surface speed, or the speed of the largest diameter.
 fn start(b: &mut Builder, lathe: &Fitted) {
     let turn = m(if lathe.p.direction == Direction::Clockwise { 3 } else { 4 });
-    if lathe.surface() {
-        let mut words = block(lathe, Code::SurfaceSpeed, [s(v(100))]);
-        // The limit in a word of its own, where no block in front has set it.
-        words.extend(lathe.limit_word().map(|address| word(address, v(107))));
-        words.push(turn);
-        b.n(25).words(words);
-        return;
-    }
     // n = 1000 v / (π d) at the stock's diameter, as whole as S is.
     b.n(24).assign(SPEED, (v(100) * 1000 / (real(crate::math::PI, 6) * v(102))).fix());
     b.n(25).if_goto(v(SPEED).le(v(107)), 27);
     b.n(26).assign(SPEED, v(107).fix()).note("AT MOST THE LIMIT");
-    b.n(27).words(block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED)), turn]));
+    let mut words = match lathe.surface() {
+        true => block(lathe, Code::SurfaceSpeed, [s(v(100))]),
+        false => block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))]),
+    };
+    // The limit in a word of its own, where no block in front has set it.
+    words.extend(lathe.limit_word().filter(|_| lathe.surface()).map(|address| word(address, v(107))));
+    words.push(turn);
+    b.n(27).words(words);
 }
 
 /// The blocks of a pass.

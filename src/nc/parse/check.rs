@@ -339,7 +339,8 @@ impl Check<'_> {
                 row.is_none_or(|row| row.kind != crate::controls::VarKind::AlarmMessage)
             }
             Stmt::Bad(_) => {
-                let text = block.span.of(self.text).to_ascii_uppercase();
+                // Letters O may be what is wrong with it.
+                let text = block.span.of(self.text).to_ascii_uppercase().replace('O', "0");
                 !["M99", "M30", "M2", "M02", "M17", "RET"].iter().any(|end| find::holds(&text, end))
             }
             _ => true,

@@ -452,10 +452,13 @@ impl<'a> Reader<'a> {
 
     #[inline]
     fn known_g_code(&mut self, row: &CodeDef, number: Dec, start: usize) -> bool {
-        if matches!(row.code, Code::NotSimulated | Code::Roughing | Code::Skip) {
+        if matches!(row.code, Code::NotSimulated | Code::Roughing | Code::Skip | Code::Tapping) {
             let name = format!("G{number} ({})", row.text);
-            let message =
-                if row.code == Code::Skip { msg!("nc.no-skip", name) } else { msg!("nc.not-simulated", name) };
+            let message = match row.code {
+                Code::Skip => msg!("nc.no-skip", name),
+                Code::Tapping => msg!("nc.no-tapping", name),
+                _ => msg!("nc.not-simulated", name),
+            };
             self.say_once((b'G', row.number.into()), start, self.at, message);
         }
         matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)

@@ -395,6 +395,22 @@ fn slips_of_an_engineer_from_other_controls() {
 }
 
 #[test]
+fn a_letter_o_in_the_end_of_a_program_is_one_mistake() {
+    for (end, mended) in [("M3O", "M30"), ("N5 M1O7", "M107")] {
+        let parsed = read_on(control(), &format!("G0 X1\n{end}\n"));
+        let said: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
+        match mended {
+            // No end of a program, whatever is mended.
+            "M107" => assert_eq!(said, ["nc.no-program-end", "nc.letter-o"]),
+            _ => assert_eq!(said, ["nc.letter-o"], "{end}"),
+        }
+        let fix_of = parsed.diagnostics().iter().find(|finding| finding.message.id == "nc.letter-o");
+        let files = fix(parsed.files(), &fix_of.unwrap().fixes[0]);
+        assert!(files.0[0].text.contains(mended), "{}", files.0[0].text);
+    }
+}
+
+#[test]
 fn switches_of_the_reader() {
     let errors = |text: &str, id: &str, value: &str| {
         let switches = Switches(vec![(id.to_owned(), value.to_owned())]);

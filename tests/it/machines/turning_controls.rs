@@ -133,7 +133,7 @@ fn entry(control: &Control) -> String {
 }
 
 const QUESTIONS: &[Question] = &[
-    ("surface speed", |c| block(c, &[], "N25 ")),
+    ("surface speed", |c| block(c, &[], "N27 ")),
     ("fixed speed", |c| block(c, &[("speed-mode", "fixed")], "N27 ")),
     ("limit", |c| block(c, &[], "N20 ")),
     ("feed and path", |c| block(c, &[], "N21 ")),
@@ -180,10 +180,10 @@ fn the_differences_of_a_part_on_the_controls() {
     }
     expect![[r#"
         surface speed
-            gsk-980tdc      N25 G96 S#100 M3
-            sinumerik-802d  N25 G96 S=R100 LIMS=R107 M3
-            knd-k2000t      N25 G96 S#100 M3
-            mitsubishi-e60  N25 IF[#109 LE #107]GOTO27
+            gsk-980tdc      N27 G96 S#100 M3
+            sinumerik-802d  N27 LB27: G96 S=R100 LIMS=R107 M3
+            knd-k2000t      N27 G96 S#100 M3
+            mitsubishi-e60  N27 G97 S#109 M3
         fixed speed
             gsk-980tdc      N27 G97 S#109 M3
             sinumerik-802d  N27 LB27: G97 S=R109 M3
@@ -260,7 +260,7 @@ fn the_differences_of_a_part_on_the_controls() {
             knd-k2000t      begins at once
             mitsubishi-e60  begins at once
         volts at the end
-            gsk-980tdc      1.27
+            gsk-980tdc      2.39
             sinumerik-802d  0
             knd-k2000t      0
             mitsubishi-e60  0

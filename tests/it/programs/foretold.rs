@@ -131,6 +131,8 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
         sinumerik-802d arc-tangent
         sinumerik-802d arc-through
         sinumerik-802d arc
+        sinumerik-802d area-arc
+        sinumerik-802d area-circle
         sinumerik-802d area
         sinumerik-802d division
         sinumerik-802d feed-above
@@ -144,6 +146,8 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
         sinumerik-802d no-program
         sinumerik-802d no-surface-speed
         sinumerik-802d repeats-computed
+        sinumerik-802d tapping-lead
+        sinumerik-802d tapping-speed
         sinumerik-802d variable-computed
         sinumerik-802d way-angle
         sinumerik-802d way-plain

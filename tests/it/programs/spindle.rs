@@ -162,13 +162,13 @@ fn a_cutting_speed_is_needed_and_has_its_range() {
     check(
         "G96 S10000",
         expect![[r#"
-            = 14840 2:5 S10000 is outside the range of its address, 0.01 to 9999.99.
+            = 14840 2:5 A cutting speed of 10000 m/min is outside the range of S under constant surface speed, 0.01 to 9999.99 m/min.
         "#]],
     );
     check(
         "G96 S0",
         expect![[r#"
-            = 14840 2:5 S0 is outside the range of its address, 0.01 to 9999.99.
+            = 14840 2:5 A cutting speed of 0 m/min is outside the range of S under constant surface speed, 0.01 to 9999.99 m/min.
         "#]],
     );
 }

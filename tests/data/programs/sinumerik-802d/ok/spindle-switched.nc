@@ -1,5 +1,5 @@
 %_N_SWITCHED_MPF
-;SET m5-timing end
+;SET m5-timing before
 ;SET lims-in-g97 yes
 ;SET g96-apply-at-activation no
 ;SET g9x-without-s hold
