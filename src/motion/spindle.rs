@@ -107,8 +107,13 @@ impl Ramp {
 
     /// Speed behind the ramp, before slip, signed.
     pub(super) fn speed(&self, t: f64) -> f64 {
-        let (whole, part) = (self.whole(), t - self.t);
-        if part < whole { self.start + (self.target - self.start) * (part / whole) } else { self.target }
+        // Compared as sums are: what is asked when the ramp is over gets its end, and not what rounding leaves of it.
+        let whole = self.whole();
+        if t < self.t + whole {
+            self.start + (self.target - self.start) * ((t - self.t) / whole).min(1.0)
+        } else {
+            self.target
+        }
     }
 
     /// When the speed is within a part of what it will be.

@@ -388,6 +388,23 @@ fn a_dwell_may_count_turns() {
 }
 
 #[test]
+fn a_feed_per_revolution_behind_a_stop_in_the_run_up_comes_to_rest_and_says_so() {
+    // The ramp down ends at a moment that rounding would leave beside it: the speed is 0 there, not nearly.
+    for ms in 1..40 {
+        let lines = vec![
+            turn(500.0, 1),
+            one(Canon::Dwell { seconds: f64::from(ms) * 0.001 }),
+            one(Canon::SpindleDirection { sign: 0 }),
+            per_turn(20.0, 0.0, 0.1),
+        ];
+        let planner = run(lines);
+        let said: Vec<&str> = planner.diagnostics().iter().map(|said| said.message.id).collect();
+        assert_eq!(said, ["motion.spindle-stands"], "{ms} ms");
+        assert_eq!(planner.timeline().at(planner.timeline().end()).spindle.actual, 0.0);
+    }
+}
+
+#[test]
 fn without_an_encoder_a_feed_per_revolution_never_moves() {
     let mut plant = plant();
     plant.spindle.encoder = false;
