@@ -13,6 +13,8 @@ pub struct Limits {
     pub feed_max: f64,
     /// Largest feed per revolution in mm/rev.
     pub revolution_feed_max: f64,
+    /// Ten times the code of inches in which feeds count too, where other inches do not touch them; `None`: all inches do.
+    pub inch_feeds: Option<u16>,
     /// Largest lead of a thread in mm/rev.
     pub lead_max: f64,
     /// Smallest feed step in mm/min.

@@ -56,6 +56,10 @@ pub mod long {
     pub const FRC: u8 = code(12);
     /// Angle of a programmable rotation.
     pub const RPL: u8 = code(13);
+    /// Rounded corners from here on.
+    pub const RNDM: u8 = code(14);
+    /// Feed of all chamfers and rounded corners.
+    pub const FRCM: u8 = code(15);
 
     /// Whether a letter is such a code.
     pub const fn is(letter: u8) -> bool {
@@ -70,6 +74,8 @@ pub struct Names {
     pub addresses: &'static [(&'static str, u8)],
     /// Codes that are names, in the order of the numbers that stand for them.
     pub codes: &'static [&'static str],
+    /// The one of them behind which stands a number: cycles.
+    pub cycle: &'static str,
     /// Addresses that can be extended by a number: `S1=500`.
     pub extended: &'static [u8],
     /// Statements of the maker's other controls.
@@ -86,6 +92,15 @@ pub struct Names {
     pub whole_max: i64,
     /// Auxiliary words of a block: M, H, D, and all together.
     pub auxiliary: [u8; 4],
+}
+
+impl Names {
+    /// The place of a code that is a name in capitals; a cycle has a number behind it.
+    pub fn code(&self, name: &str) -> Option<usize> {
+        let family = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let name = if family == self.cycle && family.len() < name.len() { family } else { name };
+        self.codes.iter().position(|code| *code == name)
+    }
 }
 
 /// Id of the switch that says how long labels are.

@@ -11,6 +11,14 @@ pub(super) struct Chord {
     pub(super) clockwise: bool,
 }
 
+impl Chord {
+    /// The radius with which it goes round by some degrees, `c / (2 sin(a/2))`; negative for the longer arc, as [`by_radius`] has it.
+    pub(super) fn radius(&self, turn: f64) -> f64 {
+        let radius = math::hypot(self.end.0, self.end.1) / (2.0 * math::sin_cos((turn / 2.0).to_radians()).0);
+        if turn > 180.0 { -radius } else { radius }
+    }
+}
+
 /// Why an arc cannot be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Impossible {

@@ -104,6 +104,8 @@ pub(super) struct Words {
     /// I1, J1, K1: a point on the way.
     pub(super) through: [Option<i64>; 3],
     pub(super) radius: Option<i64>,
+    /// Degrees that an arc goes round.
+    pub(super) turn: Option<f64>,
     pub(super) speed: Option<f64>,
     /// Highest speed under constant surface speed.
     speed_limit: Option<f64>,
@@ -513,7 +515,7 @@ impl State {
                         }
                     }
                     b'F' => {
-                        if let Some(feed) = self.feed_word(cx, block, word, inch)? {
+                        if let Some(feed) = self.feed_word(cx, block, word, self.modal.inch_feed)? {
                             self.modal.feed = Some(feed);
                             self.modal.word(b'F', feed);
                         }
@@ -547,6 +549,13 @@ impl State {
                     b'R' | long::CR => {
                         values.radius = self.dimension(cx, block, word, inch)?;
                         values.rare |= RADIUS;
+                    }
+                    long::AR => {
+                        values.turn = self.raw(cx, block, word)?;
+                        if let Some(turn) = values.turn.filter(|turn| !(*turn > 0.0 && *turn < 360.0)) {
+                            let trap = Trap::alarm(Alarm::Arc, msg!("interp.arc-angle", (turn, 9)));
+                            return Err(trap.within(word_span(block, word)));
+                        }
                     }
                     long::LIMS => values.speed_limit = self.speed_word(cx, block, word, false)?,
                     long::SPOS => {

@@ -33,6 +33,8 @@ pub(super) struct Modal {
     pub(super) absolute: bool,
     /// Dimensions are in inches.
     pub(super) inch: bool,
+    /// Feeds are.
+    pub(super) inch_feed: bool,
     /// Feed is per spindle revolution.
     pub(super) per_revolution: bool,
     /// Exact stop mode.
@@ -84,6 +86,7 @@ impl Modal {
             plane: [0, 1, 2],
             absolute: true,
             inch: false,
+            inch_feed: false,
             per_revolution: false,
             exact: false,
             coordinates: 1,
@@ -135,8 +138,10 @@ impl Modal {
             PlaneYz => self.plane = plane(b'Y', b'Z', b'X'),
             Absolute => self.absolute = true,
             Incremental => self.absolute = false,
-            Inch => self.inch = true,
-            Metric => self.inch = false,
+            Inch | Metric => {
+                self.inch = row.code == Inch;
+                self.inch_feed = self.inch && control.limits.inch_feeds.is_none_or(|code| code == row.number);
+            }
             FeedPerMinute | FeedPerRevolution => {
                 self.count_feed(control, row.code == FeedPerRevolution);
                 if control.spindle.feed_ends_surface && self.surface {

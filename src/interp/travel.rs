@@ -87,6 +87,9 @@ impl State {
                 }
             }
         }
+        if let (Some(turn), true, 0) = (values.turn, full_circle, values.mask) {
+            self.turn_to(cx, values, turn, &mut to);
+        }
         if codes.special == Some(Code::ReferenceReturn) {
             if to.position != self.position {
                 self.queue.push(Canon::Rapid { to });
@@ -299,15 +302,11 @@ impl State {
         let chord = Chord { end: (delta(first), delta(second)), clockwise };
         let units = &cx.shared.units;
         let tolerance = cx.control.limits.arc_tolerance * units.per_unit;
-        let center = match values.radius {
-            Some(radius) => by_radius(chord, radius as f64, tolerance),
-            None => {
-                let offset = |axis: u8| {
-                    let letter = cx.control.axes.get(axis as usize).map_or(0, |axis| axis.letter);
-                    let at = letter.wrapping_sub(b'X') as usize;
-                    values.center.get(at).copied().flatten().unwrap_or(0) as f64
-                };
-                let offsets = (offset(first), offset(second));
+        let center = match (values.radius, values.turn) {
+            (Some(radius), _) => by_radius(chord, radius as f64, tolerance),
+            (None, Some(turn)) if values.center == [None; 3] => by_radius(chord, chord.radius(turn), tolerance),
+            (None, _) => {
+                let offsets = center_of(cx, values, (first, second));
                 if cx.control.limits.arc_centre_moves {
                     by_moved_center(chord, offsets, tolerance)
                 } else {
@@ -340,6 +339,21 @@ impl State {
         let start = |axis: u8| self.position[axis as usize] as f64;
         let center = (start(first) + x / scale(first), start(second) + y / scale(second));
         Ok(Canon::Arc { to, plane: (first, second), center, clockwise, feed, exact })
+    }
+
+    /// The end of an arc by its centre and the degrees that it goes round.
+    #[cold]
+    fn turn_to(&self, cx: &Cx, values: &Words, turn: f64, to: &mut Target) {
+        let [first, second, _] = self.modal.plane;
+        let (x, y) = center_of(cx, values, (first, second));
+        let (sin, cos) = math::sin_cos(if self.modal.motion == Code::ArcCw { -turn } else { turn }.to_radians());
+        for (axis, by) in [(first, x - x * cos + y * sin), (second, y - x * sin - y * cos)] {
+            let scale = cx.shared.rules.moves.get(usize::from(axis)).copied().unwrap_or(1.0);
+            if let Some(place) = to.position.get_mut(usize::from(axis)) {
+                *place = place.saturating_add((by / scale).round() as i64);
+                to.mask |= 1 << axis;
+            }
+        }
     }
 
     /// How far the point that an arc passes lies from its start along an axis, in what the slide moves.
@@ -379,4 +393,14 @@ fn no_feed(cx: &Cx, feed: Option<f64>) -> Trap {
         Some(_) => Trap::alarm(Alarm::FeedZero, msg!("interp.feed-zero"))
             .hint(msg!("interp.hint-feed-zero", cx.control.guard(&format!("{}…", cx.control.syntax.variable)))),
     }
+}
+
+/// I, J, K of the axes of a plane: how far the centre lies from the start, in what the slide moves.
+fn center_of(cx: &Cx, values: &Words, (first, second): (u8, u8)) -> (f64, f64) {
+    let offset = |axis: u8| {
+        let letter = cx.control.axes.get(axis as usize).map_or(0, |axis| axis.letter);
+        let at = letter.wrapping_sub(b'X') as usize;
+        values.center.get(at).copied().flatten().unwrap_or(0) as f64
+    };
+    (offset(first), offset(second))
 }

@@ -137,7 +137,7 @@ fn named_token(rest: &str, control: &Control) -> (usize, TokenKind) {
         };
         return (1 + digits, kind);
     }
-    if names.is_some_and(|names| names.codes.iter().any(|code| is(code))) {
+    if names.is_some_and(|names| names.code(&rest.get(..name).unwrap_or("").to_ascii_uppercase()).is_some()) {
         return (name, TokenKind::Code);
     }
     if ["GOTOF", "GOTOB", "IF", "MSG", "AND", "OR", "XOR", "NOT", "MOD", "DIV"].into_iter().any(is)

@@ -122,6 +122,7 @@ pub static CONTROL: Control = Control {
         coordinate_max: 99_999.999,
         feed_max: 240_000.0,
         revolution_feed_max: 500.0,
+        inch_feeds: None,
         lead_max: 500.0,
         feed_increment: 0.001,
         arc_tolerance: 0.1,

@@ -124,6 +124,7 @@ pub static CONTROL: Control = Control {
         coordinate_max: 99_999.999,
         feed_max: 1_000_000.0,
         revolution_feed_max: 1_000_000.0,
+        inch_feeds: None,
         lead_max: 1_000_000.0,
         feed_increment: 0.001,
         arc_tolerance: 0.1,

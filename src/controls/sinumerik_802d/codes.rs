@@ -26,7 +26,7 @@ const FRAME: Citation =
 pub(super) const NAMES: &[&str] = &[
     "RET", "CIP", "CT", "TRANS", "ATRANS", "DIAMON", "DIAMOF", "DIAM90", "BRISK", "SOFT", "FFWON", "FFWOF", "NORM",
     "KONT", "WALIMON", "WALIMOF", "CFC", "CFTCP", "CFIN", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR", "AMIRROR",
-    "STOPRE", "SETMS", "TRANSMIT", "TRACYL", "TRAFOOF", "SPCON", "SPCOF",
+    "STOPRE", "SETMS", "TRANSMIT", "TRACYL", "TRAFOOF", "SPCON", "SPCOF", "CYCLE",
 ];
 
 /// Every code; numbers are ten times what is written.
@@ -68,7 +68,9 @@ pub(super) const CODES: &[CodeDef] = &[
     g(950, FeedPerRevolution, Group::FeedUnit, "feed per revolution", SPINDLE),
     g(960, SurfaceSpeed, Group::FeedUnit, "constant cutting speed on", SPINDLE),
     g(970, SurfaceSpeedOff, Group::FeedUnit, "constant cutting speed off", SPINDLE),
+    g(1100, NotSimulated, Group::OneShot, "pole, from the last position", GROUPS),
     g(1110, NotSimulated, Group::OneShot, "pole", GROUPS),
+    g(1120, NotSimulated, Group::OneShot, "pole, from the last pole", GROUPS),
     g(1530, MachineCoordinates, Group::OneShot, "all offsets suppressed in this block", MEMORY),
     g(3310, Tapping, Group::Motion, "tapping in position control", TAPS),
     g(3320, Tapping, Group::Motion, "tapping in position control, retraction", TAPS),
@@ -77,6 +79,8 @@ pub(super) const CODES: &[CodeDef] = &[
     g(5000, WorkCoordinates(0), Group::Coordinates, "settable work offset off", WORDS),
     g(6010, Cancel, Group::Other, "exact stop window, fine", MEMORY),
     g(6020, NotSimulated, Group::Other, "exact stop window, coarse", MEMORY),
+    g(7000, Inch, Group::LengthUnit, "inch input, of feeds too", MEMORY),
+    g(7100, Metric, Group::LengthUnit, "metric input, of feeds too", MEMORY),
     mg(0, Stop, Group::Flow, "program stop", M_CODES),
     mg(10, OptionalStop, Group::Flow, "optional stop", M_CODES),
     mg(20, End, Group::Flow, "program end", M_CODES),
@@ -125,4 +129,5 @@ pub(super) const CODES: &[CodeDef] = &[
     named(29, Cancel, Group::Other, "transformation off", MEMORY),
     named(30, NotSimulated, Group::Other, "spindle under position control", MEMORY),
     named(31, Cancel, Group::Other, "spindle under speed control", MEMORY),
+    named(32, NotSimulated, Group::OneShot, "cycle", MEMORY),
 ];

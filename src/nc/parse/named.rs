@@ -209,7 +209,7 @@ impl<'a> Reader<'a> {
             _ => {}
         }
         let Some(names) = self.names() else { return Ok(None) };
-        let known = names.codes.contains(&name.as_str()) || names.addresses.iter().any(|row| name.starts_with(row.0));
+        let known = names.code(&name).is_some() || names.addresses.iter().any(|row| name.starts_with(row.0));
         if known || behind.first() == Some(&b'=') || self.missing_equals(written) {
             return Ok(None);
         }

@@ -305,18 +305,24 @@ impl Reader<'_> {
         let written = self.name();
         let name = written.to_ascii_uppercase();
         let Some(names) = self.names() else { return Err(self.unexpected()) };
-        if let Some(place) = names.codes.iter().position(|code| *code == name) {
+        if let Some(place) = names.code(&name) {
             self.at += name.len();
             let row = self.code_on(long::NAME, 10 * place as u16);
             if let Some(row) = row {
                 seen.code(row);
                 if row.code == Code::NotSimulated {
                     let what = format!("{name} ({})", row.text);
-                    self.not_simulated((long::NAME, place as u32), start, self.at, &what);
+                    let digits = name.bytes().filter(u8::is_ascii_digit);
+                    let number = digits.fold(0, |all: u32, b| all.wrapping_mul(10).wrapping_add(u32::from(b - b'0')));
+                    self.not_simulated((long::NAME, place as u32 + 100 * number), start, self.at, &what);
                     // Its arguments, for instance of TRACYL(40).
-                    if self.peek() == b'(' {
+                    if self.skip() == b'(' {
                         let rest = self.line.get(self.at..).unwrap_or_default();
-                        self.at += rest.iter().position(|&b| b == b')').map_or(rest.len(), |close| close + 1);
+                        let Some(close) = rest.iter().position(|&b| b == b')') else {
+                            let message = msg!("nc.unclosed-group");
+                            return Err(self.failure(Alarm::BracketPair, self.at, self.at + 1, message, false));
+                        };
+                        self.at += close + 1;
                     }
                 }
             }
@@ -474,6 +480,7 @@ impl Reader<'_> {
             if !long::is(word.letter) && self.tables.letters & 1 << (word.letter & 31) == 0 {
                 let (alarm, message) = match word.letter {
                     b'N' => (Alarm::SequencePlace, msg!("nc.number-not-first", "N")),
+                    b'R' if words.len() == 1 => (Alarm::Format, msg!("nc.no-parameter-number")),
                     b'R' => (Alarm::Mixed, msg!("nc.assignments-alone")),
                     b'L' | b'P' => (Alarm::Format, msg!("nc.call-alone", name)),
                     _ => (Alarm::IllegalAddress, msg!("nc.no-such-address", name, self.control.name)),
