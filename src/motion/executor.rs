@@ -339,6 +339,9 @@ impl<P: Program> Sim<'_, P> {
                 self.say(Once::NoDrivenTool as u32, || msg!("motion.no-driven-tool"));
             }
         }
+        if self.feeds_into_standing_work(&motion) {
+            self.say(Once::Standing as u32, || msg!("motion.standing-work"));
+        }
         if self.machine.spindle.rules.reached.is_some() {
             self.aim_at_cut(t);
             if self.speed_time() > t {
@@ -348,6 +351,17 @@ impl<P: Program> Sim<'_, P> {
             }
         }
         self.begin(t, motion);
+    }
+
+    /// Whether a movement ends deeper in the work than it began while neither the spindle nor an axis of the PLC turns.
+    fn feeds_into_standing_work(&self, motion: &Move) -> bool {
+        let turns = self.s.turning.direction != 0 || self.s.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
+        let along = |letter: u8| {
+            let axis = self.machine.axes.iter().position(|axis| axis.letter == letter);
+            axis.map_or((0.0, 0.0), |k| (motion.start[k], motion.end[k]))
+        };
+        let (x, z) = (along(b'X'), along(b'Z'));
+        !turns && x.1.abs() < self.machine.stock && z.1 < 0.0 && (x.1.abs() < x.0.abs() || z.1 < z.0)
     }
 
     fn begin(&mut self, t: f64, motion: Move) {

@@ -25,6 +25,7 @@ pub(super) struct Machine {
     pub(super) macro_time: f64,
     pub(super) preread: usize,
     pub(super) in_position: f64,
+    pub(super) stock: f64,
     /// Seconds from the end of the unfiltered path to standstill of the slowest axis.
     pub(super) standstill: f64,
     pub(super) limits: Limits,
@@ -94,6 +95,7 @@ impl Machine {
             macro_time: positive(plant.macro_time, 0.0).max(LEAST_BLOCK_TIME),
             preread: usize::from(plant.preread.max(1)),
             in_position: positive(plant.in_position, 1e-6),
+            stock: plant.stock,
             limits,
             emergency: control.alarm_shown(Alarm::EmergencyStop),
             no_positioning: control.alarm_shown(Alarm::NoPositioning),

@@ -21,8 +21,8 @@
 //!   threads, before cuts, is in its [rules](crate::controls::SpindleRules).
 //! * **PLC.** Asked when something that it sees has changed and when it wishes; codes of one block are put out together and end with FIN.
 //! * **PMC axes.** Axes that the PLC turns by itself: it gives them speeds, acceleration and lag are those of any axis. Neither hold nor the
-//!   program's clamps act on them; overrides, reset and emergency stop as far as the PLC lets them. What emergency stop does to a drive that it
-//!   switches off is not simulated: it stops over its time constant.
+//!   program's clamps act on them; overrides, reset and emergency stop as far as the PLC lets them. A drive that
+//!   emergency stop switches off coasts where the PLC of the machine gives the speeds of that; else it stops over its time constant.
 //! * **Operator.** Feed hold lets dwell and codes run to their end. Reset breaks off: the axes stop over their time constants. Cycle
 //!   start at the very moment of a stop answers that stop; other actions come before what the machine does at the same moment.
 

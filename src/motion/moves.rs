@@ -30,7 +30,7 @@ struct Bow {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Move {
     /// Where it began.
-    start: [f64; AXES],
+    pub(super) start: [f64; AXES],
     /// What is added in proportion to the path: all of a line; on an arc, the other axes and what rounding leaves in the plane.
     line: [f64; AXES],
     bow: Option<Bow>,

@@ -130,7 +130,7 @@ impl<P: Program> Sim<'_, P> {
         }
         self.s.exec = then;
         self.s.io.clear_strobes();
-        self.s.io.reset = true;
+        (self.s.io.reset, self.s.io.emergency) = (true, emergency);
         self.scan(t);
     }
 

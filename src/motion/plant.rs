@@ -160,4 +160,6 @@ pub struct Plant {
     pub preread: u8,
     /// In-position width for exact stop in mm.
     pub in_position: f64,
+    /// Radius in mm of the round work behind Z0, which is not to be fed into while nothing turns; 0 where nobody knows.
+    pub stock: f64,
 }

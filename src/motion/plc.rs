@@ -38,6 +38,8 @@ pub struct Io {
     pub feed_override: f64,
     /// Reset or emergency stop was pressed: for the one scan that sees it first.
     pub reset: bool,
+    /// It was emergency stop.
+    pub emergency: bool,
     /// Macro inputs, by variable number: what the program reads as `#1033` ….
     pub inputs: Map<u32, f64>,
     /// Macro outputs, by variable number, as the program wrote them.
@@ -78,6 +80,7 @@ impl Default for Io {
             spindle_override: 100.0,
             feed_override: 100.0,
             reset: false,
+            emergency: false,
             inputs: Map::new(),
             outputs: Map::new(),
             forced: Map::new(),

@@ -19,7 +19,7 @@ impl<P: Program> Sim<'_, P> {
             self.s.io.spindle_actual =
                 self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.machine.spindle, t));
             let wish = self.s.plc.0.scan(t, &mut self.s.io);
-            self.s.io.reset = false;
+            (self.s.io.reset, self.s.io.emergency) = (false, false);
             // A PLC that wants to be asked at once is asked in its next cycle.
             self.s.plc_at = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
             let Io { forced, inputs, .. } = &mut self.s.io;

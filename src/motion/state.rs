@@ -142,6 +142,7 @@ pub(super) enum Once {
     NoDrivenTool,
     Clamp = 8,
     Missing = 16,
+    Standing = 24,
 }
 
 /// All that changes; a clone goes on exactly as the original would.
@@ -308,6 +309,10 @@ impl<P: Program> Sim<'_, P> {
         match &self.s.exec {
             Exec::Stopped | Exec::Ready => Some(RunEnd::Stop),
             Exec::Finished => Some(RunEnd::ProgramEnd),
+            // What the PLC lets coast, it follows to its rest.
+            Exec::Emergency(_) if self.s.plc_at.is_finite() && self.s.io.pmc_speed.iter().any(|rpm| *rpm != 0.0) => {
+                None
+            }
             Exec::Alarm(diagnostic) | Exec::Emergency(diagnostic) => Some(RunEnd::Alarm(diagnostic.clone())),
             Exec::OutOfBlocks => Some(RunEnd::Blocks),
             Exec::Moving(_) | Exec::Spinning(_) | Exec::Idle if self.holding() => Some(RunEnd::Stop),

@@ -180,6 +180,7 @@ fn bench(control: &'static Control, switches: &Switches) -> (Plant, Box<dyn Plc>
         macro_time: control.timing.macro_block,
         preread: control.timing.preread,
         in_position: bench.in_position,
+        stock: 0.0,
     };
     let BenchShift { volts, before, meshing, after } = bench.shift;
     let mut plc = BenchPlc::new(bench.fin_delay, bench.override_echo);

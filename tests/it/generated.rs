@@ -47,6 +47,7 @@ fn plant(control: &Control) -> Plant {
         macro_time: control.timing.macro_block,
         preread: control.timing.preread,
         in_position: bench.in_position,
+        stock: 0.0,
     }
 }
 

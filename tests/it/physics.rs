@@ -54,6 +54,7 @@ fn plant() -> Plant {
         macro_time: 0.003,
         preread: 5,
         in_position: 0.02,
+        stock: 0.0,
     }
 }
 

@@ -1,5 +1,6 @@
 //! From the polygon to the cutter: which inserts, ratio and tip circle make it, how well, and which limit speaks against the others.
 
+use super::cut::{self, Cut};
 use super::ratio::Ratio;
 use super::section::Section;
 use super::setup::Setup;
@@ -8,11 +9,12 @@ use crate::order;
 
 /// The polygon that is wanted. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Wanted {
+pub struct Wanted<'a> {
     /// Number of sides.
     pub sides: u32,
-    /// Distance across flats; twice the distance of a side from the centre where the number of sides is odd.
-    pub across_flats: f64,
+    /// Distance across flats of every pass of the slide, the last one being the finished one; twice the distance of a side from the centre
+    /// where the number of sides is odd.
+    pub sizes: &'a [f64],
     /// Radius of the stock.
     pub stock: f64,
     /// Greatest flatness error of a side.
@@ -81,13 +83,15 @@ pub struct Choice {
     pub cutter: usize,
     /// Tool to work speed.
     pub ratio: Ratio,
-    /// Radius of the tip circle in mm: the flattest possible one where the cutter can be set.
+    /// Radius of the tip circle in whole µm, as a form holds it: the flattest possible one where the cutter can be set.
     pub radius: f64,
     /// Least and greatest deviation of a side from its plane in mm.
     pub deviation: (f64, f64),
-    /// Relief angle in radians that the inserts need more than, where the whole depth is cut at once.
+    /// Relief angle in radians that the inserts need more than in the pass that asks most of them.
     pub relief: f64,
-    /// Speed of the work in r/min, as fast as every limit allows.
+    /// Speed that the terms of the ratio multiply, a whole number of r/min as a program has it: as fast as every limit allows.
+    pub speed: f64,
+    /// Speed of the work in r/min.
     pub work_speed: f64,
     /// Speed of the tool in r/min; negative against the work.
     pub tool_speed: f64,
@@ -133,7 +137,8 @@ const MOST_TURNS: u32 = 100;
 /// hollow balance.)
 fn choice(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio) -> Option<Choice> {
     let (low, high) = means.cutters.get(cutter)?.radius;
-    let set = |radius: f64| set(wanted, means, cutter, ratio, radius);
+    // What is found has to stay as it is found once it is typed: beside a radius at which a side breaks off, the next digit counts.
+    let set = |radius: f64| set(wanted, means, cutter, ratio, (radius * 1000.0).round() / 1000.0);
     let rank = |choice: &Option<Choice>| choice.as_ref().map_or(u64::MAX, Choice::rank);
     let mut best = set(high);
     if low < high {
@@ -164,21 +169,23 @@ const STEPS: u32 = 24;
 /// A cutter at a ratio and a radius of its tip circle.
 fn set(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio, radius: f64) -> Option<Choice> {
     let head = means.cutters.get(cutter)?;
-    let setup = Setup::even(wanted.across_flats, radius, ratio, head.inserts);
+    let across_flats = *wanted.sizes.last()?;
+    let setup = Setup::even(across_flats, radius, ratio, head.inserts);
     let section = Section::new(&setup, wanted.stock)?;
     let side = section.side(0)?;
-    let curve = setup.curve(0)?;
-    let k = ratio.value().abs();
-    let edge = curve.sigma_at(wanted.stock);
-    let relief = curve.relief_needed(edge);
+    let passes = cut::passes(wanted.sizes, radius, ratio, wanted.sides, wanted.stock);
+    let Cut { relief, speeds: each } = passes.reduce(Cut::worst)?;
 
-    let each = curve.speeds(1.0, edge);
-    let suits = means.cutting_speed.1 / each.1;
-    let (work_speed, bound) = [(means.work_speed, Limit::WorkSpeed), (means.tool_speed / k, Limit::ToolSpeed)]
-        .into_iter()
-        .fold((suits, Limit::CuttingSpeed), |least, next| if next.0 < least.0 { next } else { least });
+    let (work, tool) = (f64::from(ratio.work()), f64::from(ratio.tool()));
+    let suits = means.cutting_speed.1 / each.1 / work;
+    let (fastest, bound) =
+        [(means.work_speed / work, Limit::WorkSpeed), (means.tool_speed / tool.abs(), Limit::ToolSpeed)]
+            .into_iter()
+            .fold((suits, Limit::CuttingSpeed), |least, next| if next.0 < least.0 { next } else { least });
+    let speed = fastest.floor().max(1.0);
+    let work_speed = speed * work;
 
-    let full = 0.5 * wanted.across_flats / math::cos(PI / f64::from(wanted.sides.max(3)));
+    let full = 0.5 * across_flats / math::cos(PI / f64::from(wanted.sides.max(3)));
     let gap = wanted.sides > 2 && wanted.stock >= full && !section.corners().first().is_some_and(|corner| corner.meets);
     let held = [
         (Limit::Sense, ratio.value() < 0.0 && !means.against),
@@ -187,7 +194,7 @@ fn set(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio, radius: f64)
         (Limit::Hollow, side.high > NOTHING && !wanted.hollow),
         (Limit::Flatness, side.flatness() > wanted.flatness),
         (Limit::Relief, relief >= head.relief),
-        (bound, each.0 * work_speed < means.cutting_speed.0),
+        (bound, speed > fastest || each.0 * work_speed < means.cutting_speed.0),
     ];
     Some(Choice {
         cutter,
@@ -195,8 +202,9 @@ fn set(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio, radius: f64)
         radius,
         deviation: (side.low, side.high),
         relief,
+        speed,
         work_speed,
-        tool_speed: ratio.value() * work_speed,
+        tool_speed: speed * tool,
         cutting_speed: (each.0 * work_speed, each.1 * work_speed),
         limits: held.iter().filter(|(_, holds)| *holds).map(|(limit, _)| *limit).collect(),
     })

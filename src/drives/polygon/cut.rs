@@ -4,10 +4,49 @@ use super::curve::Curve;
 use super::ratio::Ratio;
 use crate::math::{self, PI};
 
+/// What a pass of the slide, or all of them, asks of the inserts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cut {
+    /// Relief angle in radians that they need more than.
+    pub relief: f64,
+    /// Least and greatest cutting speed in m/min for each r/min of the work.
+    pub speeds: (f64, f64),
+}
+
+/// Every pass of the slide, each to its distance across flats, the first one into round stock of a radius. An insert meets
+/// no more than the pass before has left. So all passes ask for less than the whole depth at once would, where sides meet in the stock before
+/// the last pass.
+pub fn passes(sizes: &[f64], radius: f64, ratio: Ratio, sides: u32, stock: f64) -> impl Iterator<Item = Cut> {
+    let curve = move |size: f64| Curve::new(0.5 * size + radius, radius, ratio.value());
+    let pitch = 2.0 * PI / f64::from(sides.max(1));
+    let before = [None].into_iter().chain(sizes.iter().copied().map(curve));
+    sizes.iter().copied().map(curve).zip(before).filter_map(move |(curve, before)| {
+        let curve = curve?;
+        let edge = before.map_or_else(|| curve.sigma_at(stock), |before| curve.edge(&before, pitch, stock));
+        Some(Cut { relief: curve.relief_needed(edge), speeds: curve.speeds(1.0, edge) })
+    })
+}
+
+impl Cut {
+    /// What both ask together.
+    pub fn worst(self, other: Cut) -> Cut {
+        let speeds = (self.speeds.0.min(other.speeds.0), self.speeds.1.max(other.speeds.1));
+        Cut { relief: self.relief.max(other.relief), speeds }
+    }
+}
+
 impl Curve {
     /// The arm of the relative motion along the tool, `m = (k - 1) r`.
     fn arm(&self) -> f64 {
         (self.ratio() - 1.0) * self.radius()
+    }
+
+    /// How far from the middle of its side, as σ, the insert meets work at most where `before` has passed on every side, one each `pitch`: as
+    /// far out as the corners that are left, or stock where sides do not meet in it.
+    fn edge(&self, before: &Curve, pitch: f64, stock: f64) -> f64 {
+        let [near, _] = before.branches(stock);
+        let meets = near.angle.1 > 0.5 * pitch;
+        self.sigma_at(if meets { before.reach(before.sigma(&near, 0.5 * pitch, near.sigma.1)) } else { stock })
     }
 
     /// Cutting speed in m/min at a work speed in r/min and σ from the middle of the side: `v = 2π n |V|`, `|V|² = a² + m² + 2 a m cos σ`,
@@ -40,10 +79,10 @@ impl Curve {
     }
 
     /// What relief an insert has to have more than, where the cut reaches to σ on both sides of the middle: the greatest [`Curve::engagement`]. It
-    /// rises with σ, but where `m < -a` it is greatest at `cos σ = -a/m`.
+    /// rises with σ, but where `|m| > a` it is greatest at `cos σ = -a/m`.
     pub fn relief_needed(&self, sigma: f64) -> f64 {
         let (a, m) = (self.distance(), self.arm());
-        let peak = if m < -a { math::acos(-a / m) } else { PI };
+        let peak = if m.abs() > a { math::acos(-a / m) } else { PI };
         self.engagement(sigma.min(peak))
     }
 }

@@ -3,7 +3,7 @@
 use super::fitted::Fitted;
 use super::params::Params;
 use crate::drives::polygon::choose::{Choice, choices};
-use crate::drives::polygon::cut;
+use crate::drives::polygon::cut::{self, Cut};
 use crate::drives::polygon::{Ratio, Section, Setup};
 use crate::math::{self, PI};
 
@@ -37,7 +37,9 @@ pub struct Derived {
     pub area: f64,
     pub distance: f64,
     pub offset: f64,
+    /// Of the pass that needs most, whose number from 1 it is.
     pub relief_needed: f64,
+    pub relief_pass: f64,
     /// Whether the inserts face the way of a cutter that turns in the sense of the work.
     pub faces_forward: bool,
     pub work_speed: f64,
@@ -52,6 +54,8 @@ pub struct Derived {
     pub phase: f64,
     /// What that turns the polygon by.
     pub phase_on_work: f64,
+    /// Of the tool ahead of the work when both have coasted to rest.
+    pub coast_phase: f64,
     pub least_across_flats: f64,
     /// Whether all inserts are in their places.
     pub even: bool,
@@ -126,6 +130,20 @@ impl Params {
         6.0 * self.tool_speed() * early + 0.0
     }
 
+    /// How fast the axes of work and tool slow down with their drives off, by friction: r/min in a second.
+    pub fn coasting(&self) -> [f64; 2] {
+        [self.work_limit / self.work_coast, self.tool_limit / self.tool_coast]
+    }
+
+    /// By how much the tool is ahead of the work, in degrees of the tool, when both have coasted to rest: each turns by `n² / 2` over
+    /// what it slows down by.
+    pub fn coast_phase(&self) -> f64 {
+        let [work, tool] = self.coasting();
+        let left = |rpm: f64, slows: f64| 3.0 * rpm * rpm.abs() / slows;
+        let ratio = self.tool_ratio / self.work_ratio;
+        left(self.tool_speed(), tool) - ratio * left(self.work_speed(), work) + 0.0
+    }
+
     /// Seconds that an axis takes to its start angle.
     pub fn index_time(&self) -> f64 {
         self.work_start.abs().max(self.tool_start.abs()) / (6.0 * self.index_speed)
@@ -136,7 +154,7 @@ impl Derived {
     /// Everything that follows from the inputs.
     pub(super) fn new(lathe: &Fitted) -> Derived {
         let p = &lathe.p;
-        let passes = p.passes();
+        let passes = lathe.sizes.len() as f64;
         let way = p.length + p.clearance;
         let rough = p.per_minute(p.feed);
         let finish = p.per_minute(p.finish_feed);
@@ -154,20 +172,24 @@ impl Derived {
             ..Derived::default()
         };
         let cut = lathe.setup(p.across_flats).zip(lathe.section());
-        cut.map_or_else(|| whole.clone(), |(setup, section)| whole.clone().with(p, &setup, &section))
+        cut.map_or_else(|| whole.clone(), |(setup, section)| whole.clone().with(lathe, &setup, &section))
     }
 
     /// The same with what is to be said of the section.
-    fn with(self, p: &Params, setup: &Setup, section: &Section) -> Derived {
+    fn with(self, lathe: &Fitted, setup: &Setup, section: &Section) -> Derived {
+        let p = &lathe.p;
         let Some(curve) = setup.curve(0) else { return self };
         let sides = section.sides();
         let (low, high) = sides
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), side| (low.min(side.low), high.max(side.high)));
         let corners = section.corners();
-        // The first pass meets stock all along the side.
-        let edge = curve.sigma_at(0.5 * p.stock_diameter);
-        let speeds = curve.speeds(self.work_speed, edge);
+        let (relief_pass, cut) = lathe.cuts(setup).into_iter().fold((0.0, None), |(worst, all), (pass, cut)| {
+            let more = all.is_none_or(|all: Cut| cut.relief > all.relief);
+            (if more { pass } else { worst }, Some(all.map_or(cut, |all| all.worst(cut))))
+        });
+        let Some(cut) = cut else { return self };
+        let speed = self.work_speed.abs();
         let pitch = 360.0 / f64::from(setup.sides());
         let near = |angle: f64| angle - pitch * (angle / pitch).round();
         let phase = p.phase();
@@ -178,8 +200,9 @@ impl Derived {
             errors.fold((0.0_f64, 0.0_f64), |worst, next| if next.1.abs() > worst.1.abs() { next } else { worst })
         };
         let (depth, turn) = (worst(|error| error.0), worst(|error| error.1));
-        let even = Setup::even(p.across_flats, p.tip_radius, setup.ratio, setup.inserts());
-        let even = Section::new(&even, 0.5 * p.stock_diameter).and_then(|section| section.side(0));
+        let even = setup.is_even();
+        let in_place = (!even).then(|| Setup::even(p.across_flats, p.tip_radius, setup.ratio, setup.inserts()));
+        let in_place = in_place.and_then(|setup| Section::new(&setup, 0.5 * p.stock_diameter)?.side(0));
         let twists = p.lead != 0.0;
         let twist_speed = cut::helical_tool_speed(setup.ratio, self.work_speed, -self.finish_feed, p.lead);
         Derived {
@@ -188,23 +211,25 @@ impl Derived {
             across_flats: section.across_flats().1,
             deviation: (low, high),
             flatness: sides.iter().map(|side| side.flatness()).fold(0.0, f64::max),
-            hollow: even.map_or(high, |side| side.high),
+            hollow: in_place.map_or(high, |side| side.high),
             curvature: curve.curvature(),
             corner: corners.iter().map(|corner| corner.radius).fold(0.0, f64::max),
             across_corners: section.across_corners().1,
             meets: corners.iter().all(|corner| corner.meets),
             area: section.area(),
-            relief_needed: curve.relief_needed(edge) * DEGREES,
+            relief_needed: cut.relief * DEGREES,
+            relief_pass,
             faces_forward: curve.faces_forward(),
-            slowest_cut: speeds.0,
-            fastest_cut: speeds.1,
+            slowest_cut: speed * cut.speeds.0,
+            fastest_cut: speed * cut.speeds.1,
             orientation: orientation.rem_euclid(pitch),
             orientation_error: near(orientation + on_work - p.orientation),
             work_start: near(setup.work_start_for(p.orientation / DEGREES) * DEGREES + on_work),
             phase,
             phase_on_work: on_work,
+            coast_phase: p.coast_phase(),
             least_across_flats: section.across_flats().0,
-            even: setup.is_even(),
+            even,
             insert_depth: depth,
             insert_turn: (turn.0, turn.1 * DEGREES / self.ratio),
             twist: if twists { cut::twist(p.length, p.lead) * DEGREES } else { 0.0 },

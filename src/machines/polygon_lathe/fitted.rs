@@ -1,9 +1,10 @@
 //! The lathe on a control: what the form comes to, as geometry and as the words that start it.
 
 use super::derive::Derived;
-use super::params::{Params, Shape};
+use super::params::{Emergency, Params, Shape};
 use crate::controls::{Control, Switches};
 use crate::drives::polygon::choose::{Cutter, Means, Wanted};
+use crate::drives::polygon::cut::{self, Cut};
 use crate::drives::polygon::{Ratio, Section, Setup};
 use crate::machines::On;
 use crate::math::PI;
@@ -32,6 +33,8 @@ pub(super) struct Fitted<'a> {
     pub(super) p: Params,
     pub(super) control: &'a Control,
     pub(super) switches: &'a Switches,
+    /// Across flats of every pass.
+    pub(super) sizes: Vec<f64>,
 }
 
 impl<'a> Fitted<'a> {
@@ -48,7 +51,8 @@ impl<'a> Fitted<'a> {
         if let Some(shape) = shape {
             (p.sides, p.inserts, p.work_ratio, p.tool_ratio) = shape;
         }
-        Fitted { form, p, control, switches }
+        let sizes = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
+        Fitted { form, p, control, switches, sizes }
     }
 
     /// What follows from the form.
@@ -106,17 +110,24 @@ impl<'a> Fitted<'a> {
         Some(setup)
     }
 
+    /// What every pass asks of the inserts, with its number from 1.
+    pub(super) fn cuts(&self, setup: &Setup) -> Vec<(f64, Cut)> {
+        let Params { tip_radius, stock_diameter, .. } = self.p;
+        let cuts = cut::passes(&self.sizes, tip_radius, setup.ratio, setup.sides(), 0.5 * stock_diameter);
+        (1_u32..).map(f64::from).zip(cuts).collect()
+    }
+
     /// The finished section.
     pub(super) fn section(&self) -> Option<Section> {
         Section::new(&self.setup(self.p.across_flats)?, 0.5 * self.p.stock_diameter)
     }
 
     /// The polygon that is wanted.
-    pub(super) fn wanted(&self) -> Wanted {
+    pub(super) fn wanted(&self) -> Wanted<'_> {
         let p = &self.p;
         Wanted {
             sides: p.sides as u32,
-            across_flats: p.across_flats,
+            sizes: &self.sizes,
             stock: 0.5 * p.stock_diameter,
             flatness: p.flatness,
             hollow: p.hollow,
@@ -157,6 +168,11 @@ impl<'a> Fitted<'a> {
 /// Whether the form says itself how many inserts there are, and at which ratio they turn.
 pub(super) fn is_own(p: &Params, _: &Control) -> bool {
     p.shape == Shape::Own
+}
+
+/// Whether emergency stop leaves work and tool to coast.
+pub(super) fn coasts(p: &Params, _: &Control) -> bool {
+    p.emergency == Emergency::Off
 }
 
 /// The most that an insert is seated beside its place: in mm, and in degrees.

@@ -37,6 +37,7 @@ mod explore;
 use crate::controls::Control;
 use crate::machines::charts;
 use crate::machines::form::Field;
+use crate::machines::form::rows::Newline;
 use crate::machines::judge::{Rows, judge};
 use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
 use crate::motion::{Action, Plant, Plc, Snapshot};
@@ -45,7 +46,7 @@ use crate::text::catalog::number_text as show;
 use crate::view::{Chart, Explorer, Pose, Scene, Sheet};
 use derive::Derived;
 use fitted::Fitted;
-use params::{FIELDS, Newline, Params};
+use params::{FIELDS, Params};
 use rules::{Case, RULES};
 
 /// The machine.
@@ -86,6 +87,7 @@ impl Machine for PolygonLathe {
         let case = Case { lathe: &lathe, p: &lathe.p, d: &d };
         let shown = |id: &str| match id {
             "least-across-flats" | "insert-depth" | "insert-turn" => d.cuts && !d.even,
+            "coast-phase" => d.cuts && fitted::coasts(&lathe.p, on.control),
             "twist" | "twist-speed" => lathe.p.lead != 0.0,
             _ => true,
         };

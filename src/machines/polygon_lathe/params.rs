@@ -1,7 +1,7 @@
 //! The form of the polygon lathe: every input with unit, range and default, and the parameters that it fills.
 
 use super::fitted;
-use crate::machines::form::rows::{choice, essential, fact, flag, number, one_of, setting, words};
+use crate::machines::form::rows::{Newline, choice, essential, fact, flag, number, one_of, setting, words};
 use crate::machines::form::{Field, Kind};
 
 choice! {
@@ -21,12 +21,12 @@ choice! {
 }
 
 choice! {
-    /// Line ends.
-    Newline {
-        /// LF.
-        Lf,
-        /// CR LF.
-        CrLf,
+    /// What emergency stop does to the drives of work and tool.
+    Emergency {
+        /// They stay on until both stand.
+        Held,
+        /// They are off at once.
+        Off,
     }
 }
 
@@ -68,6 +68,9 @@ pub struct Params {
     pub work_gain: f64,
     pub tool_gain: f64,
     pub index_speed: f64,
+    pub emergency: Emergency,
+    pub work_coast: f64,
+    pub tool_coast: f64,
     pub slowest_cut: f64,
     pub fastest_cut: f64,
     pub most_inserts: f64,
@@ -166,6 +169,12 @@ pub static FIELDS: &[Field<Params>] = &[
         number!(tool_gain, "1/s", 1.0..1000.0, 30.0, 2, 1.0)),
     setting!("index-speed", "polygon.group.drives", "polygon.index-speed", "polygon.index-speed.help", "",
         number!(index_speed, "r/min", 0.1..1000.0, 20.0, 1, 1.0)),
+    setting!("emergency", "polygon.group.drives", "polygon.emergency", "polygon.emergency.help", "",
+        one_of!(emergency: Emergency, "held" "polygon.emergency.held", "off" "polygon.emergency.off")),
+    setting!("work-coast", "polygon.group.drives", "polygon.work-coast", "polygon.work-coast.help", "", when fitted::coasts,
+        number!(work_coast, "s", 0.1..600.0, 4.0, 1, 0.5)),
+    setting!("tool-coast", "polygon.group.drives", "polygon.tool-coast", "polygon.tool-coast.help", "", when fitted::coasts,
+        number!(tool_coast, "s", 0.1..600.0, 2.0, 1, 0.5)),
     setting!("slowest-cut", "polygon.group.limits", "polygon.slowest-cut", "polygon.slowest-cut.help", "",
         number!(slowest_cut, "m/min", 0.0..5000.0, 40.0, 1, 5.0)),
     setting!("fastest-cut", "polygon.group.limits", "polygon.fastest-cut", "polygon.fastest-cut.help", "",

@@ -1,10 +1,10 @@
 //! The builder's PMC of the polygon lathe: takes speed, ratios and start angles from the macro program, turns both axes, answers in bits.
 //!
 //! What the paper tells of it is which variables carry speed and ratios, and that each axis turns at their product. The rest is ours, as in
-//! the ladder list: reset and emergency stop end it, and it begins again only with a new request. Feed hold does not touch it: the work turns
+//! the ladder list: reset and emergency stop end it (in ratio, or coasting where the drives go off), and it begins again only with a new request. Feed hold does not touch it: the work turns
 //! on beside a slide that stands.
 
-use super::fitted::{Fitted, TOOL, WORK};
+use super::fitted::{self, Fitted, TOOL, WORK};
 use super::program::{
     AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
 };
@@ -14,6 +14,8 @@ use crate::motion::{BenchPlc, Io, PMC_AXES, Plc};
 const FIN_DELAY: f64 = 0.05;
 /// The word of the inputs, whose bits are `#1000` to `#1015`.
 const INPUTS: u32 = 1032;
+/// Seconds between two speeds of an axis that coasts.
+const STEP: f64 = 0.01;
 /// Turns that are none.
 const NOTHING: f64 = 1e-9;
 
@@ -30,6 +32,8 @@ enum Stage {
     Turning(f64),
     /// Both come to rest until then.
     Stopping(f64),
+    /// Both coast since then, from these speeds in r/min.
+    Coasting(f64, [f64; PMC_AXES]),
 }
 
 /// The ladder.
@@ -46,6 +50,8 @@ pub(super) struct PolygonPlc {
     index_speed: f64,
     /// The feed override acts.
     overrides: bool,
+    /// Where emergency stop switches the drives off: by how many r/min each axis slows down in a second.
+    coasting: Option<[f64; PMC_AXES]>,
 }
 
 impl PolygonPlc {
@@ -58,6 +64,7 @@ impl PolygonPlc {
             settle: p.settling(),
             index_speed: p.index_speed,
             overrides: lathe.overrides(),
+            coasting: fitted::coasts(p, lathe.control).then(|| p.coasting()),
         }
     }
 
@@ -69,8 +76,10 @@ impl PolygonPlc {
         let speeds = [WORK_RATIO, TOOL_RATIO].map(|ratio| out(SPEED) * out(ratio));
         let share = if self.overrides { io.feed_override / 100.0 } else { 1.0 };
         self.spent &= index || turn;
-        if io.reset && self.stage != Stage::Off {
-            (self.stage, self.spent) = (Stage::Stopping(t + self.settle), true);
+        if io.reset && !matches!(self.stage, Stage::Off | Stage::Coasting(..)) {
+            let off = io.emergency && self.coasting.is_some();
+            self.stage = if off { Stage::Coasting(t, io.pmc_speed) } else { Stage::Stopping(t + self.settle) };
+            self.spent = true;
         }
         match self.stage {
             Stage::Off if index && !self.spent => {
@@ -101,6 +110,17 @@ impl PolygonPlc {
             Stage::Turning(at) => {
                 io.pmc_speed = [WORK, TOOL].map(|k| speeds[k] * share);
                 (t < at).then_some(at)
+            }
+            Stage::Coasting(since, from) => {
+                let slows = self.coasting.unwrap_or([f64::INFINITY; PMC_AXES]);
+                // In steps, each at the speed of its middle.
+                let gone = t + 0.5 * STEP - since;
+                io.pmc_speed = core::array::from_fn(|k| (from[k].abs() - slows[k] * gone).max(0.0).copysign(from[k]));
+                if io.pmc_speed == [0.0; PMC_AXES] {
+                    self.stage = Stage::Stopping(t + self.settle);
+                    return Some(t + self.settle);
+                }
+                Some(t + STEP)
             }
             Stage::Off | Stage::Stopping(_) => {
                 io.pmc_speed = [0.0; PMC_AXES];

@@ -44,7 +44,7 @@ pub(super) fn pose(lathe: &Fitted, run: &dyn Samples, now: &Snapshot, frame: Fra
             place(group, 0.0, (0.0, 0.0), (x * view.close, -y * view.close), opacity);
         }
     }
-    let grid = progress::outline(lathe, progress, now);
+    let grid = progress::outline(lathe, progress, &progress::cutting(lathe, run, now));
     let points = || {
         grid.iter().enumerate().map(|(at, radius)| {
             let (s, c) = math::sin_cos(2.0 * PI * at as f64 / GRID as f64);

@@ -9,6 +9,7 @@ use crate::drives::polygon::{Curve, Setup};
 use crate::machines::Samples;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
+use crate::motion::snapshot::Mode;
 
 /// Angles of the grid.
 pub(super) const GRID: usize = 360;
@@ -40,6 +41,23 @@ pub(super) fn progress(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Pro
     let behind = (-z).max(0.0);
     let turns = behind / p.feed_of(f64::from(begun));
     Progress { done: begun - 1, at: (behind > 0.0).then_some((turns, behind)) }
+}
+
+/// The angles that cut the part: what turns on when the program has been broken off cuts nothing at the face any more.
+pub(super) fn cutting(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Snapshot {
+    let blocks = || (1..=lathe.sizes.len() as u32).map(program::number);
+    let begun = |t: f64| blocks().map(|block| run.passes(block + 1, t).0).sum::<u32>();
+    let all = begun(now.t);
+    if now.mode != Mode::EmergencyStop || all == 0 {
+        return *now;
+    }
+    // When the last of the cutting blocks began.
+    let (mut before, mut after) = (0.0, now.t);
+    while after - before > 1e-3 {
+        let middle = 0.5 * (before + after);
+        *(if begun(middle) < all { &mut before } else { &mut after }) = middle;
+    }
+    run.at(after)
 }
 
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.

@@ -21,8 +21,7 @@ pub(super) struct Case<'a> {
 pub(super) const RULES: &[Rule<Lathe>] = &[
     rule!("sides", sides, "sheet 3.2", Inferred),
     rule!("flatness", flatness, "sheet 3.3", Inferred),
-    rule!("curvature", sense, "sheet 3.3; 928Ti sheet on polygons: the wrong sense makes hollow sides", Sister),
-    rule!("curvature", hollow, "sheet 3.3", Inferred),
+    rule!("curvature", hollow, "sheet 3.3; 928Ti sheet on polygons: the wrong sense makes hollow sides", Sister),
     rule!("across-corners", corners, "sheet 3.3", Inferred),
     rule!("relief", relief, "sheet 3.4", Inferred),
     rule!("tool-speed", tool_speed, "greatest speed of the tool axis", Manual),
@@ -32,6 +31,7 @@ pub(super) const RULES: &[Rule<Lathe>] = &[
     rule!("distance", distance, "travel of the slide", Manual),
     rule!("orientation-error", orientation, "sheet 3.1", Inferred),
     rule!("phase", phase, "servo lag behind linear acceleration", Inferred),
+    rule!("coast-phase", coast, "friction", Inferred),
     rule!("insert-depth", insert, "sheet 3.1", Inferred),
     rule!("insert-turn", insert_turn, "sheet 3.1", Inferred),
     rule!("twist", twist, "polygon turning paper: D and Q are whole numbers", Manual),
@@ -52,46 +52,79 @@ fn better(case: &Case) -> Option<Message> {
     (!same).then(|| msg!("polygon.better", inserts, work, tool, (best.radius, 3), (best.flatness(), 4)))
 }
 
-fn with_better(case: &Case, first: Message) -> Vec<Message> {
-    [Some(first), better(case)].into_iter().flatten().collect()
+/// A deviation in mm that is none.
+const NOTHING: f64 = 1e-9;
+
+fn other_sides(case: &Case) -> bool {
+    case.d.sides != case.p.sides
 }
 
-fn sides(case: &Case) -> Option<Judgement> {
-    let Case { p, d, .. } = case;
-    if d.sides == p.sides {
-        ok(p.sides)
-    } else {
-        fail(p.sides, with_better(case, msg!("polygon.other-sides", d.sides, p.sides)))
-    }
+fn uneven(case: &Case) -> bool {
+    case.d.flatness > case.p.flatness
 }
 
-fn flatness(case: &Case) -> Option<Judgement> {
+fn lacks_relief(case: &Case) -> bool {
+    case.d.cuts && case.d.relief_needed >= case.p.relief
+}
+
+fn is_hollow(case: &Case) -> bool {
+    case.d.hollow > NOTHING && !case.p.hollow
+}
+
+/// What may be wrong with inserts, ratio and tip circle, in the order of the results that show it.
+#[derive(Clone, Copy)]
+enum Fault {
+    Sides,
+    Flatness,
+    Relief,
+    Hollow,
+}
+
+/// A fact about a fault, and with the first fault what mends them: one choice of the cutter is behind them all.
+fn mended(case: &Case, fault: Fault, fact: Message) -> Vec<Message> {
     let Case { p, d, .. } = case;
-    if d.flatness <= p.flatness {
-        return ok(p.flatness);
+    let mut advice = vec![fact];
+    let faults = [other_sides(case), uneven(case), lacks_relief(case), is_hollow(case)];
+    if faults.into_iter().take(fault as usize).any(|found| found) {
+        return advice;
     }
-    let mut advice = vec![msg!("polygon.not-flat", (d.flatness, 4), (p.flatness, 4))];
-    if d.ratio == 2.0 && d.meets && p.sides >= 3.0 {
+    if !other_sides(case) && is_hollow(case) {
+        if d.ratio < 0.0 {
+            advice.push(msg!("polygon.wrong-sense"));
+            return advice;
+        }
+        advice.push(msg!("polygon.less-hollow", (flat_ratio(d.distance, p.tip_radius), 3)));
+    }
+    if !other_sides(case) && uneven(case) && d.even && d.ratio == 2.0 && d.meets && p.sides >= 3.0 {
         let radius = ellipse::radius_for(0.5 * p.across_flats, p.sides as u32, p.flatness);
         advice.push(msg!("polygon.larger-cutter", (radius, 1)));
     }
     advice.extend(better(case));
-    fail(p.flatness, advice)
+    advice
 }
 
-fn sense(case: &Case) -> Option<Judgement> {
-    (case.d.ratio < 0.0)
-        .then(|| msg!("polygon.wrong-sense"))
-        .and_then(|advice| if case.p.hollow { warn(0.0, [advice]) } else { fail(0.0, [advice]) })
+fn sides(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if !other_sides(case) {
+        return ok(p.sides);
+    }
+    fail(p.sides, mended(case, Fault::Sides, msg!("polygon.other-sides", d.sides, p.sides)))
+}
+
+fn flatness(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    if !uneven(case) {
+        return ok(p.flatness);
+    }
+    fail(p.flatness, mended(case, Fault::Flatness, msg!("polygon.not-flat", (d.flatness, 4), (p.flatness, 4))))
 }
 
 fn hollow(case: &Case) -> Option<Judgement> {
     let Case { p, d, .. } = case;
-    if d.hollow <= 1e-9 || p.hollow {
-        return ok(None);
+    if is_hollow(case) {
+        return fail(0.0, mended(case, Fault::Hollow, msg!("polygon.hollow-sides", (d.hollow, 4))));
     }
-    let flat = flat_ratio(d.distance, p.tip_radius);
-    fail(0.0, with_better(case, msg!("polygon.hollow-sides", (d.hollow, 4), (flat, 3))))
+    if d.ratio < 0.0 && p.hollow { warn(0.0, [msg!("polygon.wrong-sense")]) } else { ok(None) }
 }
 
 /// Stock is left between the sides.
@@ -108,11 +141,13 @@ fn relief(case: &Case) -> Option<Judgement> {
     if !d.cuts {
         return None;
     }
-    if d.relief_needed >= 90.0 {
-        return fail(p.relief, with_better(case, msg!("polygon.cannot-cut")));
-    }
-    if d.relief_needed >= p.relief {
-        return fail(p.relief, with_better(case, msg!("polygon.little-relief", (d.relief_needed, 2), (p.relief, 1))));
+    let size = p.size(d.relief_pass);
+    if lacks_relief(case) {
+        let fact = match d.relief_needed >= 90.0 {
+            true => msg!("polygon.cannot-cut", d.relief_pass, (size, 3)),
+            false => msg!("polygon.little-relief", (d.relief_needed, 2), (p.relief, 1), d.relief_pass, (size, 3)),
+        };
+        return fail(p.relief, mended(case, Fault::Relief, fact));
     }
     if !d.faces_forward {
         return warn(p.relief, [msg!("polygon.faces-back")]);
@@ -174,6 +209,10 @@ fn orientation(case: &Case) -> Option<Judgement> {
     if d.orientation_error.abs() <= SEEN || !d.cuts {
         return ok(SEEN);
     }
+    // What the phase turns is told there, and no start angle mends it at every speed.
+    if (d.orientation_error - d.phase_on_work).abs() <= SEEN {
+        return warn(SEEN, []);
+    }
     warn(SEEN, [msg!("polygon.turned", (d.orientation_error, 3), (d.work_start, 3))])
 }
 
@@ -183,6 +222,10 @@ fn phase(case: &Case) -> Option<Judgement> {
         return ok(None);
     }
     warn(None, [msg!("polygon.out-of-phase", (d.phase, 3), (d.phase_on_work, 3))])
+}
+
+fn coast(case: &Case) -> Option<Judgement> {
+    warn(None, [msg!("polygon.coasts", (case.d.coast_phase, 0))])
 }
 
 fn insert(case: &Case) -> Option<Judgement> {

@@ -1,11 +1,12 @@
 //! What the machine builder sets beside the program: parameters, the interface of the PMC, its ladder, the sequence, and the ways to turn it.
 
 use super::derive::ways;
-use super::fitted::Fitted;
+use super::fitted::{self, Fitted};
 use super::program::MACROS;
 use super::{explore, ladder, other, show};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, Limit};
+use crate::drives::polygon::cut::Cut;
 use crate::machines::sheets::{self, Axes, Setting, row};
 use crate::math::PI;
 use crate::text::catalog::{Language, words};
@@ -25,6 +26,7 @@ pub(super) fn sheets(lathe: &Fitted) -> Vec<Sheet> {
         choices(lathe),
         other::sheet(lathe),
     ];
+    all.extend(passes(lathe));
     all.extend(inserts(lathe));
     all
 }
@@ -143,7 +145,9 @@ pub(super) fn steps(lathe: &Fitted) -> Vec<Step> {
 
 fn sequence(lathe: &Fitted) -> Sheet {
     let step = |(t, text, _): Step| row([show(t, 3), say(text)], OURS);
-    let breaks = ["polygon.step.held", "polygon.step.reset", "polygon.step.emergency"];
+    let coasts = fitted::coasts(&lathe.p, lathe.control);
+    let emergency = if coasts { "polygon.step.coast" } else { "polygon.step.emergency" };
+    let breaks = ["polygon.step.held", "polygon.step.reset", emergency];
     let breaks = breaks.map(|text| row([String::new(), say(text)], OURS));
     Sheet {
         id: "sequence",
@@ -180,6 +184,7 @@ fn choices(lathe: &Fitted) -> Sheet {
         let terms = (f64::from(way.ratio.tool()), f64::from(way.ratio.work()));
         let mut sets = explore::own(lathe.p.sides, (way.cutter + 1) as f64, terms);
         sets.push(("tip-radius", show(way.radius, 3)));
+        sets.push(("speed", show(way.speed, 0)));
         Row { sets, ..row(cells, cite) }
     };
     Sheet {
@@ -202,6 +207,38 @@ fn choices(lathe: &Fitted) -> Sheet {
         rows: ways(lathe).into_iter().take(WAYS).enumerate().map(way).collect(),
         ladder: Vec::new(),
     }
+}
+
+/// What each pass asks of the inserts, first the one that needs most relief.
+fn passes(lathe: &Fitted) -> Option<Sheet> {
+    let cite = Citation::new("sheet 3.3 and 3.4; a pass meets what the one before has left", Grade::Inferred);
+    let p = &lathe.p;
+    let mut cuts = lathe.cuts(&lathe.setup(p.across_flats)?);
+    crate::order::by_key(&mut cuts, |(_, cut)| !cut.relief.max(0.0).to_bits());
+    let speed = |each: f64| show(each * p.work_speed().abs(), 0);
+    let one = |(pass, cut): (f64, Cut)| {
+        let cells = [
+            show(pass, 0),
+            show(p.size(pass), 3),
+            show(p.per_minute(p.feed_of(pass)), 3),
+            show(cut.relief * 180.0 / PI, 2),
+            format!("{} .. {}", speed(cut.speeds.0), speed(cut.speeds.1)),
+        ];
+        row(cells, cite)
+    };
+    Some(Sheet {
+        id: "passes",
+        title: "polygon.sheet.passes",
+        columns: vec![
+            "polygon.scene.pass",
+            "polygon.across-flats",
+            "polygon.sheet.feed",
+            "polygon.readout.relief",
+            "polygon.sheet.cutting-speed",
+        ],
+        rows: cuts.into_iter().map(one).collect(),
+        ladder: Vec::new(),
+    })
 }
 
 /// Sides that are named.

@@ -36,6 +36,7 @@ pub(super) fn plant(line: &Fitted) -> Plant {
         macro_time: p.macro_time / 1000.0,
         preread: p.preread as u8,
         in_position: p.in_position,
+        stock: 0.0,
     }
 }
 
