@@ -561,6 +561,20 @@ fn jumps_and_loops() {
         "#]],
     );
     check_block(
+        "IF[#1 EQ 0]]GOTO5\nN5",
+        expect![[r#"
+        1:12 error P281 This ] closes nothing.
+            Drop “]”: 1:12 "]"→""
+    "#]],
+    );
+    check_block(
+        "WHILE[#1 LT 5]]DO1\nEND1",
+        expect![[r#"
+        1:15 error P281 This ] closes nothing.
+            Drop “]”: 1:15 "]"→""
+    "#]],
+    );
+    check_block(
         "IF[#1 EQ 0]GOTO\nN5",
         expect![[r#"
         1:12 error P290 GOTO needs a sequence number.

@@ -364,6 +364,14 @@ fn variables_that_nobody_sets() {
             = No call here passes the argument F.
     "#]],
     );
+    GSK.check(
+        "O1\nM98 P2 F2.\nM30\nO2\nG00 U#9\nM99",
+        expect![[r#"
+            6:6 “#9” warning lint.unset-local
+                Nothing sets #9: it is vacant when it is read.
+                = M98 passes no arguments: call by G65 in its place, and #9 is the value of F.
+        "#]],
+    );
     E60.check("O1\n#100=#105+#101\n#101=#105\n#102=#500*2\nM30", expect![[r#"
         3:6 “#105” info lint.unset-common
             To be set on the screen before the start, as no program here does: #105, #500. What is not set is vacant, and counts as 0 in formulas.

@@ -194,7 +194,7 @@ impl Vars<'_> {
         for (group, &base) in self.locals.iter().enumerate() {
             if base != NONE && !self.open[group] && !self.wild {
                 for var in self.list.iter().skip(base as usize).take(LOCALS as usize) {
-                    self.local(lint, self.calls[group], var);
+                    self.local(lint, facts, group, var);
                 }
             }
         }
@@ -220,12 +220,27 @@ impl Vars<'_> {
     }
 
     /// A local variable that nothing sets, or that not every call passes.
-    fn local(&self, lint: &mut Lint, calls: u32, var: &Var) {
+    fn local(&self, lint: &mut Lint, facts: &Facts, group: usize, var: &Var) {
+        let calls = self.calls[group];
         if var.sets == 0 && var.given == 0 && !var.vacancy {
             let (block, id) = var.read;
-            let letter = ARGUMENT.iter().position(|&number| u32::from(number) == var.number).filter(|_| calls > 0);
-            let hint = if letter.is_some() { "lint.hint-argument" } else { "lint.hint-unset-local" };
-            let letter = char::from(b'A' + letter.unwrap_or(0) as u8).to_string();
+            let argument = ARGUMENT.iter().position(|&number| u32::from(number) == var.number);
+            let letter = b'A' + argument.unwrap_or(0) as u8;
+            // Words of a call that passes none.
+            let lost = || {
+                let subs = facts.calls.iter().filter(|call| !call.with_locals);
+                let mut here = subs.filter(|call| self.group[call.to as usize] as usize == group);
+                here.any(|call| {
+                    let block = self.deck.blocks.get(call.block as usize);
+                    block.is_some_and(|block| self.deck.words_of(block).iter().any(|word| word.letter == letter))
+                })
+            };
+            let hint = match argument {
+                Some(_) if calls > 0 => "lint.hint-argument",
+                Some(_) if lost() => "lint.hint-sub-argument",
+                _ => "lint.hint-unset-local",
+            };
+            let letter = char::from(letter).to_string();
             if block != NONE {
                 lint.say(block, lint.part(block, id), "lint.unset-local", &[&letter], hint);
             }

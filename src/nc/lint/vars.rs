@@ -81,7 +81,7 @@ pub(super) struct Vars<'a> {
     slots: Vec<u32>,
     pub(super) list: Vec<Var>,
     /// Programs that share local variables, by program; and the place of the first local of a group.
-    group: Vec<u32>,
+    pub(super) group: Vec<u32>,
     pub(super) locals: Vec<u32>,
     /// Groups with callers that are not here.
     pub(super) open: Vec<bool>,

@@ -32,6 +32,9 @@ impl Reader<'_> {
             return self.check_function(number, behind);
         }
         if code.is_some() && !words.iter().any(|word| word.letter == b'P') {
+            if let Some(word) = words.iter().find(|word| word.letter == b'O') {
+                return self.named_by_letter(Alarm::NoCallProgram, word.offset as usize);
+            }
             return self.report_word(Alarm::NoCallProgram, caller, msg!("interp.call-without-program"));
         }
         if let (true, Some(_), Some(word)) =
@@ -63,14 +66,31 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a word ends or calls a program, or stops it.
-    fn mixes(&self, word: &Word) -> bool {
-        let WordValue::Number(number) = word.value else { return false };
+    /// What an M code does.
+    fn m_row(&self, word: &Word) -> Option<Code> {
+        let WordValue::Number(number) = word.value else { return None };
         let row =
             u16::try_from(number.mantissa.saturating_mul(10)).ok().and_then(|n| self.control.code(word.letter, n));
-        let code = row.filter(|_| word.letter == b'M' && number.scale == 0).map(|row| row.code);
+        row.filter(|_| word.letter == b'M' && number.scale == 0).map(|row| row.code)
+    }
+
+    /// Whether a word ends or calls a program, or stops it.
+    fn mixes(&self, word: &Word) -> bool {
         use Code::*;
-        matches!(code, Some(Stop | OptionalStop | End | EndRewind | SubCall | SubEnd))
+        matches!(self.m_row(word), Some(Stop | OptionalStop | End | EndRewind | SubCall | SubEnd))
+    }
+
+    /// Whether a word calls a subprogram.
+    pub(super) fn calls_sub(&self, word: &Word) -> bool {
+        self.m_row(word) == Some(Code::SubCall)
+    }
+
+    /// A call that names its program by the letter of its head.
+    #[cold]
+    pub(super) fn named_by_letter(&mut self, alarm: Alarm, start: usize) {
+        let finding = self.finding(alarm, start, start + 1, msg!("interp.call-without-program"));
+        let finding = finding.hint(msg!("nc.hint.program-letter", "O"));
+        self.replace(alarm, finding, start, start + 1, "P");
     }
 
     fn call_not_first(&mut self, caller: &Word) {

@@ -187,7 +187,10 @@ impl Check<'_> {
             let label: Option<u16> = behind.get(..digits).and_then(|digits| digits.parse().ok());
             Some(label.filter(|&label| (1..=self.control.syntax.do_max).contains(&label.into())).unwrap_or(ANY))
         };
-        match (label("DO").or_else(|| find::holds(text, "WHILE").then_some(ANY)), label("END")) {
+        let head = label("DO").or_else(|| find::holds(text, "WHILE").then_some(ANY));
+        // `ENDWHILE` and `ENDDO` are ends.
+        let end = find::holds(text, "ENDW") || find::holds(text, "ENDD");
+        match (head.filter(|_| !end), label("END")) {
             (Some(label), _) => Stmt::While { cond: None, label },
             (None, Some(label)) => Stmt::End { label },
             (None, None) => block.stmt,

@@ -2,7 +2,7 @@
 
 use super::super::ast::{Expr, ExprId, Op};
 use super::super::dec::Dec;
-use super::slips::meant;
+use super::slips::{Mend, meant};
 use super::{Misused, Read, Reader};
 use crate::controls::syntax::Function;
 use crate::controls::vars::is_fitted;
@@ -24,6 +24,17 @@ pub(super) struct Open {
     pub(super) at: usize,
     close: u8,
 }
+
+/// Names that functions have in other languages.
+const OTHER_NAMES: [(&str, &str); 7] = [
+    ("INT", "FIX"),
+    ("TRUNC", "FIX"),
+    ("CEIL", "FUP"),
+    ("TG", "TAN"),
+    ("ARCSIN", "ASIN"),
+    ("ARCCOS", "ACOS"),
+    ("ARCTAN", "ATAN"),
+];
 
 impl Reader<'_> {
     /// Whether the line goes on with this word, in capitals or not.
@@ -232,6 +243,16 @@ impl Reader<'_> {
             }
             None => self.misspelt_function()?,
         };
+        if function == Function::Atan
+            && self.control.syntax.atan_of_two
+            && let Some(comma) = self.comma_within()
+        {
+            let message = msg!("nc.atan-alone", self.control.name);
+            let mut failure = self.failure(Alarm::AtanForm, start, start + 4, message, false);
+            failure.finding =
+                self.mended(failure.finding.hint(msg!("nc.hint.atan")), Mend::Write(comma, comma + 1, "]/["));
+            return Err(failure);
+        }
         let inner = match self.skip() {
             b'(' if self.names().is_some() && function == Function::Atan => return self.two_arguments(start),
             b'[' if self.names().is_some() => self.square_group()?,
@@ -257,7 +278,8 @@ impl Reader<'_> {
         }
         let message = msg!("nc.unknown-function", name.as_str(), self.control.name);
         let functions = self.control.syntax.functions;
-        match meant(&name, functions.iter().map(|(name, _)| *name)) {
+        let alike = OTHER_NAMES.iter().find(|row| row.0 == name).map_or(name.as_str(), |row| row.1);
+        match meant(alike, functions.iter().map(|(name, _)| *name)) {
             Some(at) => {
                 let (known, function) = functions[at];
                 self.at += letters;
@@ -300,6 +322,24 @@ impl Reader<'_> {
         };
         self.enclose(Alarm::Format, finding, from, self.at);
         Ok(argument)
+    }
+
+    /// Where a comma parts what stands in the brackets that open here.
+    fn comma_within(&mut self) -> Option<usize> {
+        if self.skip() != b'[' {
+            return None;
+        }
+        let mut depth = 0_u32;
+        for (at, byte) in self.line.iter().enumerate().skip(self.at) {
+            match byte {
+                b'[' => depth += 1,
+                b']' if depth == 1 => return None,
+                b']' => depth -= 1,
+                b',' if depth == 1 => return Some(at),
+                _ => {}
+            }
+        }
+        None
     }
 
     /// The second number of `ATAN[y]/[x]`.
@@ -371,7 +411,7 @@ impl Reader<'_> {
             self.at += 1;
             return Ok(());
         }
-        if self.ended() || byte == b',' {
+        if self.ended() || byte == b',' && self.names().is_some() {
             let message = if self.names().is_some() { msg!("nc.unclosed-group") } else { msg!("nc.unclosed-square") };
             return Err(self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false));
         }
@@ -429,6 +469,10 @@ impl Reader<'_> {
             }
             _ => {
                 let name = self.line.get(start + 1..).unwrap_or_default();
+                if !name.first().is_none_or(u8::is_ascii) {
+                    self.at = start + 1;
+                    return Err(self.unexpected());
+                }
                 let name = name.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
                 let message = if name > 1 { msg!("nc.variable-name") } else { msg!("nc.variable-number") };
                 Err(self.failure(Alarm::Format, start, start + 1 + name, message, false))

@@ -7,13 +7,15 @@ use crate::msg;
 use crate::text::{Diagnostic, Message};
 
 /// Words of other languages, and the sentence that helps.
-const WORDS: [(&[&str], &str); 3] = [
+const WORDS: [(&[&str], &str); 5] = [
     (&["ELSE", "ELSEIF", "ELIF", "ENDIF"], "nc.hint.else"),
     (
         &["FOR", "NEXT", "REPEAT", "UNTIL", "LOOP", "WEND", "ENDW", "ENDWHILE", "ENDFOR", "BREAK", "CONTINUE"],
         "nc.hint.loop",
     ),
     (&["CALL", "GOSUB", "RETURN"], "nc.hint.call"),
+    (&["MOD"], "nc.hint.modulo"),
+    (&["POW", "POWER"], "nc.hint.power"),
 ];
 
 /// As many digits as a word takes.
@@ -61,6 +63,9 @@ impl Reader<'_> {
             return Some(self.mended(finding, Mend::Write(at, end, PI)));
         }
         let &(_, id) = WORDS.iter().find(|row| row.0.contains(&word.as_str()))?;
+        if word == "MOD" && self.control.syntax.modulo {
+            return None;
+        }
         let message = msg!("nc.foreign-word", word, self.control.name);
         Some(self.finding(failure.alarm, at, end, message).hint(Message { id, values: Vec::new() }))
     }

@@ -40,12 +40,19 @@ impl Reader<'_> {
         // `#101-----Spindle reduction ratio` is a remark from its start: there is no statement in front of it.
         let from = variable_alone(head).unwrap_or(remark);
         let head = head.get(..from.min(head.len())).unwrap_or_default().trim_ascii_end();
+        let before = mark;
         self.report_remark(alarm, head.len(), from);
         let mark = self.mark();
         self.line = head;
         self.rewind();
-        if let Err(failure) = self.statement() {
-            self.try_rounds(&mark, *failure);
+        match self.statement() {
+            // What looks like a remark stands where a value should.
+            Err(failure) if failure.finding.message.id == "nc.ends-early" => {
+                self.rollback(&before);
+                self.add_finding(first.finding);
+            }
+            Err(failure) => self.try_rounds(&mark, *failure),
+            Ok(_) => {}
         }
         self.line = whole;
     }

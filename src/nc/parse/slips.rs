@@ -84,6 +84,13 @@ impl Reader<'_> {
                 let text = self.source.get(start..start + self.line.len()).filter(|_| plain(character) != character);
                 let Some(text) = text else { return finding };
                 let line = text.chars().map(plain).collect();
+                let finding = match plain(character) {
+                    like @ 'A'..='Z' if character < '\u{1000}' => {
+                        let message = msg!("nc.look-alike", character.to_string(), like.to_string());
+                        Diagnostic { message, ..finding }
+                    }
+                    _ => finding,
+                };
                 finding.fix(msg!("nc.fix.plain-characters"), vec![(place(0, self.line.len()), line)])
             }
         }
@@ -285,9 +292,12 @@ fn plain(c: char) -> char {
         '\u{2010}'..='\u{2015}' | '\u{2212}' => '-',
         '\u{d7}' => '*',
         '\u{f7}' => '/',
-        c => c,
+        c => LIKE.0.chars().zip(LIKE.1.chars()).find(|pair| pair.0 == c).map_or(c, |pair| pair.1),
     }
 }
+
+/// Letters of the Cyrillic and the Greek alphabet, and those that they are taken for.
+const LIKE: (&str, &str) = ("АВЕКМНОРСТУХЅІЈаеорсухΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "ABEKMHOPCTYXSIJAEOPCYXABEZHIKMNOPTYX");
 
 /// Which of some names was meant by a name: one letter wrong, missing, too many or exchanged, or two in a long name.
 pub(super) fn meant<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<usize> {

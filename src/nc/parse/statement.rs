@@ -283,7 +283,9 @@ impl Reader<'_> {
 
     /// Nothing joins another condition to the one that was read.
     fn no_other_condition(&mut self, alarm: Alarm) -> Read<()> {
-        self.skip();
+        while self.skip() == b']' {
+            self.stray_square();
+        }
         match JOINTS.iter().find(|word| self.ahead(word)) {
             Some(word) => Err(self.one_comparison(alarm, word.len())),
             None => Ok(()),
@@ -346,6 +348,9 @@ impl Reader<'_> {
         let start = self.at;
         let to = self.variable(true)?;
         let end = self.at;
+        if self.skip() == b'.' {
+            self.stray_point();
+        }
         if self.skip() == b':' && self.line.get(self.at + 1) == Some(&b'=') {
             self.slip(Alarm::NoEquals, self.at, self.at + 1, msg!("nc.double-equals"), "");
             self.at += 1;

@@ -187,7 +187,10 @@ impl<'a> Reader<'a> {
                 continue;
             }
             if self.tables.letters & bit == 0 && seen & bit == 0 {
-                self.odd_letter(word.letter, start);
+                match self.deck.words.get(first..at).unwrap_or_default().iter().any(|word| self.calls_sub(word)) {
+                    true if word.letter == b'O' => self.named_by_letter(Alarm::Format, start),
+                    _ => self.odd_letter(word.letter, start),
+                }
             } else if self.tables.once & seen & bit & !twice != 0 {
                 twice |= bit;
                 let letter = (word.letter as char).to_string();

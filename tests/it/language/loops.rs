@@ -38,6 +38,13 @@ fn loops_beside_one_that_does_not_read() {
     "#]],
     );
     check_block(
+        "WHILE[#1 LT 5]DO1\n#1=#1+1\nENDWHILE",
+        expect![[r#"
+        3:1 error P291 ENDWHILE is no word of the Mitsubishi E60.
+            = A loop is WHILE[condition]DO1 … END1; IF[condition]GOTO n leaves it.
+    "#]],
+    );
+    check_block(
         "DO1\nDO2\nEND1\nDO2\nEND2",
         expect![[r#"
             2:1 error P294 DO2 has no END2 in this program.

@@ -400,6 +400,70 @@ slips! {
             --- gsk-980tdc, knd-k2000t
             right
         "#]];
+        "M98 O1000\nM30\nO1000\nM99" => expect![[r#"
+            1:5 error P33|0101|004 The call does not say which program: add P and its number.
+                = A program is named by O and its number; P only calls it.
+                Write “P”: 1:5 "O"→"P"
+            = M98 P1000
+              M30
+              O1000
+              M99
+        "#]];
+        "G65 O1000 A1.\nM30\nO1000\nM99" => expect![[r#"
+            1:5 error P232|0122|076 The call does not say which program: add P and its number.
+                = A program is named by O and its number; P only calls it.
+                Write “P”: 1:5 "O"→"P"
+            = G65 P1000 A1.
+              M30
+              O1000
+              M99
+        "#]];
+        "G00 \u{425}1.\n\u{41c}08" => expect![[r#"
+            1:5 error P32|0003|009 “Х” only looks like the letter X: it is one of another alphabet, and no character of the control.
+                Write the characters of the control: 1:1 "G00 Х1."→"G00 X1."
+            2:1 error P32|0003|009 “М” only looks like the letter M: it is one of another alphabet, and no character of the control.
+                Write the characters of the control: 2:1 "М08"→"M08"
+            = G00 X1.
+              M08
+        "#]];
+        "#\u{ff11}00=5" => expect![[r##"
+            1:2 error P32|0003|009 The control has no character “１”.
+                Write the characters of the control: 1:1 "#１00=5"→"#100=5"
+            = #100=5
+        "##]];
+        "#1=TRUE" => expect![[r#"
+            1:4 error P33|0101|004 “TRUE” stands where a value should.
+        "#]];
+        "#1=ATAN[#2,#3]" => expect![[r#"
+            --- mitsubishi-e60
+            1:11 error P33 “,” cannot stand here.
+            --- gsk-980tdc, knd-k2000t
+            1:4 error 0106|114 ATAN of the CONTROL is of two numbers.
+                = ATAN[y]/[x] is the angle of the point x, y; of one number it is ATAN[a]/[1].
+                Write “]/[”: 1:11 ","→"]/["
+            = #1=ATAN[#2]/[#3]
+        "#]];
+        "#1=INT[5.5]" => expect![[r#"
+            1:4 error P33|0101|004 INT is no function of the CONTROL.
+                Write “FIX”: 1:4 "INT"→"FIX"
+            = #1=FIX[5.5]
+        "#]];
+        "#1=MOD[5,3]" => expect![[r#"
+            --- mitsubishi-e60, gsk-980tdc
+            1:4 error P33|0101 MOD is no word of the CONTROL.
+                = a MOD b is a-FIX[a/b]*b.
+            --- knd-k2000t
+            1:4 error 004 MOD is no function of the CONTROL.
+        "#]];
+        "#1=POW[2,3]" => expect![[r#"
+            1:4 error P33|0101|004 POW is no word of the CONTROL.
+                = Multiply as often as needed: a*a*a.
+        "#]];
+        "#100.=5." => expect![[r#"
+            1:5 error P33|0101|004 “.” belongs to no number: a number has one point, variables and sequence numbers have none.
+                Drop “.”: 1:5 "."→""
+            = #100=5.
+        "#]];
         "G00 G65 P1000\nM30\nO1000\nM99" => expect![[r#"
             --- mitsubishi-e60, knd-k2000t
             right
