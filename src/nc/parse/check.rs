@@ -9,7 +9,7 @@ use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, Control};
 use crate::msg;
 use crate::order;
-use crate::text::{Diagnostic, Message, Place, Span, find};
+use crate::text::{Diagnostic, Fix, Message, Place, Span, find};
 
 /// Blocks that are searched for the end of a loop.
 const SEARCHED: usize = 10_000;
@@ -157,6 +157,14 @@ impl Check<'_> {
                         None => {
                             let span = self.keyword_span(block, "END");
                             self.report(Alarm::DoPair, span, msg!("nc.end-without-do", u32::from(label)));
+                            // Where the innermost loop has no end, this is meant to be it.
+                            let meant = open.pop_if(|(inner, _)| *inner != ANY && !ends_in(rest, *inner));
+                            if let (Some((inner, _)), Some(finding)) = (meant, self.found.last_mut()) {
+                                let (place, end) = (Place { file: self.program.file, span }, format!("END{inner}"));
+                                finding
+                                    .fixes
+                                    .push(Fix { title: msg!("nc.fix.write", end.as_str()), edits: vec![(place, end)] });
+                            }
                         }
                     }
                 }

@@ -107,7 +107,11 @@ impl Reader<'_> {
             at += run.max(1);
         }
         let rest = self.line.get(failure.from..).unwrap_or_default();
-        (failure.at_word && prose(rest)).then_some(failure.from)
+        let condition = [&b"IF"[..], b"WHILE"].iter().any(|word| {
+            let behind = rest.get(word.len()..).unwrap_or_default().trim_ascii_start();
+            rest.starts_with(word) && behind.first() == Some(&b'[')
+        });
+        (failure.at_word && !condition && prose(rest)).then_some(failure.from)
     }
 
     /// Reports a remark from `from`, and how to put it in brackets; what is kept of the block ends at `cut`.

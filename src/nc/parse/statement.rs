@@ -133,7 +133,13 @@ impl Reader<'_> {
         }
         if self.peek() != b'#' && !named {
             let end = self.at.max(start + 2);
-            return Err(self.failure(Alarm::IfSentence, start, end, msg!("nc.if-without-goto"), false));
+            let mut failure = self.failure(Alarm::IfSentence, start, end, msg!("nc.if-without-goto"), false);
+            let next = self.line.get(self.at + 1..).unwrap_or_default().trim_ascii_start().first();
+            let value = next.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'-' | b'+' | b'.' | b'#' | b'['));
+            if let (true, true, Some(advice)) = (self.peek().is_ascii_alphabetic(), value, self.advice) {
+                failure.finding = (advice.jump_instead)(self, failure.finding, then, then);
+            }
+            return Err(failure);
         }
         let stmt = if self.peek() == b'#' {
             let (to, value) = self.assigned()?;

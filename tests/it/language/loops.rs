@@ -10,11 +10,11 @@ fn loops_beside_one_that_does_not_read() {
     check_block(
         "WHILE[#1 LT 5 DO1\nEND1\nDO2\nEND3",
         expect![[r#"
-        1:6 error P281 This bracket is not closed: ] is missing.
-            Insert “]”: 1:14 ""→"]"
-        3:1 error P294 DO2 has no END2 in this program.
-        4:1 error P294 END3 has no DO3 in front of it.
-    "#]],
+            1:6 error P281 This bracket is not closed: ] is missing.
+                Insert “]”: 1:14 ""→"]"
+            4:1 error P294 END3 has no DO3 in front of it.
+                Write “END2”: 4:1 "END3"→"END2"
+        "#]],
     );
     check_block(
         "DO1\nEND\nDO2",
@@ -42,6 +42,19 @@ fn loops_beside_one_that_does_not_read() {
         expect![[r#"
         3:1 error P291 ENDWHILE is no word of the Mitsubishi E60.
             = A loop is WHILE[condition]DO1 … END1; IF[condition]GOTO n leaves it.
+    "#]],
+    );
+    check_block(
+        "WHILE[#1 LT 5]DO1\nDO2\nEND3\nEND1",
+        expect![[r#"
+        3:1 error P294 END3 has no DO3 in front of it.
+            Write “END2”: 3:1 "END3"→"END2"
+    "#]],
+    );
+    check_block(
+        "DO1 WHILE[#1 LT 5]\nEND1",
+        expect![[r#"
+        1:5 error P272 Macro text and NC words cannot share a block.
     "#]],
     );
     check_block(

@@ -400,6 +400,13 @@ slips! {
             --- gsk-980tdc, knd-k2000t
             right
         "#]];
+        "IF[#1 EQ 1] M08" => expect![[r#"
+            1:1 error P290|0101|114 IF [condition] must be followed by GOTO and a sequence number.
+                Jump over it on the opposite condition: 1:7 "EQ"→"NE" 1:13 ""→"GOTO9001\n" 1:16 ""→"\nN9001"
+            = IF[#1 NE 1] GOTO9001
+              M08
+              N9001
+        "#]];
         "M98 O1000\nM30\nO1000\nM99" => expect![[r#"
             1:5 error P33|0101|004 The call does not say which program: add P and its number.
                 = A program is named by O and its number; P only calls it.
