@@ -217,7 +217,12 @@ impl Derived {
             surface_time,
             fixed_time,
             cutting_time: if fixed { fixed_time } else { surface_time },
-            saved: if fixed_time > 0.0 { 100.0 * (1.0 - surface_time / fixed_time) } else { 0.0 },
+            saved: match fixed_time {
+                // A spindle that stands at its one speed never ends the cut.
+                time if time.is_infinite() => f64::INFINITY,
+                time if time > 0.0 => 100.0 * (1.0 - surface_time / time),
+                _ => 0.0,
+            },
             stage,
             stage_speed,
             stage_top: analog.top_speed(),

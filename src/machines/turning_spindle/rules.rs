@@ -205,6 +205,10 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     } else if p.cutting_speed != lathe.form.cutting_speed {
         found.push(Diagnostic::warning(msg!("turning.whole-speed", p.cutting_speed)).about("cutting-speed"));
     }
+    if !lathe.surface() && d.asked <= 0.0 && p.cutting_speed > 0.0 {
+        let message = msg!("turning.fixed-is-zero", (p.cutting_speed, 2), (p.stock_diameter, 3));
+        found.push(Diagnostic::error(message).about("cutting-speed"));
+    }
     if p.override_percent != lathe.form.override_percent {
         found.push(Diagnostic::warning(msg!("turning.knob-steps", p.override_percent)).about("override"));
     }

@@ -420,6 +420,12 @@ fn what_a_control_does_not_take_is_said() {
         Error finished-diameter: Turned down to 0 mm nothing is left of the part: take a larger diameter.
     "#]]
     .assert_eq(&findings("sinumerik-802d", &[("path", "turning"), ("finished-diameter", "0")]));
+    // Less than S can say, where the spindle keeps one speed.
+    expect![[r#"
+        Error cutting-speed: 0.2 m/min at the 80 mm of the stock is less than 1 r/min, which S in whole numbers makes S0: the spindle would stand. Take a higher cutting speed.
+    "#]]
+        .assert_eq(&findings("sinumerik-802d", &[("speed-mode", "fixed"), ("cutting-speed", "0.2")]));
+    expect![[""]].assert_eq(&findings("sinumerik-802d", &[("cutting-speed", "0.2")]));
 }
 
 #[test]
