@@ -141,11 +141,11 @@ impl<'a> Reader<'a> {
         self.line.get(self.at + behind).copied().unwrap_or(0)
     }
 
-    /// Whether a name stands here that is more than a letter.
+    /// Whether a name stands here that is more than a letter, or a letter that is meant as a label.
     #[inline]
     fn named_ahead(&self) -> bool {
         let name = |b: u8| b.is_ascii_alphabetic() || b == b'_';
-        name(self.peek()) && name(self.byte(1))
+        name(self.peek()) && (name(self.byte(1)) || self.byte(1) == b':')
     }
 
     /// The name at hand as it is written.
@@ -433,8 +433,8 @@ impl<'a> Reader<'a> {
             let text = self.line.get(word..word + 5).and_then(|text| core::str::from_utf8(text).ok()).unwrap_or("");
             return Err(self.failure(Alarm::IfSentence, word, word + 5, msg!("nc.no-label", text), false));
         }
+        // What is wrong with the name is said where the label stands.
         self.at += name.len();
-        self.check_label(&name.to_ascii_uppercase(), start);
         let label = self.deck.add_text(name.to_ascii_uppercase());
         Ok((self.part(Expr::Label(label), start)?, way))
     }

@@ -233,6 +233,7 @@ impl Reader<'_> {
                 return Ok((None, Form::Plain, WordValue::Number(Dec::int(0))));
             }
             byte if !byte.is_ascii() => return Err(self.unexpected()),
+            _ if self.parameter_ahead() => return self.insert_equals(letter),
             _ => {
                 let message = msg!("nc.no-value", self.control.address(letter));
                 return Err(self.failure(Alarm::NoNumber, start, start + 1, message, true));
@@ -482,6 +483,7 @@ impl Reader<'_> {
                     b'N' => (Alarm::SequencePlace, msg!("nc.number-not-first", "N")),
                     b'R' if words.len() == 1 => (Alarm::Format, msg!("nc.no-parameter-number")),
                     b'R' => (Alarm::Mixed, msg!("nc.assignments-alone")),
+                    b'P' if words.iter().any(|other| other.letter == b'L') => continue,
                     b'L' | b'P' => (Alarm::Format, msg!("nc.call-alone", name)),
                     _ => (Alarm::IllegalAddress, msg!("nc.no-such-address", name, self.control.name)),
                 };

@@ -411,6 +411,24 @@ fn a_letter_o_in_the_end_of_a_program_is_one_mistake() {
 }
 
 #[test]
+fn one_mistake_is_one_finding() {
+    let said = |text: &str| {
+        let parsed = read_on(control(), text);
+        let ids: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
+        ids.join(" ")
+    };
+    for (text, ids) in [
+        ("GOTOF A\nA: M2", "nc.label-name"),
+        ("GOTOF LABEL9CHAR\nLABEL9CHAR: M2", "nc.label-name"),
+        ("GOTOF LABEL9CHAR\nM2", "nc.no-such-label"),
+        ("P3 L10\nM2", "nc.call-alone"),
+        ("G1 X R1 F.1\nM2", "nc.no-equals-sign"),
+    ] {
+        assert_eq!(said(text), ids, "{text}");
+    }
+}
+
+#[test]
 fn switches_of_the_reader() {
     let errors = |text: &str, id: &str, value: &str| {
         let switches = Switches(vec![(id.to_owned(), value.to_owned())]);
