@@ -138,7 +138,12 @@ impl State {
                 let Some(rpm) = rpm.filter(|rpm| *rpm > 0.0) else {
                     return Err(Trap::alarm(Alarm::SpeedRange, msg!("interp.tapping-speed")));
                 };
-                Canon::Linear { to, feed: Feed::PerMinute(self.lead(cx, values, to)? * rpm), exact: true }
+                let lead = self.lead(cx, values, to)?;
+                if self.modal.master <= 1 {
+                    // It leaves its angle, where it is held at one: the tap turns with it.
+                    self.queue.push(Canon::SpindleDirection { sign: 0 });
+                }
+                Canon::Linear { to, feed: Feed::PerMinute(lead * rpm), exact: true }
             }
             _ => return Ok(false),
         };

@@ -130,7 +130,6 @@ pub static CONTROL: Control = Control {
             (long::FRCM, "feed of all corners"),
             (long::AP, "polar angle"),
             (long::RP, "polar radius"),
-            (long::RPL, "angle of a rotation"),
             (long::SF, "start angle of a thread"),
         ],
         comma_addresses: b"",

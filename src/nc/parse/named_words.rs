@@ -491,8 +491,13 @@ impl Reader<'_> {
                 continue;
             }
             let again = |other: &&Word| (other.letter, other.index) == (word.letter, word.index);
-            if !matches!(word.letter, b'G' | b'M' | long::NAME) && before.iter().any(|other| again(&other)) {
-                self.report(Alarm::AddressTwice, start, end(word), msg!("nc.address-twice", name));
+            let others = before.iter().filter(again).count();
+            if others > 0 && !matches!(word.letter, b'G' | b'M' | long::NAME) {
+                // Once; and what stands twice is not too many besides.
+                if others == 1 {
+                    self.report(Alarm::AddressTwice, start, end(word), msg!("nc.address-twice", name));
+                }
+                continue;
             }
             if let Some(row) = rows.get(at).copied().flatten()
                 && self.check_code(row, word, &rows[..at.min(rows.len())], words.len())

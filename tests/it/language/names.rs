@@ -423,6 +423,9 @@ fn one_mistake_is_one_finding() {
         ("GOTOF LABEL9CHAR\nM2", "nc.no-such-label"),
         ("P3 L10\nM2", "nc.call-alone"),
         ("G1 X R1 F.1\nM2", "nc.no-equals-sign"),
+        ("D1 D2\nM2", "nc.address-twice"),
+        ("H1 H2 H3 H4\nM2", "nc.address-twice"),
+        ("H1=1 H2=2 H3=3 H4=4\nM2", "nc.too-many-auxiliaries"),
     ] {
         assert_eq!(said(text), ids, "{text}");
     }

@@ -262,6 +262,8 @@ fn cutting_at_an_angle_wants_a_lock_and_a_driven_tool() {
     assert_eq!(told(&[], "SPOS=0\nM2=3\nG1 X10 F100"), ["motion.not-locked"]);
     assert_eq!(told(&[], "SPOS=0\nM81\nSETMS(2)\nS900 M4\nG1 X10 F100"), [""; 0]);
     assert_eq!(told(&[], "M2=3\nSPOS=0\nM81\nM2=5\nG1 X10 F100"), ["motion.no-driven-tool"]);
+    // A tap in the work's own centre turns the spindle from its angle.
+    assert_eq!(told(&[], "SPOS=0\nG331 Z-5 K1 S100\nG332 Z5 K1"), [""; 0]);
     // The next angle wants its lock again.
     assert_eq!(told(&[], "M2=3\nSPOS=0\nM81\nG1 X10 F100\nSPOS=90\nG1 X20"), ["motion.not-locked"]);
     let known = [("spindle-lock", "M81"), ("driven-tool", "M24")];
