@@ -270,7 +270,8 @@ impl<P: Program> Planner<P> {
         &self.records.diagnostics
     }
 
-    /// A common variable or macro input as the control's screen shows it at time `t`, which is as the program has read ahead; `None` is vacant.
+    /// A common variable, macro input or macro output as the control's screen shows it at time `t`, which is as the program has read
+    /// ahead; `None` is vacant.
     pub fn variable_at(&self, number: u32, t: f64) -> Option<f64> {
         let known = self.checkpoints.partition_point(|checkpoint| checkpoint.t <= t);
         let base = self.checkpoints[..known].last();
@@ -282,7 +283,8 @@ impl<P: Program> Planner<P> {
             Some(change) => Some(change.value).filter(|value| !value.is_nan()),
             None => {
                 let state = base.map_or(&self.state, |checkpoint| &checkpoint.state);
-                state.program.variable(number).or_else(|| state.shown.get(&number).copied())
+                let interface = || state.shown.get(&number).or_else(|| state.io.outputs.get(&number)).copied();
+                state.program.variable(number).or_else(interface)
             }
         }
     }

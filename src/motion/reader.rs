@@ -138,6 +138,9 @@ impl<P: Program> Sim<'_, P> {
         match canon {
             // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).
             Canon::Output { variable, value } => {
+                if self.s.io.outputs.get(&variable) != Some(&value) {
+                    self.out.timeline.changes.push(Change { t, number: variable, value });
+                }
                 self.s.io.outputs.insert(variable, value);
                 self.scan(t);
             }

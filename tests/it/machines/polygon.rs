@@ -121,6 +121,14 @@ fn the_papers_example_turns_work_and_tool_at_200_and_400() {
 }
 
 #[test]
+fn what_the_program_tells_the_pmc_stands_on_the_screen() {
+    let planner = whole(&project(&[]));
+    let shown = |t| [1480, 1484, 1488, 1101].map(|number| planner.variable_at(number, t));
+    assert_eq!(shown(0.0), [None; 4]);
+    assert_eq!(shown(3.0), [Some(200.0), Some(1.0), Some(2.0), Some(1.0)]);
+}
+
+#[test]
 fn the_tool_keeps_its_ratio_at_every_moment_through_every_change_of_speed() {
     let ways = [("1", "2"), ("5", "12"), ("-1", "2"), ("3", "-7"), ("-2", "-3")];
     for ((work, tool), override_acts) in ways.into_iter().flat_map(|way| [(way, true), (way, false)]) {
