@@ -111,6 +111,8 @@ pub trait Samples {
     /// How often the block with this sequence number in the program that was started has begun until time `t`, and whether it
     /// executes then.
     fn passes(&self, sequence: u32, t: f64) -> (u32, bool);
+    /// When an axis, by its index, was told below 0 until time `t`, and when it was lowest since then.
+    fn dips(&self, axis: usize, t: f64) -> Vec<(f64, f64)>;
 }
 
 impl<P: Program> Samples for Planner<P> {
@@ -122,6 +124,10 @@ impl<P: Program> Samples for Planner<P> {
         let Some(place) = self.program().numbered(sequence) else { return (0, false) };
         let timeline = self.timeline();
         (timeline.times(place, t), timeline.block_at(t) == Some(place))
+    }
+
+    fn dips(&self, axis: usize, t: f64) -> Vec<(f64, f64)> {
+        self.timeline().dips(axis, t)
     }
 }
 

@@ -148,6 +148,24 @@ impl Timeline {
         times + count(sure, marks.len())
     }
 
+    /// When an axis was told below 0 until time `t`, and when it was lowest since then; what arcs add is left out.
+    pub fn dips(&self, axis: usize, t: f64) -> Vec<(f64, f64)> {
+        let segments = self.path.segments.until(t);
+        let (mut dips, mut lowest): (Vec<(f64, f64)>, f64) = (Vec::new(), 0.0);
+        for (at, segment) in segments.iter().enumerate() {
+            let until = segments.get(at + 1).map_or(t, |next| next.t);
+            let (from, rate) = (segment.from[axis], segment.velocity[axis]);
+            let to = from + rate * (until - segment.t);
+            if from >= 0.0 && to < 0.0 {
+                dips.push((segment.t - from / rate, until));
+                lowest = to;
+            } else if let Some(last) = dips.last_mut().filter(|_| to < lowest) {
+                (last.1, lowest) = (until, to);
+            }
+        }
+        dips
+    }
+
     /// When the first block begins that begins after time `t`; `None` where none is planned.
     pub fn next_block(&self, t: f64) -> Option<f64> {
         let marks = self.marks.until(f64::INFINITY);

@@ -172,6 +172,7 @@ impl Derived {
             ..Derived::default()
         };
         let cut = lathe.setup(p.across_flats).zip(lathe.section());
+        let cut = cut.filter(|_| p.across_flats < p.stock_diameter);
         cut.map_or_else(|| whole.clone(), |(setup, section)| whole.clone().with(lathe, &setup, &section))
     }
 

@@ -86,8 +86,11 @@ impl Machine for PolygonLathe {
         let d = lathe.derived();
         let case = Case { lathe: &lathe, p: &lathe.p, d: &d };
         let shown = |id: &str| match id {
-            "least-across-flats" | "insert-depth" | "insert-turn" => d.cuts && !d.even,
-            "coast-phase" => d.cuts && fitted::coasts(&lathe.p, on.control),
+            "tool-speed" | "work-speed" | "ratio" | "distance" | "offset" | "passes" | "feed" | "finish-feed"
+            | "ready" => true,
+            _ if !d.cuts => false,
+            "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
+            "coast-phase" => fitted::coasts(&lathe.p, on.control),
             "twist" | "twist-speed" => lathe.p.lead != 0.0,
             _ => true,
         };

@@ -1,7 +1,7 @@
 //! The drawing of the polygon lathe at a moment: how far the flats are, where cutter and slide stand, what the figures say.
 
 use super::fitted::{Fitted, TOOL, WORK};
-use super::progress::{self, GRID, Progress};
+use super::progress::{self, GRID, Pass, Progress};
 use super::scene::{self, CLOSE, TIPS, View, closed, group, node};
 use super::show;
 use crate::machines::{Frame, Samples};
@@ -44,7 +44,7 @@ pub(super) fn pose(lathe: &Fitted, run: &dyn Samples, now: &Snapshot, frame: Fra
             place(group, 0.0, (0.0, 0.0), (x * view.close, -y * view.close), opacity);
         }
     }
-    let grid = progress::outline(lathe, progress, &progress::cutting(lathe, run, now));
+    let grid = progress::outline(lathe, progress, now);
     let points = || {
         grid.iter().enumerate().map(|(at, radius)| {
             let (s, c) = math::sin_cos(2.0 * PI * at as f64 / GRID as f64);
@@ -62,15 +62,22 @@ pub(super) fn pose(lathe: &Fitted, run: &dyn Samples, now: &Snapshot, frame: Fra
 
 /// The bar from the side.
 fn bar(lathe: &Fitted, view: &View, progress: Progress) -> String {
-    let p = &lathe.p;
-    let half = |pass: u32| if pass == 0 { 0.5 * p.stock_diameter } else { 0.5 * p.size(f64::from(pass)) };
-    let deeper = progress.at.map(|(_, behind)| (behind, half(progress.done + 1)));
-    scene::bar(lathe, view, half(progress.done), deeper)
+    let half = |pass: Option<Pass>| 0.5 * pass.map_or(lathe.p.stock_diameter, |pass| pass.size);
+    let deeper = progress.now.filter(|now| now.size <= 2.0 * half(progress.done));
+    scene::bar(lathe, view, half(progress.done), deeper.map(|now| (now.behind, 0.5 * now.size)))
+}
+
+/// Which pass it is, and of how many where it is one of the form's.
+fn pass(lathe: &Fitted, progress: Progress) -> String {
+    let sizes = &lathe.sizes;
+    let Some(now) = progress.now else { return format!("1 / {}", sizes.len()) };
+    let planned = sizes.get(now.before).is_some_and(|size| (size - now.size).abs() < 1e-3);
+    let number = now.before + 1;
+    if planned { format!("{number} / {}", sizes.len()) } else { number.to_string() }
 }
 
 fn texts(lathe: &Fitted, now: &Snapshot, progress: Progress, across_flats: f64) -> Vec<(usize, String)> {
     let speed = |axis: usize| format!("{} r/min", figure(now.pmc[axis].feed / 360.0, 1));
-    let pass = (progress.done + u32::from(progress.at.is_some())).max(1);
     let turns = now.pmc[TOOL].feed != 0.0;
     let state = match now.mode {
         Mode::EmergencyStop => "polygon.state.emergency",
@@ -82,7 +89,7 @@ fn texts(lathe: &Fitted, now: &Snapshot, progress: Progress, across_flats: f64) 
         (node::WORK_SPEED, speed(WORK)),
         (node::TOOL_SPEED, speed(TOOL)),
         (node::SIZE, format!("X{}", show(across_flats * 0.5 * lathe.words(), 3))),
-        (node::PASS, format!("{pass} / {}", show(lathe.p.passes(), 0))),
+        (node::PASS, pass(lathe, progress)),
         (node::PHASE, format!("{}°", figure(lathe.phase(now), 2))),
         (node::STATE, words(Language::English, state).to_owned()),
     ]

@@ -37,8 +37,8 @@ const B: u32 = 2;
 const D: u32 = 7;
 const E: u32 = 8;
 const Q: u32 = 17;
-/// Arguments that would be words of another command: F, M, S, T, U, W, X, Z.
-const OTHERS: [u32; 8] = [9, 13, 19, 20, 21, 23, 24, 26];
+/// Arguments that would be words of another command: C, F, H, M, S, T, U, V, W, X, Y, Z.
+const OTHERS: [u32; 12] = [3, 9, 11, 13, 19, 20, 21, 22, 23, 24, 25, 26];
 /// A position is read into it: the control waits for standstill.
 const STANDS: u32 = 32;
 

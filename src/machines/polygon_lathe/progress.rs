@@ -1,15 +1,14 @@
 //! How far the part is: which passes have cut, how far the present one is, and what is left of the stock at its face.
 //!
-//! The outline is cut again for every frame from the angles of the two axes as they are: a phase error or a wrong start angle shows. It is a
-//! polar grid, for the eye; what is measured comes from the exact section.
+//! Whatever program runs: a pass is the slide on its way below the face, within the stock. The outline is cut again for every frame from the
+//! angles that the two axes had as the pass began: a phase error or a wrong start angle shows. It is a polar grid, for the eye; what is measured
+//! comes from the exact section.
 
 use super::fitted::{Fitted, TOOL, WORK};
-use super::program;
 use crate::drives::polygon::{Curve, Setup};
 use crate::machines::Samples;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
-use crate::motion::snapshot::Mode;
 
 /// Angles of the grid.
 pub(super) const GRID: usize = 360;
@@ -17,76 +16,79 @@ pub(super) const GRID: usize = 360;
 const STEPS: u32 = 48;
 /// Passes of inserts that are cut again at most.
 const MOST: i64 = 600;
+/// Passes of the slide that are looked at: the newest ones.
+const PASSES: usize = 200;
 
-/// How far the part is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// A pass of the slide.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pass {
+    /// How many there were before it.
+    pub(super) before: usize,
+    /// Across flats.
+    pub(super) size: f64,
+    /// How far it has come behind the face, in mm.
+    pub(super) behind: f64,
+    /// The machine as it came to the face.
+    since: Snapshot,
+}
+
+/// The deepest of the passes before the newest, and the newest.
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Progress {
-    /// Passes of the slide that have cut past the face.
-    pub(super) done: u32,
-    /// Turns of the work since the present one has come to the face, and how far the slide is behind it in mm.
-    pub(super) at: Option<(f64, f64)>,
+    /// What has been cut before.
+    pub(super) done: Option<Pass>,
+    /// What cuts, or has cut last.
+    pub(super) now: Option<Pass>,
 }
 
-/// Which of the cutting blocks have begun, and where the slide stands.
+/// What the slide has done until now.
 pub(super) fn progress(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Progress {
-    let p = &lathe.p;
-    let all = p.passes() as u32;
-    let cuts = (1..=all).map(|pass| run.passes(program::number(pass) + 1, now.t));
-    let (begun, cutting) =
-        cuts.fold((0, false), |(begun, cutting), (times, now)| (begun + u32::from(times > 0), cutting || now));
-    if !cutting || begun == 0 {
-        return Progress { done: begun, at: None };
+    let dips = run.dips(lathe.along(), now.t);
+    let first = dips.len().saturating_sub(PASSES);
+    let mut progress = Progress::default();
+    let mut before = 0;
+    for (begin, lowest) in dips.into_iter().skip(first) {
+        let since = run.at(begin);
+        // Across the work it may settle while it is on its way along.
+        let (size, z) = lathe.slide(&run.at(lowest));
+        if size >= lathe.p.stock_diameter || since.pmc[TOOL].feed == 0.0 {
+            continue;
+        }
+        let deeper = |one: &Pass, other: &Pass| one.size <= other.size;
+        progress.done = match (progress.done, progress.now) {
+            (Some(done), Some(last)) if deeper(&done, &last) => Some(done),
+            (_, last) => last,
+        };
+        progress.now = Some(Pass { before, size, behind: -z, since });
+        before += 1;
     }
-    let (_, z) = lathe.slide(now);
-    let behind = (-z).max(0.0);
-    let turns = behind / p.feed_of(f64::from(begun));
-    Progress { done: begun - 1, at: (behind > 0.0).then_some((turns, behind)) }
-}
-
-/// The angles that cut the part: what turns on when the program has been broken off cuts nothing at the face any more.
-pub(super) fn cutting(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Snapshot {
-    let blocks = || (1..=lathe.sizes.len() as u32).map(program::number);
-    let begun = |t: f64| blocks().map(|block| run.passes(block + 1, t).0).sum::<u32>();
-    let all = begun(now.t);
-    if now.mode != Mode::EmergencyStop || all == 0 {
-        return *now;
-    }
-    // When the last of the cutting blocks began.
-    let (mut before, mut after) = (0.0, now.t);
-    while after - before > 1e-3 {
-        let middle = 0.5 * (before + after);
-        *(if begun(middle) < all { &mut before } else { &mut after }) = middle;
-    }
-    run.at(after)
+    progress
 }
 
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
 pub(super) fn outline(lathe: &Fitted, progress: Progress, now: &Snapshot) -> Vec<f64> {
-    let p = &lathe.p;
-    let mut grid = vec![0.5 * p.stock_diameter; GRID];
-    let closes = lathe.ratio().map_or(0.0, |ratio| f64::from(ratio.work()));
-    if progress.done > 0 {
-        cut(&mut grid, lathe, p.size(f64::from(progress.done)), closes, now);
-    }
-    if let Some((turns, _)) = progress.at {
-        cut(&mut grid, lathe, p.size(f64::from(progress.done + 1)), turns.min(closes), now);
+    let mut grid = vec![0.5 * lathe.p.stock_diameter; GRID];
+    for pass in [progress.done, progress.now].into_iter().flatten() {
+        cut(&mut grid, lathe, &pass, now);
     }
     grid
 }
 
-/// Cuts what the inserts have cut in the last turns of the work.
-fn cut(grid: &mut [f64], lathe: &Fitted, across_flats: f64, turns: f64, now: &Snapshot) {
-    let Some(setup) = lathe.setup(across_flats) else { return };
+/// Cuts what the inserts have cut in the turns of the work since then, until the pattern has closed.
+fn cut(grid: &mut [f64], lathe: &Fitted, slide: &Pass, now: &Snapshot) {
+    let Some(setup) = lathe.setup(slide.size) else { return };
     let k = setup.ratio.value();
-    let [work, tool] = [WORK, TOOL].map(|axis| now.pmc[axis].actual / 360.0);
+    let [work, tool] = [WORK, TOOL].map(|axis| slide.since.pmc[axis].actual / 360.0);
+    let closes = f64::from(setup.ratio.work());
+    let turns = math::clamp(now.pmc[WORK].actual / 360.0 - work, -closes, closes);
     for (at, tip) in setup.tips.iter().enumerate() {
         let Some(curve) = setup.curve(at) else { continue };
         // An insert points at the work when the turns of the tool and its own place come to a whole number.
         let here = tool + tip.angle / (2.0 * PI);
-        let since = here - k * turns;
-        let (first, last) = (here.min(since).ceil() as i64, here.max(since).floor() as i64);
-        for crossing in (first..=last).rev().take(MOST as usize) {
-            let normal = -(work - (here - crossing as f64) / k);
+        let then = here + k * turns;
+        let (first, last) = (here.min(then).ceil() as i64, here.max(then).floor() as i64);
+        for crossing in (first..=last).take(MOST as usize) {
+            let normal = -(work + (crossing as f64 - here) / k);
             pass(grid, &curve, 2.0 * PI * normal, 0.5 * lathe.p.stock_diameter);
         }
     }

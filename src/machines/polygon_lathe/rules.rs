@@ -41,7 +41,7 @@ pub(super) const RULES: &[Rule<Lathe>] = &[
 /// The flattest possible way on this tip circle, as advice, or that there is none; nothing where it is what the form has.
 fn better(case: &Case) -> Option<Message> {
     let ways = ways_as_set(case.lathe);
-    let best = ways.first()?;
+    let Some(best) = ways.first() else { return Some(msg!("polygon.no-way", case.p.sides)) };
     if !best.limits.is_empty() {
         return Some(msg!("polygon.no-better", (best.flatness(), 4)));
     }
@@ -64,7 +64,7 @@ fn uneven(case: &Case) -> bool {
 }
 
 fn lacks_relief(case: &Case) -> bool {
-    case.d.cuts && case.d.relief_needed >= case.p.relief
+    case.d.relief_needed >= case.p.relief
 }
 
 fn is_hollow(case: &Case) -> bool {
@@ -138,9 +138,6 @@ fn corners(case: &Case) -> Option<Judgement> {
 
 fn relief(case: &Case) -> Option<Judgement> {
     let Case { p, d, .. } = case;
-    if !d.cuts {
-        return None;
-    }
     let size = p.size(d.relief_pass);
     if lacks_relief(case) {
         let fact = match d.relief_needed >= 90.0 {
@@ -175,7 +172,7 @@ fn work_speed(case: &Case) -> Option<Judgement> {
 
 fn slowest(case: &Case) -> Option<Judgement> {
     let Case { p, d, .. } = case;
-    if d.slowest_cut >= p.slowest_cut || !d.cuts {
+    if d.slowest_cut >= p.slowest_cut {
         return ok(p.slowest_cut);
     }
     warn(p.slowest_cut, [msg!("polygon.cuts-slowly", (p.speed * p.slowest_cut / d.slowest_cut, 0))])
@@ -206,7 +203,7 @@ const SEEN: f64 = 0.05;
 
 fn orientation(case: &Case) -> Option<Judgement> {
     let d = case.d;
-    if d.orientation_error.abs() <= SEEN || !d.cuts {
+    if d.orientation_error.abs() <= SEEN {
         return ok(SEEN);
     }
     // What the phase turns is told there, and no start angle mends it at every speed.
@@ -245,7 +242,7 @@ fn insert_turn(case: &Case) -> Option<Judgement> {
 /// The code has no word for a lead.
 fn twist(case: &Case) -> Option<Judgement> {
     let Case { p, d, .. } = case;
-    if p.lead == 0.0 || !d.cuts {
+    if p.lead == 0.0 {
         return ok(None);
     }
     fail(None, [msg!("polygon.no-twist", (d.twist_speed, 3))])

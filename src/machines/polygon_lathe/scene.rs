@@ -225,12 +225,36 @@ fn finished(pen: &mut Pen, lathe: &Fitted) {
     pen.text(x, y + 4.0, "middle", text, "dim", "small");
 }
 
-/// The cutter from the side, over the bar that poses draw.
+/// Turns of a twist that are drawn, and the steps along it.
+const MOST_TURNS: f64 = 8.0;
+const TWIST: u32 = 64;
+
+/// The cutter from the side, the corners of a twisted polygon, over the bar that poses draw.
 fn side(pen: &mut Pen, lathe: &Fitted, view: &View) {
     let p = &lathe.p;
     let (scale, face) = view.side;
     let top = SIDE.1 - 0.5 * p.across_flats * scale;
     pen.path(0, filled("M# #H#", &[SIDE.0 - 10.0, SIDE.1, SIDE.0 + SIDE.2 + 40.0]), "", "dim", 0.8, "dash");
+    let (turns, d) = (p.length / p.lead, lathe.derived());
+    if turns.abs() <= MOST_TURNS && d.cuts && d.sides > 1.0 {
+        // The corners as they would run; those on the near side of the part.
+        for corner in 0..d.sides as u32 {
+            let begin = lathe.section().map_or(0.0, |section| section.begin());
+            let angle = |part: f64| begin + 2.0 * PI * ((f64::from(corner) + 0.5) / d.sides - turns * part);
+            let mut d_path = String::new();
+            let mut seen = false;
+            for i in 0..=TWIST {
+                let part = f64::from(i) / f64::from(TWIST);
+                let (sin, cos) = math::sin_cos(angle(part));
+                let at = [face - part * p.length * scale, SIDE.1 - d.corner * scale * cos];
+                if sin >= 0.0 {
+                    d_path += &filled(if seen { "L# #" } else { "M# #" }, &at);
+                }
+                seen = sin >= 0.0;
+            }
+            pen.path(0, d_path, "", "accent", 0.8, "dash");
+        }
+    }
     pen.path(group::SIDE, filled("M# #l7 -12v-18h-14v18z", &[face, top]), "accent", "pane", 0.6, "insert");
 }
 

@@ -101,6 +101,10 @@ impl Samples for Running {
     fn passes(&self, _: u32, _: f64) -> (u32, bool) {
         (0, false)
     }
+
+    fn dips(&self, _: usize, _: f64) -> Vec<(f64, f64)> {
+        Vec::new()
+    }
 }
 
 #[test]
