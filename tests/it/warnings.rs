@@ -394,6 +394,13 @@ fn variables_that_somebody_sets_or_asks_for() {
 
 #[test]
 fn words_that_a_vacant_variable_drops() {
+    // A time and arguments move no axis.
+    E60.check("O1\nG04 X#100\nG65 P9010 X#100\nM30", expect![[r#"
+        3:6 “#100” info lint.unset-common
+            To be set on the screen before the start, as no program here does: #100. What is not set is vacant, and counts as 0 in formulas.
+        4:5 “P9010” info lint.no-such-program
+            O9010 is in none of these files: the call stops with P232 unless the control has it in its memory.
+    "#]]);
     E60.check(
         "O1\nG65 P2 A1. B2.\nG65 P2 A3.\nM30\nO2\nG91 G01 X#1 Y-#2 F100\nM99",
         expect![[r#"

@@ -1,11 +1,11 @@
 //! Every variable of a deck with what all programs together do to it.
 
-use super::super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, WordValue};
+use super::super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, Word, WordValue};
 use super::faulty::variables;
 use super::words::{Call, Facts};
 use super::{Lint, NONE};
 use crate::controls::macros::ARGUMENT;
-use crate::controls::{Control, VarKind};
+use crate::controls::{Code, Control, VarKind};
 use crate::text::Span;
 
 /// Numbers up to here are followed.
@@ -293,7 +293,8 @@ impl<'a> Vars<'a> {
             Stmt::Call { repeats: Some(repeats), .. } => self.read(site, repeats, NONE),
             Stmt::While { cond: Some(cond), .. } => self.compare(Site { id: cond, ..site }),
             Stmt::Words { .. } => {
-                for word in self.deck.words_of(block) {
+                let words = self.deck.words_of(block);
+                for word in words {
                     let WordValue::Expr(id) = word.value else { continue };
                     self.read(site, id, NONE);
                     let bare = match self.deck.expr(id) {
@@ -302,6 +303,7 @@ impl<'a> Vars<'a> {
                     };
                     if let Expr::Var(number) = bare
                         && self.control.axis_letters().any(|letter| letter == word.letter)
+                        && !words.iter().any(|word| self.takes_words(word))
                         && let Some(var) = self.make(site.group, number)
                         && var.word.0 == NONE
                     {
@@ -311,6 +313,15 @@ impl<'a> Vars<'a> {
             }
             _ => {}
         }
+    }
+
+    /// Whether a code takes the words of axes for something else: a time, arguments.
+    fn takes_words(&self, word: &Word) -> bool {
+        use Code::{Dwell, MacroCall, MacroModal, MacroModalBlock};
+        let WordValue::Number(number) = word.value else { return false };
+        let tenths = if number.scale == 0 { number.mantissa.saturating_mul(10) } else { number.mantissa };
+        let row = u16::try_from(tenths).ok().and_then(|tenths| self.control.code(word.letter, tenths));
+        row.is_some_and(|row| matches!(row.code, Dwell | MacroCall | MacroModal | MacroModalBlock))
     }
 
     fn assign(&mut self, site: Site, to: ExprId, id: ExprId) {

@@ -257,7 +257,10 @@ impl<'a> Reader<'a> {
     fn between_words(&mut self, byte: u8, first: usize) -> Read<()> {
         let start = self.at;
         match byte {
-            b'/' if self.skip_mark_ahead() => {
+            // Behind a sequence number there is nothing to divide.
+            b'/' if self.skip_mark_ahead()
+                || self.deck.words.len() == first && matches!(self.line.get(start + 1), Some(b'1'..=b'9')) =>
+            {
                 self.at += 1;
                 let switch = match self.peek() {
                     digit @ b'1'..=b'9' => {

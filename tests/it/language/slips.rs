@@ -400,6 +400,9 @@ slips! {
             --- gsk-980tdc, knd-k2000t
             right
         "#]];
+        "N40/3 X8." => expect![[r#"
+            right
+        "#]];
         "IF[#1 EQ 1] M08" => expect![[r#"
             1:1 error P290|0101|114 IF [condition] must be followed by GOTO and a sequence number.
                 Jump over it on the opposite condition: 1:7 "EQ"→"NE" 1:13 ""→"GOTO9001\n" 1:16 ""→"\nN9001"
