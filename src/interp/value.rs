@@ -242,7 +242,9 @@ impl State {
     #[cold]
     pub(super) fn out_of_range(&self, cx: &mut Cx, block: &Block, word: &Word, min: f64, max: f64) -> Trap {
         let value = self.raw(cx, block, word).ok().flatten().unwrap_or(0.0);
-        let message = msg!("interp.word-range", cx.control.address(word.letter), (value, 9), min, max);
+        let equals = if long::is(word.letter) { "=" } else { "" };
+        let address = cx.control.address(word.letter) + equals;
+        let message = msg!("interp.word-range", address, (value, 9), min, max);
         let alarm = match word.letter {
             b'F' => Alarm::FeedRange,
             b'S' => Alarm::SpeedRange,

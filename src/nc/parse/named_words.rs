@@ -541,7 +541,9 @@ impl Reader<'_> {
     fn row_of(&self, word: &Word) -> Option<&'static CodeDef> {
         let WordValue::Number(number) = word.value else { return None };
         let tenths = u16::try_from(number.mantissa.checked_mul(10)?).ok()?;
-        let code = matches!(word.letter, b'G' | b'M' | long::NAME) && number.scale == 0;
+        // Of another spindle they are in groups of its own.
+        let own = word.letter != b'M' || word.index.is_none_or(|spindle| spindle <= 1);
+        let code = matches!(word.letter, b'G' | b'M' | long::NAME) && number.scale == 0 && own;
         if code { self.code_on(word.letter, tenths) } else { None }
     }
 
@@ -556,6 +558,11 @@ impl Reader<'_> {
                 _ => word.letter == b'S' || self.control.axis(word.letter).is_some(),
             };
             let words = self.deck.words.get(self.deck.words.len() - count..).unwrap_or_default();
+            if count == 1 {
+                let base = self.base as usize;
+                self.warn(base + start, base + end, msg!("nc.no-values", name));
+                return true;
+            }
             let both = words.iter().any(|word| word.letter == b'S') && words.len() > 2;
             if both || words.iter().filter(|other| other.offset != word.offset).any(|word| !fits(word)) {
                 self.report(Alarm::NotAlone, start, end, msg!("nc.stands-alone", name));

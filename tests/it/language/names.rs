@@ -425,6 +425,9 @@ fn one_mistake_is_one_finding() {
         ("G1 X R1 F.1\nM2", "nc.no-equals-sign"),
         ("D1 D2\nM2", "nc.address-twice"),
         ("H1 H2 H3 H4\nM2", "nc.address-twice"),
+        ("G4\nG25\nG26\nM2", "nc.no-values nc.no-values nc.no-values"),
+        ("G4 F1\nG25 S1\nG26 X1\nM3 M2=4 M3=5\nM2", ""),
+        ("M1=3 M4\nM2", "nc.group-twice"),
         ("H1=1 H2=2 H3=3 H4=4\nM2", "nc.too-many-auxiliaries"),
     ] {
         assert_eq!(said(text), ids, "{text}");
