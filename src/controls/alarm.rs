@@ -161,6 +161,8 @@ pub enum Alarm {
     MainReturn,
     /// Two messages without a block between them that does anything, where that is an alarm.
     MessageBlocks,
+    /// An address that says nothing to the motion in force, where that is an alarm.
+    IdleAddress,
     /// A repeat count that cannot be.
     RepeatRange,
     /// A spindle speed that cannot be.
@@ -282,6 +284,7 @@ impl Alarm {
         Alarm::UnknownName,
         Alarm::MainReturn,
         Alarm::MessageBlocks,
+        Alarm::IdleAddress,
         Alarm::RepeatRange,
         Alarm::SpeedRange,
         Alarm::SpeedLimitRange,
@@ -318,7 +321,7 @@ impl Alarm {
             NoNumber | SequencePlace | AtanForm | PointNotAllowed | AddressTwice | BlockTooLong | CommentBracket
             | CallNotFirst | CallMixed | ReturnInModal | ArgumentAddress | CallFunction | CallOperands | NotAlone
             | ShortestWay | PositiveWay | NegativeWay | GroupTwice | SyntaxTwice | AuxiliaryTwice | Auxiliaries
-            | UnknownName => Format,
+            | UnknownName | IdleAddress => Format,
             _ => return None,
         })
     }

@@ -36,7 +36,7 @@ const OTHERS: u8 = 8;
 const fn class(letter: u8) -> u8 {
     match letter {
         b'I' | b'J' | b'K' => CENTRE,
-        b'R' => RADIUS,
+        b'R' | long::CR => RADIUS,
         b'P' | b'L' => CALLED,
         b'B' | b'E' | b'Q' => OTHERS,
         _ => 0,
@@ -596,7 +596,7 @@ impl State {
         }
         let idle = values.rare != 0 && values.rare & !self.uses(codes, values) != 0;
         if idle || codes.special == Some(Code::Dwell) && values.mask != 0 {
-            self.idle_words(cx, block, words, (codes, values));
+            self.idle_words(cx, block, words, (codes, values))?;
         }
         if self.modal.radii != Radii::No {
             self.double(cx, values);
@@ -634,12 +634,9 @@ impl State {
         }
     }
 
-    /// Remarks the words of a block that do nothing in it. Languages with names refuse them when they are read.
+    /// Remarks the words of a block that do nothing in it, or refuses them where the control does.
     #[cold]
-    fn idle_words(&self, cx: &mut Cx, block: &Block, words: &[Word], (codes, values): (&Codes, &Words)) {
-        if cx.control.syntax.names.is_some() {
-            return;
-        }
+    fn idle_words(&self, cx: &mut Cx, block: &Block, words: &[Word], (codes, values): (&Codes, &Words)) -> Run<()> {
         let (uses, dwell) = (self.uses(codes, values), codes.special == Some(Code::Dwell));
         for word in words {
             let class = match word.letter {
@@ -656,10 +653,14 @@ impl State {
             let corner = cx.control.syntax.corners.iter().any(|corner| corner.0 == word.letter);
             let thread = self.modal.motion == Code::Thread && cx.control.syntax.threads_per_inch == Some(word.letter);
             if uses & class == 0 && !corner && !thread {
-                let letter = char::from(word.letter).to_string();
-                self.remark(cx, word_span(block, word), msg!("interp.idle-word", letter));
+                let message = msg!("interp.idle-word", cx.control.address(word.letter));
+                if cx.control.raises(Alarm::IdleAddress) {
+                    return Err(Trap::alarm(Alarm::IdleAddress, message).within(word_span(block, word)));
+                }
+                self.remark(cx, word_span(block, word), message);
             }
         }
+        Ok(())
     }
 
     /// Words that count radii, on an axis whose positions are diameters.

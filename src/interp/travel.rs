@@ -260,9 +260,12 @@ impl State {
             return Err(no_feed(cx, self.modal.lead));
         };
         let (stretch, longest) = self.stretch(cx, to);
-        let letter = cx.control.axes.get(longest).map_or(b'Z', |axis| axis.letter);
-        let own = letter.wrapping_sub(b'X');
-        if values.leads & !(1 << (own & 7)) != 0 && to.position != self.position {
+        let letters =
+            || cx.control.axes.iter().zip(longest).filter(|row| row.1).map(|row| row.0.letter.wrapping_sub(b'X'));
+        // On a taper of 45° both ways are the longest.
+        let counting = letters().fold(0_u8, |bits, own| bits | 1 << (own & 7));
+        let own = letters().next().unwrap_or(2);
+        if values.leads & !counting != 0 && to.position != self.position {
             let address = char::from(b'I'.wrapping_add(own)).to_string();
             let trap = Trap::alarm(Alarm::LeadAxis, msg!("interp.lead-axis", address));
             return Err(trap.behind(b"IJK"));
@@ -270,13 +273,13 @@ impl State {
         Ok(lead * stretch)
     }
 
-    /// Length of a path per travel of the axis that goes farthest, along which a lead counts, and that axis.
-    fn stretch(&self, cx: &Cx, to: Target) -> (f64, usize) {
+    /// Length of a path per travel of the axis that goes farthest, along which a lead counts, and which axes go so far.
+    fn stretch(&self, cx: &Cx, to: Target) -> (f64, [bool; AXES]) {
         let travel = |k: usize| to.position[k].saturating_sub(self.position[k]) as f64 * cx.shared.rules.moves[k];
         let squares = (0..AXES).map(|k| travel(k) * travel(k));
-        let (longest, axis) =
-            squares.clone().zip(0..).fold((0.0, 0), |most, next| if next.0 > most.0 { next } else { most });
-        (if longest > 0.0 { (squares.sum::<f64>() / longest).sqrt() } else { 1.0 }, axis)
+        let longest = squares.clone().fold(0.0, f64::max);
+        let far = core::array::from_fn(|k| travel(k) * travel(k) >= longest);
+        (if longest > 0.0 { (squares.sum::<f64>() / longest).sqrt() } else { 1.0 }, far)
     }
 
     /// G50 or G92: the present position is the one that is told, or differs from what it was by what is told.

@@ -40,6 +40,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(BracketPair, "12080", "Syntax error in text", LIST),
     alarm(ArgumentSets, "12080", "Syntax error in text", NEAREST),
     alarm(NumberZero, "12080", "Syntax error in text", NEAREST),
+    alarm(IdleAddress, "12110", "Block syntax cannot be interpreted", LIST),
     alarm(NotAlone, "12120", "Special G function not programmed separately", LIST),
     alarm(OutOfRange, "12160", "Value lies beyond the value range", LIST),
     alarm(VariableRange, "12290", "Arithmetic variable not defined", RANGE),

@@ -7,6 +7,9 @@ G0 X40
 Z5
 ; on a taper the lead belongs to the longer path
 G33 X50 Z-35 K2
+; at 45 degrees both leads count
+G33 X60 Z-40 K2
+G33 X70 Z-45 I2
 G1 X60
 M5
 M30
