@@ -1,6 +1,6 @@
 // The editor of a program, bundled into vendor/editor.js and loaded only when somebody edits. It stands in a shadow root:
 // there CodeMirror puts its styles into constructed sheets, which the content security policy allows, and not into <style>.
-import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { defaultKeymap, history, historyField, historyKeymap, indentWithTab } from '@codemirror/commands';
 import { lintGutter, lintKeymap, setDiagnostics } from '@codemirror/lint';
 import { unifiedMergeView } from '@codemirror/merge';
 import { highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
@@ -64,15 +64,19 @@ function shadow(host) {
   return host.shadowRoot ?? host.attachShadow({ mode: 'open' });
 }
 
-function view(host, doc, { label, pieces }, extensions) {
+function view(host, create, { label, pieces }, extensions) {
   const root = shadow(host);
   root.replaceChildren();
   const box = document.createElement('div');
   box.style.cssText = 'width:100%;height:100%';
   root.append(box);
   const common = [lineNumbers(), drawSelection(), highlightActiveLine(), colours(pieces), theme, EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false' })];
-  return new EditorView({ state: EditorState.create({ doc, extensions: [...extensions, common] }), parent: box, root });
+  return new EditorView({ state: create([...extensions, common]), parent: box, root });
 }
+
+// What of an editor goes on in the next one of the same text: cursor and history.
+const KEPT = { history: historyField };
+let last;
 
 // Opens an editor in `host`, called `label`. `changed` gets the text after each edit, `fix` the numbers of a diagnostic and of its fix.
 export function open(host, text, options) {
@@ -81,8 +85,16 @@ export function open(host, text, options) {
   const listener = EditorView.updateListener.of((update) => {
     if (update.docChanged && !update.transactions.some((one) => one.annotation(fromPage))) changed(update.state.doc.toString());
   });
-  const editor = view(host, text, options, [history(), search({ top: true }), highlightSelectionMatches(), lintGutter(), keys, listener]);
-  editor.focus();
+  const create = (extensions) =>
+    last?.state.doc.toString() === text
+      ? EditorState.fromJSON(last.state.toJSON(KEPT), { extensions }, KEPT)
+      : EditorState.create({ doc: text, extensions });
+  const editor = view(host, create, options, [history(), search({ top: true }), highlightSelectionMatches(), lintGutter(), keys, listener]);
+  last = editor;
+  // Whoever has gone elsewhere while it was loaded stays there.
+  const here = document.activeElement;
+  if (here === document.body || here.closest('.tools')) editor.focus();
+  editor.dispatch({ scrollIntoView: true });
   return {
     // Another text (undo, a fix, another file); the cursor stays where the text allows.
     set(next) {
@@ -110,6 +122,7 @@ export function open(host, text, options) {
 // Shows in `host` what differs between two texts.
 export function difference(host, before, after, options) {
   const merge = unifiedMergeView({ original: before, mergeControls: false, collapseUnchanged: { margin: 4, minSize: 8 } });
-  const editor = view(host, after, options, [merge, EditorState.readOnly.of(true)]);
+  const create = (extensions) => EditorState.create({ doc: after, extensions });
+  const editor = view(host, create, options, [merge, EditorState.readOnly.of(true)]);
   return { close: () => editor.destroy() };
 }

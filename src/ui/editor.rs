@@ -73,8 +73,9 @@ fn file_text(model: Model, at: usize) -> String {
     model.written.with_untracked(|written| written.files.0.get(at).map(|file| file.text.clone()).unwrap_or_default())
 }
 
-/// Takes the text of a file out of the editor into the project, which is detached from its form by that.
-fn take(model: Model, at: usize, text: String) {
+/// Takes what was typed last out of the editor into the project, which is detached from its form by that.
+pub(super) fn take(model: Model) {
+    let Some((at, text)) = model.typed.quietly(Option::take) else { return };
     if text == file_text(model, at) {
         return;
     }
@@ -116,7 +117,8 @@ pub(super) fn editor(model: Model) -> Vec<El> {
             timer.clear();
         }
         let at = model.file.get_untracked();
-        timer.set(set_timeout_with_handle(move || take(model, at, text), PAUSE).ok());
+        model.typed.quietly(|typed| *typed = Some((at, text)));
+        timer.set(set_timeout_with_handle(move || take(model), PAUSE).ok());
     };
     let changed = Closure::<dyn Fn(JsValue)>::new(changed).into_js_value();
     let fix = Closure::<dyn Fn(JsValue, JsValue)>::new(move |diagnostic: JsValue, fix: JsValue| {
@@ -137,7 +139,9 @@ pub(super) fn editor(model: Model) -> Vec<El> {
         let at = model.file.get();
         model.findings.track();
         let pending = model.pending.get();
-        if let Some(Some(editor)) = handle.try_get_value() {
+        // What is typed and not read yet is newer than what is said here; once it is read this runs again.
+        let typing = model.typed.with_untracked(|typed| typed.as_ref().is_some_and(|(of, _)| *of == at));
+        if let Some(Some(editor)) = handle.try_get_value().filter(|_| !typing) {
             let _ = call(&editor, "set", &[&file_text(model, at).into()]);
             // Until all is known of a text, the marks of the text before it stay.
             if !pending {

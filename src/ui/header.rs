@@ -64,7 +64,7 @@ fn machine_picker(model: Model) -> El {
     let rows: Vec<El> = machines::LISTED
         .iter()
         .map(|machine| {
-            let chosen = move || model.project.with(|project| project.machine.id() == machine.id);
+            let chosen = move || whole::machine(model) == machine.id;
             let choose = move || {
                 if !untrack(chosen) {
                     whole::ask(model, Wish::Machine(machine.id));
@@ -88,10 +88,7 @@ fn control_picker(model: Model) -> El {
             whole::ask(model, Wish::Control(control.id));
         }
     };
-    let present = move || match model.wish.get() {
-        Some(Wish::Control(id)) => id.to_owned(),
-        _ => model.project.with(|project| project.control.id.to_owned()),
-    };
+    let present = move || whole::control(model).to_owned();
     el("select.control").label(t("page.control")).swap(rows).valued(present).on("change", choose)
 }
 

@@ -100,8 +100,10 @@ pub(super) struct Model {
     pub shown: Local<Shown>,
     /// What answers questions in a worker.
     pub aside: Aside,
-    /// What was asked for and this module lacks, while the whole one is loaded.
-    pub wish: Local<Option<Wish>>,
+    /// What was asked for and this module lacks, in that order, while the whole one is loaded.
+    pub wishes: Local<Vec<Wish>>,
+    /// What was typed into the editor and is not read yet: the file and its text.
+    pub typed: Local<Option<(usize, String)>>,
     /// The run.
     pub player: Player,
     history: Local<History>,
@@ -157,7 +159,8 @@ impl Model {
             file: Local::new(0),
             shown: Local::new(Shown::Listing),
             aside: Aside::new(),
-            wish: Local::new(None),
+            wishes: Local::new(Vec::new()),
+            typed: Local::new(None),
             player,
             history: Local::new(History::default()),
         };

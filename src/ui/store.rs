@@ -6,6 +6,7 @@ use leptos::prelude::*;
 
 use super::debug;
 use super::dom;
+use super::editor;
 use super::local::Local;
 use super::model::{Model, Notice};
 use super::whole;
@@ -81,8 +82,11 @@ pub(super) fn keep(model: Model) {
     // Whoever closes the page in that moment loses nothing either.
     let hide = move || {
         debug::keep(model);
-        if let Some(waiting) = timer.get_untracked() {
-            waiting.clear();
+        let typed = model.typed.with_untracked(Option::is_some);
+        editor::take(model);
+        let waiting = timer.get_untracked();
+        if typed || waiting.is_some() {
+            waiting.iter().for_each(TimeoutHandle::clear);
             save();
         }
     };

@@ -1,7 +1,8 @@
 //! From the first module to the whole one: what a person asks for is done here, or there with the project as it stands.
 //!
-//! boot.js loads the whole module beside the first one, which works on meanwhile. Once it runs it asks for the state and puts its page in
-//! the place of the first one's, all in one task: nothing that is done at the page is lost, and no frame is between the two.
+//! boot.js loads the whole module beside the first one, which works on meanwhile. In a moment in which nobody types or drags the whole one
+//! asks for the state and puts its page in the place of the first one's, all in one task: nothing that is done at the page is lost, no
+//! frame is between the two, and the next key finds its field. Whoever asks for something else meanwhile gets what he asked for last.
 
 use leptos::wasm_bindgen::JsValue;
 use leptos::wasm_bindgen::closure::Closure;
@@ -22,6 +23,9 @@ use crate::project::Project;
 /// Where it is kept which module the project needs, for boot.js.
 const KEY: &str = "macroline.module";
 
+/// Turns after which the effects of a page that was just made are done: each may make a part that has effects of its own.
+const TURNS: u32 = 6;
+
 /// What a person asks for, and what any module may lack.
 #[derive(Clone)]
 pub(super) enum Wish {
@@ -40,10 +44,16 @@ impl Wish {
             Wish::Control(id) => {
                 let found = controls::find(id);
                 if let Some(control) = found {
-                    model.edit("", |project| project.move_to(control));
+                    // It may have been asked for before its machine was there.
+                    if model.project.with_untracked(|project| project.machine.controls().contains(id)) {
+                        model.edit("", |project| project.move_to(control));
+                    } else {
+                        model.notify("warn", say(&msg!("page.not-on-machine", control.name)));
+                    }
                 }
                 found.is_some()
             }
+            Wish::Machine(id) if *id == model.machine.get_untracked() => true,
             Wish::Machine(id) => {
                 let fresh = Project::of(id, None);
                 let there = fresh.is_some();
@@ -66,26 +76,52 @@ impl Wish {
 
 /// Does what a person asks for, in whichever module can.
 pub(super) fn ask(model: Model, wish: Wish) {
-    if wish.grant(model) || WHOLE {
-        return;
+    let before = model.wishes.get_untracked();
+    let mut wishes = before.clone();
+    // What is asked for last counts. A control is asked for on the machine, or with the files, that are asked for already.
+    match wish {
+        Wish::Control(_) => wishes.retain(|other| !matches!(other, Wish::Control(_))),
+        _ => wishes.clear(),
     }
-    let what = wish.what();
-    let loading = model.wish.with_untracked(Option::is_some);
-    model.wish.set(Some(wish));
-    if loading {
-        return;
+    if (wishes.is_empty() && wish.grant(model)) || WHOLE {
+        if before.is_empty() {
+            return;
+        }
+    } else {
+        wishes.push(wish);
     }
+    let what: Vec<&str> = wishes.iter().map(Wish::what).collect();
+    let told = if what.is_empty() { String::new() } else { say(&msg!("page.loading", what.join(", "))) };
+    model.wishes.set(wishes);
     model.dismiss(t("page.not-loaded"));
     // boot.js asks once for the state, or says what failed.
     let hand = move |failed: JsValue| {
         if failed.is_undefined() {
             return state(model);
         }
-        model.wish.set(None);
-        model.notify("fail", t("page.not-loaded").to_owned());
+        if !model.wishes.with_untracked(Vec::is_empty) {
+            model.wishes.set(Vec::new());
+            model.notify("fail", t("page.not-loaded").to_owned());
+        }
         failed
     };
-    open(&Closure::<dyn Fn(JsValue) -> JsValue>::new(hand).into_js_value(), &say(&msg!("page.loading", what)));
+    open(&Closure::<dyn Fn(JsValue) -> JsValue>::new(hand).into_js_value(), &told);
+}
+
+/// The machine that the page has, or that is asked for.
+pub(super) fn machine(model: Model) -> &'static str {
+    let present = model.machine.get();
+    model.wishes.with(|wishes| {
+        wishes.iter().find_map(|wish| if let Wish::Machine(id) = wish { Some(*id) } else { None }).unwrap_or(present)
+    })
+}
+
+/// The control that the project has, or that is asked for.
+pub(super) fn control(model: Model) -> &'static str {
+    let present = model.project.with(|project| project.control.id);
+    model.wishes.with(|wishes| {
+        wishes.iter().find_map(|wish| if let Wish::Control(id) = wish { Some(*id) } else { None }).unwrap_or(present)
+    })
 }
 
 /// Opens the page with the whole module in place of this one, which has not begun yet.
@@ -93,7 +129,7 @@ pub(super) fn instead() {
     open(&JsValue::UNDEFINED, "");
 }
 
-/// `told` stands in the page meanwhile.
+/// `told` stands in the page meanwhile; without it what was asked for before is not wanted any more.
 fn open(hand: &JsValue, told: &str) {
     let _ = call(&js_sys::global(), "whole", &[hand, &told.into()]);
 }
@@ -118,12 +154,19 @@ fn state(model: Model) -> JsValue {
             vec![notice.tone.into(), notice.text.as_str().into(), name.into(), content.into()]
         }))
     });
-    let (kind, id, files) = match model.wish.get_untracked() {
-        Some(Wish::Control(id)) => ("control", id, Vec::new()),
-        Some(Wish::Machine(id)) => ("machine", id, Vec::new()),
-        Some(Wish::Files(files)) => ("files", "", files),
-        None => ("", "", Vec::new()),
-    };
+    let mut files = Vec::new();
+    let wishes = model.wishes.get_untracked().into_iter().map(|wish| {
+        let (kind, id) = match wish {
+            Wish::Control(id) => ("control", id),
+            Wish::Machine(id) => ("machine", id),
+            Wish::Files(all) => {
+                files = all;
+                ("files", "")
+            }
+        };
+        vec![kind.into(), id.into()]
+    });
+    let wishes = table(wishes);
     object([
         ("project", model.project.with_untracked(Project::to_json).into()),
         ("past", past),
@@ -135,8 +178,7 @@ fn state(model: Model) -> JsValue {
         ("t", player.head().into()),
         ("speed", player.speed.get_untracked().into()),
         ("playing", playing.into()),
-        ("kind", kind.into()),
-        ("id", id.into()),
+        ("wishes", wishes),
         ("files", table(files.iter().map(|file| vec![file.name.as_str().into(), file.text.as_str().into()]))),
     ])
 }
@@ -182,17 +224,22 @@ impl Handed {
         if get(&self.0, "playing").is_truthy() {
             player.toggle();
         }
-        let id = text(&self.0, "id");
-        let wish = match text(&self.0, "kind").as_str() {
+        let wish = |[kind, id]: [String; 2]| match kind.as_str() {
             "control" => controls::listed(&id).map(|row| Wish::Control(row.id)),
             "machine" => machines::listed(&id).map(|row| Wish::Machine(row.id)),
-            "files" => {
+            _ => {
                 let files = rows(&self.0, "files").into_iter().map(|[name, text]| File { name, text });
                 Some(Wish::Files(files.collect()))
             }
-            _ => None,
         };
-        // After the first effects: from then on every change is kept.
-        dom::soon(move || wish.into_iter().for_each(|wish| ask(model, wish)));
+        let wishes: Vec<Wish> = rows(&self.0, "wishes").into_iter().filter_map(wish).collect();
+        wasm_bindgen_futures::spawn_local(async move {
+            for _ in 0..TURNS {
+                leptos::task::tick().await;
+            }
+            // Where a person was and what he was typing stands in the page that he knows, before that becomes another one.
+            let _ = call(&js_sys::global(), "again", &[]);
+            wishes.into_iter().for_each(|wish| ask(model, wish));
+        });
     }
 }

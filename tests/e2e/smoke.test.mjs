@@ -22,6 +22,26 @@ test('before anything is touched the browser loads what scripts/sizes.mjs counts
     assert.deepEqual(requests.map((name) => name || 'index.html').filter(noIcon).sort(), firstLoad(DIST).filter(noIcon));
   }));
 
+test('the modules are asked for by the page itself, not by a file that has to be loaded first; whoever needs the whole one loads it alone', () =>
+  withPage(app, {}, async ({ page, requests }) => {
+    const parents = async () => {
+      const client = await page.context().newCDPSession(page);
+      const from = [];
+      await client.send('Network.enable');
+      client.on('Network.requestWillBeSent', ({ request, initiator }) => {
+        if (/wasm|\.js|en\.txt/.test(request.url)) from.push((initiator.stack?.callFrames[0]?.url ?? initiator.url).replace(app.url, ''));
+      });
+      await page.reload();
+      await ready(page);
+      return from;
+    };
+    assert.deepEqual(new Set(await parents()), new Set(['']));
+    await page.evaluate(() => localStorage.setItem('macroline.module', 'whole'));
+    requests.length = 0;
+    assert.deepEqual(new Set(await parents()), new Set(['']));
+    assert.deepEqual(requests.filter((name) => name.endsWith('.wasm')), ['whole_bg.wasm']);
+  }));
+
 test('sentences of another version are told, not shown', async () => {
   const foreign = async ({ page }) => {
     await page.route(/en\.txt/, (route) => route.fulfill({ body: 'page.title another' }));

@@ -206,24 +206,185 @@ test('without the network the user stays where he is, is told, and may try again
   await assert.rejects(withPage(app, {}, offline), away);
 });
 
-test('what is typed into the editor goes along, up to the last letter', () =>
+// The whole module comes when the test lets it come.
+const late = async (page) => {
+  let go;
+  const wait = new Promise((done) => (go = done));
+  await page.route(/whole_bg\.wasm/, async (route) => {
+    await wait;
+    await route.continue();
+  });
+  return go;
+};
+const handed = (page) => page.waitForFunction(() => window.first && !window.first.isConnected);
+const machine = (page, name) => page.locator('.segments button', { hasText: name });
+// Types while the page changes hands: some letters before, and more after, without waiting for anything.
+const typeOver = async (page, go, keys, act) => {
+  await page.evaluate(() => (window.first = document.querySelector('.app')));
+  let over = false;
+  const done = handed(page).then(() => (over = true));
+  let sent = '';
+  const type = async () => {
+    const key = keys[sent.length % keys.length];
+    await page.keyboard.type(key);
+    sent += key;
+  };
+  for (let at = 0; at < 12; at++) {
+    await type();
+    if (at === 4) go();
+    await page.waitForTimeout(40);
+  }
+  // Now a person stops to think, and goes on at any moment: as early as the page can have changed, and later.
+  while (!over) {
+    await act?.();
+    await page.waitForTimeout(230);
+    await type();
+  }
+  await done;
+  for (let at = 0; at < 5; at++) await type();
+  return sent;
+};
+
+test('what is typed into a field while the page changes hands is there, letter by letter, and nothing else happens', () =>
   withPage(app, {}, async ({ page }) => {
+    const go = await late(page);
+    await choose(page);
+    const name = page.getByLabel('Name of the project');
+    await name.click();
+    const sent = await typeOver(page, go, 'a. b,?s');
+    assert.equal(await name.inputValue(), sent);
+    assert.ok(await name.evaluate((input) => input === document.activeElement));
+    assert.equal(await page.locator('dialog[open]').count(), 0);
+    assert.equal(await page.locator('#clock').textContent(), '00:00.0000');
+    await arrived(page);
+    // A number goes on where it was, and its text is the value.
+    await field(page, 'pitch').fill('9.12');
+    await line(page, '9.12').waitFor();
+  }));
+
+test('a number that is typed while the page changes hands is the value of the project', () =>
+  withPage(app, {}, async ({ page }) => {
+    const go = await late(page);
+    await choose(page);
+    await field(page, 'pitch').fill('0.');
+    await field(page, 'pitch').press('End');
+    await page.evaluate(() => document.querySelector('.form').scrollTo(0, 120));
+    const sent = await typeOver(page, go, '1234');
+    assert.equal(await field(page, 'pitch').inputValue(), `0.${sent}`);
+    // It has more decimals than the field takes.
+    assert.equal(await field(page, 'pitch').getAttribute('aria-invalid'), 'true');
+    for (let at = sent.length; at > 3; at--) await page.keyboard.press('Backspace');
+    assert.equal(await field(page, 'pitch').getAttribute('aria-invalid'), 'false');
+    await page.getByRole('button', { name: 'MPF9102.MPF' }).click();
+    await line(page, 'R107=0.123').waitFor();
+    assert.ok((await page.locator('.form').evaluate((form) => form.scrollTop)) > 60, 'the form stays where it was scrolled to');
+  }));
+
+test('what is typed into the editor goes along, up to the last letter, and the cursor stands where it stood', () =>
+  withPage(app, {}, async ({ page }) => {
+    const go = await late(page);
     await page.getByRole('button', { name: 'Edit', exact: true }).click();
     const editor = page.locator('.editor .cm-content');
     await editor.waitFor();
+    await choose(page);
     await editor.press('Control+Home');
-    await page.evaluate((id) => {
-      window.typed = 0;
-      document.addEventListener('beforeinput', () => (window.typed += 1), true);
-      const select = document.querySelector('select.control');
-      select.value = id;
-      select.dispatchEvent(new Event('change'));
-    }, CONTROL);
-    const done = arrived(page).then(() => true);
-    while (!(await Promise.race([done, page.keyboard.type('A')])));
-    // The editor stays open.
-    const text = await page.locator('.editor .cm-line').first().textContent();
-    assert.equal(/^A*/.exec(text)[0].length, await page.evaluate(() => window.typed), text);
+    for (const key of ['ArrowDown', 'ArrowDown', 'Home']) await editor.press(key);
+    const row = page.locator('.editor .cm-line').nth(2);
+    const before = await row.textContent();
+    const sent = await typeOver(page, go, 'ABC');
+    assert.equal(await row.textContent(), sent + before);
+  }));
+
+test('a drag and a dialog are brought to their end before the page changes hands', () =>
+  withPage(app, {}, async ({ page }) => {
+    const go = await late(page);
+    await choose(page);
+    await page.evaluate(() => (window.first = document.querySelector('.app')));
+    const slider = await page.locator('#spindle-knob').boundingBox();
+    await page.mouse.move(slider.x + slider.width / 2, slider.y + slider.height / 2);
+    await page.mouse.down();
+    go();
+    await page.waitForTimeout(600);
+    assert.ok(await page.evaluate(() => window.first.isConnected));
+    await page.mouse.move(slider.x + slider.width / 4, slider.y + slider.height / 2);
+    const turned = page.locator('#spindle-knob ~ output');
+    await turned.filter({ hasNotText: '100 %' }).waitFor();
+    const percent = await turned.textContent();
+    await page.keyboard.press('?');
+    await page.mouse.up();
+    await page.locator('dialog[open]').waitFor();
+    await page.waitForTimeout(500);
+    assert.ok(await page.evaluate(() => window.first.isConnected));
+    await page.keyboard.press('Escape');
+    await handed(page);
+    await arrived(page);
+    assert.equal(await turned.textContent(), percent);
+  }));
+
+test('what is asked for last counts: another machine, a control for it, and back again', () =>
+  withPage(app, {}, async ({ page, requests }) => {
+    const go = await late(page);
+    await field(page, 'pitch').fill('9.5');
+    // First one machine, then the other, on a control that goes with it.
+    await machine(page, 'Polygon lathe').click();
+    await page.locator('#boot', { hasText: 'loading Polygon lathe' }).waitFor();
+    await machine(page, 'Turning spindle').click();
+    await page.locator('#boot', { hasText: 'loading Turning spindle …' }).waitFor();
+    assert.equal(await machine(page, 'Turning spindle').getAttribute('aria-pressed'), 'true');
+    assert.equal(await machine(page, 'Ribbon line').getAttribute('aria-pressed'), 'false');
+    await choose(page);
+    await choose(page, 'knd-k2000t');
+    await page.locator('#boot', { hasText: 'loading Turning spindle, KND K2000T …' }).waitFor();
+    assert.equal(await chosen(page), 'knd-k2000t');
+    // Nothing has changed yet, and the form still counts.
+    await field(page, 'pitch').fill('9.25');
+    go();
+    await line(page, 'G96 S#100 M3').waitFor();
+    assert.equal(await chosen(page), 'knd-k2000t');
+    assert.equal(await machine(page, 'Turning spindle').getAttribute('aria-pressed'), 'true');
+    // Back to what was typed meanwhile: the control, then the machine.
+    await page.locator('h1').click();
+    for (const _ of [1, 2]) await page.keyboard.press('Control+z');
+    assert.equal(await machine(page, 'Ribbon line').getAttribute('aria-pressed'), 'true');
+    assert.equal(await field(page, 'pitch').inputValue(), '9.25');
+    assert.equal(requests.filter((name) => name === 'whole_bg.wasm').length, 1);
+  }));
+
+test('who takes it back stays where he is', () =>
+  withPage(app, {}, async ({ page }) => {
+    const go = await late(page);
+    await page.evaluate(() => (window.first = document.querySelector('.app')));
+    for (const [ask, back] of [
+      [() => choose(page), () => choose(page, 'mitsubishi-e60')],
+      [() => machine(page, 'Turning spindle').click(), () => machine(page, 'Ribbon line').click()],
+      [() => choose(page), () => choose(page, 'gsk-980tdc')],
+    ]) {
+      await ask();
+      await page.locator('#boot', { hasText: 'loading' }).waitFor();
+      await back();
+      await page.locator('#boot').waitFor({ state: 'hidden' });
+      assert.equal(await machine(page, 'Ribbon line').getAttribute('aria-pressed'), 'true');
+    }
+    go();
+    await page.waitForFunction(() => !document.getElementById('boot'));
+    await page.waitForTimeout(500);
+    assert.ok(await page.evaluate(() => window.first.isConnected), 'the first module keeps the page');
+    assert.equal(await chosen(page), 'gsk-980tdc');
+    // And may ask again.
+    await choose(page);
+    await arrived(page);
+    assert.equal(await chosen(page), CONTROL);
+  }));
+
+test('a control that does not go with the machine that is asked for is told', () =>
+  withPage(app, {}, async ({ page }) => {
+    const go = await late(page);
+    await machine(page, 'Polygon lathe').click();
+    await choose(page);
+    go();
+    await page.locator('.notice.warn', { hasText: 'SINUMERIK 802D does not go with this machine' }).waitFor();
+    await line(page, 'G512').waitFor();
+    assert.equal(await chosen(page), 'knd-k2000t');
   }));
 
 test('while it loads the page works on, and what is done meanwhile is not lost', () =>
