@@ -47,17 +47,17 @@ pub(super) fn cards(model: Model) -> El {
 pub(super) fn card(model: Model, readout: &Readout) -> El {
     let tone = verdict(readout.verdict);
     let advice = readout.advice.first().map(say);
-    let detail = advice.clone().or_else(|| limit(readout)).unwrap_or_default();
+    let holds = verdict_words(readout.verdict);
+    let detail = advice.clone().or_else(|| limit(readout));
+    // Beside a sentence or a limit the sign is enough for those who see it.
+    let words = el(if detail.is_some() { "span.hidden" } else { "span" }).text(holds);
     let id = readout.id;
     let value = el("span.v").text(&figure(readout.value, readout.decimals)).add(&[el("small").text(readout.unit)]);
-    let note = el("span.n").add(&[
-        el("i").at("aria-hidden", "true").text(sign(tone)),
-        el("span.hidden").text(verdict_words(readout.verdict)),
-    ]);
+    let note = el("span.n").add(&[el("i").at("aria-hidden", "true").text(sign(tone)), words]);
     let card = button("button.card", "", move || super::side::open_result(model, id));
     card.at("class", &format!("card {tone}")).at("title", &advice.unwrap_or_default()).add(&[
         el("span.k").text(t(readout.label)),
         value,
-        note.text(&detail),
+        note.text(&detail.unwrap_or_default()),
     ])
 }

@@ -14,7 +14,7 @@ use crate::machines::{AnyMachine, On, Samples};
 use crate::math;
 use crate::text::number::filled;
 use crate::view::svg::escape;
-use crate::view::{Chart, csv, plot};
+use crate::view::{Chart, Series, csv, plot};
 
 /// Points of a line.
 const POINTS: usize = 360;
@@ -31,7 +31,7 @@ pub(super) struct Charts {
     host: Option<HtmlElement>,
     charts: Vec<Chart>,
     cursors: Vec<HtmlElement>,
-    values: Vec<Element>,
+    values: Vec<(Element, bool)>,
     page: (f64, f64),
 }
 
@@ -86,7 +86,8 @@ impl Charts {
         }
         host.set_inner_html(&out);
         self.cursors = dom::all(host, ".cursor").into_iter().filter_map(|e| e.dyn_into().ok()).collect();
-        self.values = dom::all(host, ".legend b");
+        let whole = self.lines().map(|line| line.points.iter().all(|point| point.1.fract() == 0.0));
+        self.values = dom::all(host, ".legend b").into_iter().zip(whole).collect();
     }
 
     /// Moves the cursor.
@@ -99,12 +100,19 @@ impl Charts {
         }
     }
 
-    /// Shows the values at the head.
+    /// The lines over time.
+    fn lines(&self) -> impl Iterator<Item = &Series> {
+        self.charts.iter().filter(|chart| chart.over_time()).flat_map(|chart| &chart.series)
+    }
+
+    /// Shows the values at the head; those of a line that only counts have no decimals.
     pub(super) fn read(&self, head: f64) {
-        let lines = self.charts.iter().filter(|chart| chart.over_time()).flat_map(|chart| &chart.series);
-        for (line, place) in lines.zip(&self.values) {
+        for (line, (place, whole)) in self.lines().zip(&self.values) {
             let at = line.points.partition_point(|point| point.0 < head).min(line.points.len().saturating_sub(1));
-            let text = line.points.get(at).map_or(String::new(), |point| figure(point.1, digits(point.1)));
+            let text = line
+                .points
+                .get(at)
+                .map_or(String::new(), |point| figure(point.1, if *whole { 0 } else { digits(point.1) }));
             place.set_text_content(Some(&text));
         }
     }

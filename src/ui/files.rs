@@ -203,12 +203,15 @@ fn refused(reasons: Vec<[String; 3]>) -> Vec<El> {
     vec![el("p").text(t("page.refused")), el("ul.remarks").add(&rows)]
 }
 
-/// Leaves the dialog for a field of the form.
-fn go_to(field: &str) {
+/// Leaves the dialog, if there is one, for a field of the form.
+pub(super) fn go_to(field: &str) {
     if let Ok(Some(open)) = document().query_selector("dialog[open]") {
         open.unchecked_into::<HtmlDialogElement>().close();
     }
     if let Some(input) = dom::by_id(field) {
+        if let Ok(Some(group)) = input.closest("details") {
+            dom::set(&group, "open", "");
+        }
         input.scroll_into_view();
         let _ = input.focus();
     }

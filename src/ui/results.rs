@@ -1,23 +1,41 @@
 //! Every result with limit, formula, source and advice.
 
 use super::cards::{limit, verdict, verdict_words};
-use super::el::{El, el};
+use super::el::{El, button, el};
+use super::files::go_to;
 use super::model::Model;
 use super::words::{figure, say, sign, t, tell, tone, written};
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, Message, Value};
 use crate::view::Readout;
 
 /// The results tab.
 pub(super) fn results(model: Model) -> Vec<El> {
-    let remarks = move || model.design.with(|design| design.diagnostics.iter().map(remark).collect());
+    let remarks =
+        move || model.design.with(|design| design.diagnostics.iter().map(|told| remark(model, told)).collect());
     let rows =
         move || model.design.with(|design| design.readouts.iter().map(|readout| result(model, readout)).collect());
     vec![el("ul.remarks").swap(remarks), el("div.results").mark("old", move || model.is_stale()).swap(rows)]
 }
 
-fn remark(diagnostic: &Diagnostic) -> El {
-    let tone = tone(diagnostic.severity);
-    el("li").at("class", tone).add(&[mark_of(tone)]).text(" ").text(&tell(diagnostic))
+fn remark(model: Model, told: &Diagnostic) -> El {
+    let tone = tone(told.severity);
+    let row = el("li").at("class", tone);
+    match &told.message.values[..] {
+        [Value::Number(..), Value::Text(ids)] if told.message.id == "form.assumed" => {
+            row.add(&[assumed(model, mark_of(tone), told, ids)])
+        }
+        _ => row.add(&[mark_of(tone)]).text(" ").text(&tell(told)),
+    }
+}
+
+/// Facts that are only assumed, folded up: there are many, and each leads to its field.
+fn assumed(model: Model, mark: El, told: &Diagnostic, ids: &str) -> El {
+    let message = Message { id: "page.assumed-facts", values: told.message.values.clone() };
+    let fields = model.project.with_untracked(|project| project.machine.fields());
+    let named = fields.into_iter().filter(|field| ids.split([',', ' ']).any(|id| id == field.id));
+    let links: Vec<El> = named.map(|field| button("button.link", t(field.label), move || go_to(field.id))).collect();
+    let summary = el("summary").add(&[mark, el("span").text(&say(&message))]);
+    el("details").add(&[summary, el("div.chips").add(&links)])
 }
 
 fn mark_of(tone: &str) -> El {

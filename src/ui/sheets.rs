@@ -21,12 +21,18 @@ pub(super) fn plc(model: Model) -> Vec<El> {
 
 /// Sheets as the worker makes them, anew with every change of the project.
 pub(super) fn sheets(model: Model, which: &'static str) -> El {
-    let host = el("div.sheets").at("data-of", which);
+    let host = el("div.sheets").at("data-of", which).add(&[el("p.lead").text(t("page.reading"))]);
     let element = host.dom().clone();
     host.run(move || {
         let element = element.clone();
         let show = move |answer: Option<JsValue>| match answer {
-            Some(answer) => element.set_inner_html(&text(&answer, which)),
+            Some(answer) => {
+                let sheets = text(&answer, which);
+                element.set_inner_html(&sheets);
+                if sheets.is_empty() {
+                    let _ = element.append_child(el("p.lead").text(t("page.no-sheet")).dom());
+                }
+            }
             None => element.set_text_content(Some(t("page.no-answer"))),
         };
         model.project.with(|project| model.aside.ask("sheets", project, show));

@@ -26,6 +26,9 @@ test('a lathe shows where its limit begins, its volts and the time that surface 
     assert.equal(await page.getByText('Stroboscope').isVisible(), false);
     assert.equal(await page.getByText('Paper’s listing as printed').isVisible(), false);
     await accessible(page);
+    // A sheet without a line says so.
+    await page.click('#tab-plc');
+    await page.getByText('On this control the machine needs nothing of this kind.').waitFor();
   }));
 
 test('the part is cut, the speed follows the diameter, and the charts over the diameter have no time', () =>

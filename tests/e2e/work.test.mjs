@@ -233,6 +233,28 @@ test('the editor loads when asked for, keeps to the content security policy, and
     await page.locator('.editor .cm-changedLine, .editor .cm-insertedLine').first().waitFor();
   }));
 
+test('whoever types on while the control still reads loses nothing', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.getByRole('button', { name: 'Edit', exact: true }).click();
+    const editor = page.locator('.editor .cm-content');
+    await editor.waitFor();
+    await editor.press('Control+Home');
+    let sent = '';
+    // Pauses in which the text is taken, and keys at the moments in which the answers to it arrive.
+    for (let at = 0; at < 60; at++) {
+      await page.keyboard.type('ABC'[at % 3]);
+      sent += 'ABC'[at % 3];
+      await page.waitForTimeout(at % 4 ? 15 : 155 + at);
+    }
+    assert.equal(await page.locator('.editor .cm-line').first().textContent(), `${sent}%`);
+    // Who closes the page with the last letter finds it there again.
+    await page.locator('.editor .cm-lintRange-error').first().waitFor();
+    await page.keyboard.type('D');
+    await page.reload();
+    await ready(page);
+    await page.locator('.listing li', { hasText: `${sent}D%` }).waitFor();
+  }));
+
 test('a program dropped on the page restores the form', () =>
   withPage(app, {}, async ({ page }) => {
     await field(page, 'pitch').fill('7.25');
@@ -312,6 +334,16 @@ test('any bytes are answered, and a large file is read aside without the page wa
     assert.ok((await page.locator('.raw').textContent()).split('\n').length <= 5001);
   }));
 
+test('what is only assumed is counted, and each fact leads to its field', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.click('#tab-results');
+    await page.getByText('41 facts of the machine are only assumed').click();
+    await accessible(page);
+    assert.equal(await field(page, 'rapid-x').isVisible(), false);
+    await page.getByRole('button', { name: 'Rapid X' }).click();
+    assert.ok(await field(page, 'rapid-x').evaluate((input) => input === document.activeElement));
+  }));
+
 test('every tab is accessible, and so is the help', () =>
   withPage(app, {}, async ({ page }) => {
     await openGroups(page);
@@ -328,6 +360,9 @@ for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]]) {
     withPage(app, { viewport: { width, height } }, async ({ page }) => {
       assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
       assert.ok(await page.locator('#play').isVisible());
+      // All of the machine is to be seen at once.
+      const [scene, stage] = [await page.locator('.scene').boundingBox(), await page.locator('.stage').boundingBox()];
+      assert.ok(scene.width <= stage.width && scene.height <= stage.height + 1, JSON.stringify({ scene, stage }));
     }));
 }
 
