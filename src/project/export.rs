@@ -48,7 +48,7 @@ impl Project {
                     text: view::csv::sheet(&sheet, Language::English),
                 });
                 if !sheet.ladder.is_empty() {
-                    files.push(File { name: format!("{}.svg", sheet.id), text: view::ladder::svg(&sheet.ladder) });
+                    files.push(File { name: format!("{}.svg", sheet.id), text: view::ladder::picture(&sheet.ladder) });
                 }
             }
             files.extend(machines::drawings(self.machine, &self.values, self.on()));

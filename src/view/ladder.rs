@@ -2,7 +2,7 @@
 
 use core::fmt::Write;
 
-use super::svg::escape;
+use super::svg::{STYLE, escape};
 use crate::text::number::{fill, filled};
 
 /// A contact of a rung.
@@ -38,6 +38,15 @@ const RUNG: f64 = 58.0;
 const LEFT: f64 = 14.0;
 const RIGHT: f64 = 546.0;
 
+/// The ladder as a file of its own, with its own colours.
+pub fn picture(rungs: &[Rung]) -> String {
+    let mut out = svg(rungs);
+    if let Some(at) = out.bytes().position(|byte| byte == b'>') {
+        out.insert_str(at + 1, &["<style>", STYLE, "</style>"].concat());
+    }
+    out
+}
+
 /// The ladder as SVG, with the classes of the page (`s-ink`, `f-dim` …).
 pub fn svg(rungs: &[Rung]) -> String {
     let height = RUNG * rungs.len() as f64 + 8.0;
@@ -55,14 +64,18 @@ pub fn svg(rungs: &[Rung]) -> String {
 
 fn draw(out: &mut String, rung: &Rung, y: f64) {
     text(out, LEFT + 8.0, y - 20.0, "start", "f-dim small", &rung.note);
-    let mut x = LEFT;
+    let (mut x, mut name_end) = (LEFT, LEFT - 8.0);
     for contact in &rung.contacts {
-        let (near, far) = (x + 44.0, x + 54.0);
+        // Names stand beside each other.
+        let half = 3.7 * contact.device.chars().count() as f64;
+        let near = (x + 44.0).max(name_end + 8.0 + half - 5.0);
+        let far = near + 10.0;
+        name_end = near + 5.0 + half;
         line(out, "M# #H#M# #V#M# #V#", &[x, y, near, near, y - 9.0, y + 9.0, far, y - 9.0, y + 9.0], 1.4);
         if contact.inverted {
             line(out, "M# #L# #", &[near - 3.0, y + 10.0, far + 3.0, y - 10.0], 1.4);
         }
-        text(out, x + 49.0, y + 20.0, "middle", "f-ink value", &contact.device);
+        text(out, near + 5.0, y + 20.0, "middle", "f-ink value", &contact.device);
         x = far;
     }
     let width = 13.0 + 7.6 * rung.output.chars().count() as f64;

@@ -640,6 +640,8 @@ fn charts_and_drawings() {
         text("section.svg").contains("width=\"32mm\"") && text("section.svg").contains("viewBox=\"-16 -16 32 32\"")
     );
     assert!(text("sequence.svg").contains("Reconstructed"));
+    // Black without its colours.
+    assert!(text("ladder.svg").contains("<style>"));
     assert!(text("report.md").contains("X20 is 20 mm across flats"));
 }
 
