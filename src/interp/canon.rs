@@ -232,6 +232,11 @@ impl Feed {
 }
 
 impl Canon {
+    /// Whether it acts when its block is read, as macro statements do; all others wait for those before them.
+    pub fn acts_when_read(&self) -> bool {
+        matches!(self, Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. })
+    }
+
     /// The command as one line of the canonical log, for instance `linear X8 Y62.832 F119391.393`.
     pub fn line<'a>(&'a self, names: Names<'a>) -> Line<'a> {
         Line { canon: self, names }

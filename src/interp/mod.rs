@@ -16,6 +16,7 @@ mod eval;
 mod fault;
 mod foretell;
 mod function;
+mod given;
 mod index;
 pub mod inspect;
 mod modal;
@@ -49,8 +50,7 @@ pub enum Step {
     Command(Canon, Place),
     /// A block that only computed or jumped.
     Logic(Place),
-    /// The program needs the machine at rest before it goes on: the block at the place reads positions or data of the executing block,
-    /// or it has stopped the machine (M00, M01, `#3006`) and nothing behind it may be read before. Step again when the machine rests.
+    /// The program needs the machine at rest before it goes on: the block at the place reads positions, or it has stopped the machine (M00, M01, `#3006`) and nothing behind it may be read before. Step again when the machine rests.
     Sync(Place),
     /// The program is over; further steps say the same.
     Ended(End),
@@ -105,7 +105,8 @@ impl Interp {
             Start::Program(number) => index.program(number).ok_or(number),
         };
         let rules = Rules::new(control, switches);
-        let shared = Rc::new(Shared { parsed, control, index, rules, units: Units::new(control), start });
+        let executing = given::is_asked(parsed.deck(), control);
+        let shared = Rc::new(Shared { parsed, control, index, rules, units: Units::new(control), start, executing });
         Interp { state: State::new(&shared), shared }
     }
 

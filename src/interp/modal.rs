@@ -227,6 +227,11 @@ impl Modal {
         self.place_zero();
     }
 
+    /// The last word with a letter; vacant before the first.
+    pub(super) fn shown(&self, letter: u8) -> f64 {
+        self.words.get(letter.wrapping_sub(b'A') as usize).copied().unwrap_or(f64::NAN)
+    }
+
     /// Remembers a word for the variables that show it.
     #[inline]
     pub(super) fn word(&mut self, letter: u8, value: f64) {

@@ -6,6 +6,7 @@ use super::call::{Frame, ModalCall};
 use super::canon::{AXES, Canon};
 use super::eval::WHOLE;
 use super::fault::{Run, Trap};
+use super::given::Given;
 use super::index::{Index, Partner};
 use super::modal::Modal;
 use super::rules::{Rules, Units};
@@ -26,6 +27,8 @@ pub(super) struct Shared {
     pub(super) units: Units,
     /// The program that a run starts with; `Err` is a number that no program has.
     pub(super) start: Result<u32, u32>,
+    /// Programs may read data of the block that is executed.
+    pub(super) executing: bool,
 }
 
 /// What a block may ask while it runs.
@@ -105,6 +108,8 @@ pub(super) struct State {
     /// Where the last motion that a signal may skip came to its end, machine frame.
     pub(super) skip: [i64; AXES],
     pub(super) queue: Queue,
+    /// What was in force with the commands handed out, where a program may ask for it.
+    pub(super) given: Given,
     pub(super) frames: Vec<Frame>,
     pub(super) modal_call: Option<Rc<ModalCall>>,
     /// Program that is running, with its file and its blocks.
@@ -135,6 +140,7 @@ impl State {
             came: Came::default(),
             skip: [0; AXES],
             queue: Queue::default(),
+            given: Given::default(),
             frames: Vec::new(),
             modal_call: None,
             program: 0,
@@ -225,10 +231,23 @@ impl State {
         Step::Ended(self.ended.clone().unwrap_or(End::Program))
     }
 
+    #[inline]
+    fn hand_out(&mut self, shared: &Shared, canon: Canon) -> Step {
+        if shared.executing {
+            self.given.note(&canon, &self.modal);
+        }
+        Step::Command(canon, self.place)
+    }
+
+    /// What is in force in the block that the machine executes; at rest all that was read is.
+    pub(super) fn executing(&self, cx: &mut Cx) -> &Modal {
+        cx.world.waiting().and_then(|waiting| self.given.behind(waiting)).unwrap_or(&self.modal)
+    }
+
     /// At most one block, or one more command of the last.
     pub(super) fn step(&mut self, shared: &Shared, world: &mut dyn World) -> Step {
         if let Some(canon) = self.queue.pop() {
-            return Step::Command(canon, self.place);
+            return self.hand_out(shared, canon);
         }
         if self.ended.is_some() {
             return self.over();
@@ -248,7 +267,7 @@ impl State {
             Ok(()) => {
                 self.synced = false;
                 match self.queue.pop() {
-                    Some(canon) => Step::Command(canon, self.place),
+                    Some(canon) => self.hand_out(shared, canon),
                     None => Step::Logic(self.place),
                 }
             }

@@ -52,10 +52,9 @@ impl State {
             }
             VarKind::PartTime => finite_or_zero(cx.world.clock_ms(true)) / 1000.0,
             VarKind::ModalCode(group) => f64::from(self.modal.codes[group as usize]) / 10.0,
-            VarKind::ModalWord(letter) => self.modal_word(letter),
-            VarKind::ExecutingCode(_) | VarKind::ExecutingWord(_) if !self.synced => return Err(Trap::Sync),
-            VarKind::ExecutingCode(group) => f64::from(self.modal.codes[group as usize]) / 10.0,
-            VarKind::ExecutingWord(letter) => self.modal_word(letter),
+            VarKind::ExecutingCode(group) => f64::from(self.executing(cx).codes[group as usize]) / 10.0,
+            VarKind::ModalWord(letter) => self.modal.shown(letter),
+            VarKind::ExecutingWord(letter) => self.executing(cx).shown(letter),
             VarKind::BlockEnd
             | VarKind::MachinePosition
             | VarKind::WorkPosition
@@ -80,10 +79,6 @@ impl State {
             VarKind::NotSimulated => return Err(not_simulated(cx, number, row)),
         };
         Ok(value)
-    }
-
-    fn modal_word(&self, letter: u8) -> f64 {
-        self.modal.words.get(letter.wrapping_sub(b'A') as usize).copied().unwrap_or(VACANT)
     }
 
     /// `to = value` of a block; the comment of the block is the message of alarms and stops.

@@ -12,6 +12,11 @@ pub trait World {
     fn position(&mut self, axis: usize) -> f64;
     /// Whether optional block skip number 1 to 9 is switched on.
     fn block_skip(&mut self, number: u8) -> bool;
+    /// How many commands wait behind the one that is executed, of those that do not act when they are read; `None` where the machine is at
+    /// rest and has done all.
+    fn waiting(&mut self) -> Option<usize> {
+        None
+    }
     /// A common variable has got another value (`None`: vacant) by the program. For whoever shows variables over time.
     fn changed(&mut self, _variable: u32, _value: Option<f64>) {}
     /// Something of the block that is read does not do what it says, and the control raises no alarm, or none that is known.

@@ -17,6 +17,7 @@ struct Eyes<'a> {
     power_on: f64,
     running: f64,
     block_skip: bool,
+    waiting: Option<usize>,
     changes: Vec<(u32, Option<f64>)>,
     remarks: Vec<Diagnostic>,
 }
@@ -33,6 +34,11 @@ enum Axes<'a> {
 }
 
 impl<P> State<P> {
+    /// Commands behind the one that is executed; `None` where all are done.
+    fn waiting(&self) -> Option<usize> {
+        (!self.queue.is_empty() || !matches!(self.exec, Exec::Idle)).then_some(self.queue.len())
+    }
+
     /// Shows somebody the program, and the machine as the program sees it at `t`, but with the axes where they are.
     pub(super) fn look<R>(&self, t: f64, path: &Timeline, look: impl FnOnce(&P, &mut dyn World) -> R) -> R {
         let mut eyes = Eyes {
@@ -41,6 +47,7 @@ impl<P> State<P> {
             power_on: t,
             running: self.run_time_at(t),
             block_skip: self.knobs.block_skip,
+            waiting: self.waiting(),
             changes: Vec::new(),
             remarks: Vec::new(),
         };
@@ -68,6 +75,10 @@ impl World for Eyes<'_> {
         self.block_skip
     }
 
+    fn waiting(&mut self) -> Option<usize> {
+        self.waiting
+    }
+
     fn changed(&mut self, variable: u32, value: Option<f64>) {
         self.changes.push((variable, value));
     }
@@ -89,7 +100,7 @@ impl<P: Program> Sim<'_, P> {
             self.s.drain = false;
             self.s.flow_end = None;
         }
-        let running = self.s.run_time_at(t);
+        let (running, waiting) = (self.s.run_time_at(t), self.s.waiting());
         let s = &mut *self.s;
         let mut eyes = Eyes {
             inputs: &s.io.inputs,
@@ -97,6 +108,7 @@ impl<P: Program> Sim<'_, P> {
             power_on: t,
             running,
             block_skip: s.knobs.block_skip,
+            waiting,
             changes: Vec::new(),
             remarks: Vec::new(),
         };

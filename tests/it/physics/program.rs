@@ -183,3 +183,51 @@ fn the_limit_of_the_lathe_takes_the_position_as_its_switch_says() {
         close(planner.timeline().at(end).spindle.volts_command, 10.0 * expected(at_end) / 3000.0, 1e-12);
     }
 }
+
+#[test]
+fn a_program_that_reads_ahead_sees_what_is_in_force_in_the_block_that_is_executed() {
+    // The first cut takes ten seconds; what stands behind it is read while it goes on.
+    let text = "%
+O1
+N5 G91 G94 G01 X100. F600
+N6 G04 X1.
+N7 G95 S300
+N8 #100=#4309
+#101=#4109
+#102=#4314
+#103=#4114
+#104=#4205
+#105=#4319
+N9 G94 G01 X1. F1200
+#110=#5041
+#111=#4309
+#112=#4205
+#113=#4319
+M30
+%
+";
+    let parsed = parse(&Files::one("O1.nc", text), control());
+    assert!(parsed.diagnostics().is_empty(), "{:?}", parsed.diagnostics());
+    let mut plant = plant();
+    plant.block_time = 0.007;
+    let mut planner = Planner::new(Setup {
+        program: Interp::new(Rc::new(parsed), Start::First, &Switches::default()),
+        control: control(),
+        plant: &plant,
+        plc: Box::new(BenchPlc::new(0.05, Some(1033))),
+        panel: Panel::default(),
+        limits: Limits { blocks: u64::MAX, seconds: 60.0 },
+        keep: Keep::Timeline,
+    });
+    planner.advance(1.0, 1_000_000);
+    let seen = |planner: &Planner<Interp>, numbers: &[u32]| -> Vec<Option<f64>> {
+        numbers.iter().map(|number| planner.program().variable(*number)).collect()
+    };
+    let vacant = None;
+    // F and N executed and read; G94 executed; no S was executed.
+    let first = [Some(600.0), Some(600.0), Some(5.0), Some(8.0), Some(94.0), vacant];
+    assert_eq!(seen(&planner, &[100, 101, 102, 103, 104, 105]), first);
+    planner.advance(60.0, 1_000_000);
+    // A position waits for the machine at rest, where all is executed that was read.
+    assert_eq!(seen(&planner, &[110, 111, 112, 113]), [Some(101.0), Some(1200.0), Some(94.0), Some(300.0)]);
+}

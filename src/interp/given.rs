@@ -1,0 +1,46 @@
+//! What was in force with each command that may still wait, for programs that ask about the block that is executed.
+
+use std::collections::VecDeque;
+use std::rc::Rc;
+
+use super::canon::Canon;
+use super::modal::Modal;
+use crate::controls::{Control, VarKind};
+use crate::nc::{Deck, Expr};
+
+/// Commands that are remembered: more than a control holds of what it has read ahead.
+const COMMANDS: usize = 256;
+
+/// The modal data of the newest commands, in their order.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Given(VecDeque<Rc<Modal>>);
+
+impl Given {
+    /// Notes what is in force with a command that is handed out.
+    pub(super) fn note(&mut self, canon: &Canon, modal: &Modal) {
+        if canon.acts_when_read() {
+            return;
+        }
+        if self.0.len() == COMMANDS {
+            self.0.pop_front();
+        }
+        self.0.push_back(Rc::new(modal.clone()));
+    }
+
+    /// What is in force where so many of the commands wait behind it; of what is forgotten, the oldest that is not.
+    pub(super) fn behind(&self, waiting: usize) -> Option<&Modal> {
+        let at = self.0.len().checked_sub(1)?.saturating_sub(waiting);
+        self.0.get(at).map(Rc::as_ref)
+    }
+}
+
+/// Whether programs may read data of the block that is executed.
+pub(super) fn is_asked(deck: &Deck, control: &Control) -> bool {
+    let executing = |kind| matches!(kind, VarKind::ExecutingCode(_) | VarKind::ExecutingWord(_));
+    control.vars.iter().any(|row| executing(row.kind))
+        && deck.exprs.iter().any(|expr| match expr {
+            Expr::Var(number) => control.var(*number).is_some_and(|row| executing(row.kind)),
+            Expr::Indirect(_) => true,
+            _ => false,
+        })
+}
