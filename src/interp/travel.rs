@@ -399,7 +399,8 @@ fn no_feed(cx: &Cx, feed: Option<f64>) -> Trap {
     match feed {
         None => Trap::alarm(Alarm::NoFeed, msg!("interp.no-feed")).hint(msg!("interp.hint-feed")),
         Some(_) => Trap::alarm(Alarm::FeedZero, msg!("interp.feed-zero"))
-            .hint(msg!("interp.hint-feed-zero", cx.control.guard(&format!("{}…", cx.control.syntax.variable)))),
+            .hint(msg!("interp.hint-feed-zero", cx.control.guard(&format!("{}…", cx.control.syntax.variable))))
+            .behind(b"F"),
     }
 }
 

@@ -285,7 +285,8 @@ fn clean(value: f64) -> f64 {
 }
 
 /// Leaves out repetitions, in place; the order stays. The run repeats what the reader has found, about the whole block or about the
-/// other end of a loop, and tells again of axes that stop where the text has told it already.
+/// other end of a loop, and tells again of axes that stop where the text has told it already. What stops a run stands for the warning
+/// that it may.
 pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
     let mut seen: Vec<Diagnostic> = Vec::new();
     diagnostics.retain(|d| {
@@ -295,6 +296,8 @@ pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
         }
         new
     });
+    seen.retain(|d| d.severity == Severity::Error && d.place.is_some());
+    diagnostics.retain(|d| d.severity != Severity::Warning || !seen.iter().any(|error| covers(d.place, error.place)));
 }
 
 /// Whether a finding of a run tells of what has been told already.

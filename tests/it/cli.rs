@@ -446,6 +446,27 @@ fn a_loop_without_its_other_end_is_told_once() {
 }
 
 #[test]
+fn what_may_stop_a_run_is_not_told_beside_what_stopped_it() {
+    let path = text(&folder("may").join("O1.nc"));
+    for (block, warning, alarm) in [
+        ("M98 P77", "lint.no-such-program", "P232"),
+        ("#2=5/#1", "lint.zero-divisor", "P283"),
+        ("G01 X1. F0", "lint.feed-zero-digit", "P62"),
+    ] {
+        // Where the run does not come to it, the warning stands.
+        for (jump, told) in [("", json!([alarm])), ("#3=1\nIF[#3 EQ 1]GOTO9", json!([null]))] {
+            std::fs::write(&path, format!("%\nO1\n#1=0\n{jump}\n{block}\nN9 M30\n%\n")).unwrap();
+            let out = run(&[&path, "--control", "mitsubishi-e60"], i32::from(jump.is_empty()));
+            let found = out["diagnostics"].as_array().unwrap();
+            let alarms: Vec<&Json> = found.iter().map(|d| &d["alarm"]).collect();
+            assert_eq!(json!(alarms), told, "{block}: {found:#?}");
+            let ids: Vec<&Json> = found.iter().map(|d| &d["id"]).collect();
+            assert_eq!(ids.contains(&&json!(warning)), !jump.is_empty(), "{block}: {ids:?}");
+        }
+    }
+}
+
+#[test]
 fn what_a_block_does_not_do_is_told_once() {
     let path = folder("remarks").join("O1.nc");
     let program =
