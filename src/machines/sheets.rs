@@ -43,7 +43,7 @@ pub(super) fn parameters(control: &Control, axes: &Axes, values: Vec<(ParamRole,
         title: "sheet.parameters",
         columns: vec!["sheet.number", "sheet.name", "sheet.axis", "sheet.value", "sheet.unit", "sheet.meaning"],
         rows,
-        ladder: Vec::new(),
+        drawing: String::new(),
     }
 }
 
@@ -54,7 +54,7 @@ pub(super) fn interface(rows: Vec<Row>) -> Sheet {
         title: "sheet.interface",
         columns: vec!["sheet.device", "sheet.variable", "sheet.writes", "sheet.reads", "sheet.unit", "sheet.use"],
         rows,
-        ladder: Vec::new(),
+        drawing: String::new(),
     }
 }
 

@@ -47,8 +47,8 @@ impl Project {
                     name: format!("{}.csv", sheet.id),
                     text: view::csv::sheet(&sheet, Language::English),
                 });
-                if !sheet.ladder.is_empty() {
-                    files.push(File { name: format!("{}.svg", sheet.id), text: view::ladder::picture(&sheet.ladder) });
+                if !sheet.drawing.is_empty() {
+                    files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });
                 }
             }
             files.extend(machines::drawings(self.machine, &self.values, self.on()));

@@ -29,6 +29,19 @@ const SETUP_STEPS: usize = 100_000;
 /// Events that are planned between two looks at the log.
 const SLICE: usize = 4096;
 
+/// A variable as the control's screen shows it at a time; `None` is vacant. Of the PLC a bit is that of its word, and what nobody has
+/// written is 0.
+pub fn shown(run: &Run, control: &Control, number: u32, t: f64) -> Option<f64> {
+    run.variable_at(number, t).or_else(|| match control.var(number)?.kind {
+        VarKind::InputBit | VarKind::OutputBit => {
+            let (word, bit) = control.word_of_bit(number)?;
+            Some((run.variable_at(word, t).unwrap_or(0.0) as i64 >> bit & 1) as f64)
+        }
+        VarKind::InputWord(_) | VarKind::OutputWord(_) | VarKind::ExchangeWord => Some(0.0),
+        _ => None,
+    })
+}
+
 /// A variable set before the start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Setting {

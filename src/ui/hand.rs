@@ -11,7 +11,7 @@ use crate::drives::speed::Limit;
 use crate::machines::form::Value;
 use crate::math;
 use crate::motion::{Action, Event, Mode};
-use crate::project::Project;
+use crate::project::{Project, run};
 use crate::text::catalog::number_text;
 use crate::text::number::filled;
 
@@ -87,7 +87,7 @@ fn watched(model: Model, t: f64) -> Vec<(String, String)> {
     let mut out = Vec::with_capacity(rows.len() + 4);
     model.player.ask_planner(|planner| {
         for (number, _, _) in &rows {
-            out.push((control.variable(*number), value_of(control, planner.variable_at(*number, t), 3)));
+            out.push((control.variable(*number), value_of(control, run::shown(planner, control, *number, t), 3)));
         }
         let now = planner.timeline().at(t);
         for (axis, state) in control.axes.iter().zip(&now.axes) {

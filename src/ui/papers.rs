@@ -7,8 +7,8 @@ use super::words::{grade, t, tell, tone};
 use crate::machines;
 use crate::project::Project;
 use crate::text::{Diagnostic, Grade};
+use crate::view::Sheet;
 use crate::view::svg::escape;
-use crate::view::{Sheet, ladder};
 
 /// The sheets for the tab of the parameters, for the tab of the PLC, and those whose rows are ways that can be taken.
 pub(super) fn sheets(project: &Project) -> JsValue {
@@ -26,28 +26,47 @@ pub(super) fn sheets(project: &Project) -> JsValue {
     object([("parameters", parameters.into()), ("plc", plc.into()), ("ways", ways.into())])
 }
 
+/// Rows of a list that repeats a drawing above which it is folded.
+const FOLDED: usize = 12;
+
 fn html(out: &mut String, sheet: &Sheet) {
-    let scroll = |out: &mut String| {
-        out.push_str("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"");
+    let titled = |out: &mut String, tag: &str| {
+        out.push_str(tag);
+        out.push_str(" aria-label=\"");
         escape(out, t(sheet.title));
         out.push_str("\">");
     };
     tagged(out, "h3", t(sheet.title));
-    if !sheet.ladder.is_empty() {
-        scroll(out);
-        out.push_str(&ladder::svg(&sheet.ladder));
+    if !sheet.drawing.is_empty() {
+        titled(out, "<div role=\"img\"");
+        out.push_str(&sheet.drawing);
         out.push_str("</div>");
     }
-    scroll(out);
-    out.push_str("<table class=\"sheet\"><thead><tr>");
-    for head in sheet.columns.iter().chain(&["page.grade"]) {
+    let folded = !sheet.drawing.is_empty() && sheet.rows.len() > FOLDED;
+    if folded {
+        out.push_str("<details>");
+        tagged(out, "summary", t("page.as-table"));
+    }
+    titled(out, "<div class=\"scroll\" tabindex=\"0\" role=\"group\"");
+    // What no row has is no column.
+    let some = |at: &usize| sheet.rows.iter().any(|row| row.cells.get(*at).is_some_and(|cell| !cell.is_empty()));
+    let shown: Vec<usize> = (0..sheet.columns.len()).filter(some).collect();
+    // Where there is little room, prose behind many columns goes below them: see `.stacked`.
+    let prose = matches!(sheet.columns.last(), Some(&("sheet.meaning" | "sheet.use"))) && shown.len() > 3;
+    out.push_str("<table class=\"sheet");
+    if prose {
+        out.push_str(&format!(" stacked n{}", shown.len() - 1));
+    }
+    out.push_str("\"><thead><tr>");
+    for head in shown.iter().filter_map(|at| sheet.columns.get(*at)).chain(&["page.grade"]) {
         out.push_str("<th scope=\"col\">");
         escape(out, t(head));
         out.push_str("</th>");
     }
     out.push_str("</tr></thead><tbody>");
     for row in &sheet.rows {
-        if let [first, rest @ ..] = row.cells.as_slice()
+        let cells: Vec<&String> = shown.iter().filter_map(|at| row.cells.get(*at)).collect();
+        if let [first, rest @ ..] = cells.as_slice()
             && !row.sets.is_empty()
         {
             let sets: Vec<String> = row.sets.iter().map(|(id, text)| format!("{id}={text}")).collect();
@@ -61,7 +80,7 @@ fn html(out: &mut String, sheet: &Sheet) {
             rest.iter().for_each(|cell| tagged(out, "td", cell));
         } else {
             out.push_str("<tr>");
-            row.cells.iter().for_each(|cell| tagged(out, "td", cell));
+            cells.iter().for_each(|cell| tagged(out, "td", cell));
         }
         out.push_str(if row.grade == Grade::Open {
             "<td class=\"grade open\" title=\""
@@ -74,6 +93,9 @@ fn html(out: &mut String, sheet: &Sheet) {
         out.push_str("</td></tr>");
     }
     out.push_str("</tbody></table></div>");
+    if folded {
+        out.push_str("</details>");
+    }
 }
 
 fn tagged(out: &mut String, tag: &str, text: &str) {

@@ -236,16 +236,17 @@ impl Player {
     }
 
     /// A variable as the control's screen shows it now, and whether it has changed since the last stop of the debugger.
-    pub(super) fn variable(self, number: u32) -> (Option<f64>, bool) {
+    pub(super) fn variable(self, control: &Control, number: u32) -> (Option<f64>, bool) {
         self.plans.track();
         let t = self.now.with(|now| now.t);
         // At a stop the block that is read at this very time is not read yet.
         let stopped = self.walk.with(|walk| {
             let debugger = walk.stands()?;
             let changed = debugger.changes().iter().any(|change| change.what == What::Variable(number));
-            Some((debugger.run().variable_at(number, f64::INFINITY), changed))
+            Some((run::shown(debugger.run(), control, number, f64::INFINITY), changed))
         });
-        stopped.unwrap_or_else(|| (self.ask_planner(|planner| planner.variable_at(number, t)).flatten(), false))
+        stopped
+            .unwrap_or_else(|| (self.ask_planner(|planner| run::shown(planner, control, number, t)).flatten(), false))
     }
 
     /// Asks the planner something.

@@ -31,7 +31,7 @@ fn row(model: Model, variable: u32, meaning: &'static str, unit: &str) -> El {
     let (field, line) = (input.input().clone(), row.dom().clone());
     let (last, flashes) = (Cell::new(None), Cell::new(0_u32));
     let follow = move || {
-        let (value, changed) = player.variable(variable);
+        let (value, changed) = player.variable(control, variable);
         let _ = line.toggle_attribute_with_force("data-changed", changed);
         if last.replace(Some(value)) == Some(value) {
             return;

@@ -2,7 +2,7 @@
 
 use core::fmt::Write;
 
-use super::svg::{STYLE, escape};
+use super::svg::escape;
 use crate::text::number::{fill, filled};
 
 /// A contact of a rung.
@@ -33,19 +33,10 @@ impl Contact {
 }
 
 /// Width of the drawing, height of a rung, left and right rail.
-const WIDTH: f64 = 560.0;
+const WIDTH: f64 = 400.0;
 const RUNG: f64 = 58.0;
-const LEFT: f64 = 14.0;
-const RIGHT: f64 = 546.0;
-
-/// The ladder as a file of its own, with its own colours.
-pub fn picture(rungs: &[Rung]) -> String {
-    let mut out = svg(rungs);
-    if let Some(at) = out.bytes().position(|byte| byte == b'>') {
-        out.insert_str(at + 1, &["<style>", STYLE, "</style>"].concat());
-    }
-    out
-}
+const LEFT: f64 = 10.0;
+const RIGHT: f64 = 390.0;
 
 /// The ladder as SVG, with the classes of the page (`s-ink`, `f-dim` …).
 pub fn svg(rungs: &[Rung]) -> String {
@@ -63,12 +54,12 @@ pub fn svg(rungs: &[Rung]) -> String {
 }
 
 fn draw(out: &mut String, rung: &Rung, y: f64) {
-    text(out, LEFT + 8.0, y - 20.0, "start", "f-dim small", &rung.note);
+    text(out, LEFT + 8.0, y - 20.0, "start", "f-dim", &rung.note);
     let (mut x, mut name_end) = (LEFT, LEFT - 8.0);
     for contact in &rung.contacts {
         // Names stand beside each other.
         let half = 3.7 * contact.device.chars().count() as f64;
-        let near = (x + 44.0).max(name_end + 8.0 + half - 5.0);
+        let near = (x + 30.0).max(name_end + 8.0 + half - 5.0);
         let far = near + 10.0;
         name_end = near + 5.0 + half;
         line(out, "M# #H#M# #V#M# #V#", &[x, y, near, near, y - 9.0, y + 9.0, far, y - 9.0, y + 9.0], 1.4);
@@ -79,8 +70,8 @@ fn draw(out: &mut String, rung: &Rung, y: f64) {
         x = far;
     }
     let width = 13.0 + 7.6 * rung.output.chars().count() as f64;
-    let begin = RIGHT - 24.0 - width;
-    line(out, "M# #H#M# #H#", &[x, y, begin, RIGHT - 24.0, y, RIGHT], 1.4);
+    let begin = RIGHT - 14.0 - width;
+    line(out, "M# #H#M# #H#", &[x, y, begin, RIGHT - 14.0, y, RIGHT], 1.4);
     fill(
         out,
         "<rect x=\"#\" y=\"#\" width=\"#\" height=\"22\" rx=\"4\" class=\"f-pane s-ink\" stroke-width=\"1.4\"/>",

@@ -1,6 +1,5 @@
 //! A table for people: parameters, interface, ladder list.
 
-use super::ladder::Rung;
 use crate::text::Grade;
 
 /// A row of a sheet.
@@ -27,6 +26,6 @@ pub struct Sheet {
     pub columns: Vec<&'static str>,
     /// Rows.
     pub rows: Vec<Row>,
-    /// The ladder that the rows list, to be drawn; empty for any other table.
-    pub ladder: Vec<Rung>,
+    /// What the rows tell, drawn: SVG with the classes of the page (`s-ink`, `f-dim` …); empty for most.
+    pub drawing: String,
 }

@@ -7,7 +7,7 @@ use core::fmt::Write;
 use super::scene::{Node, Pose, Scene, Shape};
 
 /// Light colours of the tokens, for a picture that stands alone.
-pub(super) const STYLE: &str = "text{font:11px system-ui,sans-serif}.value{font:600 12px ui-monospace,monospace}.small{font-size:10px}\
+const STYLE: &str = "text{font:11px system-ui,sans-serif}.value{font:600 12px ui-monospace,monospace}.small{font-size:10px}\
 .f-none{fill:none}.f-steel{fill:#c3ccd6}.f-ribbon{fill:#d9a441}.f-accent{fill:#0b6bcb}.f-ink{fill:#17212b}.f-dim{fill:#5b6876}\
 .f-pane{fill:#fff}.f-bad{fill:#cf222e}.f-line{fill:#dde3e9}.s-steel{stroke:#c3ccd6}.s-ribbon{stroke:#d9a441}.s-accent{stroke:#0b6bcb}\
 .s-ink{stroke:#17212b}.s-dim{stroke:#5b6876}.s-pane{stroke:#fff}.s-bad{stroke:#cf222e}.s-line{stroke:#dde3e9}\
@@ -54,6 +54,11 @@ fn shape(out: &mut String, node: &Node, path: Option<String>, words: Option<Stri
             write!(out, "</text>")
         }
     };
+}
+
+/// SVG that has its colours from the page, as a picture that stands alone.
+pub fn alone(svg: &str) -> String {
+    svg.replacen('>', &["><style>", STYLE, "</style>"].concat(), 1)
 }
 
 /// Adds a text as it stands between tags or in quotes.

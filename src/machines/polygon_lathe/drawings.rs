@@ -1,4 +1,4 @@
-//! Files beside programs and sheets: the section in true millimetres as SVG and DXF, the timing diagram, the part with codes of its own.
+//! The timing diagram, and files beside programs and sheets: the section in true millimetres as SVG and DXF, the part with codes of its own.
 
 use core::fmt::Write;
 
@@ -7,17 +7,17 @@ use super::other;
 use super::scene::ideal;
 use super::sheets::{TRACKS, say, steps};
 use crate::nc::File;
-use crate::text::number::{Plain, fill};
+use crate::text::number::{Plain, fill, filled};
 use crate::view::outline::{Outline, Shape};
 use crate::view::svg::escape;
 
 /// Steps along an arc of the section: half a micrometre on a usual part.
 const STEPS: u32 = 64;
 
-/// All files.
+/// The files beside programs and sheets.
 pub(super) fn drawings(lathe: &Fitted) -> Vec<File> {
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
-    let mut files = vec![file("sequence.svg", sequence(lathe))];
+    let mut files = Vec::new();
     if lathe.ratio().is_some() {
         files.push(other::file(lathe));
     }
@@ -43,43 +43,49 @@ fn section(lathe: &Fitted) -> Option<Outline> {
     Some(Outline { shapes })
 }
 
-/// Left edge of the diagram, its width, and the height of a track.
-const LEFT: f64 = 190.0;
-const WIDTH: f64 = 520.0;
-const TRACK: f64 = 34.0;
+/// Left and right edge of the diagram, and the height of a track.
+const LEFT: f64 = 10.0;
+const RIGHT: f64 = 390.0;
+const TRACK: f64 = 44.0;
 
 /// When which signal is on, from G512 to G502. The cut is shown shorter than it is.
-fn sequence(lathe: &Fitted) -> String {
+pub(super) fn sequence(lathe: &Fitted) -> String {
     let steps = steps(lathe);
     // Every step gets its own column, so that short ones are seen.
-    let column = WIDTH / steps.len() as f64;
-    let height = TRACK * TRACKS.len() as f64 + 60.0;
-    let mut out = String::from("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ladder\" viewBox=\"0 0 ");
-    let _ = write!(out, "{} {}\">", Plain(LEFT + WIDTH + 20.0, 2), Plain(height, 2));
-    out.push_str("<style>text{font:11px system-ui,sans-serif}path{fill:none;stroke:#17212b}</style>");
-    let text = |x: f64, y: f64, anchor: &str, words: &str, out: &mut String| {
-        fill(out, "<text x=\"#\" y=\"#\"", &[x, y]);
-        let _ = write!(out, " text-anchor=\"{anchor}\">");
+    let column = (RIGHT - LEFT) / steps.len() as f64;
+    let middle = |at: usize| LEFT + column * (at as f64 + 0.5);
+    // A line for each sentence.
+    let note = say("polygon.sequence.note");
+    let lines: Vec<&str> = note.split_inclusive(". ").collect();
+    let bottom = 24.0 + TRACK * TRACKS.len() as f64;
+    let height = bottom + 14.0 * (lines.len() as f64 + 1.0);
+    let mut out =
+        filled("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ladder\" viewBox=\"0 0 400 #\">", &[height]);
+    let text = |x: f64, y: f64, look: &str, words: &str, out: &mut String| {
+        fill(out, "<text x=\"#\" y=\"#\" ", &[x, y]);
+        let _ = write!(out, "{look}>");
         escape(out, words);
         out.push_str("</text>");
     };
+    for (at, (t, _, _)) in steps.iter().enumerate() {
+        let time = format!("{} s", Plain(*t, 2));
+        text(middle(at), 14.0, "text-anchor=\"middle\" class=\"f-dim small\"", &time, &mut out);
+        fill(&mut out, "<path d=\"M# 20V#\" class=\"f-none s-line\"/>", &[middle(at), bottom]);
+    }
     for (track, name) in TRACKS.iter().enumerate() {
-        let low = 30.0 + TRACK * (track as f64 + 0.8);
-        text(LEFT - 10.0, low - 4.0, "end", &say(name), &mut out);
+        let low = 18.0 + TRACK * (track as f64 + 1.0);
+        text(LEFT, low - 24.0, "class=\"f-ink\"", &say(name), &mut out);
         fill(&mut out, "<path d=\"M# #", &[LEFT, low]);
         for (at, (_, _, changes)) in steps.iter().enumerate() {
             for (_, on) in changes.iter().filter(|(changed, _)| *changed == track) {
-                let y = if *on { low - 0.55 * TRACK } else { low };
-                fill(&mut out, "H#V#", &[LEFT + column * (at as f64 + 0.5), y]);
+                fill(&mut out, "H#V#", &[middle(at), if *on { low - 18.0 } else { low }]);
             }
         }
-        fill(&mut out, "H#\"/>", &[LEFT + WIDTH]);
+        fill(&mut out, "H#\" class=\"f-none s-accent\" stroke-width=\"2\"/>", &[RIGHT]);
     }
-    for (at, (t, _, _)) in steps.iter().enumerate() {
-        let x = LEFT + column * (at as f64 + 0.5);
-        text(x, 18.0, "middle", &format!("{} s", Plain(*t, 2)), &mut out);
+    for (at, line) in lines.into_iter().enumerate() {
+        text(LEFT, bottom + 14.0 * (at as f64 + 1.0), "class=\"f-dim small\"", line.trim(), &mut out);
     }
-    text(LEFT, height - 8.0, "start", &say("polygon.sequence.note"), &mut out);
     out.push_str("</svg>");
     out
 }

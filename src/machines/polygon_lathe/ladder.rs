@@ -5,7 +5,7 @@ use super::sheets::say;
 use crate::machines::sheets::row;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
-use crate::view::ladder::{Contact, Rung};
+use crate::view::ladder::{self, Contact, Rung};
 
 const OURS: Citation = Citation::new("ours; signals and channels by the paper's section 3.1", Grade::Open);
 
@@ -64,9 +64,9 @@ pub(super) fn sheet(lathe: &Fitted) -> Sheet {
         output: if output.starts_with("TMR") { format!("{output} {settling} MS") } else { (*output).to_owned() },
         note: say(note),
     };
-    let ladder: Vec<Rung> = RUNGS.iter().map(rung).collect();
+    let rungs: Vec<Rung> = RUNGS.iter().map(rung).collect();
     let mut rows = Vec::new();
-    for rung in &ladder {
+    for rung in &rungs {
         let contacts: Vec<String> = rung
             .contacts
             .iter()
@@ -82,6 +82,6 @@ pub(super) fn sheet(lathe: &Fitted) -> Sheet {
         title: "polygon.sheet.ladder",
         columns: vec!["polygon.sheet.step", "polygon.sheet.contacts", "polygon.sheet.instruction", "sheet.use"],
         rows,
-        ladder,
+        drawing: ladder::svg(&rungs),
     }
 }

@@ -84,6 +84,6 @@ pub(super) fn sheet(lathe: &Fitted) -> Sheet {
         title: "polygon.sheet.own-code",
         columns: vec!["polygon.sheet.block", "sheet.use"],
         rows: blocks(lathe).into_iter().map(|(block, note)| row([block, told(note)], MANUAL)).collect(),
-        ladder: Vec::new(),
+        drawing: String::new(),
     }
 }

@@ -299,12 +299,6 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     if let [None, _] | [_, None] = lathe.codes() {
         found.push(Diagnostic::error(msg!("polygon.no-code")));
     }
-    if d.phase.abs() > 1e-9 {
-        found.push(
-            Diagnostic::warning(msg!("polygon.out-of-phase", (d.phase, 3), (d.phase_on_work, 3)))
-                .about("tool-time-constant"),
-        );
-    }
     found.push(Diagnostic::info(msg!("polygon.x-setting", (p.across_flats, 3), (d.offset, 3))));
     found.push(Diagnostic::info(msg!("polygon.reconstructed")));
     found

@@ -129,7 +129,7 @@ pub(super) fn scene(lathe: &Fitted) -> Scene {
     pen.path(group::WORK, String::new(), "steel", "dim", 1.0, "part");
     pen.path(0, String::new(), "steel", "dim", 1.0, "part");
     pen.path(0, String::new(), "steel", "dim", 1.0, "part");
-    for (x, y) in [(82.0, 300.0), (230.0, 300.0), (372.0, 300.0), (470.0, 300.0), (570.0, 300.0), (700.0, 300.0)] {
+    for (x, y) in [(82.0, 305.0), (230.0, 305.0), (372.0, 305.0), (470.0, 305.0), (570.0, 305.0), (700.0, 305.0)] {
         pen.text(x, y, "middle", String::new(), "ink", "value");
     }
     machine(&mut pen, lathe, &view);
@@ -137,11 +137,11 @@ pub(super) fn scene(lathe: &Fitted) -> Scene {
     finished(&mut pen, lathe);
     side(&mut pen, lathe, &view);
     for (x, y, id) in [
-        (82.0, 286.0, "polygon.scene.work"),
-        (230.0, 286.0, "polygon.scene.tool"),
-        (372.0, 286.0, "polygon.scene.size"),
-        (470.0, 286.0, "polygon.scene.pass"),
-        (570.0, 286.0, "polygon.scene.phase"),
+        (82.0, 287.0, "polygon.scene.work"),
+        (230.0, 287.0, "polygon.scene.tool"),
+        (372.0, 287.0, "polygon.scene.size"),
+        (470.0, 287.0, "polygon.scene.pass"),
+        (570.0, 287.0, "polygon.scene.phase"),
         (CLOSE.0, 14.0, "polygon.scene.close"),
         (FINISHED.0, 14.0, "polygon.scene.finished"),
         (182.0, 14.0, "polygon.scene.machine"),
@@ -150,7 +150,7 @@ pub(super) fn scene(lathe: &Fitted) -> Scene {
     }
     let tips = (p.inserts as u16).min(TIPS);
     Scene {
-        view: [0.0, 0.0, 760.0, 312.0],
+        view: [0.0, 0.0, 760.0, 316.0],
         nodes: pen.nodes,
         groups: group::TIPS + tips,
         alt: "polygon.scene.alt",

@@ -3,7 +3,7 @@
 use super::derive::ways;
 use super::fitted::{self, Fitted};
 use super::program::MACROS;
-use super::{explore, ladder, other, show};
+use super::{drawings, explore, ladder, other, show};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, Limit};
 use crate::drives::polygon::cut::Cut;
@@ -154,7 +154,7 @@ fn sequence(lathe: &Fitted) -> Sheet {
         title: "polygon.sheet.sequence",
         columns: vec!["polygon.sheet.time", "sheet.use"],
         rows: steps(lathe).into_iter().map(step).chain(breaks).collect(),
-        ladder: Vec::new(),
+        drawing: drawings::sequence(lathe),
     }
 }
 
@@ -205,7 +205,7 @@ fn choices(lathe: &Fitted) -> Sheet {
             "polygon.sheet.cutting-speed",
         ],
         rows: ways(lathe).into_iter().take(WAYS).enumerate().map(way).collect(),
-        ladder: Vec::new(),
+        drawing: String::new(),
     }
 }
 
@@ -237,7 +237,7 @@ fn passes(lathe: &Fitted) -> Option<Sheet> {
             "polygon.sheet.cutting-speed",
         ],
         rows: cuts.into_iter().map(one).collect(),
-        ladder: Vec::new(),
+        drawing: String::new(),
     })
 }
 
@@ -286,7 +286,7 @@ fn inserts(lathe: &Fitted) -> Option<Sheet> {
             "polygon.readout.insert-turn",
         ],
         rows: (0..setup.tips.len()).map(one).collect(),
-        ladder: Vec::new(),
+        drawing: String::new(),
     })
 }
 

@@ -10,7 +10,7 @@ use crate::text::catalog::{Language, words};
 use crate::text::number::Plain;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
-use crate::view::ladder::{Contact, Rung};
+use crate::view::ladder::{self, Contact, Rung};
 
 /// All sheets.
 pub(super) fn sheets(line: &Fitted) -> Vec<Sheet> {
@@ -151,7 +151,7 @@ fn rungs(line: &Fitted) -> Vec<Rung> {
 
 /// Figure 1 as an instruction list, with its drawing.
 fn ladder(line: &Fitted) -> Sheet {
-    let ladder = rungs(line);
+    let rungs = rungs(line);
     let cite =
         Citation::new("paper, figure 1: R148 to R74; instructions by the usual list of the maker", Grade::Inferred);
     let mut rows = Vec::new();
@@ -159,7 +159,7 @@ fn ladder(line: &Fitted) -> Sheet {
         let number = rows.len().to_string();
         rows.push(row([number, instruction, note], cite));
     };
-    for rung in &ladder {
+    for rung in &rungs {
         for (at, contact) in rung.contacts.iter().enumerate() {
             let word = match (at, contact.inverted) {
                 (0, false) => "LD",
@@ -176,6 +176,6 @@ fn ladder(line: &Fitted) -> Sheet {
         title: "ribbon.sheet.ladder",
         columns: vec!["ribbon.sheet.step", "ribbon.sheet.instruction", "sheet.use"],
         rows,
-        ladder,
+        drawing: ladder::svg(&rungs),
     }
 }

@@ -8,7 +8,7 @@ use macroline::machines::form::{Origins, Provenance};
 use macroline::machines::{Frame, On, Samples, report};
 use macroline::motion::Snapshot;
 use macroline::text::catalog::Language;
-use macroline::view::{self, Chart, Pose, Series, Shape, csv, ladder, plot, svg};
+use macroline::view::{self, Chart, Pose, Series, Shape, csv, plot, svg};
 
 /// The line at full speed, `t` seconds after X has its speed.
 fn running(t: f64) -> Snapshot {
@@ -251,8 +251,9 @@ fn the_register_of_the_macro_input_is_where_the_switch_puts_it() {
 fn the_ladder_is_drawn() {
     let sheets = macroline::machines::sheets(machine(), &values(&[("wait", "fin")]), on());
     let sheet = sheets.iter().find(|sheet| sheet.id == "ladder").unwrap();
-    let drawn = ladder::svg(&sheet.ladder);
-    assert_eq!(drawn.matches("<rect").count(), sheet.ladder.len());
+    let drawn = &sheet.drawing;
+    // A note stands at what a rung switches.
+    assert_eq!(drawn.matches("<rect").count(), sheet.rows.iter().filter(|row| !row.cells[2].is_empty()).count());
     assert!(drawn.contains(">MOV R148 R74</text>") && !drawn.contains("style="));
 }
 

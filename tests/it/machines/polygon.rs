@@ -122,10 +122,24 @@ fn the_papers_example_turns_work_and_tool_at_200_and_400() {
 
 #[test]
 fn what_the_program_tells_the_pmc_stands_on_the_screen() {
-    let planner = whole(&project(&[]));
-    let shown = |t| [1480, 1484, 1488, 1101].map(|number| planner.variable_at(number, t));
-    assert_eq!(shown(0.0), [None; 4]);
+    let project = project(&[]);
+    let planner = whole(&project);
+    let shown = |t| [1480, 1484, 1488, 1101].map(|number| run::shown(&planner, project.control, number, t));
+    assert_eq!(shown(0.0), [Some(0.0); 4]);
     assert_eq!(shown(3.0), [Some(200.0), Some(1.0), Some(2.0), Some(1.0)]);
+}
+
+#[test]
+fn what_the_pmc_tells_the_program_in_a_word_stands_on_the_screen_bit_by_bit() {
+    let project = project(&[]);
+    let planner = whole(&project);
+    let bits = |t| [1000, 1001, 1002, 1003].map(|number| run::shown(&planner, project.control, number, t));
+    // At rest; turning at speed; at rest again.
+    assert_eq!(bits(0.0), [0.0, 0.0, 0.0, 1.0].map(Some));
+    assert_eq!(bits(3.0), [1.0, 1.0, 1.0, 0.0].map(Some));
+    assert_eq!(bits(1e9), [0.0, 0.0, 0.0, 1.0].map(Some));
+    // What no program has written of its own variables is vacant.
+    assert_eq!(run::shown(&planner, project.control, 100, 3.0), None);
 }
 
 #[test]
@@ -392,12 +406,13 @@ fn whatever_is_typed_gives_a_design_soon() {
 }
 
 #[test]
-fn unequal_time_constants_are_a_phase_error_of_which_a_warning_tells() {
+fn unequal_time_constants_are_a_phase_error_of_which_a_verdict_tells() {
     let project = project(&[("tool-time-constant", "500"), ("work-gain", "40")]);
     let design = project.design();
-    let warned: Vec<_> = design.diagnostics.iter().filter(|d| d.severity == Severity::Warning).collect();
-    assert_eq!(warned.len(), 1, "{warned:?}");
-    assert_eq!(warned[0].message.id, "polygon.out-of-phase");
+    let advice = design.readouts.iter().flat_map(|row| &row.advice);
+    assert_eq!(advice.filter(|told| told.id == "polygon.out-of-phase").count(), 1);
+    // Once: it is no finding too.
+    assert!(design.diagnostics.iter().all(|told| told.message.id != "polygon.out-of-phase"));
     let planner = whole(&project);
     let now = planner.timeline().at(8.0);
     let ahead = now.pmc[TOOL].actual - 2.0 * now.pmc[WORK].actual;
