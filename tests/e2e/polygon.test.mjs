@@ -17,6 +17,9 @@ const lathe = (act, options = {}) =>
     await line(page, 'G512').waitFor();
     await act(page);
   });
+// What is wider than its place in the tab, by name.
+const tooWide = (page) =>
+  page.locator('#side .scroll').evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.ariaLabel));
 const goTo = async (page, t) => {
   await page.fill('#go-to', String(t));
   await page.press('#go-to', 'Enter');
@@ -129,9 +132,20 @@ test('sheets, ladder and the part for another control stand beside the program, 
   lathe(async (page) => {
     await page.click('#tab-plc');
     for (const text of ['G360.6', 'Sequence from G512 to G502', 'G51.2']) await page.locator('#side', { hasText: text }).waitFor();
-    await page.locator('#side svg.ladder').first().waitFor();
+    // The drawings stand above their lists.
+    for (const name of [/Sequence from G512 .* reconstructed/, /PMC program .* reconstructed/]) {
+      const drawn = page.getByRole('img', { name });
+      await drawn.waitFor();
+      const [inner, side] = [await drawn.locator('svg').boundingBox(), await page.locator('#side').boundingBox()];
+      assert.ok(inner.width <= side.width && inner.width > 0.9 * side.width, `${inner.width} of ${side.width}`);
+    }
+    await accessible(page);
+    await page.locator('#side summary').click();
+    await page.getByRole('cell', { name: 'OUT G360.6' }).waitFor();
+    assert.deepEqual(await tooWide(page), []);
     await page.click('#tab-parameters');
     await page.locator('#side', { hasText: '4120' }).waitFor();
+    assert.deepEqual(await tooWide(page), []);
     await accessible(page);
     await page.click('#export');
     const file = async (name) => {

@@ -43,9 +43,9 @@ pub(super) mod node {
 }
 
 /// Centre and radius that the section takes as the work sees it.
-pub(super) const CLOSE: (f64, f64, f64) = (470.0, 96.0, 74.0);
+pub(super) const CLOSE: (f64, f64, f64) = (462.0, 96.0, 74.0);
 /// The same of the finished polygon.
-const FINISHED: (f64, f64, f64) = (650.0, 96.0, 74.0);
+const FINISHED: (f64, f64, f64) = (662.0, 96.0, 74.0);
 /// Left end, centre line and room of the side view.
 const SIDE: (f64, f64, f64, f64) = (400.0, 232.0, 300.0, 36.0);
 /// Height of the axes on the machine.
@@ -71,8 +71,8 @@ impl View {
     pub(super) fn new(lathe: &Fitted) -> View {
         let p = &lathe.p;
         let stock = 0.5 * p.stock_diameter;
-        // Room for the whole cutter where the slide is clear of the stock.
-        let width = 2.0 * stock + 2.0 * p.tip_radius + 2.0 * p.clearance;
+        // Room for the whole cutter where the slide begins.
+        let width = stock + (stock + p.clearance).max(0.5 * p.start_x) + 2.0 * p.tip_radius;
         let scale = (ROOM.0 / width).min(ROOM.1 / (2.0 * p.tip_radius.max(stock)));
         let work = (16.0 + stock * scale, CENTRE);
         let cutter = (work.0 + (0.5 * p.across_flats + p.tip_radius) * scale, CENTRE);
