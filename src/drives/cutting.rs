@@ -15,9 +15,9 @@ pub struct Cut {
 }
 
 impl Cut {
-    /// Seconds at a constant speed in r/min: `t = 60 L / (f n)`.
+    /// Seconds at a constant speed in r/min: `t = 60 L / (f n)`; without a way none, at standstill without end.
     pub fn time_at(&self, rpm: f64) -> f64 {
-        60.0 * self.length / (self.feed * rpm)
+        if self.length > 0.0 { 60.0 * self.length / (self.feed * rpm) } else { 0.0 }
     }
 
     /// Seconds at a surface speed in m/min whose spindle speed is held within `low` and `high` r/min. Without limits
@@ -34,6 +34,9 @@ impl Cut {
                 + part((0.0, to), 1.0 - share).surface_time(speed, (low, high));
         }
         let (small, large) = (from.abs().min(to.abs()), from.abs().max(to.abs()));
+        if speed <= 0.0 {
+            return self.time_at(0.0);
+        }
         if small == large {
             return self.time_at(surface_rpm(speed, small).max(low).min(high));
         }

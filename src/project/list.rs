@@ -5,6 +5,7 @@ use serde_json::{Value as Json, json};
 use crate::controls;
 use crate::machines;
 use crate::text::catalog::{Language, number_text, sentence, words};
+use crate::text::number::Fixed;
 use crate::view::{Readout, Verdict};
 
 /// Machines with their controls, controls with their bench plant and their open points, as an object.
@@ -100,7 +101,7 @@ pub fn readouts_text(readouts: &[Readout]) -> String {
     let mut out = String::new();
     for r in readouts {
         let label = words(Language::English, r.label);
-        let value = format!("{:.*}", r.decimals as usize, r.value);
+        let value = Fixed(r.value, r.decimals).to_string();
         let limit =
             r.limit.map_or(String::new(), |limit| format!("  (limit {})", number_text(limit, r.decimals.max(3))));
         let sign = match r.verdict {

@@ -37,8 +37,8 @@ impl fmt::Display for Shortest {
 /// A double of any size, or none: `1e15`, `-1.5e300`, `inf`, `NaN`.
 pub(super) fn exponential(f: &mut impl fmt::Write, x: f64) -> fmt::Result {
     match x {
-        f64::INFINITY => f.write_str("inf"),
-        f64::NEG_INFINITY => f.write_str("-inf"),
+        f64::INFINITY => f.write_str("∞"),
+        f64::NEG_INFINITY => f.write_str("-∞"),
         _ if x.is_nan() => f.write_str("NaN"),
         _ => write!(f, "{}", Shortest(x)),
     }

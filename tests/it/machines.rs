@@ -6,6 +6,7 @@ mod polygon_sheets;
 mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;
+mod sweep;
 mod turning;
 mod turning_controls;
 mod written;

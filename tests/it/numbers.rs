@@ -25,7 +25,7 @@ fn numbers_are_short() {
         (1.0 / 3.0, 255, "0.3333333333"),
         (-1e15, 3, "-1e15"),
         (1.5e300, 0, "1.5e300"),
-        (f64::INFINITY, 3, "inf"),
+        (f64::INFINITY, 3, "∞"),
         (f64::NAN, 3, "NaN"),
     ] {
         assert_eq!(number_text(value, decimals), text, "{value:?} with {decimals} decimals");

@@ -100,8 +100,9 @@ impl Curve {
     /// hollow. Infinite where the tip stands still on the work. Source: sheet 3.3.
     pub fn curvature(&self) -> f64 {
         let k = self.ratio - 1.0;
-        let speed = self.distance + self.radius * k;
-        (self.distance - self.radius * k * k) / (speed * speed)
+        let (speed, bend) = (self.distance + self.radius * k, self.distance - self.radius * k * k);
+        // Rounding makes no stillness a motion.
+        if speed.abs() < 1e-9 * self.distance { f64::INFINITY.copysign(bend) } else { bend / (speed * speed) }
     }
 
     /// The stretches of the pass within a radius of the work and half a turn from the normal. The second one is empty but where the path

@@ -36,6 +36,7 @@ pub(super) const RULES: &[Rule<Lathe>] = &[
     rule!("insert-turn", insert_turn, "sheet 3.1", Inferred),
     rule!("twist", twist, "polygon turning paper: D and Q are whole numbers", Manual),
     rule!("feed", clamp, "cutting feed clamp, a parameter", Inferred),
+    rule!("finish-feed", finish_clamp, "cutting feed clamp, a parameter", Inferred),
 ];
 
 /// The flattest possible way on this tip circle, as advice, or that there is none; nothing where it is what the form has.
@@ -152,8 +153,19 @@ fn relief(case: &Case) -> Option<Judgement> {
     if d.relief_needed > p.relief - 2.0 { warn(p.relief, [msg!("polygon.scarce-relief")]) } else { ok(p.relief) }
 }
 
+/// The greatest B that the form takes.
+const MOST_B: f64 = 10_000.0;
+
+/// Advice that names a B, or that no B mends it.
+fn with_b(speed: f64, advice: impl Fn(f64) -> Message) -> Message {
+    if (1.0..=MOST_B).contains(&speed) { advice(speed) } else { msg!("polygon.no-b") }
+}
+
 fn too_fast(speed: f64, limit: f64, term: f64, advice: impl Fn(f64) -> Message) -> Option<Judgement> {
-    if speed.abs() > limit { fail(limit, [advice((limit / term.abs()).floor())]) } else { ok(limit) }
+    if speed.abs() <= limit {
+        return ok(limit);
+    }
+    fail(limit, [with_b((limit / term.abs()).floor(), advice)])
 }
 
 fn tool_speed(case: &Case) -> Option<Judgement> {
@@ -175,7 +187,8 @@ fn slowest(case: &Case) -> Option<Judgement> {
     if d.slowest_cut >= p.slowest_cut {
         return ok(p.slowest_cut);
     }
-    warn(p.slowest_cut, [msg!("polygon.cuts-slowly", (p.speed * p.slowest_cut / d.slowest_cut, 0))])
+    let speed = (p.speed * p.slowest_cut / d.slowest_cut).ceil();
+    warn(p.slowest_cut, [with_b(speed, |speed| msg!("polygon.cuts-slowly", (speed, 0)))])
 }
 
 fn fastest(case: &Case) -> Option<Judgement> {
@@ -183,7 +196,8 @@ fn fastest(case: &Case) -> Option<Judgement> {
     if d.fastest_cut <= p.fastest_cut {
         return ok(p.fastest_cut);
     }
-    warn(p.fastest_cut, [msg!("polygon.cuts-fast", ((p.speed * p.fastest_cut / d.fastest_cut).floor(), 0))])
+    let speed = (p.speed * p.fastest_cut / d.fastest_cut).floor();
+    warn(p.fastest_cut, [with_b(speed, |speed| msg!("polygon.cuts-fast", (speed, 0)))])
 }
 
 fn distance(case: &Case) -> Option<Judgement> {
@@ -248,13 +262,16 @@ fn twist(case: &Case) -> Option<Judgement> {
     fail(None, [msg!("polygon.no-twist", (d.twist_speed, 3))])
 }
 
+fn within_clamp(feed: f64, clamp: f64) -> Option<Judgement> {
+    if feed > clamp { fail(clamp, [msg!("polygon.above-clamp", (feed, 0), (clamp, 0))]) } else { ok(clamp) }
+}
+
 fn clamp(case: &Case) -> Option<Judgement> {
-    let Case { p, d, .. } = case;
-    if d.feed > p.clamp_z {
-        fail(p.clamp_z, [msg!("polygon.above-clamp", (d.feed, 0), (p.clamp_z, 0))])
-    } else {
-        ok(p.clamp_z)
-    }
+    within_clamp(case.d.feed, case.p.clamp_z)
+}
+
+fn finish_clamp(case: &Case) -> Option<Judgement> {
+    within_clamp(case.d.finish_feed, case.p.clamp_z)
 }
 
 /// Errors that keep the program from being exported, and what the operator has to know.
@@ -290,10 +307,12 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
             error(msg!("polygon.bad-errors", p.inserts, most), field);
         }
     }
-    let least = lathe.control.limits.feed_increment;
+    let (least, most) = (lathe.control.limits.feed_increment, lathe.control.limits.feed_max);
     for (feed, field) in [(d.feed, "feed"), (d.finish_feed, "finish-feed")] {
         if feed < least && p.work_ratio != 0.0 {
             error(msg!("polygon.feed-too-small", (feed, 6), least), field);
+        } else if feed > most {
+            error(msg!("polygon.feed-too-large", (feed, 0), most), field);
         }
     }
     if let [None, _] | [_, None] = lathe.codes() {

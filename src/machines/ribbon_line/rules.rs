@@ -66,6 +66,7 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     for (axis, feed, clamp, field) in
         [("X", d.x_feed, p.clamp_x, "clamp-x"), (print.as_str(), d.y_feed, p.clamp_y, "clamp-y")]
     {
+        let feed = followed(case, feed);
         if feed > clamp {
             let message = msg!("ribbon.above-clamp", axis, feed, clamp);
             found.push(Diagnostic::error(message).about(field).hint(slower_advice(case)));
@@ -129,16 +130,24 @@ fn long_blocks(case: &Case) -> Option<Diagnostic> {
     })
 }
 
+/// A feed as it is driven: in step with the unwinder it follows what that truly turns.
+fn followed(case: &Case, feed: f64) -> f64 {
+    if case.line.in_step() { feed * (1.0 + case.d.speed_error) } else { feed }
+}
+
 /// The highest whole S that keeps all of rule 4.
 fn fastest(case: &Case) -> f64 {
     let Case { line, p, d, .. } = case;
-    let clamps = (p.clamp_x / d.x_feed).min(p.clamp_y / d.y_feed);
+    let clamps = (p.clamp_x / followed(case, d.x_feed)).min(p.clamp_y / followed(case, d.y_feed));
     let share = if line.in_step() { clamps } else { clamps.min(line.feed_max() / d.vector_feed) };
     (d.actual_speed * share).floor()
 }
 
 fn slower_advice(case: &Case) -> Message {
-    msg!("ribbon.run-slower", (fastest(case), 0))
+    match fastest(case) {
+        speed if speed >= 1.0 => msg!("ribbon.run-slower", (speed, 0)),
+        _ => msg!("ribbon.no-speed"),
+    }
 }
 
 fn within_or_error(value: f64, limit: f64, case: &Case) -> Option<Judgement> {
@@ -146,11 +155,11 @@ fn within_or_error(value: f64, limit: f64, case: &Case) -> Option<Judgement> {
 }
 
 fn clamp_x(case: &Case) -> Option<Judgement> {
-    within_or_error(case.d.x_feed, case.p.clamp_x, case)
+    within_or_error(followed(case, case.d.x_feed), case.p.clamp_x, case)
 }
 
 fn clamp_y(case: &Case) -> Option<Judgement> {
-    within_or_error(case.d.y_feed, case.p.clamp_y, case)
+    within_or_error(followed(case, case.d.y_feed), case.p.clamp_y, case)
 }
 
 fn feed_limit(case: &Case) -> Option<Judgement> {
@@ -158,7 +167,7 @@ fn feed_limit(case: &Case) -> Option<Judgement> {
     match too_fast(case) {
         Some((message, mut advice)) => {
             let short = msg!("ribbon.feed-above-range", case.line.feed_max(), (fastest(case), 0));
-            advice.splice(0..0, [short, message]);
+            advice.splice(0..0, (fastest(case) >= 1.0).then_some(short).into_iter().chain([message]));
             fail(limit, advice)
         }
         None => limit.and_then(ok),
@@ -239,14 +248,21 @@ fn motor_y(case: &Case) -> Option<Judgement> {
 fn block_time(case: &Case) -> Option<Judgement> {
     let Case { p, d, .. } = case;
     let needed = d.block_needed * 1000.0;
-    if d.block_time >= d.block_needed {
+    if d.block_time.is_infinite() {
+        return warn(needed, [msg!("ribbon.stands")]);
+    }
+    if case.line.in_step() && d.speed_error <= -1.0 {
+        return fail(needed, [msg!("ribbon.stalls")]);
+    }
+    let lasts = d.block_time * d.line_speed / followed(case, d.line_speed);
+    if lasts >= d.block_needed {
         return ok(needed);
     }
     let advice = match p.variant {
         Variant::ReadyMade => {
-            msg!("ribbon.more-pitches", (needed, 1), (d.block_time * 1000.0, 1), (d.blocks_for_control, 0))
+            msg!("ribbon.more-pitches", (needed, 1), (lasts * 1000.0, 1), (d.blocks_for_control, 0))
         }
-        Variant::Published => msg!("ribbon.published-too-slow", (needed, 1), (d.block_time * 1000.0, 1)),
+        Variant::Published => msg!("ribbon.published-too-slow", (needed, 1), (lasts * 1000.0, 1)),
     };
     fail(needed, [advice])
 }

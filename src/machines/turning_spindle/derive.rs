@@ -31,7 +31,7 @@ impl Held {
     fn within(&self, rpm: f64) -> (f64, Bound) {
         let (rpm, bound) = self.limits.hold(rpm);
         let rpm = rpm * self.behind;
-        if rpm > self.top { (self.top, if bound == Bound::None { Bound::Output } else { bound }) } else { (rpm, bound) }
+        if rpm > self.top { (self.top, if bound == Bound::Gear { bound } else { Bound::Output }) } else { (rpm, bound) }
     }
 }
 
@@ -169,11 +169,8 @@ impl Derived {
         let v = p.cutting_speed * before;
         let machine = p.chuck_limit.min(p.upper_limit);
         let low = if fixed && !rules.low_always { 0.0 } else { p.lower_limit };
-        let top = if fixed {
-            surface_rpm(p.cutting_speed, p.stock_diameter) * knob
-        } else {
-            surface_rpm(v, smallest).max(low)
-        };
+        let top = if fixed { surface_rpm(p.cutting_speed, p.stock_diameter) * knob } else { surface_rpm(v, smallest) };
+        let top = top.max(low);
         let (stage, stage_speed) = p.stage(top.min(if fixed { p.chuck_limit } else { machine }));
         let analog = p.analog(stage_speed, volts, bits);
         let limits = |surface: bool| SpeedLimits {
@@ -217,11 +214,11 @@ impl Derived {
             surface_time,
             fixed_time,
             cutting_time: if fixed { fixed_time } else { surface_time },
-            saved: match fixed_time {
-                // A spindle that stands at its one speed never ends the cut.
-                time if time.is_infinite() => f64::INFINITY,
-                time if time > 0.0 => 100.0 * (1.0 - surface_time / time),
-                _ => 0.0,
+            // All of it where a spindle that stands at its one speed never ends the cut.
+            saved: if fixed_time > 0.0 && surface_time.is_finite() {
+                100.0 * (1.0 - surface_time / fixed_time)
+            } else {
+                0.0
             },
             stage,
             stage_speed,
@@ -247,7 +244,8 @@ impl Derived {
 ///
 /// Source: derivative of `n = 1000 v / (π d)` along the path.
 fn acceleration(p: &Params, v: f64, diameter: f64) -> f64 {
-    let slope = p.cuts(1.0).map(|cut| (cut.diameters.1 - cut.diameters.0).abs() / cut.length).fold(0.0, f64::max);
+    let cuts = p.cuts(1.0).filter(|cut| cut.length > 0.0);
+    let slope = cuts.map(|cut| (cut.diameters.1 - cut.diameters.0).abs() / cut.length).fold(0.0, f64::max);
     let n = surface_rpm(v, diameter);
-    n * n * p.feed * slope / (60.0 * diameter)
+    if diameter > 0.0 { n * n * p.feed * slope / (60.0 * diameter) } else { 0.0 }
 }

@@ -7,6 +7,7 @@ use super::params::{Params, Path};
 use super::{program, show};
 use crate::drives::Bound;
 use crate::machines::judge::{Judgement, Rule, fail, ok, rule, warn};
+use crate::math;
 use crate::msg;
 use crate::text::Diagnostic;
 
@@ -27,6 +28,7 @@ pub(super) const RULES: &[Rule<Lathe>] = &[
     rule!("stage", gear_time, "ladder of the control, A1.0", Sister),
     rule!("feed-top", clamps, "cutting feed clamp, a parameter", Sister),
     rule!("acceleration-needed", acceleration, "derivative of n = 1000 v / (π d)", Inferred),
+    rule!("cutting-time", block_time, "what a block costs, a parameter", Open),
     rule!("power", power, "data sheet of the motor", Manual),
 ];
 
@@ -85,7 +87,8 @@ fn few_volts_large(case: &Case) -> Option<Judgement> {
 fn stage(case: &Case) -> Option<Judgement> {
     let Case { lathe, d, p } = case;
     if d.bound == Bound::Output {
-        return fail(None, [msg!("turning.output-full", f64::from(d.stage), (d.stage_top, 0), (d.asked, 0))]);
+        let asked = if lathe.rules().low_always { d.asked.max(p.lower_limit) } else { d.asked };
+        return fail(None, [msg!("turning.output-full", f64::from(d.stage), (d.stage_top, 0), (asked, 0))]);
     }
     if d.bound == Bound::Gear && lathe.surface() && d.stage_top < p.upper_limit {
         return warn(
@@ -109,8 +112,26 @@ fn gear_time(case: &Case) -> Option<Judgement> {
 
 fn clamps(case: &Case) -> Option<Judgement> {
     let Case { p, d, .. } = case;
-    let clamp = if p.path == Path::Facing { p.clamp_x } else { p.clamp_z };
+    let clamp = match p.path {
+        Path::Facing => p.clamp_x,
+        Path::Turning => p.clamp_z,
+        Path::Taper => {
+            // The part of the feed that X has.
+            let across = 0.5 * (p.large_diameter - p.finished_diameter).abs();
+            p.clamp_z.min(p.clamp_x * math::hypot(p.length, across) / across)
+        }
+    };
     if d.feed_top > clamp { fail(clamp, [msg!("turning.above-clamp", (d.feed_top, 0), (clamp, 0))]) } else { ok(clamp) }
+}
+
+/// Macro blocks between two passes.
+const BETWEEN: f64 = 5.0;
+
+/// Blocks that are read while the cut lasts.
+fn block_time(case: &Case) -> Option<Judgement> {
+    let Case { p, d, .. } = case;
+    let (lasts, needed) = (1000.0 * d.cutting_time / d.passes.max(1.0), p.block_time + BETWEEN * p.macro_time);
+    (lasts < needed).then(|| warn(None, [msg!("turning.blocks-too-slow", (lasts, 0), (needed, 0))])).flatten()
 }
 
 fn acceleration(case: &Case) -> Option<Judgement> {
@@ -118,7 +139,8 @@ fn acceleration(case: &Case) -> Option<Judgement> {
     if d.acceleration_needed > d.acceleration {
         return warn(d.acceleration, [msg!("turning.spindle-lags", (d.acceleration_needed, 0), (d.acceleration, 0))]);
     }
-    ok(d.acceleration)
+    // A spindle without a ramp has no limit.
+    ok(Some(d.acceleration).filter(|most| most.is_finite()))
 }
 
 fn power(case: &Case) -> Option<Judgement> {
@@ -127,11 +149,12 @@ fn power(case: &Case) -> Option<Judgement> {
         return None;
     }
     if d.power > d.power_available {
-        let slower = p.cutting_speed * d.power_available / d.power;
-        return fail(
-            d.power_available,
-            [msg!("turning.too-little-power", (d.power, 2), (d.power_available, 2), (slower, 0))],
-        );
+        let slower = (p.cutting_speed * d.power_available / d.power).floor();
+        let advice = match slower >= 1.0 {
+            true => msg!("turning.too-little-power", (d.power, 2), (d.power_available, 2), (slower, 0)),
+            false => msg!("turning.far-too-little-power", (d.power, 2), (d.power_available, 2)),
+        };
+        return fail(d.power_available, [advice]);
     }
     ok(d.power_available)
 }
@@ -216,6 +239,13 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     if lathe.form.speed_mode != p.speed_mode {
         found.push(Diagnostic::info(msg!("turning.no-surface-speed", lathe.control.name)));
     }
+    let lock = p.lock_code as u16;
+    let known = lathe.control.codes.iter().find(|row| row.letter == b'M' && row.number == 10 * lock);
+    // Who reads M99 takes it for the end of a subprogram, also where it is none.
+    let meaning = known.map(|row| row.text).or((lock == 99).then_some("subprogram return"));
+    if let Some(meaning) = meaning.filter(|_| lathe.positions() && lock > 0) {
+        found.push(Diagnostic::error(msg!("turning.lock-is-taken", u32::from(lock), meaning)).about("lock-code"));
+    }
     if lathe.positions() && p.lock_code <= 0.0 {
         found.push(Diagnostic::warning(msg!("turning.keyway-unlocked")).about("lock-code"));
     }
@@ -231,8 +261,9 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
                 .about("override"),
         );
     }
-    if lathe.surface() && p.lower_limit > p.upper_limit {
-        let message = msg!("turning.limits-crossed", show(p.lower_limit, 0), show(p.upper_limit, 0));
+    let upper = if lathe.surface() { p.upper_limit.min(p.chuck_limit) } else { p.chuck_limit };
+    if (lathe.surface() || lathe.rules().low_always) && p.lower_limit > upper {
+        let message = msg!("turning.limits-crossed", show(p.lower_limit, 0), show(upper, 0));
         found.push(Diagnostic::warning(message).about("lower-limit"));
     }
     if !lathe.control.macros.common_kept {

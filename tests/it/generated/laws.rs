@@ -168,7 +168,7 @@ pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
             Step::Command(canon, place) => {
                 assert!(!doomed.contains(&place), "{} runs", parsed.text(place));
                 let line = canon.line(names).to_string();
-                assert!(!line.contains("NaN") && !line.contains("inf"), "{line}");
+                assert!(!line.contains("NaN") && !line.contains("inf") && !line.contains('∞'), "{line}");
                 syncs = 0;
             }
             Step::Sync(_) => {
@@ -192,7 +192,7 @@ pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
     let mut run = of_programs(parsed, None, Panel::default(), &begin);
     let outcome = to_end(&mut run, |line| {
         let line = line.to_string();
-        assert!(!line.contains("NaN") && !line.contains("inf"), "{line}");
+        assert!(!line.contains("NaN") && !line.contains("inf") && !line.contains('∞'), "{line}");
         Ok::<(), ()>(())
     });
     let outcome = outcome.expect("the log is taken");

@@ -131,7 +131,7 @@ fn a_chart_is_lines_grid_and_figures_with_classes() {
     assert_eq!((drawn.x, drawn.y), ((0.0, 2.0), (0.0, 112.0)));
     assert!(drawn.svg.contains("<path class=\"line l1\" d=\"M0 200L500"), "{}", drawn.svg);
     assert!(drawn.svg.contains("class=\"grid\"") && drawn.svg.contains(">50</text>"), "{}", drawn.svg);
-    for forbidden in ["style=", "fill=", "stroke=", "rgb", "NaN", "inf"] {
+    for forbidden in ["style=", "fill=", "stroke=", "rgb", "NaN", "inf", "∞"] {
         assert!(!drawn.svg.contains(forbidden), "{forbidden} in {}", drawn.svg);
     }
 }

@@ -145,6 +145,10 @@ fn sides_are_flat_in_the_middle_at_one_radius() {
     near(Curve::new(55.0, 45.0, 2.0).unwrap().curvature(), 0.001, 1e-15);
     near(Curve::new(55.0, 45.0, 1.0).unwrap().curvature(), 1.0 / 55.0, 1e-15);
     near(Curve::new(55.0, 45.0, -2.0).unwrap().curvature(), -0.0547, 5e-5);
+    // k = 1 - a/r: the tip stands still on the work in the middle of the side, a cusp.
+    let cusp = Curve::new(55.0, 45.0, -2.0 / 9.0).unwrap();
+    assert_eq!(cusp.curvature(), f64::NEG_INFINITY);
+    near(cusp.speed(200.0, 0.0), 0.0, 1e-9);
 }
 
 #[test]
@@ -229,6 +233,8 @@ fn a_twisted_polygon_needs_a_tool_a_little_faster_or_slower() {
     // Sheet 3.5: n_tool = k (n_work ∓ F/K).
     close(helical_tool_speed(ratio(2, 1), 200.0, -50.0, 100.0), 2.0 * (200.0 - 0.5), 1e-15);
     close(helical_tool_speed(ratio(2, 1), 200.0, -50.0, -100.0), 2.0 * (200.0 + 0.5), 1e-15);
+    // The 928Ti's sheet: 400 r/min, two to one, F30 at K1.
+    close(helical_tool_speed(ratio(2, 1), 400.0, -30.0, 1.0), 400.0 * 2.0 - 30.0 * 2.0, 1e-15);
     // After t minutes the slide is at z = F t and the tool ahead by E: the section has turned by E/k, as start angles do.
     let (feed, lead, minutes) = (-50.0, 80.0, 0.37);
     let ahead = 2.0 * PI * minutes * (helical_tool_speed(ratio(-5, 2), 150.0, feed, lead) + 2.5 * 150.0);

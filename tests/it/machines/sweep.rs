@@ -1,0 +1,179 @@
+//! Whatever a form holds, its design is sound, and without errors so are its program and its run: fields at their ends, and random forms.
+
+use macroline::machines::form::{FieldInfo, KindInfo, Value};
+use macroline::machines::{self, AnyMachine};
+use macroline::motion::{Keep, Limits, RunEnd};
+use macroline::project::Project;
+use macroline::project::run::{self, Begin};
+use macroline::text::catalog::{Language, number_text, sentence};
+use macroline::text::{Message, Severity};
+use macroline::view::{Readout, Verdict};
+
+/// Random forms of each machine on each control.
+const RANDOM: usize = 300;
+
+/// Blocks of a run, and seconds of the machine: enough for every kind of block that a program has.
+const BUDGET: Limits = Limits { blocks: 300, seconds: 30.0 };
+
+/// What ends or slows a run, by a part of its sentence, and the results of which one has told it before.
+const TOLD: &[(&str, &[&str])] = &[
+    // Alarms that the program raises.
+    ("ABOVE LIMIT", &["vector-feed", "feed-per-revolution"]),
+    ("THE WORK WOULD TURN TOO FAST", &["work-speed"]),
+    ("THE TOOL WOULD TURN TOO FAST", &["tool-speed"]),
+    // Where a control has no alarms for programs, they stop with a message.
+    ("waits for the operator", &["vector-feed", "feed-per-revolution", "block-time"]),
+    // What the machine does other than it is told.
+    ("is told", &["volts", "stage-speed", "speed-smallest", "lower-limit"]),
+    ("the control slows the whole block", &["feed-top", "feed-per-revolution"]),
+    ("The axes stop between blocks", &["block-time", "cutting-time"]),
+    ("The spindle stands still", &["block-time"]),
+    ("The gear is not in position", &["stage"]),
+];
+
+/// A fixed sequence that looks random.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % n
+    }
+
+    /// A number of a range, often near its lower end.
+    fn within(&mut self, min: f64, max: f64, decimals: u8) -> f64 {
+        let share = self.below(1001) as f64 / 1000.0;
+        let low = share * share * share;
+        let share = if self.below(2) == 0 { share } else { low * low };
+        number_text(min + (max - min) * share, decimals).parse().unwrap()
+    }
+
+    fn value(&mut self, field: &FieldInfo) -> Value {
+        match field.kind {
+            KindInfo::Number { min, max, decimals, .. } if self.below(4) > 0 => {
+                Value::Number(self.within(min, max, decimals))
+            }
+            _ => {
+                let mut ends = ends(field);
+                ends.swap_remove(self.below(ends.len()))
+            }
+        }
+    }
+}
+
+/// Least, greatest and default number; each choice; both ways of a check mark; no text, the longest, and one that a program cannot hold.
+fn ends(field: &FieldInfo) -> Vec<Value> {
+    let text = |text: &str| Value::Text(text.to_owned());
+    match field.kind {
+        KindInfo::Number { min, max, default, .. } => [min, max, default].map(Value::Number).to_vec(),
+        KindInfo::Flag(_) => [false, true].map(Value::Flag).to_vec(),
+        KindInfo::Choice(options) => options.iter().map(|(id, _)| text(id)).collect(),
+        KindInfo::Text(most) => vec![text(""), text(&"A".repeat(most)), text("(ö; %O1) N1 M30")],
+    }
+}
+
+/// Forms of a machine on a control: each field alone at each of its ends, then several at random.
+fn forms(machine: &dyn AnyMachine, control: &str) -> Vec<Project> {
+    let fields = machine.fields();
+    let plain = Project::of(machine.id(), Some(control)).unwrap();
+    let mut random = Random(7);
+    let alone = fields.iter().flat_map(|field| ends(field).into_iter().map(move |value| vec![(field, value)]));
+    let several = (0..RANDOM).map(|_| {
+        let rarely = 2 + random.below(12);
+        let mut some = Vec::new();
+        for field in &fields {
+            if random.below(rarely) == 0 {
+                some.push((field, random.value(field)));
+            }
+        }
+        some
+    });
+    let changes: Vec<Vec<(&FieldInfo, Value)>> = alone.chain(several).collect();
+    let changed = |changes: Vec<(&FieldInfo, Value)>| {
+        let mut project = plain.clone();
+        project.values.extend(changes.into_iter().map(|(field, value)| (field.id.to_owned(), value)));
+        project
+    };
+    changes.into_iter().map(changed).collect()
+}
+
+fn english(message: &Message) -> String {
+    sentence(Language::English, message)
+}
+
+/// A sentence with a number that is none, or that asks for nothing.
+fn is_absurd(text: &str) -> bool {
+    let exponent =
+        text.as_bytes().windows(3).any(|at| at[0].is_ascii_digit() && at[1] == b'e' && at[2].is_ascii_digit());
+    exponent
+        || ["NaN", "∞", ": 0 r/min", "at most 0 r/min", "be 0 at most", "at 0 m/min"]
+            .iter()
+            .any(|one| text.contains(one))
+}
+
+/// What is wrong with a result: only times may be endless.
+fn unsound(row: &Readout) -> Option<String> {
+    let endless = row.value == f64::INFINITY && matches!(row.unit, "s" | "ms");
+    let plain = row.value.is_finite() && row.value.abs() < 1e15;
+    let sound = (endless || plain) && row.limit.is_none_or(f64::is_finite);
+    (!sound).then(|| format!("{} is {}, limit {:?}", row.id, row.value, row.limit))
+}
+
+/// What is wrong with the design of a form, with its program or with its run.
+fn faults(project: &Project) -> Vec<String> {
+    let design = project.design();
+    let said = design.diagnostics.iter().flat_map(|found| [&found.message].into_iter().chain(&found.hints));
+    let said = design.readouts.iter().flat_map(|row| &row.advice).chain(said).map(english);
+    let mut faults: Vec<String> = said.filter(|text| is_absurd(text)).collect();
+    faults.extend(design.readouts.iter().filter_map(unsound));
+    if design.diagnostics.iter().any(|found| found.severity == Severity::Error) {
+        return faults;
+    }
+    let written = project.written();
+    let review = written.diagnostics.iter().cloned().chain(project.advice(&written));
+    faults.extend(review.map(|found| format!("review: {}", english(&found.message))));
+    let begin = Begin { start: None, settings: &[], limits: BUDGET, keep: Keep::Log };
+    let mut planner = run::of_project(project, &written, &begin);
+    let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
+    let mut events: Vec<String> = match ended {
+        Some(RunEnd::ProgramEnd | RunEnd::Blocks | RunEnd::Seconds) => Vec::new(),
+        // A part with a keyway: the program stops for it.
+        Some(RunEnd::Stop) if project.values.get("keyway") == Some(&Value::Flag(true)) => Vec::new(),
+        Some(RunEnd::Alarm(alarm)) => vec![english(&alarm.message)],
+        Some(RunEnd::Stop) => vec!["waits for the operator".to_owned()],
+        None => vec!["does not end".to_owned()],
+    };
+    let warnings = planner.diagnostics().iter().filter(|found| found.severity != Severity::Info);
+    events.extend(
+        warnings.filter(|found| found.message.id != "motion.out-of-blocks").map(|found| english(&found.message)),
+    );
+    let judged = |id: &&str| {
+        design.readouts.iter().any(|row| row.id == *id && row.verdict >= Verdict::Warn)
+            || design.diagnostics.iter().any(|found| found.severity == Severity::Warning && found.field == Some(id))
+    };
+    let told = |event: &String| TOLD.iter().any(|(part, results)| event.contains(part) && results.iter().any(judged));
+    faults.extend(events.into_iter().filter(|event| !told(event)).map(|event| format!("run: {event}")));
+    faults
+}
+
+/// What a form has other than a new one.
+fn changes(project: &Project) -> String {
+    let plain = Project::of(project.machine.id(), Some(project.control.id)).unwrap();
+    let differs = project.values.iter().filter(|(id, value)| plain.values.get(id.as_str()) != Some(value));
+    differs.map(|(id, value)| format!(" {id}={value:?}")).collect()
+}
+
+#[test]
+fn every_form_has_a_sound_design_a_sound_program_and_a_run_without_surprises() {
+    let mut found: Vec<String> = Vec::new();
+    for machine in machines::ALL {
+        for control in machine.controls() {
+            for project in forms(*machine, control) {
+                let faults = faults(&project);
+                let about = || format!("{} on {control},{}", machine.id(), changes(&project));
+                found.extend(faults.into_iter().map(|fault| format!("{fault}\n    {}", about())));
+            }
+        }
+    }
+    assert!(found.is_empty(), "{} faults:\n{}", found.len(), found[..found.len().min(40)].join("\n"));
+}
