@@ -71,6 +71,8 @@ pub struct SpindleRules {
     pub stage_speeds: Option<(f64, f64)>,
     /// The lowest speed of the machine's data holds constant speeds too, not only those of a surface speed.
     pub low_always: bool,
+    /// A lower limit above the upper one (G25 above G26) holds the speed; else the upper one does.
+    pub lower_wins: bool,
     /// The analog output may carry the direction as its sign (±10 V).
     pub signed_output: bool,
     /// M04 while the PLC puts out M03, or the other way round, is an alarm of the PLC: M05 has to come between.
@@ -121,6 +123,7 @@ impl Control {
             knob: if is("spindle-knob", "50 to 120 %", false) { PANEL } else { row.knob },
             lock: code("spindle-lock").or(row.lock),
             driven_tool: code("driven-tool").or(row.driven_tool),
+            lower_wins: is("crossed-limits", "lower holds", row.lower_wins),
             end_stops: is("spindle-at-end", "stops", row.end_stops),
             ..row
         }

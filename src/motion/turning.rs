@@ -179,8 +179,11 @@ impl<P: Program> Sim<'_, P> {
         if let Some(volts) = self.s.io.gear_volts {
             return (analog.speed(volts).min(FASTEST), Bound::Shift);
         }
-        let mut limits =
-            SpeedLimits { machine: plant.speed_clamp, gear: stage.range, set: turning.set, ..SpeedLimits::NONE };
+        let mut set = turning.set;
+        if plant.rules.lower_wins {
+            set.1 = set.1.max(set.0);
+        }
+        let mut limits = SpeedLimits { machine: plant.speed_clamp, gear: stage.range, set, ..SpeedLimits::NONE };
         if turning.surface.is_some() {
             limits.surface = (plant.surface_low, turning.surface_high);
             limits.gear.1 = limits.gear.1.min(analog.top_speed());

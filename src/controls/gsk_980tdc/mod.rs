@@ -181,6 +181,7 @@ pub static CONTROL: Control = Control {
         offsets: Some([(-1000.0, 1000.0), (-2000.0, 2000.0)]),
         stage_speeds: Some((10.0, 9999.0)),
         low_always: false,
+        lower_wins: false,
         signed_output: false,
         stop_between: true,
         lock: None,

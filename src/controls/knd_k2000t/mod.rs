@@ -172,6 +172,7 @@ pub static CONTROL: Control = Control {
         offsets: None,
         stage_speeds: None,
         low_always: false,
+        lower_wins: false,
         signed_output: true,
         stop_between: false,
         lock: None,

@@ -180,6 +180,7 @@ pub static CONTROL: Control = Control {
         offsets: None,
         stage_speeds: None,
         low_always: false,
+        lower_wins: false,
         signed_output: false,
         stop_between: false,
         lock: None,

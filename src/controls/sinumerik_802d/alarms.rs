@@ -15,6 +15,11 @@ const DOMAIN: Citation = Citation::new("14051 names overflow and division; 14020
 const RANGE: Citation =
     Citation::new("828D diagnostics, p.118; for numbers too large 17020 would fit as well", Grade::Open);
 
+const IDLE: Citation = Citation::new(
+    "808D diagnostics, p.141, of G1 I10; for CR beside I and K no list at hand has a number, and 14040 would fit as well",
+    Grade::Open,
+);
+
 /// One row per kind.
 pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(EmergencyStop, "3000", "Emergency stop", Citation::new("usage of Siemens controls, unverified", Grade::Open)),
@@ -40,7 +45,7 @@ pub(super) const ALARMS: &[AlarmDef] = &[
     alarm(BracketPair, "12080", "Syntax error in text", LIST),
     alarm(ArgumentSets, "12080", "Syntax error in text", NEAREST),
     alarm(NumberZero, "12080", "Syntax error in text", NEAREST),
-    alarm(IdleAddress, "12110", "Block syntax cannot be interpreted", LIST),
+    alarm(IdleAddress, "12110", "Block syntax cannot be interpreted", IDLE),
     alarm(NotAlone, "12120", "Special G function not programmed separately", LIST),
     alarm(OutOfRange, "12160", "Value lies beyond the value range", LIST),
     alarm(VariableRange, "12290", "Arithmetic variable not defined", RANGE),

@@ -212,6 +212,7 @@ pub static CONTROL: Control = Control {
         offsets: None,
         stage_speeds: None,
         low_always: true,
+        lower_wins: false,
         signed_output: true,
         stop_between: false,
         lock: None,

@@ -37,6 +37,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("speed-reached", "Cuts and the spindle's speed (MD35500)", &["wait", "do not wait"], REACHED),
     switch("m5-timing", "M5 beside a motion stops the spindle", &["end", "before"], M5),
     switch("lims-in-g97", "LIMS holds G97 too", &["no", "yes"], SPINDLE),
+    switch("crossed-limits", "G25 above G26: which one holds", &["upper holds", "lower holds"], ACTIVATION),
     switch("g96-apply-at-activation", "G96 sets the speed at once", &["yes", "no"], ACTIVATION),
     switch("g9x-without-s", "S behind G94 and G95 that end G96", &["last programmed", "hold"], SPINDLE),
     switch(

@@ -293,6 +293,13 @@ impl<'a> Reader<'a> {
         let message = msg!("nc.unknown-name", name, self.control.name);
         let mut failure = self.failure(Alarm::UnknownName, start, end, message, true);
         let Some(names) = self.names() else { return failure };
+        let behind = self.line.get(end..).unwrap_or_default().trim_ascii_start();
+        if name == "LF" && matches!(behind.first(), None | Some(b';')) {
+            let place = self.place(self.span(start, end));
+            failure.finding.message = msg!("nc.printed-line-end");
+            failure.finding = failure.finding.fix(msg!("nc.fix.drop", name), vec![(place, String::new())]);
+            return failure;
+        }
         let known = names.codes.iter().copied().chain(names.addresses.iter().map(|row| row.0));
         let upper = name.to_ascii_uppercase();
         if let Some(known) =

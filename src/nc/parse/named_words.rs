@@ -224,10 +224,23 @@ impl Reader<'_> {
         Ok((index, form, value))
     }
 
+    /// Where `[2]` ends in `S[2]=4`.
+    fn index_ahead(&self) -> Option<usize> {
+        let rest = self.line.get(self.at + 1..)?;
+        let close = rest.iter().position(|byte| *byte == b']')?;
+        let behind = rest.get(close + 1..)?.trim_ascii_start();
+        (behind.first() == Some(&b'=')).then_some(self.at + close + 2)
+    }
+
     /// `= value`, or the failure of an address without a value.
     fn equals(&mut self, start: usize, letter: u8) -> Read<(Option<u8>, Form, WordValue)> {
         match self.skip() {
             b'=' => self.at += 1,
+            b'[' if self.index_ahead().is_some() => {
+                let end = self.index_ahead().unwrap_or(self.at);
+                let message = msg!("nc.index-in-brackets", self.control.address(letter));
+                return Err(self.failure(Alarm::Format, self.at, end, message, false));
+            }
             b'#' | b'[' | b'(' | b'-' | b'+' => return self.insert_equals(letter),
             b'O' | b'o' if self.at == start + 1 && self.zero_behind_letter(start) => {
                 return Ok((None, Form::Plain, WordValue::Number(Dec::int(0))));

@@ -428,6 +428,9 @@ fn one_mistake_is_one_finding() {
         ("G4\nG25\nG26\nM2", "nc.no-values nc.no-values nc.no-values"),
         ("G4 F1\nG25 S1\nG26 X1\nM3 M2=4 M3=5\nM2", ""),
         ("M1=3 M4\nM2", "nc.group-twice"),
+        ("S[2]=4\nM2", "nc.index-in-brackets"),
+        ("S[R2+1] = 4\nM2", "nc.index-in-brackets"),
+        ("G1 X5 F.1 LF\nM3 S5 LF ;TURNS\nM2", "nc.printed-line-end nc.printed-line-end"),
         ("H1=1 H2=2 H3=3 H4=4\nM2", "nc.too-many-auxiliaries"),
     ] {
         assert_eq!(said(text), ids, "{text}");

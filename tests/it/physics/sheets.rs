@@ -118,8 +118,10 @@ fn the_limit_cases_of_the_sheet() {
     // Without G25 the gear's own lowest speed holds; where both cannot be, the upper limit does.
     let planner = Lathe::of_the_sheet(&[]).run("G97 S20 M3\nG4 F1\nM0");
     assert_eq!((last(&planner).command, last(&planner).bound), (30.0, Bound::GearLow));
-    let planner = Lathe::of_the_sheet(&[]).run("G25 S900\nG26 S60\nS100 M3\nG4 F1\nM0");
-    assert_eq!(last(&planner).command, 60.0);
+    for (crossed, rpm) in [("upper holds", 60.0), ("lower holds", 900.0)] {
+        let lathe = Lathe::of_the_sheet(&[("crossed-limits", crossed)]);
+        assert_eq!(last(&lathe.run("G25 S900\nG26 S60\nS100 M3\nG4 F1\nM0")).command, rpm);
+    }
     for (lines, alarm) in [("G25 S50 X10", "12120"), ("G96", "10900"), ("SPOS=360", "16830"), ("G96 S10000", "14840")] {
         let mut planner = Lathe::of_the_sheet(&[]).run(lines);
         let found = planner.program().parsed().diagnostics().iter().chain(planner.diagnostics());

@@ -7,6 +7,7 @@
 ;SET spindle-knob 50 to 120 %
 ;SET spindle-lock M81
 ;SET driven-tool M24
+;SET crossed-limits lower holds
 G94 S500 M3 F200
 G96 S100 LIMS=900 F.2
 G94 F200
@@ -14,6 +15,8 @@ G1 X10 M5
 SPOS=400
 M81
 M24
+G26 S400
+G25 S600
 S2=800 M2=4
 SETMS(2)
 S900 M3
