@@ -44,7 +44,8 @@ pub use switch::{Switch, Switches};
 pub use syntax::Syntax;
 pub use vars::{VarKind, VarRange};
 
-use crate::text::{Citation, Grade};
+use crate::msg;
+use crate::text::{Citation, Grade, Message};
 
 /// Everything that is known of one control.
 #[derive(Debug)]
@@ -258,6 +259,13 @@ impl Control {
     /// A variable as it is written.
     pub fn variable(&self, number: u32) -> String {
         format!("{}{number}", self.syntax.variable)
+    }
+
+    /// The way out where a variable is none: those that are free to use.
+    pub fn free_to_use(&self) -> Option<Message> {
+        let of = |kind| self.vars.iter().find(|row| row.kind == kind);
+        let range = of(VarKind::Common).or_else(|| of(VarKind::Retained))?;
+        Some(msg!("control.free-to-use", self.variable(range.first), self.variable(range.last)))
     }
 
     /// A jump on the condition that something is not above 0, as an example.

@@ -290,12 +290,8 @@ fn not_simulated(cx: &Cx, number: u32, row: &VarRange) -> Trap {
 
 /// The way out: a variable that is free to use.
 fn with_common(cx: &Cx, trap: Trap) -> Trap {
-    let all = || cx.control.vars.iter();
-    let common = all().find(|row| row.kind == VarKind::Common);
-    match common.or_else(|| all().find(|row| row.kind == VarKind::Retained)) {
-        Some(row) => {
-            trap.hint(msg!("interp.hint-common", cx.control.variable(row.first), cx.control.variable(row.last)))
-        }
+    match cx.control.free_to_use() {
+        Some(range) => trap.hint(range),
         None => trap,
     }
 }

@@ -508,12 +508,14 @@ fn variables() {
             1:1 error P241 #150 is an option that is not set to be fitted (common, option: 200 sets and more). Where the control has it, set the switch common-variables.
                 Use #100 instead of #150 everywhere: 1:1 "#150"→"#100"
             1:6 error P241 #99 is no variable of the Mitsubishi E60.
+                = Free to use are the common variables #100 to #149.
         "##]],
     );
     check_block(
         "#99999999999=1",
         expect![[r#"
             1:1 error P241 #99999999999 is no variable of the Mitsubishi E60.
+                = Free to use are the common variables #100 to #149.
         "#]],
     );
     check_block("##5=#[#6+1]\n#[1000]=5", expect![[""]]);

@@ -162,6 +162,7 @@ fn long_lines_are_shown_around_the_place() {
             3 | 1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+#2000+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+
               |                                         ^^^^^
               = the control shows: P241 No variable number
+              = Free to use are the common variables #100 to #149.
 
             2 errors
         "#]],

@@ -158,7 +158,10 @@ impl Reader<'_> {
             // What the PLC, the clock or the screen have on another control is no scratch variable, nor is what is only read.
             let written = |span: &Span| {
                 let behind = self.source.get(span.end as usize..).unwrap_or("");
-                behind.trim_start_matches(' ').starts_with('=')
+                // Functions by number name their result behind P.
+                let result =
+                    || self.source.get(..span.start as usize).is_some_and(|before| before.ends_with(['P', 'p']));
+                behind.trim_start_matches(' ').starts_with('=') || result()
             };
             let scratch = row.alarm == Alarm::VariableRange
                 && matches!(row.number, 0..1000 | 1200..3000)
@@ -170,6 +173,8 @@ impl Reader<'_> {
                 let title = msg!("nc.fix.variable", format!("#{free}"), row.span.of(self.source).trim());
                 let edits = uses.into_iter().map(|span| (self.place(span), format!("#{free}"))).collect();
                 finding = finding.fix(title, edits);
+            } else if row.alarm == Alarm::VariableRange {
+                finding.hints.extend(self.control.free_to_use());
             }
             self.add_finding(finding);
         }

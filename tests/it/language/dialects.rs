@@ -160,10 +160,12 @@ fn variables_by_variables() {
         expect![[r#"
             --- Mitsubishi E60
             1:2 error P241 #9100 is no variable of the Mitsubishi E60.
+                = Free to use are the common variables #100 to #149.
             --- GSK 980TDc
             X:#(#100)
             --- KND K2000T
             1:2 error 115 #9100 is no variable of the KND K2000T.
+                = Free to use are the common variables #100 to #199.
         "#]],
     );
     check(
@@ -171,12 +173,16 @@ fn variables_by_variables() {
         expect![[r#"
             --- Mitsubishi E60
             1:1 error P241 #9101 is no variable of the Mitsubishi E60.
+                = Free to use are the common variables #100 to #149.
             1:7 error P241 #9102 is no variable of the Mitsubishi E60.
+                = Free to use are the common variables #100 to #149.
             --- GSK 980TDc
             #(#101) = #(#102)
             --- KND K2000T
             1:1 error 115 #9101 is no variable of the KND K2000T.
+                = Free to use are the common variables #100 to #199.
             1:7 error 115 #9102 is no variable of the KND K2000T.
+                = Free to use are the common variables #100 to #199.
         "#]],
     );
     check(
