@@ -11,6 +11,9 @@ const DECIMALS: Citation = Citation::new("M700V/M70V programming manual, p.40: p
 /// The listing of the paper has such points, and does not read for other reasons.
 const LISTING: Citation = Citation::new("ribbon dot-printing paper, E60, against MELDAS usage", Grade::Open);
 
+/// What the M700 has, and the E60 is told to lack.
+const LATER: Citation = Citation::new("MELDAS usage, unverified: only from the M700 on", Grade::Open);
+
 /// One row per point; the first option is the default.
 pub(super) const SWITCHES: &[Switch] = &[
     switch(
@@ -39,6 +42,8 @@ pub(super) const SWITCHES: &[Switch] = &[
     switch("decimal-point", "A coordinate without a point (#1078)", &["increments", "millimetres"], DECIMALS),
     switch("argument-point", "A macro argument without a point", &["increments", "as written"], MEMORY),
     switch("point-behind-variable", "A point behind a variable, X#107.", &["alarm", "ignored"], LISTING),
+    switch("if-then", "IF [ ] THEN", &["alarm", "read"], LATER),
+    switch("modulo", "MOD", &["alarm", "read"], LATER),
     switch("assignments", "Assignments in a block", &["one", "several"], MEMORY),
     switch(
         "round-in-word",

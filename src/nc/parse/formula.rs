@@ -109,7 +109,7 @@ impl Reader<'_> {
                 continue;
             }
             let right = self.factor()?;
-            if op == Op::Modulo && !self.control.syntax.modulo {
+            if op == Op::Modulo && !self.tables.modulo {
                 self.no_modulo(start, end, behind);
             }
             left = self.part(Expr::Binary(op, left, right), start)?;

@@ -172,6 +172,10 @@ struct Tables<'a> {
     variable_point: bool,
     /// Several assignments may stand in a block.
     assignments: bool,
+    /// `IF [ ] THEN` is read.
+    if_then: bool,
+    /// `MOD` is read.
+    modulo: bool,
     /// A formula behind an address needs brackets.
     enclosed: bool,
     /// Digits of a number.
@@ -192,6 +196,8 @@ impl<'a> Tables<'a> {
             number_jumps: is(NUMBER_JUMPS, "yes"),
             variable_point: is("point-behind-variable", "ignored"),
             assignments: is("assignments", "several"),
+            if_then: control.syntax.if_then || is("if-then", "read"),
+            modulo: control.syntax.modulo || is("modulo", "read"),
             enclosed: is("word-formula", "in brackets"),
             digits: control.number_digits(switches),
             fitted: control.fitted(switches),

@@ -144,7 +144,7 @@ impl Reader<'_> {
         let stmt = if self.peek() == b'#' {
             let (to, value) = self.assigned()?;
             self.end_of_macro()?;
-            if self.control.syntax.if_then {
+            if self.tables.if_then {
                 if !named {
                     self.slip(Alarm::IfSentence, then, then, msg!("nc.no-then"), "THEN ");
                 }
@@ -155,7 +155,7 @@ impl Reader<'_> {
             self.at = self.line.len();
             Stmt::Empty
         };
-        let message = match self.control.syntax.if_then {
+        let message = match self.tables.if_then {
             true => msg!("nc.then-no-assignment"),
             false => msg!("nc.no-if-then", self.control.name),
         };
