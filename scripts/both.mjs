@@ -48,7 +48,9 @@ for (const [key, of] of rates) {
     const rate = median(of[name]);
     const least = leasts.get(key + name);
     const itself = least ? `, at least ${least} asked: ${rate >= least ? 'met' : 'MISSED'}` : '';
-    const asked = name === 'native' ? '' : `, ${part.toFixed(2)} of native; half of it asked: ${part >= 0.5 ? 'met' : 'MISSED'}`;
-    console.log(`summary: ${figure}, ${name}: ${rate} ${unit}${itself}${asked}`);
+    // A figure that asks something of itself is asked no share.
+    const half = least ? '' : `; half of it asked: ${part >= 0.5 ? 'met' : 'MISSED'}`;
+    const share = name === 'native' ? '' : `, ${part.toFixed(2)} of native${half}`;
+    console.log(`summary: ${figure}, ${name}: ${rate} ${unit}${itself}${share}`);
   }
 }
