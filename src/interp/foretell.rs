@@ -65,16 +65,18 @@ fn matters(row: &CodeDef) -> bool {
 }
 
 /// What [`matters`] of a modal state.
-fn key(modal: &Modal) -> (bool, bool, bool, bool, u8) {
+fn key(modal: &Modal) -> ([bool; 5], u8) {
     let words = match modal.motion {
         _ if modal.cycle => 0,
         Code::NotSimulated => 0,
         Code::Thread => 1,
         Code::ArcCw | Code::ArcCcw => 2,
         Code::ArcThrough | Code::ArcTangent => 4,
+        Code::Tapping => 5,
         _ => 3,
     };
-    (modal.inch, modal.per_revolution, modal.surface, modal.motion == Code::Thread, words)
+    let leads = matches!(modal.motion, Code::Thread | Code::Tapping);
+    ([modal.inch, modal.inch_feed, modal.per_revolution, modal.surface, leads], words)
 }
 
 /// What a block of words does that can be known before, beyond its values.

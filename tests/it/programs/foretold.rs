@@ -391,3 +391,13 @@ fn a_block_is_told_the_same_behind_blocks_of_its_form() {
     }
     assert!(findings > 10_000 && programs > 500, "{findings} findings, {programs} programs without");
 }
+
+#[test]
+fn a_subprogram_that_taps_in_the_mode_of_its_caller_is_no_straight_line() {
+    let control = controls::find("sinumerik-802d").unwrap();
+    // K is a lead where G331 is in force, and no address of a straight line.
+    let source = "%_N_MAIN_MPF\nG0 Z5 S500\nG331 Z-10 K1.5\nTAP\nG1 F100 Z20\nM2\n%_N_TAP_SPF\nZ-12 K1.5\nM17\n";
+    let mut interp = start_on(control, source, &[]);
+    assert_eq!(alarms(interp.parsed()), []);
+    assert_eq!(interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}), Some(End::Program));
+}
