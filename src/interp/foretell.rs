@@ -204,9 +204,8 @@ impl<'a> Oracle<'a> {
                 any = true;
                 continue;
             };
-            let tenths = if number.scale == 0 { number.mantissa.saturating_mul(10) } else { number.mantissa };
-            let tenths = u32::try_from(tenths).unwrap_or(u32::MAX);
-            if let Some(row) = self.cx.shared.index.code(control, word.letter, tenths) {
+            let tenths = number.tenths();
+            if let Some(row) = tenths.and_then(|tenths| self.cx.shared.index.code(control, word.letter, tenths)) {
                 self.words &= row.code != Code::MacroModalBlock;
                 if matters(row) && !rows.iter().any(|other| core::ptr::eq(*other, row)) {
                     rows.push(row);

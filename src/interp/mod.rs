@@ -50,7 +50,8 @@ pub enum Step {
     Command(Canon, Place),
     /// A block that only computed or jumped.
     Logic(Place),
-    /// The program needs the machine at rest before it goes on: the block at the place reads positions, or it has stopped the machine (M00, M01, `#3006`) and nothing behind it may be read before. Step again when the machine rests.
+    /// The program needs the machine at rest before it goes on: the block at the place reads positions, or it has stopped the machine
+    /// (M00, M01, `#3006`) and nothing behind it may be read before. Step again when the machine rests.
     Sync(Place),
     /// The program is over; further steps say the same.
     Ended(End),

@@ -136,6 +136,11 @@ impl Rules {
         }
     }
 
+    /// What an axis of a plane moves per unit of its words; see [`Rules::moves`].
+    pub(super) fn moved(&self, axis: u8) -> f64 {
+        self.moves.get(usize::from(axis)).copied().unwrap_or(1.0)
+    }
+
     /// Where a point lies.
     pub(super) fn point(&self, point: Point) -> [i64; AXES] {
         self.points[usize::from(point == Point::Fixed)]

@@ -190,7 +190,7 @@ impl State {
     #[cold]
     fn arc_within(&self, cx: &Cx, to: Target, round: Round, area: &[[i64; AXES]; 2]) -> Run<()> {
         let Round { plane: (first, second), center, clockwise } = round;
-        let scale = |axis: u8| cx.shared.rules.moves.get(usize::from(axis)).copied().unwrap_or(1.0);
+        let scale = |axis: u8| cx.shared.rules.moved(axis);
         let from_center = |place: &[i64; AXES]| {
             let part = |axis: u8, center: f64| {
                 (place.get(usize::from(axis)).map_or(0.0, |at| *at as f64) - center) * scale(axis)
@@ -300,7 +300,7 @@ impl State {
 
     fn arc(&self, cx: &Cx, values: &Words, mut to: Target, feed: Feed, exact: bool) -> Run<Canon> {
         let [first, second, _] = self.modal.plane;
-        let scale = |axis: u8| cx.shared.rules.moves.get(axis as usize).copied().unwrap_or(1.0);
+        let scale = |axis: u8| cx.shared.rules.moved(axis);
         let delta = |axis: u8| {
             let travel = to.position[axis as usize].saturating_sub(self.position[axis as usize]);
             travel as f64 * scale(axis)
@@ -356,7 +356,7 @@ impl State {
         let (x, y) = center_of(cx, values, (first, second));
         let (sin, cos) = math::sin_cos(if self.modal.motion == Code::ArcCw { -turn } else { turn }.to_radians());
         for (axis, by) in [(first, x - x * cos + y * sin), (second, y - x * sin - y * cos)] {
-            let scale = cx.shared.rules.moves.get(usize::from(axis)).copied().unwrap_or(1.0);
+            let scale = cx.shared.rules.moved(axis);
             if let Some(place) = to.position.get_mut(usize::from(axis)) {
                 *place = place.saturating_add((by / scale).round() as i64);
                 to.mask |= 1 << axis;

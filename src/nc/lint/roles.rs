@@ -150,8 +150,7 @@ impl<'a> Roles<'a> {
     pub(super) fn called(&self, words: &[Word]) -> Option<u32> {
         words.iter().filter(|_| !self.calls.is_empty()).find_map(|word| {
             let WordValue::Number(number) = word.value else { return None };
-            let tenths = if number.scale == 0 { number.mantissa.wrapping_mul(10) } else { number.mantissa };
-            self.call(word.letter, tenths).map(|call| call.program)
+            self.call(word.letter, number.tenths()?.into()).map(|call| call.program)
         })
     }
 }

@@ -319,8 +319,8 @@ impl<'a> Vars<'a> {
     fn takes_words(&self, word: &Word) -> bool {
         use Code::{Dwell, MacroCall, MacroModal, MacroModalBlock};
         let WordValue::Number(number) = word.value else { return false };
-        let tenths = if number.scale == 0 { number.mantissa.saturating_mul(10) } else { number.mantissa };
-        let row = u16::try_from(tenths).ok().and_then(|tenths| self.control.code(word.letter, tenths));
+        let tenths = number.tenths().and_then(|tenths| u16::try_from(tenths).ok());
+        let row = tenths.and_then(|tenths| self.control.code(word.letter, tenths));
         row.is_some_and(|row| matches!(row.code, Dwell | MacroCall | MacroModal | MacroModalBlock))
     }
 

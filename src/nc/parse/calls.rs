@@ -54,12 +54,11 @@ impl Reader<'_> {
     /// The code of a word that calls a macro; `None` inside for one that calls by parameter.
     fn caller(&self, word: &Word) -> Option<Option<Code>> {
         let WordValue::Number(number) = word.value else { return None };
-        let tenths =
-            u32::try_from(if number.scale == 0 { number.mantissa.checked_mul(10)? } else { number.mantissa }).ok()?;
-        match (number.scale, self.tables.call(word.letter, tenths)) {
-            (2.., _) | (_, Some(CallKind::Sub)) => None,
-            (_, Some(_)) => Some(None),
-            _ => {
+        let tenths = number.tenths()?;
+        match self.tables.call(word.letter, tenths) {
+            Some(CallKind::Sub) => None,
+            Some(_) => Some(None),
+            None => {
                 let code = self.control.code(word.letter, u16::try_from(tenths).ok()?)?.code;
                 matches!(code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock).then_some(Some(code))
             }

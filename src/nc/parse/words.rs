@@ -443,12 +443,7 @@ impl<'a> Reader<'a> {
     /// Looks a G code up; whether it is a macro call, which takes any letter.
     #[inline(always)]
     pub(super) fn g_code(&mut self, number: Dec, start: usize) -> bool {
-        let tenths = match number.scale {
-            0 => number.mantissa.checked_mul(10),
-            1 => Some(number.mantissa),
-            _ => None,
-        };
-        let tenths = tenths.and_then(|tenths| u32::try_from(tenths).ok());
+        let tenths = number.tenths();
         let slot = tenths.and_then(|tenths| self.tables.g.get(tenths as usize)).copied().unwrap_or(0);
         match self.control.codes.get((slot as usize).wrapping_sub(1)) {
             None => self.rare_g_code(tenths, number, start),

@@ -8,7 +8,7 @@ use macroline::controls::Switches;
 use macroline::interp::Interp;
 use macroline::machines::form::{KindInfo, Origins, Values};
 use macroline::machines::{self, AnyMachine, Frame, Samples};
-use macroline::motion::{Action, Event, Keep, Limits, Mode, Panel, Planner, RunEnd};
+use macroline::motion::{Action, Event, Keep, Limits, Mode, Panel, Planner, RunEnd, Timeline};
 use macroline::nc::{self, File, Files};
 use macroline::project::run::{self, Begin};
 use macroline::project::{Project, open};
@@ -261,6 +261,15 @@ fn mistakes_are_alarms() {
     }
 }
 
+/// After seven seconds both turn in ratio from the same start angles: a whole turn of each is the same place.
+#[track_caller]
+fn turns_in_ratio_again(timeline: &Timeline) {
+    let again = (7000..20_000).map(|i| timeline.at(0.001 * f64::from(i))).find(|now| now.pmc[WORK].feed > 71_999.0);
+    let now = again.unwrap().pmc;
+    let off = (now[TOOL].position - 2.0 * now[WORK].position) / 360.0;
+    assert!((off - off.round()).abs() < 1e-9, "{off}");
+}
+
 #[test]
 fn reset_and_emergency_stop_end_it_and_it_begins_again_with_a_new_call() {
     for action in [Action::Reset, Action::EmergencyStop] {
@@ -282,11 +291,7 @@ fn reset_and_emergency_stop_end_it_and_it_begins_again_with_a_new_call() {
         assert_eq!(ended, Some(RunEnd::ProgramEnd), "{:?}", planner.diagnostics());
         let timeline = planner.timeline();
         assert_eq!(timeline.at(6.5).pmc[WORK].feed, 0.0);
-        let again = (7000..20_000).map(|i| timeline.at(0.001 * f64::from(i))).find(|now| now.pmc[WORK].feed > 71_999.0);
-        // Indexed to the same start angles: a whole turn of each is the same place.
-        let now = again.unwrap().pmc;
-        let off = (now[TOOL].position - 2.0 * now[WORK].position) / 360.0;
-        assert!((off - off.round()).abs() < 1e-9, "{off}");
+        turns_in_ratio_again(timeline);
     }
 }
 
@@ -317,10 +322,7 @@ fn drives_that_are_off_at_emergency_stop_let_both_coast_out_of_ratio() {
     assert_eq!(ended, Some(RunEnd::ProgramEnd), "{:?}", planner.diagnostics());
     let timeline = planner.timeline();
     assert!(timeline.at(6.0).pmc[WORK].feed > 0.0 && timeline.at(6.0).pmc[TOOL].feed == 0.0);
-    let again = (7000..20_000).map(|i| timeline.at(0.001 * f64::from(i))).find(|now| now.pmc[WORK].feed > 71_999.0);
-    let now = again.unwrap().pmc;
-    let off = (now[TOOL].position - 2.0 * now[WORK].position) / 360.0;
-    assert!((off - off.round()).abs() < 1e-9, "{off}");
+    turns_in_ratio_again(timeline);
 }
 
 #[test]
