@@ -8,17 +8,21 @@ mod work;
 use std::hint::black_box;
 
 use macroline::drives::polygon::{Ratio, Section, Setup};
-use macroline::motion::{Keep, Limits, Panel};
+use macroline::motion::{Budget, Panel, Retention};
 use macroline::nc::Files;
-use macroline::project::run::{Begin, of_programs, to_end};
+use macroline::project::run::{RunOptions, of_programs, to_end};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::Criterion;
 use work::{COUNT, flat, formulas, parse, run};
 
 /// Reads, runs and plans on the control's bench; machine time at the end.
 fn plan(files: &Files) -> f64 {
-    let begin =
-        Begin { start: None, settings: &[], limits: Limits { blocks: u64::MAX, seconds: 1e9 }, keep: Keep::Log };
+    let begin = RunOptions {
+        start: None,
+        settings: &[],
+        limits: Budget { blocks: u64::MAX, seconds: 1e9 },
+        keep: Retention::Log,
+    };
     let mut planner = of_programs(parse(files), None, Panel::default(), &begin);
     to_end(&mut planner, |_| Ok::<(), ()>(())).unwrap().time
 }

@@ -8,7 +8,7 @@ mod work;
 use criterion::{Criterion, Throughput, criterion_group};
 use macroline::controls::Switches;
 use macroline::interp::world::Still;
-use macroline::interp::{Interp, Start};
+use macroline::interp::{Interp, StartProgram};
 use work::{COUNT, flat, formulas, named, named_flat, named_formulas, parse, parse_on, run};
 
 fn speed(c: &mut Criterion) {
@@ -21,7 +21,7 @@ fn speed(c: &mut Criterion) {
     group.bench_function("flat blocks, run", |b| b.iter(|| run(&parsed)));
     group.bench_function("P9100 passes, text to canon", |b| b.iter(|| run(&parse(&formulas))));
     group.throughput(Throughput::Elements(1));
-    let mut interp = Interp::new(parse(&formulas), Start::First, &Switches::default());
+    let mut interp = Interp::new(parse(&formulas), StartProgram::First, &Switches::default());
     let mut world = Still::default();
     for _ in 0..1000 {
         interp.step(&mut world);

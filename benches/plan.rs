@@ -8,9 +8,9 @@ use std::rc::Rc;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group};
 use macroline::controls::{self, Control, Switches};
 use macroline::drives::Analog;
-use macroline::interp::{Interp, Start};
+use macroline::interp::{Interp, StartProgram};
 use macroline::motion::{
-    Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Progress, Setup, SpindlePlant,
+    Action, AxisPlant, BenchPlc, Budget, Event, Panel, Planner, Plant, Progress, Retention, Setup, SpindlePlant,
 };
 use macroline::nc::{self, Files};
 
@@ -47,21 +47,21 @@ fn plant() -> Plant {
     }
 }
 
-fn ribbon(seconds: f64, keep: Keep) -> Planner<Interp> {
+fn ribbon(seconds: f64, keep: Retention) -> Planner<Interp> {
     let parsed = Rc::new(nc::parse(&Files::one("O1.nc", RIBBON), control()));
     Planner::new(Setup {
-        program: Interp::new(parsed, Start::First, &Switches::default()),
+        program: Interp::new(parsed, StartProgram::First, &Switches::default()),
         control: control(),
         plant: &plant(),
         plc: Box::new(BenchPlc::new(0.05, Some(1033))),
         panel: Panel::default(),
-        limits: Limits { blocks: u64::MAX, seconds },
+        limits: Budget { blocks: u64::MAX, seconds },
         keep,
     })
 }
 
 /// Ten minutes of the line.
-fn whole(keep: Keep) -> Planner<Interp> {
+fn whole(keep: Retention) -> Planner<Interp> {
     let mut planner = ribbon(600.0, keep);
     while planner.advance(f64::INFINITY, 100_000).ended.is_none() {
         planner.take_log();
@@ -78,12 +78,12 @@ fn knob(run: &mut Planner<Interp>) -> Progress {
 fn speed(c: &mut Criterion) {
     let mut group = c.benchmark_group("plan");
     group.sample_size(20);
-    let blocks = whole(Keep::Timeline).blocks();
+    let blocks = whole(Retention::Timeline).blocks();
     group.throughput(Throughput::Elements(blocks.nc + blocks.macros));
-    group.bench_function("ten minutes of the ribbon line, timeline kept", |b| b.iter(|| whole(Keep::Timeline)));
-    group.bench_function("ten minutes of the ribbon line, log only", |b| b.iter(|| whole(Keep::Log)));
+    group.bench_function("ten minutes of the ribbon line, timeline kept", |b| b.iter(|| whole(Retention::Timeline)));
+    group.bench_function("ten minutes of the ribbon line, log only", |b| b.iter(|| whole(Retention::Log)));
 
-    let mut hour = ribbon(3600.0, Keep::Timeline);
+    let mut hour = ribbon(3600.0, Retention::Timeline);
     hour.advance(f64::INFINITY, usize::MAX);
     group.throughput(Throughput::Elements(360));
     group.bench_function("360 moments of an hour", |b| {
@@ -100,10 +100,10 @@ criterion_group!(benches, speed);
 
 fn main() {
     benches();
-    let blocks = whole(Keep::Timeline).blocks();
+    let blocks = whole(Retention::Timeline).blocks();
     let read = blocks.nc + blocks.macros;
-    summary::line("ten minutes of the ribbon line, planned", read, "blocks", None, || whole(Keep::Timeline));
-    let mut hour = ribbon(3600.0, Keep::Timeline);
+    summary::line("ten minutes of the ribbon line, planned", read, "blocks", None, || whole(Retention::Timeline));
+    let mut hour = ribbon(3600.0, Retention::Timeline);
     hour.advance(f64::INFINITY, usize::MAX);
     // Within 50 ms is asked for; the page needs the rest of it to draw.
     summary::line("a knob turned after an hour", 1, "answers", Some(20.0), || knob(&mut hour));

@@ -7,10 +7,10 @@ use std::rc::Rc;
 use macroline::controls;
 use macroline::machines::form::Value;
 use macroline::math;
-use macroline::motion::{Action, Event, Keep, Limits, Panel, Snapshot};
+use macroline::motion::{Action, Budget, Event, Panel, Retention, Snapshot};
 use macroline::nc::{self, Files};
 use macroline::project::Project;
-use macroline::project::run::{self, Begin};
+use macroline::project::run::{self, RunOptions};
 use macroline::view;
 
 /// The host: files are read through the standard library natively, through Node in wasm.
@@ -119,8 +119,12 @@ fn the_math_gate_gives_the_same_bits() {
     golden("math.bits", &table);
 }
 
-const BEGIN: Begin =
-    Begin { start: None, settings: &[], limits: Limits { blocks: 200_000, seconds: 600.0 }, keep: Keep::Timeline };
+const BEGIN: RunOptions = RunOptions {
+    start: None,
+    settings: &[],
+    limits: Budget { blocks: 200_000, seconds: 600.0 },
+    keep: Retention::Timeline,
+};
 
 /// All that moves, to the bit.
 fn moment(now: &Snapshot) -> String {

@@ -25,13 +25,13 @@ mod native {
 
     use macroline::controls::{self, Control, Switches};
     use macroline::interp;
-    use macroline::motion::{Keep, Limits, Panel};
+    use macroline::motion::{Budget, Panel, Retention};
     use macroline::nc::{self, File, Files};
-    use macroline::project::console::{Console, Said};
-    use macroline::project::review::review;
-    use macroline::project::run::{self, Begin, Run, Setting};
-    use macroline::project::silence::silence;
-    use macroline::project::told::{Teller, summary};
+    use macroline::project::check::review;
+    use macroline::project::console::{Console, Outcome};
+    use macroline::project::render::{Teller, summary};
+    use macroline::project::run::{self, Run, RunOptions, Setting};
+    use macroline::project::suppress::silence;
     use macroline::project::{Project, list, saved};
     use macroline::text::catalog;
     use macroline::text::{Diagnostic, Severity};
@@ -391,7 +391,7 @@ mod native {
         silenced: Vec<String>,
     }
 
-    fn prepare(args: &RunArgs, keep: Keep) -> Result<Prepared, Failure> {
+    fn prepare(args: &RunArgs, keep: Retention) -> Result<Prepared, Failure> {
         if args.seconds.is_nan() || args.seconds < 0.0 {
             return Err(Failure::Usage("--seconds takes 0 or more".to_owned()));
         }
@@ -415,8 +415,8 @@ mod native {
                 .map(Some)
                 .ok_or_else(|| Failure::Usage(format!("--start takes a program, for instance O9101, not “{name}”"))),
         };
-        let limits = Limits { blocks: args.blocks, seconds: args.seconds };
-        let begin = |start: Option<interp::Start>| Begin { start, settings: &settings, limits, keep };
+        let limits = Budget { blocks: args.blocks, seconds: args.seconds };
+        let begin = |start: Option<interp::StartProgram>| RunOptions { start, settings: &settings, limits, keep };
         let Some(id) = &args.control else {
             let (mut project, diagnostics) = project(only_project(&args.files)?)?;
             found.extend(diagnostics);
@@ -451,8 +451,10 @@ mod native {
         let start = meant(&parsed)?;
         let first = parsed.deck().programs.first().map(|program| program.number);
         let started = match start {
-            Some(interp::Start::Program(number)) => Some(number),
-            Some(interp::Start::Nth(at)) => parsed.deck().programs.get(at as usize).map(|program| program.number),
+            Some(interp::StartProgram::Program(number)) => Some(number),
+            Some(interp::StartProgram::Nth(at)) => {
+                parsed.deck().programs.get(at as usize).map(|program| program.number)
+            }
             _ => first,
         };
         let set = run::set_by_operator(&settings, &panel, control);
@@ -463,7 +465,7 @@ mod native {
     }
 
     fn run(args: &RunArgs, wanted: bool, json: bool) -> Result<(), Failure> {
-        let Prepared { run: mut planner, files, found: mut diagnostics, silenced, .. } = prepare(args, Keep::Log)?;
+        let Prepared { run: mut planner, files, found: mut diagnostics, silenced, .. } = prepare(args, Retention::Log)?;
         let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
         let mut canon: Vec<Json> = Vec::new();
         let mut text = String::new();
@@ -504,7 +506,7 @@ mod native {
 
     /// Wrong commands are told and end, after all others, in exit status 2.
     fn step(args: &RunArgs) -> Result<(), Failure> {
-        let Prepared { run, files, switches, found: mut diagnostics, silenced } = prepare(args, Keep::Both)?;
+        let Prepared { run, files, switches, found: mut diagnostics, silenced } = prepare(args, Retention::Both)?;
         let count = silence(&mut diagnostics, &silenced);
         tell(&files, &diagnostics);
         tell_silenced(count);
@@ -522,9 +524,9 @@ mod native {
             out.write_all(answer.as_bytes())?;
             out.flush()?;
             match said {
-                Said::Quit => break,
-                Said::Wrong => wrong += 1,
-                Said::Done => {}
+                Outcome::Quit => break,
+                Outcome::Wrong => wrong += 1,
+                Outcome::Done => {}
             }
             last = line;
         }

@@ -4,7 +4,7 @@ use crate::text::Citation;
 
 /// What round brackets mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Round {
+pub enum RoundBrackets {
     /// `( … )` is a comment, ended by the first `)`; `;` ends a block.
     Comment,
     /// `( … )` groups in formulas; a comment goes from `;` to the end of the line.
@@ -118,7 +118,7 @@ pub const ROTARY_AXES: &str = "rotary-axes";
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Syntax {
     /// Round brackets.
-    pub round: Round,
+    pub round: RoundBrackets,
     /// What stands in front of the number of a variable.
     pub variable: char,
     /// Names, where the language has them.

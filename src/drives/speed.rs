@@ -55,7 +55,7 @@ impl Bound {
 
 /// A limit that a program or the operator sets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Limit {
+pub enum SpeedLimit {
     /// Lowest speed: setting data, kept (G25).
     Lower,
     /// Highest speed: setting data, kept (G26).

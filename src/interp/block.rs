@@ -5,16 +5,16 @@ use std::rc::Rc;
 use super::End;
 use super::call::{Caller, word_span};
 use super::canon::{AXES, Canon};
-use super::fault::{Run, Trap};
+use super::error::{Run, Trap};
 use super::modal::Radii;
-use super::state::{Cx, State};
+use super::state::{BlockContext, State};
 use crate::controls::macros::{CallKind, CodeCall};
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, Group};
 use crate::drives::Approach;
-use crate::drives::speed::Limit;
+use crate::drives::speed::SpeedLimit;
 use crate::msg;
-use crate::nc::{Block, Form, Word, WordValue};
+use crate::nc::{Block, Dimensioning, Word, WordValue};
 
 /// M codes of a block that act on any control.
 pub(super) const M_CODES: u8 = 8;
@@ -98,7 +98,7 @@ pub(super) struct Words {
     /// Axes X, Y, Z whose lead is programmed, bit by bit.
     pub(super) leads: u8,
     /// How the axes go to angles.
-    pub(super) ways: [Form; AXES],
+    pub(super) ways: [Dimensioning; AXES],
     /// I, J, K.
     pub(super) center: [Option<i64>; 3],
     /// I1, J1, K1: a point on the way.
@@ -125,7 +125,7 @@ pub(super) struct Words {
 
 impl State {
     /// Runs a block of words.
-    pub(super) fn words(&mut self, cx: &mut Cx, at: u32, block: &Block, words: &[Word]) -> Run<()> {
+    pub(super) fn words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> Run<()> {
         let surface = self.modal.surface.then(|| self.surface_zero(cx));
         let mut codes = Codes { count: words.len(), ..Codes::default() };
         self.codes(cx, block, words, &mut codes)?;
@@ -161,7 +161,7 @@ impl State {
             self.queue.push(Canon::Gear { stage });
         }
         if let Some(rpm) = values.speed_limit {
-            self.limit_speed(Limit::Surface, rpm);
+            self.limit_speed(SpeedLimit::Surface, rpm);
         }
         self.speed(cx, &codes, &values, surface)?;
         let stops_last = codes.spindle == Some(0) && cx.shared.rules.spindle.stop_last;
@@ -228,7 +228,7 @@ impl State {
 
     /// Reads codes and values of a block, and does nothing of what they command. Whether the block calls or returns; `None` where that
     /// depends on who has called.
-    pub(super) fn read_words(&mut self, cx: &mut Cx, block: &Block, words: &[Word]) -> Run<Option<bool>> {
+    pub(super) fn read_words(&mut self, cx: &mut BlockContext, block: &Block, words: &[Word]) -> Run<Option<bool>> {
         let mut codes = Codes { count: words.len(), ..Codes::default() };
         self.codes(cx, block, words, &mut codes)?;
         if codes.call.is_some() {
@@ -246,7 +246,7 @@ impl State {
     /// A block whose words are the arguments of a macro.
     fn call_words(
         &mut self,
-        cx: &mut Cx,
+        cx: &mut BlockContext,
         at: u32,
         block: &Block,
         words: &[Word],
@@ -281,7 +281,7 @@ impl State {
 
     /// Puts the codes of a block in force.
     #[inline]
-    fn codes(&mut self, cx: &mut Cx, block: &Block, words: &[Word], codes: &mut Codes) -> Run<()> {
+    fn codes(&mut self, cx: &mut BlockContext, block: &Block, words: &[Word], codes: &mut Codes) -> Run<()> {
         for (at, word) in words.iter().enumerate() {
             match word.letter {
                 b'G' => {
@@ -320,7 +320,7 @@ impl State {
 
     /// Takes an M word of another spindle than the machine's own; whether it is that spindle's.
     #[cold]
-    fn other_spindle(&mut self, cx: &mut Cx, block: &Block, word: &Word) -> Run<bool> {
+    fn other_spindle(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<bool> {
         let Some(number) = self.whole(cx, block, word)? else { return Ok(word.index.is_some()) };
         let tenths = (number * 10.0) as u32;
         let sign = match cx.shared.index.code(cx.control, b'M', tenths).map(|row| row.code) {
@@ -340,7 +340,7 @@ impl State {
     }
 
     /// Whether so many M codes follow that this one does not act.
-    fn is_overtaken(&self, cx: &mut Cx, block: &Block, words: &[Word], at: usize) -> Run<bool> {
+    fn is_overtaken(&self, cx: &mut BlockContext, block: &Block, words: &[Word], at: usize) -> Run<bool> {
         let most = cx.shared.rules.m_codes;
         let mut behind = 0;
         for word in words.get(at + 1..).unwrap_or_default() {
@@ -366,7 +366,7 @@ impl State {
 
     /// Goes on behind the contour of a cycle that is not simulated, where it lies ahead.
     #[cold]
-    fn pass_contour(&mut self, cx: &mut Cx, at: u32, block: &Block, words: &[Word], values: &Words) {
+    fn pass_contour(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word], values: &Words) {
         let number = |value: Option<f64>| value.filter(|value| (1.0..1e9).contains(value)).map(|value| value as u32);
         let (Some(first), Some(last)) = (number(values.p), number(values.q)) else { return };
         let index = &cx.shared.index;
@@ -381,7 +381,7 @@ impl State {
 
     /// Takes a code that is a name.
     #[cold]
-    fn named_code(&mut self, cx: &Cx, word: &Word, at: usize, codes: &mut Codes) {
+    fn named_code(&mut self, cx: &BlockContext, word: &Word, at: usize, codes: &mut Codes) {
         let WordValue::Number(place) = word.value else { return };
         let number = u32::try_from(place.mantissa).unwrap_or(u32::MAX).saturating_mul(10);
         match cx.shared.index.code(cx.control, long::NAME, number) {
@@ -394,13 +394,13 @@ impl State {
 
     /// Whether an optional block skip in the middle of a block is switched on.
     #[cold]
-    fn skips(&self, cx: &mut Cx, word: &Word) -> bool {
+    fn skips(&self, cx: &mut BlockContext, word: &Word) -> bool {
         let WordValue::Number(number) = word.value else { return false };
         cx.world.block_skip(u8::try_from(number.mantissa).unwrap_or(1).max(1))
     }
 
     /// Takes a code that calls a program. Within a program that was called by a code there are none.
-    fn calls(&self, cx: &Cx, letter: u8, number: u32, at: usize, codes: &mut Codes) -> bool {
+    fn calls(&self, cx: &BlockContext, letter: u8, number: u32, at: usize, codes: &mut Codes) -> bool {
         let call = cx.shared.rules.call(letter, number).filter(|_| !self.called_by_code());
         if call.is_some() {
             (codes.call, codes.caller) = (call, at);
@@ -409,7 +409,7 @@ impl State {
     }
 
     #[inline]
-    fn g_code(&mut self, cx: &Cx, row: &crate::controls::CodeDef, at: usize, codes: &mut Codes) {
+    fn g_code(&mut self, cx: &BlockContext, row: &crate::controls::CodeDef, at: usize, codes: &mut Codes) {
         use Code::*;
         match row.code {
             GoTo(_) | Dwell | ReferenceReturn | MachineCoordinates | MachineRapid | SetCoordinates
@@ -430,7 +430,7 @@ impl State {
         self.modal.set(cx.control, row);
     }
 
-    fn m_word(&mut self, cx: &mut Cx, block: &Block, word: &Word, at: usize, codes: &mut Codes) -> Run<()> {
+    fn m_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, at: usize, codes: &mut Codes) -> Run<()> {
         let Some(number) = self.whole(cx, block, word)? else { return Ok(()) };
         if !(0.0..=99_999_999.0).contains(&number) {
             return Err(self.out_of_range(cx, block, word, 0.0, 99_999_999.0));
@@ -467,7 +467,14 @@ impl State {
 
     /// Reads the values of a block; F stays in force.
     #[inline]
-    fn values(&mut self, cx: &mut Cx, block: &Block, words: &[Word], codes: &Codes, values: &mut Words) -> Run<()> {
+    fn values(
+        &mut self,
+        cx: &mut BlockContext,
+        block: &Block,
+        words: &[Word],
+        codes: &Codes,
+        values: &mut Words,
+    ) -> Run<()> {
         let inch = self.modal.inch;
         let thread = matches!(self.modal.motion, Code::Thread | Code::Tapping);
         // Limits behind S, and the first S of a surface speed, are words of their own.
@@ -497,11 +504,11 @@ impl State {
                 if let (Some(value), false) = (self.dimension(cx, block, word, inch)?, yields) {
                     values.axes[axis] = value;
                     values.mask |= bit;
-                    let relative = incremental || word.form == Form::Incremental;
+                    let relative = incremental || word.form == Dimensioning::Incremental;
                     if relative || values.incremental != 0 {
                         values.incremental = values.incremental & !bit | u8::from(relative) << axis;
                     }
-                    if !matches!(word.form, Form::Plain | Form::Incremental) {
+                    if !matches!(word.form, Dimensioning::Plain | Dimensioning::Incremental) {
                         values.absolute |= bit;
                         values.ways[axis] = word.form;
                     }
@@ -560,10 +567,10 @@ impl State {
                     long::LIMS => values.speed_limit = self.speed_word(cx, block, word, false)?,
                     long::SPOS => {
                         let approach = match word.form {
-                            Form::Plain | Form::Absolute | Form::Shortest => Approach::Direct,
-                            Form::Positive => Approach::Clockwise,
-                            Form::Negative => Approach::CounterClockwise,
-                            Form::Incremental => Approach::Incremental,
+                            Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Shortest => Approach::Direct,
+                            Dimensioning::Positive => Approach::Clockwise,
+                            Dimensioning::Negative => Approach::CounterClockwise,
+                            Dimensioning::Incremental => Approach::Incremental,
                         };
                         values.orient = self.raw(cx, block, word)?.map(|angle| (angle, approach));
                     }
@@ -606,7 +613,7 @@ impl State {
 
     /// A word of another spindle, or of a point on the way; all others with a number are of what is not simulated.
     #[cold]
-    fn indexed_word(&mut self, cx: &mut Cx, block: &Block, word: &Word, values: &mut Words) -> Run<()> {
+    fn indexed_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut Words) -> Run<()> {
         let at = usize::from(word.letter.wrapping_sub(b'I'));
         if word.letter == b'S' {
             self.modal.other.0 = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.other.0);
@@ -636,7 +643,13 @@ impl State {
 
     /// Remarks the words of a block that do nothing in it, or refuses them where the control does.
     #[cold]
-    fn idle_words(&self, cx: &mut Cx, block: &Block, words: &[Word], (codes, values): (&Codes, &Words)) -> Run<()> {
+    fn idle_words(
+        &self,
+        cx: &mut BlockContext,
+        block: &Block,
+        words: &[Word],
+        (codes, values): (&Codes, &Words),
+    ) -> Run<()> {
         let (uses, dwell) = (self.uses(codes, values), codes.special == Some(Code::Dwell));
         for word in words {
             let class = match word.letter {
@@ -665,7 +678,7 @@ impl State {
 
     /// Words that count radii, on an axis whose positions are diameters.
     #[cold]
-    fn double(&self, cx: &Cx, values: &mut Words) {
+    fn double(&self, cx: &BlockContext, values: &mut Words) {
         for k in (0..AXES).filter(|&k| cx.shared.rules.moves[k] != 1.0) {
             let bit = 1 << k;
             let relative = (values.incremental & bit != 0 || !self.modal.absolute) && values.absolute & bit == 0;
@@ -694,7 +707,7 @@ fn macro_kind(codes: &Codes) -> Option<CallKind> {
 
 /// Whether an M word in a macro call is one that stops, ends, calls or returns.
 #[cold]
-fn mixes(cx: &Cx, word: &Word) -> bool {
+fn mixes(cx: &BlockContext, word: &Word) -> bool {
     let WordValue::Number(number) = word.value else { return false };
     let number = u32::try_from(number.mantissa).unwrap_or(u32::MAX).saturating_mul(10);
     use Code::{End, EndRewind, OptionalStop, Stop, SubCall, SubEnd};

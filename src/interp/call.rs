@@ -4,8 +4,8 @@ use std::rc::Rc;
 
 use super::End;
 use super::canon::Canon;
-use super::fault::{Run, Trap};
-use super::state::{Cx, State};
+use super::error::{Run, Trap};
+use super::state::{BlockContext, State};
 use super::vars::{LOCALS, Locals, VACANT};
 use crate::controls::Alarm;
 use crate::controls::macros::{ARGUMENT, ArgumentSets, CallKind, CodeCall};
@@ -90,7 +90,7 @@ impl State {
         self.frames.iter().any(|frame| frame.by_code)
     }
 
-    fn enter(&mut self, cx: &Cx, callee: Callee) -> Run<()> {
+    fn enter(&mut self, cx: &BlockContext, callee: Callee) -> Run<()> {
         let limits = &cx.control.limits;
         let macros = self.macro_depth();
         if callee.arguments.is_some() && macros >= limits.macro_depth as usize {
@@ -122,14 +122,14 @@ impl State {
     }
 
     /// A program by its number as it stands behind P.
-    fn program_of(&self, cx: &Cx, number: f64) -> Run<u32> {
+    fn program_of(&self, cx: &BlockContext, number: f64) -> Run<u32> {
         let found = if (1.0..4e9).contains(&number) { cx.shared.index.program(number as u32) } else { None };
         let hint = msg!("interp.hint-program");
         let trap = || Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", (number, 0))).hint(hint).behind(b"P");
         found.ok_or_else(trap)
     }
 
-    fn repeats(&self, cx: &Cx, repeats: Option<f64>, at: &'static [u8]) -> Run<u32> {
+    fn repeats(&self, cx: &BlockContext, repeats: Option<f64>, at: &'static [u8]) -> Run<u32> {
         let max = cx.control.limits.repeat_max;
         // Where there is an alarm for repeats, none at all is one, too.
         let min = u32::from(cx.control.raises(Alarm::RepeatRange));
@@ -145,7 +145,7 @@ impl State {
     /// `M98 P H L`, or a code that calls as it does.
     pub(super) fn call_sub(
         &mut self,
-        cx: &Cx,
+        cx: &BlockContext,
         p: Option<f64>,
         h: Option<f64>,
         l: Option<f64>,
@@ -184,7 +184,7 @@ impl State {
     }
 
     /// A call of a program by its name.
-    pub(super) fn call_named(&mut self, cx: &mut Cx, name: TextId, repeats: Option<ExprId>) -> Run<()> {
+    pub(super) fn call_named(&mut self, cx: &mut BlockContext, name: TextId, repeats: Option<ExprId>) -> Run<()> {
         let name = cx.deck.text(Some(name));
         let Some(program) = cx.shared.index.named(name) else {
             let trap = Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", name));
@@ -207,7 +207,7 @@ impl State {
     }
 
     /// The alarm of a call or jump while a modal macro call is on, where that is one.
-    fn refuse_in_modal(&self, cx: &Cx) -> Run<()> {
+    fn refuse_in_modal(&self, cx: &BlockContext) -> Run<()> {
         if self.modal_call.is_some() && cx.control.raises(Alarm::ReturnInModal) {
             return Err(Trap::alarm(Alarm::ReturnInModal, msg!("interp.call-in-modal")));
         }
@@ -217,7 +217,7 @@ impl State {
     /// One call of a macro.
     fn call_macro(
         &mut self,
-        cx: &Cx,
+        cx: &BlockContext,
         (program, repeats): (u32, u32),
         arguments: Rc<Locals>,
         modal_call: Option<Rc<ModalCall>>,
@@ -229,14 +229,14 @@ impl State {
     }
 
     /// A call by a modal call in force.
-    pub(super) fn call_modal(&mut self, cx: &Cx, call: &ModalCall, arguments: Rc<Locals>) -> Run<()> {
+    pub(super) fn call_modal(&mut self, cx: &BlockContext, call: &ModalCall, arguments: Rc<Locals>) -> Run<()> {
         self.call_macro(cx, (call.program, call.repeats), arguments, call.outer.clone(), call.by_code)
     }
 
     /// `G65 P L arguments`, or `G66`, `G66.1` that put a call in force.
     pub(super) fn macro_words(
         &mut self,
-        cx: &mut Cx,
+        cx: &mut BlockContext,
         block: &Block,
         words: &[Word],
         caller: Caller,
@@ -254,7 +254,7 @@ impl State {
     /// A macro that a code calls by parameter: its words are arguments.
     pub(super) fn call_by_code(
         &mut self,
-        cx: &mut Cx,
+        cx: &mut BlockContext,
         block: &Block,
         words: &[Word],
         caller: Caller,
@@ -271,7 +271,14 @@ impl State {
         self.call_as(cx, call.program, arguments, call.kind, true)
     }
 
-    fn call_as(&mut self, cx: &Cx, program: u32, arguments: Arguments, kind: CallKind, by_code: bool) -> Run<()> {
+    fn call_as(
+        &mut self,
+        cx: &BlockContext,
+        program: u32,
+        arguments: Arguments,
+        kind: CallKind,
+        by_code: bool,
+    ) -> Run<()> {
         let repeats = self.repeats(cx, arguments.repeats, b"L")?;
         let arguments = Rc::new(arguments.locals);
         if matches!(kind, CallKind::Modal | CallKind::ModalBlock) {
@@ -286,7 +293,13 @@ impl State {
     }
 
     /// Arguments of both specifications, mixed: the later of two for one variable holds.
-    pub(super) fn arguments(&self, cx: &mut Cx, block: &Block, words: &[Word], caller: Caller) -> Run<Arguments> {
+    pub(super) fn arguments(
+        &self,
+        cx: &mut BlockContext,
+        block: &Block,
+        words: &[Word],
+        caller: Caller,
+    ) -> Run<Arguments> {
         let mut found = Arguments { program: None, repeats: None, locals: [VACANT; LOCALS] };
         let all = caller.all;
         // Set of I, J, K that is being filled, and the last of its letters; or how many of each there were.
@@ -346,7 +359,7 @@ impl State {
     }
 
     /// `M99 P`: the end of a subprogram or macro, or once more from the head of the main program.
-    pub(super) fn end_sub(&mut self, cx: &Cx, at: u32, p: Option<f64>) -> Run<()> {
+    pub(super) fn end_sub(&mut self, cx: &BlockContext, at: u32, p: Option<f64>) -> Run<()> {
         let keep = cx.shared.rules.keep_locals;
         if p.is_some() {
             self.refuse_in_modal(cx)?;

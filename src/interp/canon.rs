@@ -7,7 +7,7 @@ use core::fmt;
 
 use crate::controls::AxisDef;
 use crate::drives::Approach;
-use crate::drives::speed::Limit;
+use crate::drives::speed::SpeedLimit;
 use crate::text::number::Plain;
 
 /// Axes that a control can have at most.
@@ -105,7 +105,7 @@ pub enum Canon {
     /// A limit of the spindle speed in r/min (G25, G26, G50 S, G92 S, LIMS). It stays until another one is given.
     SpeedLimit {
         /// Which.
-        limit: Limit,
+        limit: SpeedLimit,
         /// r/min.
         rpm: f64,
     },
@@ -193,7 +193,7 @@ pub enum Canon {
 
 /// Names and scale that a [`Canon`] needs to be written as a line.
 #[derive(Debug, Clone, Copy)]
-pub struct Names<'a> {
+pub struct CanonNames<'a> {
     /// Axes in the control's order.
     pub axes: &'a [AxisDef],
     /// Millimetres or degrees per command increment.
@@ -201,7 +201,7 @@ pub struct Names<'a> {
 }
 
 impl Target {
-    fn write(&self, f: &mut impl fmt::Write, names: &Names) -> fmt::Result {
+    fn write(&self, f: &mut impl fmt::Write, names: &CanonNames) -> fmt::Result {
         for (k, axis) in names.axes.iter().enumerate().take(AXES) {
             if self.mask & (1 << k) != 0 {
                 f.write_char(' ')?;
@@ -238,7 +238,7 @@ impl Canon {
     }
 
     /// The command as one line of the canonical log, for instance `linear X8 Y62.832 F119391.393`.
-    pub fn line<'a>(&'a self, names: Names<'a>) -> Line<'a> {
+    pub fn line<'a>(&'a self, names: CanonNames<'a>) -> Line<'a> {
         Line { canon: self, names }
     }
 }
@@ -247,7 +247,7 @@ impl Canon {
 #[derive(Debug, Clone, Copy)]
 pub struct Line<'a> {
     canon: &'a Canon,
-    names: Names<'a>,
+    names: CanonNames<'a>,
 }
 
 impl fmt::Display for Line<'_> {
@@ -301,9 +301,9 @@ impl Line<'_> {
             Canon::ConstantSpeed => f.write_str("constant-speed"),
             Canon::SpeedLimit { limit, rpm } => {
                 f.write_str(match limit {
-                    Limit::Lower => "lower-",
-                    Limit::Upper => "upper-",
-                    Limit::Surface => "",
+                    SpeedLimit::Lower => "lower-",
+                    SpeedLimit::Upper => "upper-",
+                    SpeedLimit::Surface => "",
                 })?;
                 write!(f, "speed-limit {}", decimal(*rpm))
             }

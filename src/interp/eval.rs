@@ -1,8 +1,8 @@
 //! Expressions: vacant variables, degrees, and an alarm wherever a calculation has no result.
 
-use super::fault::{Run, Trap};
+use super::error::{Run, Trap};
 use super::rules::AsinRange;
-use super::state::{Cx, State};
+use super::state::{BlockContext, State};
 use crate::controls::syntax::Function;
 use crate::controls::{Alarm, VarKind};
 use crate::math;
@@ -20,7 +20,7 @@ pub(super) fn or_zero(x: f64) -> f64 {
 pub(super) const WHOLE: f64 = 1e-6;
 
 /// A value as a number of 32 bits, for AND, OR and XOR.
-fn bits(cx: &Cx, x: f64) -> Run<i32> {
+fn bits(cx: &BlockContext, x: f64) -> Run<i32> {
     let whole = x.round();
     if cx.control.macros.whole_bits && (x - whole).abs() >= WHOLE {
         return Err(Trap::alarm(Alarm::NotWhole, msg!("interp.not-whole", (x, 9))));
@@ -52,7 +52,7 @@ fn regroup(x: f64, from: i64, to: i64) -> Run<f64> {
 }
 
 /// The value of a function.
-pub(super) fn function(cx: &Cx, function: Function, x: f64) -> Run<f64> {
+pub(super) fn function(cx: &BlockContext, function: Function, x: f64) -> Run<f64> {
     let outside = |alarm: Alarm| {
         let name = cx.control.syntax.functions.iter().find(|row| row.1 == function).map_or("", |row| row.0);
         Err(Trap::alarm(alarm, msg!("interp.outside-domain", name, (x, 9))))
@@ -91,7 +91,7 @@ pub(super) fn function(cx: &Cx, function: Function, x: f64) -> Run<f64> {
 
 /// A result, if the control's numbers reach to it.
 #[inline]
-fn in_range(cx: &Cx, x: f64) -> Run<f64> {
+fn in_range(cx: &BlockContext, x: f64) -> Run<f64> {
     let (least, most) = cx.shared.rules.result;
     let size = x.abs();
     if size <= most && (size >= least || size == 0.0) {
@@ -107,13 +107,13 @@ fn out_of_range(large: bool) -> Trap {
 }
 
 /// The value of an operator between two numbers. Comparisons give 1 or 0.
-pub(super) fn operate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
+pub(super) fn operate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
     calculate(cx, op, a, b)
 }
 
 /// Whether nothing can be divided by a number: MOD rounds it before, but for controls with truths.
 #[inline]
-fn divides_not(cx: &Cx, op: Op, b: f64) -> bool {
+fn divides_not(cx: &BlockContext, op: Op, b: f64) -> bool {
     match op {
         Op::Divide => b == 0.0,
         Op::Modulo if cx.control.macros.truths => b == 0.0,
@@ -124,7 +124,7 @@ fn divides_not(cx: &Cx, op: Op, b: f64) -> bool {
 
 /// The same in the midst of a formula.
 #[inline(always)]
-fn calculate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
+fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
     match op {
         Op::Add => in_range(cx, a + b),
         Op::Subtract => in_range(cx, a - b),
@@ -159,7 +159,7 @@ fn calculate(cx: &Cx, op: Op, a: f64, b: f64) -> Run<f64> {
 
 /// Whether two numbers count as equal although they differ.
 #[inline]
-fn close(cx: &Cx, a: f64, b: f64) -> bool {
+fn close(cx: &BlockContext, a: f64, b: f64) -> bool {
     let part = cx.control.macros.equal_within;
     part > 0.0 && (a - b).abs() <= part * a.abs().max(b.abs())
 }
@@ -171,7 +171,7 @@ fn truth(x: bool) -> Run<f64> {
 
 impl State {
     /// The value of an expression; vacant where it is nothing but a vacant variable. An alarm is about the part that has no value.
-    pub(super) fn value(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
+    pub(super) fn value(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
         match self.part(cx, id) {
             Err(trap @ Trap::Alarm(_)) => Err(self.blame(cx, id, trap)),
             value => value,
@@ -181,7 +181,7 @@ impl State {
     /// The value of a part of an expression.
     ///
     /// It goes as deep as the formula does; the parser takes formulas of a few hundred parts at most.
-    fn part(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
+    fn part(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
         match cx.deck.expr(id) {
             Expr::Number(dec) => Ok(dec.to_f64()),
             Expr::Var(number) => self.read(cx, number),
@@ -205,7 +205,7 @@ impl State {
 
     /// Finds the smallest part without a value: what it is made of has one.
     #[cold]
-    fn blame(&self, cx: &mut Cx, mut id: ExprId, trap: Trap) -> Trap {
+    fn blame(&self, cx: &mut BlockContext, mut id: ExprId, trap: Trap) -> Trap {
         loop {
             let parts = match cx.deck.expr(id) {
                 Expr::Number(_) | Expr::Label(_) | Expr::Var(_) => [None; 2],
@@ -220,7 +220,7 @@ impl State {
     }
 
     /// What an assignment stores: vacant only from a variable alone, never `-0`.
-    pub(super) fn assigned(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
+    pub(super) fn assigned(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
         let alone = matches!(cx.deck.expr(id), Expr::Var(_) | Expr::Indirect(_));
         let value = self.value(cx, id)?;
         // Adding 0 makes -0 to 0 and leaves everything else as it is.
@@ -229,17 +229,17 @@ impl State {
 
     /// The value of an expression as a number.
     #[inline]
-    pub(super) fn number(&self, cx: &mut Cx, id: ExprId) -> Run<f64> {
+    pub(super) fn number(&self, cx: &mut BlockContext, id: ExprId) -> Run<f64> {
         Ok(or_zero(self.value(cx, id)?))
     }
 
     /// What stands right of an operator has a value, and one that the operator takes whatever stands left of it.
-    pub(super) fn operand(&self, cx: &mut Cx, op: Op, right: ExprId) -> Run<()> {
+    pub(super) fn operand(&self, cx: &mut BlockContext, op: Op, right: ExprId) -> Run<()> {
         let value = self.number(cx, right)?;
         if divides_not(cx, op, value) { Err(self.division_by_zero(cx, right)) } else { Ok(()) }
     }
 
-    fn binary(&self, cx: &mut Cx, op: Op, left: ExprId, right: ExprId) -> Run<f64> {
+    fn binary(&self, cx: &mut BlockContext, op: Op, left: ExprId, right: ExprId) -> Run<f64> {
         let left = self.part(cx, left)?;
         let divisor = right;
         let right = self.part(cx, right)?;
@@ -256,7 +256,7 @@ impl State {
 
     /// The alarm, with the variables that make the divisor 0.
     #[cold]
-    fn division_by_zero(&self, cx: &mut Cx, divisor: ExprId) -> Trap {
+    fn division_by_zero(&self, cx: &mut BlockContext, divisor: ExprId) -> Trap {
         let mut trap = Trap::alarm(Alarm::DivisionByZero, msg!("interp.division-by-zero")).part(divisor);
         let mut open = vec![divisor];
         let mut named: Vec<u32> = Vec::new();
@@ -292,7 +292,7 @@ impl State {
 }
 
 /// The variable that a calculated number names; vacant names `#0`.
-pub(super) fn variable_number(cx: &Cx, x: f64) -> Run<u32> {
+pub(super) fn variable_number(cx: &BlockContext, x: f64) -> Run<u32> {
     let whole = or_zero(x).round();
     if (0.0..=4e9).contains(&whole) {
         Ok(whole as u32)

@@ -1,9 +1,9 @@
 //! `G65 Hnn P Q R`: calculations and jumps of controls that had no formulas once.
 
+use super::error::{Run, Trap};
 use super::eval::{function, operate, or_zero};
-use super::fault::{Run, Trap};
-use super::state::{Cx, State};
-use super::system::user_alarm;
+use super::state::{BlockContext, State};
+use super::system_variables::user_alarm;
 use crate::controls::Alarm;
 use crate::controls::syntax::{Function, Operation};
 use crate::msg;
@@ -11,13 +11,13 @@ use crate::nc::{Block, Op, Word, WordValue};
 
 impl State {
     /// Whether a G65 is a function: H stands in front of P, on a control that has functions.
-    pub(super) fn is_function(&self, cx: &Cx, words: &[Word]) -> bool {
+    pub(super) fn is_function(&self, cx: &BlockContext, words: &[Word]) -> bool {
         let first = words.iter().find(|word| matches!(word.letter, b'H' | b'P'));
         !cx.control.macros.functions.is_empty() && first.is_some_and(|word| word.letter == b'H')
     }
 
     /// Does a function.
-    pub(super) fn function_words(&mut self, cx: &mut Cx, at: u32, block: &Block, words: &[Word]) -> Run<()> {
+    pub(super) fn function_words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> Run<()> {
         let word = |letter: u8| words.iter().rfind(|word| word.letter == letter);
         let number = match word(b'H') {
             Some(word) => self.whole(cx, block, word)?.unwrap_or(0.0),
@@ -67,7 +67,7 @@ impl State {
         }
     }
 
-    fn calculate(&self, cx: &mut Cx, operation: Operation, (q, r): (f64, f64), target: u32) -> Run<f64> {
+    fn calculate(&self, cx: &mut BlockContext, operation: Operation, (q, r): (f64, f64), target: u32) -> Run<f64> {
         use Operation::*;
         match operation {
             Add => operate(cx, Op::Add, q, r),

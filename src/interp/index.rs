@@ -3,7 +3,7 @@
 use crate::controls::syntax::long;
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, CodeDef, Control, Switches, VarKind, VarRange};
-use crate::nc::{Block, Deck, Expr, ExprId, Program, Stmt, Way};
+use crate::nc::{Block, Deck, Expr, ExprId, JumpDirection, Program, Stmt};
 use crate::order;
 
 /// Where a variable lives.
@@ -243,9 +243,9 @@ fn targets(deck: &Deck, program: &Program) -> Vec<(u32, u32)> {
     for (at, block) in blocks.iter().enumerate() {
         for (_, target, way) in deck.jumps_of(block.stmt) {
             let on = |to: usize| match way {
-                Way::Round => true,
-                Way::Forward => to > at,
-                Way::Backward => to <= at,
+                JumpDirection::Around => true,
+                JumpDirection::Forward => to > at,
+                JumpDirection::Backward => to <= at,
             };
             let mut named: Vec<usize> = match deck.expr(target) {
                 Expr::Label(name) => {
@@ -260,7 +260,7 @@ fn targets(deck: &Deck, program: &Program) -> Vec<(u32, u32)> {
                 _ => Vec::new(),
             };
             // The nearest on the way.
-            let to = if way == Way::Backward { named.pop() } else { named.first().copied() };
+            let to = if way == JumpDirection::Backward { named.pop() } else { named.first().copied() };
             found.extend(to.map(|to| (target.0, program.first + to as u32)));
         }
     }

@@ -1,8 +1,8 @@
 //! Looking at a run between two blocks without touching it: next block, levels, the value of an expression, what has changed.
 
 use super::Interp;
-use super::fault::Trap;
-use super::state::{Cx, State};
+use super::error::Trap;
+use super::state::{BlockContext, State};
 use super::vars::{LOCALS, Locals, VACANT};
 use super::world::World;
 use crate::controls::{Group, VarKind};
@@ -132,7 +132,7 @@ impl Interp {
     /// is taken as the world has it.
     pub fn evaluate(&self, formula: &Formula, world: &mut dyn World) -> Result<Option<f64>, Box<Diagnostic>> {
         let control = self.shared.control;
-        let mut cx = Cx { shared: &self.shared, control, deck: formula.deck(), world, parts: 1.0 };
+        let mut cx = BlockContext { shared: &self.shared, control, deck: formula.deck(), world, parts: 1.0 };
         let value = match self.state.value(&mut cx, formula.root()) {
             Err(Trap::Sync) => State { synced: true, ..self.state.clone() }.value(&mut cx, formula.root()),
             value => value,
@@ -153,7 +153,7 @@ impl Interp {
     pub fn changes_since(&self, earlier: &Interp, world: &mut dyn World) -> Vec<Change> {
         let (now, then, index) = (&self.state, &earlier.state, &self.shared.index);
         let (shared, control, deck) = (&*self.shared, self.shared.control, self.shared.parsed.deck());
-        let mut cx = Cx { shared, control, deck, world, parts: 1.0 };
+        let mut cx = BlockContext { shared, control, deck, world, parts: 1.0 };
         let mut changes = Vec::new();
         let mut compare = |what: What, then: f64, now: f64| {
             let (before, after) = (shown(then), shown(now));

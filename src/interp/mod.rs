@@ -12,18 +12,18 @@ mod arc;
 mod block;
 mod call;
 pub mod canon;
+mod error;
 mod eval;
-mod fault;
-mod foretell;
 mod function;
-mod given;
 mod index;
 pub mod inspect;
 mod modal;
+mod modal_history;
+mod precheck;
 mod rules;
 mod spindle;
 mod state;
-mod system;
+mod system_variables;
 mod travel;
 mod value;
 mod vars;
@@ -32,13 +32,13 @@ pub mod world;
 use std::rc::Rc;
 
 pub use canon::{Canon, Feed, Target};
-pub use foretell::foretell;
+pub use precheck::precheck;
 pub use world::World;
 
 use crate::controls::{Control, Switches, VarKind};
 use crate::nc::Parsed;
 use crate::text::{Diagnostic, Place};
-use canon::{AXES, Names};
+use canon::{AXES, CanonNames};
 use index::{Index, Slot};
 use rules::{Rules, Units};
 use state::{Shared, State};
@@ -68,7 +68,7 @@ pub enum End {
 
 /// Which program a run starts with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Start {
+pub enum StartProgram {
     /// The first program of the first file.
     #[default]
     First,
@@ -96,17 +96,17 @@ pub struct Interp {
 
 impl Interp {
     /// A run at its start, axes at machine zero, variables vacant. `switches` settle the open points of the control.
-    pub fn new(parsed: Rc<Parsed>, start: Start, switches: &Switches) -> Interp {
+    pub fn new(parsed: Rc<Parsed>, start: StartProgram, switches: &Switches) -> Interp {
         let control = parsed.control();
         let index = Index::new(parsed.deck(), control, switches);
         let start = match start {
-            Start::First if parsed.deck().programs.is_empty() => Err(0),
-            Start::First => Ok(0),
-            Start::Nth(at) => Ok(at),
-            Start::Program(number) => index.program(number).ok_or(number),
+            StartProgram::First if parsed.deck().programs.is_empty() => Err(0),
+            StartProgram::First => Ok(0),
+            StartProgram::Nth(at) => Ok(at),
+            StartProgram::Program(number) => index.program(number).ok_or(number),
         };
         let rules = Rules::new(control, switches);
-        let executing = given::is_asked(parsed.deck(), control);
+        let executing = modal_history::is_asked(parsed.deck(), control);
         let shared = Rc::new(Shared { parsed, control, index, rules, units: Units::new(control), start, executing });
         Interp { state: State::new(&shared), shared }
     }
@@ -133,8 +133,8 @@ impl Interp {
     }
 
     /// What canonical lines of this run are written with.
-    pub fn names(&self) -> Names<'static> {
-        Names { axes: self.shared.control.axes, increment: self.shared.control.limits.increment }
+    pub fn names(&self) -> CanonNames<'static> {
+        CanonNames { axes: self.shared.control.axes, increment: self.shared.control.limits.increment }
     }
 
     /// The block with a sequence number in the program that a run starts with.

@@ -2,32 +2,32 @@
 
 use super::block::{Codes, Words};
 use super::canon::{AXES, Canon, Target};
-use super::fault::{Run, Trap};
-use super::state::{Cx, State};
+use super::error::{Run, Trap};
+use super::state::{BlockContext, State};
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Alarm, Code};
 use crate::drives::Approach;
 use crate::drives::orient::turn;
-use crate::drives::speed::Limit;
+use crate::drives::speed::SpeedLimit;
 use crate::msg;
 
 impl State {
     /// S, and constant surface speed on and off. `surface` is its zero before the block, where it was on.
     #[inline]
-    pub(super) fn speed(&mut self, cx: &Cx, codes: &Codes, values: &Words, surface: Option<i64>) -> Run<()> {
+    pub(super) fn speed(&mut self, cx: &BlockContext, codes: &Codes, values: &Words, surface: Option<i64>) -> Run<()> {
         let speed = values.speed;
         if speed.is_none() && surface.is_none() && !self.modal.surface {
             return Ok(());
         }
         match (codes.special, speed) {
             (Some(Code::SetCoordinates), Some(rpm)) => {
-                self.limit_speed(Limit::Surface, rpm);
+                self.limit_speed(SpeedLimit::Surface, rpm);
                 if values.mask == 0 {
                     self.limit_place(cx);
                 }
             }
-            (Some(Code::LowerLimits), Some(rpm)) => self.limit_speed(Limit::Lower, rpm),
-            (Some(Code::UpperLimits), Some(rpm)) => self.limit_speed(Limit::Upper, rpm),
+            (Some(Code::LowerLimits), Some(rpm)) => self.limit_speed(SpeedLimit::Lower, rpm),
+            (Some(Code::UpperLimits), Some(rpm)) => self.limit_speed(SpeedLimit::Upper, rpm),
             _ if self.modal.surface => return self.surface(cx, speed, surface),
             _ => {
                 if surface.is_some() {
@@ -49,7 +49,7 @@ impl State {
     }
 
     /// Constant surface speed is on.
-    fn surface(&mut self, cx: &Cx, speed: Option<f64>, before: Option<i64>) -> Run<()> {
+    fn surface(&mut self, cx: &BlockContext, speed: Option<f64>, before: Option<i64>) -> Run<()> {
         if self.modal.master > 1 && before.is_none() {
             return Err(self.other_spindle_asked());
         }
@@ -66,12 +66,12 @@ impl State {
     }
 
     /// A limit of the speed in r/min.
-    pub(super) fn limit_speed(&mut self, limit: Limit, rpm: f64) {
+    pub(super) fn limit_speed(&mut self, limit: SpeedLimit, rpm: f64) {
         self.queue.push(Canon::SpeedLimit { limit, rpm });
     }
 
     /// What a limit of the speed makes of the present position.
-    fn limit_place(&mut self, cx: &Cx) {
+    fn limit_place(&mut self, cx: &BlockContext) {
         let place = cx.shared.rules.spindle.limit_place;
         if place == LimitPlace::Nothing {
             return;
@@ -90,12 +90,12 @@ impl State {
         }
     }
 
-    pub(super) fn surface_zero(&self, cx: &Cx) -> i64 {
+    pub(super) fn surface_zero(&self, cx: &BlockContext) -> i64 {
         self.modal.zero.get(cx.shared.rules.surface_axis).copied().unwrap_or(0)
     }
 
     /// Says the surface speed, where it is on: it is new, or its zero has moved.
-    pub(super) fn surface_speed(&mut self, cx: &Cx) {
+    pub(super) fn surface_speed(&mut self, cx: &BlockContext) {
         if self.modal.surface {
             let (axis, zero) = (cx.shared.rules.surface_axis as u8, self.surface_zero(cx));
             let speed = self.modal.surface_speed.unwrap_or(0.0);
@@ -104,7 +104,7 @@ impl State {
     }
 
     /// The spindle goes to an angle in degrees, beside the motion of the block.
-    pub(super) fn orient(&mut self, cx: &Cx, angle: f64, approach: Approach) -> Run<()> {
+    pub(super) fn orient(&mut self, cx: &BlockContext, angle: f64, approach: Approach) -> Run<()> {
         let within = approach == Approach::Incremental || (0.0..360.0).contains(&angle);
         if !within && !cx.shared.rules.spindle.angle_wraps {
             return Err(Trap::alarm(Alarm::SpindleAngle, msg!("interp.spindle-angle", (angle, 9))));

@@ -4,11 +4,11 @@ use std::rc::Rc;
 
 use super::call::{Frame, ModalCall};
 use super::canon::{AXES, Canon};
+use super::error::{Run, Trap};
 use super::eval::WHOLE;
-use super::fault::{Run, Trap};
-use super::given::Given;
 use super::index::{Index, Partner};
 use super::modal::Modal;
+use super::modal_history::Given;
 use super::rules::{Rules, Units};
 use super::vars::{VACANT, Vars};
 use super::{Counts, End, Step, World};
@@ -32,7 +32,7 @@ pub(super) struct Shared {
 }
 
 /// What a block may ask while it runs.
-pub(super) struct Cx<'a> {
+pub(super) struct BlockContext<'a> {
     pub(super) shared: &'a Shared,
     pub(super) control: &'static Control,
     pub(super) deck: &'a Deck,
@@ -80,7 +80,7 @@ impl Queue {
 
 /// What an arc turns about.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Round {
+pub(super) struct ArcGeometry {
     pub(super) plane: (u8, u8),
     /// In command increments, machine frame.
     pub(super) center: (f64, f64),
@@ -89,11 +89,11 @@ pub(super) struct Round {
 
 /// How the last motion came to its end.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Came {
+pub(super) struct LastMotion {
     /// Where it began, in command increments, machine frame.
     pub(super) from: [i64; AXES],
     /// Of an arc, what it turned about.
-    pub(super) arc: Option<Round>,
+    pub(super) arc: Option<ArcGeometry>,
 }
 
 /// A run between two steps.
@@ -104,7 +104,7 @@ pub(super) struct State {
     /// Commanded position in command increments, machine frame.
     pub(super) position: [i64; AXES],
     /// The last motion, where the next one may go on in its direction.
-    pub(super) came: Came,
+    pub(super) came: LastMotion,
     /// Where the last motion that a signal may skip came to its end, machine frame.
     pub(super) skip: [i64; AXES],
     pub(super) queue: Queue,
@@ -137,7 +137,7 @@ impl State {
             vars: Vars::new(shared.index.stored),
             modal: Modal::new(shared.control, shared.rules.startup.iter().copied()),
             position: [0; AXES],
-            came: Came::default(),
+            came: LastMotion::default(),
             skip: [0; AXES],
             queue: Queue::default(),
             given: Given::default(),
@@ -213,7 +213,7 @@ impl State {
 
     /// Says something about bytes of the block at hand that is no alarm.
     #[cold]
-    pub(super) fn remark(&self, cx: &mut Cx, span: Span, message: Message) {
+    pub(super) fn remark(&self, cx: &mut BlockContext, span: Span, message: Message) {
         cx.world.remark(Diagnostic::warning(message).at(Place { file: self.file, span }));
     }
 
@@ -240,7 +240,7 @@ impl State {
     }
 
     /// What is in force in the block that the machine executes; at rest all that was read is.
-    pub(super) fn executing(&self, cx: &mut Cx) -> &Modal {
+    pub(super) fn executing(&self, cx: &mut BlockContext) -> &Modal {
         cx.world.waiting().and_then(|waiting| self.given.behind(waiting)).unwrap_or(&self.modal)
     }
 
@@ -256,7 +256,7 @@ impl State {
             return Step::Sync(self.place);
         }
         let deck = shared.parsed.deck();
-        let mut cx = Cx { shared, control: shared.control, deck, world, parts: 1.0 };
+        let mut cx = BlockContext { shared, control: shared.control, deck, world, parts: 1.0 };
         let at = self.at;
         let Some(block) = deck.blocks.get(at as usize).filter(|_| at < self.end) else {
             return self.no_end(&cx);
@@ -288,7 +288,7 @@ impl State {
 
     /// The program has run out of blocks.
     #[cold]
-    fn no_end(&mut self, cx: &Cx) -> Step {
+    fn no_end(&mut self, cx: &BlockContext) -> Step {
         let program = cx.deck.programs.get(self.program as usize);
         let last = (self.first < self.end).then(|| cx.deck.blocks.get(self.end as usize - 1)).flatten();
         let span = last.map_or(program.map_or(Span::default(), |program| program.span), |block| block.span);
@@ -308,7 +308,7 @@ impl State {
         self.fail(cx.shared, Trap::alarm(Alarm::NoProgramEnd, message).hint(hint))
     }
 
-    fn block(&mut self, cx: &mut Cx, at: u32, block: &Block) -> Run<()> {
+    fn block(&mut self, cx: &mut BlockContext, at: u32, block: &Block) -> Run<()> {
         if block.skip > 0 && cx.world.block_skip(block.skip) {
             self.counts.macros += 1;
             return Ok(());
@@ -367,7 +367,7 @@ impl State {
 
     /// The alarm of a block that could not be read, in the words of who read it.
     #[cold]
-    fn bad_block(&self, cx: &Cx, block: &Block, alarm: Alarm) -> Trap {
+    fn bad_block(&self, cx: &BlockContext, block: &Block, alarm: Alarm) -> Trap {
         let here = |place: Place| {
             place.file == self.file && block.span.start <= place.span.start && place.span.end <= block.span.end
         };
@@ -380,7 +380,7 @@ impl State {
     }
 
     /// The END of the DO in a block, or the DO of its END.
-    fn partner(&self, cx: &Cx, at: u32) -> Run<u32> {
+    fn partner(&self, cx: &BlockContext, at: u32) -> Run<u32> {
         match cx.shared.index.partner(self.program, at) {
             Partner::Block(partner) => Ok(partner),
             Partner::Fault(Alarm::DoNesting) => {
@@ -391,7 +391,7 @@ impl State {
         }
     }
 
-    pub(super) fn go_to(&mut self, cx: &mut Cx, from: u32, target: ExprId) -> Run<()> {
+    pub(super) fn go_to(&mut self, cx: &mut BlockContext, from: u32, target: ExprId) -> Run<()> {
         if cx.control.syntax.names().is_some() {
             self.at = cx
                 .shared
@@ -405,7 +405,7 @@ impl State {
     }
 
     /// Goes on at a sequence number of the running program; `from` is the block that jumps.
-    pub(super) fn go_to_number(&mut self, cx: &Cx, from: u32, number: f64) -> Run<()> {
+    pub(super) fn go_to_number(&mut self, cx: &BlockContext, from: u32, number: f64) -> Run<()> {
         // A calculated number may miss the whole one by a last digit; no block has a number with decimals.
         let whole = (number - number.round()).abs() < WHOLE;
         let number = if whole { number.round() } else { number };

@@ -3,18 +3,18 @@
 use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent, passes};
 use super::block::{Codes, Words};
 use super::canon::{AXES, Canon, Feed, Target};
-use super::fault::{Run, Trap};
-use super::state::{Came, Cx, Round, State};
+use super::error::{Run, Trap};
+use super::state::{ArcGeometry, BlockContext, LastMotion, State};
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code};
 use crate::math;
 use crate::msg;
-use crate::nc::Form;
+use crate::nc::Dimensioning;
 
 impl State {
     /// The command for the axis words of a block; whether axes move.
     #[inline]
-    pub(super) fn motion(&mut self, cx: &Cx, codes: &Codes, values: &Words) -> Run<bool> {
+    pub(super) fn motion(&mut self, cx: &BlockContext, codes: &Codes, values: &Words) -> Run<bool> {
         match codes.special {
             Some(Code::Dwell) if values.dwell_turns.is_some() => {
                 self.queue.push(Canon::DwellTurns { turns: values.dwell_turns.unwrap_or(0.0) });
@@ -54,7 +54,7 @@ impl State {
                 let mut to = Target { position: self.position, mask: values.mask };
                 let place = cx.shared.rules.point(point);
                 (0..AXES).filter(|k| values.mask & 1 << k != 0).for_each(|k| to.position[k] = place[k]);
-                self.came = Came { from: self.position, arc: None };
+                self.came = LastMotion { from: self.position, arc: None };
                 self.position = to.position;
                 self.queue.push(Canon::Rapid { to });
                 return Ok(true);
@@ -148,14 +148,14 @@ impl State {
             _ => return Ok(false),
         };
         if let (Canon::Arc { plane, center, clockwise, .. }, Some(area)) = (&motion, self.area(cx)) {
-            self.arc_within(cx, to, Round { plane: *plane, center: *center, clockwise: *clockwise }, area)?;
+            self.arc_within(cx, to, ArcGeometry { plane: *plane, center: *center, clockwise: *clockwise }, area)?;
         }
         if cx.shared.rules.tangents && to.position != self.position {
             let arc = match motion {
-                Canon::Arc { plane, center, clockwise, .. } => Some(Round { plane, center, clockwise }),
+                Canon::Arc { plane, center, clockwise, .. } => Some(ArcGeometry { plane, center, clockwise }),
                 _ => None,
             };
-            self.came = Came { from: self.position, arc };
+            self.came = LastMotion { from: self.position, arc };
         }
         self.position = to.position;
         self.queue.push(motion);
@@ -164,13 +164,13 @@ impl State {
 
     /// The working area, where its limits are on.
     #[inline]
-    fn area(&self, cx: &Cx) -> Option<&[[i64; AXES]; 2]> {
+    fn area(&self, cx: &BlockContext) -> Option<&[[i64; AXES]; 2]> {
         self.modal.area.as_ref().filter(|_| cx.shared.rules.area && !self.modal.area_off)
     }
 
     /// Refuses a place beyond the working area.
     #[cold]
-    fn within(&self, cx: &Cx, to: Target, [low, high]: &[[i64; AXES]; 2]) -> Run<()> {
+    fn within(&self, cx: &BlockContext, to: Target, [low, high]: &[[i64; AXES]; 2]) -> Run<()> {
         for (k, axis) in cx.control.axes.iter().enumerate().take(AXES).filter(|(k, _)| to.mask & 1 << k != 0) {
             let at = to.position[k];
             if !(low[k]..=high[k]).contains(&at) {
@@ -188,8 +188,8 @@ impl State {
 
     /// Refuses an arc that leaves the working area between its ends.
     #[cold]
-    fn arc_within(&self, cx: &Cx, to: Target, round: Round, area: &[[i64; AXES]; 2]) -> Run<()> {
-        let Round { plane: (first, second), center, clockwise } = round;
+    fn arc_within(&self, cx: &BlockContext, to: Target, round: ArcGeometry, area: &[[i64; AXES]; 2]) -> Run<()> {
+        let ArcGeometry { plane: (first, second), center, clockwise } = round;
         let scale = |axis: u8| cx.shared.rules.moved(axis);
         let from_center = |place: &[i64; AXES]| {
             let part = |axis: u8, center: f64| {
@@ -229,22 +229,22 @@ impl State {
 
     /// Where a rotary axis ends that goes to an angle, by a way of its own or without passing 0: less than a turn from where it is.
     #[cold]
-    fn turned(&self, cx: &Cx, axis: usize, to: i64, angle: i64, way: Form) -> Run<i64> {
+    fn turned(&self, cx: &BlockContext, axis: usize, to: i64, angle: i64, way: Dimensioning) -> Run<i64> {
         let turn = (360.0 * cx.shared.units.per_unit) as i64;
         if !(0..turn).contains(&angle) && !cx.shared.rules.spindle.angle_wraps {
             let angle = angle as f64 / cx.shared.units.per_unit;
             return Err(Trap::alarm(Alarm::SpindleAngle, msg!("interp.spindle-angle", (angle, 9))));
         }
         let from = self.position[axis];
-        if matches!(way, Form::Plain | Form::Absolute) {
+        if matches!(way, Dimensioning::Plain | Dimensioning::Absolute) {
             let present = from.saturating_sub(to.saturating_sub(angle)).rem_euclid(turn.max(1));
             return Ok(from.saturating_add(angle).saturating_sub(present));
         }
         let positive = to.saturating_sub(from).rem_euclid(turn.max(1));
         let negative = if positive > 0 { positive - turn } else { 0 };
         let by = match way {
-            Form::Positive => positive,
-            Form::Negative => negative,
+            Dimensioning::Positive => positive,
+            Dimensioning::Negative => negative,
             _ if 2 * positive <= turn => positive,
             _ => negative,
         };
@@ -252,7 +252,7 @@ impl State {
     }
 
     /// The lead in force, along the path.
-    fn lead(&self, cx: &Cx, values: &Words, to: Target) -> Run<f64> {
+    fn lead(&self, cx: &BlockContext, values: &Words, to: Target) -> Run<f64> {
         let Some(lead) = self.modal.lead.filter(|lead| *lead != 0.0) else {
             if cx.control.raises(Alarm::NoLead) {
                 return Err(Trap::alarm(Alarm::NoLead, msg!("interp.no-lead")));
@@ -274,7 +274,7 @@ impl State {
     }
 
     /// Length of a path per travel of the axis that goes farthest, along which a lead counts, and which axes go so far.
-    fn stretch(&self, cx: &Cx, to: Target) -> (f64, [bool; AXES]) {
+    fn stretch(&self, cx: &BlockContext, to: Target) -> (f64, [bool; AXES]) {
         let travel = |k: usize| to.position[k].saturating_sub(self.position[k]) as f64 * cx.shared.rules.moves[k];
         let squares = (0..AXES).map(|k| travel(k) * travel(k));
         let longest = squares.clone().fold(0.0, f64::max);
@@ -283,7 +283,7 @@ impl State {
     }
 
     /// G50 or G92: the present position is the one that is told, or differs from what it was by what is told.
-    fn set_coordinates(&mut self, cx: &Cx, values: &Words) {
+    fn set_coordinates(&mut self, cx: &BlockContext, values: &Words) {
         if values.mask == 0 {
             return;
         }
@@ -298,7 +298,7 @@ impl State {
         self.surface_speed(cx);
     }
 
-    fn arc(&self, cx: &Cx, values: &Words, mut to: Target, feed: Feed, exact: bool) -> Run<Canon> {
+    fn arc(&self, cx: &BlockContext, values: &Words, mut to: Target, feed: Feed, exact: bool) -> Run<Canon> {
         let [first, second, _] = self.modal.plane;
         let scale = |axis: u8| cx.shared.rules.moved(axis);
         let delta = |axis: u8| {
@@ -351,7 +351,7 @@ impl State {
 
     /// The end of an arc by its centre and the degrees that it goes round.
     #[cold]
-    fn turn_to(&self, cx: &Cx, values: &Words, turn: f64, to: &mut Target) {
+    fn turn_to(&self, cx: &BlockContext, values: &Words, turn: f64, to: &mut Target) {
         let [first, second, _] = self.modal.plane;
         let (x, y) = center_of(cx, values, (first, second));
         let (sin, cos) = math::sin_cos(if self.modal.motion == Code::ArcCw { -turn } else { turn }.to_radians());
@@ -365,7 +365,7 @@ impl State {
     }
 
     /// How far the point that an arc passes lies from its start along an axis, in what the slide moves.
-    fn passed(&self, cx: &Cx, values: &Words, axis: u8) -> f64 {
+    fn passed(&self, cx: &BlockContext, values: &Words, axis: u8) -> f64 {
         let at = usize::from(axis);
         let letter = cx.control.axes.get(at).map_or(0, |axis| axis.letter);
         let point = values.through.get(usize::from(letter.wrapping_sub(b'X'))).copied().flatten();
@@ -375,14 +375,14 @@ impl State {
     }
 
     /// Direction in the plane in which the last motion came to its end.
-    fn heading(&self, cx: &Cx) -> (f64, f64) {
+    fn heading(&self, cx: &BlockContext) -> (f64, f64) {
         let [first, second, _] = self.modal.plane;
         let part = |axis: u8, from: f64| {
             let at = usize::from(axis).min(AXES - 1);
             (self.position[at] as f64 - from) * cx.shared.rules.moves[at]
         };
         match self.came.arc {
-            Some(Round { plane, center, clockwise }) if plane == (first, second) => {
+            Some(ArcGeometry { plane, center, clockwise }) if plane == (first, second) => {
                 let (x, y) = (part(first, center.0), part(second, center.1));
                 if clockwise { (y, -x) } else { (-y, x) }
             }
@@ -395,7 +395,7 @@ impl State {
 }
 
 #[cold]
-fn no_feed(cx: &Cx, feed: Option<f64>) -> Trap {
+fn no_feed(cx: &BlockContext, feed: Option<f64>) -> Trap {
     match feed {
         None => Trap::alarm(Alarm::NoFeed, msg!("interp.no-feed")).hint(msg!("interp.hint-feed")),
         Some(_) => Trap::alarm(Alarm::FeedZero, msg!("interp.feed-zero"))
@@ -405,7 +405,7 @@ fn no_feed(cx: &Cx, feed: Option<f64>) -> Trap {
 }
 
 /// I, J, K of the axes of a plane: how far the centre lies from the start, in what the slide moves.
-fn center_of(cx: &Cx, values: &Words, (first, second): (u8, u8)) -> (f64, f64) {
+fn center_of(cx: &BlockContext, values: &Words, (first, second): (u8, u8)) -> (f64, f64) {
     let offset = |axis: u8| {
         let letter = cx.control.axes.get(axis as usize).map_or(0, |axis| axis.letter);
         let at = letter.wrapping_sub(b'X') as usize;

@@ -1,9 +1,9 @@
 //! Words as numbers: command increments, feeds, whole numbers, with the meaning of the point and the range of each address.
 
 use super::call::word_span;
+use super::error::{Run, Trap};
 use super::eval::WHOLE;
-use super::fault::{Run, Trap};
-use super::state::{Cx, State};
+use super::state::{BlockContext, State};
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code};
 use crate::msg;
@@ -31,7 +31,7 @@ fn cut(value: f64) -> f64 {
 
 impl State {
     /// The value of a word as it stands, `None` where it is vacant and the word is left out; on some controls it is 0 instead.
-    pub(super) fn raw(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn raw(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         if !cx.shared.rules.round_to_step {
             return self.as_written(cx, block, word);
         }
@@ -49,7 +49,7 @@ impl State {
     }
 
     /// The same where ROUND gives a whole number in any case, as it does in the arguments of a macro.
-    fn as_written(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+    fn as_written(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         match word.value {
             WordValue::Number(dec) => Ok(Some(dec.to_f64())),
             WordValue::Expr(id) => match self.value(cx, id) {
@@ -62,12 +62,12 @@ impl State {
 
     /// Whether a number without a point counts command increments behind this address.
     #[inline]
-    fn counts_increments(&self, cx: &Cx, letter: u8, dec: Dec) -> bool {
+    fn counts_increments(&self, cx: &BlockContext, letter: u8, dec: Dec) -> bool {
         !dec.point && !cx.shared.rules.whole_units && cx.shared.units.increment_letters & 1 << (letter & 31) != 0
     }
 
     /// The value of a word as an argument of a macro.
-    pub(super) fn argument(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn argument(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         let units = &cx.shared.units;
         match word.value {
             WordValue::Number(dec)
@@ -82,7 +82,7 @@ impl State {
     }
 
     /// The value of a word in the unit of its address: seconds, millimetres.
-    pub(super) fn plain(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn plain(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         match word.value {
             WordValue::Number(dec) if self.counts_increments(cx, word.letter, dec) => {
                 Ok(Some(dec.to_f64() / cx.shared.units.per_unit))
@@ -93,7 +93,7 @@ impl State {
 
     /// The value of a word as a whole number: what stands behind the point is dropped, or rounded where it was calculated and the control
     /// does so.
-    pub(super) fn whole(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn whole(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         let value = self.raw(cx, block, word)?;
         self.note_cut(cx, block, word);
         let round = cx.control.macros.round_words && matches!(word.value, WordValue::Expr(_));
@@ -102,7 +102,7 @@ impl State {
 
     /// Remarks a number that is written with decimals behind an address of whole numbers.
     #[inline]
-    fn note_cut(&self, cx: &mut Cx, block: &Block, word: &Word) {
+    fn note_cut(&self, cx: &mut BlockContext, block: &Block, word: &Word) {
         if let WordValue::Number(dec @ Dec { scale: 1.., .. }) = word.value
             && dec.to_f64().fract() != 0.0
         {
@@ -113,7 +113,7 @@ impl State {
 
     /// Ten times the number of a G or M code, for a look-up; `None` where the word is left out.
     #[inline]
-    pub(super) fn code_number(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<u32>> {
+    pub(super) fn code_number(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<u32>> {
         if let WordValue::Number(Dec { mantissa, scale: 0, .. }) = word.value {
             // A number that fits no table is no code; so is this one.
             return Ok(Some(u32::try_from(mantissa).ok().and_then(|n| n.checked_mul(10)).unwrap_or(u32::MAX)));
@@ -126,7 +126,7 @@ impl State {
 
     /// A length or angle in command increments, rounded half away from zero; `None` where the word is left out.
     #[inline]
-    pub(super) fn dimension(&self, cx: &mut Cx, block: &Block, word: &Word, inch: bool) -> Run<Option<i64>> {
+    pub(super) fn dimension(&self, cx: &mut BlockContext, block: &Block, word: &Word, inch: bool) -> Run<Option<i64>> {
         let units = &cx.shared.units;
         let increments = match word.value {
             WordValue::Number(dec) if !inch => {
@@ -162,7 +162,7 @@ impl State {
 
     /// F in mm/min, rounded to the control's step, or mm/rev.
     #[inline]
-    pub(super) fn feed_word(&self, cx: &mut Cx, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
+    pub(super) fn feed_word(&self, cx: &mut BlockContext, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
         if self.modal.per_revolution {
             return self.lead_word(cx, block, word, inch);
         }
@@ -174,7 +174,7 @@ impl State {
     }
 
     /// F in mm/rev: a feed, or the lead of a thread. That of a left-hand tap is negative.
-    pub(super) fn lead_word(&self, cx: &mut Cx, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
+    pub(super) fn lead_word(&self, cx: &mut BlockContext, block: &Block, word: &Word, inch: bool) -> Run<Option<f64>> {
         let Some(value) = self.plain(cx, block, word)? else { return Ok(None) };
         let lead = if inch { value * INCH } else { value };
         let limits = &cx.control.limits;
@@ -187,7 +187,7 @@ impl State {
     }
 
     /// The lead of a thread in mm/rev by its threads per inch.
-    pub(super) fn threads_word(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn threads_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         let Some(threads) = self.raw(cx, block, word)? else { return Ok(None) };
         let least = INCH / cx.control.limits.revolution_feed_max;
         if threads >= least && threads.is_finite() {
@@ -198,7 +198,13 @@ impl State {
     }
 
     /// S in r/min, or as a surface speed in m/min.
-    pub(super) fn speed_word(&self, cx: &mut Cx, block: &Block, word: &Word, surface: bool) -> Run<Option<f64>> {
+    pub(super) fn speed_word(
+        &self,
+        cx: &mut BlockContext,
+        block: &Block,
+        word: &Word,
+        surface: bool,
+    ) -> Run<Option<f64>> {
         let whole = cx.shared.units.integer_letters & 1 << (word.letter & 31) != 0;
         let speed = match self.raw(cx, block, word)? {
             None => return Ok(None),
@@ -226,7 +232,7 @@ impl State {
     }
 
     /// A dwell: P in whole milliseconds, S in turns of the spindle, the other addresses in seconds.
-    pub(super) fn dwell_word(&self, cx: &mut Cx, block: &Block, word: &Word) -> Run<Option<f64>> {
+    pub(super) fn dwell_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         let seconds = match word.letter {
             b'P' => self.whole(cx, block, word)?.map(|milliseconds| milliseconds / 1000.0),
             _ => self.plain(cx, block, word)?,
@@ -240,7 +246,7 @@ impl State {
 
     /// The alarm for a value that its address cannot hold.
     #[cold]
-    pub(super) fn out_of_range(&self, cx: &mut Cx, block: &Block, word: &Word, min: f64, max: f64) -> Trap {
+    pub(super) fn out_of_range(&self, cx: &mut BlockContext, block: &Block, word: &Word, min: f64, max: f64) -> Trap {
         let value = self.raw(cx, block, word).ok().flatten().unwrap_or(0.0);
         let equals = if long::is(word.letter) { "=" } else { "" };
         let address = cx.control.address(word.letter) + equals;

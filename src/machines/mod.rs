@@ -8,9 +8,9 @@ pub mod settings;
 
 pub mod report;
 
-mod judge;
+mod verdict;
 
-mod charts;
+mod chart_rows;
 
 mod writing;
 
@@ -33,7 +33,7 @@ use form::{Field, FieldInfo, Origins, Value, Values};
 
 /// The control that a machine is on, with its open points as they are set.
 #[derive(Debug, Clone, Copy)]
-pub struct On<'a> {
+pub struct ControlContext<'a> {
     /// The control.
     pub control: &'a Control,
     /// Settings of its open points.
@@ -51,7 +51,7 @@ pub struct Design {
 
 /// The program of a machine, before it is written.
 #[derive(Debug, Clone, Default)]
-pub struct Plan {
+pub struct MachineProgram {
     /// Programs, one per file.
     pub deck: Deck,
     /// Program number that sets the project's values, run once before the first start; 0 where there is none.
@@ -64,17 +64,17 @@ pub struct Plan {
 
 /// What a new project has besides the defaults of the form.
 #[derive(Debug, Clone, Default)]
-pub struct Start {
+pub struct Defaults {
     /// Values by field id.
     pub values: Values,
     /// Settings that the machine needs.
     pub switches: Switches,
 }
 
-impl Start {
+impl Defaults {
     /// The control's own times of blocks.
-    fn timing(control: &Control) -> Start {
-        let mut start = Start::default();
+    fn timing(control: &Control) -> Defaults {
+        let mut start = Defaults::default();
         for (id, value) in [
             ("block-time", control.timing.block * 1000.0),
             ("macro-time", control.timing.macro_block * 1000.0),
@@ -163,35 +163,42 @@ pub trait Machine: 'static {
     /// Machine seconds per second at which there is something to see, one of the speeds of the page.
     const SPEED: f64;
     /// What is dragged to look for a shape; most machines have nothing.
-    const EXPLORER: Option<fn(&Self::Params, On) -> Explorer> = None;
+    const EXPLORER: Option<fn(&Self::Params, ControlContext) -> Explorer> = None;
     /// The form, in the order it is shown.
     fn fields() -> &'static [Field<Self::Params>];
     /// What a new project has on this control instead of the defaults of the form: values of fields, settings of switches.
-    fn start(control: &Control) -> Start;
+    fn start(control: &Control) -> Defaults;
     /// Results and verdicts.
-    fn design(params: &Self::Params, on: On) -> Design;
+    fn design(params: &Self::Params, on: ControlContext) -> Design;
     /// The program.
-    fn plan(params: &Self::Params, on: On) -> Plan;
+    fn plan(params: &Self::Params, on: ControlContext) -> MachineProgram;
     /// The plant that runs it.
-    fn plant(params: &Self::Params, on: On) -> Plant;
+    fn plant(params: &Self::Params, on: ControlContext) -> Plant;
     /// How the operator's knobs stand when a run begins.
     fn hand(params: &Self::Params) -> Vec<Action>;
     /// The builder's PLC.
-    fn plc(params: &Self::Params, on: On) -> Box<dyn Plc>;
+    fn plc(params: &Self::Params, on: ControlContext) -> Box<dyn Plc>;
     /// Parameter sheet, interface, ladder list.
-    fn sheets(params: &Self::Params, on: On) -> Vec<Sheet>;
+    fn sheets(params: &Self::Params, on: ControlContext) -> Vec<Sheet>;
     /// Drawings that leave with an export.
-    fn drawings(_: &Self::Params, _: On) -> Vec<File> {
+    fn drawings(_: &Self::Params, _: ControlContext) -> Vec<File> {
         Vec::new()
     }
     /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
-    fn variables(params: &Self::Params, on: On) -> Vec<(u32, &'static str, &'static str)>;
+    fn variables(params: &Self::Params, on: ControlContext) -> Vec<(u32, &'static str, &'static str)>;
     /// The drawing.
-    fn scene(params: &Self::Params, on: On) -> Scene;
+    fn scene(params: &Self::Params, on: ControlContext) -> Scene;
     /// The drawing at a moment.
-    fn pose(params: &Self::Params, on: On, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
+    fn pose(params: &Self::Params, on: ControlContext, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
     /// Charts from `from` to `to` seconds with `points` points each.
-    fn charts(params: &Self::Params, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
+    fn charts(
+        params: &Self::Params,
+        on: ControlContext,
+        run: &dyn Samples,
+        from: f64,
+        to: f64,
+        points: usize,
+    ) -> Vec<Chart>;
 }
 
 /// A machine, erased over its parameters so that the page is compiled once.
@@ -209,27 +216,35 @@ pub trait AnyMachine: Sync {
     /// The form.
     fn fields(&self) -> Vec<FieldInfo>;
     /// What a new project has on this control instead of the defaults of the form.
-    fn start(&self, control: &Control) -> Start;
+    fn start(&self, control: &Control) -> Defaults;
     /// Fields that have no meaning on this control with these values; their values stay.
     fn hidden(&self, values: &Values, control: &Control) -> Vec<&'static str>;
     /// Results and verdicts; invalid fields as errors, facts that are only assumed as a remark. Total.
-    fn design(&self, values: &Values, origins: &Origins, on: On) -> Design;
+    fn design(&self, values: &Values, origins: &Origins, on: ControlContext) -> Design;
     /// The program. Total; where values are invalid the default stands in and `design` has said so.
-    fn plan(&self, values: &Values, on: On) -> Plan;
+    fn plan(&self, values: &Values, on: ControlContext) -> MachineProgram;
     /// The plant that runs it.
-    fn plant(&self, values: &Values, on: On) -> Plant;
+    fn plant(&self, values: &Values, on: ControlContext) -> Plant;
     /// How the operator's knobs stand when a run begins.
     fn hand(&self, values: &Values) -> Vec<Action>;
     /// The builder's PLC.
-    fn plc(&self, values: &Values, on: On) -> Box<dyn Plc>;
+    fn plc(&self, values: &Values, on: ControlContext) -> Box<dyn Plc>;
     /// Variables of the control that the operator reads and sets: number, catalog id of the meaning, unit.
-    fn variables(&self, values: &Values, on: On) -> Vec<(u32, &'static str, &'static str)>;
+    fn variables(&self, values: &Values, on: ControlContext) -> Vec<(u32, &'static str, &'static str)>;
     /// The drawing.
-    fn scene(&self, values: &Values, on: On) -> Scene;
+    fn scene(&self, values: &Values, on: ControlContext) -> Scene;
     /// The drawing at a moment.
-    fn pose(&self, values: &Values, on: On, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
+    fn pose(&self, values: &Values, on: ControlContext, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
     /// Charts from `from` to `to` seconds with `points` points each.
-    fn charts(&self, values: &Values, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
+    fn charts(
+        &self,
+        values: &Values,
+        on: ControlContext,
+        run: &dyn Samples,
+        from: f64,
+        to: f64,
+        points: usize,
+    ) -> Vec<Chart>;
 }
 
 /// The erased form of a machine `M`.
@@ -281,7 +296,7 @@ impl<M: Machine> AnyMachine for Erased<M> {
         M::fields().iter().map(Field::info).collect()
     }
 
-    fn start(&self, control: &Control) -> Start {
+    fn start(&self, control: &Control) -> Defaults {
         M::start(control)
     }
 
@@ -290,7 +305,7 @@ impl<M: Machine> AnyMachine for Erased<M> {
         M::fields().iter().filter(|field| !(field.shown)(&params, control)).map(|field| field.id).collect()
     }
 
-    fn design(&self, values: &Values, origins: &Origins, on: On) -> Design {
+    fn design(&self, values: &Values, origins: &Origins, on: ControlContext) -> Design {
         let (params, mut diagnostics) = Erased::<M>::params(values);
         let mut design = M::design(&params, on);
         diagnostics.append(&mut design.diagnostics);
@@ -303,11 +318,11 @@ impl<M: Machine> AnyMachine for Erased<M> {
         Design { diagnostics, ..design }
     }
 
-    fn plan(&self, values: &Values, on: On) -> Plan {
+    fn plan(&self, values: &Values, on: ControlContext) -> MachineProgram {
         M::plan(&Erased::<M>::params(values).0, on)
     }
 
-    fn plant(&self, values: &Values, on: On) -> Plant {
+    fn plant(&self, values: &Values, on: ControlContext) -> Plant {
         M::plant(&Erased::<M>::params(values).0, on)
     }
 
@@ -315,23 +330,31 @@ impl<M: Machine> AnyMachine for Erased<M> {
         M::hand(&Erased::<M>::params(values).0)
     }
 
-    fn plc(&self, values: &Values, on: On) -> Box<dyn Plc> {
+    fn plc(&self, values: &Values, on: ControlContext) -> Box<dyn Plc> {
         M::plc(&Erased::<M>::params(values).0, on)
     }
 
-    fn variables(&self, values: &Values, on: On) -> Vec<(u32, &'static str, &'static str)> {
+    fn variables(&self, values: &Values, on: ControlContext) -> Vec<(u32, &'static str, &'static str)> {
         M::variables(&Erased::<M>::params(values).0, on)
     }
 
-    fn scene(&self, values: &Values, on: On) -> Scene {
+    fn scene(&self, values: &Values, on: ControlContext) -> Scene {
         M::scene(&Erased::<M>::params(values).0, on)
     }
 
-    fn pose(&self, values: &Values, on: On, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+    fn pose(&self, values: &Values, on: ControlContext, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
         M::pose(&Erased::<M>::params(values).0, on, run, now, frame)
     }
 
-    fn charts(&self, values: &Values, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+    fn charts(
+        &self,
+        values: &Values,
+        on: ControlContext,
+        run: &dyn Samples,
+        from: f64,
+        to: f64,
+        points: usize,
+    ) -> Vec<Chart> {
         M::charts(&Erased::<M>::params(values).0, on, run, from, to, points)
     }
 }
@@ -369,15 +392,15 @@ macro_rules! machines {
         pub static LISTED: &[Listed] = &[$(Listed::of::<$first>(true),)* $(Listed::of::<$whole>(false)),*];
 
         /// Their sheets: beside [`AnyMachine`], so that who makes none does not carry them.
-        static SHEETS: &[(&str, fn(&Values, On) -> Vec<Sheet>)] =
+        static SHEETS: &[(&str, fn(&Values, ControlContext) -> Vec<Sheet>)] =
             &[$((<$first>::ID, sheets_of::<$first>),)* $((<$whole>::ID, sheets_of::<$whole>)),*];
 
         /// Their drawings, likewise.
-        static DRAWINGS: &[(&str, fn(&Values, On) -> Vec<File>)] =
+        static DRAWINGS: &[(&str, fn(&Values, ControlContext) -> Vec<File>)] =
             &[$((<$first>::ID, drawings_of::<$first>),)* $((<$whole>::ID, drawings_of::<$whole>)),*];
 
         /// Their explorers, likewise.
-        static EXPLORERS: &[(&str, bool, fn(&Values, On) -> Option<Explorer>)] = &[
+        static EXPLORERS: &[(&str, bool, fn(&Values, ControlContext) -> Option<Explorer>)] = &[
             $((<$first>::ID, <$first>::EXPLORER.is_some(), explorer_of::<$first>),)*
             $((<$whole>::ID, <$whole>::EXPLORER.is_some(), explorer_of::<$whole>)),*
         ];
@@ -386,27 +409,27 @@ macro_rules! machines {
 
 machines![first: ribbon_line::RibbonLine; whole: turning_spindle::TurningSpindle, polygon_lathe::PolygonLathe];
 
-fn sheets_of<M: Machine>(values: &Values, on: On) -> Vec<Sheet> {
+fn sheets_of<M: Machine>(values: &Values, on: ControlContext) -> Vec<Sheet> {
     M::sheets(&Erased::<M>::params(values).0, on)
 }
 
 /// Parameter sheet, interface, ladder list of a machine.
-pub fn sheets(machine: &dyn AnyMachine, values: &Values, on: On) -> Vec<Sheet> {
+pub fn sheets(machine: &dyn AnyMachine, values: &Values, on: ControlContext) -> Vec<Sheet> {
     let found = SHEETS.iter().find(|(id, _)| *id == machine.id());
     found.map_or_else(Vec::new, |(_, sheets)| sheets(values, on))
 }
 
-fn drawings_of<M: Machine>(values: &Values, on: On) -> Vec<File> {
+fn drawings_of<M: Machine>(values: &Values, on: ControlContext) -> Vec<File> {
     M::drawings(&Erased::<M>::params(values).0, on)
 }
 
 /// Drawings of a machine that leave with an export.
-pub fn drawings(machine: &dyn AnyMachine, values: &Values, on: On) -> Vec<File> {
+pub fn drawings(machine: &dyn AnyMachine, values: &Values, on: ControlContext) -> Vec<File> {
     let found = DRAWINGS.iter().find(|(id, _)| *id == machine.id());
     found.map_or_else(Vec::new, |(_, drawings)| drawings(values, on))
 }
 
-fn explorer_of<M: Machine>(values: &Values, on: On) -> Option<Explorer> {
+fn explorer_of<M: Machine>(values: &Values, on: ControlContext) -> Option<Explorer> {
     M::EXPLORER.map(|explorer| explorer(&Erased::<M>::params(values).0, on))
 }
 
@@ -416,7 +439,7 @@ pub fn explores(id: &str) -> bool {
 }
 
 /// What is dragged on a machine to look for a shape; nothing for most.
-pub fn explorer(machine: &dyn AnyMachine, values: &Values, on: On) -> Option<Explorer> {
+pub fn explorer(machine: &dyn AnyMachine, values: &Values, on: ControlContext) -> Option<Explorer> {
     EXPLORERS.iter().find(|row| row.0 == machine.id()).and_then(|row| row.2(values, on))
 }
 

@@ -1,7 +1,7 @@
 //! The report of any machine: its form, its results, its sheets, and the open points of its control.
 
 use super::form::{FieldInfo, KindInfo, Origins, Provenance, Value, Values};
-use super::{AnyMachine, On};
+use super::{AnyMachine, ControlContext};
 use crate::controls::{Control, Switches};
 use crate::text::catalog::{Language, number_text, words};
 use crate::text::{Citation, Diagnostic, Grade};
@@ -13,10 +13,10 @@ pub fn report(
     machine: &dyn AnyMachine,
     name: &str,
     (values, origins): (&Values, &Origins),
-    on: On,
+    on: ControlContext,
     further: &[Diagnostic],
 ) -> Report {
-    let On { control, switches } = on;
+    let ControlContext { control, switches } = on;
     let design = machine.design(values, origins, on);
     let hidden = machine.hidden(values, control);
     let fields = machine.fields();

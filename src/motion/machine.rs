@@ -1,6 +1,6 @@
 //! The plant as the planner uses it: sound numbers, one entry for each axis that a control can have.
 
-use super::plan::Limits;
+use super::plan::Budget;
 use super::plant::{AxisPlant, Plant, SpindlePlant};
 use super::plc::Part;
 use crate::controls::{Alarm, Control, VarKind, VarRange};
@@ -28,7 +28,7 @@ pub(super) struct Machine {
     pub(super) stock: f64,
     /// Seconds from the end of the unfiltered path to standstill of the slowest axis.
     pub(super) standstill: f64,
-    pub(super) limits: Limits,
+    pub(super) limits: Budget,
     pub(super) emergency: Option<(&'static str, &'static str)>,
     pub(super) no_positioning: Option<(&'static str, &'static str)>,
     pub(super) reversal: Option<(&'static str, &'static str)>,
@@ -41,7 +41,7 @@ pub(super) struct Machine {
 
 impl Machine {
     /// Values that are no number or make no sense become harmless ones: no run ever fails over its plant.
-    pub(super) fn new(control: &Control, plant: &Plant, limits: Limits, log: bool) -> Machine {
+    pub(super) fn new(control: &Control, plant: &Plant, limits: Budget, log: bool) -> Machine {
         let positive = |x: f64, otherwise: f64| if x > 0.0 && x.is_finite() { x } else { otherwise };
         let mut fitted = 0;
         let axes: [AxisPlant; AXES] = core::array::from_fn(|k| {

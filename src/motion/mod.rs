@@ -40,7 +40,7 @@ pub mod timeline;
 
 pub mod plan;
 
-pub mod look;
+pub mod fork;
 
 mod executor;
 
@@ -64,13 +64,13 @@ mod spindle;
 
 mod state;
 
-mod track;
+mod time_series;
 
 mod turning;
 
-pub use look::Gate;
+pub use fork::Gate;
 pub use panel::{Action, Event, Panel};
-pub use plan::{Keep, Limits, Planner, Progress, RunEnd, Setup};
+pub use plan::{Budget, Planner, Progress, Retention, RunEnd, Setup};
 pub use plant::{AxisPlant, Plant, SpindlePlant};
 pub use plc::{BenchPlc, GearShift, Io, Part, Plc, Strobes};
 pub use pmc::PMC_AXES;

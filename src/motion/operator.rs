@@ -6,7 +6,7 @@ use super::plc::Part;
 use super::program::Program;
 use super::signals::{percent, sense};
 use super::state::Sim;
-use super::timeline::Change;
+use super::timeline::VariableChange;
 use crate::math;
 use crate::msg;
 use crate::text::Diagnostic;
@@ -74,7 +74,11 @@ impl<P: Program> Sim<'_, P> {
             },
             Action::Variable(number, value) => {
                 if self.s.program.set_variable(*number, *value) {
-                    self.out.timeline.changes.push(Change { t, number: *number, value: value.unwrap_or(f64::NAN) });
+                    self.out.timeline.changes.push(VariableChange {
+                        t,
+                        number: *number,
+                        value: value.unwrap_or(f64::NAN),
+                    });
                 } else {
                     self.nothing_to_set(&format!("#{number}"));
                 }

@@ -2,7 +2,7 @@
 
 use super::program::Program;
 use super::signals::sense;
-use super::spindle::{Control, Ramp, Told};
+use super::spindle::{Ramp, SpindleMode, Told};
 use super::state::Sim;
 use crate::drives::orient::{Approach, Travel, first_travel, travel, turn};
 use crate::msg;
@@ -127,7 +127,7 @@ impl<P: Program> Sim<'_, P> {
                 let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
                 let told = Told { sign: 0, stage: last.told.stage, ..Told::default() };
                 self.s.io.spindle_command = 0.0;
-                let control = Control::Held;
+                let control = SpindleMode::Held;
                 self.put(Ramp { t, start: 0.0, target: 0.0, rate: 0.0, turns: goal, told, control, ..last });
             }
             Part::Held => {}
@@ -142,7 +142,7 @@ impl<P: Program> Sim<'_, P> {
         let stage = last.told.stage;
         let told = Told { from: start.abs(), to: target.abs(), span: seconds, sign, stage, ..Told::default() };
         self.s.io.spindle_command = target;
-        self.put(Ramp { t, start, target, rate, turns, told, control: Control::Position, ..last });
+        self.put(Ramp { t, start, target, rate, turns, told, control: SpindleMode::Position, ..last });
         if t + seconds > t {
             self.s.turning.reached_at = t + seconds;
         } else {

@@ -1,6 +1,6 @@
 //! The operator's hand over time. A run is a pure function of the project and these events.
 
-use crate::drives::speed::Limit;
+use crate::drives::speed::SpeedLimit;
 
 /// What the operator does.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,7 +28,7 @@ pub enum Action {
     /// S given by hand in r/min; 0 stops the spindle.
     ManualSpeed(f64),
     /// A limit of the spindle speed set in r/min, as in the setting data.
-    SpeedLimit(Limit, f64),
+    SpeedLimit(SpeedLimit, f64),
     /// A macro input is forced: the variable (`#1033`), or its lower or upper half (`#1033.low`, `#1033.high`).
     Input(String, f64),
     /// A variable set on the control's screen, by number.

@@ -20,7 +20,7 @@
 
 use super::plant::AxisPlant;
 use super::snapshot::AxisState;
-use super::track::{Timed, Track};
+use super::time_series::{Timed, Track};
 use crate::interp::canon::AXES;
 use crate::math;
 

@@ -6,14 +6,14 @@
 
 use std::collections::VecDeque;
 
-use super::look::{Gate, Gatekeeper};
+use super::fork::{Gate, Gatekeeper};
 use super::machine::Machine;
 use super::panel::{Event, Panel};
 use super::path::Segment;
 use super::plant::Plant;
 use super::plc::Plc;
 use super::program::Program;
-use super::state::{Marks, Records, Sim, State, Who};
+use super::state::{EventSource, Marks, Records, Sim, State};
 use super::timeline::Timeline;
 use crate::controls::Control;
 use crate::interp::canon::AXES;
@@ -23,7 +23,7 @@ use crate::text::{Diagnostic, Place};
 
 /// Budgets of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits {
+pub struct Budget {
     /// Blocks read at most.
     pub blocks: u64,
     /// Machine seconds at most.
@@ -32,7 +32,7 @@ pub struct Limits {
 
 /// What a run leaves behind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Keep {
+pub enum Retention {
     /// The whole timeline and a checkpoint for every second: any moment can be shown, any event added.
     Timeline,
     /// The same, and the commands as a log: for stepping on the command line.
@@ -55,9 +55,9 @@ pub struct Setup<'a, P> {
     /// The operator's hand.
     pub panel: Panel,
     /// Budgets.
-    pub limits: Limits,
+    pub limits: Budget,
     /// What is kept.
-    pub keep: Keep,
+    pub keep: Retention,
 }
 
 /// Why a run is over. Where the operator does something further it goes on.
@@ -101,7 +101,7 @@ pub struct Planner<P> {
     pub(super) state: State<P>,
     pub(super) records: Records,
     pub(super) checkpoints: Vec<Checkpoint<P>>,
-    pub(super) keep: Keep,
+    pub(super) keep: Retention,
     /// Time of the next checkpoint, whole seconds.
     pub(super) due: f64,
     pub(super) ended: Option<RunEnd>,
@@ -112,7 +112,7 @@ pub struct Planner<P> {
 impl<P: Program> Planner<P> {
     /// A run at time 0; cycle start is pressed.
     pub fn new(setup: Setup<'_, P>) -> Planner<P> {
-        let machine = Machine::new(setup.control, setup.plant, setup.limits, setup.keep != Keep::Timeline);
+        let machine = Machine::new(setup.control, setup.plant, setup.limits, setup.keep != Retention::Timeline);
         let mut timeline = Timeline::new(machine.axes, super::pmc::axes(&setup.plant.pmc), machine.spindle);
         let mut state = State::new(setup.program, setup.plc, machine.square());
         let home = machine.axes.map(|axis| axis.home);
@@ -169,7 +169,7 @@ impl<P: Program> Planner<P> {
                 }
                 break;
             }
-            if let (Who::Reader, Some(gate)) = (who, &mut gate) {
+            if let (EventSource::Reader, Some(gate)) = (who, &mut gate) {
                 match self.state.look(t, &self.records.timeline, |program, world| gate(t, program, world)) {
                     Gate::Open => {}
                     Gate::Anew => {
@@ -198,11 +198,11 @@ impl<P: Program> Planner<P> {
     /// Before the first event at or after a whole second. All events before have happened before `due`.
     fn checkpoint(&mut self, t: f64) {
         match self.keep {
-            Keep::Timeline | Keep::Both => {
+            Retention::Timeline | Retention::Both => {
                 let marks = self.records.marks();
                 self.checkpoints.push(Checkpoint { t: self.due, state: self.state.clone(), marks });
             }
-            Keep::Log => self.records.timeline.forget(self.state.now),
+            Retention::Log => self.records.timeline.forget(self.state.now),
         }
         self.due = t.floor() + 1.0;
     }
@@ -220,7 +220,7 @@ impl<P: Program> Planner<P> {
     /// The operator does something at a time, be it in the part that is planned already: what was before stays, the rest is planned
     /// anew by further calls of [`advance`](Planner::advance), as if the event had been known from the beginning.
     pub fn event(&mut self, mut event: Event) {
-        if self.keep == Keep::Log {
+        if self.keep == Retention::Log {
             event.t = event.t.max(self.state.now);
         }
         let t = if event.t > 0.0 { event.t } else { 0.0 };
@@ -230,7 +230,7 @@ impl<P: Program> Planner<P> {
             self.records.diagnostics.pop();
         }
         let known = self.checkpoints.partition_point(|checkpoint| checkpoint.t <= t);
-        if self.keep != Keep::Log && t <= self.records.timeline.end && known > 0 {
+        if self.keep != Retention::Log && t <= self.records.timeline.end && known > 0 {
             self.checkpoints.truncate(known);
             let Some(last) = self.checkpoints.pop() else { return };
             self.records.truncate(&last.marks);

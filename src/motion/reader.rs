@@ -4,14 +4,14 @@ use super::executor::Exec;
 use super::plant::AxisPlant;
 use super::program::Program;
 use super::state::{Over, Queued, Sim, State};
-use super::timeline::{Change, Timeline};
+use super::timeline::{Timeline, VariableChange};
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, Step, World};
 use crate::order::Map;
 use crate::text::Diagnostic;
 
 /// What a program sees of the machine when one of its blocks is read.
-struct Eyes<'a> {
+struct ReaderWorld<'a> {
     inputs: &'a Map<u32, f64>,
     position: Axes<'a>,
     power_on: f64,
@@ -41,7 +41,7 @@ impl<P> State<P> {
 
     /// Shows somebody the program, and the machine as the program sees it at `t`, but with the axes where they are.
     pub(super) fn look<R>(&self, t: f64, path: &Timeline, look: impl FnOnce(&P, &mut dyn World) -> R) -> R {
-        let mut eyes = Eyes {
+        let mut eyes = ReaderWorld {
             inputs: &self.io.inputs,
             position: Axes::Path(path),
             power_on: t,
@@ -55,7 +55,7 @@ impl<P> State<P> {
     }
 }
 
-impl World for Eyes<'_> {
+impl World for ReaderWorld<'_> {
     fn input(&mut self, variable: u32) -> f64 {
         self.inputs.get(&variable).copied().unwrap_or(0.0)
     }
@@ -102,7 +102,7 @@ impl<P: Program> Sim<'_, P> {
         }
         let (running, waiting) = (self.s.run_time_at(t), self.s.waiting());
         let s = &mut *self.s;
-        let mut eyes = Eyes {
+        let mut eyes = ReaderWorld {
             inputs: &s.io.inputs,
             position: Axes::Rest(&s.position, &self.machine.axes),
             power_on: t,
@@ -114,7 +114,7 @@ impl<P: Program> Sim<'_, P> {
         };
         let step = s.program.step(&mut eyes);
         for (number, value) in eyes.changes {
-            self.out.timeline.changes.push(Change { t, number, value: value.unwrap_or(f64::NAN) });
+            self.out.timeline.changes.push(VariableChange { t, number, value: value.unwrap_or(f64::NAN) });
         }
         for remark in eyes.remarks {
             // A block in a loop says it once, whatever its values are.
@@ -151,7 +151,7 @@ impl<P: Program> Sim<'_, P> {
             // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).
             Canon::Output { variable, value } => {
                 if self.s.io.outputs.get(&variable) != Some(&value) {
-                    self.out.timeline.changes.push(Change { t, number: variable, value });
+                    self.out.timeline.changes.push(VariableChange { t, number: variable, value });
                 }
                 self.s.io.outputs.insert(variable, value);
                 self.scan(t);

@@ -4,7 +4,7 @@ use super::executor::Exec;
 use super::plc::Io;
 use super::program::Program;
 use super::state::Sim;
-use super::timeline::Change;
+use super::timeline::VariableChange;
 use crate::controls::Alarm;
 use crate::msg;
 use crate::text::Diagnostic;
@@ -78,7 +78,7 @@ impl<P: Program> Sim<'_, P> {
         }
         for (&number, &value) in inputs.iter() {
             if self.s.shown.get(&number) != Some(&value) {
-                self.out.timeline.changes.push(Change { t, number, value });
+                self.out.timeline.changes.push(VariableChange { t, number, value });
             }
         }
         self.s.shown.clone_from(inputs);

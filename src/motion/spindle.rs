@@ -2,7 +2,7 @@
 
 use super::plant::SpindlePlant;
 use super::snapshot::SpindleState;
-use super::track::Timed;
+use super::time_series::Timed;
 use crate::drives::Bound;
 use crate::drives::orient::turn;
 use crate::math;
@@ -24,7 +24,7 @@ pub(super) struct Told {
 
 /// Whether a spindle turns by speed or goes to an angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) enum Control {
+pub(super) enum SpindleMode {
     /// By speed, behind the inverter, with its slip.
     #[default]
     Speed,
@@ -49,7 +49,7 @@ pub(super) struct Ramp {
     pub(super) turns: f64,
     /// What it is told.
     pub(super) told: Told,
-    pub(super) control: Control,
+    pub(super) control: SpindleMode,
     /// The axis that is square to the spindle, and its place in mm where the diameter is 0.
     pub(super) square: Option<(u8, f64)>,
 }
@@ -124,7 +124,7 @@ impl Ramp {
 
     fn slip(&self, plant: &SpindlePlant) -> Slip {
         match self.control {
-            Control::Speed => Slip { gain: plant.gain, lost: plant.slip * plant.stage(self.told.stage).rated },
+            SpindleMode::Speed => Slip { gain: plant.gain, lost: plant.slip * plant.stage(self.told.stage).rated },
             _ => Slip { gain: 1.0, lost: 0.0 },
         }
     }
@@ -171,7 +171,7 @@ impl Ramp {
             turns,
             // Whole turns leave no noise behind: 0 and not 359.99….
             angle: turn((turns * 360e9).round() / 1e9),
-            held: self.control == Control::Held,
+            held: self.control == SpindleMode::Held,
             stage: self.told.stage,
             bound: self.told.bound,
             surface_speed: diameter.map(|diameter| crate::drives::speed::surface_speed(actual, diameter)),

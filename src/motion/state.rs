@@ -242,7 +242,7 @@ impl<P> State<P> {
 
 /// Who acts next; in this order where times are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Who {
+pub(super) enum EventSource {
     PowerOn,
     Operator,
     Plc,
@@ -261,23 +261,23 @@ pub(super) struct Sim<'a, P> {
 
 impl<P: Program> Sim<'_, P> {
     /// The earliest event: its time and whose it is; infinite where nothing will happen by itself.
-    pub(super) fn next(&self) -> (f64, Who) {
+    pub(super) fn next(&self) -> (f64, EventSource) {
         if !self.s.started {
-            return (0.0, Who::PowerOn);
+            return (0.0, EventSource::PowerOn);
         }
         let operator = self.panel.events().get(self.s.panel_done);
         let operator_at = operator.map_or(f64::INFINITY, |event| event.t);
-        let mut next = (f64::INFINITY, Who::Operator);
+        let mut next = (f64::INFINITY, EventSource::Operator);
         // Cycle start finds what has happened until then: pressed at the very moment of a stop, it answers the stop.
         let start = operator.is_some_and(|event| event.action == Action::Start);
         let first = if start { f64::INFINITY } else { operator_at };
         for (t, who) in [
-            (first, Who::Operator),
-            (self.s.plc_at, Who::Plc),
-            (self.s.turning.next(), Who::Spindle),
-            (self.reader_time(), Who::Reader),
-            (self.executor_time(), Who::Executor),
-            (operator_at, Who::Operator),
+            (first, EventSource::Operator),
+            (self.s.plc_at, EventSource::Plc),
+            (self.s.turning.next(), EventSource::Spindle),
+            (self.reader_time(), EventSource::Reader),
+            (self.executor_time(), EventSource::Executor),
+            (operator_at, EventSource::Operator),
         ] {
             if t < next.0 {
                 next = (t, who);
@@ -287,15 +287,15 @@ impl<P: Program> Sim<'_, P> {
     }
 
     /// Lets one event happen.
-    pub(super) fn happen(&mut self, t: f64, who: Who) {
+    pub(super) fn happen(&mut self, t: f64, who: EventSource) {
         self.s.now = t;
         match who {
-            Who::PowerOn => self.power_on(),
-            Who::Operator => self.operate(t),
-            Who::Plc => self.scan(t),
-            Who::Spindle => self.spindle(t),
-            Who::Reader => self.read(t),
-            Who::Executor => self.execute(t),
+            EventSource::PowerOn => self.power_on(),
+            EventSource::Operator => self.operate(t),
+            EventSource::Plc => self.scan(t),
+            EventSource::Spindle => self.spindle(t),
+            EventSource::Reader => self.read(t),
+            EventSource::Executor => self.execute(t),
         }
         self.rest(t);
         self.mark(t);

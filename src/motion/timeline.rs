@@ -7,7 +7,7 @@ use super::plant::{AxisPlant, SpindlePlant};
 use super::pmc::PMC_AXES;
 use super::snapshot::{Mode, Snapshot};
 use super::spindle::Ramp;
-use super::track::{Timed, Track};
+use super::time_series::{Timed, Track};
 use crate::interp::canon::AXES;
 use crate::text::Place;
 
@@ -23,7 +23,7 @@ pub(super) struct Mark {
 
 /// A common variable has this value from `t` on; NaN is vacant.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Change {
+pub(super) struct VariableChange {
     pub(super) t: f64,
     pub(super) value: f64,
     pub(super) number: u32,
@@ -35,7 +35,7 @@ impl Timed for Mark {
     }
 }
 
-impl Timed for Change {
+impl Timed for VariableChange {
     fn t(&self) -> f64 {
         self.t
     }
@@ -63,7 +63,7 @@ pub struct Timeline {
     pub(super) pmc: Path,
     pub(super) ramps: Track<Ramp>,
     pub(super) marks: Track<Mark>,
-    pub(super) changes: Track<Change>,
+    pub(super) changes: Track<VariableChange>,
     pub(super) start: f64,
     pub(super) end: f64,
     counted: [Cell<Counted>; 2],

@@ -5,10 +5,10 @@ use super::moves::Pace;
 use super::orienting::Orienting;
 use super::program::Program;
 use super::signals::percent;
-use super::spindle::{Control, Ramp, Told};
+use super::spindle::{Ramp, SpindleMode, Told};
 use super::state::{Once, Sim};
 use crate::controls::spindle::RapidSpeed;
-use crate::drives::speed::{Limit, limit_diameter, surface_rpm};
+use crate::drives::speed::{SpeedLimit, limit_diameter, surface_rpm};
 use crate::drives::{Bound, SpeedLimits};
 use crate::interp::Canon;
 use crate::msg;
@@ -85,12 +85,12 @@ impl Turning {
     }
 
     /// Sets a limit in r/min; what is no number is none.
-    pub(super) fn limit(&mut self, limit: Limit, rpm: f64) {
+    pub(super) fn limit(&mut self, limit: SpeedLimit, rpm: f64) {
         let rpm = if rpm > 0.0 { rpm } else { 0.0 };
         match limit {
-            Limit::Lower => self.set.0 = rpm,
-            Limit::Upper => self.set.1 = rpm,
-            Limit::Surface => self.surface_high = rpm,
+            SpeedLimit::Lower => self.set.0 = rpm,
+            SpeedLimit::Upper => self.set.1 = rpm,
+            SpeedLimit::Surface => self.surface_high = rpm,
         }
     }
 
@@ -142,7 +142,8 @@ impl<P: Program> Sim<'_, P> {
         let span = if from == to { 0.0 } else { span };
         let told = Told { from, to, span, sign: self.s.turning.direction, stage: self.gear(), bound };
         let last = self.out.timeline.ramps.last();
-        if last.is_some_and(|last| last.told == told && last.control == Control::Speed && (span == 0.0 || last.t == t))
+        if last
+            .is_some_and(|last| last.told == told && last.control == SpindleMode::Speed && (span == 0.0 || last.t == t))
         {
             return false;
         }
@@ -354,7 +355,7 @@ impl<P: Program> Sim<'_, P> {
         }
         self.s.io.spindle_command = target;
         let square = self.s.turning.square;
-        let ramp = Ramp { t, start, target, rate, turns, told, control: Control::Speed, square };
+        let ramp = Ramp { t, start, target, rate, turns, told, control: SpindleMode::Speed, square };
         self.put(ramp);
     }
 

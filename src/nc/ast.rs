@@ -106,7 +106,7 @@ pub enum Stmt {
         /// Sequence number or [`Expr::Label`] to go to.
         target: ExprId,
         /// Where it is looked for.
-        way: Way,
+        way: JumpDirection,
     },
     /// Several conditions with jumps `pairs[first..first + count]`; the first condition that holds jumps.
     Ifs {
@@ -129,7 +129,7 @@ pub enum Stmt {
         /// Sequence number or [`Expr::Label`] to go to.
         target: ExprId,
         /// Where it is looked for.
-        way: Way,
+        way: JumpDirection,
     },
     /// A call of a program by its name.
     Call {
@@ -158,9 +158,9 @@ pub enum Stmt {
 
 /// Where a jump looks for its target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Way {
+pub enum JumpDirection {
     /// From here to the end of the program, then from its head.
-    Round,
+    Around,
     /// Toward the end of the program only.
     Forward,
     /// Toward its head only.
@@ -175,12 +175,12 @@ pub struct Pair {
     /// Its new value, or the target.
     pub right: ExprId,
     /// Where a target is looked for.
-    pub way: Way,
+    pub way: JumpDirection,
 }
 
 /// How the value of a word counts, where the word says so itself: `X=IC(5)`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Form {
+pub enum Dimensioning {
     /// As the codes in force have it.
     #[default]
     Plain,
@@ -209,7 +209,7 @@ pub struct Word {
     /// Number that belongs to the address: `S1=500`, `SPOS[1]=0`.
     pub index: Option<u8>,
     /// How the value counts.
-    pub form: Form,
+    pub form: Dimensioning,
     /// What stands behind the letter.
     pub value: WordValue,
 }
@@ -300,7 +300,7 @@ pub(super) fn fresh_numbers() -> impl Iterator<Item = u32> {
 impl Word {
     /// A word that was built, without a place.
     pub const fn new(letter: u8, value: WordValue) -> Word {
-        Word { letter, len: 0, offset: 0, index: None, form: Form::Plain, value }
+        Word { letter, len: 0, offset: 0, index: None, form: Dimensioning::Plain, value }
     }
 
     /// The bytes of the word in its file.
@@ -377,7 +377,7 @@ impl Deck {
     }
 
     /// Where a block jumps, each with its condition; none where it does not.
-    pub fn jumps_of(&self, stmt: Stmt) -> impl Iterator<Item = (Option<ExprId>, ExprId, Way)> {
+    pub fn jumps_of(&self, stmt: Stmt) -> impl Iterator<Item = (Option<ExprId>, ExprId, JumpDirection)> {
         let one = match stmt {
             Stmt::If { cond, target, way } => Some((Some(cond), target, way)),
             Stmt::Goto { target, way } => Some((None, target, way)),

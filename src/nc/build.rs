@@ -13,7 +13,7 @@
 //! assert_eq!(deck.blocks.len(), 5);
 //! ```
 
-use super::ast::{Block, Deck, Expr, ExprId, Op, Program, Stmt, TextId, Way, Word, WordValue};
+use super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
 use super::dec::Dec;
 use crate::controls::syntax::Function;
 use crate::text::{FileId, Span};
@@ -269,7 +269,7 @@ impl Builder {
     pub fn if_goto(&mut self, condition: Condition, target: impl Into<Formula>) -> &mut Builder {
         let cond = self.intern(condition.0);
         let target = self.intern(target.into());
-        self.push(Stmt::If { cond, target, way: Way::Round })
+        self.push(Stmt::If { cond, target, way: JumpDirection::Around })
     }
 
     /// `IF [condition] THEN #to = value`.
@@ -283,7 +283,7 @@ impl Builder {
     /// `GOTO target`.
     pub fn goto(&mut self, target: impl Into<Formula>) -> &mut Builder {
         let target = self.intern(target.into());
-        self.push(Stmt::Goto { target, way: Way::Round })
+        self.push(Stmt::Goto { target, way: JumpDirection::Around })
     }
 
     /// `WHILE [condition] DO label`.

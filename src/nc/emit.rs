@@ -7,7 +7,7 @@ use super::files::{File, Files};
 use super::lower::{is_message, lowered};
 use super::parsed::Parsed;
 use crate::controls::Control;
-use crate::controls::syntax::{Function, Percent, Round};
+use crate::controls::syntax::{Function, Percent, RoundBrackets};
 use crate::msg;
 use crate::text::find::newline;
 use crate::text::{Diagnostic, FileId, Place, Span};
@@ -268,7 +268,7 @@ impl Writer<'_> {
 
     pub(super) fn comment(&mut self, comment: Option<TextId>, spaced: bool) {
         if comment.is_some() {
-            let round = self.control.syntax.round == Round::Comment;
+            let round = self.control.syntax.round == RoundBrackets::Comment;
             if spaced {
                 self.text.push(' ');
             }
@@ -307,7 +307,7 @@ impl Writer<'_> {
     }
 
     fn bracketed(&mut self, id: ExprId, depth: u32) {
-        let round = self.control.syntax.round == Round::Group;
+        let round = self.control.syntax.round == RoundBrackets::Group;
         self.text.push(if round { '(' } else { '[' });
         self.expr(id, 0, true, depth + 1);
         self.text.push(if round { ')' } else { ']' });

@@ -1,6 +1,6 @@
 //! Tree to text in a language with names: heads, labels, `=` behind addresses, comparisons weakest.
 
-use super::ast::{Block, Expr, ExprId, Form, Op, Program, Stmt, Way, Word, WordValue};
+use super::ast::{Block, Dimensioning, Expr, ExprId, JumpDirection, Op, Program, Stmt, Word, WordValue};
 use super::emit::Writer;
 use crate::controls::syntax::{Function, Names, long};
 
@@ -44,7 +44,7 @@ impl Writer<'_> {
                         self.expr(cond, 0, true, 0);
                         self.text.push(' ');
                     }
-                    self.text.push_str(if way == Way::Backward { "GOTOB " } else { "GOTOF " });
+                    self.text.push_str(if way == JumpDirection::Backward { "GOTOB " } else { "GOTOF " });
                     if let Expr::Number(_) = self.deck.expr(target) {
                         self.text.push('N');
                     }
@@ -88,17 +88,17 @@ impl Writer<'_> {
             let text = if long::is(word.letter) { format!("[{index}]") } else { index.to_string() };
             self.text.push_str(&text);
         }
-        let plain = word.index.is_none() && word.form == Form::Plain && !long::is(word.letter);
+        let plain = word.index.is_none() && word.form == Dimensioning::Plain && !long::is(word.letter);
         if !(plain && matches!(word.value, WordValue::Number(_))) {
             self.text.push('=');
         }
         let form = match word.form {
-            Form::Plain => "",
-            Form::Absolute => "AC(",
-            Form::Incremental => "IC(",
-            Form::Shortest => "DC(",
-            Form::Positive => "ACP(",
-            Form::Negative => "ACN(",
+            Dimensioning::Plain => "",
+            Dimensioning::Absolute => "AC(",
+            Dimensioning::Incremental => "IC(",
+            Dimensioning::Shortest => "DC(",
+            Dimensioning::Positive => "ACP(",
+            Dimensioning::Negative => "ACN(",
         };
         self.text.push_str(form);
         match word.value {

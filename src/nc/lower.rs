@@ -12,7 +12,7 @@
 //! | … `ATAN` of one number | | `ATAN[a]/[1]` |
 //! | `short_texts` | long blocks and messages | comments clipped |
 
-use super::ast::{self, Block, Deck, Expr, ExprId, Op, Stmt, TextId, Way, WordValue};
+use super::ast::{self, Block, Deck, Expr, ExprId, JumpDirection, Op, Stmt, TextId, WordValue};
 use super::dec::Dec;
 use super::emit::text_length;
 use super::lower_names::{no_names, with_names};
@@ -120,7 +120,7 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
             };
             deck.exprs.extend([opposite, Expr::Number(Dec::int(number.into()))]);
             let end = deck.exprs.len() as u32;
-            let jump = Stmt::If { cond: ExprId(end - 2), target: ExprId(end - 1), way: Way::Round };
+            let jump = Stmt::If { cond: ExprId(end - 2), target: ExprId(end - 1), way: JumpDirection::Around };
             let block = Block { span: Span::default(), ..*block };
             deck.blocks.push(Block { stmt: jump, comment: None, ..block });
             deck.blocks.push(Block { stmt: Stmt::Assign { to, value }, number: None, label: None, ..block });

@@ -8,7 +8,7 @@
 //! | `jumps` | loops, jumps to block numbers | jumps to labels |
 //! | `no_names` | calls by name, messages, what has no form without names | `M98`, a comment |
 
-use super::ast::{Block, Deck, Expr, ExprId, Op, Program, Stmt, TextId, Way, Word, WordValue};
+use super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
 use super::dec::Dec;
 use super::parse::number_in;
 use crate::controls::syntax::{Names, long};
@@ -111,7 +111,7 @@ fn points(deck: &mut Deck, names: &Names) {
 
 /// What is not a jump to a label becomes one.
 fn jumps(deck: &mut Deck, origins: &mut Vec<u32>) {
-    let round = |way: Way| way == Way::Round;
+    let round = |way: JumpDirection| way == JumpDirection::Around;
     let strange = |block: &Block| match block.stmt {
         Stmt::While { .. } | Stmt::End { .. } => true,
         Stmt::If { way, .. } | Stmt::Goto { way, .. } => round(way),
@@ -155,7 +155,8 @@ impl Labels {
                         to[start] = Some(at + 1);
                     }
                 }
-                Stmt::If { target, way: Way::Round, .. } | Stmt::Goto { target, way: Way::Round } => {
+                Stmt::If { target, way: JumpDirection::Around, .. }
+                | Stmt::Goto { target, way: JumpDirection::Around } => {
                     to[at] = target_of(deck, blocks, target, at);
                 }
                 _ => {}
@@ -210,7 +211,7 @@ impl Labels {
     fn jump(&self, deck: &mut Deck, blocks: &[Block], at: usize) -> Stmt {
         let stmt = blocks[at].stmt;
         let to = self.to.get(at).copied().flatten();
-        let way = if to.is_some_and(|to| to <= at) { Way::Backward } else { Way::Forward };
+        let way = if to.is_some_and(|to| to <= at) { JumpDirection::Backward } else { JumpDirection::Forward };
         let mut add = |expr: Expr| {
             deck.exprs.push(expr);
             ExprId(deck.exprs.len() as u32 - 1)
@@ -235,11 +236,16 @@ impl Labels {
                 Stmt::If { cond, target, way }
             }
             (Stmt::End { .. }, Some(label)) => Stmt::Goto { target: add(Expr::Label(label)), way },
-            (Stmt::If { cond, way: Way::Round, .. }, Some(label)) => {
+            (Stmt::If { cond, way: JumpDirection::Around, .. }, Some(label)) => {
                 Stmt::If { cond, target: add(Expr::Label(label)), way }
             }
-            (Stmt::Goto { way: Way::Round, .. }, Some(label)) => Stmt::Goto { target: add(Expr::Label(label)), way },
-            (Stmt::If { target, way: Way::Round, .. } | Stmt::Goto { target, way: Way::Round }, None) => {
+            (Stmt::Goto { way: JumpDirection::Around, .. }, Some(label)) => {
+                Stmt::Goto { target: add(Expr::Label(label)), way }
+            }
+            (
+                Stmt::If { target, way: JumpDirection::Around, .. } | Stmt::Goto { target, way: JumpDirection::Around },
+                None,
+            ) => {
                 // A number that is not there: the control will say so of its label. One that is calculated has none.
                 let number = match deck.expr(target) {
                     Expr::Number(Dec { mantissa: number @ 0..=999_999, scale: 0, .. }) => number,
@@ -247,7 +253,7 @@ impl Labels {
                 };
                 let label = deck.add_text(format!("LB{number}"));
                 deck.exprs.push(Expr::Label(label));
-                let (target, way) = (ExprId(deck.exprs.len() as u32 - 1), Way::Forward);
+                let (target, way) = (ExprId(deck.exprs.len() as u32 - 1), JumpDirection::Forward);
                 match stmt {
                     Stmt::If { cond, .. } => Stmt::If { cond, target, way },
                     _ => Stmt::Goto { target, way },

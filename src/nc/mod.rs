@@ -10,6 +10,7 @@ pub mod files;
 
 pub mod build;
 
+mod deck_eq;
 mod emit;
 mod emit_names;
 mod fix;
@@ -18,10 +19,11 @@ mod lower;
 mod lower_names;
 mod parse;
 mod parsed;
-mod same;
 mod tokens;
 
-pub use ast::{Block, Deck, Expr, ExprId, Form, Op, Pair, Program, Stmt, TextId, Way, Word, WordValue};
+pub use ast::{
+    Block, Deck, Dimensioning, Expr, ExprId, JumpDirection, Op, Pair, Program, Stmt, TextId, Word, WordValue,
+};
 pub use dec::Dec;
 pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
 pub use files::{File, Files};

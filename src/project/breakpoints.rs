@@ -8,7 +8,7 @@ use crate::text::{Diagnostic, FileId, LineIndex, Place};
 
 /// A block as people name it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Spot {
+pub enum Location {
     /// The first block in a line or below it.
     Line {
         /// The file.
@@ -25,16 +25,16 @@ pub enum Spot {
     },
 }
 
-impl Spot {
+impl Location {
     /// Reads `12`, `O9101.nc:12`, `N30`, `O9101 N30` or `O9101`; `here` is a block of the file and program that are meant where none is
     /// named.
-    pub fn read(text: &str, parsed: &Parsed, here: Place) -> Option<Spot> {
+    pub fn read(text: &str, parsed: &Parsed, here: Place) -> Option<Location> {
         let text = text.trim();
         if text.as_bytes().contains(&b':') {
-            return Spot::read_line(text, parsed);
+            return Location::read_line(text, parsed);
         }
         if text.bytes().all(|b| b.is_ascii_digit()) {
-            return Some(Spot::Line { file: here.file, line: text.parse().ok()? });
+            return Some(Location::Line { file: here.file, line: text.parse().ok()? });
         }
         let upper = text.to_ascii_uppercase();
         let (program, number) = match upper.split_once('N') {
@@ -42,14 +42,14 @@ impl Spot {
             None => (upper.as_str(), None),
         };
         let program = if program.is_empty() { program_at(parsed, here)? } else { program_number(program)? };
-        Some(Spot::Sequence { program, number })
+        Some(Location::Sequence { program, number })
     }
 
     /// Reads `O9101.nc:12`.
-    pub fn read_line(text: &str, parsed: &Parsed) -> Option<Spot> {
+    pub fn read_line(text: &str, parsed: &Parsed) -> Option<Location> {
         let (name, line) = text.rsplit_once(':')?;
         let file = parsed.files().0.iter().position(|file| file.name.eq_ignore_ascii_case(name.trim()))?;
-        Some(Spot::Line { file: FileId(u16::try_from(file).ok()?), line: line.trim().parse().ok()? })
+        Some(Location::Line { file: FileId(u16::try_from(file).ok()?), line: line.trim().parse().ok()? })
     }
 
     /// The block, where there is one.
@@ -64,11 +64,11 @@ impl Spot {
             None
         };
         match *self {
-            Spot::Line { file, line } => {
+            Location::Line { file, line } => {
                 let lines = LineIndex::new(&parsed.files().get(file)?.text);
                 find(&mut |of, block| of.file == file && lines.line_of(block.span.start) >= line)
             }
-            Spot::Sequence { program, number } => {
+            Location::Sequence { program, number } => {
                 // The first with this number.
                 let first = deck.program(program)?.first;
                 find(&mut |of, block| of.first == first && (number.is_none() || block.number == number))
@@ -94,22 +94,22 @@ struct Line {
 }
 
 impl Line {
-    fn of(spot: &Spot, parsed: &Parsed) -> Option<Line> {
-        let Spot::Line { file, line: number } = *spot else { return None };
+    fn of(spot: &Location, parsed: &Parsed) -> Option<Line> {
+        let Location::Line { file, line: number } = *spot else { return None };
         let file = parsed.files().get(file)?;
         let text = LineIndex::new(&file.text).line(&file.text, number).to_owned();
         Some(Line { name: file.name.clone(), text, number })
     }
 
     /// In the file of that name the nearest line with the same text; the line with the same number where none has it.
-    fn find(&self, parsed: &Parsed) -> Option<Spot> {
+    fn find(&self, parsed: &Parsed) -> Option<Location> {
         let at = parsed.files().0.iter().position(|file| file.name == self.name)?;
         let text = &parsed.files().0.get(at)?.text;
         let lines = LineIndex::new(text);
         let same = |line: &u32| !self.text.is_empty() && lines.line(text, *line) == self.text;
         let far = |line: &u32| line.abs_diff(self.number);
         let line = (1..=lines.count()).filter(same).min_by_key(far).unwrap_or(self.number);
-        Some(Spot::Line { file: FileId(u16::try_from(at).ok()?), line })
+        Some(Location::Line { file: FileId(u16::try_from(at).ok()?), line })
     }
 }
 
@@ -119,7 +119,7 @@ pub struct Breakpoint {
     /// Its number, from 1; never given twice.
     pub number: u32,
     /// Where.
-    pub spot: Spot,
+    pub spot: Location,
     /// It stops only where this is so; empty is always.
     pub condition: String,
     /// Whether it stops at all.
@@ -149,7 +149,7 @@ pub struct Breakpoints {
 
 impl Breakpoints {
     /// Sets one and gives its number; fails where the condition does not read.
-    pub fn add(&mut self, spot: Spot, condition: &str, parsed: &Parsed) -> Result<u32, Box<Diagnostic>> {
+    pub fn add(&mut self, spot: Location, condition: &str, parsed: &Parsed) -> Result<u32, Box<Diagnostic>> {
         let condition = condition.trim().to_owned();
         let formula = Ok(condition_of(&condition, parsed)?);
         self.set += 1;
@@ -161,7 +161,7 @@ impl Breakpoints {
     /// Removes the one before a block, or sets one there. With a condition that one is set, in place of another.
     pub fn turn(
         &mut self,
-        spot: Spot,
+        spot: Location,
         place: Place,
         condition: Option<&str>,
         parsed: &Parsed,

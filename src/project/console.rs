@@ -1,10 +1,10 @@
 //! The debugger as lines of text: a command in, an answer out.
 
-use super::breakpoints::{Breakpoints, Spot};
+use super::breakpoints::{Breakpoints, Location};
 use super::debug::{Debugger, Goal, Stop};
-use super::inputs;
+use super::io_names;
+use super::render::{Teller, headline};
 use super::run::{Run, Setting};
-use super::told::{Teller, headline};
 use crate::controls::{Control, Switches};
 use crate::interp::Counts;
 use crate::interp::inspect::{Change, Entered, Level, What};
@@ -47,7 +47,7 @@ const DECIMALS: u8 = 9;
 
 /// What became of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Said {
+pub enum Outcome {
     /// It was done.
     Done,
     /// It was no command, or not a right one.
@@ -127,7 +127,7 @@ impl<'f> Console<'f> {
     }
 
     /// Does what a line says.
-    pub fn line(&mut self, line: &str) -> (Said, String) {
+    pub fn line(&mut self, line: &str) -> (Outcome, String) {
         let line = line.trim();
         let (command, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
         let rest = rest.trim();
@@ -157,13 +157,13 @@ impl<'f> Console<'f> {
                 Ok(self.walk())
             }
             "help" | "h" | "?" => Ok(HELP.to_owned()),
-            "quit" | "q" => return (Said::Quit, String::new()),
+            "quit" | "q" => return (Outcome::Quit, String::new()),
             "" => Ok(String::new()),
             _ => Err(format!("There is no command “{command}”; “help” tells them all.\n")),
         };
         match answer {
-            Ok(text) => (Said::Done, text),
-            Err(text) => (Said::Wrong, text),
+            Ok(text) => (Outcome::Done, text),
+            Err(text) => (Outcome::Wrong, text),
         }
     }
 
@@ -291,9 +291,9 @@ impl<'f> Console<'f> {
         format!("level {}:{}\n", level.level, if locals.is_empty() { " all vacant" } else { &locals })
     }
 
-    fn spot(&self, text: &str) -> Result<(Spot, Place), String> {
+    fn spot(&self, text: &str) -> Result<(Location, Place), String> {
         let here = self.debugger.place().unwrap_or_default();
-        let spot = Spot::read(text, self.parsed(), here);
+        let spot = Location::read(text, self.parsed(), here);
         let found = spot.and_then(|spot| spot.place(self.parsed()).map(|place| (spot, place)));
         found.ok_or_else(|| {
             format!("There is no block “{text}”; a place is N40, O9101, O9101 N40, 12 (line) or O9101.nc:12.\n")
@@ -380,7 +380,7 @@ impl<'f> Console<'f> {
             return Err("“set” takes a variable or an input that can be set, and a number: set #107=8\n".to_owned());
         };
         let event = Event { t: self.debugger.t(), action };
-        for event in inputs::panel(&Panel::new([event]), self.control(), &self.switches).events() {
+        for event in io_names::panel(&Panel::new([event]), self.control(), &self.switches).events() {
             self.act(event.clone());
         }
         self.reach();

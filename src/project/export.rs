@@ -1,7 +1,7 @@
 //! What leaves the house: program files, sheets, report; nothing where the control would refuse or misread it.
 
 use super::Project;
-use super::silence::silence;
+use super::suppress::silence;
 use crate::machines::{self, report::report};
 use crate::nc::{File, Files};
 use crate::text::catalog::Language;

@@ -4,13 +4,13 @@ mod json;
 
 pub mod saved;
 
-pub mod open;
+pub mod import;
 
 pub mod program;
 
-mod inputs;
+mod io_names;
 
-pub mod review;
+pub mod check;
 
 pub mod run;
 
@@ -22,15 +22,15 @@ pub mod console;
 
 pub mod export;
 
-pub mod told;
+pub mod render;
 
-pub mod silence;
+pub mod suppress;
 
 pub mod list;
 
 use crate::controls::{self, Control, Switches};
 use crate::machines::form::{Origins, Values};
-use crate::machines::{self, AnyMachine, Design, On, Start};
+use crate::machines::{self, AnyMachine, ControlContext, Defaults, Design};
 use crate::motion::Panel;
 use crate::nc::Files;
 
@@ -74,7 +74,7 @@ impl PartialEq for Project {
 impl Project {
     /// A project with every value at its default.
     pub fn new(machine: &'static dyn AnyMachine, control: &'static Control) -> Project {
-        let Start { values: own, switches } = machine.start(control);
+        let Defaults { values: own, switches } = machine.start(control);
         let mut values: Values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
         values.extend(own);
         Project {
@@ -101,8 +101,8 @@ impl Project {
     }
 
     /// The control as it is set here.
-    pub fn on(&self) -> On<'_> {
-        On { control: self.control, switches: &self.switches }
+    pub fn on(&self) -> ControlContext<'_> {
+        ControlContext { control: self.control, switches: &self.switches }
     }
 
     /// Takes the project to another control: the values stay, the settings of open points as far as that control has them.

@@ -5,15 +5,15 @@ use std::rc::Rc;
 use serde_json::{Map, Value as Json, json};
 
 use super::program::Written;
-use super::{Project, inputs};
+use super::{Project, io_names};
 use crate::controls::bench::BenchShift;
 use crate::controls::{Control, Switches, VarKind};
 use crate::interp::canon::Line;
 use crate::interp::world::Still;
-use crate::interp::{Interp, Start, Step};
-use crate::machines::On;
+use crate::interp::{Interp, StartProgram, Step};
+use crate::machines::ControlContext;
 use crate::motion::{
-    Action, AxisPlant, BenchPlc, Event, GearShift, Keep, Limits, Panel, Planner, Plant, Plc, RunEnd, Setup,
+    Action, AxisPlant, BenchPlc, Budget, Event, GearShift, Panel, Planner, Plant, Plc, Retention, RunEnd, Setup,
     SpindlePlant,
 };
 use crate::nc::Parsed;
@@ -82,29 +82,29 @@ pub fn program_number(name: &str) -> Option<u32> {
 }
 
 /// The program that somebody means: `O9101`, or by its name where programs have names.
-pub fn program_meant(name: &str, parsed: &Parsed) -> Option<Start> {
+pub fn program_meant(name: &str, parsed: &Parsed) -> Option<StartProgram> {
     match parsed.control().syntax.names() {
-        Some(_) => parsed.deck().program_named(name.split('.').next()?).map(Start::Nth),
-        None => program_number(name).map(Start::Program),
+        Some(_) => parsed.deck().program_named(name.split('.').next()?).map(StartProgram::Nth),
+        None => program_number(name).map(StartProgram::Program),
     }
 }
 
 /// What a run starts from.
-pub struct Begin<'a> {
+pub struct RunOptions<'a> {
     /// Program to start; without it the main program, or the first program of the first file.
-    pub start: Option<Start>,
+    pub start: Option<StartProgram>,
     /// Variables and inputs set before; those that the control does not have are left out ([`Setting::action`]).
     pub settings: &'a [Setting],
     /// Budgets.
-    pub limits: Limits,
+    pub limits: Budget,
     /// What is kept.
-    pub keep: Keep,
+    pub keep: Retention,
 }
 
 /// The run of a project: its values are set by its own setup program, then its main program starts on its plant.
-pub fn of_project(project: &Project, written: &Written, begin: &Begin) -> Run {
+pub fn of_project(project: &Project, written: &Written, begin: &RunOptions) -> Run {
     let control = project.control;
-    let start = begin.start.unwrap_or(Start::Program(written.main));
+    let start = begin.start.unwrap_or(StartProgram::Program(written.main));
     let mut interp = Interp::new(Rc::clone(&written.parsed), start, &project.switches);
     set_up(&mut interp, project, written);
     let plant = project.machine.plant(&project.values, project.on());
@@ -116,14 +116,14 @@ pub fn of_project(project: &Project, written: &Written, begin: &Begin) -> Run {
 }
 
 /// The run of bare programs, with the switches that they were read with: on the control's bench, or on the plant of a project.
-pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, begin: &Begin) -> Run {
+pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, begin: &RunOptions) -> Run {
     let control = parsed.control();
     let start = begin.start.unwrap_or_default();
     let switches = parsed.switches().clone();
     let interp = Interp::new(parsed, start, &switches);
     let (plant, plc) = match plant {
         Some(project) => {
-            let on = On { control, switches: &switches };
+            let on = ControlContext { control, switches: &switches };
             (project.machine.plant(&project.values, on), project.machine.plc(&project.values, on))
         }
         None => bench(control, &switches),
@@ -137,7 +137,7 @@ fn started(
     plant: &Plant,
     plc: Box<dyn Plc>,
     mut panel: Panel,
-    begin: &Begin,
+    begin: &RunOptions,
 ) -> Run {
     for setting in begin.settings {
         match setting.action(control, switches) {
@@ -147,7 +147,7 @@ fn started(
             None => {}
         }
     }
-    let panel = inputs::panel(&panel, control, switches);
+    let panel = io_names::panel(&panel, control, switches);
     Planner::new(Setup { program: interp, control, plant, plc, panel, limits: begin.limits, keep: begin.keep })
 }
 
@@ -156,7 +156,7 @@ fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
     if written.setup == 0 {
         return;
     }
-    let mut setup = Interp::new(Rc::clone(&written.parsed), Start::Program(written.setup), &project.switches);
+    let mut setup = Interp::new(Rc::clone(&written.parsed), StartProgram::Program(written.setup), &project.switches);
     let mut world = Still::default();
     for _ in 0..SETUP_STEPS {
         if let Step::Ended(_) = setup.step(&mut world) {

@@ -3,7 +3,7 @@
 use super::Project;
 use super::json::{Fault, Json};
 use crate::controls::{self, Switches};
-use crate::drives::speed::Limit;
+use crate::drives::speed::SpeedLimit;
 use crate::machines::form::{KindInfo, Provenance, Value};
 use crate::machines::{self, AnyMachine};
 use crate::motion::{Action, Event, Panel};
@@ -148,9 +148,9 @@ fn event_text(event: &Event) -> String {
         Action::ManualSpeed(rpm) => ("manual_s", Shortest(*rpm).to_string()),
         Action::SpeedLimit(limit, rpm) => {
             let key = match limit {
-                Limit::Lower => "lower_speed_limit",
-                Limit::Upper => "upper_speed_limit",
-                Limit::Surface => "surface_speed_limit",
+                SpeedLimit::Lower => "lower_speed_limit",
+                SpeedLimit::Upper => "upper_speed_limit",
+                SpeedLimit::Surface => "surface_speed_limit",
             };
             (key, Shortest(*rpm).to_string())
         }
@@ -286,9 +286,9 @@ fn actions(key: &str, value: &Json) -> Option<Vec<Action>> {
         "optional_stop" => value.as_bool().map(|on| vec![Action::OptionalStop(on)]),
         "block_skip" => value.as_bool().map(|on| vec![Action::BlockSkip(on)]),
         "manual_s" => value.as_f64().map(|rpm| vec![Action::ManualSpeed(rpm)]),
-        "lower_speed_limit" => limit(Limit::Lower),
-        "upper_speed_limit" => limit(Limit::Upper),
-        "surface_speed_limit" => limit(Limit::Surface),
+        "lower_speed_limit" => limit(SpeedLimit::Lower),
+        "upper_speed_limit" => limit(SpeedLimit::Upper),
+        "surface_speed_limit" => limit(SpeedLimit::Surface),
         "input" => {
             let inputs = value.as_object()?.iter();
             inputs.map(|(name, value)| Some(Action::Input(name.clone(), value.as_f64()?))).collect()

@@ -10,7 +10,7 @@ use super::el::{El, button, el};
 use super::model::Model;
 use super::words::{figure, t};
 use crate::machines::form::Values;
-use crate::machines::{AnyMachine, On, Samples};
+use crate::machines::{AnyMachine, ControlContext, Samples};
 use crate::math;
 use crate::text::number::filled;
 use crate::view::svg::escape;
@@ -72,7 +72,7 @@ impl Charts {
         &mut self,
         machine: &dyn AnyMachine,
         values: &Values,
-        on: On,
+        on: ControlContext,
         run: &dyn Samples,
         from: f64,
         to: f64,

@@ -5,16 +5,16 @@ use std::fmt::Write;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
 
+use super::debug_session::Walk;
 use super::dom;
 use super::el::{El, el};
 use super::model::Model;
-use super::walk::Walk;
 use super::words::{clock, say, short, t, tell, tell_alarm, value_of, written};
 use crate::interp::inspect::What;
 use crate::motion::RunEnd;
 
 use crate::msg;
-use crate::project::breakpoints::Spot;
+use crate::project::breakpoints::Location;
 use crate::project::debug::Goal;
 use crate::project::program::Written;
 use crate::text::{LineIndex, Place};
@@ -60,10 +60,10 @@ pub(super) fn press(model: Model, key: &str) -> bool {
 }
 
 /// The block at the cursor; where there is none, the user is told.
-fn cursor(model: Model) -> Option<(Spot, Place)> {
+fn cursor(model: Model) -> Option<(Location, Place)> {
     let at = model.player.walk.with_untracked(|walk| walk.cursor);
     let found = at.and_then(|(file, line)| {
-        let spot = Spot::Line { file, line };
+        let spot = Location::Line { file, line };
         let place = model.written.with_untracked(|written| spot.place(&written.parsed))?;
         Some((spot, place))
     });
@@ -273,7 +273,7 @@ pub(super) fn restore(model: Model) {
             match line.split_once('\t') {
                 None => walk.watches.push(line.to_owned()),
                 Some((name, condition)) => {
-                    if let Some(spot) = Spot::read_line(name, &parsed) {
+                    if let Some(spot) = Location::read_line(name, &parsed) {
                         let _ = walk.points.add(spot, condition, &parsed);
                     }
                 }

@@ -9,7 +9,7 @@ use super::el::{El, el, number};
 use super::local::Local;
 use super::model::Model;
 use super::words::t;
-use super::{sheets, stage};
+use super::{scene_view, sheets};
 use crate::controls::WHOLE;
 use crate::machines;
 use crate::machines::form::{FieldInfo, KindInfo, Values};
@@ -63,7 +63,7 @@ pub(super) fn explore(model: Model) -> Vec<El> {
     let draw = move || {
         let values = values();
         let found = model.project.with(|project| look(project, &values)).unwrap_or_default();
-        scene.set_inner_html(&stage::svg(&found.scene));
+        scene.set_inner_html(&scene_view::svg(&found.scene));
         let mut out = String::new();
         found.charts.iter().for_each(|chart| figure_of(&mut out, chart));
         charts.set_inner_html(&out);

@@ -19,7 +19,7 @@ use super::words::{say, t, tell, tone};
 use crate::msg;
 use crate::nc::{self, Files};
 use crate::project::Project;
-use crate::project::open::{MAX_PROGRAM, open};
+use crate::project::import::{MAX_PROGRAM, open};
 use crate::text::Severity;
 
 /// Bytes above which a text is not taken into the page but read aside.

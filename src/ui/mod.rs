@@ -1,6 +1,6 @@
 //! The shell: signals and DOM, not one formula.
 
-mod about;
+mod field_help;
 
 mod aside;
 
@@ -26,7 +26,7 @@ mod files;
 
 mod form;
 
-mod hand;
+mod operator_panel;
 
 mod header;
 
@@ -40,7 +40,7 @@ mod local;
 
 mod model;
 
-mod papers;
+mod export;
 
 mod player;
 
@@ -48,7 +48,7 @@ mod program;
 
 mod results;
 
-mod reviewer;
+mod worker_diagnostics;
 
 mod script;
 
@@ -56,7 +56,7 @@ mod sheets;
 
 mod side;
 
-mod stage;
+mod scene_view;
 
 mod store;
 
@@ -64,7 +64,7 @@ mod transport;
 
 mod variables;
 
-mod walk;
+mod debug_session;
 
 mod whole;
 
@@ -75,19 +75,19 @@ mod work;
 use leptos::html;
 use leptos::prelude::*;
 
-use about::about_popup;
 use cards::cards;
 use charts::chart_pane;
 use checker::check_dialog;
 use el::{El, button, check, el, icon_button};
+use field_help::about_popup;
 use files::export_dialog;
 use form::form;
-use hand::hand;
 use header::header;
 use help::help_dialog;
 use model::{Model, Notice};
+use operator_panel::hand;
+use scene_view::Stage;
 use side::side;
-use stage::Stage;
 use transport::{mode_tone, mode_words, transport};
 use words::{sign, t, tell_alarm};
 
@@ -154,7 +154,7 @@ fn drawing(model: Model) -> El {
     let host = stage.dom().clone();
     let draw = move || {
         model.scene.with(|scene| {
-            host.set_inner_html(&stage::svg(scene));
+            host.set_inner_html(&scene_view::svg(scene));
             player.set_stage(Some(Stage::new(&host, scene)));
         });
     };

@@ -11,16 +11,16 @@ use super::dom;
 use super::local::Local;
 use super::player::Player;
 use super::program::Shown;
-use super::reviewer;
 use super::side::Tab;
 use super::store::{self, Kept};
 use super::whole::Wish;
+use super::worker_diagnostics;
 use crate::machines::Design;
 use crate::machines::form::{Provenance, Value};
 use crate::project::Project;
 use crate::project::program::Written;
 use crate::project::run;
-use crate::project::silence::silence;
+use crate::project::suppress::silence;
 use crate::text::{Diagnostic, Severity};
 use crate::view::Scene;
 
@@ -166,7 +166,7 @@ impl Model {
         };
         debug::restore(model);
         store::keep(model);
-        reviewer::follow(model);
+        worker_diagnostics::follow(model);
         Effect::new(move |_| {
             let mut found = model.found();
             model.silenced.put(model.project.with(|project| silence(&mut found, &project.silenced)));

@@ -5,20 +5,20 @@ use std::time::Duration;
 use leptos::prelude::*;
 
 use super::charts::Charts;
+use super::debug_session::Walk;
 use super::dom::{self, Frames};
 use super::local::Local;
-use super::stage::Stage;
-use super::walk::Walk;
+use super::scene_view::Stage;
 use crate::controls::{Control, Switches};
 use crate::interp::inspect::What;
 use crate::machines::form::Values;
-use crate::machines::{AnyMachine, Frame, On};
+use crate::machines::{AnyMachine, ControlContext, Frame};
 use crate::math;
-use crate::motion::{Action, Event, Keep, Limits, RunEnd, Snapshot};
+use crate::motion::{Action, Budget, Event, Retention, RunEnd, Snapshot};
 use crate::project::Project;
 use crate::project::debug::{Debugger, Goal};
 use crate::project::program::Written;
-use crate::project::run::{self, Begin};
+use crate::project::run::{self, RunOptions};
 use crate::text::{Diagnostic, Place};
 
 /// Machine seconds per second.
@@ -37,7 +37,7 @@ const AHEAD: f64 = 1.0;
 const HORIZON: f64 = 60.0;
 
 /// Where a run is given up: nobody watches ten hours, and they fit the memory.
-const LIMITS: Limits = Limits { blocks: 1_000_000_000, seconds: 36_000.0 };
+const LIMITS: Budget = Budget { blocks: 1_000_000_000, seconds: 36_000.0 };
 
 /// Steps of the planner between two looks at the clock.
 const STEPS: usize = 64;
@@ -91,8 +91,8 @@ struct State {
 
 impl State {
     /// The machine, on its control.
-    fn machine(&self) -> Option<(&'static dyn AnyMachine, On<'_>)> {
-        Some((self.machine?, On { control: self.control?, switches: &self.switches }))
+    fn machine(&self) -> Option<(&'static dyn AnyMachine, ControlContext<'_>)> {
+        Some((self.machine?, ControlContext { control: self.control?, switches: &self.switches }))
     }
 }
 
@@ -139,7 +139,7 @@ impl Player {
             self.speed.set(machine.speed());
         }
         self.state.quietly(|state| {
-            let begin = Begin { start: None, settings: &[], limits: LIMITS, keep: Keep::Timeline };
+            let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
             state.planner = Some(run::of_project(project, written, &begin));
             state.machine = Some(machine);
             state.control = Some(project.control);
@@ -406,7 +406,7 @@ impl Player {
         let window = self.window.get_untracked();
         let shown = self.state.quietly(|state| {
             let (planner, machine) = (state.planner.as_ref()?, state.machine?);
-            let on = On { control: state.control?, switches: &state.switches };
+            let on = ControlContext { control: state.control?, switches: &state.switches };
             // The debugger may stand where nothing is planned yet.
             let snapshot = self.walk.with_untracked(|walk| {
                 let stop = walk.stands().filter(|debugger| debugger.t() > planned);

@@ -7,13 +7,13 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, Event, KeyboardEvent, MouseEvent};
 
 use super::debug;
+use super::debug_session::Walk;
 use super::dom;
 use super::editor::{difference, editor};
 use super::el::{El, button, check, el};
 use super::listing;
 use super::local::Local;
 use super::model::Model;
-use super::walk::Walk;
 use super::words::{sign, t, tone};
 use crate::nc;
 use crate::text::{FileId, LineIndex, Place};

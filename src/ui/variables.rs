@@ -6,8 +6,8 @@ use web_sys::Event;
 
 use super::dom;
 use super::el::{El, el, number, value};
-use super::hand::act;
 use super::model::Model;
+use super::operator_panel::act;
 use super::words::{t, value_of};
 use crate::motion::Action;
 

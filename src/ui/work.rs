@@ -9,13 +9,13 @@ use leptos::wasm_bindgen::{JsCast, JsValue, throw_str};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
+use super::export;
 use super::listing::{SHOWN, count};
-use super::papers;
 use super::script::{get, object, set, table, text};
 use super::words::{learn, sign, t, tell, tone};
 use crate::nc::{self, Files};
-use crate::project::silence::silence;
-use crate::project::{Project, review};
+use crate::project::suppress::silence;
+use crate::project::{Project, check};
 use crate::text::catalog::number_text;
 use crate::text::{Diagnostic, LineIndex, Message, Value};
 
@@ -38,8 +38,8 @@ pub fn work() {
         };
         let answer = match text(&job, "kind").as_str() {
             "review" => reviewed(&project),
-            "sheets" => papers::sheets(&project),
-            "export" => papers::export(&project),
+            "sheets" => export::sheets(&project),
+            "export" => export::export(&project),
             _ => {
                 let blob = get(&job, "blob").unchecked_into();
                 // Not Leptos' own: that waits for a mounted page.
@@ -78,7 +78,7 @@ fn checked(text: String, project: &Project) -> JsValue {
     let end = text.match_indices('\n').nth(SHOWN as usize - 1).map_or(text.len(), |(at, _)| at);
     let head = text.get(..end).unwrap_or_default().to_owned();
     let parsed = nc::parse_with(&Files::one("", text), project.control, &project.switches);
-    let mut found = review::review(&Rc::new(parsed), None, &[]);
+    let mut found = check::review(&Rc::new(parsed), None, &[]);
     silence(&mut found, &project.silenced);
     let row = |diagnostic: &Diagnostic| {
         let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));

@@ -7,7 +7,7 @@ use crate::text::number::Plain;
 
 /// A closed line through points, or a circle about the origin.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Shape {
+pub struct OutlineShape {
     /// Layer.
     pub layer: &'static str,
     /// Points in mm, y upwards; none for a circle.
@@ -20,7 +20,7 @@ pub struct Shape {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outline {
     /// In drawing order.
-    pub shapes: Vec<Shape>,
+    pub shapes: Vec<OutlineShape>,
 }
 
 /// Decimals of a coordinate in mm.
@@ -29,7 +29,8 @@ const DECIMALS: u8 = 6;
 impl Outline {
     /// The farthest that anything is from the origin.
     fn reach(&self) -> f64 {
-        let far = |shape: &Shape| shape.points.iter().map(|(x, y)| math::hypot(*x, *y)).fold(shape.radius, f64::max);
+        let far =
+            |shape: &OutlineShape| shape.points.iter().map(|(x, y)| math::hypot(*x, *y)).fold(shape.radius, f64::max);
         self.shapes.iter().map(far).fold(0.0, f64::max)
     }
 

@@ -89,7 +89,7 @@ fn frame(
 ) -> Result<(), plotters::drawing::DrawingAreaErrorKind<Infallible>> {
     let (width, height) = (SIZE.0 * FINE, SIZE.1 * FINE);
     let plane: Plane = Cartesian2d::new(x.0..x.1, y.0..y.1, (0..width as i32, height as i32..0));
-    let area = Pen { out }.into_drawing_area().apply_coord_spec(plane);
+    let area = SvgBackend { out }.into_drawing_area().apply_coord_spec(plane);
     area.draw_mesh(|pen, line| line.draw(pen, &GRID_COLOUR.into()), GRID.1, GRID.0)?;
     for line in &chart.series {
         let points: Vec<_> = line.points.iter().copied().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
@@ -134,11 +134,11 @@ fn decimals(values: &[f64]) -> u8 {
 }
 
 /// The backend: paths with classes.
-struct Pen<'a> {
+struct SvgBackend<'a> {
     out: &'a mut String,
 }
 
-impl Pen<'_> {
+impl SvgBackend<'_> {
     fn path(&mut self, color: BackendColor, points: impl IntoIterator<Item = BackendCoord>) {
         if color.alpha == 0.0 {
             return;
@@ -158,7 +158,7 @@ impl Pen<'_> {
     }
 }
 
-impl DrawingBackend for Pen<'_> {
+impl DrawingBackend for SvgBackend<'_> {
     type ErrorType = Infallible;
 
     fn get_size(&self) -> (u32, u32) {

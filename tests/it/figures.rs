@@ -2,10 +2,10 @@
 
 use macroline::controls::syntax::Percent;
 use macroline::machines::form::Value;
-use macroline::motion::{Keep, Limits, RunEnd};
+use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::nc::{self, Files};
 use macroline::project::Project;
-use macroline::project::run::{self, Begin, Outcome};
+use macroline::project::run::{self, Outcome, RunOptions};
 use proptest::prelude::*;
 
 fn controls() -> &'static [&'static str] {
@@ -35,9 +35,9 @@ fn run(project: &Project) -> Outcome {
     let errors: Vec<_> =
         written.diagnostics.iter().filter(|d| d.severity == macroline::text::Severity::Error).collect();
     assert!(errors.is_empty(), "{errors:?}");
-    let limits = Limits { blocks: 100_000_000, seconds: 1e9 };
+    let limits = Budget { blocks: 100_000_000, seconds: 1e9 };
     let mut planner =
-        run::of_project(project, &written, &Begin { start: None, settings: &[], limits, keep: Keep::Log });
+        run::of_project(project, &written, &RunOptions { start: None, settings: &[], limits, keep: Retention::Log });
     run::to_end(&mut planner, |_| Ok::<(), ()>(())).unwrap()
 }
 
@@ -90,8 +90,8 @@ fn the_override_table_comes_out_row_by_row() {
 fn the_volts_stand_at_the_spindle_while_it_prints() {
     let project = ribbon(&[("pitch-count", 100.0)]);
     let written = project.written();
-    let limits = Limits { blocks: 1_000_000, seconds: 100.0 };
-    let begin = Begin { start: None, settings: &[], limits, keep: Keep::Timeline };
+    let limits = Budget { blocks: 1_000_000, seconds: 100.0 };
+    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
     let mut planner = run::of_project(&project, &written, &begin);
     planner.advance(4.5, usize::MAX);
     let now = planner.timeline().at(4.0);
@@ -142,7 +142,7 @@ fn a_dropped_program_brings_the_form_back() {
         let mut project = ribbon_on(control, &values);
         choose(&mut project, "y-unit", "degrees");
         for file in project.written().files.0 {
-            let opened = macroline::project::open::open(&present, &file.name, &file.text);
+            let opened = macroline::project::import::open(&present, &file.name, &file.text);
             let restored = opened.project.unwrap();
             assert!(restored.control.id == *control && restored.values == project.values, "{}", file.name);
             assert!(restored.edited.is_none());
@@ -156,7 +156,7 @@ fn a_dropped_program_that_was_edited_keeps_its_edit() {
     let file = project.written().files.0.into_iter().find(|f| f.name == "O9101.nc").unwrap();
     let text = file.text.replace("G04 X2.", "G04 X3.");
     assert_ne!(text, file.text);
-    let opened = macroline::project::open::open(&ribbon(&[]), "dropped.nc", &text).project.unwrap();
+    let opened = macroline::project::import::open(&ribbon(&[]), "dropped.nc", &text).project.unwrap();
     assert!(opened.values == project.values);
     let written = opened.written();
     assert!(written.edited && written.files.0.len() == 3);

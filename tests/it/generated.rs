@@ -13,9 +13,9 @@ use std::rc::Rc;
 
 use macroline::controls::{self, Code, Control, Switches};
 use macroline::interp::world::Still;
-use macroline::interp::{End, Interp, Start};
+use macroline::interp::{End, Interp, StartProgram};
 use macroline::motion::{
-    Action, AxisPlant, BenchPlc, Event, Keep, Limits, Panel, Planner, Plant, Program, RunEnd, Setup, SpindlePlant,
+    Action, AxisPlant, BenchPlc, Budget, Event, Panel, Planner, Plant, Program, Retention, RunEnd, Setup, SpindlePlant,
 };
 use macroline::nc::{self, Files};
 use proptest::prelude::*;
@@ -23,7 +23,7 @@ use proptest::prelude::*;
 use flat::Recorder;
 
 fn interp(control: &'static Control, text: &str) -> Interp {
-    Interp::new(Rc::new(nc::parse(&Files::one("O1.nc", text), control)), Start::First, &Switches::default())
+    Interp::new(Rc::new(nc::parse(&Files::one("O1.nc", text), control)), StartProgram::First, &Switches::default())
 }
 
 /// The bench of the control.
@@ -60,8 +60,8 @@ fn planned<P: Program>(control: &Control, program: P) -> Planner<P> {
         plant: &plant(control),
         plc: Box::new(BenchPlc::new(control.bench.fin_delay, control.bench.override_echo)),
         panel: Panel::new([knob]),
-        limits: Limits { blocks: 5000, seconds: 600.0 },
-        keep: Keep::Timeline,
+        limits: Budget { blocks: 5000, seconds: 600.0 },
+        keep: Retention::Timeline,
     });
     for _ in 0..40 {
         if planner.advance(f64::INFINITY, 100_000).ended != Some(RunEnd::Stop) {

@@ -22,8 +22,8 @@ use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Feed, Target};
 use macroline::math;
 use macroline::motion::{
-    Action, AxisPlant, BenchPlc, Event, GearShift, Keep, Limits, Mode, Panel, Planner, Plant, Plc, Program, RunEnd,
-    Setup, Snapshot, SpindlePlant,
+    Action, AxisPlant, BenchPlc, Budget, Event, GearShift, Mode, Panel, Planner, Plant, Plc, Program, Retention,
+    RunEnd, Setup, Snapshot, SpindlePlant,
 };
 use script::{Line, Script, place};
 
@@ -104,8 +104,8 @@ fn planner_with(plc: Box<dyn Plc>, plant: &Plant, events: Vec<Event>, lines: Vec
         plant,
         plc,
         panel: Panel::new(events),
-        limits: Limits { blocks: 1_000_000, seconds: 3600.0 },
-        keep: Keep::Timeline,
+        limits: Budget { blocks: 1_000_000, seconds: 3600.0 },
+        keep: Retention::Timeline,
     })
 }
 

@@ -13,7 +13,7 @@ use std::rc::Rc;
 use expect_test::{Expect, expect_file};
 use macroline::controls::{self, Control, Switches};
 use macroline::interp::world::Still;
-use macroline::interp::{self, End, Interp, Start};
+use macroline::interp::{self, End, Interp, StartProgram};
 use macroline::nc::{self, Files};
 use macroline::text::catalog::{Language, sentence};
 use macroline::text::{Diagnostic, LineIndex, Severity};
@@ -24,7 +24,7 @@ const BUDGET: u64 = 100_000;
 fn start_on(control: &'static Control, source: &str, switches: &[(&str, &str)]) -> Interp {
     let switches = Switches(switches.iter().map(|(id, value)| (id.to_string(), value.to_string())).collect());
     let parsed = nc::parse_with(&Files::one("test.nc", source), control, &switches);
-    Interp::new(Rc::new(parsed), Start::First, &switches)
+    Interp::new(Rc::new(parsed), StartProgram::First, &switches)
 }
 
 /// On the control that most of these programs are written for.

@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, Panel};
 use macroline::nc::Files;
-use macroline::project::told::Teller;
+use macroline::project::render::Teller;
 use macroline::project::{Project, saved};
 use proptest::prelude::*;
 

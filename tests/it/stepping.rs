@@ -7,24 +7,24 @@ use std::rc::Rc;
 
 use expect_test::Expect;
 use macroline::controls::{Control, Switches, find};
-use macroline::motion::{Action, Event, Keep, Limits, Panel, RunEnd};
+use macroline::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
 use macroline::nc::{self, Files};
-use macroline::project::breakpoints::{Breakpoints, Spot};
-use macroline::project::console::{Console, Said};
+use macroline::project::breakpoints::{Breakpoints, Location};
+use macroline::project::console::{Console, Outcome};
 use macroline::project::debug::{Debugger, Goal, Stop};
-use macroline::project::run::{self, Begin, Run};
-use macroline::project::{Project, told};
+use macroline::project::run::{self, Run, RunOptions};
+use macroline::project::{Project, render};
 use macroline::text::FileId;
 use proptest::prelude::*;
 
-const LIMITS: Limits = Limits { blocks: 100_000, seconds: 100.0 };
+const LIMITS: Budget = Budget { blocks: 100_000, seconds: 100.0 };
 
 fn e60() -> &'static Control {
     find("mitsubishi-e60").unwrap()
 }
 
 fn bench(files: &Files, panel: Panel) -> Run {
-    let begin = Begin { start: None, settings: &[], limits: LIMITS, keep: Keep::Both };
+    let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Both };
     run::of_programs(Rc::new(nc::parse(files, e60())), None, panel, &begin)
 }
 
@@ -33,7 +33,7 @@ fn talk(console: &mut Console, script: &str) -> String {
     let mut out = String::new();
     for line in script.lines() {
         let (said, answer) = console.line(line);
-        let mark = if said == Said::Wrong { "> ?" } else { "> " };
+        let mark = if said == Outcome::Wrong { "> ?" } else { "> " };
         out += &format!("{mark}{line}\n{answer}");
     }
     out
@@ -74,7 +74,7 @@ fn every_command_is_told_by_help() {
         let (_, answer) = console.line(command);
         assert!(!answer.starts_with("There is no command"), "{command}: {answer}");
     }
-    assert_eq!(console.line("step").0, Said::Wrong);
+    assert_eq!(console.line("step").0, Outcome::Wrong);
 }
 
 fn reach(debugger: &mut Debugger, points: &mut Breakpoints, goal: Goal) -> Stop {
@@ -92,8 +92,8 @@ fn ribbon(seconds: f64) -> Run {
     for (t, action) in [(0.4, Action::SpindleOverride(60.0)), (0.9, Action::Hold), (1.3, Action::Start)] {
         project.panel.add(Event { t, action });
     }
-    let limits = Limits { blocks: u64::MAX, seconds };
-    let begin = Begin { start: None, settings: &[], limits, keep: Keep::Timeline };
+    let limits = Budget { blocks: u64::MAX, seconds };
+    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
     let mut main = run::of_project(&project, &project.written(), &begin);
     while main.advance(seconds, 100_000).ended.is_none() {}
     main
@@ -166,10 +166,10 @@ fn breakpoints_find_their_blocks_in_another_text() {
     let before = nc::parse(&Files::one("a.nc", CALLS), e60());
     let after = nc::parse(&Files::one("a.nc", CALLS.replace("N40", "N38\nN40")), e60());
     let mut points = Breakpoints::default();
-    points.add(Spot::Sequence { program: 1000, number: Some(40) }, "#100 EQ 3", &before).unwrap();
-    points.add(Spot::Line { file: FileId(0), line: 99 }, "", &before).unwrap();
+    points.add(Location::Sequence { program: 1000, number: Some(40) }, "#100 EQ 3", &before).unwrap();
+    points.add(Location::Line { file: FileId(0), line: 99 }, "", &before).unwrap();
     let line = 1 + CALLS.lines().position(|line| line.starts_with("N40")).unwrap() as u32;
-    points.add(Spot::Line { file: FileId(0), line }, "", &before).unwrap();
+    points.add(Location::Line { file: FileId(0), line }, "", &before).unwrap();
     points.resolve(&after);
     let place = points.list()[0].place.unwrap();
     assert_eq!(after.text(place), "N40 G01 X10. F1000");
@@ -183,7 +183,7 @@ fn breakpoints_find_their_blocks_in_another_text() {
     let changed = nc::parse(&Files::one("a.nc", CALLS.replace("N40", "N38\nN41")), e60());
     points.resolve(&changed);
     assert_eq!(points.list()[2].place.map(|place| changed.text(place)), Some("N41 G01 X10. F1000"));
-    assert!(points.add(Spot::Line { file: FileId(0), line: 1 }, "#1 EQ", &before).is_err());
+    assert!(points.add(Location::Line { file: FileId(0), line: 1 }, "#1 EQ", &before).is_err());
 }
 
 #[test]
@@ -192,7 +192,7 @@ fn a_finding_about_an_expression_has_no_place_in_the_program() {
     let mut debugger = Debugger::new(&bench(&files, Panel::default()), 0.0, Goal::Into);
     arrive(&mut debugger, &mut Breakpoints::default());
     let why = debugger.evaluate("SQRT[-4]").unwrap_err();
-    assert_eq!((told::headline(&why), why.place), ("error[P282]: SQRT of -4 has no value.".to_owned(), None));
+    assert_eq!((render::headline(&why), why.place), ("error[P282]: SQRT of -4 has no value.".to_owned(), None));
 }
 
 proptest! {

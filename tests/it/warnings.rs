@@ -7,7 +7,7 @@ use std::rc::Rc;
 use expect_test::{Expect, expect};
 use macroline::controls::{Switches, find};
 use macroline::nc::{self, Files};
-use macroline::project::review::review;
+use macroline::project::check::review;
 use macroline::text::catalog::{Language, sentence};
 use macroline::text::{Diagnostic, LineIndex};
 

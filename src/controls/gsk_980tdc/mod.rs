@@ -13,7 +13,7 @@ pub(super) use params::PARAMS;
 use super::bench::{Bench, BenchAxis, BenchShift};
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
 use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
-use super::syntax::{Function, Percent, Round};
+use super::syntax::{Function, Percent, RoundBrackets};
 use super::{AxisDef, Control, Limits, Macros, Syntax, Timing};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
@@ -36,7 +36,7 @@ pub static CONTROL: Control = Control {
     id: "gsk-980tdc",
     name: "GSK 980TDc",
     syntax: Syntax {
-        round: Round::Comment,
+        round: RoundBrackets::Comment,
         variable: '#',
         names: None,
         program_letters: b"O",

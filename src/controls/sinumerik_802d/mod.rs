@@ -12,7 +12,7 @@ pub(super) use params::PARAMS;
 use super::bench::{Bench, BenchAxis, BenchShift};
 use super::macros::{ArgumentSets, VacantWord};
 use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
-use super::syntax::{Function, Names, Percent, Round, long};
+use super::syntax::{Function, Names, Percent, RoundBrackets, long};
 use super::{AxisDef, Control, Limits, Macros, Syntax, Timing};
 use crate::drives::Positioning;
 use crate::drives::speed::Steps;
@@ -41,7 +41,7 @@ pub static CONTROL: Control = Control {
     id: "sinumerik-802d",
     name: "SINUMERIK 802D",
     syntax: Syntax {
-        round: Round::Group,
+        round: RoundBrackets::Group,
         variable: 'R',
         names: Some(Names {
             addresses: &[

@@ -55,7 +55,7 @@ pub struct Means {
 
 /// What excludes a choice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Limit {
+pub enum ChoiceLimit {
     /// Tool and work would turn against each other.
     Sense,
     /// The axes do not come so near or go so far apart.
@@ -98,7 +98,7 @@ pub struct Choice {
     /// Least and greatest cutting speed in m/min.
     pub cutting_speed: (f64, f64),
     /// What excludes it; nothing where it is possible.
-    pub limits: Vec<Limit>,
+    pub limits: Vec<ChoiceLimit>,
 }
 
 impl Choice {
@@ -179,21 +179,21 @@ fn set(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio, radius: f64)
     let (work, tool) = (f64::from(ratio.work()), f64::from(ratio.tool()));
     let suits = means.cutting_speed.1 / each.1 / work;
     let (fastest, bound) =
-        [(means.work_speed / work, Limit::WorkSpeed), (means.tool_speed / tool.abs(), Limit::ToolSpeed)]
+        [(means.work_speed / work, ChoiceLimit::WorkSpeed), (means.tool_speed / tool.abs(), ChoiceLimit::ToolSpeed)]
             .into_iter()
-            .fold((suits, Limit::CuttingSpeed), |least, next| if next.0 < least.0 { next } else { least });
+            .fold((suits, ChoiceLimit::CuttingSpeed), |least, next| if next.0 < least.0 { next } else { least });
     let speed = fastest.floor().max(1.0);
     let work_speed = speed * work;
 
     let full = 0.5 * across_flats / math::cos(PI / f64::from(wanted.sides.max(3)));
     let gap = wanted.sides > 2 && wanted.stock >= full && !section.corners().first().is_some_and(|corner| corner.meets);
     let held = [
-        (Limit::Sense, ratio.value() < 0.0 && !means.against),
-        (Limit::Distance, setup.distance < means.distance.0 || setup.distance > means.distance.1),
-        (Limit::Gap, gap),
-        (Limit::Hollow, side.high > NOTHING && !wanted.hollow),
-        (Limit::Flatness, side.flatness() > wanted.flatness),
-        (Limit::Relief, relief >= head.relief),
+        (ChoiceLimit::Sense, ratio.value() < 0.0 && !means.against),
+        (ChoiceLimit::Distance, setup.distance < means.distance.0 || setup.distance > means.distance.1),
+        (ChoiceLimit::Gap, gap),
+        (ChoiceLimit::Hollow, side.high > NOTHING && !wanted.hollow),
+        (ChoiceLimit::Flatness, side.flatness() > wanted.flatness),
+        (ChoiceLimit::Relief, relief >= head.relief),
         (bound, speed > fastest || each.0 * work_speed < means.cutting_speed.0),
     ];
     Some(Choice {

@@ -1,7 +1,7 @@
 //! The formulas of the polygon lathe, each once: what follows from the inputs before anything runs.
 
-use super::fitted::Fitted;
 use super::params::Params;
+use super::resolved::Resolved;
 use crate::drives::polygon::choose::{Choice, choices};
 use crate::drives::polygon::cut::{self, Cut};
 use crate::drives::polygon::{Ratio, Section, Setup};
@@ -152,7 +152,7 @@ impl Params {
 
 impl Derived {
     /// Everything that follows from the inputs.
-    pub(super) fn new(lathe: &Fitted) -> Derived {
+    pub(super) fn new(lathe: &Resolved) -> Derived {
         let p = &lathe.p;
         let passes = lathe.sizes.len() as f64;
         let way = p.length + p.clearance;
@@ -177,7 +177,7 @@ impl Derived {
     }
 
     /// The same with what is to be said of the section.
-    fn with(self, lathe: &Fitted, setup: &Setup, section: &Section) -> Derived {
+    fn with(self, lathe: &Resolved, setup: &Setup, section: &Section) -> Derived {
         let p = &lathe.p;
         let Some(curve) = setup.curve(0) else { return self };
         let sides = section.sides();
@@ -242,12 +242,12 @@ impl Derived {
 }
 
 /// Every way to turn the polygon that is wanted, the best one first.
-pub(super) fn ways(lathe: &Fitted) -> Vec<Choice> {
+pub(super) fn ways(lathe: &Resolved) -> Vec<Choice> {
     choices(&lathe.wanted(), &lathe.means())
 }
 
 /// The same with the tip circle as it is: quick enough for every key that is pressed.
-pub(super) fn ways_as_set(lathe: &Fitted) -> Vec<Choice> {
+pub(super) fn ways_as_set(lathe: &Resolved) -> Vec<Choice> {
     let mut means = lathe.means();
     for cutter in &mut means.cutters {
         cutter.radius = (lathe.p.tip_radius, lathe.p.tip_radius);

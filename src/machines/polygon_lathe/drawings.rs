@@ -2,24 +2,24 @@
 
 use core::fmt::Write;
 
-use super::fitted::Fitted;
-use super::other;
+use super::native_code;
+use super::resolved::Resolved;
 use super::scene::ideal;
 use super::sheets::{TRACKS, say, steps};
 use crate::nc::File;
 use crate::text::number::{Plain, fill, filled};
-use crate::view::outline::{Outline, Shape};
+use crate::view::outline::{Outline, OutlineShape};
 use crate::view::svg::escape;
 
 /// Steps along an arc of the section: half a micrometre on a usual part.
 const STEPS: u32 = 64;
 
 /// The files beside programs and sheets.
-pub(super) fn drawings(lathe: &Fitted) -> Vec<File> {
+pub(super) fn drawings(lathe: &Resolved) -> Vec<File> {
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
     let mut files = Vec::new();
     if lathe.ratio().is_some() {
-        files.push(other::file(lathe));
+        files.push(native_code::file(lathe));
     }
     if let Some(outline) = section(lathe) {
         files.push(file("section.svg", outline.svg()));
@@ -29,16 +29,16 @@ pub(super) fn drawings(lathe: &Fitted) -> Vec<File> {
 }
 
 /// The finished section, the ideal polygon and the stock.
-fn section(lathe: &Fitted) -> Option<Outline> {
+fn section(lathe: &Resolved) -> Option<Outline> {
     let section = lathe.section()?;
     let p = &lathe.p;
     let mut shapes = vec![
-        Shape { layer: "FINISHED", points: section.points(STEPS), radius: 0.0 },
-        Shape { layer: "STOCK", points: Vec::new(), radius: section.stock() },
+        OutlineShape { layer: "FINISHED", points: section.points(STEPS), radius: 0.0 },
+        OutlineShape { layer: "STOCK", points: Vec::new(), radius: section.stock() },
     ];
     if p.sides > 2.0 {
         let points = ideal(p.sides as u32, 0.5 * p.across_flats, section.begin());
-        shapes.push(Shape { layer: "IDEAL", points, radius: 0.0 });
+        shapes.push(OutlineShape { layer: "IDEAL", points, radius: 0.0 });
     }
     Some(Outline { shapes })
 }
@@ -49,7 +49,7 @@ const RIGHT: f64 = 390.0;
 const TRACK: f64 = 44.0;
 
 /// When which signal is on, from G512 to G502. The cut is shown shorter than it is.
-pub(super) fn sequence(lathe: &Fitted) -> String {
+pub(super) fn sequence(lathe: &Resolved) -> String {
     let steps = steps(lathe);
     // Every step gets its own column, so that short ones are seen.
     let column = (RIGHT - LEFT) / steps.len() as f64;

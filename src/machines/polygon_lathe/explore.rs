@@ -1,7 +1,7 @@
 //! The explorer of the polygon lathe: inserts, ratio and tip radius are dragged, the section and its deviation follow.
 
-use super::fitted::Fitted;
-use super::graphs;
+use super::charts;
+use super::resolved::Resolved;
 use super::scene::{closed, ideal};
 use super::sheets::say;
 use super::show;
@@ -22,11 +22,11 @@ const POINTS: usize = 360;
 const PATHS: usize = 60;
 
 /// Sliders and section.
-pub(super) fn explorer(lathe: &Fitted) -> Explorer {
+pub(super) fn explorer(lathe: &Resolved) -> Explorer {
     Explorer {
         knobs: knobs(lathe),
         scene: scene(lathe),
-        charts: graphs::deviation(lathe, POINTS).into_iter().collect(),
+        charts: charts::deviation(lathe, POINTS).into_iter().collect(),
     }
 }
 
@@ -43,7 +43,7 @@ pub(super) fn own(sides: f64, inserts: f64, (tool, work): (f64, f64)) -> Vec<(&'
     ]
 }
 
-fn knobs(lathe: &Fitted) -> Vec<Knob> {
+fn knobs(lathe: &Resolved) -> Vec<Knob> {
     let p = &lathe.p;
     let along = own(p.sides, p.inserts, (p.tool_ratio, p.work_ratio));
     let count = |field: &'static str, range: (f64, f64), value: f64| Knob {
@@ -66,7 +66,7 @@ fn knobs(lathe: &Fitted) -> Vec<Knob> {
 }
 
 /// The finished section, the stock, the polygon that is wanted, and the paths of the inserts as the work sees them.
-fn scene(lathe: &Fitted) -> Scene {
+fn scene(lathe: &Resolved) -> Scene {
     let p = &lathe.p;
     let mut pen = Pen::default();
     let (width, height, r) = ROOM;

@@ -1,6 +1,6 @@
 //! The PMC program of the paper's figure 5, reconstructed: the figure is a picture that is lost, its signals stand in the text.
 
-use super::fitted::Fitted;
+use super::resolved::Resolved;
 use super::sheets::say;
 use crate::machines::sheets::row;
 use crate::text::{Citation, Grade};
@@ -52,7 +52,7 @@ const RUNGS: &[(&[&str], &str, &str)] = &[
 ];
 
 /// The rungs as an instruction list, with its drawing.
-pub(super) fn sheet(lathe: &Fitted) -> Sheet {
+pub(super) fn sheet(lathe: &Resolved) -> Sheet {
     // What both axes take to come to rest, or to their speed.
     let settling = super::show((1000.0 * lathe.p.settling()).ceil(), 0);
     let contact = |device: &&str| match device.strip_prefix('/') {

@@ -4,7 +4,7 @@ pub mod params;
 
 pub mod derive;
 
-mod fitted;
+mod resolved;
 
 mod readouts;
 
@@ -22,31 +22,31 @@ mod pose;
 
 mod progress;
 
-mod graphs;
+mod charts;
 
 mod sheets;
 
 mod ladder;
 
-mod other;
+mod native_code;
 
 mod drawings;
 
 mod explore;
 
 use crate::controls::Control;
-use crate::machines::charts;
+use crate::machines::chart_rows;
 use crate::machines::form::Field;
 use crate::machines::form::rows::Newline;
-use crate::machines::judge::{Rows, judge};
-use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
+use crate::machines::verdict::{Rows, judge};
+use crate::machines::{ControlContext, Defaults, Design, Frame, Machine, MachineProgram, Samples};
 use crate::motion::{Action, Plant, Plc, Snapshot};
 use crate::nc::File;
 use crate::text::catalog::number_text as show;
 use crate::view::{Chart, Explorer, Pose, Scene, Sheet};
 use derive::Derived;
-use fitted::Fitted;
 use params::{FIELDS, Params};
+use resolved::Resolved;
 use rules::{Case, RULES};
 
 /// The machine.
@@ -57,7 +57,7 @@ pub struct PolygonLathe;
 struct Lathe;
 
 impl Rows for Lathe {
-    type Fitted<'a> = Fitted<'a>;
+    type Resolved<'a> = Resolved<'a>;
     type Derived = Derived;
     type Case<'a> = Case<'a>;
 }
@@ -70,19 +70,20 @@ impl Machine for PolygonLathe {
 
     const LISTING: &'static str = include_str!("listing.nc");
     const SPEED: f64 = 0.05;
-    const EXPLORER: Option<fn(&Params, On) -> Explorer> = Some(|p, on| explore::explorer(&Fitted::new(p, on)));
+    const EXPLORER: Option<fn(&Params, ControlContext) -> Explorer> =
+        Some(|p, on| explore::explorer(&Resolved::new(p, on)));
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS
     }
 
     /// The control's own times.
-    fn start(control: &Control) -> Start {
-        Start::timing(control)
+    fn start(control: &Control) -> Defaults {
+        Defaults::timing(control)
     }
 
-    fn design(p: &Params, on: On) -> Design {
-        let lathe = Fitted::new(p, on);
+    fn design(p: &Params, on: ControlContext) -> Design {
+        let lathe = Resolved::new(p, on);
         let d = lathe.derived();
         let case = Case { lathe: &lathe, p: &lathe.p, d: &d };
         let shown = |id: &str| match id {
@@ -90,7 +91,7 @@ impl Machine for PolygonLathe {
             | "ready" => true,
             _ if !d.cuts => false,
             "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
-            "coast-phase" => fitted::coasts(&lathe.p, on.control),
+            "coast-phase" => resolved::coasts(&lathe.p, on.control),
             "twist" | "twist-speed" => lathe.p.lead != 0.0,
             _ => true,
         };
@@ -99,48 +100,48 @@ impl Machine for PolygonLathe {
         Design { readouts, diagnostics: rules::findings(&case) }
     }
 
-    fn plan(p: &Params, on: On) -> Plan {
-        let deck = program::deck(&Fitted::new(p, on));
-        Plan { deck, setup: 0, main: program::PART, crlf: p.newline == Newline::CrLf }
+    fn plan(p: &Params, on: ControlContext) -> MachineProgram {
+        let deck = program::deck(&Resolved::new(p, on));
+        MachineProgram { deck, setup: 0, main: program::PART, crlf: p.newline == Newline::CrLf }
     }
 
-    fn plant(p: &Params, on: On) -> Plant {
-        plant::plant(&Fitted::new(p, on))
+    fn plant(p: &Params, on: ControlContext) -> Plant {
+        plant::plant(&Resolved::new(p, on))
     }
 
     fn hand(_: &Params) -> Vec<Action> {
         Vec::new()
     }
 
-    fn plc(p: &Params, on: On) -> Box<dyn Plc> {
-        Box::new(plc::PolygonPlc::new(&Fitted::new(p, on)))
+    fn plc(p: &Params, on: ControlContext) -> Box<dyn Plc> {
+        Box::new(plc::PolygonPlc::new(&Resolved::new(p, on)))
     }
 
-    fn sheets(p: &Params, on: On) -> Vec<Sheet> {
-        sheets::sheets(&Fitted::new(p, on))
+    fn sheets(p: &Params, on: ControlContext) -> Vec<Sheet> {
+        sheets::sheets(&Resolved::new(p, on))
     }
 
-    fn drawings(p: &Params, on: On) -> Vec<File> {
-        drawings::drawings(&Fitted::new(p, on))
+    fn drawings(p: &Params, on: ControlContext) -> Vec<File> {
+        drawings::drawings(&Resolved::new(p, on))
     }
 
-    fn variables(_: &Params, _: On) -> Vec<(u32, &'static str, &'static str)> {
+    fn variables(_: &Params, _: ControlContext) -> Vec<(u32, &'static str, &'static str)> {
         program::VARIABLES.to_vec()
     }
 
-    fn scene(p: &Params, on: On) -> Scene {
-        scene::scene(&Fitted::new(p, on))
+    fn scene(p: &Params, on: ControlContext) -> Scene {
+        scene::scene(&Resolved::new(p, on))
     }
 
-    fn pose(p: &Params, on: On, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
-        pose::pose(&Fitted::new(p, on), run, now, frame)
+    fn pose(p: &Params, on: ControlContext, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+        pose::pose(&Resolved::new(p, on), run, now, frame)
     }
 
-    fn charts(p: &Params, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        let lathe = Fitted::new(p, on);
-        let mut all = charts::charts(graphs::ROWS, &lathe, run, from, to, points);
-        all.extend(graphs::deviation(&lathe, points));
-        all.extend(graphs::over_radius(&lathe, points));
+    fn charts(p: &Params, on: ControlContext, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        let lathe = Resolved::new(p, on);
+        let mut all = chart_rows::charts(charts::ROWS, &lathe, run, from, to, points);
+        all.extend(charts::deviation(&lathe, points));
+        all.extend(charts::over_radius(&lathe, points));
         all
     }
 }

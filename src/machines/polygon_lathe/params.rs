@@ -1,6 +1,6 @@
 //! The form of the polygon lathe: every input with unit, range and default, and the parameters that it fills.
 
-use super::fitted;
+use super::resolved;
 use crate::machines::form::rows::{Newline, choice, essential, fact, flag, number, one_of, setting, words};
 use crate::machines::form::{Field, Kind};
 
@@ -104,7 +104,7 @@ pub static FIELDS: &[Field<Params>] = &[
     setting!("shape", "polygon.group.part", "polygon.shape", "polygon.shape.help", "",
         one_of!(shape: Shape, "square" "polygon.shape.square", "knob" "polygon.shape.knob", "triangle" "polygon.shape.triangle",
             "hexagon" "polygon.shape.hexagon", "own" "polygon.shape.own")),
-    setting!("sides", "polygon.group.part", "polygon.sides", "polygon.sides.help", "N", when fitted::is_own,
+    setting!("sides", "polygon.group.part", "polygon.sides", "polygon.sides.help", "N", when resolved::is_own,
         number!(sides, "", 1.0..100.0, 4.0, 0, 1.0)),
     essential!("across-flats", "polygon.group.part", "polygon.across-flats", "polygon.across-flats.help", "AF", fact false,
         number!(across_flats, "mm", 0.5..500.0, 20.0, 3, 0.5)),
@@ -117,11 +117,11 @@ pub static FIELDS: &[Field<Params>] = &[
     setting!("hollow", "polygon.group.part", "polygon.hollow", "polygon.hollow.help", "", flag!(hollow)),
     setting!("orientation", "polygon.group.part", "polygon.orientation", "polygon.orientation.help", "ψ",
         number!(orientation, "°", -359.999..359.999, 0.0, 3, 5.0)),
-    setting!("inserts", "polygon.group.cutter", "polygon.inserts", "polygon.inserts.help", "n", when fitted::is_own,
+    setting!("inserts", "polygon.group.cutter", "polygon.inserts", "polygon.inserts.help", "n", when resolved::is_own,
         number!(inserts, "", 1.0..50.0, 2.0, 0, 1.0)),
-    setting!("work-ratio", "polygon.group.cutter", "polygon.work-ratio", "polygon.work-ratio.help", "D", when fitted::is_own,
+    setting!("work-ratio", "polygon.group.cutter", "polygon.work-ratio", "polygon.work-ratio.help", "D", when resolved::is_own,
         number!(work_ratio, "", -99.0..99.0, 1.0, 0, 1.0)),
-    setting!("tool-ratio", "polygon.group.cutter", "polygon.tool-ratio", "polygon.tool-ratio.help", "Q", when fitted::is_own,
+    setting!("tool-ratio", "polygon.group.cutter", "polygon.tool-ratio", "polygon.tool-ratio.help", "Q", when resolved::is_own,
         number!(tool_ratio, "", -99.0..99.0, 2.0, 0, 1.0)),
     essential!("tip-radius", "polygon.group.cutter", "polygon.tip-radius", "polygon.tip-radius.help", "r", fact true,
         number!(tip_radius, "mm", 1.0..1000.0, 45.0, 3, 1.0)),
@@ -171,9 +171,9 @@ pub static FIELDS: &[Field<Params>] = &[
         number!(index_speed, "r/min", 0.1..1000.0, 20.0, 1, 1.0)),
     setting!("emergency", "polygon.group.drives", "polygon.emergency", "polygon.emergency.help", "",
         one_of!(emergency: Emergency, "held" "polygon.emergency.held", "off" "polygon.emergency.off")),
-    setting!("work-coast", "polygon.group.drives", "polygon.work-coast", "polygon.work-coast.help", "", when fitted::coasts,
+    setting!("work-coast", "polygon.group.drives", "polygon.work-coast", "polygon.work-coast.help", "", when resolved::coasts,
         number!(work_coast, "s", 0.1..600.0, 4.0, 1, 0.5)),
-    setting!("tool-coast", "polygon.group.drives", "polygon.tool-coast", "polygon.tool-coast.help", "", when fitted::coasts,
+    setting!("tool-coast", "polygon.group.drives", "polygon.tool-coast", "polygon.tool-coast.help", "", when resolved::coasts,
         number!(tool_coast, "s", 0.1..600.0, 2.0, 1, 0.5)),
     setting!("slowest-cut", "polygon.group.limits", "polygon.slowest-cut", "polygon.slowest-cut.help", "",
         number!(slowest_cut, "m/min", 0.0..5000.0, 40.0, 1, 5.0)),

@@ -4,10 +4,10 @@
 //! the ladder list: reset and emergency stop end it (in ratio, or coasting where the drives go off), and it begins again only with a new request. Feed hold does not touch it: the work turns
 //! on beside a slide that stands.
 
-use super::fitted::{self, Fitted, TOOL, WORK};
 use super::program::{
     AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
 };
+use super::resolved::{self, Resolved, TOOL, WORK};
 use crate::motion::{BenchPlc, Io, PMC_AXES, Plc};
 
 /// Seconds from a strobe to FIN: a few scans of the ladder.
@@ -55,7 +55,7 @@ pub(super) struct PolygonPlc {
 }
 
 impl PolygonPlc {
-    pub(super) fn new(lathe: &Fitted) -> PolygonPlc {
+    pub(super) fn new(lathe: &Resolved) -> PolygonPlc {
         let p = &lathe.p;
         PolygonPlc {
             codes: BenchPlc::new(FIN_DELAY, None),
@@ -64,7 +64,7 @@ impl PolygonPlc {
             settle: p.settling(),
             index_speed: p.index_speed,
             overrides: lathe.overrides(),
-            coasting: fitted::coasts(p, lathe.control).then(|| p.coasting()),
+            coasting: resolved::coasts(p, lathe.control).then(|| p.coasting()),
         }
     }
 

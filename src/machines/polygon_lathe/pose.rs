@@ -1,7 +1,7 @@
 //! The drawing of the polygon lathe at a moment: how far the flats are, where cutter and slide stand, what the figures say.
 
-use super::fitted::{Fitted, TOOL, WORK};
 use super::progress::{self, GRID, Pass, Progress};
+use super::resolved::{Resolved, TOOL, WORK};
 use super::scene::{self, CLOSE, TIPS, View, closed, group, node};
 use super::show;
 use crate::machines::{Frame, Samples};
@@ -17,7 +17,7 @@ use crate::view::scene::Placement;
 const SEEN: f64 = 60.0;
 
 /// Where everything stands.
-pub(super) fn pose(lathe: &Fitted, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+pub(super) fn pose(lathe: &Resolved, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
     let p = &lathe.p;
     let view = View::new(lathe);
     let progress = progress::progress(lathe, run, now);
@@ -61,14 +61,14 @@ pub(super) fn pose(lathe: &Fitted, run: &dyn Samples, now: &Snapshot, frame: Fra
 }
 
 /// The bar from the side.
-fn bar(lathe: &Fitted, view: &View, progress: Progress) -> String {
+fn bar(lathe: &Resolved, view: &View, progress: Progress) -> String {
     let half = |pass: Option<Pass>| 0.5 * pass.map_or(lathe.p.stock_diameter, |pass| pass.size);
     let deeper = progress.now.filter(|now| now.size <= 2.0 * half(progress.done));
     scene::bar(lathe, view, half(progress.done), deeper.map(|now| (now.behind, 0.5 * now.size)))
 }
 
 /// Which pass it is, and of how many where it is one of the form's.
-fn pass(lathe: &Fitted, progress: Progress) -> String {
+fn pass(lathe: &Resolved, progress: Progress) -> String {
     let sizes = &lathe.sizes;
     let Some(now) = progress.now else { return format!("1 / {}", sizes.len()) };
     let planned = sizes.get(now.before).is_some_and(|size| (size - now.size).abs() < 1e-3);
@@ -76,7 +76,7 @@ fn pass(lathe: &Fitted, progress: Progress) -> String {
     if planned { format!("{number} / {}", sizes.len()) } else { number.to_string() }
 }
 
-fn texts(lathe: &Fitted, now: &Snapshot, progress: Progress, across_flats: f64) -> Vec<(usize, String)> {
+fn texts(lathe: &Resolved, now: &Snapshot, progress: Progress, across_flats: f64) -> Vec<(usize, String)> {
     let speed = |axis: usize| format!("{} r/min", figure(now.pmc[axis].feed / 360.0, 1));
     let turns = now.pmc[TOOL].feed != 0.0;
     let state = match now.mode {

@@ -4,7 +4,7 @@
 //! them, and the bits between them and the PMC, is ours.
 
 use super::PolygonLathe;
-use super::fitted::Fitted;
+use super::resolved::Resolved;
 use crate::controls::Code;
 use crate::machines::writing;
 use crate::nc::Deck;
@@ -63,7 +63,7 @@ pub(super) const VARIABLES: [(u32, &str, &str); 11] = [
 ];
 
 /// The programs, one per file.
-pub(super) fn deck(lathe: &Fitted) -> Deck {
+pub(super) fn deck(lathe: &Resolved) -> Deck {
     let mut b = Builder::new();
     part(&mut b, lathe);
     start(&mut b, lathe);
@@ -76,12 +76,12 @@ fn rapid(words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
 }
 
 /// A word of X for a distance across flats or a diameter.
-fn cross(lathe: &Fitted, size: f64) -> NewWord {
+fn cross(lathe: &Resolved, size: f64) -> NewWord {
     x(real(size * 0.5 * lathe.words(), 3))
 }
 
 /// O3000.
-fn part(b: &mut Builder, lathe: &Fitted) {
+fn part(b: &mut Builder, lathe: &Resolved) {
     let p = &lathe.p;
     let [on, off] = lathe.codes().map(|code| code.unwrap_or(0));
     let mm = |number: f64| real(number, 3);
@@ -139,7 +139,7 @@ fn wait_for(b: &mut Builder, bit: u32) {
 }
 
 /// O9120.
-fn start(b: &mut Builder, lathe: &Fitted) {
+fn start(b: &mut Builder, lathe: &Resolved) {
     let p = &lathe.p;
     b.program(MACROS[0], "POLYGON TURNING ON");
     b.comment("RECONSTRUCTED, NOT THE PAPER'S TEXT");
@@ -197,7 +197,7 @@ fn start(b: &mut Builder, lathe: &Fitted) {
 }
 
 /// O9121.
-fn stop(b: &mut Builder, lathe: &Fitted) {
+fn stop(b: &mut Builder, lathe: &Resolved) {
     b.program(MACROS[1], "POLYGON TURNING OFF");
     b.comment("RECONSTRUCTED, NOT THE PAPER'S TEXT");
     alone(b, 907);

@@ -4,7 +4,7 @@
 //! angles that the two axes had as the pass began: a phase error or a wrong start angle shows. It is a polar grid, for the eye; what is measured
 //! comes from the exact section.
 
-use super::fitted::{Fitted, TOOL, WORK};
+use super::resolved::{Resolved, TOOL, WORK};
 use crate::drives::polygon::{Curve, Setup};
 use crate::machines::Samples;
 use crate::math::{self, PI};
@@ -42,7 +42,7 @@ pub(super) struct Progress {
 }
 
 /// What the slide has done until now.
-pub(super) fn progress(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Progress {
+pub(super) fn progress(lathe: &Resolved, run: &dyn Samples, now: &Snapshot) -> Progress {
     let dips = run.dips(lathe.along(), now.t);
     let first = dips.len().saturating_sub(PASSES);
     let mut progress = Progress::default();
@@ -66,7 +66,7 @@ pub(super) fn progress(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Pro
 }
 
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
-pub(super) fn outline(lathe: &Fitted, progress: Progress, now: &Snapshot) -> Vec<f64> {
+pub(super) fn outline(lathe: &Resolved, progress: Progress, now: &Snapshot) -> Vec<f64> {
     let mut grid = vec![0.5 * lathe.p.stock_diameter; GRID];
     for pass in [progress.done, progress.now].into_iter().flatten() {
         cut(&mut grid, lathe, &pass, now);
@@ -75,7 +75,7 @@ pub(super) fn outline(lathe: &Fitted, progress: Progress, now: &Snapshot) -> Vec
 }
 
 /// Cuts what the inserts have cut in the turns of the work since then, until the pattern has closed.
-fn cut(grid: &mut [f64], lathe: &Fitted, slide: &Pass, now: &Snapshot) {
+fn cut(grid: &mut [f64], lathe: &Resolved, slide: &Pass, now: &Snapshot) {
     let Some(setup) = lathe.setup(slide.size) else { return };
     let k = setup.ratio.value();
     let [work, tool] = [WORK, TOOL].map(|axis| slide.since.pmc[axis].actual / 360.0);
@@ -120,7 +120,7 @@ fn pass(grid: &mut [f64], curve: &Curve, normal: f64, stock: f64) {
 }
 
 /// Where the tips are on the work, and how far the axes are apart, at a setting of the slide.
-pub(super) fn tips(lathe: &Fitted, now: &Snapshot) -> Option<(Setup, Vec<(f64, f64)>)> {
+pub(super) fn tips(lathe: &Resolved, now: &Snapshot) -> Option<(Setup, Vec<(f64, f64)>)> {
     let (across_flats, _) = lathe.slide(now);
     let mut setup = lathe.setup(across_flats)?;
     setup.distance = 0.5 * across_flats + setup.radius;

@@ -1,7 +1,7 @@
 //! The results of the polygon lathe as rows: what is shown, in which unit, by which formula, from which source.
 
 use super::Lathe;
-use crate::machines::judge::Row;
+use crate::machines::verdict::Row;
 use crate::text::{Citation, Grade};
 
 const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);

@@ -2,17 +2,17 @@
 
 use super::Lathe;
 use super::derive::{Derived, PASSES, ways_as_set};
-use super::fitted::{ANGLE_ERROR, Fitted, RADIUS_ERROR, errors};
 use super::params::Params;
+use super::resolved::{ANGLE_ERROR, RADIUS_ERROR, Resolved, errors};
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
-use crate::machines::judge::{Judgement, Rule, fail, ok, rule, warn};
+use crate::machines::verdict::{Judgement, Rule, fail, ok, rule, warn};
 use crate::msg;
 use crate::text::{Diagnostic, Message};
 
 /// Inputs, what follows from them, and what the control takes.
 pub(super) struct Case<'a> {
-    pub(super) lathe: &'a Fitted<'a>,
+    pub(super) lathe: &'a Resolved<'a>,
     pub(super) p: &'a Params,
     pub(super) d: &'a Derived,
 }

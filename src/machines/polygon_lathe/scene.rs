@@ -2,7 +2,7 @@
 //!
 //! Section and cutter are to one scale; what the work sees is larger, the deviation much larger, and both scales are told.
 
-use super::fitted::Fitted;
+use super::resolved::Resolved;
 use crate::drives::polygon::Section;
 use crate::math::{self, PI};
 use crate::text::catalog::{Language, words};
@@ -68,7 +68,7 @@ pub(super) struct View {
 }
 
 impl View {
-    pub(super) fn new(lathe: &Fitted) -> View {
+    pub(super) fn new(lathe: &Resolved) -> View {
         let p = &lathe.p;
         let stock = 0.5 * p.stock_diameter;
         // Room for the whole cutter where the slide begins.
@@ -120,7 +120,7 @@ pub(super) fn deviations(section: &Section, apothem: f64, sides: u32, count: usi
 }
 
 /// The drawing at rest.
-pub(super) fn scene(lathe: &Fitted) -> Scene {
+pub(super) fn scene(lathe: &Resolved) -> Scene {
     let p = &lathe.p;
     let view = View::new(lathe);
     let mut pen = Pen::default();
@@ -159,7 +159,7 @@ pub(super) fn scene(lathe: &Fitted) -> Scene {
 }
 
 /// Cutter and centre lines on the machine.
-fn machine(pen: &mut Pen, lathe: &Fitted, view: &View) {
+fn machine(pen: &mut Pen, lathe: &Resolved, view: &View) {
     let p = &lathe.p;
     let ((wx, wy), (cx, cy), r) = (view.work, view.cutter, p.tip_radius * view.scale);
     pen.ring(0, (wx, wy, 0.5 * p.stock_diameter * view.scale), "dim", 0.8, "dash");
@@ -183,7 +183,7 @@ fn machine(pen: &mut Pen, lathe: &Fitted, view: &View) {
 }
 
 /// What stays of the section as the work sees it: stock, ideal polygon, tips.
-fn close(pen: &mut Pen, lathe: &Fitted, view: &View) {
+fn close(pen: &mut Pen, lathe: &Resolved, view: &View) {
     let p = &lathe.p;
     let (x, y, r) = CLOSE;
     pen.ring(0, (x, y, r), "dim", 0.8, "dash");
@@ -197,7 +197,7 @@ fn close(pen: &mut Pen, lathe: &Fitted, view: &View) {
 }
 
 /// The finished polygon against the ideal one, its deviation magnified.
-fn finished(pen: &mut Pen, lathe: &Fitted) {
+fn finished(pen: &mut Pen, lathe: &Resolved) {
     let (p, d) = (&lathe.p, lathe.derived());
     let (x, y, r) = FINISHED;
     let Some(section) = lathe.section() else { return };
@@ -230,7 +230,7 @@ const MOST_TURNS: f64 = 8.0;
 const TWIST: u32 = 64;
 
 /// The cutter from the side, the corners of a twisted polygon, over the bar that poses draw.
-fn side(pen: &mut Pen, lathe: &Fitted, view: &View) {
+fn side(pen: &mut Pen, lathe: &Resolved, view: &View) {
     let p = &lathe.p;
     let (scale, face) = view.side;
     let top = SIDE.1 - 0.5 * p.across_flats * scale;
@@ -259,7 +259,7 @@ fn side(pen: &mut Pen, lathe: &Fitted, view: &View) {
 }
 
 /// The bar from the side: cut to half widths `done` as far as the length, and `deeper` as far as `behind`, in mm.
-pub(super) fn bar(lathe: &Fitted, view: &View, done: f64, deeper: Option<(f64, f64)>) -> String {
+pub(super) fn bar(lathe: &Resolved, view: &View, done: f64, deeper: Option<(f64, f64)>) -> String {
     let p = &lathe.p;
     let (scale, face) = view.side;
     let stock = 0.5 * p.stock_diameter;

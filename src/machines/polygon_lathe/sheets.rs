@@ -1,11 +1,11 @@
 //! What the machine builder sets beside the program: parameters, the interface of the PMC, its ladder, the sequence, and the ways to turn it.
 
 use super::derive::ways;
-use super::fitted::{self, Fitted};
 use super::program::MACROS;
-use super::{drawings, explore, ladder, other, show};
+use super::resolved::{self, Resolved};
+use super::{drawings, explore, ladder, native_code, show};
 use crate::controls::ParamRole;
-use crate::drives::polygon::choose::{Choice, Limit};
+use crate::drives::polygon::choose::{Choice, ChoiceLimit};
 use crate::drives::polygon::cut::Cut;
 use crate::machines::sheets::{self, Axes, Setting, row};
 use crate::math::PI;
@@ -17,14 +17,14 @@ const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
 const OURS: Citation = Citation::new("ours: the paper does not tell", Grade::Open);
 
 /// All sheets.
-pub(super) fn sheets(lathe: &Fitted) -> Vec<Sheet> {
+pub(super) fn sheets(lathe: &Resolved) -> Vec<Sheet> {
     let mut all = vec![
         parameters(lathe),
         interface(),
         sequence(lathe),
         ladder::sheet(lathe),
         choices(lathe),
-        other::sheet(lathe),
+        native_code::sheet(lathe),
     ];
     all.extend(passes(lathe));
     all.extend(inserts(lathe));
@@ -38,7 +38,7 @@ pub(super) fn say(id: &'static str) -> String {
 /// The first parameter that binds a code, and the program that it calls.
 const FIRST: u32 = 4120;
 
-fn parameters(lathe: &Fitted) -> Sheet {
+fn parameters(lathe: &Resolved) -> Sheet {
     let p = &lathe.p;
     let slides = |x: f64, z: f64| vec![("X", Setting::Number(x)), ("Z", Setting::Number(z))];
     let values = vec![
@@ -126,7 +126,7 @@ pub(super) const TRACKS: [&str; 6] = [
 pub(super) type Step = (f64, &'static str, Vec<(usize, bool)>);
 
 /// What happens from G512 to G502: times in closed form, blocks of the macro programs apart.
-pub(super) fn steps(lathe: &Fitted) -> Vec<Step> {
+pub(super) fn steps(lathe: &Resolved) -> Vec<Step> {
     let (p, d) = (&lathe.p, lathe.derived());
     let angle = p.index_time() + p.settling();
     let speed = angle + p.settling();
@@ -143,9 +143,9 @@ pub(super) fn steps(lathe: &Fitted) -> Vec<Step> {
     ]
 }
 
-fn sequence(lathe: &Fitted) -> Sheet {
+fn sequence(lathe: &Resolved) -> Sheet {
     let step = |(t, text, _): Step| row([show(t, 3), say(text)], OURS);
-    let coasts = fitted::coasts(&lathe.p, lathe.control);
+    let coasts = resolved::coasts(&lathe.p, lathe.control);
     let emergency = if coasts { "polygon.step.coast" } else { "polygon.step.emergency" };
     let breaks = ["polygon.step.held", "polygon.step.reset", emergency];
     let breaks = breaks.map(|text| row([String::new(), say(text)], OURS));
@@ -162,7 +162,7 @@ fn sequence(lathe: &Fitted) -> Sheet {
 const WAYS: usize = 40;
 
 /// How the polygon can be turned, the best first, with what excludes the others.
-fn choices(lathe: &Fitted) -> Sheet {
+fn choices(lathe: &Resolved) -> Sheet {
     let cite = Citation::new("sheet 3: the flattest among those within all limits is the best", Grade::Inferred);
     let way = |(at, way): (usize, Choice)| {
         let excluded: Vec<String> = way.limits.iter().map(|limit| say(limit_text(*limit))).collect();
@@ -210,7 +210,7 @@ fn choices(lathe: &Fitted) -> Sheet {
 }
 
 /// What each pass asks of the inserts, first the one that needs most relief.
-fn passes(lathe: &Fitted) -> Option<Sheet> {
+fn passes(lathe: &Resolved) -> Option<Sheet> {
     let cite = Citation::new("sheet 3.3 and 3.4; a pass meets what the one before has left", Grade::Inferred);
     let p = &lathe.p;
     let mut cuts = lathe.cuts(&lathe.setup(p.across_flats)?);
@@ -245,7 +245,7 @@ fn passes(lathe: &Fitted) -> Option<Sheet> {
 const NAMED: usize = 12;
 
 /// Every insert with its errors and what they do to the sides that it cuts; nothing where all are in their places.
-fn inserts(lathe: &Fitted) -> Option<Sheet> {
+fn inserts(lathe: &Resolved) -> Option<Sheet> {
     let cite = Citation::new("sheet 3.1, and the section itself", Grade::Inferred);
     let setup = lathe.setup(lathe.p.across_flats).filter(|setup| !setup.is_even())?;
     let sides = lathe.section()?.sides();
@@ -290,16 +290,16 @@ fn inserts(lathe: &Fitted) -> Option<Sheet> {
     })
 }
 
-fn limit_text(limit: Limit) -> &'static str {
+fn limit_text(limit: ChoiceLimit) -> &'static str {
     match limit {
-        Limit::Sense => "polygon.limit.sense",
-        Limit::Distance => "polygon.limit.distance",
-        Limit::Gap => "polygon.limit.gap",
-        Limit::Hollow => "polygon.limit.hollow",
-        Limit::Flatness => "polygon.limit.flatness",
-        Limit::Relief => "polygon.limit.relief",
-        Limit::WorkSpeed => "polygon.limit.work-speed",
-        Limit::ToolSpeed => "polygon.limit.tool-speed",
-        Limit::CuttingSpeed => "polygon.limit.cutting-speed",
+        ChoiceLimit::Sense => "polygon.limit.sense",
+        ChoiceLimit::Distance => "polygon.limit.distance",
+        ChoiceLimit::Gap => "polygon.limit.gap",
+        ChoiceLimit::Hollow => "polygon.limit.hollow",
+        ChoiceLimit::Flatness => "polygon.limit.flatness",
+        ChoiceLimit::Relief => "polygon.limit.relief",
+        ChoiceLimit::WorkSpeed => "polygon.limit.work-speed",
+        ChoiceLimit::ToolSpeed => "polygon.limit.tool-speed",
+        ChoiceLimit::CuttingSpeed => "polygon.limit.cutting-speed",
     }
 }

@@ -4,7 +4,7 @@ pub mod params;
 
 pub mod derive;
 
-mod fitted;
+mod resolved;
 
 mod readouts;
 
@@ -20,22 +20,22 @@ mod scene;
 
 mod pose;
 
-mod graphs;
+mod charts;
 
 mod sheets;
 
 use crate::controls::Control;
-use crate::machines::charts;
+use crate::machines::chart_rows;
 use crate::machines::form::Field;
 use crate::machines::form::rows::Newline;
-use crate::machines::judge::{Row, Rows, judge};
-use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
+use crate::machines::verdict::{Row, Rows, judge};
+use crate::machines::{ControlContext, Defaults, Design, Frame, Machine, MachineProgram, Samples};
 use crate::motion::{Action, Plant, Plc, Snapshot};
 use crate::text::catalog::number_text as show;
 use crate::view::{Chart, Pose, Scene, Sheet};
 use derive::Derived;
-use fitted::Fitted;
 use params::{FIELDS, Params};
+use resolved::Resolved;
 use rules::{Case, RULES};
 
 /// Id of the machine.
@@ -58,49 +58,49 @@ impl Machine for RibbonLine {
         FIELDS
     }
 
-    fn start(control: &Control) -> Start {
+    fn start(control: &Control) -> Defaults {
         start(control)
     }
 
-    fn design(p: &Params, on: On) -> Design {
-        design(&Fitted::new(p, on))
+    fn design(p: &Params, on: ControlContext) -> Design {
+        design(&Resolved::new(p, on))
     }
 
-    fn plan(p: &Params, on: On) -> Plan {
-        let deck = program::deck(&Fitted::new(p, on));
-        Plan { deck, setup: program::SETUP, main: program::RUN, crlf: p.newline == Newline::CrLf }
+    fn plan(p: &Params, on: ControlContext) -> MachineProgram {
+        let deck = program::deck(&Resolved::new(p, on));
+        MachineProgram { deck, setup: program::SETUP, main: program::RUN, crlf: p.newline == Newline::CrLf }
     }
 
-    fn plant(p: &Params, on: On) -> Plant {
-        plant::plant(&Fitted::new(p, on))
+    fn plant(p: &Params, on: ControlContext) -> Plant {
+        plant::plant(&Resolved::new(p, on))
     }
 
     fn hand(p: &Params) -> Vec<Action> {
         vec![Action::SpindleOverride(p.override_percent)]
     }
 
-    fn plc(p: &Params, on: On) -> Box<dyn Plc> {
-        Box::new(plc::RibbonPlc::new(&Fitted::new(p, on)))
+    fn plc(p: &Params, on: ControlContext) -> Box<dyn Plc> {
+        Box::new(plc::RibbonPlc::new(&Resolved::new(p, on)))
     }
 
-    fn sheets(p: &Params, on: On) -> Vec<Sheet> {
-        sheets::sheets(&Fitted::new(p, on))
+    fn sheets(p: &Params, on: ControlContext) -> Vec<Sheet> {
+        sheets::sheets(&Resolved::new(p, on))
     }
 
-    fn variables(p: &Params, on: On) -> Vec<(u32, &'static str, &'static str)> {
-        program::variables(&Fitted::new(p, on))
+    fn variables(p: &Params, on: ControlContext) -> Vec<(u32, &'static str, &'static str)> {
+        program::variables(&Resolved::new(p, on))
     }
 
-    fn scene(p: &Params, on: On) -> Scene {
-        scene::scene(&Fitted::new(p, on))
+    fn scene(p: &Params, on: ControlContext) -> Scene {
+        scene::scene(&Resolved::new(p, on))
     }
 
-    fn pose(p: &Params, on: On, _: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
-        pose::pose(&Fitted::new(p, on), now, frame)
+    fn pose(p: &Params, on: ControlContext, _: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+        pose::pose(&Resolved::new(p, on), now, frame)
     }
 
-    fn charts(p: &Params, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        charts::charts(graphs::ROWS, &Fitted::new(p, on), run, from, to, points)
+    fn charts(p: &Params, on: ControlContext, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        chart_rows::charts(charts::ROWS, &Resolved::new(p, on), run, from, to, points)
     }
 }
 
@@ -108,14 +108,14 @@ impl Machine for RibbonLine {
 struct Line;
 
 impl Rows for Line {
-    type Fitted<'a> = Fitted<'a>;
+    type Resolved<'a> = Resolved<'a>;
     type Derived = Derived;
     type Case<'a> = Case<'a>;
 }
 
 /// The control's own times and ranges, and the parameter without which a second start would find no values.
-fn start(control: &Control) -> Start {
-    let mut start = Start::timing(control);
+fn start(control: &Control) -> Defaults {
+    let mut start = Defaults::timing(control);
     start.number("feed-limit", control.limits.feed_max);
     start.keep_common(control);
     // Axes that wait until the unwinder has its speed let the ribbon pile up meanwhile.
@@ -124,7 +124,7 @@ fn start(control: &Control) -> Start {
 }
 
 /// Results, each judged by the rules about it, and the errors.
-fn design(line: &Fitted) -> Design {
+fn design(line: &Resolved) -> Design {
     let d = Derived::new(&line.p, line.control.bench.output_bits);
     let case = Case { line, p: &line.p, d: &d, limits: &line.control.limits };
     let judged = |row| judge(row, &d, unit(row, line), RULES, &case);
@@ -133,7 +133,7 @@ fn design(line: &Fitted) -> Design {
 }
 
 /// The print roller's axis counts degrees where it is fitted so.
-fn unit(row: &Row<Line>, line: &Fitted) -> &'static str {
+fn unit(row: &Row<Line>, line: &Resolved) -> &'static str {
     match row.id {
         "y-stroke" | "y-drift" if line.degrees() => "°",
         "y-feed" if line.degrees() => "°/min",

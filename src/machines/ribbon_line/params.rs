@@ -1,6 +1,6 @@
 //! The form of the ribbon line: every input with unit, range and default, and the parameters that it fills.
 
-use super::fitted;
+use super::resolved;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{Newline, choice, essential, fact, flag, number, one_of, setting, words};
 
@@ -247,7 +247,7 @@ pub static FIELDS: &[Field<Params>] = &[
         "ribbon.override-form",
         "ribbon.override-form.help",
         "",
-        when fitted::tells_final_speed,
+        when resolved::tells_final_speed,
         one_of!(override_form: OverrideForm, "percent" "ribbon.override-form.percent", "final-speed" "ribbon.override-form.final-speed")
     ),
     setting!(
@@ -369,7 +369,7 @@ pub static FIELDS: &[Field<Params>] = &[
         "ribbon.print-axis",
         "ribbon.print-axis.help",
         "",
-        when fitted::has_print_axes,
+        when resolved::has_print_axes,
         one_of!(print_axis: PrintAxis, "y" "ribbon.print-axis.y", "c" "ribbon.print-axis.c", "z" "ribbon.print-axis.z")
     ),
     setting!(
@@ -378,7 +378,7 @@ pub static FIELDS: &[Field<Params>] = &[
         "ribbon.y-unit",
         "ribbon.y-unit.help",
         "",
-        when fitted::has_print_unit,
+        when resolved::has_print_unit,
         one_of!(y_unit: YUnit, "mm" "ribbon.y-unit.mm", "degrees" "ribbon.y-unit.degrees")
     ),
     fact!(
@@ -651,7 +651,7 @@ pub static FIELDS: &[Field<Params>] = &[
         "ribbon.path-mode",
         "ribbon.path-mode.help",
         "",
-        when fitted::stops_exactly,
+        when resolved::stops_exactly,
         one_of!(path_mode: PathMode, "continuous" "ribbon.path-mode.continuous", "exact-stop" "ribbon.path-mode.exact-stop")
     ),
     setting!(

@@ -1,12 +1,12 @@
 //! The plant of the ribbon line: two servo axes and the unwinder on the analog output.
 
-use super::fitted::{Fitted, PULL};
+use super::resolved::{PULL, Resolved};
 use crate::drives::Analog;
 use crate::math::PI;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
 /// The plant with the project's clamps, ramps and slip.
-pub(super) fn plant(line: &Fitted) -> Plant {
+pub(super) fn plant(line: &Resolved) -> Plant {
     let p = &line.p;
     let x = AxisPlant {
         letter: PULL,
@@ -41,7 +41,7 @@ pub(super) fn plant(line: &Fitted) -> Plant {
 }
 
 /// The unwinder. A dancer trims it to what X pulls: no slip, and the program's own π.
-fn spindle(line: &Fitted) -> SpindlePlant {
+fn spindle(line: &Resolved) -> SpindlePlant {
     let (p, bench) = (&line.p, &line.control.bench);
     let motor = p.induction();
     let (gain, slip) =

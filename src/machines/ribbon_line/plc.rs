@@ -1,8 +1,8 @@
 //! The builder's PLC of the ribbon line: the paper's figure 1 (the knob to override and macro input), and FIN for S and M.
 
 use super::derive::AT_SPEED;
-use super::fitted::Fitted;
 use super::params::{OverrideForm, Wait};
+use super::resolved::Resolved;
 use crate::math;
 use crate::motion::{Io, Plc, Strobes};
 
@@ -25,7 +25,7 @@ pub(super) struct RibbonPlc {
 }
 
 impl RibbonPlc {
-    pub(super) fn new(line: &Fitted) -> RibbonPlc {
+    pub(super) fn new(line: &Resolved) -> RibbonPlc {
         let (p, input, range) = (&line.p, line.handed(), line.input_range());
         RibbonPlc {
             step: p.knob_step.percent(),

@@ -1,7 +1,7 @@
 //! The drawing of the ribbon line at a moment: where rollers and dots stand, how deep the loop hangs, what the figures say.
 
-use super::fitted::Fitted;
 use super::params::Params;
+use super::resolved::Resolved;
 use super::scene::{self, DOTS, PITCH, group, node};
 use super::show;
 use crate::machines::Frame;
@@ -31,7 +31,7 @@ pub(super) struct State {
 }
 
 impl State {
-    pub(super) fn new(line: &Fitted, now: &Snapshot) -> State {
+    pub(super) fn new(line: &Resolved, now: &Snapshot) -> State {
         let p = &line.p;
         let (x, y) = (&now.axes[line.pull()], &now.axes[line.print()]);
         // The axis itself, which lags its command.
@@ -59,7 +59,7 @@ impl State {
 }
 
 /// Where everything stands.
-pub(super) fn pose(line: &Fitted, now: &Snapshot, frame: Frame) -> Pose {
+pub(super) fn pose(line: &Resolved, now: &Snapshot, frame: Frame) -> Pose {
     let (p, state) = (&line.p, State::new(line, now));
     let [unwinder, pull, print] = state.speeds.map(|speed| (speed * frame.step).abs());
     let mut pose = Pose::default();
@@ -99,7 +99,7 @@ fn seen(step: f64) -> f64 {
 }
 
 /// The dots move with X; the newest was printed where the last head met the ribbon.
-fn dots(line: &Fitted, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
+fn dots(line: &Resolved, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
     let p = &line.p;
     let passed = state.pulled / p.pitch + 1e-6;
     let printed = passed.floor();
@@ -120,7 +120,7 @@ fn dots(line: &Fitted, now: &Snapshot, frame: Frame, state: &State, pose: &mut P
     pose.placements.push(Placement { group: group::DOTS_BLUR, opacity: streak, ..Placement::default() });
 }
 
-fn texts(line: &Fitted, now: &Snapshot, state: &State) -> Vec<(usize, String)> {
+fn texts(line: &Resolved, now: &Snapshot, state: &State) -> Vec<(usize, String)> {
     let p = &line.p;
     let heads = p.heads.max(1.0);
     let met = (state.print_angle * heads / 360.0 + 1e-6).floor();

@@ -1,7 +1,7 @@
 //! The results of the ribbon line as rows: what is shown, in which unit, by which formula, from which source.
 
 use super::Line;
-use crate::machines::judge::Row;
+use crate::machines::verdict::Row;
 use crate::text::{Citation, Grade};
 
 /// Rows in the order they are shown; the headline ones first.

@@ -6,19 +6,19 @@
 
 use super::Line;
 use super::derive::Derived;
-use super::fitted::Fitted;
 use super::params::{Params, PathMode, PiForm, Variant, Wait};
 use super::program;
+use super::resolved::Resolved;
 use crate::controls::{Code, Limits};
 use crate::drives::web;
-use crate::machines::judge::{Judgement, Rule, fail, ok, warn};
+use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade, Message};
 use crate::view::Verdict;
 
 /// Inputs, what follows from them, and what the control takes.
 pub(super) struct Case<'a> {
-    pub(super) line: &'a Fitted<'a>,
+    pub(super) line: &'a Resolved<'a>,
     pub(super) p: &'a Params,
     pub(super) d: &'a Derived,
     pub(super) limits: &'a Limits,

@@ -3,8 +3,8 @@
 //! The ribbon runs at height 118 from left to right. Nothing is to scale but the angles, the pitch of the dots (26 units) and their
 //! smear; the loop hangs as deep as the slack is long.
 
-use super::fitted::Fitted;
 use super::params::Params;
+use super::resolved::Resolved;
 use crate::math::{self, PI};
 use crate::text::catalog::{Language, words};
 use crate::text::number::filled;
@@ -67,7 +67,7 @@ const LOOP_DEPTH: f64 = 66.0;
 const HEADS: f64 = 60.0;
 
 /// The drawing at rest.
-pub(super) fn scene(line: &Fitted) -> Scene {
+pub(super) fn scene(line: &Resolved) -> Scene {
     let p = &line.p;
     let mut pen = Pen::default();
     let language = Language::English;

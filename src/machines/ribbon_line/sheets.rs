@@ -1,8 +1,8 @@
 //! What the machine builder sets beside the program: parameters, registers between PLC and control, and the ladder of figure 1.
 
-use super::fitted::Fitted;
 use super::params::{OverrideForm, PrintAxis, Wait};
 use super::program;
+use super::resolved::Resolved;
 use crate::controls::ParamRole;
 use crate::controls::interface::SignalRole;
 use crate::machines::sheets::{self, Axes, Setting, row};
@@ -13,7 +13,7 @@ use crate::view::Sheet;
 use crate::view::ladder::{self, Contact, Rung};
 
 /// All sheets.
-pub(super) fn sheets(line: &Fitted) -> Vec<Sheet> {
+pub(super) fn sheets(line: &Resolved) -> Vec<Sheet> {
     vec![parameters(line), interface(line), ladder(line)]
 }
 
@@ -22,7 +22,7 @@ fn say(id: &'static str) -> String {
 }
 
 /// Parameters with their values for this project.
-fn parameters(line: &Fitted) -> Sheet {
+fn parameters(line: &Resolved) -> Sheet {
     let p = &line.p;
     let print: &str = &(p.print_axis.letter() as char).to_string();
     let number = |value: f64| Setting::Number(value);
@@ -60,7 +60,7 @@ fn parameters(line: &Fitted) -> Sheet {
 }
 
 /// Registers between PLC and control, as far as the control has them: who writes, who reads, what for.
-fn interface(line: &Fitted) -> Sheet {
+fn interface(line: &Resolved) -> Sheet {
     let (p, input) = (&line.p, line.input());
     let (plc, nc, text) = (say("ribbon.plc.plc"), say("ribbon.plc.control"), say("ribbon.plc.program"));
     let number = |variable: u32| format!("#{variable}");
@@ -100,7 +100,7 @@ fn interface(line: &Fitted) -> Sheet {
 }
 
 /// The rungs of the paper's figure 1, and FIN. What the control has no register for is left out.
-fn rungs(line: &Fitted) -> Vec<Rung> {
+fn rungs(line: &Resolved) -> Vec<Rung> {
     let p = &line.p;
     let name = |role| line.control.device(role, line.switches).map(|(device, _)| device);
     let register = name(SignalRole::SpindleOverride);
@@ -150,7 +150,7 @@ fn rungs(line: &Fitted) -> Vec<Rung> {
 }
 
 /// Figure 1 as an instruction list, with its drawing.
-fn ladder(line: &Fitted) -> Sheet {
+fn ladder(line: &Resolved) -> Sheet {
     let rungs = rungs(line);
     let cite =
         Citation::new("paper, figure 1: R148 to R74; instructions by the usual list of the maker", Grade::Inferred);

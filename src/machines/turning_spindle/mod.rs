@@ -4,7 +4,7 @@ pub mod params;
 
 pub mod derive;
 
-mod fitted;
+mod resolved;
 
 mod readouts;
 
@@ -18,22 +18,22 @@ mod scene;
 
 mod pose;
 
-mod graphs;
+mod charts;
 
 mod sheets;
 
 use crate::controls::Control;
-use crate::machines::charts;
+use crate::machines::chart_rows;
 use crate::machines::form::Field;
 use crate::machines::form::rows::Newline;
-use crate::machines::judge::{Rows, judge};
-use crate::machines::{Design, Frame, Machine, On, Plan, Samples, Start};
+use crate::machines::verdict::{Rows, judge};
+use crate::machines::{ControlContext, Defaults, Design, Frame, Machine, MachineProgram, Samples};
 use crate::motion::{Action, Plant, Plc, Snapshot};
 use crate::text::catalog::number_text as show;
 use crate::view::{Chart, Pose, Scene, Sheet};
 use derive::Derived;
-use fitted::Fitted;
 use params::{FIELDS, Params};
+use resolved::Resolved;
 use rules::{Case, RULES};
 
 /// The machine.
@@ -44,7 +44,7 @@ pub struct TurningSpindle;
 struct Lathe;
 
 impl Rows for Lathe {
-    type Fitted<'a> = Fitted<'a>;
+    type Resolved<'a> = Resolved<'a>;
     type Derived = Derived;
     type Case<'a> = Case<'a>;
 }
@@ -63,14 +63,14 @@ impl Machine for TurningSpindle {
     }
 
     /// The control's own times.
-    fn start(control: &Control) -> Start {
-        let mut start = Start::timing(control);
+    fn start(control: &Control) -> Defaults {
+        let mut start = Defaults::timing(control);
         start.keep_common(control);
         start
     }
 
-    fn design(p: &Params, on: On) -> Design {
-        let lathe = Fitted::new(p, on);
+    fn design(p: &Params, on: ControlContext) -> Design {
+        let lathe = Resolved::new(p, on);
         let d = lathe.derived();
         let case = Case { lathe: &lathe, p: &lathe.p, d: &d };
         let shown = |id: &str| match id {
@@ -85,43 +85,43 @@ impl Machine for TurningSpindle {
         Design { readouts, diagnostics: rules::findings(&case) }
     }
 
-    fn plan(p: &Params, on: On) -> Plan {
-        let deck = program::deck(&Fitted::new(p, on));
-        Plan { deck, setup: program::SETUP, main: program::RUN, crlf: p.newline == Newline::CrLf }
+    fn plan(p: &Params, on: ControlContext) -> MachineProgram {
+        let deck = program::deck(&Resolved::new(p, on));
+        MachineProgram { deck, setup: program::SETUP, main: program::RUN, crlf: p.newline == Newline::CrLf }
     }
 
-    fn plant(p: &Params, on: On) -> Plant {
-        plant::plant(&Fitted::new(p, on))
+    fn plant(p: &Params, on: ControlContext) -> Plant {
+        plant::plant(&Resolved::new(p, on))
     }
 
     fn hand(p: &Params) -> Vec<Action> {
         vec![Action::SpindleOverride(p.override_percent)]
     }
 
-    fn plc(p: &Params, on: On) -> Box<dyn Plc> {
-        Box::new(plant::plc(&Fitted::new(p, on)))
+    fn plc(p: &Params, on: ControlContext) -> Box<dyn Plc> {
+        Box::new(plant::plc(&Resolved::new(p, on)))
     }
 
-    fn sheets(p: &Params, on: On) -> Vec<Sheet> {
-        sheets::sheets(&Fitted::new(p, on))
+    fn sheets(p: &Params, on: ControlContext) -> Vec<Sheet> {
+        sheets::sheets(&Resolved::new(p, on))
     }
 
-    fn variables(p: &Params, on: On) -> Vec<(u32, &'static str, &'static str)> {
-        program::variables(&Fitted::new(p, on))
+    fn variables(p: &Params, on: ControlContext) -> Vec<(u32, &'static str, &'static str)> {
+        program::variables(&Resolved::new(p, on))
     }
 
-    fn scene(p: &Params, on: On) -> Scene {
-        scene::scene(&Fitted::new(p, on))
+    fn scene(p: &Params, on: ControlContext) -> Scene {
+        scene::scene(&Resolved::new(p, on))
     }
 
-    fn pose(p: &Params, on: On, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
-        pose::pose(&Fitted::new(p, on), run, now, frame)
+    fn pose(p: &Params, on: ControlContext, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+        pose::pose(&Resolved::new(p, on), run, now, frame)
     }
 
-    fn charts(p: &Params, on: On, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        let lathe = Fitted::new(p, on);
-        let mut all = charts::charts(graphs::ROWS, &lathe, run, from, to, points);
-        all.extend(graphs::over_diameter(&lathe, points));
+    fn charts(p: &Params, on: ControlContext, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        let lathe = Resolved::new(p, on);
+        let mut all = chart_rows::charts(charts::ROWS, &lathe, run, from, to, points);
+        all.extend(charts::over_diameter(&lathe, points));
         all
     }
 }

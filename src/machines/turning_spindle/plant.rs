@@ -1,6 +1,6 @@
 //! The plant of the turning spindle: two slides, the spindle with its gear stages, and the builder's logic between them.
 
-use super::fitted::{ALONG, CROSS, Fitted, has_gear_alarm};
+use super::resolved::{ALONG, CROSS, Resolved, has_gear_alarm};
 use crate::controls::SpindleRules;
 use crate::drives::Positioning;
 use crate::motion::{AxisPlant, BenchPlc, GearShift, Plant, SpindlePlant};
@@ -9,7 +9,7 @@ use crate::motion::{AxisPlant, BenchPlc, GearShift, Plant, SpindlePlant};
 const FIN_DELAY: f64 = 0.05;
 
 /// The plant with the project's clamps, ramps and limits.
-pub(super) fn plant(lathe: &Fitted) -> Plant {
+pub(super) fn plant(lathe: &Resolved) -> Plant {
     let p = &lathe.p;
     let slide = |letter: u8, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
         letter,
@@ -36,7 +36,7 @@ pub(super) fn plant(lathe: &Fitted) -> Plant {
     }
 }
 
-fn spindle(lathe: &Fitted) -> SpindlePlant {
+fn spindle(lathe: &Resolved) -> SpindlePlant {
     let (p, bench) = (&lathe.p, &lathe.control.bench);
     let analog = p.analog(p.stage_1, bench.volts_full, bench.output_bits);
     let rules = SpindleRules {
@@ -54,7 +54,7 @@ fn spindle(lathe: &Fitted) -> SpindlePlant {
 }
 
 /// FIN for S, M and T, and the gear change.
-pub(super) fn plc(lathe: &Fitted) -> BenchPlc {
+pub(super) fn plc(lathe: &Resolved) -> BenchPlc {
     let p = &lathe.p;
     let mut plc = BenchPlc::new(FIN_DELAY, None);
     plc.shift =

@@ -1,8 +1,8 @@
 //! The drawing of the turning spindle at a moment: how much of the part is cut, where tool, jaws and needle stand, what the figures say.
 
-use super::fitted::Fitted;
 use super::params::{Output, Path};
 use super::program::CUTS;
+use super::resolved::Resolved;
 use super::scene::{self, JAWS, View, group, node};
 use super::show;
 use crate::drives::Bound;
@@ -30,7 +30,7 @@ pub(super) struct Progress {
 }
 
 /// How far the part is: how often the cutting block has begun, and where the tool stands in it.
-pub(super) fn progress(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Progress {
+pub(super) fn progress(lathe: &Resolved, run: &dyn Samples, now: &Snapshot) -> Progress {
     let p = &lathe.p;
     let (begun, mut cutting) = run.passes(CUTS[0], now.t);
     if p.path == Path::Taper {
@@ -44,14 +44,14 @@ pub(super) fn progress(lathe: &Fitted, run: &dyn Samples, now: &Snapshot) -> Pro
 }
 
 /// Diameter of the finished part at a place: the taper goes on as a cylinder in front of the face.
-fn contour(lathe: &Fitted, z: f64) -> f64 {
+fn contour(lathe: &Resolved, z: f64) -> f64 {
     let p = &lathe.p;
     let end = if p.path == Path::Taper { p.large_diameter } else { p.finished_diameter };
     p.finished_diameter + (end - p.finished_diameter) * math::clamp(-z / p.length, 0.0, 1.0)
 }
 
 /// The outline of the part, both sides.
-pub(super) fn outline(lathe: &Fitted, progress: Progress) -> String {
+pub(super) fn outline(lathe: &Resolved, progress: Progress) -> String {
     let (p, view) = (&lathe.p, View::new(&lathe.p));
     let Progress { done, at } = progress;
     let left = |pass: u32| p.left(f64::from(pass));
@@ -91,7 +91,7 @@ pub(super) fn outline(lathe: &Fitted, progress: Progress) -> String {
 }
 
 /// Where everything stands.
-pub(super) fn pose(lathe: &Fitted, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+pub(super) fn pose(lathe: &Resolved, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
     let p = &lathe.p;
     let view = View::new(p);
     let (radius, z) = lathe.tool(now);
@@ -123,7 +123,7 @@ pub(super) fn pose(lathe: &Fitted, run: &dyn Samples, now: &Snapshot, frame: Fra
     pose
 }
 
-fn texts(lathe: &Fitted, now: &Snapshot, progress: Progress) -> Vec<(usize, String)> {
+fn texts(lathe: &Resolved, now: &Snapshot, progress: Progress) -> Vec<(usize, String)> {
     let p = &lathe.p;
     let say = |id| words(Language::English, id).to_owned();
     let spindle = &now.spindle;

@@ -4,8 +4,8 @@
 //! writes the operator's variables, so that parts are changed by variables alone.
 
 use super::TurningSpindle;
-use super::fitted::Fitted;
 use super::params::{Direction, Path};
+use super::resolved::Resolved;
 use crate::controls::Code;
 use crate::controls::syntax::long;
 use crate::machines::writing::{self, Entry};
@@ -25,19 +25,19 @@ pub(super) const CUTS: [u32; 2] = [36, 37];
 const SPEED: u32 = 109;
 
 /// The operator's variables that have to be above zero.
-fn entries(lathe: &Fitted) -> Vec<Entry> {
+fn entries(lathe: &Resolved) -> Vec<Entry> {
     let end = (lathe.p.path == Path::Taper).then_some(104);
     let all = [100, 101, 102].into_iter().chain(end).chain([way(lathe), 106, 107, 108, 111, 112]);
     all.map(|number| (number, false)).collect()
 }
 
 /// Variable of the length, or of the allowance of a face.
-fn way(lathe: &Fitted) -> u32 {
+fn way(lathe: &Resolved) -> u32 {
     if lathe.p.path == Path::Facing { 114 } else { 105 }
 }
 
 /// Variables that the operator reads and sets: number, meaning, unit.
-pub(super) fn variables(lathe: &Fitted) -> Vec<(u32, &'static str, &'static str)> {
+pub(super) fn variables(lathe: &Resolved) -> Vec<(u32, &'static str, &'static str)> {
     let face = lathe.p.path == Path::Facing;
     let mut all = vec![
         (100, "turning.cutting-speed", "m/min"),
@@ -65,7 +65,7 @@ pub(super) fn variables(lathe: &Fitted) -> Vec<(u32, &'static str, &'static str)
 }
 
 /// The programs, one per file.
-pub(super) fn deck(lathe: &Fitted) -> Deck {
+pub(super) fn deck(lathe: &Resolved) -> Deck {
     let mut b = Builder::new();
     run(&mut b, lathe);
     setup(&mut b, lathe);
@@ -73,16 +73,16 @@ pub(super) fn deck(lathe: &Fitted) -> Deck {
 }
 
 /// A word of X for a diameter.
-fn cross(lathe: &Fitted, diameter: Formula) -> NewWord {
+fn cross(lathe: &Resolved, diameter: Formula) -> NewWord {
     x(if lathe.diameters() { diameter } else { diameter / 2 })
 }
 
-fn codes(lathe: &Fitted, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
+fn codes(lathe: &Resolved, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
     writing::codes(lathe.control, wanted)
 }
 
 /// A block: codes, then words.
-fn block(lathe: &Fitted, code: Code, words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
+fn block(lathe: &Resolved, code: Code, words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
     codes(lathe, [code]).into_iter().chain(words).collect()
 }
 
@@ -92,7 +92,7 @@ fn clear() -> Formula {
 }
 
 /// O9201.
-fn run(b: &mut Builder, lathe: &Fitted) {
+fn run(b: &mut Builder, lathe: &Resolved) {
     b.program(RUN, "TURNING - RUN");
     writing::header::<TurningSpindle>(b, lathe.form, lathe.control);
     writing::guards(b, &entries(lathe));
@@ -144,19 +144,19 @@ fn run(b: &mut Builder, lathe: &Fitted) {
 }
 
 /// Variable of the smaller end of the taper.
-fn small(lathe: &Fitted) -> u32 {
+fn small(lathe: &Resolved) -> u32 {
     if lathe.p.large_diameter < lathe.p.finished_diameter { 104 } else { 103 }
 }
 
 /// The code of the gear stage, where there are several.
-fn gear(lathe: &Fitted) -> Option<Vec<NewWord>> {
+fn gear(lathe: &Resolved) -> Option<Vec<NewWord>> {
     let stage = lathe.stage();
     let words = codes(lathe, [Code::GearStage(stage)]);
     (lathe.p.stages().nth(1).is_some() && !words.is_empty()).then_some(words)
 }
 
 /// The spindle: surface speed, or the speed of the largest diameter.
-fn start(b: &mut Builder, lathe: &Fitted) {
+fn start(b: &mut Builder, lathe: &Resolved) {
     let turn = m(if lathe.p.direction == Direction::Clockwise { 3 } else { 4 });
     // n = 1000 v / (π d) at the stock's diameter, as whole as S is.
     b.n(24).assign(SPEED, (v(100) * 1000 / (real(crate::math::PI, 6) * v(102))).fix());
@@ -173,7 +173,7 @@ fn start(b: &mut Builder, lathe: &Fitted) {
 }
 
 /// The blocks of a pass.
-fn pass(b: &mut Builder, lathe: &Fitted) {
+fn pass(b: &mut Builder, lathe: &Resolved) {
     let rapid = |words: Vec<NewWord>| block(lathe, Code::Rapid, words);
     let cut = |words: Vec<NewWord>| block(lathe, Code::Linear, words);
     let away = || v(103) + v(LEFT) + v(106);
@@ -201,7 +201,7 @@ fn pass(b: &mut Builder, lathe: &Fitted) {
 }
 
 /// O9202: the values of the project, once.
-fn setup(b: &mut Builder, lathe: &Fitted) {
+fn setup(b: &mut Builder, lathe: &Resolved) {
     b.program(SETUP, "TURNING - SET VALUES ONCE");
     writing::header::<TurningSpindle>(b, lathe.form, lathe.control);
     let p = &lathe.p;

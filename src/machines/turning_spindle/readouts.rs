@@ -1,7 +1,7 @@
 //! The results of the turning spindle as rows: what is shown, in which unit, by which formula, from which source.
 
 use super::Lathe;
-use crate::machines::judge::Row;
+use crate::machines::verdict::Row;
 use crate::text::{Citation, Grade};
 
 const SURFACE: Citation = Citation::new("the makers' pages on S, G96 and G97", Grade::Manual);

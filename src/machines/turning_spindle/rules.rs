@@ -2,18 +2,18 @@
 
 use super::Lathe;
 use super::derive::Derived;
-use super::fitted::Fitted;
 use super::params::{Params, Path};
+use super::resolved::Resolved;
 use super::{program, show};
 use crate::drives::Bound;
-use crate::machines::judge::{Judgement, Rule, fail, ok, rule, warn};
+use crate::machines::verdict::{Judgement, Rule, fail, ok, rule, warn};
 use crate::math;
 use crate::msg;
 use crate::text::Diagnostic;
 
 /// Inputs, what follows from them, and what the control takes.
 pub(super) struct Case<'a> {
-    pub(super) lathe: &'a Fitted<'a>,
+    pub(super) lathe: &'a Resolved<'a>,
     pub(super) p: &'a Params,
     pub(super) d: &'a Derived,
 }

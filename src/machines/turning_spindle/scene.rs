@@ -2,8 +2,8 @@
 //!
 //! The part is to scale with its diameters and lengths; chuck, tool and voltmeter are not.
 
-use super::fitted::Fitted;
 use super::params::{Output, Params, Path};
+use super::resolved::Resolved;
 use crate::math::{self, PI};
 use crate::text::catalog::{Language, words};
 use crate::text::number::filled;
@@ -74,7 +74,7 @@ impl View {
 }
 
 /// The drawing at rest.
-pub(super) fn scene(lathe: &Fitted) -> Scene {
+pub(super) fn scene(lathe: &Resolved) -> Scene {
     let p = &lathe.p;
     let mut pen = Pen::default();
     let view = View::new(p);

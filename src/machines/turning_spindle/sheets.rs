@@ -1,18 +1,18 @@
 //! What the machine builder sets beside the program: the parameters of spindle and slides.
 
-use super::fitted::Fitted;
 use super::params::Output;
 use super::plant::{POSITIONING, SHIFT_VOLTS, plc};
+use super::resolved::Resolved;
 use crate::controls::ParamRole;
 use crate::machines::sheets::{self, Axes, Setting, Values};
 use crate::view::Sheet;
 
 /// All sheets.
-pub(super) fn sheets(lathe: &Fitted) -> Vec<Sheet> {
+pub(super) fn sheets(lathe: &Resolved) -> Vec<Sheet> {
     vec![parameters(lathe)]
 }
 
-fn parameters(lathe: &Fitted) -> Sheet {
+fn parameters(lathe: &Resolved) -> Sheet {
     let p = &lathe.p;
     let number = |value: f64| vec![("", Setting::Number(value))];
     let yes = |on: bool| vec![("", Setting::Answer(on))];

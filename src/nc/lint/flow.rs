@@ -1,6 +1,6 @@
 //! Where a program goes from a block, and which blocks nothing leads to.
 
-use super::super::ast::{Block, Deck, Expr, ExprId, Stmt, Way, WordValue};
+use super::super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Stmt, WordValue};
 use super::super::parse::on_way;
 use super::roles::{END, RETURN, Roles};
 use super::words::{Facts, whole};
@@ -68,7 +68,7 @@ impl<'a> Flow<'a> {
         self.numbers.get(at).filter(|row| row.0 == number).map_or(NONE, |row| row.1 as u32)
     }
 
-    fn jump(&self, target: ExprId, from: u32, way: Way) -> u32 {
+    fn jump(&self, target: ExprId, from: u32, way: JumpDirection) -> u32 {
         match self.deck.expr(target) {
             Expr::Label(label) => {
                 let label = self.deck.text(Some(label));

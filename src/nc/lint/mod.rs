@@ -19,7 +19,7 @@ use super::ast::{Deck, ExprId, Word, WordValue};
 use super::parse::part_span;
 use super::parsed::Parsed;
 use crate::controls::Control;
-use crate::controls::syntax::{Round, letter_bits};
+use crate::controls::syntax::{RoundBrackets, letter_bits};
 use crate::order;
 use crate::text::{Diagnostic, LineIndex, Message, Place, Span, Value};
 use flow::Flow;
@@ -87,7 +87,7 @@ impl Lint<'_> {
         let mut place = self.place(block, span);
         // A formula may end in space.
         let mut text = self.parsed.text(place);
-        if self.control.syntax.round == Round::Comment {
+        if self.control.syntax.round == RoundBrackets::Comment {
             text = text.split('(').next().unwrap_or(text);
         }
         let text = text.trim_end();

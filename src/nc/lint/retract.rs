@@ -1,6 +1,6 @@
 //! Ways back at cutting feed on a lathe: out of the cut, and further than where the rapid in front of it ended.
 
-use super::super::ast::{Form, Stmt, Word};
+use super::super::ast::{Dimensioning, Stmt, Word};
 use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
 use super::{Lint, measure};
 
@@ -21,7 +21,7 @@ pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
     let increments = lint.increments()[0];
     let least = lint.control.limits.increment;
     let value = |word: &Word| match word.form {
-        Form::Plain => measure(word, increments, least).unwrap_or(f64::NAN),
+        Dimensioning::Plain => measure(word, increments, least).unwrap_or(f64::NAN),
         _ => f64::NAN,
     };
     for program in &deck.programs {

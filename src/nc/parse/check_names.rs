@@ -1,9 +1,9 @@
 //! What can be said of labels, jumps to them and messages only when a program is read to its end.
 
-use super::super::ast::{Block, Expr, Stmt, TextId, Way};
+use super::super::ast::{Block, Expr, JumpDirection, Stmt, TextId};
 use super::FINDINGS;
 use super::check::Check;
-use super::slips::meant;
+use super::quick_fixes::meant;
 use crate::controls::Alarm;
 use crate::msg;
 use crate::order;
@@ -44,7 +44,7 @@ impl<'a> Check<'a> {
     }
 
     /// A jump to a label, which has to lie on its way.
-    fn label(&mut self, labels: &[(usize, &str)], (at, block): (usize, &Block), label: TextId, way: Way) {
+    fn label(&mut self, labels: &[(usize, &str)], (at, block): (usize, &Block), label: TextId, way: JumpDirection) {
         let name = self.deck.text(Some(label));
         let first = labels.partition_point(|row| short(row.1) < short(name));
         let places = labels[first..].iter().take_while(|row| short(row.1) == short(name)).filter(|row| row.1 == name);
@@ -64,7 +64,7 @@ impl<'a> Check<'a> {
         if places.is_empty() {
             return self.report(Alarm::NoSequence, span, msg!("nc.no-such-label", name));
         }
-        let (word, other) = if way == Way::Forward { ("GOTOF", "GOTOB") } else { ("GOTOB", "GOTOF") };
+        let (word, other) = if way == JumpDirection::Forward { ("GOTOF", "GOTOB") } else { ("GOTOB", "GOTOF") };
         let place = |span: Span| Place { file: self.program.file, span };
         let number = self.control.alarm_shown(Alarm::NoSequence);
         let finding = Diagnostic::error(msg!("nc.label-other-way", name, word, other)).at(place(span)).alarm(number);
@@ -97,7 +97,7 @@ impl<'a> Check<'a> {
     }
 
     /// A jump to a block number, where there are such.
-    fn block_number(&mut self, (at, block): (usize, &Block), number: i64, way: Way) {
+    fn block_number(&mut self, (at, block): (usize, &Block), number: i64, way: JumpDirection) {
         let blocks = self.deck.blocks_of(self.program);
         let found = |(to, row): (usize, &Block)| row.number.map(i64::from) == Some(number) && on_way(at, to, way);
         if !blocks.iter().enumerate().any(found) && self.found.len() <= 2 * FINDINGS {
@@ -147,11 +147,11 @@ impl<'a> Check<'a> {
 }
 
 /// Whether a jump that stands in one block finds another on its way.
-pub(in super::super) fn on_way(from: usize, to: usize, way: Way) -> bool {
+pub(in super::super) fn on_way(from: usize, to: usize, way: JumpDirection) -> bool {
     match way {
-        Way::Round => true,
-        Way::Forward => to > from,
-        Way::Backward => to <= from,
+        JumpDirection::Around => true,
+        JumpDirection::Forward => to > from,
+        JumpDirection::Backward => to <= from,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::ast::{Expr, ExprId, Op};
 use super::super::dec::Dec;
-use super::slips::{Mend, meant};
+use super::quick_fixes::{Mend, meant};
 use super::{Misused, Read, Reader};
 use crate::controls::syntax::Function;
 use crate::controls::vars::is_fitted;

@@ -22,37 +22,37 @@
 //! are read as capitals. A block that does not read becomes [`Stmt::Bad`] and is reported once, at the place of the mistake, with
 //! the control's alarm number. Where the mistake has a known shape, a fix comes with it (`slips`, `recover`, `mend`).
 
-mod alone;
 mod calls;
 mod check;
 mod check_names;
+mod expr_span;
+mod expression;
+mod file_fixes;
+mod foreign_syntax;
 mod formula;
-mod habits;
-mod heads;
-mod mend;
 mod named;
 mod named_words;
-mod part;
+mod program_header;
+mod quick_fixes;
 mod recover;
-mod slips;
 mod statement;
 mod words;
 
 pub(super) use check_names::on_way;
-pub(super) use heads::number_in;
+pub(super) use program_header::number_in;
 
-pub use alone::{Formula, formula};
-pub use part::part_span;
+pub use expr_span::part_span;
+pub use expression::{Formula, formula};
 
 use super::ast::{Block, Deck, Op, Program, Stmt, TextId};
 use super::files::Files;
 use super::parsed::Parsed;
 use crate::controls::macros::{CallKind, CodeCall};
-use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, Percent, Round, letter_bits};
+use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, Percent, RoundBrackets, letter_bits};
 use crate::controls::{Alarm, Control, Switches};
 use crate::msg;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
-use slips::Mend;
+use quick_fixes::Mend;
 
 /// Findings that are listed; a file of garbage has millions.
 const FINDINGS: usize = 1000;
@@ -371,7 +371,7 @@ impl<'a> Reader<'a> {
             line: &[],
             base: 0,
             at: 0,
-            rounds: control.syntax.round == Round::Group,
+            rounds: control.syntax.round == RoundBrackets::Group,
             round_brackets: Vec::new(),
             number: None,
             skip_switch: 0,

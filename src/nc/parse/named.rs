@@ -11,10 +11,10 @@
 //! logic  := expr { ( AND | XOR | OR ) expr }
 //! ```
 
-use super::super::ast::{Expr, ExprId, Op, Pair, Stmt, Way};
+use super::super::ast::{Expr, ExprId, JumpDirection, Op, Pair, Stmt};
 use super::super::dec::Dec;
-use super::heads::begins_as_name;
-use super::slips::meant;
+use super::program_header::begins_as_name;
+use super::quick_fixes::meant;
 use super::statement::{COMPARISONS, SIGNS};
 use super::{BLOCK_BYTES, Failure, Read, Reader, begins_character};
 use crate::controls::Alarm;
@@ -418,9 +418,9 @@ impl<'a> Reader<'a> {
     }
 
     /// `GOTOF label`; the reader stands at the word.
-    fn jump(&mut self) -> Read<(ExprId, Way)> {
+    fn jump(&mut self) -> Read<(ExprId, JumpDirection)> {
         let word = self.at;
-        let way = if self.byte(4) | 0x20 == b'f' { Way::Forward } else { Way::Backward };
+        let way = if self.byte(4) | 0x20 == b'f' { JumpDirection::Forward } else { JumpDirection::Backward };
         self.at += 5;
         self.skip();
         let start = self.at;
@@ -494,7 +494,7 @@ impl<'a> Reader<'a> {
                 self.at += 1;
             }
             let right = self.named_formula(false)?;
-            self.deck.pairs.push(Pair { left, right, way: Way::Round });
+            self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around });
             self.skip();
             if !(self.parameter_ahead() || self.peek() == b'#') {
                 break;

@@ -1,6 +1,6 @@
 //! NC words of a language with names: addresses of several letters, values behind `=`, codes that are names.
 
-use super::super::ast::{Expr, Form, Stmt, Word, WordValue};
+use super::super::ast::{Dimensioning, Expr, Stmt, Word, WordValue};
 use super::super::dec::Dec;
 use super::{Read, Reader};
 use crate::controls::syntax::long;
@@ -9,12 +9,12 @@ use crate::msg;
 use crate::text::Diagnostic;
 
 /// How a value says that it counts.
-const FORMS: [(&str, Form); 5] = [
-    ("AC", Form::Absolute),
-    ("IC", Form::Incremental),
-    ("DC", Form::Shortest),
-    ("ACP", Form::Positive),
-    ("ACN", Form::Negative),
+const FORMS: [(&str, Dimensioning); 5] = [
+    ("AC", Dimensioning::Absolute),
+    ("IC", Dimensioning::Incremental),
+    ("DC", Dimensioning::Shortest),
+    ("ACP", Dimensioning::Positive),
+    ("ACN", Dimensioning::Negative),
 ];
 
 /// What a block has shown that has to be looked at when it is read: see [`Reader::check_named`].
@@ -67,7 +67,7 @@ impl Reader<'_> {
             }
             self.at += 1;
             let (index, form, value) = self.named_value(start, letter)?;
-            if !matches!(form, Form::Plain | Form::Absolute | Form::Incremental) {
+            if !matches!(form, Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Incremental) {
                 self.check_way(start, letter, form);
             }
             let bit = 1 << (letter & 31);
@@ -141,7 +141,7 @@ impl Reader<'_> {
 
     /// What stands behind a letter: a number, or behind `=` a formula.
     #[inline]
-    fn named_value(&mut self, start: usize, letter: u8) -> Read<(Option<u8>, Form, WordValue)> {
+    fn named_value(&mut self, start: usize, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let mut next = self.skip();
         let negative = next == b'-';
         if negative || next == b'+' {
@@ -163,7 +163,7 @@ impl Reader<'_> {
         }
         match self.peek() {
             b'=' | b'+' | b'-' | b'*' | b'/' | b'.' | b' ' => self.behind_number(start, letter, number),
-            _ => Ok((None, Form::Plain, WordValue::Number(self.whole_number(number, start)))),
+            _ => Ok((None, Dimensioning::Plain, WordValue::Number(self.whole_number(number, start)))),
         }
     }
 
@@ -194,7 +194,7 @@ impl Reader<'_> {
     }
 
     /// What stands behind the number of a word: mostly a blank, rarely what makes it another thing.
-    fn behind_number(&mut self, start: usize, letter: u8, number: Dec) -> Read<(Option<u8>, Form, WordValue)> {
+    fn behind_number(&mut self, start: usize, letter: u8, number: Dec) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let end = self.at;
         let next = self.skip();
         if next == b'=' && self.byte(1) != b'=' {
@@ -209,11 +209,11 @@ impl Reader<'_> {
             }
             _ => self.at = end,
         }
-        Ok((None, Form::Plain, WordValue::Number(self.whole_number(number, start))))
+        Ok((None, Dimensioning::Plain, WordValue::Number(self.whole_number(number, start))))
     }
 
     /// `S1=500`: the number belongs to the address.
-    fn extended(&mut self, start: usize, letter: u8, number: Dec) -> Read<(Option<u8>, Form, WordValue)> {
+    fn extended(&mut self, start: usize, letter: u8, number: Dec) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let known = self.names().is_some_and(|names| names.extended.contains(&letter));
         let index = u8::try_from(number.mantissa).ok().filter(|_| number.scale == 0 && !number.point && known);
         if index.is_none() {
@@ -233,7 +233,7 @@ impl Reader<'_> {
     }
 
     /// `= value`, or the failure of an address without a value.
-    fn equals(&mut self, start: usize, letter: u8) -> Read<(Option<u8>, Form, WordValue)> {
+    fn equals(&mut self, start: usize, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         match self.skip() {
             b'=' => self.at += 1,
             b'[' if self.index_ahead().is_some() => {
@@ -243,7 +243,7 @@ impl Reader<'_> {
             }
             b'#' | b'[' | b'(' | b'-' | b'+' => return self.insert_equals(letter),
             b'O' | b'o' if self.at == start + 1 && self.zero_behind_letter(start) => {
-                return Ok((None, Form::Plain, WordValue::Number(Dec::int(0))));
+                return Ok((None, Dimensioning::Plain, WordValue::Number(Dec::int(0))));
             }
             byte if !byte.is_ascii() => return Err(self.unexpected()),
             _ if self.parameter_ahead() => return self.insert_equals(letter),
@@ -257,7 +257,7 @@ impl Reader<'_> {
             return Err(self.failure(Alarm::Format, start, self.at, message, false));
         }
         let form = self.form();
-        if form != Form::Plain {
+        if form != Dimensioning::Plain {
             self.skip();
             self.deeper()?;
             let open = self.open(b')');
@@ -270,15 +270,15 @@ impl Reader<'_> {
     }
 
     /// Takes `AC` and the like with a bracket behind.
-    fn form(&mut self) -> Form {
+    fn form(&mut self) -> Dimensioning {
         if !self.skip().is_ascii_alphabetic() {
-            return Form::Plain;
+            return Dimensioning::Plain;
         }
         let name = self.name();
         let behind = self.line.get(self.at + name.len()..).unwrap_or_default().trim_ascii_start();
         let form = FORMS.iter().find(|row| name.eq_ignore_ascii_case(row.0) && behind.first() == Some(&b'('));
         self.at += form.map_or(0, |row| row.0.len());
-        form.map_or(Form::Plain, |row| row.1)
+        form.map_or(Dimensioning::Plain, |row| row.1)
     }
 
     /// A formula; a number where it is nothing else.
@@ -296,13 +296,13 @@ impl Reader<'_> {
 
     /// A formula directly behind its address, as other controls have it; read as it was meant.
     #[cold]
-    fn insert_equals(&mut self, letter: u8) -> Read<(Option<u8>, Form, WordValue)> {
+    fn insert_equals(&mut self, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let from = self.at;
         let value = self.named_constant()?;
         let finding =
             self.finding(Alarm::Format, from, self.at, msg!("nc.no-equals-sign", self.control.address(letter)));
         self.replace(Alarm::Format, finding, from, from, "=");
-        Ok((None, Form::Plain, value))
+        Ok((None, Dimensioning::Plain, value))
     }
 
     /// Whether a name is an address with a variable or a number that lacks its `=`: `XR1`, `LIMS3000`.
@@ -343,7 +343,7 @@ impl Reader<'_> {
             let master = row.is_some_and(|row| row.code == Code::MasterSpindle);
             let index = if master { self.spindle_number(start)? } else { None };
             let value = WordValue::Number(Dec::int(place as i64));
-            return self.push_long(start, long::NAME, (index, Form::Plain, value));
+            return self.push_long(start, long::NAME, (index, Dimensioning::Plain, value));
         }
         let longest = names.addresses.iter().filter(|row| name.starts_with(row.0)).max_by_key(|row| row.0.len());
         if let Some(&(address, letter)) = longest {
@@ -379,10 +379,10 @@ impl Reader<'_> {
 
     /// Reports a way to an angle, of an axis that does not turn.
     #[cold]
-    fn check_way(&mut self, start: usize, letter: u8, form: Form) {
+    fn check_way(&mut self, start: usize, letter: u8, form: Dimensioning) {
         let (alarm, name) = match form {
-            Form::Positive => (Alarm::PositiveWay, "ACP"),
-            Form::Negative => (Alarm::NegativeWay, "ACN"),
+            Dimensioning::Positive => (Alarm::PositiveWay, "ACP"),
+            Dimensioning::Negative => (Alarm::NegativeWay, "ACN"),
             _ => (Alarm::ShortestWay, "DC"),
         };
         if self.control.axis(letter).is_some() && self.tables.rotary & 1 << (letter & 31) == 0 {
@@ -405,7 +405,7 @@ impl Reader<'_> {
         }
     }
 
-    fn push_long(&mut self, start: usize, letter: u8, value: (Option<u8>, Form, WordValue)) -> Read<()> {
+    fn push_long(&mut self, start: usize, letter: u8, value: (Option<u8>, Dimensioning, WordValue)) -> Read<()> {
         let len = (self.at - start).min(u8::MAX as usize) as u8;
         let (index, form, value) = value;
         self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
@@ -413,7 +413,7 @@ impl Reader<'_> {
     }
 
     /// What stands behind an address of several letters, with an index in brackets or without.
-    fn long_value(&mut self, start: usize, address: &str, letter: u8) -> Read<(Option<u8>, Form, WordValue)> {
+    fn long_value(&mut self, start: usize, address: &str, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let mut index = None;
         if self.peek() == b'[' {
             self.at += 1;
@@ -438,7 +438,7 @@ impl Reader<'_> {
         let value = self.named_constant()?;
         let finding = self.finding(Alarm::Format, start, self.at, msg!("nc.no-equals-sign", address));
         self.replace(Alarm::Format, finding, end.min(from), from, "=");
-        Ok((index, Form::Plain, value))
+        Ok((index, Dimensioning::Plain, value))
     }
 
     /// What is neither a word nor white space.

@@ -1,7 +1,7 @@
 //! Macro statements: assignments, jumps, loops, and the conditions in them.
 
-use super::super::ast::{Expr, ExprId, Op, Pair, Stmt, Way};
-use super::slips::meant;
+use super::super::ast::{Expr, ExprId, JumpDirection, Op, Pair, Stmt};
+use super::quick_fixes::meant;
 use super::{Failure, Read, Reader};
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
@@ -84,7 +84,7 @@ impl Reader<'_> {
             Some("GOTO") => {
                 let target = self.target()?;
                 self.end_of_macro()?;
-                Stmt::Goto { target, way: Way::Round }
+                Stmt::Goto { target, way: JumpDirection::Around }
             }
             Some("WHILE") => {
                 let cond = self.condition(Alarm::WhileSentence, "WHILE")?;
@@ -129,7 +129,7 @@ impl Reader<'_> {
             }
             let target = self.target()?;
             self.end_of_macro()?;
-            return Ok(Stmt::If { cond, target, way: Way::Round });
+            return Ok(Stmt::If { cond, target, way: JumpDirection::Around });
         }
         if self.peek() != b'#' && !named {
             let end = self.at.max(start + 2);
@@ -340,10 +340,10 @@ impl Reader<'_> {
             return Ok(Stmt::Assign { to, value });
         }
         let first = self.deck.pairs.len();
-        self.deck.pairs.push(Pair { left: to, right: value, way: Way::Round });
+        self.deck.pairs.push(Pair { left: to, right: value, way: JumpDirection::Around });
         while self.skip() == b'#' {
             let (left, right) = self.assigned()?;
-            self.deck.pairs.push(Pair { left, right, way: Way::Round });
+            self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around });
         }
         self.end_of_macro()?;
         Ok(Stmt::Assigns { first: first as u32, count: (self.deck.pairs.len() - first) as u16 })

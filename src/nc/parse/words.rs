@@ -2,7 +2,7 @@
 
 use super::super::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
 use super::super::dec::Dec;
-use super::slips::Mend;
+use super::quick_fixes::Mend;
 use super::{BOUND, Failure, Read, Reader};
 use crate::controls::macros::CallKind;
 use crate::controls::{Alarm, Code, CodeDef};

@@ -4,12 +4,12 @@ use std::rc::Rc;
 
 use macroline::controls::{Alarm, Control, Switches};
 use macroline::interp::canon::AXES;
-use macroline::interp::{Interp, Start, Step, World, foretell};
-use macroline::motion::{Keep, Limits, Panel};
+use macroline::interp::{Interp, StartProgram, Step, World, precheck};
+use macroline::motion::{Budget, Panel, Retention};
 use macroline::nc::{self, Block, Files, Parsed, Stmt};
-use macroline::project::review::review;
-use macroline::project::run::{Begin, of_programs, to_end};
-use macroline::project::told::Teller;
+use macroline::project::check::review;
+use macroline::project::render::Teller;
+use macroline::project::run::{RunOptions, of_programs, to_end};
 use macroline::text::{Diagnostic, Place, Severity, Span};
 
 use super::dice::Dice;
@@ -149,12 +149,12 @@ const BLOCKS: u64 = 300;
 /// Running: it ends or goes on block by block, and all that it commands are numbers.
 pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
     let parsed = Rc::new(nc::parse(&Files::one("O1.nc", text), control));
-    let mut interp = Interp::new(Rc::clone(&parsed), Start::First, &Switches::default());
+    let mut interp = Interp::new(Rc::clone(&parsed), StartProgram::First, &Switches::default());
     let names = interp.names();
     let mut machine = AnyWorld(Dice(world));
     // Where a block has no condition and is not skipped, no run gets past the alarm that is foretold of it.
     let mut doomed: Vec<Place> = Vec::new();
-    for alarm in foretell(&parsed).into_iter().filter(|finding| finding.severity == Severity::Error) {
+    for alarm in precheck(&parsed).into_iter().filter(|finding| finding.severity == Severity::Error) {
         let place = alarm.place.expect("an alarm of a block has a place");
         let around = |block: &&Block| block.span.start <= place.span.start && place.span.end <= block.span.end;
         let block = parsed.deck().blocks.iter().find(around).expect("it lies in a block");
@@ -187,8 +187,8 @@ pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
     }
     let counts = interp.blocks();
     assert!(ended || counts.nc + counts.macros > 0, "steps are blocks");
-    let limits = Limits { blocks: BLOCKS, seconds: 100.0 };
-    let begin = Begin { start: None, settings: &[], limits, keep: Keep::Log };
+    let limits = Budget { blocks: BLOCKS, seconds: 100.0 };
+    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Log };
     let mut run = of_programs(parsed, None, Panel::default(), &begin);
     let outcome = to_end(&mut run, |line| {
         let line = line.to_string();

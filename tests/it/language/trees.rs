@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use macroline::controls::syntax::long;
-use macroline::nc::{Deck, Expr, ExprId, Form, Parsed, Stmt, Way, WordValue, part_span};
+use macroline::nc::{Deck, Dimensioning, Expr, ExprId, JumpDirection, Parsed, Stmt, WordValue, part_span};
 
 use super::{findings, read};
 
@@ -19,11 +19,11 @@ pub(super) fn tree(parsed: &Parsed) -> String {
             Expr::Binary(op, left, right) => format!("({op:?} {} {})", expr(deck, left), expr(deck, right)),
         }
     }
-    fn to(way: Way) -> &'static str {
+    fn to(way: JumpDirection) -> &'static str {
         match way {
-            Way::Round => "",
-            Way::Forward => " ahead",
-            Way::Backward => " back",
+            JumpDirection::Around => "",
+            JumpDirection::Forward => " ahead",
+            JumpDirection::Backward => " back",
         }
     }
     let (deck, control) = (parsed.deck(), parsed.control());
@@ -38,7 +38,7 @@ pub(super) fn tree(parsed: &Parsed) -> String {
             let say = |id| expr(deck, id);
             let words = deck.words_of(block).iter().map(|word| {
                 let index = word.index.map_or(String::new(), |index| format!("[{index}]"));
-                let form = if word.form == Form::Plain { String::new() } else { format!("{:?} ", word.form) };
+                let form = if word.form == Dimensioning::Plain { String::new() } else { format!("{:?} ", word.form) };
                 let value = match word.value {
                     WordValue::Number(number) if word.letter == long::NAME => {
                         return control.code_name(long::NAME, 10 * number.mantissa as u32);
@@ -58,7 +58,7 @@ pub(super) fn tree(parsed: &Parsed) -> String {
                 }
                 Stmt::Ifs { .. } => {
                     let jumps = deck.jumps_of(block.stmt);
-                    let jump = |(cond, target, way): (Option<ExprId>, ExprId, Way)| {
+                    let jump = |(cond, target, way): (Option<ExprId>, ExprId, JumpDirection)| {
                         format!("if {} goto {}{}", cond.map_or(String::new(), say), say(target), to(way))
                     };
                     jumps.map(jump).collect::<Vec<_>>().join(", ")

@@ -5,7 +5,7 @@ use expect_test::expect;
 use macroline::controls::Switches;
 use macroline::controls::interface::SignalRole;
 use macroline::machines::form::{Origins, Provenance};
-use macroline::machines::{Frame, On, Samples, report};
+use macroline::machines::{ControlContext, Frame, Samples, report};
 use macroline::motion::Snapshot;
 use macroline::text::catalog::Language;
 use macroline::view::{self, Chart, Pose, Series, Shape, csv, plot, svg};
@@ -168,7 +168,8 @@ fn rows(changes: &[(&str, &str)], id: &str) -> String {
 }
 
 fn rows_with(changes: &[(&str, &str)], switches: &Switches, id: &str) -> String {
-    let sheets = macroline::machines::sheets(machine(), &values(changes), On { control: control(), switches });
+    let sheets =
+        macroline::machines::sheets(machine(), &values(changes), ControlContext { control: control(), switches });
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }
@@ -266,7 +267,7 @@ fn the_report_has_inputs_with_origin_verdicts_and_open_points() {
         machine(),
         "ribbon 8 mm",
         (&values, &origins),
-        On { control: control(), switches: &switches },
+        ControlContext { control: control(), switches: &switches },
         &[],
     );
     let text = view::report::markdown(&report, Language::English);

@@ -8,10 +8,10 @@ use macroline::controls::Switches;
 use macroline::interp::Interp;
 use macroline::machines::form::{KindInfo, Origins, Values};
 use macroline::machines::{self, AnyMachine, Frame, Samples};
-use macroline::motion::{Action, Event, Keep, Limits, Mode, Panel, Planner, RunEnd, Timeline};
+use macroline::motion::{Action, Budget, Event, Mode, Panel, Planner, Retention, RunEnd, Timeline};
 use macroline::nc::{self, File, Files};
-use macroline::project::run::{self, Begin};
-use macroline::project::{Project, open};
+use macroline::project::run::{self, RunOptions};
+use macroline::project::{Project, import};
 use macroline::text::Severity;
 use macroline::text::catalog::{Language, number_text, sentence};
 use macroline::view::{Verdict, svg};
@@ -35,9 +35,9 @@ pub(super) fn project(changes: &[(&str, &str)]) -> Project {
     project
 }
 
-fn begin() -> Begin<'static> {
-    let limits = Limits { blocks: 1_000_000, seconds: 600.0 };
-    Begin { start: None, settings: &[], limits, keep: Keep::Timeline }
+fn begin() -> RunOptions<'static> {
+    let limits = Budget { blocks: 1_000_000, seconds: 600.0 };
+    RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline }
 }
 
 fn planned(project: &Project) -> Planner<Interp> {
@@ -429,7 +429,7 @@ fn a_dropped_program_restores_the_form() {
     let saved = project(&[("shape", "triangle"), ("across-flats", "8"), ("stock-diameter", "11"), ("product", "LOCK")]);
     let present = Project::of("ribbon-line", None).unwrap();
     for file in saved.written().files.0.into_iter().take(1) {
-        let opened = open::open(&present, &file.name, &file.text).project.unwrap();
+        let opened = import::open(&present, &file.name, &file.text).project.unwrap();
         let written =
             |project: &Project| project.written().files.0.into_iter().map(|file| file.text).collect::<Vec<_>>();
         assert_eq!((opened.machine.id(), opened.control.id), ("polygon-lathe", "knd-k2000t"));

@@ -2,11 +2,11 @@
 
 use expect_test::{Expect, expect};
 use macroline::interp::Interp;
-use macroline::machines::On;
+use macroline::machines::ControlContext;
 use macroline::machines::form::{Origins, Values};
-use macroline::motion::{Action, Event, Keep, Limits, Planner, RunEnd};
-use macroline::project::run::{self, Begin};
-use macroline::project::{Project, open};
+use macroline::motion::{Action, Budget, Event, Planner, Retention, RunEnd};
+use macroline::project::run::{self, RunOptions};
+use macroline::project::{Project, import};
 use macroline::text::catalog::{Language, sentence};
 use macroline::text::{Diagnostic, Severity};
 use macroline::view::Verdict;
@@ -25,8 +25,8 @@ fn project(control: &str, changes: &[(&str, &str)]) -> Project {
 fn over_time(project: &Project, events: Vec<Event>) -> Planner<Interp> {
     let mut project = project.clone();
     events.into_iter().for_each(|event| project.panel.add(event));
-    let limits = Limits { blocks: 10_000_000, seconds: 3600.0 };
-    let begin = Begin { start: None, settings: &[], limits, keep: Keep::Timeline };
+    let limits = Budget { blocks: 10_000_000, seconds: 3600.0 };
+    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
     let mut planner = run::of_project(&project, &project.written(), &begin);
     planner.advance(f64::INFINITY, usize::MAX);
     planner
@@ -319,14 +319,14 @@ fn a_dropped_program_finds_its_control() {
     for id in LATHES {
         let wanted = project(id, &[("pitch", "12.5"), ("print-axis", "c"), ("spindle-speed", "100")]);
         for file in wanted.written().files.0 {
-            let opened = open::open(&present, &file.name, &file.text).project.unwrap();
+            let opened = import::open(&present, &file.name, &file.text).project.unwrap();
             assert_eq!(opened.control.id, id);
             assert!(opened.values == wanted.values && opened.edited.is_none(), "{}", file.name);
         }
     }
 }
 
-fn rows(on: On, changes: &[(&str, &str)], id: &str) -> String {
+fn rows(on: ControlContext, changes: &[(&str, &str)], id: &str) -> String {
     let sheets = macroline::machines::sheets(machine(), &values(changes), on);
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()

@@ -3,7 +3,7 @@
 use macroline::controls::{Control, Switches};
 use macroline::drives::web;
 use macroline::machines::form::{Origins, Provenance, Value, Values};
-use macroline::machines::{self, AnyMachine, Design, On};
+use macroline::machines::{self, AnyMachine, ControlContext, Design};
 use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence, words};
 use macroline::view::{Readout, Verdict};
@@ -17,12 +17,12 @@ pub(super) fn control() -> &'static Control {
 }
 
 /// A control with its open points at their defaults.
-pub(super) fn at_defaults(control: &Control) -> On<'_> {
+pub(super) fn at_defaults(control: &Control) -> ControlContext<'_> {
     static DEFAULTS: Switches = Switches(Vec::new());
-    On { control, switches: &DEFAULTS }
+    ControlContext { control, switches: &DEFAULTS }
 }
 
-pub(super) fn on() -> On<'static> {
+pub(super) fn on() -> ControlContext<'static> {
     at_defaults(control())
 }
 

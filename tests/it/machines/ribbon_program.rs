@@ -7,26 +7,26 @@ use super::ribbon_line::{at_defaults, control, controls, machine, on, values};
 use expect_test::expect_file;
 use macroline::interp::canon::AXES;
 use macroline::interp::world::Still;
-use macroline::interp::{self, Canon, End, Feed, Interp, Start};
+use macroline::interp::{self, Canon, End, Feed, Interp, StartProgram};
 use macroline::machines::form::{FieldInfo, KindInfo, Origins, Value, Values};
-use macroline::machines::{On, Plan, settings};
+use macroline::machines::{ControlContext, MachineProgram, settings};
 use macroline::math::{self, PI, hypot};
-use macroline::motion::{Action, Event, Keep, Limits, Mode, Panel, Planner, RunEnd, Setup};
+use macroline::motion::{Action, Budget, Event, Mode, Panel, Planner, Retention, RunEnd, Setup};
 use macroline::nc::{self, Emitted, Parsed};
-use macroline::project::review::review;
+use macroline::project::check::review;
 use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence};
 use macroline::view::Verdict;
 use proptest::prelude::*;
 
-fn plan(on: On, values: &Values) -> (Plan, Emitted) {
+fn plan(on: ControlContext, values: &Values) -> (MachineProgram, Emitted) {
     let plan = machine().plan(values, on);
     let emitted = nc::emit(&plan.deck, on.control);
     (plan, emitted)
 }
 
 #[track_caller]
-pub(super) fn parsed(on: On<'static>, values: &Values) -> (Plan, Rc<Parsed>) {
+pub(super) fn parsed(on: ControlContext<'static>, values: &Values) -> (MachineProgram, Rc<Parsed>) {
     let (plan, emitted) = plan(on, values);
     let parsed = Rc::new(nc::parse(&emitted.files, on.control));
     let review = review(&parsed, Some(plan.main), &[]);
@@ -43,11 +43,11 @@ fn world(percent: f64) -> Still {
 
 /// The run program behind the set-up program, as on the machine: variables stay.
 #[track_caller]
-fn ready_on(on: On<'static>, values: &Values) -> Interp {
+fn ready_on(on: ControlContext<'static>, values: &Values) -> Interp {
     let (plan, parsed) = parsed(on, values);
-    let mut setup = Interp::new(parsed.clone(), Start::Program(plan.setup), on.switches);
+    let mut setup = Interp::new(parsed.clone(), StartProgram::Program(plan.setup), on.switches);
     assert_eq!(interp::run(&mut setup, &mut world(100.0), 1000, |_, _| {}), Some(End::Program));
-    let mut run = Interp::new(parsed, Start::Program(plan.main), on.switches);
+    let mut run = Interp::new(parsed, StartProgram::Program(plan.main), on.switches);
     for (name, value) in setup.variables() {
         run.set_variable(name[1..].parse().unwrap(), Some(value));
     }
@@ -179,7 +179,7 @@ fn every_program_runs_to_its_end_at_the_designed_place() {
 }
 
 /// What words of the two axes count per pitch.
-fn travels(on: On, values: &Values) -> [f64; 2] {
+fn travels(on: ControlContext, values: &Values) -> [f64; 2] {
     let diameter = on.control.counts_diameters(0, on.switches);
     let result = |id| result_on(on, values, id);
     let pitch = result("product-length") / result("dots-per-product");
@@ -187,7 +187,7 @@ fn travels(on: On, values: &Values) -> [f64; 2] {
 }
 
 /// The axis of the print roller: that of the form, where the control has a choice.
-fn print_letter(on: On, values: &Values) -> u8 {
+fn print_letter(on: ControlContext, values: &Values) -> u8 {
     let hidden = machine().hidden(values, on.control).contains(&"print-axis");
     let letter = match values.get("print-axis") {
         Some(Value::Text(letter)) if !hidden => letter.as_bytes()[0].to_ascii_uppercase(),
@@ -370,8 +370,8 @@ fn planned(values: &Values, events: Vec<Event>) -> Planner<Interp> {
         plant: &plant,
         plc: machine().plc(values, on()),
         panel: Panel::new(events),
-        limits: Limits { blocks: 10_000_000, seconds: 3600.0 },
-        keep: Keep::Timeline,
+        limits: Budget { blocks: 10_000_000, seconds: 3600.0 },
+        keep: Retention::Timeline,
     })
 }
 
@@ -379,7 +379,7 @@ fn result(values: &Values, id: &str) -> f64 {
     result_on(on(), values, id)
 }
 
-fn result_on(on: On, values: &Values, id: &str) -> f64 {
+fn result_on(on: ControlContext, values: &Values, id: &str) -> f64 {
     let design = machine().design(values, &Origins::new(), on);
     design.readouts.into_iter().find(|readout| readout.id == id).unwrap().value
 }
@@ -509,7 +509,7 @@ fn any_value(field: FieldInfo) -> BoxedStrategy<(String, Value)> {
 }
 
 /// Any settings with which the program can be exported and is done after 300 pitches at most, and any control.
-fn any_settings() -> impl Strategy<Value = (On<'static>, Values)> {
+fn any_settings() -> impl Strategy<Value = (ControlContext<'static>, Values)> {
     let fields: Vec<_> = machine().fields().into_iter().map(any_value).collect();
     let on = (0..controls().count()).prop_map(|at| at_defaults(controls().nth(at).unwrap()));
     (on, fields, 1u32..300).prop_map(|(on, settings, count)| {

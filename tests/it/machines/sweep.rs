@@ -2,9 +2,9 @@
 
 use macroline::machines::form::{FieldInfo, KindInfo, Value};
 use macroline::machines::{self, AnyMachine};
-use macroline::motion::{Keep, Limits, RunEnd};
+use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::Project;
-use macroline::project::run::{self, Begin};
+use macroline::project::run::{self, RunOptions};
 use macroline::text::catalog::{Language, number_text, sentence};
 use macroline::text::{Message, Severity};
 use macroline::view::{Readout, Verdict};
@@ -13,7 +13,7 @@ use macroline::view::{Readout, Verdict};
 const RANDOM: usize = 300;
 
 /// Blocks of a run, and seconds of the machine: enough for every kind of block that a program has.
-const BUDGET: Limits = Limits { blocks: 300, seconds: 30.0 };
+const BUDGET: Budget = Budget { blocks: 300, seconds: 30.0 };
 
 /// What ends or slows a run, by a part of its sentence, and the results of which one has told it before.
 const TOLD: &[(&str, &[&str])] = &[
@@ -132,7 +132,7 @@ fn faults(project: &Project) -> Vec<String> {
     let written = project.written();
     let review = written.diagnostics.iter().cloned().chain(project.advice(&written));
     faults.extend(review.map(|found| format!("review: {}", english(&found.message))));
-    let begin = Begin { start: None, settings: &[], limits: BUDGET, keep: Keep::Log };
+    let begin = RunOptions { start: None, settings: &[], limits: BUDGET, keep: Retention::Log };
     let mut planner = run::of_project(project, &written, &begin);
     let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
     let mut events: Vec<String> = match ended {

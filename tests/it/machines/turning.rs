@@ -7,9 +7,9 @@ use macroline::drives::speed::surface_speed;
 use macroline::interp::Interp;
 use macroline::machines::form::{Origins, Values};
 use macroline::machines::{self, AnyMachine, Frame, Samples};
-use macroline::motion::{Action, Event, Keep, Limits, Planner};
-use macroline::project::run::{self, Begin};
-use macroline::project::{Project, open};
+use macroline::motion::{Action, Budget, Event, Planner, Retention};
+use macroline::project::run::{self, RunOptions};
+use macroline::project::{Project, import};
 use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence};
 use macroline::view::Verdict;
@@ -65,8 +65,8 @@ pub(super) fn run_set(project: &Project, number: u32, value: f64) -> Planner<Int
 }
 
 fn begun(project: &Project, settings: &[run::Setting]) -> Planner<Interp> {
-    let limits = Limits { blocks: 1_000_000, seconds: 3600.0 };
-    let begin = Begin { start: None, settings, limits, keep: Keep::Timeline };
+    let limits = Budget { blocks: 1_000_000, seconds: 3600.0 };
+    let begin = RunOptions { start: None, settings, limits, keep: Retention::Timeline };
     run::of_project(project, &project.written(), &begin)
 }
 
@@ -170,7 +170,7 @@ fn a_dropped_program_restores_the_form() {
         let saved = project(control, &changes);
         let present = Project::of("ribbon-line", None).unwrap();
         for file in saved.written().files.0 {
-            let opened = open::open(&present, &file.name, &file.text).project.unwrap();
+            let opened = import::open(&present, &file.name, &file.text).project.unwrap();
             let written =
                 |project: &Project| project.written().files.0.into_iter().map(|file| file.text).collect::<Vec<_>>();
             assert_eq!((opened.machine.id(), opened.control.id), ("turning-spindle", *control));

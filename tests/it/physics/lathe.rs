@@ -1,6 +1,6 @@
 //! What lathe controls need: diameters, feed in step with the spindle, threads, constant surface speed, waits that a program switches off.
 
-use macroline::drives::speed::Limit;
+use macroline::drives::speed::SpeedLimit;
 
 use super::*;
 
@@ -196,7 +196,7 @@ fn at_the_centre_the_limit_holds_and_constant_speed_keeps_the_last() {
         let mut lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(120.0, 0.0), linear(0.0, 0.0, 3000.0)];
         lines.extend([one(Canon::ConstantSpeed), linear(100.0, 0.0, 3000.0), one(Canon::End)]);
         if let Some(rpm) = limit {
-            lines.insert(0, one(Canon::SpeedLimit { limit: Limit::Surface, rpm }));
+            lines.insert(0, one(Canon::SpeedLimit { limit: SpeedLimit::Surface, rpm }));
         }
         lines
     };

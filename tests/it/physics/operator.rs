@@ -97,12 +97,12 @@ fn budgets_end_an_endless_program() {
         plc: Box::new(BenchPlc::new(0.0, None)) as Box<dyn Plc>,
         panel: Panel::default(),
         limits,
-        keep: Keep::Log,
+        keep: Retention::Log,
     };
-    let mut blocks = Planner::new(setup(Limits { blocks: 10_000, seconds: 3600.0 }));
+    let mut blocks = Planner::new(setup(Budget { blocks: 10_000, seconds: 3600.0 }));
     let (_, end) = finish(&mut blocks);
     assert_eq!((end, blocks.blocks().macros), (RunEnd::Blocks, 10_000));
-    let mut seconds = Planner::new(setup(Limits { blocks: u64::MAX, seconds: 30.0 }));
+    let mut seconds = Planner::new(setup(Budget { blocks: u64::MAX, seconds: 30.0 }));
     assert_eq!(finish(&mut seconds), (30.0, RunEnd::Seconds));
     // A block each 3 ms.
     assert!(seconds.blocks().macros.abs_diff(10_000) <= 1);
@@ -119,8 +119,8 @@ fn the_log_holds_what_was_begun_in_the_order_of_the_program() {
             plant: &plant(),
             plc: Box::new(BenchPlc::new(0.0, None)),
             panel: Panel::new(events),
-            limits: Limits { blocks: 100, seconds: 10.0 },
-            keep: Keep::Log,
+            limits: Budget { blocks: 100, seconds: 10.0 },
+            keep: Retention::Log,
         });
         let (mut log, mut t) = (vec![], 0.0);
         while planner.advance(t, 100).ended.is_none() {

@@ -1,7 +1,7 @@
 //! A past that changes: planning on equals planning from zero.
 
 use macroline::controls::spindle::RapidSpeed;
-use macroline::drives::speed::Limit;
+use macroline::drives::speed::SpeedLimit;
 use macroline::drives::{Approach, Positioning, Stage};
 use proptest::prelude::*;
 
@@ -18,7 +18,7 @@ fn action() -> impl Strategy<Value = Action> {
         1 => Just(Action::EmergencyStop),
         1 => any::<bool>().prop_map(Action::SingleBlock),
         1 => (-1500.0..1500.0).prop_map(Action::ManualSpeed),
-        1 => (100.0..1500.0).prop_map(|rpm| Action::SpeedLimit(Limit::Upper, rpm)),
+        1 => (100.0..1500.0).prop_map(|rpm| Action::SpeedLimit(SpeedLimit::Upper, rpm)),
         1 => (0.0..200.0).prop_map(|value| Action::Input("#1033".to_owned(), value)),
         1 => (0.0..5000.0).prop_map(|value| Action::Variable(102, Some(value))),
     ]
@@ -40,7 +40,7 @@ fn busy() -> Vec<Line> {
         one(Canon::Gear { stage: 2 }),
         Line::Nc(vec![Canon::Orient { angle: 70.0, approach: Approach::Direct }, aside]),
         turn(900.0, -1),
-        one(Canon::SpeedLimit { limit: Limit::Surface, rpm: 1100.0 }),
+        one(Canon::SpeedLimit { limit: SpeedLimit::Surface, rpm: 1100.0 }),
         one(Canon::SurfaceSpeed { speed: 60.0, axis: 0, zero: -9_000 }),
         linear(30.0, 6.0, 4000.0),
         one(Canon::Linear { to: target(5.0, 6.0), feed, exact: false }),

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use macroline::controls::Switches;
-use macroline::interp::{Interp, Start};
+use macroline::interp::{Interp, StartProgram};
 use macroline::nc::{Files, parse};
 
 use super::*;
@@ -45,13 +45,13 @@ fn ribbon(seconds: f64, events: Vec<Event>) -> Planner<Interp> {
     let mut plant = plant();
     plant.block_time = 0.0071;
     Planner::new(Setup {
-        program: Interp::new(Rc::new(parsed), Start::First, &Switches::default()),
+        program: Interp::new(Rc::new(parsed), StartProgram::First, &Switches::default()),
         control: control(),
         plant: &plant,
         plc: Box::new(BenchPlc::new(0.05, Some(1033))),
         panel: Panel::new(events),
-        limits: Limits { blocks: u64::MAX, seconds },
-        keep: Keep::Timeline,
+        limits: Budget { blocks: u64::MAX, seconds },
+        keep: Retention::Timeline,
     })
 }
 
@@ -88,13 +88,13 @@ fn first_of(planner: &Planner<Interp>, mut t: f64, holds: impl Fn(&Snapshot) -> 
 fn an_alarm_of_the_program_comes_when_all_before_it_is_done() {
     let parsed = parse(&Files::one("O1.nc", "%\nO1\nG91G01X10.F6000.\nX10.\n#100=1/0\nM30\n%\n"), control());
     let mut planner = Planner::new(Setup {
-        program: Interp::new(Rc::new(parsed), Start::First, &Switches::default()),
+        program: Interp::new(Rc::new(parsed), StartProgram::First, &Switches::default()),
         control: control(),
         plant: &plant(),
         plc: Box::new(BenchPlc::new(0.05, None)),
         panel: Panel::default(),
-        limits: Limits { blocks: 100, seconds: 10.0 },
-        keep: Keep::Timeline,
+        limits: Budget { blocks: 100, seconds: 10.0 },
+        keep: Retention::Timeline,
     });
     let progress = planner.advance(f64::INFINITY, usize::MAX);
     assert!(matches!(progress.ended, Some(RunEnd::Alarm(_))));
@@ -132,13 +132,13 @@ fn sample(switches: &[(&str, &str)], lines: &str) -> Planner<Interp> {
     plant.axes = vec![AxisPlant { diameter: true, ..axis(b'X') }, axis(b'Z')];
     plant.spindle = SpindlePlant::bench(control, &switches);
     let mut planner = Planner::new(Setup {
-        program: Interp::new(Rc::new(parsed), Start::First, &switches),
+        program: Interp::new(Rc::new(parsed), StartProgram::First, &switches),
         control,
         plant: &plant,
         plc: Box::new(BenchPlc::new(0.05, None)),
         panel: Panel::default(),
-        limits: Limits { blocks: 1000, seconds: 600.0 },
-        keep: Keep::Timeline,
+        limits: Budget { blocks: 1000, seconds: 600.0 },
+        keep: Retention::Timeline,
     });
     planner.advance(f64::INFINITY, usize::MAX);
     planner
@@ -211,13 +211,13 @@ M30
     let mut plant = plant();
     plant.block_time = 0.007;
     let mut planner = Planner::new(Setup {
-        program: Interp::new(Rc::new(parsed), Start::First, &Switches::default()),
+        program: Interp::new(Rc::new(parsed), StartProgram::First, &Switches::default()),
         control: control(),
         plant: &plant,
         plc: Box::new(BenchPlc::new(0.05, Some(1033))),
         panel: Panel::default(),
-        limits: Limits { blocks: u64::MAX, seconds: 60.0 },
-        keep: Keep::Timeline,
+        limits: Budget { blocks: u64::MAX, seconds: 60.0 },
+        keep: Retention::Timeline,
     });
     planner.advance(1.0, 1_000_000);
     let seen = |planner: &Planner<Interp>, numbers: &[u32]| -> Vec<Option<f64>> {

@@ -3,7 +3,7 @@
 use std::rc::Rc;
 
 use macroline::drives::{Bound, Positioning, Stage};
-use macroline::interp::{Interp, Start};
+use macroline::interp::{Interp, StartProgram};
 use macroline::motion::SpindleState;
 use macroline::nc::{Files, parse_with};
 use macroline::text::Severity;
@@ -51,13 +51,13 @@ impl Lathe {
         };
         let parsed = parse_with(&Files::one("SHEET.nc", source), self.control, &self.switches);
         let mut planner = Planner::new(Setup {
-            program: Interp::new(Rc::new(parsed), Start::First, &self.switches),
+            program: Interp::new(Rc::new(parsed), StartProgram::First, &self.switches),
             control: self.control,
             plant: &self.plant,
             plc: Box::new(self.plc),
             panel: Panel::new(self.events),
-            limits: Limits { blocks: 10_000, seconds: 3600.0 },
-            keep: Keep::Timeline,
+            limits: Budget { blocks: 10_000, seconds: 3600.0 },
+            keep: Retention::Timeline,
         });
         planner.advance(f64::INFINITY, usize::MAX);
         planner
@@ -420,7 +420,7 @@ fn p9100_in_r_parameters_computes_the_cases_of_the_sheet() {
             source.replace("R100=1200", &format!("R100={rpm}")).replace("R103=100", &format!("R103={percent}"));
         let control = controls::find("sinumerik-802d").unwrap();
         let parsed = parse_with(&Files::one("RIBBON.MPF", source), control, &Switches::default());
-        let mut interp = Interp::new(Rc::new(parsed), Start::First, &Switches::default());
+        let mut interp = Interp::new(Rc::new(parsed), StartProgram::First, &Switches::default());
         macroline::interp::run(&mut interp, &mut macroline::interp::world::Still::default(), 10_000, |_, _| {});
         let r = |number: u32| interp.variable(number).unwrap_or(0.0);
         assert_eq!(r(98), status, "{rpm} {percent}");

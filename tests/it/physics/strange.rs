@@ -1,6 +1,6 @@
 //! Whatever is commanded, on whatever plant: a run ends, and nothing panics.
 
-use macroline::drives::speed::Limit;
+use macroline::drives::speed::SpeedLimit;
 use macroline::drives::{Approach, Positioning, Stage};
 use proptest::prelude::*;
 
@@ -23,8 +23,8 @@ fn feed() -> impl Strategy<Value = Feed> {
     (number(), any::<bool>()).prop_map(|(f, turns)| if turns { Feed::PerRevolution(f) } else { Feed::PerMinute(f) })
 }
 
-fn limit() -> impl Strategy<Value = Limit> {
-    prop::sample::select(vec![Limit::Lower, Limit::Upper, Limit::Surface])
+fn limit() -> impl Strategy<Value = SpeedLimit> {
+    prop::sample::select(vec![SpeedLimit::Lower, SpeedLimit::Upper, SpeedLimit::Surface])
 }
 
 fn approach() -> impl Strategy<Value = Approach> {

@@ -2,7 +2,7 @@
 
 use macroline::controls::spindle::RapidSpeed;
 use macroline::drives::cutting::Cut;
-use macroline::drives::speed::{Limit, Steps, surface_rpm};
+use macroline::drives::speed::{SpeedLimit, Steps, surface_rpm};
 use macroline::drives::{Bound, Stage};
 use macroline::motion::GearShift;
 
@@ -22,7 +22,7 @@ fn per_turn(x: f64, y: f64, feed: f64) -> Line {
     one(Canon::Linear { to: target(x, y), feed: Feed::PerRevolution(feed), exact: false })
 }
 
-fn limit(limit: Limit, rpm: f64) -> Line {
+fn limit(limit: SpeedLimit, rpm: f64) -> Line {
     one(Canon::SpeedLimit { limit, rpm })
 }
 
@@ -39,7 +39,7 @@ fn the_face_of_the_sheet_takes_its_time() {
     // sinumerik-802d.md section 7: 682.093 r/min at X84, 2500 from X22.918, 10.019832 s.
     let lines = vec![
         turn(800.0, 1),
-        limit(Limit::Surface, 2500.0),
+        limit(SpeedLimit::Surface, 2500.0),
         rapid(84.0, 0.0),
         surface(180.0, 0.0),
         dwell(1.0),
@@ -80,7 +80,7 @@ fn closed_forms_hold_for_any_straight_cut() {
         plant.spindle.surface_low = limits.0;
         let lines = vec![
             turn(800.0, 1),
-            limit(Limit::Surface, limits.1),
+            limit(SpeedLimit::Surface, limits.1),
             rapid(from, 0.0),
             surface(speed, 0.0),
             dwell(1.0),
@@ -126,7 +126,7 @@ fn a_rapid_to_a_cut_has_its_speed_and_another_changes_nothing() {
         let lines = vec![
             turn(800.0, 1),
             rapid(92.0, 5.0),
-            limit(Limit::Surface, 2500.0),
+            limit(SpeedLimit::Surface, 2500.0),
             surface(180.0, 0.0),
             rapid(92.0, 0.0),
             rapid(84.0, 0.0),
@@ -219,16 +219,16 @@ fn setting_data_holds_speeds_and_outlives_reset_while_s_stays_stored() {
     let lines = vec![
         turn(1200.0, 1),
         dwell(1.0),
-        limit(Limit::Upper, 900.0),
+        limit(SpeedLimit::Upper, 900.0),
         dwell(1.0),
         turn(20.0, 1),
-        limit(Limit::Lower, 50.0),
+        limit(SpeedLimit::Lower, 50.0),
         dwell(1.0),
         turn(1200.0, 1),
         dwell(1.0),
     ];
     let events = vec![
-        at(4.8, Action::SpeedLimit(Limit::Upper, 5000.0)),
+        at(4.8, Action::SpeedLimit(SpeedLimit::Upper, 5000.0)),
         at(10.0, Action::Reset),
         at(10.0, Action::ManualSpeed(10.0)),
     ];
@@ -252,7 +252,7 @@ fn a_limit_of_surface_speed_holds_constant_speed_only_where_the_control_says_so(
     for (stays, wanted) in [(false, 1200.0), (true, 700.0)] {
         let mut plant = plant();
         plant.spindle.rules.surface_limit_stays = stays;
-        let planner = run_on(&plant, vec![], vec![limit(Limit::Surface, 700.0), turn(1200.0, 1), dwell(1.0)]);
+        let planner = run_on(&plant, vec![], vec![limit(SpeedLimit::Surface, 700.0), turn(1200.0, 1), dwell(1.0)]);
         assert_eq!(spindle(&planner, 1.0).command, wanted);
     }
 }

@@ -5,16 +5,16 @@ use std::rc::Rc;
 
 use expect_test::{Expect, expect};
 use macroline::controls::{self, Control};
-use macroline::interp::{End, Interp, foretell};
+use macroline::interp::{End, Interp, precheck};
 use macroline::nc::Parsed;
-use macroline::project::review::review;
+use macroline::project::check::review;
 use macroline::text::{Diagnostic, Severity};
 
 use super::{BUDGET, alarm_and_place, fixtures, interp, start_fixture, start_on, world};
 
 /// What stops a run, of all that is foretold.
 fn alarms(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
-    foretell(parsed).into_iter().filter(|finding| finding.severity == Severity::Error).collect()
+    precheck(parsed).into_iter().filter(|finding| finding.severity == Severity::Error).collect()
 }
 
 #[test]
@@ -22,7 +22,7 @@ fn remarks_of_a_run_are_foretold_where_they_are_certain() {
     let e60 = controls::find("mitsubishi-e60").unwrap();
     let remarks = |block: &str| {
         let interp = start_on(e60, &format!("O1\nG00 X1.\n{block}\nM30\n%\n"), &[]);
-        let found = foretell(interp.parsed());
+        let found = precheck(interp.parsed());
         found
             .iter()
             .map(|d| (d.message.id, d.place.unwrap().span.of(&interp.parsed().files().0[0].text).to_owned()))
@@ -48,7 +48,7 @@ fn the_contour_that_a_cycle_passes_over_is_foretold() {
     let gsk = controls::find("gsk-980tdc").unwrap();
     let ids = |p: &str| {
         let source = format!("O1\nG71 U1. R1.\nG71 {p} Q20 U1. F100\nN10 G00 X1.\nN20 X2.\nM30\n%\n");
-        foretell(start_on(gsk, &source, &[]).parsed()).iter().map(|told| told.message.id).collect::<Vec<_>>()
+        precheck(start_on(gsk, &source, &[]).parsed()).iter().map(|told| told.message.id).collect::<Vec<_>>()
     };
     assert_eq!(ids("P10"), ["interp.contour"]);
     // Where it begins is not known, or nowhere.
@@ -367,7 +367,7 @@ fn a_block_is_told_the_same_behind_blocks_of_its_form() {
         };
         let told = |text: &str| -> Vec<(String, String)> {
             let interp = start_on(control, text, &[]);
-            let found = foretell(interp.parsed());
+            let found = precheck(interp.parsed());
             let piece = |d: &Diagnostic| d.place.unwrap().span.of(text).to_owned();
             found.iter().map(|d| (format!("{:?} {:?}", d.alarm, d.message), piece(d))).collect()
         };

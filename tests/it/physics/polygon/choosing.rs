@@ -1,6 +1,6 @@
 //! From the polygon to the cutter: the flattest possible one first, and why the others are not possible.
 
-use macroline::drives::polygon::choose::{Choice, Cutter, Limit, Means, Wanted, choices};
+use macroline::drives::polygon::choose::{Choice, ChoiceLimit, Cutter, Means, Wanted, choices};
 use macroline::drives::polygon::cut::{self, Cut};
 
 use super::*;
@@ -50,7 +50,7 @@ fn a_choice_names_every_limit_that_excludes_it() {
     let narrow = Means { terms: (6, 1), ..means(vec![cutter(3, 45.0), cutter(2, 45.0)]) };
     let found = choices(&HEXAGON, &narrow);
     assert_eq!(find(&found, 0, ratio(2, 1)).limits, []);
-    assert_eq!(find(&found, 1, ratio(3, 1)).limits, [Limit::Hollow, Limit::Flatness]);
+    assert_eq!(find(&found, 1, ratio(3, 1)).limits, [ChoiceLimit::Hollow, ChoiceLimit::Flatness]);
     // The wrong sense: its sides would meet 12.895 mm from the centre.
     let wrong = |stock: f64| {
         let found = choices(&Wanted { stock, ..HEXAGON }, &narrow);
@@ -58,16 +58,16 @@ fn a_choice_names_every_limit_that_excludes_it() {
             .limits
             .iter()
             .copied()
-            .take_while(|limit| *limit != Limit::Relief)
-            .collect::<Vec<Limit>>()
+            .take_while(|limit| *limit != ChoiceLimit::Relief)
+            .collect::<Vec<ChoiceLimit>>()
     };
-    assert_eq!(wrong(12.85), [Limit::Sense, Limit::Gap, Limit::Hollow, Limit::Flatness]);
-    assert_eq!(wrong(12.95), [Limit::Sense, Limit::Hollow, Limit::Flatness]);
+    assert_eq!(wrong(12.85), [ChoiceLimit::Sense, ChoiceLimit::Gap, ChoiceLimit::Hollow, ChoiceLimit::Flatness]);
+    assert_eq!(wrong(12.95), [ChoiceLimit::Sense, ChoiceLimit::Hollow, ChoiceLimit::Flatness]);
     let far = Means { distance: (60.0, 120.0), ..narrow.clone() };
-    assert_eq!(find(&choices(&HEXAGON, &far), 0, ratio(2, 1)).limits, [Limit::Distance]);
+    assert_eq!(find(&choices(&HEXAGON, &far), 0, ratio(2, 1)).limits, [ChoiceLimit::Distance]);
     let mut blunt = narrow.clone();
     blunt.cutters[0].relief = 3.0 * PI / 180.0;
-    assert_eq!(find(&choices(&HEXAGON, &blunt), 0, ratio(2, 1)).limits, [Limit::Relief]);
+    assert_eq!(find(&choices(&HEXAGON, &blunt), 0, ratio(2, 1)).limits, [ChoiceLimit::Relief]);
     let hollow = Wanted { hollow: true, flatness: 0.2, ..HEXAGON };
     assert_eq!(find(&choices(&hollow, &narrow), 1, ratio(3, 1)).limits, []);
     assert!(choices(&Wanted { sides: 7, ..HEXAGON }, &narrow).is_empty());
@@ -84,12 +84,12 @@ fn speeds_are_as_fast_as_every_limit_allows() {
     close(free.cutting_speed.1, 2.0 * PI * free.work_speed * 100.0 / 1000.0, 1e-12);
     let slow = of(&Means { tool_speed: 150.0, ..one.clone() });
     close(slow.tool_speed, 150.0, 1e-12);
-    assert_eq!(slow.limits, [Limit::ToolSpeed]);
+    assert_eq!(slow.limits, [ChoiceLimit::ToolSpeed]);
     // No whole number above 0 is slow enough: the least one is shown, and excluded.
     let slower = of(&Means { tool_speed: 1.5, ..one.clone() });
-    assert_eq!((slower.tool_speed, &slower.limits[..]), (2.0, &[Limit::ToolSpeed][..]));
-    assert_eq!(of(&Means { work_speed: 50.0, ..one.clone() }).limits, [Limit::WorkSpeed]);
-    assert_eq!(of(&Means { cutting_speed: (150.0, 150.01), ..one }).limits, [Limit::CuttingSpeed]);
+    assert_eq!((slower.tool_speed, &slower.limits[..]), (2.0, &[ChoiceLimit::ToolSpeed][..]));
+    assert_eq!(of(&Means { work_speed: 50.0, ..one.clone() }).limits, [ChoiceLimit::WorkSpeed]);
+    assert_eq!(of(&Means { cutting_speed: (150.0, 150.01), ..one }).limits, [ChoiceLimit::CuttingSpeed]);
 }
 
 #[test]

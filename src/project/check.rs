@@ -19,7 +19,7 @@ pub fn review(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagn
 
 /// What the reader does not say.
 fn beyond(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
-    let mut found = interp::foretell(parsed);
+    let mut found = interp::precheck(parsed);
     let mut warnings = nc::warnings(parsed, start, set);
     // One mistake is said once.
     let said = |warning: &Diagnostic| {

@@ -4,11 +4,11 @@ use std::cell::RefCell;
 use std::mem;
 use std::rc::Rc;
 
-use super::fault::{Run, Trap};
+use super::error::{Run, Trap};
 use super::modal::Modal;
-use super::state::{Cx, State};
+use super::state::{BlockContext, State};
 use super::world::{Still, World};
-use super::{Interp, Start};
+use super::{Interp, StartProgram};
 use crate::controls::macros::CallKind;
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, CodeDef, Group, VarKind};
@@ -23,12 +23,12 @@ const REMARKS: usize = 200;
 
 /// The alarms that blocks of read programs will raise whenever they run, and what the run will remark of them, in the order of the text:
 /// where a block depends on what is not known before, nothing is said. What the reader has said of a block stands for all of it.
-pub fn foretell(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
-    let Interp { shared, state } = Interp::new(Rc::clone(parsed), Start::First, parsed.switches());
+pub fn precheck(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
+    let Interp { shared, state } = Interp::new(Rc::clone(parsed), StartProgram::First, parsed.switches());
     let deck = parsed.deck();
     let heard = RefCell::new(Vec::new());
     let mut world = Listener { still: Still::default(), heard: &heard };
-    let cx = Cx { shared: &shared, control: shared.control, deck, world: &mut world, parts: 1.0 };
+    let cx = BlockContext { shared: &shared, control: shared.control, deck, world: &mut world, parts: 1.0 };
     let mut oracle = Oracle::new(cx, state, &heard);
     let errors = parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
     let errors: Vec<Place> = errors.filter_map(|finding| finding.place).collect();
@@ -133,7 +133,7 @@ impl World for Listener<'_> {
 }
 
 struct Oracle<'a> {
-    cx: Cx<'a>,
+    cx: BlockContext<'a>,
     /// What was remarked since somebody looked.
     heard: &'a RefCell<Vec<Diagnostic>>,
     /// A run that does no more than read its blocks, in the order of the text.
@@ -175,7 +175,7 @@ impl Clean {
 }
 
 impl<'a> Oracle<'a> {
-    fn new(cx: Cx<'a>, state: State, heard: &'a RefCell<Vec<Diagnostic>>) -> Oracle<'a> {
+    fn new(cx: BlockContext<'a>, state: State, heard: &'a RefCell<Vec<Diagnostic>>) -> Oracle<'a> {
         let mut constant: Vec<bool> = Vec::with_capacity(cx.deck.exprs.len());
         for expr in &cx.deck.exprs {
             let known = |id: &ExprId| constant.get(id.0 as usize).copied().unwrap_or(false);
@@ -427,7 +427,8 @@ impl<'a> Oracle<'a> {
                 }
             }
             Err(_) => {
-                let mut together = |state: &mut State, cx: &mut Cx| state.read_words(cx, block, told).map(|_| ());
+                let mut together =
+                    |state: &mut State, cx: &mut BlockContext| state.read_words(cx, block, told).map(|_| ());
                 let finding = self.always(block, &[Alarm::ArgumentSets], &mut together);
                 self.note(finding);
                 for (at, word) in told.iter().enumerate() {
@@ -469,7 +470,7 @@ impl<'a> Oracle<'a> {
         &mut self,
         block: &Block,
         alarms: &[Alarm],
-        run: &mut dyn FnMut(&mut State, &mut Cx) -> Run<()>,
+        run: &mut dyn FnMut(&mut State, &mut BlockContext) -> Run<()>,
     ) -> Option<Diagnostic> {
         let mut said: Option<Diagnostic> = None;
         for at in 0..=self.modals.len() {

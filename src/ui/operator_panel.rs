@@ -7,7 +7,7 @@ use super::el::{El, button, el, icon_button};
 use super::model::Model;
 use super::words::{clock, short, t, value_of};
 use crate::controls::Control;
-use crate::drives::speed::Limit;
+use crate::drives::speed::SpeedLimit;
 use crate::machines::form::Value;
 use crate::math;
 use crate::motion::{Action, Event, Mode};
@@ -44,9 +44,9 @@ fn name(action: &Action, control: &Control) -> String {
         Action::ManualSpeed(rpm) => format!("S {}", plain(*rpm)),
         Action::SpeedLimit(limit, rpm) => {
             let id = match limit {
-                Limit::Lower => "page.lower-speed-limit",
-                Limit::Upper => "page.upper-speed-limit",
-                Limit::Surface => "page.surface-speed-limit",
+                SpeedLimit::Lower => "page.lower-speed-limit",
+                SpeedLimit::Upper => "page.upper-speed-limit",
+                SpeedLimit::Surface => "page.surface-speed-limit",
             };
             format!("{} {}", t(id), plain(*rpm))
         }

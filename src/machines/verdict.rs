@@ -6,7 +6,7 @@ use crate::view::{Readout, Verdict};
 /// What the rows of a machine are about.
 pub(super) trait Rows: 'static {
     /// The machine on its control.
-    type Fitted<'a>;
+    type Resolved<'a>;
     /// What follows from its inputs.
     type Derived;
     /// What its rules judge.
@@ -45,7 +45,7 @@ pub(super) struct Rule<M: Rows> {
 /// A row of the rules: the result that it judges, the judgement, where its limit comes from.
 macro_rules! rule {
     ($on:literal, $judge:expr, $source:literal, $grade:ident) => {
-        $crate::machines::judge::Rule {
+        $crate::machines::verdict::Rule {
             on: $on,
             cite: $crate::text::Citation::new($source, $crate::text::Grade::$grade),
             judge: $judge,

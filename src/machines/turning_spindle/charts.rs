@@ -1,9 +1,9 @@
 //! The charts of the turning spindle: over time from the run, over the diameter from the formulas.
 
 use super::Lathe;
-use super::fitted::Fitted;
+use super::resolved::Resolved;
 use crate::drives::speed::surface_speed;
-use crate::machines::charts::{Line, Row};
+use crate::machines::chart_rows::{Line, Row};
 use crate::view::{Chart, Series};
 
 /// Charts over time, from top to bottom.
@@ -28,7 +28,7 @@ pub(super) const ROWS: &[Row<Lathe>] = &[
 ];
 
 /// Charts over the diameter: constant surface speed beside the fixed speed.
-pub(super) fn over_diameter(lathe: &Fitted, points: usize) -> Vec<Chart> {
+pub(super) fn over_diameter(lathe: &Resolved, points: usize) -> Vec<Chart> {
     let d = lathe.derived();
     let points = points.max(2);
     let step = (d.largest - d.smallest) / (points - 1) as f64;

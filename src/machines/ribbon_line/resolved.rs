@@ -4,7 +4,7 @@ use super::params::{FeedForm, OverrideForm, Params, PathMode, PrintAxis, YUnit};
 use crate::controls::interface::SignalRole;
 use crate::controls::vars::Width;
 use crate::controls::{Code, Control, Switches, VarKind};
-use crate::machines::On;
+use crate::machines::ControlContext;
 
 /// The axis that pulls the ribbon.
 pub(super) const PULL: u8 = b'X';
@@ -13,7 +13,7 @@ pub(super) const PULL: u8 = b'X';
 const TYPED: u32 = 103;
 
 /// The form on a control.
-pub(super) struct Fitted<'a> {
+pub(super) struct Resolved<'a> {
     /// The form as it was filled in.
     pub(super) form: &'a Params,
     /// The form, with what the control has in place of what it lacks.
@@ -22,9 +22,9 @@ pub(super) struct Fitted<'a> {
     pub(super) switches: &'a Switches,
 }
 
-impl<'a> Fitted<'a> {
-    pub(super) fn new(form: &'a Params, on: On<'a>) -> Fitted<'a> {
-        let On { control, switches } = on;
+impl<'a> Resolved<'a> {
+    pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
+        let ControlContext { control, switches } = on;
         let mut p = form.clone();
         p.print_axis = print_axis(form, control);
         match p.print_axis {
@@ -38,7 +38,7 @@ impl<'a> Fitted<'a> {
         if !stops_exactly(form, control) {
             p.path_mode = PathMode::Continuous;
         }
-        Fitted { form, p, control, switches }
+        Resolved { form, p, control, switches }
     }
 
     /// Index of the axis that pulls, in the control's order.

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::plan::{Checkpoint, Keep, Planner, Progress};
+use super::plan::{Checkpoint, Planner, Progress, Retention};
 use super::program::Program;
 use super::state::Records;
 use crate::interp::{Canon, World};
@@ -65,7 +65,7 @@ impl<P: Program> Planner<P> {
             machine: self.machine.clone(),
             panel: self.panel.clone(),
             checkpoints: Vec::new(),
-            keep: Keep::Log,
+            keep: Retention::Log,
             due: t,
             ended: None,
             has_last_word: false,

@@ -2,7 +2,7 @@
 
 use super::Line as Ribbon;
 use super::pose::State;
-use crate::machines::charts::{Line, Row};
+use crate::machines::chart_rows::{Line, Row};
 
 /// All charts, from top to bottom.
 #[rustfmt::skip]

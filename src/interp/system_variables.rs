@@ -1,10 +1,10 @@
 //! Reading and writing variables, those of the system among them.
 
 use super::canon::{AXES, Canon};
+use super::error::{Run, Trap};
 use super::eval::variable_number;
-use super::fault::{Run, Trap};
 use super::index::Slot;
-use super::state::{Cx, State};
+use super::state::{BlockContext, State};
 use super::vars::VACANT;
 use crate::controls::vars::Width;
 use crate::controls::{Alarm, VarKind, VarRange};
@@ -15,7 +15,7 @@ use crate::nc::{Block, Expr, ExprId};
 impl State {
     /// The value of a variable; vacant is NaN.
     #[inline]
-    pub(super) fn read(&self, cx: &mut Cx, number: u32) -> Run<f64> {
+    pub(super) fn read(&self, cx: &mut BlockContext, number: u32) -> Run<f64> {
         match cx.shared.index.slot(cx.control, number) {
             Slot::Common(slot) => Ok(self.vars.common(slot)),
             Slot::Local(index) => Ok(self.vars.local(index)),
@@ -24,7 +24,7 @@ impl State {
         }
     }
 
-    fn read_row(&self, cx: &mut Cx, at: u16, number: u32) -> Run<f64> {
+    fn read_row(&self, cx: &mut BlockContext, at: u16, number: u32) -> Run<f64> {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
         let axis = (number - row.first) as usize;
         let millimetres = |increments: i64| increments as f64 / cx.shared.units.per_unit;
@@ -82,7 +82,7 @@ impl State {
     }
 
     /// `to = value` of a block; the comment of the block is the message of alarms and stops.
-    pub(super) fn assign(&mut self, cx: &mut Cx, block: &Block, to: ExprId, value: ExprId) -> Run<()> {
+    pub(super) fn assign(&mut self, cx: &mut BlockContext, block: &Block, to: ExprId, value: ExprId) -> Run<()> {
         let value = self.assigned(cx, value)?;
         let number = self.variable_of(cx, to)?;
         self.write(cx, block, number, value).map_err(|trap| trap.part(to))
@@ -90,7 +90,7 @@ impl State {
 
     /// The number of the variable that an expression is.
     #[inline]
-    pub(super) fn variable_of(&self, cx: &mut Cx, id: ExprId) -> Run<u32> {
+    pub(super) fn variable_of(&self, cx: &mut BlockContext, id: ExprId) -> Run<u32> {
         match cx.deck.expr(id) {
             Expr::Var(number) => Ok(number),
             Expr::Indirect(number) => {
@@ -103,7 +103,7 @@ impl State {
 
     /// Writes a variable; vacant is NaN.
     #[inline]
-    pub(super) fn write(&mut self, cx: &mut Cx, block: &Block, number: u32, value: f64) -> Run<()> {
+    pub(super) fn write(&mut self, cx: &mut BlockContext, block: &Block, number: u32, value: f64) -> Run<()> {
         match cx.shared.index.slot(cx.control, number) {
             Slot::Common(slot) => {
                 if self.vars.common(slot).to_bits() != value.to_bits() {
@@ -118,7 +118,7 @@ impl State {
         Ok(())
     }
 
-    fn write_row(&mut self, cx: &mut Cx, block: &Block, at: u16, number: u32, value: f64) -> Run<()> {
+    fn write_row(&mut self, cx: &mut BlockContext, block: &Block, at: u16, number: u32, value: f64) -> Run<()> {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
         let slot = cx.shared.index.stored_at(row, at as usize, number);
         if value.is_nan() && row.kind.writable() && cx.control.raises(Alarm::VacantValue) {
@@ -227,13 +227,13 @@ impl State {
 impl State {
     /// A variable of the PLC is written beyond what it holds.
     #[cold]
-    fn remark_output(&self, cx: &mut Cx, block: &Block, number: u32, written: f64, taken: f64) {
+    fn remark_output(&self, cx: &mut BlockContext, block: &Block, number: u32, written: f64, taken: f64) {
         let message = msg!("interp.output-range", cx.control.variable(number), (written, 9), taken);
         self.remark(cx, block.span, message);
     }
 
     /// Puts the bits of a word of the PLC into its store.
-    fn store(&mut self, cx: &Cx, word: u32, bits: i64) {
+    fn store(&mut self, cx: &BlockContext, word: u32, bits: i64) {
         let Slot::Row(at) = cx.shared.index.slot(cx.control, word) else { return };
         let Some(row) = cx.control.vars.get(at as usize) else { return };
         let value = if row.width(word) == Some(Width::Long) { f64::from(bits as i32) } else { f64::from(bits as i16) };
@@ -260,7 +260,7 @@ fn fit(width: Option<Width>, x: f64) -> f64 {
 
 /// The alarm that a program raises; the comment of the block is its message.
 #[cold]
-pub(super) fn user_alarm(cx: &Cx, block: &Block, number: f64) -> Trap {
+pub(super) fn user_alarm(cx: &BlockContext, block: &Block, number: f64) -> Trap {
     let (min, max) = cx.control.macros.user_alarms;
     if !(f64::from(min)..=f64::from(max)).contains(&number) {
         return Trap::alarm(Alarm::UserAlarmRange, msg!("interp.value-range", number, min, max));
@@ -273,7 +273,7 @@ pub(super) fn user_alarm(cx: &Cx, block: &Block, number: f64) -> Trap {
 }
 
 #[cold]
-fn no_such_variable(cx: &Cx, number: u32) -> Trap {
+fn no_such_variable(cx: &BlockContext, number: u32) -> Trap {
     let name = cx.control.variable(number);
     let message = match cx.control.var(number) {
         Some(row) if row.kind.common() => msg!("nc.variable-not-fitted", name, row.text, cx.control.fitted_by()),
@@ -284,12 +284,12 @@ fn no_such_variable(cx: &Cx, number: u32) -> Trap {
 
 /// There is no alarm for what only the simulation lacks, and a made-up value would be worse.
 #[cold]
-fn not_simulated(cx: &Cx, number: u32, row: &VarRange) -> Trap {
+fn not_simulated(cx: &BlockContext, number: u32, row: &VarRange) -> Trap {
     Trap::alarm(Alarm::Budget, msg!("interp.variable-not-simulated", cx.control.variable(number), row.text))
 }
 
 /// The way out: a variable that is free to use.
-fn with_common(cx: &Cx, trap: Trap) -> Trap {
+fn with_common(cx: &BlockContext, trap: Trap) -> Trap {
     match cx.control.free_to_use() {
         Some(range) => trap.hint(range),
         None => trap,

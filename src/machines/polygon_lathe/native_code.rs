@@ -1,6 +1,6 @@
 //! The same part on controls that have polygon turning as a code of their own: G51.2 and G50.2 as a file, and as a list of blocks.
 
-use super::fitted::Fitted;
+use super::resolved::Resolved;
 use super::sheets::say;
 use crate::machines::sheets::row;
 use crate::math;
@@ -11,20 +11,20 @@ use crate::view::Sheet;
 const MANUAL: Citation = Citation::new("maker's manual on G51.2; sheet 2", Grade::Sister);
 
 /// P and Q of the code: P above 0, Q with the sense. None where one of them is 0.
-fn terms(lathe: &Fitted) -> Option<(i32, i32)> {
+fn terms(lathe: &Resolved) -> Option<(i32, i32)> {
     let ratio = lathe.ratio()?;
     Some((ratio.work(), ratio.tool()))
 }
 
 /// R in degrees: what the work is turned by at the start that the tool is not. The tool has no angle of its own there; E is that of the
 /// work by the ratio: `R = A - E/k`.
-fn offset(lathe: &Fitted) -> f64 {
+fn offset(lathe: &Resolved) -> f64 {
     let k = lathe.ratio().map_or(1.0, |ratio| ratio.value());
     (lathe.p.work_start - lathe.p.tool_start / k).rem_euclid(360.0)
 }
 
 /// Blocks with what they do; none where there is no ratio.
-fn blocks(lathe: &Fitted) -> Vec<(String, &'static str)> {
+fn blocks(lathe: &Resolved) -> Vec<(String, &'static str)> {
     let p = &lathe.p;
     let mut rows = Vec::new();
     let whole = |value: f64| super::show(value, 3);
@@ -67,7 +67,7 @@ fn blocks(lathe: &Fitted) -> Vec<(String, &'static str)> {
 }
 
 /// The blocks as a program.
-pub(super) fn file(lathe: &Fitted) -> File {
+pub(super) fn file(lathe: &Resolved) -> File {
     let mut text = format!("O{:04}\n", super::program::PART);
     for (block, _) in blocks(lathe) {
         text.push_str(&block);
@@ -77,7 +77,7 @@ pub(super) fn file(lathe: &Fitted) -> File {
 }
 
 /// The blocks with what they do.
-pub(super) fn sheet(lathe: &Fitted) -> Sheet {
+pub(super) fn sheet(lathe: &Resolved) -> Sheet {
     let told = |note: &'static str| if note.is_empty() { String::new() } else { say(note) };
     Sheet {
         id: "own-code",

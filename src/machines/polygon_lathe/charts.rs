@@ -1,10 +1,10 @@
 //! The charts of the polygon lathe: speeds, phase and slide over time, the deviation of the sides over angle and tip radius.
 
 use super::Lathe;
-use super::fitted::{Fitted, TOOL, WORK};
+use super::resolved::{Resolved, TOOL, WORK};
 use super::scene::deviations;
 use crate::drives::polygon::{Section, Setup};
-use crate::machines::charts::{Line, Row};
+use crate::machines::chart_rows::{Line, Row};
 use crate::math::PI;
 use crate::view::{Chart, Series};
 
@@ -27,7 +27,7 @@ pub(super) const ROWS: &[Row<Lathe>] = &[
 ];
 
 /// The deviation of the finished section from its sides, over the angle.
-pub(super) fn deviation(lathe: &Fitted, points: usize) -> Option<Chart> {
+pub(super) fn deviation(lathe: &Resolved, points: usize) -> Option<Chart> {
     let section = lathe.section()?;
     let sides = lathe.ratio()?.sides(lathe.p.inserts as u32);
     // Every corner is met.
@@ -48,7 +48,7 @@ pub(super) fn deviation(lathe: &Fitted, points: usize) -> Option<Chart> {
 const CIRCLES: usize = 60;
 
 /// Least and greatest deviation of the sides over the radius of the tip circle, at the ratio and the inserts of the form.
-pub(super) fn over_radius(lathe: &Fitted, points: usize) -> Option<Chart> {
+pub(super) fn over_radius(lathe: &Resolved, points: usize) -> Option<Chart> {
     let (p, ratio) = (&lathe.p, lathe.ratio()?);
     let count = points.clamp(2, CIRCLES);
     let (from, to) = (0.25 * p.tip_radius, 2.0 * p.tip_radius);

@@ -5,7 +5,7 @@ use super::params::{Gear, Output, Params, Path, SpeedMode};
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, Control, SpindleRules, Switches};
 use crate::drives::Stage;
-use crate::machines::On;
+use crate::machines::ControlContext;
 use crate::motion::Snapshot;
 
 /// The axis that is square to the spindle, and the one along it.
@@ -13,7 +13,7 @@ pub(super) const CROSS: u8 = b'X';
 pub(super) const ALONG: u8 = b'Z';
 
 /// The form on a control.
-pub(super) struct Fitted<'a> {
+pub(super) struct Resolved<'a> {
     /// The form as it was filled in.
     pub(super) form: &'a Params,
     /// The form, with what the control has in place of what it lacks.
@@ -22,9 +22,9 @@ pub(super) struct Fitted<'a> {
     pub(super) switches: &'a Switches,
 }
 
-impl<'a> Fitted<'a> {
-    pub(super) fn new(form: &'a Params, on: On<'a>) -> Fitted<'a> {
-        let On { control, switches } = on;
+impl<'a> Resolved<'a> {
+    pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
+        let ControlContext { control, switches } = on;
         let mut p = form.clone();
         if !holds_surface_speed(form, control) {
             (p.speed_mode, p.lower_limit) = (SpeedMode::Fixed, 0.0);
@@ -42,7 +42,7 @@ impl<'a> Fitted<'a> {
             let truncates = switches.get(control.switches, "spindle-word") == Some("truncate");
             p.cutting_speed = if truncates { p.cutting_speed.floor() } else { p.cutting_speed.round() };
         }
-        Fitted { form, p, control, switches }
+        Resolved { form, p, control, switches }
     }
 
     /// Index of the axis that is square to the spindle.

@@ -6,7 +6,7 @@ use crate::controls::{Control, Switches};
 use crate::drives::polygon::choose::{Cutter, Means, Wanted};
 use crate::drives::polygon::cut::{self, Cut};
 use crate::drives::polygon::{Ratio, Section, Setup};
-use crate::machines::On;
+use crate::machines::ControlContext;
 use crate::math::PI;
 use crate::motion::Snapshot;
 use crate::text::number;
@@ -26,7 +26,7 @@ const RADIANS: f64 = PI / 180.0;
 const OVERRIDE: &str = "pmc-override";
 
 /// The form on a control.
-pub(super) struct Fitted<'a> {
+pub(super) struct Resolved<'a> {
     /// The form as it was filled in.
     pub(super) form: &'a Params,
     /// The form, with what the shape says of inserts and ratio.
@@ -37,9 +37,9 @@ pub(super) struct Fitted<'a> {
     pub(super) sizes: Vec<f64>,
 }
 
-impl<'a> Fitted<'a> {
-    pub(super) fn new(form: &'a Params, on: On<'a>) -> Fitted<'a> {
-        let On { control, switches } = on;
+impl<'a> Resolved<'a> {
+    pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
+        let ControlContext { control, switches } = on;
         let mut p = form.clone();
         let shape = match p.shape {
             Shape::Own => None,
@@ -52,7 +52,7 @@ impl<'a> Fitted<'a> {
             (p.sides, p.inserts, p.work_ratio, p.tool_ratio) = shape;
         }
         let sizes = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
-        Fitted { form, p, control, switches, sizes }
+        Resolved { form, p, control, switches, sizes }
     }
 
     /// What follows from the form.

@@ -1,16 +1,16 @@
 //! Charts of a run as rows: for every machine.
 
 use super::Samples;
-use super::judge::Rows;
+use super::verdict::Rows;
 use crate::motion::Snapshot;
 use crate::view::{Chart, Series};
 
 /// A line of a chart.
 pub(super) struct Line<M: Rows> {
     /// Catalog id of its name.
-    pub(super) label: fn(&M::Fitted<'_>) -> &'static str,
+    pub(super) label: fn(&M::Resolved<'_>) -> &'static str,
     pub(super) tone: u8,
-    pub(super) value: fn(&M::Fitted<'_>, &Snapshot) -> f64,
+    pub(super) value: fn(&M::Resolved<'_>, &Snapshot) -> f64,
 }
 
 /// A chart over time.
@@ -24,7 +24,7 @@ pub(super) struct Row<M: Rows> {
 /// The charts from `from` to `to` seconds with `points` points (2 at least) each.
 pub(super) fn charts<M: Rows>(
     rows: &[Row<M>],
-    on: &M::Fitted<'_>,
+    on: &M::Resolved<'_>,
     run: &dyn Samples,
     from: f64,
     to: f64,

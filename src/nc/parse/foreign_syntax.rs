@@ -1,7 +1,7 @@
 //! Habits from other languages and from paper: words, signs and forms that the control does not have, each with the way out.
 
+use super::quick_fixes::Mend;
 use super::recover::prose;
-use super::slips::Mend;
 use super::{Failure, Reader};
 use crate::msg;
 use crate::text::{Diagnostic, Message};
