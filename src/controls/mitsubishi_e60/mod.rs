@@ -11,9 +11,10 @@ pub(super) use params::PARAMS;
 
 use super::bench::{Bench, BenchAxis, BenchShift};
 use super::macros::{ArgumentSets, CodeCalls, VacantWord};
+use super::schema::control::axis;
 use super::spindle::{LimitPlace, RapidSpeed, SpindleRules};
 use super::syntax::{Function, Percent, RoundBrackets};
-use super::{Control, Limits, Macros, Syntax, Timing, axis};
+use super::{Control, Limits, Macros, Syntax, Timing};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 

@@ -46,7 +46,7 @@ pub struct Signal {
 }
 
 /// A row of a register that the PLC writes.
-pub(super) const fn from_plc(
+pub(in crate::controls) const fn from_plc(
     role: SignalRole,
     device: &'static str,
     unit: &'static str,
@@ -57,7 +57,7 @@ pub(super) const fn from_plc(
 }
 
 /// A row of a register that the control writes.
-pub(super) const fn to_plc(
+pub(in crate::controls) const fn to_plc(
     role: SignalRole,
     device: &'static str,
     unit: &'static str,

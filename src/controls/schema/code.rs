@@ -195,22 +195,40 @@ pub struct CodeDef {
 }
 
 /// A row of a G code.
-pub(super) const fn g(number: u16, code: Code, group: Group, text: &'static str, cite: Citation) -> CodeDef {
+pub(in crate::controls) const fn g(
+    number: u16,
+    code: Code,
+    group: Group,
+    text: &'static str,
+    cite: Citation,
+) -> CodeDef {
     CodeDef { letter: b'G', number, code, group, text, cite }
 }
 
 /// A row of an M code.
-pub(super) const fn m(number: u16, code: Code, text: &'static str, cite: Citation) -> CodeDef {
+pub(in crate::controls) const fn m(number: u16, code: Code, text: &'static str, cite: Citation) -> CodeDef {
     CodeDef { letter: b'M', number, code, group: Group::Other, text, cite }
 }
 
 /// A row of an M code in a group of its own.
-pub(super) const fn mg(number: u16, code: Code, group: Group, text: &'static str, cite: Citation) -> CodeDef {
+pub(in crate::controls) const fn mg(
+    number: u16,
+    code: Code,
+    group: Group,
+    text: &'static str,
+    cite: Citation,
+) -> CodeDef {
     CodeDef { letter: b'M', number, code, group, text, cite }
 }
 
 /// A row of a code that is a name: the `place`-th of its control's names.
-pub(super) const fn named(place: u16, code: Code, group: Group, text: &'static str, cite: Citation) -> CodeDef {
+pub(in crate::controls) const fn named(
+    place: u16,
+    code: Code,
+    group: Group,
+    text: &'static str,
+    cite: Citation,
+) -> CodeDef {
     CodeDef { letter: long::NAME, number: 10 * place, code, group, text, cite }
 }
 

@@ -199,7 +199,12 @@ pub struct AlarmDef {
 }
 
 /// A row of an alarm.
-pub(super) const fn alarm(kind: Alarm, number: &'static str, text: &'static str, cite: Citation) -> AlarmDef {
+pub(in crate::controls) const fn alarm(
+    kind: Alarm,
+    number: &'static str,
+    text: &'static str,
+    cite: Citation,
+) -> AlarmDef {
     AlarmDef { kind, number, text, cite }
 }
 

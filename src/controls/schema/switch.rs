@@ -16,7 +16,7 @@ pub struct Switch {
 }
 
 /// Ids of the switches that name the common variables that are fitted, for instance `#100 to #149, #500 to #549`.
-pub(super) const FITTED: [&str; 2] = ["common-variables", "r-parameters"];
+pub(in crate::controls) const FITTED: [&str; 2] = ["common-variables", "r-parameters"];
 
 /// Characters of a free text.
 const TEXT: usize = 500;
@@ -48,7 +48,7 @@ impl Switches {
 }
 
 /// A row of a switch; the first option is the default.
-pub(super) const fn switch(
+pub(in crate::controls) const fn switch(
     id: &'static str,
     text: &'static str,
     options: &'static [&'static str],

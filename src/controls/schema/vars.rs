@@ -132,7 +132,7 @@ pub struct VarRange {
 }
 
 /// A row of variables.
-pub(super) const fn range(
+pub(in crate::controls) const fn range(
     first: u32,
     last: u32,
     kind: VarKind,

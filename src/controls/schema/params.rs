@@ -124,12 +124,12 @@ pub struct ParamDef {
 
 impl ParamDef {
     /// The row of a parameter that counts diameters where words do.
-    pub(super) const fn in_diameters(self) -> ParamDef {
+    pub(in crate::controls) const fn in_diameters(self) -> ParamDef {
         ParamDef { diameter: true, ..self }
     }
 
     /// The row with other answers than 1 for yes and 0 for no.
-    pub(super) const fn answered(self, yes: &'static str, no: &'static str) -> ParamDef {
+    pub(in crate::controls) const fn answered(self, yes: &'static str, no: &'static str) -> ParamDef {
         ParamDef { answers: (yes, no), ..self }
     }
 
@@ -140,7 +140,7 @@ impl ParamDef {
 }
 
 /// A row of a parameter.
-pub(super) const fn param(
+pub(in crate::controls) const fn param(
     role: ParamRole,
     number: &'static str,
     name: &'static str,

@@ -197,7 +197,7 @@ impl Syntax {
     /// What has names, where the language has such. The first module does without such languages: their reader and writer are 30 KB.
     #[inline]
     pub const fn names(&self) -> Option<&Names> {
-        if super::WHOLE { self.names.as_ref() } else { None }
+        if crate::controls::WHOLE { self.names.as_ref() } else { None }
     }
 
     /// The sequence numbers that a block can have.

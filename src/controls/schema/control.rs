@@ -1,0 +1,248 @@
+//! [`Control`]: all rows of one control, and the look-ups in them.
+
+use super::{
+    Alarm, AlarmDef, Bench, Code, CodeDef, Limits, Macros, Signal, SpindleRules, Switch, Switches, Syntax, Timing,
+    VarKind, VarRange, switch, syntax,
+};
+use crate::msg;
+use crate::text::{Citation, Grade, Message};
+
+/// Everything that is known of one control.
+#[derive(Debug)]
+pub struct Control {
+    /// Id for files and the command line, for instance `mitsubishi-e60`.
+    pub id: &'static str,
+    /// Name as people write it.
+    pub name: &'static str,
+    /// How a program is written.
+    pub syntax: Syntax,
+    /// How macro programs count and call.
+    pub macros: Macros,
+    /// Axis letters in the order of the control's axis numbers.
+    pub axes: &'static [AxisDef],
+    /// G codes in force after power-on, one per modal group; ten times their numbers, as in [`CodeDef`].
+    pub startup: &'static [u16],
+    /// Ranges and budgets of words, numbers, nesting.
+    pub limits: Limits,
+    /// What a block costs.
+    pub timing: Timing,
+    /// Every G and M code that the control has.
+    pub codes: &'static [CodeDef],
+    /// Every range of variables.
+    pub vars: &'static [VarRange],
+    /// Every alarm that macroline can raise, in the control's own numbers.
+    pub alarms: &'static [AlarmDef],
+    /// Registers and signals between PLC and control.
+    pub interface: &'static [Signal],
+    /// Points that the manuals leave open, each with a default.
+    pub switches: &'static [Switch],
+    /// What S, M3, constant surface speed and limits do.
+    pub spindle: SpindleRules,
+    /// The plant that a bare program runs on.
+    pub bench: Bench,
+}
+
+/// An axis letter of a control.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisDef {
+    /// Address letter.
+    pub letter: u8,
+    /// Whether it turns by default (degrees instead of millimetres).
+    pub rotary: bool,
+    /// Address of incremental words for this axis, where there is one beside the absolute: U for X on lathes.
+    pub incremental: Option<u8>,
+    /// Words count diameters, twice what the slide moves, unless the switch `diameter` is set to `radius`.
+    pub diameter: bool,
+    /// Source and grade.
+    pub cite: Citation,
+}
+
+/// A row of an axis whose words count what it moves.
+pub(in crate::controls) const fn axis(letter: u8, rotary: bool, cite: Citation) -> AxisDef {
+    AxisDef { letter, rotary, incremental: None, diameter: false, cite }
+}
+
+impl Control {
+    /// The row of a code, `None` where the control lacks it. `number` is ten times the number (`G61.1` is 611).
+    pub fn code(&self, letter: u8, number: u16) -> Option<&'static CodeDef> {
+        let rows = self.codes;
+        let at = rows.partition_point(|row| (row.letter, row.number) < (letter, number));
+        rows.get(at).filter(|row| (row.letter, row.number) == (letter, number))
+    }
+
+    /// The row of an alarm, or of the wider kind that this control has for it; every kind leads to one (held by a test).
+    pub fn alarm(&self, kind: Alarm) -> Option<&'static AlarmDef> {
+        let mut kind = kind;
+        loop {
+            if let Some(row) = self.alarms.iter().find(|row| row.kind == kind) {
+                return Some(row);
+            }
+            kind = kind.wider()?;
+        }
+    }
+
+    /// Whether the control has an alarm for this very kind. A few kinds are an alarm on those controls alone that have a row for them.
+    pub fn raises(&self, kind: Alarm) -> bool {
+        self.alarms.iter().any(|row| row.kind == kind)
+    }
+
+    /// The number and the wording that the control shows for an alarm; no wording where it is the simulation that stops.
+    pub fn alarm_shown(&self, kind: Alarm) -> Option<(&'static str, &'static str)> {
+        let own =
+            |row: &AlarmDef| row.cite.grade != Grade::Open || row.number.bytes().any(|byte| byte.is_ascii_digit());
+        self.alarm(kind).map(|row| (row.number, if kind != Alarm::Budget && own(row) { row.text } else { "" }))
+    }
+
+    /// The number the control shows for an alarm.
+    pub fn alarm_number(&self, kind: Alarm) -> Option<&'static str> {
+        self.alarm(kind).map(|row| row.number)
+    }
+
+    /// The range that holds a variable number; the rows stand in rising order.
+    pub fn var(&self, number: u32) -> Option<&'static VarRange> {
+        let at = self.vars.partition_point(|row| row.last < number);
+        self.vars.get(at).filter(|row| row.first <= number)
+    }
+
+    /// The word of the PLC that a bit stands in, and which bit of it that is, both as variables see them.
+    pub fn word_of_bit(&self, number: u32) -> Option<(u32, u32)> {
+        let at = self.vars.partition_point(|row| row.last < number);
+        let row = self.vars.get(at).filter(|row| row.first <= number)?;
+        // Rows of bits that follow one another go on through the same word.
+        let before = self.vars.get(..at)?.iter().rev();
+        let run = before.scan(row.first, |first, row| {
+            let joined = row.last + 1 == *first;
+            *first = row.first;
+            joined.then_some(row)
+        });
+        let first = run.take_while(|other| other.kind == row.kind).last().unwrap_or(row);
+        let word = self.vars.iter().find(|word| {
+            let fits = match row.kind {
+                VarKind::InputBit => matches!(word.kind, VarKind::InputWord(_)),
+                VarKind::OutputBit => matches!(word.kind, VarKind::OutputWord(_)),
+                _ => false,
+            };
+            fits && word.device == first.device
+        })?;
+        Some((word.first, number - first.first))
+    }
+
+    /// Id of the switch that names the common variables that are fitted; empty where all are.
+    pub fn fitted_by(&self) -> &'static str {
+        self.switches.iter().map(|row| row.id).find(|id| switch::FITTED.contains(id)).unwrap_or("")
+    }
+
+    /// The ranges of common variables that are fitted; none is named where all are.
+    pub fn fitted(&self, switches: &Switches) -> Vec<(u32, u32)> {
+        let setting = switches.get(self.switches, self.fitted_by()).unwrap_or("");
+        let mut numbers = setting.split(self.syntax.variable).filter_map(|text| {
+            let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+            text.get(..digits)?.parse().ok()
+        });
+        let pair = || Some((numbers.next()?, numbers.next()?));
+        core::iter::from_fn(pair).collect()
+    }
+
+    /// Digits of a number at most, as a switch has it where that is open; 18 fit everywhere.
+    pub fn number_digits(&self, switches: &Switches) -> usize {
+        switches.get(self.switches, "number-digits").and_then(|digits| digits.parse().ok()).unwrap_or(18)
+    }
+
+    /// Codes that a switch keeps off: it is named for them, `codes-g22-g23`, and at its default they are an alarm.
+    pub fn codes_off(&self, switches: &Switches) -> Vec<(u8, u16)> {
+        let off = self.switches.iter().filter(|row| switches.get(self.switches, row.id) == Some("alarm"));
+        let names = off.filter_map(|row| row.id.strip_prefix("codes-")).flat_map(|codes| codes.split('-'));
+        let code = |name: &str| {
+            let number: u16 = name.get(1..)?.parse().ok()?;
+            Some((name.bytes().next()?.to_ascii_uppercase(), number.saturating_mul(10)))
+        };
+        names.filter_map(code).collect()
+    }
+
+    /// Whether a variable that nothing has set is vacant; else it is 0.
+    pub fn has_vacant(&self) -> bool {
+        self.vars.first().is_some_and(|row| row.kind == VarKind::Vacant)
+    }
+
+    /// A text about variables, `#101`, as the control writes them.
+    pub fn written(&self, text: &str) -> String {
+        text.chars().map(|c| if c == '#' { self.syntax.variable } else { c }).collect()
+    }
+
+    /// A variable as it is written.
+    pub fn variable(&self, number: u32) -> String {
+        format!("{}{number}", self.syntax.variable)
+    }
+
+    /// The way out where a variable is none: those that are free to use.
+    pub fn free_to_use(&self) -> Option<Message> {
+        let of = |kind| self.vars.iter().find(|row| row.kind == kind);
+        let range = of(VarKind::Common).or_else(|| of(VarKind::Retained))?;
+        Some(msg!("control.free-to-use", self.variable(range.first), self.variable(range.last)))
+    }
+
+    /// A jump on the condition that something is not above 0, as an example.
+    pub fn guard(&self, variable: &str) -> String {
+        match self.syntax.names() {
+            Some(_) => format!("IF {variable}<=0 GOTOF"),
+            None => format!("IF[{variable} LE 0]GOTO"),
+        }
+    }
+
+    /// An address as it is written.
+    pub fn address(&self, letter: u8) -> String {
+        let names = self.syntax.names().into_iter().flat_map(|names| names.addresses);
+        let long = names.copied().find(|row| row.1 == letter).map(|row| row.0);
+        long.map_or_else(|| (letter as char).to_string(), str::to_owned)
+    }
+
+    /// A code as it is written, `number` is ten times its number.
+    pub fn code_name(&self, letter: u8, number: u32) -> String {
+        let names = self.syntax.names().filter(|_| letter == syntax::long::NAME);
+        match names.and_then(|names| names.codes.get(number as usize / 10)) {
+            Some(name) => (*name).to_owned(),
+            None if number.is_multiple_of(10) => format!("{}{}", letter as char, number / 10),
+            None => format!("{}{}.{}", letter as char, number / 10, number % 10),
+        }
+    }
+
+    /// The codes that end a program, as a list for a sentence.
+    pub fn program_ends(&self) -> String {
+        let ends = |row: &&CodeDef| matches!(row.code, Code::End | Code::EndRewind | Code::SubEnd | Code::Return);
+        let digits = if self.syntax.names().is_some() { 1 } else { 2 };
+        let name = |row: &CodeDef| match row.letter {
+            b'M' => format!("M{:0digits$}", row.number / 10),
+            letter => self.code_name(letter, row.number.into()),
+        };
+        let mut names: Vec<String> = self.codes.iter().filter(ends).map(name).collect();
+        let last = names.pop().unwrap_or_default();
+        format!("{} or {last}", names.join(", "))
+    }
+
+    /// Index of an axis letter in `axes`.
+    pub fn axis(&self, letter: u8) -> Option<usize> {
+        self.axes.iter().position(|axis| axis.letter == letter)
+    }
+
+    /// Whether words of an axis count diameters, as the switches have it.
+    pub fn counts_diameters(&self, axis: usize, switches: &Switches) -> bool {
+        let diameter = self.axes.get(axis).is_some_and(|row| row.diameter);
+        diameter && switches.get(self.switches, "diameter") != Some("radius")
+    }
+
+    /// Whether an axis turns and counts a turn, by its row or as the switches have it.
+    pub fn is_rotary(&self, axis: usize, switches: &Switches) -> bool {
+        let named = switches.get(self.switches, syntax::ROTARY_AXES).unwrap_or("");
+        self.axes.get(axis).is_some_and(|row| row.rotary || named.bytes().any(|b| b.to_ascii_uppercase() == row.letter))
+    }
+
+    /// Address letters of axis words, absolute and incremental.
+    pub fn axis_letters(&self) -> impl Iterator<Item = u8> {
+        self.axes.iter().flat_map(|axis| [Some(axis.letter), axis.incremental]).flatten()
+    }
+
+    /// Whether any code of the control does this.
+    pub fn can(&self, code: Code) -> bool {
+        self.codes.iter().any(|row| row.code == code)
+    }
+}

@@ -1,0 +1,38 @@
+//! The types of the tables: what a control can state about itself, each row with source and grade.
+
+pub mod syntax;
+
+pub mod code;
+
+pub mod vars;
+
+pub mod macros;
+
+pub mod limits;
+
+pub mod alarm;
+
+pub mod switch;
+
+pub mod params;
+
+pub mod interface;
+
+pub mod bench;
+
+pub mod spindle;
+
+pub mod control;
+
+pub use alarm::{Alarm, AlarmDef};
+pub use bench::Bench;
+pub use code::{Code, CodeDef, Group, Point};
+pub use control::{AxisDef, Control};
+pub use interface::Signal;
+pub use limits::{Limits, Timing};
+pub use macros::Macros;
+pub use params::{ParamDef, ParamRole};
+pub use spindle::SpindleRules;
+pub use switch::{Switch, Switches};
+pub use syntax::Syntax;
+pub use vars::{VarKind, VarRange};
