@@ -4,6 +4,8 @@
 
 pub mod schema;
 
+pub mod base;
+
 pub mod mitsubishi_e60;
 
 pub mod gsk_980tdc;

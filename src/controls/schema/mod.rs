@@ -1,5 +1,7 @@
 //! The types of the tables: what a control can state about itself, each row with source and grade.
 
+pub(in crate::controls) mod table;
+
 pub mod syntax;
 
 pub mod code;

@@ -1,0 +1,226 @@
+//! SINUMERIK controls: R parameters, named addresses and codes, subprograms by name. Rows of the 840D and 808D, sisters of one language.
+
+use crate::controls::bench::{Bench, BenchAxis, BenchShift};
+use crate::controls::macros::{ArgumentSets, VacantWord};
+use crate::controls::spindle::{LimitPlace, RapidSpeed};
+use crate::controls::syntax::{Function, Names, Percent, RoundBrackets, long};
+use crate::controls::{Limits, Macros, SpindleRules, Syntax, Timing};
+use crate::drives::Positioning;
+use crate::drives::speed::Steps;
+use crate::text::{Citation, Grade};
+
+/// Arithmetic: operators, their order, equality.
+pub const ARITHMETIC: Citation = Citation::new("840D sl NC programming 12/2019, p.392 and 444", Grade::Sister);
+/// Memory of Siemens controls without any document.
+pub const MEMORY: Citation = Citation::new("usage of Siemens controls, unverified", Grade::Open);
+
+/// Words of several letters, names of programs and labels. A control adds the codes that are names.
+pub const NAMES: Names = Names {
+    addresses: &[
+        ("ANG", long::ANG),
+        ("AP", long::AP),
+        ("AR", long::AR),
+        ("CHF", long::CHF),
+        ("CHR", long::CHR),
+        ("CR", long::CR),
+        ("FRC", long::FRC),
+        ("FRCM", long::FRCM),
+        ("LIMS", long::LIMS),
+        ("RND", long::RND),
+        ("RNDM", long::RNDM),
+        ("RP", long::RP),
+        ("RPL", long::RPL),
+        ("SF", long::SF),
+        ("SPOS", long::SPOS),
+    ],
+    codes: &[],
+    cycle: "CYCLE",
+    extended: b"HIJKMSXYZ",
+    foreign: &[
+        "CALL", "CASE", "COUPON", "DEF", "EGON", "ELSE", "ENDFOR", "ENDIF", "ENDLOOP", "ENDWHILE", "EXTERN", "FGROUP",
+        "FOR", "GOTOC", "LOOP", "MCALL", "PCALL", "PROC", "REPEAT", "SETAL", "SPOSA", "TRAILON", "UNTIL", "WAITS",
+        "WHILE",
+    ],
+    endings: ["MPF", "SPF"],
+    numbered: &["L", "MPF", "SPF"],
+    program_chars: 16,
+    label_least: 2,
+    whole_max: 2_147_483_647,
+    auxiliary: [5, 3, 1, 10],
+};
+
+/// Spelling, characters and file form.
+pub const SYNTAX: Syntax = Syntax {
+    round: RoundBrackets::Group,
+    variable: 'R',
+    names: Some(NAMES),
+    program_letters: b"",
+    percent: Percent::Head,
+    sequence_digits: 8,
+    program_digits: 8,
+    block_chars: 200,
+    message_chars: 65,
+    bracket_depth: 8,
+    if_then: false,
+    modulo: true,
+    comparison_signs: true,
+    bare_functions: false,
+    atan_of_two: true,
+    double_hash: false,
+    nine_hash: false,
+    absolute_holds: false,
+    threads_per_inch: None,
+    lead_by_axis: true,
+    dwell_addresses: b"FS",
+    address_twice: true,
+    block_read_chars: 200,
+    block_words: 512,
+    word_chars: u32::MAX,
+    do_max: 0,
+    do_depth: 0,
+    random: &[],
+    functions: &[
+        ("SIN", Function::Sin),
+        ("COS", Function::Cos),
+        ("TAN", Function::Tan),
+        ("ASIN", Function::Asin),
+        ("ACOS", Function::Acos),
+        ("ATAN2", Function::Atan),
+        ("SQRT", Function::Sqrt),
+        ("POT", Function::Square),
+        ("ABS", Function::Abs),
+        ("TRUNC", Function::Fix),
+        ("ROUND", Function::Round),
+        ("LN", Function::Ln),
+        ("EXP", Function::Exp),
+    ],
+    addresses: b"DFGHIJKMST",
+    integer_addresses: b"DGMNPT",
+    point_alarm: false,
+    increment_addresses: b"",
+    corners: &[
+        (long::CHF, "chamfer"),
+        (long::CHR, "chamfer"),
+        (long::RND, "rounded corner"),
+        (long::ANG, "angle of a contour"),
+        (long::FRC, "feed of corners"),
+        (long::RNDM, "rounded corners from here on"),
+        (long::FRCM, "feed of all corners"),
+        (long::AP, "polar angle"),
+        (long::RP, "polar radius"),
+        (long::SF, "start angle of a thread"),
+    ],
+    comma_addresses: b"",
+    extension: "MPF",
+    cite: MEMORY,
+};
+
+/// Values of programs with R parameters; subprograms take no arguments.
+pub const MACROS: Macros = Macros {
+    vacant_word: VacantWord::Zero,
+    vacant_equals_zero: true,
+    equal_within: 1e-12,
+    truths: true,
+    whole_bits: false,
+    value_range: Some((0.0, 1e300)),
+    round_words: true,
+    argument_sets: ArgumentSets::InOrder,
+    repeats_in_p: false,
+    main_ends: true,
+    ends_return: true,
+    sub_sequence: false,
+    call_first: false,
+    program_next: false,
+    call_ends_modal: false,
+    call_after_return: true,
+    common_kept: true,
+    functions: &[],
+    code_calls: &[],
+    calls_override: false,
+    user_alarms: (65_000, 65_999),
+    user_alarm_base: Some(0),
+    cite: ARITHMETIC,
+};
+
+/// Ranges of words and depths of calls.
+pub const LIMITS: Limits = Limits {
+    increment: 0.001,
+    coordinate_max: 99_999.999,
+    feed_max: 99_999.999,
+    revolution_feed_max: 99_999.999,
+    inch_feeds: Some(7000),
+    lead_max: 20_000.0,
+    feed_increment: 0.001,
+    arc_tolerance: 0.01,
+    arc_centre_moves: false,
+    feed_kept: false,
+    speed_max: 99_999.999,
+    speed_limit: Some((0.1, 999_999.9)),
+    tool_max: 32_000,
+    offset_max: Some(9),
+    m_codes: 5,
+    sub_depth: 7,
+    macro_depth: 7,
+    repeat_max: 9999,
+    cite: MEMORY,
+};
+
+/// Analog spindle: S in r/min, constant surface speed, limits, positioning.
+pub const SPINDLE: SpindleRules = SpindleRules {
+    volts_stay: false,
+    rapid: RapidSpeed::BeforeCut,
+    surface_at_once: true,
+    surface_limit_stays: false,
+    surface_per_revolution: true,
+    feed_ends_surface: true,
+    last_speed_back: true,
+    surface_range: Some((0.01, 9999.99)),
+    limit_place: LimitPlace::Nothing,
+    override_last: false,
+    thread_override: true,
+    emergency_clears: false,
+    reached: Some(0.1),
+    stop_last: true,
+    turns_through_reset: false,
+    orients: true,
+    angle_wraps: false,
+    end_stops: true,
+    // That of the interface; what a panel has of it is a switch.
+    knob: Steps { low: 0.0, high: 200.0, step: 1.0 },
+    offsets: None,
+    stage_speeds: None,
+    low_always: true,
+    lower_wins: false,
+    signed_output: true,
+    stop_between: false,
+    lock: None,
+    driven_tool: None,
+    cite: MEMORY,
+};
+
+/// Block times, assumed.
+pub const TIMING: Timing = Timing {
+    block: 0.008,
+    macro_block: 0.004,
+    preread: 3,
+    cite: Citation::new("assumed; measure with a counting loop", Grade::Open),
+};
+
+/// A bench of a lathe: two slides, a third linear axis, a spindle without gears.
+pub const BENCH: Bench = Bench {
+    axes: &[
+        BenchAxis { letter: b'X', rapid: 10_000.0, clamp: 10_000.0, time_constant: 0.1, position_gain: 16.7 },
+        BenchAxis { letter: b'Y', rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 16.7 },
+        BenchAxis { letter: b'Z', rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 16.7 },
+    ],
+    gears: &[3750.0],
+    shift: BenchShift { volts: 0.0, before: 0.0, meshing: 0.5, after: 0.0 },
+    speed_clamp: 3500.0,
+    volts_full: 10.0,
+    output_bits: 12,
+    in_position: 0.02,
+    ramp: 2.0,
+    positioning: Some(Positioning { speed: 100.0, acceleration: 500.0, clockwise: true }),
+    override_echo: None,
+    fin_delay: 0.02,
+};
