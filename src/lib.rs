@@ -18,8 +18,6 @@
 
 pub mod math;
 
-pub mod order;
-
 pub mod text;
 
 pub mod drives;

@@ -5,7 +5,7 @@
 /// The circle constant, the only π of the core.
 pub const PI: f64 = core::f64::consts::PI;
 
-/// The number, or the bound that it is beyond. (`f64::clamp` panics where the bounds cross, and brings all of the library's printing.)
+/// `x` limited to `low..=high`. Total: `f64::clamp` panics if the bounds cross; here the low bound wins for `x` below it.
 pub fn clamp(x: f64, low: f64, high: f64) -> f64 {
     if x < low {
         low

@@ -4,7 +4,6 @@ use crate::controls::syntax::long;
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, CodeDef, Control, Switches, VarKind, VarRange};
 use crate::nc::{Block, Deck, Expr, ExprId, JumpDirection, Program, Stmt};
-use crate::order;
 
 /// Where a variable lives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -114,7 +113,7 @@ impl Index {
         }
         let mut numbers: Vec<(u32, u32)> = Vec::with_capacity(deck.programs.len());
         numbers.extend(deck.programs.iter().enumerate().map(|(at, program)| (program.number, at as u32)));
-        order::by_key(&mut numbers, |&(number, _)| number.into());
+        numbers.sort_by_key(|&(number, _)| number);
         let mut index = Index {
             g_codes: code_table(control, b'G'),
             m_codes: code_table(control, b'M'),
@@ -131,7 +130,7 @@ impl Index {
         };
         if control.syntax.names().is_some() {
             index.targets = deck.programs.iter().flat_map(|program| targets(deck, program)).collect();
-            order::by_key(&mut index.targets, |&(target, _)| target.into());
+            index.targets.sort_by_key(|&(target, _)| target);
             let names = deck.programs.iter().zip(0..).filter(|(program, _)| program.name.is_some());
             index.names = names.map(|(program, at)| (deck.text(program.name).into(), at)).collect();
         }
@@ -297,9 +296,9 @@ fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps 
             _ => {}
         }
     }
-    order::by_key(&mut jumps.numbers, |&(number, _)| number.into());
-    order::by_key(&mut jumps.pairs, |&(at, _)| at.into());
-    order::by_key(&mut jumps.loops, |l| l.start.into());
+    jumps.numbers.sort_by_key(|&(number, _)| number);
+    jumps.pairs.sort_by_key(|&(at, _)| at);
+    jumps.loops.sort_by_key(|l| l.start);
     let mut around: Vec<u32> = Vec::new();
     for at in 0..jumps.loops.len() {
         let start = jumps.loops[at].start;

@@ -5,7 +5,6 @@ use super::canon::AXES;
 use crate::controls::macros::{CodeCall, VacantWord};
 use crate::controls::syntax::letter_bits;
 use crate::controls::{Alarm, Code, Control, Group, Limits, Point, SpindleRules, Switches};
-use crate::text::find::holds;
 use crate::text::number;
 
 /// Where the results of ASIN lie, in degrees.
@@ -113,10 +112,10 @@ impl Rules {
             vacant_word: macros.vacant_word == VacantWord::Zero,
             vacant_equals_zero: macros.vacant_equals_zero,
             result: macros.value_range.unwrap_or((0.0, f64::MAX)),
-            atan_turn: holds(angles, "ATAN 0 to 360"),
-            asin: if holds(angles, "ASIN 90 to 270") {
+            atan_turn: angles.contains("ATAN 0 to 360"),
+            asin: if angles.contains("ASIN 90 to 270") {
                 AsinRange::AroundHalfTurn
-            } else if holds(angles, "ASIN 270 to 90") {
+            } else if angles.contains("ASIN 270 to 90") {
                 AsinRange::WithinTurn
             } else {
                 AsinRange::AroundZero

@@ -1,7 +1,8 @@
 //! A form as data: fields with unit, range, default and help; values as they are typed and checked.
 
+use std::collections::BTreeMap;
+
 use crate::controls::Control;
-use crate::order::Map;
 use crate::text::{Diagnostic, Severity};
 
 /// Where a value comes from; the report lists the assumed ones.
@@ -28,10 +29,10 @@ pub enum Value {
 }
 
 /// Values by field id. What is missing has its default.
-pub type Values = Map<String, Value>;
+pub type Values = BTreeMap<String, Value>;
 
 /// Where values come from, by field id. What is missing is assumed.
-pub type Origins = Map<String, Provenance>;
+pub type Origins = BTreeMap<String, Provenance>;
 
 /// A field of a machine with parameters `P`.
 pub struct Field<P: 'static> {

@@ -1,8 +1,8 @@
 //! Sheets that stand beside a program: what those of all machines have in common.
 
 use crate::controls::{Control, ParamDef, ParamRole};
+use crate::text::Citation;
 use crate::text::catalog::number_text;
-use crate::text::{Citation, find};
 use crate::view::{Row, Sheet};
 
 /// A row with its evidence.
@@ -68,7 +68,7 @@ fn parameter(axes: &Axes, def: &ParamDef, axis: &str, setting: &Setting) -> Opti
     if text.is_empty() {
         return None;
     }
-    let unit = match find::last(def.unit, "mm").and_then(|at| def.unit.split_at_checked(at)) {
+    let unit = match def.unit.rfind("mm").and_then(|at| def.unit.split_at_checked(at)) {
         Some((before, rest)) if axes.rotary == Some(axis) => {
             format!("{before}°{}", rest.strip_prefix("mm").unwrap_or(rest))
         }

@@ -1,10 +1,11 @@
 //! The machine builder's logic: reads what the control puts out, writes what the control reads, in the order of time.
 
+use std::collections::BTreeMap;
+
 use super::pmc::PMC_AXES;
 use super::signals::sense;
 use crate::controls::Alarm;
 use crate::drives::speed::Steps;
-use crate::order::Map;
 
 /// Which part of an input word is forced. The whole word yields to its halves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -41,11 +42,11 @@ pub struct Io {
     /// It was emergency stop.
     pub emergency: bool,
     /// Macro inputs, by variable number: what the program reads as `#1033` ….
-    pub inputs: Map<u32, f64>,
+    pub inputs: BTreeMap<u32, f64>,
     /// Macro outputs, by variable number, as the program wrote them.
-    pub outputs: Map<u32, f64>,
+    pub outputs: BTreeMap<u32, f64>,
     /// Inputs that the operator has forced: `inputs` obeys them whatever the PLC writes.
-    pub forced: Map<(u32, Part), f64>,
+    pub forced: BTreeMap<(u32, Part), f64>,
     /// M code that waits for FIN.
     pub m_strobe: Option<u32>,
     /// S code that waits for FIN, in r/min.
@@ -81,9 +82,9 @@ impl Default for Io {
             feed_override: 100.0,
             reset: false,
             emergency: false,
-            inputs: Map::new(),
-            outputs: Map::new(),
-            forced: Map::new(),
+            inputs: BTreeMap::new(),
+            outputs: BTreeMap::new(),
+            forced: BTreeMap::new(),
             m_strobe: None,
             s_strobe: None,
             t_strobe: None,

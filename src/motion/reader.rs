@@ -1,5 +1,7 @@
 //! Reads the program ahead of its execution, and lets act what acts when it is read.
 
+use std::collections::BTreeMap;
+
 use super::executor::Exec;
 use super::plant::AxisPlant;
 use super::program::Program;
@@ -7,12 +9,11 @@ use super::state::{Over, Queued, Sim, State};
 use super::timeline::{Timeline, VariableChange};
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, Step, World};
-use crate::order::Map;
 use crate::text::Diagnostic;
 
 /// What a program sees of the machine when one of its blocks is read.
 struct ReaderWorld<'a> {
-    inputs: &'a Map<u32, f64>,
+    inputs: &'a BTreeMap<u32, f64>,
     position: Axes<'a>,
     power_on: f64,
     running: f64,

@@ -24,7 +24,7 @@ impl<P: Program> Sim<'_, P> {
             self.s.plc_at = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
             let Io { forced, inputs, .. } = &mut self.s.io;
             for ((number, part), value) in forced.iter() {
-                let word = inputs.entry(*number, 0.0);
+                let word = inputs.entry(*number).or_insert(0.0);
                 *word = part.put(*word, *value);
             }
             if let Some(alarm) = self.s.io.alarm.take() {

@@ -1,6 +1,6 @@
 //! The simulation between two events: reader, executor, spindle, PLC and operator, always the earliest first.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use super::executor::Exec;
 use super::machine::Machine;
@@ -15,7 +15,6 @@ use super::turning::Turning;
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, End};
 use crate::msg;
-use crate::order::Map;
 use crate::text::{Diagnostic, Message, Place};
 
 /// What a run leaves behind; cut to [`Marks`] when the past changes.
@@ -184,7 +183,7 @@ pub(super) struct State<P> {
     pub(super) plc_at: f64,
     pub(super) io: Io,
     /// Macro inputs as the screen showed them last.
-    pub(super) shown: Map<u32, f64>,
+    pub(super) shown: BTreeMap<u32, f64>,
     /// What is commanded of the spindle.
     pub(super) turning: Turning,
     pub(super) run_since: Option<f64>,
@@ -224,7 +223,7 @@ impl<P> State<P> {
             plc: Logic(plc),
             plc_at: f64::INFINITY,
             io: Io::default(),
-            shown: Map::new(),
+            shown: BTreeMap::new(),
             turning: Turning::new(square),
             run_since: None,
             run_time: 0.0,

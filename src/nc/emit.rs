@@ -9,7 +9,7 @@ use super::parsed::Parsed;
 use crate::controls::Control;
 use crate::controls::syntax::{Function, Percent, RoundBrackets};
 use crate::msg;
-use crate::text::find::newline;
+use crate::text::lines::line_end;
 use crate::text::{Diagnostic, FileId, Place, Span};
 
 /// Trees deeper than this are no formulas; reading stops at as many parts.
@@ -164,7 +164,7 @@ pub fn emit_parsed(parsed: &Parsed, deck: &Deck) -> Emitted {
                     Writer { deck: &low, control: parsed.control(), text: String::new(), start: 0, too_deep: false };
                 for (at, (block, _)) in lines.enumerate() {
                     if at > 0 {
-                        w.text.push_str(newline(&file.text));
+                        w.text.push_str(line_end(&file.text));
                     }
                     w.block(block);
                 }

@@ -1,7 +1,6 @@
 //! Applying the fix of a diagnostic to files.
 
 use super::files::Files;
-use crate::order;
 use crate::text::Fix;
 
 /// The files with the edits of a fix made. Edits whose place does not fit the text, or that overlap one before, are left out.
@@ -9,7 +8,7 @@ pub fn fix(files: &Files, fix: &Fix) -> Files {
     let mut files = files.clone();
     for (index, file) in files.0.iter_mut().enumerate() {
         let mut edits: Vec<_> = fix.edits.iter().filter(|(place, _)| usize::from(place.file.0) == index).collect();
-        order::by_key(&mut edits, |(place, _)| place.span.start.into());
+        edits.sort_by_key(|(place, _)| place.span.start);
         let mut text = String::with_capacity(file.text.len());
         let mut copied = 0;
         for (place, new) in edits {

@@ -6,7 +6,6 @@ use crate::machines::{self, settings};
 use crate::msg;
 use crate::nc::{self, File, Files};
 use crate::text::Diagnostic;
-use crate::text::find::holds;
 
 /// Bytes of a program that is taken into a project at most; larger ones are only looked at.
 pub const MAX_PROGRAM: usize = 2_000_000;
@@ -68,7 +67,7 @@ fn differing(project: &Project, name: &str, text: &str) -> Option<Files> {
     // Line ends and the version of macroline are not what a person edits.
     let lines = |text: &str| -> Vec<String> {
         text.lines()
-            .filter(|line| !holds(line, "WRITTEN BY MACROLINE"))
+            .filter(|line| !line.contains("WRITTEN BY MACROLINE"))
             .map(|line| line.trim_end().to_owned())
             .collect()
     };

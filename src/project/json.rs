@@ -1,7 +1,5 @@
 //! JSON text as a tree, read as RFC 8259 has it. Total: bounded depth, and any text gives a tree or the place where it stops being JSON.
 
-use crate::text::double;
-
 /// Lists and objects within each other at most.
 const DEPTH: usize = 128;
 
@@ -208,48 +206,32 @@ impl Reader<'_> {
     }
 
     fn number(&mut self) -> Read<Json> {
-        let negative = self.take(b'-');
+        let start = self.at;
+        self.take(b'-');
         let zero = self.peek() == Some(b'0');
-        let (mut digits, mut exponent) = (0, 0);
-        let whole = self.digits(&mut digits, &mut exponent);
+        let whole = self.digits();
         if whole == 0 || zero && whole > 1 {
             return Err("a number begins with a zero or has no digits");
         }
-        if self.take(b'.') {
-            let count = self.digits(&mut digits, &mut exponent);
-            exponent -= count;
-            if count == 0 {
-                return Err("a number has no digits behind its point");
-            }
+        if self.take(b'.') && self.digits() == 0 {
+            return Err("a number has no digits behind its point");
         }
         if self.take(b'e') || self.take(b'E') {
-            let down = self.take(b'-');
-            let _ = down || self.take(b'+');
-            let (mut power, mut beyond) = (0, 0);
-            if self.digits(&mut power, &mut beyond) == 0 {
+            let _ = self.take(b'-') || self.take(b'+');
+            if self.digits() == 0 {
                 return Err("a number has no digits in its exponent");
             }
-            let power = power.min(100_000_000) as i32;
-            exponent += if down { -power } else { power };
         }
-        let size = double::nearest(digits, exponent);
-        if size.is_infinite() {
-            return Err("a number is too large");
-        }
-        Ok(Json::Number(if negative { -size } else { size }))
+        let number = self.text.get(start..self.at).and_then(|text| text.parse().ok()).unwrap_or(f64::INFINITY);
+        if number.is_infinite() { Err("a number is too large") } else { Ok(Json::Number(number)) }
     }
 
-    /// Digits one after the other: how many, what they come to, and how many were beyond what counts.
-    fn digits(&mut self, digits: &mut u64, beyond: &mut i32) -> i32 {
+    /// Takes digits; returns their count.
+    fn digits(&mut self) -> usize {
         let start = self.at;
-        while let Some(digit @ b'0'..=b'9') = self.peek() {
+        while matches!(self.peek(), Some(b'0'..=b'9')) {
             self.at += 1;
-            if *digits < 1_000_000_000_000_000_000 {
-                *digits = *digits * 10 + u64::from(digit - b'0');
-            } else {
-                *beyond += 1;
-            }
         }
-        (self.at - start) as i32
+        self.at - start
     }
 }

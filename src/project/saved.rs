@@ -9,7 +9,6 @@ use crate::machines::{self, AnyMachine};
 use crate::motion::{Action, Event, Panel};
 use crate::msg;
 use crate::nc::{File, Files};
-use crate::text::double::Shortest;
 use crate::text::{Diagnostic, Message};
 
 /// Version of the shape that is written.
@@ -135,9 +134,9 @@ pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
 /// An event as an entry of a panel file.
 fn event_text(event: &Event) -> String {
     let (key, value) = match &event.action {
-        Action::SpindleOverride(percent) => ("spindle_override", Shortest(*percent).to_string()),
-        Action::FeedOverride(percent) => ("feed_override", Shortest(*percent).to_string()),
-        Action::RapidOverride(percent) => ("rapid_override", Shortest(*percent).to_string()),
+        Action::SpindleOverride(percent) => ("spindle_override", number(*percent)),
+        Action::FeedOverride(percent) => ("feed_override", number(*percent)),
+        Action::RapidOverride(percent) => ("rapid_override", number(*percent)),
         Action::Start => ("start", true.to_string()),
         Action::Hold => ("hold", true.to_string()),
         Action::Reset => ("reset", true.to_string()),
@@ -145,20 +144,29 @@ fn event_text(event: &Event) -> String {
         Action::SingleBlock(on) => ("single_block", on.to_string()),
         Action::OptionalStop(on) => ("optional_stop", on.to_string()),
         Action::BlockSkip(on) => ("block_skip", on.to_string()),
-        Action::ManualSpeed(rpm) => ("manual_s", Shortest(*rpm).to_string()),
+        Action::ManualSpeed(rpm) => ("manual_s", number(*rpm)),
         Action::SpeedLimit(limit, rpm) => {
             let key = match limit {
                 SpeedLimit::Lower => "lower_speed_limit",
                 SpeedLimit::Upper => "upper_speed_limit",
                 SpeedLimit::Surface => "surface_speed_limit",
             };
-            (key, Shortest(*rpm).to_string())
+            (key, number(*rpm))
         }
-        Action::Input(name, value) => ("input", format!("{{ {}: {} }}", quoted(name), Shortest(*value))),
-        Action::Variable(number, Some(value)) => ("variable", format!("{{ \"#{number}\": {} }}", Shortest(*value))),
+        Action::Input(name, value) => ("input", format!("{{ {}: {} }}", quoted(name), number(*value))),
+        Action::Variable(number, Some(value)) => ("variable", format!("{{ \"#{number}\": {} }}", self::number(*value))),
         Action::Variable(number, None) => ("variable", format!("{{ \"#{number}\": null }}")),
     };
-    format!("{{ \"t\": {}, \"{key}\": {value} }}", Shortest(event.t))
+    format!("{{ \"t\": {}, \"{key}\": {value} }}", number(event.t))
+}
+
+/// A number as JSON: the shortest decimal that reads back as the same double, whole numbers without a point.
+fn number(value: f64) -> String {
+    match value.abs() {
+        size if !size.is_finite() => "null".to_owned(),
+        size if size != 0.0 && !(1e-7..1e16).contains(&size) => format!("{value:e}"),
+        _ => value.to_string(),
+    }
 }
 
 /// A text as a JSON string.
@@ -199,7 +207,9 @@ impl Reader {
             };
             match value {
                 // Out of range stays: the field says what is wrong, and nothing that was typed is lost.
-                Some(value) => project.values.insert(id.clone(), value),
+                Some(value) => {
+                    project.values.insert(id.clone(), value);
+                }
                 None => self
                     .found
                     .push(Diagnostic::error(msg!("project.wrong-kind", clip(id), kind_word(json))).about(field.id)),
@@ -313,7 +323,7 @@ fn actions(key: &str, value: &Json) -> Option<Vec<Action>> {
 /// A value as JSON: whole numbers without a point, as people write them. What is no number is none in JSON either.
 fn value_text(value: &Value) -> String {
     match value {
-        Value::Number(number) => Shortest(*number).to_string(),
+        Value::Number(number) => self::number(*number),
         Value::Flag(flag) => flag.to_string(),
         Value::Text(text) => quoted(text),
     }

@@ -77,11 +77,9 @@ impl Diagnostic {
         Diagnostic::new(Severity::Info, message)
     }
 
-    /// Sorts by place; what has none stands first, what shares one stays as it was.
-    pub fn in_order(found: &mut Vec<Diagnostic>) {
-        crate::order::by_key(found, |d| {
-            d.place.map_or(0, |place| (u64::from(place.file.0) + 1) << 32 | u64::from(place.span.start))
-        });
+    /// Sorts by file and start; findings without a place come first, findings at one place keep their order.
+    pub fn in_order(found: &mut [Diagnostic]) {
+        found.sort_by_key(|d| d.place.map(|place| (place.file, place.span.start)));
     }
 
     /// The same at a place.

@@ -1,5 +1,10 @@
 //! Lines and columns, computed only when somebody asks for them.
 
+/// The line end of a text: CR LF if its first line ends so, else LF.
+pub fn line_end(text: &str) -> &'static str {
+    if text.split_once('\n').is_some_and(|(line, _)| line.ends_with('\r')) { "\r\n" } else { "\n" }
+}
+
 /// A line and a column as people count them, from 1; the column counts characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Position {

@@ -4,11 +4,7 @@ pub mod span;
 
 pub mod lines;
 
-pub mod find;
-
 pub mod number;
-
-pub mod double;
 
 pub mod message;
 

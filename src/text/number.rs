@@ -2,42 +2,20 @@
 
 use core::fmt::{self, Write};
 
-use super::double;
+/// Characters of a typed number at most.
+const LONGEST: usize = 40;
 
-/// Digits that are read; more than a double can tell apart would only round it twice.
-const DIGITS: usize = 17;
-
-/// A decimal number as people type it: `1.5`, `1,5`, `-1.50`, `−3`; no exponent, no separators of thousands, not two points, not more
-/// than 40 characters. (The library's reading of floats would cost the page 10 KB of tables for exponents that nobody types.)
+/// A decimal number as people type it: `1.5`, `1,5`, `-1.50`, `−3`; no exponent, no separators of thousands, at most one point, at most
+/// 40 characters. `None` for anything else.
 pub fn read(text: &str) -> Option<f64> {
     let text = text.trim();
-    let negative = text.starts_with(['-', '\u{2212}']);
+    let plain = |c: char| c.is_ascii_digit() || matches!(c, '.' | ',');
     let digits = text.strip_prefix(['-', '+', '\u{2212}']).unwrap_or(text);
-    let (mut mantissa, mut scale, mut count, mut point, mut any) = (0_u64, 0_i32, 0, false, false);
-    for c in digits.chars() {
-        match c {
-            '0'..='9' => {
-                any = true;
-                // Digits beyond the last that counts move the scale only.
-                if count < DIGITS {
-                    mantissa = mantissa * 10 + u64::from(c as u32 - '0' as u32);
-                    count += usize::from(mantissa > 0);
-                    scale -= i32::from(point);
-                } else {
-                    scale += i32::from(!point);
-                }
-            }
-            '.' | ',' if !point => point = true,
-            _ => return None,
-        }
-    }
-    if !any || digits.len() > 40 {
+    if digits.len() > LONGEST || !digits.chars().all(plain) {
         return None;
     }
-    // Powers of ten are exact to 22, beyond which nothing that fits a field reaches.
-    let power = |n: i32| (0..n).fold(1.0_f64, |p, _| p * 10.0);
-    let size = if scale < 0 { mantissa as f64 / power(-scale) } else { mantissa as f64 * power(scale) };
-    Some(if negative { -size } else { size })
+    let size: f64 = digits.replace(',', ".").parse().ok()?;
+    Some(if text.starts_with(['-', '\u{2212}']) { -size } else { size })
 }
 
 /// A number as it is written for people: with at most so many decimals, without trailing zeros, never `-0`: `8`, `15.279`, `-0.5`; from
@@ -64,7 +42,7 @@ impl Plain {
     pub fn write(&self, f: &mut impl fmt::Write) -> fmt::Result {
         match scaled(self.0, self.1) {
             Some((digits, decimals)) => write_scaled(f, digits, decimals, false),
-            None => double::exponential(f, self.0),
+            None => exponential(f, self.0),
         }
     }
 }
@@ -77,8 +55,17 @@ impl fmt::Display for Fixed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match scaled(self.0, self.1) {
             Some((digits, decimals)) => write_scaled(f, digits, decimals, true),
-            None => double::exponential(f, self.0),
+            None => exponential(f, self.0),
         }
+    }
+}
+
+/// A number beyond what [`scaled`] takes: `1e15`, `-1.5e300`, `∞`, `NaN`.
+fn exponential(f: &mut impl fmt::Write, number: f64) -> fmt::Result {
+    match number {
+        f64::INFINITY => f.write_str("∞"),
+        f64::NEG_INFINITY => f.write_str("-∞"),
+        _ => write!(f, "{number:e}"),
     }
 }
 

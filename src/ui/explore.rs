@@ -31,8 +31,9 @@ fn look(project: &Project, values: &Values) -> Option<Explorer> {
 fn set<'t>(project: &Project, values: &mut Values, sets: impl IntoIterator<Item = (&'t str, &'t str)>) {
     let fields = project.machine.fields();
     for (id, text) in sets {
-        let value = fields.iter().find(|field| field.id == id).and_then(|field| field.read(text).ok());
-        value.into_iter().for_each(|value| values.insert(id.to_owned(), value));
+        if let Some(value) = fields.iter().find(|field| field.id == id).and_then(|field| field.read(text).ok()) {
+            values.insert(id.to_owned(), value);
+        }
     }
 }
 

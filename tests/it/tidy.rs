@@ -8,8 +8,8 @@ use std::path::Path;
 use source::{Source, words};
 
 /// The modules in the order of the flow: each names only itself and those before it. The order of `lib.rs`.
-const ORDER: [&str; 12] =
-    ["math", "order", "text", "drives", "controls", "nc", "interp", "motion", "view", "machines", "project", "ui"];
+const ORDER: [&str; 11] =
+    ["math", "text", "drives", "controls", "nc", "interp", "motion", "view", "machines", "project", "ui"];
 
 /// The sentences.
 const CATALOG: &str = "src/text/catalog/en.txt";

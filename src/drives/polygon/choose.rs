@@ -5,7 +5,6 @@ use super::ratio::Ratio;
 use super::section::Section;
 use super::setup::Setup;
 use crate::math::{self, PI};
-use crate::order;
 
 /// The polygon that is wanted. Lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -126,7 +125,7 @@ pub fn choices(wanted: &Wanted, means: &Means) -> Vec<Choice> {
             );
         }
     }
-    order::by_key(&mut found, Choice::rank);
+    found.sort_by_key(Choice::rank);
     found
 }
 

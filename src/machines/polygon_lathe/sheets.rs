@@ -214,7 +214,7 @@ fn passes(lathe: &Resolved) -> Option<Sheet> {
     let cite = Citation::new("sheet 3.3 and 3.4; a pass meets what the one before has left", Grade::Inferred);
     let p = &lathe.p;
     let mut cuts = lathe.cuts(&lathe.setup(p.across_flats)?);
-    crate::order::by_key(&mut cuts, |(_, cut)| !cut.relief.max(0.0).to_bits());
+    cuts.sort_by(|(_, a), (_, b)| b.relief.max(0.0).total_cmp(&a.relief.max(0.0)));
     let speed = |each: f64| show(each * p.work_speed().abs(), 0);
     let one = |(pass, cut): (f64, Cut)| {
         let cells = [
@@ -251,7 +251,7 @@ fn inserts(lathe: &Resolved) -> Option<Sheet> {
     let sides = lathe.section()?.sides();
     let one = |insert: usize| {
         let mut its: Vec<usize> = setup.passes().filter(|pass| pass.insert == insert).map(|pass| pass.side).collect();
-        crate::order::by_key(&mut its, |side| *side as u64);
+        its.sort_unstable();
         its.dedup();
         let (radius, angle) = setup.error(insert);
         let of = its.iter().filter_map(|side| sides.get(*side));

@@ -3,7 +3,6 @@
 use super::super::ast::Block;
 use super::Lint;
 use super::words::Facts;
-use crate::text::find::holds;
 use crate::text::{Place, Severity};
 
 impl Facts {
@@ -30,7 +29,7 @@ impl Facts {
     /// Notes a block that does not read; whether it may say what F is per.
     pub(super) fn bad_block(&mut self, lint: &Lint, (program, at): (u32, u32), block: &Block) -> bool {
         let text = lint.parsed.text(lint.place(at, block.span)).to_ascii_uppercase();
-        let any = |words: &[&str]| words.iter().any(|word| holds(&text, word));
+        let any = |words: &[&str]| words.iter().any(|word| text.contains(word));
         self.bad.push((program, at));
         self.any_called |= lint.control.syntax.names().is_some() || any(&["G65", "G66", "M98"]);
         self.any_called |= !lint.parsed.calls().is_empty();

@@ -6,7 +6,6 @@ use super::roles::{END, RETURN, Roles};
 use super::words::{Facts, whole};
 use super::{Lint, NONE};
 use crate::controls::{Control, VarKind};
-use crate::order;
 
 /// Sequence numbers of one program that are told to stand twice.
 const TWICE: usize = 20;
@@ -54,7 +53,7 @@ impl<'a> Flow<'a> {
                 _ => {}
             }
         }
-        let numbers = order::pairs(numbers);
+        numbers.sort_unstable();
         Flow { deck, control, roles, program: program as u32, blocks, base: row.first, numbers, partner }
     }
 

@@ -20,7 +20,7 @@ pub(super) fn length(lint: &mut Lint, at: u32, block: &Block) {
     let most = lint.control.syntax.message_chars;
     let Some((cut, _)) = text.char_indices().nth(most) else { return };
     let whole = lint.parsed.text(lint.place(at, block.span));
-    let Some(start) = crate::text::find::last(whole, text) else { return };
+    let Some(start) = whole.rfind(text) else { return };
     let from = block.span.start + (start + cut) as u32;
     let span = Span::new(from, block.span.start + (start + text.len()) as u32);
     let (count, most) = (text.chars().count().to_string(), most.to_string());

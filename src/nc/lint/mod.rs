@@ -20,7 +20,6 @@ use super::parse::part_span;
 use super::parsed::Parsed;
 use crate::controls::Control;
 use crate::controls::syntax::{RoundBrackets, letter_bits};
-use crate::order;
 use crate::text::{Diagnostic, LineIndex, Message, Place, Span, Value};
 use flow::Flow;
 use roles::Roles;
@@ -51,7 +50,8 @@ struct Lint<'a> {
 /// variables that the operator sets.
 pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
     let deck = parsed.deck();
-    let numbers = order::pairs(deck.programs.iter().map(|row| row.number.into()).zip(0..).collect());
+    let mut numbers: Vec<(u64, usize)> = deck.programs.iter().map(|row| row.number.into()).zip(0..).collect();
+    numbers.sort_unstable();
     let most = FINDINGS.saturating_sub(parsed.diagnostics().len());
     let mut lint =
         Lint { parsed, deck, control: parsed.control(), start, set, numbers, most, again: 0, found: Vec::new() };

@@ -8,7 +8,6 @@ use super::{Lint, NONE};
 use crate::controls::macros::{ARGUMENT, VacantWord};
 use crate::controls::syntax::Function;
 use crate::controls::{Alarm, Control, VarKind};
-use crate::order;
 use crate::text::Severity;
 
 /// Rounds in which assignments may hand their kinds on; each round is one look at every assignment.
@@ -257,10 +256,11 @@ impl Vars<'_> {
     }
 
     /// Variables that the operator is to set, in one remark where the first of them is read.
-    fn entries(&self, lint: &mut Lint, unset: Vec<(u64, usize)>) {
+    fn entries(&self, lint: &mut Lint, mut unset: Vec<(u64, usize)>) {
         let mut names = String::new();
         let mut first = (NONE, ExprId(NONE));
-        for (count, &(_, slot)) in order::pairs(unset).iter().enumerate() {
+        unset.sort_unstable();
+        for (count, &(_, slot)) in unset.iter().enumerate() {
             let var = &self.list[slot];
             if count <= NAMES {
                 names += if count > 0 { ", " } else { "" };

@@ -11,7 +11,6 @@ use crate::controls::syntax::{letter_bits, long};
 use crate::controls::{Alarm, Code, ParamRole};
 use crate::msg;
 use crate::text::catalog::number_text;
-use crate::text::find;
 use crate::text::{Fix, Message, Place, Severity, Span};
 
 /// Programs from this number on are the builder's and the user's standard programs: they are on the machine, and they are called.
@@ -474,7 +473,7 @@ impl Lint<'_> {
             return;
         }
         let text = self.parsed.text(place).to_ascii_uppercase();
-        let start = place.span.start + find::last(&text, name).unwrap_or(0) as u32;
+        let start = place.span.start + text.rfind(name).unwrap_or(0) as u32;
         let span = Span::new(start, (start + name.len() as u32).min(place.span.end));
         let alarm = self.control.alarm_number(Alarm::NoProgram).unwrap_or("");
         self.say(at, span, "lint.no-such-program", &[name, alarm], "");

@@ -1,15 +1,16 @@
 //! What can be said only when a program is read to its end: loops, jump targets, its last block.
 
+use std::collections::BTreeSet;
+
 use super::super::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
 use super::super::dec::Dec;
 use super::super::files::Files;
 use super::FINDINGS;
-use super::check_names::short;
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, Control};
 use crate::msg;
-use crate::order;
-use crate::text::{Diagnostic, Fix, Message, Place, Span, find};
+use crate::text::lines::line_end;
+use crate::text::{Diagnostic, Fix, Message, Place, Span};
 
 /// Blocks that are searched for the end of a loop.
 const SEARCHED: usize = 10_000;
@@ -19,8 +20,7 @@ const ANY: u16 = 0;
 
 /// Checks every program; `later` are its blocks with calls and jumps in words.
 pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u32], found: &mut Vec<Diagnostic>) {
-    let again = again(deck);
-    for (program, again) in deck.programs.iter().zip(again) {
+    for (program, repeated) in deck.programs.iter().zip(repeated(deck)) {
         if found.len() > 2 * FINDINGS {
             return;
         }
@@ -38,7 +38,7 @@ pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u
                 check.function_jump(block);
             }
         }
-        if again {
+        if repeated {
             let place = Place { file: program.file, span: program.span };
             let name = program.name.map(|name| deck.text(Some(name)).to_owned());
             let message = msg!("nc.program-twice", name.unwrap_or_else(|| format!("O{}", program.number)));
@@ -47,24 +47,15 @@ pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u
     }
 }
 
-/// Of each program, whether its number was an earlier one's already, or its name, where it has one.
-fn again(deck: &Deck) -> Vec<bool> {
-    let programs = &deck.programs;
-    let name = |at: usize| programs[at].name.map_or("", |name| deck.text(Some(name)));
-    let has_one = |at: &usize| programs[*at].number != 0 || !name(*at).is_empty();
-    let mut known: Vec<usize> = (0..programs.len()).filter(has_one).collect();
-    order::by_key(&mut known, |&at| match name(at) {
-        "" => programs[at].number.into(),
-        name => short(name),
-    });
-    let same = |a: usize, b: usize| {
-        (programs[a].number, programs[a].sub, name(a)) == (programs[b].number, programs[b].sub, name(b))
+/// For each program in the order of the deck: whether an earlier one has its number, or its name where programs have names.
+fn repeated(deck: &Deck) -> Vec<bool> {
+    let mut known = BTreeSet::new();
+    let repeats = |program: &Program| {
+        let name = deck.text(program.name);
+        let identified = program.number != 0 || !name.is_empty();
+        identified && !known.insert((program.number, program.sub, name))
     };
-    let mut again = vec![false; programs.len()];
-    for pair in known.windows(2) {
-        again[pair[1]] = same(pair[0], pair[1]);
-    }
-    again
+    deck.programs.iter().map(repeats).collect()
 }
 
 /// Whether a loop that is open ends in these blocks, before another of its number begins.
@@ -97,7 +88,7 @@ impl Check<'_> {
     /// The part of a block from a keyword on, for loops and jumps.
     fn keyword_span(&self, block: &Block, keyword: &str) -> Span {
         let upper = block.span.of(self.text).to_ascii_uppercase();
-        let at = find::last(&upper, keyword).unwrap_or(0) as u32;
+        let at = upper.rfind(keyword).unwrap_or(0) as u32;
         let tail = upper.get(at as usize..).unwrap_or("");
         let comment = tail.find('(').unwrap_or(tail.len());
         let len = tail.get(..comment).unwrap_or(tail).trim_end().len() as u32;
@@ -190,14 +181,14 @@ impl Check<'_> {
         let text = text.split('(').next().unwrap_or("");
         // With the number behind it, if one stands there.
         let label = |keyword: &str| {
-            let behind = text.get(find::last(text, keyword)? + keyword.len()..).unwrap_or("").trim_start();
+            let behind = text.get(text.rfind(keyword)? + keyword.len()..).unwrap_or("").trim_start();
             let digits = behind.bytes().take_while(u8::is_ascii_digit).count();
             let label: Option<u16> = behind.get(..digits).and_then(|digits| digits.parse().ok());
             Some(label.filter(|&label| (1..=self.control.syntax.do_max).contains(&label.into())).unwrap_or(ANY))
         };
-        let head = label("DO").or_else(|| find::holds(text, "WHILE").then_some(ANY));
+        let head = label("DO").or_else(|| text.contains("WHILE").then_some(ANY));
         // `ENDWHILE` and `ENDDO` are ends.
-        let end = find::holds(text, "ENDW") || find::holds(text, "ENDD");
+        let end = text.contains("ENDW") || text.contains("ENDD");
         match (head.filter(|_| !end), label("END")) {
             (Some(label), _) => Stmt::While { cond: None, label },
             (None, Some(label)) => Stmt::End { label },
@@ -225,7 +216,7 @@ impl Check<'_> {
         let numbers = self.numbers.get_or_insert_with(|| {
             let blocks = self.deck.blocks_of(self.program);
             let mut all: Vec<u32> = blocks.iter().filter_map(|block| block.number).collect();
-            order::by_key(&mut all, |&number| number.into());
+            all.sort_unstable();
             all
         });
         let value = number.to_f64();
@@ -299,7 +290,7 @@ impl Check<'_> {
         let span = last.or(blocks.last()).map_or(self.program.span, |block| block.span);
         let behind = self.text.get(span.end as usize..).unwrap_or("");
         let line = behind.find('\n').unwrap_or(behind.len());
-        let newline = find::newline(self.text);
+        let newline = line_end(self.text);
         let tail = behind.get(..line).unwrap_or("");
         let at = span.end + tail.strip_suffix('\r').unwrap_or(tail).len() as u32;
         let place = Place { file: self.program.file, span };
@@ -352,7 +343,7 @@ impl Check<'_> {
             Stmt::Bad(_) => {
                 // Letters O may be what is wrong with it.
                 let text = block.span.of(self.text).to_ascii_uppercase().replace('O', "0");
-                !["M99", "M30", "M2", "M02", "M17", "RET"].iter().any(|end| find::holds(&text, end))
+                !["M99", "M30", "M2", "M02", "M17", "RET"].iter().any(|end| text.contains(end))
             }
             _ => true,
         }

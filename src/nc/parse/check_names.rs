@@ -1,28 +1,31 @@
 //! What can be said of labels, jumps to them and messages only when a program is read to its end.
 
+use std::collections::BTreeMap;
+
 use super::super::ast::{Block, Expr, JumpDirection, Stmt, TextId};
 use super::FINDINGS;
 use super::check::Check;
 use super::quick_fixes::meant;
 use crate::controls::Alarm;
 use crate::msg;
-use crate::order;
-use crate::text::{Diagnostic, Place, Span, find};
+use crate::text::{Diagnostic, Place, Span};
 
 impl<'a> Check<'a> {
     /// Labels, the jumps to them, and messages.
     pub(super) fn named(&mut self) {
         let deck = self.deck;
         let blocks = deck.blocks_of(self.program);
-        let mut labels: Vec<(usize, &'a str)> =
-            (0..).zip(blocks).filter_map(|(at, block)| block.label.map(|_| (at, deck.text(block.label)))).collect();
-        let mut order: Vec<(u64, usize)> = (0..labels.len()).map(|at| (short(labels[at].1), at)).collect();
-        order = order::pairs(order);
-        labels = order.iter().map(|row| labels[row.1]).collect();
-        for pair in labels.windows(2) {
-            if pair[0].1 == pair[1].1 && self.control.raises(Alarm::LabelTwice) {
-                let span = self.name_span(&blocks[pair[1].0], pair[1].1);
-                self.report(Alarm::LabelTwice, span, msg!("nc.label-twice", pair[1].1));
+        // The blocks of each label.
+        let mut labels: BTreeMap<&'a str, Vec<usize>> = BTreeMap::new();
+        for (at, block) in blocks.iter().enumerate().filter(|(_, block)| block.label.is_some()) {
+            labels.entry(deck.text(block.label)).or_default().push(at);
+        }
+        if self.control.raises(Alarm::LabelTwice) {
+            for (name, places) in &labels {
+                for at in places.iter().skip(1) {
+                    let span = self.name_span(&blocks[*at], name);
+                    self.report(Alarm::LabelTwice, span, msg!("nc.label-twice", *name));
+                }
             }
         }
         for (at, block) in blocks.iter().enumerate() {
@@ -44,18 +47,22 @@ impl<'a> Check<'a> {
     }
 
     /// A jump to a label, which has to lie on its way.
-    fn label(&mut self, labels: &[(usize, &str)], (at, block): (usize, &Block), label: TextId, way: JumpDirection) {
+    fn label(
+        &mut self,
+        labels: &BTreeMap<&str, Vec<usize>>,
+        (at, block): (usize, &Block),
+        label: TextId,
+        way: JumpDirection,
+    ) {
         let name = self.deck.text(Some(label));
-        let first = labels.partition_point(|row| short(row.1) < short(name));
-        let places = labels[first..].iter().take_while(|row| short(row.1) == short(name)).filter(|row| row.1 == name);
-        let places: Vec<usize> = places.map(|row| row.0).collect();
+        let places = labels.get(name).map_or(&[][..], Vec::as_slice);
         if places.iter().any(|&to| on_way(at, to, way)) || self.found.len() > 2 * FINDINGS {
             return;
         }
         let span = self.jump_span(block, name);
         let blocks = self.deck.blocks_of(self.program);
         let unread = |row: &Block| {
-            matches!(row.stmt, Stmt::Bad(_)) && find::holds(&row.span.of(self.text).to_ascii_uppercase(), name)
+            matches!(row.stmt, Stmt::Bad(_)) && row.span.of(self.text).to_ascii_uppercase().contains(name)
         };
         if places.is_empty() && blocks.iter().any(unread) {
             // Its block was reported.
@@ -69,7 +76,7 @@ impl<'a> Check<'a> {
         let number = self.control.alarm_shown(Alarm::NoSequence);
         let finding = Diagnostic::error(msg!("nc.label-other-way", name, word, other)).at(place(span)).alarm(number);
         let jump = block.span.of(self.text).get(..(span.start - block.span.start) as usize).unwrap_or("");
-        let edit = find::last(&jump.to_ascii_uppercase(), word).map(|at| {
+        let edit = jump.to_ascii_uppercase().rfind(word).map(|at| {
             let start = block.span.start + at as u32;
             vec![(place(Span::new(start, start + word.len() as u32)), other.to_owned())]
         });
@@ -153,9 +160,4 @@ pub(in super::super) fn on_way(from: usize, to: usize, way: JumpDirection) -> bo
         JumpDirection::Forward => to > from,
         JumpDirection::Backward => to <= from,
     }
-}
-
-/// The first eight bytes of a name, in which names stand in order.
-pub(super) fn short(name: &str) -> u64 {
-    name.bytes().chain([0; 8]).take(8).fold(0, |all, b| all << 8 | u64::from(b))
 }

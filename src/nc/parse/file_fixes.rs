@@ -4,7 +4,7 @@ use super::{BYTE_ORDER_MARK, FINDINGS, Misused, Reader};
 use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
-use crate::text::find::newline;
+use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Span};
 
 /// Fixes that reach through the whole text are offered up to this size.
@@ -73,7 +73,7 @@ impl Reader<'_> {
     }
 
     fn percent(&mut self, opened: bool, closed: bool) {
-        let newline = newline(self.source);
+        let newline = line_end(self.source);
         let len = self.source.len() as u32;
         let mut edits = Vec::new();
         if !opened {

@@ -7,7 +7,7 @@ use super::statement::letters_of;
 use super::{Failure, Read, Reader};
 use crate::controls::Alarm;
 use crate::msg;
-use crate::order;
+use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Message};
 
 /// Files longer than this get no fix that needs numbers which stand nowhere in them.
@@ -110,8 +110,7 @@ impl Reader<'_> {
 
     /// The line end of the file.
     pub(super) fn newline(&self) -> &'static str {
-        let first = self.source.find('\n').and_then(|at| self.source.as_bytes().get(at.checked_sub(1)?));
-        if first == Some(&b'\r') { "\r\n" } else { "\n" }
+        line_end(self.source)
     }
 
     /// The optional block skip of the block, as it is written.
@@ -131,7 +130,7 @@ impl Reader<'_> {
         if self.numbers.is_empty() {
             let runs = self.source.split(|c: char| !c.is_ascii_digit());
             self.numbers = runs.filter_map(|run| run.parse().ok()).chain([0]).collect();
-            order::by_key(&mut self.numbers, |&number| number.into());
+            self.numbers.sort_unstable();
         }
         let free = |number: &u32| self.numbers.binary_search(number).is_err() && !self.taken.contains(number);
         let number = fresh_numbers().find(free)?;

@@ -6,7 +6,6 @@
 use super::{FINDINGS, Failure, Mark, Read, Reader};
 use crate::controls::Alarm;
 use crate::msg;
-use crate::order;
 use crate::text::Place;
 
 /// Words that stand in arithmetic besides functions.
@@ -84,7 +83,7 @@ impl Reader<'_> {
         let edit = |at: usize, bracket: &str| (self.place(self.span(at, at + 1)), bracket.to_owned());
         let mut edits: Vec<(Place, String)> =
             brackets.iter().flat_map(|&(open, close)| [edit(open, "["), edit(close, "]")]).collect();
-        order::by_key(&mut edits, |(place, _)| place.span.start.into());
+        edits.sort_by_key(|(place, _)| place.span.start);
         let finding = self.finding(failure.alarm, from, to, msg!("nc.round-brackets", self.control.name));
         self.add_finding(finding.hint(msg!("nc.hint.round-brackets")).fix(msg!("nc.fix.square"), edits));
     }

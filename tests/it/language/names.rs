@@ -525,6 +525,23 @@ fn programs_of_one_name_are_told_and_of_one_number_not() {
     assert_eq!(twice("%_N_SAME_SPF\nM17\n%_N_SAMEX_SPF\nM17\n%_N_SAME_SPF\nM17"), 1);
 }
 
+#[test]
+fn repeated_names_of_any_length_are_found() {
+    for (one, other) in [("LNA1", "LNA2"), ("LONGNAME1", "LONGNAME2"), ("LONGNAMELONGNAME1", "LONGNAMELONGNAME2")] {
+        let found = |text: &str, id: &str| {
+            let switches = Switches(vec![("label-length".to_owned(), "32".to_owned())]);
+            let parsed = parse_with(&Files::one("A.MPF", text), control(), &switches);
+            let diagnostics = parsed.diagnostics().iter().filter(|finding| finding.message.id == id);
+            diagnostics.filter_map(|finding| finding.place.map(|place| place.span.start)).collect::<Vec<_>>()
+        };
+        let programs = format!("%_N_{one}_SPF\nM17\n%_N_{other}_SPF\nM17\n%_N_{one}_SPF\nM17\n");
+        assert_eq!(found(&programs, "nc.program-twice"), [programs.rfind("%_N_").unwrap() as u32], "{one}");
+        let labels = format!("{one}: R1=1\n{other}: R1=2\n{one}: R1=3\nGOTOB {other}\nM30\n");
+        assert_eq!(found(&labels, "nc.label-twice"), [labels.rfind(one).unwrap() as u32], "{one}");
+        assert!(found(&labels, "nc.no-such-label").is_empty(), "{one}");
+    }
+}
+
 /// What a senior programmer would say.
 #[track_caller]
 fn check_warnings(text: &str, expected: Expect) {
