@@ -1,9 +1,14 @@
 //! A form as data: fields with unit, range, default and help; values as they are typed and checked.
 
+pub mod fill;
+
+mod read;
+
+pub mod rows;
+
 use std::collections::BTreeMap;
 
 use crate::controls::Control;
-use crate::text::{Diagnostic, Severity};
 
 /// Where a value comes from; the report lists the assumed ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -186,62 +191,4 @@ impl FieldInfo {
             KindInfo::Text(_) => Value::Text(String::new()),
         }
     }
-
-    /// Reads what a person typed: spaces around, a comma or a minus sign (U+2212) are understood where they are clear.
-    /// What is wrong comes back as an error diagnostic about this field that says what is allowed.
-    pub fn read(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
-        read::read(self, typed)
-    }
-
-    /// Checks a value that came from a file or a link.
-    pub fn check(&self, value: &Value) -> Result<(), Box<Diagnostic>> {
-        read::check(self, value)
-    }
 }
-
-/// Sets every parameter to the default of its field.
-pub fn defaults<P>(fields: &[Field<P>], params: &mut P) {
-    for field in fields {
-        match &field.kind {
-            Kind::Number { default, set, .. } => set(params, *default),
-            Kind::Flag { default, set, .. } => set(params, *default),
-            Kind::Choice { set, .. } => set(params, 0),
-            Kind::Text { set, .. } => set(params, String::new()),
-        }
-    }
-}
-
-/// Ids of the facts that nobody has measured or read off: their origin is [`Provenance::Assumed`] or not known.
-pub fn assumed(fields: &[FieldInfo], origins: &Origins) -> Vec<&'static str> {
-    let known = |id: &str| origins.get(id).is_some_and(|origin| *origin != Provenance::Assumed);
-    fields.iter().filter(|field| field.fact && !known(field.id)).map(|field| field.id).collect()
-}
-
-/// Fills parameters from values: valid ones are set, invalid ones keep what is there and are reported.
-pub fn fill<P>(fields: &[Field<P>], values: &Values, params: &mut P) -> Vec<Diagnostic> {
-    let mut found = Vec::new();
-    for field in fields {
-        let Some(value) = values.get(field.id) else { continue };
-        if let Err(problem) = field.info().check(value) {
-            debug_assert!(problem.severity == Severity::Error);
-            found.push(*problem);
-            continue;
-        }
-        match (&field.kind, value) {
-            (Kind::Number { set, .. }, Value::Number(number)) => set(params, *number),
-            (Kind::Flag { set, .. }, Value::Flag(flag)) => set(params, *flag),
-            (Kind::Choice { options, set, .. }, Value::Text(id)) => {
-                if let Some(at) = options.iter().position(|(option, _)| option == id) {
-                    set(params, at);
-                }
-            }
-            (Kind::Text { set, .. }, Value::Text(text)) => set(params, text.clone()),
-            _ => {}
-        }
-    }
-    found
-}
-
-mod read;
-
-pub(super) mod rows;

@@ -259,8 +259,8 @@ impl<M: Machine> Erased<M> {
 
     fn params(values: &Values) -> (M::Params, Vec<Diagnostic>) {
         let mut params = M::Params::default();
-        form::defaults(M::fields(), &mut params);
-        let found = form::fill(M::fields(), values, &mut params);
+        form::fill::defaults(M::fields(), &mut params);
+        let found = form::fill::fill(M::fields(), values, &mut params);
         (params, found)
     }
 }
@@ -310,7 +310,7 @@ impl<M: Machine> AnyMachine for Erased<M> {
         let mut design = M::design(&params, on);
         diagnostics.append(&mut design.diagnostics);
         let hidden = self.hidden(values, on.control);
-        let mut assumed = form::assumed(&self.fields(), origins);
+        let mut assumed = form::fill::assumed(&self.fields(), origins);
         assumed.retain(|id| !hidden.contains(id));
         if !assumed.is_empty() {
             diagnostics.push(Diagnostic::info(msg!("form.assumed", assumed.len() as u32, assumed.join(", "))));

@@ -2,8 +2,13 @@
 
 use crate::controls::{Control, ParamDef, ParamRole};
 use crate::text::Citation;
-use crate::text::catalog::number_text;
+use crate::text::catalog::{Language, number_text, words};
 use crate::view::{Row, Sheet};
+
+/// A sentence of the catalog, for cells and drawings.
+pub(super) fn say(id: &'static str) -> String {
+    words(Language::English, id).to_owned()
+}
 
 /// A row with its evidence.
 pub(super) fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {

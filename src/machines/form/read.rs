@@ -4,7 +4,20 @@ use super::{FieldInfo, KindInfo, Value};
 use crate::msg;
 use crate::text::{Diagnostic, catalog::number_text, number};
 
-pub(super) fn read(field: &FieldInfo, typed: &str) -> Result<Value, Box<Diagnostic>> {
+impl FieldInfo {
+    /// Reads typed text: spaces around it, a decimal comma and a minus sign (U+2212) are accepted where they are clear.
+    /// An invalid text is an error diagnostic about this field that names the allowed range.
+    pub fn read(&self, typed: &str) -> Result<Value, Box<Diagnostic>> {
+        read(self, typed)
+    }
+
+    /// Checks a value that came from a file or a link.
+    pub fn check(&self, value: &Value) -> Result<(), Box<Diagnostic>> {
+        check(self, value)
+    }
+}
+
+fn read(field: &FieldInfo, typed: &str) -> Result<Value, Box<Diagnostic>> {
     let text = typed.trim();
     match &field.kind {
         KindInfo::Number { .. } => {
@@ -27,7 +40,7 @@ pub(super) fn read(field: &FieldInfo, typed: &str) -> Result<Value, Box<Diagnost
     }
 }
 
-pub(super) fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnostic>> {
+fn check(field: &FieldInfo, value: &Value) -> Result<(), Box<Diagnostic>> {
     let wrong = match (&field.kind, value) {
         (KindInfo::Number { min, max, decimals, .. }, Value::Number(number)) => {
             if !number.is_finite() {

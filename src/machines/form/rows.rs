@@ -1,13 +1,45 @@
-//! Rows of a form: short spellings of [`Field`](super::Field) and [`Kind`](super::Kind), for every machine.
+//! Rows of a form, read by name: `number("feed", member!(Params.feed)).unit("mm/rev").range(0.001..=10.0).default(0.2)`.
+//!
+//! A row begins with its kind, its id and the member of the parameters that it fills; everything else has a name.
 
+use core::ops::RangeInclusive;
+
+use super::{Field, Kind};
 use crate::controls::Control;
 
-/// A choice of the form; the first is the default.
-macro_rules! choice {
-    ($(#[$doc:meta])* $name:ident { $(#[$first_doc:meta])* $first:ident, $($(#[$rest_doc:meta])* $rest:ident),* $(,)? }) => {
+/// Getter and setter of a member of the parameters `P`.
+pub type Member<P, T> = (fn(&P) -> T, fn(&mut P, T));
+
+/// The options of a choice, and getter and setter of its index.
+pub type ChoiceMember<P> = (&'static [(&'static str, &'static str)], Member<P, usize>);
+
+/// Getter and setter of a text.
+pub type TextMember<P> = (fn(&P) -> &str, fn(&mut P, String));
+
+/// The member that a row fills: `member!(Params.feed)`, of a choice with its type: `member!(Params.path: Path)`, of a text with `&`.
+#[macro_export]
+macro_rules! member {
+    ($params:ident.$member:ident) => {
+        (|p: &$params| p.$member, |p: &mut $params, value| p.$member = value)
+    };
+    ($params:ident.$member:ident: $choice:ident) => {
+        ($choice::OPTIONS, (|p: &$params| p.$member as usize, |p: &mut $params, at| p.$member = $choice::at(at)))
+    };
+    (&$params:ident.$member:ident) => {
+        (|p: &$params| p.$member.as_str(), |p: &mut $params, text| p.$member = text)
+    };
+}
+
+/// The options of a choice, each with its id in projects and the catalog id of its label; the first is the default.
+#[macro_export]
+macro_rules! options {
+    ($(#[$doc:meta])* $vis:vis enum $name:ident {
+        $(#[$first_doc:meta])* $first:ident = $first_id:literal $first_label:literal,
+        $($(#[$rest_doc:meta])* $rest:ident = $rest_id:literal $rest_label:literal),* $(,)?
+    }) => {
         $(#[$doc])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-        pub enum $name {
+        $vis enum $name {
             $(#[$first_doc])*
             #[default]
             $first,
@@ -15,121 +47,146 @@ macro_rules! choice {
         }
 
         impl $name {
-            pub(in crate::machines) fn at(index: usize) -> $name {
+            /// `(id, catalog id of the label)`.
+            $vis const OPTIONS: &'static [(&'static str, &'static str)] =
+                &[($first_id, $first_label), $(($rest_id, $rest_label)),*];
+
+            /// The option of an index; the first where there is none.
+            $vis fn at(index: usize) -> $name {
                 [$name::$first, $($name::$rest),*].get(index).copied().unwrap_or_default()
             }
         }
     };
 }
 
-choice! {
-    /// Line ends.
-    Newline {
+options! {
+    /// Line ends of the program files.
+    pub enum LineEnds {
         /// LF.
-        Lf,
+        Lf = "lf" "form.newline.lf",
         /// CR LF.
-        CrLf,
+        CrLf = "crlf" "form.newline.crlf",
     }
 }
 
-/// `number!(member, unit, min..max, default, decimals, step)`: a number.
-macro_rules! number {
-    ($member:ident, $unit:literal, $min:literal .. $max:literal, $default:literal, $decimals:literal, $step:literal) => {
-        $crate::machines::form::Kind::Number {
-            unit: $unit,
-            min: $min,
-            max: $max,
-            default: $default,
-            decimals: $decimals,
-            step: $step,
-            get: |p| p.$member,
-            set: |p, value| p.$member = value,
-        }
-    };
+/// A number, for now without unit and limits, whole, in steps of 1.
+pub const fn number<P>(id: &'static str, (get, set): Member<P, f64>) -> Field<P> {
+    let (min, max) = (f64::NEG_INFINITY, f64::INFINITY);
+    Field::new(id, Kind::Number { unit: "", min, max, default: 0.0, decimals: 0, step: 1.0, get, set })
 }
 
-/// A check mark.
-macro_rules! flag {
-    ($member:ident) => {
-        $crate::machines::form::Kind::Flag { default: false, get: |p| p.$member, set: |p, value| p.$member = value }
-    };
+/// A check mark, off by default.
+pub const fn flag<P>(id: &'static str, (get, set): Member<P, bool>) -> Field<P> {
+    Field::new(id, Kind::Flag { default: false, get, set })
 }
 
-/// `one_of!(member: Type, "id" "label", …)`: one of a [`choice`].
-macro_rules! one_of {
-    ($member:ident: $kind:ident, $($option:literal $label:literal),+) => {
-        $crate::machines::form::Kind::Choice {
-            options: &[$(($option, $label)),+],
-            get: |p| p.$member as usize,
-            set: |p, index| p.$member = $kind::at(index),
-        }
-    };
+/// One of a few options.
+pub const fn choice<P>(id: &'static str, (options, (get, set)): ChoiceMember<P>) -> Field<P> {
+    Field::new(id, Kind::Choice { options, get, set })
 }
 
-/// A short text.
-macro_rules! words {
-    ($member:ident) => {
-        $crate::machines::form::Kind::Text { max: 22, get: |p| &p.$member, set: |p, text| p.$member = text }
-    };
+/// A short text, 22 characters at most.
+pub const fn text<P>(id: &'static str, (get, set): TextMember<P>) -> Field<P> {
+    Field::new(id, Kind::Text { max: 22, get, set })
 }
 
-/// One of the few that define the product, and its variable.
-macro_rules! essential {
-    ($id:literal, $group:literal, $label:literal, $help:literal, $symbol:literal, fact $fact:literal, $kind:expr) => {
-        $crate::machines::form::Field {
-            id: $id,
-            group: $group,
-            label: $label,
-            help: $help,
-            symbol: $symbol,
-            essential: true,
-            fact: $fact,
-            shown: $crate::machines::form::rows::always,
-            kind: $kind,
-        }
-    };
-}
-
-/// A fact of the machine.
-macro_rules! fact {
-    ($id:literal, $group:literal, $label:literal, $help:literal, $symbol:literal, $kind:expr) => {
-        $crate::machines::form::Field {
-            id: $id,
-            group: $group,
-            label: $label,
-            help: $help,
-            symbol: $symbol,
-            essential: false,
-            fact: true,
-            shown: $crate::machines::form::rows::always,
-            kind: $kind,
-        }
-    };
-}
-
-/// A choice of the engineer; `when` says where there is one.
-macro_rules! setting {
-    ($id:literal, $group:literal, $label:literal, $help:literal, $symbol:literal, $kind:expr) => {
-        setting!($id, $group, $label, $help, $symbol, when $crate::machines::form::rows::always, $kind)
-    };
-    ($id:literal, $group:literal, $label:literal, $help:literal, $symbol:literal, when $shown:path, $kind:expr) => {
-        $crate::machines::form::Field {
-            id: $id,
-            group: $group,
-            label: $label,
-            help: $help,
-            symbol: $symbol,
-            essential: false,
-            fact: false,
-            shown: $shown,
-            kind: $kind,
-        }
-    };
-}
-
-/// A field that means something on every control.
-pub(in crate::machines) fn always<P>(_: &P, _: &Control) -> bool {
+/// Shown with all parameters on all controls.
+fn always<P>(_: &P, _: &Control) -> bool {
     true
 }
 
-pub(in crate::machines) use {choice, essential, fact, flag, number, one_of, setting, words};
+impl<P> Field<P> {
+    const fn new(id: &'static str, kind: Kind<P>) -> Field<P> {
+        Field { id, group: "", label: "", help: "", symbol: "", essential: false, fact: false, shown: always, kind }
+    }
+
+    /// Catalog id of its group.
+    pub const fn group(mut self, group: &'static str) -> Field<P> {
+        self.group = group;
+        self
+    }
+
+    /// Catalog id of its label.
+    pub const fn label(mut self, label: &'static str) -> Field<P> {
+        self.label = label;
+        self
+    }
+
+    /// Catalog id of its help.
+    pub const fn help(mut self, help: &'static str) -> Field<P> {
+        self.help = help;
+        self
+    }
+
+    /// Its symbol in formulas, or its variable.
+    pub const fn symbol(mut self, symbol: &'static str) -> Field<P> {
+        self.symbol = symbol;
+        self
+    }
+
+    /// One of the few that define the product: shown first, always kept in a program's header.
+    pub const fn essential(mut self) -> Field<P> {
+        self.essential = true;
+        self
+    }
+
+    /// A fact of the machine (measured, from a data sheet or assumed), not a choice of the engineer.
+    pub const fn fact(mut self) -> Field<P> {
+        self.fact = true;
+        self
+    }
+
+    /// Shown only where the condition holds; its value stays.
+    pub const fn when(mut self, shown: fn(&P, &Control) -> bool) -> Field<P> {
+        self.shown = shown;
+        self
+    }
+
+    /// Unit of a number.
+    pub const fn unit(mut self, value: &'static str) -> Field<P> {
+        if let Kind::Number { unit, .. } = &mut self.kind {
+            *unit = value;
+        }
+        self
+    }
+
+    /// Least and greatest value of a number.
+    pub const fn range(mut self, range: RangeInclusive<f64>) -> Field<P> {
+        if let Kind::Number { min, max, .. } = &mut self.kind {
+            (*min, *max) = (*range.start(), *range.end());
+        }
+        self
+    }
+
+    /// Default of a number.
+    pub const fn default(mut self, value: f64) -> Field<P> {
+        if let Kind::Number { default, .. } = &mut self.kind {
+            *default = value;
+        }
+        self
+    }
+
+    /// Decimals that a number may have; 0 is a whole number.
+    pub const fn decimals(mut self, count: u8) -> Field<P> {
+        if let Kind::Number { decimals, .. } = &mut self.kind {
+            *decimals = count;
+        }
+        self
+    }
+
+    /// Step of the arrow keys in a number.
+    pub const fn step(mut self, value: f64) -> Field<P> {
+        if let Kind::Number { step, .. } = &mut self.kind {
+            *step = value;
+        }
+        self
+    }
+
+    /// Characters of a text at most.
+    pub const fn characters(mut self, count: usize) -> Field<P> {
+        if let Kind::Text { max, .. } = &mut self.kind {
+            *max = count;
+        }
+        self
+    }
+}

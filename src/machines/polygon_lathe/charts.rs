@@ -28,8 +28,8 @@ pub(super) const ROWS: &[Row<Lathe>] = &[
 
 /// The deviation of the finished section from its sides, over the angle.
 pub(super) fn deviation(lathe: &Resolved, points: usize) -> Option<Chart> {
-    let section = lathe.section()?;
-    let sides = lathe.ratio()?.sides(lathe.p.inserts as u32);
+    let section = lathe.p.section()?;
+    let sides = lathe.p.ratio()?.sides(lathe.p.inserts as u32);
     // Every corner is met.
     let each = (points / (2 * sides as usize)).clamp(1, 3600) + 1;
     let all = deviations(&section, 0.5 * lathe.p.across_flats, sides, 2 * sides as usize * each);
@@ -49,7 +49,7 @@ const CIRCLES: usize = 60;
 
 /// Least and greatest deviation of the sides over the radius of the tip circle, at the ratio and the inserts of the form.
 pub(super) fn over_radius(lathe: &Resolved, points: usize) -> Option<Chart> {
-    let (p, ratio) = (&lathe.p, lathe.ratio()?);
+    let (p, ratio) = (&lathe.p, lathe.p.ratio()?);
     let count = points.clamp(2, CIRCLES);
     let (from, to) = (0.25 * p.tip_radius, 2.0 * p.tip_radius);
     let radius = |at: usize| from + (to - from) * at as f64 / (count - 1) as f64;

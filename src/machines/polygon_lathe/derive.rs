@@ -1,7 +1,6 @@
 //! The formulas of the polygon lathe, each once: what follows from the inputs before anything runs.
 
 use super::params::Params;
-use super::resolved::Resolved;
 use crate::drives::polygon::choose::{Choice, choices};
 use crate::drives::polygon::cut::{self, Cut};
 use crate::drives::polygon::{Ratio, Section, Setup};
@@ -151,18 +150,18 @@ impl Params {
 }
 
 impl Derived {
-    /// Everything that follows from the inputs.
-    pub(super) fn new(lathe: &Resolved) -> Derived {
-        let p = &lathe.p;
-        let passes = lathe.sizes.len() as f64;
+    /// Everything that follows from the inputs, in passes of these `sizes` across flats; words of X count `cross_words` for each mm of
+    /// its slide.
+    pub(super) fn new(p: &Params, sizes: &[f64], cross_words: f64) -> Derived {
+        let passes = sizes.len() as f64;
         let way = p.length + p.clearance;
         let rough = p.per_minute(p.feed);
         let finish = p.per_minute(p.finish_feed);
         let whole = Derived {
-            ratio: lathe.ratio().map_or(0.0, Ratio::value),
+            ratio: p.ratio().map_or(0.0, Ratio::value),
             work_speed: p.work_speed(),
             tool_speed: p.tool_speed(),
-            offset: -p.tip_radius * lathe.words(),
+            offset: -p.tip_radius * cross_words,
             distance: 0.5 * p.across_flats + p.tip_radius,
             passes,
             feed: rough,
@@ -171,21 +170,20 @@ impl Derived {
             cutting_time: 60.0 * way * ((passes - 1.0) / rough + 1.0 / finish),
             ..Derived::default()
         };
-        let cut = lathe.setup(p.across_flats).zip(lathe.section());
+        let cut = p.setup(p.across_flats).zip(p.section());
         let cut = cut.filter(|_| p.across_flats < p.stock_diameter);
-        cut.map_or_else(|| whole.clone(), |(setup, section)| whole.clone().with(lathe, &setup, &section))
+        cut.map_or_else(|| whole.clone(), |(setup, section)| whole.clone().with(p, sizes, &setup, &section))
     }
 
     /// The same with what is to be said of the section.
-    fn with(self, lathe: &Resolved, setup: &Setup, section: &Section) -> Derived {
-        let p = &lathe.p;
+    fn with(self, p: &Params, sizes: &[f64], setup: &Setup, section: &Section) -> Derived {
         let Some(curve) = setup.curve(0) else { return self };
         let sides = section.sides();
         let (low, high) = sides
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), side| (low.min(side.low), high.max(side.high)));
         let corners = section.corners();
-        let (relief_pass, cut) = lathe.cuts(setup).into_iter().fold((0.0, None), |(worst, all), (pass, cut)| {
+        let (relief_pass, cut) = p.cuts(setup, sizes).into_iter().fold((0.0, None), |(worst, all), (pass, cut)| {
             let more = all.is_none_or(|all: Cut| cut.relief > all.relief);
             (if more { pass } else { worst }, Some(all.map_or(cut, |all| all.worst(cut))))
         });
@@ -242,15 +240,15 @@ impl Derived {
 }
 
 /// Every way to turn the polygon that is wanted, the best one first.
-pub(super) fn ways(lathe: &Resolved) -> Vec<Choice> {
-    choices(&lathe.wanted(), &lathe.means())
+pub(super) fn ways(p: &Params, sizes: &[f64]) -> Vec<Choice> {
+    choices(&p.wanted(sizes), &p.means())
 }
 
 /// The same with the tip circle as it is: quick enough for every key that is pressed.
-pub(super) fn ways_as_set(lathe: &Resolved) -> Vec<Choice> {
-    let mut means = lathe.means();
+pub(super) fn ways_as_set(p: &Params, sizes: &[f64]) -> Vec<Choice> {
+    let mut means = p.means();
     for cutter in &mut means.cutters {
-        cutter.radius = (lathe.p.tip_radius, lathe.p.tip_radius);
+        cutter.radius = (p.tip_radius, p.tip_radius);
     }
-    choices(&lathe.wanted(), &means)
+    choices(&p.wanted(sizes), &means)
 }

@@ -3,8 +3,8 @@
 use super::charts;
 use super::resolved::Resolved;
 use super::scene::{closed, ideal};
-use super::sheets::say;
 use super::show;
+use crate::machines::sheets::say;
 use crate::math;
 use crate::view::pen::Pen;
 use crate::view::{Explorer, Knob, Scene};
@@ -72,7 +72,7 @@ fn scene(lathe: &Resolved) -> Scene {
     let (width, height, r) = ROOM;
     let at = (0.5 * width, 0.5 * height);
     let scale = 2.0 * r / p.stock_diameter;
-    if let Some((section, setup)) = lathe.section().zip(lathe.setup(p.across_flats)) {
+    if let Some((section, setup)) = lathe.p.section().zip(lathe.p.setup(p.across_flats)) {
         pen.path(0, closed(section.points(STEPS), at, scale), "steel", "ink", 1.2, "part");
         // A little further than the stock.
         let beyond = 1.3 * section.stock();

@@ -1,8 +1,7 @@
 //! The PMC program of the paper's figure 5, reconstructed: the figure is a picture that is lost, its signals stand in the text.
 
 use super::resolved::Resolved;
-use super::sheets::say;
-use crate::machines::sheets::row;
+use crate::machines::sheets::{row, say};
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 use crate::view::ladder::{self, Contact, Rung};

@@ -4,6 +4,8 @@ pub mod params;
 
 pub mod derive;
 
+mod geometry;
+
 mod resolved;
 
 mod readouts;
@@ -32,12 +34,14 @@ mod native_code;
 
 mod drawings;
 
+mod sequence;
+
 mod explore;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
 use crate::machines::form::Field;
-use crate::machines::form::rows::Newline;
+use crate::machines::form::rows::LineEnds;
 use crate::machines::verdict::{Rows, judge};
 use crate::machines::{ControlContext, Defaults, Design, Frame, Machine, MachineProgram, Samples};
 use crate::motion::{Action, Plant, Plc, Snapshot};
@@ -91,7 +95,7 @@ impl Machine for PolygonLathe {
             | "ready" => true,
             _ if !d.cuts => false,
             "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
-            "coast-phase" => resolved::coasts(&lathe.p, on.control),
+            "coast-phase" => lathe.p.coasts(on.control),
             "twist" | "twist-speed" => lathe.p.lead != 0.0,
             _ => true,
         };
@@ -102,7 +106,7 @@ impl Machine for PolygonLathe {
 
     fn plan(p: &Params, on: ControlContext) -> MachineProgram {
         let deck = program::deck(&Resolved::new(p, on));
-        MachineProgram { deck, setup: 0, main: program::PART, crlf: p.newline == Newline::CrLf }
+        MachineProgram { deck, setup: 0, main: program::PART, crlf: p.newline == LineEnds::CrLf }
     }
 
     fn plant(p: &Params, on: ControlContext) -> Plant {

@@ -1,8 +1,7 @@
 //! The same part on controls that have polygon turning as a code of their own: G51.2 and G50.2 as a file, and as a list of blocks.
 
 use super::resolved::Resolved;
-use super::sheets::say;
-use crate::machines::sheets::row;
+use crate::machines::sheets::{row, say};
 use crate::math;
 use crate::nc::File;
 use crate::text::{Citation, Grade};
@@ -12,14 +11,14 @@ const MANUAL: Citation = Citation::new("maker's manual on G51.2; sheet 2", Grade
 
 /// P and Q of the code: P above 0, Q with the sense. None where one of them is 0.
 fn terms(lathe: &Resolved) -> Option<(i32, i32)> {
-    let ratio = lathe.ratio()?;
+    let ratio = lathe.p.ratio()?;
     Some((ratio.work(), ratio.tool()))
 }
 
 /// R in degrees: what the work is turned by at the start that the tool is not. The tool has no angle of its own there; E is that of the
 /// work by the ratio: `R = A - E/k`.
 fn offset(lathe: &Resolved) -> f64 {
-    let k = lathe.ratio().map_or(1.0, |ratio| ratio.value());
+    let k = lathe.p.ratio().map_or(1.0, |ratio| ratio.value());
     (lathe.p.work_start - lathe.p.tool_start / k).rem_euclid(360.0)
 }
 

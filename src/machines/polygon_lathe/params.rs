@@ -1,32 +1,33 @@
 //! The form of the polygon lathe: every input with unit, range and default, and the parameters that it fills.
 
-use super::resolved;
-use crate::machines::form::rows::{Newline, choice, essential, fact, flag, number, one_of, setting, words};
-use crate::machines::form::{Field, Kind};
+use crate::controls::Control;
+use crate::machines::form::Field;
+use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::{member, options};
 
-choice! {
+options! {
     /// What is turned: it says how many inserts are fitted, and at which ratio they turn.
-    Shape {
+    pub enum Shape {
         /// Two inserts at ratio 2.
-        Square,
+        Square = "square" "polygon.shape.square",
         /// One insert at ratio 2.
-        Knob,
+        Knob = "knob" "polygon.shape.knob",
         /// Two inserts at ratio 3:2.
-        Triangle,
+        Triangle = "triangle" "polygon.shape.triangle",
         /// Three inserts at ratio 2.
-        Hexagon,
+        Hexagon = "hexagon" "polygon.shape.hexagon",
         /// As the form says.
-        Own,
+        Own = "own" "polygon.shape.own",
     }
 }
 
-choice! {
+options! {
     /// What emergency stop does to the drives of work and tool.
-    Emergency {
+    pub enum Emergency {
         /// They stay on until both stand.
-        Held,
+        Held = "held" "polygon.emergency.held",
         /// They are off at once.
-        Off,
+        Off = "off" "polygon.emergency.off",
     }
 }
 
@@ -90,7 +91,7 @@ pub struct Params {
     pub block_time: f64,
     pub macro_time: f64,
     pub preread: f64,
-    pub newline: Newline,
+    pub newline: LineEnds,
     pub customer: String,
     pub product: String,
 }
@@ -98,122 +99,128 @@ pub struct Params {
 /// Characters of the errors of all inserts.
 const ERRORS: usize = 200;
 
+impl Params {
+    /// The form itself gives inserts and ratio.
+    fn is_own(&self, _: &Control) -> bool {
+        self.shape == Shape::Own
+    }
+
+    /// Emergency stop leaves work and tool to coast.
+    pub(super) fn coasts(&self, _: &Control) -> bool {
+        self.emergency == Emergency::Off
+    }
+}
+
 /// Every input, in the order of the form.
 #[rustfmt::skip]
 pub static FIELDS: &[Field<Params>] = &[
-    setting!("shape", "polygon.group.part", "polygon.shape", "polygon.shape.help", "",
-        one_of!(shape: Shape, "square" "polygon.shape.square", "knob" "polygon.shape.knob", "triangle" "polygon.shape.triangle",
-            "hexagon" "polygon.shape.hexagon", "own" "polygon.shape.own")),
-    setting!("sides", "polygon.group.part", "polygon.sides", "polygon.sides.help", "N", when resolved::is_own,
-        number!(sides, "", 1.0..100.0, 4.0, 0, 1.0)),
-    essential!("across-flats", "polygon.group.part", "polygon.across-flats", "polygon.across-flats.help", "AF", fact false,
-        number!(across_flats, "mm", 0.5..500.0, 20.0, 3, 0.5)),
-    essential!("stock-diameter", "polygon.group.part", "polygon.stock-diameter", "polygon.stock-diameter.help", "", fact false,
-        number!(stock_diameter, "mm", 0.5..1000.0, 25.0, 3, 0.5)),
-    essential!("length", "polygon.group.part", "polygon.length", "polygon.length.help", "", fact false,
-        number!(length, "mm", 0.1..2000.0, 15.0, 3, 1.0)),
-    setting!("flatness", "polygon.group.part", "polygon.flatness", "polygon.flatness.help", "",
-        number!(flatness, "mm", 0.0001..10.0, 0.1, 4, 0.01)),
-    setting!("hollow", "polygon.group.part", "polygon.hollow", "polygon.hollow.help", "", flag!(hollow)),
-    setting!("orientation", "polygon.group.part", "polygon.orientation", "polygon.orientation.help", "ψ",
-        number!(orientation, "°", -359.999..359.999, 0.0, 3, 5.0)),
-    setting!("inserts", "polygon.group.cutter", "polygon.inserts", "polygon.inserts.help", "n", when resolved::is_own,
-        number!(inserts, "", 1.0..50.0, 2.0, 0, 1.0)),
-    setting!("work-ratio", "polygon.group.cutter", "polygon.work-ratio", "polygon.work-ratio.help", "D", when resolved::is_own,
-        number!(work_ratio, "", -99.0..99.0, 1.0, 0, 1.0)),
-    setting!("tool-ratio", "polygon.group.cutter", "polygon.tool-ratio", "polygon.tool-ratio.help", "Q", when resolved::is_own,
-        number!(tool_ratio, "", -99.0..99.0, 2.0, 0, 1.0)),
-    essential!("tip-radius", "polygon.group.cutter", "polygon.tip-radius", "polygon.tip-radius.help", "r", fact true,
-        number!(tip_radius, "mm", 1.0..1000.0, 45.0, 3, 1.0)),
-    fact!("relief", "polygon.group.cutter", "polygon.relief", "polygon.relief.help", "",
-        number!(relief, "°", 0.0..45.0, 11.0, 1, 1.0)),
-    setting!("radius-errors", "polygon.group.cutter", "polygon.radius-errors", "polygon.radius-errors.help", "Δr",
-        Kind::Text { max: ERRORS, get: |p| &p.radius_errors, set: |p, text| p.radius_errors = text }),
-    setting!("angle-errors", "polygon.group.cutter", "polygon.angle-errors", "polygon.angle-errors.help", "Δφ",
-        Kind::Text { max: ERRORS, get: |p| &p.angle_errors, set: |p, text| p.angle_errors = text }),
-    essential!("speed", "polygon.group.cut", "polygon.speed", "polygon.speed.help", "B", fact false,
-        number!(speed, "r/min", 1.0..10000.0, 200.0, 0, 10.0)),
-    setting!("work-start", "polygon.group.cut", "polygon.work-start", "polygon.work-start.help", "A",
-        number!(work_start, "°", -359.999..359.999, 0.0, 3, 5.0)),
-    setting!("tool-start", "polygon.group.cut", "polygon.tool-start", "polygon.tool-start.help", "E",
-        number!(tool_start, "°", -359.999..359.999, 0.0, 3, 5.0)),
-    essential!("depth", "polygon.group.cut", "polygon.depth", "polygon.depth.help", "", fact false,
-        number!(depth, "mm", 0.01..50.0, 1.0, 3, 0.1)),
-    setting!("allowance", "polygon.group.cut", "polygon.allowance", "polygon.allowance.help", "",
-        number!(allowance, "mm", 0.0..10.0, 0.2, 3, 0.05)),
-    setting!("lead", "polygon.group.cut", "polygon.lead", "polygon.lead.help", "K",
-        number!(lead, "mm", -100000.0..100000.0, 0.0, 3, 10.0)),
-    essential!("feed", "polygon.group.cut", "polygon.feed", "polygon.feed.help", "", fact false,
-        number!(feed, "mm/rev", 0.001..10.0, 0.5, 3, 0.05)),
-    setting!("finish-feed", "polygon.group.cut", "polygon.finish-feed", "polygon.finish-feed.help", "",
-        number!(finish_feed, "mm/rev", 0.001..10.0, 0.25, 3, 0.05)),
-    setting!("clearance", "polygon.group.cut", "polygon.clearance", "polygon.clearance.help", "",
-        number!(clearance, "mm", 0.1..100.0, 2.0, 3, 0.5)),
-    setting!("start-x", "polygon.group.cut", "polygon.start-x", "polygon.start-x.help", "",
-        number!(start_x, "mm", 1.0..2000.0, 60.0, 3, 5.0)),
-    setting!("start-z", "polygon.group.cut", "polygon.start-z", "polygon.start-z.help", "",
-        number!(start_z, "mm", 0.1..2000.0, 30.0, 3, 5.0)),
-    setting!("tool", "polygon.group.cut", "polygon.tool", "polygon.tool.help", "T",
-        number!(tool, "", 1.0..99.0, 1.0, 0, 1.0)),
-    fact!("work-limit", "polygon.group.drives", "polygon.work-limit", "polygon.work-limit.help", "",
-        number!(work_limit, "r/min", 1.0..20000.0, 1000.0, 0, 100.0)),
-    fact!("tool-limit", "polygon.group.drives", "polygon.tool-limit", "polygon.tool-limit.help", "",
-        number!(tool_limit, "r/min", 1.0..20000.0, 2000.0, 0, 100.0)),
-    fact!("work-time-constant", "polygon.group.drives", "polygon.work-time-constant", "polygon.work-time-constant.help", "τ",
-        number!(work_time_constant, "ms", 0.0..10000.0, 300.0, 1, 10.0)),
-    fact!("tool-time-constant", "polygon.group.drives", "polygon.tool-time-constant", "polygon.tool-time-constant.help", "τ",
-        number!(tool_time_constant, "ms", 0.0..10000.0, 300.0, 1, 10.0)),
-    fact!("work-gain", "polygon.group.drives", "polygon.work-gain", "polygon.work-gain.help", "K",
-        number!(work_gain, "1/s", 1.0..1000.0, 30.0, 2, 1.0)),
-    fact!("tool-gain", "polygon.group.drives", "polygon.tool-gain", "polygon.tool-gain.help", "K",
-        number!(tool_gain, "1/s", 1.0..1000.0, 30.0, 2, 1.0)),
-    setting!("index-speed", "polygon.group.drives", "polygon.index-speed", "polygon.index-speed.help", "",
-        number!(index_speed, "r/min", 0.1..1000.0, 20.0, 1, 1.0)),
-    setting!("emergency", "polygon.group.drives", "polygon.emergency", "polygon.emergency.help", "",
-        one_of!(emergency: Emergency, "held" "polygon.emergency.held", "off" "polygon.emergency.off")),
-    setting!("work-coast", "polygon.group.drives", "polygon.work-coast", "polygon.work-coast.help", "", when resolved::coasts,
-        number!(work_coast, "s", 0.1..600.0, 4.0, 1, 0.5)),
-    setting!("tool-coast", "polygon.group.drives", "polygon.tool-coast", "polygon.tool-coast.help", "", when resolved::coasts,
-        number!(tool_coast, "s", 0.1..600.0, 2.0, 1, 0.5)),
-    setting!("slowest-cut", "polygon.group.limits", "polygon.slowest-cut", "polygon.slowest-cut.help", "",
-        number!(slowest_cut, "m/min", 0.0..5000.0, 40.0, 1, 5.0)),
-    setting!("fastest-cut", "polygon.group.limits", "polygon.fastest-cut", "polygon.fastest-cut.help", "",
-        number!(fastest_cut, "m/min", 1.0..5000.0, 250.0, 1, 5.0)),
-    fact!("most-inserts", "polygon.group.limits", "polygon.most-inserts", "polygon.most-inserts.help", "",
-        number!(most_inserts, "", 1.0..12.0, 6.0, 0, 1.0)),
-    fact!("least-radius", "polygon.group.limits", "polygon.least-radius", "polygon.least-radius.help", "",
-        number!(least_radius, "mm", 1.0..1000.0, 45.0, 3, 1.0)),
-    fact!("greatest-radius", "polygon.group.limits", "polygon.greatest-radius", "polygon.greatest-radius.help", "",
-        number!(greatest_radius, "mm", 1.0..1000.0, 45.0, 3, 1.0)),
-    fact!("most-work-turns", "polygon.group.limits", "polygon.most-work-turns", "polygon.most-work-turns.help", "D",
-        number!(most_work_turns, "", 1.0..9.0, 5.0, 0, 1.0)),
-    fact!("most-tool-turns", "polygon.group.limits", "polygon.most-tool-turns", "polygon.most-tool-turns.help", "Q",
-        number!(most_tool_turns, "", 1.0..99.0, 12.0, 0, 1.0)),
-    setting!("against", "polygon.group.limits", "polygon.against", "polygon.against.help", "", flag!(against)),
-    fact!("least-distance", "polygon.group.limits", "polygon.least-distance", "polygon.least-distance.help", "",
-        number!(least_distance, "mm", 0.0..2000.0, 20.0, 2, 5.0)),
-    fact!("greatest-distance", "polygon.group.limits", "polygon.greatest-distance", "polygon.greatest-distance.help", "",
-        number!(greatest_distance, "mm", 1.0..2000.0, 150.0, 2, 5.0)),
-    fact!("rapid-x", "polygon.group.slides", "polygon.rapid-x", "polygon.rapid-x.help", "",
-        number!(rapid_x, "mm/min", 1.0..1000000.0, 6000.0, 0, 500.0)),
-    fact!("rapid-z", "polygon.group.slides", "polygon.rapid-z", "polygon.rapid-z.help", "",
-        number!(rapid_z, "mm/min", 1.0..1000000.0, 8000.0, 0, 500.0)),
-    fact!("clamp-x", "polygon.group.slides", "polygon.clamp-x", "polygon.clamp-x.help", "",
-        number!(clamp_x, "mm/min", 1.0..1000000.0, 3000.0, 0, 500.0)),
-    fact!("clamp-z", "polygon.group.slides", "polygon.clamp-z", "polygon.clamp-z.help", "",
-        number!(clamp_z, "mm/min", 1.0..1000000.0, 6000.0, 0, 500.0)),
-    fact!("time-constant", "polygon.group.slides", "polygon.time-constant", "polygon.time-constant.help", "τ",
-        number!(time_constant, "ms", 0.0..5000.0, 100.0, 1, 10.0)),
-    fact!("position-gain", "polygon.group.slides", "polygon.position-gain", "polygon.position-gain.help", "K",
-        number!(position_gain, "1/s", 1.0..1000.0, 33.0, 2, 1.0)),
-    fact!("block-time", "polygon.group.control", "form.block-time", "form.block-time.help", "",
-        number!(block_time, "ms", 0.1..1000.0, 4.0, 3, 0.1)),
-    fact!("macro-time", "polygon.group.control", "form.macro-time", "form.macro-time.help", "",
-        number!(macro_time, "ms", 0.1..1000.0, 2.0, 3, 0.1)),
-    fact!("preread", "polygon.group.control", "form.preread", "form.preread.help", "",
-        number!(preread, "", 1.0..100.0, 5.0, 0, 1.0)),
-    setting!("newline", "polygon.group.control", "form.newline", "form.newline.help", "",
-        one_of!(newline: Newline, "lf" "form.newline.lf", "crlf" "form.newline.crlf")),
-    setting!("customer", "polygon.group.control", "form.customer", "form.customer.help", "", words!(customer)),
-    setting!("product", "polygon.group.control", "form.product", "form.product.help", "", words!(product)),
+    choice("shape", member!(Params.shape: Shape)).group("polygon.group.part").label("polygon.shape").help("polygon.shape.help"),
+    number("sides", member!(Params.sides)).group("polygon.group.part").label("polygon.sides").help("polygon.sides.help").symbol("N")
+        .range(1.0..=100.0).default(4.0).decimals(0).step(1.0).when(Params::is_own),
+    number("across-flats", member!(Params.across_flats)).group("polygon.group.part").label("polygon.across-flats").help("polygon.across-flats.help").symbol("AF")
+        .unit("mm").range(0.5..=500.0).default(20.0).decimals(3).step(0.5).essential(),
+    number("stock-diameter", member!(Params.stock_diameter)).group("polygon.group.part").label("polygon.stock-diameter").help("polygon.stock-diameter.help")
+        .unit("mm").range(0.5..=1000.0).default(25.0).decimals(3).step(0.5).essential(),
+    number("length", member!(Params.length)).group("polygon.group.part").label("polygon.length").help("polygon.length.help")
+        .unit("mm").range(0.1..=2000.0).default(15.0).decimals(3).step(1.0).essential(),
+    number("flatness", member!(Params.flatness)).group("polygon.group.part").label("polygon.flatness").help("polygon.flatness.help")
+        .unit("mm").range(0.0001..=10.0).default(0.1).decimals(4).step(0.01),
+    flag("hollow", member!(Params.hollow)).group("polygon.group.part").label("polygon.hollow").help("polygon.hollow.help"),
+    number("orientation", member!(Params.orientation)).group("polygon.group.part").label("polygon.orientation").help("polygon.orientation.help").symbol("ψ")
+        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0),
+    number("inserts", member!(Params.inserts)).group("polygon.group.cutter").label("polygon.inserts").help("polygon.inserts.help").symbol("n")
+        .range(1.0..=50.0).default(2.0).decimals(0).step(1.0).when(Params::is_own),
+    number("work-ratio", member!(Params.work_ratio)).group("polygon.group.cutter").label("polygon.work-ratio").help("polygon.work-ratio.help").symbol("D")
+        .range(-99.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::is_own),
+    number("tool-ratio", member!(Params.tool_ratio)).group("polygon.group.cutter").label("polygon.tool-ratio").help("polygon.tool-ratio.help").symbol("Q")
+        .range(-99.0..=99.0).default(2.0).decimals(0).step(1.0).when(Params::is_own),
+    number("tip-radius", member!(Params.tip_radius)).group("polygon.group.cutter").label("polygon.tip-radius").help("polygon.tip-radius.help").symbol("r")
+        .unit("mm").range(1.0..=1000.0).default(45.0).decimals(3).step(1.0).essential().fact(),
+    number("relief", member!(Params.relief)).group("polygon.group.cutter").label("polygon.relief").help("polygon.relief.help")
+        .unit("°").range(0.0..=45.0).default(11.0).decimals(1).step(1.0).fact(),
+    text("radius-errors", member!(&Params.radius_errors)).group("polygon.group.cutter").label("polygon.radius-errors").help("polygon.radius-errors.help").symbol("Δr").characters(ERRORS),
+    text("angle-errors", member!(&Params.angle_errors)).group("polygon.group.cutter").label("polygon.angle-errors").help("polygon.angle-errors.help").symbol("Δφ").characters(ERRORS),
+    number("speed", member!(Params.speed)).group("polygon.group.cut").label("polygon.speed").help("polygon.speed.help").symbol("B")
+        .unit("r/min").range(1.0..=10000.0).default(200.0).decimals(0).step(10.0).essential(),
+    number("work-start", member!(Params.work_start)).group("polygon.group.cut").label("polygon.work-start").help("polygon.work-start.help").symbol("A")
+        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0),
+    number("tool-start", member!(Params.tool_start)).group("polygon.group.cut").label("polygon.tool-start").help("polygon.tool-start.help").symbol("E")
+        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0),
+    number("depth", member!(Params.depth)).group("polygon.group.cut").label("polygon.depth").help("polygon.depth.help")
+        .unit("mm").range(0.01..=50.0).default(1.0).decimals(3).step(0.1).essential(),
+    number("allowance", member!(Params.allowance)).group("polygon.group.cut").label("polygon.allowance").help("polygon.allowance.help")
+        .unit("mm").range(0.0..=10.0).default(0.2).decimals(3).step(0.05),
+    number("lead", member!(Params.lead)).group("polygon.group.cut").label("polygon.lead").help("polygon.lead.help").symbol("K")
+        .unit("mm").range(-100000.0..=100000.0).default(0.0).decimals(3).step(10.0),
+    number("feed", member!(Params.feed)).group("polygon.group.cut").label("polygon.feed").help("polygon.feed.help")
+        .unit("mm/rev").range(0.001..=10.0).default(0.5).decimals(3).step(0.05).essential(),
+    number("finish-feed", member!(Params.finish_feed)).group("polygon.group.cut").label("polygon.finish-feed").help("polygon.finish-feed.help")
+        .unit("mm/rev").range(0.001..=10.0).default(0.25).decimals(3).step(0.05),
+    number("clearance", member!(Params.clearance)).group("polygon.group.cut").label("polygon.clearance").help("polygon.clearance.help")
+        .unit("mm").range(0.1..=100.0).default(2.0).decimals(3).step(0.5),
+    number("start-x", member!(Params.start_x)).group("polygon.group.cut").label("polygon.start-x").help("polygon.start-x.help")
+        .unit("mm").range(1.0..=2000.0).default(60.0).decimals(3).step(5.0),
+    number("start-z", member!(Params.start_z)).group("polygon.group.cut").label("polygon.start-z").help("polygon.start-z.help")
+        .unit("mm").range(0.1..=2000.0).default(30.0).decimals(3).step(5.0),
+    number("tool", member!(Params.tool)).group("polygon.group.cut").label("polygon.tool").help("polygon.tool.help").symbol("T")
+        .range(1.0..=99.0).default(1.0).decimals(0).step(1.0),
+    number("work-limit", member!(Params.work_limit)).group("polygon.group.drives").label("polygon.work-limit").help("polygon.work-limit.help")
+        .unit("r/min").range(1.0..=20000.0).default(1000.0).decimals(0).step(100.0).fact(),
+    number("tool-limit", member!(Params.tool_limit)).group("polygon.group.drives").label("polygon.tool-limit").help("polygon.tool-limit.help")
+        .unit("r/min").range(1.0..=20000.0).default(2000.0).decimals(0).step(100.0).fact(),
+    number("work-time-constant", member!(Params.work_time_constant)).group("polygon.group.drives").label("polygon.work-time-constant").help("polygon.work-time-constant.help").symbol("τ")
+        .unit("ms").range(0.0..=10000.0).default(300.0).decimals(1).step(10.0).fact(),
+    number("tool-time-constant", member!(Params.tool_time_constant)).group("polygon.group.drives").label("polygon.tool-time-constant").help("polygon.tool-time-constant.help").symbol("τ")
+        .unit("ms").range(0.0..=10000.0).default(300.0).decimals(1).step(10.0).fact(),
+    number("work-gain", member!(Params.work_gain)).group("polygon.group.drives").label("polygon.work-gain").help("polygon.work-gain.help").symbol("K")
+        .unit("1/s").range(1.0..=1000.0).default(30.0).decimals(2).step(1.0).fact(),
+    number("tool-gain", member!(Params.tool_gain)).group("polygon.group.drives").label("polygon.tool-gain").help("polygon.tool-gain.help").symbol("K")
+        .unit("1/s").range(1.0..=1000.0).default(30.0).decimals(2).step(1.0).fact(),
+    number("index-speed", member!(Params.index_speed)).group("polygon.group.drives").label("polygon.index-speed").help("polygon.index-speed.help")
+        .unit("r/min").range(0.1..=1000.0).default(20.0).decimals(1).step(1.0),
+    choice("emergency", member!(Params.emergency: Emergency)).group("polygon.group.drives").label("polygon.emergency").help("polygon.emergency.help"),
+    number("work-coast", member!(Params.work_coast)).group("polygon.group.drives").label("polygon.work-coast").help("polygon.work-coast.help")
+        .unit("s").range(0.1..=600.0).default(4.0).decimals(1).step(0.5).when(Params::coasts),
+    number("tool-coast", member!(Params.tool_coast)).group("polygon.group.drives").label("polygon.tool-coast").help("polygon.tool-coast.help")
+        .unit("s").range(0.1..=600.0).default(2.0).decimals(1).step(0.5).when(Params::coasts),
+    number("slowest-cut", member!(Params.slowest_cut)).group("polygon.group.limits").label("polygon.slowest-cut").help("polygon.slowest-cut.help")
+        .unit("m/min").range(0.0..=5000.0).default(40.0).decimals(1).step(5.0),
+    number("fastest-cut", member!(Params.fastest_cut)).group("polygon.group.limits").label("polygon.fastest-cut").help("polygon.fastest-cut.help")
+        .unit("m/min").range(1.0..=5000.0).default(250.0).decimals(1).step(5.0),
+    number("most-inserts", member!(Params.most_inserts)).group("polygon.group.limits").label("polygon.most-inserts").help("polygon.most-inserts.help")
+        .range(1.0..=12.0).default(6.0).decimals(0).step(1.0).fact(),
+    number("least-radius", member!(Params.least_radius)).group("polygon.group.limits").label("polygon.least-radius").help("polygon.least-radius.help")
+        .unit("mm").range(1.0..=1000.0).default(45.0).decimals(3).step(1.0).fact(),
+    number("greatest-radius", member!(Params.greatest_radius)).group("polygon.group.limits").label("polygon.greatest-radius").help("polygon.greatest-radius.help")
+        .unit("mm").range(1.0..=1000.0).default(45.0).decimals(3).step(1.0).fact(),
+    number("most-work-turns", member!(Params.most_work_turns)).group("polygon.group.limits").label("polygon.most-work-turns").help("polygon.most-work-turns.help").symbol("D")
+        .range(1.0..=9.0).default(5.0).decimals(0).step(1.0).fact(),
+    number("most-tool-turns", member!(Params.most_tool_turns)).group("polygon.group.limits").label("polygon.most-tool-turns").help("polygon.most-tool-turns.help").symbol("Q")
+        .range(1.0..=99.0).default(12.0).decimals(0).step(1.0).fact(),
+    flag("against", member!(Params.against)).group("polygon.group.limits").label("polygon.against").help("polygon.against.help"),
+    number("least-distance", member!(Params.least_distance)).group("polygon.group.limits").label("polygon.least-distance").help("polygon.least-distance.help")
+        .unit("mm").range(0.0..=2000.0).default(20.0).decimals(2).step(5.0).fact(),
+    number("greatest-distance", member!(Params.greatest_distance)).group("polygon.group.limits").label("polygon.greatest-distance").help("polygon.greatest-distance.help")
+        .unit("mm").range(1.0..=2000.0).default(150.0).decimals(2).step(5.0).fact(),
+    number("rapid-x", member!(Params.rapid_x)).group("polygon.group.slides").label("polygon.rapid-x").help("polygon.rapid-x.help")
+        .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).fact(),
+    number("rapid-z", member!(Params.rapid_z)).group("polygon.group.slides").label("polygon.rapid-z").help("polygon.rapid-z.help")
+        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
+    number("clamp-x", member!(Params.clamp_x)).group("polygon.group.slides").label("polygon.clamp-x").help("polygon.clamp-x.help")
+        .unit("mm/min").range(1.0..=1000000.0).default(3000.0).decimals(0).step(500.0).fact(),
+    number("clamp-z", member!(Params.clamp_z)).group("polygon.group.slides").label("polygon.clamp-z").help("polygon.clamp-z.help")
+        .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).fact(),
+    number("time-constant", member!(Params.time_constant)).group("polygon.group.slides").label("polygon.time-constant").help("polygon.time-constant.help").symbol("τ")
+        .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).fact(),
+    number("position-gain", member!(Params.position_gain)).group("polygon.group.slides").label("polygon.position-gain").help("polygon.position-gain.help").symbol("K")
+        .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).fact(),
+    number("block-time", member!(Params.block_time)).group("polygon.group.control").label("form.block-time").help("form.block-time.help")
+        .unit("ms").range(0.1..=1000.0).default(4.0).decimals(3).step(0.1).fact(),
+    number("macro-time", member!(Params.macro_time)).group("polygon.group.control").label("form.macro-time").help("form.macro-time.help")
+        .unit("ms").range(0.1..=1000.0).default(2.0).decimals(3).step(0.1).fact(),
+    number("preread", member!(Params.preread)).group("polygon.group.control").label("form.preread").help("form.preread.help")
+        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).fact(),
+    choice("newline", member!(Params.newline: LineEnds)).group("polygon.group.control").label("form.newline").help("form.newline.help"),
+    text("customer", member!(&Params.customer)).group("polygon.group.control").label("form.customer").help("form.customer.help").characters(22),
+    text("product", member!(&Params.product)).group("polygon.group.control").label("form.product").help("form.product.help").characters(22),
 ];

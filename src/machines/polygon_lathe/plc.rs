@@ -7,7 +7,7 @@
 use super::program::{
     AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
 };
-use super::resolved::{self, Resolved, TOOL, WORK};
+use super::resolved::{Resolved, TOOL, WORK};
 use crate::motion::{BenchPlc, Io, PMC_AXES, Plc};
 
 /// Seconds from a strobe to FIN: a few scans of the ladder.
@@ -64,7 +64,7 @@ impl PolygonPlc {
             settle: p.settling(),
             index_speed: p.index_speed,
             overrides: lathe.overrides(),
-            coasting: resolved::coasts(p, lathe.control).then(|| p.coasting()),
+            coasting: p.coasts(lathe.control).then(|| p.coasting()),
         }
     }
 

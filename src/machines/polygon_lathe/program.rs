@@ -71,6 +71,15 @@ pub(super) fn deck(lathe: &Resolved) -> Deck {
     b.finish()
 }
 
+/// Numbers of the G codes that call [`MACROS`], as the parameters of the control bind them.
+pub(super) fn codes(lathe: &Resolved) -> [Option<u32>; 2] {
+    let calls = lathe.control.code_calls(lathe.switches);
+    MACROS.map(|program| {
+        let call = calls.iter().find(|call| call.letter == b'G' && call.program == program);
+        call.map(|call| call.number / 10)
+    })
+}
+
 fn rapid(words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
     [g(0)].into_iter().chain(words).collect()
 }
@@ -83,7 +92,7 @@ fn cross(lathe: &Resolved, size: f64) -> NewWord {
 /// O3000.
 fn part(b: &mut Builder, lathe: &Resolved) {
     let p = &lathe.p;
-    let [on, off] = lathe.codes().map(|code| code.unwrap_or(0));
+    let [on, off] = codes(lathe).map(|code| code.unwrap_or(0));
     let mm = |number: f64| real(number, 3);
     let clear = p.stock_diameter + 2.0 * p.clearance;
     b.program(PART, "POLYGON TURNING");

@@ -76,7 +76,7 @@ pub(super) fn outline(lathe: &Resolved, progress: Progress, now: &Snapshot) -> V
 
 /// Cuts what the inserts have cut in the turns of the work since then, until the pattern has closed.
 fn cut(grid: &mut [f64], lathe: &Resolved, slide: &Pass, now: &Snapshot) {
-    let Some(setup) = lathe.setup(slide.size) else { return };
+    let Some(setup) = lathe.p.setup(slide.size) else { return };
     let k = setup.ratio.value();
     let [work, tool] = [WORK, TOOL].map(|axis| slide.since.pmc[axis].actual / 360.0);
     let closes = f64::from(setup.ratio.work());
@@ -122,7 +122,7 @@ fn pass(grid: &mut [f64], curve: &Curve, normal: f64, stock: f64) {
 /// Where the tips are on the work, and how far the axes are apart, at a setting of the slide.
 pub(super) fn tips(lathe: &Resolved, now: &Snapshot) -> Option<(Setup, Vec<(f64, f64)>)> {
     let (across_flats, _) = lathe.slide(now);
-    let mut setup = lathe.setup(across_flats)?;
+    let mut setup = lathe.p.setup(across_flats)?;
     setup.distance = 0.5 * across_flats + setup.radius;
     let [work, tool] = [WORK, TOOL].map(|axis| now.pmc[axis].actual / 180.0 * PI);
     let (s, c) = math::sin_cos(work);

@@ -2,8 +2,10 @@
 
 use super::Lathe;
 use super::derive::{Derived, PASSES, ways_as_set};
+use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, errors};
 use super::params::Params;
-use super::resolved::{ANGLE_ERROR, RADIUS_ERROR, Resolved, errors};
+use super::program;
+use super::resolved::Resolved;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
 use crate::machines::verdict::{Judgement, Rule, fail, ok, rule, warn};
@@ -41,14 +43,14 @@ pub(super) const RULES: &[Rule<Lathe>] = &[
 
 /// The flattest possible way on this tip circle, as advice, or that there is none; nothing where it is what the form has.
 fn better(case: &Case) -> Option<Message> {
-    let ways = ways_as_set(case.lathe);
+    let ways = ways_as_set(case.p, &case.lathe.sizes);
     let Some(best) = ways.first() else { return Some(msg!("polygon.no-way", case.p.sides)) };
     if !best.limits.is_empty() {
         return Some(msg!("polygon.no-better", (best.flatness(), 4)));
     }
     let (inserts, ratio) = (best.cutter as u32 + 1, best.ratio);
     let same =
-        Some(ratio) == case.lathe.ratio() && f64::from(inserts) == case.p.inserts && best.radius == case.p.tip_radius;
+        Some(ratio) == case.lathe.p.ratio() && f64::from(inserts) == case.p.inserts && best.radius == case.p.tip_radius;
     let (work, tool) = (f64::from(ratio.work()), f64::from(ratio.tool()));
     (!same).then(|| msg!("polygon.better", inserts, work, tool, (best.radius, 3), (best.flatness(), 4)))
 }
@@ -315,7 +317,7 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
             error(msg!("polygon.feed-too-large", (feed, 0), most), field);
         }
     }
-    if let [None, _] | [_, None] = lathe.codes() {
+    if let [None, _] | [_, None] = program::codes(lathe) {
         found.push(Diagnostic::error(msg!("polygon.no-code")));
     }
     found.push(Diagnostic::info(msg!("polygon.x-setting", (p.across_flats, 3), (d.offset, 3))));

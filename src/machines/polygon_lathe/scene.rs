@@ -167,7 +167,7 @@ fn machine(pen: &mut Pen, lathe: &Resolved, view: &View) {
     pen.ring(group::DISC, (cx, cy, 0.86 * r), "dim", 1.4, "");
     pen.disc(group::DISC, cx, cy, 4.0, "dim", "");
     pen.ring(group::BLUR, (cx, cy, 0.93 * r), "accent", 0.14 * r, "blur");
-    let Some(setup) = lathe.setup(p.across_flats) else { return };
+    let Some(setup) = lathe.p.setup(p.across_flats) else { return };
     for tip in &setup.tips {
         // As at the start: at 0 a tip points at the work, to the left.
         let (s, c) = math::sin_cos(tip.angle);
@@ -187,7 +187,7 @@ fn close(pen: &mut Pen, lathe: &Resolved, view: &View) {
     let p = &lathe.p;
     let (x, y, r) = CLOSE;
     pen.ring(0, (x, y, r), "dim", 0.8, "dash");
-    if let Some(section) = lathe.section().filter(|_| p.sides > 2.0) {
+    if let Some(section) = lathe.p.section().filter(|_| p.sides > 2.0) {
         let d = closed(ideal(p.sides as u32, 0.5 * p.across_flats, section.begin()), (x, y), view.close);
         pen.path(0, d, "", "accent", 0.8, "dash");
     }
@@ -200,7 +200,7 @@ fn close(pen: &mut Pen, lathe: &Resolved, view: &View) {
 fn finished(pen: &mut Pen, lathe: &Resolved) {
     let (p, d) = (&lathe.p, lathe.derived());
     let (x, y, r) = FINISHED;
-    let Some(section) = lathe.section() else { return };
+    let Some(section) = lathe.p.section() else { return };
     let (apothem, sides) = (0.5 * p.across_flats, d.sides as u32);
     let scale = r / (0.5 * p.stock_diameter).max(d.corner);
     let largest = d.deviation.0.abs().max(d.deviation.1.abs());
@@ -239,7 +239,7 @@ fn side(pen: &mut Pen, lathe: &Resolved, view: &View) {
     if turns.abs() <= MOST_TURNS && d.cuts && d.sides > 1.0 {
         // The corners as they would run; those on the near side of the part.
         for corner in 0..d.sides as u32 {
-            let begin = lathe.section().map_or(0.0, |section| section.begin());
+            let begin = lathe.p.section().map_or(0.0, |section| section.begin());
             let angle = |part: f64| begin + 2.0 * PI * ((f64::from(corner) + 0.5) / d.sides - turns * part);
             let mut d_path = String::new();
             let mut seen = false;

@@ -1,15 +1,14 @@
 //! What the machine builder sets beside the program: parameters, the interface of the PMC, its ladder, the sequence, and the ways to turn it.
 
 use super::derive::ways;
-use super::program::MACROS;
-use super::resolved::{self, Resolved};
-use super::{drawings, explore, ladder, native_code, show};
+use super::program::{self, MACROS};
+use super::resolved::Resolved;
+use super::{explore, ladder, native_code, sequence, show};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, ChoiceLimit};
 use crate::drives::polygon::cut::Cut;
-use crate::machines::sheets::{self, Axes, Setting, row};
+use crate::machines::sheets::{self, Axes, Setting, row, say};
 use crate::math::PI;
-use crate::text::catalog::{Language, words};
 use crate::text::{Citation, Grade};
 use crate::view::{Row, Sheet};
 
@@ -21,7 +20,7 @@ pub(super) fn sheets(lathe: &Resolved) -> Vec<Sheet> {
     let mut all = vec![
         parameters(lathe),
         interface(),
-        sequence(lathe),
+        sequence::sheet(lathe),
         ladder::sheet(lathe),
         choices(lathe),
         native_code::sheet(lathe),
@@ -29,10 +28,6 @@ pub(super) fn sheets(lathe: &Resolved) -> Vec<Sheet> {
     all.extend(passes(lathe));
     all.extend(inserts(lathe));
     all
-}
-
-pub(super) fn say(id: &'static str) -> String {
-    words(Language::English, id).to_owned()
 }
 
 /// The first parameter that binds a code, and the program that it calls.
@@ -50,7 +45,7 @@ fn parameters(lathe: &Resolved) -> Sheet {
     ];
     let axes = Axes { cross_words: lathe.words(), rotary: None };
     let mut sheet = sheets::parameters(lathe.control, &axes, values);
-    for ((number, code), program) in (FIRST..).zip(lathe.codes()).zip(MACROS) {
+    for ((number, code), program) in (FIRST..).zip(program::codes(lathe)).zip(MACROS) {
         let code = code.map_or(String::new(), |code| code.to_string());
         let text = [number.to_string(), String::new(), String::new(), code, String::new()];
         let calls = format!("{} O{program}", say("polygon.param.calls"));
@@ -112,52 +107,6 @@ fn interface() -> Sheet {
     sheets::interface(SIGNALS.iter().map(signal).collect())
 }
 
-/// Signals that rise and fall, in the order of the diagram.
-pub(super) const TRACKS: [&str; 6] = [
-    "polygon.track.index",
-    "polygon.track.at-angle",
-    "polygon.track.turn",
-    "polygon.track.at-speed",
-    "polygon.track.on",
-    "polygon.track.slide",
-];
-
-/// A step of the sequence: when it happens, its text, and which tracks (index, on) change.
-pub(super) type Step = (f64, &'static str, Vec<(usize, bool)>);
-
-/// What happens from G512 to G502: times in closed form, blocks of the macro programs apart.
-pub(super) fn steps(lathe: &Resolved) -> Vec<Step> {
-    let (p, d) = (&lathe.p, lathe.derived());
-    let angle = p.index_time() + p.settling();
-    let speed = angle + p.settling();
-    let cut = speed + d.cutting_time;
-    vec![
-        (0.0, "polygon.step.request", vec![(0, true), (4, true)]),
-        (p.index_time(), "polygon.step.told", vec![]),
-        (angle, "polygon.step.at-angle", vec![(1, true)]),
-        (angle, "polygon.step.turn", vec![(2, true)]),
-        (speed, "polygon.step.at-speed", vec![(3, true)]),
-        (speed, "polygon.step.cut", vec![(5, true)]),
-        (cut, "polygon.step.off", vec![(5, false), (2, false), (0, false), (1, false), (3, false)]),
-        (cut + p.settling(), "polygon.step.stands", vec![(4, false)]),
-    ]
-}
-
-fn sequence(lathe: &Resolved) -> Sheet {
-    let step = |(t, text, _): Step| row([show(t, 3), say(text)], OURS);
-    let coasts = resolved::coasts(&lathe.p, lathe.control);
-    let emergency = if coasts { "polygon.step.coast" } else { "polygon.step.emergency" };
-    let breaks = ["polygon.step.held", "polygon.step.reset", emergency];
-    let breaks = breaks.map(|text| row([String::new(), say(text)], OURS));
-    Sheet {
-        id: "sequence",
-        title: "polygon.sheet.sequence",
-        columns: vec!["polygon.sheet.time", "sheet.use"],
-        rows: steps(lathe).into_iter().map(step).chain(breaks).collect(),
-        drawing: drawings::sequence(lathe),
-    }
-}
-
 /// Ways that are listed.
 const WAYS: usize = 40;
 
@@ -204,7 +153,7 @@ fn choices(lathe: &Resolved) -> Sheet {
             "polygon.readout.tool-speed",
             "polygon.sheet.cutting-speed",
         ],
-        rows: ways(lathe).into_iter().take(WAYS).enumerate().map(way).collect(),
+        rows: ways(&lathe.p, &lathe.sizes).into_iter().take(WAYS).enumerate().map(way).collect(),
         drawing: String::new(),
     }
 }
@@ -213,7 +162,7 @@ fn choices(lathe: &Resolved) -> Sheet {
 fn passes(lathe: &Resolved) -> Option<Sheet> {
     let cite = Citation::new("sheet 3.3 and 3.4; a pass meets what the one before has left", Grade::Inferred);
     let p = &lathe.p;
-    let mut cuts = lathe.cuts(&lathe.setup(p.across_flats)?);
+    let mut cuts = p.cuts(&p.setup(p.across_flats)?, &lathe.sizes);
     cuts.sort_by(|(_, a), (_, b)| b.relief.max(0.0).total_cmp(&a.relief.max(0.0)));
     let speed = |each: f64| show(each * p.work_speed().abs(), 0);
     let one = |(pass, cut): (f64, Cut)| {
@@ -247,8 +196,8 @@ const NAMED: usize = 12;
 /// Every insert with its errors and what they do to the sides that it cuts; nothing where all are in their places.
 fn inserts(lathe: &Resolved) -> Option<Sheet> {
     let cite = Citation::new("sheet 3.1, and the section itself", Grade::Inferred);
-    let setup = lathe.setup(lathe.p.across_flats).filter(|setup| !setup.is_even())?;
-    let sides = lathe.section()?.sides();
+    let setup = lathe.p.setup(lathe.p.across_flats).filter(|setup| !setup.is_even())?;
+    let sides = lathe.p.section()?.sides();
     let one = |insert: usize| {
         let mut its: Vec<usize> = setup.passes().filter(|pass| pass.insert == insert).map(|pass| pass.side).collect();
         its.sort_unstable();

@@ -3,8 +3,6 @@
 //! Lengths in mm, speeds in mm/min unless said otherwise, times in seconds. The equations (1) to (4) are the paper's.
 
 use super::params::{FeedForm, Job, Params, PathMode, PiForm, Variant, Wait, YUnit};
-use super::plc::FIN_DELAY;
-use super::program;
 use crate::drives::Analog;
 use crate::drives::block::Block;
 use crate::drives::induction::Induction;
@@ -14,7 +12,9 @@ use crate::math::{self, PI};
 /// π as the paper writes it: 3.14.
 const PUBLISHED_PI: f64 = 314.0 / 100.0;
 
-/// Part of the commanded speed at which the PLC takes the spindle for up to speed.
+/// Seconds from a strobe to FIN where the PLC waits for nothing: a few scans of the ladder.
+pub(super) const FIN_DELAY: f64 = 0.05;
+/// Share of the commanded speed from which the PLC reports the spindle at speed.
 pub(super) const AT_SPEED: f64 = 0.95;
 
 /// Everything that follows from the inputs. Where the line stands still (override 0), times of a pitch are infinite.
@@ -99,6 +99,16 @@ impl Params {
         match self.variant {
             Variant::ReadyMade => self.pitches_per_block,
             Variant::Published => 1.0,
+        }
+    }
+
+    /// Blocks in one pass of the running loop: NC blocks (with words), and macro blocks (statements, calls, returns). A test holds them
+    /// against a run of the text.
+    fn blocks_of_a_pass(&self) -> (u32, u32) {
+        match (self.variant, self.feed_form) {
+            (Variant::ReadyMade, _) => (1, 7),
+            (Variant::Published, FeedForm::PerMinute) => (1, 15),
+            (Variant::Published, FeedForm::PerRevolution) => (1, 16),
         }
     }
 
@@ -251,7 +261,7 @@ struct Timing {
 impl Timing {
     fn new(p: &Params, pitch_time: f64) -> Timing {
         let pitches = p.block_pitches();
-        let (nc, macros) = program::blocks_of_a_pass(p);
+        let (nc, macros) = p.blocks_of_a_pass();
         // The slower of the two axes decides; they should be equal (rule 9).
         let tau = p.time_constant_x.max(p.time_constant_y) / 1000.0;
         let alone = Block {

@@ -27,7 +27,7 @@ mod sheets;
 use crate::controls::Control;
 use crate::machines::chart_rows;
 use crate::machines::form::Field;
-use crate::machines::form::rows::Newline;
+use crate::machines::form::rows::LineEnds;
 use crate::machines::verdict::{Row, Rows, judge};
 use crate::machines::{ControlContext, Defaults, Design, Frame, Machine, MachineProgram, Samples};
 use crate::motion::{Action, Plant, Plc, Snapshot};
@@ -68,7 +68,7 @@ impl Machine for RibbonLine {
 
     fn plan(p: &Params, on: ControlContext) -> MachineProgram {
         let deck = program::deck(&Resolved::new(p, on));
-        MachineProgram { deck, setup: program::SETUP, main: program::RUN, crlf: p.newline == Newline::CrLf }
+        MachineProgram { deck, setup: program::SETUP, main: program::RUN, crlf: p.newline == LineEnds::CrLf }
     }
 
     fn plant(p: &Params, on: ControlContext) -> Plant {

@@ -1,110 +1,115 @@
 //! The form of the ribbon line: every input with unit, range and default, and the parameters that it fills.
 
-use super::resolved;
+use crate::controls::interface::SignalRole;
+use crate::controls::{Code, Control};
 use crate::machines::form::Field;
-use crate::machines::form::rows::{Newline, choice, essential, fact, flag, number, one_of, setting, words};
+use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::{member, options};
 
-choice! {
+/// The axis that pulls the ribbon.
+pub(super) const PULL: u8 = b'X';
+
+options! {
     /// How the override reaches the program.
-    OverrideForm {
+    pub enum OverrideForm {
         /// In percent: speed = S · override / 100, clamped by the program.
-        Percent,
+        Percent = "percent" "ribbon.override-form.percent",
         /// As the spindle's speed after override and clamp, in r/min.
-        FinalSpeed,
+        FinalSpeed = "final-speed" "ribbon.override-form.final-speed",
     }
 }
 
-choice! {
+options! {
     /// Steps of the override knob.
-    KnobStep {
+    pub enum KnobStep {
         /// 1 %.
-        One,
+        One = "1" "ribbon.knob-step.1",
         /// 5 %.
-        Five,
+        Five = "5" "ribbon.knob-step.5",
         /// 10 %.
-        Ten,
+        Ten = "10" "ribbon.knob-step.10",
     }
 }
 
-choice! {
+options! {
     /// The axis of the print roller.
-    PrintAxis {
+    pub enum PrintAxis {
         /// Y.
-        Y,
+        Y = "y" "ribbon.print-axis.y",
         /// C, in degrees.
-        C,
+        C = "c" "ribbon.print-axis.c",
         /// Z, in millimetres.
-        Z,
+        Z = "z" "ribbon.print-axis.z",
     }
 }
 
-choice! {
+options! {
     /// What F counts.
-    FeedForm {
+    pub enum FeedForm {
         /// mm/min.
-        PerMinute,
+        PerMinute = "per-minute" "ribbon.feed-form.per-minute",
         /// mm per revolution of the unwinder's motor.
-        PerRevolution,
+        PerRevolution = "per-revolution" "ribbon.feed-form.per-revolution",
     }
 }
 
-choice! {
+options! {
     /// Unit of the print roller's axis.
-    YUnit {
+    pub enum YUnit {
         /// Circumference in millimetres.
-        Millimetres,
+        Millimetres = "mm" "ribbon.y-unit.mm",
         /// Degrees of the print roller.
-        Degrees,
+        Degrees = "degrees" "ribbon.y-unit.degrees",
     }
 }
 
-choice! {
+options! {
     /// What ends a product.
-    Job {
+    pub enum Job {
         /// A number of pitches.
-        Pitches,
+        Pitches = "pitch-count" "ribbon.job.pitch-count",
         /// A length of ribbon.
-        Length,
+        Length = "product-length" "ribbon.job.product-length",
     }
 }
 
-choice! {
+options! {
     /// π in the program.
-    PiForm {
+    pub enum PiForm {
         /// 3.141592654.
-        Exact,
+        Exact = "exact" "ribbon.pi.exact",
         /// 3.14, as published.
-        Short,
+        Short = "3.14" "ribbon.pi.short",
     }
 }
 
-choice! {
+options! {
     /// How the program waits for the spindle before the ribbon is pulled.
-    Wait {
+    pub enum Wait {
         /// A dwell behind M3.
-        Dwell,
+        Dwell = "dwell" "ribbon.wait.dwell",
         /// The PLC answers M3 when the spindle has its speed.
-        Fin,
+        Fin = "fin" "ribbon.wait.fin",
     }
 }
 
-choice! {
+options! {
     /// How blocks join.
-    PathMode {
+    pub enum PathMode {
         /// Cutting mode, G64.
-        Continuous,
+        Continuous = "continuous" "ribbon.path-mode.continuous",
         /// Exact stop, G61.
-        ExactStop,
+        ExactStop = "exact-stop" "ribbon.path-mode.exact-stop",
     }
 }
 
-choice! {
+options! {
     /// Which program is written.
-    Variant {
+    pub enum Variant {
         /// The ready-made one.
-        ReadyMade,
+        ReadyMade = "ready-made" "ribbon.variant.ready-made",
         /// The paper's listing with its numbers, corrected.
-        Published,
+        Published = "published" "ribbon.variant.published",
     }
 }
 
@@ -204,464 +209,166 @@ pub struct Params {
     pub dwell: f64,
     pub path_mode: PathMode,
     pub variant: Variant,
-    pub newline: Newline,
+    pub newline: LineEnds,
     pub customer: String,
     pub product: String,
 }
 
+/// Axes that can carry the print roller: on a lathe, whose X counts diameters, Y, C or Z; else Y.
+fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
+    let lathe = control.axes.iter().any(|axis| axis.letter == PULL && axis.diameter);
+    let axes = [PrintAxis::Y, PrintAxis::C, PrintAxis::Z].into_iter().take(if lathe { 3 } else { 1 });
+    axes.filter(|axis| control.axis(axis.letter()).is_some())
+}
+
+impl Params {
+    /// The print roller's axis on a control: the chosen one, or the first that the control has.
+    pub(super) fn print_axis_on(&self, control: &Control) -> PrintAxis {
+        let first = print_axes(control).next().unwrap_or_default();
+        print_axes(control).find(|axis| *axis == self.print_axis).unwrap_or(first)
+    }
+
+    /// The control has several axes for the print roller.
+    fn has_print_axes(&self, control: &Control) -> bool {
+        print_axes(control).nth(1).is_some()
+    }
+
+    /// The unit of the print roller's axis is a choice: Y is fitted as a linear or as a rotary axis.
+    fn has_print_unit(&self, control: &Control) -> bool {
+        self.print_axis_on(control) == PrintAxis::Y
+    }
+
+    /// The PLC can read the final spindle speed.
+    pub(super) fn tells_final_speed(&self, control: &Control) -> bool {
+        control.interface.iter().any(|row| row.role == SignalRole::SpindleFinal)
+    }
+
+    /// A block can end in an exact stop.
+    pub(super) fn stops_exactly(&self, control: &Control) -> bool {
+        control.can(Code::ExactStop) || control.can(Code::ExactStopOnce)
+    }
+}
+
 /// Every input, in the order of the form.
+#[rustfmt::skip]
 pub static FIELDS: &[Field<Params>] = &[
-    essential!("spindle-speed", "ribbon.group.unwinder", "ribbon.spindle-speed", "ribbon.spindle-speed.help", "#100", fact false, number!(spindle_speed, "r/min", 1.0..30000.0, 1200.0, 0, 10.0)),
-    essential!("reduction-ratio", "ribbon.group.unwinder", "ribbon.reduction-ratio", "ribbon.reduction-ratio.help", "#101", fact true, number!(reduction_ratio, ": 1", 0.001..10000.0, 25.0, 6, 1.0)),
-    essential!("press-roller-diameter", "ribbon.group.unwinder", "ribbon.press-roller-diameter", "ribbon.press-roller-diameter.help", "#102", fact true, number!(press_roller_diameter, "mm", 1.0..5000.0, 100.0, 4, 1.0)),
-    essential!("pitch", "ribbon.group.web", "ribbon.pitch", "ribbon.pitch.help", "#107", fact false, number!(pitch, "mm", 0.01..10000.0, 8.0, 3, 0.1)),
-    essential!("heads", "ribbon.group.print", "ribbon.heads", "ribbon.heads.help", "#109", fact true, number!(heads, "", 1.0..1000.0, 6.0, 0, 1.0)),
-    essential!("print-roller-diameter", "ribbon.group.print", "ribbon.print-roller-diameter", "ribbon.print-roller-diameter.help", "#111", fact true, number!(print_roller_diameter, "mm", 1.0..5000.0, 120.0, 4, 1.0)),
-    fact!(
-        "speed-at-10v",
-        "ribbon.group.unwinder",
-        "ribbon.speed-at-10v",
-        "ribbon.speed-at-10v.help",
-        "n10",
-        number!(speed_at_10v, "r/min", 1.0..60000.0, 1480.0, 3, 10.0)
-    ),
-    fact!(
-        "speed-clamp",
-        "ribbon.group.unwinder",
-        "ribbon.speed-clamp",
-        "ribbon.speed-clamp.help",
-        "#116",
-        number!(speed_clamp, "r/min", 1.0..60000.0, 1480.0, 3, 10.0)
-    ),
-    setting!(
-        "override",
-        "ribbon.group.unwinder",
-        "ribbon.override",
-        "ribbon.override.help",
-        "",
-        number!(override_percent, "%", 0.0..200.0, 100.0, 0, 1.0)
-    ),
-    setting!(
-        "override-form",
-        "ribbon.group.unwinder",
-        "ribbon.override-form",
-        "ribbon.override-form.help",
-        "",
-        when resolved::tells_final_speed,
-        one_of!(override_form: OverrideForm, "percent" "ribbon.override-form.percent", "final-speed" "ribbon.override-form.final-speed")
-    ),
-    setting!(
-        "knob-step",
-        "ribbon.group.unwinder",
-        "ribbon.knob-step",
-        "ribbon.knob-step.help",
-        "",
-        one_of!(knob_step: KnobStep, "1" "ribbon.knob-step.1", "5" "ribbon.knob-step.5", "10" "ribbon.knob-step.10")
-    ),
-    setting!(
-        "manual-speed",
-        "ribbon.group.unwinder",
-        "ribbon.manual-speed",
-        "ribbon.manual-speed.help",
-        "S",
-        number!(manual_speed, "r/min", 0.0..30000.0, 100.0, 0, 10.0)
-    ),
-    fact!(
-        "frequency-at-10v",
-        "ribbon.group.unwinder",
-        "ribbon.frequency-at-10v",
-        "ribbon.frequency-at-10v.help",
-        "",
-        number!(frequency_at_10v, "Hz", 1.0..1000.0, 50.0, 2, 1.0)
-    ),
-    fact!(
-        "inverter-ramp",
-        "ribbon.group.unwinder",
-        "ribbon.inverter-ramp",
-        "ribbon.inverter-ramp.help",
-        "",
-        number!(inverter_ramp, "s", 0.0..600.0, 2.0, 3, 0.1)
-    ),
-    fact!(
-        "no-load-speed",
-        "ribbon.group.unwinder",
-        "ribbon.no-load-speed",
-        "ribbon.no-load-speed.help",
-        "",
-        number!(no_load_speed, "r/min", 1.0..60000.0, 1500.0, 3, 1.0)
-    ),
-    fact!(
-        "rated-load-speed",
-        "ribbon.group.unwinder",
-        "ribbon.rated-load-speed",
-        "ribbon.rated-load-speed.help",
-        "",
-        number!(rated_load_speed, "r/min", 1.0..60000.0, 1430.0, 3, 1.0)
-    ),
-    fact!(
-        "unwinder-load",
-        "ribbon.group.unwinder",
-        "ribbon.unwinder-load",
-        "ribbon.unwinder-load.help",
-        "",
-        number!(unwinder_load, "%", 0.0..200.0, 2.286, 3, 1.0)
-    ),
-    fact!(
-        "spindle-encoder",
-        "ribbon.group.unwinder",
-        "ribbon.spindle-encoder",
-        "ribbon.spindle-encoder.help",
-        "",
-        flag!(spindle_encoder)
-    ),
-    fact!("dancer", "ribbon.group.unwinder", "ribbon.dancer", "ribbon.dancer.help", "", flag!(dancer)),
-    fact!(
-        "loop-capacity",
-        "ribbon.group.unwinder",
-        "ribbon.loop-capacity",
-        "ribbon.loop-capacity.help",
-        "",
-        number!(loop_capacity, "mm", 0.0..100000.0, 500.0, 1, 10.0)
-    ),
-    fact!(
-        "ribbon-thickness",
-        "ribbon.group.web",
-        "ribbon.ribbon-thickness",
-        "ribbon.ribbon-thickness.help",
-        "",
-        number!(ribbon_thickness, "mm", 0.001..100.0, 0.5, 3, 0.1)
-    ),
-    fact!(
-        "effective-diameter",
-        "ribbon.group.web",
-        "ribbon.effective-diameter",
-        "ribbon.effective-diameter.help",
-        "",
-        flag!(effective_diameter)
-    ),
-    fact!(
-        "ribbon-width",
-        "ribbon.group.web",
-        "ribbon.ribbon-width",
-        "ribbon.ribbon-width.help",
-        "",
-        number!(ribbon_width, "mm", 0.1..10000.0, 20.0, 2, 1.0)
-    ),
-    fact!(
-        "youngs-modulus",
-        "ribbon.group.web",
-        "ribbon.youngs-modulus",
-        "ribbon.youngs-modulus.help",
-        "E",
-        number!(youngs_modulus, "N/mm²", 0.1..300000.0, 20.0, 2, 10.0)
-    ),
-    fact!(
-        "tensile-strength",
-        "ribbon.group.web",
-        "ribbon.tensile-strength",
-        "ribbon.tensile-strength.help",
-        "",
-        number!(tensile_strength, "N/mm²", 0.1..10000.0, 15.0, 2, 1.0)
-    ),
-    setting!(
-        "print-axis",
-        "ribbon.group.print",
-        "ribbon.print-axis",
-        "ribbon.print-axis.help",
-        "",
-        when resolved::has_print_axes,
-        one_of!(print_axis: PrintAxis, "y" "ribbon.print-axis.y", "c" "ribbon.print-axis.c", "z" "ribbon.print-axis.z")
-    ),
-    setting!(
-        "y-unit",
-        "ribbon.group.print",
-        "ribbon.y-unit",
-        "ribbon.y-unit.help",
-        "",
-        when resolved::has_print_unit,
-        one_of!(y_unit: YUnit, "mm" "ribbon.y-unit.mm", "degrees" "ribbon.y-unit.degrees")
-    ),
-    fact!(
-        "contact-length",
-        "ribbon.group.print",
-        "ribbon.contact-length",
-        "ribbon.contact-length.help",
-        "c",
-        number!(contact_length, "mm", 0.001..1000.0, 2.0, 3, 0.1)
-    ),
-    setting!(
-        "smear-limit",
-        "ribbon.group.print",
-        "ribbon.smear-limit",
-        "ribbon.smear-limit.help",
-        "",
-        number!(smear_limit, "mm", 0.001..100.0, 0.05, 3, 0.01)
-    ),
-    setting!(
-        "dot-tolerance",
-        "ribbon.group.print",
-        "ribbon.dot-tolerance",
-        "ribbon.dot-tolerance.help",
-        "",
-        number!(dot_tolerance, "mm", 0.001..100.0, 0.05, 3, 0.01)
-    ),
-    setting!(
-        "job",
-        "ribbon.group.job",
-        "ribbon.job",
-        "ribbon.job.help",
-        "",
-        one_of!(job: Job, "pitch-count" "ribbon.job.pitch-count", "product-length" "ribbon.job.product-length")
-    ),
-    setting!(
-        "pitch-count",
-        "ribbon.group.job",
-        "ribbon.pitch-count",
-        "ribbon.pitch-count.help",
-        "#120",
-        number!(pitch_count, "", 1.0..10000000.0, 500.0, 0, 1.0)
-    ),
-    setting!(
-        "product-length",
-        "ribbon.group.job",
-        "ribbon.product-length",
-        "ribbon.product-length.help",
-        "",
-        number!(product_length, "mm", 0.01..100000000.0, 4000.0, 3, 10.0)
-    ),
-    setting!(
-        "pitches-per-block",
-        "ribbon.group.job",
-        "ribbon.pitches-per-block",
-        "ribbon.pitches-per-block.help",
-        "#121",
-        number!(pitches_per_block, "", 1.0..1000.0, 1.0, 0, 1.0)
-    ),
-    fact!(
-        "clamp-x",
-        "ribbon.group.axes",
-        "ribbon.clamp-x",
-        "ribbon.clamp-x.help",
-        "",
-        number!(clamp_x, "mm/min", 1.0..10000000.0, 20000.0, 3, 1000.0)
-    ),
-    fact!(
-        "clamp-y",
-        "ribbon.group.axes",
-        "ribbon.clamp-y",
-        "ribbon.clamp-y.help",
-        "",
-        number!(clamp_y, "mm/min", 1.0..10000000.0, 150000.0, 3, 1000.0)
-    ),
-    fact!(
-        "rapid-x",
-        "ribbon.group.axes",
-        "ribbon.rapid-x",
-        "ribbon.rapid-x.help",
-        "",
-        number!(rapid_x, "mm/min", 1.0..10000000.0, 20000.0, 3, 1000.0)
-    ),
-    fact!(
-        "rapid-y",
-        "ribbon.group.axes",
-        "ribbon.rapid-y",
-        "ribbon.rapid-y.help",
-        "",
-        number!(rapid_y, "mm/min", 1.0..10000000.0, 150000.0, 3, 1000.0)
-    ),
-    fact!(
-        "time-constant-x",
-        "ribbon.group.axes",
-        "ribbon.time-constant-x",
-        "ribbon.time-constant-x.help",
-        "",
-        number!(time_constant_x, "ms", 0.0..5000.0, 100.0, 1, 10.0)
-    ),
-    fact!(
-        "time-constant-y",
-        "ribbon.group.axes",
-        "ribbon.time-constant-y",
-        "ribbon.time-constant-y.help",
-        "",
-        number!(time_constant_y, "ms", 0.0..5000.0, 100.0, 1, 10.0)
-    ),
-    fact!(
-        "position-gain-x",
-        "ribbon.group.axes",
-        "ribbon.position-gain-x",
-        "ribbon.position-gain-x.help",
-        "",
-        number!(position_gain_x, "1/s", 1.0..1000.0, 33.0, 2, 1.0)
-    ),
-    fact!(
-        "position-gain-y",
-        "ribbon.group.axes",
-        "ribbon.position-gain-y",
-        "ribbon.position-gain-y.help",
-        "",
-        number!(position_gain_y, "1/s", 1.0..1000.0, 33.0, 2, 1.0)
-    ),
-    fact!(
-        "in-position",
-        "ribbon.group.axes",
-        "ribbon.in-position",
-        "ribbon.in-position.help",
-        "",
-        number!(in_position, "mm", 0.001..10.0, 0.02, 3, 0.01)
-    ),
-    fact!(
-        "x-roller-diameter",
-        "ribbon.group.axes",
-        "ribbon.x-roller-diameter",
-        "ribbon.x-roller-diameter.help",
-        "",
-        number!(x_roller_diameter, "mm", 1.0..5000.0, 100.0, 4, 1.0)
-    ),
-    fact!(
-        "gear-x",
-        "ribbon.group.axes",
-        "ribbon.gear-x",
-        "ribbon.gear-x.help",
-        "",
-        number!(gear_x, ": 1", 0.001..10000.0, 10.0, 6, 1.0)
-    ),
-    fact!(
-        "gear-y",
-        "ribbon.group.axes",
-        "ribbon.gear-y",
-        "ribbon.gear-y.help",
-        "",
-        number!(gear_y, ": 1", 0.001..10000.0, 5.0, 6, 1.0)
-    ),
-    fact!(
-        "motor-rated-x",
-        "ribbon.group.axes",
-        "ribbon.motor-rated-x",
-        "ribbon.motor-rated-x.help",
-        "",
-        number!(motor_rated_x, "r/min", 1.0..100000.0, 3000.0, 1, 100.0)
-    ),
-    fact!(
-        "motor-max-x",
-        "ribbon.group.axes",
-        "ribbon.motor-max-x",
-        "ribbon.motor-max-x.help",
-        "",
-        number!(motor_max_x, "r/min", 1.0..100000.0, 5000.0, 1, 100.0)
-    ),
-    fact!(
-        "motor-rated-y",
-        "ribbon.group.axes",
-        "ribbon.motor-rated-y",
-        "ribbon.motor-rated-y.help",
-        "",
-        number!(motor_rated_y, "r/min", 1.0..100000.0, 3000.0, 1, 100.0)
-    ),
-    fact!(
-        "motor-max-y",
-        "ribbon.group.axes",
-        "ribbon.motor-max-y",
-        "ribbon.motor-max-y.help",
-        "",
-        number!(motor_max_y, "r/min", 1.0..100000.0, 3000.0, 1, 100.0)
-    ),
-    fact!(
-        "encoder-resolution",
-        "ribbon.group.axes",
-        "ribbon.encoder-resolution",
-        "ribbon.encoder-resolution.help",
-        "",
-        number!(encoder_resolution, "p/rev", 1.0..100000000.0, 100000.0, 0, 1000.0)
-    ),
-    fact!(
-        "feed-limit",
-        "ribbon.group.control",
-        "ribbon.feed-limit",
-        "ribbon.feed-limit.help",
-        "#119",
-        number!(feed_limit, "mm/min", 1.0..10000000.0, 1000000.0, 3, 1000.0)
-    ),
-    fact!(
-        "block-time",
-        "ribbon.group.control",
-        "form.block-time",
-        "form.block-time.help",
-        "",
-        number!(block_time, "ms", 0.1..1000.0, 7.1, 3, 0.1)
-    ),
-    fact!(
-        "macro-time",
-        "ribbon.group.control",
-        "form.macro-time",
-        "form.macro-time.help",
-        "",
-        number!(macro_time, "ms", 0.0..1000.0, 3.0, 3, 0.1)
-    ),
-    fact!(
-        "preread",
-        "ribbon.group.control",
-        "form.preread",
-        "form.preread.help",
-        "",
-        number!(preread, "", 1.0..100.0, 5.0, 0, 1.0)
-    ),
-    setting!(
-        "variant",
-        "ribbon.group.program",
-        "ribbon.variant",
-        "ribbon.variant.help",
-        "",
-        one_of!(variant: Variant, "ready-made" "ribbon.variant.ready-made", "published" "ribbon.variant.published")
-    ),
-    setting!(
-        "pi",
-        "ribbon.group.program",
-        "ribbon.pi",
-        "ribbon.pi.help",
-        "",
-        one_of!(pi: PiForm, "exact" "ribbon.pi.exact", "3.14" "ribbon.pi.short")
-    ),
-    setting!(
-        "feed-form",
-        "ribbon.group.program",
-        "ribbon.feed-form",
-        "ribbon.feed-form.help",
-        "F",
-        one_of!(feed_form: FeedForm, "per-minute" "ribbon.feed-form.per-minute", "per-revolution" "ribbon.feed-form.per-revolution")
-    ),
-    setting!(
-        "wait",
-        "ribbon.group.program",
-        "ribbon.wait",
-        "ribbon.wait.help",
-        "",
-        one_of!(wait: Wait, "dwell" "ribbon.wait.dwell", "fin" "ribbon.wait.fin")
-    ),
-    setting!(
-        "dwell",
-        "ribbon.group.program",
-        "ribbon.dwell",
-        "ribbon.dwell.help",
-        "",
-        number!(dwell, "s", 0.0..600.0, 2.0, 3, 0.1)
-    ),
-    setting!(
-        "path-mode",
-        "ribbon.group.program",
-        "ribbon.path-mode",
-        "ribbon.path-mode.help",
-        "",
-        when resolved::stops_exactly,
-        one_of!(path_mode: PathMode, "continuous" "ribbon.path-mode.continuous", "exact-stop" "ribbon.path-mode.exact-stop")
-    ),
-    setting!(
-        "newline",
-        "ribbon.group.program",
-        "form.newline",
-        "form.newline.help",
-        "",
-        one_of!(newline: Newline, "lf" "form.newline.lf", "crlf" "form.newline.crlf")
-    ),
-    setting!("customer", "ribbon.group.program", "form.customer", "form.customer.help", "", words!(customer)),
-    setting!("product", "ribbon.group.program", "form.product", "form.product.help", "", words!(product)),
+    number("spindle-speed", member!(Params.spindle_speed)).group("ribbon.group.unwinder").label("ribbon.spindle-speed").help("ribbon.spindle-speed.help").symbol("#100")
+        .unit("r/min").range(1.0..=30000.0).default(1200.0).decimals(0).step(10.0).essential(),
+    number("reduction-ratio", member!(Params.reduction_ratio)).group("ribbon.group.unwinder").label("ribbon.reduction-ratio").help("ribbon.reduction-ratio.help").symbol("#101")
+        .unit(": 1").range(0.001..=10000.0).default(25.0).decimals(6).step(1.0).essential().fact(),
+    number("press-roller-diameter", member!(Params.press_roller_diameter)).group("ribbon.group.unwinder").label("ribbon.press-roller-diameter").help("ribbon.press-roller-diameter.help").symbol("#102")
+        .unit("mm").range(1.0..=5000.0).default(100.0).decimals(4).step(1.0).essential().fact(),
+    number("pitch", member!(Params.pitch)).group("ribbon.group.web").label("ribbon.pitch").help("ribbon.pitch.help").symbol("#107")
+        .unit("mm").range(0.01..=10000.0).default(8.0).decimals(3).step(0.1).essential(),
+    number("heads", member!(Params.heads)).group("ribbon.group.print").label("ribbon.heads").help("ribbon.heads.help").symbol("#109")
+        .range(1.0..=1000.0).default(6.0).decimals(0).step(1.0).essential().fact(),
+    number("print-roller-diameter", member!(Params.print_roller_diameter)).group("ribbon.group.print").label("ribbon.print-roller-diameter").help("ribbon.print-roller-diameter.help").symbol("#111")
+        .unit("mm").range(1.0..=5000.0).default(120.0).decimals(4).step(1.0).essential().fact(),
+    number("speed-at-10v", member!(Params.speed_at_10v)).group("ribbon.group.unwinder").label("ribbon.speed-at-10v").help("ribbon.speed-at-10v.help").symbol("n10")
+        .unit("r/min").range(1.0..=60000.0).default(1480.0).decimals(3).step(10.0).fact(),
+    number("speed-clamp", member!(Params.speed_clamp)).group("ribbon.group.unwinder").label("ribbon.speed-clamp").help("ribbon.speed-clamp.help").symbol("#116")
+        .unit("r/min").range(1.0..=60000.0).default(1480.0).decimals(3).step(10.0).fact(),
+    number("override", member!(Params.override_percent)).group("ribbon.group.unwinder").label("ribbon.override").help("ribbon.override.help")
+        .unit("%").range(0.0..=200.0).default(100.0).decimals(0).step(1.0),
+    choice("override-form", member!(Params.override_form: OverrideForm)).group("ribbon.group.unwinder").label("ribbon.override-form").help("ribbon.override-form.help")
+        .when(Params::tells_final_speed),
+    choice("knob-step", member!(Params.knob_step: KnobStep)).group("ribbon.group.unwinder").label("ribbon.knob-step").help("ribbon.knob-step.help"),
+    number("manual-speed", member!(Params.manual_speed)).group("ribbon.group.unwinder").label("ribbon.manual-speed").help("ribbon.manual-speed.help").symbol("S")
+        .unit("r/min").range(0.0..=30000.0).default(100.0).decimals(0).step(10.0),
+    number("frequency-at-10v", member!(Params.frequency_at_10v)).group("ribbon.group.unwinder").label("ribbon.frequency-at-10v").help("ribbon.frequency-at-10v.help")
+        .unit("Hz").range(1.0..=1000.0).default(50.0).decimals(2).step(1.0).fact(),
+    number("inverter-ramp", member!(Params.inverter_ramp)).group("ribbon.group.unwinder").label("ribbon.inverter-ramp").help("ribbon.inverter-ramp.help")
+        .unit("s").range(0.0..=600.0).default(2.0).decimals(3).step(0.1).fact(),
+    number("no-load-speed", member!(Params.no_load_speed)).group("ribbon.group.unwinder").label("ribbon.no-load-speed").help("ribbon.no-load-speed.help")
+        .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(3).step(1.0).fact(),
+    number("rated-load-speed", member!(Params.rated_load_speed)).group("ribbon.group.unwinder").label("ribbon.rated-load-speed").help("ribbon.rated-load-speed.help")
+        .unit("r/min").range(1.0..=60000.0).default(1430.0).decimals(3).step(1.0).fact(),
+    number("unwinder-load", member!(Params.unwinder_load)).group("ribbon.group.unwinder").label("ribbon.unwinder-load").help("ribbon.unwinder-load.help")
+        .unit("%").range(0.0..=200.0).default(2.286).decimals(3).step(1.0).fact(),
+    flag("spindle-encoder", member!(Params.spindle_encoder)).group("ribbon.group.unwinder").label("ribbon.spindle-encoder").help("ribbon.spindle-encoder.help")
+        .fact(),
+    flag("dancer", member!(Params.dancer)).group("ribbon.group.unwinder").label("ribbon.dancer").help("ribbon.dancer.help")
+        .fact(),
+    number("loop-capacity", member!(Params.loop_capacity)).group("ribbon.group.unwinder").label("ribbon.loop-capacity").help("ribbon.loop-capacity.help")
+        .unit("mm").range(0.0..=100000.0).default(500.0).decimals(1).step(10.0).fact(),
+    number("ribbon-thickness", member!(Params.ribbon_thickness)).group("ribbon.group.web").label("ribbon.ribbon-thickness").help("ribbon.ribbon-thickness.help")
+        .unit("mm").range(0.001..=100.0).default(0.5).decimals(3).step(0.1).fact(),
+    flag("effective-diameter", member!(Params.effective_diameter)).group("ribbon.group.web").label("ribbon.effective-diameter").help("ribbon.effective-diameter.help")
+        .fact(),
+    number("ribbon-width", member!(Params.ribbon_width)).group("ribbon.group.web").label("ribbon.ribbon-width").help("ribbon.ribbon-width.help")
+        .unit("mm").range(0.1..=10000.0).default(20.0).decimals(2).step(1.0).fact(),
+    number("youngs-modulus", member!(Params.youngs_modulus)).group("ribbon.group.web").label("ribbon.youngs-modulus").help("ribbon.youngs-modulus.help").symbol("E")
+        .unit("N/mm²").range(0.1..=300000.0).default(20.0).decimals(2).step(10.0).fact(),
+    number("tensile-strength", member!(Params.tensile_strength)).group("ribbon.group.web").label("ribbon.tensile-strength").help("ribbon.tensile-strength.help")
+        .unit("N/mm²").range(0.1..=10000.0).default(15.0).decimals(2).step(1.0).fact(),
+    choice("print-axis", member!(Params.print_axis: PrintAxis)).group("ribbon.group.print").label("ribbon.print-axis").help("ribbon.print-axis.help")
+        .when(Params::has_print_axes),
+    choice("y-unit", member!(Params.y_unit: YUnit)).group("ribbon.group.print").label("ribbon.y-unit").help("ribbon.y-unit.help")
+        .when(Params::has_print_unit),
+    number("contact-length", member!(Params.contact_length)).group("ribbon.group.print").label("ribbon.contact-length").help("ribbon.contact-length.help").symbol("c")
+        .unit("mm").range(0.001..=1000.0).default(2.0).decimals(3).step(0.1).fact(),
+    number("smear-limit", member!(Params.smear_limit)).group("ribbon.group.print").label("ribbon.smear-limit").help("ribbon.smear-limit.help")
+        .unit("mm").range(0.001..=100.0).default(0.05).decimals(3).step(0.01),
+    number("dot-tolerance", member!(Params.dot_tolerance)).group("ribbon.group.print").label("ribbon.dot-tolerance").help("ribbon.dot-tolerance.help")
+        .unit("mm").range(0.001..=100.0).default(0.05).decimals(3).step(0.01),
+    choice("job", member!(Params.job: Job)).group("ribbon.group.job").label("ribbon.job").help("ribbon.job.help"),
+    number("pitch-count", member!(Params.pitch_count)).group("ribbon.group.job").label("ribbon.pitch-count").help("ribbon.pitch-count.help").symbol("#120")
+        .range(1.0..=10000000.0).default(500.0).decimals(0).step(1.0),
+    number("product-length", member!(Params.product_length)).group("ribbon.group.job").label("ribbon.product-length").help("ribbon.product-length.help")
+        .unit("mm").range(0.01..=100000000.0).default(4000.0).decimals(3).step(10.0),
+    number("pitches-per-block", member!(Params.pitches_per_block)).group("ribbon.group.job").label("ribbon.pitches-per-block").help("ribbon.pitches-per-block.help").symbol("#121")
+        .range(1.0..=1000.0).default(1.0).decimals(0).step(1.0),
+    number("clamp-x", member!(Params.clamp_x)).group("ribbon.group.axes").label("ribbon.clamp-x").help("ribbon.clamp-x.help")
+        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
+    number("clamp-y", member!(Params.clamp_y)).group("ribbon.group.axes").label("ribbon.clamp-y").help("ribbon.clamp-y.help")
+        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).fact(),
+    number("rapid-x", member!(Params.rapid_x)).group("ribbon.group.axes").label("ribbon.rapid-x").help("ribbon.rapid-x.help")
+        .unit("mm/min").range(1.0..=10000000.0).default(20000.0).decimals(3).step(1000.0).fact(),
+    number("rapid-y", member!(Params.rapid_y)).group("ribbon.group.axes").label("ribbon.rapid-y").help("ribbon.rapid-y.help")
+        .unit("mm/min").range(1.0..=10000000.0).default(150000.0).decimals(3).step(1000.0).fact(),
+    number("time-constant-x", member!(Params.time_constant_x)).group("ribbon.group.axes").label("ribbon.time-constant-x").help("ribbon.time-constant-x.help")
+        .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).fact(),
+    number("time-constant-y", member!(Params.time_constant_y)).group("ribbon.group.axes").label("ribbon.time-constant-y").help("ribbon.time-constant-y.help")
+        .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).fact(),
+    number("position-gain-x", member!(Params.position_gain_x)).group("ribbon.group.axes").label("ribbon.position-gain-x").help("ribbon.position-gain-x.help")
+        .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).fact(),
+    number("position-gain-y", member!(Params.position_gain_y)).group("ribbon.group.axes").label("ribbon.position-gain-y").help("ribbon.position-gain-y.help")
+        .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).fact(),
+    number("in-position", member!(Params.in_position)).group("ribbon.group.axes").label("ribbon.in-position").help("ribbon.in-position.help")
+        .unit("mm").range(0.001..=10.0).default(0.02).decimals(3).step(0.01).fact(),
+    number("x-roller-diameter", member!(Params.x_roller_diameter)).group("ribbon.group.axes").label("ribbon.x-roller-diameter").help("ribbon.x-roller-diameter.help")
+        .unit("mm").range(1.0..=5000.0).default(100.0).decimals(4).step(1.0).fact(),
+    number("gear-x", member!(Params.gear_x)).group("ribbon.group.axes").label("ribbon.gear-x").help("ribbon.gear-x.help")
+        .unit(": 1").range(0.001..=10000.0).default(10.0).decimals(6).step(1.0).fact(),
+    number("gear-y", member!(Params.gear_y)).group("ribbon.group.axes").label("ribbon.gear-y").help("ribbon.gear-y.help")
+        .unit(": 1").range(0.001..=10000.0).default(5.0).decimals(6).step(1.0).fact(),
+    number("motor-rated-x", member!(Params.motor_rated_x)).group("ribbon.group.axes").label("ribbon.motor-rated-x").help("ribbon.motor-rated-x.help")
+        .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
+    number("motor-max-x", member!(Params.motor_max_x)).group("ribbon.group.axes").label("ribbon.motor-max-x").help("ribbon.motor-max-x.help")
+        .unit("r/min").range(1.0..=100000.0).default(5000.0).decimals(1).step(100.0).fact(),
+    number("motor-rated-y", member!(Params.motor_rated_y)).group("ribbon.group.axes").label("ribbon.motor-rated-y").help("ribbon.motor-rated-y.help")
+        .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
+    number("motor-max-y", member!(Params.motor_max_y)).group("ribbon.group.axes").label("ribbon.motor-max-y").help("ribbon.motor-max-y.help")
+        .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
+    number("encoder-resolution", member!(Params.encoder_resolution)).group("ribbon.group.axes").label("ribbon.encoder-resolution").help("ribbon.encoder-resolution.help")
+        .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
+    number("feed-limit", member!(Params.feed_limit)).group("ribbon.group.control").label("ribbon.feed-limit").help("ribbon.feed-limit.help").symbol("#119")
+        .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).fact(),
+    number("block-time", member!(Params.block_time)).group("ribbon.group.control").label("form.block-time").help("form.block-time.help")
+        .unit("ms").range(0.1..=1000.0).default(7.1).decimals(3).step(0.1).fact(),
+    number("macro-time", member!(Params.macro_time)).group("ribbon.group.control").label("form.macro-time").help("form.macro-time.help")
+        .unit("ms").range(0.0..=1000.0).default(3.0).decimals(3).step(0.1).fact(),
+    number("preread", member!(Params.preread)).group("ribbon.group.control").label("form.preread").help("form.preread.help")
+        .range(1.0..=100.0).default(5.0).decimals(0).step(1.0).fact(),
+    choice("variant", member!(Params.variant: Variant)).group("ribbon.group.program").label("ribbon.variant").help("ribbon.variant.help"),
+    choice("pi", member!(Params.pi: PiForm)).group("ribbon.group.program").label("ribbon.pi").help("ribbon.pi.help"),
+    choice("feed-form", member!(Params.feed_form: FeedForm)).group("ribbon.group.program").label("ribbon.feed-form").help("ribbon.feed-form.help").symbol("F"),
+    choice("wait", member!(Params.wait: Wait)).group("ribbon.group.program").label("ribbon.wait").help("ribbon.wait.help"),
+    number("dwell", member!(Params.dwell)).group("ribbon.group.program").label("ribbon.dwell").help("ribbon.dwell.help")
+        .unit("s").range(0.0..=600.0).default(2.0).decimals(3).step(0.1),
+    choice("path-mode", member!(Params.path_mode: PathMode)).group("ribbon.group.program").label("ribbon.path-mode").help("ribbon.path-mode.help")
+        .when(Params::stops_exactly),
+    choice("newline", member!(Params.newline: LineEnds)).group("ribbon.group.program").label("form.newline").help("form.newline.help"),
+    text("customer", member!(&Params.customer)).group("ribbon.group.program").label("form.customer").help("form.customer.help").characters(22),
+    text("product", member!(&Params.product)).group("ribbon.group.program").label("form.product").help("form.product.help").characters(22),
 ];

@@ -1,6 +1,7 @@
 //! The plant of the ribbon line: two servo axes and the unwinder on the analog output.
 
-use super::resolved::{PULL, Resolved};
+use super::params::PULL;
+use super::resolved::Resolved;
 use crate::drives::Analog;
 use crate::math::PI;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};

@@ -1,13 +1,11 @@
 //! The builder's PLC of the ribbon line: the paper's figure 1 (the knob to override and macro input), and FIN for S and M.
 
-use super::derive::AT_SPEED;
+use super::derive::{AT_SPEED, FIN_DELAY};
 use super::params::{OverrideForm, Wait};
 use super::resolved::Resolved;
 use crate::math;
 use crate::motion::{Io, Plc, Strobes};
 
-/// Seconds from a strobe to FIN where nothing has to be waited for: a few scans of the ladder.
-pub(super) const FIN_DELAY: f64 = 0.05;
 /// Seconds between two looks at the spindle while FIN waits for its speed.
 const SCAN: f64 = 0.01;
 

@@ -4,7 +4,7 @@
 //! O9100 and O9101 never write the operator's variables (those of O9102), so that products are changed by variables alone.
 
 use super::RibbonLine;
-use super::params::{FeedForm, OverrideForm, Params, PathMode, Variant, Wait};
+use super::params::{OverrideForm, PathMode, Variant, Wait};
 use super::resolved::Resolved;
 use crate::controls::{Code, VarKind};
 use crate::machines::writing::{self, Entry};
@@ -75,16 +75,6 @@ const PER_TURN: u32 = 117;
 /// Entries that change the motion of a running line, with the variables that remember them; `#130` to `#136`.
 fn watched(line: &Resolved) -> [(u32, u32); 7] {
     [(line.input(), 130), (100, 131), (101, 132), (102, 133), (107, 134), (109, 135), (111, 136)]
-}
-
-/// Blocks of one pass of the running loop as the control reads them: with words, and over when they are read (macro blocks, calls,
-/// returns). Held by a test against a run of the text.
-pub(super) fn blocks_of_a_pass(p: &Params) -> (u32, u32) {
-    match (p.variant, p.feed_form) {
-        (Variant::ReadyMade, _) => (1, 7),
-        (Variant::Published, FeedForm::PerMinute) => (1, 15),
-        (Variant::Published, FeedForm::PerRevolution) => (1, 16),
-    }
 }
 
 /// The programs, one per file.

@@ -1,13 +1,9 @@
 //! The line on a control: which axes, words and inputs it has there, and the form without the choices that the control lacks.
 
-use super::params::{FeedForm, OverrideForm, Params, PathMode, PrintAxis, YUnit};
-use crate::controls::interface::SignalRole;
+use super::params::{FeedForm, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit};
 use crate::controls::vars::Width;
-use crate::controls::{Code, Control, Switches, VarKind};
+use crate::controls::{Control, Switches, VarKind};
 use crate::machines::ControlContext;
-
-/// The axis that pulls the ribbon.
-pub(super) const PULL: u8 = b'X';
 
 /// The variable in which the operator types the override where the PLC cannot hand it over.
 const TYPED: u32 = 103;
@@ -26,16 +22,16 @@ impl<'a> Resolved<'a> {
     pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
         let ControlContext { control, switches } = on;
         let mut p = form.clone();
-        p.print_axis = print_axis(form, control);
+        p.print_axis = form.print_axis_on(control);
         match p.print_axis {
             PrintAxis::Y => {}
             PrintAxis::C => p.y_unit = YUnit::Degrees,
             PrintAxis::Z => p.y_unit = YUnit::Millimetres,
         }
-        if !tells_final_speed(form, control) {
+        if !form.tells_final_speed(control) {
             p.override_form = OverrideForm::Percent;
         }
-        if !stops_exactly(form, control) {
+        if !form.stops_exactly(control) {
             p.path_mode = PathMode::Continuous;
         }
         Resolved { form, p, control, switches }
@@ -91,37 +87,4 @@ impl<'a> Resolved<'a> {
             _ => Width::Word.range(),
         }
     }
-}
-
-/// Axes that may carry the print roller. On a lathe, whose X counts diameters, there are several.
-fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
-    let lathe = control.axes.iter().any(|axis| axis.letter == PULL && axis.diameter);
-    let axes = [PrintAxis::Y, PrintAxis::C, PrintAxis::Z].into_iter().take(if lathe { 3 } else { 1 });
-    axes.filter(|axis| control.axis(axis.letter()).is_some())
-}
-
-fn print_axis(p: &Params, control: &Control) -> PrintAxis {
-    let mut axes = print_axes(control);
-    let first = axes.next().unwrap_or_default();
-    if first == p.print_axis || axes.any(|axis| axis == p.print_axis) { p.print_axis } else { first }
-}
-
-/// Whether there is a choice of axes for the print roller.
-pub(super) fn has_print_axes(_: &Params, control: &Control) -> bool {
-    print_axes(control).nth(1).is_some()
-}
-
-/// Whether the unit of the print roller's axis is as somebody has fitted it.
-pub(super) fn has_print_unit(p: &Params, control: &Control) -> bool {
-    print_axis(p, control) == PrintAxis::Y
-}
-
-/// Whether the PLC can read the final spindle speed.
-pub(super) fn tells_final_speed(_: &Params, control: &Control) -> bool {
-    control.interface.iter().any(|row| row.role == SignalRole::SpindleFinal)
-}
-
-/// Whether a block can end in an exact stop.
-pub(super) fn stops_exactly(_: &Params, control: &Control) -> bool {
-    control.can(Code::ExactStop) || control.can(Code::ExactStopOnce)
 }

@@ -5,8 +5,7 @@ use super::program;
 use super::resolved::Resolved;
 use crate::controls::ParamRole;
 use crate::controls::interface::SignalRole;
-use crate::machines::sheets::{self, Axes, Setting, row};
-use crate::text::catalog::{Language, words};
+use crate::machines::sheets::{self, Axes, Setting, row, say};
 use crate::text::number::Plain;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
@@ -15,10 +14,6 @@ use crate::view::ladder::{self, Contact, Rung};
 /// All sheets.
 pub(super) fn sheets(line: &Resolved) -> Vec<Sheet> {
     vec![parameters(line), interface(line), ladder(line)]
-}
-
-fn say(id: &'static str) -> String {
-    words(Language::English, id).to_owned()
 }
 
 /// Parameters with their values for this project.

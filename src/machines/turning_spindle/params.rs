@@ -1,64 +1,66 @@
 //! The form of the turning spindle: every input with unit, range and default, and the parameters that it fills.
 
-use super::resolved;
+use crate::controls::syntax::long;
+use crate::controls::{Alarm, Code, Control};
 use crate::machines::form::Field;
-use crate::machines::form::rows::{Newline, choice, essential, fact, flag, number, one_of, setting, words};
+use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::{member, options};
 
-choice! {
+options! {
     /// What is cut.
-    Path {
+    pub enum Path {
         /// Across the face, from the stock's diameter inwards.
-        Facing,
+        Facing = "facing" "turning.path.facing",
         /// Along the part, at one diameter per pass.
-        Turning,
+        Turning = "turning" "turning.path.turning",
         /// Along a taper that begins at the face.
-        Taper,
+        Taper = "taper" "turning.path.taper",
     }
 }
 
-choice! {
+options! {
     /// What the spindle holds.
-    SpeedMode {
+    pub enum SpeedMode {
         /// The surface speed, by the diameter.
-        Surface,
+        Surface = "surface" "turning.speed-mode.surface",
         /// Its own speed, that of the stock's diameter.
-        Fixed,
+        Fixed = "fixed" "turning.speed-mode.fixed",
     }
 }
 
-choice! {
+options! {
     /// Which way it turns.
-    Direction {
+    pub enum Direction {
         /// M03.
-        Clockwise,
+        Clockwise = "cw" "turning.direction.cw",
         /// M04.
-        CounterClockwise,
+        CounterClockwise = "ccw" "turning.direction.ccw",
     }
 }
 
-choice! {
+options! {
     /// The gear stage that the program engages.
-    Gear {
+    pub enum Gear {
         /// The lowest that reaches the highest speed needed.
-        Best,
+        Best = "best" "turning.gear.best",
         /// Stage 1.
-        First,
+        First = "1" "turning.gear.1",
         /// Stage 2.
-        Second,
+        Second = "2" "turning.gear.2",
         /// Stage 3.
-        Third,
+        Third = "3" "turning.gear.3",
         /// Stage 4.
-        Fourth,
+        Fourth = "4" "turning.gear.4",
     }
 }
 
-choice! {
+options! {
     /// Form of the analog output.
-    Output {
+    pub enum Output {
         /// 0 to 10 V, direction by contacts.
-        Unipolar,
+        Unipolar = "0-10" "turning.output.unipolar",
         /// -10 to 10 V.
-        Bipolar,
+        Bipolar = "+-10" "turning.output.bipolar",
     }
 }
 
@@ -113,9 +115,14 @@ pub struct Params {
     pub block_time: f64,
     pub macro_time: f64,
     pub preread: f64,
-    pub newline: Newline,
+    pub newline: LineEnds,
     pub customer: String,
     pub product: String,
+}
+
+/// The control has an address of several letters.
+pub(super) fn has_address(control: &Control, address: u8) -> bool {
+    control.syntax.names().is_some_and(|names| names.addresses.iter().any(|row| row.1 == address))
 }
 
 impl Params {
@@ -123,107 +130,146 @@ impl Params {
     pub fn stages(&self) -> impl Iterator<Item = f64> {
         [self.stage_1, self.stage_2, self.stage_3, self.stage_4].into_iter().take_while(|speed| *speed > 0.0)
     }
+
+    /// The control can hold a surface speed.
+    pub(super) fn holds_surface_speed(&self, control: &Control) -> bool {
+        control.can(Code::SurfaceSpeed)
+    }
+
+    /// The control has codes for gear stages.
+    pub(super) fn has_gears(&self, control: &Control) -> bool {
+        control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..)))
+    }
+
+    /// The sign of the control's output can carry the direction.
+    pub(super) fn has_signed_output(&self, control: &Control) -> bool {
+        control.spindle.signed_output
+    }
+
+    /// A gear change that takes too long is an alarm.
+    pub(super) fn has_gear_alarm(&self, control: &Control) -> bool {
+        control.raises(Alarm::GearTimeout)
+    }
+
+    /// A word of the control positions the spindle.
+    pub(super) fn can_position(&self, control: &Control) -> bool {
+        has_address(control, long::SPOS)
+    }
+
+    /// The spindle is positioned for a keyway.
+    fn has_keyway(&self, control: &Control) -> bool {
+        self.keyway && self.can_position(control)
+    }
+
+    fn is_taper(&self, _: &Control) -> bool {
+        self.path == Path::Taper
+    }
+
+    fn is_facing(&self, _: &Control) -> bool {
+        self.path == Path::Facing
+    }
+
+    fn has_length(&self, _: &Control) -> bool {
+        self.path != Path::Facing
+    }
 }
 
 /// Every input, in the order of the form.
 #[rustfmt::skip]
 pub static FIELDS: &[Field<Params>] = &[
-    setting!("path", "turning.group.part", "turning.path", "turning.path.help", "",
-        one_of!(path: Path, "facing" "turning.path.facing", "turning" "turning.path.turning", "taper" "turning.path.taper")),
-    essential!("stock-diameter", "turning.group.part", "turning.stock-diameter", "turning.stock-diameter.help", "#102", fact false,
-        number!(stock_diameter, "mm", 1.0..3000.0, 80.0, 3, 1.0)),
-    essential!("finished-diameter", "turning.group.part", "turning.finished-diameter", "turning.finished-diameter.help", "#103", fact false,
-        number!(finished_diameter, "mm", 0.0..3000.0, 20.0, 3, 1.0)),
-    setting!("large-diameter", "turning.group.part", "turning.large-diameter", "turning.large-diameter.help", "#104",
-        when resolved::is_taper, number!(large_diameter, "mm", 0.001..3000.0, 60.0, 3, 1.0)),
-    setting!("length", "turning.group.part", "turning.length", "turning.length.help", "#105",
-        when resolved::has_length, number!(length, "mm", 0.1..10000.0, 60.0, 3, 1.0)),
-    setting!("allowance", "turning.group.part", "turning.allowance", "turning.allowance.help", "#114",
-        when resolved::is_facing, number!(allowance, "mm", 0.01..1000.0, 2.0, 3, 0.1)),
-    essential!("depth", "turning.group.cut", "turning.depth", "turning.depth.help", "#106", fact false,
-        number!(depth, "mm", 0.01..100.0, 1.0, 3, 0.1)),
-    setting!("speed-mode", "turning.group.cut", "turning.speed-mode", "turning.speed-mode.help", "",
-        when resolved::holds_surface_speed,
-        one_of!(speed_mode: SpeedMode, "surface" "turning.speed-mode.surface", "fixed" "turning.speed-mode.fixed")),
-    essential!("cutting-speed", "turning.group.cut", "turning.cutting-speed", "turning.cutting-speed.help", "#100", fact false,
-        number!(cutting_speed, "m/min", 0.1..5000.0, 180.0, 2, 5.0)),
-    essential!("feed", "turning.group.cut", "turning.feed", "turning.feed.help", "#101", fact false,
-        number!(feed, "mm/rev", 0.001..10.0, 0.2, 3, 0.01)),
-    essential!("upper-limit", "turning.group.cut", "turning.upper-limit", "turning.upper-limit.help", "#107", fact false,
-        number!(upper_limit, "r/min", 1.0..60000.0, 2500.0, 0, 100.0)),
-    setting!("lower-limit", "turning.group.cut", "turning.lower-limit", "turning.lower-limit.help", "", when resolved::holds_surface_speed,
-        number!(lower_limit, "r/min", 0.0..10000.0, 0.0, 0, 10.0)),
-    setting!("clearance", "turning.group.cut", "turning.clearance", "turning.clearance.help", "#108",
-        number!(clearance, "mm", 0.1..100.0, 2.0, 3, 0.5)),
-    setting!("start-x", "turning.group.cut", "turning.start-x", "turning.start-x.help", "#111",
-        number!(start_x, "mm", 1.0..5000.0, 150.0, 3, 10.0)),
-    setting!("start-z", "turning.group.cut", "turning.start-z", "turning.start-z.help", "#112",
-        number!(start_z, "mm", 0.1..5000.0, 100.0, 3, 10.0)),
-    setting!("keyway", "turning.group.cut", "turning.keyway", "turning.keyway.help", "", when resolved::can_position, flag!(keyway)),
-    setting!("keyway-angle", "turning.group.cut", "turning.keyway-angle", "turning.keyway-angle.help", "#113",
-        when resolved::has_keyway, number!(keyway_angle, "°", 0.0..359.999, 0.0, 3, 5.0)),
-    setting!("lock-code", "turning.group.cut", "turning.lock-code", "turning.lock-code.help", "M",
-        when resolved::has_keyway, number!(lock_code, "", 0.0..999.0, 0.0, 0, 1.0)),
-    setting!("driven-tool", "turning.group.cut", "turning.driven-tool", "turning.driven-tool.help", "",
-        when resolved::has_keyway, flag!(driven_tool)),
-    setting!("direction", "turning.group.spindle", "turning.direction", "turning.direction.help", "",
-        one_of!(direction: Direction, "cw" "turning.direction.cw", "ccw" "turning.direction.ccw")),
-    setting!("override", "turning.group.spindle", "turning.override", "turning.override.help", "",
-        number!(override_percent, "%", 10.0..200.0, 100.0, 0, 10.0)),
-    setting!("gear", "turning.group.spindle", "turning.gear", "turning.gear.help", "", when resolved::has_gears,
-        one_of!(gear: Gear, "best" "turning.gear.best", "1" "turning.gear.1", "2" "turning.gear.2", "3" "turning.gear.3", "4" "turning.gear.4")),
-    fact!("stage-1", "turning.group.spindle", "turning.stage-1", "turning.stage-1.help", "M41",
-        number!(stage_1, "r/min", 1.0..60000.0, 1000.0, 0, 100.0)),
-    Field { shown: resolved::has_gears, ..fact!("stage-2", "turning.group.spindle", "turning.stage-2", "turning.stage.help", "M42",
-        number!(stage_2, "r/min", 0.0..60000.0, 3000.0, 0, 100.0)) },
-    Field { shown: resolved::has_gears, ..fact!("stage-3", "turning.group.spindle", "turning.stage-3", "turning.stage.help", "M43",
-        number!(stage_3, "r/min", 0.0..60000.0, 0.0, 0, 100.0)) },
-    Field { shown: resolved::has_gears, ..fact!("stage-4", "turning.group.spindle", "turning.stage-4", "turning.stage.help", "M44",
-        number!(stage_4, "r/min", 0.0..60000.0, 0.0, 0, 100.0)) },
-    fact!("chuck-limit", "turning.group.spindle", "turning.chuck-limit", "turning.chuck-limit.help", "",
-        number!(chuck_limit, "r/min", 1.0..60000.0, 3000.0, 0, 100.0)),
-    fact!("spindle-ramp", "turning.group.spindle", "turning.spindle-ramp", "turning.spindle-ramp.help", "",
-        number!(spindle_ramp, "s", 0.0..600.0, 3.0, 2, 0.1)),
-    Field { shown: resolved::has_gears, ..fact!("gear-time", "turning.group.spindle", "turning.gear-time", "turning.gear-time.help", "",
-        number!(gear_time, "s", 0.0..60.0, 2.0, 2, 0.1)) },
-    Field { shown: resolved::has_gear_alarm, ..fact!("gear-patience", "turning.group.spindle", "turning.gear-patience", "turning.gear-patience.help", "",
-        number!(gear_patience, "s", 0.0..60.0, 0.0, 2, 0.5)) },
-    Field { shown: resolved::has_signed_output, ..fact!("output", "turning.group.output", "turning.output", "turning.output.help", "",
-        one_of!(output: Output, "0-10" "turning.output.unipolar", "+-10" "turning.output.bipolar")) },
-    fact!("offset-zero", "turning.group.output", "turning.offset-zero", "turning.offset-zero.help", "",
-        number!(offset_zero, "mV", -2000.0..2000.0, 0.0, 0, 1.0)),
-    fact!("offset-full", "turning.group.output", "turning.offset-full", "turning.offset-full.help", "",
-        number!(offset_full, "mV", -2000.0..2000.0, 0.0, 0, 1.0)),
-    setting!("cutting-force", "turning.group.power", "turning.cutting-force", "turning.cutting-force.help", "F",
-        number!(cutting_force, "N", 0.0..100000.0, 0.0, 0, 50.0)),
-    fact!("motor-power", "turning.group.power", "turning.motor-power", "turning.motor-power.help", "P",
-        number!(motor_power, "kW", 0.01..1000.0, 7.5, 2, 0.5)),
-    fact!("efficiency", "turning.group.power", "turning.efficiency", "turning.efficiency.help", "η",
-        number!(efficiency, "%", 1.0..100.0, 80.0, 0, 1.0)),
-    fact!("rapid-x", "turning.group.axes", "turning.rapid-x", "turning.rapid-x.help", "",
-        number!(rapid_x, "mm/min", 1.0..1000000.0, 8000.0, 0, 500.0)),
-    fact!("rapid-z", "turning.group.axes", "turning.rapid-z", "turning.rapid-z.help", "",
-        number!(rapid_z, "mm/min", 1.0..1000000.0, 10000.0, 0, 500.0)),
-    fact!("clamp-x", "turning.group.axes", "turning.clamp-x", "turning.clamp-x.help", "",
-        number!(clamp_x, "mm/min", 1.0..1000000.0, 4000.0, 0, 500.0)),
-    fact!("clamp-z", "turning.group.axes", "turning.clamp-z", "turning.clamp-z.help", "",
-        number!(clamp_z, "mm/min", 1.0..1000000.0, 8000.0, 0, 500.0)),
-    fact!("travel-x", "turning.group.axes", "turning.travel-x", "turning.travel.help", "",
-        number!(travel_x, "mm", 0.0..10000.0, 0.0, 1, 10.0)),
-    fact!("travel-z", "turning.group.axes", "turning.travel-z", "turning.travel.help", "",
-        number!(travel_z, "mm", 0.0..20000.0, 0.0, 1, 10.0)),
-    fact!("time-constant", "turning.group.axes", "turning.time-constant", "turning.time-constant.help", "τ",
-        number!(time_constant, "ms", 0.0..5000.0, 100.0, 1, 10.0)),
-    fact!("position-gain", "turning.group.axes", "turning.position-gain", "turning.position-gain.help", "K",
-        number!(position_gain, "1/s", 1.0..1000.0, 33.0, 2, 1.0)),
-    fact!("block-time", "turning.group.control", "form.block-time", "form.block-time.help", "",
-        number!(block_time, "ms", 0.1..1000.0, 5.0, 3, 0.1)),
-    fact!("macro-time", "turning.group.control", "form.macro-time", "form.macro-time.help", "",
-        number!(macro_time, "ms", 0.1..1000.0, 1.0, 3, 0.1)),
-    fact!("preread", "turning.group.control", "form.preread", "form.preread.help", "",
-        number!(preread, "", 1.0..100.0, 2.0, 0, 1.0)),
-    setting!("newline", "turning.group.control", "form.newline", "form.newline.help", "",
-        one_of!(newline: Newline, "lf" "form.newline.lf", "crlf" "form.newline.crlf")),
-    setting!("customer", "turning.group.control", "form.customer", "form.customer.help", "", words!(customer)),
-    setting!("product", "turning.group.control", "form.product", "form.product.help", "", words!(product)),
+    choice("path", member!(Params.path: Path)).group("turning.group.part").label("turning.path").help("turning.path.help"),
+    number("stock-diameter", member!(Params.stock_diameter)).group("turning.group.part").label("turning.stock-diameter").help("turning.stock-diameter.help").symbol("#102")
+        .unit("mm").range(1.0..=3000.0).default(80.0).decimals(3).step(1.0).essential(),
+    number("finished-diameter", member!(Params.finished_diameter)).group("turning.group.part").label("turning.finished-diameter").help("turning.finished-diameter.help").symbol("#103")
+        .unit("mm").range(0.0..=3000.0).default(20.0).decimals(3).step(1.0).essential(),
+    number("large-diameter", member!(Params.large_diameter)).group("turning.group.part").label("turning.large-diameter").help("turning.large-diameter.help").symbol("#104")
+        .unit("mm").range(0.001..=3000.0).default(60.0).decimals(3).step(1.0).when(Params::is_taper),
+    number("length", member!(Params.length)).group("turning.group.part").label("turning.length").help("turning.length.help").symbol("#105")
+        .unit("mm").range(0.1..=10000.0).default(60.0).decimals(3).step(1.0).when(Params::has_length),
+    number("allowance", member!(Params.allowance)).group("turning.group.part").label("turning.allowance").help("turning.allowance.help").symbol("#114")
+        .unit("mm").range(0.01..=1000.0).default(2.0).decimals(3).step(0.1).when(Params::is_facing),
+    number("depth", member!(Params.depth)).group("turning.group.cut").label("turning.depth").help("turning.depth.help").symbol("#106")
+        .unit("mm").range(0.01..=100.0).default(1.0).decimals(3).step(0.1).essential(),
+    choice("speed-mode", member!(Params.speed_mode: SpeedMode)).group("turning.group.cut").label("turning.speed-mode").help("turning.speed-mode.help")
+        .when(Params::holds_surface_speed),
+    number("cutting-speed", member!(Params.cutting_speed)).group("turning.group.cut").label("turning.cutting-speed").help("turning.cutting-speed.help").symbol("#100")
+        .unit("m/min").range(0.1..=5000.0).default(180.0).decimals(2).step(5.0).essential(),
+    number("feed", member!(Params.feed)).group("turning.group.cut").label("turning.feed").help("turning.feed.help").symbol("#101")
+        .unit("mm/rev").range(0.001..=10.0).default(0.2).decimals(3).step(0.01).essential(),
+    number("upper-limit", member!(Params.upper_limit)).group("turning.group.cut").label("turning.upper-limit").help("turning.upper-limit.help").symbol("#107")
+        .unit("r/min").range(1.0..=60000.0).default(2500.0).decimals(0).step(100.0).essential(),
+    number("lower-limit", member!(Params.lower_limit)).group("turning.group.cut").label("turning.lower-limit").help("turning.lower-limit.help")
+        .unit("r/min").range(0.0..=10000.0).default(0.0).decimals(0).step(10.0).when(Params::holds_surface_speed),
+    number("clearance", member!(Params.clearance)).group("turning.group.cut").label("turning.clearance").help("turning.clearance.help").symbol("#108")
+        .unit("mm").range(0.1..=100.0).default(2.0).decimals(3).step(0.5),
+    number("start-x", member!(Params.start_x)).group("turning.group.cut").label("turning.start-x").help("turning.start-x.help").symbol("#111")
+        .unit("mm").range(1.0..=5000.0).default(150.0).decimals(3).step(10.0),
+    number("start-z", member!(Params.start_z)).group("turning.group.cut").label("turning.start-z").help("turning.start-z.help").symbol("#112")
+        .unit("mm").range(0.1..=5000.0).default(100.0).decimals(3).step(10.0),
+    flag("keyway", member!(Params.keyway)).group("turning.group.cut").label("turning.keyway").help("turning.keyway.help")
+        .when(Params::can_position),
+    number("keyway-angle", member!(Params.keyway_angle)).group("turning.group.cut").label("turning.keyway-angle").help("turning.keyway-angle.help").symbol("#113")
+        .unit("°").range(0.0..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_keyway),
+    number("lock-code", member!(Params.lock_code)).group("turning.group.cut").label("turning.lock-code").help("turning.lock-code.help").symbol("M")
+        .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_keyway),
+    flag("driven-tool", member!(Params.driven_tool)).group("turning.group.cut").label("turning.driven-tool").help("turning.driven-tool.help")
+        .when(Params::has_keyway),
+    choice("direction", member!(Params.direction: Direction)).group("turning.group.spindle").label("turning.direction").help("turning.direction.help"),
+    number("override", member!(Params.override_percent)).group("turning.group.spindle").label("turning.override").help("turning.override.help")
+        .unit("%").range(10.0..=200.0).default(100.0).decimals(0).step(10.0),
+    choice("gear", member!(Params.gear: Gear)).group("turning.group.spindle").label("turning.gear").help("turning.gear.help")
+        .when(Params::has_gears),
+    number("stage-1", member!(Params.stage_1)).group("turning.group.spindle").label("turning.stage-1").help("turning.stage-1.help").symbol("M41")
+        .unit("r/min").range(1.0..=60000.0).default(1000.0).decimals(0).step(100.0).fact(),
+    number("stage-2", member!(Params.stage_2)).group("turning.group.spindle").label("turning.stage-2").help("turning.stage.help").symbol("M42")
+        .unit("r/min").range(0.0..=60000.0).default(3000.0).decimals(0).step(100.0).fact().when(Params::has_gears),
+    number("stage-3", member!(Params.stage_3)).group("turning.group.spindle").label("turning.stage-3").help("turning.stage.help").symbol("M43")
+        .unit("r/min").range(0.0..=60000.0).default(0.0).decimals(0).step(100.0).fact().when(Params::has_gears),
+    number("stage-4", member!(Params.stage_4)).group("turning.group.spindle").label("turning.stage-4").help("turning.stage.help").symbol("M44")
+        .unit("r/min").range(0.0..=60000.0).default(0.0).decimals(0).step(100.0).fact().when(Params::has_gears),
+    number("chuck-limit", member!(Params.chuck_limit)).group("turning.group.spindle").label("turning.chuck-limit").help("turning.chuck-limit.help")
+        .unit("r/min").range(1.0..=60000.0).default(3000.0).decimals(0).step(100.0).fact(),
+    number("spindle-ramp", member!(Params.spindle_ramp)).group("turning.group.spindle").label("turning.spindle-ramp").help("turning.spindle-ramp.help")
+        .unit("s").range(0.0..=600.0).default(3.0).decimals(2).step(0.1).fact(),
+    number("gear-time", member!(Params.gear_time)).group("turning.group.spindle").label("turning.gear-time").help("turning.gear-time.help")
+        .unit("s").range(0.0..=60.0).default(2.0).decimals(2).step(0.1).fact().when(Params::has_gears),
+    number("gear-patience", member!(Params.gear_patience)).group("turning.group.spindle").label("turning.gear-patience").help("turning.gear-patience.help")
+        .unit("s").range(0.0..=60.0).default(0.0).decimals(2).step(0.5).fact().when(Params::has_gear_alarm),
+    choice("output", member!(Params.output: Output)).group("turning.group.output").label("turning.output").help("turning.output.help")
+        .fact().when(Params::has_signed_output),
+    number("offset-zero", member!(Params.offset_zero)).group("turning.group.output").label("turning.offset-zero").help("turning.offset-zero.help")
+        .unit("mV").range(-2000.0..=2000.0).default(0.0).decimals(0).step(1.0).fact(),
+    number("offset-full", member!(Params.offset_full)).group("turning.group.output").label("turning.offset-full").help("turning.offset-full.help")
+        .unit("mV").range(-2000.0..=2000.0).default(0.0).decimals(0).step(1.0).fact(),
+    number("cutting-force", member!(Params.cutting_force)).group("turning.group.power").label("turning.cutting-force").help("turning.cutting-force.help").symbol("F")
+        .unit("N").range(0.0..=100000.0).default(0.0).decimals(0).step(50.0),
+    number("motor-power", member!(Params.motor_power)).group("turning.group.power").label("turning.motor-power").help("turning.motor-power.help").symbol("P")
+        .unit("kW").range(0.01..=1000.0).default(7.5).decimals(2).step(0.5).fact(),
+    number("efficiency", member!(Params.efficiency)).group("turning.group.power").label("turning.efficiency").help("turning.efficiency.help").symbol("η")
+        .unit("%").range(1.0..=100.0).default(80.0).decimals(0).step(1.0).fact(),
+    number("rapid-x", member!(Params.rapid_x)).group("turning.group.axes").label("turning.rapid-x").help("turning.rapid-x.help")
+        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
+    number("rapid-z", member!(Params.rapid_z)).group("turning.group.axes").label("turning.rapid-z").help("turning.rapid-z.help")
+        .unit("mm/min").range(1.0..=1000000.0).default(10000.0).decimals(0).step(500.0).fact(),
+    number("clamp-x", member!(Params.clamp_x)).group("turning.group.axes").label("turning.clamp-x").help("turning.clamp-x.help")
+        .unit("mm/min").range(1.0..=1000000.0).default(4000.0).decimals(0).step(500.0).fact(),
+    number("clamp-z", member!(Params.clamp_z)).group("turning.group.axes").label("turning.clamp-z").help("turning.clamp-z.help")
+        .unit("mm/min").range(1.0..=1000000.0).default(8000.0).decimals(0).step(500.0).fact(),
+    number("travel-x", member!(Params.travel_x)).group("turning.group.axes").label("turning.travel-x").help("turning.travel.help")
+        .unit("mm").range(0.0..=10000.0).default(0.0).decimals(1).step(10.0).fact(),
+    number("travel-z", member!(Params.travel_z)).group("turning.group.axes").label("turning.travel-z").help("turning.travel.help")
+        .unit("mm").range(0.0..=20000.0).default(0.0).decimals(1).step(10.0).fact(),
+    number("time-constant", member!(Params.time_constant)).group("turning.group.axes").label("turning.time-constant").help("turning.time-constant.help").symbol("τ")
+        .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).fact(),
+    number("position-gain", member!(Params.position_gain)).group("turning.group.axes").label("turning.position-gain").help("turning.position-gain.help").symbol("K")
+        .unit("1/s").range(1.0..=1000.0).default(33.0).decimals(2).step(1.0).fact(),
+    number("block-time", member!(Params.block_time)).group("turning.group.control").label("form.block-time").help("form.block-time.help")
+        .unit("ms").range(0.1..=1000.0).default(5.0).decimals(3).step(0.1).fact(),
+    number("macro-time", member!(Params.macro_time)).group("turning.group.control").label("form.macro-time").help("form.macro-time.help")
+        .unit("ms").range(0.1..=1000.0).default(1.0).decimals(3).step(0.1).fact(),
+    number("preread", member!(Params.preread)).group("turning.group.control").label("form.preread").help("form.preread.help")
+        .range(1.0..=100.0).default(2.0).decimals(0).step(1.0).fact(),
+    choice("newline", member!(Params.newline: LineEnds)).group("turning.group.control").label("form.newline").help("form.newline.help"),
+    text("customer", member!(&Params.customer)).group("turning.group.control").label("form.customer").help("form.customer.help").characters(22),
+    text("product", member!(&Params.product)).group("turning.group.control").label("form.product").help("form.product.help").characters(22),
 ];

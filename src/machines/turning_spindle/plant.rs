@@ -1,6 +1,6 @@
 //! The plant of the turning spindle: two slides, the spindle with its gear stages, and the builder's logic between them.
 
-use super::resolved::{ALONG, CROSS, Resolved, has_gear_alarm};
+use super::resolved::{ALONG, CROSS, Resolved};
 use crate::controls::SpindleRules;
 use crate::drives::Positioning;
 use crate::motion::{AxisPlant, BenchPlc, GearShift, Plant, SpindlePlant};
@@ -58,7 +58,7 @@ pub(super) fn plc(lathe: &Resolved) -> BenchPlc {
     let p = &lathe.p;
     let mut plc = BenchPlc::new(FIN_DELAY, None);
     plc.shift =
-        shift(p.gear_time, (p.gear_patience > 0.0 && has_gear_alarm(p, lathe.control)).then_some(p.gear_patience));
+        shift(p.gear_time, (p.gear_patience > 0.0 && p.has_gear_alarm(lathe.control)).then_some(p.gear_patience));
     plc.knob = Some(lathe.rules().knob);
     plc.stop_between = lathe.rules().stop_between;
     plc

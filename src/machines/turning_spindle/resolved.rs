@@ -1,9 +1,9 @@
 //! The lathe on a control: what of the form it can do there, and what its words count.
 
 use super::derive::Derived;
-use super::params::{Gear, Output, Params, Path, SpeedMode};
+use super::params::{self, Gear, Output, Params, SpeedMode};
 use crate::controls::syntax::long;
-use crate::controls::{Alarm, Code, Control, SpindleRules, Switches};
+use crate::controls::{Control, SpindleRules, Switches};
 use crate::drives::Stage;
 use crate::machines::ControlContext;
 use crate::motion::Snapshot;
@@ -26,14 +26,14 @@ impl<'a> Resolved<'a> {
     pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
         let ControlContext { control, switches } = on;
         let mut p = form.clone();
-        if !holds_surface_speed(form, control) {
+        if !form.holds_surface_speed(control) {
             (p.speed_mode, p.lower_limit) = (SpeedMode::Fixed, 0.0);
         }
-        if !has_gears(form, control) {
+        if !form.has_gears(control) {
             (p.stage_2, p.stage_3, p.stage_4) = (0.0, 0.0, 0.0);
             p.gear = Gear::First;
         }
-        if !has_signed_output(form, control) {
+        if !form.has_signed_output(control) {
             p.output = Output::Unipolar;
         }
         // As the knob can stand, and as S can be read.
@@ -67,12 +67,12 @@ impl<'a> Resolved<'a> {
 
     /// The address of the limit under constant surface speed, where that has a word of its own.
     pub(super) fn limit_word(&self) -> Option<u8> {
-        has_address(self.control, long::LIMS).then_some(long::LIMS)
+        params::has_address(self.control, long::LIMS).then_some(long::LIMS)
     }
 
     /// The spindle is brought to an angle behind the cut.
     pub(super) fn positions(&self) -> bool {
-        self.p.keyway && can_position(self.form, self.control)
+        self.p.keyway && self.form.can_position(self.control)
     }
 
     /// What the control does with the spindle, as its open points are set.
@@ -107,51 +107,4 @@ impl<'a> Resolved<'a> {
         let low = if self.rules().low_always { self.p.lower_limit } else { 0.0 };
         self.p.stages().map(|speed| Stage { range: (low, f64::INFINITY), ..Stage::new(speed) }).collect()
     }
-}
-
-/// Whether the control can hold a surface speed.
-pub(super) fn holds_surface_speed(_: &Params, control: &Control) -> bool {
-    control.can(Code::SurfaceSpeed)
-}
-
-/// Whether the control has codes for gear stages.
-pub(super) fn has_gears(_: &Params, control: &Control) -> bool {
-    control.codes.iter().any(|row| matches!(row.code, Code::GearStage(1..)))
-}
-
-/// Whether the output of the control can carry the direction as its sign.
-pub(super) fn has_signed_output(_: &Params, control: &Control) -> bool {
-    control.spindle.signed_output
-}
-
-/// Whether a gear that takes too long is an alarm.
-pub(super) fn has_gear_alarm(_: &Params, control: &Control) -> bool {
-    control.raises(Alarm::GearTimeout)
-}
-
-/// Whether the control has an address of several letters.
-fn has_address(control: &Control, address: u8) -> bool {
-    control.syntax.names().is_some_and(|names| names.addresses.iter().any(|row| row.1 == address))
-}
-
-/// Whether a word of the control brings the spindle to an angle.
-pub(super) fn can_position(_: &Params, control: &Control) -> bool {
-    has_address(control, long::SPOS)
-}
-
-/// Whether there is an angle to bring it to.
-pub(super) fn has_keyway(p: &Params, control: &Control) -> bool {
-    p.keyway && can_position(p, control)
-}
-
-pub(super) fn is_taper(p: &Params, _: &Control) -> bool {
-    p.path == Path::Taper
-}
-
-pub(super) fn is_facing(p: &Params, _: &Control) -> bool {
-    p.path == Path::Facing
-}
-
-pub(super) fn has_length(p: &Params, _: &Control) -> bool {
-    p.path != Path::Facing
 }

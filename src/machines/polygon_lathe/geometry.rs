@@ -1,0 +1,82 @@
+//! Cutter, ratio and section of the polygon lathe as the form gives them. Lengths in mm, angles in radians.
+
+use super::params::Params;
+use crate::drives::polygon::choose::{Cutter, Means, Wanted};
+use crate::drives::polygon::cut::{self, Cut};
+use crate::drives::polygon::{Ratio, Section, Setup};
+use crate::math::PI;
+use crate::text::number;
+
+/// Radians in a degree.
+const RADIANS: f64 = PI / 180.0;
+
+/// Greatest radial error of an insert (mm), and greatest angular error (°).
+pub(super) const RADIUS_ERROR: f64 = 1.0;
+pub(super) const ANGLE_ERROR: f64 = 10.0;
+
+impl Params {
+    /// Tool to work speed; none where D or Q is 0.
+    pub(super) fn ratio(&self) -> Option<Ratio> {
+        Ratio::new(self.tool_ratio as i32, self.work_ratio as i32)
+    }
+
+    /// The cutter at a distance across flats, with the errors of its inserts.
+    pub(super) fn setup(&self, across_flats: f64) -> Option<Setup> {
+        let mut setup = Setup::even(across_flats, self.tip_radius, self.ratio()?, self.inserts as u32);
+        (setup.work_start, setup.tool_start) = (self.work_start * RADIANS, self.tool_start * RADIANS);
+        let errors = |text: &str, most: f64| errors(text, setup.tips.len(), most).unwrap_or_default();
+        let (radii, angles) = (errors(&self.radius_errors, RADIUS_ERROR), errors(&self.angle_errors, ANGLE_ERROR));
+        for (tip, error) in setup.tips.iter_mut().zip(radii) {
+            tip.radius += error;
+        }
+        for (tip, error) in setup.tips.iter_mut().zip(angles) {
+            tip.angle += error * RADIANS;
+        }
+        Some(setup)
+    }
+
+    /// Relief and cutting speed that every pass needs, with its number from 1. `sizes` are across flats of the passes.
+    pub(super) fn cuts(&self, setup: &Setup, sizes: &[f64]) -> Vec<(f64, Cut)> {
+        let cuts = cut::passes(sizes, self.tip_radius, setup.ratio, setup.sides(), 0.5 * self.stock_diameter);
+        (1_u32..).map(f64::from).zip(cuts).collect()
+    }
+
+    /// The finished section.
+    pub(super) fn section(&self) -> Option<Section> {
+        Section::new(&self.setup(self.across_flats)?, 0.5 * self.stock_diameter)
+    }
+
+    /// The polygon to be turned, in passes of these `sizes` across flats.
+    pub(super) fn wanted<'s>(&self, sizes: &'s [f64]) -> Wanted<'s> {
+        Wanted {
+            sides: self.sides as u32,
+            sizes,
+            stock: 0.5 * self.stock_diameter,
+            flatness: self.flatness,
+            hollow: self.hollow,
+        }
+    }
+
+    /// Cutters, ratios, speeds and distances that the machine allows.
+    pub(super) fn means(&self) -> Means {
+        let radius = (self.least_radius.min(self.greatest_radius), self.greatest_radius);
+        let cutter = |inserts: u32| Cutter { inserts, radius, relief: self.relief * RADIANS };
+        Means {
+            cutters: (1..=self.most_inserts as u32).map(cutter).collect(),
+            terms: (self.most_tool_turns as u32, self.most_work_turns as u32),
+            against: self.against,
+            work_speed: self.work_limit,
+            tool_speed: self.tool_limit,
+            distance: (self.least_distance, self.greatest_distance),
+            cutting_speed: (self.slowest_cut, self.fastest_cut),
+        }
+    }
+}
+
+/// Errors of the inserts, in their order, from the text of the form; none where one is no number, is greater than `most`, or where
+/// there are more errors than inserts.
+pub(super) fn errors(text: &str, inserts: usize, most: f64) -> Option<Vec<f64>> {
+    let within = |error: &f64| error.abs() <= most;
+    let errors: Option<Vec<f64>> = text.split_whitespace().map(|error| number::read(error).filter(within)).collect();
+    errors.filter(|errors| errors.len() <= inserts)
+}

@@ -1,0 +1,107 @@
+//! The sequence from G512 to G502: its steps in closed form, as a table and as a timing diagram.
+
+use core::fmt::Write;
+
+use super::resolved::Resolved;
+use super::show;
+use crate::machines::sheets::{row, say};
+use crate::text::number::{Plain, fill, filled};
+use crate::text::{Citation, Grade};
+use crate::view::Sheet;
+use crate::view::svg::escape;
+
+const OURS: Citation = Citation::new("ours: the paper does not tell", Grade::Open);
+
+/// Signals that rise and fall, in the order of the diagram.
+const TRACKS: [&str; 6] = [
+    "polygon.track.index",
+    "polygon.track.at-angle",
+    "polygon.track.turn",
+    "polygon.track.at-speed",
+    "polygon.track.on",
+    "polygon.track.slide",
+];
+
+/// A step of the sequence: when it happens, its text, and which tracks (index, on) change.
+type Step = (f64, &'static str, Vec<(usize, bool)>);
+
+/// What happens from G512 to G502: times in closed form, blocks of the macro programs apart.
+fn steps(lathe: &Resolved) -> Vec<Step> {
+    let (p, d) = (&lathe.p, lathe.derived());
+    let angle = p.index_time() + p.settling();
+    let speed = angle + p.settling();
+    let cut = speed + d.cutting_time;
+    vec![
+        (0.0, "polygon.step.request", vec![(0, true), (4, true)]),
+        (p.index_time(), "polygon.step.told", vec![]),
+        (angle, "polygon.step.at-angle", vec![(1, true)]),
+        (angle, "polygon.step.turn", vec![(2, true)]),
+        (speed, "polygon.step.at-speed", vec![(3, true)]),
+        (speed, "polygon.step.cut", vec![(5, true)]),
+        (cut, "polygon.step.off", vec![(5, false), (2, false), (0, false), (1, false), (3, false)]),
+        (cut + p.settling(), "polygon.step.stands", vec![(4, false)]),
+    ]
+}
+
+/// The sequence as a table with its diagram.
+pub(super) fn sheet(lathe: &Resolved) -> Sheet {
+    let step = |(t, text, _): Step| row([show(t, 3), say(text)], OURS);
+    let coasts = lathe.p.coasts(lathe.control);
+    let emergency = if coasts { "polygon.step.coast" } else { "polygon.step.emergency" };
+    let breaks = ["polygon.step.held", "polygon.step.reset", emergency];
+    let breaks = breaks.map(|text| row([String::new(), say(text)], OURS));
+    Sheet {
+        id: "sequence",
+        title: "polygon.sheet.sequence",
+        columns: vec!["polygon.sheet.time", "sheet.use"],
+        rows: steps(lathe).into_iter().map(step).chain(breaks).collect(),
+        drawing: diagram(lathe),
+    }
+}
+
+/// Left and right edge of the diagram, and the height of a track.
+const LEFT: f64 = 10.0;
+const RIGHT: f64 = 390.0;
+const TRACK: f64 = 44.0;
+
+/// When which signal is on, from G512 to G502. The cut is shown shorter than it is.
+fn diagram(lathe: &Resolved) -> String {
+    let steps = steps(lathe);
+    // Every step gets its own column, so that short ones are seen.
+    let column = (RIGHT - LEFT) / steps.len() as f64;
+    let middle = |at: usize| LEFT + column * (at as f64 + 0.5);
+    // A line for each sentence.
+    let note = say("polygon.sequence.note");
+    let lines: Vec<&str> = note.split_inclusive(". ").collect();
+    let bottom = 24.0 + TRACK * TRACKS.len() as f64;
+    let height = bottom + 14.0 * (lines.len() as f64 + 1.0);
+    let mut out =
+        filled("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"ladder\" viewBox=\"0 0 400 #\">", &[height]);
+    let text = |x: f64, y: f64, look: &str, words: &str, out: &mut String| {
+        fill(out, "<text x=\"#\" y=\"#\" ", &[x, y]);
+        let _ = write!(out, "{look}>");
+        escape(out, words);
+        out.push_str("</text>");
+    };
+    for (at, (t, _, _)) in steps.iter().enumerate() {
+        let time = format!("{} s", Plain(*t, 2));
+        text(middle(at), 14.0, "text-anchor=\"middle\" class=\"f-dim small\"", &time, &mut out);
+        fill(&mut out, "<path d=\"M# 20V#\" class=\"f-none s-line\"/>", &[middle(at), bottom]);
+    }
+    for (track, name) in TRACKS.iter().enumerate() {
+        let low = 18.0 + TRACK * (track as f64 + 1.0);
+        text(LEFT, low - 24.0, "class=\"f-ink\"", &say(name), &mut out);
+        fill(&mut out, "<path d=\"M# #", &[LEFT, low]);
+        for (at, (_, _, changes)) in steps.iter().enumerate() {
+            for (_, on) in changes.iter().filter(|(changed, _)| *changed == track) {
+                fill(&mut out, "H#V#", &[middle(at), if *on { low - 18.0 } else { low }]);
+            }
+        }
+        fill(&mut out, "H#\" class=\"f-none s-accent\" stroke-width=\"2\"/>", &[RIGHT]);
+    }
+    for (at, line) in lines.into_iter().enumerate() {
+        text(LEFT, bottom + 14.0 * (at as f64 + 1.0), "class=\"f-dim small\"", line.trim(), &mut out);
+    }
+    out.push_str("</svg>");
+    out
+}
