@@ -10,7 +10,7 @@ use super::modal::Radii;
 use super::state::{BlockContext, State};
 use crate::controls::macros::{CallKind, CodeCall};
 use crate::controls::syntax::long;
-use crate::controls::{Alarm, Code, Group};
+use crate::controls::{Alarm, Code, CodeId, Group};
 use crate::drives::Approach;
 use crate::drives::speed::SpeedLimit;
 use crate::msg;
@@ -286,10 +286,11 @@ impl State {
             match word.letter {
                 b'G' => {
                     let Some(number) = self.code_number(cx, block, word)? else { continue };
-                    if !cx.shared.rules.calls.is_empty() && self.calls(cx, word.letter, number, at, codes) {
+                    let id = CodeId::G(number);
+                    if self.calls(cx, id, at, codes) {
                         continue;
                     }
-                    let Some(row) = cx.shared.index.code(cx.control, b'G', number) else {
+                    let Some(row) = cx.codes().row(id) else {
                         let written = self.raw(cx, block, word)?.unwrap_or(0.0);
                         let trap = Trap::alarm(Alarm::UnknownCode, msg!("interp.unknown-code", written));
                         return Err(trap.within(word_span(block, word)));
@@ -322,8 +323,7 @@ impl State {
     #[cold]
     fn other_spindle(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<bool> {
         let Some(number) = self.whole(cx, block, word)? else { return Ok(word.index.is_some()) };
-        let tenths = (number * 10.0) as u32;
-        let sign = match cx.shared.index.code(cx.control, b'M', tenths).map(|row| row.code) {
+        let sign = match cx.codes().row(CodeId::M(number as u32)).map(|row| row.code) {
             Some(Code::SpindleCw) => 1,
             Some(Code::SpindleCcw) => -1,
             Some(Code::SpindleStop) => 0,
@@ -382,9 +382,7 @@ impl State {
     /// Takes a code that is a name.
     #[cold]
     fn named_code(&mut self, cx: &BlockContext, word: &Word, at: usize, codes: &mut Codes) {
-        let WordValue::Number(place) = word.value else { return };
-        let number = u32::try_from(place.mantissa).unwrap_or(u32::MAX).saturating_mul(10);
-        match cx.shared.index.code(cx.control, long::NAME, number) {
+        match cx.codes().row_of(word) {
             Some(row) if row.code == Code::Return => codes.flow = Some(Code::Return),
             Some(row) if row.code == Code::MasterSpindle => self.modal.master = word.index.unwrap_or(1),
             Some(row) => self.g_code(cx, row, at, codes),
@@ -400,10 +398,11 @@ impl State {
     }
 
     /// Takes a code that calls a program. Within a program that was called by a code there are none.
-    fn calls(&self, cx: &BlockContext, letter: u8, number: u32, at: usize, codes: &mut Codes) -> bool {
-        let call = cx.shared.rules.call(letter, number).filter(|_| !self.called_by_code());
+    #[inline]
+    fn calls(&self, cx: &BlockContext, id: CodeId, at: usize, codes: &mut Codes) -> bool {
+        let call = cx.codes().call(id).filter(|_| !self.called_by_code());
         if call.is_some() {
-            (codes.call, codes.caller) = (call, at);
+            (codes.call, codes.caller) = (call.copied(), at);
         }
         call.is_some()
     }
@@ -437,10 +436,11 @@ impl State {
         }
         let number = number as u32;
         self.modal.word(b'M', f64::from(number));
-        if self.calls(cx, word.letter, number.saturating_mul(10), at, codes) {
+        let id = CodeId::M(number);
+        if self.calls(cx, id, at, codes) {
             return Ok(());
         }
-        match cx.shared.index.code(cx.control, b'M', number.saturating_mul(10)).map(|row| row.code) {
+        match cx.codes().row(id).map(|row| row.code) {
             Some(Code::End | Code::EndRewind) if cx.shared.rules.ends_return && !self.frames.is_empty() => {
                 codes.flow = Some(Code::SubEnd);
             }
@@ -708,9 +708,7 @@ fn macro_kind(codes: &Codes) -> Option<CallKind> {
 /// Whether an M word in a macro call is one that stops, ends, calls or returns.
 #[cold]
 fn mixes(cx: &BlockContext, word: &Word) -> bool {
-    let WordValue::Number(number) = word.value else { return false };
-    let number = u32::try_from(number.mantissa).unwrap_or(u32::MAX).saturating_mul(10);
     use Code::{End, EndRewind, OptionalStop, Stop, SubCall, SubEnd};
-    let row = cx.shared.index.code(cx.control, b'M', number);
+    let row = cx.codes().row_of(word);
     row.is_some_and(|row| matches!(row.code, Stop | OptionalStop | End | EndRewind | SubCall | SubEnd))
 }

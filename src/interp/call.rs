@@ -261,7 +261,8 @@ impl State {
         call: CodeCall,
     ) -> Run<()> {
         // Such a code stands alone where other codes are no arguments; behind it they are found among the arguments.
-        let first = words.iter().position(|word| word.letter == call.letter).filter(|at| caller.word != Some(*at));
+        let letter = caller.word.and_then(|at| words.get(at)).map(|word| word.letter);
+        let first = words.iter().position(|word| Some(word.letter) == letter).filter(|at| caller.word != Some(*at));
         if let Some(word) = first.and_then(|at| words.get(at)).filter(|_| cx.control.raises(Alarm::ArgumentAddress)) {
             let letter = char::from(word.letter).to_string();
             let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", letter));

@@ -1,8 +1,7 @@
 //! What a run looks up, made once per program: codes by number, variables by slot, sequence numbers, pairs of DO and END.
 
-use crate::controls::syntax::long;
 use crate::controls::vars::is_fitted;
-use crate::controls::{Alarm, CodeDef, Control, Switches, VarKind, VarRange};
+use crate::controls::{Alarm, Control, Switches, VarKind, VarRange};
 use crate::nc::{Block, Deck, Expr, ExprId, JumpDirection, Program, Stmt};
 
 /// Where a variable lives.
@@ -57,9 +56,6 @@ struct Jumps {
 /// All look-up tables of a run.
 #[derive(Debug)]
 pub(super) struct Index {
-    g_codes: Vec<u16>,
-    m_codes: Vec<u16>,
-    named_codes: Vec<u16>,
     /// Axis by `letter & 31`, with [`INCREMENTAL`]; [`u8::MAX`] for no axis.
     axes: [u8; 32],
     direct: Vec<Slot>,
@@ -84,16 +80,6 @@ fn is_stored(kind: VarKind) -> bool {
     matches!(kind, Common | Retained | OutputWord(_) | Kept | SuppressSingleBlock | SuppressOverride)
 }
 
-fn code_table(control: &Control, letter: u8) -> Vec<u16> {
-    let rows = || control.codes.iter().enumerate().filter(|(_, row)| row.letter == letter);
-    let size = rows().map(|(_, row)| row.number as usize + 1).max().unwrap_or(0);
-    let mut table = vec![u16::MAX; size];
-    for (at, row) in rows() {
-        table[row.number as usize] = at as u16;
-    }
-    table
-}
-
 impl Index {
     /// Reads a deck and a control once.
     pub(super) fn new(deck: &Deck, control: &Control, switches: &Switches) -> Index {
@@ -115,9 +101,6 @@ impl Index {
         numbers.extend(deck.programs.iter().enumerate().map(|(at, program)| (program.number, at as u32)));
         numbers.sort_by_key(|&(number, _)| number);
         let mut index = Index {
-            g_codes: code_table(control, b'G'),
-            m_codes: code_table(control, b'M'),
-            named_codes: code_table(control, long::NAME),
             axes,
             direct: Vec::new(),
             bases,
@@ -136,16 +119,6 @@ impl Index {
         }
         index.direct = (0..DIRECT).map(|number| index.find_slot(control, number)).collect();
         index
-    }
-
-    /// The row of a code; `number` is ten times what is written.
-    pub(super) fn code(&self, control: &'static Control, letter: u8, number: u32) -> Option<&'static CodeDef> {
-        let table = match letter {
-            b'G' => &self.g_codes,
-            b'M' => &self.m_codes,
-            _ => &self.named_codes,
-        };
-        control.codes.get(*table.get(number as usize)? as usize)
     }
 
     /// Index of the axis of a letter (upper case), and whether it is the one for incremental words.

@@ -5,7 +5,7 @@ use super::error::Trap;
 use super::state::{BlockContext, State};
 use super::vars::{LOCALS, Locals, VACANT};
 use super::world::World;
-use crate::controls::{Group, VarKind};
+use crate::controls::{CodeId, Group, VarKind};
 use crate::nc::{Block, Formula};
 use crate::text::{Diagnostic, FileId, Place, Span};
 
@@ -188,7 +188,7 @@ impl Interp {
         for (group, (&then, &now)) in then.modal.codes.iter().zip(&now.modal.codes).enumerate() {
             // G00 is a motion; in every other group 0 is none.
             let none = if group == Group::Motion as usize { 0.0 } else { VACANT };
-            let code = |code: u16| if code == 0 { none } else { f64::from(code) / 10.0 };
+            let code = |code: CodeId| if code.to_f64() == 0.0 { none } else { code.to_f64() };
             compare(What::Code, code(then), code(now));
         }
         // S, M and T are told by the commands that they give.

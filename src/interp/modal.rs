@@ -1,7 +1,7 @@
 //! What stays in force from block to block: one code per modal group, feed, and the words that variables can show.
 
 use super::canon::AXES;
-use crate::controls::{Code, CodeDef, Control, Group};
+use crate::controls::{Code, CodeDef, CodeId, Control, Group};
 
 /// How many modal groups there are.
 const GROUPS: usize = Group::Other as usize + 1;
@@ -73,13 +73,13 @@ pub(super) struct Modal {
     pub(super) area_off: bool,
     /// The last value of each address letter that modal variables show, by letter from A.
     pub(super) words: [f64; 26],
-    /// Ten times the number of the code in force, by group.
-    pub(super) codes: [u16; GROUPS],
+    /// The code in force, by group.
+    pub(super) codes: [CodeId; GROUPS],
 }
 
 impl Modal {
     /// The state after power-on; `startup` are the codes in force.
-    pub(super) fn new(control: &Control, startup: impl IntoIterator<Item = u16>) -> Modal {
+    pub(super) fn new(control: &Control, startup: impl IntoIterator<Item = CodeId>) -> Modal {
         let mut modal = Modal {
             motion: Code::Linear,
             cycle: false,
@@ -106,9 +106,9 @@ impl Modal {
             area: None,
             area_off: false,
             words: [f64::NAN; 26],
-            codes: [0; GROUPS],
+            codes: [CodeId::g(0); GROUPS],
         };
-        for row in startup.into_iter().filter_map(|number| control.code(b'G', number)) {
+        for row in startup.into_iter().filter_map(|id| control.code(id)) {
             modal.set(control, row);
         }
         modal
@@ -122,7 +122,7 @@ impl Modal {
             PlaneZx, Rapid, SurfaceSpeed, SurfaceSpeedOff, Tapping, Thread, WorkCoordinates, WorkingArea,
         };
         if row.group != Group::OneShot {
-            self.codes[row.group as usize] = row.number;
+            self.codes[row.group as usize] = row.id;
         }
         let plane = |first: u8, second: u8, third: u8| {
             let axis = |letter| control.axis(letter).unwrap_or(0) as u8;
@@ -140,7 +140,7 @@ impl Modal {
             Incremental => self.absolute = false,
             Inch | Metric => {
                 self.inch = row.code == Inch;
-                self.inch_feed = self.inch && control.limits.inch_feeds.is_none_or(|code| code == row.number);
+                self.inch_feed = self.inch && control.limits.inch_feeds.is_none_or(|code| code == row.id);
             }
             FeedPerMinute | FeedPerRevolution => {
                 self.count_feed(control, row.code == FeedPerRevolution);

@@ -200,19 +200,18 @@ impl<'a> Oracle<'a> {
         let mut rows: Vec<&CodeDef> = Vec::new();
         let mut any = false;
         for word in self.cx.deck.words.iter().filter(|word| is_code(word)) {
-            let WordValue::Number(number) = word.value else {
+            let WordValue::Number(_) = word.value else {
                 any = true;
                 continue;
             };
-            let tenths = number.tenths();
-            if let Some(row) = tenths.and_then(|tenths| self.cx.shared.index.code(control, word.letter, tenths)) {
+            if let Some(row) = self.cx.codes().row_of(word) {
                 self.words &= row.code != Code::MacroModalBlock;
                 if matters(row) && !rows.iter().any(|other| core::ptr::eq(*other, row)) {
                     rows.push(row);
                 }
             }
         }
-        self.words &= self.cx.shared.rules.calls.iter().all(|call| call.kind != CallKind::ModalBlock);
+        self.words &= self.cx.codes().calls().iter().all(|call| call.kind != CallKind::ModalBlock);
         if any {
             rows = control.codes.iter().filter(|row| matters(row)).collect();
         }

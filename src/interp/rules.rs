@@ -2,9 +2,9 @@
 
 use super::block::M_CODES;
 use super::canon::AXES;
-use crate::controls::macros::{CodeCall, VacantWord};
+use crate::controls::macros::VacantWord;
 use crate::controls::syntax::letter_bits;
-use crate::controls::{Alarm, Code, Control, Group, Limits, Point, SpindleRules, Switches};
+use crate::controls::{Alarm, Code, CodeId, Control, Group, Limits, Point, SpindleRules, Switches};
 use crate::text::number;
 
 /// Where the results of ASIN lie, in degrees.
@@ -74,10 +74,8 @@ pub(super) struct Rules {
     pub(super) user_alarm_base: Option<u32>,
     /// What the control does with its spindle.
     pub(super) spindle: SpindleRules,
-    /// Codes that call programs.
-    pub(super) calls: Vec<CodeCall>,
-    /// G codes in force at the start, ten times their numbers.
-    pub(super) startup: Vec<u16>,
+    /// G codes in force at the start.
+    pub(super) startup: Vec<CodeId>,
 }
 
 impl Rules {
@@ -88,9 +86,9 @@ impl Rules {
         let groups = [Group::Distance, Group::Motion, Group::FeedUnit, Group::PathMode];
         let ids = ["startup-distance", "startup-motion", "startup-feed", "startup-path"];
         for (id, group) in ids.into_iter().zip(groups) {
-            let number = get(id).and_then(|setting| setting.get(1..)).and_then(|number| number.parse::<u16>().ok());
-            let row = number.and_then(|number| control.code(b'G', number.saturating_mul(10)));
-            startup.extend(row.filter(|row| row.group == group).map(|row| row.number));
+            let number = get(id).and_then(|setting| setting.get(1..)).and_then(|number| number.parse().ok());
+            let row = number.and_then(|number| control.code(CodeId::g(number)));
+            startup.extend(row.filter(|row| row.group == group).map(|row| row.id));
         }
         let macros = &control.macros;
         let levels: Option<u8> = get("subprogram-levels").and_then(|levels| levels.parse().ok());
@@ -130,7 +128,6 @@ impl Rules {
             surface_axis: square.unwrap_or(0).min(AXES - 1),
             user_alarm_base: get("user-alarm-base").and_then(|base| base.parse().ok()).or(macros.user_alarm_base),
             spindle: control.spindle_rules(switches),
-            calls: control.code_calls(switches),
             startup,
         }
     }
@@ -143,12 +140,6 @@ impl Rules {
     /// Where a point lies.
     pub(super) fn point(&self, point: Point) -> [i64; AXES] {
         self.points[usize::from(point == Point::Fixed)]
-    }
-
-    /// What a code calls; `number` is ten times what is written.
-    #[inline]
-    pub(super) fn call(&self, letter: u8, number: u32) -> Option<CodeCall> {
-        self.calls.iter().find(|call| (call.letter, call.number) == (letter, number)).copied()
     }
 }
 

@@ -14,7 +14,7 @@ use super::vars::{VACANT, Vars};
 use super::{Counts, End, Step, World};
 use crate::controls::{Alarm, Code, Control};
 use crate::msg;
-use crate::nc::{Block, Deck, ExprId, Parsed, Stmt};
+use crate::nc::{Block, Codes, Deck, ExprId, Parsed, Stmt};
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
 
 /// What all copies of a run share.
@@ -39,6 +39,14 @@ pub(super) struct BlockContext<'a> {
     pub(super) world: &'a mut dyn World,
     /// Parts of a unit that ROUND rounds to: 1 but for words whose step it counts.
     pub(super) parts: f64,
+}
+
+impl<'a> BlockContext<'a> {
+    /// The codes of the control as its switches have them.
+    #[inline]
+    pub(super) fn codes(&self) -> &'a Codes {
+        self.shared.parsed.codes()
+    }
 }
 
 /// Commands of the last block that were not taken yet.
@@ -295,7 +303,7 @@ impl State {
         self.place = Place { file: self.file, span };
         let name = |code: Code| {
             let row = cx.control.codes.iter().find(|row| row.code == code);
-            row.map_or(String::new(), |row| cx.control.code_name(row.letter, row.number.into()))
+            row.map_or(String::new(), |row| cx.control.code_name(row.id))
         };
         let hint = if self.frames.is_empty() {
             msg!("interp.hint-end-main", name(Code::EndRewind))

@@ -51,8 +51,8 @@ impl State {
                 (finite_or_zero(cx.world.clock_ms(true)) - self.clock_zero[1]) / clock.milliseconds()
             }
             VarKind::PartTime => finite_or_zero(cx.world.clock_ms(true)) / 1000.0,
-            VarKind::ModalCode(group) => f64::from(self.modal.codes[group as usize]) / 10.0,
-            VarKind::ExecutingCode(group) => f64::from(self.executing(cx).codes[group as usize]) / 10.0,
+            VarKind::ModalCode(group) => self.modal.codes[group as usize].to_f64(),
+            VarKind::ExecutingCode(group) => self.executing(cx).codes[group as usize].to_f64(),
             VarKind::ModalWord(letter) => self.modal.shown(letter),
             VarKind::ExecutingWord(letter) => self.executing(cx).shown(letter),
             VarKind::BlockEnd

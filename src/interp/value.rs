@@ -5,7 +5,7 @@ use super::error::{Run, Trap};
 use super::eval::WHOLE;
 use super::state::{BlockContext, State};
 use crate::controls::syntax::long;
-use crate::controls::{Alarm, Code};
+use crate::controls::{Alarm, Code, CodeNumber};
 use crate::msg;
 use crate::nc::dec::POW10;
 use crate::nc::{Block, Dec, Word, WordValue};
@@ -111,17 +111,14 @@ impl State {
         }
     }
 
-    /// Ten times the number of a G or M code, for a look-up; `None` where the word is left out.
+    /// The number of a G code, for a look-up; `None` where the word is left out.
     #[inline]
-    pub(super) fn code_number(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<u32>> {
+    pub(super) fn code_number(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<CodeNumber>> {
         if let WordValue::Number(Dec { mantissa, scale: 0, .. }) = word.value {
-            // A number that fits no table is no code; so is this one.
-            return Ok(Some(u32::try_from(mantissa).ok().and_then(|n| n.checked_mul(10)).unwrap_or(u32::MAX)));
+            return Ok(Some(CodeNumber::from_decimal(mantissa, 0).unwrap_or(CodeNumber::NONE)));
         }
         let Some(value) = self.raw(cx, block, word)? else { return Ok(None) };
-        let tenths = value * 10.0;
-        let fits = (0.0..1e9).contains(&tenths) && (tenths - tenths.round()).abs() < WHOLE;
-        Ok(Some(if fits { tenths.round() as u32 } else { u32::MAX }))
+        Ok(Some(CodeNumber::from_value(value, WHOLE).unwrap_or(CodeNumber::NONE)))
     }
 
     /// A length or angle in command increments, rounded half away from zero; `None` where the word is left out.

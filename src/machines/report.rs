@@ -65,7 +65,7 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
 /// What no manual at hand confirms, by table; of the switches also those that are not at their default.
 fn open(control: &Control, switches: &Switches) -> Vec<Open> {
     let doubtful = |cite: &Citation| cite.grade == Grade::Open;
-    let code = |row: &&crate::controls::CodeDef| control.code_name(row.letter, row.number.into());
+    let code = |row: &&crate::controls::CodeDef| control.code_name(row.id);
     let tables: [(&'static str, Vec<String>); 7] = [
         (
             "form.open.switches",

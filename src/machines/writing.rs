@@ -1,7 +1,7 @@
 //! Writing a program: what the programs of all machines have in common.
 
 use super::{Machine, settings};
-use crate::controls::{Code, Control, VarKind};
+use crate::controls::{Code, CodeId, Control, VarKind};
 use crate::nc::build::{Builder, NewWord, g, m, real, v};
 
 /// What wrote the program, and the settings it was written from.
@@ -16,8 +16,11 @@ pub(super) fn header<M: Machine>(b: &mut Builder, params: &M::Params, control: &
 pub(super) fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
     let word = |code: Code| {
         let row = control.codes.iter().find(|row| row.code == code)?;
-        let number = u32::from(row.number / 10);
-        Some(if row.letter == b'M' { m(number) } else { g(number) })
+        match row.id {
+            CodeId::G(number) => Some(g(number.integer())),
+            CodeId::M(number) => Some(m(number)),
+            CodeId::Named(_) => None,
+        }
     };
     wanted.into_iter().filter_map(word).collect()
 }

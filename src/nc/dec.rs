@@ -50,17 +50,6 @@ impl Dec {
         Some(Dec { mantissa, scale, point: true })
     }
 
-    /// Ten times the number of a G or M code, for a look-up; `None` where no code has such a number.
-    #[inline]
-    pub(crate) fn tenths(self) -> Option<u32> {
-        let tenths = match self.scale {
-            0 => self.mantissa.checked_mul(10)?,
-            1 => self.mantissa,
-            _ => return None,
-        };
-        u32::try_from(tenths).ok()
-    }
-
     /// The nearest float.
     pub fn to_f64(self) -> f64 {
         if self.scale == 0 {

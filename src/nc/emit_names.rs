@@ -2,6 +2,7 @@
 
 use super::ast::{Block, Dimensioning, Expr, ExprId, JumpDirection, Op, Program, Stmt, Word, WordValue};
 use super::emit::Writer;
+use crate::controls::CodeId;
 use crate::controls::syntax::{Function, Names, long};
 
 impl Writer<'_> {
@@ -76,8 +77,8 @@ impl Writer<'_> {
 
     fn named_word(&mut self, word: &Word) {
         if let (long::NAME, WordValue::Number(place)) = (word.letter, word.value) {
-            let place = u32::try_from(place.mantissa).unwrap_or(u32::MAX);
-            self.text.push_str(&self.control.code_name(long::NAME, place.saturating_mul(10)));
+            let place = u16::try_from(place.mantissa).unwrap_or(u16::MAX);
+            self.text.push_str(&self.control.code_name(CodeId::Named(place)));
             if let Some(index) = word.index {
                 self.text.push_str(&format!("({index})"));
             }

@@ -9,10 +9,11 @@
 //! | `no_names` | calls by name, messages, what has no form without names | `M98`, a comment |
 
 use super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
+use super::codes::code_of;
 use super::dec::Dec;
 use super::parse::number_in;
-use crate::controls::syntax::{Names, long};
-use crate::controls::{Alarm, Code, Control};
+use crate::controls::syntax::Names;
+use crate::controls::{Alarm, Code, CodeId, Control};
 use crate::text::Span;
 
 /// All rewrites for a language with names; `origins` follows the blocks.
@@ -73,9 +74,8 @@ fn programs(deck: &mut Deck, control: &Control, names: &Names) {
 fn returns(deck: &Deck, control: &Control, program: &Program) -> bool {
     let (mut returns, mut ends) = (false, false);
     for word in deck.blocks_of(program).iter().flat_map(|block| deck.words_of(block)) {
-        let (b'M' | long::NAME, WordValue::Number(number)) = (word.letter, word.value) else { continue };
-        let tenths = u16::try_from(number.mantissa.saturating_mul(10)).unwrap_or(u16::MAX);
-        match control.code(word.letter, tenths).map(|row| row.code) {
+        let Some(id @ (CodeId::M(_) | CodeId::Named(_))) = code_of(word) else { continue };
+        match control.code(id).map(|row| row.code) {
             Some(Code::SubEnd | Code::Return) => returns = true,
             Some(Code::End | Code::EndRewind) => ends = true,
             _ => {}
@@ -310,7 +310,10 @@ fn titles(deck: &mut Deck, origins: &mut Vec<u32>) {
 
 /// A deck for a language without names.
 pub(super) fn no_names(deck: &mut Deck, control: &Control) {
-    let row = control.codes.iter().find(|row| row.code == Code::SubCall);
+    let row = control.codes.iter().find_map(|row| match row.id {
+        CodeId::M(number) if row.code == Code::SubCall => Some(number),
+        _ => None,
+    });
     for program in &mut deck.programs {
         (program.name, program.sub) = (None, false);
     }
@@ -328,7 +331,7 @@ pub(super) fn no_names(deck: &mut Deck, control: &Control) {
                     Some((row, number)) => {
                         let first = deck.words.len() as u32;
                         let mut word = |letter, value| deck.words.push(Word::new(letter, value));
-                        word(row.letter, WordValue::Number(Dec::int(i64::from(row.number / 10))));
+                        word(b'M', WordValue::Number(Dec::int(row.into())));
                         word(b'P', WordValue::Number(Dec::int(number.into())));
                         if let Some(repeats) = repeats {
                             let value = match deck.exprs.get(repeats.0 as usize) {

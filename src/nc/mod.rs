@@ -10,6 +10,7 @@ pub mod files;
 
 pub mod build;
 
+mod codes;
 mod deck_eq;
 mod emit;
 mod emit_names;
@@ -24,6 +25,7 @@ mod tokens;
 pub use ast::{
     Block, Deck, Dimensioning, Expr, ExprId, JumpDirection, Op, Pair, Program, Stmt, TextId, Word, WordValue,
 };
+pub use codes::Codes;
 pub use dec::Dec;
 pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
 pub use files::{File, Files};

@@ -1,8 +1,8 @@
 //! A read program: files, tree and findings together; only the parser makes one.
 
 use super::ast::{Block, Deck};
+use super::codes::Codes;
 use super::files::Files;
-use crate::controls::macros::CodeCall;
 use crate::controls::{Control, Switches};
 use crate::text::{Diagnostic, Place, Severity};
 
@@ -14,7 +14,7 @@ pub struct Parsed {
     diagnostics: Vec<Diagnostic>,
     control: &'static Control,
     switches: Switches,
-    calls: Vec<CodeCall>,
+    codes: Codes,
 }
 
 impl Parsed {
@@ -24,9 +24,9 @@ impl Parsed {
         diagnostics: Vec<Diagnostic>,
         control: &'static Control,
         switches: Switches,
-        calls: Vec<CodeCall>,
+        codes: Codes,
     ) -> Parsed {
-        Parsed { files, deck, diagnostics, control, switches, calls }
+        Parsed { files, deck, diagnostics, control, switches, codes }
     }
 
     /// The text.
@@ -54,9 +54,9 @@ impl Parsed {
         &self.switches
     }
 
-    /// The codes that call programs; they come before the control's own codes. In a macro call any letter is an argument.
-    pub fn calls(&self) -> &[CodeCall] {
-        &self.calls
+    /// The codes of the control as its switches have them, with those that call programs by parameter.
+    pub fn codes(&self) -> &Codes {
+        &self.codes
     }
 
     /// Whether the control would refuse or misread any of it.

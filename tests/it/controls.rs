@@ -3,7 +3,7 @@
 use macroline::controls::macros::{ArgumentSets, CodeCall, VacantWord};
 use macroline::controls::syntax::Operation;
 use macroline::controls::vars::{Clock, Width};
-use macroline::controls::{ALL, Alarm, AlarmDef, Code, Control, Group, ParamRole, Switches, VarKind, find};
+use macroline::controls::{ALL, Alarm, AlarmDef, Code, CodeId, Control, Group, ParamRole, Switches, VarKind, find};
 use macroline::text::Citation;
 
 fn e60() -> &'static Control {
@@ -27,7 +27,7 @@ fn citations(control: &'static Control) -> Vec<(String, Citation)> {
         ("timing".to_owned(), control.timing.cite),
     ];
     all.extend(control.axes.iter().map(|row| (format!("axis {}", row.letter as char), row.cite)));
-    all.extend(control.codes.iter().map(|row| (format!("{}{}", row.letter as char, row.number), row.cite)));
+    all.extend(control.codes.iter().map(|row| (control.code_name(row.id), row.cite)));
     all.extend(control.vars.iter().map(|row| (format!("#{}", row.first), row.cite)));
     all.extend(control.alarms.iter().map(|row| (row.number.to_owned(), row.cite)));
     all.extend(control.params().iter().map(|row| (row.number.to_owned(), row.cite)));
@@ -48,9 +48,9 @@ fn every_row_has_a_source() {
 #[test]
 fn rows_that_are_searched_stand_in_order() {
     for control in ALL {
-        assert!(control.codes.is_sorted_by_key(|row| (row.letter, row.number)), "{}", control.id);
+        assert!(control.codes.is_sorted_by_key(|row| row.id), "{}", control.id);
         for pair in control.codes.windows(2) {
-            assert_ne!((pair[0].letter, pair[0].number), (pair[1].letter, pair[1].number), "{}", control.id);
+            assert_ne!(pair[0].id, pair[1].id, "{}", control.id);
         }
         for row in control.vars {
             assert!(row.first <= row.last, "{} #{}", control.id, row.first);
@@ -103,8 +103,8 @@ fn ids_are_unique_and_found() {
 #[test]
 fn each_group_starts_with_one_code() {
     for control in ALL {
-        let row = |number: &u16| control.code(b'G', *number).unwrap();
-        let groups: Vec<Group> = control.startup.iter().map(|number| row(number).group).collect();
+        let row = |id: &CodeId| control.code(*id).unwrap();
+        let groups: Vec<Group> = control.startup.iter().map(|id| row(id).group).collect();
         for (index, group) in groups.iter().enumerate() {
             assert!(!groups[..index].contains(group), "{} starts twice in {group:?}", control.id);
             assert!(*group != Group::OneShot, "{} starts with a code that is not modal", control.id);
@@ -153,13 +153,13 @@ fn variables_of_the_e60() {
 
 #[test]
 fn codes_of_the_e60() {
-    let code = |letter, tenths| e60().code(letter, tenths).map(|row| row.code);
-    assert_eq!(code(b'G', 10), Some(Code::Linear));
-    assert_eq!(code(b'G', 611), Some(Code::NotSimulated));
-    assert_eq!(code(b'G', 980), Some(Code::Cancel));
-    assert_eq!(code(b'G', 720), None);
-    assert_eq!(code(b'M', 300), Some(Code::EndRewind));
-    assert_eq!(code(b'M', 770), None);
+    let code = |id| e60().code(id).map(|row| row.code);
+    assert_eq!(code(CodeId::g(1)), Some(Code::Linear));
+    assert_eq!(code(CodeId::g_dot(61, 1)), Some(Code::NotSimulated));
+    assert_eq!(code(CodeId::g(98)), Some(Code::Cancel));
+    assert_eq!(code(CodeId::g(72)), None);
+    assert_eq!(code(CodeId::M(30)), Some(Code::EndRewind));
+    assert_eq!(code(CodeId::M(77)), None);
     assert!(e60().can(Code::Linear) && !e60().can(Code::SurfaceSpeed));
 }
 
@@ -273,9 +273,9 @@ fn lathes_count_diameters_and_have_addresses_for_steps() {
         }
         assert!(!control.can(Code::Incremental) && control.can(Code::SurfaceSpeed) && control.can(Code::Thread));
         // G90 is a cycle, G98 a feed.
-        assert_eq!(control.code(b'G', 900).unwrap().code, Code::NotSimulated);
-        assert_eq!(control.code(b'G', 980).unwrap().code, Code::FeedPerMinute);
-        assert_eq!(control.code(b'G', 990).unwrap().code, Code::FeedPerRevolution);
+        assert_eq!(control.code(CodeId::g(90)).unwrap().code, Code::NotSimulated);
+        assert_eq!(control.code(CodeId::g(98)).unwrap().code, Code::FeedPerMinute);
+        assert_eq!(control.code(CodeId::g(99)).unwrap().code, Code::FeedPerRevolution);
     }
     assert!(e60().axes.iter().all(|axis| axis.incremental.is_none() && !axis.diameter));
 }
@@ -311,17 +311,21 @@ fn the_k2000t_follows_custom_macro_b() {
 
 #[test]
 fn codes_of_the_user_by_parameter() {
-    let calls = |control: &Control, settings: &str| -> Vec<(char, u32, u32)> {
+    let calls = |control: &Control, settings: &str| -> Vec<(CodeId, u32)> {
         let calls = control.macros.calls(settings);
-        calls.iter().map(|call| (call.letter as char, call.number / 10, call.program)).collect()
+        calls.iter().map(|call| (call.code, call.program)).collect()
     };
     // The paper prints O9120 twice; 4121 belongs to O9121.
-    let default: Vec<(u32, u32)> =
-        knd().code_calls(&Switches::default()).iter().map(|call| (call.number / 10, call.program)).collect();
-    assert_eq!(default, [(512, 9120), (502, 9121)]);
-    assert_eq!(calls(knd(), "4139=999 4140=998"), [('G', 999, 9139)]);
-    assert_eq!(calls(gsk(), "86=3 87=100 88=2000"), [('G', 100, 2000), ('G', 101, 2001), ('G', 102, 2002)]);
-    assert_eq!(calls(gsk(), "No.089=17 No.090=1 No.091=3"), [('M', 17, 1), ('M', 18, 2), ('M', 19, 3)]);
+    let default: Vec<(CodeId, u32)> =
+        knd().code_calls(&Switches::default()).iter().map(|call| (call.code, call.program)).collect();
+    let g = CodeId::g;
+    assert_eq!(default, [(g(512), 9120), (g(502), 9121)]);
+    assert_eq!(calls(knd(), "4139=999 4140=998"), [(g(999), 9139)]);
+    assert_eq!(calls(gsk(), "86=3 87=100 88=2000"), [(g(100), 2000), (g(101), 2001), (g(102), 2002)]);
+    assert_eq!(
+        calls(gsk(), "No.089=17 No.090=1 No.091=3"),
+        [(CodeId::M(17), 1), (CodeId::M(18), 2), (CodeId::M(19), 3)]
+    );
 }
 
 #[test]
@@ -400,9 +404,9 @@ fn alarms_of_the_k2000t() {
 fn codes_that_call_macros_are_parameters() {
     let calls = |id: &str, settings: &str| -> Vec<String> {
         let switches = Switches(vec![("call-parameters".to_owned(), settings.to_owned())]);
-        let calls = find(id).unwrap().code_calls(&switches);
-        let line =
-            |call: &CodeCall| format!("{}{} {:?} {}", call.letter as char, call.number / 10, call.kind, call.program);
+        let control = find(id).unwrap();
+        let calls = control.code_calls(&switches);
+        let line = |call: &CodeCall| format!("{} {:?} {}", control.code_name(call.code), call.kind, call.program);
         calls.iter().map(line).collect()
     };
     assert_eq!(calls("knd-k2000t", "4120=512 4121=1"), ["G512 Macro 9120", "G1 Macro 9121"]);

@@ -1,5 +1,6 @@
 //! SINUMERIK controls: R parameters, named addresses and codes, subprograms by name. Rows of the 840D and 808D, sisters of one language.
 
+use crate::controls::CodeId;
 use crate::controls::bench::{Bench, BenchAxis, BenchShift};
 use crate::controls::macros::{ArgumentSets, VacantWord};
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
@@ -148,7 +149,7 @@ pub const LIMITS: Limits = Limits {
     coordinate_max: 99_999.999,
     feed_max: 99_999.999,
     revolution_feed_max: 99_999.999,
-    inch_feeds: Some(7000),
+    inch_feeds: Some(CodeId::g(700)),
     lead_max: 20_000.0,
     feed_increment: 0.001,
     arc_tolerance: 0.01,

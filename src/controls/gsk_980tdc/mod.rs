@@ -12,6 +12,7 @@ pub(super) use params::PARAMS;
 
 use super::base::fanuc;
 use super::bench::{Bench, BenchShift};
+use super::code::g_codes;
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
 use super::syntax::Percent;
 use super::{AxisDef, Control, Limits, Macros, SpindleRules, Syntax, Timing};
@@ -82,7 +83,7 @@ pub static CONTROL: Control = Control {
         AxisDef { letter: b'Z', rotary: false, incremental: Some(b'W'), diameter: false, cite: AXES },
         AxisDef { letter: b'C', rotary: true, incremental: Some(b'H'), diameter: false, cite: AXES },
     ],
-    startup: &[0, 180, 980, 210, 400, 540, 670, 800, 970],
+    startup: &g_codes([0, 18, 98, 21, 40, 54, 67, 80, 97]),
     limits: Limits {
         feed_max: 15_000.0,
         arc_centre_moves: true,

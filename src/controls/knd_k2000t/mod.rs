@@ -11,6 +11,7 @@ pub(super) use params::PARAMS;
 
 use super::base::fanuc;
 use super::base::fanuc::MEMORY;
+use super::code::g_codes;
 use super::macros::{CallKind, CodeCalls};
 use super::schema::table::joined;
 use super::syntax::Function;
@@ -35,7 +36,7 @@ pub static CONTROL: Control = Control {
         AxisDef { letter: b'Y', rotary: false, incremental: Some(b'V'), diameter: false, cite: MEMORY },
         AxisDef { letter: b'C', rotary: true, incremental: Some(b'H'), diameter: false, cite: MEMORY },
     ],
-    startup: &[0, 180, 980, 210, 400, 540, 670, 800, 970],
+    startup: &g_codes([0, 18, 98, 21, 40, 54, 67, 80, 97]),
     limits: fanuc::LIMITS,
     timing: fanuc::TIMING,
     codes: codes::CODES,

@@ -11,6 +11,7 @@ pub(super) use params::PARAMS;
 
 use super::base::fanuc;
 use super::bench::{Bench, BenchShift};
+use super::code::g_codes;
 use super::macros::CodeCalls;
 use super::schema::control::axis;
 use super::schema::table::joined;
@@ -67,7 +68,7 @@ pub static CONTROL: Control = Control {
         ..fanuc::MACROS
     },
     axes: &[axis(b'X', false, PAPER), axis(b'Y', false, PAPER), axis(b'Z', false, MEMORY), axis(b'A', true, MEMORY)],
-    startup: &[10, 170, 210, 540, 640, 670, 800, 900, 940, 970],
+    startup: &g_codes([1, 17, 21, 54, 64, 67, 80, 90, 94, 97]),
     limits: Limits {
         feed_max: 1_000_000.0,
         revolution_feed_max: 1_000_000.0,

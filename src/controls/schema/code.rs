@@ -1,6 +1,7 @@
 //! G and M codes: what they mean to the interpreter, in which modal group they stand.
 
-use super::syntax::long;
+use core::fmt;
+
 use crate::text::Citation;
 
 /// What a code does, in the words of the trade; the interpreter knows these and no numbers.
@@ -177,13 +178,132 @@ pub enum Group {
     Other,
 }
 
+/// Number of a G code, with at most one decimal: 61.1 in `G61.1`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct CodeNumber {
+    whole: u32,
+    tenth: u8,
+}
+
+impl CodeNumber {
+    /// A number that no code has.
+    pub const NONE: CodeNumber = CodeNumber { whole: u32::MAX, tenth: 0 };
+
+    /// A whole number: 5 in `G05`.
+    pub const fn whole(whole: u32) -> CodeNumber {
+        CodeNumber { whole, tenth: 0 }
+    }
+
+    /// A number with one decimal: 5 and 1 in `G05.1`.
+    pub const fn dot(whole: u32, tenth: u8) -> CodeNumber {
+        assert!(tenth < 10, "one decimal");
+        CodeNumber { whole, tenth }
+    }
+
+    /// `mantissa / 10^scale`; `None` where no code has such a number.
+    #[inline]
+    pub fn from_decimal(mantissa: i64, scale: u8) -> Option<CodeNumber> {
+        match scale {
+            0 => Some(CodeNumber::whole(u32::try_from(mantissa).ok()?)),
+            1 => Some(CodeNumber {
+                whole: u32::try_from(mantissa.div_euclid(10)).ok()?,
+                tenth: mantissa.rem_euclid(10) as u8,
+            }),
+            _ => None,
+        }
+    }
+
+    /// The number of a calculated value that is within `tolerance` of a tenth; `None` where no code has such a number.
+    pub fn from_value(value: f64, tolerance: f64) -> Option<CodeNumber> {
+        let tenths = value * 10.0;
+        let fits = (0.0..1e9).contains(&tenths) && (tenths - tenths.round()).abs() < tolerance;
+        if fits { CodeNumber::from_decimal(tenths.round() as i64, 1) } else { None }
+    }
+
+    /// The part in front of the point.
+    #[inline]
+    pub const fn integer(self) -> u32 {
+        self.whole
+    }
+
+    /// The decimal.
+    #[inline]
+    pub const fn tenth(self) -> u8 {
+        self.tenth
+    }
+
+    /// The number as a value.
+    pub fn to_f64(self) -> f64 {
+        (f64::from(self.whole) * 10.0 + f64::from(self.tenth)) / 10.0
+    }
+}
+
+impl fmt::Display for CodeNumber {
+    /// `5`, `61.1`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.tenth {
+            0 => write!(f, "{}", self.whole),
+            tenth => write!(f, "{}.{tenth}", self.whole),
+        }
+    }
+}
+
+/// A code as a program names it. Rows of a control are sorted by it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum CodeId {
+    /// `G61.1`.
+    G(CodeNumber),
+    /// `M03`.
+    M(u32),
+    /// A name such as `DIAMON`: its place in [`Names::codes`](super::syntax::Names::codes).
+    Named(u16),
+}
+
+impl CodeId {
+    /// A G code with a whole number.
+    pub const fn g(number: u32) -> CodeId {
+        CodeId::G(CodeNumber::whole(number))
+    }
+
+    /// A G code with one decimal: `g_dot(61, 1)` is `G61.1`.
+    pub const fn g_dot(whole: u32, tenth: u8) -> CodeId {
+        CodeId::G(CodeNumber::dot(whole, tenth))
+    }
+
+    /// The number; a name has none.
+    pub fn number(self) -> Option<CodeNumber> {
+        match self {
+            CodeId::G(number) => Some(number),
+            CodeId::M(number) => Some(CodeNumber::whole(number)),
+            CodeId::Named(_) => None,
+        }
+    }
+
+    /// The value that variables show for the code: its number, or the place of its name.
+    pub fn to_f64(self) -> f64 {
+        match self {
+            CodeId::Named(place) => f64::from(place),
+            _ => self.number().map_or(0.0, CodeNumber::to_f64),
+        }
+    }
+}
+
+/// G codes with whole numbers, for a list in a row.
+pub(in crate::controls) const fn g_codes<const N: usize>(numbers: [u32; N]) -> [CodeId; N] {
+    let mut codes = [CodeId::g(0); N];
+    let mut at = 0;
+    while at < N {
+        codes[at] = CodeId::g(numbers[at]);
+        at += 1;
+    }
+    codes
+}
+
 /// A code of a control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CodeDef {
-    /// `G`, `M`, or [`long::NAME`] for a code that is a name.
-    pub letter: u8,
-    /// Ten times the number: `G61.1` is 611, `M03` is 30. Rows are sorted by letter and number.
-    pub number: u16,
+    /// Letter and number, or name.
+    pub id: CodeId,
     /// What it does.
     pub code: Code,
     /// Its modal group.
@@ -194,31 +314,43 @@ pub struct CodeDef {
     pub cite: Citation,
 }
 
-/// A row of a G code.
+/// A row of a G code with a whole number: `g(5, …)` is G05.
 pub(in crate::controls) const fn g(
-    number: u16,
+    number: u32,
     code: Code,
     group: Group,
     text: &'static str,
     cite: Citation,
 ) -> CodeDef {
-    CodeDef { letter: b'G', number, code, group, text, cite }
+    CodeDef { id: CodeId::g(number), code, group, text, cite }
 }
 
-/// A row of an M code.
-pub(in crate::controls) const fn m(number: u16, code: Code, text: &'static str, cite: Citation) -> CodeDef {
-    CodeDef { letter: b'M', number, code, group: Group::Other, text, cite }
+/// A row of a G code with one decimal: `g_dot(5, 1, …)` is G05.1.
+pub(in crate::controls) const fn g_dot(
+    whole: u32,
+    tenth: u8,
+    code: Code,
+    group: Group,
+    text: &'static str,
+    cite: Citation,
+) -> CodeDef {
+    CodeDef { id: CodeId::g_dot(whole, tenth), code, group, text, cite }
 }
 
-/// A row of an M code in a group of its own.
+/// A row of an M code: `m(3, …)` is M03.
+pub(in crate::controls) const fn m(number: u32, code: Code, text: &'static str, cite: Citation) -> CodeDef {
+    mg(number, code, Group::Other, text, cite)
+}
+
+/// A row of an M code in a modal group.
 pub(in crate::controls) const fn mg(
-    number: u16,
+    number: u32,
     code: Code,
     group: Group,
     text: &'static str,
     cite: Citation,
 ) -> CodeDef {
-    CodeDef { letter: b'M', number, code, group, text, cite }
+    CodeDef { id: CodeId::M(number), code, group, text, cite }
 }
 
 /// A row of a code that is a name: the `place`-th of its control's names.
@@ -229,13 +361,13 @@ pub(in crate::controls) const fn named(
     text: &'static str,
     cite: Citation,
 ) -> CodeDef {
-    CodeDef { letter: long::NAME, number: 10 * place, code, group, text, cite }
+    CodeDef { id: CodeId::Named(place), code, group, text, cite }
 }
 
 impl CodeDef {
     /// Whether it says what the words of its block mean: motions, and what takes axis words otherwise.
     pub fn defines_syntax(&self) -> bool {
-        let one_shot = self.group == Group::OneShot && self.letter != b'M';
+        let one_shot = self.group == Group::OneShot && !matches!(self.id, CodeId::M(_));
         self.group == Group::Motion
             || one_shot && !matches!(self.code, Code::ExactStopOnce | Code::MachineCoordinates | Code::Return)
     }

@@ -1,8 +1,8 @@
 //! [`Control`]: all rows of one control, and the look-ups in them.
 
 use super::{
-    Alarm, AlarmDef, Bench, Code, CodeDef, Limits, Macros, Signal, SpindleRules, Switch, Switches, Syntax, Timing,
-    VarKind, VarRange, switch, syntax,
+    Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, Limits, Macros, Signal, SpindleRules, Switch, Switches, Syntax,
+    Timing, VarKind, VarRange, switch, syntax,
 };
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
@@ -20,8 +20,8 @@ pub struct Control {
     pub macros: Macros,
     /// Axis letters in the order of the control's axis numbers.
     pub axes: &'static [AxisDef],
-    /// G codes in force after power-on, one per modal group; ten times their numbers, as in [`CodeDef`].
-    pub startup: &'static [u16],
+    /// G codes in force after power-on, one per modal group.
+    pub startup: &'static [CodeId],
     /// Ranges and budgets of words, numbers, nesting.
     pub limits: Limits,
     /// What a block costs.
@@ -63,11 +63,10 @@ pub(in crate::controls) const fn axis(letter: u8, rotary: bool, cite: Citation) 
 }
 
 impl Control {
-    /// The row of a code, `None` where the control lacks it. `number` is ten times the number (`G61.1` is 611).
-    pub fn code(&self, letter: u8, number: u16) -> Option<&'static CodeDef> {
-        let rows = self.codes;
-        let at = rows.partition_point(|row| (row.letter, row.number) < (letter, number));
-        rows.get(at).filter(|row| (row.letter, row.number) == (letter, number))
+    /// The row of a code; `None` where the control lacks it.
+    pub fn code(&self, id: CodeId) -> Option<&'static CodeDef> {
+        let at = self.codes.binary_search_by_key(&id, |row| row.id).ok()?;
+        self.codes.get(at)
     }
 
     /// The row of an alarm, or of the wider kind that this control has for it; every kind leads to one (held by a test).
@@ -149,12 +148,12 @@ impl Control {
     }
 
     /// Codes that a switch keeps off: it is named for them, `codes-g22-g23`, and at its default they are an alarm.
-    pub fn codes_off(&self, switches: &Switches) -> Vec<(u8, u16)> {
+    pub fn codes_off(&self, switches: &Switches) -> Vec<CodeId> {
         let off = self.switches.iter().filter(|row| switches.get(self.switches, row.id) == Some("alarm"));
         let names = off.filter_map(|row| row.id.strip_prefix("codes-")).flat_map(|codes| codes.split('-'));
         let code = |name: &str| {
-            let number: u16 = name.get(1..)?.parse().ok()?;
-            Some((name.bytes().next()?.to_ascii_uppercase(), number.saturating_mul(10)))
+            let number = name.get(1..)?.parse().ok()?;
+            Some(if name.starts_with('g') { CodeId::g(number) } else { CodeId::M(number) })
         };
         names.filter_map(code).collect()
     }
@@ -196,13 +195,15 @@ impl Control {
         long.map_or_else(|| (letter as char).to_string(), str::to_owned)
     }
 
-    /// A code as it is written, `number` is ten times its number.
-    pub fn code_name(&self, letter: u8, number: u32) -> String {
-        let names = self.syntax.names().filter(|_| letter == syntax::long::NAME);
-        match names.and_then(|names| names.codes.get(number as usize / 10)) {
-            Some(name) => (*name).to_owned(),
-            None if number.is_multiple_of(10) => format!("{}{}", letter as char, number / 10),
-            None => format!("{}{}.{}", letter as char, number / 10, number % 10),
+    /// A code as it is written: `G61.1`, `M3`, `DIAMON`.
+    pub fn code_name(&self, id: CodeId) -> String {
+        match id {
+            CodeId::G(number) => format!("G{number}"),
+            CodeId::M(number) => format!("M{number}"),
+            CodeId::Named(place) => {
+                let name = self.syntax.names().and_then(|names| names.codes.get(usize::from(place)));
+                name.map_or_else(String::new, |name| (*name).to_owned())
+            }
         }
     }
 
@@ -210,9 +211,9 @@ impl Control {
     pub fn program_ends(&self) -> String {
         let ends = |row: &&CodeDef| matches!(row.code, Code::End | Code::EndRewind | Code::SubEnd | Code::Return);
         let digits = if self.syntax.names().is_some() { 1 } else { 2 };
-        let name = |row: &CodeDef| match row.letter {
-            b'M' => format!("M{:0digits$}", row.number / 10),
-            letter => self.code_name(letter, row.number.into()),
+        let name = |row: &CodeDef| match row.id {
+            CodeId::M(number) => format!("M{number:0digits$}"),
+            id => self.code_name(id),
         };
         let mut names: Vec<String> = self.codes.iter().filter(ends).map(name).collect();
         let last = names.pop().unwrap_or_default();

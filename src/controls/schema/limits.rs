@@ -1,5 +1,6 @@
 //! Ranges of words, nesting depths and what a block costs.
 
+use super::code::CodeId;
 use crate::text::Citation;
 
 /// Ranges and depths; a program beyond them gets the control's alarm.
@@ -13,8 +14,8 @@ pub struct Limits {
     pub feed_max: f64,
     /// Largest feed per revolution in mm/rev.
     pub revolution_feed_max: f64,
-    /// Ten times the code of inches in which feeds count too, where other inches do not touch them; `None`: all inches do.
-    pub inch_feeds: Option<u16>,
+    /// The inch code that applies to feeds too, where the other inch codes do not; `None`: all inch codes do.
+    pub inch_feeds: Option<CodeId>,
     /// Largest lead of a thread in mm/rev.
     pub lead_max: f64,
     /// Smallest feed step in mm/min.

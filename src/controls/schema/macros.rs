@@ -1,5 +1,6 @@
 //! How a control's macro language counts and calls: what differs between dialects of one family, as rows.
 
+use super::code::CodeId;
 use super::syntax::Operation;
 use crate::text::Citation;
 
@@ -142,10 +143,8 @@ pub const CALL_PARAMETERS: &str = "call-parameters";
 /// A code that calls a macro.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CodeCall {
-    /// `G` or `M`.
-    pub letter: u8,
-    /// Ten times the number, as in [`CodeDef`](super::CodeDef).
-    pub number: u32,
+    /// The code.
+    pub code: CodeId,
     /// How it calls.
     pub kind: CallKind,
     /// The program that it calls.
@@ -179,7 +178,8 @@ impl Macros {
         let mut bind = |letter: u8, code: Option<u32>, kind: CallKind, program: Option<u32>| {
             // A code 0 is a parameter that is not set.
             if let (Some(code @ 1..), Some(program @ 1..)) = (code, program) {
-                calls.push(CodeCall { letter, number: code.saturating_mul(10), kind, program });
+                let code = if letter == b'M' { CodeId::M(code) } else { CodeId::g(code) };
+                calls.push(CodeCall { code, kind, program });
             }
         };
         for row in self.code_calls {
@@ -223,8 +223,7 @@ impl super::Control {
     /// The codes that call macros as the switches have it.
     pub fn code_calls(&self, switches: &super::Switches) -> Vec<CodeCall> {
         let mut calls = self.macros.calls(switches.get(self.switches, CALL_PARAMETERS).unwrap_or(""));
-        let own = |call: &CodeCall| u16::try_from(call.number).is_ok_and(|n| self.code(call.letter, n).is_some());
-        calls.retain(|call| self.macros.calls_override || !own(call));
+        calls.retain(|call| self.macros.calls_override || self.code(call.code).is_none());
         calls
     }
 }

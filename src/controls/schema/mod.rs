@@ -28,7 +28,7 @@ pub mod control;
 
 pub use alarm::{Alarm, AlarmDef};
 pub use bench::Bench;
-pub use code::{Code, CodeDef, Group, Point};
+pub use code::{Code, CodeDef, CodeId, CodeNumber, Group, Point};
 pub use control::{AxisDef, Control};
 pub use interface::Signal;
 pub use limits::{Limits, Timing};

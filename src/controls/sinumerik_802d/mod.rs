@@ -11,6 +11,7 @@ pub(super) use params::PARAMS;
 
 use super::base::sinumerik;
 use super::base::sinumerik::MEMORY;
+use super::code::g_codes;
 use super::syntax::Names;
 use super::{AxisDef, Control, Limits, SpindleRules, Syntax};
 use crate::text::{Citation, Grade};
@@ -44,7 +45,7 @@ pub static CONTROL: Control = Control {
         AxisDef { letter: b'Y', rotary: false, incremental: None, diameter: false, cite: MEMORY },
         AxisDef { letter: b'Z', rotary: false, incremental: None, diameter: false, cite: SPINDLE },
     ],
-    startup: &[10, 180, 400, 600, 710, 900, 950, 5000],
+    startup: &g_codes([1, 18, 40, 60, 71, 90, 95, 500]),
     limits: Limits { cite: RANGES, ..sinumerik::LIMITS },
     spindle: SpindleRules { cite: SPINDLE, ..sinumerik::SPINDLE },
     timing: sinumerik::TIMING,

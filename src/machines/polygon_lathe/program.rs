@@ -6,6 +6,7 @@
 use super::PolygonLathe;
 use super::resolved::Resolved;
 use crate::controls::Code;
+use crate::controls::CodeId;
 use crate::machines::writing;
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, v, word, x, z};
@@ -75,8 +76,10 @@ pub(super) fn deck(lathe: &Resolved) -> Deck {
 pub(super) fn codes(lathe: &Resolved) -> [Option<u32>; 2] {
     let calls = lathe.control.code_calls(lathe.switches);
     MACROS.map(|program| {
-        let call = calls.iter().find(|call| call.letter == b'G' && call.program == program);
-        call.map(|call| call.number / 10)
+        calls.iter().find_map(|call| match call.code {
+            CodeId::G(number) if call.program == program => Some(number.integer()),
+            _ => None,
+        })
     })
 }
 

@@ -5,6 +5,7 @@ use super::derive::Derived;
 use super::params::{Params, Path};
 use super::resolved::Resolved;
 use super::{program, show};
+use crate::controls::CodeId;
 use crate::drives::Bound;
 use crate::machines::verdict::{Judgement, Rule, fail, ok, rule, warn};
 use crate::math;
@@ -239,12 +240,12 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     if lathe.form.speed_mode != p.speed_mode {
         found.push(Diagnostic::info(msg!("turning.no-surface-speed", lathe.control.name)));
     }
-    let lock = p.lock_code as u16;
-    let known = lathe.control.codes.iter().find(|row| row.letter == b'M' && row.number == 10 * lock);
+    let lock = p.lock_code as u32;
+    let known = lathe.control.codes.iter().find(|row| row.id == CodeId::M(lock));
     // Who reads M99 takes it for the end of a subprogram, also where it is none.
     let meaning = known.map(|row| row.text).or((lock == 99).then_some("subprogram return"));
     if let Some(meaning) = meaning.filter(|_| lathe.positions() && lock > 0) {
-        found.push(Diagnostic::error(msg!("turning.lock-is-taken", u32::from(lock), meaning)).about("lock-code"));
+        found.push(Diagnostic::error(msg!("turning.lock-is-taken", lock, meaning)).about("lock-code"));
     }
     if lathe.positions() && p.lock_code <= 0.0 {
         found.push(Diagnostic::warning(msg!("turning.keyway-unlocked")).about("lock-code"));

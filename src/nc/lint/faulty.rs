@@ -32,7 +32,7 @@ impl Facts {
         let any = |words: &[&str]| words.iter().any(|word| text.contains(word));
         self.bad.push((program, at));
         self.any_called |= lint.control.syntax.names().is_some() || any(&["G65", "G66", "M98"]);
-        self.any_called |= !lint.parsed.calls().is_empty();
+        self.any_called |= !lint.parsed.codes().calls().is_empty();
         self.any_entry |= any(&["M98", "M99"]);
         if let Some(part) = self.parts.get_mut(program as usize) {
             part.ends |= any(&["M30", "M02", "M2"]);

@@ -55,7 +55,7 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     let most = FINDINGS.saturating_sub(parsed.diagnostics().len());
     let mut lint =
         Lint { parsed, deck, control: parsed.control(), start, set, numbers, most, again: 0, found: Vec::new() };
-    let roles = Roles::new(lint.control, parsed.calls());
+    let roles = Roles::new(lint.control, parsed.codes());
     settings::call_parameters(&mut lint);
     let facts = words::survey(&mut lint, &roles);
     retract::retracts(&mut lint, &roles);

@@ -1,7 +1,8 @@
 //! What the codes of a block mean to the warnings, as bits: looked up once per review, or-ed together per block.
 
 use super::super::ast::{Word, WordValue};
-use crate::controls::macros::{CallKind, CodeCall};
+use super::super::codes::{Codes, code_of};
+use crate::controls::macros::CallKind;
 use crate::controls::syntax::long;
 use crate::controls::{Code, CodeDef, Control, Group};
 
@@ -41,17 +42,11 @@ pub(super) const AUXILIARY: u32 = 1 << 19;
 /// The words of every following block are arguments.
 pub(super) const EACH_BLOCK: u32 = 1 << 20;
 
-/// Codes up to `G99.9` and `M99`.
-const TABLE: usize = 1000;
-
 /// The bits of every code.
 pub(super) struct Roles<'a> {
-    g: Vec<u32>,
-    m: Vec<u32>,
-    /// Codes that are names.
-    named: Vec<u32>,
-    /// Codes that call programs by parameter; they go before what the control has itself.
-    calls: &'a [CodeCall],
+    codes: &'a Codes,
+    /// By the index of the code's row.
+    rows: Vec<u32>,
 }
 
 fn bits(row: &CodeDef) -> u32 {
@@ -93,45 +88,24 @@ fn bits(row: &CodeDef) -> u32 {
 }
 
 impl<'a> Roles<'a> {
-    pub(super) fn new(control: &Control, calls: &'a [CodeCall]) -> Roles<'a> {
-        let mut roles = Roles { g: vec![0; TABLE], m: vec![AUXILIARY; TABLE], named: vec![0; TABLE], calls };
-        for row in control.codes {
-            let table = match row.letter {
-                b'G' => &mut roles.g,
-                b'M' => &mut roles.m,
-                _ => &mut roles.named,
-            };
-            if let Some(slot) = table.get_mut(row.number as usize) {
-                *slot = bits(row);
-            }
-        }
-        roles
+    pub(super) fn new(control: &Control, codes: &'a Codes) -> Roles<'a> {
+        Roles { codes, rows: control.codes.iter().map(bits).collect() }
     }
 
-    /// The bits of a G or M word; none where its number is calculated.
+    /// The bits of a word that is a code; none where its number is calculated.
     #[inline]
     pub(super) fn word(&self, word: &Word) -> u32 {
-        let WordValue::Number(number) = word.value else { return 0 };
-        let tenths = match number.scale {
-            0 => number.mantissa.wrapping_mul(10),
-            1 => number.mantissa,
-            _ => return 0,
-        };
-        if !self.calls.is_empty()
-            && let Some(call) = self.call(word.letter, tenths)
-        {
+        let WordValue::Number(_) = word.value else { return 0 };
+        let beyond = if word.letter == b'M' { AUXILIARY } else { 0 };
+        let Some(id) = code_of(word) else { return beyond };
+        if let Some(call) = self.codes.call(id) {
             return match call.kind {
                 CallKind::Sub => SUB,
                 CallKind::Macro | CallKind::Modal => CALL,
                 CallKind::ModalBlock => CALL | EACH_BLOCK,
             };
         }
-        let (table, beyond) = match word.letter {
-            b'G' => (&self.g, 0),
-            b'M' => (&self.m, AUXILIARY),
-            _ => (&self.named, 0),
-        };
-        table.get(tenths as usize).copied().unwrap_or(beyond)
+        self.codes.index(id).and_then(|at| self.rows.get(at)).copied().unwrap_or(beyond)
     }
 
     /// The bits of all codes of a block.
@@ -142,15 +116,8 @@ impl<'a> Roles<'a> {
             .fold(0, |bits, word| bits | self.word(word))
     }
 
-    fn call(&self, letter: u8, tenths: i64) -> Option<&CodeCall> {
-        self.calls.iter().find(|call| call.letter == letter && i64::from(call.number) == tenths)
-    }
-
     /// The program that a code of these words calls by parameter.
     pub(super) fn called(&self, words: &[Word]) -> Option<u32> {
-        words.iter().filter(|_| !self.calls.is_empty()).find_map(|word| {
-            let WordValue::Number(number) = word.value else { return None };
-            self.call(word.letter, number.tenths()?.into()).map(|call| call.program)
-        })
+        words.iter().find_map(|word| self.codes.call_of(word)).map(|call| call.program)
     }
 }

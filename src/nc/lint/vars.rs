@@ -1,6 +1,7 @@
 //! Every variable of a deck with what all programs together do to it.
 
 use super::super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, Word, WordValue};
+use super::super::codes::code_of;
 use super::faulty::variables;
 use super::words::{Call, Facts};
 use super::{Lint, NONE};
@@ -318,9 +319,7 @@ impl<'a> Vars<'a> {
     /// Whether a code takes the words of axes for something else: a time, arguments.
     fn takes_words(&self, word: &Word) -> bool {
         use Code::{Dwell, MacroCall, MacroModal, MacroModalBlock};
-        let WordValue::Number(number) = word.value else { return false };
-        let tenths = number.tenths().and_then(|tenths| u16::try_from(tenths).ok());
-        let row = tenths.and_then(|tenths| self.control.code(word.letter, tenths));
+        let row = code_of(word).and_then(|id| self.control.code(id));
         row.is_some_and(|row| matches!(row.code, Dwell | MacroCall | MacroModal | MacroModalBlock))
     }
 

@@ -8,7 +8,7 @@ use super::roles::{
 use super::short::Short;
 use super::{Lint, NONE, messages};
 use crate::controls::syntax::{letter_bits, long};
-use crate::controls::{Alarm, Code, ParamRole};
+use crate::controls::{Alarm, Code, CodeId, ParamRole};
 use crate::msg;
 use crate::text::catalog::number_text;
 use crate::text::{Fix, Message, Place, Severity, Span};
@@ -352,7 +352,7 @@ impl Facts {
             && let Some(word) = lint.deck.words_of(block).iter().find(|word| word.letter == b'M')
         {
             let span = word.span(block);
-            let end = format!("{}{}", end.letter as char, end.number / 10);
+            let end = lint.control.code_name(end.id);
             lint.say(part.return_at, span, "lint.main-returns", &[&end], "");
             if part.returns == 1 {
                 lint.fix(msg!("nc.fix.end-main", end.as_str()), &[(span, Dec::default())], &|_| end.clone());
@@ -379,8 +379,8 @@ impl Units {
     /// Where nothing says what F is per, it is what it is after power-on: one look at its size shows whether that was meant.
     fn tell(&self, lint: &mut Lint) {
         let unit = lint.parsed.switches().get(lint.control.switches, "startup-feed");
-        let number = unit.and_then(|unit| unit.get(1..)?.parse::<u16>().ok());
-        let row = number.and_then(|number| lint.control.code(b'G', number.saturating_mul(10)));
+        let number = unit.and_then(|unit| unit.get(1..)?.parse().ok());
+        let row = number.and_then(|number| lint.control.code(CodeId::g(number)));
         let revolution = row.is_some_and(|row| row.code == Code::FeedPerRevolution);
         let (id, other) = match revolution {
             true => ("lint.feed-per-revolution", Code::FeedPerMinute),
@@ -396,7 +396,7 @@ impl Units {
         }
         let row = lint.control.codes.iter().find(|row| row.code == other);
         if let (Some(&(at, span, dec)), Some(row)) = (self.feeds.first(), row) {
-            let code = format!("{}{}", row.letter as char, row.number / 10);
+            let code = lint.control.code_name(row.id);
             let count = number_text(self.feeds.len() as f64, 0);
             lint.say(at, span, id, &[&number_text(dec.to_f64(), 6), &code, &count], "");
             lint.fix(msg!("lint.fix.unit", code.as_str()), &[(span, dec)], &|dec| format!("{code} F{dec}"));

@@ -1,10 +1,12 @@
 //! Macro calls: what can be said of G65, G66 and codes that call macros before they run.
 
 use super::super::ast::{Word, WordValue};
+use super::super::codes::code_of;
+use super::super::dec::Dec;
 use super::Reader;
 use crate::controls::macros::CallKind;
 use crate::controls::syntax::Operation;
-use crate::controls::{Alarm, Code};
+use crate::controls::{Alarm, Code, CodeId};
 use crate::msg;
 use crate::text::Message;
 
@@ -53,13 +55,12 @@ impl Reader<'_> {
 
     /// The code of a word that calls a macro; `None` inside for one that calls by parameter.
     fn caller(&self, word: &Word) -> Option<Option<Code>> {
-        let WordValue::Number(number) = word.value else { return None };
-        let tenths = number.tenths()?;
-        match self.tables.call(word.letter, tenths) {
+        let id = code_of(word)?;
+        match self.tables.codes.call(id).map(|call| call.kind) {
             Some(CallKind::Sub) => None,
             Some(_) => Some(None),
             None => {
-                let code = self.control.code(word.letter, u16::try_from(tenths).ok()?)?.code;
+                let code = self.control.code(id)?.code;
                 matches!(code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock).then_some(Some(code))
             }
         }
@@ -67,10 +68,9 @@ impl Reader<'_> {
 
     /// What an M code does.
     fn m_row(&self, word: &Word) -> Option<Code> {
-        let WordValue::Number(number) = word.value else { return None };
-        let row =
-            u16::try_from(number.mantissa.saturating_mul(10)).ok().and_then(|n| self.control.code(word.letter, n));
-        row.filter(|_| word.letter == b'M' && number.scale == 0).map(|row| row.code)
+        let WordValue::Number(Dec { scale: 0, .. }) = word.value else { return None };
+        let id = code_of(word).filter(|id| matches!(id, CodeId::M(_)))?;
+        self.control.code(id).map(|row| row.code)
     }
 
     /// Whether a word ends or calls a program, or stops it.

@@ -3,11 +3,12 @@
 use std::collections::BTreeSet;
 
 use super::super::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
+use super::super::codes::{code_of, m_number};
 use super::super::dec::Dec;
 use super::super::files::Files;
 use super::FINDINGS;
 use crate::controls::syntax::long;
-use crate::controls::{Alarm, Code, Control};
+use crate::controls::{Alarm, Code, CodeId, Control};
 use crate::msg;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Fix, Message, Place, Span};
@@ -274,8 +275,8 @@ impl Check<'_> {
 
     /// Whether an M code of this number does this.
     fn is_code(&self, number: Dec, code: Code) -> bool {
-        let tenths = u16::try_from(number.mantissa.saturating_mul(10)).unwrap_or(u16::MAX);
-        number.scale == 0 && self.control.code(b'M', tenths).is_some_and(|row| row.code == code)
+        let id = m_number(number).filter(|_| number.scale == 0).map(CodeId::M);
+        id.and_then(|id| self.control.code(id)).is_some_and(|row| row.code == code)
     }
 
     /// A program must not run out of blocks.
@@ -303,7 +304,7 @@ impl Check<'_> {
         let ends = if called { [Code::SubEnd, Code::EndRewind] } else { [Code::EndRewind, Code::SubEnd] };
         for end in ends {
             let Some(row) = self.control.codes.iter().find(|row| row.code == end) else { continue };
-            let code = self.control.code_name(row.letter, row.number.into());
+            let code = self.control.code_name(row.id);
             let title = match end {
                 Code::SubEnd => msg!("nc.fix.end-sub", code.as_str()),
                 _ => msg!("nc.fix.end-main", code.as_str()),
@@ -317,8 +318,8 @@ impl Check<'_> {
     fn falls_through(&self, blocks: &[Block], block: &Block) -> bool {
         match block.stmt {
             Stmt::Words { .. } => !self.deck.words_of(block).iter().any(|word| match word.value {
-                WordValue::Number(number) if word.letter == long::NAME => {
-                    let row = self.control.code(long::NAME, u16::try_from(number.mantissa * 10).unwrap_or(u16::MAX));
+                WordValue::Number(_) if word.letter == long::NAME => {
+                    let row = code_of(word).and_then(|id| self.control.code(id));
                     row.is_some_and(|row| row.code == Code::Return)
                 }
                 WordValue::Number(number) if word.letter == b'M' => {

@@ -1,6 +1,7 @@
 //! One expression or condition alone, as people ask for it while a program runs.
 
 use super::super::ast::{Deck, Expr, ExprId};
+use super::super::codes::Codes;
 use super::{Read, Reader, Tables};
 use crate::controls::{Alarm, Control, Switches};
 use crate::text::{Diagnostic, FileId};
@@ -28,7 +29,8 @@ impl Formula {
 /// The place of what is wrong counts from the start of the text, in file 0.
 pub fn formula(text: &str, control: &'static Control) -> Result<Formula, Box<Diagnostic>> {
     let switches = Switches::default();
-    let tables = Tables::new(control, &switches, &[]);
+    let codes = Codes::new(control, &switches);
+    let tables = Tables::new(control, &switches, &codes);
     let read = |bracketed: bool| {
         let mut reader = Reader::new(control, &tables, FileId(0), text, Deck::default());
         reader.take_line(text.as_bytes(), 0);

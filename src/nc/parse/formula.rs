@@ -3,7 +3,7 @@
 use super::super::ast::{Expr, ExprId, Op};
 use super::super::dec::Dec;
 use super::quick_fixes::{Mend, meant};
-use super::{Misused, Read, Reader};
+use super::{LeftOut, Misused, Read, Reader};
 use crate::controls::syntax::Function;
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, VarKind};
@@ -500,7 +500,7 @@ impl Reader<'_> {
                 }
                 VarKind::NotSimulated => {
                     let message = msg!("nc.variable-stops", self.control.variable(number), row.text);
-                    return self.say_once((b'#', row.first), start, self.at, message);
+                    return self.say_once(LeftOut::Variables(row.first), start, self.at, message);
                 }
                 VarKind::Vacant if written => Alarm::VacantWritten,
                 kind if written && !kind.writable() => Alarm::ReadOnly,

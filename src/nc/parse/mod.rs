@@ -45,11 +45,11 @@ pub use expr_span::part_span;
 pub use expression::{Formula, formula};
 
 use super::ast::{Block, Deck, Op, Program, Stmt, TextId};
+use super::codes::Codes;
 use super::files::Files;
 use super::parsed::Parsed;
-use crate::controls::macros::{CallKind, CodeCall};
 use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, Percent, RoundBrackets, letter_bits};
-use crate::controls::{Alarm, Control, Switches};
+use crate::controls::{Alarm, CodeId, Control, Switches};
 use crate::msg;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
 use quick_fixes::Mend;
@@ -100,8 +100,8 @@ pub fn skim(files: &Files, control: &'static Control, switches: &Switches) -> Pa
 }
 
 fn read(files: &Files, control: &'static Control, switches: &Switches, advice: Option<&'static Advice>) -> Parsed {
-    let calls = control.code_calls(switches);
-    let tables = Tables::new(control, switches, &calls);
+    let codes = Codes::new(control, switches);
+    let tables = Tables::new(control, switches, &codes);
     let mut deck = Deck::default();
     let mut found = Vec::new();
     let mut later = Vec::new();
@@ -134,20 +134,12 @@ fn read(files: &Files, control: &'static Control, switches: &Switches, advice: O
         found.push(Diagnostic::info(msg!("nc.more-findings", FINDINGS as u32)));
     }
     deck.shrink();
-    Parsed::new(files.clone(), deck, found, control, switches.clone(), calls)
+    Parsed::new(files.clone(), deck, found, control, switches.clone(), codes)
 }
-
-/// Slot of a code that calls a program.
-const BOUND: u16 = u16::MAX;
 
 /// What is looked up for every word, in the order of its first byte.
 struct Tables<'a> {
-    /// Index + 1 into the control's codes, by ten times the G number; [`BOUND`] for one that calls a program.
-    g: Box<[u16; 1000]>,
-    /// Index + 1 into the control's codes, by the M number; [`BOUND`] for one that calls a program.
-    m: Box<[u16; 100]>,
-    /// Codes that call programs.
-    calls: &'a [CodeCall],
+    codes: &'a Codes,
     /// Bit `letter & 31`: letters of words outside macro calls.
     letters: u32,
     /// Bit `letter & 31`: letters that may stand only once in a block.
@@ -182,12 +174,10 @@ struct Tables<'a> {
     digits: usize,
     /// Ranges of common variables that are fitted.
     fitted: Vec<(u32, u32)>,
-    /// Codes that a switch keeps off, ten times their numbers.
-    off: Vec<(u8, u16)>,
 }
 
 impl<'a> Tables<'a> {
-    fn new(control: &Control, switches: &Switches, calls: &'a [CodeCall]) -> Tables<'a> {
+    fn new(control: &Control, switches: &Switches, codes: &'a Codes) -> Tables<'a> {
         let number = |id: &str| switches.get(control.switches, id).and_then(|setting| setting.parse().ok());
         let is = |id: &str, setting: &str| switches.get(control.switches, id) == Some(setting);
         let mut tables = Tables {
@@ -201,10 +191,7 @@ impl<'a> Tables<'a> {
             enclosed: is("word-formula", "in brackets"),
             digits: control.number_digits(switches),
             fitted: control.fitted(switches),
-            off: control.codes_off(switches),
-            g: Box::new([0; 1000]),
-            m: Box::new([0; 100]),
-            calls,
+            codes,
             letters: letter_bits(control.syntax.addresses.iter().copied().chain(control.axis_letters())),
             once: if control.syntax.address_twice { !letter_bits(b"GM".iter().copied()) } else { 0 },
             whole: 0,
@@ -224,27 +211,7 @@ impl<'a> Tables<'a> {
             // The point of G54.1 is part of its number.
             tables.whole = letter_bits(control.syntax.integer_addresses.iter().copied().filter(|&b| b != b'G'));
         }
-        let rows = control.codes.iter().enumerate().map(|(at, row)| (row.letter, row.number.into(), at as u16 + 1));
-        // A user's code comes before the control's own of the same number.
-        let off = tables.off.clone();
-        let rows = rows.filter(|row| !off.iter().any(|off| (off.0, off.1.into()) == (row.0, row.1)));
-        for (letter, number, index) in rows.chain(calls.iter().map(|call| (call.letter, call.number, BOUND))) {
-            let slot = match letter {
-                b'G' => tables.g.get_mut(number as usize),
-                b'M' => tables.m.get_mut(number as usize / 10),
-                _ => None,
-            };
-            if let Some(slot) = slot {
-                *slot = index;
-            }
-        }
         tables
-    }
-
-    /// How a code calls its program, where it calls one; `number` is ten times what is written.
-    fn call(&self, letter: u8, number: u32) -> Option<CallKind> {
-        let call = self.calls.iter().find(|call| (call.letter, call.number) == (letter, number));
-        call.map(|call| call.kind)
     }
 }
 
@@ -271,6 +238,21 @@ struct Mark {
     small: Option<u32>,
 }
 
+/// A feature that the simulation leaves out, reported once a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum LeftOut {
+    Code(CodeId),
+    /// A cycle by the number in its name.
+    Cycle(u32),
+    /// A range of variables by its first number.
+    Variables(u32),
+    /// An external input or output statement, by its index.
+    Statement(usize),
+    Address(u8),
+    /// An address behind a comma.
+    Comma(u8),
+}
+
 /// A variable that the control does not have, or that cannot be written.
 struct Misused {
     number: u32,
@@ -288,8 +270,8 @@ struct Reader<'a> {
     source: &'a str,
     deck: Deck,
     found: Vec<Diagnostic>,
-    /// What was said to be not simulated: a letter and a number, `#` for variables.
-    said: Vec<(u8, u32)>,
+    /// Features that were reported as not simulated.
+    said: Vec<LeftOut>,
     misused: Vec<Misused>,
     /// Variables that can be read and written, the last such row.
     plain: core::ops::Range<u32>,

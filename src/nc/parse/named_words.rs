@@ -1,10 +1,11 @@
 //! NC words of a language with names: addresses of several letters, values behind `=`, codes that are names.
 
 use super::super::ast::{Dimensioning, Expr, Stmt, Word, WordValue};
+use super::super::codes::{g_number, m_number};
 use super::super::dec::Dec;
-use super::{Read, Reader};
+use super::{LeftOut, Read, Reader};
 use crate::controls::syntax::long;
-use crate::controls::{Alarm, Code, CodeDef, Group};
+use crate::controls::{Alarm, Code, CodeDef, CodeId, Group};
 use crate::msg;
 use crate::text::Diagnostic;
 
@@ -120,7 +121,7 @@ impl Reader<'_> {
     #[cold]
     fn foreign_return(&mut self, start: usize) {
         let row = self.control.codes.iter().find(|row| row.code == Code::SubEnd);
-        let end = row.map_or(String::new(), |row| self.control.code_name(row.letter, row.number.into()));
+        let end = row.map_or(String::new(), |row| self.control.code_name(row.id));
         let place = self.place(self.span(start, self.at));
         let finding = Diagnostic::warning(msg!("nc.foreign-return", "M99", end.as_str())).at(place);
         self.add_finding(finding.fix(msg!("nc.fix.write", end.as_str()), vec![(place, end)]));
@@ -129,14 +130,10 @@ impl Reader<'_> {
     /// The row of a G or M code as it is written.
     #[inline]
     fn row(&self, letter: u8, number: Dec) -> Option<&'static CodeDef> {
-        let table = |number: i64| match letter {
-            b'G' => self.tables.g.get(usize::try_from(number.checked_mul(10)?).ok()?),
-            _ => self.tables.m.get(usize::try_from(number).ok()?),
-        };
-        match table(number.mantissa).filter(|_| number.scale == 0) {
-            Some(slot) => self.control.codes.get(usize::from(*slot).wrapping_sub(1)),
-            None => self.code_on(letter, u16::try_from(number.mantissa.checked_mul(10)?).ok()?),
-        }
+        self.tables.codes.row(match letter {
+            b'G' => CodeId::G(g_number(number)?),
+            _ => CodeId::M(m_number(number)?),
+        })
     }
 
     /// What stands behind a letter: a number, or behind `=` a formula.
@@ -321,14 +318,16 @@ impl Reader<'_> {
         let Some(names) = self.names() else { return Err(self.unexpected()) };
         if let Some(place) = names.code(&name) {
             self.at += name.len();
-            let row = self.code_on(long::NAME, 10 * place as u16);
+            let id = CodeId::Named(place as u16);
+            let row = self.tables.codes.row(id);
             if let Some(row) = row {
                 seen.code(row);
                 if row.code == Code::NotSimulated {
                     let what = format!("{name} ({})", row.text);
                     let digits = name.bytes().filter(u8::is_ascii_digit);
-                    let number = digits.fold(0, |all: u32, b| all.wrapping_mul(10).wrapping_add(u32::from(b - b'0')));
-                    self.not_simulated((long::NAME, place as u32 + 100 * number), start, self.at, &what);
+                    let cycle =
+                        digits.map(|b| u32::from(b - b'0')).reduce(|all, b| all.wrapping_mul(10).wrapping_add(b));
+                    self.not_simulated(cycle.map_or(LeftOut::Code(id), LeftOut::Cycle), start, self.at, &what);
                     // Its arguments, for instance of TRACYL(40).
                     if self.skip() == b'(' {
                         let rest = self.line.get(self.at..).unwrap_or_default();
@@ -356,7 +355,7 @@ impl Reader<'_> {
                     seen.odd = true;
                 }
                 if let Some(row) = self.control.syntax.corners.iter().find(|row| row.0 == letter) {
-                    self.not_simulated((letter, 0), start, self.at, &format!("{address} ({})", row.1));
+                    self.not_simulated(LeftOut::Address(letter), start, self.at, &format!("{address} ({})", row.1));
                 }
                 return self.push_long(start, letter, value);
             }
@@ -552,18 +551,16 @@ impl Reader<'_> {
 
     /// The row of a word that is a code.
     fn row_of(&self, word: &Word) -> Option<&'static CodeDef> {
-        let WordValue::Number(number) = word.value else { return None };
-        let tenths = u16::try_from(number.mantissa.checked_mul(10)?).ok()?;
+        let WordValue::Number(Dec { scale: 0, .. }) = word.value else { return None };
         // Of another spindle they are in groups of its own.
         let own = word.letter != b'M' || word.index.is_none_or(|spindle| spindle <= 1);
-        let code = matches!(word.letter, b'G' | b'M' | long::NAME) && number.scale == 0 && own;
-        if code { self.code_on(word.letter, tenths) } else { None }
+        if own { self.tables.codes.row_of(word) } else { None }
     }
 
     /// Reports a code that cannot stand behind those before it, or not with other words; whether the block has to be taken apart.
     fn check_code(&mut self, row: &CodeDef, word: &Word, before: &[Option<&CodeDef>], count: usize) -> bool {
         let (start, end) = (word.offset as usize, word.offset as usize + word.len as usize);
-        let name = self.control.code_name(row.letter, row.number.into());
+        let name = self.control.code_name(row.id);
         let mut before = before.iter().flatten();
         if row.stands_alone() {
             let fits = |word: &Word| match row.code {
@@ -583,14 +580,14 @@ impl Reader<'_> {
             }
         } else if row.defines_syntax() {
             if let Some(other) = before.find(|other| other.defines_syntax()) {
-                let other = self.control.code_name(other.letter, other.number.into());
+                let other = self.control.code_name(other.id);
                 self.report(Alarm::SyntaxTwice, start, end, msg!("nc.syntax-twice", other, name));
             }
         } else if !matches!(row.group, Group::Other | Group::OneShot)
             && let Some(other) = before.find(|other| other.group == row.group)
         {
-            let other = self.control.code_name(other.letter, other.number.into());
-            let alarm = if row.letter == b'M' { Alarm::AuxiliaryTwice } else { Alarm::GroupTwice };
+            let other = self.control.code_name(other.id);
+            let alarm = if matches!(row.id, CodeId::M(_)) { Alarm::AuxiliaryTwice } else { Alarm::GroupTwice };
             self.report(alarm, start, end, msg!("nc.group-twice", other, name));
         }
         false

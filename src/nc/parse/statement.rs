@@ -2,7 +2,7 @@
 
 use super::super::ast::{Expr, ExprId, JumpDirection, Op, Pair, Stmt};
 use super::quick_fixes::meant;
-use super::{Failure, Read, Reader};
+use super::{Failure, LeftOut, Read, Reader};
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
 
@@ -74,7 +74,7 @@ impl Reader<'_> {
         let word = KEYWORDS.into_iter().find(|word| self.take(word)).or_else(|| self.take_goto().then_some("GOTO"));
         if let Some(index) = OUTSIDE.iter().position(|name| word.is_none() && self.ahead(name)) {
             let end = self.line.len();
-            self.not_simulated((b'!', index as u32), start, end, OUTSIDE[index]);
+            self.not_simulated(LeftOut::Statement(index), start, end, OUTSIDE[index]);
             self.at = end;
             return Ok(Some(Stmt::Empty));
         }

@@ -1,11 +1,12 @@
 //! NC words: the fast path, taken by nearly every block.
 
 use super::super::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
+use super::super::codes::{code_of, g_number, m_number};
 use super::super::dec::Dec;
 use super::quick_fixes::Mend;
-use super::{BOUND, Failure, Read, Reader};
+use super::{Failure, LeftOut, Read, Reader};
 use crate::controls::macros::CallKind;
-use crate::controls::{Alarm, Code, CodeDef};
+use crate::controls::{Alarm, Code, CodeDef, CodeId};
 use crate::msg;
 use crate::text::Message;
 
@@ -210,8 +211,8 @@ impl<'a> Reader<'a> {
         let words = self.deck.words.get(first..).unwrap_or_default();
         // Cycles, threads and calls have other uses for these letters.
         let plain = |word: &Word| match (word.letter, word.value) {
-            (letter @ (b'G' | b'M'), WordValue::Number(number)) => {
-                let row = self.control.code(letter, (number.to_f64() * 10.0) as u16);
+            (b'G' | b'M', WordValue::Number(_)) => {
+                let row = code_of(word).and_then(|id| self.control.code(id));
                 !row.is_some_and(|row| {
                     matches!(row.code, Code::NotSimulated | Code::Roughing | Code::Thread | Code::SubCall)
                 })
@@ -225,7 +226,12 @@ impl<'a> Reader<'a> {
             words.iter().find_map(|word| Some((*word, corners.iter().find(|corner| corner.0 == word.letter)?.1)));
         if let (true, Some((word, what))) = (motion, found) {
             let (start, letter) = (word.offset as usize, word.letter as char);
-            self.not_simulated((word.letter, 0), start, start + word.len as usize, &format!("{letter} ({what})"));
+            self.not_simulated(
+                LeftOut::Address(word.letter),
+                start,
+                start + word.len as usize,
+                &format!("{letter} ({what})"),
+            );
         }
     }
 
@@ -287,7 +293,7 @@ impl<'a> Reader<'a> {
                 self.at += 1;
                 self.value(start, letter & 0xDF)?;
                 let name = format!(",{}", (letter & 0xDF) as char);
-                self.not_simulated((b',', letter.into()), start, self.at, &name);
+                self.not_simulated(LeftOut::Comma(letter), start, self.at, &name);
             }
             b'#' if self.deck.words.len() > first => {
                 return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), true));
@@ -443,10 +449,12 @@ impl<'a> Reader<'a> {
     /// Looks a G code up; whether it is a macro call, which takes any letter.
     #[inline(always)]
     pub(super) fn g_code(&mut self, number: Dec, start: usize) -> bool {
-        let tenths = number.tenths();
-        let slot = tenths.and_then(|tenths| self.tables.g.get(tenths as usize)).copied().unwrap_or(0);
-        match self.control.codes.get((slot as usize).wrapping_sub(1)) {
-            None => self.rare_g_code(tenths, number, start),
+        let Some(id) = g_number(number).map(CodeId::G) else { return self.unknown_g_code(number, start) };
+        if let Some(call) = self.tables.codes.call(id) {
+            return call.kind != CallKind::Sub;
+        }
+        match self.tables.codes.row(id) {
+            None => self.unknown_g_code(number, start),
             Some(row) => self.known_g_code(row, number, start),
         }
     }
@@ -460,20 +468,14 @@ impl<'a> Reader<'a> {
                 Code::Tapping => msg!("nc.no-tapping", name),
                 _ => msg!("nc.not-simulated", name),
             };
-            self.say_once((b'G', row.number.into()), start, self.at, message);
+            self.say_once(LeftOut::Code(row.id), start, self.at, message);
         }
         matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)
     }
 
-    /// A G code from 100 on, one that calls a program, or none.
+    /// A G code that the control lacks.
     #[cold]
-    fn rare_g_code(&mut self, tenths: Option<u32>, number: Dec, start: usize) -> bool {
-        if let Some(kind) = tenths.and_then(|tenths| self.tables.call(b'G', tenths)) {
-            return kind != CallKind::Sub;
-        }
-        if let Some(row) = tenths.and_then(|tenths| self.code_on(b'G', u16::try_from(tenths).ok()?)) {
-            return self.known_g_code(row, number, start);
-        }
+    fn unknown_g_code(&mut self, number: Dec, start: usize) -> bool {
         self.report(
             Alarm::UnknownCode,
             start,
@@ -483,36 +485,31 @@ impl<'a> Reader<'a> {
         false
     }
 
-    /// The row of a code that no switch keeps off.
-    pub(super) fn code_on(&self, letter: u8, tenths: u16) -> Option<&'static CodeDef> {
-        self.control.code(letter, tenths).filter(|_| !self.tables.off.contains(&(letter, tenths)))
-    }
-
     /// Looks an M code up; whether it is a macro call.
     #[inline(always)]
     pub(super) fn m_code(&mut self, number: Dec, start: usize) -> bool {
-        let slot = usize::try_from(number.mantissa).ok().and_then(|number| self.tables.m.get(number)).copied();
-        let slot = slot.unwrap_or(if self.tables.calls.is_empty() { 0 } else { BOUND });
-        let row = self.control.codes.get((slot as usize).wrapping_sub(1)).filter(|_| number.scale == 0);
-        match row.map(|row| (row, row.code)) {
+        let Some(id) = m_number(number).filter(|_| number.scale == 0).map(CodeId::M) else { return false };
+        if let Some(call) = self.tables.codes.call(id) {
+            return call.kind != CallKind::Sub;
+        }
+        match self.tables.codes.row(id).map(|row| (row, row.code)) {
             Some((row, Code::NotSimulated)) => {
                 let name = format!("M{number} ({})", row.text);
-                self.not_simulated((b'M', row.number.into()), start, self.at, &name);
+                self.not_simulated(LeftOut::Code(id), start, self.at, &name);
             }
             Some((_, Code::SubCall)) => self.note_later(),
             _ => {}
         }
-        let call = || self.tables.call(b'M', u32::try_from(number.mantissa).ok()?.checked_mul(10)?);
-        slot == BOUND && number.scale == 0 && call().is_some_and(|kind| kind != CallKind::Sub)
+        false
     }
 
     /// Says once per kind that the control has it and the simulation does not act on it.
-    pub(super) fn not_simulated(&mut self, key: (u8, u32), from: usize, to: usize, name: &str) {
+    pub(super) fn not_simulated(&mut self, key: LeftOut, from: usize, to: usize, name: &str) {
         self.say_once(key, from, to, msg!("nc.not-simulated", name));
     }
 
     /// Says something once per kind.
-    pub(super) fn say_once(&mut self, key: (u8, u32), from: usize, to: usize, message: Message) {
+    pub(super) fn say_once(&mut self, key: LeftOut, from: usize, to: usize, message: Message) {
         if !self.said.contains(&key) {
             self.said.push(key);
             let base = self.base as usize;

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::fmt::Write as _;
 use std::rc::Rc;
 
-use macroline::controls::{Code, Control, VarKind};
+use macroline::controls::{Code, CodeId, Control, VarKind};
 use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Counts, End, Feed, Interp, Step, Target, World};
 use macroline::motion::Program;
@@ -110,8 +110,11 @@ impl Writer {
     }
 
     fn m(&self, code: Code) -> String {
-        let row = self.control.codes.iter().find(|row| row.letter == b'M' && row.code == code);
-        row.map_or(String::new(), |row| format!("M{:02}", row.number / 10))
+        let row = self.control.codes.iter().filter(|row| row.code == code).find_map(|row| match row.id {
+            CodeId::M(number) => Some(number),
+            _ => None,
+        });
+        row.map_or(String::new(), |number| format!("M{number:02}"))
     }
 
     fn millimetres(&self, increments: i64) -> String {

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use macroline::controls::syntax::{Function, long};
-use macroline::controls::{Code, Control};
+use macroline::controls::syntax::Function;
+use macroline::controls::{Code, CodeId, Control};
 
 use super::dice::Dice;
 use super::parts::{Arc, PLANES, mode};
@@ -119,7 +119,7 @@ pub(crate) fn word(control: &'static Control, dice: &mut Dice) -> String {
     match dice.below(5) {
         0 => {
             let row = dice.pick(control.codes);
-            format!("{} ", control.code_name(row.letter, row.number.into()))
+            format!("{} ", control.code_name(row.id))
         }
         1 => format!("R{}", dice.below(302)),
         2 => dice.pick(control.syntax.functions).0.to_owned() + "(",
@@ -152,8 +152,8 @@ impl<'a> Writer<'a> {
 
     /// The name of a code that has one.
     fn name(&self, code: Code) -> String {
-        let row = self.control.codes.iter().find(|row| row.letter == long::NAME && row.code == code);
-        row.map_or(String::new(), |row| self.control.code_name(row.letter, row.number.into()))
+        let row = self.control.codes.iter().find(|row| matches!(row.id, CodeId::Named(_)) && row.code == code);
+        row.map_or(String::new(), |row| self.control.code_name(row.id))
     }
 
     fn main(&mut self) {

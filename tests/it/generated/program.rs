@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use macroline::controls::macros::VacantWord;
 use macroline::controls::syntax::{Function, Operation};
-use macroline::controls::{Code, Control, VarKind};
+use macroline::controls::{Code, CodeId, Control, VarKind};
 
 use super::dice::Dice;
 use super::named;
@@ -138,7 +138,7 @@ fn word(control: &'static Control, dice: &mut Dice) -> String {
     match dice.below(5) {
         0 => {
             let row = dice.pick(control.codes);
-            written(row.letter, row.number)
+            written(row.id)
         }
         1 => {
             let row = dice.pick(control.vars);
@@ -152,13 +152,17 @@ fn word(control: &'static Control, dice: &mut Dice) -> String {
 
 /// The G code that does this, as it is written.
 pub(crate) fn g(control: &Control, code: Code) -> Option<String> {
-    let row = control.codes.iter().find(|row| row.letter == b'G' && row.code == code)?;
-    Some(written(b'G', row.number))
+    let row = control.codes.iter().find(|row| matches!(row.id, CodeId::G(_)) && row.code == code)?;
+    Some(written(row.id))
 }
 
-fn written(letter: u8, tenths: u16) -> String {
-    let tenth = if tenths.is_multiple_of(10) { String::new() } else { format!(".{}", tenths % 10) };
-    format!("{}{:02}{tenth}", letter as char, tenths / 10)
+fn written(id: CodeId) -> String {
+    match id {
+        CodeId::G(number) if number.tenth() > 0 => format!("G{:02}.{}", number.integer(), number.tenth()),
+        CodeId::G(number) => format!("G{:02}", number.integer()),
+        CodeId::M(number) => format!("M{number:02}"),
+        CodeId::Named(_) => String::new(),
+    }
 }
 
 struct Writer<'a> {

@@ -414,8 +414,8 @@ fn codes_that_call_macros_take_any_letter() {
     let check = |id: &str, setting: &str, text: &str, expected: Expect| {
         let switches = Switches(vec![("call-parameters".to_owned(), setting.to_owned())]);
         let parsed = nc::parse_with(&Files::one("O1.nc", text), find(id).unwrap(), &switches);
-        let calls =
-            parsed.calls().iter().map(|call| format!("{}{}→O{} ", call.letter as char, call.number / 10, call.program));
+        let bound = parsed.codes().calls().iter();
+        let calls = bound.map(|call| format!("{}→O{} ", parsed.control().code_name(call.code), call.program));
         expected.assert_eq(&format!("{}\n{}", calls.collect::<String>(), reading(&parsed)));
     };
     check(

@@ -1,6 +1,7 @@
 //! What is read, as trees.
 
 use expect_test::{Expect, expect};
+use macroline::controls::CodeId;
 use macroline::controls::syntax::long;
 use macroline::nc::{Deck, Dimensioning, Expr, ExprId, JumpDirection, Parsed, Stmt, WordValue, part_span};
 
@@ -41,7 +42,7 @@ pub(super) fn tree(parsed: &Parsed) -> String {
                 let form = if word.form == Dimensioning::Plain { String::new() } else { format!("{:?} ", word.form) };
                 let value = match word.value {
                     WordValue::Number(number) if word.letter == long::NAME => {
-                        return control.code_name(long::NAME, 10 * number.mantissa as u32);
+                        return control.code_name(CodeId::Named(number.mantissa as u16));
                     }
                     WordValue::Number(number) => number.to_string(),
                     WordValue::Expr(value) => say(value),

@@ -59,11 +59,12 @@ fn each_code_that_is_acted_on_stands_in_a_good_program() {
     for control in ALL {
         let good = good(control);
         for row in control.codes.iter().filter(acted) {
-            let number = f64::from(row.number) / 10.0;
-            let spelled = match control.syntax.names {
-                Some(_) => [row.letter, row.letter].map(|letter| control.code_name(letter, row.number.into())),
-                None => [format!("{}{number}", row.letter as char), format!("{}{number:02}", row.letter as char)],
+            let name = control.code_name(row.id);
+            let padded = match (row.id.number(), control.syntax.names) {
+                (Some(number), None) => format!("{}{:02}", &name[..1], number.to_f64()),
+                _ => name.clone(),
             };
+            let spelled = [name, padded];
             if !spelled.iter().any(|word| stands(&good, word)) {
                 missing.push(format!("{} {}", control.id, spelled[0]));
             }

@@ -2,7 +2,7 @@
 
 use expect_test::{Expect, expect};
 use macroline::controls::spindle::SpindleRules;
-use macroline::controls::{self, Alarm, AlarmDef, Code, CodeDef, Control, Group, Switch, Switches, gsk_980tdc};
+use macroline::controls::{self, Alarm, AlarmDef, Code, CodeDef, CodeId, Control, Group, Switch, Switches, gsk_980tdc};
 use macroline::text::{Citation, Grade};
 
 use super::{log_of, start_on};
@@ -26,17 +26,17 @@ const SWITCHES: &[Switch] = &[
 /// limit stands behind G25 and G26, surface speed has a range and needs a first S.
 fn one_group() -> &'static Control {
     let base = &gsk_980tdc::CONTROL;
-    let limit = |number, code| CodeDef { letter: b'G', number, code, group: Group::OneShot, text: "", cite: MADE };
+    let limit = |number, code| CodeDef { id: CodeId::g(number), code, group: Group::OneShot, text: "", cite: MADE };
     let mut codes: Vec<CodeDef> = base.codes.to_vec();
-    codes.extend([limit(250, Code::LowerLimits), limit(260, Code::UpperLimits)]);
-    let orient = CodeDef { letter: b'M', group: Group::Other, ..limit(190, Code::SpindleOrient) };
+    codes.extend([limit(25, Code::LowerLimits), limit(26, Code::UpperLimits)]);
+    let orient = CodeDef { id: CodeId::M(19), group: Group::Other, ..limit(19, Code::SpindleOrient) };
     codes.push(orient);
     for row in &mut codes {
         if matches!(row.code, Code::FeedPerMinute | Code::FeedPerRevolution) {
             row.group = Group::SurfaceSpeed;
         }
     }
-    codes.sort_by_key(|row| (row.letter, row.number));
+    codes.sort_by_key(|row| row.id);
     let alarm = |kind, number| AlarmDef { kind, number, text: "", cite: MADE };
     let mut alarms = base.alarms.to_vec();
     alarms.extend([alarm(Alarm::NoSurfaceSpeed, "10900"), alarm(Alarm::SurfaceRange, "14840")]);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use expect_test::expect;
-use macroline::controls;
+use macroline::controls::{self, CodeId};
 
 use super::Case;
 
@@ -104,7 +104,7 @@ fn each_warning_on_each_control() {
                 "lint.main-returns" => "O1\nG00 X1.\nM99".to_owned(),
                 "lint.suppression-stays" => "O9001\n#3003=1\nM99".to_owned(),
                 "lint.short-blocks" if named => format!("G64 G94 G1 X10 F3000\n{}M30", "G91 X.05\n".repeat(8)),
-                "lint.short-blocks" if control.code(b'G', 910).is_some() => {
+                "lint.short-blocks" if control.code(CodeId::g(91)).is_some() => {
                     format!("O1\nG91 G01 X10. F3000\n{}M30", "X0.05\n".repeat(8))
                 }
                 "lint.short-blocks" => format!("O1\nG98 G01 U10. F3000\n{}M30", "U0.05\n".repeat(20)),

@@ -1,0 +1,156 @@
+//! Look-up of codes, shared by parser, checks and interpreter: the row and the program call of a code.
+
+use super::ast::{Word, WordValue};
+use super::dec::Dec;
+use crate::controls::macros::CodeCall;
+use crate::controls::syntax::long;
+use crate::controls::{CodeDef, CodeId, CodeNumber, Control, Switches};
+
+/// Table size for G codes: G0 to G99.9.
+const G_SLOTS: usize = 1000;
+
+/// Table size for M codes: M0 to M99.
+const M_SLOTS: usize = 100;
+
+/// Flag of a table entry: a parameter makes the code call a program.
+const CALLS: u16 = 1 << 15;
+
+/// The codes of a control as its switches have them.
+#[derive(Debug, Clone)]
+pub struct Codes {
+    control: &'static Control,
+    /// Index + 1 into the control's rows, 0 for none, with [`CALLS`].
+    g: Box<[u16; G_SLOTS]>,
+    /// As `g`, by the M number.
+    m: Box<[u16; M_SLOTS]>,
+    calls: Vec<CodeCall>,
+    /// Codes that a switch keeps off.
+    off: Vec<CodeId>,
+}
+
+impl Codes {
+    /// The codes of a control whose open points are set.
+    pub(super) fn new(control: &'static Control, switches: &Switches) -> Codes {
+        let mut codes = Codes {
+            control,
+            g: Box::new([0; G_SLOTS]),
+            m: Box::new([0; M_SLOTS]),
+            calls: control.code_calls(switches),
+            off: control.codes_off(switches),
+        };
+        for (row, at) in control.codes.iter().zip(1..) {
+            if !codes.off.contains(&row.id)
+                && let Some(slot) = codes.slot_mut(row.id)
+            {
+                *slot = at;
+            }
+        }
+        for at in 0..codes.calls.len() {
+            let id = codes.calls.get(at).map(|call| call.code);
+            if let Some(slot) = id.and_then(|id| codes.slot_mut(id)) {
+                *slot |= CALLS;
+            }
+        }
+        codes
+    }
+
+    fn slot_mut(&mut self, id: CodeId) -> Option<&mut u16> {
+        match id {
+            CodeId::G(number) => self.g.get_mut(g_slot(number)?),
+            CodeId::M(number) => self.m.get_mut(number as usize),
+            CodeId::Named(_) => None,
+        }
+    }
+
+    /// The table entry of a code; `None` where no table has it.
+    #[inline]
+    fn slot(&self, id: CodeId) -> Option<u16> {
+        match id {
+            CodeId::G(number) => self.g.get(g_slot(number)?).copied(),
+            CodeId::M(number) => self.m.get(number as usize).copied(),
+            CodeId::Named(_) => None,
+        }
+    }
+
+    /// Index of a code's row in [`Control::codes`]; `None` where the control lacks the code or a switch keeps it off.
+    #[inline]
+    pub fn index(&self, id: CodeId) -> Option<usize> {
+        match self.slot(id) {
+            Some(slot) => usize::from(slot & !CALLS).checked_sub(1),
+            None => self.search(id),
+        }
+    }
+
+    /// A code that is in no table.
+    #[cold]
+    fn search(&self, id: CodeId) -> Option<usize> {
+        let at = self.control.codes.binary_search_by_key(&id, |row| row.id).ok()?;
+        (!self.off.contains(&id)).then_some(at)
+    }
+
+    /// The row of a code; `None` where the control lacks the code or a switch keeps it off.
+    #[inline]
+    pub fn row(&self, id: CodeId) -> Option<&'static CodeDef> {
+        self.control.codes.get(self.index(id)?)
+    }
+
+    /// The program call that a parameter binds to a code. It comes before the code's own row.
+    #[inline]
+    pub fn call(&self, id: CodeId) -> Option<&CodeCall> {
+        let none = self.calls.is_empty() || self.slot(id).is_some_and(|slot| slot & CALLS == 0);
+        if none { None } else { self.calls.iter().find(|call| call.code == id) }
+    }
+
+    /// All codes that call programs by parameter.
+    pub fn calls(&self) -> &[CodeCall] {
+        &self.calls
+    }
+
+    /// The row of a word that is a code with a constant number.
+    #[inline]
+    pub(crate) fn row_of(&self, word: &Word) -> Option<&'static CodeDef> {
+        self.row(code_of(word)?)
+    }
+
+    /// The program call of a word that is a code with a constant number.
+    #[inline]
+    pub(crate) fn call_of(&self, word: &Word) -> Option<&CodeCall> {
+        if self.calls.is_empty() { None } else { self.call(code_of(word)?) }
+    }
+}
+
+/// Table entry of a G number.
+#[inline]
+fn g_slot(number: CodeNumber) -> Option<usize> {
+    let whole = number.integer() as usize;
+    (whole < G_SLOTS / 10).then(|| 10 * whole + usize::from(number.tenth()))
+}
+
+/// The code that a word with a constant number names; `None` where its number is calculated or no code can have it.
+#[inline]
+pub(crate) fn code_of(word: &Word) -> Option<CodeId> {
+    let WordValue::Number(number) = word.value else { return None };
+    match word.letter {
+        b'G' => Some(CodeId::G(g_number(number)?)),
+        b'M' => m_number(number).map(CodeId::M),
+        long::NAME => Some(CodeId::Named(u16::try_from(number.mantissa).ok()?)),
+        _ => None,
+    }
+}
+
+/// A constant as the number of a G code.
+#[inline]
+pub(super) fn g_number(number: Dec) -> Option<CodeNumber> {
+    CodeNumber::from_decimal(number.mantissa, number.scale)
+}
+
+/// A constant as the number of an M code; its decimals are zeros.
+#[inline]
+pub(super) fn m_number(number: Dec) -> Option<u32> {
+    match number.scale {
+        0 => u32::try_from(number.mantissa).ok(),
+        _ => {
+            CodeNumber::from_decimal(number.mantissa, number.scale).filter(|m| m.tenth() == 0).map(CodeNumber::integer)
+        }
+    }
+}
