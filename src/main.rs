@@ -1,4 +1,4 @@
-//! Browser app: the module that the page opens with, without what few need.
+//! The browser app: opens the page.
 
 fn main() {
     macroline::ui::open();

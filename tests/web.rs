@@ -5,7 +5,6 @@
 use leptos::mount::mount_to;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use macroline::text::catalog::load;
 use macroline::ui::App;
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -20,7 +19,6 @@ fn host() -> web_sys::HtmlElement {
 
 /// The app in a fresh browser, mounted; it stays as long as the handle.
 async fn app() -> (web_sys::HtmlElement, impl Sized) {
-    assert!(load(include_str!("../src/text/catalog/en.txt").to_owned()));
     window().local_storage().unwrap().unwrap().clear().unwrap();
     let host = host();
     let mounted = mount_to(host.clone(), App);
@@ -106,7 +104,7 @@ async fn a_field_reaches_the_program() {
 }
 
 #[wasm_bindgen_test]
-async fn a_control_that_only_the_whole_module_has_writes_its_own_words() {
+async fn another_control_writes_its_own_words() {
     let (host, _mounted) = app().await;
     let choice = host.query_selector("select.control").unwrap().unwrap();
     choose(&choice, "sinumerik-802d").await;

@@ -1,4 +1,4 @@
-//! What works for the page in a worker: a module of its own, loaded when the page first needs it.
+//! The worker beside the page: the same library, started when the page first asks for warnings, sheets, an export or a large file.
 
 fn main() {
     macroline::ui::work();

@@ -22,7 +22,7 @@ pub mod turning_spindle;
 
 pub mod polygon_lathe;
 
-use crate::controls::{Control, Switches, WHOLE};
+use crate::controls::{Control, Switches};
 use crate::math;
 use crate::motion::{Action, Planner, Plant, Plc, Program, Snapshot};
 use crate::msg;
@@ -229,6 +229,14 @@ pub trait AnyMachine: Sync {
     fn hand(&self, values: &Values) -> Vec<Action>;
     /// The builder's PLC.
     fn plc(&self, values: &Values, on: ControlContext) -> Box<dyn Plc>;
+    /// Parameter sheet, interface, ladder list.
+    fn sheets(&self, values: &Values, on: ControlContext) -> Vec<Sheet>;
+    /// Drawings that leave with an export.
+    fn drawings(&self, values: &Values, on: ControlContext) -> Vec<File>;
+    /// Whether the machine has an explorer.
+    fn explores(&self) -> bool;
+    /// Values to drag and the shape that follows from them; most machines have none.
+    fn explorer(&self, values: &Values, on: ControlContext) -> Option<Explorer>;
     /// Variables of the control that the operator reads and sets: number, catalog id of the meaning, unit.
     fn variables(&self, values: &Values, on: ControlContext) -> Vec<(u32, &'static str, &'static str)>;
     /// The drawing.
@@ -334,6 +342,22 @@ impl<M: Machine> AnyMachine for Erased<M> {
         M::plc(&Erased::<M>::params(values).0, on)
     }
 
+    fn sheets(&self, values: &Values, on: ControlContext) -> Vec<Sheet> {
+        M::sheets(&Erased::<M>::params(values).0, on)
+    }
+
+    fn drawings(&self, values: &Values, on: ControlContext) -> Vec<File> {
+        M::drawings(&Erased::<M>::params(values).0, on)
+    }
+
+    fn explores(&self) -> bool {
+        M::EXPLORER.is_some()
+    }
+
+    fn explorer(&self, values: &Values, on: ControlContext) -> Option<Explorer> {
+        M::EXPLORER.map(|explorer| explorer(&Erased::<M>::params(values).0, on))
+    }
+
     fn variables(&self, values: &Values, on: ControlContext) -> Vec<(u32, &'static str, &'static str)> {
         M::variables(&Erased::<M>::params(values).0, on)
     }
@@ -359,96 +383,17 @@ impl<M: Machine> AnyMachine for Erased<M> {
     }
 }
 
-/// What every module knows of a machine; see [`WHOLE`].
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Listed {
-    /// Its id.
-    pub id: &'static str,
-    /// Catalog id of its name.
-    pub name: &'static str,
-    /// Ids of the controls it goes with.
-    pub controls: &'static [&'static str],
-    /// Whether the first module has it.
-    pub first: bool,
-}
-
-impl Listed {
-    const fn of<M: Machine>(first: bool) -> Listed {
-        Listed { id: M::ID, name: M::NAME, controls: M::CONTROLS, first }
-    }
-}
-
-/// Makes the lists out of the machines: of those that the first module has too, and of those that only the whole one has.
+/// The list of the machines.
 macro_rules! machines {
-    (first: $($first:ty),*; whole: $($whole:ty),*) => {
-        /// The machines of this module, in the order they are listed.
-        pub static ALL: &[&dyn AnyMachine] = if WHOLE {
-            &[$(&Erased::<$first>::new(),)* $(&Erased::<$whole>::new()),*]
-        } else {
-            &[$(&Erased::<$first>::new()),*]
-        };
-
-        /// All machines there are.
-        pub static LISTED: &[Listed] = &[$(Listed::of::<$first>(true),)* $(Listed::of::<$whole>(false)),*];
-
-        /// Their sheets: beside [`AnyMachine`], so that who makes none does not carry them.
-        static SHEETS: &[(&str, fn(&Values, ControlContext) -> Vec<Sheet>)] =
-            &[$((<$first>::ID, sheets_of::<$first>),)* $((<$whole>::ID, sheets_of::<$whole>)),*];
-
-        /// Their drawings, likewise.
-        static DRAWINGS: &[(&str, fn(&Values, ControlContext) -> Vec<File>)] =
-            &[$((<$first>::ID, drawings_of::<$first>),)* $((<$whole>::ID, drawings_of::<$whole>)),*];
-
-        /// Their explorers, likewise.
-        static EXPLORERS: &[(&str, bool, fn(&Values, ControlContext) -> Option<Explorer>)] = &[
-            $((<$first>::ID, <$first>::EXPLORER.is_some(), explorer_of::<$first>),)*
-            $((<$whole>::ID, <$whole>::EXPLORER.is_some(), explorer_of::<$whole>)),*
-        ];
+    ($($machine:ty),*) => {
+        /// All machines, in the order of the choice on the page.
+        pub static ALL: &[&dyn AnyMachine] = &[$(&Erased::<$machine>::new()),*];
     };
 }
 
-machines![first: ribbon_line::RibbonLine; whole: turning_spindle::TurningSpindle, polygon_lathe::PolygonLathe];
+machines![ribbon_line::RibbonLine, turning_spindle::TurningSpindle, polygon_lathe::PolygonLathe];
 
-fn sheets_of<M: Machine>(values: &Values, on: ControlContext) -> Vec<Sheet> {
-    M::sheets(&Erased::<M>::params(values).0, on)
-}
-
-/// Parameter sheet, interface, ladder list of a machine.
-pub fn sheets(machine: &dyn AnyMachine, values: &Values, on: ControlContext) -> Vec<Sheet> {
-    let found = SHEETS.iter().find(|(id, _)| *id == machine.id());
-    found.map_or_else(Vec::new, |(_, sheets)| sheets(values, on))
-}
-
-fn drawings_of<M: Machine>(values: &Values, on: ControlContext) -> Vec<File> {
-    M::drawings(&Erased::<M>::params(values).0, on)
-}
-
-/// Drawings of a machine that leave with an export.
-pub fn drawings(machine: &dyn AnyMachine, values: &Values, on: ControlContext) -> Vec<File> {
-    let found = DRAWINGS.iter().find(|(id, _)| *id == machine.id());
-    found.map_or_else(Vec::new, |(_, drawings)| drawings(values, on))
-}
-
-fn explorer_of<M: Machine>(values: &Values, on: ControlContext) -> Option<Explorer> {
-    M::EXPLORER.map(|explorer| explorer(&Erased::<M>::params(values).0, on))
-}
-
-/// Whether something is dragged on the machine of an id to look for a shape.
-pub fn explores(id: &str) -> bool {
-    EXPLORERS.iter().any(|row| row.0 == id && row.1)
-}
-
-/// What is dragged on a machine to look for a shape; nothing for most.
-pub fn explorer(machine: &dyn AnyMachine, values: &Values, on: ControlContext) -> Option<Explorer> {
-    EXPLORERS.iter().find(|row| row.0 == machine.id()).and_then(|row| row.2(values, on))
-}
-
-/// What is known of the machine of an id, be it in this module or not.
-pub fn listed(id: &str) -> Option<&'static Listed> {
-    LISTED.iter().find(|row| row.id == id)
-}
-
-/// The machine of an id, where this module has it.
+/// The machine with this id.
 pub fn find(id: &str) -> Option<&'static dyn AnyMachine> {
     ALL.iter().copied().find(|machine| machine.id() == id)
 }

@@ -28,7 +28,7 @@ pub fn report(
         inputs: fields.map(|field| input(field, values, origins)).collect(),
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
-        sheets: super::sheets(machine, values, on),
+        sheets: machine.sheets(values, on),
         open: open(control, switches),
     }
 }
@@ -96,7 +96,7 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
         (
             "form.open.params",
             control
-                .params()
+                .params
                 .iter()
                 .filter(|row| doubtful(&row.cite))
                 .map(|row| format!("{} {}", row.number, row.name))

@@ -5,7 +5,7 @@
 //! Programs are upper case, so texts come back in capitals.
 
 use super::form::{Field, FieldInfo, Kind, Values};
-use super::{Machine, find, listed};
+use super::{Machine, find};
 use crate::controls::Control;
 use crate::text::catalog::number_text;
 
@@ -65,14 +65,14 @@ pub fn read(text: &str) -> Option<Found> {
         let mut words = comment.split_whitespace();
         (words.next() == Some(MARK)).then(|| words.next()).flatten()
     })?;
-    let machine = listed(&id.to_ascii_lowercase())?;
-    let fields: Vec<FieldInfo> = find(machine.id).map_or_else(Vec::new, |machine| machine.fields());
-    let mut found = Found { machine: machine.id, control: machine.controls.first()?, values: Values::new() };
+    let machine = find(&id.to_ascii_lowercase())?;
+    let fields: Vec<FieldInfo> = machine.fields();
+    let mut found = Found { machine: machine.id(), control: machine.controls().first()?, values: Values::new() };
     for comment in comments {
         let Some((key, typed)) = comment.split_once('=') else { continue };
         let key = key.trim().to_ascii_lowercase();
         if key == CONTROL {
-            let named = machine.controls.iter().find(|id| id.eq_ignore_ascii_case(typed.trim()));
+            let named = machine.controls().iter().find(|id| id.eq_ignore_ascii_case(typed.trim()));
             found.control = named.unwrap_or(&found.control);
             continue;
         }

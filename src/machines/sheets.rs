@@ -38,7 +38,7 @@ pub(super) type Values<'a> = Vec<(&'a str, Setting)>;
 pub(super) fn parameters(control: &Control, axes: &Axes, values: Vec<(ParamRole, Values)>) -> Sheet {
     // In the order of the control's numbers.
     let values = &values;
-    let rows = control.params().iter().flat_map(|def| {
+    let rows = control.params.iter().flat_map(|def| {
         let set = values.iter().filter(|row| row.0 == def.role).flat_map(|row| &row.1);
         set.filter_map(|(axis, value)| parameter(axes, def, axis, value))
     });

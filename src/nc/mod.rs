@@ -1,6 +1,6 @@
 //! The language in both directions: text to tree ([`parse`]) and tree to text ([`emit`]).
 //!
-//! Both are total: they return a value and diagnostics, on any input. Only [`parse_with`] and [`skim`] make a [`Parsed`].
+//! Both are total: they return a value and diagnostics, on any input. Only [`parse`] and [`parse_with`] make a [`Parsed`].
 
 pub mod dec;
 
@@ -32,6 +32,6 @@ pub use files::{File, Files};
 pub use fix::fix;
 pub use lint::warnings;
 pub use lower::lower;
-pub use parse::{Formula, formula, parse, parse_with, part_span, skim};
+pub use parse::{Formula, formula, parse, parse_with, part_span};
 pub use parsed::Parsed;
 pub use tokens::{TokenKind, tokens};

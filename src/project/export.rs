@@ -2,7 +2,7 @@
 
 use super::Project;
 use super::suppress::silence;
-use crate::machines::{self, report::report};
+use crate::machines::report::report;
 use crate::nc::{File, Files};
 use crate::text::catalog::Language;
 use crate::text::{Diagnostic, Severity};
@@ -39,7 +39,7 @@ impl Project {
         let mut files = Vec::new();
         if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
             files.extend(written.files.0.iter().cloned());
-            let sheets = machines::sheets(self.machine, &self.values, self.on());
+            let sheets = self.machine.sheets(&self.values, self.on());
             let told = report(self.machine, &self.name, (&self.values, &self.provenance), self.on(), &found);
             files.push(File { name: "report.md".to_owned(), text: view::report::markdown(&told, Language::English) });
             for sheet in sheets {
@@ -51,7 +51,7 @@ impl Project {
                     files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });
                 }
             }
-            files.extend(machines::drawings(self.machine, &self.values, self.on()));
+            files.extend(self.machine.drawings(&self.values, self.on()));
             files.push(File { name: "project.json".to_owned(), text: self.to_json() });
         }
         Export { files, diagnostics, about: written.files }

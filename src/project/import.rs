@@ -16,8 +16,6 @@ pub struct Opened {
     pub project: Option<Project>,
     /// Why, or what was left out.
     pub diagnostics: Vec<Diagnostic>,
-    /// It is for a machine or a control that only the whole module has ([`controls::WHOLE`]).
-    pub elsewhere: bool,
 }
 
 /// Opens a text beside the present project: a project file replaces it, a program that macroline wrote restores its form, any other
@@ -25,21 +23,20 @@ pub struct Opened {
 pub fn open(present: &Project, name: &str, text: &str) -> Opened {
     if text.trim_start().starts_with('{') {
         let loaded = Project::from_json(text);
-        return Opened { project: loaded.project, diagnostics: loaded.diagnostics, elsewhere: loaded.elsewhere };
+        return Opened { project: loaded.project, diagnostics: loaded.diagnostics };
     }
-    let opened = |project, diagnostics| Opened { project, diagnostics, elsewhere: false };
+    let opened = |project, diagnostics| Opened { project, diagnostics };
     if text.len() > MAX_PROGRAM {
         let message = msg!("project.program-too-large", (text.len() as f64 / 1e6, 1), (MAX_PROGRAM as f64 / 1e6, 0));
         return opened(None, vec![Diagnostic::error(message)]);
     }
-    if let Some(found) = settings::read(text) {
-        let Some((machine, control)) = machines::find(found.machine).zip(controls::find(found.control)) else {
-            return Opened { elsewhere: true, ..opened(None, Vec::new()) };
-        };
+    let form = settings::read(text)
+        .and_then(|found| Some((machines::find(found.machine)?, controls::find(found.control)?, found.values)));
+    if let Some((machine, control, values)) = form {
         let mut project = Project::new(machine, control);
         project.name.clone_from(&present.name);
         project.values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
-        project.values.extend(found.values);
+        project.values.extend(values);
         if present.control.id == control.id {
             project.switches.clone_from(&present.switches);
         }
@@ -58,9 +55,13 @@ pub fn open(present: &Project, name: &str, text: &str) -> Opened {
 
 /// The project's files with this text in its place, where somebody has edited it since macroline wrote it; else `None`.
 fn differing(project: &Project, name: &str, text: &str) -> Option<Files> {
-    let mut files = project.skimmed().files;
+    let mut files = project.written().files;
     let number = |text: &str| {
-        nc::skim(&Files::one("", text), project.control, &project.switches).deck().programs.first().map(|p| p.number)
+        nc::parse_with(&Files::one("", text), project.control, &project.switches)
+            .deck()
+            .programs
+            .first()
+            .map(|p| p.number)
     };
     let own = number(text);
     let slot = files.0.iter().position(|file| number(&file.text) == own);

@@ -3,7 +3,6 @@
 use std::rc::Rc;
 
 use super::Project;
-use crate::controls::{Control, Switches};
 use crate::nc::{self, Files, Newline, Parsed};
 use crate::text::Diagnostic;
 
@@ -27,15 +26,6 @@ pub struct Written {
 impl Project {
     /// The program: the machine's own, or the edited text.
     pub fn written(&self) -> Written {
-        self.written_for(nc::parse_with)
-    }
-
-    /// The same program; of what does not read in it is told no more than that it does not ([`nc::skim`]).
-    pub fn skimmed(&self) -> Written {
-        self.written_for(nc::skim)
-    }
-
-    fn written_for(&self, read: fn(&Files, &'static Control, &Switches) -> Parsed) -> Written {
         let plan = self.machine.plan(&self.values, self.on());
         let (files, mut diagnostics) = match &self.edited {
             Some(files) => (files.clone(), Vec::new()),
@@ -45,7 +35,7 @@ impl Project {
                 (emitted.files, emitted.diagnostics)
             }
         };
-        let parsed = Rc::new(read(&files, self.control, &self.switches));
+        let parsed = Rc::new(nc::parse_with(&files, self.control, &self.switches));
         diagnostics.extend(parsed.diagnostics().iter().cloned());
         let has = |number: u32| parsed.deck().program(number).is_some();
         // Edited text may hold other programs: then the first one runs, and nothing is set up.

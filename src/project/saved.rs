@@ -26,8 +26,6 @@ pub struct Loaded {
     pub project: Option<Project>,
     /// What was wrong with it: errors without a project, warnings with one.
     pub diagnostics: Vec<Diagnostic>,
-    /// It is of a machine or a control that only the whole module has ([`controls::WHOLE`]).
-    pub elsewhere: bool,
 }
 
 impl Project {
@@ -71,7 +69,7 @@ impl Project {
 
     /// Reads a project file. Total: any text gives a project or errors that say what is wrong with it.
     pub fn from_json(text: &str) -> Loaded {
-        let loaded = |project, diagnostics| Loaded { project, diagnostics, elsewhere: false };
+        let loaded = |project, diagnostics| Loaded { project, diagnostics };
         let refuse = |message| loaded(None, vec![Diagnostic::error(message)]);
         if text.len() > MAX_BYTES {
             return refuse(msg!("project.too-large", (text.len() >> 20) as u32, (MAX_BYTES >> 20) as u32));
@@ -86,16 +84,13 @@ impl Project {
             Some(_) => {}
             None => return refuse(msg!("project.no-version")),
         }
-        let Some(machine) = object.get("machine").and_then(Json::as_str).and_then(machines::listed) else {
-            let known = machines::LISTED.iter().map(|row| row.id).collect::<Vec<_>>().join(", ");
+        let Some(machine) = object.get("machine").and_then(Json::as_str).and_then(machines::find) else {
+            let known = machines::ALL.iter().map(|machine| machine.id()).collect::<Vec<_>>().join(", ");
             return refuse(msg!("project.no-machine", known));
         };
-        let Some(control) = object.get("control").and_then(Json::as_str).filter(|id| machine.controls.contains(id))
-        else {
-            return refuse(msg!("project.no-control", machine.controls.join(", ")));
-        };
-        let Some((machine, control)) = machines::find(machine.id).zip(controls::find(control)) else {
-            return Loaded { elsewhere: true, ..loaded(None, Vec::new()) };
+        let control = object.get("control").and_then(Json::as_str).filter(|id| machine.controls().contains(id));
+        let Some(control) = control.and_then(controls::find) else {
+            return refuse(msg!("project.no-control", machine.controls().join(", ")));
         };
         let mut reader = Reader { found: Vec::new() };
         let mut project = Project::new(machine, control);

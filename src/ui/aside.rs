@@ -1,4 +1,4 @@
-//! Questions about the project to a worker: what the page seldom needs is a module of its own, loaded with the first question.
+//! Client of the worker: sends questions about the project and passes on the answers. The first question starts the worker.
 
 use std::cell::RefCell;
 
@@ -58,13 +58,6 @@ impl Aside {
     /// Asks about a project; `then` gets the answer, or none where no worker runs.
     pub(super) fn ask(self, kind: &str, project: &Project, then: impl FnOnce(Option<JsValue>) + 'static) {
         self.put(question(kind, project), Box::new(then));
-    }
-
-    /// Ends the worker; what it was asked has no answer.
-    pub(super) fn end(self) {
-        if let Some(running) = self.0.take().worker {
-            running.worker.terminate();
-        }
     }
 
     fn put(self, question: JsValue, then: Box<dyn FnOnce(Option<JsValue>)>) {

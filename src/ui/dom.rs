@@ -1,6 +1,5 @@
 //! The browser, in the few words that the page needs of it.
 
-use super::script::call;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{Blob, BlobPropertyBag, Element, Event, HtmlAnchorElement, HtmlElement, Performance, Storage, Url};
@@ -124,10 +123,10 @@ pub(super) fn by_id(id: &str) -> Option<HtmlElement> {
     document().get_element_by_id(id)?.dyn_into().ok()
 }
 
-/// Does something at each event of a kind, anywhere on the page, as long as this module has it; boot.js knows how long that is.
+/// Acts at each event of a kind, anywhere on the page. A paste is heard before the element that it goes to.
 pub(super) fn hear(event: &str, act: impl Fn(Event) + 'static) {
-    let act: Box<dyn Fn(Event)> = Box::new(act);
-    let _ = call(&js_sys::global(), "hear", &[&event.into(), &Closure::wrap(act).into_js_value()]);
+    let act = Closure::<dyn Fn(Event)>::new(act).into_js_value();
+    let _ = window().add_event_listener_with_callback_and_bool(event, act.unchecked_ref(), event == "paste");
 }
 
 /// Whether keys pressed in this element are text.

@@ -18,7 +18,7 @@ use crate::nc::tokens;
 use crate::text::{FileId, Span};
 
 /// The bundle of the editor.
-const MODULE: &str = "vendor/editor.js";
+const MODULE: &str = "editor.js";
 
 /// Milliseconds after which what was typed is read.
 const PAUSE: Duration = Duration::from_millis(150);
@@ -160,7 +160,7 @@ pub(super) fn difference(model: Model) -> Vec<El> {
         let name = model.written.with_untracked(|written| written.files.0.get(at).map(|file| file.name.clone()));
         let mut generated = model.project.get_untracked();
         generated.edited = None;
-        let files = generated.skimmed().files.0;
+        let files = generated.written().files.0;
         let same = files.iter().find(|file| Some(&file.name) == name.as_ref()).or(files.first());
         let before = same.map(|file| file.text.clone()).unwrap_or_default();
         call(module, "difference", &[host, &before.into(), &edited.into(), &options(model, "page.difference")])

@@ -10,8 +10,6 @@ use super::local::Local;
 use super::model::Model;
 use super::words::t;
 use super::{scene_view, sheets};
-use crate::controls::WHOLE;
-use crate::machines;
 use crate::machines::form::{FieldInfo, KindInfo, Values};
 use crate::project::Project;
 use crate::text::catalog::number_text;
@@ -20,11 +18,12 @@ use crate::view::{Explorer, Knob};
 
 /// Whether there is something to drag on the machine.
 pub(super) fn explores(model: Model) -> bool {
-    WHOLE && model.machine.with(|id| machines::explores(id))
+    model.machine.track();
+    model.project.with_untracked(|project| project.machine.explores())
 }
 
 fn look(project: &Project, values: &Values) -> Option<Explorer> {
-    machines::explorer(project.machine, values, project.on())
+    project.machine.explorer(values, project.on())
 }
 
 /// Sets fields to what is typed there.

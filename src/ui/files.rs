@@ -14,7 +14,6 @@ use super::help::dialog;
 use super::local::Local;
 use super::model::Model;
 use super::script::rows;
-use super::whole::{self, Wish};
 use super::words::{say, t, tell, tone};
 use crate::msg;
 use crate::nc::{self, Files};
@@ -60,20 +59,20 @@ fn take(model: Model, files: Vec<File>) {
             texts.push(nc::File { name: file.name(), text: String::from_utf8_lossy(&bytes).into_owned() });
         }
         if !texts.is_empty() {
-            whole::ask(model, Wish::Files(texts));
+            read(model, &texts);
         }
     });
 }
 
-/// Reads texts: a project, a program that carries its settings, or any other programs. False where only the whole module can.
-pub(super) fn read(model: Model, files: &[nc::File]) -> bool {
-    let Some(first) = files.first() else { return true };
+/// Reads texts: a project, a program that carries its settings, or any other programs.
+fn read(model: Model, files: &[nc::File]) {
+    let Some(first) = files.first() else { return };
     let text = first.text.trim_start_matches('\u{feff}');
     let opened = model.project.with_untracked(|project| open(project, &first.name, text));
     for told in &opened.diagnostics {
         model.notify(tone(told.severity), tell(told));
     }
-    let Some(mut project) = opened.project else { return !opened.elsewhere };
+    let Some(mut project) = opened.project else { return };
     if project.edited.is_some() && !text.starts_with('{') {
         project.edited = Some(Files(files.to_vec()));
         model.notify("info", t("page.opened-program").to_owned());
@@ -82,7 +81,6 @@ pub(super) fn read(model: Model, files: &[nc::File]) -> bool {
     model.tab.set(super::side::Tab::Program);
     model.replace(project);
     model.say(t("page.opened"));
-    true
 }
 
 fn dropped(model: Model, data: &DataTransfer) -> bool {
@@ -100,7 +98,7 @@ fn dropped(model: Model, data: &DataTransfer) -> bool {
     } else if text.trim().is_empty() {
         return false;
     } else {
-        whole::ask(model, Wish::Files(vec![nc::File { name: t("page.pasted").to_owned(), text }]));
+        read(model, &[nc::File { name: t("page.pasted").to_owned(), text }]);
     }
     true
 }

@@ -8,10 +8,10 @@ use super::files;
 use super::local::Local;
 use super::model::Model;
 use super::store::Kept;
-use super::whole::{self, Wish};
 use super::words::t;
 use crate::controls;
 use crate::machines;
+use crate::project::Project;
 
 /// Where the choice of light and dark is kept.
 const THEME: &str = "macroline.theme";
@@ -61,16 +61,16 @@ pub(super) fn header(model: Model) -> El {
 }
 
 fn machine_picker(model: Model) -> El {
-    let rows: Vec<El> = machines::LISTED
+    let rows: Vec<El> = machines::ALL
         .iter()
         .map(|machine| {
-            let chosen = move || whole::machine(model) == machine.id;
+            let chosen = move || model.machine.get() == machine.id();
             let choose = move || {
                 if !untrack(chosen) {
-                    whole::ask(model, Wish::Machine(machine.id));
+                    Project::of(machine.id(), None).into_iter().for_each(|project| model.replace(project));
                 }
             };
-            button("button", t(machine.name), choose).state("aria-pressed", chosen)
+            button("button", t(machine.name()), choose).state("aria-pressed", chosen)
         })
         .collect();
     el("div.segments").at("role", "group").label(t("page.machine")).add(&rows)
@@ -80,15 +80,15 @@ fn control_picker(model: Model) -> El {
     let rows = move || {
         model.machine.track();
         let ids = model.project.with_untracked(|project| project.machine.controls());
-        let found = ids.iter().filter_map(|id| controls::listed(id));
+        let found = ids.iter().filter_map(|id| controls::find(id));
         found.map(|control| el("option").at("value", control.id).text(control.name)).collect()
     };
     let choose = move |event| {
-        if let Some(control) = controls::listed(&value(&event)) {
-            whole::ask(model, Wish::Control(control.id));
+        if let Some(control) = controls::find(&value(&event)) {
+            model.edit("", |project| project.move_to(control));
         }
     };
-    let present = move || whole::control(model).to_owned();
+    let present = move || model.project.with(|project| project.control.id).to_owned();
     el("select.control").label(t("page.control")).swap(rows).valued(present).on("change", choose)
 }
 

@@ -66,8 +66,6 @@ mod variables;
 
 mod debug_session;
 
-mod whole;
-
 mod words;
 
 mod work;
@@ -96,13 +94,12 @@ use crate::project::run::repeats;
 
 pub use work::work;
 
-/// Opens the page: a panic is reported, the sentences are taken, and the page is shown.
+/// Opens the page. A panic is reported in its place.
 pub fn open() {
     std::panic::set_hook(Box::new(|panic| {
         web_sys::console::error_1(&panic.to_string().into());
         broken(&panic.to_string());
     }));
-    words::learn();
     leptos::mount::mount_to_body(App);
 }
 
@@ -118,18 +115,10 @@ pub fn App() -> impl IntoView {
     view! { <div class="app" node_ref=host></div> }
 }
 
-/// All of the page; nothing where this module lacks what the project needs, and the whole one opens it.
+/// All of the page.
 fn page() -> Option<El> {
-    let handed = whole::handed();
-    let (project, found) = handed.as_ref().and_then(whole::Handed::project).unwrap_or_else(store::load);
-    let Some(project) = project else {
-        whole::instead();
-        return None;
-    };
-    let model = Model::new(project, found);
-    if let Some(handed) = handed {
-        handed.go_on(model);
-    }
+    let (project, found) = store::load();
+    let model = Model::new(project?, found);
     keys::listen(model);
     files::listen(model);
     model.player.settle();

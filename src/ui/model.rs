@@ -13,7 +13,6 @@ use super::player::Player;
 use super::program::Shown;
 use super::side::Tab;
 use super::store::{self, Kept};
-use super::whole::Wish;
 use super::worker_diagnostics;
 use crate::machines::Design;
 use crate::machines::form::{Provenance, Value};
@@ -100,8 +99,6 @@ pub(super) struct Model {
     pub shown: Local<Shown>,
     /// What answers questions in a worker.
     pub aside: Aside,
-    /// What was asked for and this module lacks, in that order, while the whole one is loaded.
-    pub wishes: Local<Vec<Wish>>,
     /// What was typed into the editor and is not read yet: the file and its text.
     pub typed: Local<Option<(usize, String)>>,
     /// The run.
@@ -121,7 +118,7 @@ impl Model {
     /// Begins with a project.
     pub(super) fn new(project: Project, notices: Vec<Notice>) -> Model {
         let design = Rc::new(project.design());
-        let written = Rc::new(project.skimmed());
+        let written = Rc::new(project.written());
         let (on, values) = (project.on(), &project.values);
         let scene = project.machine.scene(values, on);
         let hidden = project.machine.hidden(values, project.control);
@@ -159,7 +156,6 @@ impl Model {
             file: Local::new(0),
             shown: Local::new(Shown::Listing),
             aside: Aside::new(),
-            wishes: Local::new(Vec::new()),
             typed: Local::new(None),
             player,
             history: Local::new(History::default()),
@@ -239,20 +235,6 @@ impl Model {
         });
     }
 
-    /// The steps behind and before the present one, for the whole module.
-    pub(super) fn steps(self) -> [Vec<Project>; 2] {
-        self.history.quietly(|history| [core::mem::take(&mut history.past), core::mem::take(&mut history.future)])
-    }
-
-    /// Takes the steps that the first module handed over.
-    pub(super) fn set_steps(self, [past, future]: [Vec<Project>; 2]) {
-        self.can.set((!past.is_empty(), !future.is_empty()));
-        self.history.quietly(|history| {
-            history.past = past;
-            history.future = future;
-        });
-    }
-
     fn travel(self, step: impl FnOnce(&mut History, Project) -> Option<Project>) {
         let before = self.project.get_untracked();
         let after = self.history.quietly(|history| {
@@ -281,7 +263,7 @@ impl Model {
             }
         }
         if program {
-            let written = after.skimmed();
+            let written = after.written();
             self.edited.put(written.edited);
             self.written.set(Rc::new(written));
         }

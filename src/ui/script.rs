@@ -1,5 +1,7 @@
 //! Calls into the modules of JavaScript that are loaded only when asked for.
 
+use leptos::wasm_bindgen;
+use leptos::wasm_bindgen::prelude::wasm_bindgen;
 use leptos::wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 
@@ -37,19 +39,19 @@ pub(super) fn rows<const N: usize>(object: &JsValue, name: &str) -> Vec<[String;
     js_sys::Array::from(&get(object, name)).iter().map(row).collect()
 }
 
-/// A list.
-pub(super) fn list(entries: impl Iterator<Item = JsValue>) -> JsValue {
-    entries.collect::<js_sys::Array>().into()
-}
-
 /// Calls a method.
 pub(super) fn call(object: &JsValue, name: &str, values: &[&JsValue]) -> Result<JsValue, JsValue> {
     let function: js_sys::Function = get(object, name).dyn_into()?;
     function.apply(object, &values.iter().copied().collect())
 }
 
-/// Loads a module that stands beside the page. `import()` is no function that wasm can call: boot.js hands one out.
+#[wasm_bindgen(module = "/src/ui/import.js")]
+extern "C" {
+    #[wasm_bindgen(js_name = importModule)]
+    fn import_module(path: &str) -> js_sys::Promise;
+}
+
+/// Loads a module of JavaScript that the page does not load at its start.
 pub(super) async fn load(path: &str) -> Result<JsValue, JsValue> {
-    let promise = call(&js_sys::global(), "lazyImport", &[&path.into()])?;
-    JsFuture::from(promise.dyn_into::<js_sys::Promise>()?).await
+    JsFuture::from(import_module(path)).await
 }

@@ -40,16 +40,6 @@ const TABS: [(Tab, &str, &str); 6] = [
     (Tab::Plc, "tab-plc", "page.plc"),
 ];
 
-/// A tab as its place in the row.
-pub(super) fn number(tab: Tab) -> u32 {
-    tab as u32
-}
-
-/// The tab at a place.
-pub(super) fn numbered(at: u32) -> Tab {
-    TABS.get(at as usize).map_or(Tab::Program, |row| row.0)
-}
-
 /// Shows a result among all results.
 pub(super) fn open_result(model: Model, id: &'static str) {
     model.tab.set(Tab::Results);

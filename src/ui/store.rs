@@ -9,7 +9,6 @@ use super::dom;
 use super::editor;
 use super::local::Local;
 use super::model::{Model, Notice};
-use super::whole;
 use super::words::{t, tell};
 use crate::machines;
 use crate::project::Project;
@@ -34,15 +33,12 @@ pub(super) enum Kept {
     No,
 }
 
-/// The project of the last visit, or a fresh one and what there is to say about it. None where only the whole module can take it.
+/// The project of the last visit, or a fresh one, with notices about it. None only where no machine has a control.
 pub(super) fn load() -> (Option<Project>, Vec<Notice>) {
     let fresh = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
     let mut notices = Vec::new();
     let Some(text) = dom::stored(KEY) else { return (fresh(), notices) };
     let loaded = Project::from_json(&text);
-    if loaded.elsewhere {
-        return (None, notices);
-    }
     if let Some(project) = loaded.project {
         notices.extend(loaded.diagnostics.iter().map(|d| Notice { tone: "warn", text: tell(d), file: None }));
         return (Some(project), notices);
@@ -60,10 +56,7 @@ pub(super) fn load() -> (Option<Project>, Vec<Notice>) {
 pub(super) fn keep(model: Model) {
     let timer = Local::new(None::<TimeoutHandle>);
     let save = move || {
-        let text = model.project.with_untracked(|project| {
-            whole::keep(project);
-            project.to_json()
-        });
+        let text = model.project.with_untracked(Project::to_json);
         model.kept.set(if dom::store(KEY, &text) { Kept::Yes } else { Kept::No });
         timer.quietly(|timer| *timer = None);
     };

@@ -1,21 +1,10 @@
 //! What the page says, in the language of the user.
 
-use leptos::wasm_bindgen::throw_str;
-
 use super::model::Model;
-use super::script::get;
 use crate::controls::Control;
 use crate::text::catalog::{self, Language};
 use crate::text::number;
 use crate::text::{Diagnostic, Grade, Message, Severity};
-
-/// Takes the sentences that boot.js or worker_boot.js has loaded. Without them nothing can be said here: it throws what boot.js shows.
-pub(super) fn learn() {
-    let text = get(&js_sys::global(), "sentences").as_string().unwrap_or_default();
-    if !catalog::load(text) {
-        throw_str("the file en.txt, its sentences, is missing or of another version; reload the page");
-    }
-}
 
 /// The words of a catalog id.
 pub(super) fn t(id: &'static str) -> &'static str {

@@ -12,7 +12,7 @@ use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 use super::export;
 use super::listing::{SHOWN, count};
 use super::script::{get, object, set, table, text};
-use super::words::{learn, sign, t, tell, tone};
+use super::words::{sign, t, tell, tone};
 use crate::nc::{self, Files};
 use crate::project::suppress::silence;
 use crate::project::{Project, check};
@@ -28,7 +28,6 @@ const PIECE: f64 = 4_000_000.0;
 /// Waits for jobs and answers them, for ever.
 pub fn work() {
     std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
-    learn();
     let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
     let answer = scope.clone();
     let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {

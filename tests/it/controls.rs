@@ -30,7 +30,7 @@ fn citations(control: &'static Control) -> Vec<(String, Citation)> {
     all.extend(control.codes.iter().map(|row| (control.code_name(row.id), row.cite)));
     all.extend(control.vars.iter().map(|row| (format!("#{}", row.first), row.cite)));
     all.extend(control.alarms.iter().map(|row| (row.number.to_owned(), row.cite)));
-    all.extend(control.params().iter().map(|row| (row.number.to_owned(), row.cite)));
+    all.extend(control.params.iter().map(|row| (row.number.to_owned(), row.cite)));
     all.extend(control.interface.iter().map(|row| (row.device.to_owned(), row.cite)));
     all.extend(control.switches.iter().map(|row| (row.id.to_owned(), row.cite)));
     all

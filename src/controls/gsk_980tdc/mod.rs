@@ -8,8 +8,6 @@ mod params;
 mod switches;
 mod vars;
 
-pub(super) use params::PARAMS;
-
 use super::base::fanuc;
 use super::bench::{Bench, BenchShift};
 use super::code::g_codes;
@@ -102,6 +100,7 @@ pub static CONTROL: Control = Control {
     codes: codes::CODES,
     vars: vars::VARS,
     alarms: alarms::ALARMS,
+    params: params::PARAMS,
     interface: interface::SIGNALS,
     switches: switches::SWITCHES,
     spindle: SpindleRules {

@@ -11,7 +11,7 @@ const RANGES: Citation = Citation::new("GSK980TDi parameter list; range GSK980MD
 const PLC_DATA: Citation = Citation::new("GSK980TDi PLC data list; bits counted from 0", Grade::Sister);
 
 /// One row per parameter, by number.
-pub(in super::super) const PARAMS: &[ParamDef] = &[
+pub(super) const PARAMS: &[ParamDef] = &[
     param(CommandUnit, "No.001#1", "", "", "0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)", PARAMETERS).answered("0", "1"),
     param(AxisDiameter, "No.001#2", "", "", "words of X: 0 diameters, 1 radii", PARAMETERS).answered("0", "1"),
     param(SpindleConnection, "No.001#4", "", "", "1: analog voltage, 0: gears by contacts", PARAMETERS),

@@ -7,8 +7,6 @@ mod params;
 mod switches;
 mod vars;
 
-pub(super) use params::PARAMS;
-
 use super::base::fanuc;
 use super::base::fanuc::MEMORY;
 use super::code::g_codes;
@@ -42,6 +40,7 @@ pub static CONTROL: Control = Control {
     codes: codes::CODES,
     vars: vars::VARS,
     alarms: alarms::ALARMS,
+    params: params::PARAMS,
     interface: interface::SIGNALS,
     switches: switches::SWITCHES,
     spindle: SpindleRules { signed_output: true, ..fanuc::SPINDLE },

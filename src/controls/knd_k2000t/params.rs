@@ -6,7 +6,7 @@ use crate::controls::ParamRole::*;
 use crate::controls::params::param;
 
 /// One row per parameter, by number.
-pub(in super::super) const PARAMS: &[ParamDef] = &[
+pub(super) const PARAMS: &[ParamDef] = &[
     param(AxisRotary, "1006#0", "ROT", "", "1: rotary axis, in degrees", MEMORY),
     param(AxisDiameter, "1006#3", "DIA", "", "1: words of the axis count diameters", MEMORY),
     param(AxisSoftLimits, "1320/1321", "", "0.001 mm", "soft limits 1, machine coordinates", MEMORY).answered("", ""),

@@ -12,7 +12,7 @@ const M800: Citation = Citation::new("M800 parameter names and Custom-API header
 const DECIMALS: Citation = Citation::new("M700V/M70V programming manual, p.40", Grade::Sister);
 
 /// One row per parameter, by number.
-pub(in super::super) const PARAMS: &[ParamDef] = &[
+pub(super) const PARAMS: &[ParamDef] = &[
     param(CommandUnit, "#1015", "cunit", "0.1 µm", "command unit: 10 is 0.001 mm", DECIMALS).answered("10", "1"),
     param(AxisRotary, "#1017", "rot", "", "1: rotary axis, in degrees", HEADER),
     param(

@@ -1,8 +1,8 @@
 //! [`Control`]: all rows of one control, and the look-ups in them.
 
 use super::{
-    Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, Limits, Macros, Signal, SpindleRules, Switch, Switches, Syntax,
-    Timing, VarKind, VarRange, switch, syntax,
+    Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, Limits, Macros, ParamDef, ParamRole, Signal, SpindleRules, Switch,
+    Switches, Syntax, Timing, VarKind, VarRange, switch, syntax,
 };
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
@@ -32,6 +32,8 @@ pub struct Control {
     pub vars: &'static [VarRange],
     /// Every alarm that macroline can raise, in the control's own numbers.
     pub alarms: &'static [AlarmDef],
+    /// Parameters that a machine has to set.
+    pub params: &'static [ParamDef],
     /// Registers and signals between PLC and control.
     pub interface: &'static [Signal],
     /// Points that the manuals leave open, each with a default.
@@ -245,5 +247,10 @@ impl Control {
     /// Whether any code of the control does this.
     pub fn can(&self, code: Code) -> bool {
         self.codes.iter().any(|row| row.code == code)
+    }
+
+    /// The parameter of a role.
+    pub fn param(&self, role: ParamRole) -> Option<&'static ParamDef> {
+        self.params.iter().find(|row| row.role == role)
     }
 }

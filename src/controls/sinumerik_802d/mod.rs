@@ -7,8 +7,6 @@ mod params;
 mod switches;
 mod vars;
 
-pub(super) use params::PARAMS;
-
 use super::base::sinumerik;
 use super::base::sinumerik::MEMORY;
 use super::code::g_codes;
@@ -52,6 +50,7 @@ pub static CONTROL: Control = Control {
     codes: codes::CODES,
     vars: vars::VARS,
     alarms: alarms::ALARMS,
+    params: params::PARAMS,
     interface: interface::SIGNALS,
     switches: switches::SWITCHES,
     bench: sinumerik::BENCH,

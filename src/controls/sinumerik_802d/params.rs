@@ -18,7 +18,7 @@ const SETTING: Citation =
     Citation::new("the page on 802D spindle commands: setting data; numbers unverified", Grade::Open);
 
 /// One row per parameter, by number.
-pub(in super::super) const PARAMS: &[ParamDef] = &[
+pub(super) const PARAMS: &[ParamDef] = &[
     param(AxisDiameter, "MD20100", "DIAMETER_AX_DEF", "", "transverse axis, for diameters and G96", TRANSVERSE)
         .answered("X", ""),
     param(SpindleConnection, "MD30130", "CTRLOUT_TYPE", "", "0 simulation, 1 output to the drive", OUTPUT),

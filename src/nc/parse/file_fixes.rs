@@ -122,14 +122,6 @@ impl Reader<'_> {
         self.add_finding(finding);
     }
 
-    /// Variables that the control does not have so, without what would mend them.
-    pub(super) fn say_misused(&mut self) {
-        let misused = core::mem::take(&mut self.misused);
-        let found: Vec<Diagnostic> = misused.iter().map(|row| self.misuse(row)).collect();
-        self.found.extend(found);
-        self.found.extend(self.hash.map(|at| self.hash_misuse(at)));
-    }
-
     /// A variable that the control lacks or does not let write.
     fn misuse(&self, row: &Misused) -> Diagnostic {
         let name = row.span.of(self.source).trim();

@@ -250,7 +250,7 @@ impl Reader<'_> {
             let message = msg!("nc.atan-alone", self.control.name);
             let mut failure = self.failure(Alarm::AtanForm, start, start + 4, message, false);
             failure.finding =
-                self.mended(failure.finding.hint(msg!("nc.hint.atan")), Mend::Write(comma, comma + 1, "]/["));
+                self.mend(failure.finding.hint(msg!("nc.hint.atan")), Mend::Write(comma, comma + 1, "]/["));
             return Err(failure);
         }
         let inner = match self.skip() {

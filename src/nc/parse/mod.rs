@@ -52,7 +52,6 @@ use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, P
 use crate::controls::{Alarm, CodeId, Control, Switches};
 use crate::msg;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
-use quick_fixes::Mend;
 
 /// Findings that are listed; a file of garbage has millions.
 const FINDINGS: usize = 1000;
@@ -71,35 +70,8 @@ pub fn parse(files: &Files, control: &'static Control) -> Parsed {
     parse_with(files, control, &Switches::default())
 }
 
-/// What is said of mistakes beyond that they are there: their known shapes, and what only a whole file or program shows.
-struct Advice {
-    mend: fn(&Reader<'_>, Diagnostic, Mend<'_>) -> Diagnostic,
-    jump_instead: fn(&mut Reader<'_>, Diagnostic, usize, usize) -> Diagnostic,
-    recover: fn(&mut Reader<'_>, Mark, Box<Failure>),
-    file: fn(&mut Reader<'_>, bool, bool),
-    programs: fn(&Deck, &Control, &Files, &[u32], &mut Vec<Diagnostic>),
-}
-
-const ADVICE: Advice = Advice {
-    mend: |reader, finding, mend| reader.mend(finding, mend),
-    jump_instead: |reader, finding, then, behind| reader.jump_instead(finding, then, behind),
-    recover: |reader, mark, failure| reader.recover(mark, failure),
-    file: |reader, opened, closed| reader.mend_file(opened, closed),
-    programs: check::programs,
-};
-
 /// Reads files as a control would with its open points as they are set. Total: any text gives a value.
 pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
-    read(files, control, switches, Some(&ADVICE))
-}
-
-/// Reads files to the same tree as [`parse_with`], and says no more of a block that does not read than which alarm it raises. Who calls
-/// nothing else does without the code for all that advice.
-pub fn skim(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
-    read(files, control, switches, None)
-}
-
-fn read(files: &Files, control: &'static Control, switches: &Switches, advice: Option<&'static Advice>) -> Parsed {
     let codes = Codes::new(control, switches);
     let tables = Tables::new(control, switches, &codes);
     let mut deck = Deck::default();
@@ -116,16 +88,13 @@ fn read(files: &Files, control: &'static Control, switches: &Switches, advice: O
         }
         let mut reader = Reader::new(control, &tables, FileId(id), &file.text, deck);
         reader.file_name = &file.name;
-        reader.advice = advice;
         reader.reserve();
         reader.file();
         deck = reader.deck;
         found.append(&mut reader.found);
         later.append(&mut reader.later);
     }
-    if let Some(advice) = advice {
-        (advice.programs)(&deck, control, files, &later, &mut found);
-    }
+    check::programs(&deck, control, files, &later, &mut found);
     Diagnostic::in_order(&mut found);
     // A block that is read twice says some things twice.
     found.dedup();
@@ -263,7 +232,6 @@ struct Misused {
 struct Reader<'a> {
     control: &'static Control,
     tables: &'a Tables<'a>,
-    advice: Option<&'static Advice>,
     id: FileId,
     /// Name of the file.
     file_name: &'a str,
@@ -335,7 +303,6 @@ impl<'a> Reader<'a> {
         Reader {
             control,
             tables,
-            advice: None,
             id,
             file_name: "",
             source,
@@ -431,10 +398,7 @@ impl<'a> Reader<'a> {
             }
             at = end + 1;
         }
-        match self.advice {
-            Some(advice) => (advice.file)(self, opened, closed.is_some()),
-            None => self.say_misused(),
-        }
+        self.mend_file(opened, closed.is_some());
     }
 
     /// Where a line begins with a program number, or with a comment, which may stand in front of one.
@@ -561,10 +525,7 @@ impl<'a> Reader<'a> {
             Err(failure) => {
                 // Whatever the block was meant to be, the control stops where it first does not read.
                 let (number, skip_switch, bad) = (self.number, self.skip_switch, self.bad.or(Some(failure.alarm)));
-                match self.advice {
-                    Some(advice) => (advice.recover)(self, mark, failure),
-                    None => self.skip_block(*failure),
-                }
+                self.recover(mark, failure);
                 (self.number, self.skip_switch, self.bad, self.comment) = (number, skip_switch, bad, None);
                 Stmt::Empty
             }

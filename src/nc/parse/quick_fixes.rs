@@ -31,7 +31,7 @@ pub(super) enum Mend<'t> {
 impl Reader<'_> {
     /// Reports a finding, mended by other text in place of some bytes of the line.
     pub(super) fn replace(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize, new: &str) {
-        let finding = self.mended(finding, Mend::Write(from, to, new));
+        let finding = self.mend(finding, Mend::Write(from, to, new));
         self.report_as(alarm, finding);
     }
 
@@ -43,16 +43,8 @@ impl Reader<'_> {
 
     /// Reports a finding, mended by square brackets around some bytes of the line.
     pub(super) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
-        let finding = self.mended(finding, Mend::Enclose(from, to));
+        let finding = self.mend(finding, Mend::Enclose(from, to));
         self.report_as(alarm, finding);
-    }
-
-    /// A finding with what mends it, where somebody wants advice.
-    pub(super) fn mended(&self, finding: Diagnostic, mend: Mend) -> Diagnostic {
-        match self.advice {
-            Some(advice) => (advice.mend)(self, finding, mend),
-            None => finding,
-        }
     }
 
     /// A finding with what mends it.
@@ -161,7 +153,7 @@ impl Reader<'_> {
     pub(super) fn while_without_do(&self, start: usize) -> Box<Failure> {
         let at = self.ended_at().max(start + 5);
         let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"), false);
-        failure.finding = self.mended(failure.finding, Mend::Do(at));
+        failure.finding = self.mend(failure.finding, Mend::Do(at));
         failure
     }
 

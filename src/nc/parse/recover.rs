@@ -56,12 +56,6 @@ impl Reader<'_> {
         self.line = whole;
     }
 
-    /// Reports a block that does not read, all of it.
-    pub(super) fn skip_block(&mut self, failure: Failure) {
-        let whole = self.place(self.span(0, self.line.len()));
-        self.add_finding(failure.finding.at(whole));
-    }
-
     /// Reads the line again with round brackets that group: if it reads then, they are the mistake.
     fn try_rounds(&mut self, mark: &Mark, failure: Failure) {
         if !self.line.contains(&b'(') {

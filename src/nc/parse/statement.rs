@@ -136,8 +136,8 @@ impl Reader<'_> {
             let mut failure = self.failure(Alarm::IfSentence, start, end, msg!("nc.if-without-goto"), false);
             let next = self.line.get(self.at + 1..).unwrap_or_default().trim_ascii_start().first();
             let value = next.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'-' | b'+' | b'.' | b'#' | b'['));
-            if let (true, true, Some(advice)) = (self.peek().is_ascii_alphabetic(), value, self.advice) {
-                failure.finding = (advice.jump_instead)(self, failure.finding, then, then);
+            if self.peek().is_ascii_alphabetic() && value {
+                failure.finding = self.jump_instead(failure.finding, then, then);
             }
             return Err(failure);
         }
@@ -160,10 +160,7 @@ impl Reader<'_> {
             false => msg!("nc.no-if-then", self.control.name),
         };
         let finding = self.finding(Alarm::IfSentence, then, if named { behind } else { then + 1 }, message);
-        let finding = match self.advice {
-            Some(advice) => (advice.jump_instead)(self, finding, then, behind),
-            None => finding,
-        };
+        let finding = self.jump_instead(finding, then, behind);
         self.report_as(Alarm::IfSentence, finding);
         Ok(stmt)
     }

@@ -564,7 +564,7 @@ impl<'a> Reader<'a> {
         } else {
             let mut failure =
                 self.failure(Alarm::IllegalAddress, start, end, msg!("nc.illegal-character", shown), true);
-            failure.finding = self.mended(failure.finding, Mend::Plain(character));
+            failure.finding = self.mend(failure.finding, Mend::Plain(character));
             failure
         }
     }

@@ -1,11 +1,9 @@
 //! The one place where kinds and values become sentences: a file of lines per language.
 //!
 //! A line is an id, a space and its sentence; `{0}`, `{1}` … are the places of the values. Another language is another file of the
-//! same ids. The page does not carry the file in its module: it is loaded at the same time, and handed to [`load`].
+//! same ids.
 
 use std::cmp::Ordering;
-#[cfg(feature = "web")]
-use std::sync::OnceLock;
 
 use super::message::{Message, Value};
 use super::number::Plain;
@@ -27,44 +25,9 @@ impl Language {
     }
 }
 
-/// The loaded file; one, as the page speaks one language.
-#[cfg(feature = "web")]
-static LOADED: OnceLock<String> = OnceLock::new();
-
-/// Takes the file that was loaded beside the module; false where it is not the one that the module was built with.
-#[cfg(feature = "web")]
-pub fn load(text: String) -> bool {
-    let same = check(&text) == const { check(Language::English.file()) };
-    if same {
-        let _ = LOADED.set(text);
-    }
-    same
-}
-
-/// A number that tells one text from another (FNV-1a).
-#[cfg(feature = "web")]
-const fn check(text: &str) -> u32 {
-    let (bytes, mut at, mut sum) = (text.as_bytes(), 0, 0x811c_9dc5_u32);
-    while at < bytes.len() {
-        sum = (sum ^ bytes[at] as u32).wrapping_mul(0x0100_0193);
-        at += 1;
-    }
-    sum
-}
-
-#[cfg(feature = "web")]
-fn lines(_: Language) -> &'static str {
-    LOADED.get().map_or("", |text| text)
-}
-
-#[cfg(not(feature = "web"))]
-fn lines(language: Language) -> &'static str {
-    language.file()
-}
-
 /// The line of an id, in halves: the lines are sorted.
 fn row(language: Language, id: &str) -> Option<(&'static str, &'static str)> {
-    let mut rest = lines(language);
+    let mut rest = language.file();
     loop {
         let (before, behind) = rest.as_bytes().split_at_checked(rest.len() / 2)?;
         let start = before.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);

@@ -38,17 +38,10 @@ pub(crate) fn reading(control: &'static Control, text: &str) {
         assert!(span.start >= at && !span.of(text).is_empty(), "pieces follow one another: {span:?}");
         at = span.end;
     }
-    skimmed(&parsed);
+    let bad = parsed.deck().blocks.iter().any(|block| matches!(block.stmt, Stmt::Bad(_)));
+    assert!(!bad || parsed.has_errors(), "{:?}", parsed.files());
     edited(&parsed, text);
     written(&parsed);
-}
-
-/// Without advice a text is read to the same tree, and that something does not read in it is still an error.
-fn skimmed(parsed: &Parsed) {
-    let skimmed = nc::skim(parsed.files(), parsed.control(), parsed.switches());
-    assert!(skimmed.deck().same_as(parsed.deck()), "{:?}", parsed.files());
-    let bad = skimmed.deck().blocks.iter().any(|block| matches!(block.stmt, Stmt::Bad(_)));
-    assert!(!bad || skimmed.has_errors(), "{:?}", parsed.files());
 }
 
 /// Findings have places in the text, sentences without gaps, and fixes that fit.

@@ -168,8 +168,7 @@ fn rows(changes: &[(&str, &str)], id: &str) -> String {
 }
 
 fn rows_with(changes: &[(&str, &str)], switches: &Switches, id: &str) -> String {
-    let sheets =
-        macroline::machines::sheets(machine(), &values(changes), ControlContext { control: control(), switches });
+    let sheets = machine().sheets(&values(changes), ControlContext { control: control(), switches });
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }
@@ -250,7 +249,7 @@ fn the_register_of_the_macro_input_is_where_the_switch_puts_it() {
 
 #[test]
 fn the_ladder_is_drawn() {
-    let sheets = macroline::machines::sheets(machine(), &values(&[("wait", "fin")]), on());
+    let sheets = machine().sheets(&values(&[("wait", "fin")]), on());
     let sheet = sheets.iter().find(|sheet| sheet.id == "ladder").unwrap();
     let drawn = &sheet.drawing;
     // A note stands at what a rung switches.

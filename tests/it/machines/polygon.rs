@@ -691,7 +691,7 @@ fn a_way_that_is_taken_gives_what_its_row_shows_to_the_last_digit() {
     let mut rows = 0;
     for changes in cases {
         let first = project(changes);
-        let sheets = machines::sheets(first.machine, &first.values, first.on());
+        let sheets = first.machine.sheets(&first.values, first.on());
         let ways = &sheets.iter().find(|sheet| sheet.id == "choices").unwrap().rows;
         assert!(!ways.is_empty());
         for way in ways {
@@ -726,7 +726,7 @@ fn a_way_that_is_taken_gives_what_its_row_shows_to_the_last_digit() {
 fn what_is_dragged_has_the_same_sliders_everywhere_and_a_section_where_there_is_one() {
     let look = |changes: &[(&str, &str)]| {
         let project = project(changes);
-        machines::explorer(project.machine, &project.values, project.on()).unwrap()
+        project.machine.explorer(&project.values, project.on()).unwrap()
     };
     let square = look(&[]);
     let fields: Vec<&str> = square.knobs.iter().map(|knob| knob.field).collect();
@@ -748,5 +748,5 @@ fn what_is_dragged_has_the_same_sliders_everywhere_and_a_section_where_there_is_
     let none = look(&[("shape", "own"), ("tool-ratio", "0")]);
     assert!(none.charts.is_empty() && !none.scene.nodes.is_empty());
     let ribbon = Project::of("ribbon-line", None).unwrap();
-    assert!(machines::explorer(ribbon.machine, &ribbon.values, ribbon.on()).is_none());
+    assert!(ribbon.machine.explorer(&ribbon.values, ribbon.on()).is_none());
 }

@@ -2,7 +2,6 @@
 
 use expect_test::expect;
 use macroline::controls::Switches;
-use macroline::machines;
 use macroline::nc::{self, Files};
 use macroline::text::Severity;
 
@@ -10,7 +9,7 @@ use super::polygon::{machine, project, result};
 
 fn rows(changes: &[(&str, &str)], id: &str) -> String {
     let project = project(changes);
-    let sheets = machines::sheets(machine(), &project.values, project.on());
+    let sheets = machine().sheets(&project.values, project.on());
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }

@@ -327,7 +327,7 @@ fn a_dropped_program_finds_its_control() {
 }
 
 fn rows(on: ControlContext, changes: &[(&str, &str)], id: &str) -> String {
-    let sheets = macroline::machines::sheets(machine(), &values(changes), on);
+    let sheets = machine().sheets(&values(changes), on);
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }

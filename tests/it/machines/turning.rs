@@ -255,7 +255,7 @@ fn what_the_design_says() {
 /// The parameter sheet: number, name, index, value, unit.
 fn sheet(control: &str, changes: &[(&str, &str)]) -> String {
     let project = project(control, changes);
-    let sheets = machines::sheets(machine(), &project.values, project.on());
+    let sheets = machine().sheets(&project.values, project.on());
     let rows = sheets.iter().filter(|sheet| sheet.id == "parameters").flat_map(|sheet| &sheet.rows);
     let lines = rows.map(|row| format!("{} {:?}", row.cells[..5].join(" ").trim_end(), row.grade));
     lines.map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ") + "\n").collect()
