@@ -1,58 +1,155 @@
-//! The project's own sources as the laws read them: code without comments, strings apart, words with their lines.
+//! The project's own Rust files, read with `syn`: tokens, definitions and imports, each with its line.
 
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
-/// A string literal of the code.
-pub(super) struct Literal {
-    /// Offset of its opening quote.
-    pub(super) at: usize,
-    /// Its content, escapes as they were written.
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
+use syn::visit::Visit;
+
+/// A word, sign or literal of the code. Comments are not code.
+pub(super) struct Token {
     pub(super) text: String,
+    pub(super) line: usize,
+    pub(super) kind: TokenKind,
 }
 
-/// One source file.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum TokenKind {
+    /// Identifier or keyword.
+    Word,
+    /// Content of a string literal.
+    Text,
+    /// Punctuation, bracket, number or character.
+    Sign,
+}
+
+/// A name that `use` brings into a file.
+pub(super) struct Import {
+    /// The path as written, without the name after `as`.
+    pub(super) path: Vec<String>,
+    /// The name in this file; `*` for all names.
+    pub(super) name: String,
+    /// `pub use`, which hands a name on and does not use it.
+    pub(super) is_public: bool,
+    pub(super) line: usize,
+}
+
+/// A function with a body, or a struct with named fields.
+pub(super) struct Measured {
+    pub(super) name: String,
+    pub(super) line: usize,
+    /// Lines of the function, or fields of the struct.
+    pub(super) size: usize,
+}
+
+/// A source file.
 pub(super) struct Source {
     /// Path in the repository, with `/`.
     pub(super) path: String,
-    /// The file as it is.
     pub(super) text: String,
-    /// The same, byte for byte in place, with comments and the contents of strings and characters blanked.
-    pub(super) code: String,
-    /// Every string literal, in order.
-    pub(super) literals: Vec<Literal>,
-    /// Where its unit tests begin (the end of the file when there are none).
-    pub(super) shipped: usize,
+    pub(super) tokens: Vec<Token>,
+    /// Number of tokens in front of the file's unit tests.
+    shipped: usize,
+    /// Names of the items at the top of the file.
+    pub(super) items: Vec<String>,
+    /// Child modules that the file declares.
+    pub(super) children: Vec<String>,
+    /// Types and traits that are `pub`, with their lines.
+    pub(super) public_types: Vec<(String, usize)>,
+    pub(super) imports: Vec<Import>,
+    pub(super) functions: Vec<Measured>,
+    pub(super) structs: Vec<Measured>,
 }
 
-impl Source {
-    /// Reads every `.rs` below a folder of the repository.
-    pub(super) fn all_in(folder: &str) -> Vec<Source> {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let mut found = Vec::new();
-        let mut folders = vec![root.join(folder)];
-        while let Some(folder) = folders.pop() {
-            for entry in fs::read_dir(&folder).into_iter().flatten() {
-                let path = entry.unwrap().path();
-                if path.is_dir() {
-                    folders.push(path);
-                } else if path.extension().is_some_and(|kind| kind == "rs") {
-                    let name = path.strip_prefix(root).unwrap().to_string_lossy().replace('\\', "/");
-                    found.push(Source::new(name, fs::read_to_string(&path).unwrap()));
-                }
+/// The folders with Rust files.
+const FOLDERS: [&str; 5] = ["src", "tests", "benches", "examples", "fuzz"];
+
+static ALL: LazyLock<Vec<Source>> = LazyLock::new(|| {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut found = Vec::new();
+    let mut folders: Vec<_> = FOLDERS.iter().map(|folder| root.join(folder)).collect();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).into_iter().flatten() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|kind| kind == "rs") {
+                let name = path.strip_prefix(root).unwrap().to_string_lossy().replace('\\', "/");
+                found.push(Source::new(name, fs::read_to_string(&path).unwrap()));
             }
         }
-        found.sort_by(|a, b| a.path.cmp(&b.path));
-        found
+    }
+    found.sort_by(|a, b| a.path.cmp(&b.path));
+    found
+});
+
+impl Source {
+    /// Every Rust file of the repository, sorted by path.
+    pub(super) fn all() -> &'static [Source] {
+        &ALL
     }
 
     fn new(path: String, text: String) -> Source {
-        let (code, literals) = strip(&text);
-        let shipped = if path.ends_with("/tests.rs") { 0 } else { code.find("#[cfg(test)]").unwrap_or(code.len()) };
-        Source { path, text, code, literals, shipped }
+        let file = syn::parse_file(&text).unwrap_or_else(|error| panic!("{path}: {error}"));
+        let mut tokens = Vec::new();
+        let code: TokenStream = text.parse().unwrap();
+        flatten(code, &mut tokens);
+        let test = ["#", "[", "cfg", "(", "test", ")", "]"];
+        let shipped = tokens.windows(test.len()).position(|part| part.iter().zip(test).all(|(a, b)| a.text == b));
+        let shipped = if path.ends_with("/tests.rs") { 0 } else { shipped.unwrap_or(tokens.len()) };
+        let mut source = Source {
+            path,
+            text,
+            tokens,
+            shipped,
+            items: Vec::new(),
+            children: Vec::new(),
+            public_types: Vec::new(),
+            imports: Vec::new(),
+            functions: Vec::new(),
+            structs: Vec::new(),
+        };
+        for item in &file.items {
+            source.note(item);
+        }
+        let mut measure = Measure { functions: Vec::new(), structs: Vec::new() };
+        measure.visit_file(&file);
+        (source.functions, source.structs) = (measure.functions, measure.structs);
+        source
     }
 
-    /// The modules that the file stands in, from the crate's root: `["nc", "lex"]`; none for `lib.rs` and the binaries.
+    fn note(&mut self, item: &syn::Item) {
+        let mut public_type = |vis: &syn::Visibility, ident: &syn::Ident| {
+            if matches!(vis, syn::Visibility::Public(_)) {
+                self.public_types.push((ident.to_string(), line(ident.span())));
+            }
+            ident.to_string()
+        };
+        let name = match item {
+            syn::Item::Struct(item) => public_type(&item.vis, &item.ident),
+            syn::Item::Enum(item) => public_type(&item.vis, &item.ident),
+            syn::Item::Trait(item) => public_type(&item.vis, &item.ident),
+            syn::Item::Type(item) => public_type(&item.vis, &item.ident),
+            syn::Item::Fn(item) => item.sig.ident.to_string(),
+            syn::Item::Const(item) => item.ident.to_string(),
+            syn::Item::Static(item) => item.ident.to_string(),
+            syn::Item::Macro(item) if item.ident.is_some() => item.ident.as_ref().unwrap().to_string(),
+            syn::Item::Mod(item) if item.content.is_none() => {
+                self.children.push(item.ident.to_string());
+                return;
+            }
+            syn::Item::Use(item) => {
+                let is_public = !matches!(item.vis, syn::Visibility::Inherited);
+                import(&item.tree, Vec::new(), is_public, &mut self.imports);
+                return;
+            }
+            _ => return,
+        };
+        self.items.push(name);
+    }
+
+    /// The modules from the crate's root to the file: `["nc", "lex"]`; none for `lib.rs` and the binaries.
     pub(super) fn modules(&self) -> Vec<&str> {
         let path = self.path.strip_prefix("src/").unwrap_or_default();
         let path = path.strip_suffix(".rs").unwrap_or_default();
@@ -60,144 +157,200 @@ impl Source {
         if matches!(path, "" | "lib" | "main") || path.starts_with("bin/") { vec![] } else { path.split('/').collect() }
     }
 
-    /// Whether an offset is shipped code, not one of its unit tests.
-    pub(super) fn ships(&self, at: usize) -> bool {
-        at < self.shipped
+    /// The first of [`modules`](Source::modules).
+    pub(super) fn room(&self) -> Option<&str> {
+        self.modules().first().copied()
     }
 
-    /// `path:line` of an offset.
-    pub(super) fn place(&self, at: usize) -> String {
-        format!("{}:{}", self.path, self.text[..at].matches('\n').count() + 1)
+    /// The tokens without those of unit tests.
+    pub(super) fn shipped(&self) -> &[Token] {
+        &self.tokens[..self.shipped]
     }
 
-    /// Every identifier and keyword of the code, with its offset.
-    pub(super) fn words(&self) -> impl Iterator<Item = (usize, &str)> {
-        words(&self.code)
+    /// String literals outside unit tests.
+    pub(super) fn literals(&self) -> impl Iterator<Item = &Token> {
+        self.shipped().iter().filter(|token| token.kind == TokenKind::Text)
+    }
+
+    /// `path:line`.
+    pub(super) fn place(&self, line: usize) -> String {
+        format!("{}:{line}", self.path)
     }
 
     /// Where the shipped code has one of these words.
     pub(super) fn find_words(&self, wanted: &[&str]) -> Vec<String> {
-        let hits = self.words().filter(|(at, word)| self.ships(*at) && wanted.contains(word));
-        hits.map(|(at, word)| format!("{}: {word}", self.place(at))).collect()
+        let words = self.shipped().iter().filter(|token| token.kind == TokenKind::Word);
+        let hits = words.filter(|token| wanted.contains(&token.text.as_str()));
+        hits.map(|token| format!("{}: {}", self.place(token.line), token.text)).collect()
     }
 
-    /// Where the shipped code has one of these pieces of text.
-    pub(super) fn find_text(&self, wanted: &[&str]) -> Vec<String> {
-        let code = &self.code[..self.shipped];
-        let hits = wanted.iter().flat_map(|text| code.match_indices(text));
-        hits.map(|(at, text)| format!("{}: {text}", self.place(at))).collect()
+    /// Where the shipped code has one of these sequences of tokens, written with a space between two.
+    pub(super) fn find_code(&self, wanted: &[&str]) -> Vec<String> {
+        let mut found = Vec::new();
+        for wanted in wanted {
+            let parts: Vec<&str> = wanted.split(' ').collect();
+            let here =
+                |part: &&[Token]| part.iter().zip(&parts).all(|(a, b)| a.text == *b && a.kind != TokenKind::Text);
+            let hits = self.shipped().windows(parts.len()).filter(here);
+            found.extend(hits.map(|part| format!("{}: {}", self.place(part[0].line), parts.concat())));
+        }
+        found
+    }
+
+    /// Every path of two or more words in the shipped code, outside `use`.
+    pub(super) fn paths(&self) -> Vec<(Vec<&str>, usize)> {
+        let tokens = self.shipped();
+        let is = |at: usize, text: &str| tokens.get(at).is_some_and(|token| token.text == text);
+        let mut found = Vec::new();
+        let mut at = 0;
+        while at < tokens.len() {
+            if tokens[at].kind != TokenKind::Word || at > 0 && (is(at - 1, ":") && at > 1 && is(at - 2, ":")) {
+                at += 1;
+                continue;
+            }
+            let (mut path, line) = (vec![tokens[at].text.as_str()], tokens[at].line);
+            while is(at + 1, ":") && is(at + 2, ":") && tokens.get(at + 3).is_some_and(|t| t.kind == TokenKind::Word) {
+                at += 3;
+                path.push(&tokens[at].text);
+            }
+            if path.len() > 1 {
+                found.push((path, line));
+            }
+            at += 1;
+        }
+        found
     }
 }
 
-/// The words of a text, with their offsets. A word is letters, digits and `_`, and begins with no digit.
-pub(super) fn words(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let mut rest = 0;
-    std::iter::from_fn(move || {
-        let inside = |c: char| c.is_alphanumeric() || c == '_';
-        loop {
-            let begin = rest + text[rest..].find(inside)?;
-            let end = begin + text[begin..].find(|c| !inside(c)).unwrap_or(text.len() - begin);
-            rest = end;
-            if !text[begin..].starts_with(|c: char| c.is_ascii_digit()) {
-                return Some((begin, &text[begin..end]));
+/// The line of a span, from 1.
+fn line(span: Span) -> usize {
+    span.start().line
+}
+
+/// Tokens one after the other, brackets among them; doc comments are left out.
+fn flatten(code: TokenStream, tokens: &mut Vec<Token>) {
+    let mut trees = code.into_iter().peekable();
+    while let Some(tree) = trees.next() {
+        let line = line(tree.span());
+        let mut put = |text: String, line: usize, kind: TokenKind| tokens.push(Token { text, line, kind });
+        match tree {
+            TokenTree::Punct(sign) if sign.as_char() == '#' && trees.peek().is_some_and(is_doc) => {
+                trees.next();
+            }
+            // The text of an inner doc comment follows behind the `!`.
+            TokenTree::Punct(sign) if sign.as_char() == '!' && trees.peek().is_some_and(is_doc) => {
+                trees.next();
+                tokens.pop();
+            }
+            TokenTree::Ident(word) => put(word.to_string(), line, TokenKind::Word),
+            TokenTree::Punct(sign) => put(sign.to_string(), line, TokenKind::Sign),
+            TokenTree::Literal(literal) => match syn::parse_str::<syn::Lit>(&literal.to_string()) {
+                Ok(syn::Lit::Str(text)) => put(text.value(), line, TokenKind::Text),
+                _ => put(literal.to_string(), line, TokenKind::Sign),
+            },
+            TokenTree::Group(group) => {
+                let (open, close) = match group.delimiter() {
+                    Delimiter::Parenthesis => ("(", ")"),
+                    Delimiter::Brace => ("{", "}"),
+                    Delimiter::Bracket => ("[", "]"),
+                    Delimiter::None => ("", ""),
+                };
+                put(open.to_owned(), line, TokenKind::Sign);
+                flatten(group.stream(), tokens);
+                let end = group.span_close().start().line;
+                tokens.push(Token { text: close.to_owned(), line: end, kind: TokenKind::Sign });
             }
         }
-    })
-}
-
-/// Blanks comments and the contents of literals with spaces, so that every offset stays, and collects the strings.
-fn strip(text: &str) -> (String, Vec<Literal>) {
-    let bytes = text.as_bytes();
-    let mut code = bytes.to_vec();
-    let mut literals = Vec::new();
-    let mut at = 0;
-    let blank = |code: &mut [u8], from: usize, to: usize| {
-        code[from..to].iter_mut().filter(|byte| **byte != b'\n').for_each(|byte| *byte = b' ');
-    };
-    while at < bytes.len() {
-        let rest = &text[at..];
-        let word_before = at > 0 && (bytes[at - 1].is_ascii_alphanumeric() || bytes[at - 1] == b'_');
-        if rest.starts_with("//") {
-            let end = at + rest.find('\n').unwrap_or(rest.len());
-            blank(&mut code, at, end);
-            at = end;
-        } else if rest.starts_with("/*") {
-            let end = at + comment_length(rest);
-            blank(&mut code, at, end);
-            at = end;
-        } else if let Some((open, close)) = raw_quotes(rest).filter(|_| !word_before) {
-            let begin = at + open;
-            let length = text[begin..].find(&close).unwrap_or(text.len() - begin);
-            literals.push(Literal { at, text: text[begin..begin + length].to_owned() });
-            blank(&mut code, begin, begin + length);
-            at = (begin + length + close.len()).min(bytes.len());
-        } else if bytes[at] == b'"' {
-            let length = quoted_length(&bytes[at + 1..], b'"');
-            literals.push(Literal { at, text: text[at + 1..at + 1 + length].to_owned() });
-            blank(&mut code, at + 1, at + 1 + length);
-            at += length + 2;
-        } else if bytes[at] == b'\'' && is_character(rest) {
-            let length = quoted_length(&bytes[at + 1..], b'\'');
-            blank(&mut code, at + 1, at + 1 + length);
-            at += length + 2;
-        } else {
-            at += rest.chars().next().map_or(1, char::len_utf8);
-        }
     }
-    (String::from_utf8(code).unwrap(), literals)
 }
 
-/// Length of the block comment that a text begins with; they nest.
-fn comment_length(text: &str) -> usize {
-    let mut depth = 0;
-    for (at, _) in text.char_indices() {
-        if text[at..].starts_with("/*") {
-            depth += 1;
-        } else if text[at..].starts_with("*/") {
-            depth -= 1;
-            if depth == 0 {
-                return at + 2;
+/// Whether this is `[doc = …]`, as comments of three slashes are read.
+fn is_doc(tree: &TokenTree) -> bool {
+    let TokenTree::Group(group) = tree else { return false };
+    matches!(group.stream().into_iter().next(), Some(TokenTree::Ident(word)) if word == "doc")
+}
+
+fn import(tree: &syn::UseTree, mut path: Vec<String>, is_public: bool, found: &mut Vec<Import>) {
+    match tree {
+        syn::UseTree::Path(part) => {
+            path.push(part.ident.to_string());
+            import(&part.tree, path, is_public, found);
+        }
+        syn::UseTree::Group(group) => {
+            for tree in &group.items {
+                import(tree, path.clone(), is_public, found);
             }
         }
+        syn::UseTree::Name(name) if name.ident == "self" => {
+            let own = path.last().cloned().unwrap_or_default();
+            found.push(Import { path, name: own, is_public, line: line(name.ident.span()) });
+        }
+        syn::UseTree::Name(name) => {
+            path.push(name.ident.to_string());
+            found.push(Import { path, name: name.ident.to_string(), is_public, line: line(name.ident.span()) });
+        }
+        syn::UseTree::Rename(name) => {
+            if name.ident != "self" {
+                path.push(name.ident.to_string());
+            }
+            found.push(Import { path, name: name.rename.to_string(), is_public, line: line(name.ident.span()) });
+        }
+        syn::UseTree::Glob(glob) => {
+            found.push(Import { path, name: "*".to_owned(), is_public, line: line(glob.star_token.spans[0]) });
+        }
     }
-    text.len()
 }
 
-/// Length of the opening of the raw string that a text begins with, and its closing.
-fn raw_quotes(text: &str) -> Option<(usize, String)> {
-    let tail = text.strip_prefix("br").or_else(|| text.strip_prefix('r'))?;
-    let hashes = tail.len() - tail.trim_start_matches('#').len();
-    let open = text.len() - tail.len() + hashes + 1;
-    tail[hashes..].starts_with('"').then(|| (open, format!("\"{}", "#".repeat(hashes))))
+/// Lengths of functions and widths of structs.
+struct Measure {
+    functions: Vec<Measured>,
+    structs: Vec<Measured>,
 }
 
-/// Bytes up to the closing quote, past escapes.
-fn quoted_length(bytes: &[u8], quote: u8) -> usize {
-    let mut at = 0;
-    while at < bytes.len() && bytes[at] != quote {
-        at += if bytes[at] == b'\\' { 2 } else { 1 };
+impl Measure {
+    fn function(&mut self, signature: &syn::Signature, body: Span) {
+        let from = line(signature.ident.span());
+        self.functions.push(Measured {
+            name: signature.ident.to_string(),
+            line: from,
+            size: body.end().line + 1 - from,
+        });
     }
-    at.min(bytes.len())
 }
 
-/// Whether a text that begins with `'` begins with a character and not with a lifetime.
-fn is_character(text: &str) -> bool {
-    let mut chars = text[1..].chars();
-    match chars.next() {
-        Some('\\') => true,
-        Some(_) => chars.next() == Some('\''),
-        None => false,
+impl<'ast> Visit<'ast> for Measure {
+    fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
+        self.function(&item.sig, item.block.brace_token.span.close());
+        syn::visit::visit_item_fn(self, item);
+    }
+
+    fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
+        self.function(&item.sig, item.block.brace_token.span.close());
+        syn::visit::visit_impl_item_fn(self, item);
+    }
+
+    fn visit_item_struct(&mut self, item: &'ast syn::ItemStruct) {
+        let name = item.ident.to_string();
+        self.structs.push(Measured { name, line: line(item.ident.span()), size: item.fields.len() });
     }
 }
 
 #[test]
-fn code_is_told_from_comments_and_strings() {
-    let text = r##"let a = "x \" // no"; // c "d"
-/* e /* f */ g */ let b = ('"', 'l', '\'', r#"raw " h"#, b"i"); fn j<'k>() {}"##;
+fn comments_and_strings_are_no_words() {
+    let text = r##"//! A file.
+use super::{self as up, lex::{Lexer, *}};
+/// "Doc."
+pub struct A { b: u8 }
+fn c() { let a = "x \" // no"; /* e */ let b = ('"', r#"raw " h"#); d::e(b); }
+#[cfg(test)]
+mod tests { fn unshipped() {} }"##;
     let source = Source::new("src/nc/lex.rs".to_owned(), text.to_owned());
-    let found: Vec<&str> = source.words().map(|(_, word)| word).collect();
-    assert_eq!(found, ["let", "a", "let", "b", "r", "b", "fn", "j", "k"]);
-    let strings: Vec<&str> = source.literals.iter().map(|literal| literal.text.as_str()).collect();
-    assert_eq!(strings, [r#"x \" // no"#, "raw \" h", "i"]);
-    assert_eq!((source.modules(), source.code.len()), (vec!["nc", "lex"], text.len()));
+    assert!(source.find_words(&["Doc", "no", "e", "unshipped", "file"]).len() == 1, "only the path d::e has an e");
+    assert_eq!(source.literals().map(|token| token.text.as_str()).collect::<Vec<_>>(), ["x \" // no", "raw \" h"]);
+    assert_eq!(source.find_code(&["d : : e"]), ["src/nc/lex.rs:5: d::e"]);
+    assert_eq!(source.paths(), [(vec!["super", "lex"], 2), (vec!["d", "e"], 5)][1..]);
+    let names: Vec<&str> = source.imports.iter().map(|import| import.name.as_str()).collect();
+    assert_eq!((names, source.modules()), (vec!["up", "Lexer", "*"], vec!["nc", "lex"]));
+    assert_eq!((source.items, source.public_types[0].1), (vec!["A".to_owned(), "c".to_owned()], 4));
+    assert_eq!((source.functions[0].size, source.structs[0].size), (1, 1));
 }

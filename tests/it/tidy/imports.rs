@@ -1,0 +1,122 @@
+//! Which file imports which: paths are followed through re-exports to the file that defines the name.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::source::Source;
+
+/// The names that one file takes from another, each with its line.
+type Ties = BTreeMap<(usize, usize), BTreeSet<String>>;
+
+/// The files of `src/` and the imports between them.
+pub(super) struct Imports<'a> {
+    files: Vec<&'a Source>,
+    by_module: BTreeMap<Vec<&'a str>, usize>,
+    /// Names taken, by importing and defining file.
+    ties: Ties,
+}
+
+/// Re-exports of re-exports that are followed at most.
+const DEPTH: usize = 8;
+
+impl<'a> Imports<'a> {
+    pub(super) fn new(files: Vec<&'a Source>) -> Imports<'a> {
+        let by_module = files.iter().enumerate().map(|(at, file)| (file.modules(), at)).collect();
+        let mut imports = Imports { files, by_module, ties: BTreeMap::new() };
+        let mut ties = Ties::new();
+        for (from, file) in imports.files.iter().enumerate() {
+            let own = file.modules();
+            let used = file.imports.iter().filter(|import| !import.is_public);
+            let used = used.map(|import| (import.path.iter().map(String::as_str).collect(), import.line));
+            for (path, _) in used.chain(file.paths()) {
+                let path: Vec<&str> = path;
+                if let Some(to) = imports.definition(&own, &path, DEPTH).filter(|to| *to != from) {
+                    ties.entry((from, to)).or_default().insert(path.last().copied().unwrap_or_default().to_owned());
+                }
+            }
+        }
+        imports.ties = ties;
+        imports
+    }
+
+    /// The file that defines what a path names, as seen from a module; `None` for modules as such, other crates and locals.
+    fn definition(&self, own: &[&'a str], path: &[&str], depth: usize) -> Option<usize> {
+        let (first, rest) = path.split_first()?;
+        let file = self.files[*self.by_module.get(own)?];
+        match *first {
+            "crate" | "macroline" => self.below(Vec::new(), rest, depth),
+            "self" => self.below(own.to_vec(), rest, depth),
+            "super" => self.below(own[..own.len().checked_sub(1)?].to_vec(), rest, depth),
+            first
+                if file.children.iter().any(|child| child == first) || file.items.iter().any(|item| item == first) =>
+            {
+                self.below(own.to_vec(), path, depth)
+            }
+            first => {
+                let import = file.imports.iter().find(|import| import.name == first)?;
+                let path: Vec<&str> = import.path.iter().map(String::as_str).chain(rest.iter().copied()).collect();
+                self.definition(own, &path, depth.checked_sub(1)?)
+            }
+        }
+    }
+
+    /// The same for a path below a module.
+    fn below(&self, mut module: Vec<&'a str>, path: &[&str], depth: usize) -> Option<usize> {
+        let (first, rest) = path.split_first()?;
+        if *first == "super" {
+            module.pop()?;
+            return self.below(module, rest, depth);
+        }
+        let at = *self.by_module.get(&module)?;
+        let file = self.files[at];
+        if let Some(child) = file.children.iter().find(|child| child == first) {
+            module.push(child);
+            return self.below(module, rest, depth);
+        }
+        if file.items.iter().any(|item| item == first) {
+            return Some(at);
+        }
+        let depth = depth.checked_sub(1)?;
+        if let Some(import) = file.imports.iter().find(|import| import.name == *first) {
+            let path: Vec<&str> = import.path.iter().map(String::as_str).chain(rest.iter().copied()).collect();
+            return self.definition(&module, &path, depth);
+        }
+        let globs = file.imports.iter().filter(|import| import.name == "*");
+        let through = globs.filter_map(|import| {
+            let path: Vec<&str> = import.path.iter().map(String::as_str).chain(path.iter().copied()).collect();
+            self.definition(&module, &path, depth)
+        });
+        // A name that a macro makes is the file's own; the root has none.
+        through.into_iter().next().or((!module.is_empty()).then_some(at))
+    }
+
+    /// Files that import one another in a circle, each circle with its imports as lines of text.
+    pub(super) fn circles(&self) -> Vec<String> {
+        let count = self.files.len();
+        let mut reaches = vec![vec![false; count]; count];
+        for (from, to) in self.ties.keys() {
+            reaches[*from][*to] = true;
+        }
+        for by in 0..count {
+            let onward = reaches[by].clone();
+            for row in reaches.iter_mut().filter(|row| row[by]) {
+                row.iter_mut().zip(&onward).for_each(|(here, next)| *here |= next);
+            }
+        }
+        let mut seen = BTreeSet::new();
+        let mut found = Vec::new();
+        for at in (0..count).filter(|&at| reaches[at][at]) {
+            let circle: Vec<usize> = (0..count).filter(|&to| reaches[at][to] && reaches[to][at]).collect();
+            if !seen.insert(circle.clone()) {
+                continue;
+            }
+            let inside =
+                |tie: &(&(usize, usize), &BTreeSet<String>)| circle.contains(&tie.0.0) && circle.contains(&tie.0.1);
+            let lines = self.ties.iter().filter(inside).map(|((from, to), names)| {
+                let names: Vec<&str> = names.iter().map(String::as_str).collect();
+                format!("\n    {} -> {}: {}", self.files[*from].path, self.files[*to].path, names.join(", "))
+            });
+            found.push(format!("{} files:{}", circle.len(), lines.collect::<String>()));
+        }
+        found
+    }
+}
