@@ -2,52 +2,18 @@
 
 use std::rc::Rc;
 
-use super::End;
 use super::canon::Canon;
+use super::context::BlockContext;
 use super::error::{Run, Trap};
-use super::state::{BlockContext, State};
+use super::frame::{CallFrame, ModalCall};
+use super::state::RunState;
+use super::step::End;
 use super::vars::{LOCALS, Locals, VACANT};
 use crate::controls::Alarm;
 use crate::controls::macros::{ARGUMENT, ArgumentSets, CallKind, CodeCall};
 use crate::msg;
 use crate::nc::dec::POW10;
 use crate::nc::{Block, ExprId, TextId, Word};
-
-/// What a call remembers of its caller.
-#[derive(Debug, Clone)]
-pub(super) struct Frame {
-    /// The caller's program.
-    pub(super) program: u32,
-    /// The block behind the call.
-    pub(super) back: u32,
-    /// The modal call of a macro's caller.
-    modal_call: Option<Rc<ModalCall>>,
-    /// First block of the called program, for repeats.
-    entry: u32,
-    /// How often it runs again.
-    pub(super) again: u32,
-    /// Arguments of a macro; a subprogram has none and shares its caller's locals.
-    pub(super) arguments: Option<Rc<Locals>>,
-    /// A code called it: within it no code calls.
-    by_code: bool,
-}
-
-/// G66 or G66.1 in force.
-#[derive(Debug)]
-pub(super) struct ModalCall {
-    /// Number of the macro.
-    pub(super) program: u32,
-    /// How often each call runs it.
-    pub(super) repeats: u32,
-    /// Arguments of each call; G66.1 takes those of the block instead.
-    pub(super) arguments: Rc<Locals>,
-    /// G66.1: each block is a call, and nothing but a call.
-    pub(super) each_block: bool,
-    /// A code put it in force.
-    by_code: bool,
-    /// The modal call that was in force before: it acts within the macro, and again when this one ends.
-    pub(super) outer: Option<Rc<ModalCall>>,
-}
 
 /// The word of a block that calls a macro.
 #[derive(Debug, Clone, Copy)]
@@ -79,7 +45,7 @@ pub(super) struct Arguments {
 /// Sets of I, J, K in argument specification II.
 const SETS: usize = 10;
 
-impl State {
+impl RunState {
     /// How many macros are running inside one another.
     fn macro_depth(&self) -> usize {
         self.frames.iter().filter(|frame| frame.arguments.is_some()).count()
@@ -114,7 +80,8 @@ impl State {
             modal_call = core::mem::replace(&mut self.modal_call, callee.modal_call);
         }
         let back = self.at;
-        let frame = Frame { program: self.program, back, modal_call, entry, again: repeats - 1, arguments, by_code };
+        let frame =
+            CallFrame { program: self.program, back, modal_call, entry, again: repeats - 1, arguments, by_code };
         self.frames.push(frame);
         self.go_to_program(cx.deck, program);
         self.at = entry;
@@ -266,7 +233,7 @@ impl State {
         if let Some(word) = first.and_then(|at| words.get(at)).filter(|_| cx.control.raises(Alarm::ArgumentAddress)) {
             let letter = char::from(word.letter).to_string();
             let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", letter));
-            return Err(trap.within(word_span(block, word)));
+            return Err(trap.within(word.span(block)));
         }
         let arguments = self.arguments(cx, block, words, caller)?;
         self.call_as(cx, call.program, arguments, call.kind, true)
@@ -314,7 +281,7 @@ impl State {
                 if caller.word.is_some_and(|caller| caller < at) && cx.control.raises(Alarm::ArgumentAddress) {
                     let letter = char::from(letter).to_string();
                     let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", letter));
-                    return Err(trap.within(word_span(block, word)));
+                    return Err(trap.within(word.span(block)));
                 }
                 continue;
             }
@@ -343,7 +310,7 @@ impl State {
                     };
                     if set >= SETS {
                         let trap = Trap::alarm(Alarm::ArgumentSets, msg!("interp.argument-sets", SETS as u32));
-                        return Err(trap.within(word_span(block, word)));
+                        return Err(trap.within(word.span(block)));
                     }
                     3 * set + 4 + at
                 }
@@ -394,10 +361,4 @@ impl State {
         self.at = frame.back;
         p.map_or(Ok(()), |number| self.go_to_number(cx, frame.back.saturating_sub(1), number))
     }
-}
-
-/// The bytes of a word.
-pub(super) fn word_span(block: &Block, word: &Word) -> crate::text::Span {
-    let start = block.span.start.saturating_add(u32::from(word.offset));
-    crate::text::Span::new(start, start.saturating_add(u32::from(word.len)))
 }

@@ -1,6 +1,5 @@
 //! Why a block did not come to its end, on the way to becoming a diagnostic.
 
-use super::call::word_span;
 use crate::controls::Alarm;
 use crate::nc::{Block, Deck, ExprId, Parsed, part_span};
 use crate::text::{Diagnostic, Message, Place, Span};
@@ -119,7 +118,7 @@ impl Fault {
     /// Looks for the word that it is about in its block.
     pub(super) fn locate(&mut self, deck: &Deck, block: &Block) {
         let word = deck.words_of(block).iter().find(|word| self.letters.contains(&word.letter));
-        self.word = self.word.or(word.map(|word| word_span(block, word)));
+        self.word = self.word.or(word.map(|word| word.span(block)));
     }
 
     /// The diagnostic in the control's numbers; `block` is its place where neither part nor word is known.

@@ -1,15 +1,16 @@
 //! `G65 Hnn P Q R`: calculations and jumps of controls that had no formulas once.
 
+use super::context::BlockContext;
 use super::error::{Run, Trap};
-use super::eval::{function, operate, or_zero};
-use super::state::{BlockContext, State};
+use super::operators::{function, operate, or_zero};
+use super::state::RunState;
 use super::system_variables::user_alarm;
 use crate::controls::Alarm;
 use crate::controls::syntax::{Function, Operation};
 use crate::msg;
 use crate::nc::{Block, Op, Word, WordValue};
 
-impl State {
+impl RunState {
     /// Whether a G65 is a function: H stands in front of P, on a control that has functions.
     pub(super) fn is_function(&self, cx: &BlockContext, words: &[Word]) -> bool {
         let first = words.iter().find(|word| matches!(word.letter, b'H' | b'P'));

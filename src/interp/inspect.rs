@@ -1,8 +1,9 @@
 //! Looking at a run between two blocks without touching it: next block, levels, the value of an expression, what has changed.
 
 use super::Interp;
+use super::context::BlockContext;
 use super::error::Trap;
-use super::state::{BlockContext, State};
+use super::state::RunState;
 use super::vars::{LOCALS, Locals, VACANT};
 use super::world::World;
 use crate::controls::{CodeId, Group, VarKind};
@@ -134,7 +135,7 @@ impl Interp {
         let control = self.shared.control;
         let mut cx = BlockContext { shared: &self.shared, control, deck: formula.deck(), world, parts: 1.0 };
         let value = match self.state.value(&mut cx, formula.root()) {
-            Err(Trap::Sync) => State { synced: true, ..self.state.clone() }.value(&mut cx, formula.root()),
+            Err(Trap::Sync) => RunState { synced: true, ..self.state.clone() }.value(&mut cx, formula.root()),
             value => value,
         };
         match value {
@@ -173,7 +174,7 @@ impl Interp {
                 let Some(slot) = index.stored_at(row, at, number) else { break };
                 let zero = if matches!(row.kind, VarKind::Common | VarKind::Retained) { VACANT } else { 0.0 };
                 // The others have a value from the start.
-                let value = |state: &State| shown(state.vars.common(slot)).unwrap_or(zero);
+                let value = |state: &RunState| shown(state.vars.common(slot)).unwrap_or(zero);
                 compare(What::Variable(number), value(then), value(now));
             }
             let clock = match row.kind {

@@ -1,218 +1,57 @@
 //! Running a program: timeless, pulled step by step, never longer than its caller's patience.
 //!
-//! The interpreter knows nothing of time, axes that move or operators; what it needs of them it asks the [`World`].
+//! The interpreter knows no time, moving axes or operators; it asks the [`World`] for what it needs of them.
 //!
 //! # Order of a block
 //!
 //! Blocks are read in the order in which they run, each once, and everything of a block is evaluated when it is read: that is the
-//! control's pre-read, and how far it runs ahead of the machine is the caller's choice. Of an NC block the S word, M and T codes come
+//! control's pre-read, and the caller decides how far it runs ahead of the machine. Of an NC block the S word, M and T codes come
 //! first, then G61 or G64, then dwell or motion, then a stop or end, then calls and returns.
+//!
+//! # Order of the files
+//!
+//! Each group below imports only itself and those above it: what goes in and out, tables and state, values, the parts of a block,
+//! a step, and what is made of steps.
 
-mod arc;
-mod block;
-mod call;
 pub mod canon;
-mod error;
-mod eval;
-mod function;
-mod index;
-pub mod inspect;
-mod modal;
-mod modal_history;
-mod precheck;
-mod rules;
-mod spindle;
-mod state;
-mod system_variables;
-mod travel;
-mod value;
-mod vars;
+mod step;
 pub mod world;
 
-use std::rc::Rc;
+mod arc;
+mod context;
+mod error;
+mod frame;
+mod index;
+mod modal;
+mod modal_history;
+mod queue;
+mod rules;
+mod state;
+mod vars;
+
+mod eval;
+mod operators;
+mod system_variables;
+mod value;
+
+mod block;
+mod call;
+mod codes;
+mod function;
+mod jump;
+mod spindle;
+mod statement;
+mod travel;
+mod words;
+
+mod run;
+
+pub mod inspect;
+mod interpreter;
+mod precheck;
 
 pub use canon::{Canon, Feed, Target};
+pub use interpreter::{Interp, run};
 pub use precheck::precheck;
+pub use step::{Counts, End, StartProgram, Step};
 pub use world::World;
-
-use crate::controls::{Control, Switches, VarKind};
-use crate::nc::Parsed;
-use crate::text::{Diagnostic, Place};
-use canon::{AXES, CanonNames};
-use index::{Index, Slot};
-use rules::{Rules, Units};
-use state::{Shared, State};
-
-/// What one step of the interpreter came to.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Step {
-    /// A command for the machine, from the block at the place.
-    Command(Canon, Place),
-    /// A block that only computed or jumped.
-    Logic(Place),
-    /// The program needs the machine at rest before it goes on: the block at the place reads positions, or it has stopped the machine
-    /// (M00, M01, `#3006`) and nothing behind it may be read before. Step again when the machine rests.
-    Sync(Place),
-    /// The program is over; further steps say the same.
-    Ended(End),
-}
-
-/// Why a program is over.
-#[derive(Debug, Clone, PartialEq)]
-pub enum End {
-    /// M02 or M30.
-    Program,
-    /// An alarm of the control; the diagnostic carries number and place.
-    Alarm(Box<Diagnostic>),
-}
-
-/// Which program a run starts with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum StartProgram {
-    /// The first program of the first file.
-    #[default]
-    First,
-    /// The program with this number.
-    Program(u32),
-    /// The program at this place of the deck.
-    Nth(u32),
-}
-
-/// How many blocks a run has read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Counts {
-    /// Blocks with NC words.
-    pub nc: u64,
-    /// Blocks that are over when they are read: macro statements, calls and returns alone, skipped and empty blocks.
-    pub macros: u64,
-}
-
-/// A run of a program. A copy is a checkpoint: it shares what neither side has changed.
-#[derive(Debug, Clone)]
-pub struct Interp {
-    shared: Rc<Shared>,
-    state: State,
-}
-
-impl Interp {
-    /// A run at its start, axes at machine zero, variables vacant. `switches` settle the open points of the control.
-    pub fn new(parsed: Rc<Parsed>, start: StartProgram, switches: &Switches) -> Interp {
-        let control = parsed.control();
-        let index = Index::new(parsed.deck(), control, switches);
-        let start = match start {
-            StartProgram::First if parsed.deck().programs.is_empty() => Err(0),
-            StartProgram::First => Ok(0),
-            StartProgram::Nth(at) => Ok(at),
-            StartProgram::Program(number) => index.program(number).ok_or(number),
-        };
-        let rules = Rules::new(control, switches);
-        let executing = modal_history::is_asked(parsed.deck(), control);
-        let shared = Rc::new(Shared { parsed, control, index, rules, units: Units::new(control), start, executing });
-        Interp { state: State::new(&shared), shared }
-    }
-
-    /// Does at most one block, or hands out one more command of the block before.
-    #[inline]
-    pub fn step(&mut self, world: &mut dyn World) -> Step {
-        self.state.step(&self.shared, world)
-    }
-
-    /// Blocks read since the start. A block counts when its first command is handed out.
-    pub fn blocks(&self) -> Counts {
-        self.state.counts
-    }
-
-    /// The program that runs.
-    pub fn parsed(&self) -> &Rc<Parsed> {
-        &self.shared.parsed
-    }
-
-    /// The control that runs it.
-    pub fn control(&self) -> &'static Control {
-        self.shared.control
-    }
-
-    /// What canonical lines of this run are written with.
-    pub fn names(&self) -> CanonNames<'static> {
-        CanonNames { axes: self.shared.control.axes, increment: self.shared.control.limits.increment }
-    }
-
-    /// The block with a sequence number in the program that a run starts with.
-    pub fn numbered(&self, sequence: u32) -> Option<Place> {
-        let deck = self.shared.parsed.deck();
-        let program = deck.programs.get(*self.shared.start.as_ref().ok()? as usize)?;
-        let block = deck.blocks_of(program).iter().find(|block| block.number == Some(sequence))?;
-        Some(Place { file: program.file, span: block.span })
-    }
-
-    /// A variable: `None` where it is vacant or nothing that the interpreter keeps.
-    pub fn variable(&self, number: u32) -> Option<f64> {
-        let value = match self.shared.index.slot(self.shared.control, number) {
-            Slot::Local(index) => self.state.vars.local(index),
-            Slot::Common(slot) => self.state.vars.common(slot),
-            Slot::Row(_) | Slot::None => return None,
-        };
-        (!value.is_nan()).then_some(value)
-    }
-
-    /// Sets a local or common variable as on the control's screen; `None` makes it vacant. Whether the control has it.
-    pub fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool {
-        let value = value.filter(|value| value.is_finite()).unwrap_or(vars::VACANT);
-        match self.shared.index.slot(self.shared.control, number) {
-            Slot::Local(index) => self.state.vars.set_local(index, value),
-            Slot::Common(slot) => self.state.vars.set_common(slot, value),
-            Slot::Row(_) | Slot::None => return false,
-        }
-        true
-    }
-
-    /// Every local (of the running level) and common variable that is not vacant, in rising order, by the control's own names.
-    pub fn variables(&self) -> impl Iterator<Item = (String, f64)> + '_ {
-        let kept = |kind| matches!(kind, VarKind::Local | VarKind::Common | VarKind::Retained);
-        let rows = self.shared.control.vars.iter().filter(move |row| kept(row.kind));
-        let numbers = rows.flat_map(|row| row.first..=row.last);
-        numbers.filter_map(|number| Some((self.shared.control.variable(number), self.variable(number)?)))
-    }
-
-    /// Where the axes are when everything read so far is done, in command increments of the machine frame.
-    pub fn position(&self) -> [i64; AXES] {
-        self.state.position
-    }
-
-    /// Tells where the axes are, for instance after a reset in the middle of a motion.
-    pub fn set_position(&mut self, position: [i64; AXES]) {
-        self.state.position = position;
-    }
-
-    /// Subprograms and macros that are running inside one another.
-    pub fn depth(&self) -> usize {
-        self.state.frames.len()
-    }
-
-    /// The reset key: back to the start of the program with the codes in force after power-on. Positions stay, and of the variables what
-    /// the control keeps.
-    pub fn reset(&mut self) {
-        self.state.reset(&self.shared);
-    }
-}
-
-/// Steps until the program is over or `blocks` blocks are read (`None`), and hands out every command. Time does not pass: what a program
-/// waits for has happened.
-pub fn run(
-    interp: &mut Interp,
-    world: &mut dyn World,
-    blocks: u64,
-    mut each: impl FnMut(&Canon, Place),
-) -> Option<End> {
-    loop {
-        match interp.step(world) {
-            Step::Command(canon, place) => each(&canon, place),
-            Step::Logic(_) | Step::Sync(_) => {}
-            Step::Ended(end) => return Some(end),
-        }
-        let counts = interp.blocks();
-        if counts.nc + counts.macros >= blocks {
-            return None;
-        }
-    }
-}

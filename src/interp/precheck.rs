@@ -4,9 +4,10 @@ use std::cell::RefCell;
 use std::mem;
 use std::rc::Rc;
 
+use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::modal::Modal;
-use super::state::{BlockContext, State};
+use super::state::RunState;
 use super::world::{Still, World};
 use super::{Interp, StartProgram};
 use crate::controls::macros::CallKind;
@@ -137,7 +138,7 @@ struct Oracle<'a> {
     /// What was remarked since somebody looked.
     heard: &'a RefCell<Vec<Diagnostic>>,
     /// A run that does no more than read its blocks, in the order of the text.
-    state: State,
+    state: RunState,
     /// Of each expression, whether it has the same value in every run.
     constant: Vec<bool>,
     /// The modal states that blocks can meet, as far as they matter.
@@ -175,7 +176,7 @@ impl Clean {
 }
 
 impl<'a> Oracle<'a> {
-    fn new(cx: BlockContext<'a>, state: State, heard: &'a RefCell<Vec<Diagnostic>>) -> Oracle<'a> {
+    fn new(cx: BlockContext<'a>, state: RunState, heard: &'a RefCell<Vec<Diagnostic>>) -> Oracle<'a> {
         let mut constant: Vec<bool> = Vec::with_capacity(cx.deck.exprs.len());
         for expr in &cx.deck.exprs {
             let known = |id: &ExprId| constant.get(id.0 as usize).copied().unwrap_or(false);
@@ -427,7 +428,7 @@ impl<'a> Oracle<'a> {
             }
             Err(_) => {
                 let mut together =
-                    |state: &mut State, cx: &mut BlockContext| state.read_words(cx, block, told).map(|_| ());
+                    |state: &mut RunState, cx: &mut BlockContext| state.read_words(cx, block, told).map(|_| ());
                 let finding = self.always(block, &[Alarm::ArgumentSets], &mut together);
                 self.note(finding);
                 for (at, word) in told.iter().enumerate() {
@@ -469,7 +470,7 @@ impl<'a> Oracle<'a> {
         &mut self,
         block: &Block,
         alarms: &[Alarm],
-        run: &mut dyn FnMut(&mut State, &mut BlockContext) -> Run<()>,
+        run: &mut dyn FnMut(&mut RunState, &mut BlockContext) -> Run<()>,
     ) -> Option<Diagnostic> {
         let mut said: Option<Diagnostic> = None;
         for at in 0..=self.modals.len() {

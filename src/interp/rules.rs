@@ -1,11 +1,13 @@
 //! What rows and switches of a control come to while a program runs: open points as they are set, ranges, roundings.
 
-use super::block::M_CODES;
 use super::canon::AXES;
 use crate::controls::macros::VacantWord;
 use crate::controls::syntax::letter_bits;
 use crate::controls::{Alarm, Code, CodeId, Control, Group, Limits, Point, SpindleRules, Switches};
 use crate::text::number;
+
+/// M codes of a block that act on any control.
+pub(super) const M_CODES: u8 = 8;
 
 /// Where the results of ASIN lie, in degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,9 +1,11 @@
 //! S, constant surface speed, limits of the speed, angles: what the words of a block command of the spindle.
 
-use super::block::{Codes, Words};
 use super::canon::{AXES, Canon, Target};
+use super::codes::Codes;
+use super::context::BlockContext;
 use super::error::{Run, Trap};
-use super::state::{BlockContext, State};
+use super::state::RunState;
+use super::words::Words;
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Alarm, Code};
 use crate::drives::Approach;
@@ -11,7 +13,7 @@ use crate::drives::orient::turn;
 use crate::drives::speed::SpeedLimit;
 use crate::msg;
 
-impl State {
+impl RunState {
     /// S, and constant surface speed on and off. `surface` is its zero before the block, where it was on.
     #[inline]
     pub(super) fn speed(&mut self, cx: &BlockContext, codes: &Codes, values: &Words, surface: Option<i64>) -> Run<()> {

@@ -1,10 +1,11 @@
 //! Reading and writing variables, those of the system among them.
 
 use super::canon::{AXES, Canon};
+use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::eval::variable_number;
 use super::index::Slot;
-use super::state::{BlockContext, State};
+use super::state::RunState;
 use super::vars::VACANT;
 use crate::controls::vars::Width;
 use crate::controls::{Alarm, VarKind, VarRange};
@@ -12,7 +13,7 @@ use crate::math;
 use crate::msg;
 use crate::nc::{Block, Expr, ExprId};
 
-impl State {
+impl RunState {
     /// The value of a variable; vacant is NaN.
     #[inline]
     pub(super) fn read(&self, cx: &mut BlockContext, number: u32) -> Run<f64> {
@@ -224,7 +225,7 @@ impl State {
     }
 }
 
-impl State {
+impl RunState {
     /// A variable of the PLC is written beyond what it holds.
     #[cold]
     fn remark_output(&self, cx: &mut BlockContext, block: &Block, number: u32, written: f64, taken: f64) {

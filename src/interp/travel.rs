@@ -1,17 +1,19 @@
 //! The command for the axis words of a block: motion, dwell, coordinate systems. Radii of arcs and leads count what the slide moves.
 
 use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent, passes};
-use super::block::{Codes, Words};
 use super::canon::{AXES, Canon, Feed, Target};
+use super::codes::Codes;
+use super::context::BlockContext;
 use super::error::{Run, Trap};
-use super::state::{ArcGeometry, BlockContext, LastMotion, State};
+use super::state::{ArcGeometry, LastMotion, RunState};
+use super::words::Words;
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code};
 use crate::math;
 use crate::msg;
 use crate::nc::Dimensioning;
 
-impl State {
+impl RunState {
     /// The command for the axis words of a block; whether axes move.
     #[inline]
     pub(super) fn motion(&mut self, cx: &BlockContext, codes: &Codes, values: &Words) -> Run<bool> {

@@ -1,9 +1,9 @@
 //! Words as numbers: command increments, feeds, whole numbers, with the meaning of the point and the range of each address.
 
-use super::call::word_span;
+use super::context::BlockContext;
 use super::error::{Run, Trap};
-use super::eval::WHOLE;
-use super::state::{BlockContext, State};
+use super::operators::WHOLE;
+use super::state::RunState;
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, CodeNumber};
 use crate::msg;
@@ -29,7 +29,7 @@ fn cut(value: f64) -> f64 {
     if (value - nearest).abs() < WHOLE { nearest } else { value.trunc() }
 }
 
-impl State {
+impl RunState {
     /// The value of a word as it stands, `None` where it is vacant and the word is left out; on some controls it is 0 instead.
     pub(super) fn raw(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         if !cx.shared.rules.round_to_step {
@@ -55,7 +55,7 @@ impl State {
             WordValue::Expr(id) => match self.value(cx, id) {
                 Ok(value) if value.is_nan() => Ok(cx.shared.rules.vacant_word.then_some(0.0)),
                 Ok(value) => Ok(Some(value)),
-                Err(trap) => Err(trap.within(word_span(block, word))),
+                Err(trap) => Err(trap.within(word.span(block))),
             },
         }
     }
@@ -107,7 +107,7 @@ impl State {
             && dec.to_f64().fract() != 0.0
         {
             let letter = char::from(word.letter).to_string();
-            self.remark(cx, word_span(block, word), msg!("interp.decimals-dropped", letter));
+            self.remark(cx, word.span(block), msg!("interp.decimals-dropped", letter));
         }
     }
 
@@ -222,7 +222,7 @@ impl State {
             Ok(Some(speed))
         } else if surface {
             let message = msg!("interp.surface-range", (speed, 9), min, max);
-            Err(Trap::alarm(Alarm::SurfaceRange, message).within(word_span(block, word)))
+            Err(Trap::alarm(Alarm::SurfaceRange, message).within(word.span(block)))
         } else {
             Err(self.out_of_range(cx, block, word, min, max))
         }
@@ -254,6 +254,6 @@ impl State {
             long::LIMS => Alarm::SpeedLimitRange,
             _ => Alarm::OutOfRange,
         };
-        Trap::alarm(alarm, message).within(word_span(block, word))
+        Trap::alarm(alarm, message).within(word.span(block))
     }
 }

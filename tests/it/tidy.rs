@@ -326,18 +326,24 @@ fn nothing_is_left_undone_or_switched_off() {
 }
 
 /// Rooms whose files import one another in one direction only; to grow to [`ORDER`].
-const WITHOUT_CIRCLES: [&str; 5] = ["math", "order", "text", "drives", "view"];
+const WITHOUT_CIRCLES: [&str; 6] = ["math", "text", "drives", "interp", "view", "machines"];
+
+/// Rooms in which a `mod.rs` and the files below it may still take names from one another; to shrink to none.
+const WITH_FACES: [&str; 5] = ["controls", "nc", "machines", "project", "ui"];
 
 #[test]
 fn no_files_import_one_another_in_a_circle() {
     let covered = sources().filter(|source| source.room().is_some_and(|room| WITHOUT_CIRCLES.contains(&room)));
     let mend = "move what both need into a file of its own below them, or hand it in as an argument";
-    hold("Imports between files lead one way.", mend, Imports::new(covered.collect()).circles());
+    hold(
+        "Imports between files lead one way.",
+        mend,
+        Imports::new(covered.collect()).without_faces(&WITH_FACES).circles(),
+    );
 }
 
 /// Names that two public types have today; to shrink to none.
-const TWICE: [&str; 10] =
-    ["Block", "Cut", "Derived", "Formula", "Listed", "Outcome", "Params", "Program", "Setup", "Value"];
+const TWICE: [&str; 9] = ["Block", "Cut", "Derived", "Formula", "Outcome", "Params", "Program", "Setup", "Value"];
 
 #[test]
 fn no_two_public_types_have_one_name() {
@@ -353,7 +359,7 @@ fn no_two_public_types_have_one_name() {
 }
 
 /// Rooms whose functions and structs are short; to grow to all but the rows of `controls/`.
-const SHORT: [&str; 5] = ["math", "order", "text", "drives", "view"];
+const SHORT: [&str; 4] = ["math", "text", "drives", "view"];
 
 #[test]
 fn functions_and_structs_are_taken_in_at_a_glance() {

@@ -89,6 +89,17 @@ impl<'a> Imports<'a> {
         through.into_iter().next().or((!module.is_empty()).then_some(at))
     }
 
+    /// Leaves out what a `mod.rs` and the files below it take from one another, in some rooms.
+    pub(super) fn without_faces(mut self, rooms: &[&str]) -> Imports<'a> {
+        let face = |upper: usize, lower: usize| {
+            let (upper, lower) = (self.files[upper].modules(), self.files[lower].modules());
+            lower.len() > upper.len() && lower.starts_with(&upper) && rooms.contains(&upper[0])
+        };
+        let ties = std::mem::take(&mut self.ties);
+        self.ties = ties.into_iter().filter(|((from, to), _)| !face(*from, *to) && !face(*to, *from)).collect();
+        self
+    }
+
     /// Files that import one another in a circle, each circle with its imports as lines of text.
     pub(super) fn circles(&self) -> Vec<String> {
         let count = self.files.len();

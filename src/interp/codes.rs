@@ -1,0 +1,256 @@
+//! The G and M codes of a block: which are put in force, and what they make of its other words.
+
+use super::canon::Canon;
+use super::context::BlockContext;
+use super::error::{Run, Trap};
+use super::rules::M_CODES;
+use super::state::RunState;
+use crate::controls::macros::{CallKind, CodeCall};
+use crate::controls::syntax::long;
+use crate::controls::{Alarm, Code, CodeDef, CodeId, Group};
+use crate::drives::Approach;
+use crate::msg;
+use crate::nc::{Block, Word, WordValue};
+
+/// M00.
+pub(super) const STOP: u8 = 1;
+
+/// M01.
+pub(super) const OPTIONAL_STOP: u8 = 2;
+
+/// M02, M30.
+pub(super) const END: u8 = 4;
+
+/// The codes of a block.
+#[derive(Default)]
+pub(super) struct Codes {
+    /// Dwell, reference return, coordinate setting, macro call …: what the words are for.
+    pub(super) special: Option<Code>,
+    /// A code that is not simulated takes the axis words.
+    pub(super) unmoved: bool,
+    /// Blocks from P to Q are a contour, not motions.
+    pub(super) contour: bool,
+    /// A code that is not simulated, or the end of one, may take any word.
+    pub(super) any_word: bool,
+    /// Exact stop in this block.
+    pub(super) exact: bool,
+    /// Exact stop mode or cutting mode is commanded.
+    pub(super) path: bool,
+    pub(super) spindle: Option<i8>,
+    pub(super) gear: Option<u8>,
+    /// Angle that the spindle goes to.
+    pub(super) orient: Option<(f64, Approach)>,
+    pub(super) auxiliary: [u32; M_CODES as usize],
+    pub(super) auxiliaries: usize,
+    /// [`STOP`], [`OPTIONAL_STOP`], [`END`].
+    pub(super) stops: u8,
+    /// M98, M99.
+    pub(super) flow: Option<Code>,
+    /// A code that calls a program by parameter.
+    pub(super) call: Option<CodeCall>,
+    /// An argument is the number of an M code that cannot stand beside a call.
+    pub(super) mixed: bool,
+    /// Index of the word that calls a macro.
+    pub(super) caller: usize,
+    /// Words that are read: all, or those in front of an optional block skip.
+    pub(super) count: usize,
+}
+
+impl Codes {
+    /// S is a limit of the speed.
+    pub(super) fn limits(&self) -> bool {
+        matches!(self.special, Some(Code::LowerLimits | Code::UpperLimits | Code::SetCoordinates))
+    }
+}
+
+impl RunState {
+    /// Puts the codes of a block in force.
+    #[inline]
+    pub(super) fn codes(&mut self, cx: &mut BlockContext, block: &Block, words: &[Word], codes: &mut Codes) -> Run<()> {
+        for (at, word) in words.iter().enumerate() {
+            match word.letter {
+                b'G' => {
+                    let Some(number) = self.code_number(cx, block, word)? else { continue };
+                    let id = CodeId::G(number);
+                    if self.calls(cx, id, at, codes) {
+                        continue;
+                    }
+                    let Some(row) = cx.codes().row(id) else {
+                        let written = self.raw(cx, block, word)?.unwrap_or(0.0);
+                        let trap = Trap::alarm(Alarm::UnknownCode, msg!("interp.unknown-code", written));
+                        return Err(trap.within(word.span(block)));
+                    };
+                    self.g_code(cx, row, at, codes);
+                }
+                // Behind a macro call it is an argument.
+                b'M' if codes.special.is_some() && macro_kind(codes).is_some() => codes.mixed |= mixes(cx, word),
+                b'M' if self.spindle_of(word) > 1 && self.other_spindle(cx, block, word)? => {}
+                b'M' if at + 1 < words.len() && self.is_overtaken(cx, block, words, at)? => {}
+                b'M' => self.m_word(cx, block, word, at, codes)?,
+                long::NAME => self.named_code(cx, word, at, codes),
+                b'/' if self.skips(cx, word) => {
+                    codes.count = at;
+                    break;
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The spindle that a word is for.
+    #[inline]
+    pub(super) fn spindle_of(&self, word: &Word) -> u8 {
+        word.index.unwrap_or(self.modal.master)
+    }
+
+    /// Takes an M word of another spindle than the machine's own; whether it is that spindle's.
+    #[cold]
+    fn other_spindle(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<bool> {
+        let Some(number) = self.whole(cx, block, word)? else { return Ok(word.index.is_some()) };
+        let sign = match cx.codes().row(CodeId::M(number as u32)).map(|row| row.code) {
+            Some(Code::SpindleCw) => 1,
+            Some(Code::SpindleCcw) => -1,
+            Some(Code::SpindleStop) => 0,
+            Some(Code::SpindleOrient | Code::GearStage(_)) => {
+                let spindle = u32::from(self.spindle_of(word));
+                self.remark(cx, word.span(block), msg!("interp.other-spindle-word", spindle));
+                return Ok(true);
+            }
+            _ => return Ok(word.index.is_some()),
+        };
+        self.modal.other.1 = sign != 0;
+        self.queue.push(Canon::OtherSpindle { spindle: self.spindle_of(word), sign });
+        Ok(true)
+    }
+
+    /// Whether so many M codes follow that this one does not act.
+    fn is_overtaken(&self, cx: &mut BlockContext, block: &Block, words: &[Word], at: usize) -> Run<bool> {
+        let most = cx.shared.rules.m_codes;
+        let mut behind = 0;
+        for word in words.get(at + 1..).unwrap_or_default() {
+            match word.letter {
+                b'/' if self.skips(cx, word) => break,
+                b'M' if word.index.is_none_or(|spindle| spindle <= 1) && self.raw(cx, block, word)?.is_some() => {
+                    behind += 1;
+                }
+                _ => continue,
+            }
+            if behind == most && cx.shared.rules.m_alarm {
+                let trap = Trap::alarm(Alarm::Auxiliaries, msg!("interp.m-codes", u32::from(most)));
+                return Err(trap.within(word.span(block)));
+            }
+        }
+        if behind >= most
+            && let Some(word) = words.get(at)
+        {
+            self.remark(cx, word.span(block), msg!("interp.m-code-dropped", u32::from(most)));
+        }
+        Ok(behind >= most)
+    }
+
+    /// Takes a code that is a name.
+    #[cold]
+    fn named_code(&mut self, cx: &BlockContext, word: &Word, at: usize, codes: &mut Codes) {
+        match cx.codes().row_of(word) {
+            Some(row) if row.code == Code::Return => codes.flow = Some(Code::Return),
+            Some(row) if row.code == Code::MasterSpindle => self.modal.master = word.index.unwrap_or(1),
+            Some(row) => self.g_code(cx, row, at, codes),
+            None => {}
+        }
+    }
+
+    /// Whether an optional block skip in the middle of a block is switched on.
+    #[cold]
+    fn skips(&self, cx: &mut BlockContext, word: &Word) -> bool {
+        let WordValue::Number(number) = word.value else { return false };
+        cx.world.block_skip(u8::try_from(number.mantissa).unwrap_or(1).max(1))
+    }
+
+    /// Takes a code that calls a program. Within a program that was called by a code there are none.
+    #[inline]
+    fn calls(&self, cx: &BlockContext, id: CodeId, at: usize, codes: &mut Codes) -> bool {
+        let call = cx.codes().call(id).filter(|_| !self.called_by_code());
+        if call.is_some() {
+            (codes.call, codes.caller) = (call.copied(), at);
+        }
+        call.is_some()
+    }
+
+    #[inline]
+    fn g_code(&mut self, cx: &BlockContext, row: &CodeDef, at: usize, codes: &mut Codes) {
+        use Code::*;
+        match row.code {
+            GoTo(_) | Dwell | ReferenceReturn | MachineCoordinates | MachineRapid | SetCoordinates
+            | LocalCoordinates | Offset | OffsetMore | LowerLimits | UpperLimits | MacroCall | MacroModal
+            | MacroModalBlock | MacroModalEnd | Skip => {
+                (codes.special, codes.caller) = (Some(row.code), at);
+            }
+            Tapping if row.group == Group::OneShot => codes.special = Some(row.code),
+            ExactStopOnce => codes.exact = true,
+            ExactStop | Cutting => codes.path = self.modal.exact != (row.code == ExactStop),
+            NotSimulated | Cancel => {
+                codes.any_word = true;
+                codes.unmoved |= row.code == NotSimulated && row.group == Group::OneShot;
+            }
+            Roughing => (codes.any_word, codes.unmoved, codes.contour) = (true, true, true),
+            _ => {}
+        }
+        self.modal.set(cx.control, row);
+    }
+
+    fn m_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, at: usize, codes: &mut Codes) -> Run<()> {
+        let Some(number) = self.whole(cx, block, word)? else { return Ok(()) };
+        if !(0.0..=99_999_999.0).contains(&number) {
+            return Err(self.out_of_range(cx, block, word, 0.0, 99_999_999.0));
+        }
+        let number = number as u32;
+        self.modal.word(b'M', f64::from(number));
+        let id = CodeId::M(number);
+        if self.calls(cx, id, at, codes) {
+            return Ok(());
+        }
+        match cx.codes().row(id).map(|row| row.code) {
+            Some(Code::End | Code::EndRewind) if cx.shared.rules.ends_return && !self.frames.is_empty() => {
+                codes.flow = Some(Code::SubEnd);
+            }
+            Some(Code::Stop) => codes.stops |= STOP,
+            Some(Code::OptionalStop) => codes.stops |= OPTIONAL_STOP,
+            Some(Code::End | Code::EndRewind) => codes.stops |= END,
+            Some(code @ (Code::SubCall | Code::SubEnd)) => codes.flow = Some(code),
+            Some(Code::SpindleCw) => codes.spindle = Some(1),
+            Some(Code::SpindleCcw) => codes.spindle = Some(-1),
+            Some(Code::SpindleStop) => codes.spindle = Some(0),
+            Some(Code::GearStage(stage)) => codes.gear = Some(stage),
+            Some(Code::SpindleOrient) if cx.shared.rules.spindle.orients => {
+                codes.orient = Some((0.0, Approach::Direct))
+            }
+            _ => {
+                if let Some(place) = codes.auxiliary.get_mut(codes.auxiliaries) {
+                    *place = number;
+                    codes.auxiliaries += 1;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// How the block calls a macro with its words as arguments, if it does.
+pub(super) fn macro_kind(codes: &Codes) -> Option<CallKind> {
+    match (codes.call, codes.special) {
+        (Some(call), _) => (call.kind != CallKind::Sub).then_some(call.kind),
+        (None, Some(Code::MacroCall)) => Some(CallKind::Macro),
+        (None, Some(Code::MacroModal)) => Some(CallKind::Modal),
+        (None, Some(Code::MacroModalBlock)) => Some(CallKind::ModalBlock),
+        (None, _) => None,
+    }
+}
+
+/// Whether an M word in a macro call is one that stops, ends, calls or returns.
+#[cold]
+fn mixes(cx: &BlockContext, word: &Word) -> bool {
+    use Code::{End, EndRewind, OptionalStop, Stop, SubCall, SubEnd};
+    let row = cx.codes().row_of(word);
+    row.is_some_and(|row| matches!(row.code, Stop | OptionalStop | End | EndRewind | SubCall | SubEnd))
+}

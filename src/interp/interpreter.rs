@@ -1,0 +1,145 @@
+//! [`Interp`]: a run of a program, stepped by its caller.
+
+use std::rc::Rc;
+
+use super::canon::{AXES, Canon, CanonNames};
+use super::context::Shared;
+use super::index::{Index, Slot};
+use super::rules::{Rules, Units};
+use super::state::RunState;
+use super::step::{Counts, End, StartProgram, Step};
+use super::world::World;
+use super::{modal_history, vars};
+use crate::controls::{Control, Switches, VarKind};
+use crate::nc::Parsed;
+use crate::text::Place;
+
+/// A run of a program. A copy is a checkpoint: it shares what neither side has changed.
+#[derive(Debug, Clone)]
+pub struct Interp {
+    pub(super) shared: Rc<Shared>,
+    pub(super) state: RunState,
+}
+
+impl Interp {
+    /// A run at its start, axes at machine zero, variables vacant. `switches` settle the open points of the control.
+    pub fn new(parsed: Rc<Parsed>, start: StartProgram, switches: &Switches) -> Interp {
+        let control = parsed.control();
+        let index = Index::new(parsed.deck(), control, switches);
+        let start = match start {
+            StartProgram::First if parsed.deck().programs.is_empty() => Err(0),
+            StartProgram::First => Ok(0),
+            StartProgram::Nth(at) => Ok(at),
+            StartProgram::Program(number) => index.program(number).ok_or(number),
+        };
+        let rules = Rules::new(control, switches);
+        let executing = modal_history::is_asked(parsed.deck(), control);
+        let shared = Rc::new(Shared { parsed, control, index, rules, units: Units::new(control), start, executing });
+        Interp { state: RunState::new(&shared), shared }
+    }
+
+    /// Does at most one block, or hands out one more command of the block before.
+    #[inline]
+    pub fn step(&mut self, world: &mut dyn World) -> Step {
+        self.state.step(&self.shared, world)
+    }
+
+    /// Blocks read since the start. A block counts when its first command is handed out.
+    pub fn blocks(&self) -> Counts {
+        self.state.counts
+    }
+
+    /// The program that runs.
+    pub fn parsed(&self) -> &Rc<Parsed> {
+        &self.shared.parsed
+    }
+
+    /// The control that runs it.
+    pub fn control(&self) -> &'static Control {
+        self.shared.control
+    }
+
+    /// What canonical lines of this run are written with.
+    pub fn names(&self) -> CanonNames<'static> {
+        CanonNames { axes: self.shared.control.axes, increment: self.shared.control.limits.increment }
+    }
+
+    /// The block with a sequence number in the program that a run starts with.
+    pub fn numbered(&self, sequence: u32) -> Option<Place> {
+        let deck = self.shared.parsed.deck();
+        let program = deck.programs.get(*self.shared.start.as_ref().ok()? as usize)?;
+        let block = deck.blocks_of(program).iter().find(|block| block.number == Some(sequence))?;
+        Some(Place { file: program.file, span: block.span })
+    }
+
+    /// A variable: `None` where it is vacant or nothing that the interpreter keeps.
+    pub fn variable(&self, number: u32) -> Option<f64> {
+        let value = match self.shared.index.slot(self.shared.control, number) {
+            Slot::Local(index) => self.state.vars.local(index),
+            Slot::Common(slot) => self.state.vars.common(slot),
+            Slot::Row(_) | Slot::None => return None,
+        };
+        (!value.is_nan()).then_some(value)
+    }
+
+    /// Sets a local or common variable as on the control's screen; `None` makes it vacant. Whether the control has it.
+    pub fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool {
+        let value = value.filter(|value| value.is_finite()).unwrap_or(vars::VACANT);
+        match self.shared.index.slot(self.shared.control, number) {
+            Slot::Local(index) => self.state.vars.set_local(index, value),
+            Slot::Common(slot) => self.state.vars.set_common(slot, value),
+            Slot::Row(_) | Slot::None => return false,
+        }
+        true
+    }
+
+    /// Every local (of the running level) and common variable that is not vacant, in rising order, by the control's own names.
+    pub fn variables(&self) -> impl Iterator<Item = (String, f64)> + '_ {
+        let kept = |kind| matches!(kind, VarKind::Local | VarKind::Common | VarKind::Retained);
+        let rows = self.shared.control.vars.iter().filter(move |row| kept(row.kind));
+        let numbers = rows.flat_map(|row| row.first..=row.last);
+        numbers.filter_map(|number| Some((self.shared.control.variable(number), self.variable(number)?)))
+    }
+
+    /// Where the axes are when everything read so far is done, in command increments of the machine frame.
+    pub fn position(&self) -> [i64; AXES] {
+        self.state.position
+    }
+
+    /// Tells where the axes are, for instance after a reset in the middle of a motion.
+    pub fn set_position(&mut self, position: [i64; AXES]) {
+        self.state.position = position;
+    }
+
+    /// Subprograms and macros that are running inside one another.
+    pub fn depth(&self) -> usize {
+        self.state.frames.len()
+    }
+
+    /// The reset key: back to the start of the program with the codes in force after power-on. Positions stay, and of the variables what
+    /// the control keeps.
+    pub fn reset(&mut self) {
+        self.state.reset(&self.shared);
+    }
+}
+
+/// Steps until the program is over or `blocks` blocks are read (`None`), and hands out every command. Time does not pass: what a program
+/// waits for has happened.
+pub fn run(
+    interp: &mut Interp,
+    world: &mut dyn World,
+    blocks: u64,
+    mut each: impl FnMut(&Canon, Place),
+) -> Option<End> {
+    loop {
+        match interp.step(world) {
+            Step::Command(canon, place) => each(&canon, place),
+            Step::Logic(_) | Step::Sync(_) => {}
+            Step::Ended(end) => return Some(end),
+        }
+        let counts = interp.blocks();
+        if counts.nc + counts.macros >= blocks {
+            return None;
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! Operators and functions of formulas: degrees, 32-bit logic, and an alarm wherever a calculation has no result.
+
+use super::context::BlockContext;
+use super::error::{Run, Trap};
+use super::rules::AsinRange;
+use crate::controls::Alarm;
+use crate::controls::syntax::Function;
+use crate::math;
+use crate::msg;
+use crate::nc::Op;
+
+/// A vacant operand of a calculation counts as 0.
+#[inline]
+pub(super) fn or_zero(x: f64) -> f64 {
+    if x.is_nan() { 0.0 } else { x }
+}
+
+/// A value that misses a whole number by less than this is that number.
+pub(super) const WHOLE: f64 = 1e-6;
+
+/// A value as a number of 32 bits, for AND, OR and XOR.
+fn bits(cx: &BlockContext, x: f64) -> Run<i32> {
+    let whole = x.round();
+    if cx.control.macros.whole_bits && (x - whole).abs() >= WHOLE {
+        return Err(Trap::alarm(Alarm::NotWhole, msg!("interp.not-whole", (x, 9))));
+    }
+    if whole.abs() > 4_294_967_295.0 {
+        return Err(Trap::alarm(Alarm::Calculation, msg!("interp.not-32-bits", x)));
+    }
+    // The upper half of the unsigned range wraps to negative numbers.
+    Ok(whole as i64 as i32)
+}
+
+/// Decimal digits of a whole number as groups of four bits, or back.
+fn regroup(x: f64, from: i64, to: i64) -> Run<f64> {
+    let error = || Trap::alarm(Alarm::Calculation, msg!("interp.not-bcd", x));
+    let mut rest = x.round() as i64;
+    if rest < 0 || rest > 99_999_999 && from == 10 || rest > 0x9999_9999 {
+        return Err(error());
+    }
+    let (mut result, mut place) = (0_i64, 1_i64);
+    while rest > 0 {
+        if rest % from > 9 {
+            return Err(error());
+        }
+        result += rest % from * place;
+        rest /= from;
+        place *= to;
+    }
+    Ok(result as f64)
+}
+
+/// The value of a function.
+pub(super) fn function(cx: &BlockContext, function: Function, x: f64) -> Run<f64> {
+    let outside = |alarm: Alarm| {
+        let name = cx.control.syntax.functions.iter().find(|row| row.1 == function).map_or("", |row| row.0);
+        Err(Trap::alarm(alarm, msg!("interp.outside-domain", name, (x, 9))))
+    };
+    let result = match function {
+        Function::Sin => math::sin_cos_degrees(x).0,
+        Function::Cos => math::sin_cos_degrees(x).1,
+        Function::Tan => match math::tan_degrees(x) {
+            Some(tan) => tan,
+            None => return outside(Alarm::Tangent),
+        },
+        Function::Asin | Function::Acos if x.abs() > 1.0 => return outside(Alarm::ArcFunction),
+        Function::Asin => match (math::asin_degrees(x), cx.shared.rules.asin) {
+            (angle, AsinRange::AroundHalfTurn) => 180.0 - angle,
+            (angle, AsinRange::WithinTurn) if angle < 0.0 => angle + 360.0,
+            (angle, _) => angle,
+        },
+        Function::Acos => math::acos_degrees(x),
+        Function::Atan => math::atan2_degrees(x, 1.0),
+        Function::Sqrt if x < 0.0 => return outside(Alarm::SquareRoot),
+        Function::Sqrt => x.sqrt(),
+        Function::Abs => x.abs(),
+        Function::Bin => regroup(x, 16, 10)?,
+        Function::Bcd => regroup(x, 10, 16)?,
+        Function::Square => x * x,
+        // Half away from zero, as Rust rounds.
+        Function::Round => (x * cx.parts).round() / cx.parts,
+        Function::Fix => x.trunc(),
+        Function::Fup => x.abs().ceil().copysign(x),
+        Function::Ln if x <= 0.0 => return outside(Alarm::Logarithm),
+        Function::Ln => math::ln(x),
+        Function::Exp => math::exp(x),
+    };
+    in_range(cx, result)
+}
+
+/// A result, if the control's numbers reach to it.
+#[inline]
+fn in_range(cx: &BlockContext, x: f64) -> Run<f64> {
+    let (least, most) = cx.shared.rules.result;
+    let size = x.abs();
+    if size <= most && (size >= least || size == 0.0) {
+        Ok(x)
+    } else {
+        Err(out_of_range(size >= least || size.is_nan()))
+    }
+}
+
+#[cold]
+fn out_of_range(large: bool) -> Trap {
+    Trap::alarm(Alarm::Overflow, if large { msg!("interp.overflow") } else { msg!("interp.underflow") })
+}
+
+/// The value of an operator between two numbers. Comparisons give 1 or 0.
+pub(super) fn operate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
+    calculate(cx, op, a, b)
+}
+
+/// Whether nothing can be divided by a number: MOD rounds it before, but for controls with truths.
+#[inline]
+pub(super) fn divides_not(cx: &BlockContext, op: Op, b: f64) -> bool {
+    match op {
+        Op::Divide => b == 0.0,
+        Op::Modulo if cx.control.macros.truths => b == 0.0,
+        Op::Modulo => b.round() == 0.0,
+        _ => false,
+    }
+}
+
+/// The same in the midst of a formula.
+#[inline(always)]
+pub(super) fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
+    match op {
+        Op::Add => in_range(cx, a + b),
+        Op::Subtract => in_range(cx, a - b),
+        Op::Multiply => in_range(cx, a * b),
+        Op::Divide | Op::Modulo if divides_not(cx, op, b) => {
+            Err(Trap::alarm(Alarm::DivisionByZero, msg!("interp.division-by-zero")))
+        }
+        Op::Divide => in_range(cx, a / b),
+        Op::Modulo if cx.control.macros.truths => in_range(cx, a % b),
+        // Both are rounded before, as in Custom Macro B.
+        Op::Modulo => in_range(cx, a.round() % b.round()),
+        Op::Atan => {
+            let angle = math::atan2_degrees(a, b);
+            Ok(if cx.shared.rules.atan_turn && angle < 0.0 { angle + 360.0 } else { angle })
+        }
+        Op::And | Op::Or | Op::Xor if cx.control.macros.truths => truth(match op {
+            Op::And => a != 0.0 && b != 0.0,
+            Op::Or => a != 0.0 || b != 0.0,
+            _ => (a != 0.0) != (b != 0.0),
+        }),
+        Op::And => Ok(f64::from(bits(cx, a)? & bits(cx, b)?)),
+        Op::Or => Ok(f64::from(bits(cx, a)? | bits(cx, b)?)),
+        Op::Xor => Ok(f64::from(bits(cx, a)? ^ bits(cx, b)?)),
+        Op::Equal => truth(a == b || close(cx, a, b)),
+        Op::NotEqual => truth(a != b && !close(cx, a, b)),
+        Op::Greater => truth(a > b && !close(cx, a, b)),
+        Op::GreaterEqual => truth(a >= b || close(cx, a, b)),
+        Op::Less => truth(a < b && !close(cx, a, b)),
+        Op::LessEqual => truth(a <= b || close(cx, a, b)),
+    }
+}
+
+/// Whether two numbers count as equal although they differ.
+#[inline]
+fn close(cx: &BlockContext, a: f64, b: f64) -> bool {
+    let part = cx.control.macros.equal_within;
+    part > 0.0 && (a - b).abs() <= part * a.abs().max(b.abs())
+}
+
+#[inline]
+pub(super) fn truth(x: bool) -> Run<f64> {
+    Ok(f64::from(u8::from(x)))
+}

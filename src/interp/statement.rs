@@ -1,0 +1,83 @@
+//! The statements of macro programs: assignments, jumps, loops, calls by name, messages.
+
+use super::canon::Canon;
+use super::context::BlockContext;
+use super::error::{Run, Trap};
+use super::state::RunState;
+use crate::controls::Alarm;
+use crate::msg;
+use crate::nc::{Block, Stmt};
+use crate::text::{Diagnostic, Place};
+
+impl RunState {
+    pub(super) fn block(&mut self, cx: &mut BlockContext, at: u32, block: &Block) -> Run<()> {
+        if block.skip > 0 && cx.world.block_skip(block.skip) {
+            self.counts.macros += 1;
+            return Ok(());
+        }
+        if let Some(number) = block.number {
+            self.modal.word(b'N', f64::from(number));
+        }
+        if let Stmt::Words { .. } = block.stmt {
+            return self.words(cx, at, block, cx.deck.words_of(block));
+        }
+        match block.stmt {
+            Stmt::Words { .. } | Stmt::Empty => {}
+            Stmt::Assign { to, value } => self.assign(cx, block, to, value)?,
+            Stmt::If { cond, target, .. } => {
+                if self.number(cx, cond)? != 0.0 {
+                    self.go_to(cx, at, target)?;
+                }
+            }
+            Stmt::Assigns { first, count } => {
+                for pair in cx.deck.pairs_of(first, count) {
+                    self.assign(cx, block, pair.left, pair.right)?;
+                }
+            }
+            Stmt::Ifs { first, count } => {
+                for pair in cx.deck.pairs_of(first, count) {
+                    if self.number(cx, pair.left)? != 0.0 {
+                        self.go_to(cx, at, pair.right)?;
+                        break;
+                    }
+                }
+            }
+            Stmt::Call { name, repeats } => self.call_named(cx, name, repeats)?,
+            Stmt::Message(text) => self.queue.push(Canon::Show { text: cx.deck.text(text).to_owned() }),
+            Stmt::IfThen { cond, to, value } => {
+                if self.number(cx, cond)? != 0.0 {
+                    self.assign(cx, block, to, value)?;
+                }
+            }
+            Stmt::Goto { target, .. } => self.go_to(cx, at, target)?,
+            Stmt::While { cond, .. } => {
+                let end = self.partner(cx, at)?;
+                let goes_on = match cond {
+                    Some(cond) => self.number(cx, cond)? != 0.0,
+                    None => true,
+                };
+                if !goes_on {
+                    self.at = end.saturating_add(1);
+                }
+            }
+            Stmt::End { .. } => self.at = self.partner(cx, at)?,
+            Stmt::Bad(alarm) => return Err(self.bad_block(cx, block, alarm)),
+        }
+        self.counts.macros += 1;
+        Ok(())
+    }
+
+    /// The alarm of a block that could not be read, in the words of who read it.
+    #[cold]
+    fn bad_block(&self, cx: &BlockContext, block: &Block, alarm: Alarm) -> Trap {
+        let here = |place: Place| {
+            place.file == self.file && block.span.start <= place.span.start && place.span.end <= block.span.end
+        };
+        let number = cx.control.alarm_number(alarm);
+        let said = |finding: &&Diagnostic| finding.alarm.as_deref() == number && finding.place.is_some_and(here);
+        match cx.shared.parsed.diagnostics().iter().find(said) {
+            Some(finding) => Trap::repeat(alarm, finding),
+            None => Trap::alarm(alarm, msg!("interp.bad-block")),
+        }
+    }
+}

@@ -1,0 +1,301 @@
+//! The values of a block: axis words, feeds, speeds and the words that only some codes use.
+
+use super::canon::AXES;
+use super::codes::Codes;
+use super::context::BlockContext;
+use super::error::{Run, Trap};
+use super::modal::Radii;
+use super::state::RunState;
+use crate::controls::syntax::long;
+use crate::controls::{Alarm, Code};
+use crate::drives::Approach;
+use crate::msg;
+use crate::nc::{Block, Dimensioning, Word};
+
+/// Words that do nothing in most blocks: the centre of an arc, its radius, what is called and how often, all others.
+const CENTRE: u8 = 1;
+
+const RADIUS: u8 = 2;
+
+const CALLED: u8 = 4;
+
+const OTHERS: u8 = 8;
+
+/// Which of them a letter is for; 0 where it is for none.
+const fn class(letter: u8) -> u8 {
+    match letter {
+        b'I' | b'J' | b'K' => CENTRE,
+        b'R' | long::CR => RADIUS,
+        b'P' | b'L' => CALLED,
+        b'B' | b'E' | b'Q' => OTHERS,
+        _ => 0,
+    }
+}
+
+/// The values of a block.
+#[derive(Default)]
+pub(super) struct Words {
+    pub(super) axes: [i64; AXES],
+    /// Bit `k`: axis `k` was programmed.
+    pub(super) mask: u8,
+    /// Bit `k`: by its incremental address, or as an incremental value.
+    pub(super) incremental: u8,
+    /// Bit `k`: as an absolute value, whatever is in force.
+    pub(super) absolute: u8,
+    /// Axes X, Y, Z whose lead is programmed, bit by bit.
+    pub(super) leads: u8,
+    /// How the axes go to angles.
+    pub(super) ways: [Dimensioning; AXES],
+    /// I, J, K.
+    pub(super) center: [Option<i64>; 3],
+    /// I1, J1, K1: a point on the way.
+    pub(super) through: [Option<i64>; 3],
+    pub(super) radius: Option<i64>,
+    /// Degrees that an arc goes round.
+    pub(super) turn: Option<f64>,
+    pub(super) speed: Option<f64>,
+    /// Highest speed under constant surface speed.
+    pub(super) speed_limit: Option<f64>,
+    /// Angle that the spindle goes to.
+    pub(super) orient: Option<(f64, Approach)>,
+    pub(super) tool: Option<u32>,
+    pub(super) dwell: Option<f64>,
+    /// Turns of the spindle that a dwell lasts.
+    pub(super) dwell_turns: Option<f64>,
+    pub(super) p: Option<f64>,
+    pub(super) q: Option<f64>,
+    pub(super) h: Option<f64>,
+    pub(super) l: Option<f64>,
+    /// Classes of the words that do nothing in most blocks.
+    pub(super) rare: u8,
+}
+
+impl RunState {
+    /// Reads the values of a block; F stays in force.
+    #[inline]
+    pub(super) fn values(
+        &mut self,
+        cx: &mut BlockContext,
+        block: &Block,
+        words: &[Word],
+        codes: &Codes,
+        values: &mut Words,
+    ) -> Run<()> {
+        let inch = self.modal.inch;
+        let thread = matches!(self.modal.motion, Code::Thread | Code::Tapping);
+        // Limits behind S, and the first S of a surface speed, are words of their own.
+        let surface = self.modal.surface && !codes.limits();
+        for word in words {
+            let letter = word.letter;
+            // Words of another spindle, or of what is not simulated.
+            let spindles = matches!(letter, b'M' | b'S' | long::SPOS | long::LIMS);
+            // Whatever stands behind the axes that go to a point: X1=0.
+            if let (Some(Code::GoTo(_)), Some((axis, _))) = (codes.special, cx.shared.index.axis(letter)) {
+                values.mask |= 1 << axis;
+                continue;
+            }
+            if spindles && self.spindle_of(word) > 1 && codes.special != Some(Code::Dwell)
+                || !spindles && word.index.is_some()
+            {
+                self.indexed_word(cx, block, word, values)?;
+                continue;
+            }
+            if codes.special == Some(Code::Dwell) && cx.control.syntax.dwell_addresses.contains(&letter) {
+                let value = self.dwell_word(cx, block, word)?;
+                *(if letter == b'S' { &mut values.dwell_turns } else { &mut values.dwell }) = value;
+            } else if let Some((axis, incremental)) = cx.shared.index.axis(letter) {
+                let inch = inch && !cx.control.axes[axis].rotary;
+                let bit = 1 << axis;
+                let yields = incremental && values.mask & bit != 0 && cx.control.syntax.absolute_holds;
+                if let (Some(value), false) = (self.dimension(cx, block, word, inch)?, yields) {
+                    values.axes[axis] = value;
+                    values.mask |= bit;
+                    let relative = incremental || word.form == Dimensioning::Incremental;
+                    if relative || values.incremental != 0 {
+                        values.incremental = values.incremental & !bit | u8::from(relative) << axis;
+                    }
+                    if !matches!(word.form, Dimensioning::Plain | Dimensioning::Incremental) {
+                        values.absolute |= bit;
+                        values.ways[axis] = word.form;
+                    }
+                }
+            } else {
+                match letter {
+                    b'F' if thread && !cx.control.syntax.lead_by_axis => {
+                        if let Some(lead) = self.lead_word(cx, block, word, inch)? {
+                            self.modal.lead = Some(lead);
+                            self.modal.word(b'F', lead);
+                        }
+                    }
+                    b'F' => {
+                        if let Some(feed) = self.feed_word(cx, block, word, self.modal.inch_feed)? {
+                            self.modal.feed = Some(feed);
+                            self.modal.word(b'F', feed);
+                        }
+                    }
+                    b'S' => values.speed = self.speed_word(cx, block, word, surface)?,
+                    b'T' => {
+                        let tool = self.whole(cx, block, word)?;
+                        if let Some(tool) = tool {
+                            let most = f64::from(cx.control.limits.tool_max);
+                            if !(0.0..=most).contains(&tool) {
+                                return Err(self.out_of_range(cx, block, word, 0.0, most));
+                            }
+                            values.tool = Some(tool as u32);
+                        }
+                    }
+                    _ if thread && cx.control.syntax.threads_per_inch == Some(letter) => {
+                        let lead = match cx.shared.rules.fine_lead {
+                            true => self.lead_word(cx, block, word, inch)?,
+                            false => self.threads_word(cx, block, word)?,
+                        };
+                        self.modal.lead = lead.or(self.modal.lead);
+                    }
+                    b'I' | b'J' | b'K' if thread && cx.control.syntax.lead_by_axis => {
+                        self.modal.lead = self.lead_word(cx, block, word, inch)?.or(self.modal.lead);
+                        values.leads |= 1 << (letter - b'I');
+                    }
+                    b'I' | b'J' | b'K' => {
+                        values.center[(letter - b'I') as usize] = self.dimension(cx, block, word, inch)?;
+                        values.rare |= CENTRE;
+                    }
+                    b'R' | long::CR => {
+                        values.radius = self.dimension(cx, block, word, inch)?;
+                        values.rare |= RADIUS;
+                    }
+                    long::AR => {
+                        values.turn = self.raw(cx, block, word)?;
+                        if let Some(turn) = values.turn.filter(|turn| !(*turn > 0.0 && *turn < 360.0)) {
+                            let trap = Trap::alarm(Alarm::Arc, msg!("interp.arc-angle", (turn, 9)));
+                            return Err(trap.within(word.span(block)));
+                        }
+                    }
+                    long::LIMS => values.speed_limit = self.speed_word(cx, block, word, false)?,
+                    long::SPOS => {
+                        let approach = match word.form {
+                            Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Shortest => Approach::Direct,
+                            Dimensioning::Positive => Approach::Clockwise,
+                            Dimensioning::Negative => Approach::CounterClockwise,
+                            Dimensioning::Incremental => Approach::Incremental,
+                        };
+                        values.orient = self.raw(cx, block, word)?.map(|angle| (angle, approach));
+                    }
+                    b'P' | b'L' => {
+                        let number = self.whole(cx, block, word)?;
+                        *(if letter == b'P' { &mut values.p } else { &mut values.l }) = number;
+                        values.rare |= CALLED;
+                    }
+                    b'Q' => {
+                        values.q = self.raw(cx, block, word)?;
+                        values.rare |= OTHERS;
+                    }
+                    b'D' | b'H' => {
+                        let number = self.whole(cx, block, word)?;
+                        if let Some(number) = number {
+                            let most = cx.control.limits.offset_max.filter(|_| letter == b'D').map(f64::from);
+                            if let Some(most) = most.filter(|most| !(0.0..=*most).contains(&number)) {
+                                return Err(self.out_of_range(cx, block, word, 0.0, most));
+                            }
+                            self.modal.word(letter, number);
+                        }
+                        if letter == b'H' {
+                            values.h = number;
+                        }
+                    }
+                    b'B' | b'E' => values.rare |= OTHERS,
+                    _ => {}
+                }
+            }
+        }
+        let idle = values.rare != 0 && values.rare & !self.uses(codes, values) != 0;
+        if idle || codes.special == Some(Code::Dwell) && values.mask != 0 {
+            self.idle_words(cx, block, words, (codes, values))?;
+        }
+        if self.modal.radii != Radii::No {
+            self.double(cx, values);
+        }
+        Ok(())
+    }
+
+    /// A word of another spindle, or of a point on the way; all others with a number are of what is not simulated.
+    #[cold]
+    fn indexed_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut Words) -> Run<()> {
+        let at = usize::from(word.letter.wrapping_sub(b'I'));
+        if word.letter == b'S' {
+            self.modal.other.0 = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.other.0);
+        } else if matches!(word.letter, long::SPOS | long::LIMS) {
+            let spindle = u32::from(self.spindle_of(word));
+            self.remark(cx, word.span(block), msg!("interp.other-spindle-word", spindle));
+        } else if let (Code::ArcThrough, Some(1), Some(_)) = (self.modal.motion, word.index, values.through.get(at)) {
+            values.through[at] = self.dimension(cx, block, word, self.modal.inch)?;
+        }
+        Ok(())
+    }
+
+    /// The classes of rare words that do something in a block with these codes.
+    #[inline]
+    fn uses(&self, codes: &Codes, values: &Words) -> u8 {
+        let any = codes.any_word || codes.call.is_some() || self.modal.cycle || self.modal.motion == Code::NotSimulated;
+        let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw);
+        match (any, arc) {
+            (true, _) => u8::MAX,
+            // An arc that has its radius needs no centre.
+            (_, true) if values.radius.is_some() => RADIUS,
+            (_, true) => CENTRE,
+            (_, false) if codes.flow.is_some() => CALLED,
+            _ => 0,
+        }
+    }
+
+    /// Remarks the words of a block that do nothing in it, or refuses them where the control does.
+    #[cold]
+    fn idle_words(
+        &self,
+        cx: &mut BlockContext,
+        block: &Block,
+        words: &[Word],
+        (codes, values): (&Codes, &Words),
+    ) -> Run<()> {
+        let (uses, dwell) = (self.uses(codes, values), codes.special == Some(Code::Dwell));
+        for word in words {
+            let class = match word.letter {
+                letter if dwell && cx.control.syntax.dwell_addresses.contains(&letter) => continue,
+                letter if letter.is_ascii_alphabetic() && cx.shared.index.axis(letter).is_some() => {
+                    if !dwell {
+                        continue;
+                    }
+                    0
+                }
+                letter if class(letter) != 0 => class(letter),
+                _ => continue,
+            };
+            let corner = cx.control.syntax.corners.iter().any(|corner| corner.0 == word.letter);
+            let thread = self.modal.motion == Code::Thread && cx.control.syntax.threads_per_inch == Some(word.letter);
+            if uses & class == 0 && !corner && !thread {
+                let message = msg!("interp.idle-word", cx.control.address(word.letter));
+                if cx.control.raises(Alarm::IdleAddress) {
+                    return Err(Trap::alarm(Alarm::IdleAddress, message).within(word.span(block)));
+                }
+                self.remark(cx, word.span(block), message);
+            }
+        }
+        Ok(())
+    }
+
+    /// Words that count radii, on an axis whose positions are diameters.
+    #[cold]
+    fn double(&self, cx: &BlockContext, values: &mut Words) {
+        for k in (0..AXES).filter(|&k| cx.shared.rules.moves[k] != 1.0) {
+            let bit = 1 << k;
+            let relative = (values.incremental & bit != 0 || !self.modal.absolute) && values.absolute & bit == 0;
+            if self.modal.radii == Radii::All || relative {
+                values.axes[k] = values.axes[k].saturating_mul(2);
+            }
+            let letter = cx.control.axes.get(k).map_or(0, |axis| axis.letter);
+            if self.modal.radii == Radii::All || !self.modal.absolute {
+                let point = values.through.get_mut(usize::from(letter.wrapping_sub(b'X')));
+                point.into_iter().flatten().for_each(|value| *value = value.saturating_mul(2));
+            }
+        }
+    }
+}
