@@ -44,6 +44,13 @@ pub struct Event {
     pub action: Action,
 }
 
+impl Event {
+    /// The event at a time from 0 to the largest number.
+    fn in_range(self) -> Event {
+        Event { t: if self.t > 0.0 { self.t.min(f64::MAX) } else { 0.0 }, ..self }
+    }
+}
+
 /// Events in the order of time; equal times keep the order in which they were given.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Panel {
@@ -53,16 +60,14 @@ pub struct Panel {
 impl Panel {
     /// Sorts the events by time; times that are negative or no number become 0, infinite ones the largest number.
     pub fn new(events: impl IntoIterator<Item = Event>) -> Panel {
-        let mut panel = Panel::default();
-        for event in events {
-            panel.add(event);
-        }
-        panel
+        let mut events: Vec<Event> = events.into_iter().map(Event::in_range).collect();
+        events.sort_by(|a, b| a.t.total_cmp(&b.t));
+        Panel { events }
     }
 
     /// Adds an event behind all that are not later.
-    pub fn add(&mut self, mut event: Event) {
-        event.t = if event.t > 0.0 { event.t.min(f64::MAX) } else { 0.0 };
+    pub fn add(&mut self, event: Event) {
+        let event = event.in_range();
         let at = self.events.partition_point(|other| other.t <= event.t);
         self.events.insert(at, event);
     }

@@ -7,8 +7,7 @@ use crate::msg;
 use crate::nc::{self, File, Files};
 use crate::text::Diagnostic;
 
-/// Bytes of a program that is taken into a project at most; larger ones are only looked at.
-pub const MAX_PROGRAM: usize = 2_000_000;
+pub use super::saved::{MAX_PROGRAM, MAX_PROGRAMS};
 
 /// What a text came to.
 pub struct Opened {
@@ -26,10 +25,11 @@ pub fn open(present: &Project, name: &str, text: &str) -> Opened {
         return Opened { project: loaded.project, diagnostics: loaded.diagnostics };
     }
     let opened = |project, diagnostics| Opened { project, diagnostics };
-    if text.len() > MAX_PROGRAM {
-        let message = msg!("project.program-too-large", (text.len() as f64 / 1e6, 1), (MAX_PROGRAM as f64 / 1e6, 0));
-        return opened(None, vec![Diagnostic::error(message)]);
-    }
+    let file = File { name: name.to_owned(), text: text.to_owned() };
+    let edited = match programs(std::slice::from_ref(&file)) {
+        Ok(files) => files,
+        Err(finding) => return opened(None, vec![finding]),
+    };
     let form = settings::read(text)
         .and_then(|found| Some((machines::find(found.machine)?, controls::find(found.control)?, found.values)));
     if let Some((machine, control, values)) = form {
@@ -49,8 +49,22 @@ pub fn open(present: &Project, name: &str, text: &str) -> Opened {
         return opened(Some(project), vec![Diagnostic::info(told)]);
     }
     let mut project = present.clone();
-    project.edited = Some(Files(vec![File { name: name.to_owned(), text: text.to_owned() }]));
+    project.edited = Some(edited);
     opened(Some(project), Vec::new())
+}
+
+/// Programs as the edited files of a project; an error where they are too many or too large, and then none is taken.
+pub fn programs(files: &[File]) -> Result<Files, Diagnostic> {
+    let bytes: usize = files.iter().map(|file| file.text.len()).sum();
+    if files.len() > MAX_PROGRAMS {
+        let message = msg!("project.too-many-programs", files.len() as u32, MAX_PROGRAMS as u32);
+        return Err(Diagnostic::error(message));
+    }
+    if bytes > MAX_PROGRAM {
+        let message = msg!("project.program-too-large", (bytes as f64 / 1e6, 1), (MAX_PROGRAM as f64 / 1e6, 0));
+        return Err(Diagnostic::error(message));
+    }
+    Ok(Files(files.to_vec()))
 }
 
 /// The project's files with this text in its place, where somebody has edited it since macroline wrote it; else `None`.

@@ -1,7 +1,5 @@
 //! The one door: a project in, a run out. Page and command line use nothing else to compute.
 
-mod json;
-
 pub mod saved;
 
 pub mod import;

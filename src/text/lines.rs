@@ -42,6 +42,12 @@ impl LineIndex {
         self.starts.partition_point(|&s| s <= offset).max(1) as u32
     }
 
+    /// The offset of the first byte of a line, from 1; beyond the last line that of the last.
+    pub fn start(&self, line: u32) -> u32 {
+        let at = (line as usize).clamp(1, self.starts.len());
+        self.starts.get(at - 1).copied().unwrap_or(0)
+    }
+
     /// The text of a line, from 1, without its end; empty beyond the last.
     pub fn line<'t>(&self, text: &'t str, line: u32) -> &'t str {
         let Some(&start) = self.starts.get((line as usize).wrapping_sub(1)) else { return "" };

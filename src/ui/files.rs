@@ -16,9 +16,10 @@ use super::model::Model;
 use super::script::rows;
 use super::words::{say, t, tell, tone};
 use crate::msg;
-use crate::nc::{self, Files};
+use crate::nc;
 use crate::project::Project;
-use crate::project::import::{MAX_PROGRAM, open};
+use crate::project::import::{MAX_PROGRAM, open, programs};
+use crate::project::saved::with_line;
 use crate::text::Severity;
 
 /// Bytes above which a text is not taken into the page but read aside.
@@ -70,11 +71,17 @@ fn read(model: Model, files: &[nc::File]) {
     let text = first.text.trim_start_matches('\u{feff}');
     let opened = model.project.with_untracked(|project| open(project, &first.name, text));
     for told in &opened.diagnostics {
-        model.notify(tone(told.severity), tell(told));
+        model.notify(tone(told.severity), with_line(told, text));
     }
     let Some(mut project) = opened.project else { return };
     if project.edited.is_some() && !text.starts_with('{') {
-        project.edited = Some(Files(files.to_vec()));
+        match programs(files) {
+            Ok(files) => project.edited = Some(files),
+            Err(finding) => {
+                model.notify("error", tell(&finding));
+                return;
+            }
+        }
         model.notify("info", t("page.opened-program").to_owned());
     }
     model.file.set(0);

@@ -9,9 +9,10 @@ use super::dom;
 use super::editor;
 use super::local::Local;
 use super::model::{Model, Notice};
-use super::words::{t, tell};
+use super::words::t;
 use crate::machines;
 use crate::project::Project;
+use crate::project::saved::with_line;
 
 /// Where the project is kept.
 const KEY: &str = "macroline.project";
@@ -40,13 +41,17 @@ pub(super) fn load() -> (Option<Project>, Vec<Notice>) {
     let Some(text) = dom::stored(KEY) else { return (fresh(), notices) };
     let loaded = Project::from_json(&text);
     if let Some(project) = loaded.project {
-        notices.extend(loaded.diagnostics.iter().map(|d| Notice { tone: "warn", text: tell(d), file: None }));
+        notices.extend(loaded.diagnostics.iter().map(|d| Notice {
+            tone: "warn",
+            text: with_line(d, &text),
+            file: None,
+        }));
         return (Some(project), notices);
     }
     // The text is kept under another name before anything new is written over it.
     dom::store(ASIDE, &text);
     dom::forget(KEY);
-    let reason = loaded.diagnostics.first().map(tell).unwrap_or_default();
+    let reason = loaded.diagnostics.first().map(|d| with_line(d, &text)).unwrap_or_default();
     let said = format!("{} {reason}", t("page.set-aside"));
     notices.push(Notice { tone: "warn", text: said, file: Some((ASIDE_FILE, text)) });
     (fresh(), notices)

@@ -3,9 +3,12 @@
 use expect_test::{Expect, expect};
 use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, Panel};
-use macroline::nc::Files;
+use macroline::nc::{File, Files};
 use macroline::project::render::Teller;
-use macroline::project::{Project, saved};
+use macroline::project::saved::{MAX_PROGRAM, panel_from_json};
+use macroline::project::{Project, import};
+use macroline::text::Severity;
+use macroline::text::catalog::{Language, sentence};
 use proptest::prelude::*;
 
 fn ribbon() -> Project {
@@ -16,7 +19,7 @@ fn ribbon() -> Project {
 #[track_caller]
 fn check(text: &str, expect: Expect) {
     let loaded = Project::from_json(text);
-    let files = Files::default();
+    let files = Files::one("project.json", text);
     let teller = Teller::new(&files);
     let mut out: String = loaded.diagnostics.iter().map(|d| teller.text(d)).collect();
     out += if loaded.project.is_some() { "a project" } else { "no project" };
@@ -45,8 +48,12 @@ fn a_file_that_is_no_project_says_so() {
     check(
         "",
         expect![[r#"
-            error: Line 1, column 0: this is not JSON (it ends too early).
-            no project"#]],
+        error: This is not JSON: EOF while parsing a value.
+         --> project.json:1:1
+          |
+        1 | 
+          | ^
+        no project"#]],
     );
     check(
         "[1, 2]",
@@ -69,14 +76,119 @@ fn a_file_that_is_no_project_says_so() {
     check(
         r#"{ "version": 1, "machine": "loom" }"#,
         expect![[r#"
-            error: The file names no machine that is known. Possible: ribbon-line, turning-spindle, polygon-lathe.
-            no project"#]],
+        error: The file names no machine that is known. Possible: ribbon-line, turning-spindle, polygon-lathe.
+         --> project.json:1:28
+          |
+        1 | { "version": 1, "machine": "loom" }
+          |                            ^^^^^^
+        no project"#]],
     );
     check(
         r#"{ "version": 1, "machine": "ribbon-line", "control": "abacus" }"#,
         expect![[r#"
-            error: The file names no control that this machine goes with. Possible: mitsubishi-e60, gsk-980tdc, sinumerik-802d, knd-k2000t.
-            no project"#]],
+        error: The file names no control that this machine goes with. Possible: mitsubishi-e60, gsk-980tdc, sinumerik-802d, knd-k2000t.
+         --> project.json:1:54
+          |
+        1 | { "version": 1, "machine": "ribbon-line", "control": "abacus" }
+          |                                                      ^^^^^^^^
+        no project"#]],
+    );
+}
+
+/// A project of the ribbon line with these lines behind its head.
+fn with(lines: &str) -> String {
+    format!("{{\n  \"version\": 1,\n  \"machine\": \"ribbon-line\",\n  \"control\": \"mitsubishi-e60\",\n{lines}\n}}\n")
+}
+
+#[test]
+fn wrong_shapes_are_errors_at_their_place() {
+    check(
+        &with("  \"values\": [ 1, 2 ]"),
+        expect![[r#"
+        error: This does not have the shape of a project file: invalid type: sequence, expected an object { "id": value, … }.
+         --> project.json:5:12
+          |
+        5 |   "values": [ 1, 2 ]
+          |            ^
+        no project"#]],
+    );
+    check(
+        &with("  \"name\": \"no values\""),
+        expect![[r#"
+        error: The file has no values of the form: the key “values” is missing.
+        no project"#]],
+    );
+    check(
+        &with("  \"values\": {},\n  \"valuess\": {}"),
+        expect![[r#"
+        error: This does not have the shape of a project file: unknown field `valuess`, expected one of `version`, `name`, `machine`, `control`, `values`, `provenance`, `switches`, `silenced`, `panel`, `edited`.
+         --> project.json:6:11
+          |
+        6 |   "valuess": {}
+          |           ^
+        no project"#]],
+    );
+    check(
+        &with("  \"values\": {},\n  \"values\": {}"),
+        expect![[r#"
+        error: This does not have the shape of a project file: duplicate field `values`.
+         --> project.json:6:10
+          |
+        6 |   "values": {}
+          |          ^
+        no project"#]],
+    );
+    check(
+        &with("  \"values\": {},\n  \"edited\": [ { \"name\": \"O1\", \"code\": \"M30\" } ]"),
+        expect![[r#"
+        error: This does not have the shape of a project file: unknown field `code`, expected `name` or `text`.
+         --> project.json:6:36
+          |
+        6 |   "edited": [ { "name": "O1", "code": "M30" } ]
+          |                                    ^
+        no project"#]],
+    );
+    check(
+        &with("  \"values\": {}\n  \"name\": \"\""),
+        expect![[r#"
+        error: This is not JSON: expected `,` or `}`.
+         --> project.json:6:3
+          |
+        6 |   "name": ""
+          |   ^
+        no project"#]],
+    );
+}
+
+#[test]
+fn repeated_keys_are_errors_at_their_place() {
+    check(
+        &with(
+            "  \"values\": { \"pitch\": 8, \"pitch\": 9 },\n  \"switches\": {\n    \"decimal-point\": \"millimetres\",\n    \
+             \"decimal-point\": \"increments\"\n  },\n  \"panel\": [ { \"t\": 0, \"t\": 1, \"input\": { \"R74\": 1, \"R74\": 2 } } ]",
+        ),
+        expect![[r#"
+            error: “pitch” is here a second time.
+             --> project.json:5:27
+              |
+            5 |   "values": { "pitch": 8, "pitch": 9 },
+              |                           ^^^^^^^
+            error: “decimal-point” is here a second time.
+             --> project.json:8:5
+              |
+            8 |     "decimal-point": "increments"
+              |     ^^^^^^^^^^^^^^^
+            error: “t” is here a second time.
+              --> project.json:10:24
+               |
+            10 |   "panel": [ { "t": 0, "t": 1, "input": { "R74": 1, "R74": 2 } } ]
+               |                        ^^^
+            error: “R74” is here a second time.
+              --> project.json:10:53
+               |
+            10 |   "panel": [ { "t": 0, "t": 1, "input": { "R74": 1, "R74": 2 } } ]
+               |                                                     ^^^^^
+            a project"#]],
     );
 }
 
@@ -84,17 +196,110 @@ fn a_file_that_is_no_project_says_so() {
 fn what_does_not_fit_is_named_and_the_rest_is_kept() {
     check(
         r#"{ "version": 1, "machine": "ribbon-line", "control": "mitsubishi-e60",
-             "values": { "pitch": "wide", "colour": 3, "heads": 4 }, "switches": { "moon": "full" },
+             "values": { "pitch": "wide", "colour": 3, "heads": 4 }, "provenance": { "pitch": "guessed" },
+             "switches": { "moon": "full", "decimal-point": "none" },
              "panel": [ { "spindle_override": 80 }, { "t": 1, "dance": true } ] }"#,
         expect![[r#"
             error: Field “pitch”: text is not what belongs there; the default is taken.
-             --> field pitch
-            warning[project.unknown-field]: The machine has no field “colour”; it was left out.
-            warning[project.unknown-switch]: The control has no switch “moon” with this setting; it was left out.
+             --> project.json:2:35
+              |
+            2 |              "values": { "pitch": "wide", "colour": 3, "heads": 4 }, "provenance": { "pitch": "guessed" },
+              |                                   ^^^^^^
+            error: The machine has no field “colour”; it was left out.
+             --> project.json:2:43
+              |
+            2 |              "values": { "pitch": "wide", "colour": 3, "heads": 4 }, "provenance": { "pitch": "guessed" },
+              |                                           ^^^^^^^^
+            error: Field “pitch”: this is no origin of a value. Possible: measured, data-sheet, assumed.
+             --> project.json:2:95
+              |
+            2 |              "values": { "pitch": "wide", "colour": 3, "heads": 4 }, "provenance": { "pitch": "guessed" },
+              |                                                                                               ^^^^^^^^^
+            error: The control has no switch “moon” with this setting; its default is taken.
+             --> project.json:3:28
+              |
+            3 |              "switches": { "moon": "full", "decimal-point": "none" },
+              |                            ^^^^^^
+            error: The control has no switch “decimal-point” with this setting; its default is taken.
+             --> project.json:3:61
+              |
+            3 |              "switches": { "moon": "full", "decimal-point": "none" },
+              |                                                             ^^^^^^
             error: Panel entry 1 has no time: { "t": seconds, … } with 0 or more seconds.
+             --> project.json:4:27
+              |
+            4 |              "panel": [ { "spindle_override": 80 }, { "t": 1, "dance": true } ] }
+              |                           ^^^^^^^^^^^^^^^^^^
             error: Panel entry 2: “dance” is no action of the panel, or its value does not fit.
+             --> project.json:4:63
+              |
+            4 |              "panel": [ { "spindle_override": 80 }, { "t": 1, "dance": true } ] }
+              |                                                               ^^^^^^^
             a project"#]],
     );
+}
+
+#[test]
+fn more_than_the_limits_is_told_and_not_taken() {
+    let program = r#"{ "name": "O1.nc", "text": "M30" }"#;
+    for (count, taken) in [(64, true), (65, false)] {
+        let text = with(&format!("\"values\": {{}}, \"edited\": [{}]", vec![program; count].join(",")));
+        let loaded = Project::from_json(&text);
+        assert_eq!(loaded.project.is_some(), taken, "{count} programs");
+        let files = vec![File { name: "O1.nc".to_owned(), text: "M30\n".to_owned() }; count];
+        assert_eq!(import::programs(&files).is_ok(), taken, "{count} programs");
+    }
+    let large = File { name: "O1.nc".to_owned(), text: "G".repeat(MAX_PROGRAM / 2 + 1) };
+    assert!(import::programs(&[large.clone()]).is_ok() && import::programs(&[large.clone(), large]).is_err());
+    for (count, taken) in [(100_000, true), (100_001, false)] {
+        let text = format!("[{}]", vec![r#"{"t":1,"start":true}"#; count].join(","));
+        let (panel, found) = panel_from_json(&text);
+        assert_eq!((panel.events().len(), found.is_empty()), (if taken { count } else { 0 }, taken));
+    }
+    // The largest program of the most bytes a JSON text has for each is read again.
+    let mut project = ribbon();
+    project.edited = Some(Files::one("O1.nc", "\u{1}".repeat(MAX_PROGRAM)));
+    assert!(Project::from_json(&project.to_json()).project.is_some_and(|back| back == project));
+}
+
+#[test]
+fn a_hundred_findings_are_listed_and_the_others_counted() {
+    let keys: Vec<String> = (0..100_000).map(|key| format!("\"key{key}\": 1")).collect();
+    let loaded = Project::from_json(&with(&format!("\"values\": {{ {} }}", keys.join(", "))));
+    assert_eq!(loaded.diagnostics.len(), 101);
+    let last = loaded.diagnostics.last().unwrap();
+    assert_eq!(sentence(Language::English, &last.message), "99900 more findings about this file are not listed.");
+    assert_eq!(last.severity, Severity::Error);
+}
+
+#[test]
+fn a_byte_order_mark_is_skipped_and_places_stay() {
+    let text = format!("\u{feff}{}", with("  \"values\": { \"colour\": 3 }"));
+    let loaded = Project::from_json(&text);
+    assert!(loaded.project.is_some());
+    assert_eq!(loaded.diagnostics[0].place.unwrap().span.of(&text), "\"colour\"");
+    let broken = "\u{feff}{ \"version\": 1,, }";
+    let finding = &Project::from_json(broken).diagnostics[0];
+    assert_eq!(finding.place.unwrap().span.start as usize, broken.rfind(',').unwrap());
+}
+
+#[test]
+fn numbers_are_written_as_people_write_them() {
+    let mut project = ribbon();
+    for (value, text) in [
+        (8.0, "8"),
+        (-12.5, "-12.5"),
+        (0.1 + 0.2, "0.30000000000000004"),
+        (5e-324, "5e-324"),
+        (9_007_199_254_740_991.0, "9007199254740991"),
+        (f64::MAX, "1.7976931348623157e+308"),
+        (f64::NAN, "null"),
+    ] {
+        project.values.insert("pitch".to_owned(), Value::Number(value));
+        let json = project.to_json();
+        let line = json.lines().find(|line| line.contains("\"pitch\"")).unwrap();
+        assert_eq!(line.trim(), format!("\"pitch\": {text},"));
+    }
 }
 
 #[test]
@@ -139,10 +344,13 @@ fn the_first_shape_of_a_file_is_read_for_ever() {
 proptest! {
     #[test]
     fn what_is_not_json_is_refused_and_nothing_else(text in r#"([\[\]{}",:.\\+\-]|[0-9]{1,3}|e|E|true|null|"[a-c]?"|\\u[dD][89abcdEF]0[0-9]|\\[nx/]|[ \n\t]|é){0,12}"#) {
-        for text in [text.clone(), format!("[\"{text}\"]"), format!("[{text}]"), format!("{{\"a\":{text}}}")] {
+        // Half of a surrogate pair and numbers beyond every double are JSON.
+        let is_json = |text: &str| serde_json::from_str::<serde::de::IgnoredAny>(text).is_ok();
+        for text in [text.clone(), format!("{{\"a\":\"{text}\"}}"), format!("{{\"a\":{text}}}")] {
             let loaded = Project::from_json(&text);
             let refused = loaded.diagnostics.iter().any(|d| d.message.id == "project.not-json");
-            prop_assert_eq!(refused, serde_json::from_str::<serde_json::Value>(&text).is_err(), "{}", text);
+            prop_assert!(loaded.project.is_none());
+            prop_assert_eq!(refused, !is_json(&text), "{}", text);
         }
     }
 
@@ -159,7 +367,7 @@ proptest! {
         let text = String::from_utf8_lossy(&bytes);
         let loaded = Project::from_json(&text);
         prop_assert!(loaded.project.is_some() || !loaded.diagnostics.is_empty());
-        let _ = saved::panel_from_json(&text);
+        let _ = panel_from_json(&text);
     }
 
     #[test]

@@ -1,0 +1,68 @@
+//! Findings about a project file, each at its place, not more than a person reads.
+
+use std::collections::BTreeSet;
+
+use super::json::{self, Entries};
+use crate::msg;
+use crate::text::{Diagnostic, Message, Severity};
+
+/// Findings that are listed at most; the others are counted.
+const LISTED: usize = 100;
+
+/// Characters of a key or name that are repeated in a sentence at most.
+const CLIPPED: usize = 60;
+
+/// What is wrong with a project file.
+pub(super) struct Findings<'t> {
+    text: &'t str,
+    list: Vec<Diagnostic>,
+    /// Findings beyond [`LISTED`].
+    more: u32,
+}
+
+impl<'t> Findings<'t> {
+    pub(super) fn new(text: &'t str) -> Findings<'t> {
+        Findings { text, list: Vec::new(), more: 0 }
+    }
+
+    /// Adds a finding at a part of the text; an empty part is no place.
+    pub(super) fn add(&mut self, mut finding: Diagnostic, part: &str) {
+        if self.list.len() >= LISTED {
+            self.more += 1;
+            return;
+        }
+        finding.place = if part.is_empty() { finding.place } else { json::place(self.text, part) };
+        self.list.push(finding);
+    }
+
+    /// Adds an error at a part of the text.
+    pub(super) fn error(&mut self, message: Message, part: &str) {
+        self.add(Diagnostic::error(message), part);
+    }
+
+    /// Adds an error for each key of an object that an earlier entry has.
+    pub(super) fn repeated(&mut self, entries: &Entries<'t>) {
+        let mut known = BTreeSet::new();
+        for entry in &entries.0 {
+            if !known.insert(entry.key.as_str()) {
+                self.error(msg!("project.twice", clip(&entry.key)), entry.source);
+            }
+        }
+    }
+
+    /// All findings in the order of the text, and how many were left out.
+    pub(super) fn into_diagnostics(mut self) -> Vec<Diagnostic> {
+        Diagnostic::in_order(&mut self.list);
+        if self.more > 0 {
+            let severity = self.list.iter().map(|finding| finding.severity).min().unwrap_or(Severity::Error);
+            let more = Diagnostic::error(msg!("project.more", self.more));
+            self.list.push(Diagnostic { severity, ..more });
+        }
+        self.list
+    }
+}
+
+/// A text from outside as a part of a sentence: not long, without control characters.
+pub(super) fn clip(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).take(CLIPPED).collect()
+}

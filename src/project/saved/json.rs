@@ -1,0 +1,138 @@
+//! JSON values that remember their place in the text they were read from.
+
+use std::fmt;
+
+use serde::de::{Error as _, MapAccess, Visitor};
+use serde::ser::SerializeMap;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
+use serde_json::value::RawValue;
+
+use crate::text::{FileId, LineIndex, Place, Span};
+
+/// A value and the part of the text that it was read from; empty for a value that is to be written.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Located<'t> {
+    pub(super) value: Value,
+    pub(super) source: &'t str,
+}
+
+impl Located<'_> {
+    pub(super) fn new(value: impl Into<Value>) -> Self {
+        Located { value: value.into(), source: "" }
+    }
+
+    pub(super) fn as_str(&self) -> Option<&str> {
+        self.value.as_str()
+    }
+}
+
+impl<'de: 't, 't> Deserialize<'de> for Located<'t> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let source = <&RawValue>::deserialize(deserializer)?.get();
+        let value = serde_json::from_str(source).map_err(|error| D::Error::custom(reason(&error)))?;
+        Ok(Located { value, source })
+    }
+}
+
+impl Serialize for Located<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.value.serialize(serializer)
+    }
+}
+
+/// A key of an object with its value.
+#[derive(Debug, Clone)]
+pub(super) struct Entry<'t> {
+    pub(super) key: String,
+    /// The key as it is written, with its quotes.
+    pub(super) source: &'t str,
+    pub(super) value: Located<'t>,
+}
+
+/// The entries of an object in the order of the text, repeated keys too.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Entries<'t>(pub(super) Vec<Entry<'t>>);
+
+impl Entries<'_> {
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl<K: Into<String>> FromIterator<(K, Value)> for Entries<'_> {
+    fn from_iter<I: IntoIterator<Item = (K, Value)>>(pairs: I) -> Self {
+        let entry = |(key, value): (K, Value)| Entry { key: key.into(), source: "", value: Located::new(value) };
+        Entries(pairs.into_iter().map(entry).collect())
+    }
+}
+
+impl<'de: 't, 't> Deserialize<'de> for Entries<'t> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Pairs;
+        impl<'de> Visitor<'de> for Pairs {
+            type Value = Entries<'de>;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("an object { \"id\": value, … }")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries<'de>, A::Error> {
+                let mut entries = Vec::new();
+                while let Some(key) = map.next_key::<&'de RawValue>()? {
+                    let source = key.get();
+                    let key = serde_json::from_str(source).map_err(|error| A::Error::custom(reason(&error)))?;
+                    entries.push(Entry { key, source, value: map.next_value()? });
+                }
+                Ok(Entries(entries))
+            }
+        }
+        deserializer.deserialize_map(Pairs)
+    }
+}
+
+impl Serialize for Entries<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        for entry in &self.0 {
+            map.serialize_entry(&entry.key, &entry.value)?;
+        }
+        map.end()
+    }
+}
+
+/// A number as JSON: whole numbers without a point; `null` for infinity and NaN, which JSON does not have.
+pub(super) fn number(value: f64) -> Value {
+    /// Below this a double tells each whole number from the next.
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    if value.fract() == 0.0 && value.abs() < EXACT { Value::from(value as i64) } else { Value::from(value) }
+}
+
+/// The place of a part of the text.
+pub(super) fn place(text: &str, part: &str) -> Option<Place> {
+    let start = (part.as_ptr() as usize).checked_sub(text.as_ptr() as usize)?;
+    let end = start + part.len();
+    (end <= text.len()).then(|| at(start, end))
+}
+
+/// The place that an error of serde names: one character.
+pub(super) fn error_place(text: &str, error: &serde_json::Error) -> Place {
+    let line = LineIndex::new(text).start(error.line().max(1) as u32) as usize;
+    let mut start = (line + error.column().saturating_sub(1)).min(text.len());
+    while !text.is_char_boundary(start) {
+        start -= 1;
+    }
+    let length = text.get(start..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
+    at(start, start + length)
+}
+
+fn at(start: usize, end: usize) -> Place {
+    Place { file: FileId::default(), span: Span::new(start as u32, end as u32) }
+}
+
+/// The words of an error of serde, without the place.
+pub(super) fn reason(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    let place = format!(" at line {} column {}", error.line(), error.column());
+    text.strip_suffix(&place).unwrap_or(&text).to_owned()
+}

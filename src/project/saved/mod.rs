@@ -1,0 +1,173 @@
+//! A project as a file: JSON with a version, one serde struct per version, every old one upgraded to the newest.
+//!
+//! A new version is a file `v2.rs` with its struct, a function that makes it from the struct of version 1, a row in
+//! [`Project::from_json`], and a kept file in `tests/data/saved`. Only the newest is written and [resolved](resolve).
+
+mod json;
+
+mod findings;
+
+mod v1;
+
+mod panel;
+
+mod resolve;
+
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+
+use self::findings::Findings;
+use self::json::{Entries, Located};
+use self::v1::{ProgramV1, ProjectV1};
+use super::Project;
+use crate::machines::form::Value;
+use crate::motion::Panel;
+use crate::msg;
+use crate::text::catalog::{Language, sentence};
+use crate::text::{Diagnostic, LineIndex, Message};
+
+/// Version that is written.
+pub const VERSION: u32 = 1;
+
+/// Bytes of a project file at most. [`MAX_PROGRAM`] bytes of edited programs fit, with each byte escaped.
+pub const MAX_BYTES: usize = 16 << 20;
+
+/// Bytes of the edited programs of a project at most.
+pub const MAX_PROGRAM: usize = 2_000_000;
+
+/// Edited program files of a project at most.
+pub const MAX_PROGRAMS: usize = 64;
+
+/// A project file that was read.
+pub struct Loaded {
+    /// The project; `None` where the file describes none.
+    pub project: Option<Project>,
+    /// Findings about the file. Errors with a project: the project has its defaults there.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Loaded {
+    fn refused(found: Findings) -> Loaded {
+        Loaded { project: None, diagnostics: found.into_diagnostics() }
+    }
+}
+
+/// The version of a project file, whatever else it holds.
+#[derive(Deserialize)]
+struct Head<'t> {
+    #[serde(borrow)]
+    version: Option<Located<'t>>,
+}
+
+impl Project {
+    /// The project as the text of its file.
+    pub fn to_json(&self) -> String {
+        let value = |value: &Value| match value {
+            Value::Number(number) => json::number(*number),
+            Value::Flag(flag) => (*flag).into(),
+            Value::Text(text) => text.as_str().into(),
+        };
+        let program = |file: &crate::nc::File| ProgramV1 { name: file.name.clone(), text: file.text.clone() };
+        let saved = ProjectV1 {
+            version: VERSION,
+            name: self.name.clone(),
+            machine: Some(Located::new(self.machine.id())),
+            control: Some(Located::new(self.control.id)),
+            values: Some(self.values.iter().map(|(id, of)| (id, value(of))).collect()),
+            provenance: self.provenance.iter().map(|(id, from)| (id, resolve::provenance_word(*from).into())).collect(),
+            switches: self.switches.0.iter().map(|(id, setting)| (id, setting.as_str().into())).collect(),
+            silenced: self.silenced.clone(),
+            panel: self.panel.events().iter().map(panel::entry).collect(),
+            edited: self.edited.as_ref().map(|files| files.0.iter().map(program).collect()),
+        };
+        // Keys are texts and writing into a text does not fail.
+        serde_json::to_string_pretty(&saved).unwrap_or_default() + "\n"
+    }
+
+    /// Reads a project file. Total: any text gives a project or errors that name what is wrong with it, and where.
+    pub fn from_json(text: &str) -> Loaded {
+        let mut found = Findings::new(text);
+        match newest(text) {
+            Ok(saved) => resolve::project(saved, found),
+            Err(finding) => {
+                found.add(finding, "");
+                Loaded::refused(found)
+            }
+        }
+    }
+}
+
+/// The file as the newest version has it.
+fn newest(text: &str) -> Result<ProjectV1<'_>, Diagnostic> {
+    let json = sized(text)?;
+    let wrong = |error: serde_json::Error| {
+        if error.is_data() { shape(text, json, &error) } else { not_json(text, json, &error) }
+    };
+    // serde takes a list for a struct.
+    if !json.trim_start().starts_with('{') {
+        serde_json::from_str::<IgnoredAny>(json).map_err(wrong)?;
+        return Err(Diagnostic::error(msg!("project.not-a-project")));
+    }
+    let head: Head = serde_json::from_str(json).map_err(wrong)?;
+    let version = head.version.as_ref().and_then(|version| version.value.as_f64());
+    match version.filter(|version| *version >= 1.0 && version.fract() == 0.0) {
+        None => Err(Diagnostic::error(msg!("project.no-version"))),
+        Some(1.0) => serde_json::from_str(json).map_err(wrong),
+        Some(version) => Err(Diagnostic::error(msg!("project.newer", version, VERSION))),
+    }
+}
+
+/// The JSON of a file that is not too large: without its byte order mark.
+fn sized(text: &str) -> Result<&str, Diagnostic> {
+    if text.len() > MAX_BYTES {
+        return Err(Diagnostic::error(msg!("project.too-large", (text.len() >> 20) as u32, (MAX_BYTES >> 20) as u32)));
+    }
+    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
+}
+
+fn not_json(text: &str, json: &str, error: &serde_json::Error) -> Diagnostic {
+    located(msg!("project.not-json", json::reason(error)), text, json, error)
+}
+
+fn shape(text: &str, json: &str, error: &serde_json::Error) -> Diagnostic {
+    located(msg!("project.shape", json::reason(error)), text, json, error)
+}
+
+fn located(message: Message, text: &str, json: &str, error: &serde_json::Error) -> Diagnostic {
+    let mut place = json::error_place(json, error);
+    let skipped = (text.len() - json.len()) as u32;
+    place.span.start += skipped;
+    place.span.end += skipped;
+    Diagnostic::error(message).at(place)
+}
+
+/// Reads a panel file: a JSON array of `{ "t": seconds, "spindle_override": 80, … }`.
+pub fn panel_from_json(text: &str) -> (Panel, Vec<Diagnostic>) {
+    let read = sized(text).and_then(|json| {
+        serde_json::from_str::<Vec<Entries>>(json).map_err(|error| match error.is_data() {
+            true if !json.trim_start().starts_with('[') => Diagnostic::error(msg!("project.panel-not-a-list")),
+            true => shape(text, json, &error),
+            false => not_json(text, json, &error),
+        })
+    });
+    match read {
+        Ok(entries) => {
+            let mut found = Findings::new(text);
+            let panel = panel::read(&entries, &mut found);
+            (panel, found.into_diagnostics())
+        }
+        Err(finding) => (Panel::default(), vec![finding]),
+    }
+}
+
+/// The sentence of a finding about a file, with its line where there is no excerpt beside it.
+pub fn with_line(finding: &Diagnostic, text: &str) -> String {
+    let said = sentence(Language::English, &finding.message);
+    match finding.place {
+        None => said,
+        Some(place) => {
+            let at = LineIndex::new(text).position(text, place.span.start);
+            sentence(Language::English, &msg!("project.at-line", at.line, at.column, said))
+        }
+    }
+}

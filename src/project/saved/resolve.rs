@@ -1,0 +1,152 @@
+//! From the newest shape of a project file to a project: ids become machines, controls, fields and switches, values are checked.
+
+use serde_json::Value as Json;
+
+use super::findings::{Findings, clip};
+use super::json::Entries;
+use super::v1::{ProgramV1, ProjectV1};
+use super::{Loaded, MAX_PROGRAMS, panel};
+use crate::controls::{self, Switches};
+use crate::machines::form::{KindInfo, Provenance, Value};
+use crate::machines::{self, AnyMachine};
+use crate::msg;
+use crate::nc::{File, Files};
+use crate::project::Project;
+use crate::text::Diagnostic;
+
+/// Characters of a project's name at most.
+const NAME: usize = 120;
+
+/// The project that a file describes.
+pub(super) fn project<'t>(saved: ProjectV1<'t>, mut found: Findings<'t>) -> Loaded {
+    let part = |id: &Option<super::json::Located<'t>>| id.as_ref().map_or("", |id| id.source);
+    let named = saved.machine.as_ref().and_then(|id| id.as_str());
+    let Some(machine) = named.and_then(machines::find) else {
+        let known = machines::ALL.iter().map(|machine| machine.id()).collect::<Vec<_>>().join(", ");
+        found.error(msg!("project.no-machine", known), part(&saved.machine));
+        return Loaded::refused(found);
+    };
+    let named = saved.control.as_ref().and_then(|id| id.as_str());
+    let Some(control) = named.filter(|id| machine.controls().contains(id)).and_then(controls::find) else {
+        found.error(msg!("project.no-control", machine.controls().join(", ")), part(&saved.control));
+        return Loaded::refused(found);
+    };
+    let Some(saved_values) = &saved.values else {
+        found.error(msg!("project.no-values"), "");
+        return Loaded::refused(found);
+    };
+    let count = saved.edited.as_ref().map_or(0, Vec::len);
+    if count > MAX_PROGRAMS {
+        found.error(msg!("project.too-many-programs", count as u32, MAX_PROGRAMS as u32), "");
+        return Loaded::refused(found);
+    }
+    let mut project = Project::new(machine, control);
+    project.name = saved.name.chars().filter(|c| !c.is_control()).take(NAME).collect();
+    values(saved_values, machine, &mut project, &mut found);
+    origins(&saved.provenance, machine, &mut project, &mut found);
+    project.switches = switches(&saved.switches, control, &mut found);
+    project.silenced = saved.silenced.iter().map(|id| clip(id)).collect();
+    project.panel = panel::read(&saved.panel, &mut found);
+    project.edited = saved.edited.filter(|files| !files.is_empty()).map(edited);
+    Loaded { project: Some(project), diagnostics: found.into_diagnostics() }
+}
+
+/// The form's values. One out of range stays: the field tells what is allowed, and nothing that was typed is lost.
+fn values<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, project: &mut Project, found: &mut Findings<'t>) {
+    found.repeated(saved);
+    let fields = machine.fields();
+    for entry in &saved.0 {
+        let Some(field) = fields.iter().find(|field| field.id == entry.key) else {
+            found.error(msg!("project.unknown-field", clip(&entry.key)), entry.source);
+            continue;
+        };
+        let value = match (&field.kind, &entry.value.value) {
+            (KindInfo::Number { .. }, Json::Number(number)) => number.as_f64().map(Value::Number),
+            (KindInfo::Flag(_), Json::Bool(flag)) => Some(Value::Flag(*flag)),
+            (KindInfo::Choice(_) | KindInfo::Text(_), Json::String(text)) => Some(Value::Text(text.clone())),
+            _ => None,
+        };
+        match value {
+            Some(value) => {
+                project.values.insert(entry.key.clone(), value);
+            }
+            None => {
+                let message = msg!("project.wrong-kind", clip(&entry.key), kind_word(&entry.value.value));
+                found.add(Diagnostic::error(message).about(field.id), entry.value.source);
+            }
+        }
+    }
+}
+
+/// Where the values come from.
+fn origins<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, project: &mut Project, found: &mut Findings<'t>) {
+    found.repeated(saved);
+    for entry in &saved.0 {
+        let known = machine.fields().iter().any(|field| field.id == entry.key);
+        match entry.value.as_str().and_then(provenance_of) {
+            _ if !known => found.error(msg!("project.unknown-field", clip(&entry.key)), entry.source),
+            Some(from) => {
+                project.provenance.insert(entry.key.clone(), from);
+            }
+            None => found.error(msg!("project.unknown-origin", clip(&entry.key)), entry.value.source),
+        }
+    }
+}
+
+/// The settings of a control's switches. A switch that the file does not name is at its default.
+fn switches<'t>(saved: &Entries<'t>, control: &controls::Control, found: &mut Findings<'t>) -> Switches {
+    found.repeated(saved);
+    let mut switches = Switches::default();
+    for entry in &saved.0 {
+        let row = control.switches.iter().find(|row| row.id == entry.key);
+        match (row, entry.value.as_str()) {
+            (Some(row), Some(setting)) if row.takes(setting) => {
+                if switches.0.iter().all(|(id, _)| id != row.id) {
+                    switches.0.push((entry.key.clone(), setting.to_owned()));
+                }
+            }
+            (row, _) => {
+                let part = if row.is_some() { entry.value.source } else { entry.source };
+                found.error(msg!("project.unknown-switch", clip(&entry.key)), part);
+            }
+        }
+    }
+    switches
+}
+
+fn edited(files: Vec<ProgramV1>) -> Files {
+    Files(files.into_iter().map(|file| File { name: file_name(&file.name), text: file.text }).collect())
+}
+
+/// The kind of a JSON value, in words.
+fn kind_word(json: &Json) -> &'static str {
+    match json {
+        Json::Null => "null",
+        Json::Bool(_) => "true or false",
+        Json::Number(_) => "a number",
+        Json::String(_) => "text",
+        Json::Array(_) => "a list",
+        Json::Object(_) => "an object",
+    }
+}
+
+/// A provenance as it is saved.
+pub(super) fn provenance_word(from: Provenance) -> &'static str {
+    match from {
+        Provenance::Measured => "measured",
+        Provenance::DataSheet => "data-sheet",
+        Provenance::Assumed => "assumed",
+    }
+}
+
+/// The provenance of a saved word.
+fn provenance_of(word: &str) -> Option<Provenance> {
+    [Provenance::Measured, Provenance::DataSheet, Provenance::Assumed].into_iter().find(|p| provenance_word(*p) == word)
+}
+
+/// The bare name of a program file: an export writes it into a folder, whatever a project file says.
+fn file_name(text: &str) -> String {
+    let name = clip(text.rsplit(['/', '\\', ':']).next().unwrap_or_default());
+    let bare = name.trim_start_matches('.');
+    if bare.is_empty() { "program.nc".to_owned() } else { bare.to_owned() }
+}

@@ -1,0 +1,45 @@
+//! Version 1 of a project file.
+
+use serde::{Deserialize, Serialize};
+
+use super::json::{Entries, Located};
+
+/// A project file of version 1. Keys that have no default here are missed later, with a sentence of their own.
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ProjectV1<'t> {
+    pub(super) version: u32,
+    #[serde(default)]
+    pub(super) name: String,
+    /// Id of the machine.
+    #[serde(borrow)]
+    pub(super) machine: Option<Located<'t>>,
+    /// Id of the control.
+    #[serde(borrow)]
+    pub(super) control: Option<Located<'t>>,
+    /// Number, flag or text by field id.
+    #[serde(borrow)]
+    pub(super) values: Option<Entries<'t>>,
+    /// `measured`, `data-sheet` or `assumed` by field id.
+    #[serde(borrow, default, skip_serializing_if = "Entries::is_empty")]
+    pub(super) provenance: Entries<'t>,
+    /// Setting by id of the switch.
+    #[serde(borrow, default, skip_serializing_if = "Entries::is_empty")]
+    pub(super) switches: Entries<'t>,
+    /// Ids of warnings.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) silenced: Vec<String>,
+    /// Entries of a panel file.
+    #[serde(borrow, default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) panel: Vec<Entries<'t>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) edited: Option<Vec<ProgramV1>>,
+}
+
+/// A program file that the user has edited.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ProgramV1 {
+    pub(super) name: String,
+    pub(super) text: String,
+}
