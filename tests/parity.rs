@@ -1,10 +1,13 @@
-//! The same goldens natively and in wasm under Node: what the browser computes is what was tested, to the bit.
+//! Native code and wasm under Node compute the same to the bit: the same goldens for both, decimals to read and check sums over all bits.
+//!
+//! `UPDATE_EXPECT=1 cargo test --test parity` writes the goldens natively; `make test-parity` compares wasm with them.
 #![allow(clippy::unwrap_used)]
 
 use std::fmt::Write as _;
 use std::rc::Rc;
 
 use macroline::controls;
+use macroline::machines;
 use macroline::machines::form::Value;
 use macroline::math;
 use macroline::motion::{Action, Budget, Event, Panel, Retention, Snapshot};
@@ -13,7 +16,7 @@ use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
 use macroline::view;
 
-/// The host: files are read through the standard library natively, through Node in wasm.
+/// File access: the standard library natively, Node in wasm.
 #[cfg(not(target_arch = "wasm32"))]
 mod host {
     pub(super) fn read(path: &str) -> String {
@@ -68,12 +71,52 @@ fn golden(name: &str, actual: &str) {
     assert_eq!(actual.lines().count(), expected.lines().count(), "{name}: number of lines");
 }
 
-/// The bits of a number. A NaN has many, and no two machines need to agree on them.
-fn bits(x: f64) -> String {
-    if x.is_nan() { "nan".to_owned() } else { format!("{:x}", x.to_bits()) }
+/// Check sum over the bits of numbers and the bytes of texts (FNV-1a, 64 bits), printed in decimal.
+struct Sum(u64);
+
+impl Sum {
+    fn new() -> Sum {
+        Sum(0xcbf2_9ce4_8422_2325)
+    }
+
+    fn bytes(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    /// NaN has many bit patterns, on which machines need not agree: all count as one.
+    fn number(&mut self, x: f64) {
+        self.bytes(&(if x.is_nan() { u64::MAX } else { x.to_bits() }).to_le_bytes());
+    }
+
+    /// Everything that moves.
+    fn snapshot(&mut self, now: &Snapshot) {
+        self.bytes(format!("{:?}", now.mode).as_bytes());
+        self.number(now.t);
+        for axis in now.axes.iter().chain(&now.pmc) {
+            for value in [axis.position, axis.actual, axis.feed, axis.acceleration] {
+                self.number(value);
+            }
+        }
+        let spindle = &now.spindle;
+        for value in [spindle.command, spindle.actual, spindle.volts, spindle.turns, spindle.angle] {
+            self.number(value);
+        }
+    }
 }
 
-/// Arguments of every size, odd and even, with the awkward ones first: edges of the functions, halves, huge angles.
+/// A moment for people: mode, time, the first three axes, spindle.
+fn moment(now: &Snapshot) -> String {
+    let [a, b, c] = [0, 1, 2].map(|axis| now.axes[axis].actual);
+    let spindle = &now.spindle;
+    format!(
+        "{:?} at {:.4} s, axes {a:.4} {b:.4} {c:.4} mm, spindle {:.2} r/min {:.4} V {:.3} turns",
+        now.mode, now.t, spindle.actual, spindle.volts, spindle.turns
+    )
+}
+
+/// 300 arguments of every size, odd and even, after the awkward ones: edges of the functions, halves, huge angles.
 fn arguments() -> Vec<f64> {
     let mut all = vec![0.0, -0.0, 1.0, -1.0, 0.5, -0.5, math::PI, math::PI / 2.0, 1e-300, 1e300, 1e22, 710.0, -746.0];
     all.extend([f64::INFINITY, f64::NEG_INFINITY, f64::NAN, f64::MIN_POSITIVE / 4.0]);
@@ -87,70 +130,54 @@ fn arguments() -> Vec<f64> {
     all
 }
 
+/// A function of an argument and the argument before it.
+type Function = (&'static str, fn(f64, f64) -> f64);
+
+const FUNCTIONS: [Function; 14] = [
+    ("sin(x)", |x, _| math::sin(x)),
+    ("cos(x)", |x, _| math::cos(x)),
+    ("sin_cos(x).0", |x, _| math::sin_cos(x).0),
+    ("sin_cos(x).1", |x, _| math::sin_cos(x).1),
+    ("tan(x)", |x, _| math::tan(x)),
+    ("asin(1/x)", |x, _| math::asin(1.0 / x)),
+    ("acos(1/x)", |x, _| math::acos(1.0 / x)),
+    ("atan(x)", |x, _| math::atan(x)),
+    ("atan2(x, y)", math::atan2),
+    ("exp(x)", |x, _| math::exp(x)),
+    ("ln(x)", |x, _| math::ln(x)),
+    ("log10(x)", |x, _| math::log10(x)),
+    ("pow(|x|, y)", |x, y| math::pow(x.abs(), y)),
+    ("hypot(x, y)", math::hypot),
+];
+
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
-fn the_math_gate_gives_the_same_bits() {
-    let mut table =
-        "x sin cos tan asin(1/x) acos(1/x) atan atan2(x,y) exp ln log10 pow(|x|,y) hypot(x,y); y is the x above\n"
-            .to_owned();
-    let mut y = 3.0;
-    for x in arguments() {
-        let (sin, cos) = math::sin_cos(x);
-        assert_eq!((bits(sin), bits(cos)), (bits(math::sin(x)), bits(math::cos(x))), "sin_cos({x})");
-        let row = [
-            x,
-            sin,
-            cos,
-            math::tan(x),
-            math::asin(1.0 / x),
-            math::acos(1.0 / x),
-            math::atan(x),
-            math::atan2(x, y),
-            math::exp(x),
-            math::ln(x),
-            math::log10(x),
-            math::pow(x.abs(), y),
-            math::hypot(x, y),
-        ];
-        table.push_str(&row.map(bits).join(" "));
-        table.push('\n');
-        y = x;
+fn math_functions_give_the_golden_bits() {
+    let arguments = arguments();
+    let mut out = "300 arguments x, y is the one before; results for the last three, check sum over all\n".to_owned();
+    for (name, function) in FUNCTIONS {
+        let mut sum = Sum::new();
+        let pairs = std::iter::once(&3.0).chain(&arguments).zip(&arguments);
+        let results: Vec<f64> = pairs.map(|(y, x)| function(*x, *y)).collect();
+        results.iter().for_each(|result| sum.number(*result));
+        let last: Vec<String> = results[297..].iter().map(|result| format!("{result:.9e}")).collect();
+        let _ = writeln!(out, "{name}: {}; sum {}", last.join(", "), sum.0);
     }
-    golden("math.bits", &table);
+    golden("parity/math.txt", &out);
 }
 
-const BEGIN: RunOptions = RunOptions {
+const OPTIONS: RunOptions = RunOptions {
     start: None,
     settings: &[],
     limits: Budget { blocks: 200_000, seconds: 600.0 },
     keep: Retention::Timeline,
 };
 
-/// All that moves, to the bit.
-fn moment(now: &Snapshot) -> String {
-    let mut out = format!("{:?} {}", now.mode, bits(now.t));
-    for axis in &now.axes[..3] {
-        let _ = write!(
-            out,
-            " {} {} {} {}",
-            bits(axis.position),
-            bits(axis.actual),
-            bits(axis.feed),
-            bits(axis.acceleration)
-        );
-    }
-    let spindle = &now.spindle;
-    for value in [spindle.command, spindle.actual, spindle.volts, spindle.turns] {
-        let _ = write!(out, " {}", bits(value));
-    }
-    out
-}
-
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
-fn programs_run_the_same_on_the_bench() {
-    let mut out = String::new();
+fn fixture_programs_run_to_the_golden_bits() {
     for control in controls::ALL {
+        let mut out = String::new();
         let folder = format!("{}/tests/data/programs/{}/ok", env!("CARGO_MANIFEST_DIR"), control.id);
         let mut names = host::names(&folder);
         names.retain(|name| name.ends_with(".nc"));
@@ -159,42 +186,85 @@ fn programs_run_the_same_on_the_bench() {
         for name in names {
             let text = host::read(&format!("{folder}/{name}"));
             let parsed = Rc::new(nc::parse(&Files::one(name.clone(), text), control));
-            let mut planner = run::of_programs(parsed, None, Panel::default(), &BEGIN);
+            let mut planner = run::of_programs(parsed, None, Panel::default(), &OPTIONS);
             let progress = planner.advance(f64::INFINITY, usize::MAX);
-            let _ = writeln!(out, "{} {name} {:?} blocks {:?}", control.id, progress.ended.is_some(), planner.blocks());
+            let mut sum = Sum::new();
+            let mut variables = 0;
             for (variable, value) in planner.program().variables() {
-                let _ = writeln!(out, "{variable} {}", bits(value));
+                sum.bytes(variable.as_bytes());
+                sum.number(value);
+                variables += 1;
             }
-            let _ = writeln!(out, "{}", moment(&planner.timeline().at(progress.planned_to)));
+            let now = planner.timeline().at(progress.planned_to);
+            sum.snapshot(&now);
+            let blocks = planner.blocks();
+            let _ = writeln!(
+                out,
+                "{name}: {} blocks, {} macro blocks, {variables} variables; {}; sum {}",
+                blocks.nc,
+                blocks.macros,
+                moment(&now),
+                sum.0
+            );
         }
+        golden(&format!("parity/{}.txt", control.id), &out);
     }
-    golden("parity/programs.bits", &out);
 }
+
+/// Values beside the defaults that let a run end.
+const VALUES: [(&str, &str, f64); 1] = [("ribbon-line", "pitch-count", 120.0)];
 
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test::wasm_bindgen_test)]
-fn the_ribbon_line_is_designed_written_run_and_drawn_the_same() {
-    let mut project = Project::of("ribbon-line", None).unwrap();
-    project.values.insert("pitch-count".to_owned(), Value::Number(120.0));
-    project.panel.add(Event { t: 4.0, action: Action::SpindleOverride(80.0) });
-    project.panel.add(Event { t: 5.0, action: Action::Hold });
-    project.panel.add(Event { t: 6.0, action: Action::Start });
-    let mut out = String::new();
-    for readout in project.design().readouts {
-        let _ = writeln!(out, "{} {} {:?}", readout.id, bits(readout.value), readout.verdict);
+fn machines_on_their_controls_give_the_golden_bits() {
+    for machine in machines::ALL {
+        let mut out = String::new();
+        for control in machine.controls() {
+            let mut project = Project::of(machine.id(), Some(control)).unwrap();
+            for (_, field, value) in VALUES.iter().filter(|(id, ..)| *id == machine.id()) {
+                project.values.insert((*field).to_owned(), Value::Number(*value));
+            }
+            project.panel.add(Event { t: 4.0, action: Action::SpindleOverride(80.0) });
+            project.panel.add(Event { t: 5.0, action: Action::Hold });
+            project.panel.add(Event { t: 6.0, action: Action::Start });
+            out += &machine_on_control(&project);
+        }
+        golden(&format!("parity/{}.txt", machine.id()), &out);
     }
+}
+
+/// Results, program, run and charts of a project: each with its check sum.
+fn machine_on_control(project: &Project) -> String {
+    let mut out = format!("# {} on {}\n", project.machine.id(), project.control.id);
+    let mut sum = Sum::new();
+    for readout in project.design().readouts {
+        sum.number(readout.value);
+        let _ = writeln!(out, "{} {:.4} {} {:?}", readout.id, readout.value, readout.unit, readout.verdict);
+    }
+    let _ = writeln!(out, "results: sum {}", sum.0);
     let written = project.written();
     for file in &written.files.0 {
-        out.push_str(&file.text);
+        let mut sum = Sum::new();
+        sum.bytes(file.text.as_bytes());
+        let _ = writeln!(out, "{}: {} bytes; sum {}", file.name, file.text.len(), sum.0);
     }
-    let mut planner = run::of_project(&project, &written, &BEGIN);
+    let mut planner = run::of_project(project, &written, &OPTIONS);
     let end = planner.advance(f64::INFINITY, usize::MAX).planned_to;
+    let mut sum = Sum::new();
     for k in 0..=100 {
-        let _ = writeln!(out, "{}", moment(&planner.timeline().at(end * f64::from(k) / 100.0)));
+        let now = planner.timeline().at(end * f64::from(k) / 100.0);
+        sum.snapshot(&now);
+        if k % 10 == 0 {
+            let _ = writeln!(out, "{}", moment(&now));
+        }
     }
+    let _ = writeln!(out, "run at 101 moments: sum {}", sum.0);
     for chart in project.machine.charts(&project.values, project.on(), &planner, 0.0, end, 60) {
-        out.push_str(&view::plot::svg(&chart));
-        out.push('\n');
+        let svg = view::plot::svg(&chart);
+        let mut sum = Sum::new();
+        sum.bytes(svg.as_bytes());
+        let _ = writeln!(out, "chart {}: {} bytes of SVG; sum {}", chart.id, svg.len(), sum.0);
     }
-    golden("parity/ribbon-line.bits", &out);
+    out.push('\n');
+    out
 }
