@@ -16,12 +16,12 @@ pub struct Block {
 }
 
 impl Block {
-    /// Seconds from the first to the last commanded motion: `T + τ`. Source: sizing sheet section 4, F1.
+    /// Seconds from the first to the last commanded motion: `T + τ`. Source: sizing facts, section 4, F1.
     pub fn duration(&self) -> f64 {
         self.interpolation + self.time_constant
     }
 
-    /// Highest commanded speed in mm/s: `v · min(1, T / τ)`. Source: sizing sheet section 4, F2.
+    /// Highest commanded speed in mm/s: `v · min(1, T / τ)`. Source: sizing facts, section 4, F2.
     pub fn peak_speed(&self) -> f64 {
         if self.time_constant > self.interpolation {
             self.speed * self.interpolation / self.time_constant
@@ -31,7 +31,7 @@ impl Block {
     }
 
     /// Millimetres that the axis still lags when its command ends: a first-order servo of gain K behind the trapezoid of
-    /// [`Block::duration`], in its three steps. Source: sizing sheet section 4, F3 (there checked against an integration).
+    /// [`Block::duration`], in its three steps. Source: sizing facts, section 4, F3 (there checked against an integration).
     pub fn lag_at_end(&self) -> f64 {
         let (t, tau, gain) = (self.interpolation, self.time_constant, self.position_gain);
         let (flank, flat, peak) = (t.min(tau), (tau - t).abs(), self.peak_speed());
@@ -45,12 +45,12 @@ impl Block {
         held * fall + peak * (1.0 - fall * (1.0 + gain * flank)) / (gain * gain * flank)
     }
 
-    /// Seconds until the axis is within `width` millimetres of its end: `ln(lag / width) / K`. Source: sizing sheet section 4, F4.
+    /// Seconds until the axis is within `width` millimetres of its end: `ln(lag / width) / K`. Source: sizing facts, section 4, F4.
     pub fn settling(&self, width: f64) -> f64 {
         (math::ln(self.lag_at_end() / width) / self.position_gain).max(0.0)
     }
 
-    /// Seconds of a block with exact stop: duration and settling. Source: sizing sheet section 4, F5.
+    /// Seconds of a block with exact stop: duration and settling. Source: sizing facts, section 4, F5.
     pub fn exact_stop(&self, width: f64) -> f64 {
         self.duration() + self.settling(width)
     }

@@ -20,17 +20,17 @@ impl Induction {
     }
 
     /// Speed lost under the load, r/min: proportional to torque and, at constant V/f, the same at any frequency.
-    /// Source: sizing sheet 2.6, checked as D4.
+    /// Source: sizing facts 2.6, checked as D4.
     pub fn slip(&self) -> f64 {
         (self.no_load - self.rated) * self.load
     }
 
-    /// Speed that a command in r/min gives: `command · gain - slip`. Source: sizing sheet 2.6, checked as D5.
+    /// Speed that a command in r/min gives: `command · gain - slip`. Source: sizing facts 2.6, checked as D5.
     pub fn speed(&self, command: f64) -> f64 {
         command * self.gain() - self.slip()
     }
 
-    /// Relative speed error at a command: `speed / command - 1`. Source: sizing sheet 2.6, checked as D6 and D8.
+    /// Relative speed error at a command: `speed / command - 1`. Source: sizing facts 2.6, checked as D6 and D8.
     pub fn error(&self, command: f64) -> f64 {
         if command > 0.0 { self.speed(command) / command - 1.0 } else { 0.0 }
     }

@@ -4,25 +4,25 @@
 ///
 /// The feeding drive rises linearly for `feed_ramp` seconds, the pulling drive follows `wait` seconds later with its own linear
 /// rise of `pull_ramp`: `speed · (wait - feed_ramp / 2 + pull_ramp / 2)`. With `wait = 0` both start together, with
-/// `wait = feed_ramp` the pull waits for the speed. Source: sizing sheet 2.6, checked as D23 and D24.
+/// `wait = feed_ramp` the pull waits for the speed. Source: sizing facts 2.6, checked as D23 and D24.
 pub fn slack_after_start(speed: f64, feed_ramp: f64, pull_ramp: f64, wait: f64) -> f64 {
     speed * (wait - feed_ramp / 2.0 + pull_ramp / 2.0)
 }
 
 /// Length laid down while both drives stop: the pull falls linearly in `pull_ramp`, the feed begins `delay` seconds after it and falls
-/// in `feed_ramp`: `speed · (delay + feed_ramp / 2 - pull_ramp / 2)`. Source: sizing sheet 2.6, checked as D25 (`delay = 0`).
+/// in `feed_ramp`: `speed · (delay + feed_ramp / 2 - pull_ramp / 2)`. Source: sizing facts 2.6, checked as D25 (`delay = 0`).
 pub fn slack_after_stop(speed: f64, feed_ramp: f64, pull_ramp: f64, delay: f64) -> f64 {
     speed * (delay + feed_ramp / 2.0 - pull_ramp / 2.0)
 }
 
 /// Steady tension in newtons that a draw (relative speed difference) adds to a web: `E · A · draw`, with the modulus in N/mm² and the
-/// cross-section in mm². Source: sizing sheet 2.6, checked as D11 and D12.
+/// cross-section in mm². Source: sizing facts 2.6, checked as D11 and D12.
 pub fn draw_tension(modulus: f64, area: f64, draw: f64) -> f64 {
     modulus * area * draw
 }
 
 /// Slip of a printing head against the web while it crosses a contact zone of length `contact` that stands in space:
-/// `|1 - 1 / ratio| · contact`, `ratio` being roller surface speed to web speed. Source: sizing sheet 3.2, derived there.
+/// `|1 - 1 / ratio| · contact`, `ratio` being roller surface speed to web speed. Source: sizing facts 3.2, derived there.
 pub fn smear(ratio: f64, contact: f64) -> f64 {
     (1.0 - 1.0 / ratio).abs() * contact
 }

@@ -1,12 +1,12 @@
 //! G and M codes of the E60 (machining-center type), sorted by letter and number.
 
-use super::{M700, MEMORY};
+use super::MEMORY;
 use crate::controls::Code::*;
 use crate::controls::CodeDef;
 use crate::controls::code::{Group, g, g_dot, m};
 use crate::text::{Citation, Grade};
 
-const P23: Citation = Citation::new(M700, Grade::Sister);
+const P23: Citation = Citation::new("M700V/M70V programming manual, machining center", Grade::Sister);
 const FEED: Citation = Citation::new("M700V/M70V programming manual, p.128", Grade::Sister);
 const EXACT: Citation = Citation::new("M700V/M70V programming manual, p.143", Grade::Sister);
 const STOPS: Citation = Citation::new("M700V/M70V programming manual, p.158", Grade::Sister);
@@ -129,8 +129,8 @@ pub(super) const CODES: &[CodeDef] = &[
     m(5, SpindleStop, "spindle stop", MEMORY),
     m(19, SpindleOrient, "spindle orientation", MEMORY),
     m(30, EndRewind, "program end and rewind", STOPS),
-    m(96, NotSimulated, "user macro interrupt enable", Citation::new(M700, Grade::Sister)),
-    m(97, NotSimulated, "user macro interrupt disable", Citation::new(M700, Grade::Sister)),
+    m(96, NotSimulated, "user macro interrupt enable", P23),
+    m(97, NotSimulated, "user macro interrupt disable", P23),
     m(98, SubCall, "subprogram call", HEADER),
     m(99, SubEnd, "subprogram return", MEMORY),
 ];

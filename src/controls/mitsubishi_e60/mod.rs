@@ -18,8 +18,6 @@ use super::{Control, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 
-/// Programming manual of the younger sister control.
-const M700: &str = "M700V/M70V programming manual, machining center";
 /// Nothing but memory of the MELDAS manuals.
 const MEMORY: Citation = Citation::new("MELDAS M-type usage, unverified", Grade::Open);
 /// The published paper about the ribbon line, on this very control.

@@ -5,7 +5,7 @@ use crate::math::{self, PI};
 /// One pass in the frame of its side. Along it the tool angle σ goes from -π to π; at σ = 0 the tip points at the centre of the work.
 /// Angles in radians, lengths in mm. The curve is symmetric to the normal, so that its formulas are for σ ≥ 0.
 ///
-/// In the work frame `P(σ) = e^(-iσ/k) (a - r e^(iσ))`, turned by the angle of the normal. Source: sheet 3.1.
+/// In the work frame `P(σ) = e^(-iσ/k) (a - r e^(iσ))`, turned by the angle of the normal. Source: polygon turning facts 3.1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Curve {
     distance: f64,
@@ -47,12 +47,12 @@ impl Curve {
         self.ratio
     }
 
-    /// The nearest that the tip comes to the centre of the work, for any ratio: `d = a - r`, half of the distance across flats. Source: sheet 3.1.
+    /// The nearest that the tip comes to the centre of the work, for any ratio: `d = a - r`, half of the distance across flats. Source: polygon turning facts 3.1.
     pub fn apothem(&self) -> f64 {
         self.distance - self.radius
     }
 
-    /// Distance of the tip from the centre of the work: `ρ² = a² + r² - 2 a r cos σ = d² + 4 a r sin²(σ/2)`. Source: sheet 3.1.
+    /// Distance of the tip from the centre of the work: `ρ² = a² + r² - 2 a r cos σ = d² + 4 a r sin²(σ/2)`. Source: polygon turning facts 3.1.
     pub fn reach(&self, sigma: f64) -> f64 {
         let half = math::sin(0.5 * sigma);
         let d = self.apothem();
@@ -66,7 +66,7 @@ impl Curve {
         if reach > d { 2.0 * math::asin(square.min(1.0).sqrt()) } else { 0.0 }
     }
 
-    /// Angle of the tip from the normal as the work turns it past: `b = σ/k + atan2(r sin σ, a - r cos σ)`, from sheet 3.1.
+    /// Angle of the tip from the normal as the work turns it past: `b = σ/k + atan2(r sin σ, a - r cos σ)`, from polygon turning facts 3.1.
     pub fn turn(&self, sigma: f64) -> f64 {
         self.turning(sigma).0
     }
@@ -97,7 +97,7 @@ impl Curve {
     }
 
     /// Curvature at the middle of the side in 1/mm: `κ = [a - r (k-1)²] / [a + r (k-1)]²`; positive where the side is crowned, negative where it is
-    /// hollow. Infinite where the tip stands still on the work. Source: sheet 3.3.
+    /// hollow. Infinite where the tip stands still on the work. Source: polygon turning facts 3.3.
     pub fn curvature(&self) -> f64 {
         let k = self.ratio - 1.0;
         let (speed, bend) = (self.distance + self.radius * k, self.distance - self.radius * k * k);
@@ -174,13 +174,13 @@ impl Branch {
     }
 }
 
-/// The tip circle whose sides are flat at their middle, `r = d / ((k-1)² - 1)`; none from 0 to 2, where every side is crowned. Source: sheet 3.3.
+/// The tip circle whose sides are flat at their middle, `r = d / ((k-1)² - 1)`; none from 0 to 2, where every side is crowned. Source: polygon turning facts 3.3.
 pub fn flat_radius(apothem: f64, ratio: f64) -> Option<f64> {
     let excess = (ratio - 1.0) * (ratio - 1.0) - 1.0;
     (excess > 0.0).then(|| apothem / excess)
 }
 
-/// The ratio that is flat at the middle of the sides for a distance of the axes and a tip circle: `k = 1 + √(a/r)`. Source: sheet 3.3.
+/// The ratio that is flat at the middle of the sides for a distance of the axes and a tip circle: `k = 1 + √(a/r)`. Source: polygon turning facts 3.3.
 pub fn flat_ratio(distance: f64, radius: f64) -> f64 {
     1.0 + (distance / radius).sqrt()
 }

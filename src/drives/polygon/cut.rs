@@ -50,7 +50,7 @@ impl Curve {
     }
 
     /// Cutting speed in m/min at a work speed in r/min and σ from the middle of the side: `v = 2π n |V|`, `|V|² = a² + m² + 2 a m cos σ`,
-    /// `m = (k-1) r`. Source: sheet 3.3.
+    /// `m = (k-1) r`. Source: polygon turning facts 3.3.
     pub fn speed(&self, rpm: f64, sigma: f64) -> f64 {
         let (sin, cos) = math::sin_cos(sigma);
         let along = self.distance() * cos + self.arm();
@@ -71,7 +71,7 @@ impl Curve {
 
     /// Angle by which the motion of the tip over the work leaves the tangent of the cutter at σ: `ψ = atan[a sin σ / (a cos σ + (k-1) r)]`. At
     /// positive σ (behind the middle where the tool turns as angles count) it takes ψ from the relief and adds it to the rake, at negative σ
-    /// the other way round. A right angle or more: the insert cannot cut. Source: sheet 3.4.
+    /// the other way round. A right angle or more: the insert cannot cut. Source: polygon turning facts 3.4.
     pub fn engagement(&self, sigma: f64) -> f64 {
         let (sin, cos) = math::sin_cos(sigma);
         let along = self.distance() * cos + self.arm();
@@ -89,7 +89,7 @@ impl Curve {
 
 /// Tool speed in r/min for a polygon that twists by a turn in `lead` mm, while the slide moves by `feed` mm/min along the work's axis:
 /// `n_tool = k (n_work + F/K)`. A positive lead turns the section counter-clockwise on the way of positive `feed`; it is right-handed where
-/// the angles are seen from the end that positive `feed` leads to. Source: sheet 3.5.
+/// the angles are seen from the end that positive `feed` leads to. Source: polygon turning facts 3.5.
 pub fn helical_tool_speed(ratio: Ratio, work: f64, feed: f64, lead: f64) -> f64 {
     ratio.value() * (work + feed / lead)
 }
@@ -99,7 +99,7 @@ pub fn twist(z: f64, lead: f64) -> f64 {
     2.0 * PI * z / lead
 }
 
-/// Distance in mm between the marks of two cuts on the same flat at a feed in mm per turn of the work. Source: sheet 3.2.
+/// Distance in mm between the marks of two cuts on the same flat at a feed in mm per turn of the work. Source: polygon turning facts 3.2.
 pub fn mark_pitch(ratio: Ratio, inserts: u32, feed_per_turn: f64) -> f64 {
     feed_per_turn / ratio.passes_per_turn(inserts)
 }

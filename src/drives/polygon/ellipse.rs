@@ -1,4 +1,4 @@
-//! Ratio 2, where every pass is an ellipse: the sides in closed form. Lengths in mm, sheet 3.3.
+//! Ratio 2, where every pass is an ellipse: the sides in closed form. Lengths in mm, polygon turning facts 3.3.
 
 use crate::math::{self, PI};
 

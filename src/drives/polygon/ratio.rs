@@ -36,7 +36,7 @@ impl Ratio {
         f64::from(self.tool) / f64::from(self.work)
     }
 
-    /// The sides that evenly spaced inserts turn: `N = n |p| / gcd(n, q)` for k = p/q, of either sign. Source: sheet 3.2.
+    /// The sides that evenly spaced inserts turn: `N = n |p| / gcd(n, q)` for k = p/q, of either sign. Source: polygon turning facts 3.2.
     pub fn sides(self, inserts: u32) -> u32 {
         (inserts / gcd(inserts, self.work.unsigned_abs()).max(1)).saturating_mul(self.tool.unsigned_abs())
     }
@@ -51,7 +51,7 @@ impl Ratio {
     }
 
     /// How often a side is cut in one turn of the work: `gcd(n, q) / q`. The marks of the feed on a flat are the feed per turn over it
-    /// apart. Source: sheet 3.2.
+    /// apart. Source: polygon turning facts 3.2.
     pub fn passes_per_turn(self, inserts: u32) -> f64 {
         f64::from(gcd(inserts, self.work.unsigned_abs())) / f64::from(self.work)
     }

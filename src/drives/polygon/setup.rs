@@ -46,7 +46,7 @@ pub struct Pass {
 
 impl Setup {
     /// A cutter with evenly spaced inserts on one tip circle, set to half of a distance across flats from the centre of the work:
-    /// `a = AF/2 + r`. (A slide whose X is a diameter shows `X = 2 (a - r)` when its offset is `2 r`.) Source: sheet 3.1.
+    /// `a = AF/2 + r`. (A slide whose X is a diameter shows `X = 2 (a - r)` when its offset is `2 r`.) Source: polygon turning facts 3.1.
     pub fn even(across_flats: f64, radius: f64, ratio: Ratio, inserts: u32) -> Setup {
         let inserts = inserts.min(MOST_INSERTS);
         let tips = (0..inserts).map(|j| Tip { radius, angle: spacing(j, inserts) }).collect();
@@ -86,14 +86,14 @@ impl Setup {
         Curve::new(self.distance, self.tips.get(insert)?.radius, self.ratio.value())
     }
 
-    /// Where a tip is when the work has turned by `angle` since the start: `a - r e^(iτ)` with `τ = E + kθ + φ`. Source: sheet 3.1.
+    /// Where a tip is when the work has turned by `angle` since the start: `a - r e^(iτ)` with `τ = E + kθ + φ`. Source: polygon turning facts 3.1.
     pub fn tip_on_machine(&self, insert: usize, angle: f64) -> Option<(f64, f64)> {
         let tip = self.tips.get(insert)?;
         let (sin, cos) = math::sin_cos(self.tool_start + self.ratio.value() * angle + tip.angle);
         Some((self.distance - tip.radius * cos, -tip.radius * sin))
     }
 
-    /// The same as the turning work sees it: `e^(-i(A+θ))` times the place on the machine. Source: sheet 3.1; mirrored, and with both start angles 0, these are
+    /// The same as the turning work sees it: `e^(-i(A+θ))` times the place on the machine. Source: polygon turning facts 3.1; mirrored, and with both start angles 0, these are
     /// the paper's equations (1) and (2).
     pub fn tip_on_work(&self, insert: usize, angle: f64) -> Option<(f64, f64)> {
         let (x, y) = self.tip_on_machine(insert, angle)?;
@@ -102,7 +102,7 @@ impl Setup {
     }
 
     /// The normal of the side that an insert at an angle on the disc cuts as it first passes: `ψ = -A + (E + φ)/k`. The work's start angle turns the
-    /// polygon back by itself, the tool's turns it forth by E/k. Source: sheet 3.1.
+    /// polygon back by itself, the tool's turns it forth by E/k. Source: polygon turning facts 3.1.
     pub fn normal(&self, on_disc: f64) -> f64 {
         (self.tool_start + on_disc) / self.ratio.value() - self.work_start
     }

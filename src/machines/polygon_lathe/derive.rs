@@ -101,12 +101,12 @@ impl Params {
         if pass >= self.passes() { self.finish_feed } else { self.feed }
     }
 
-    /// Speed of the work in r/min, signed: `n = B · D`. Source: sheet 2.
+    /// Speed of the work in r/min, signed: `n = B · D`. Source: K2000T facts 2.
     pub fn work_speed(&self) -> f64 {
         self.speed * self.work_ratio
     }
 
-    /// Speed of the tool in r/min, signed: `n = B · Q`. Source: sheet 2.
+    /// Speed of the tool in r/min, signed: `n = B · Q`. Source: K2000T facts 2.
     pub fn tool_speed(&self) -> f64 {
         self.speed * self.tool_ratio
     }

@@ -6,7 +6,7 @@ use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 use crate::view::ladder::{self, Contact, Rung};
 
-const OURS: Citation = Citation::new("ours; signals and channels by the paper's section 3.1", Grade::Open);
+const OURS: Citation = Citation::new("our own choice; signals and channels by the paper's section 3.1", Grade::Open);
 
 /// Contacts (a leading `/` opens), what they switch, and what for.
 #[rustfmt::skip]

@@ -7,7 +7,7 @@ use crate::nc::File;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 
-const MANUAL: Citation = Citation::new("maker's manual on G51.2; sheet 2", Grade::Sister);
+const MANUAL: Citation = Citation::new("maker's manual on G51.2", Grade::Sister);
 
 /// P and Q of the code: P above 0, Q with the sense. None where one of them is 0.
 fn terms(lathe: &Resolved) -> Option<(i32, i32)> {

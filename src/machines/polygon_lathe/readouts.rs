@@ -5,7 +5,8 @@ use crate::machines::verdict::Row;
 use crate::text::{Citation, Grade};
 
 const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
-const GEOMETRY: Citation = Citation::new("sheet 3, derived and checked by two methods", Grade::Inferred);
+const GEOMETRY: Citation =
+    Citation::new("polygon turning facts 3, derived and checked by two methods", Grade::Inferred);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 
 macro_rules! row {

@@ -10,7 +10,7 @@ use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 use crate::view::svg::escape;
 
-const OURS: Citation = Citation::new("ours: the paper does not tell", Grade::Open);
+const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 
 /// Signals that rise and fall, in the order of the diagram.
 const TRACKS: [&str; 6] = [

@@ -13,7 +13,7 @@ use crate::text::{Citation, Grade};
 use crate::view::{Row, Sheet};
 
 const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
-const OURS: Citation = Citation::new("ours: the paper does not tell", Grade::Open);
+const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 
 /// All sheets.
 pub(super) fn sheets(lathe: &Resolved) -> Vec<Sheet> {
@@ -112,7 +112,10 @@ const WAYS: usize = 40;
 
 /// How the polygon can be turned, the best first, with what excludes the others.
 fn choices(lathe: &Resolved) -> Sheet {
-    let cite = Citation::new("sheet 3: the flattest among those within all limits is the best", Grade::Inferred);
+    let cite = Citation::new(
+        "polygon turning facts 3: the flattest among those within all limits is the best",
+        Grade::Inferred,
+    );
     let way = |(at, way): (usize, Choice)| {
         let excluded: Vec<String> = way.limits.iter().map(|limit| say(limit_text(*limit))).collect();
         let ratio = format!("{}:{}", way.ratio.tool(), way.ratio.work());
@@ -160,7 +163,8 @@ fn choices(lathe: &Resolved) -> Sheet {
 
 /// What each pass asks of the inserts, first the one that needs most relief.
 fn passes(lathe: &Resolved) -> Option<Sheet> {
-    let cite = Citation::new("sheet 3.3 and 3.4; a pass meets what the one before has left", Grade::Inferred);
+    let cite =
+        Citation::new("polygon turning facts 3.3 and 3.4; a pass meets what the one before has left", Grade::Inferred);
     let p = &lathe.p;
     let mut cuts = p.cuts(&p.setup(p.across_flats)?, &lathe.sizes);
     cuts.sort_by(|(_, a), (_, b)| b.relief.max(0.0).total_cmp(&a.relief.max(0.0)));
@@ -195,7 +199,7 @@ const NAMED: usize = 12;
 
 /// Every insert with its errors and what they do to the sides that it cuts; nothing where all are in their places.
 fn inserts(lathe: &Resolved) -> Option<Sheet> {
-    let cite = Citation::new("sheet 3.1, and the section itself", Grade::Inferred);
+    let cite = Citation::new("polygon turning facts 3.1, and the section itself", Grade::Inferred);
     let setup = lathe.p.setup(lathe.p.across_flats).filter(|setup| !setup.is_even())?;
     let sides = lathe.p.section()?.sides();
     let one = |insert: usize| {

@@ -243,7 +243,7 @@ impl Derived {
 }
 
 /// Drift of Y in mm (or °) per shift of eight hours if each stroke were only rounded to 0.001, as the control does; the programs carry
-/// the remainder. Source: sheet 2.3 row 18, and 6.3.
+/// the remainder. Source: ribbon line facts, 3.
 fn y_drift(stroke: f64, pitch_time: f64) -> f64 {
     let rounded = (stroke * 1000.0).round() / 1000.0;
     (rounded - stroke) * 8.0 * 3600.0 / pitch_time

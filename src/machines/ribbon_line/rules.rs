@@ -1,6 +1,6 @@
 //! The rules a ribbon line is judged by, as rows: which result, which limit, what would mend it.
 //!
-//! Numbers are those of section 7 of the sizing sheet. Rule 1 is the ranges of the form, rule 18 the list of assumed facts; both are
+//! Numbers are those of section 7 of `docs/reference/sizing.md`. Rule 1 is the ranges of the form, rule 18 the list of assumed facts; both are
 //! kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
@@ -11,9 +11,9 @@ use super::program;
 use super::resolved::Resolved;
 use crate::controls::{Code, Limits};
 use crate::drives::web;
-use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
+use crate::machines::verdict::{Judgement, Rule, fail, ok, rule, warn};
 use crate::msg;
-use crate::text::{Citation, Diagnostic, Grade, Message};
+use crate::text::{Diagnostic, Message};
 use crate::view::Verdict;
 
 /// Inputs, what follows from them, and what the control takes.
@@ -24,38 +24,32 @@ pub(super) struct Case<'a> {
     pub(super) limits: &'a Limits,
 }
 
-macro_rules! rule {
-    ($number:literal, $on:literal, $judge:expr, $source:literal, $grade:ident) => {
-        Rule { on: $on, cite: Citation::new(concat!("rule ", $number, "; ", $source), Grade::$grade), judge: $judge }
-    };
-}
-
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<Line>] = &[
-    rule!(2, "surface-ratio", ratio, "sizing sheet 3.2 and 3.4, engineering choice", Inferred),
-    rule!(2, "smear", smear, "sizing sheet 3.2 and 3.4, engineering choice", Inferred),
-    rule!(3, "x-motor-speed", motor_x, "data sheet of the motor", Manual),
-    rule!(3, "y-motor-speed", motor_y, "data sheet of the motor", Manual),
-    rule!(4, "line-speed", clamp_x, "cutting feed clamp, a parameter", Sister),
-    rule!(4, "x-feed", clamp_x, "cutting feed clamp, a parameter", Sister),
-    rule!(4, "y-feed", clamp_y, "cutting feed clamp, a parameter", Sister),
-    rule!(4, "vector-feed", feed_limit, "ranges of the control", Open),
-    rule!(4, "feed-per-revolution", revolution_feed, "ranges of the control", Open),
-    rule!(5, "block-time", block_time, "sizing sheet section 4, times from memory", Open),
-    rule!(6, "volts", saturation, "sheet 3.1", Inferred),
-    rule!(7, "frequency", slow_motor, "trade source", Inferred),
-    rule!(9, "register-error", equal_axes, "sizing sheet 0.6", Inferred),
-    rule!(10, "slack-start", slack_start, "sizing sheet 2.6", Inferred),
-    rule!(10, "slack-stop", slack_stop, "sizing sheet 2.6", Inferred),
-    rule!(11, "slack-rate", slack_rate, "sizing sheet 2.6, engineering choice", Inferred),
-    rule!(11, "slack-rate-rated", slack_rate_rated, "sizing sheet 2.6, engineering choice", Inferred),
-    rule!(12, "tension", stiff_web, "sizing sheet 2.6, engineering choice", Inferred),
-    rule!(14, "pi-drift", pi, "sizing sheet D21", Inferred),
-    rule!(14, "thickness-error", thickness, "sizing sheet D22", Inferred),
-    rule!(15, "start-stop-speed", start_stop, "sizing sheet section 4", Inferred),
-    rule!(17, "x-resolution", resolution_x, "sizing sheet 2.5, from memory", Open),
-    rule!(17, "y-resolution", resolution_y, "sizing sheet 2.5, from memory", Open),
-    rule!(17, "y-drift", y_drift, "sizing sheet G1", Inferred),
+    rule!("surface-ratio", ratio, "sizing facts 3.2 and 3.4, engineering choice; rule 2", Inferred),
+    rule!("smear", smear, "sizing facts 3.2 and 3.4, engineering choice; rule 2", Inferred),
+    rule!("x-motor-speed", motor_x, "data sheet of the motor; rule 3", Manual),
+    rule!("y-motor-speed", motor_y, "data sheet of the motor; rule 3", Manual),
+    rule!("line-speed", clamp_x, "cutting feed clamp, a parameter; rule 4", Sister),
+    rule!("x-feed", clamp_x, "cutting feed clamp, a parameter; rule 4", Sister),
+    rule!("y-feed", clamp_y, "cutting feed clamp, a parameter; rule 4", Sister),
+    rule!("vector-feed", feed_limit, "ranges of the control; rule 4", Open),
+    rule!("feed-per-revolution", revolution_feed, "ranges of the control; rule 4", Open),
+    rule!("block-time", block_time, "sizing facts, section 4, times from memory; rule 5", Open),
+    rule!("volts", saturation, "ribbon line facts, 4; rule 6", Inferred),
+    rule!("frequency", slow_motor, "trade source; rule 7", Inferred),
+    rule!("register-error", equal_axes, "sizing facts 0.6; rule 9", Inferred),
+    rule!("slack-start", slack_start, "sizing facts 2.6; rule 10", Inferred),
+    rule!("slack-stop", slack_stop, "sizing facts 2.6; rule 10", Inferred),
+    rule!("slack-rate", slack_rate, "sizing facts 2.6, engineering choice; rule 11", Inferred),
+    rule!("slack-rate-rated", slack_rate_rated, "sizing facts 2.6, engineering choice; rule 11", Inferred),
+    rule!("tension", stiff_web, "sizing facts 2.6, engineering choice; rule 12", Inferred),
+    rule!("pi-drift", pi, "sizing facts D21; rule 14", Inferred),
+    rule!("thickness-error", thickness, "sizing facts D22; rule 14", Inferred),
+    rule!("start-stop-speed", start_stop, "sizing facts, section 4; rule 15", Inferred),
+    rule!("x-resolution", resolution_x, "sizing facts 2.5, from memory; rule 17", Open),
+    rule!("y-resolution", resolution_y, "sizing facts 2.5, from memory; rule 17", Open),
+    rule!("y-drift", y_drift, "sizing facts G1; rule 17", Inferred),
 ];
 
 /// Errors that keep the program from being exported, a feed that the control does not take, and what the operator has to know.

@@ -147,8 +147,10 @@ fn rungs(line: &Resolved) -> Vec<Rung> {
 /// Figure 1 as an instruction list, with its drawing.
 fn ladder(line: &Resolved) -> Sheet {
     let rungs = rungs(line);
-    let cite =
-        Citation::new("paper, figure 1: R148 to R74; instructions by the usual list of the maker", Grade::Inferred);
+    let cite = Citation::new(
+        "ribbon dot-printing paper, figure 1: R148 to R74; instructions by the usual list of the maker",
+        Grade::Inferred,
+    );
     let mut rows = Vec::new();
     let mut add = |instruction: String, note: String| {
         let number = rows.len().to_string();

@@ -5,7 +5,7 @@ use crate::machines::verdict::Row;
 use crate::text::{Citation, Grade};
 
 const SURFACE: Citation = Citation::new("the makers' pages on S, G96 and G97", Grade::Manual);
-const OUTPUT: Citation = Citation::new("sheet 1.1, 12 bits from a sister control", Grade::Sister);
+const OUTPUT: Citation = Citation::new("turning spindle facts 1; 12 bits from a sister control", Grade::Sister);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 
 /// Rows in the order they are shown; the headline ones first.

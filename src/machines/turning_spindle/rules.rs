@@ -22,7 +22,7 @@ pub(super) struct Case<'a> {
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<Lathe>] = &[
     rule!("speed-smallest", top_speed, "highest speed of the chuck", Manual),
-    rule!("limit-diameter", limit, "sheet 1.3: the upper limit wins", Inferred),
+    rule!("limit-diameter", limit, "turning spindle facts 2: the upper limit wins", Inferred),
     rule!("volts-smallest", few_volts, "engineering choice", Inferred),
     rule!("volts-largest", few_volts_large, "engineering choice", Inferred),
     rule!("stage-speed", stage, "speed at 10 V of the gear stage", Manual),
