@@ -7,7 +7,7 @@ mod work;
 
 use std::hint::black_box;
 
-use macroline::drives::polygon::{Ratio, Section, Setup};
+use macroline::drives::polygon::{CutterSetup, Ratio, Section};
 use macroline::motion::{Budget, Panel, Retention};
 use macroline::nc::Files;
 use macroline::project::run::{RunOptions, of_programs, to_end};
@@ -35,7 +35,7 @@ const ASKED: f64 = if cfg!(target_arch = "wasm32") { 10e-3 } else { 5e-3 };
 
 /// The section that twelve inserts turn at ratio 12/5: 144 sides.
 fn section() -> Vec<f64> {
-    let setup = Setup::even(20.0, 45.0, Ratio::new(12, 5).unwrap(), 12);
+    let setup = CutterSetup::even(20.0, 45.0, Ratio::new(12, 5).unwrap(), 12);
     Section::new(black_box(&setup), 10.2).unwrap().radii(ANGLES as usize)
 }
 

@@ -6,7 +6,7 @@ mod summary;
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group};
-use macroline::drives::polygon::{Ratio, Section, Setup};
+use macroline::drives::polygon::{CutterSetup, Ratio, Section};
 use macroline::machines::form::Value;
 use macroline::project::Project;
 
@@ -14,12 +14,12 @@ use macroline::project::Project;
 const ANGLES: u64 = 36_000;
 
 /// Twelve inserts at ratio 12/5: 144 sides.
-fn twelve() -> Setup {
-    Setup::even(20.0, 45.0, Ratio::new(12, 5).unwrap(), 12)
+fn twelve() -> CutterSetup {
+    CutterSetup::even(20.0, 45.0, Ratio::new(12, 5).unwrap(), 12)
 }
 
 /// The same with inserts that are all a little out of their places, so that nothing repeats.
-fn worn() -> Setup {
+fn worn() -> CutterSetup {
     let mut setup = twelve();
     for (tip, off) in setup.tips.iter_mut().zip([3, 1, 4, 1, 5, 9, 2, 6, 5, 3, 5, 8]) {
         tip.radius += 0.001 * f64::from(off);
@@ -27,7 +27,7 @@ fn worn() -> Setup {
     setup
 }
 
-fn section(setup: &Setup) -> Vec<f64> {
+fn section(setup: &CutterSetup) -> Vec<f64> {
     Section::new(black_box(setup), 10.2).unwrap().radii(ANGLES as usize)
 }
 

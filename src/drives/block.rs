@@ -4,7 +4,7 @@ use crate::math;
 
 /// An isolated block under acceleration with a constant time constant (a moving average behind the interpolation).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Block {
+pub struct AxisBlock {
     /// Seconds the interpolation takes: length over speed.
     pub interpolation: f64,
     /// Commanded speed in mm/s.
@@ -15,7 +15,7 @@ pub struct Block {
     pub position_gain: f64,
 }
 
-impl Block {
+impl AxisBlock {
     /// Seconds from the first to the last commanded motion: `T + τ`. Source: sizing facts, section 4, F1.
     pub fn duration(&self) -> f64 {
         self.interpolation + self.time_constant
@@ -31,7 +31,7 @@ impl Block {
     }
 
     /// Millimetres that the axis still lags when its command ends: a first-order servo of gain K behind the trapezoid of
-    /// [`Block::duration`], in its three steps. Source: sizing facts, section 4, F3 (there checked against an integration).
+    /// [`AxisBlock::duration`], in its three steps. Source: sizing facts, section 4, F3 (there checked against an integration).
     pub fn lag_at_end(&self) -> f64 {
         let (t, tau, gain) = (self.interpolation, self.time_constant, self.position_gain);
         let (flank, flat, peak) = (t.min(tau), (tau - t).abs(), self.peak_speed());

@@ -4,12 +4,12 @@ use std::rc::Rc;
 
 use super::call::Caller;
 use super::canon::Canon;
-use super::codes::{Codes, END, OPTIONAL_STOP, STOP, macro_kind};
+use super::codes::{BlockCodes, END, OPTIONAL_STOP, STOP, macro_kind};
 use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::state::RunState;
 use super::step::End;
-use super::words::Words;
+use super::words::BlockWords;
 use crate::controls::macros::CallKind;
 use crate::controls::{Alarm, Code};
 use crate::drives::speed::SpeedLimit;
@@ -20,7 +20,7 @@ impl RunState {
     /// Runs a block of words.
     pub(super) fn words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> Run<()> {
         let surface = self.modal.surface.then(|| self.surface_zero(cx));
-        let mut codes = Codes { count: words.len(), ..Codes::default() };
+        let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
         let words = words.get(..codes.count).unwrap_or(words);
         if let Some(call) = self.modal_call.as_ref().filter(|call| call.each_block).map(Rc::clone)
@@ -48,7 +48,7 @@ impl RunState {
                 }
             }
         }
-        let mut values = Words::default();
+        let mut values = BlockWords::default();
         self.values(cx, block, words, &codes, &mut values)?;
         if let Some(stage) = codes.gear {
             self.queue.push(Canon::Gear { stage });
@@ -122,7 +122,7 @@ impl RunState {
     /// Reads codes and values of a block, and does nothing of what they command. Whether the block calls or returns; `None` where that
     /// depends on who has called.
     pub(super) fn read_words(&mut self, cx: &mut BlockContext, block: &Block, words: &[Word]) -> Run<Option<bool>> {
-        let mut codes = Codes { count: words.len(), ..Codes::default() };
+        let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
         if codes.call.is_some() {
             return Ok(None);
@@ -131,7 +131,7 @@ impl RunState {
         if called {
             self.arguments(cx, block, words, Caller { word: Some(codes.caller), all: false })?;
         } else {
-            self.values(cx, block, words, &codes, &mut Words::default())?;
+            self.values(cx, block, words, &codes, &mut BlockWords::default())?;
         }
         Ok(Some(called || codes.flow.is_some()))
     }
@@ -143,7 +143,7 @@ impl RunState {
         at: u32,
         block: &Block,
         words: &[Word],
-        codes: &Codes,
+        codes: &BlockCodes,
         kind: CallKind,
     ) -> Run<()> {
         let here = |trap: Trap| match words.get(codes.caller) {
@@ -174,7 +174,7 @@ impl RunState {
 
     /// Goes on behind the contour of a cycle that is not simulated, where it lies ahead.
     #[cold]
-    fn pass_contour(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word], values: &Words) {
+    fn pass_contour(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word], values: &BlockWords) {
         let number = |value: Option<f64>| value.filter(|value| (1.0..1e9).contains(value)).map(|value| value as u32);
         let (Some(first), Some(last)) = (number(values.p), number(values.q)) else { return };
         let index = &cx.shared.index;

@@ -237,6 +237,15 @@ impl Canon {
         matches!(self, Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. })
     }
 
+    /// Whether a motion cuts; `None` for what is no motion.
+    pub fn is_cut(&self) -> Option<bool> {
+        match self {
+            Canon::Rapid { .. } => Some(false),
+            Canon::Linear { .. } | Canon::Arc { .. } | Canon::Thread { .. } => Some(true),
+            _ => None,
+        }
+    }
+
     /// The command as one line of the canonical log, for instance `linear X8 Y62.832 F119391.393`.
     pub fn line<'a>(&'a self, names: CanonNames<'a>) -> Line<'a> {
         Line { canon: self, names }

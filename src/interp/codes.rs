@@ -23,12 +23,12 @@ pub(super) const END: u8 = 4;
 
 /// The codes of a block.
 #[derive(Default)]
-pub(super) struct Codes {
-    /// Dwell, reference return, coordinate setting, macro call …: what the words are for.
+pub(super) struct BlockCodes {
+    /// The one-shot code that gives the words their meaning: dwell, reference return, coordinate setting, macro call …
     pub(super) special: Option<Code>,
-    /// A code that is not simulated takes the axis words.
+    /// The axis words belong to a code that is not simulated: no motion.
     pub(super) unmoved: bool,
-    /// Blocks from P to Q are a contour, not motions.
+    /// Blocks from P to Q are the contour of a roughing cycle, not motions.
     pub(super) contour: bool,
     /// A code that is not simulated, or the end of one, may take any word.
     pub(super) any_word: bool,
@@ -38,7 +38,7 @@ pub(super) struct Codes {
     pub(super) path: bool,
     pub(super) spindle: Option<i8>,
     pub(super) gear: Option<u8>,
-    /// Angle that the spindle goes to.
+    /// Spindle orientation: angle in degrees and approach.
     pub(super) orient: Option<(f64, Approach)>,
     pub(super) auxiliary: [u32; M_CODES as usize],
     pub(super) auxiliaries: usize,
@@ -52,12 +52,12 @@ pub(super) struct Codes {
     pub(super) mixed: bool,
     /// Index of the word that calls a macro.
     pub(super) caller: usize,
-    /// Words that are read: all, or those in front of an optional block skip.
+    /// Number of words that are read: all, or those in front of an optional block skip.
     pub(super) count: usize,
 }
 
-impl Codes {
-    /// S is a limit of the speed.
+impl BlockCodes {
+    /// Whether S is a speed limit in this block.
     pub(super) fn limits(&self) -> bool {
         matches!(self.special, Some(Code::LowerLimits | Code::UpperLimits | Code::SetCoordinates))
     }
@@ -66,7 +66,13 @@ impl Codes {
 impl RunState {
     /// Puts the codes of a block in force.
     #[inline]
-    pub(super) fn codes(&mut self, cx: &mut BlockContext, block: &Block, words: &[Word], codes: &mut Codes) -> Run<()> {
+    pub(super) fn codes(
+        &mut self,
+        cx: &mut BlockContext,
+        block: &Block,
+        words: &[Word],
+        codes: &mut BlockCodes,
+    ) -> Run<()> {
         for (at, word) in words.iter().enumerate() {
             match word.letter {
                 b'G' => {
@@ -151,7 +157,7 @@ impl RunState {
 
     /// Takes a code that is a name.
     #[cold]
-    fn named_code(&mut self, cx: &BlockContext, word: &Word, at: usize, codes: &mut Codes) {
+    fn named_code(&mut self, cx: &BlockContext, word: &Word, at: usize, codes: &mut BlockCodes) {
         match cx.codes().row_of(word) {
             Some(row) if row.code == Code::Return => codes.flow = Some(Code::Return),
             Some(row) if row.code == Code::MasterSpindle => self.modal.master = word.index.unwrap_or(1),
@@ -169,7 +175,7 @@ impl RunState {
 
     /// Takes a code that calls a program. Within a program that was called by a code there are none.
     #[inline]
-    fn calls(&self, cx: &BlockContext, id: CodeId, at: usize, codes: &mut Codes) -> bool {
+    fn calls(&self, cx: &BlockContext, id: CodeId, at: usize, codes: &mut BlockCodes) -> bool {
         let call = cx.codes().call(id).filter(|_| !self.called_by_code());
         if call.is_some() {
             (codes.call, codes.caller) = (call.copied(), at);
@@ -178,7 +184,7 @@ impl RunState {
     }
 
     #[inline]
-    fn g_code(&mut self, cx: &BlockContext, row: &CodeDef, at: usize, codes: &mut Codes) {
+    fn g_code(&mut self, cx: &BlockContext, row: &CodeDef, at: usize, codes: &mut BlockCodes) {
         use Code::*;
         match row.code {
             GoTo(_) | Dwell | ReferenceReturn | MachineCoordinates | MachineRapid | SetCoordinates
@@ -199,7 +205,14 @@ impl RunState {
         self.modal.set(cx.control, row);
     }
 
-    fn m_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, at: usize, codes: &mut Codes) -> Run<()> {
+    fn m_word(
+        &mut self,
+        cx: &mut BlockContext,
+        block: &Block,
+        word: &Word,
+        at: usize,
+        codes: &mut BlockCodes,
+    ) -> Run<()> {
         let Some(number) = self.whole(cx, block, word)? else { return Ok(()) };
         if !(0.0..=99_999_999.0).contains(&number) {
             return Err(self.out_of_range(cx, block, word, 0.0, 99_999_999.0));
@@ -237,7 +250,7 @@ impl RunState {
 }
 
 /// How the block calls a macro with its words as arguments, if it does.
-pub(super) fn macro_kind(codes: &Codes) -> Option<CallKind> {
+pub(super) fn macro_kind(codes: &BlockCodes) -> Option<CallKind> {
     match (codes.call, codes.special) {
         (Some(call), _) => (call.kind != CallKind::Sub).then_some(call.kind),
         (None, Some(Code::MacroCall)) => Some(CallKind::Macro),

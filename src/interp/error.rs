@@ -1,4 +1,4 @@
-//! Why a block did not come to its end, on the way to becoming a diagnostic.
+//! Errors raised while a block executes, before they are located and turned into a [`Diagnostic`].
 
 use crate::controls::Alarm;
 use crate::nc::{Block, Deck, ExprId, Parsed, part_span};

@@ -73,7 +73,7 @@ impl RunState {
         Ok(or_zero(self.value(cx, id)?))
     }
 
-    /// What stands right of an operator has a value, and one that the operator takes whatever stands left of it.
+    /// Checks that the right operand is non-vacant and valid for every left operand.
     pub(super) fn operand(&self, cx: &mut BlockContext, op: Op, right: ExprId) -> Run<()> {
         let value = self.number(cx, right)?;
         if divides_not(cx, op, value) { Err(self.division_by_zero(cx, right)) } else { Ok(()) }

@@ -114,7 +114,7 @@ impl Modal {
         modal
     }
 
-    /// Puts a code in force. Codes that act in their own block only change nothing.
+    /// Puts a code in force. BlockCodes that act in their own block only change nothing.
     pub(super) fn set(&mut self, control: &Control, row: &CodeDef) {
         use Code::{
             Absolute, ArcCcw, ArcCw, ArcTangent, ArcThrough, Cancel, Diameters, DiametersAbsolute, ExactStop,

@@ -1,4 +1,4 @@
-//! What was in force with each command that may still wait, for programs that ask about the block that is executed.
+//! Modal history per queued command, for variables that read the executing block.
 
 use std::collections::VecDeque;
 use std::rc::Rc;

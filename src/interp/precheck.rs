@@ -1,4 +1,4 @@
-//! What a run will certainly say: each block alone, with all in it that is constant, under all codes that can be in force there.
+//! Static pre-check: interprets each block in isolation with constants only and reports the alarms that any run would raise.
 
 use std::cell::RefCell;
 use std::mem;
@@ -151,17 +151,17 @@ struct Oracle<'a> {
     clean: Vec<Clean>,
 }
 
-/// A word of a block of which nothing was to be said, and the numbers between which nothing is.
+/// Cache: a word already checked without findings, and the value range for which that holds.
 struct Clean {
     word: Word,
     least: i64,
     most: i64,
-    /// Whether it may say another number: lengths and feeds have ranges, each other number may mean something of its own.
+    /// Whether the range may grow: true for lengths and feeds; any other number may have a meaning of its own.
     ranges: bool,
 }
 
 impl Clean {
-    /// Whether the word is this one, but for how much it says.
+    /// Whether a word differs from this one in its value at most.
     fn is_like(&self, word: &Word) -> bool {
         let (WordValue::Number(a), WordValue::Number(b)) = (self.word.value, word.value) else { return false };
         (self.word.letter, self.word.index, self.word.form, a.scale, a.point)

@@ -1,11 +1,11 @@
 //! S, constant surface speed, limits of the speed, angles: what the words of a block command of the spindle.
 
 use super::canon::{AXES, Canon, Target};
-use super::codes::Codes;
+use super::codes::BlockCodes;
 use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::state::RunState;
-use super::words::Words;
+use super::words::BlockWords;
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Alarm, Code};
 use crate::drives::Approach;
@@ -16,7 +16,13 @@ use crate::msg;
 impl RunState {
     /// S, and constant surface speed on and off. `surface` is its zero before the block, where it was on.
     #[inline]
-    pub(super) fn speed(&mut self, cx: &BlockContext, codes: &Codes, values: &Words, surface: Option<i64>) -> Run<()> {
+    pub(super) fn speed(
+        &mut self,
+        cx: &BlockContext,
+        codes: &BlockCodes,
+        values: &BlockWords,
+        surface: Option<i64>,
+    ) -> Run<()> {
         let speed = values.speed;
         if speed.is_none() && surface.is_none() && !self.modal.surface {
             return Ok(());

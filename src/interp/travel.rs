@@ -2,11 +2,11 @@
 
 use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent, passes};
 use super::canon::{AXES, Canon, Feed, Target};
-use super::codes::Codes;
+use super::codes::BlockCodes;
 use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::state::{ArcGeometry, LastMotion, RunState};
-use super::words::Words;
+use super::words::BlockWords;
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code};
 use crate::math;
@@ -16,7 +16,7 @@ use crate::nc::Dimensioning;
 impl RunState {
     /// The command for the axis words of a block; whether axes move.
     #[inline]
-    pub(super) fn motion(&mut self, cx: &BlockContext, codes: &Codes, values: &Words) -> Run<bool> {
+    pub(super) fn motion(&mut self, cx: &BlockContext, codes: &BlockCodes, values: &BlockWords) -> Run<bool> {
         match codes.special {
             Some(Code::Dwell) if values.dwell_turns.is_some() => {
                 self.queue.push(Canon::DwellTurns { turns: values.dwell_turns.unwrap_or(0.0) });
@@ -254,7 +254,7 @@ impl RunState {
     }
 
     /// The lead in force, along the path.
-    fn lead(&self, cx: &BlockContext, values: &Words, to: Target) -> Run<f64> {
+    fn lead(&self, cx: &BlockContext, values: &BlockWords, to: Target) -> Run<f64> {
         let Some(lead) = self.modal.lead.filter(|lead| *lead != 0.0) else {
             if cx.control.raises(Alarm::NoLead) {
                 return Err(Trap::alarm(Alarm::NoLead, msg!("interp.no-lead")));
@@ -285,7 +285,7 @@ impl RunState {
     }
 
     /// G50 or G92: the present position is the one that is told, or differs from what it was by what is told.
-    fn set_coordinates(&mut self, cx: &BlockContext, values: &Words) {
+    fn set_coordinates(&mut self, cx: &BlockContext, values: &BlockWords) {
         if values.mask == 0 {
             return;
         }
@@ -300,7 +300,7 @@ impl RunState {
         self.surface_speed(cx);
     }
 
-    fn arc(&self, cx: &BlockContext, values: &Words, mut to: Target, feed: Feed, exact: bool) -> Run<Canon> {
+    fn arc(&self, cx: &BlockContext, values: &BlockWords, mut to: Target, feed: Feed, exact: bool) -> Run<Canon> {
         let [first, second, _] = self.modal.plane;
         let scale = |axis: u8| cx.shared.rules.moved(axis);
         let delta = |axis: u8| {
@@ -353,7 +353,7 @@ impl RunState {
 
     /// The end of an arc by its centre and the degrees that it goes round.
     #[cold]
-    fn turn_to(&self, cx: &BlockContext, values: &Words, turn: f64, to: &mut Target) {
+    fn turn_to(&self, cx: &BlockContext, values: &BlockWords, turn: f64, to: &mut Target) {
         let [first, second, _] = self.modal.plane;
         let (x, y) = center_of(cx, values, (first, second));
         let (sin, cos) = math::sin_cos(if self.modal.motion == Code::ArcCw { -turn } else { turn }.to_radians());
@@ -367,7 +367,7 @@ impl RunState {
     }
 
     /// How far the point that an arc passes lies from its start along an axis, in what the slide moves.
-    fn passed(&self, cx: &BlockContext, values: &Words, axis: u8) -> f64 {
+    fn passed(&self, cx: &BlockContext, values: &BlockWords, axis: u8) -> f64 {
         let at = usize::from(axis);
         let letter = cx.control.axes.get(at).map_or(0, |axis| axis.letter);
         let point = values.through.get(usize::from(letter.wrapping_sub(b'X'))).copied().flatten();
@@ -407,7 +407,7 @@ fn no_feed(cx: &BlockContext, feed: Option<f64>) -> Trap {
 }
 
 /// I, J, K of the axes of a plane: how far the centre lies from the start, in what the slide moves.
-fn center_of(cx: &BlockContext, values: &Words, (first, second): (u8, u8)) -> (f64, f64) {
+fn center_of(cx: &BlockContext, values: &BlockWords, (first, second): (u8, u8)) -> (f64, f64) {
     let offset = |axis: u8| {
         let letter = cx.control.axes.get(axis as usize).map_or(0, |axis| axis.letter);
         let at = letter.wrapping_sub(b'X') as usize;

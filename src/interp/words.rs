@@ -1,7 +1,7 @@
 //! The values of a block: axis words, feeds, speeds and the words that only some codes use.
 
 use super::canon::AXES;
-use super::codes::Codes;
+use super::codes::BlockCodes;
 use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::modal::Radii;
@@ -12,7 +12,7 @@ use crate::drives::Approach;
 use crate::msg;
 use crate::nc::{Block, Dimensioning, Word};
 
-/// Words that do nothing in most blocks: the centre of an arc, its radius, what is called and how often, all others.
+/// BlockBit flags for words that only some codes use: I/J/K, R, P/L, and B/E/Q.
 const CENTRE: u8 = 1;
 
 const RADIUS: u8 = 2;
@@ -21,7 +21,7 @@ const CALLED: u8 = 4;
 
 const OTHERS: u8 = 8;
 
-/// Which of them a letter is for; 0 where it is for none.
+/// The flag of a letter; 0 for letters that every block may use.
 const fn class(letter: u8) -> u8 {
     match letter {
         b'I' | b'J' | b'K' => CENTRE,
@@ -34,7 +34,7 @@ const fn class(letter: u8) -> u8 {
 
 /// The values of a block.
 #[derive(Default)]
-pub(super) struct Words {
+pub(super) struct BlockWords {
     pub(super) axes: [i64; AXES],
     /// Bit `k`: axis `k` was programmed.
     pub(super) mask: u8,
@@ -42,31 +42,31 @@ pub(super) struct Words {
     pub(super) incremental: u8,
     /// Bit `k`: as an absolute value, whatever is in force.
     pub(super) absolute: u8,
-    /// Axes X, Y, Z whose lead is programmed, bit by bit.
+    /// Bit 0 to 2: the lead along X, Y, Z is programmed.
     pub(super) leads: u8,
-    /// How the axes go to angles.
+    /// Direction in which each axis approaches its angle.
     pub(super) ways: [Dimensioning; AXES],
     /// I, J, K.
     pub(super) center: [Option<i64>; 3],
-    /// I1, J1, K1: a point on the way.
+    /// I1, J1, K1: an intermediate point of the arc.
     pub(super) through: [Option<i64>; 3],
     pub(super) radius: Option<i64>,
-    /// Degrees that an arc goes round.
+    /// Swept angle of an arc in degrees (AR).
     pub(super) turn: Option<f64>,
     pub(super) speed: Option<f64>,
     /// Highest speed under constant surface speed.
     pub(super) speed_limit: Option<f64>,
-    /// Angle that the spindle goes to.
+    /// Spindle orientation: angle in degrees and approach.
     pub(super) orient: Option<(f64, Approach)>,
     pub(super) tool: Option<u32>,
     pub(super) dwell: Option<f64>,
-    /// Turns of the spindle that a dwell lasts.
+    /// Dwell in spindle revolutions.
     pub(super) dwell_turns: Option<f64>,
     pub(super) p: Option<f64>,
     pub(super) q: Option<f64>,
     pub(super) h: Option<f64>,
     pub(super) l: Option<f64>,
-    /// Classes of the words that do nothing in most blocks.
+    /// Flags of the programmed words that only some codes use.
     pub(super) rare: u8,
 }
 
@@ -78,8 +78,8 @@ impl RunState {
         cx: &mut BlockContext,
         block: &Block,
         words: &[Word],
-        codes: &Codes,
-        values: &mut Words,
+        codes: &BlockCodes,
+        values: &mut BlockWords,
     ) -> Run<()> {
         let inch = self.modal.inch;
         let thread = matches!(self.modal.motion, Code::Thread | Code::Tapping);
@@ -87,7 +87,7 @@ impl RunState {
         let surface = self.modal.surface && !codes.limits();
         for word in words {
             let letter = word.letter;
-            // Words of another spindle, or of what is not simulated.
+            // BlockWords of another spindle, or of what is not simulated.
             let spindles = matches!(letter, b'M' | b'S' | long::SPOS | long::LIMS);
             // Whatever stands behind the axes that go to a point: X1=0.
             if let (Some(Code::GoTo(_)), Some((axis, _))) = (codes.special, cx.shared.index.axis(letter)) {
@@ -219,7 +219,7 @@ impl RunState {
 
     /// A word of another spindle, or of a point on the way; all others with a number are of what is not simulated.
     #[cold]
-    fn indexed_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut Words) -> Run<()> {
+    fn indexed_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<()> {
         let at = usize::from(word.letter.wrapping_sub(b'I'));
         if word.letter == b'S' {
             self.modal.other.0 = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.other.0);
@@ -234,7 +234,7 @@ impl RunState {
 
     /// The classes of rare words that do something in a block with these codes.
     #[inline]
-    fn uses(&self, codes: &Codes, values: &Words) -> u8 {
+    fn uses(&self, codes: &BlockCodes, values: &BlockWords) -> u8 {
         let any = codes.any_word || codes.call.is_some() || self.modal.cycle || self.modal.motion == Code::NotSimulated;
         let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw);
         match (any, arc) {
@@ -254,7 +254,7 @@ impl RunState {
         cx: &mut BlockContext,
         block: &Block,
         words: &[Word],
-        (codes, values): (&Codes, &Words),
+        (codes, values): (&BlockCodes, &BlockWords),
     ) -> Run<()> {
         let (uses, dwell) = (self.uses(codes, values), codes.special == Some(Code::Dwell));
         for word in words {
@@ -282,9 +282,9 @@ impl RunState {
         Ok(())
     }
 
-    /// Words that count radii, on an axis whose positions are diameters.
+    /// BlockWords that count radii, on an axis whose positions are diameters.
     #[cold]
-    fn double(&self, cx: &BlockContext, values: &mut Words) {
+    fn double(&self, cx: &BlockContext, values: &mut BlockWords) {
         for k in (0..AXES).filter(|&k| cx.shared.rules.moves[k] != 1.0) {
             let bit = 1 << k;
             let relative = (values.incremental & bit != 0 || !self.modal.absolute) && values.absolute & bit == 0;

@@ -1,4 +1,4 @@
-//! What a program can read of the machine and write to it: the one way back against the arrow.
+//! [`World`]: how a program reads machine state (positions, inputs, clocks).
 
 use crate::text::Diagnostic;
 

@@ -24,7 +24,7 @@ pub mod polygon_lathe;
 
 use crate::controls::{Control, Switches};
 use crate::math;
-use crate::motion::{Action, Planner, Plant, Plc, Program, Snapshot};
+use crate::motion::{Action, Planner, Plant, Plc, RunningProgram, Snapshot};
 use crate::msg;
 use crate::nc::{Deck, File};
 use crate::text::Diagnostic;
@@ -115,7 +115,7 @@ pub trait Samples {
     fn dips(&self, axis: usize, t: f64) -> Vec<(f64, f64)>;
 }
 
-impl<P: Program> Samples for Planner<P> {
+impl<P: RunningProgram> Samples for Planner<P> {
     fn at(&self, t: f64) -> Snapshot {
         self.timeline().at(t)
     }

@@ -1,30 +1,18 @@
-//! Looking into a run: stopping before a block is read, seeing what the program sees, a second run from a checkpoint of the first.
+//! A second run from a checkpoint of the first, for debuggers: it stops before a block, and shows what the program sees.
 
 use std::collections::VecDeque;
 
-use super::plan::{Checkpoint, Planner, Progress, Retention};
-use super::program::Program;
-use super::state::Records;
+use super::gate::Gatekeeper;
+use super::plan::{Checkpoint, Planner};
+use super::program::RunningProgram;
+use super::records::Records;
+use super::setup::{Progress, Retention};
 use crate::interp::{Canon, World};
-
-/// What happens to a step of the program that is about to be read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Gate {
-    /// It is read.
-    Open,
-    /// It is read, and [`Planner::given`] begins anew with it.
-    Anew,
-    /// The run stops before it.
-    Shut,
-}
-
-/// Asked before each step of the program: at its time, with the program and the machine as the program would see it.
-pub type Gatekeeper<'a, P> = &'a mut dyn FnMut(f64, &P, &mut dyn World) -> Gate;
 
 /// Commands that are kept while somebody looks on, the newest.
 const GIVEN: usize = 8;
 
-impl<P: Program> Planner<P> {
+impl<P: RunningProgram> Planner<P> {
     /// As [`advance`](Planner::advance), but only until the gate is shut; whether it is. Of the log the newest commands stay.
     pub fn advance_to(&mut self, until: f64, budget: usize, gate: Gatekeeper<P>) -> (Progress, bool) {
         let answer = self.plan(until, budget, Some(gate));
@@ -62,7 +50,7 @@ impl<P: Program> Planner<P> {
         Planner {
             records: Records { timeline, log, taken: 0, anew: 0, diagnostics: Vec::new() },
             state,
-            machine: self.machine.clone(),
+            plant: self.plant.clone(),
             panel: self.panel.clone(),
             checkpoints: Vec::new(),
             keep: Retention::Log,

@@ -26,54 +26,54 @@
 //! * **Operator.** Feed hold lets dwell and codes run to their end. Reset breaks off: the axes stop over their time constants. Cycle
 //!   start at the very moment of a stop answers that stop; other actions come before what the machine does at the same moment.
 
-pub mod plant;
-
+// What goes in and out.
 pub mod panel;
-
+pub mod plant;
 pub mod plc;
-
+pub mod program;
+pub mod setup;
 pub mod snapshot;
 
-pub mod program;
-
+// The record over time.
+mod path;
+mod records;
+mod spindle;
+mod time_series;
 pub mod timeline;
 
-pub mod plan;
-
-pub mod fork;
-
-mod executor;
-
-mod machine;
-
+// State and plant of a simulation.
+mod checked_plant;
+mod exec;
 mod moves;
-
-mod orienting;
-
-mod operator;
-
-mod path;
-
-mod pmc;
-
-mod reader;
-
-mod signals;
-
-mod spindle;
-
+mod sim;
+mod spindle_control;
 mod state;
 
-mod time_series;
+// What happens at an event.
+mod dwell;
+mod events;
+mod executor;
+mod feed;
+mod operator;
+mod orienting;
+mod pmc;
+mod reader;
+mod signals;
+mod spindle_speed;
+mod strobe;
+mod surface_speed;
 
-mod turning;
+// Runs.
+pub mod fork;
+pub mod gate;
+pub mod plan;
 
-pub use fork::Gate;
+pub use gate::Gate;
 pub use panel::{Action, Event, Panel};
-pub use plan::{Budget, Planner, Progress, Retention, RunEnd, Setup};
-pub use plant::{AxisPlant, Plant, SpindlePlant};
-pub use plc::{BenchPlc, GearShift, Io, Part, Plc, Strobes};
-pub use pmc::PMC_AXES;
-pub use program::Program;
+pub use plan::Planner;
+pub use plant::{AxisPlant, PMC_AXES, Plant, SpindlePlant};
+pub use plc::{BenchPlc, GearShift, Io, Plc, Strobes, WordPart};
+pub use program::RunningProgram;
+pub use setup::{Budget, Progress, Retention, RunEnd, Setup};
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};
 pub use timeline::Timeline;

@@ -19,7 +19,7 @@ pub(super) enum Pace {
 
 /// An arc in a plane: all lengths in mm, angles in radians, counter-clockwise positive.
 #[derive(Debug, Clone, Copy)]
-struct Bow {
+struct ArcMove {
     plane: (u8, u8),
     radius: f64,
     phase: f64,
@@ -33,7 +33,7 @@ pub(super) struct Move {
     pub(super) start: [f64; AXES],
     /// What is added in proportion to the path: all of a line; on an arc, the other axes and what rounding leaves in the plane.
     line: [f64; AXES],
-    bow: Option<Bow>,
+    bow: Option<ArcMove>,
     /// Where it ends.
     pub(super) end: [f64; AXES],
     /// Length of the path; millimetres and degrees count alike (`reference/mitsubishi-e60.md` section 5).
@@ -107,7 +107,7 @@ impl Move {
         self.line[a] = to.0 - radius * cos;
         self.line[b] = to.1 - radius * sin;
         self.length = (radius * sweep * radius * sweep + others).sqrt();
-        self.bow = Some(Bow { plane, radius, phase, sweep });
+        self.bow = Some(ArcMove { plane, radius, phase, sweep });
         self.limited(axes)
     }
 

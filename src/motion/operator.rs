@@ -1,73 +1,72 @@
 //! What the operator's hand does to a run.
 
-use super::executor::Exec;
+use super::exec::Exec;
 use super::panel::Action;
-use super::plc::Part;
-use super::program::Program;
-use super::signals::{percent, sense};
-use super::state::Sim;
+use super::plc::{WordPart, percent, sense};
+use super::program::RunningProgram;
+use super::sim::Sim;
 use super::timeline::VariableChange;
 use crate::math;
 use crate::msg;
 use crate::text::Diagnostic;
 
-impl<P: Program> Sim<'_, P> {
+impl<P: RunningProgram> Sim<'_, P> {
     /// The next event of the panel happens.
     pub(super) fn operate(&mut self, t: f64) {
         let panel = self.panel;
-        let Some(event) = panel.events().get(self.s.panel_done) else { return };
-        self.s.panel_done += 1;
+        let Some(event) = panel.events().get(self.s.operator.events_done) else { return };
+        self.s.operator.events_done += 1;
         match &event.action {
             Action::SpindleOverride(value) => {
-                self.s.io.spindle_override = percent(*value);
+                self.s.plc.io.spindle_override = percent(*value);
                 self.scan(t);
             }
             Action::FeedOverride(value) => {
-                self.s.knobs.feed = *value;
-                self.s.io.feed_override = percent(*value);
+                self.s.operator.knobs.feed = *value;
+                self.s.plc.io.feed_override = percent(*value);
                 self.scan(t);
                 self.pace(t);
             }
             Action::RapidOverride(value) => {
-                self.s.knobs.rapid = *value;
+                self.s.operator.knobs.rapid = *value;
                 self.pace(t);
             }
             Action::Start => self.start(t),
             Action::Hold => {
-                self.s.held |= self.s.exec.runs();
-                self.s.flow_end = None;
+                self.s.operator.held |= self.s.exec.runs();
+                self.s.path.flow_end = None;
                 self.pace(t);
             }
             Action::Reset => self.reset(t, Exec::Ready),
             Action::EmergencyStop => {
-                let diagnostic = Diagnostic::error(msg!("motion.emergency-stop")).alarm(self.machine.emergency);
+                let diagnostic = Diagnostic::error(msg!("motion.emergency-stop")).alarm(self.plant.emergency);
                 self.out.diagnostics.push(diagnostic.clone());
                 self.reset(t, Exec::Emergency(Box::new(diagnostic)));
             }
-            Action::SingleBlock(on) => self.s.knobs.single_block = *on,
-            Action::OptionalStop(on) => self.s.knobs.optional_stop = *on,
-            Action::BlockSkip(on) => self.s.knobs.block_skip = *on,
+            Action::SingleBlock(on) => self.s.operator.knobs.single_block = *on,
+            Action::OptionalStop(on) => self.s.operator.knobs.optional_stop = *on,
+            Action::BlockSkip(on) => self.s.operator.knobs.block_skip = *on,
             Action::ManualSpeed(rpm) => {
                 if !matches!(self.s.exec, Exec::Emergency(_)) && rpm.is_finite() {
-                    let turning = &mut self.s.turning;
+                    let turning = &mut self.s.spindle;
                     (turning.surface, turning.orienting) = (None, None);
                     (turning.speed, turning.direction) = (rpm.abs(), sense(*rpm));
                     self.scan(t);
                 }
             }
             Action::SpeedLimit(limit, rpm) => {
-                self.s.turning.limit(*limit, *rpm);
+                self.s.spindle.limit(*limit, *rpm);
                 self.scan(t);
             }
-            Action::Input(name, value) => match forced(name).filter(|(number, _)| self.machine.is_input(*number)) {
+            Action::Input(name, value) => match forced(name).filter(|(number, _)| self.plant.is_input(*number)) {
                 Some(key) => {
-                    let (least, most) = self.machine.input_range(key.0, key.1);
+                    let (least, most) = self.plant.input_range(key.0, key.1);
                     let taken = math::clamp(*value, least, most);
                     if taken != *value {
                         let message = msg!("interp.output-range", name.as_str(), (*value, 9), taken);
                         self.out.diagnostics.push(Diagnostic::warning(message));
                     }
-                    self.s.io.forced.insert(key, taken);
+                    self.s.plc.io.forced.insert(key, taken);
                     self.scan(t);
                 }
                 None => self.nothing_to_set(name),
@@ -95,18 +94,18 @@ impl<P: Program> Sim<'_, P> {
         match self.s.exec {
             Exec::Stopped => self.s.exec = Exec::Idle,
             Exec::Ready | Exec::Finished => {
-                let (position, scale) = (&self.s.position, &self.machine.scale);
+                let (position, scale) = (&self.s.path.position, &self.plant.scale);
                 self.s.program.restart(core::array::from_fn(|k| (position[k] / scale[k]).round() as i64));
                 self.clear();
-                self.s.read_at = t;
+                self.s.reader.next_step = t;
                 self.s.exec = Exec::Idle;
             }
             _ => {}
         }
         if self.s.exec.runs() {
-            self.s.stepped = false;
-            self.s.held = false;
-            self.s.flow_end = None;
+            self.s.operator.stepped = false;
+            self.s.operator.held = false;
+            self.s.path.flow_end = None;
             self.pace(t);
         }
     }
@@ -114,53 +113,53 @@ impl<P: Program> Sim<'_, P> {
     /// Stops everything: the axes over their time constants, the spindle over its ramp, where the control does so.
     fn reset(&mut self, t: f64, then: Exec) {
         self.break_off(t);
-        if self.machine.log {
+        if self.plant.log {
             // What was read and not begun has not happened.
-            if let Some(next) = self.s.queue.front() {
+            if let Some(next) = self.s.reader.queue.front() {
                 self.out.log.truncate(next.logged.saturating_sub(self.out.taken));
             }
         }
         self.clear();
         let emergency = matches!(then, Exec::Emergency(_));
         if emergency || self.orients() {
-            self.s.turning.orienting = None;
+            self.s.spindle.orienting = None;
         }
-        let rules = &self.machine.spindle.rules;
+        let rules = &self.plant.spindle.rules;
         if emergency || !rules.turns_through_reset {
-            self.s.turning.direction = 0;
+            self.s.spindle.direction = 0;
         }
         if emergency && rules.emergency_clears {
-            self.s.turning.speed = 0.0;
+            self.s.spindle.speed = 0.0;
         }
         self.s.exec = then;
-        self.s.io.clear_strobes();
-        (self.s.io.reset, self.s.io.emergency) = (true, emergency);
+        self.s.plc.io.clear_strobes();
+        (self.s.plc.io.reset, self.s.plc.io.emergency) = (true, emergency);
         self.scan(t);
     }
 
     /// The state of a control after reset.
     fn clear(&mut self) {
         let s = &mut *self.s;
-        s.queue.clear();
-        s.ahead = 0;
-        s.drain = false;
-        s.over = None;
-        s.held = false;
-        s.stepped = false;
-        s.flow_end = None;
-        (s.suppress_hold, s.suppress_override, s.suppress_exact) = (false, false, false);
-        (s.suppress_single_block, s.suppress_fin) = (false, false);
-        s.turning.surface = None;
+        s.reader.queue.clear();
+        s.reader.ahead = 0;
+        s.reader.drains = false;
+        s.reader.over = None;
+        s.operator.held = false;
+        s.operator.stepped = false;
+        s.path.flow_end = None;
+        (s.suppressed.hold, s.suppressed.feed_override, s.suppressed.exact) = (false, false, false);
+        (s.suppressed.single_block, s.suppressed.fin) = (false, false);
+        s.spindle.surface = None;
     }
 }
 
 /// Variable and part of a forced input: `#1033`, `#1033.low`, `#1033.high`.
-fn forced(name: &str) -> Option<(u32, Part)> {
+fn forced(name: &str) -> Option<(u32, WordPart)> {
     let name = name.strip_prefix('#')?;
     let (number, part) = match name.split_once('.') {
-        None => (name, Part::Whole),
-        Some((number, "low")) => (number, Part::Low),
-        Some((number, "high")) => (number, Part::High),
+        None => (name, WordPart::Whole),
+        Some((number, "low")) => (number, WordPart::Low),
+        Some((number, "high")) => (number, WordPart::High),
         Some(_) => return None,
     };
     Some((number.parse().ok()?, part))

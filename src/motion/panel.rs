@@ -38,7 +38,7 @@ pub enum Action {
 /// An action at a time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Event {
-    /// Machine time in seconds.
+    /// CheckedPlant time in seconds.
     pub t: f64,
     /// What is done.
     pub action: Action,

@@ -20,7 +20,7 @@
 
 use super::plant::AxisPlant;
 use super::snapshot::AxisState;
-use super::time_series::{Timed, Track};
+use super::time_series::{TimeSeries, Timed};
 use crate::interp::canon::AXES;
 use crate::math;
 
@@ -148,8 +148,8 @@ impl Weight {
 /// The commanded path.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Path {
-    pub(super) segments: Track<Segment>,
-    pub(super) circles: Track<Circle>,
+    pub(super) segments: TimeSeries<Segment>,
+    pub(super) circles: TimeSeries<Circle>,
 }
 
 impl Path {

@@ -6,126 +6,63 @@
 
 use std::collections::VecDeque;
 
-use super::fork::{Gate, Gatekeeper};
-use super::machine::Machine;
+use super::checked_plant::CheckedPlant;
+use super::events::EventSource;
+use super::gate::{Gate, Gatekeeper};
 use super::panel::{Event, Panel};
 use super::path::Segment;
-use super::plant::Plant;
-use super::plc::Plc;
-use super::program::Program;
-use super::state::{EventSource, Marks, Records, Sim, State};
+use super::program::RunningProgram;
+use super::records::{RecordLengths, Records};
+use super::setup::{Progress, Retention, RunEnd, Setup};
+use super::sim::Sim;
+use super::state::SimState;
 use super::timeline::Timeline;
-use crate::controls::Control;
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, Counts};
 use crate::msg;
 use crate::text::{Diagnostic, Place};
 
-/// Budgets of a run.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Budget {
-    /// Blocks read at most.
-    pub blocks: u64,
-    /// Machine seconds at most.
-    pub seconds: f64,
-}
-
-/// What a run leaves behind.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Retention {
-    /// The whole timeline and a checkpoint for every second: any moment can be shown, any event added.
-    Timeline,
-    /// The same, and the commands as a log: for stepping on the command line.
-    Both,
-    /// Only the newest moments, and the commands as a log for [`Planner::take_log`]: for long runs on the command line. An event that
-    /// is added to the past happens now.
-    Log,
-}
-
-/// All that a run is a function of.
-pub struct Setup<'a, P> {
-    /// The program, at its head.
-    pub program: P,
-    /// The control that runs it.
-    pub control: &'a Control,
-    /// Axes, spindle, block times.
-    pub plant: &'a Plant,
-    /// The builder's logic.
-    pub plc: Box<dyn Plc>,
-    /// The operator's hand.
-    pub panel: Panel,
-    /// Budgets.
-    pub limits: Budget,
-    /// What is kept.
-    pub keep: Retention,
-}
-
-/// Why a run is over. Where the operator does something further it goes on.
-#[derive(Debug, Clone, PartialEq)]
-pub enum RunEnd {
-    /// M02, M30 or the end of the start program; the spindle is left as it is.
-    ProgramEnd,
-    /// It waits for the operator: M00, M01, a message, single block, hold or reset, and no event of the panel answers. Or it waits for
-    /// something that never comes (FIN, a feed above 0), of which a diagnostic tells.
-    Stop,
-    /// An alarm, or emergency stop.
-    Alarm(Box<Diagnostic>),
-    /// The budget of blocks is used up.
-    Blocks,
-    /// The budget of time is used up.
-    Seconds,
-}
-
-/// How far a run is planned.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Progress {
-    /// Machine time up to which all is known.
-    pub planned_to: f64,
-    /// Set when the run is over at that time.
-    pub ended: Option<RunEnd>,
-}
-
 /// A state before all events at or after a time.
 #[derive(Debug, Clone)]
 pub(super) struct Checkpoint<P> {
     pub(super) t: f64,
-    pub(super) state: State<P>,
-    pub(super) marks: Marks,
+    pub(super) state: SimState<P>,
+    pub(super) marks: RecordLengths,
 }
 
 /// A run that is planned slice by slice.
 #[derive(Debug, Clone)]
 pub struct Planner<P> {
-    pub(super) machine: Machine,
+    pub(super) plant: CheckedPlant,
     pub(super) panel: Panel,
-    pub(super) state: State<P>,
+    pub(super) state: SimState<P>,
     pub(super) records: Records,
     pub(super) checkpoints: Vec<Checkpoint<P>>,
     pub(super) keep: Retention,
     /// Time of the next checkpoint, whole seconds.
     pub(super) due: f64,
     pub(super) ended: Option<RunEnd>,
-    /// The last diagnostic says why nothing more is planned; whatever the operator does, makes it untrue.
+    /// True when the last diagnostic explains why planning stopped; removed on the next panel event.
     pub(super) has_last_word: bool,
 }
 
-impl<P: Program> Planner<P> {
+impl<P: RunningProgram> Planner<P> {
     /// A run at time 0; cycle start is pressed.
     pub fn new(setup: Setup<'_, P>) -> Planner<P> {
-        let machine = Machine::new(setup.control, setup.plant, setup.limits, setup.keep != Retention::Timeline);
-        let mut timeline = Timeline::new(machine.axes, super::pmc::axes(&setup.plant.pmc), machine.spindle);
-        let mut state = State::new(setup.program, setup.plc, machine.square());
-        let home = machine.axes.map(|axis| axis.home);
+        let plant = CheckedPlant::new(setup.control, setup.plant, setup.limits, setup.keep != Retention::Timeline);
+        let mut timeline = Timeline::new(plant.axes, super::pmc::axes(&setup.plant.pmc), plant.spindle);
+        let mut state = SimState::new(setup.program, setup.plc, plant.square());
+        let home = plant.axes.map(|axis| axis.home);
         if home != [0.0; AXES] {
-            let increments = core::array::from_fn(|k| (home[k] / machine.scale[k]).round() as i64);
+            let increments = core::array::from_fn(|k| (home[k] / plant.scale[k]).round() as i64);
             state.program.stand(increments);
-            state.position = home;
+            state.path.position = home;
             timeline.put_segment(Segment { t: 0.0, from: home, velocity: [0.0; AXES], circle: 0 }, None);
         }
         Planner {
             records: Records { timeline, log: VecDeque::new(), taken: 0, anew: 0, diagnostics: Vec::new() },
             state,
-            machine,
+            plant,
             panel: setup.panel,
             checkpoints: Vec::new(),
             keep: setup.keep,
@@ -143,26 +80,26 @@ impl<P: Program> Planner<P> {
     /// The same, but a gate may shut before a step of the program; whether it did.
     pub(super) fn plan(&mut self, until: f64, budget: usize, mut gate: Option<Gatekeeper<P>>) -> (Progress, bool) {
         let mut shut = false;
-        let until = until.min(self.machine.limits.seconds);
+        let until = until.min(self.plant.limits.seconds);
         for _ in 0..budget {
             if self.ended.is_some() {
                 break;
             }
-            let sim = Sim { s: &mut self.state, machine: &self.machine, out: &mut self.records, panel: &self.panel };
+            let sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
             if let Some(end) = sim.end() {
                 self.finish(end);
                 break;
             }
             let (t, who) = sim.next();
             if t > until || t == f64::INFINITY {
-                if t == f64::INFINITY && sim.panel.events().len() == sim.s.panel_done {
+                if t == f64::INFINITY && sim.panel.events().len() == sim.s.operator.events_done {
                     if let Some(why) = sim.stuck() {
                         self.last_word(why);
                     }
                     self.finish(RunEnd::Stop);
-                } else if until >= self.machine.limits.seconds {
+                } else if until >= self.plant.limits.seconds {
                     self.records.timeline.end = until;
-                    self.last_word(Diagnostic::info(msg!("motion.out-of-seconds", self.machine.limits.seconds)));
+                    self.last_word(Diagnostic::info(msg!("motion.out-of-seconds", self.plant.limits.seconds)));
                     self.ended = Some(RunEnd::Seconds);
                 } else {
                     self.records.timeline.end = until.max(self.records.timeline.end);
@@ -186,8 +123,7 @@ impl<P: Program> Planner<P> {
             if t >= self.due {
                 self.checkpoint(t);
             }
-            let mut sim =
-                Sim { s: &mut self.state, machine: &self.machine, out: &mut self.records, panel: &self.panel };
+            let mut sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
             sim.happen(t, who);
             // Other events may follow at this very time; it is known only once they have happened.
             self.records.timeline.end = t.max(self.records.timeline.end);
@@ -283,7 +219,7 @@ impl<P: Program> Planner<P> {
             Some(change) => Some(change.value).filter(|value| !value.is_nan()),
             None => {
                 let state = base.map_or(&self.state, |checkpoint| &checkpoint.state);
-                let interface = || state.shown.get(&number).or_else(|| state.io.outputs.get(&number)).copied();
+                let interface = || state.plc.shown.get(&number).or_else(|| state.plc.io.outputs.get(&number)).copied();
                 state.program.variable(number).or_else(interface)
             }
         }
@@ -291,7 +227,7 @@ impl<P: Program> Planner<P> {
 
     /// Takes the log of the commands that were begun since the last call: when each was read, in the order of the program.
     pub fn take_log(&mut self) -> Vec<(f64, Canon, Place)> {
-        let begun = self.state.queue.front().map_or(self.records.logged(), |next| next.logged);
+        let begun = self.state.reader.queue.front().map_or(self.records.logged(), |next| next.logged);
         let count = begun.saturating_sub(self.records.taken).min(self.records.log.len());
         self.records.taken += count;
         self.records.log.drain(..count).collect()

@@ -4,6 +4,9 @@ use crate::controls::{Code, Control, SpindleRules, Switches};
 use crate::drives::speed::STAGES;
 use crate::drives::{Analog, Positioning, Stage};
 
+/// The most axes that a PLC turns.
+pub const PMC_AXES: usize = 2;
+
 /// An axis of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisPlant {

@@ -2,14 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::pmc::PMC_AXES;
-use super::signals::sense;
+use super::plant::PMC_AXES;
 use crate::controls::Alarm;
 use crate::drives::speed::Steps;
 
 /// Which part of an input word is forced. The whole word yields to its halves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Part {
+pub enum WordPart {
     /// All 32 bits, or the one bit of an input bit.
     Whole,
     /// The lower 16 bits.
@@ -18,14 +17,14 @@ pub enum Part {
     High,
 }
 
-impl Part {
+impl WordPart {
     /// The input with this part of it replaced.
     pub(super) fn put(self, word: f64, value: f64) -> f64 {
         let (old, new) = (word as i32, value as i64 as i32);
         match self {
-            Part::Whole => value,
-            Part::Low => f64::from(old & !0xffff | new & 0xffff),
-            Part::High => f64::from(new << 16 | old & 0xffff),
+            WordPart::Whole => value,
+            WordPart::Low => f64::from(old & !0xffff | new & 0xffff),
+            WordPart::High => f64::from(new << 16 | old & 0xffff),
         }
     }
 }
@@ -46,7 +45,7 @@ pub struct Io {
     /// Macro outputs, by variable number, as the program wrote them.
     pub outputs: BTreeMap<u32, f64>,
     /// Inputs that the operator has forced: `inputs` obeys them whatever the PLC writes.
-    pub forced: BTreeMap<(u32, Part), f64>,
+    pub forced: BTreeMap<(u32, WordPart), f64>,
     /// M code that waits for FIN.
     pub m_strobe: Option<u32>,
     /// S code that waits for FIN, in r/min.
@@ -228,4 +227,14 @@ impl Plc for BenchPlc {
     fn boxed(&self) -> Box<dyn Plc> {
         Box::new(self.clone())
     }
+}
+
+/// An override in percent: 0 to 1000, 0 where it is no number.
+pub(super) fn percent(value: f64) -> f64 {
+    if value > 0.0 { value.min(1000.0) } else { 0.0 }
+}
+
+/// The sign of a speed or an angle, 0 where it is none.
+pub(super) fn sense(value: f64) -> i8 {
+    i8::from(value > 1e-9) - i8::from(value < -1e-9)
 }

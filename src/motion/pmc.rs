@@ -1,14 +1,11 @@
 //! Axes that the PLC turns by itself (PMC axes): it gives them speeds, acceleration and servo do to them what they do to any axis.
 
 use super::path::Segment;
-use super::plant::AxisPlant;
-use super::program::Program;
-use super::state::Sim;
+use super::plant::{AxisPlant, PMC_AXES};
+use super::program::RunningProgram;
+use super::sim::Sim;
 use super::timeline::Timeline;
 use crate::interp::canon::AXES;
-
-/// The most axes that a PLC turns.
-pub const PMC_AXES: usize = 2;
 
 /// Degrees a second for each turn a minute.
 const DEGREES: f64 = 6.0;
@@ -23,16 +20,16 @@ impl Timeline {
     }
 }
 
-impl<P: Program> Sim<'_, P> {
+impl<P: RunningProgram> Sim<'_, P> {
     /// Shows the PLC how far it has told its axes to turn.
     pub(super) fn show_pmc(&mut self, t: f64) {
         let told = self.out.timeline.pmc_told(t);
-        self.s.io.pmc_turns = core::array::from_fn(|k| told[k] / 360.0);
+        self.s.plc.io.pmc_turns = core::array::from_fn(|k| told[k] / 360.0);
     }
 
     /// Turns the axes of the PLC at the speeds that it now gives.
     pub(super) fn turn_pmc(&mut self, t: f64) {
-        let speed = self.s.io.pmc_speed;
+        let speed = self.s.plc.io.pmc_speed;
         let asked = |k: usize| speed.get(k).copied().filter(|rpm| rpm.is_finite()).unwrap_or(0.0) * DEGREES;
         let velocity: [f64; AXES] = core::array::from_fn(asked);
         if velocity != self.out.timeline.pmc.segments.last().map_or([0.0; AXES], |last| last.velocity) {

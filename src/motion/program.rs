@@ -5,8 +5,8 @@ use crate::interp::{Counts, Interp, Step, World};
 use crate::text::Place;
 
 /// A program that runs, timeless; a clone goes on exactly as the original would.
-pub trait Program: Clone {
-    /// The next step. The first step of a block raises [`blocks`](Program::blocks), further steps of the same block do not.
+pub trait RunningProgram: Clone {
+    /// The next step. The first step of a block raises [`blocks`](RunningProgram::blocks), further steps of the same block do not.
     fn step(&mut self, world: &mut dyn World) -> Step;
     /// Blocks read so far; never falls.
     fn blocks(&self) -> Counts;
@@ -25,7 +25,7 @@ pub trait Program: Clone {
     }
 }
 
-impl Program for Interp {
+impl RunningProgram for Interp {
     fn step(&mut self, world: &mut dyn World) -> Step {
         Interp::step(self, world)
     }

@@ -2,10 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use super::executor::Exec;
+use super::exec::Exec;
 use super::plant::AxisPlant;
-use super::program::Program;
-use super::state::{Over, Queued, Sim, State};
+use super::program::RunningProgram;
+use super::sim::Sim;
+use super::state::{Over, Queued, SimState};
 use super::timeline::{Timeline, VariableChange};
 use crate::interp::canon::AXES;
 use crate::interp::{Canon, Step, World};
@@ -34,20 +35,15 @@ enum Axes<'a> {
     Path(&'a Timeline),
 }
 
-impl<P> State<P> {
-    /// Commands behind the one that is executed; `None` where all are done.
-    fn waiting(&self) -> Option<usize> {
-        (!self.queue.is_empty() || !matches!(self.exec, Exec::Idle)).then_some(self.queue.len())
-    }
-
+impl<P> SimState<P> {
     /// Shows somebody the program, and the machine as the program sees it at `t`, but with the axes where they are.
     pub(super) fn look<R>(&self, t: f64, path: &Timeline, look: impl FnOnce(&P, &mut dyn World) -> R) -> R {
         let mut eyes = ReaderWorld {
-            inputs: &self.io.inputs,
+            inputs: &self.plc.io.inputs,
             position: Axes::Path(path),
             power_on: t,
             running: self.run_time_at(t),
-            block_skip: self.knobs.block_skip,
+            block_skip: self.operator.knobs.block_skip,
             waiting: self.waiting(),
             changes: Vec::new(),
             remarks: Vec::new(),
@@ -89,26 +85,26 @@ impl World for ReaderWorld<'_> {
     }
 }
 
-impl<P: Program> Sim<'_, P> {
+impl<P: RunningProgram> Sim<'_, P> {
     /// Takes one step of the program.
     pub(super) fn read(&mut self, t: f64) {
         let before = self.s.program.blocks();
-        if before.nc + before.macros >= self.machine.limits.blocks {
-            self.s.over = Some(Over::Blocks);
+        if before.nc + before.macros >= self.plant.limits.blocks {
+            self.s.reader.over = Some(Over::Blocks);
             return;
         }
-        if self.s.drain {
-            self.s.drain = false;
-            self.s.flow_end = None;
+        if self.s.reader.drains {
+            self.s.reader.drains = false;
+            self.s.path.flow_end = None;
         }
         let (running, waiting) = (self.s.run_time_at(t), self.s.waiting());
         let s = &mut *self.s;
         let mut eyes = ReaderWorld {
-            inputs: &s.io.inputs,
-            position: Axes::Rest(&s.position, &self.machine.axes),
+            inputs: &s.plc.io.inputs,
+            position: Axes::Rest(&s.path.position, &self.plant.axes),
             power_on: t,
             running,
-            block_skip: s.knobs.block_skip,
+            block_skip: s.operator.knobs.block_skip,
             waiting,
             changes: Vec::new(),
             remarks: Vec::new(),
@@ -127,7 +123,7 @@ impl<P: Program> Sim<'_, P> {
         }
         let after = s.program.blocks();
         let (nc, macros) = (after.nc - before.nc.min(after.nc), after.macros - before.macros.min(after.macros));
-        s.read_at = t + nc as f64 * self.machine.block_time + macros as f64 * self.machine.macro_time;
+        s.reader.next_step = t + nc as f64 * self.plant.block_time + macros as f64 * self.plant.macro_time;
         self.take(t, step, nc + macros > 0);
     }
 
@@ -136,41 +132,42 @@ impl<P: Program> Sim<'_, P> {
             Step::Command(canon, place) => (canon, place),
             Step::Logic(_) => return,
             Step::Sync(_) => {
-                self.s.drain = true;
+                self.s.reader.drains = true;
                 return;
             }
             Step::Ended(end) => {
-                self.s.over = Some(end.into());
+                self.s.reader.over = Some(end.into());
                 return;
             }
         };
         let logged = self.out.logged();
-        if self.machine.log {
+        if self.plant.log {
             self.out.log.push_back((t, canon.clone(), place));
         }
         match canon {
             // Macro statements act when they are read (reference/mitsubishi-e60.md section 4).
             Canon::Output { variable, value } => {
-                if self.s.io.outputs.get(&variable) != Some(&value) {
+                if self.s.plc.io.outputs.get(&variable) != Some(&value) {
                     self.out.timeline.changes.push(VariableChange { t, number: variable, value });
                 }
-                self.s.io.outputs.insert(variable, value);
+                self.s.plc.io.outputs.insert(variable, value);
                 self.scan(t);
             }
             Canon::Suppress { hold, feed_override, exact } => {
-                self.s.suppress_hold = hold;
-                self.s.suppress_override = feed_override;
-                self.s.suppress_exact = exact;
+                self.s.suppressed.hold = hold;
+                self.s.suppressed.feed_override = feed_override;
+                self.s.suppressed.exact = exact;
                 self.pace(t);
             }
             Canon::SuppressWaits { single_block, fin } => {
-                self.s.suppress_single_block = single_block;
-                self.s.suppress_fin = fin;
+                self.s.suppressed.single_block = single_block;
+                self.s.suppressed.fin = fin;
             }
             _ => {
-                self.s.drain = matches!(canon, Canon::Stop | Canon::OptionalStop | Canon::Message { .. } | Canon::End);
-                self.s.ahead += usize::from(first);
-                self.s.queue.push_back(Queued { canon, place, ready: self.s.read_at, first, logged });
+                self.s.reader.drains =
+                    matches!(canon, Canon::Stop | Canon::OptionalStop | Canon::Message { .. } | Canon::End);
+                self.s.reader.ahead += usize::from(first);
+                self.s.reader.queue.push_back(Queued { canon, place, ready: self.s.reader.next_step, first, logged });
                 self.aim_ahead(t);
             }
         }
@@ -179,14 +176,14 @@ impl<P: Program> Sim<'_, P> {
     pub(super) fn reader_time(&self) -> f64 {
         let s = &*self.s;
         let reads = s.exec.runs() || matches!(s.exec, Exec::Stopped);
-        if !reads || s.over.is_some() || s.ahead >= self.machine.preread {
+        if !reads || s.reader.over.is_some() || s.reader.ahead >= self.plant.preread {
             return f64::INFINITY;
         }
-        if !s.drain {
-            return s.read_at.max(s.now);
+        if !s.reader.drains {
+            return s.reader.next_step.max(s.now);
         }
-        if s.queue.is_empty() && matches!(s.exec, Exec::Idle) {
-            s.read_at.max(s.now).max(self.rest_time())
+        if s.reader.queue.is_empty() && matches!(s.exec, Exec::Idle) {
+            s.reader.next_step.max(s.now).max(self.rest_time())
         } else {
             f64::INFINITY
         }

@@ -1,11 +1,11 @@
 //! The machine at one moment of a run, in what its axes move: half of what words of diameters count.
 
-use super::pmc::PMC_AXES;
+use super::plant::PMC_AXES;
 use crate::drives::Bound;
 use crate::interp::canon::AXES;
 use crate::text::Place;
 
-/// An axis at one moment. Lengths in mm (or degrees), speeds in mm/min (or °/min).
+/// An axis at one moment. TimelineLengths in mm (or degrees), speeds in mm/min (or °/min).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AxisState {
     /// Commanded position behind acceleration: what the drive is told.
@@ -68,7 +68,7 @@ pub enum Mode {
 /// Everything at one moment.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Snapshot {
-    /// Machine time in seconds.
+    /// CheckedPlant time in seconds.
     pub t: f64,
     /// Axes in the control's order.
     pub axes: [AxisState; AXES],

@@ -7,9 +7,9 @@ use crate::drives::Bound;
 use crate::drives::orient::turn;
 use crate::math;
 
-/// What a spindle is told. Two that are equal ask for the same.
+/// What a spindle is command. Two that are equal ask for the same.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Told {
+pub(super) struct SpeedCommand {
     /// Speed in r/min without sign now, and `span` seconds later: under constant surface speed it changes evenly.
     pub(super) from: f64,
     pub(super) to: f64,
@@ -47,8 +47,8 @@ pub(super) struct Ramp {
     pub(super) rate: f64,
     /// Turns at `t`.
     pub(super) turns: f64,
-    /// What it is told.
-    pub(super) told: Told,
+    /// What it is command.
+    pub(super) command: SpeedCommand,
     pub(super) control: SpindleMode,
     /// The axis that is square to the spindle, and its place in mm where the diameter is 0.
     pub(super) square: Option<(u8, f64)>,
@@ -124,7 +124,7 @@ impl Ramp {
 
     fn slip(&self, plant: &SpindlePlant) -> Slip {
         match self.control {
-            SpindleMode::Speed => Slip { gain: plant.gain, lost: plant.slip * plant.stage(self.told.stage).rated },
+            SpindleMode::Speed => Slip { gain: plant.gain, lost: plant.slip * plant.stage(self.command.stage).rated },
             _ => Slip { gain: 1.0, lost: 0.0 },
         }
     }
@@ -151,16 +151,16 @@ impl Ramp {
     }
 
     /// Commanded speed without sign.
-    fn told(&self, t: f64) -> f64 {
-        let Told { from, to, span, .. } = self.told;
+    fn command(&self, t: f64) -> f64 {
+        let SpeedCommand { from, to, span, .. } = self.command;
         if t < self.t + span { from + (to - from) * ((t - self.t) / span) } else { to }
     }
 
     /// The spindle at `t`; `place` tells where an axis is.
     pub(super) fn state(&self, plant: &SpindlePlant, t: f64, place: impl Fn(usize) -> f64) -> SpindleState {
-        let (analog, told) = (plant.analog(self.told.stage), self.told(t));
-        let command = told * f64::from(self.told.sign);
-        let out = if plant.rules.volts_stay && self.told.sign == 0 { told } else { command };
+        let (analog, command) = (plant.analog(self.command.stage), self.command(t));
+        let command = command * f64::from(self.command.sign);
+        let out = if plant.rules.volts_stay && self.command.sign == 0 { command } else { command };
         let (actual, turns) = (self.actual(plant, t), self.turns(plant, t));
         let diameter = self.square.map(|(axis, zero)| 2.0 * (place(usize::from(axis)) - zero).abs());
         SpindleState {
@@ -172,8 +172,8 @@ impl Ramp {
             // Whole turns leave no noise behind: 0 and not 359.99….
             angle: turn((turns * 360e9).round() / 1e9),
             held: self.control == SpindleMode::Held,
-            stage: self.told.stage,
-            bound: self.told.bound,
+            stage: self.command.stage,
+            bound: self.command.bound,
             surface_speed: diameter.map(|diameter| crate::drives::speed::surface_speed(actual, diameter)),
         }
     }

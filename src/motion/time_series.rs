@@ -8,21 +8,21 @@ pub(super) trait Timed {
 
 /// Entries are counted from the first that ever was, so that numbers stay right when old ones are forgotten.
 #[derive(Debug, Clone)]
-pub(super) struct Track<T> {
+pub(super) struct TimeSeries<T> {
     items: Vec<T>,
     forgotten: usize,
 }
 
-impl<T> Default for Track<T> {
-    fn default() -> Track<T> {
-        Track { items: Vec::new(), forgotten: 0 }
+impl<T> Default for TimeSeries<T> {
+    fn default() -> TimeSeries<T> {
+        TimeSeries { items: Vec::new(), forgotten: 0 }
     }
 }
 
 /// So many old entries are forgotten at once.
 const SLAB: usize = 4096;
 
-impl<T: Timed> Track<T> {
+impl<T: Timed> TimeSeries<T> {
     /// Number of entries that ever were.
     pub(super) fn len(&self) -> usize {
         self.forgotten + self.items.len()
@@ -67,13 +67,13 @@ impl<T: Timed> Track<T> {
     }
 
     /// A copy of the entries that hold at `t` or begin later, up to number `len`; they keep their numbers.
-    pub(super) fn part(&self, t: f64, len: usize) -> Track<T>
+    pub(super) fn part(&self, t: f64, len: usize) -> TimeSeries<T>
     where
         T: Copy,
     {
         let old = self.until(t).len().saturating_sub(1).min(len.saturating_sub(self.forgotten));
         let items = self.items.get(old..len.saturating_sub(self.forgotten)).unwrap_or_default().to_vec();
-        Track { items, forgotten: self.forgotten + old }
+        TimeSeries { items, forgotten: self.forgotten + old }
     }
 
     /// Forgets entries that no longer hold at `t`, when there are many.

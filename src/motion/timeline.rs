@@ -3,17 +3,16 @@
 use core::cell::Cell;
 
 use super::path::{Circle, Path, Segment};
-use super::plant::{AxisPlant, SpindlePlant};
-use super::pmc::PMC_AXES;
+use super::plant::{AxisPlant, PMC_AXES, SpindlePlant};
 use super::snapshot::{Mode, Snapshot};
 use super::spindle::Ramp;
-use super::time_series::{Timed, Track};
+use super::time_series::{TimeSeries, Timed};
 use crate::interp::canon::AXES;
 use crate::text::Place;
 
 /// From `t` on the control does this, in this block.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Mark {
+pub(super) struct Activity {
     pub(super) t: f64,
     pub(super) place: Place,
     pub(super) mode: Mode,
@@ -29,7 +28,7 @@ pub(super) struct VariableChange {
     pub(super) number: u32,
 }
 
-impl Timed for Mark {
+impl Timed for Activity {
     fn t(&self) -> f64 {
         self.t
     }
@@ -43,7 +42,7 @@ impl Timed for VariableChange {
 
 /// How long the tracks were at a checkpoint.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Lengths {
+pub(super) struct TimelineLengths {
     segments: usize,
     circles: usize,
     pmc: usize,
@@ -61,9 +60,9 @@ pub struct Timeline {
     pub(super) path: Path,
     /// What the PLC tells its own axes, in °.
     pub(super) pmc: Path,
-    pub(super) ramps: Track<Ramp>,
-    pub(super) marks: Track<Mark>,
-    pub(super) changes: Track<VariableChange>,
+    pub(super) ramps: TimeSeries<Ramp>,
+    pub(super) marks: TimeSeries<Activity>,
+    pub(super) changes: TimeSeries<VariableChange>,
     pub(super) start: f64,
     pub(super) end: f64,
     counted: [Cell<Counted>; 2],
@@ -79,7 +78,7 @@ struct Counted {
 
 impl Timeline {
     /// Memory of one block with motion.
-    pub const BLOCK_BYTES: usize = size_of::<Segment>() + size_of::<Mark>();
+    pub const BLOCK_BYTES: usize = size_of::<Segment>() + size_of::<Activity>();
 
     pub(super) fn new(axes: [AxisPlant; AXES], pmc_axes: [AxisPlant; PMC_AXES], spindle: SpindlePlant) -> Timeline {
         Timeline {
@@ -88,9 +87,9 @@ impl Timeline {
             spindle,
             path: Path::default(),
             pmc: Path::default(),
-            ramps: Track::default(),
-            marks: Track::default(),
-            changes: Track::default(),
+            ramps: TimeSeries::default(),
+            marks: TimeSeries::default(),
+            changes: TimeSeries::default(),
             start: 0.0,
             end: 0.0,
             counted: Default::default(),
@@ -131,7 +130,7 @@ impl Timeline {
     /// How often the block at a place has begun until time `t`.
     pub fn times(&self, place: Place, t: f64) -> u32 {
         let marks = self.marks.until(t);
-        let there = |mark: &Mark| mark.begun && mark.place == place;
+        let there = |mark: &Activity| mark.begun && mark.place == place;
         // A block may have several marks: it waits, then moves.
         let begins = |at: usize| there(&marks[at]) && (at == 0 || !there(&marks[at - 1]));
         let [kept, other] = &self.counted;
@@ -202,8 +201,8 @@ impl Timeline {
         self.path.segments.put(segment);
     }
 
-    pub(super) fn lengths(&self) -> Lengths {
-        Lengths {
+    pub(super) fn lengths(&self) -> TimelineLengths {
+        TimelineLengths {
             segments: self.path.segments.len(),
             circles: self.path.circles.len(),
             pmc: self.pmc.segments.len(),
@@ -213,7 +212,7 @@ impl Timeline {
         }
     }
 
-    pub(super) fn truncate(&mut self, lengths: &Lengths) {
+    pub(super) fn truncate(&mut self, lengths: &TimelineLengths) {
         self.path.segments.truncate(lengths.segments);
         self.path.circles.truncate(lengths.circles);
         self.pmc.segments.truncate(lengths.pmc);
@@ -229,7 +228,7 @@ impl Timeline {
     }
 
     /// What acts at `t`, up to a state.
-    pub(super) fn up_to(&self, lengths: &Lengths, t: f64) -> Timeline {
+    pub(super) fn up_to(&self, lengths: &TimelineLengths, t: f64) -> Timeline {
         let old = t - self.memory();
         Timeline {
             axes: self.axes,
@@ -242,7 +241,7 @@ impl Timeline {
             pmc: Path { segments: self.pmc.segments.part(old, lengths.pmc), ..Path::default() },
             ramps: self.ramps.part(t, lengths.ramps),
             marks: self.marks.part(t, lengths.marks),
-            changes: Track::default(),
+            changes: TimeSeries::default(),
             start: t,
             end: t,
             counted: Default::default(),

@@ -15,7 +15,8 @@ use macroline::controls::{self, Code, Control, Switches};
 use macroline::interp::world::Still;
 use macroline::interp::{End, Interp, StartProgram};
 use macroline::motion::{
-    Action, AxisPlant, BenchPlc, Budget, Event, Panel, Planner, Plant, Program, Retention, RunEnd, Setup, SpindlePlant,
+    Action, AxisPlant, BenchPlc, Budget, Event, Panel, Planner, Plant, Retention, RunEnd, RunningProgram, Setup,
+    SpindlePlant,
 };
 use macroline::nc::{self, Files};
 use proptest::prelude::*;
@@ -52,7 +53,7 @@ fn plant(control: &Control) -> Plant {
 }
 
 /// Planned to its end or for ten minutes, with a hand that answers stops and turns the knob.
-fn planned<P: Program>(control: &Control, program: P) -> Planner<P> {
+fn planned<P: RunningProgram>(control: &Control, program: P) -> Planner<P> {
     let knob = Event { t: 2.3, action: Action::FeedOverride(80.0) };
     let mut planner = Planner::new(Setup {
         program,

@@ -22,8 +22,8 @@ use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Feed, Target};
 use macroline::math;
 use macroline::motion::{
-    Action, AxisPlant, BenchPlc, Budget, Event, GearShift, Mode, Panel, Planner, Plant, Plc, Program, Retention,
-    RunEnd, Setup, Snapshot, SpindlePlant,
+    Action, AxisPlant, BenchPlc, Budget, Event, GearShift, Mode, Panel, Planner, Plant, Plc, Retention, RunEnd,
+    RunningProgram, Setup, Snapshot, SpindlePlant,
 };
 use script::{Line, Script, place};
 

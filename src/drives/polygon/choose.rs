@@ -1,9 +1,9 @@
 //! From the polygon to the cutter: which inserts, ratio and tip circle make it, how well, and which limit speaks against the others.
 
-use super::cut::{self, Cut};
+use super::cut::{self, InsertLoad};
 use super::ratio::Ratio;
 use super::section::Section;
-use super::setup::Setup;
+use super::setup::CutterSetup;
 use crate::math::{self, PI};
 
 /// The polygon that is wanted. Lengths in mm.
@@ -169,11 +169,11 @@ const STEPS: u32 = 24;
 fn set(wanted: &Wanted, means: &Means, cutter: usize, ratio: Ratio, radius: f64) -> Option<Choice> {
     let head = means.cutters.get(cutter)?;
     let across_flats = *wanted.sizes.last()?;
-    let setup = Setup::even(across_flats, radius, ratio, head.inserts);
+    let setup = CutterSetup::even(across_flats, radius, ratio, head.inserts);
     let section = Section::new(&setup, wanted.stock)?;
     let side = section.side(0)?;
     let passes = cut::passes(wanted.sizes, radius, ratio, wanted.sides, wanted.stock);
-    let Cut { relief, speeds: each } = passes.reduce(Cut::worst)?;
+    let InsertLoad { relief, speeds: each } = passes.reduce(InsertLoad::worst)?;
 
     let (work, tool) = (f64::from(ratio.work()), f64::from(ratio.tool()));
     let suits = means.cutting_speed.1 / each.1 / work;

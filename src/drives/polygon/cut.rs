@@ -6,7 +6,7 @@ use crate::math::{self, PI};
 
 /// What a pass of the slide, or all of them, asks of the inserts.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cut {
+pub struct InsertLoad {
     /// Relief angle in radians that they need more than.
     pub relief: f64,
     /// Least and greatest cutting speed in m/min for each r/min of the work.
@@ -16,22 +16,22 @@ pub struct Cut {
 /// Every pass of the slide, each to its distance across flats, the first one into round stock of a radius. An insert meets
 /// no more than the pass before has left. So all passes ask for less than the whole depth at once would, where sides meet in the stock before
 /// the last pass.
-pub fn passes(sizes: &[f64], radius: f64, ratio: Ratio, sides: u32, stock: f64) -> impl Iterator<Item = Cut> {
+pub fn passes(sizes: &[f64], radius: f64, ratio: Ratio, sides: u32, stock: f64) -> impl Iterator<Item = InsertLoad> {
     let curve = move |size: f64| Curve::new(0.5 * size + radius, radius, ratio.value());
     let pitch = 2.0 * PI / f64::from(sides.max(1));
     let before = [None].into_iter().chain(sizes.iter().copied().map(curve));
     sizes.iter().copied().map(curve).zip(before).filter_map(move |(curve, before)| {
         let curve = curve?;
         let edge = before.map_or_else(|| curve.sigma_at(stock), |before| curve.edge(&before, pitch, stock));
-        Some(Cut { relief: curve.relief_needed(edge), speeds: curve.speeds(1.0, edge) })
+        Some(InsertLoad { relief: curve.relief_needed(edge), speeds: curve.speeds(1.0, edge) })
     })
 }
 
-impl Cut {
+impl InsertLoad {
     /// What both ask together.
-    pub fn worst(self, other: Cut) -> Cut {
+    pub fn worst(self, other: InsertLoad) -> InsertLoad {
         let speeds = (self.speeds.0.min(other.speeds.0), self.speeds.1.max(other.speeds.1));
-        Cut { relief: self.relief.max(other.relief), speeds }
+        InsertLoad { relief: self.relief.max(other.relief), speeds }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The section as arcs: what every pass leaves of the stock, found arc by arc, each to the last digits.
 
 use super::curve::{Branch, Curve};
-use super::setup::{Pass, Setup};
+use super::setup::{CutterSetup, Pass};
 use crate::math::PI;
 
 /// Half of a pass, on one side of its normal, as far as one branch goes.
@@ -110,14 +110,14 @@ fn pieces(curve: Curve, pass: Pass, stock: f64) -> impl Iterator<Item = Piece> {
 }
 
 /// The outline from the normal of side 0 once round.
-pub(super) fn outline(setup: &Setup, stock: f64) -> Option<Vec<Arc>> {
+pub(super) fn outline(setup: &CutterSetup, stock: f64) -> Option<Vec<Arc>> {
     let begin = setup.normal(0.0);
     let whole = Arc { from: begin, to: begin + 2.0 * PI, cut: None };
     if setup.is_even() { even(setup, whole, stock) } else { uneven(setup, whole, stock) }
 }
 
 /// Evenly spaced inserts on one circle: the half of one side, repeated.
-fn even(setup: &Setup, whole: Arc, stock: f64) -> Option<Vec<Arc>> {
+fn even(setup: &CutterSetup, whole: Arc, stock: f64) -> Option<Vec<Arc>> {
     let (sides, curve) = (setup.sides(), setup.curve(0)?);
     let pitch = 2.0 * PI / f64::from(sides);
     let pass = Pass { insert: 0, side: 0, normal: whole.from };
@@ -148,7 +148,7 @@ fn even(setup: &Setup, whole: Arc, stock: f64) -> Option<Vec<Arc>> {
 }
 
 /// The first insert that cuts each side.
-fn cutters(setup: &Setup) -> Vec<usize> {
+fn cutters(setup: &CutterSetup) -> Vec<usize> {
     let mut owner = vec![usize::MAX; setup.sides() as usize];
     for pass in setup.passes() {
         owner[pass.side] = owner[pass.side].min(pass.insert);
@@ -157,7 +157,7 @@ fn cutters(setup: &Setup) -> Vec<usize> {
 }
 
 /// Inserts that are not all in their places: the passes one after another.
-fn uneven(setup: &Setup, whole: Arc, stock: f64) -> Option<Vec<Arc>> {
+fn uneven(setup: &CutterSetup, whole: Arc, stock: f64) -> Option<Vec<Arc>> {
     let mut arcs = vec![whole];
     for pass in setup.passes() {
         for piece in pieces(setup.curve(pass.insert)?, pass, stock) {

@@ -16,4 +16,4 @@ pub mod setup;
 pub use curve::Curve;
 pub use ratio::Ratio;
 pub use section::Section;
-pub use setup::{Setup, Tip};
+pub use setup::{CutterSetup, Tip};

@@ -1,7 +1,7 @@
 //! What is left of the stock when all inserts have passed: the exact section, and what there is to measure on it.
 
 use super::envelope::{self, Arc, Piece, halve};
-use super::setup::Setup;
+use super::setup::CutterSetup;
 use crate::math::{self, PI};
 
 /// A section of the work in mm: the stock less all that the tips have passed. What the body of an insert may cut beside its tip is not in it.
@@ -54,7 +54,7 @@ pub const MOST_SIDES: u32 = 1000;
 impl Section {
     /// The section that a cutter leaves of round stock of a radius. None where a tip reaches the centre of the work, or where there
     /// are more than [`MOST_SIDES`] sides or passes.
-    pub fn new(setup: &Setup, stock: f64) -> Option<Section> {
+    pub fn new(setup: &CutterSetup, stock: f64) -> Option<Section> {
         let sides = setup.sides();
         let passes = setup.inserts().saturating_mul(setup.ratio.tool().unsigned_abs());
         let most = if setup.is_even() { sides } else { passes };

@@ -15,7 +15,7 @@ pub struct Tip {
 
 /// Work and cutter as they start into the cut.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Setup {
+pub struct CutterSetup {
     /// Distance of the two axes in mm, a.
     pub distance: f64,
     /// Radius of the tip circle as it is meant to be, r.
@@ -44,13 +44,13 @@ pub struct Pass {
     pub normal: f64,
 }
 
-impl Setup {
+impl CutterSetup {
     /// A cutter with evenly spaced inserts on one tip circle, set to half of a distance across flats from the centre of the work:
     /// `a = AF/2 + r`. (A slide whose X is a diameter shows `X = 2 (a - r)` when its offset is `2 r`.) Source: polygon turning facts 3.1.
-    pub fn even(across_flats: f64, radius: f64, ratio: Ratio, inserts: u32) -> Setup {
+    pub fn even(across_flats: f64, radius: f64, ratio: Ratio, inserts: u32) -> CutterSetup {
         let inserts = inserts.min(MOST_INSERTS);
         let tips = (0..inserts).map(|j| Tip { radius, angle: spacing(j, inserts) }).collect();
-        Setup { distance: 0.5 * across_flats + radius, radius, ratio, work_start: 0.0, tool_start: 0.0, tips }
+        CutterSetup { distance: 0.5 * across_flats + radius, radius, ratio, work_start: 0.0, tool_start: 0.0, tips }
     }
 
     /// Number of inserts, n.
@@ -69,7 +69,7 @@ impl Setup {
     }
 
     /// How far an insert is from its place: radius in mm, angle in radians. A longer one cuts its sides deeper by just as much; an angle δ
-    /// ahead turns its sides by δ/k (see [`Setup::normal`]).
+    /// ahead turns its sides by δ/k (see [`CutterSetup::normal`]).
     pub fn error(&self, insert: usize) -> (f64, f64) {
         let Some(tip) = self.tips.get(insert) else { return (0.0, 0.0) };
         (tip.radius - self.radius, tip.angle - spacing(insert as u32, self.inserts()))

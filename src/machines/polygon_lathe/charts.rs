@@ -3,7 +3,7 @@
 use super::Lathe;
 use super::resolved::{Resolved, TOOL, WORK};
 use super::scene::deviations;
-use crate::drives::polygon::{Section, Setup};
+use crate::drives::polygon::{CutterSetup, Section};
 use crate::machines::chart_rows::{Line, Row};
 use crate::math::PI;
 use crate::view::{Chart, Series};
@@ -54,7 +54,7 @@ pub(super) fn over_radius(lathe: &Resolved, points: usize) -> Option<Chart> {
     let (from, to) = (0.25 * p.tip_radius, 2.0 * p.tip_radius);
     let radius = |at: usize| from + (to - from) * at as f64 / (count - 1) as f64;
     let side = |radius: f64| {
-        let setup = Setup::even(p.across_flats, radius, ratio, p.inserts as u32);
+        let setup = CutterSetup::even(p.across_flats, radius, ratio, p.inserts as u32);
         let side = Section::new(&setup, 0.5 * p.stock_diameter)?.side(0)?;
         Some((radius, 1000.0 * side.low, 1000.0 * side.high))
     };

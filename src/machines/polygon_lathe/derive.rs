@@ -2,8 +2,8 @@
 
 use super::params::Params;
 use crate::drives::polygon::choose::{Choice, choices};
-use crate::drives::polygon::cut::{self, Cut};
-use crate::drives::polygon::{Ratio, Section, Setup};
+use crate::drives::polygon::cut::{self, InsertLoad};
+use crate::drives::polygon::{CutterSetup, Ratio, Section};
 use crate::math::{self, PI};
 
 /// Passes that are written at most.
@@ -176,7 +176,7 @@ impl Derived {
     }
 
     /// The same with what is to be said of the section.
-    fn with(self, p: &Params, sizes: &[f64], setup: &Setup, section: &Section) -> Derived {
+    fn with(self, p: &Params, sizes: &[f64], setup: &CutterSetup, section: &Section) -> Derived {
         let Some(curve) = setup.curve(0) else { return self };
         let sides = section.sides();
         let (low, high) = sides
@@ -184,7 +184,7 @@ impl Derived {
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), side| (low.min(side.low), high.max(side.high)));
         let corners = section.corners();
         let (relief_pass, cut) = p.cuts(setup, sizes).into_iter().fold((0.0, None), |(worst, all), (pass, cut)| {
-            let more = all.is_none_or(|all: Cut| cut.relief > all.relief);
+            let more = all.is_none_or(|all: InsertLoad| cut.relief > all.relief);
             (if more { pass } else { worst }, Some(all.map_or(cut, |all| all.worst(cut))))
         });
         let Some(cut) = cut else { return self };
@@ -200,7 +200,7 @@ impl Derived {
         };
         let (depth, turn) = (worst(|error| error.0), worst(|error| error.1));
         let even = setup.is_even();
-        let in_place = (!even).then(|| Setup::even(p.across_flats, p.tip_radius, setup.ratio, setup.inserts()));
+        let in_place = (!even).then(|| CutterSetup::even(p.across_flats, p.tip_radius, setup.ratio, setup.inserts()));
         let in_place = in_place.and_then(|setup| Section::new(&setup, 0.5 * p.stock_diameter)?.side(0));
         let twists = p.lead != 0.0;
         let twist_speed = cut::helical_tool_speed(setup.ratio, self.work_speed, -self.finish_feed, p.lead);

@@ -2,8 +2,8 @@
 
 use super::params::Params;
 use crate::drives::polygon::choose::{Cutter, Means, Wanted};
-use crate::drives::polygon::cut::{self, Cut};
-use crate::drives::polygon::{Ratio, Section, Setup};
+use crate::drives::polygon::cut::{self, InsertLoad};
+use crate::drives::polygon::{CutterSetup, Ratio, Section};
 use crate::math::PI;
 use crate::text::number;
 
@@ -21,8 +21,8 @@ impl Params {
     }
 
     /// The cutter at a distance across flats, with the errors of its inserts.
-    pub(super) fn setup(&self, across_flats: f64) -> Option<Setup> {
-        let mut setup = Setup::even(across_flats, self.tip_radius, self.ratio()?, self.inserts as u32);
+    pub(super) fn setup(&self, across_flats: f64) -> Option<CutterSetup> {
+        let mut setup = CutterSetup::even(across_flats, self.tip_radius, self.ratio()?, self.inserts as u32);
         (setup.work_start, setup.tool_start) = (self.work_start * RADIANS, self.tool_start * RADIANS);
         let errors = |text: &str, most: f64| errors(text, setup.tips.len(), most).unwrap_or_default();
         let (radii, angles) = (errors(&self.radius_errors, RADIUS_ERROR), errors(&self.angle_errors, ANGLE_ERROR));
@@ -36,7 +36,7 @@ impl Params {
     }
 
     /// Relief and cutting speed that every pass needs, with its number from 1. `sizes` are across flats of the passes.
-    pub(super) fn cuts(&self, setup: &Setup, sizes: &[f64]) -> Vec<(f64, Cut)> {
+    pub(super) fn cuts(&self, setup: &CutterSetup, sizes: &[f64]) -> Vec<(f64, InsertLoad)> {
         let cuts = cut::passes(sizes, self.tip_radius, setup.ratio, setup.sides(), 0.5 * self.stock_diameter);
         (1_u32..).map(f64::from).zip(cuts).collect()
     }

@@ -5,7 +5,7 @@
 //! comes from the exact section.
 
 use super::resolved::{Resolved, TOOL, WORK};
-use crate::drives::polygon::{Curve, Setup};
+use crate::drives::polygon::{Curve, CutterSetup};
 use crate::machines::Samples;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
@@ -120,7 +120,7 @@ fn pass(grid: &mut [f64], curve: &Curve, normal: f64, stock: f64) {
 }
 
 /// Where the tips are on the work, and how far the axes are apart, at a setting of the slide.
-pub(super) fn tips(lathe: &Resolved, now: &Snapshot) -> Option<(Setup, Vec<(f64, f64)>)> {
+pub(super) fn tips(lathe: &Resolved, now: &Snapshot) -> Option<(CutterSetup, Vec<(f64, f64)>)> {
     let (across_flats, _) = lathe.slide(now);
     let mut setup = lathe.p.setup(across_flats)?;
     setup.distance = 0.5 * across_flats + setup.radius;

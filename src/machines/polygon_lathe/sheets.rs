@@ -6,7 +6,7 @@ use super::resolved::Resolved;
 use super::{explore, ladder, native_code, sequence, show};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, ChoiceLimit};
-use crate::drives::polygon::cut::Cut;
+use crate::drives::polygon::cut::InsertLoad;
 use crate::machines::sheets::{self, Axes, Setting, row, say};
 use crate::math::PI;
 use crate::text::{Citation, Grade};
@@ -169,7 +169,7 @@ fn passes(lathe: &Resolved) -> Option<Sheet> {
     let mut cuts = p.cuts(&p.setup(p.across_flats)?, &lathe.sizes);
     cuts.sort_by(|(_, a), (_, b)| b.relief.max(0.0).total_cmp(&a.relief.max(0.0)));
     let speed = |each: f64| show(each * p.work_speed().abs(), 0);
-    let one = |(pass, cut): (f64, Cut)| {
+    let one = |(pass, cut): (f64, InsertLoad)| {
         let cells = [
             show(pass, 0),
             show(p.size(pass), 3),

@@ -4,7 +4,7 @@
 
 use super::params::{FeedForm, Job, Params, PathMode, PiForm, Variant, Wait, YUnit};
 use crate::drives::Analog;
-use crate::drives::block::Block;
+use crate::drives::block::AxisBlock;
 use crate::drives::induction::Induction;
 use crate::drives::web;
 use crate::math::{self, PI};
@@ -264,7 +264,7 @@ impl Timing {
         let (nc, macros) = p.blocks_of_a_pass();
         // The slower of the two axes decides; they should be equal (rule 9).
         let tau = p.time_constant_x.max(p.time_constant_y) / 1000.0;
-        let alone = Block {
+        let alone = AxisBlock {
             interpolation: pitch_time,
             speed: p.pitch / pitch_time,
             time_constant: tau,

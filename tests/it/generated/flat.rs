@@ -7,7 +7,7 @@ use std::rc::Rc;
 use macroline::controls::{Code, CodeId, Control, VarKind};
 use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Counts, End, Feed, Interp, Step, Target, World};
-use macroline::motion::Program;
+use macroline::motion::RunningProgram;
 
 use super::program::g;
 
@@ -38,7 +38,7 @@ impl Recorder {
     }
 }
 
-impl Program for Recorder {
+impl RunningProgram for Recorder {
     fn step(&mut self, world: &mut dyn World) -> Step {
         let before = self.interp.blocks();
         let step = self.interp.step(world);
@@ -68,7 +68,7 @@ impl Program for Recorder {
     }
 
     fn restart(&mut self, position: [i64; AXES]) {
-        Program::restart(&mut self.interp, position);
+        RunningProgram::restart(&mut self.interp, position);
     }
 
     fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool {

@@ -5,7 +5,7 @@ mod section;
 
 use macroline::drives::polygon::curve::{flat_radius, flat_ratio};
 use macroline::drives::polygon::cut::{helical_tool_speed, mark_pitch, twist};
-use macroline::drives::polygon::{Curve, Ratio, Section, Setup, ellipse};
+use macroline::drives::polygon::{Curve, CutterSetup, Ratio, Section, ellipse};
 use macroline::math::{self, PI};
 
 use super::close;
@@ -15,8 +15,8 @@ fn ratio(tool: i32, work: i32) -> Ratio {
 }
 
 /// A cutter with its axis at `a` and its tips at `r`.
-fn setup(a: f64, r: f64, ratio: Ratio, inserts: u32) -> Setup {
-    Setup::even(2.0 * (a - r), r, ratio, inserts)
+fn setup(a: f64, r: f64, ratio: Ratio, inserts: u32) -> CutterSetup {
+    CutterSetup::even(2.0 * (a - r), r, ratio, inserts)
 }
 
 #[track_caller]
@@ -157,7 +157,7 @@ fn an_insert_needs_more_relief_than_its_motion_takes() {
     for (across_flats, radius, inserts, wanted) in
         [(20.0, 45.0, 2, 628.0), (20.0, 45.0, 3, 364.0), (20.0, 30.0, 2, 930.0), (30.0, 45.0, 3, 539.0)]
     {
-        let cutter = Setup::even(across_flats, radius, ratio(2, 1), inserts);
+        let cutter = CutterSetup::even(across_flats, radius, ratio(2, 1), inserts);
         let corner = Section::new(&cutter, 100.0).unwrap().corners()[0].radius;
         let curve = cutter.curve(0).unwrap();
         let edge = curve.sigma_at(corner);
@@ -213,7 +213,7 @@ fn relief_and_speed_follow_the_motion_of_the_tip_over_the_work() {
 fn the_papers_example_turns_a_square_and_a_third_insert_a_hexagon() {
     // B200 D1 Q2 with two inserts opposite each other: work 200, tool 400 r/min; X20 is 20 mm across flats.
     let (work, tool) = (200.0 * 1.0, 200.0 * 2.0);
-    let square = Setup::even(20.0, 45.0, ratio(2, 1), 2);
+    let square = CutterSetup::even(20.0, 45.0, ratio(2, 1), 2);
     assert_eq!((square.sides(), square.across_flats()), (4, 20.0));
     assert_eq!(square.ratio.value() * work, tool);
     let section = Section::new(&square, 12.5).unwrap();
@@ -221,7 +221,7 @@ fn the_papers_example_turns_a_square_and_a_third_insert_a_hexagon() {
     for side in 0..4 {
         near(2.0 * section.radius(section.begin() + 0.5 * PI * f64::from(side)), 20.0, 1e-12);
     }
-    assert_eq!(Setup::even(20.0, 45.0, ratio(2, 1), 3).sides(), 6);
+    assert_eq!(CutterSetup::even(20.0, 45.0, ratio(2, 1), 3).sides(), 6);
     // 2π · 200 · (a + r) / 1000 over the middle of the side.
     let curve = square.curve(0).unwrap();
     near(curve.speed(work, 0.0), 2.0 * PI * 0.2 * 100.0, 1e-9);

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Counts, End, Feed, Step, Target, World};
-use macroline::motion::Program;
+use macroline::motion::RunningProgram;
 use macroline::text::{FileId, Place, Span};
 
 /// A block of a script.
@@ -57,7 +57,7 @@ pub(super) fn place(line: usize) -> Place {
     Place { file: FileId(0), span: Span::at(line as u32) }
 }
 
-impl Program for Script {
+impl RunningProgram for Script {
     fn step(&mut self, world: &mut dyn World) -> Step {
         let lines = self.lines.clone();
         let Some(line) = lines.get(self.at) else { return Step::Ended(End::Program) };

@@ -1,7 +1,7 @@
 //! From the polygon to the cutter: the flattest possible one first, and why the others are not possible.
 
 use macroline::drives::polygon::choose::{Choice, ChoiceLimit, Cutter, Means, Wanted, choices};
-use macroline::drives::polygon::cut::{self, Cut};
+use macroline::drives::polygon::cut::{self, InsertLoad};
 
 use super::*;
 
@@ -109,7 +109,7 @@ fn a_cutter_that_can_be_set_is_set_to_where_crown_and_hollow_balance() {
         let best = find(&list, at, k);
         assert_eq!(best.limits, []);
         let error = |radius: f64| {
-            let section = Section::new(&Setup::even(20.0, radius, k, inserts), wanted.stock).unwrap();
+            let section = Section::new(&CutterSetup::even(20.0, radius, k, inserts), wanted.stock).unwrap();
             section.sides()[0].flatness()
         };
         near(error(best.radius), best.flatness(), 1e-12);
@@ -146,10 +146,10 @@ fn a_pass_needs_relief_as_far_out_as_the_corners_that_the_pass_before_has_left()
         let (radius, size) = (random.between(20.0, 80.0), random.between(8.0, 40.0));
         let sizes = [size + random.between(0.2, 6.0), size];
         let stock = 0.5 * sizes[0] * random.between(1.01, 1.6);
-        let [before, now] = sizes.map(|size| Setup::even(size, radius, k, inserts));
+        let [before, now] = sizes.map(|size| CutterSetup::even(size, radius, k, inserts));
         let (first, last) = (before.curve(0).unwrap(), now.curve(0).unwrap());
         let section = Section::new(&before, stock).unwrap();
-        let cuts: Vec<Cut> = cut::passes(&sizes, radius, k, now.sides(), stock).collect();
+        let cuts: Vec<InsertLoad> = cut::passes(&sizes, radius, k, now.sides(), stock).collect();
         close(cuts[0].relief, first.relief_needed(first.sigma_at(stock)), 1e-12);
         let edge = last.sigma_at(section.corners()[0].radius);
         near(cuts[1].relief, last.relief_needed(edge), 1e-7);

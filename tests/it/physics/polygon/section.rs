@@ -123,7 +123,7 @@ fn the_sides_of_five_hundred_ratios_are_counted_on_the_section() {
 }
 
 /// A cutter whose inserts are all a little, or not so little, out of their places.
-fn worn(random: &mut Random) -> Setup {
+fn worn(random: &mut Random) -> CutterSetup {
     let (d, r, inserts) = (random.between(3.0, 30.0), random.between(20.0, 60.0), random.integer(1, 5) as u32);
     let mut cutter = setup(d + r, r, random.ratio(), inserts);
     cutter.work_start = random.between(-4.0, 4.0);

@@ -1,8 +1,8 @@
 //! The plant as the planner uses it: sound numbers, one entry for each axis that a control can have.
 
-use super::plan::Budget;
 use super::plant::{AxisPlant, Plant, SpindlePlant};
-use super::plc::Part;
+use super::plc::WordPart;
+use super::setup::Budget;
 use crate::controls::{Alarm, Control, VarKind, VarRange};
 use crate::drives::Positioning;
 use crate::drives::speed::STAGES;
@@ -16,7 +16,7 @@ const LEAST_BLOCK_TIME: f64 = 1e-4;
 
 /// What stays the same during a run.
 #[derive(Debug, Clone)]
-pub(super) struct Machine {
+pub(super) struct CheckedPlant {
     pub(super) axes: [AxisPlant; AXES],
     pub(super) spindle: SpindlePlant,
     /// Millimetres or degrees that each axis moves per command increment.
@@ -39,9 +39,9 @@ pub(super) struct Machine {
     pub(super) log: bool,
 }
 
-impl Machine {
+impl CheckedPlant {
     /// Values that are no number or make no sense become harmless ones: no run ever fails over its plant.
-    pub(super) fn new(control: &Control, plant: &Plant, limits: Budget, log: bool) -> Machine {
+    pub(super) fn new(control: &Control, plant: &Plant, limits: Budget, log: bool) -> CheckedPlant {
         let positive = |x: f64, otherwise: f64| if x > 0.0 && x.is_finite() { x } else { otherwise };
         let mut fitted = 0;
         let axes: [AxisPlant; AXES] = core::array::from_fn(|k| {
@@ -86,7 +86,7 @@ impl Machine {
             let speed = positioning.speed.min(spindle.speed_clamp).max(1e-3);
             Positioning { speed, acceleration: positive(positioning.acceleration, 1e9), ..positioning }
         });
-        Machine {
+        CheckedPlant {
             standstill: axes.iter().map(|axis| axis.time_constant).fold(0.0, f64::max),
             scale: axes.map(|axis| control.limits.increment / axis.words_per_unit()),
             axes,
@@ -113,11 +113,11 @@ impl Machine {
     }
 
     /// Least and largest value of an input, or of half of it, which may be told signed or not.
-    pub(super) fn input_range(&self, number: u32, part: Part) -> (f64, f64) {
+    pub(super) fn input_range(&self, number: u32, part: WordPart) -> (f64, f64) {
         let row = self.vars.iter().find(|row| (row.first..=row.last).contains(&number));
         match (part, row.map(|row| (row.kind, row.width(number)))) {
-            (Part::Whole, Some((VarKind::InputBit, _))) => (0.0, 1.0),
-            (Part::Whole, Some((_, Some(width)))) => width.range(),
+            (WordPart::Whole, Some((VarKind::InputBit, _))) => (0.0, 1.0),
+            (WordPart::Whole, Some((_, Some(width)))) => width.range(),
             _ => (-32_768.0, 65_535.0),
         }
     }

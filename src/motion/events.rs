@@ -1,0 +1,123 @@
+//! The next event of a simulation: operator, PLC, spindle, reader or executor, always the earliest first.
+
+use super::exec::Exec;
+use super::panel::Action;
+use super::program::RunningProgram;
+use super::setup::RunEnd;
+use super::sim::Sim;
+use super::snapshot::Mode;
+use super::spindle::SpeedCommand;
+use super::timeline::Activity;
+use crate::msg;
+use crate::text::Diagnostic;
+
+/// Who acts next; in this order where times are equal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum EventSource {
+    PowerOn,
+    Operator,
+    Plc,
+    Spindle,
+    Reader,
+    Executor,
+}
+
+impl<P: RunningProgram> Sim<'_, P> {
+    /// The earliest event: its time and whose it is; infinite where nothing will happen by itself.
+    pub(super) fn next(&self) -> (f64, EventSource) {
+        if !self.s.started {
+            return (0.0, EventSource::PowerOn);
+        }
+        let operator = self.panel.events().get(self.s.operator.events_done);
+        let operator_at = operator.map_or(f64::INFINITY, |event| event.t);
+        let mut next = (f64::INFINITY, EventSource::Operator);
+        // Cycle start finds what has happened until then: pressed at the very moment of a stop, it answers the stop.
+        let start = operator.is_some_and(|event| event.action == Action::Start);
+        let first = if start { f64::INFINITY } else { operator_at };
+        for (t, who) in [
+            (first, EventSource::Operator),
+            (self.s.plc.next_scan, EventSource::Plc),
+            (self.s.spindle.next(), EventSource::Spindle),
+            (self.reader_time(), EventSource::Reader),
+            (self.executor_time(), EventSource::Executor),
+            (operator_at, EventSource::Operator),
+        ] {
+            if t < next.0 {
+                next = (t, who);
+            }
+        }
+        next
+    }
+
+    /// Lets one event happen.
+    pub(super) fn happen(&mut self, t: f64, who: EventSource) {
+        self.s.now = t;
+        match who {
+            EventSource::PowerOn => self.power_on(),
+            EventSource::Operator => self.operate(t),
+            EventSource::Plc => self.scan(t),
+            EventSource::Spindle => self.spindle(t),
+            EventSource::Reader => self.read(t),
+            EventSource::Executor => self.execute(t),
+        }
+        self.rest(t);
+        self.mark(t);
+    }
+
+    /// Whether the run is over unless the operator does something: then how.
+    pub(super) fn end(&self) -> Option<RunEnd> {
+        if self.s.operator.events_done < self.panel.events().len() || !self.s.started {
+            return None;
+        }
+        match &self.s.exec {
+            Exec::Stopped | Exec::Ready => Some(RunEnd::Stop),
+            Exec::Finished => Some(RunEnd::ProgramEnd),
+            // What the PLC lets coast, it follows to its rest.
+            Exec::Emergency(_)
+                if self.s.plc.next_scan.is_finite() && self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0) =>
+            {
+                None
+            }
+            Exec::Alarm(diagnostic) | Exec::Emergency(diagnostic) => Some(RunEnd::Alarm(diagnostic.clone())),
+            Exec::OutOfBlocks => Some(RunEnd::Blocks),
+            Exec::Moving(_) | Exec::Spinning(_) | Exec::Idle if self.holding() => Some(RunEnd::Stop),
+            _ => None,
+        }
+    }
+
+    /// Why nothing will ever happen again although the program is not over, where that has not been said.
+    pub(super) fn stuck(&self) -> Option<Diagnostic> {
+        let message = match &self.s.exec {
+            Exec::Fin => msg!("motion.no-fin"),
+            Exec::Counting(..) => msg!("motion.spindle-stands"),
+            _ if self.waits_for_spindle() => return None,
+            _ => msg!("motion.no-feed"),
+        };
+        Some(Diagnostic { place: self.s.place, ..Diagnostic::warning(message) })
+    }
+
+    fn power_on(&mut self) {
+        self.s.started = true;
+        self.put_ramp(0.0, SpeedCommand { stage: 1, ..SpeedCommand::default() });
+        self.s.path.moving = true;
+        self.rest(0.0);
+        self.s.path.rest_since = f64::NEG_INFINITY;
+        self.scan(0.0);
+    }
+
+    /// Notes what the control does and in which block, where that changed.
+    fn mark(&mut self, t: f64) {
+        let mode = self.s.exec.mode(self.holding());
+        let runs = self.s.exec.runs() && mode != Mode::Hold;
+        if runs != self.s.clock.since.is_some() {
+            self.s.clock.total = self.s.run_time_at(t);
+            self.s.clock.since = runs.then_some(t);
+        }
+        self.s.mode = mode;
+        let mark = Activity { t, mode, place: self.s.place.unwrap_or_default(), begun: self.s.place.is_some() };
+        let same = |last: &Activity| last.mode == mark.mode && last.begun == mark.begun && last.place == mark.place;
+        if !self.out.timeline.marks.last().is_some_and(same) {
+            self.out.timeline.marks.put(mark);
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! What the executor is doing.
+
+use super::moves::{Move, Pace};
+use super::snapshot::Mode;
+use crate::interp::Canon;
+use crate::text::Diagnostic;
+
+/// Seconds between two measurements while spindle and axes follow one another and change.
+pub(super) const MEASURE: f64 = 0.01;
+
+/// What the executor is at.
+#[derive(Debug, Clone)]
+pub(super) enum Exec {
+    /// Takes the next command as soon as it is ready.
+    Idle,
+    /// Moves.
+    Moving(Box<Move>),
+    /// Waits for the spindle's speed, before this movement.
+    Spinning(Box<Move>),
+    /// Lets the axes settle until then.
+    Settling(f64),
+    /// Waits for standstill until then, before this command.
+    Resting(f64, Canon),
+    /// Dwells until then.
+    Dwelling(f64),
+    /// Dwells until the spindle has turned from there so far, in turns.
+    Counting(f64, f64),
+    /// Waits for the PLC.
+    Fin,
+    /// Waits for cycle start, then goes on.
+    Stopped,
+    /// After reset: cycle start begins at the head of the program.
+    Ready,
+    /// The program is over.
+    Finished,
+    /// Alarm of the program; needs reset.
+    Alarm(Box<Diagnostic>),
+    /// Emergency stop; needs reset.
+    Emergency(Box<Diagnostic>),
+    /// The budget is used up.
+    OutOfBlocks,
+}
+
+impl Exec {
+    /// Whether the program runs (it may be held).
+    pub(super) fn runs(&self) -> bool {
+        use Exec::{Alarm, Emergency, Finished, OutOfBlocks, Ready, Stopped};
+        !matches!(self, Stopped | Ready | Finished | Alarm(_) | Emergency(_) | OutOfBlocks)
+    }
+
+    /// Whether a thread is being cut, which no hold interrupts.
+    pub(super) fn threads(&self) -> bool {
+        matches!(self, Exec::Moving(motion) if matches!(motion.pace, Pace::Thread(_)))
+    }
+
+    pub(super) fn mode(&self, holding: bool) -> Mode {
+        match self {
+            Exec::Stopped | Exec::Ready => Mode::Stopped,
+            Exec::Finished | Exec::OutOfBlocks => Mode::Ended,
+            Exec::Alarm(_) => Mode::Alarm,
+            Exec::Emergency(_) => Mode::EmergencyStop,
+            Exec::Fin => Mode::WaitFin,
+            _ if holding => Mode::Hold,
+            Exec::Dwelling(_) | Exec::Counting(..) => Mode::Dwell,
+            _ => Mode::Running,
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! How a movement begins, and how fast it runs: clamps, overrides, hold, and the spindle that a feed follows.
+
+use super::exec::{Exec, MEASURE};
+use super::moves::{Move, Pace};
+use super::plc::percent;
+use super::program::RunningProgram;
+use super::sim::{Once, Sim};
+use crate::interp::Feed;
+use crate::msg;
+
+impl<P: RunningProgram> Sim<'_, P> {
+    /// A cut begins, or waits for the spindle's speed, where the control does so.
+    pub(super) fn cut(&mut self, t: f64, motion: Move) {
+        let turning = &self.s.spindle;
+        if turning.orienting.is_some() && motion.length > 0.0 {
+            let (locked, driven) = (turning.locked, turning.driven || self.plant.spindle.driven_tool);
+            if !locked {
+                self.say(Once::NotLocked as u32, || msg!("motion.not-locked"));
+            }
+            if !driven {
+                self.say(Once::NoDrivenTool as u32, || msg!("motion.no-driven-tool"));
+            }
+        }
+        if self.feeds_into_standing_work(&motion) {
+            self.say(Once::Standing as u32, || msg!("motion.standing-work"));
+        }
+        if self.plant.spindle.rules.reached.is_some() {
+            self.aim_at_cut(t);
+            if self.speed_time() > t {
+                self.s.path.flow_end = None;
+                self.s.exec = Exec::Spinning(Box::new(motion));
+                return;
+            }
+        }
+        self.begin(t, motion);
+    }
+
+    /// Whether a movement ends deeper in the work than it began while neither the spindle nor an axis of the PLC turns.
+    fn feeds_into_standing_work(&self, motion: &Move) -> bool {
+        let turns = self.s.spindle.direction != 0 || self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
+        let along = |letter: u8| {
+            let axis = self.plant.axes.iter().position(|axis| axis.letter == letter);
+            axis.map_or((0.0, 0.0), |k| (motion.start[k], motion.end[k]))
+        };
+        let (x, z) = (along(b'X'), along(b'Z'));
+        !turns && x.1.abs() < self.plant.stock && z.1 < 0.0 && (x.1.abs() < x.0.abs() || z.1 < z.0)
+    }
+
+    pub(super) fn begin(&mut self, t: f64, motion: Move) {
+        if motion.length <= 0.0 {
+            self.s.path.position = motion.end;
+            return;
+        }
+        if self.s.path.flow_end.take().is_some_and(|end| t > end) {
+            self.s.starved += 1;
+            let (block, logic) = (self.plant.block_time * 1e3, self.plant.macro_time * 1e3);
+            self.say(Once::Starved as u32, || msg!("motion.starved", block, logic));
+        }
+        if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace {
+            self.say_clamped(&motion, feed);
+        }
+        self.s.exec = Exec::Moving(Box::new(motion));
+        self.s.path.moving = true;
+        self.put_segment(t);
+        self.aim_at_motion(t);
+        self.follow(t);
+    }
+
+    /// Says once an axis that it is too slow for a feed in mm/min.
+    fn say_clamped(&mut self, motion: &Move, feed: f64) {
+        let slowed = motion.limit * 60.0;
+        if feed > slowed * (1.0 + 1e-9) {
+            let axis = self.plant.axes[motion.limiting];
+            let letter = axis.letter as char;
+            self.say(Once::Clamp as u32 + motion.limiting as u32, || {
+                msg!("motion.axis-clamp", letter.to_string(), axis.clamp, feed, slowed)
+            });
+        }
+    }
+
+    /// Gives a movement the speed that it may have now, where that has changed.
+    pub(super) fn pace(&mut self, t: f64) {
+        let asked = self.asked_speed(t);
+        let Exec::Moving(motion) = &mut self.s.exec else { return };
+        if asked.0.min(motion.limit) == motion.speed {
+            motion.again = asked.1;
+            self.say_standing();
+        } else {
+            self.put_segment(t);
+        }
+    }
+
+    /// Starts a segment of the path at `t`.
+    fn put_segment(&mut self, t: f64) {
+        let (asked, again) = self.asked_speed(t);
+        let Exec::Moving(motion) = &mut self.s.exec else { return };
+        motion.set_speed(t, asked.min(motion.limit));
+        motion.again = again;
+        let (segment, circle) = motion.segment();
+        let motion = **motion;
+        self.out.timeline.put_segment(segment, circle);
+        self.watch(t);
+        if matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_))) {
+            self.say_clamped(&motion, asked * 60.0);
+            self.say_standing();
+        }
+    }
+
+    /// Says once that a feed per revolution waits for a spindle that stands, or that nothing measures.
+    fn say_standing(&mut self) {
+        if self.waits_for_spindle() {
+            let (once, message) = match self.plant.spindle.encoder {
+                true => (Once::SpindleStands, msg!("motion.spindle-stands")),
+                false => (Once::NoEncoder, msg!("motion.no-encoder")),
+            };
+            self.say(once as u32, || message);
+        }
+    }
+
+    /// Whether a feed per revolution stands still because the spindle does.
+    pub(super) fn waits_for_spindle(&self) -> bool {
+        let Exec::Moving(motion) = &self.s.exec else { return false };
+        let by_turns = matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_)));
+        let stands = self.measured(self.s.now) == 0.0;
+        by_turns && stands && motion.speed == 0.0 && !motion.again.is_finite() && !self.holding()
+    }
+
+    /// Path speed in mm/s that override, spindle and hold ask for at `t`, clamps apart, and when to ask again.
+    fn asked_speed(&self, t: f64) -> (f64, f64) {
+        let Exec::Moving(motion) = &self.s.exec else { return (0.0, f64::INFINITY) };
+        if self.holding() {
+            return (0.0, f64::INFINITY);
+        }
+        let cutting = if self.s.suppressed.feed_override { 1.0 } else { percent(self.s.operator.knobs.feed) / 100.0 };
+        match motion.pace {
+            Pace::Rapid => (motion.limit * (percent(self.s.operator.knobs.rapid) / 100.0).min(1.0), f64::INFINITY),
+            Pace::Feed(Feed::PerMinute(feed)) => (feed.max(0.0) * cutting / 60.0, f64::INFINITY),
+            Pace::Feed(Feed::PerRevolution(feed)) => self.in_step(t, feed.max(0.0) * cutting),
+            Pace::Thread(lead) => self.in_step(t, lead.max(0.0)),
+        }
+    }
+
+    /// Path speed of a feed in mm per revolution. While the spindle changes its speed the feed follows in steps, each with the mean speed
+    /// of its span.
+    fn in_step(&self, t: f64, feed: f64) -> (f64, f64) {
+        let reached = self.s.spindle.reached_at;
+        let again = if reached.is_finite() { reached.min(t + MEASURE) } else { f64::INFINITY };
+        let middle = if again.is_finite() { 0.5 * (t + again) } else { t };
+        (feed * self.measured(middle) / 60.0, again)
+    }
+
+    /// Speed of the spindle in r/min as its encoder measures it, without sign; 0 without encoder.
+    pub(super) fn measured(&self, t: f64) -> f64 {
+        let plant = &self.plant.spindle;
+        let ramp = self.out.timeline.ramps.last().filter(|_| plant.encoder);
+        ramp.map_or(0.0, |ramp| ramp.actual(plant, t).abs())
+    }
+
+    /// When the spindle is fast enough for a cut.
+    pub(super) fn speed_time(&self) -> f64 {
+        let plant = &self.plant.spindle;
+        let (Some(part), Some(ramp)) = (plant.rules.reached, self.out.timeline.ramps.last()) else { return self.s.now };
+        let looked = if ramp.command.span > 0.0 { ramp.t } else { ramp.t + plant.reached_delay };
+        if self.s.spindle.direction == 0 { self.s.now } else { ramp.within(part).max(looked) }
+    }
+}

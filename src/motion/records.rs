@@ -1,0 +1,58 @@
+//! What a run leaves behind, and how long it was at a checkpoint.
+
+use std::collections::VecDeque;
+
+use super::timeline::{Timeline, TimelineLengths};
+use crate::interp::Canon;
+use crate::text::{Diagnostic, Place};
+
+/// What a run leaves behind; cut to [`RecordLengths`] when the past changes.
+#[derive(Debug, Clone)]
+pub(super) struct Records {
+    pub(super) timeline: Timeline,
+    pub(super) log: VecDeque<(f64, Canon, Place)>,
+    /// Log entries that were taken away.
+    pub(super) taken: usize,
+    pub(super) diagnostics: Vec<Diagnostic>,
+    /// Number of the first log entry that whoever looks on asks for.
+    pub(super) anew: usize,
+}
+
+/// TimelineLengths of the records at a checkpoint.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct RecordLengths {
+    pub(super) timeline: TimelineLengths,
+    log: usize,
+    diagnostics: usize,
+}
+
+impl RecordLengths {
+    /// Number of changes of variables.
+    pub(super) fn changes(&self) -> usize {
+        self.timeline.changes
+    }
+}
+
+impl Records {
+    pub(super) fn logged(&self) -> usize {
+        self.taken + self.log.len()
+    }
+
+    /// Forgets the log but for its newest entries.
+    pub(super) fn forget_log(&mut self, keep: usize) {
+        while self.log.len() > keep {
+            self.log.pop_front();
+            self.taken += 1;
+        }
+    }
+
+    pub(super) fn marks(&self) -> RecordLengths {
+        RecordLengths { timeline: self.timeline.lengths(), log: self.logged(), diagnostics: self.diagnostics.len() }
+    }
+
+    pub(super) fn truncate(&mut self, marks: &RecordLengths) {
+        self.timeline.truncate(&marks.timeline);
+        self.log.truncate(marks.log.saturating_sub(self.taken));
+        self.diagnostics.truncate(marks.diagnostics);
+    }
+}

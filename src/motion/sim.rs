@@ -1,0 +1,44 @@
+//! The simulation that events act on: its state, the plant, the panel, and what is recorded.
+
+use super::checked_plant::CheckedPlant;
+use super::panel::Panel;
+use super::records::Records;
+use super::state::SimState;
+use crate::text::{Diagnostic, Message};
+
+/// Diagnostics that a run gives once, as numbers of bits; of axes, that of the first axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+pub(super) enum Once {
+    Starved,
+    SpindleClamp,
+    SpindleStands,
+    OffCentre,
+    NoStage,
+    NoEncoder,
+    NotLocked,
+    NoDrivenTool,
+    Clamp = 8,
+    Missing = 16,
+    Standing = 24,
+}
+
+/// A state with all that its events touch.
+pub(super) struct Sim<'a, P> {
+    pub(super) s: &'a mut SimState<P>,
+    pub(super) plant: &'a CheckedPlant,
+    pub(super) out: &'a mut Records,
+    pub(super) panel: &'a Panel,
+}
+
+impl<P> Sim<'_, P> {
+    /// Says something once a run.
+    pub(super) fn say(&mut self, bit: u32, message: impl FnOnce() -> Message) {
+        if self.s.said & (1 << bit) == 0 {
+            self.s.said |= 1 << bit;
+            let mut diagnostic = Diagnostic::warning(message());
+            diagnostic.place = self.s.place;
+            self.out.diagnostics.push(diagnostic);
+        }
+    }
+}

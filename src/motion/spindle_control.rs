@@ -1,0 +1,113 @@
+//! What the control commands of the spindle: speed, direction, limits, constant surface speed, an angle.
+
+use crate::drives::orient::{Approach, Travel};
+use crate::drives::speed::SpeedLimit;
+
+/// Constant surface speed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Surface {
+    /// m/min.
+    pub(super) speed: f64,
+    /// The axis that measures the radius.
+    pub(super) axis: usize,
+    /// Its place in mm where the radius is 0.
+    pub(super) zero: f64,
+    /// Until when the axis moves by a cut.
+    pub(super) until: f64,
+    /// When the spindle is told the next speed.
+    pub(super) again: f64,
+}
+
+/// The way of the spindle to an angle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Orienting {
+    /// Where it ends, in turns since the run began; where it has to turn back first, that comes later.
+    pub(super) goal: f64,
+    /// Direction.
+    pub(super) way: i8,
+    pub(super) travel: Travel,
+    pub(super) part: TravelPart,
+}
+
+/// Parts of the way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum TravelPart {
+    /// To standstill: the target lies the other way.
+    TurnsBack(f64, Approach),
+    ToPeak,
+    Steady,
+    ToRest,
+    Held,
+}
+
+impl Orienting {
+    /// Whether it is there.
+    pub(super) fn is_held(&self) -> bool {
+        self.part == TravelPart::Held
+    }
+}
+
+/// What is commanded of the spindle.
+#[derive(Debug, Clone)]
+pub(super) struct SpindleControl {
+    /// r/min before override and limits.
+    pub(super) speed: f64,
+    pub(super) direction: i8,
+    pub(super) surface: Option<Surface>,
+    /// Setting data: lowest and highest speed in r/min.
+    pub(super) set: (f64, f64),
+    /// Highest speed under constant surface speed in r/min.
+    pub(super) surface_high: f64,
+    /// Where the turning centre lies on the axis square to the spindle, in mm.
+    pub(super) centre: Option<f64>,
+    /// Gear stages are selected by S.
+    pub(super) automatic: bool,
+    /// The axis that is square to the spindle, and its place in mm where the diameter is 0.
+    pub(super) square: Option<(u8, f64)>,
+    /// End of the ramp, or of a part of a travel to an angle.
+    pub(super) reached_at: f64,
+    /// The way to an angle.
+    pub(super) orienting: Option<Orienting>,
+    /// The zero mark of the encoder was seen.
+    pub(super) synced: bool,
+    /// The builder's lock holds the spindle at its angle.
+    pub(super) locked: bool,
+    /// A driven tool turns.
+    pub(super) driven: bool,
+}
+
+impl SpindleControl {
+    /// At power-on; the axis that counts diameters is square to the spindle.
+    pub(super) fn new(square: Option<u8>) -> SpindleControl {
+        SpindleControl {
+            speed: 0.0,
+            direction: 0,
+            surface: None,
+            set: (0.0, f64::INFINITY),
+            surface_high: f64::INFINITY,
+            centre: None,
+            automatic: false,
+            square: square.map(|axis| (axis, 0.0)),
+            reached_at: f64::INFINITY,
+            orienting: None,
+            synced: false,
+            locked: false,
+            driven: false,
+        }
+    }
+
+    /// Sets a limit in r/min; what is no number is none.
+    pub(super) fn limit(&mut self, limit: SpeedLimit, rpm: f64) {
+        let rpm = if rpm > 0.0 { rpm } else { 0.0 };
+        match limit {
+            SpeedLimit::Lower => self.set.0 = rpm,
+            SpeedLimit::Upper => self.set.1 = rpm,
+            SpeedLimit::Surface => self.surface_high = rpm,
+        }
+    }
+
+    /// When the spindle does something by itself.
+    pub(super) fn next(&self) -> f64 {
+        self.surface.map_or(self.reached_at, |surface| surface.again.min(self.reached_at))
+    }
+}

@@ -1,0 +1,143 @@
+//! How fast the spindle is commanded to turn: S and override within their limits, gear stages, ramps.
+
+use super::plc::percent;
+use super::program::RunningProgram;
+use super::sim::{Once, Sim};
+use super::spindle::{Ramp, SpeedCommand, SpindleMode};
+use crate::drives::{Bound, SpeedLimits};
+use crate::msg;
+
+/// A speed that stands for all that are too high for any spindle.
+pub(super) const FASTEST: f64 = 1e9;
+
+impl<P: RunningProgram> Sim<'_, P> {
+    /// Something of the spindle's own was due.
+    pub(super) fn spindle(&mut self, t: f64) {
+        if self.s.spindle.reached_at <= t {
+            self.s.spindle.reached_at = f64::INFINITY;
+            self.travel_on(t);
+        }
+        if let Some(surface) = &mut self.s.spindle.surface
+            && surface.again <= t
+        {
+            surface.again = f64::INFINITY;
+        }
+        self.scan(t);
+        self.pace(t);
+    }
+
+    /// Brings the spindle's command up to date, and lets the PLC see it.
+    pub(super) fn follow(&mut self, t: f64) {
+        if self.turn(t) {
+            self.scan(t);
+        }
+    }
+
+    /// Brings the spindle's command up to date; whether it changed.
+    pub(super) fn turn(&mut self, t: f64) -> bool {
+        if self.s.spindle.orienting.is_some() {
+            return false;
+        }
+        let (now, later, span) = match self.following(t) {
+            Some((now, later, span)) => {
+                self.s.spindle.speed = later;
+                if let Some(surface) = &mut self.s.spindle.surface {
+                    surface.again = if span > 0.0 { t + span } else { f64::INFINITY };
+                }
+                (now, later, span)
+            }
+            None => (self.s.spindle.speed, self.s.spindle.speed, 0.0),
+        };
+        let ((from, _), (to, bound)) = (self.held(now), self.held(later));
+        let span = if from == to { 0.0 } else { span };
+        let command = SpeedCommand { from, to, span, sign: self.s.spindle.direction, stage: self.gear(), bound };
+        let last = self.out.timeline.ramps.last();
+        if last.is_some_and(|last| {
+            last.command == command && last.control == SpindleMode::Speed && (span == 0.0 || last.t == t)
+        }) {
+            return false;
+        }
+        let limited = self.s.spindle.surface.is_none() && command.sign != 0;
+        if limited && bound.is_upper() {
+            let wanted = now * self.override_share();
+            let stage = command.stage;
+            self.say(Once::SpindleClamp as u32, || match bound {
+                Bound::Output => msg!("motion.output-full", wanted, f64::from(stage), (to, 3)),
+                _ => msg!("motion.spindle-clamp", wanted, to),
+            });
+        }
+        self.put_ramp(t, command);
+        self.pace(t);
+        true
+    }
+
+    /// The gear stage that the PLC reports; the first where there is none such.
+    fn gear(&self) -> u8 {
+        let gear = self.s.plc.io.gear;
+        if gear <= self.plant.spindle.stage_count { gear.max(1) } else { 1 }
+    }
+
+    /// The override as a factor.
+    pub(super) fn override_share(&self) -> f64 {
+        let whole = self.s.exec.threads() && !self.plant.spindle.rules.thread_override;
+        if whole { 1.0 } else { percent(self.s.plc.io.spindle_override_out) / 100.0 }
+    }
+
+    /// A speed in r/min behind override and limits, and what holds it.
+    pub(super) fn held(&self, rpm: f64) -> (f64, Bound) {
+        let (plant, turning) = (&self.plant.spindle, &self.s.spindle);
+        let (stage, analog) = (plant.stage(self.gear()), plant.analog(self.gear()));
+        if let Some(volts) = self.s.plc.io.gear_volts {
+            return (analog.speed(volts).min(FASTEST), Bound::Shift);
+        }
+        let mut set = turning.set;
+        if plant.rules.lower_wins {
+            set.1 = set.1.max(set.0);
+        }
+        let mut limits = SpeedLimits { machine: plant.speed_clamp, gear: stage.range, set, ..SpeedLimits::NONE };
+        if turning.surface.is_some() {
+            limits.surface = (plant.surface_low, turning.surface_high);
+            limits.gear.1 = limits.gear.1.min(analog.top_speed());
+        } else if plant.rules.surface_limit_stays {
+            limits.surface.1 = turning.surface_high;
+        }
+        let share = self.override_share();
+        let (rpm, bound) = if plant.rules.override_last {
+            let (rpm, bound) = limits.hold(rpm);
+            let machine = SpeedLimits { machine: plant.speed_clamp, ..SpeedLimits::NONE }.hold(rpm * share);
+            (machine.0, if bound == Bound::None { machine.1 } else { bound })
+        } else {
+            limits.hold(rpm * share)
+        };
+        // The output ends at full voltage, whatever is commanded.
+        let top = analog.top_speed();
+        if rpm > top { (top, Bound::Output) } else { (rpm, bound) }
+    }
+
+    /// Lets the spindle go from where it is to what it is command.
+    pub(super) fn put_ramp(&mut self, t: f64, command: SpeedCommand) {
+        let plant = &self.plant.spindle;
+        let last = self.out.timeline.ramps.last();
+        let (mut start, turns) = last.map_or((0.0, 0.0), |ramp| (ramp.speed(t), ramp.turns(plant, t)));
+        let sign = f64::from(command.sign);
+        let (from, target) = (sign * command.from, sign * command.to);
+        let mut rate = plant.acceleration(command.stage);
+        if command.span > 0.0 {
+            if rate == f64::INFINITY {
+                start = from;
+            }
+            rate = rate.min((target - start).abs() / command.span);
+        }
+        self.s.plc.io.spindle_command = target;
+        let square = self.s.spindle.square;
+        let ramp = Ramp { t, start, target, rate, turns, command, control: SpindleMode::Speed, square };
+        self.put(ramp);
+    }
+
+    /// Records a ramp; its end is something that happens.
+    pub(super) fn put(&mut self, ramp: Ramp) {
+        let reached = ramp.reached();
+        self.s.spindle.reached_at = if reached > ramp.t { reached } else { f64::INFINITY };
+        self.out.timeline.ramps.put(ramp);
+    }
+}

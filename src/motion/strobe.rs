@@ -1,0 +1,85 @@
+//! Codes for the PLC: M, S, T and gear stages are put out and end with FIN.
+
+use super::exec::Exec;
+use super::program::RunningProgram;
+use super::sim::{Once, Sim};
+use crate::drives::speed::stage_for;
+use crate::interp::Canon;
+use crate::msg;
+
+impl<P: RunningProgram> Sim<'_, P> {
+    /// Puts out a code, and with it the codes of the same block that are ready.
+    pub(super) fn put_out(&mut self, t: f64, canon: Canon) {
+        self.strobe(canon);
+        // S, M and T of one block are put out together (reference/mitsubishi-e60.md section 5).
+        while self.s.reader.queue.front().is_some_and(|next| !next.first && next.ready <= t && self.free(&next.canon)) {
+            if let Some(next) = self.pop() {
+                self.strobe(next.canon);
+            }
+        }
+        self.s.plc.io.fin = false;
+        if !self.s.suppressed.fin {
+            self.s.exec = Exec::Fin;
+        }
+        self.scan(t);
+    }
+
+    /// Whether a code can be put out beside those that wait.
+    fn free(&self, canon: &Canon) -> bool {
+        match canon {
+            Canon::SpindleSpeed { .. } => self.s.plc.io.s_strobe.is_none(),
+            Canon::SpindleDirection { .. } | Canon::Auxiliary { .. } | Canon::Gear { .. } => {
+                self.s.plc.io.m_strobe.is_none()
+            }
+            Canon::Tool { .. } => self.s.plc.io.t_strobe.is_none(),
+            _ => false,
+        }
+    }
+
+    fn strobe(&mut self, canon: Canon) {
+        match canon {
+            Canon::SpindleSpeed { rpm } => {
+                let turning = &mut self.s.spindle;
+                turning.surface = None;
+                turning.speed = rpm.max(0.0);
+                self.s.plc.io.s_strobe = Some(rpm);
+                if turning.automatic
+                    && let Some(stage) = stage_for(self.plant.spindle.stages(), self.s.plc.io.gear, rpm)
+                    && stage != self.s.plc.io.gear
+                {
+                    self.s.plc.io.gear_wanted = Some(stage);
+                }
+            }
+            Canon::Gear { stage } => {
+                self.s.spindle.automatic = stage == 0;
+                self.s.plc.io.m_strobe = Some(40 + u32::from(stage));
+                let count = self.plant.spindle.stage_count;
+                if stage > count {
+                    self.say(Once::NoStage as u32, || msg!("motion.no-stage", u32::from(stage), u32::from(count)));
+                } else if stage > 0 {
+                    self.s.plc.io.gear_wanted = Some(stage);
+                }
+            }
+            Canon::SpindleDirection { sign } => {
+                self.s.spindle.orienting = None;
+                self.s.spindle.direction = sign.signum();
+                self.s.spindle.locked = false;
+                self.s.plc.io.m_strobe = Some(match sign.signum() {
+                    1 => 3,
+                    -1 => 4,
+                    _ => 5,
+                });
+            }
+            Canon::Auxiliary { code } => {
+                let rules = &self.plant.spindle.rules;
+                let turning = &mut self.s.spindle;
+                // Tool changes and coolant lock nothing.
+                turning.locked |= rules.lock.map_or(!matches!(code, 6..=9), |lock| lock == code);
+                turning.driven |= rules.driven_tool == Some(code);
+                self.s.plc.io.m_strobe = Some(code);
+            }
+            Canon::Tool { code } => self.s.plc.io.t_strobe = Some(code),
+            _ => {}
+        }
+    }
+}

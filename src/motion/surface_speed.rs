@@ -1,0 +1,155 @@
+//! Constant surface speed: the spindle follows the diameter of a cut.
+
+use super::exec::{Exec, MEASURE};
+use super::moves::Pace;
+use super::program::RunningProgram;
+use super::sim::{Once, Sim};
+use super::spindle_control::Surface;
+use super::spindle_speed::FASTEST;
+use crate::controls::schema::spindle::RapidSpeed;
+use crate::drives::Bound;
+use crate::drives::speed::{limit_diameter, surface_rpm};
+use crate::msg;
+
+/// A step of constant surface speed changes the diameter by this part at most.
+const PART: f64 = 0.05;
+
+/// Shortest step in seconds.
+const LEAST: f64 = 1e-4;
+
+impl<P: RunningProgram> Sim<'_, P> {
+    /// Speed for where the axis of constant surface speed is, before override and limits.
+    fn surface_rpm(&self, place: f64) -> Option<f64> {
+        let surface = self.s.spindle.surface?;
+        Some(surface_rpm(surface.speed, 2.0 * (place - surface.zero)).min(FASTEST))
+    }
+
+    /// While a cut moves the axis of constant surface speed: the speed now, a little later, and how much later.
+    pub(super) fn following(&self, t: f64) -> Option<(f64, f64, f64)> {
+        let surface = self.s.spindle.surface.filter(|surface| t < surface.until)?;
+        let plant = self.plant.axes.get(surface.axis)?;
+        let end = match &self.s.exec {
+            Exec::Moving(motion) => motion.end_time().min(surface.until),
+            _ => surface.until,
+        };
+        let diameter = |t: f64| 2.0 * (self.out.timeline.path.commanded(surface.axis, plant, t) - surface.zero).abs();
+        let rpm = |diameter: f64| surface_rpm(surface.speed, diameter).min(FASTEST);
+        let mut span = MEASURE.min(end - t);
+        let here = diameter(t);
+        if span < LEAST * 1e-3 {
+            return Some((rpm(here), rpm(here), 0.0));
+        }
+        let mut there = diameter(t + span);
+        let rate = (there - here).abs() / span;
+        let (bound, bound_later) = (self.held(rpm(here)).1, self.held(rpm(there)).1);
+        if rate > 0.0 && (bound == Bound::None || bound != bound_later) {
+            span = span.min((PART * here / rate).max(LEAST));
+            // Where a limit begins or ends, a step does too.
+            if bound != bound_later {
+                let share = self.override_share();
+                let edge = self.held(rpm(if bound == Bound::None { there } else { here })).0 / share;
+                let to_edge = (limit_diameter(surface.speed, edge) - here).abs() / rate;
+                span = span.min(to_edge.max(LEAST));
+            }
+            there = diameter(t + span);
+        }
+        Some((rpm(here), rpm(there), span))
+    }
+
+    /// Constant surface speed from now on.
+    pub(super) fn begin_surface(&mut self, t: f64, speed: f64, axis: u8, zero: i64) {
+        let (Some(scale), at) = (self.plant.scale.get(usize::from(axis)), usize::from(axis)) else { return };
+        let zero = zero as f64 * scale;
+        let before = self.s.spindle.surface.filter(|before| before.axis == at);
+        let until = before.map_or(f64::NEG_INFINITY, |before| before.until);
+        self.s.spindle.surface = Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY });
+        self.s.spindle.square = Some((axis, zero));
+        // Where nobody knows the turning centre, the first work zero is taken for it.
+        let centre = *self.s.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));
+        if (centre - zero).abs() > 1e-9 {
+            let letter = char::from(self.plant.axes[at].letter).to_string();
+            self.say(Once::OffCentre as u32, || msg!("motion.off-centre", letter, ((zero - centre).abs(), 4)));
+        }
+        if self.plant.spindle.rules.surface_at_once || before.is_some_and(|before| before.until.is_finite()) {
+            self.aim(self.s.path.position[at]);
+        }
+        self.follow(t);
+    }
+
+    /// Constant surface speed is over: the spindle keeps the speed that it has.
+    pub(super) fn end_surface(&mut self, t: f64) {
+        let (held, share) = (self.held(self.s.spindle.speed).0, self.override_share());
+        if self.s.spindle.surface.take().is_some() && share > 0.0 {
+            self.s.spindle.speed = held / share;
+        }
+        self.follow(t);
+    }
+
+    /// Sets the speed of constant surface speed for a place of its axis.
+    fn aim(&mut self, place: f64) {
+        self.s.spindle.speed = self.surface_rpm(place).unwrap_or(self.s.spindle.speed);
+    }
+
+    /// A cut is about to begin: constant surface speed is that of where it begins.
+    pub(super) fn aim_at_cut(&mut self, t: f64) {
+        if let Some(surface) = self.s.spindle.surface
+            && t >= surface.until
+        {
+            self.aim(self.s.path.position[surface.axis]);
+            self.follow(t);
+        }
+    }
+
+    /// A block is read while a rapid runs: if it cuts, the rapid has the speed of its end from now on.
+    pub(super) fn aim_ahead(&mut self, t: f64) {
+        let rapid = || matches!(&self.s.exec, Exec::Moving(motion) if motion.pace == Pace::Rapid);
+        if self.s.spindle.surface.is_some()
+            && self.plant.spindle.rules.rapid == RapidSpeed::BeforeCut
+            && self.s.reader.queue.back().is_some_and(|queued| queued.canon.is_cut() == Some(true))
+            && rapid()
+        {
+            self.aim_at_motion(t);
+            self.follow(t);
+        }
+    }
+
+    /// A motion begins: constant surface speed looks at its axis.
+    pub(super) fn aim_at_motion(&mut self, t: f64) {
+        let (Exec::Moving(motion), Some(surface)) = (&self.s.exec, self.s.spindle.surface) else { return };
+        if motion.pace != Pace::Rapid {
+            // A cut that follows a cut goes on from where the axis is on its way.
+            let still = t >= surface.until;
+            let place = self.s.path.position[surface.axis];
+            self.watch(t);
+            if still {
+                self.aim(place);
+            }
+        } else {
+            let end = motion.end[surface.axis];
+            self.watch(t);
+            let cut_next = || {
+                let next = self.s.reader.queue.iter().find_map(|queued| queued.canon.is_cut());
+                next == Some(true)
+            };
+            if self.plant.spindle.rules.rapid == RapidSpeed::OfEnd || cut_next() {
+                self.aim(end);
+            }
+        }
+    }
+
+    /// A new part of the path begins: until when does a cut move the axis of constant surface speed?
+    pub(super) fn watch(&mut self, t: f64) {
+        let Some(surface) = &mut self.s.spindle.surface else { return };
+        let settles = t + self.plant.axes.get(surface.axis).map_or(0.0, |axis| axis.time_constant);
+        surface.until = match &self.s.exec {
+            Exec::Moving(motion) if motion.pace == Pace::Rapid => f64::NEG_INFINITY,
+            Exec::Moving(motion) if motion.moves(surface.axis) && motion.speed > 0.0 => f64::INFINITY,
+            _ => surface.until.min(settles),
+        };
+        if surface.until <= t {
+            surface.again = f64::INFINITY;
+        } else if surface.again == f64::INFINITY {
+            surface.again = t;
+        }
+    }
+}
