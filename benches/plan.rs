@@ -6,7 +6,7 @@ mod summary;
 use std::rc::Rc;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group};
-use macroline::controls::{self, Control, Switches};
+use macroline::controls::{self, Control, Dialect, Switches};
 use macroline::drives::Analog;
 use macroline::interp::{Interp, StartProgram};
 use macroline::motion::{
@@ -33,7 +33,7 @@ fn plant() -> Plant {
         position_gain: 33.0,
         home: 0.0,
     };
-    let rules = control().spindle_rules(&Switches::default());
+    let rules = Dialect::resolve(control(), &Switches::default()).spindle();
     let spindle = SpindlePlant::new(Analog::unipolar(1480.0, 10.0), 1480.0, 2.0, rules);
     Plant {
         axes: vec![axis(b'X'), axis(b'Y')],
@@ -50,7 +50,7 @@ fn plant() -> Plant {
 fn ribbon(seconds: f64, keep: Retention) -> Planner<Interp> {
     let parsed = Rc::new(nc::parse(&Files::one("O1.nc", RIBBON), control()));
     Planner::new(Setup {
-        program: Interp::new(parsed, StartProgram::First, &Switches::default()),
+        program: Interp::new(parsed, StartProgram::First),
         control: control(),
         plant: &plant(),
         plc: Box::new(BenchPlc::new(0.05, Some(1033))),

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::hint::black_box;
 use std::rc::Rc;
 
-use macroline::controls::{self, Control, Switches};
+use macroline::controls::{self, Control};
 use macroline::interp::world::Still;
 use macroline::interp::{self, End, Interp, StartProgram};
 use macroline::nc::{self, Files, Parsed};
@@ -70,7 +70,7 @@ pub(crate) fn parse_on(files: &Files, control: &'static Control) -> Rc<Parsed> {
 
 /// Runs to the end; how many commands that were.
 pub(crate) fn run(parsed: &Rc<Parsed>) -> u64 {
-    let mut interp = Interp::new(Rc::clone(parsed), StartProgram::First, &Switches::default());
+    let mut interp = Interp::new(Rc::clone(parsed), StartProgram::First);
     let mut world = Still { inputs: vec![(1033, 100.0)], ..Still::default() };
     let mut commands = 0;
     let end = interp::run(&mut interp, &mut world, u64::MAX, |canon, _| {

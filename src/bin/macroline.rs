@@ -23,7 +23,7 @@ mod native {
     use clap::{Parser, Subcommand};
     use serde_json::{Value as Json, json};
 
-    use macroline::controls::{self, Control, Switches};
+    use macroline::controls::{self, Control, Dialect, Switches};
     use macroline::interp;
     use macroline::motion::{Budget, Panel, Retention};
     use macroline::nc::{self, File, Files};
@@ -239,8 +239,8 @@ mod native {
             let Some((id, value)) = setting.split_once('=') else {
                 return Err(Failure::Usage(format!("--switch takes ID=VALUE, not “{setting}”")));
             };
-            let Some(row) = control.switches.iter().find(|row| row.id == id) else {
-                let known = control.switches.iter().map(|row| row.id).collect::<Vec<_>>().join(", ");
+            let Some(row) = control.switch(id) else {
+                let known = control.switches.iter().map(|row| row.id()).collect::<Vec<_>>().join(", ");
                 let message = format!("--switch: the {} has no switch “{id}”; there are: {known}", control.name);
                 return Err(Failure::Usage(message));
             };
@@ -248,8 +248,7 @@ mod native {
                 let values = list::switch_values(row);
                 return Err(Failure::Usage(format!("--switch: {id} cannot be “{value}”; it can be: {values}")));
             }
-            switches.0.retain(|(other, _)| other != id);
-            switches.0.push((id.to_owned(), value.to_owned()));
+            switches.set(row, value);
         }
         Ok(switches)
     }
@@ -369,8 +368,8 @@ mod native {
     }
 
     /// Variables and inputs that can be set on this control.
-    fn settable(settings: &[Setting], control: &Control, switches: &Switches) -> Result<(), Failure> {
-        match settings.iter().find(|setting| setting.action(control, switches).is_none()) {
+    fn settable(settings: &[Setting], control: &Control, dialect: &Dialect) -> Result<(), Failure> {
+        match settings.iter().find(|setting| setting.action(control, dialect).is_none()) {
             Some(setting) => {
                 let name = &setting.name;
                 Err(Failure::Usage(format!("--set: the control has no variable and no input “{name}” that can be set")))
@@ -384,7 +383,6 @@ mod native {
         run: Run,
         /// The files that places are in.
         files: Files,
-        switches: Switches,
         /// What is to be said already.
         found: Vec<Diagnostic>,
         /// Ids of what is not.
@@ -421,7 +419,7 @@ mod native {
             let (mut project, diagnostics) = project(only_project(&args.files)?)?;
             found.extend(diagnostics);
             project.switches = switched(project.switches, &args.switch, project.control)?;
-            settable(&settings, project.control, &project.switches)?;
+            settable(&settings, project.control, &Dialect::resolve(project.control, &project.switches))?;
             for event in panel.events() {
                 project.panel.add(event.clone());
             }
@@ -432,7 +430,7 @@ mod native {
             Diagnostic::in_order(&mut found);
             silenced.extend(project.silenced.iter().cloned());
             let run = run::of_project(&project, &written, &begin(meant(&written.parsed)?));
-            return Ok(Prepared { run, files: written.files.clone(), switches: project.switches, found, silenced });
+            return Ok(Prepared { run, files: written.files.clone(), found, silenced });
         };
         let control = control(id)?;
         let plant = match &args.plant {
@@ -447,7 +445,7 @@ mod native {
         let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
         let switches = switched(switches, &args.switch, control)?;
         let parsed = Rc::new(nc::parse_with(&programs(&args.files)?, control, &switches));
-        settable(&settings, control, &switches)?;
+        settable(&settings, control, parsed.dialect())?;
         let start = meant(&parsed)?;
         let first = parsed.deck().programs.first().map(|program| program.number);
         let started = match start {
@@ -461,7 +459,7 @@ mod native {
         found.extend(review(&parsed, started, &set));
         let files = parsed.files().clone();
         let run = run::of_programs(parsed, plant.as_ref(), panel, &begin(start));
-        Ok(Prepared { run, files, switches, found, silenced })
+        Ok(Prepared { run, files, found, silenced })
     }
 
     fn run(args: &RunArgs, wanted: bool, json: bool) -> Result<(), Failure> {
@@ -506,12 +504,12 @@ mod native {
 
     /// Wrong commands are told and end, after all others, in exit status 2.
     fn step(args: &RunArgs) -> Result<(), Failure> {
-        let Prepared { run, files, switches, found: mut diagnostics, silenced } = prepare(args, Retention::Both)?;
+        let Prepared { run, files, found: mut diagnostics, silenced } = prepare(args, Retention::Both)?;
         let count = silence(&mut diagnostics, &silenced);
         tell(&files, &diagnostics);
         tell_silenced(count);
         let terminal = io::stdin().is_terminal();
-        let mut console = Console::new(run, &files, switches);
+        let mut console = Console::new(run, &files);
         let mut out = io::stdout().lock();
         let mut wrong = 0;
         let mut last = String::new();

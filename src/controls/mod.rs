@@ -15,10 +15,12 @@ pub mod knd_k2000t;
 pub mod sinumerik_802d;
 
 pub use schema::{
-    Alarm, AlarmDef, AxisDef, Bench, Code, CodeDef, CodeId, CodeNumber, Control, Group, Limits, Macros, ParamDef,
-    ParamRole, Point, Signal, SpindleRules, Switch, Switches, Syntax, Timing, VarKind, VarRange,
+    Alarm, AlarmDef, AxisDef, Bench, Code, CodeDef, CodeId, CodeNumber, Control, Dialect, Group, Limits, Macros,
+    ParamDef, ParamRole, Point, Signal, SpindleRules, Switch, Switches, Syntax, Timing, VarKind, VarRange,
 };
-pub use schema::{alarm, bench, code, interface, limits, macros, params, spindle, switch, syntax, vars};
+pub use schema::{
+    alarm, bench, code, dialect, interface, limits, macros, options, params, spindle, switch, syntax, vars,
+};
 
 /// The list of the controls, one per folder.
 macro_rules! controls {

@@ -62,8 +62,8 @@ impl RunState {
         if callee.arguments.is_some() && macros >= limits.macro_depth as usize {
             return Err(Trap::alarm(Alarm::MacroNesting, msg!("interp.macro-nesting", u32::from(limits.macro_depth))));
         }
-        if callee.arguments.is_none() && self.frames.len() - macros >= cx.shared.rules.sub_depth as usize {
-            let most = u32::from(cx.shared.rules.sub_depth);
+        if callee.arguments.is_none() && self.frames.len() - macros >= cx.shared.rules.running.sub_depth as usize {
+            let most = u32::from(cx.shared.rules.running.sub_depth);
             return Err(Trap::alarm(Alarm::SubNesting, msg!("interp.sub-nesting", most)));
         }
         if callee.program == self.program && cx.control.raises(Alarm::OwnCall) {
@@ -76,7 +76,7 @@ impl RunState {
         // A subprogram goes on with the modal call of its caller.
         let mut modal_call = None;
         if let Some(arguments) = &arguments {
-            self.vars.enter(arguments, cx.shared.rules.keep_locals);
+            self.vars.enter(arguments, cx.shared.rules.running.keep_locals);
             modal_call = core::mem::replace(&mut self.modal_call, callee.modal_call);
         }
         let back = self.at;
@@ -328,7 +328,7 @@ impl RunState {
 
     /// `M99 P`: the end of a subprogram or macro, or once more from the head of the main program.
     pub(super) fn end_sub(&mut self, cx: &BlockContext, at: u32, p: Option<f64>) -> Run<()> {
-        let keep = cx.shared.rules.keep_locals;
+        let keep = cx.shared.rules.running.keep_locals;
         if p.is_some() {
             self.refuse_in_modal(cx)?;
         }

@@ -132,7 +132,7 @@ impl RunState {
 
     /// Whether so many M codes follow that this one does not act.
     fn is_overtaken(&self, cx: &mut BlockContext, block: &Block, words: &[Word], at: usize) -> Run<bool> {
-        let most = cx.shared.rules.m_codes;
+        let most = cx.shared.rules.running.m_codes;
         let mut behind = 0;
         for word in words.get(at + 1..).unwrap_or_default() {
             match word.letter {
@@ -142,7 +142,7 @@ impl RunState {
                 }
                 _ => continue,
             }
-            if behind == most && cx.shared.rules.m_alarm {
+            if behind == most && cx.shared.rules.running.m_alarm {
                 let trap = Trap::alarm(Alarm::Auxiliaries, msg!("interp.m-codes", u32::from(most)));
                 return Err(trap.within(word.span(block)));
             }
@@ -224,7 +224,7 @@ impl RunState {
             return Ok(());
         }
         match cx.codes().row(id).map(|row| row.code) {
-            Some(Code::End | Code::EndRewind) if cx.shared.rules.ends_return && !self.frames.is_empty() => {
+            Some(Code::End | Code::EndRewind) if cx.shared.rules.running.ends_return && !self.frames.is_empty() => {
                 codes.flow = Some(Code::SubEnd);
             }
             Some(Code::Stop) => codes.stops |= STOP,

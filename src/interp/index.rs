@@ -1,7 +1,7 @@
 //! What a run looks up, made once per program: codes by number, variables by slot, sequence numbers, pairs of DO and END.
 
 use crate::controls::vars::is_fitted;
-use crate::controls::{Alarm, Control, Switches, VarKind, VarRange};
+use crate::controls::{Alarm, Control, Dialect, VarKind, VarRange};
 use crate::nc::{Block, Deck, Expr, ExprId, JumpDirection, Program, Stmt};
 
 /// Where a variable lives.
@@ -71,7 +71,7 @@ pub(super) struct Index {
     /// Programs that have names.
     names: Vec<(Box<str>, u32)>,
     /// Ranges of common variables that are fitted.
-    fitted: Vec<(u32, u32)>,
+    fitted: &'static [(u32, u32)],
 }
 
 /// Whether values of these variables are kept by the interpreter.
@@ -82,7 +82,7 @@ fn is_stored(kind: VarKind) -> bool {
 
 impl Index {
     /// Reads a deck and a control once.
-    pub(super) fn new(deck: &Deck, control: &Control, switches: &Switches) -> Index {
+    pub(super) fn new(deck: &Deck, control: &Control, dialect: &Dialect) -> Index {
         let mut axes = [u8::MAX; 32];
         for (k, axis) in control.axes.iter().enumerate().take(super::canon::AXES) {
             axes[(axis.letter & 31) as usize] = k as u8;
@@ -109,7 +109,7 @@ impl Index {
             jumps: deck.programs.iter().map(|program| jumps(deck, program.first..program.end, control)).collect(),
             targets: Vec::new(),
             names: Vec::new(),
-            fitted: control.fitted(switches),
+            fitted: dialect.reading.fitted,
         };
         if control.syntax.names().is_some() {
             index.targets = deck.programs.iter().flat_map(|program| targets(deck, program)).collect();
@@ -134,7 +134,7 @@ impl Index {
         };
         match (control.vars[at].kind, self.stored_at(&control.vars[at], at, number)) {
             (VarKind::Local, _) => Slot::Local((number - control.vars[at].first).min(32) as u8),
-            (kind, _) if kind.common() && !is_fitted(&self.fitted, number) => Slot::None,
+            (kind, _) if kind.common() && !is_fitted(self.fitted, number) => Slot::None,
             (VarKind::Common | VarKind::Retained, Some(slot)) => Slot::Common(slot),
             _ => Slot::Row(at as u16),
         }

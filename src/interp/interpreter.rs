@@ -10,7 +10,7 @@ use super::state::RunState;
 use super::step::{Counts, End, StartProgram, Step};
 use super::world::World;
 use super::{modal_history, vars};
-use crate::controls::{Control, Switches, VarKind};
+use crate::controls::{Control, VarKind};
 use crate::nc::Parsed;
 use crate::text::Place;
 
@@ -22,17 +22,17 @@ pub struct Interp {
 }
 
 impl Interp {
-    /// A run at its start, axes at machine zero, variables vacant. `switches` settle the open points of the control.
-    pub fn new(parsed: Rc<Parsed>, start: StartProgram, switches: &Switches) -> Interp {
+    /// A run at its start, axes at machine zero, variables vacant, on the control as it was set when it read the program.
+    pub fn new(parsed: Rc<Parsed>, start: StartProgram) -> Interp {
         let control = parsed.control();
-        let index = Index::new(parsed.deck(), control, switches);
+        let index = Index::new(parsed.deck(), control, parsed.dialect());
         let start = match start {
             StartProgram::First if parsed.deck().programs.is_empty() => Err(0),
             StartProgram::First => Ok(0),
             StartProgram::Nth(at) => Ok(at),
             StartProgram::Program(number) => index.program(number).ok_or(number),
         };
-        let rules = Rules::new(control, switches);
+        let rules = Rules::new(control, parsed.dialect());
         let executing = modal_history::is_asked(parsed.deck(), control);
         let shared = Rc::new(Shared { parsed, control, index, rules, units: Units::new(control), start, executing });
         Interp { state: RunState::new(&shared), shared }

@@ -2,8 +2,8 @@
 
 use super::context::BlockContext;
 use super::error::{Run, Trap};
-use super::rules::AsinRange;
 use crate::controls::Alarm;
+use crate::controls::dialect::AsinRange;
 use crate::controls::syntax::Function;
 use crate::math;
 use crate::msg;
@@ -64,7 +64,7 @@ pub(super) fn function(cx: &BlockContext, function: Function, x: f64) -> Run<f64
             None => return outside(Alarm::Tangent),
         },
         Function::Asin | Function::Acos if x.abs() > 1.0 => return outside(Alarm::ArcFunction),
-        Function::Asin => match (math::asin_degrees(x), cx.shared.rules.asin) {
+        Function::Asin => match (math::asin_degrees(x), cx.shared.rules.numbers.asin) {
             (angle, AsinRange::AroundHalfTurn) => 180.0 - angle,
             (angle, AsinRange::WithinTurn) if angle < 0.0 => angle + 360.0,
             (angle, _) => angle,
@@ -137,7 +137,7 @@ pub(super) fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
         Op::Modulo => in_range(cx, a.round() % b.round()),
         Op::Atan => {
             let angle = math::atan2_degrees(a, b);
-            Ok(if cx.shared.rules.atan_turn && angle < 0.0 { angle + 360.0 } else { angle })
+            Ok(if cx.shared.rules.numbers.atan_turn && angle < 0.0 { angle + 360.0 } else { angle })
         }
         Op::And | Op::Or | Op::Xor if cx.control.macros.truths => truth(match op {
             Op::And => a != 0.0 && b != 0.0,

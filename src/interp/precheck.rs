@@ -25,7 +25,7 @@ const REMARKS: usize = 200;
 /// The alarms that blocks of read programs will raise whenever they run, and what the run will remark of them, in the order of the text:
 /// where a block depends on what is not known before, nothing is said. What the reader has said of a block stands for all of it.
 pub fn precheck(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
-    let Interp { shared, state } = Interp::new(Rc::clone(parsed), StartProgram::First, parsed.switches());
+    let Interp { shared, state } = Interp::new(Rc::clone(parsed), StartProgram::First);
     let deck = parsed.deck();
     let heard = RefCell::new(Vec::new());
     let mut world = Listener { still: Still::default(), heard: &heard };

@@ -73,7 +73,7 @@ impl RunState {
     pub(super) fn new(shared: &Shared) -> RunState {
         let mut state = RunState {
             vars: Vars::new(shared.index.stored),
-            modal: Modal::new(shared.control, shared.rules.startup.iter().copied()),
+            modal: Modal::new(shared.control, shared.rules.dialect.startup.iter().copied()),
             position: [0; AXES],
             came: LastMotion::default(),
             skip: [0; AXES],
@@ -136,7 +136,7 @@ impl RunState {
         use crate::controls::VarKind::*;
         for (at, row) in shared.control.vars.iter().enumerate() {
             let kept = match row.kind {
-                Common => !shared.rules.clear_common,
+                Common => !shared.rules.running.clear_common,
                 Retained | Kept | OutputWord(_) => true,
                 _ => false,
             };

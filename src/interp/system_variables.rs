@@ -126,7 +126,8 @@ impl RunState {
             return Err(Trap::alarm(Alarm::VacantValue, msg!("interp.vacant-value", cx.control.variable(number))));
         }
         let value = zero_if_vacant(value);
-        let counted = matches!(row.kind, VarKind::Kept | VarKind::WorkOffset(_)) && cx.shared.rules.offset_increments;
+        let counted =
+            matches!(row.kind, VarKind::Kept | VarKind::WorkOffset(_)) && cx.shared.rules.numbers.offset_increments;
         let value = if counted { value / cx.shared.units.per_unit } else { value };
         match row.kind {
             VarKind::OutputBit => {
@@ -166,7 +167,7 @@ impl RunState {
                 }
                 let on = |bit: u8| whole as u8 & bit != 0;
                 self.queue.push(if row.kind == VarKind::SuppressOverride {
-                    let feed_override = on(2) && cx.shared.rules.suppress_override;
+                    let feed_override = on(2) && cx.shared.rules.running.suppress_override;
                     Canon::Suppress { hold: on(1), feed_override, exact: on(4) }
                 } else {
                     Canon::SuppressWaits { single_block: on(1), fin: on(2) }
@@ -266,7 +267,7 @@ pub(super) fn user_alarm(cx: &BlockContext, block: &Block, number: f64) -> Trap 
     if !(f64::from(min)..=f64::from(max)).contains(&number) {
         return Trap::alarm(Alarm::UserAlarmRange, msg!("interp.value-range", number, min, max));
     }
-    let shown = cx.shared.rules.user_alarm_base.map(|base| base + number as u32);
+    let shown = cx.shared.rules.running.user_alarm_base.map(|base| base + number as u32);
     let text = cx.deck.text(block.comment).trim_start_matches('/');
     let message =
         if text.is_empty() { msg!("interp.user-alarm", number) } else { msg!("interp.user-alarm-text", number, text) };

@@ -115,7 +115,7 @@ impl RunState {
                     self.skip = to.position;
                 }
                 match self.modal.feed {
-                    Some(0.0) if cx.shared.rules.feed_zero_rapid => Canon::Rapid { to },
+                    Some(0.0) if cx.shared.rules.running.feed_zero_rapid => Canon::Rapid { to },
                     None | Some(0.0) => return Err(no_feed(cx, self.modal.feed)),
                     Some(feed) => {
                         let per_revolution = self.modal.per_revolution;
@@ -167,7 +167,7 @@ impl RunState {
     /// The working area, where its limits are on.
     #[inline]
     fn area(&self, cx: &BlockContext) -> Option<&[[i64; AXES]; 2]> {
-        self.modal.area.as_ref().filter(|_| cx.shared.rules.area && !self.modal.area_off)
+        self.modal.area.as_ref().filter(|_| cx.shared.rules.running.area && !self.modal.area_off)
     }
 
     /// Refuses a place beyond the working area.

@@ -32,7 +32,7 @@ fn cut(value: f64) -> f64 {
 impl RunState {
     /// The value of a word as it stands, `None` where it is vacant and the word is left out; on some controls it is 0 instead.
     pub(super) fn raw(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
-        if !cx.shared.rules.round_to_step {
+        if !cx.shared.rules.numbers.round_to_step {
             return self.as_written(cx, block, word);
         }
         let units = &cx.shared.units;
@@ -63,7 +63,9 @@ impl RunState {
     /// Whether a number without a point counts command increments behind this address.
     #[inline]
     fn counts_increments(&self, cx: &BlockContext, letter: u8, dec: Dec) -> bool {
-        !dec.point && !cx.shared.rules.whole_units && cx.shared.units.increment_letters & 1 << (letter & 31) != 0
+        !dec.point
+            && !cx.shared.rules.numbers.whole_units
+            && cx.shared.units.increment_letters & 1 << (letter & 31) != 0
     }
 
     /// The value of a word as an argument of a macro.
@@ -72,7 +74,7 @@ impl RunState {
         match word.value {
             WordValue::Number(dec)
                 if !dec.point
-                    && cx.shared.rules.argument_increments
+                    && cx.shared.rules.numbers.argument_increments
                     && units.increment_letters & 1 << (word.letter & 31) != 0 =>
             {
                 Ok(Some(dec.to_f64() / units.per_unit))
@@ -205,7 +207,7 @@ impl RunState {
         let whole = cx.shared.units.integer_letters & 1 << (word.letter & 31) != 0;
         let speed = match self.raw(cx, block, word)? {
             None => return Ok(None),
-            Some(value) if whole && cx.shared.rules.round_speed => value.round(),
+            Some(value) if whole && cx.shared.rules.numbers.round_speed => value.round(),
             Some(value) if whole => cut(value),
             Some(value) => value,
         };

@@ -145,7 +145,7 @@ impl RunState {
                         }
                     }
                     _ if thread && cx.control.syntax.threads_per_inch == Some(letter) => {
-                        let lead = match cx.shared.rules.fine_lead {
+                        let lead = match cx.shared.rules.numbers.fine_lead {
                             true => self.lead_word(cx, block, word, inch)?,
                             false => self.threads_word(cx, block, word)?,
                         };

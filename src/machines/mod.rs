@@ -22,7 +22,8 @@ pub mod turning_spindle;
 
 pub mod polygon_lathe;
 
-use crate::controls::{Control, Switches};
+use crate::controls::options::{Choice, CommonAtReset};
+use crate::controls::{Control, Dialect, Switches};
 use crate::math;
 use crate::motion::{Action, Planner, Plant, Plc, RunningProgram, Snapshot};
 use crate::msg;
@@ -38,6 +39,13 @@ pub struct ControlContext<'a> {
     pub control: &'a Control,
     /// Settings of its open points.
     pub switches: &'a Switches,
+}
+
+impl ControlContext<'_> {
+    /// What rows and settings come to.
+    pub fn dialect(&self) -> Dialect {
+        Dialect::resolve(self.control, self.switches)
+    }
 }
 
 /// What a machine's formulas say of its values.
@@ -92,14 +100,14 @@ impl Defaults {
 
     /// Common variables stay at reset: without them a second start would find no values.
     fn keep_common(&mut self, control: &Control) {
-        self.set(control, "common-at-reset", "kept");
+        self.set(control, CommonAtReset::Kept);
     }
 
     /// A setting of the control that the machine needs, where that is not the default.
-    fn set(&mut self, control: &Control, id: &str, setting: &str) {
-        let row = control.switches.iter().find(|row| row.id == id);
-        if let Some(row) = row.filter(|row| row.takes(setting) && row.options.first() != Some(&setting)) {
-            self.switches.0.push((row.id.to_owned(), setting.to_owned()));
+    fn set<C: Choice>(&mut self, control: &Control, choice: C) {
+        let setting = choice.option().id;
+        if let Some(row) = control.switch(C::SWITCH).filter(|row| row.takes(setting)) {
+            self.switches.set(row, setting);
         }
     }
 }

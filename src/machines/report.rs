@@ -2,7 +2,8 @@
 
 use super::form::{FieldInfo, KindInfo, Origins, Provenance, Value, Values};
 use super::{AnyMachine, ControlContext};
-use crate::controls::{Control, Switches};
+use crate::controls::options::SwitchOption;
+use crate::controls::{Control, Switch, Switches};
 use crate::text::catalog::{Language, number_text, words};
 use crate::text::{Citation, Diagnostic, Grade};
 use crate::view::report::{Input, Open, Report};
@@ -72,12 +73,9 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
             control
                 .switches
                 .iter()
-                .filter_map(|row| Some((row, switches.get(control.switches, row.id)?)))
-                .filter(|(row, set)| doubtful(&row.cite) || row.options.first() != Some(set))
-                .map(|(row, set)| match row.is_text() {
-                    true => format!("{}: \"{set}\"", row.text),
-                    false => format!("{}: {set} ({})", row.text, row.options.join(" | ")),
-                })
+                .map(|row| (row, switches.setting(row)))
+                .filter(|(row, set)| doubtful(&row.cite) || *set != row.default())
+                .map(|(row, set)| open_switch(row, set))
                 .collect(),
         ),
         (
@@ -114,6 +112,18 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
         ("form.open.alarms", numbers(control.alarms.iter().filter(|row| doubtful(&row.cite)).map(|row| row.number))),
     ];
     tables.into_iter().filter(|(_, facts)| !facts.is_empty()).map(|(kind, facts)| Open { kind, facts }).collect()
+}
+
+/// A switch as it is set, with its options.
+fn open_switch(row: &Switch, set: &str) -> String {
+    let label = row.text(Language::English);
+    if row.is_text() {
+        return format!("{label}: \"{set}\"");
+    }
+    let options = row.options();
+    let name = |option: &SwitchOption| words(Language::English, option.label);
+    let chosen = options.iter().find(|option| option.id == set).map_or(set, name);
+    format!("{label}: {chosen} ({})", options.iter().map(name).collect::<Vec<_>>().join(" | "))
 }
 
 /// Ranges of variables as words; those that touch are one.

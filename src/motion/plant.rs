@@ -1,6 +1,6 @@
 //! The machine as motion sees it: axes with clamps and time constants, one spindle with gear stages, ramps and analog output.
 
-use crate::controls::{Code, Control, SpindleRules, Switches};
+use crate::controls::{Code, Control, SpindleRules};
 use crate::drives::speed::STAGES;
 use crate::drives::{Analog, Positioning, Stage};
 
@@ -102,14 +102,14 @@ impl SpindlePlant {
         }
     }
 
-    /// The spindle of a control's bench.
-    pub fn bench(control: &Control, switches: &Switches) -> SpindlePlant {
+    /// The spindle of a control's bench, under these rules.
+    pub fn bench(control: &Control, rules: SpindleRules) -> SpindlePlant {
         let bench = &control.bench;
         let first = bench.gears.first().copied().unwrap_or(0.0);
         let analog = Analog { bits: bench.output_bits, ..Analog::unipolar(first, bench.volts_full) };
         // Where no code makes the present position a work zero, axes count from the turning centre until a program shifts them.
         let centre = (!control.can(Code::SetCoordinates)).then_some(0.0);
-        let spindle = SpindlePlant::new(analog, bench.speed_clamp, bench.ramp, control.spindle_rules(switches));
+        let spindle = SpindlePlant::new(analog, bench.speed_clamp, bench.ramp, rules);
         SpindlePlant { positioning: bench.positioning, centre, ..spindle }
             .with_stages(bench.gears.iter().copied().map(Stage::new))
     }

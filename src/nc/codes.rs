@@ -4,7 +4,7 @@ use super::ast::{Word, WordValue};
 use super::dec::Dec;
 use crate::controls::macros::CodeCall;
 use crate::controls::syntax::long;
-use crate::controls::{CodeDef, CodeId, CodeNumber, Control, Switches};
+use crate::controls::{CodeDef, CodeId, CodeNumber, Control, Dialect};
 
 /// Table size for G codes: G0 to G99.9.
 const G_SLOTS: usize = 1000;
@@ -25,18 +25,18 @@ pub struct Codes {
     m: Box<[u16; M_SLOTS]>,
     calls: Vec<CodeCall>,
     /// Codes that a switch keeps off.
-    off: Vec<CodeId>,
+    off: &'static [CodeId],
 }
 
 impl Codes {
     /// The codes of a control whose open points are set.
-    pub(super) fn new(control: &'static Control, switches: &Switches) -> Codes {
+    pub(super) fn new(control: &'static Control, dialect: &Dialect) -> Codes {
         let mut codes = Codes {
             control,
             g: Box::new([0; G_SLOTS]),
             m: Box::new([0; M_SLOTS]),
-            calls: control.code_calls(switches),
-            off: control.codes_off(switches),
+            calls: dialect.calls().to_vec(),
+            off: dialect.reading.codes_off,
         };
         for (row, at) in control.codes.iter().zip(1..) {
             if !codes.off.contains(&row.id)

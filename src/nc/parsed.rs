@@ -1,9 +1,11 @@
 //! A read program: files, tree and findings together; only the parser makes one.
 
+use std::rc::Rc;
+
 use super::ast::{Block, Deck};
 use super::codes::Codes;
 use super::files::Files;
-use crate::controls::{Control, Switches};
+use crate::controls::{Control, Dialect, Switches};
 use crate::text::{Diagnostic, Place, Severity};
 
 /// Text that a control has read. The interpreter takes nothing else.
@@ -14,6 +16,7 @@ pub struct Parsed {
     diagnostics: Vec<Diagnostic>,
     control: &'static Control,
     switches: Switches,
+    dialect: Rc<Dialect>,
     codes: Codes,
 }
 
@@ -24,9 +27,10 @@ impl Parsed {
         diagnostics: Vec<Diagnostic>,
         control: &'static Control,
         switches: Switches,
+        dialect: Rc<Dialect>,
         codes: Codes,
     ) -> Parsed {
-        Parsed { files, deck, diagnostics, control, switches, codes }
+        Parsed { files, deck, diagnostics, control, switches, dialect, codes }
     }
 
     /// The text.
@@ -49,9 +53,14 @@ impl Parsed {
         self.control
     }
 
-    /// The open points of the control, as they were set when it read.
+    /// The settings of the control when it read.
     pub fn switches(&self) -> &Switches {
         &self.switches
+    }
+
+    /// The control as it was set when it read.
+    pub fn dialect(&self) -> &Rc<Dialect> {
+        &self.dialect
     }
 
     /// The codes of the control as its switches have them, with those that call programs by parameter.

@@ -5,7 +5,7 @@ use super::debug::{Debugger, Goal, Stop};
 use super::io_names;
 use super::render::{Teller, headline};
 use super::run::{Run, Setting};
-use crate::controls::{Control, Switches};
+use crate::controls::{Control, Dialect};
 use crate::interp::Counts;
 use crate::interp::inspect::{Change, Entered, Level, What};
 use crate::motion::{Action, Event, Panel, RunEnd};
@@ -67,7 +67,6 @@ pub struct Console<'f> {
     /// The number of the last watch.
     watched: u32,
     teller: Teller<'f>,
-    switches: Switches,
     diagnostics: Vec<Diagnostic>,
     /// Where the run was over, and after how many blocks: nothing has happened since if it still is.
     over: Option<(f64, Counts)>,
@@ -97,7 +96,7 @@ fn change_text(change: &Change, control: &Control) -> String {
 
 impl<'f> Console<'f> {
     /// A session that stands before the first block of a run; `files` are those of its program.
-    pub fn new(main: Run, files: &'f Files, switches: Switches) -> Console<'f> {
+    pub fn new(main: Run, files: &'f Files) -> Console<'f> {
         let mut console = Console {
             debugger: Debugger::new(&main, 0.0, Goal::Into),
             main,
@@ -105,7 +104,6 @@ impl<'f> Console<'f> {
             watches: Vec::new(),
             watched: 0,
             teller: Teller::new(files),
-            switches,
             diagnostics: Vec::new(),
             over: None,
         };
@@ -120,6 +118,10 @@ impl<'f> Console<'f> {
 
     fn control(&self) -> &'static Control {
         self.main.program().control()
+    }
+
+    fn dialect(&self) -> &Dialect {
+        self.parsed().dialect()
     }
 
     fn parsed(&self) -> &Parsed {
@@ -375,12 +377,12 @@ impl<'f> Console<'f> {
     }
 
     fn set(&mut self, rest: &str) -> Result<String, String> {
-        let action = Setting::read(rest).and_then(|setting| setting.action(self.control(), &self.switches));
+        let action = Setting::read(rest).and_then(|setting| setting.action(self.control(), self.dialect()));
         let Some(action) = action else {
             return Err("“set” takes a variable or an input that can be set, and a number: set #107=8\n".to_owned());
         };
         let event = Event { t: self.debugger.t(), action };
-        for event in io_names::panel(&Panel::new([event]), self.control(), &self.switches).events() {
+        for event in io_names::panel(&Panel::new([event]), self.control(), self.dialect()).events() {
             self.act(event.clone());
         }
         self.reach();

@@ -3,23 +3,23 @@
 use super::run::Setting;
 use crate::controls::interface::SignalRole;
 use crate::controls::vars::is_fitted;
-use crate::controls::{Control, Switches, VarKind};
+use crate::controls::{Control, Dialect, VarKind};
 use crate::motion::{Action, Event, Panel};
 
 /// What the operator's hand does on this control. Forcing the register of an override turns its knob; forcing a word of a macro input
 /// forces that half of its variable, and the bits that stand for it.
-pub(super) fn panel(panel: &Panel, control: &Control, switches: &Switches) -> Panel {
+pub(super) fn panel(panel: &Panel, control: &Control, dialect: &Dialect) -> Panel {
     Panel::new(panel.events().iter().flat_map(|event| {
         let actions = match &event.action {
-            Action::Input(name, value) => input(name, *value, control, switches),
+            Action::Input(name, value) => input(name, *value, control, dialect),
             action => vec![action.clone()],
         };
         actions.into_iter().map(|action| Event { t: event.t, action })
     }))
 }
 
-fn input(name: &str, value: f64, control: &Control, switches: &Switches) -> Vec<Action> {
-    let role = control.role(name, switches);
+fn input(name: &str, value: f64, control: &Control, dialect: &Dialect) -> Vec<Action> {
+    let role = dialect.role(control, name);
     let half = |variable: u32, part: &str| {
         let word = Action::Input(format!("#{variable}.{part}"), value);
         let device = control.interface.iter().find(|row| Some(row.role) == role).map(|row| row.device);
@@ -39,11 +39,11 @@ fn input(name: &str, value: f64, control: &Control, switches: &Switches) -> Vec<
 
 impl Setting {
     /// What the setting does at the start of a run: a variable set, or an input forced. `None` where the control has neither.
-    pub fn action(&self, control: &Control, switches: &Switches) -> Option<Action> {
+    pub fn action(&self, control: &Control, dialect: &Dialect) -> Option<Action> {
         let row = self.number(control).and_then(|number| Some((number, control.var(number)?.kind)));
-        let fitted = |&(number, kind): &(u32, VarKind)| !kind.common() || is_fitted(&control.fitted(switches), number);
+        let fitted = |&(number, kind): &(u32, VarKind)| !kind.common() || is_fitted(dialect.reading.fitted, number);
         let kind = row.filter(fitted).map(|row| row.1);
-        let register = matches!(control.role(&self.name, switches),
+        let register = matches!(dialect.role(control, &self.name),
             Some(role) if control.interface.iter().any(|row| row.role == role && row.plc_writes));
         match kind {
             Some(VarKind::Local | VarKind::Common | VarKind::Retained) => {

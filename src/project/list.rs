@@ -3,6 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use crate::controls;
+use crate::controls::options::SwitchOption;
 use crate::machines;
 use crate::text::catalog::{Language, number_text, sentence, words};
 use crate::text::number::Fixed;
@@ -12,8 +13,9 @@ use crate::view::{Readout, Verdict};
 pub fn json() -> Json {
     let machine = |m: &&dyn machines::AnyMachine| json!({ "id": m.id(), "name": words(Language::English, m.name()), "controls": m.controls() });
     let switch = |s: &controls::Switch| {
-        let options = if s.is_text() { &[][..] } else { s.options };
-        json!({ "id": s.id, "text": s.text, "default": s.options.first(), "options": options })
+        let option = |o: &SwitchOption| json!({ "id": o.id, "label": words(Language::English, o.label) });
+        let options: Vec<Json> = s.options().iter().map(option).collect();
+        json!({ "id": s.id(), "text": s.text(Language::English), "default": s.default(), "options": options })
     };
     let control = |c: &&controls::Control| {
         let axes: Vec<Json> = c
@@ -61,17 +63,23 @@ pub fn text() -> String {
             number_text(bench.volts_full, 3),
             number_text(bench.ramp, 3),
         );
-        out += &format!("  {:<20} switches, each with its default first:\n", "");
+        out += &format!("  {:<20} switches, each with the ids of its settings, the default first:\n", "");
         for switch in control.switches {
-            out += &format!("  {:<20}   {:<22} {}: {}\n", "", switch.id, switch.text, switch_values(switch));
+            out += &format!("  {:<20}   {:<23} {}\n", "", switch.id(), switch.text(Language::English));
+            for option in switch.options() {
+                out += &format!("  {:<20}     {:<21} {}\n", "", option.id, words(Language::English, option.label));
+            }
         }
     }
     out
 }
 
-/// What a switch can be set to, its default first.
+/// Ids of the settings of a switch, the default first.
 pub fn switch_values(switch: &controls::Switch) -> String {
-    if switch.is_text() { "any text".to_owned() } else { switch.options.join(" | ") }
+    if switch.is_text() {
+        return "any text".to_owned();
+    }
+    switch.options().iter().map(|option| option.id).collect::<Vec<_>>().join(" | ")
 }
 
 /// A verdict as it is written.

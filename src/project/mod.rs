@@ -106,7 +106,7 @@ impl Project {
     /// Takes the project to another control: the values stay, the settings of open points as far as that control has them.
     pub fn move_to(&mut self, control: &'static Control) {
         let needed = self.machine.start(control).switches;
-        let takes = |id: &str, setting: &str| control.switches.iter().any(|row| row.id == id && row.takes(setting));
+        let takes = |id: &str, setting: &str| control.switch(id).is_some_and(|row| row.takes(setting));
         self.switches.0.retain(|(id, setting)| takes(id, setting));
         for (id, setting) in needed.0 {
             if self.switches.0.iter().all(|(known, _)| *known != id) {

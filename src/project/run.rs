@@ -7,7 +7,7 @@ use serde_json::{Map, Value as Json, json};
 use super::program::Written;
 use super::{Project, io_names};
 use crate::controls::bench::BenchShift;
-use crate::controls::{Control, Switches, VarKind};
+use crate::controls::{Control, Dialect, VarKind};
 use crate::interp::canon::Line;
 use crate::interp::world::Still;
 use crate::interp::{Interp, StartProgram, Step};
@@ -103,51 +103,45 @@ pub struct RunOptions<'a> {
 
 /// The run of a project: its values are set by its own setup program, then its main program starts on its plant.
 pub fn of_project(project: &Project, written: &Written, begin: &RunOptions) -> Run {
-    let control = project.control;
     let start = begin.start.unwrap_or(StartProgram::Program(written.main));
-    let mut interp = Interp::new(Rc::clone(&written.parsed), start, &project.switches);
+    let mut interp = Interp::new(Rc::clone(&written.parsed), start);
     set_up(&mut interp, project, written);
     let plant = project.machine.plant(&project.values, project.on());
     let plc = project.machine.plc(&project.values, project.on());
     // The knobs stand as the form says until the operator turns them.
     let knobs = project.machine.hand(&project.values).into_iter().map(|action| Event { t: 0.0, action });
     let panel = Panel::new(knobs.chain(project.panel.events().iter().cloned()));
-    started(interp, (control, &project.switches), &plant, plc, panel, begin)
+    started(interp, &plant, plc, panel, begin)
 }
 
 /// The run of bare programs, with the switches that they were read with: on the control's bench, or on the plant of a project.
 pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, begin: &RunOptions) -> Run {
     let control = parsed.control();
     let start = begin.start.unwrap_or_default();
-    let switches = parsed.switches().clone();
-    let interp = Interp::new(parsed, start, &switches);
+    let (switches, dialect) = (parsed.switches().clone(), Rc::clone(parsed.dialect()));
+    let interp = Interp::new(parsed, start);
     let (plant, plc) = match plant {
         Some(project) => {
             let on = ControlContext { control, switches: &switches };
             (project.machine.plant(&project.values, on), project.machine.plc(&project.values, on))
         }
-        None => bench(control, &switches),
+        None => bench(control, &dialect),
     };
-    started(interp, (control, &switches), &plant, plc, panel, begin)
+    started(interp, &plant, plc, panel, begin)
 }
 
-fn started(
-    mut interp: Interp,
-    (control, switches): (&'static Control, &Switches),
-    plant: &Plant,
-    plc: Box<dyn Plc>,
-    mut panel: Panel,
-    begin: &RunOptions,
-) -> Run {
+fn started(mut interp: Interp, plant: &Plant, plc: Box<dyn Plc>, mut panel: Panel, begin: &RunOptions) -> Run {
+    let control = interp.control();
+    let dialect = Rc::clone(interp.parsed().dialect());
     for setting in begin.settings {
-        match setting.action(control, switches) {
+        match setting.action(control, &dialect) {
             Some(Action::Variable(number, value)) => drop(interp.set_variable(number, value)),
             // What the PLC writes is forced from the beginning.
             Some(action) => panel.add(Event { t: 0.0, action }),
             None => {}
         }
     }
-    let panel = io_names::panel(&panel, control, switches);
+    let panel = io_names::panel(&panel, control, &dialect);
     Planner::new(Setup { program: interp, control, plant, plc, panel, limits: begin.limits, keep: begin.keep })
 }
 
@@ -156,7 +150,7 @@ fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
     if written.setup == 0 {
         return;
     }
-    let mut setup = Interp::new(Rc::clone(&written.parsed), StartProgram::Program(written.setup), &project.switches);
+    let mut setup = Interp::new(Rc::clone(&written.parsed), StartProgram::Program(written.setup));
     let mut world = Still::default();
     for _ in 0..SETUP_STEPS {
         if let Step::Ended(_) = setup.step(&mut world) {
@@ -173,12 +167,12 @@ fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
 }
 
 /// The bench of a control as a plant with its PLC.
-fn bench(control: &'static Control, switches: &Switches) -> (Plant, Box<dyn Plc>) {
+fn bench(control: &'static Control, dialect: &Dialect) -> (Plant, Box<dyn Plc>) {
     let bench = &control.bench;
     let axes = bench.axes.iter().map(|axis| AxisPlant {
         letter: axis.letter,
         rotary: control.axis(axis.letter).is_some_and(|at| control.axes[at].rotary),
-        diameter: control.axis(axis.letter).is_some_and(|at| control.counts_diameters(at, switches)),
+        diameter: control.axis(axis.letter).is_some_and(|at| dialect.counts_diameters(at)),
         rapid: axis.rapid,
         clamp: axis.clamp,
         time_constant: axis.time_constant,
@@ -188,7 +182,7 @@ fn bench(control: &'static Control, switches: &Switches) -> (Plant, Box<dyn Plc>
     let plant = Plant {
         axes: axes.collect(),
         pmc: Vec::new(),
-        spindle: SpindlePlant::bench(control, switches),
+        spindle: SpindlePlant::bench(control, dialect.spindle()),
         block_time: control.timing.block,
         macro_time: control.timing.macro_block,
         preread: control.timing.preread,
@@ -197,8 +191,7 @@ fn bench(control: &'static Control, switches: &Switches) -> (Plant, Box<dyn Plc>
     };
     let BenchShift { volts, before, meshing, after } = bench.shift;
     let mut plc = BenchPlc::new(bench.fin_delay, bench.override_echo);
-    (plc.shift, plc.knob) =
-        (GearShift { volts, before, meshing, after, patience: None }, Some(control.spindle_rules(switches).knob));
+    (plc.shift, plc.knob) = (GearShift { volts, before, meshing, after, patience: None }, Some(dialect.spindle().knob));
     (plant, Box::new(plc))
 }
 

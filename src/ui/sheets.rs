@@ -7,7 +7,9 @@ use super::model::Model;
 use super::script::text;
 use super::words::{grade, t};
 use crate::controls::Switch;
+use crate::controls::options::SwitchOption;
 use crate::text::Grade;
+use crate::text::catalog::Language;
 
 /// The sheet of the control's parameters.
 pub(super) fn parameters(model: Model) -> Vec<El> {
@@ -53,30 +55,26 @@ fn switches(model: Model) -> El {
 }
 
 fn switch(model: Model, switch: &'static Switch) -> El {
-    let set =
-        move || model.project.with(|p| p.switches.get(p.control.switches, switch.id).unwrap_or_default().to_owned());
+    let set = move || model.project.with(|p| p.switches.setting(switch).to_owned());
+    let text = switch.text(Language::English);
     let input = if switch.is_text() {
         el("input").at("type", "text").at("spellcheck", "false").at("autocomplete", "off")
     } else {
-        let options: Vec<El> = switch.options.iter().map(|one| el("option").at("value", one).text(one)).collect();
+        let option = |one: &SwitchOption| el("option").at("value", one.id).text(t(one.label));
+        let options: Vec<El> = switch.options().iter().map(option).collect();
         el("select").add(&options)
     };
-    let input = input.label(switch.text).valued(set).on("change", move |event| {
+    let input = input.label(&text).valued(set).on("change", move |event| {
         let chosen = value(&event).trim().to_owned();
         if !switch.takes(&chosen) {
             model.notify("warn", t("page.not-a-setting").to_owned());
             return;
         }
-        model.edit(switch.id, |project| {
-            project.switches.0.retain(|(id, _)| id != switch.id);
-            if switch.options.first() != Some(&chosen.as_str()) {
-                project.switches.0.push((switch.id.to_owned(), chosen));
-            }
-        });
+        model.edit(switch.id(), |project| project.switches.set(switch, &chosen));
     });
     let class = if switch.cite.grade == Grade::Open { "td.grade.open" } else { "td.grade" };
     el("tr").add(&[
-        el("td").text(switch.text),
+        el("td").text(&text),
         el("td").add(&[input]),
         el(class).at("title", switch.cite.source).text(grade(switch.cite.grade)),
     ])

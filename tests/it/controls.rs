@@ -3,7 +3,9 @@
 use macroline::controls::macros::{ArgumentSets, CodeCall, VacantWord};
 use macroline::controls::syntax::Operation;
 use macroline::controls::vars::{Clock, Width};
-use macroline::controls::{ALL, Alarm, AlarmDef, Code, CodeId, Control, Group, ParamRole, Switches, VarKind, find};
+use macroline::controls::{
+    ALL, Alarm, AlarmDef, Code, CodeId, Control, Dialect, Group, ParamRole, Switches, VarKind, find,
+};
 use macroline::text::Citation;
 
 fn e60() -> &'static Control {
@@ -32,7 +34,7 @@ fn citations(control: &'static Control) -> Vec<(String, Citation)> {
     all.extend(control.alarms.iter().map(|row| (row.number.to_owned(), row.cite)));
     all.extend(control.params.iter().map(|row| (row.number.to_owned(), row.cite)));
     all.extend(control.interface.iter().map(|row| (row.device.to_owned(), row.cite)));
-    all.extend(control.switches.iter().map(|row| (row.id.to_owned(), row.cite)));
+    all.extend(control.switches.iter().map(|row| (row.id().to_owned(), row.cite)));
     all
 }
 
@@ -92,9 +94,9 @@ fn ids_are_unique_and_found() {
     for control in ALL {
         assert!(core::ptr::eq(find(control.id).unwrap(), *control));
         for switch in control.switches {
-            let twins = control.switches.iter().filter(|row| row.id == switch.id).count();
-            assert_eq!(twins, 1, "{} {}", control.id, switch.id);
-            assert!(!switch.options.is_empty(), "{} {}: no default", control.id, switch.id);
+            let twins = control.switches.iter().filter(|row| row.id() == switch.id()).count();
+            assert_eq!(twins, 1, "{} {}", control.id, switch.id());
+            assert!(switch.is_text() || !switch.options().is_empty(), "{} {}: no default", control.id, switch.id());
         }
     }
     assert!(find("no-such-control").is_none());
@@ -173,12 +175,12 @@ fn the_parameters_that_the_paper_misprints() {
 
 #[test]
 fn a_switch_is_set_or_at_its_default() {
-    let rows = e60().switches;
+    let row = e60().switch("decimal-point").unwrap();
     let set = |value: &str| Switches(vec![("decimal-point".to_owned(), value.to_owned())]);
-    assert_eq!(Switches::default().get(rows, "decimal-point"), Some("increments"));
-    assert_eq!(set("millimetres").get(rows, "decimal-point"), Some("millimetres"));
-    assert_eq!(set("furlongs").get(rows, "decimal-point"), Some("increments"));
-    assert_eq!(set("millimetres").get(rows, "no-such-switch"), None);
+    assert_eq!(Switches::default().setting(row), "increments");
+    assert_eq!(set("millimetres").setting(row), "millimetres");
+    assert_eq!(set("furlongs").setting(row), "increments");
+    assert!(e60().switch("no-such-switch").is_none());
 }
 
 /// `0112 …` of a kind.
@@ -312,12 +314,12 @@ fn the_k2000t_follows_custom_macro_b() {
 #[test]
 fn codes_of_the_user_by_parameter() {
     let calls = |control: &Control, settings: &str| -> Vec<(CodeId, u32)> {
-        let calls = control.macros.calls(settings);
-        calls.iter().map(|call| (call.code, call.program)).collect()
+        let switches = Switches(vec![("call-parameters".to_owned(), settings.to_owned())]);
+        Dialect::resolve(control, &switches).calls().iter().map(|call| (call.code, call.program)).collect()
     };
     // The paper prints O9120 twice; 4121 belongs to O9121.
     let default: Vec<(CodeId, u32)> =
-        knd().code_calls(&Switches::default()).iter().map(|call| (call.code, call.program)).collect();
+        Dialect::resolve(knd(), &Switches::default()).calls().iter().map(|call| (call.code, call.program)).collect();
     let g = CodeId::g;
     assert_eq!(default, [(g(512), 9120), (g(502), 9121)]);
     assert_eq!(calls(knd(), "4139=999 4140=998"), [(g(999), 9139)]);
@@ -405,9 +407,9 @@ fn codes_that_call_macros_are_parameters() {
     let calls = |id: &str, settings: &str| -> Vec<String> {
         let switches = Switches(vec![("call-parameters".to_owned(), settings.to_owned())]);
         let control = find(id).unwrap();
-        let calls = control.code_calls(&switches);
+        let dialect = Dialect::resolve(control, &switches);
         let line = |call: &CodeCall| format!("{} {:?} {}", control.code_name(call.code), call.kind, call.program);
-        calls.iter().map(line).collect()
+        dialect.calls().iter().map(line).collect()
     };
     assert_eq!(calls("knd-k2000t", "4120=512 4121=1"), ["G512 Macro 9120", "G1 Macro 9121"]);
     // The sheet's examples; a standard code is not bound on this control.

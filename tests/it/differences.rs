@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::rc::Rc;
 
 use expect_test::expect;
-use macroline::controls::{ALL, Control, Switches};
+use macroline::controls::{ALL, Control};
 use macroline::interp::world::Still;
 use macroline::interp::{self, Canon, End, Interp, StartProgram};
 use macroline::nc::{self, Files};
@@ -33,7 +33,7 @@ fn told(control: &'static Control, (_, lines, named): &(&str, &str, &str)) -> St
     if let Some(finding) = parsed.diagnostics().iter().find(|finding| finding.severity == Severity::Error) {
         return format!("alarm {}", finding.alarm.as_deref().unwrap_or("none"));
     }
-    let mut interp = Interp::new(Rc::new(parsed), StartProgram::First, &Switches::default());
+    let mut interp = Interp::new(Rc::new(parsed), StartProgram::First);
     let names = interp.names();
     let mut said: Vec<String> = Vec::new();
     let log = |canon: &Canon, _: Place| said.push(canon.line(names).to_string());

@@ -1,5 +1,6 @@
 //! The figures of the ribbon line, by running the program that the project exports, on every control.
 
+use macroline::controls::Dialect;
 use macroline::controls::syntax::Percent;
 use macroline::machines::form::Value;
 use macroline::motion::{Budget, Retention, RunEnd};
@@ -211,7 +212,7 @@ proptest! {
         prop_assert!(close(variable(&out, "#115"), v * (pitch * pitch + y * y).sqrt() / pitch));
         let count = f64::from(count);
         let at = |letter: char| out.axes.iter().find(|axis| axis.0 == letter).unwrap().1;
-        let words = if project.control.counts_diameters(0, &project.switches) { 2.0 } else { 1.0 };
+        let words = if Dialect::resolve(project.control, &project.switches).counts_diameters(0) { 2.0 } else { 1.0 };
         prop_assert!((at('X') - words * pitch * count).abs() < 1e-6, "X {}", at('X'));
         prop_assert!((at('Y') - y * count).abs() <= 0.001 + 1e-6, "Y {} of {}", at('Y'), y * count);
     }

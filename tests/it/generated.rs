@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::rc::Rc;
 
-use macroline::controls::{self, Code, Control, Switches};
+use macroline::controls::{self, Code, Control, Dialect, Switches};
 use macroline::interp::world::Still;
 use macroline::interp::{End, Interp, StartProgram};
 use macroline::motion::{
@@ -24,7 +24,7 @@ use proptest::prelude::*;
 use flat::Recorder;
 
 fn interp(control: &'static Control, text: &str) -> Interp {
-    Interp::new(Rc::new(nc::parse(&Files::one("O1.nc", text), control)), StartProgram::First, &Switches::default())
+    Interp::new(Rc::new(nc::parse(&Files::one("O1.nc", text), control)), StartProgram::First)
 }
 
 /// The bench of the control.
@@ -43,7 +43,7 @@ fn plant(control: &Control) -> Plant {
     Plant {
         axes: axes.collect(),
         pmc: Vec::new(),
-        spindle: SpindlePlant::bench(control, &Switches::default()),
+        spindle: SpindlePlant::bench(control, Dialect::resolve(control, &Switches::default()).spindle()),
         block_time: control.timing.block,
         macro_time: control.timing.macro_block,
         preread: control.timing.preread,

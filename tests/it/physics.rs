@@ -16,7 +16,7 @@ mod spindle;
 mod strange;
 mod turning;
 
-use macroline::controls::{self, Control, Switches};
+use macroline::controls::{self, Control, Dialect, Switches};
 use macroline::drives::Analog;
 use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Feed, Target};
@@ -44,7 +44,7 @@ fn axis(letter: u8) -> AxisPlant {
 }
 
 fn plant() -> Plant {
-    let rules = control().spindle_rules(&Switches::default());
+    let rules = Dialect::resolve(control(), &Switches::default()).spindle();
     let spindle = SpindlePlant::new(Analog::unipolar(1480.0, 10.0), 1480.0, 2.0, rules);
     Plant {
         axes: vec![axis(b'X'), axis(b'Y')],

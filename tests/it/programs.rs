@@ -24,7 +24,7 @@ const BUDGET: u64 = 100_000;
 fn start_on(control: &'static Control, source: &str, switches: &[(&str, &str)]) -> Interp {
     let switches = Switches(switches.iter().map(|(id, value)| (id.to_string(), value.to_string())).collect());
     let parsed = nc::parse_with(&Files::one("test.nc", source), control, &switches);
-    Interp::new(Rc::new(parsed), StartProgram::First, &switches)
+    Interp::new(Rc::new(parsed), StartProgram::First)
 }
 
 /// On the control that most of these programs are written for.
@@ -45,7 +45,7 @@ fn start_fixture(control: &'static Control, source: &str) -> Interp {
     });
     let settings: Vec<(&str, &str)> = settings.collect();
     for (id, value) in &settings {
-        let row = control.switches.iter().find(|row| row.id == *id);
+        let row = control.switch(id);
         assert!(row.is_some_and(|row| row.takes(value)), "{} has no switch {id} with {value}", control.id);
     }
     start_on(control, source, &settings)

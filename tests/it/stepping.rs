@@ -6,7 +6,7 @@ mod walks;
 use std::rc::Rc;
 
 use expect_test::Expect;
-use macroline::controls::{Control, Switches, find};
+use macroline::controls::{Control, find};
 use macroline::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
 use macroline::nc::{self, Files};
 use macroline::project::breakpoints::{Breakpoints, Location};
@@ -42,7 +42,7 @@ fn talk(console: &mut Console, script: &str) -> String {
 #[track_caller]
 fn check(program: &str, script: &str, expected: Expect) {
     let files = Files::one("a.nc", program);
-    let mut console = Console::new(bench(&files, Panel::default()), &files, Switches::default());
+    let mut console = Console::new(bench(&files, Panel::default()), &files);
     expected.assert_eq(&talk(&mut console, script));
 }
 
@@ -67,7 +67,7 @@ N30 M99
 #[test]
 fn every_command_is_told_by_help() {
     let files = Files::one("a.nc", CALLS);
-    let mut console = Console::new(bench(&files, Panel::default()), &files, Switches::default());
+    let mut console = Console::new(bench(&files, Panel::default()), &files);
     let (_, help) = console.line("help");
     for line in help.lines().filter(|line| !line.starts_with(' ')) {
         let command = line.split([' ', ',']).next().unwrap();
@@ -202,7 +202,7 @@ proptest! {
     #[test]
     fn any_line_is_answered(lines in prop::collection::vec("(into|over|out|to|break|watch|print|set|back|start|c|clear|on)?[ #\\[\\]NOI0-9A-Z+*/.=-]{0,12}", 1..20)) {
         let files = Files::one("a.nc", CALLS);
-        let mut console = Console::new(bench(&files, Panel::default()), &files, Switches::default());
+        let mut console = Console::new(bench(&files, Panel::default()), &files);
         talk(&mut console, &lines.join("\n"));
     }
 

@@ -226,6 +226,15 @@ fn the_catalog_and_the_source_name_the_same_sentences() {
             && subject.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || "-.".contains(c))
     };
     let mut used = BTreeSet::new();
+    // Labels of switches and options are named by the table of the switches.
+    for row in macroline::controls::ALL.iter().flat_map(|control| control.switches) {
+        for label in [row.label].into_iter().chain(row.options().iter().map(|option| option.label)) {
+            used.insert(label);
+            if !rows.contains_key(label) {
+                broken.push(format!("{label} of the switch {} is not in the catalog", row.id()));
+            }
+        }
+    }
     for source in sources() {
         for literal in source.literals() {
             if let Some((id, _)) = rows.get_key_value(literal.text.as_str()) {

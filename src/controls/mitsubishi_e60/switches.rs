@@ -2,7 +2,7 @@
 
 use super::MEMORY;
 use crate::controls::Switch;
-use crate::controls::macros::CALL_PARAMETERS;
+use crate::controls::options::*;
 use crate::controls::switch::switch;
 use crate::text::{Citation, Grade};
 
@@ -17,59 +17,50 @@ const LATER: Citation = Citation::new("MELDAS usage, unverified: only from the M
 /// One row per point; the first option is the default.
 pub(super) const SWITCHES: &[Switch] = &[
     switch(
-        "macro-input-base",
-        "First register of the macro inputs: #1032 starts here",
-        &["R72", "R172", "R24", "R124", "R6436"],
+        MacroInputBase::of(&[
+            MacroInputBase::R72,
+            MacroInputBase::R172,
+            MacroInputBase::R24,
+            MacroInputBase::R124,
+            MacroInputBase::R6436,
+        ]),
         Citation::new("MELDAS 64 list and the paper (R74) against the M60 device map", Grade::Open),
     ),
     switch(
-        "common-variables",
-        "Common variables: 100, 200, 300 or 600 sets",
-        &[
-            "#100 to #149, #500 to #549",
-            "#100 to #199, #500 to #599",
-            "#100 to #199, #500 to #699",
-            "#100 to #199, #500 to #999",
-        ],
+        CommonVariables::of(&[
+            CommonVariables::Sets100,
+            CommonVariables::Sets200,
+            CommonVariables::Sets300,
+            CommonVariables::Sets600,
+        ]),
         Citation::new("MELDAS option list, unverified: 100 sets are the standard of the E60", Grade::Open),
     ),
+    switch(OffsetValues::of(&[OffsetValues::AsWritten, OffsetValues::Increments]), MEMORY),
+    switch(DecimalPoint::of(&[DecimalPoint::Increments, DecimalPoint::Millimetres]), DECIMALS).parameter("#1078"),
+    switch(ArgumentPoint::of(&[ArgumentPoint::Increments, ArgumentPoint::AsWritten]), MEMORY),
+    switch(PointBehindVariable::of(&[PointBehindVariable::Alarm, PointBehindVariable::Ignored]), LISTING),
+    switch(IfThen::of(&[IfThen::Alarm, IfThen::Read]), LATER),
+    switch(Modulo::of(&[Modulo::Alarm, Modulo::Read]), LATER),
+    switch(Assignments::of(&[Assignments::One, Assignments::Several]), MEMORY),
     switch(
-        "offset-values",
-        "A value that a program writes to a tool or work offset",
-        &["as written", "increments"],
-        MEMORY,
-    ),
-    switch("decimal-point", "A coordinate without a point (#1078)", &["increments", "millimetres"], DECIMALS),
-    switch("argument-point", "A macro argument without a point", &["increments", "as written"], MEMORY),
-    switch("point-behind-variable", "A point behind a variable, X#107.", &["alarm", "ignored"], LISTING),
-    switch("if-then", "IF [ ] THEN", &["alarm", "read"], LATER),
-    switch("modulo", "MOD", &["alarm", "read"], LATER),
-    switch("assignments", "Assignments in a block", &["one", "several"], MEMORY),
-    switch(
-        "round-in-word",
-        "ROUND behind an address, X[ROUND[#1]]",
-        &["to a whole number", "to the step of the address"],
+        RoundInWord::of(&[RoundInWord::WholeNumber, RoundInWord::AddressStep]),
         Citation::new("MELDAS usage, unverified, tells of whole numbers alone", Grade::Open),
     ),
-    switch("startup-distance", "Dimensions after power-on (#1073)", &["G90", "G91"], MEMORY),
-    switch("startup-motion", "Motion code after power-on (#1075)", &["G01", "G00"], MEMORY),
-    switch("thread-e", "E of a thread, G33 (#8156)", &["threads per inch", "lead"], MEMORY),
-    switch("feed-zero", "What F0 does (#1079)", &["alarm", "rapid"], MEMORY),
-    switch("spindle-word", "S with decimals", &["truncate", "round"], DECIMALS),
+    switch(StartupDistance::of(&[StartupDistance::G90, StartupDistance::G91]), MEMORY).parameter("#1073"),
+    switch(StartupMotion::of(&[StartupMotion::G01, StartupMotion::G00]), MEMORY).parameter("#1075"),
+    switch(ThreadE::of(&[ThreadE::ThreadsPerInch, ThreadE::Lead]), MEMORY).parameter("#8156"),
+    switch(FeedZero::of(&[FeedZero::Alarm, FeedZero::Rapid]), MEMORY).parameter("#1079"),
+    switch(SpindleWord::of(&[SpindleWord::Truncate, SpindleWord::Round]), DECIMALS),
     switch(
-        "speed-reached",
-        "Cuts and the spindle's speed (SAR)",
-        &["do not wait", "wait"],
+        SpeedReached::of(&[SpeedReached::NoWait, SpeedReached::Wait]),
         Citation::new("MELDAS 50 practice with an inverter: no such signal", Grade::Open),
-    ),
-    switch("m5-timing", "M05 beside a motion", &["before", "end"], MEMORY),
-    switch(
-        CALL_PARAMETERS,
-        "Macro list: code, type (0 as M98, 1 G65, 2 G66, 3 G66.1), program: #7201=200 #7202=1 #7203=9010 for G200",
-        &[""],
-        MEMORY,
-    ),
-    switch("common-at-reset", "#100 and up at reset (#1128)", &["kept", "vacant"], MEMORY),
-    switch("locals-of-calls", "Locals without an argument (#1114)", &["vacant", "kept"], MEMORY),
-    switch("override-suppression", "#3004 bit 1 switches the cutting override off", &["yes", "no"], MEMORY),
+    )
+    .parameter("SAR"),
+    switch(M5Timing::of(&[M5Timing::Before, M5Timing::End]), MEMORY),
+    switch(CallParameters::of(""), MEMORY),
+    switch(CommonAtReset::of(&[CommonAtReset::Kept, CommonAtReset::Vacant]), MEMORY)
+        .label("switch.common-at-reset-all")
+        .parameter("#1128"),
+    switch(LocalsOfCalls::of(&[LocalsOfCalls::Vacant, LocalsOfCalls::Kept]), MEMORY).parameter("#1114"),
+    switch(OverrideSuppression::of(&[OverrideSuppression::Yes, OverrideSuppression::No]), MEMORY),
 ];

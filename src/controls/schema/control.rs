@@ -1,8 +1,9 @@
 //! [`Control`]: all rows of one control, and the look-ups in them.
 
+use super::options::SwitchKind;
 use super::{
     Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, Limits, Macros, ParamDef, ParamRole, Signal, SpindleRules, Switch,
-    Switches, Syntax, Timing, VarKind, VarRange, switch, syntax,
+    Syntax, Timing, VarKind, VarRange,
 };
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
@@ -130,34 +131,13 @@ impl Control {
 
     /// Id of the switch that names the common variables that are fitted; empty where all are.
     pub fn fitted_by(&self) -> &'static str {
-        self.switches.iter().map(|row| row.id).find(|id| switch::FITTED.contains(id)).unwrap_or("")
+        let names = |row: &&Switch| matches!(row.kind, SwitchKind::CommonVariables(_) | SwitchKind::RParameters(_));
+        self.switches.iter().find(names).map_or("", Switch::id)
     }
 
-    /// The ranges of common variables that are fitted; none is named where all are.
-    pub fn fitted(&self, switches: &Switches) -> Vec<(u32, u32)> {
-        let setting = switches.get(self.switches, self.fitted_by()).unwrap_or("");
-        let mut numbers = setting.split(self.syntax.variable).filter_map(|text| {
-            let digits = text.bytes().take_while(u8::is_ascii_digit).count();
-            text.get(..digits)?.parse().ok()
-        });
-        let pair = || Some((numbers.next()?, numbers.next()?));
-        core::iter::from_fn(pair).collect()
-    }
-
-    /// Digits of a number at most, as a switch has it where that is open; 18 fit everywhere.
-    pub fn number_digits(&self, switches: &Switches) -> usize {
-        switches.get(self.switches, "number-digits").and_then(|digits| digits.parse().ok()).unwrap_or(18)
-    }
-
-    /// Codes that a switch keeps off: it is named for them, `codes-g22-g23`, and at its default they are an alarm.
-    pub fn codes_off(&self, switches: &Switches) -> Vec<CodeId> {
-        let off = self.switches.iter().filter(|row| switches.get(self.switches, row.id) == Some("alarm"));
-        let names = off.filter_map(|row| row.id.strip_prefix("codes-")).flat_map(|codes| codes.split('-'));
-        let code = |name: &str| {
-            let number = name.get(1..)?.parse().ok()?;
-            Some(if name.starts_with('g') { CodeId::g(number) } else { CodeId::M(number) })
-        };
-        names.filter_map(code).collect()
+    /// The switch of an id.
+    pub fn switch(&self, id: &str) -> Option<&'static Switch> {
+        self.switches.iter().find(|row| row.id() == id)
     }
 
     /// Whether a variable that nothing has set is vacant; else it is 0.
@@ -225,18 +205,6 @@ impl Control {
     /// Index of an axis letter in `axes`.
     pub fn axis(&self, letter: u8) -> Option<usize> {
         self.axes.iter().position(|axis| axis.letter == letter)
-    }
-
-    /// Whether words of an axis count diameters, as the switches have it.
-    pub fn counts_diameters(&self, axis: usize, switches: &Switches) -> bool {
-        let diameter = self.axes.get(axis).is_some_and(|row| row.diameter);
-        diameter && switches.get(self.switches, "diameter") != Some("radius")
-    }
-
-    /// Whether an axis turns and counts a turn, by its row or as the switches have it.
-    pub fn is_rotary(&self, axis: usize, switches: &Switches) -> bool {
-        let named = switches.get(self.switches, syntax::ROTARY_AXES).unwrap_or("");
-        self.axes.get(axis).is_some_and(|row| row.rotary || named.bytes().any(|b| b.to_ascii_uppercase() == row.letter))
     }
 
     /// Address letters of axis words, absolute and incremental.

@@ -120,7 +120,7 @@ pub struct Macros {
     pub common_kept: bool,
     /// `G65 Hnn P Q R` as functions: number and what it does. Empty where the control lacks them.
     pub functions: &'static [(u8, Operation)],
-    /// Codes that call macros, by parameter. The settings are the text of the switch [`CALL_PARAMETERS`].
+    /// Codes that call macros, by parameter. The settings are the text of the switch `call-parameters`.
     pub code_calls: &'static [CodeCalls],
     /// A code that calls a macro comes before the control's own of the same number; else it is not bound.
     pub calls_override: bool,
@@ -136,9 +136,6 @@ pub struct Macros {
 /// are arguments of G66.1 only.
 pub const ARGUMENT: [u8; 26] =
     [1, 2, 3, 7, 8, 9, 10, 11, 4, 5, 6, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26];
-
-/// Id of the switch that holds parameters of macro calls by code, for instance `4120=512 4121=502`.
-pub const CALL_PARAMETERS: &str = "call-parameters";
 
 /// A code that calls a macro.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -170,9 +167,8 @@ impl Macros {
         })
     }
 
-    /// The codes that call macros under these settings, for instance `4120=512 4121=502`. What cannot be read is left out.
-    pub fn calls(&self, settings: &str) -> Vec<CodeCall> {
-        let set: Vec<(u32, u32)> = settings.split(SEPARATORS).filter_map(setting).collect();
+    /// The codes that call macros under these parameters (number and value); of two settings of a parameter the later one holds.
+    pub fn calls(&self, set: &[(u32, u32)]) -> Vec<CodeCall> {
         let value = |parameter: u32| set.iter().rev().find(|(number, _)| *number == parameter).map(|(_, value)| *value);
         let mut calls = Vec::new();
         let mut bind = |letter: u8, code: Option<u32>, kind: CallKind, program: Option<u32>| {
@@ -205,25 +201,6 @@ impl Macros {
                 }
             }
         }
-        calls
-    }
-}
-
-/// What stands between settings of parameters.
-pub const SEPARATORS: [char; 3] = [' ', ',', ';'];
-
-/// `4120=512`, with or without `#` or `No.` in front.
-pub fn setting(text: &str) -> Option<(u32, u32)> {
-    let (number, value) = text.split_once('=')?;
-    let digits = number.trim_start_matches(|c: char| !c.is_ascii_digit());
-    Some((digits.parse().ok()?, value.trim_start_matches(|c: char| !c.is_ascii_digit()).parse().ok()?))
-}
-
-impl super::Control {
-    /// The codes that call macros as the switches have it.
-    pub fn code_calls(&self, switches: &super::Switches) -> Vec<CodeCall> {
-        let mut calls = self.macros.calls(switches.get(self.switches, CALL_PARAMETERS).unwrap_or(""));
-        calls.retain(|call| self.macros.calls_override || self.code(call.code).is_none());
         calls
     }
 }

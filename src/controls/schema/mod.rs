@@ -14,6 +14,8 @@ pub mod limits;
 
 pub mod alarm;
 
+pub mod options;
+
 pub mod switch;
 
 pub mod params;
@@ -26,10 +28,13 @@ pub mod spindle;
 
 pub mod control;
 
+pub mod dialect;
+
 pub use alarm::{Alarm, AlarmDef};
 pub use bench::Bench;
 pub use code::{Code, CodeDef, CodeId, CodeNumber, Group, Point};
 pub use control::{AxisDef, Control};
+pub use dialect::Dialect;
 pub use interface::Signal;
 pub use limits::{Limits, Timing};
 pub use macros::Macros;

@@ -1,6 +1,5 @@
 //! How a control commands its spindle: what S, M3, constant surface speed and limits do on it.
 
-use super::{Control, Switches};
 use crate::drives::speed::Steps;
 use crate::text::Citation;
 
@@ -86,46 +85,8 @@ pub struct SpindleRules {
 }
 
 /// The override switch of machine control panels.
-const PANEL: Steps = Steps { low: 50.0, high: 120.0, step: 5.0 };
+pub(super) const PANEL: Steps = Steps { low: 50.0, high: 120.0, step: 5.0 };
 
 /// Part of the speed within which it counts as reached, where the drive's own signal tells the control.
 /// Source: `reference/sinumerik-802d.md` section 3.2 (MD35150).
-const REACHED: f64 = 0.1;
-
-impl Control {
-    /// The rules of the spindle as the switches have them.
-    pub fn spindle_rules(&self, switches: &Switches) -> SpindleRules {
-        let row = self.spindle;
-        let is = |id: &str, setting: &str, otherwise: bool| {
-            switches.get(self.switches, id).map_or(otherwise, |set| set == setting)
-        };
-        let place = match switches.get(self.switches, "speed-limit-sets-zero") {
-            Some("reference point") => LimitPlace::ReferencePoint,
-            Some("work zero") => LimitPlace::WorkZero,
-            Some(_) => LimitPlace::Nothing,
-            None => row.limit_place,
-        };
-        let code = |id: &str| switches.get(self.switches, id)?.trim_start_matches(['M', 'm']).parse().ok();
-        let reached = is("speed-reached", "wait", row.reached.is_some());
-        SpindleRules {
-            limit_place: place,
-            reached: reached.then_some(row.reached.unwrap_or(REACHED)),
-            volts_stay: is("volts-at-stop", "kept", row.volts_stay),
-            emergency_clears: is("volts-at-emergency-stop", "off", row.emergency_clears),
-            stop_last: is("m5-timing", "end", row.stop_last),
-            surface_limit_stays: is("lims-in-g97", "yes", row.surface_limit_stays),
-            surface_at_once: is("g96-apply-at-activation", "yes", row.surface_at_once),
-            override_last: is("override-order", "behind the limits", row.override_last),
-            last_speed_back: is("g9x-without-s", "last programmed", row.last_speed_back),
-            angle_wraps: is("spos-out-of-range", "modulo", row.angle_wraps),
-            turns_through_reset: is("spindle-at-reset", "turns", row.turns_through_reset),
-            stop_between: is("m03-m04", "alarm", row.stop_between),
-            knob: if is("spindle-knob", "50 to 120 %", false) { PANEL } else { row.knob },
-            lock: code("spindle-lock").or(row.lock),
-            driven_tool: code("driven-tool").or(row.driven_tool),
-            lower_wins: is("crossed-limits", "lower holds", row.lower_wins),
-            end_stops: is("spindle-at-end", "stops", row.end_stops),
-            ..row
-        }
-    }
-}
+pub(super) const REACHED: f64 = 0.1;

@@ -1,58 +1,94 @@
-//! Points that the manuals leave open: a default, the other possibility, and the evidence.
+//! `Switch`: a point that the manuals leave open, its possible settings, its default, and the evidence for that.
 
+use super::options::{SwitchKind, SwitchOption};
 use crate::text::Citation;
+use crate::text::catalog::{Language, words};
 
 /// A point of a control that is not known for certain; the user may set it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Switch {
-    /// Id in projects, for instance `macro-input-base`.
-    pub id: &'static str,
-    /// What it decides.
-    pub text: &'static str,
-    /// Possible settings; the first is the default. With a single one the setting is free text, and this is its default.
-    pub options: &'static [&'static str],
+    /// Which point it is, with the options that this control offers, the default first; or the default of a text.
+    pub kind: SwitchKind,
+    /// Catalog id of its label.
+    pub label: &'static str,
+    /// Number of the control's own parameter that decides the point, for instance `1006#3`; empty where none is known.
+    pub parameter: &'static str,
     /// Source and grade of the default.
     pub cite: Citation,
 }
 
-/// Ids of the switches that name the common variables that are fitted, for instance `#100 to #149, #500 to #549`.
-pub(in crate::controls) const FITTED: [&str; 2] = ["common-variables", "r-parameters"];
-
-/// Characters of a free text.
+/// Largest number of characters of a free text.
 const TEXT: usize = 500;
 
+/// A row of a switch.
+pub const fn switch(kind: SwitchKind, cite: Citation) -> Switch {
+    Switch { kind, label: kind.label(), parameter: "", cite }
+}
+
 impl Switch {
-    /// Whether a setting is free text.
-    pub fn is_text(&self) -> bool {
-        self.options.len() == 1
+    /// The same with the number of the control's own parameter.
+    pub const fn parameter(mut self, number: &'static str) -> Switch {
+        self.parameter = number;
+        self
     }
 
-    /// Whether this can be its setting.
+    /// The same with a label of its own, by catalog id.
+    pub const fn label(mut self, label: &'static str) -> Switch {
+        self.label = label;
+        self
+    }
+
+    /// Id in projects and on the command line, for instance `macro-input-base`.
+    pub fn id(&self) -> &'static str {
+        self.kind.id()
+    }
+
+    /// Its label in a language, with the control's own parameter.
+    pub fn text(&self, language: Language) -> String {
+        let label = words(language, self.label);
+        if self.parameter.is_empty() { label.to_owned() } else { format!("{label} ({})", self.parameter) }
+    }
+
+    /// Options by id and catalog id of their label, the default first; none where the setting is free text.
+    pub fn options(&self) -> Vec<SwitchOption> {
+        self.kind.options()
+    }
+
+    /// The default: id of an option, or a text.
+    pub fn default(&self) -> &'static str {
+        self.kind.default()
+    }
+
+    /// Whether the setting is free text.
+    pub fn is_text(&self) -> bool {
+        self.kind.is_text()
+    }
+
+    /// Whether this can be its setting: the id of an option, or a text of printable ASCII.
     pub fn takes(&self, setting: &str) -> bool {
-        let text = || setting.len() <= TEXT && setting.bytes().all(|b| b.is_ascii_graphic() || b == b' ');
-        self.options.contains(&setting) || self.is_text() && text()
+        if self.is_text() {
+            return setting.len() <= TEXT && setting.bytes().all(|b| b.is_ascii_graphic() || b == b' ');
+        }
+        self.options().iter().any(|option| option.id == setting)
     }
 }
 
-/// Settings of switches that differ from the default, by id.
+/// Settings of switches that differ from the default: pairs of switch id and option id or text.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Switches(pub Vec<(String, String)>);
 
 impl Switches {
     /// The setting of a switch: what was chosen, or its default.
-    pub fn get<'a>(&'a self, switches: &'a [Switch], id: &str) -> Option<&'a str> {
-        let row = switches.iter().find(|row| row.id == id)?;
-        let set = self.0.iter().find(|(key, _)| key == id).map(|(_, value)| value.as_str());
-        set.filter(|value| row.takes(value)).or(row.options.first().copied())
+    pub fn setting<'a>(&'a self, row: &Switch) -> &'a str {
+        let set = self.0.iter().find(|(id, _)| id == row.id()).map(|(_, setting)| setting.as_str());
+        set.filter(|setting| row.takes(setting)).unwrap_or(row.default())
     }
-}
 
-/// A row of a switch; the first option is the default.
-pub(in crate::controls) const fn switch(
-    id: &'static str,
-    text: &'static str,
-    options: &'static [&'static str],
-    cite: Citation,
-) -> Switch {
-    Switch { id, text, options, cite }
+    /// Sets a switch; its default is not kept as a setting.
+    pub fn set(&mut self, row: &Switch, setting: &str) {
+        self.0.retain(|(id, _)| id != row.id());
+        if setting != row.default() {
+            self.0.push((row.id().to_owned(), setting.to_owned()));
+        }
+    }
 }

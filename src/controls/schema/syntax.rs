@@ -103,17 +103,6 @@ impl Names {
     }
 }
 
-/// Id of the switch that says how long labels are.
-pub const LABEL_LENGTH: &str = "label-length";
-
-/// Id of the switch that says how long a block is.
-pub const BLOCK_LENGTH: &str = "block-length";
-
-/// Id of the switch that says whether jumps may go to block numbers.
-pub const NUMBER_JUMPS: &str = "block-number-jumps";
-/// Id of the switch that names the letters of rotary axes.
-pub const ROTARY_AXES: &str = "rotary-axes";
-
 /// Spelling, characters and file form of a control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Syntax {

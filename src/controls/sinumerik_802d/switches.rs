@@ -2,8 +2,8 @@
 
 use super::{BLOCKS, MEMORY, SPINDLE};
 use crate::controls::Switch;
+use crate::controls::options::*;
 use crate::controls::switch::switch;
-use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, ROTARY_AXES};
 use crate::text::{Citation, Grade};
 
 const RADII: Citation =
@@ -30,44 +30,29 @@ const RANGE: Citation = Citation::new("R0 to R249 on 802S and 802C", Grade::Sist
 
 /// One row per point; the first option is the default.
 pub(super) const SWITCHES: &[Switch] = &[
-    switch("diameter", "Words of X (MD20100)", &["diameter", "radius"], SPINDLE),
-    switch("startup-motion", "Motion after power-on", &["G1", "G0"], MEMORY),
-    switch("startup-feed", "Unit of F after power-on", &["G95", "G94"], MEMORY),
-    switch("startup-path", "Exact stop or continuous path after power-on", &["G60", "G64"], MEMORY),
-    switch("speed-reached", "Cuts and the spindle's speed (MD35500)", &["wait", "do not wait"], REACHED),
-    switch("m5-timing", "M5 beside a motion stops the spindle", &["end", "before"], M5),
-    switch("lims-in-g97", "LIMS holds G97 too", &["no", "yes"], SPINDLE),
-    switch("crossed-limits", "G25 above G26: which one holds", &["upper holds", "lower holds"], ACTIVATION),
-    switch("g96-apply-at-activation", "G96 sets the speed at once", &["yes", "no"], ACTIVATION),
-    switch("g9x-without-s", "S behind G94 and G95 that end G96", &["last programmed", "hold"], SPINDLE),
-    switch(
-        "spindle-knob",
-        "Spindle override: what the interface takes, or what a panel has",
-        &["0 to 200 %", "50 to 120 %"],
-        KNOB,
-    ),
-    switch("spos-out-of-range", "SPOS outside 0 to 359.999 (MD30455)", &["alarm", "modulo"], ANGLE),
-    switch(
-        "spindle-lock",
-        "M code that locks the spindle at its angle; empty: any M code of the builder",
-        &[""],
-        BUILDER,
-    ),
-    switch("driven-tool", "M code that starts a driven tool; empty: only another spindle is one", &[""], BUILDER),
-    switch("r-parameters", "R parameters (MD28050)", &["R0 to R299", "R0 to R249"], RANGE),
-    switch("end-in-subprogram", "M2 and M30 in a subprogram", &["return", "end the program"], ENDS),
-    switch("subprogram-levels", "Levels of programs, the main one included", &["8", "16"], LEVELS),
-    switch(ROTARY_AXES, "Rotary axes (MD30300, MD30310), for instance Y: DC, ACP and ACN are for them", &[""], BUILDER),
-    switch("working-area", "G25 and G26 with axes (SD43400, SD43410)", &["limit", "limit not"], MEMORY),
-    switch(
-        "reference-point",
-        "Reference points (MD34100), where G74 goes: for instance X300 Z500; else 0",
-        &[""],
-        BUILDER,
-    ),
-    switch("fixed-point", "Fixed point (MD30600), where G75 goes: for instance X300 Z500; else 0", &[""], BUILDER),
-    switch(LABEL_LENGTH, "Characters of a label at most", &["8", "32"], LABELS),
-    switch(BLOCK_LENGTH, "Characters of a block: 200, on the 802D sl 512", &["200", "512"], BLOCKS),
-    switch(NUMBER_JUMPS, "GOTOF and GOTOB to block numbers", &["no", "yes"], JUMPS),
-    switch("codes-g22-g23", "G22 and G23", &["alarm", "radius and diameter"], RADII),
+    switch(Diameter::of(&[Diameter::Diameter, Diameter::Radius]), SPINDLE).parameter("MD20100"),
+    switch(StartupMotion::of(&[StartupMotion::G1, StartupMotion::G0]), MEMORY).label("switch.startup-motion-named"),
+    switch(StartupFeed::of(&[StartupFeed::G95, StartupFeed::G94]), MEMORY),
+    switch(StartupPath::of(&[StartupPath::G60, StartupPath::G64]), MEMORY),
+    switch(SpeedReached::of(&[SpeedReached::Wait, SpeedReached::NoWait]), REACHED).parameter("MD35500"),
+    switch(M5Timing::of(&[M5Timing::End, M5Timing::Before]), M5).label("switch.m5-timing-stops"),
+    switch(LimitInG97::of(&[LimitInG97::No, LimitInG97::Yes]), SPINDLE),
+    switch(CrossedLimits::of(&[CrossedLimits::UpperHolds, CrossedLimits::LowerHolds]), ACTIVATION),
+    switch(G96AtOnce::of(&[G96AtOnce::Yes, G96AtOnce::No]), ACTIVATION),
+    switch(FeedCodeWithoutS::of(&[FeedCodeWithoutS::LastProgrammed, FeedCodeWithoutS::Hold]), SPINDLE),
+    switch(SpindleKnob::of(&[SpindleKnob::From0To200, SpindleKnob::From50To120]), KNOB),
+    switch(SposOutOfRange::of(&[SposOutOfRange::Alarm, SposOutOfRange::Modulo]), ANGLE).parameter("MD30455"),
+    switch(SpindleLock::of(""), BUILDER),
+    switch(DrivenTool::of(""), BUILDER),
+    switch(RParameters::of(&[RParameters::All300, RParameters::All250]), RANGE).parameter("MD28050"),
+    switch(EndInSubprogram::of(&[EndInSubprogram::Return, EndInSubprogram::EndProgram]), ENDS),
+    switch(SubprogramLevels::of(&[SubprogramLevels::Eight, SubprogramLevels::Sixteen]), LEVELS),
+    switch(RotaryAxes::of(""), BUILDER),
+    switch(WorkingArea::of(&[WorkingArea::Limit, WorkingArea::NoLimit]), MEMORY).parameter("SD43400, SD43410"),
+    switch(ReferencePoint::of(""), BUILDER),
+    switch(FixedPoint::of(""), BUILDER),
+    switch(LabelLength::of(&[LabelLength::Eight, LabelLength::ThirtyTwo]), LABELS),
+    switch(BlockLength::of(&[BlockLength::Chars200, BlockLength::Chars512]), BLOCKS),
+    switch(BlockNumberJumps::of(&[BlockNumberJumps::No, BlockNumberJumps::Yes]), JUMPS),
+    switch(CodesG22G23::of(&[CodesG22G23::Alarm, CodesG22G23::RadiusAndDiameter]), RADII),
 ];

@@ -23,7 +23,7 @@ pub(super) fn plant(lathe: &Resolved) -> Plant {
             slide(ALONG, false, p.rapid_z, p.clamp_z, p.start_z),
         ],
         pmc: vec![turns(p.work_time_constant, p.work_gain), turns(p.tool_time_constant, p.tool_gain)],
-        spindle: SpindlePlant::bench(lathe.control, lathe.switches),
+        spindle: SpindlePlant::bench(lathe.control, lathe.dialect.spindle()),
         block_time: p.block_time / 1000.0,
         macro_time: p.macro_time / 1000.0,
         preread: p.preread as u8,

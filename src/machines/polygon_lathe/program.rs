@@ -74,7 +74,7 @@ pub(super) fn deck(lathe: &Resolved) -> Deck {
 
 /// Numbers of the G codes that call [`MACROS`], as the parameters of the control bind them.
 pub(super) fn codes(lathe: &Resolved) -> [Option<u32>; 2] {
-    let calls = lathe.control.code_calls(lathe.switches);
+    let calls = lathe.dialect.calls();
     MACROS.map(|program| {
         calls.iter().find_map(|call| match call.code {
             CodeId::G(number) if call.program == program => Some(number.integer()),

@@ -2,7 +2,7 @@
 
 use super::derive::Derived;
 use super::params::{Params, Shape};
-use crate::controls::{Control, Switches};
+use crate::controls::{Control, Dialect};
 use crate::drives::polygon::Ratio;
 use crate::machines::ControlContext;
 use crate::motion::Snapshot;
@@ -15,9 +15,6 @@ pub(super) const ALONG: u8 = b'Z';
 pub(super) const WORK: usize = 0;
 pub(super) const TOOL: usize = 1;
 
-/// The switch of whether overrides act on axes of the PMC.
-const OVERRIDE: &str = "pmc-override";
-
 /// The form on a control.
 pub(super) struct Resolved<'a> {
     /// The form as it was filled in.
@@ -25,14 +22,14 @@ pub(super) struct Resolved<'a> {
     /// The form, with what the shape says of inserts and ratio.
     pub(super) p: Params,
     pub(super) control: &'a Control,
-    pub(super) switches: &'a Switches,
+    pub(super) dialect: Dialect,
     /// Across flats of every pass.
     pub(super) sizes: Vec<f64>,
 }
 
 impl<'a> Resolved<'a> {
     pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
-        let ControlContext { control, switches } = on;
+        let (control, dialect) = (on.control, on.dialect());
         let mut p = form.clone();
         let shape = match p.shape {
             Shape::Own => None,
@@ -45,7 +42,7 @@ impl<'a> Resolved<'a> {
             (p.sides, p.inserts, p.work_ratio, p.tool_ratio) = shape;
         }
         let sizes = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
-        Resolved { form, p, control, switches, sizes }
+        Resolved { form, p, control, dialect, sizes }
     }
 
     /// What follows from the form.
@@ -65,12 +62,12 @@ impl<'a> Resolved<'a> {
 
     /// What words of X count for each millimetre that the slide moves.
     pub(super) fn words(&self) -> f64 {
-        if self.control.counts_diameters(self.cross(), self.switches) { 2.0 } else { 1.0 }
+        if self.dialect.counts_diameters(self.cross()) { 2.0 } else { 1.0 }
     }
 
     /// Whether the feed override acts on the axes of the PMC.
     pub(super) fn overrides(&self) -> bool {
-        self.switches.get(self.control.switches, OVERRIDE) == Some("acts")
+        self.dialect.pmc_override
     }
 
     /// Across flats that the slide is set to, and where it stands along the work, in mm.

@@ -25,6 +25,7 @@ mod charts;
 mod sheets;
 
 use crate::controls::Control;
+use crate::controls::options::SpeedReached;
 use crate::machines::chart_rows;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
@@ -119,7 +120,7 @@ fn start(control: &Control) -> Defaults {
     start.number("feed-limit", control.limits.feed_max);
     start.keep_common(control);
     // Axes that wait until the unwinder has its speed let the ribbon pile up meanwhile.
-    start.set(control, "speed-reached", "do not wait");
+    start.set(control, SpeedReached::NoWait);
     start
 }
 

@@ -48,7 +48,7 @@ fn spindle(line: &Resolved) -> SpindlePlant {
     let (gain, slip) =
         if p.dancer { (p.program_pi() / PI, 0.0) } else { (motor.gain(), motor.slip() / p.speed_at_10v) };
     let analog = Analog { bits: bench.output_bits, ..Analog::unipolar(p.speed_at_10v, bench.volts_full) };
-    let rules = line.control.spindle_rules(line.switches);
+    let rules = line.dialect.spindle();
     SpindlePlant {
         gain,
         slip,

@@ -179,7 +179,7 @@ fn dwell(line: &Resolved, seconds: f64) -> [NewWord; 2] {
 /// The vector feed takes π almost squared: with eight decimals it would come out 2.3e-9 low, with nine it is right to 3e-10. Where the
 /// control takes fewer digits, it gets what fits.
 fn pi(line: &Resolved) -> Formula {
-    let decimals = line.control.number_digits(line.switches).saturating_sub(1).min(9);
+    let decimals = line.dialect.reading.digits.saturating_sub(1).min(9);
     real(line.p.program_pi(), decimals as u8)
 }
 

@@ -2,7 +2,7 @@
 
 use super::params::{FeedForm, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit};
 use crate::controls::vars::Width;
-use crate::controls::{Control, Switches, VarKind};
+use crate::controls::{Control, Dialect, VarKind};
 use crate::machines::ControlContext;
 
 /// The variable in which the operator types the override where the PLC cannot hand it over.
@@ -15,12 +15,12 @@ pub(super) struct Resolved<'a> {
     /// The form, with what the control has in place of what it lacks.
     pub(super) p: Params,
     pub(super) control: &'a Control,
-    pub(super) switches: &'a Switches,
+    pub(super) dialect: Dialect,
 }
 
 impl<'a> Resolved<'a> {
     pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
-        let ControlContext { control, switches } = on;
+        let (control, dialect) = (on.control, on.dialect());
         let mut p = form.clone();
         p.print_axis = form.print_axis_on(control);
         match p.print_axis {
@@ -34,7 +34,7 @@ impl<'a> Resolved<'a> {
         if !form.stops_exactly(control) {
             p.path_mode = PathMode::Continuous;
         }
-        Resolved { form, p, control, switches }
+        Resolved { form, p, control, dialect }
     }
 
     /// Index of the axis that pulls, in the control's order.
@@ -49,7 +49,7 @@ impl<'a> Resolved<'a> {
 
     /// What words of the pull axis count for each millimetre of ribbon.
     pub(super) fn pull_words(&self) -> u32 {
-        if self.control.counts_diameters(self.pull(), self.switches) { 2 } else { 1 }
+        if self.dialect.counts_diameters(self.pull()) { 2 } else { 1 }
     }
 
     /// Degrees instead of millimetres.

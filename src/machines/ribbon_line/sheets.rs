@@ -61,7 +61,7 @@ fn interface(line: &Resolved) -> Sheet {
     let number = |variable: u32| format!("#{variable}");
     let mut rows = Vec::new();
     let mut add = |role: SignalRole, variable: String, writes: &str, reads: &str, unit: &str, what: String| {
-        if let Some((device, cite)) = line.control.device(role, line.switches) {
+        if let Some((device, cite)) = line.dialect.device(line.control, role) {
             rows.push(row([device, variable, writes.to_owned(), reads.to_owned(), unit.to_owned(), what], cite));
         }
     };
@@ -97,7 +97,7 @@ fn interface(line: &Resolved) -> Sheet {
 /// The rungs of the paper's figure 1, and FIN. What the control has no register for is left out.
 fn rungs(line: &Resolved) -> Vec<Rung> {
     let p = &line.p;
-    let name = |role| line.control.device(role, line.switches).map(|(device, _)| device);
+    let name = |role| line.dialect.device(line.control, role).map(|(device, _)| device);
     let register = name(SignalRole::SpindleOverride);
     let (low, high) = (name(SignalRole::MacroInputLow(line.input())), name(SignalRole::MacroInputHigh(line.input())));
     let low = low.unwrap_or_else(|| format!("#{}", line.input()));

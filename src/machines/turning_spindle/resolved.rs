@@ -3,7 +3,7 @@
 use super::derive::Derived;
 use super::params::{self, Gear, Output, Params, SpeedMode};
 use crate::controls::syntax::long;
-use crate::controls::{Control, SpindleRules, Switches};
+use crate::controls::{Control, Dialect, SpindleRules};
 use crate::drives::Stage;
 use crate::machines::ControlContext;
 use crate::motion::Snapshot;
@@ -19,12 +19,12 @@ pub(super) struct Resolved<'a> {
     /// The form, with what the control has in place of what it lacks.
     pub(super) p: Params,
     pub(super) control: &'a Control,
-    pub(super) switches: &'a Switches,
+    pub(super) dialect: Dialect,
 }
 
 impl<'a> Resolved<'a> {
     pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
-        let ControlContext { control, switches } = on;
+        let (control, dialect) = (on.control, on.dialect());
         let mut p = form.clone();
         if !form.holds_surface_speed(control) {
             (p.speed_mode, p.lower_limit) = (SpeedMode::Fixed, 0.0);
@@ -37,12 +37,12 @@ impl<'a> Resolved<'a> {
             p.output = Output::Unipolar;
         }
         // As the knob can stand, and as S can be read.
-        p.override_percent = control.spindle_rules(switches).knob.nearest(p.override_percent);
+        p.override_percent = dialect.spindle().knob.nearest(p.override_percent);
         if control.syntax.integer_addresses.contains(&b'S') {
-            let truncates = switches.get(control.switches, "spindle-word") == Some("truncate");
+            let truncates = !dialect.numbers.round_speed;
             p.cutting_speed = if truncates { p.cutting_speed.floor() } else { p.cutting_speed.round() };
         }
-        Resolved { form, p, control, switches }
+        Resolved { form, p, control, dialect }
     }
 
     /// Index of the axis that is square to the spindle.
@@ -57,7 +57,7 @@ impl<'a> Resolved<'a> {
 
     /// Words of X count diameters; else radii.
     pub(super) fn diameters(&self) -> bool {
-        self.control.counts_diameters(self.cross(), self.switches)
+        self.dialect.counts_diameters(self.cross())
     }
 
     /// The spindle holds the surface speed.
@@ -77,7 +77,7 @@ impl<'a> Resolved<'a> {
 
     /// What the control does with the spindle, as its open points are set.
     pub(super) fn rules(&self) -> SpindleRules {
-        self.control.spindle_rules(self.switches)
+        self.dialect.spindle()
     }
 
     /// What follows from the form.

@@ -56,7 +56,7 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     let mut lint =
         Lint { parsed, deck, control: parsed.control(), start, set, numbers, most, again: 0, found: Vec::new() };
     let roles = Roles::new(lint.control, parsed.codes());
-    settings::call_parameters(&mut lint);
+    settings::idle_texts(&mut lint);
     let facts = words::survey(&mut lint, &roles);
     retract::retracts(&mut lint, &roles);
     facts.main_returns(&mut lint);
@@ -138,16 +138,12 @@ impl Lint<'_> {
         self.numbers.get(at).filter(|row| row.0 == u64::from(number)).map(|row| row.1 as u32)
     }
 
-    /// Whether a switch has this setting.
-    fn is(&self, id: &str, setting: &str) -> bool {
-        self.parsed.switches().get(self.control.switches, id) == Some(setting)
-    }
-
     /// Bit `letter & 31`: a number without a point counts increments; for dimensions, and for arguments of macros.
     fn increments(&self) -> [u32; 2] {
-        let written = self.is("decimal-point", "millimetres");
-        let bits = if written { 0 } else { letter_bits(self.control.syntax.increment_addresses.iter().copied()) };
-        [bits, if self.is("argument-point", "as written") { 0 } else { bits }]
+        let numbers = &self.parsed.dialect().numbers;
+        let bits =
+            if numbers.whole_units { 0 } else { letter_bits(self.control.syntax.increment_addresses.iter().copied()) };
+        [bits, if numbers.argument_increments { bits } else { 0 }]
     }
 }
 

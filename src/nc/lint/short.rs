@@ -1,12 +1,14 @@
 //! Blocks with constant lengths at a constant feed that are over before the control has read the next one.
 
+use std::rc::Rc;
+
 use super::super::ast::{Block, Stmt, Word};
 use super::Lint;
 use super::roles::{
     ABSOLUTE, AUXILIARY, CALL, CURVED, CUTTING, DWELL, EXACT, INCREMENTAL, LINEAR, OTHER_FEED, PER_MINUTE, RAPID,
     RETURN, SPECIAL, SPINDLE, SPINDLE_REST, STOP, SUB,
 };
-use crate::controls::Control;
+use crate::controls::{Control, Dialect};
 use crate::text::Span;
 use crate::text::catalog::number_text;
 
@@ -21,8 +23,8 @@ const NEEDED: u32 = LINEAR | INCREMENTAL | PER_MINUTE | CUTTING;
 pub(super) struct Short {
     control: &'static Control,
     increments: u32,
-    /// Axes that can do so count diameters.
-    diameters: bool,
+    /// Which axes count diameters.
+    dialect: Rc<Dialect>,
     /// Of [`NEEDED`], what is in force.
     modes: u32,
     /// Millimetres that a block needs at the feed in force, and the fastest feed of any axis.
@@ -46,7 +48,7 @@ impl Short {
         Short {
             control: lint.control,
             increments,
-            diameters: !lint.is("diameter", "radius"),
+            dialect: Rc::clone(lint.parsed.dialect()),
             modes,
             limit: 0.0,
             fastest,
@@ -101,12 +103,14 @@ impl Short {
                 // Millimetres = mm/min * s / 60.
                 let feed = self.value(word).map_or(0.0, |feed| feed.min(self.fastest));
                 self.limit = feed * self.control.timing.block / 60.0;
-            } else if let Some(axis) =
-                axes.iter().find(|axis| axis.letter == word.letter || axis.incremental == Some(word.letter))
+            } else if let Some((at, axis)) = axes
+                .iter()
+                .enumerate()
+                .find(|(_, axis)| axis.letter == word.letter || axis.incremental == Some(word.letter))
             {
                 moves = true;
                 certain &= self.modes & INCREMENTAL != 0 || axis.letter != word.letter;
-                let scale = if axis.diameter && self.diameters { 0.5 } else { 1.0 };
+                let scale = if self.dialect.counts_diameters(at) { 0.5 } else { 1.0 };
                 match self.value(word) {
                     Some(length) => square += length * length * scale * scale,
                     None => certain = false,

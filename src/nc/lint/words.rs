@@ -8,7 +8,7 @@ use super::roles::{
 use super::short::Short;
 use super::{Lint, NONE, messages};
 use crate::controls::syntax::{letter_bits, long};
-use crate::controls::{Alarm, Code, CodeId, ParamRole};
+use crate::controls::{Alarm, Code, ParamRole};
 use crate::msg;
 use crate::text::catalog::number_text;
 use crate::text::{Fix, Message, Place, Severity, Span};
@@ -186,7 +186,7 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
                 let digit = lint.control.param(ParamRole::FeedOneDigit).map_or("", |row| row.number);
                 let id = match digit {
                     "" => "lint.feed-zero",
-                    _ if lint.is("feed-zero", "rapid") => "lint.feed-zero-rapid",
+                    _ if lint.parsed.dialect().running.feed_zero_rapid => "lint.feed-zero-rapid",
                     _ => "lint.feed-zero-digit",
                 };
                 lint.say(at, word.span(block), id, &[digit], "");
@@ -378,10 +378,8 @@ struct Units {
 impl Units {
     /// Where nothing says what F is per, it is what it is after power-on: one look at its size shows whether that was meant.
     fn tell(&self, lint: &mut Lint) {
-        let unit = lint.parsed.switches().get(lint.control.switches, "startup-feed");
-        let number = unit.and_then(|unit| unit.get(1..)?.parse().ok());
-        let row = number.and_then(|number| lint.control.code(CodeId::g(number)));
-        let revolution = row.is_some_and(|row| row.code == Code::FeedPerRevolution);
+        let mut startup = lint.parsed.dialect().startup.iter().filter_map(|id| lint.control.code(*id));
+        let revolution = startup.any(|row| row.code == Code::FeedPerRevolution);
         let (id, other) = match revolution {
             true => ("lint.feed-per-revolution", Code::FeedPerMinute),
             false => ("lint.feed-per-minute", Code::FeedPerRevolution),

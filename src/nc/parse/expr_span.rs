@@ -13,7 +13,7 @@ pub fn part_span(parsed: &Parsed, place: Place, part: ExprId) -> Option<Span> {
         let blocks = deck.blocks_of(program);
         blocks.get(blocks.partition_point(|block| block.span.start < place.span.start)).filter(|b| b.span == place.span)
     })?;
-    let tables = Tables::new(parsed.control(), parsed.switches(), parsed.codes());
+    let tables = Tables::new(parsed.control(), parsed.dialect(), parsed.codes());
     let mut reader = Reader::new(parsed.control(), &tables, place.file, source, Deck::default());
     reader.places = Some(Vec::new());
     let stmt = reader.again(block.span).ok()?;

@@ -3,7 +3,7 @@
 use super::super::ast::{Deck, Expr, ExprId};
 use super::super::codes::Codes;
 use super::{Read, Reader, Tables};
-use crate::controls::{Alarm, Control, Switches};
+use crate::controls::{Alarm, Control, Dialect, Switches};
 use crate::text::{Diagnostic, FileId};
 
 /// An expression (`#100*#1033/100`) or a condition (`#120 LE 3`) that a control has read; only [`formula`] makes one.
@@ -28,9 +28,9 @@ impl Formula {
 /// Reads one expression or condition as the control would read it in a block; a condition may stand in its brackets or without them.
 /// The place of what is wrong counts from the start of the text, in file 0.
 pub fn formula(text: &str, control: &'static Control) -> Result<Formula, Box<Diagnostic>> {
-    let switches = Switches::default();
-    let codes = Codes::new(control, &switches);
-    let tables = Tables::new(control, &switches, &codes);
+    let dialect = Dialect::resolve(control, &Switches::default());
+    let codes = Codes::new(control, &dialect);
+    let tables = Tables::new(control, &dialect, &codes);
     let read = |bracketed: bool| {
         let mut reader = Reader::new(control, &tables, FileId(0), text, Deck::default());
         reader.take_line(text.as_bytes(), 0);

@@ -109,7 +109,7 @@ impl Reader<'_> {
                 continue;
             }
             let right = self.factor()?;
-            if op == Op::Modulo && !self.tables.modulo {
+            if op == Op::Modulo && !self.tables.rules.modulo {
                 self.no_modulo(start, end, behind);
             }
             left = self.part(Expr::Binary(op, left, right), start)?;
@@ -491,10 +491,10 @@ impl Reader<'_> {
     fn check_row(&mut self, number: u32, start: usize, written: bool) {
         let alarm = match self.control.var(number) {
             None => Alarm::VariableRange,
-            Some(row) if row.kind.common() && !is_fitted(&self.tables.fitted, number) => Alarm::VariableRange,
+            Some(row) if row.kind.common() && !is_fitted(self.tables.rules.fitted, number) => Alarm::VariableRange,
             Some(row) => match row.kind {
                 VarKind::Local | VarKind::Common | VarKind::Retained => {
-                    let last = self.tables.fitted.iter().map(|range| range.1).find(|&last| number <= last);
+                    let last = self.tables.rules.fitted.iter().map(|range| range.1).find(|&last| number <= last);
                     self.plain = row.first..row.last.min(last.unwrap_or(u32::MAX)).saturating_add(1);
                     return;
                 }

@@ -44,12 +44,15 @@ pub(super) use program_header::number_in;
 pub use expr_span::part_span;
 pub use expression::{Formula, formula};
 
+use std::rc::Rc;
+
 use super::ast::{Block, Deck, Op, Program, Stmt, TextId};
 use super::codes::Codes;
 use super::files::Files;
 use super::parsed::Parsed;
-use crate::controls::syntax::{BLOCK_LENGTH, LABEL_LENGTH, NUMBER_JUMPS, Names, Percent, RoundBrackets, letter_bits};
-use crate::controls::{Alarm, CodeId, Control, Switches};
+use crate::controls::dialect::ReadingRules;
+use crate::controls::syntax::{Names, Percent, RoundBrackets, letter_bits};
+use crate::controls::{Alarm, CodeId, Control, Dialect, Switches};
 use crate::msg;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
 
@@ -72,8 +75,9 @@ pub fn parse(files: &Files, control: &'static Control) -> Parsed {
 
 /// Reads files as a control would with its open points as they are set. Total: any text gives a value.
 pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
-    let codes = Codes::new(control, switches);
-    let tables = Tables::new(control, switches, &codes);
+    let dialect = Rc::new(Dialect::resolve(control, switches));
+    let codes = Codes::new(control, &dialect);
+    let tables = Tables::new(control, &dialect, &codes);
     let mut deck = Deck::default();
     let mut found = Vec::new();
     let mut later = Vec::new();
@@ -103,7 +107,7 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
         found.push(Diagnostic::info(msg!("nc.more-findings", FINDINGS as u32)));
     }
     deck.shrink();
-    Parsed::new(files.clone(), deck, found, control, switches.clone(), codes)
+    Parsed::new(files.clone(), deck, found, control, switches.clone(), dialect, codes)
 }
 
 /// What is looked up for every word, in the order of its first byte.
@@ -123,54 +127,20 @@ struct Tables<'a> {
     most_words: usize,
     /// Characters of a word with a number.
     word_chars: usize,
-    /// Characters of a block.
-    block_chars: u32,
-    /// Characters of a label.
-    label_chars: usize,
-    /// Jumps by name may go to block numbers too.
-    number_jumps: bool,
-    /// A point behind a variable counts as not written: `X#107.`
-    variable_point: bool,
-    /// Several assignments may stand in a block.
-    assignments: bool,
-    /// `IF [ ] THEN` is read.
-    if_then: bool,
-    /// `MOD` is read.
-    modulo: bool,
-    /// A formula behind an address needs brackets.
-    enclosed: bool,
-    /// Digits of a number.
-    digits: usize,
-    /// Ranges of common variables that are fitted.
-    fitted: Vec<(u32, u32)>,
+    /// The settings of the control that the reader acts on.
+    rules: ReadingRules,
 }
 
 impl<'a> Tables<'a> {
-    fn new(control: &Control, switches: &Switches, codes: &'a Codes) -> Tables<'a> {
-        let number = |id: &str| switches.get(control.switches, id).and_then(|setting| setting.parse().ok());
-        let is = |id: &str, setting: &str| switches.get(control.switches, id) == Some(setting);
+    fn new(control: &Control, dialect: &Dialect, codes: &'a Codes) -> Tables<'a> {
         let mut tables = Tables {
-            block_chars: number(BLOCK_LENGTH).unwrap_or(control.syntax.block_read_chars),
-            label_chars: number(LABEL_LENGTH).map_or(0, |chars| chars as usize),
-            number_jumps: is(NUMBER_JUMPS, "yes"),
-            variable_point: is("point-behind-variable", "ignored"),
-            assignments: is("assignments", "several"),
-            if_then: control.syntax.if_then || is("if-then", "read"),
-            modulo: control.syntax.modulo || is("modulo", "read"),
-            enclosed: is("word-formula", "in brackets"),
-            digits: control.number_digits(switches),
-            fitted: control.fitted(switches),
+            rules: dialect.reading,
             codes,
             letters: letter_bits(control.syntax.addresses.iter().copied().chain(control.axis_letters())),
             once: if control.syntax.address_twice { !letter_bits(b"GM".iter().copied()) } else { 0 },
             whole: 0,
             rotary: letter_bits(
-                control
-                    .axes
-                    .iter()
-                    .enumerate()
-                    .filter(|(at, _)| control.is_rotary(*at, switches))
-                    .map(|(_, row)| row.letter),
+                control.axes.iter().enumerate().filter(|(at, _)| dialect.is_rotary(*at)).map(|(_, row)| row.letter),
             ),
             corners: letter_bits(control.syntax.corners.iter().map(|corner| corner.0)),
             word_chars: control.syntax.word_chars as usize,
@@ -530,7 +500,7 @@ impl<'a> Reader<'a> {
                 Stmt::Empty
             }
         };
-        if self.line.len() > self.tables.block_chars as usize {
+        if self.line.len() > self.tables.rules.block_chars as usize {
             self.check_length();
         }
         self.push(stmt);

@@ -53,7 +53,7 @@ impl<'a> Reader<'a> {
                 self.named_failure(*failure)
             }
         };
-        let most = self.tables.block_chars as usize;
+        let most = self.tables.rules.block_chars as usize;
         if code > most && self.bad.is_none() {
             let rest = self.line.get(most..code).unwrap_or_default();
             let at = most + rest.iter().position(|&byte| begins_character(byte)).unwrap_or(rest.len());
@@ -234,7 +234,7 @@ impl<'a> Reader<'a> {
     }
 
     fn check_label(&mut self, name: &str, start: usize) {
-        let (least, most) = (self.names().map_or(2, |names| names.label_least), self.tables.label_chars);
+        let (least, most) = (self.names().map_or(2, |names| names.label_least), self.tables.rules.label_chars);
         if !begins_as_name(name) || !(least..=most).contains(&name.len()) {
             let message = msg!("nc.label-name", name, least as u32, most as u32);
             self.report(Alarm::Format, start, start + name.len(), message);
@@ -428,7 +428,7 @@ impl<'a> Reader<'a> {
         let number = name.strip_prefix(['N', 'n']).unwrap_or(name);
         if !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()) {
             self.at += name.len();
-            if !self.tables.number_jumps {
+            if !self.tables.rules.number_jumps {
                 let finding =
                     self.finding(Alarm::NoSequence, start, self.at, msg!("nc.number-jump", self.control.name));
                 self.report_as(Alarm::NoSequence, finding.hint(msg!("nc.hint.number-jump")));

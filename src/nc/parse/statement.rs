@@ -144,7 +144,7 @@ impl Reader<'_> {
         let stmt = if self.peek() == b'#' {
             let (to, value) = self.assigned()?;
             self.end_of_macro()?;
-            if self.tables.if_then {
+            if self.tables.rules.if_then {
                 if !named {
                     self.slip(Alarm::IfSentence, then, then, msg!("nc.no-then"), "THEN ");
                 }
@@ -155,7 +155,7 @@ impl Reader<'_> {
             self.at = self.line.len();
             Stmt::Empty
         };
-        let message = match self.tables.if_then {
+        let message = match self.tables.rules.if_then {
             true => msg!("nc.then-no-assignment"),
             false => msg!("nc.no-if-then", self.control.name),
         };
@@ -332,7 +332,7 @@ impl Reader<'_> {
     /// `#… = expr`.
     pub(super) fn assignment(&mut self) -> Read<Stmt> {
         let (to, value) = self.assigned()?;
-        if !self.tables.assignments || self.skip() != b'#' {
+        if !self.tables.rules.assignments || self.skip() != b'#' {
             self.end_of_macro()?;
             return Ok(Stmt::Assign { to, value });
         }

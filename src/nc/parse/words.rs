@@ -347,12 +347,12 @@ impl<'a> Reader<'a> {
             return self.no_value(start, letter, next);
         }
         let value = self.formula(true)?;
-        if self.tables.enclosed {
+        if self.tables.rules.enclosed {
             self.check_enclosed(value, value_at);
         }
         while self.skip() == b'.' {
             let lone = !self.line.get(self.at + 1).is_some_and(u8::is_ascii_digit);
-            if lone && self.tables.variable_point {
+            if lone && self.tables.rules.variable_point {
                 self.at += 1;
             } else {
                 self.stray_point();
@@ -365,7 +365,7 @@ impl<'a> Reader<'a> {
     #[cold]
     fn too_long(&mut self, from: usize, to: usize) {
         let digits = self.line.get(from..to).unwrap_or_default().iter().filter(|b| b.is_ascii_digit()).count();
-        if digits <= self.tables.digits {
+        if digits <= self.tables.rules.digits {
             self.report(Alarm::Digits, from, to, msg!("nc.word-too-long", self.tables.word_chars as u32));
         }
     }
@@ -440,8 +440,8 @@ impl<'a> Reader<'a> {
         if length == usize::from(point) {
             return Err(self.failure(Alarm::Format, start, self.at, msg!("nc.lone-point"), false));
         }
-        if full || length > self.tables.digits + usize::from(point) {
-            self.report(Alarm::Digits, start, self.at, msg!("nc.too-many-digits", self.tables.digits as u32));
+        if full || length > self.tables.rules.digits + usize::from(point) {
+            self.report(Alarm::Digits, start, self.at, msg!("nc.too-many-digits", self.tables.rules.digits as u32));
         }
         Ok(Dec { mantissa, scale, point })
     }

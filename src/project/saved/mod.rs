@@ -11,6 +11,8 @@ mod v1;
 
 mod panel;
 
+mod old_options;
+
 mod resolve;
 
 use serde::Deserialize;

@@ -4,6 +4,7 @@ use serde_json::Value as Json;
 
 use super::findings::{Findings, clip};
 use super::json::Entries;
+use super::old_options::option_id;
 use super::v1::{ProgramV1, ProjectV1};
 use super::{Loaded, MAX_PROGRAMS, panel};
 use crate::controls::{self, Switches};
@@ -98,10 +99,11 @@ fn switches<'t>(saved: &Entries<'t>, control: &controls::Control, found: &mut Fi
     found.repeated(saved);
     let mut switches = Switches::default();
     for entry in &saved.0 {
-        let row = control.switches.iter().find(|row| row.id == entry.key);
-        match (row, entry.value.as_str()) {
+        let row = control.switch(&entry.key);
+        let setting = entry.value.as_str().map(|setting| option_id(&entry.key, setting));
+        match (row, setting) {
             (Some(row), Some(setting)) if row.takes(setting) => {
-                if switches.0.iter().all(|(id, _)| id != row.id) {
+                if switches.0.iter().all(|(id, _)| id != row.id()) {
                     switches.0.push((entry.key.clone(), setting.to_owned()));
                 }
             }

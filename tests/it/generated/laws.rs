@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use macroline::controls::{Alarm, Control, Switches};
+use macroline::controls::{Alarm, Control};
 use macroline::interp::canon::AXES;
 use macroline::interp::{Interp, StartProgram, Step, World, precheck};
 use macroline::motion::{Budget, Panel, Retention};
@@ -142,7 +142,7 @@ const BLOCKS: u64 = 300;
 /// Running: it ends or goes on block by block, and all that it commands are numbers.
 pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
     let parsed = Rc::new(nc::parse(&Files::one("O1.nc", text), control));
-    let mut interp = Interp::new(Rc::clone(&parsed), StartProgram::First, &Switches::default());
+    let mut interp = Interp::new(Rc::clone(&parsed), StartProgram::First);
     let names = interp.names();
     let mut machine = AnyWorld(Dice(world));
     // Where a block has no condition and is not skipped, no run gets past the alarm that is foretold of it.

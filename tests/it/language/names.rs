@@ -446,8 +446,8 @@ fn switches_of_the_reader() {
     };
     assert_eq!(errors("LONG_LABEL: M30", "label-length", "32"), [true, false]);
     assert_eq!(errors("GOTOF N10\nN10 M30", "block-number-jumps", "yes"), [true, false]);
-    assert_eq!(errors("G22\nM30", "codes-g22-g23", "radius and diameter"), [true, false]);
-    assert_eq!(errors("R250=1\nM30", "r-parameters", "R0 to R249"), [false, true]);
+    assert_eq!(errors("G22\nM30", "codes-g22-g23", "radius-and-diameter"), [true, false]);
+    assert_eq!(errors("R250=1\nM30", "r-parameters", "250"), [false, true]);
     let long = format!("G0 X1{}Y1\nM30", " ".repeat(300));
     assert_eq!(errors(&long, "block-length", "512"), [true, false]);
 }

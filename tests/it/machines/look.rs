@@ -2,8 +2,8 @@
 
 use super::ribbon_line::{control, machine, on, values};
 use expect_test::expect;
-use macroline::controls::Switches;
 use macroline::controls::interface::SignalRole;
+use macroline::controls::{Dialect, Switches};
 use macroline::machines::form::{Origins, Provenance};
 use macroline::machines::{ControlContext, Frame, Samples, report};
 use macroline::motion::Snapshot;
@@ -243,7 +243,7 @@ fn the_register_of_the_macro_input_is_where_the_switch_puts_it() {
         ("R74", base("R172"), None),
         ("R148", base("R172"), Some(SignalRole::SpindleOverride)),
     ] {
-        assert_eq!(control.role(name, &switches), role, "{name}");
+        assert_eq!(Dialect::resolve(control, &switches).role(control, name), role, "{name}");
     }
 }
 

@@ -292,8 +292,8 @@ fn another_control_keeps_the_values() {
         project.move_to(macroline::controls::find(id).unwrap());
         assert!(project.values == before.values);
         // What the other control does not have stays behind; what the line needs there comes with it.
-        assert_eq!(project.switches.get(project.control.switches, "locals-of-calls"), Some("kept"));
-        assert_eq!(project.switches.get(project.control.switches, "common-at-reset"), Some("kept"));
+        let setting = |id: &str| project.switches.setting(project.control.switch(id).unwrap());
+        assert_eq!((setting("locals-of-calls"), setting("common-at-reset")), ("kept", "kept"));
         let back = Project::from_json(&project.to_json());
         assert!(back.diagnostics.is_empty() && back.project.unwrap() == project);
     }

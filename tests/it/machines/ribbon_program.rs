@@ -45,9 +45,9 @@ fn world(percent: f64) -> Still {
 #[track_caller]
 fn ready_on(on: ControlContext<'static>, values: &Values) -> Interp {
     let (plan, parsed) = parsed(on, values);
-    let mut setup = Interp::new(parsed.clone(), StartProgram::Program(plan.setup), on.switches);
+    let mut setup = Interp::new(parsed.clone(), StartProgram::Program(plan.setup));
     assert_eq!(interp::run(&mut setup, &mut world(100.0), 1000, |_, _| {}), Some(End::Program));
-    let mut run = Interp::new(parsed, StartProgram::Program(plan.main), on.switches);
+    let mut run = Interp::new(parsed, StartProgram::Program(plan.main));
     for (name, value) in setup.variables() {
         run.set_variable(name[1..].parse().unwrap(), Some(value));
     }
@@ -180,7 +180,7 @@ fn every_program_runs_to_its_end_at_the_designed_place() {
 
 /// What words of the two axes count per pitch.
 fn travels(on: ControlContext, values: &Values) -> [f64; 2] {
-    let diameter = on.control.counts_diameters(0, on.switches);
+    let diameter = on.dialect().counts_diameters(0);
     let result = |id| result_on(on, values, id);
     let pitch = result("product-length") / result("dots-per-product");
     [if diameter { 2.0 * pitch } else { pitch }, result("y-stroke")]

@@ -2,9 +2,9 @@
 
 use std::rc::Rc;
 
-use macroline::controls::Switches;
+use macroline::controls::{Dialect, Switches};
 use macroline::interp::{Interp, StartProgram};
-use macroline::nc::{Files, parse};
+use macroline::nc::{Files, parse, parse_with};
 
 use super::*;
 
@@ -45,7 +45,7 @@ fn ribbon(seconds: f64, events: Vec<Event>) -> Planner<Interp> {
     let mut plant = plant();
     plant.block_time = 0.0071;
     Planner::new(Setup {
-        program: Interp::new(Rc::new(parsed), StartProgram::First, &Switches::default()),
+        program: Interp::new(Rc::new(parsed), StartProgram::First),
         control: control(),
         plant: &plant,
         plc: Box::new(BenchPlc::new(0.05, Some(1033))),
@@ -88,7 +88,7 @@ fn first_of(planner: &Planner<Interp>, mut t: f64, holds: impl Fn(&Snapshot) -> 
 fn an_alarm_of_the_program_comes_when_all_before_it_is_done() {
     let parsed = parse(&Files::one("O1.nc", "%\nO1\nG91G01X10.F6000.\nX10.\n#100=1/0\nM30\n%\n"), control());
     let mut planner = Planner::new(Setup {
-        program: Interp::new(Rc::new(parsed), StartProgram::First, &Switches::default()),
+        program: Interp::new(Rc::new(parsed), StartProgram::First),
         control: control(),
         plant: &plant(),
         plc: Box::new(BenchPlc::new(0.05, None)),
@@ -127,12 +127,12 @@ fn an_hour_of_blocks_stays_small_and_answers_the_knob_from_a_checkpoint() {
 fn sample(switches: &[(&str, &str)], lines: &str) -> Planner<Interp> {
     let control = controls::find("gsk-980tdc").unwrap();
     let switches = Switches(switches.iter().map(|(id, set)| (id.to_string(), set.to_string())).collect());
-    let parsed = parse(&Files::one("O1.nc", format!("O0001\n{lines}\nM30\n%\n")), control);
+    let parsed = parse_with(&Files::one("O1.nc", format!("O0001\n{lines}\nM30\n%\n")), control, &switches);
     let mut plant = plant();
     plant.axes = vec![AxisPlant { diameter: true, ..axis(b'X') }, axis(b'Z')];
-    plant.spindle = SpindlePlant::bench(control, &switches);
+    plant.spindle = SpindlePlant::bench(control, Dialect::resolve(control, &switches).spindle());
     let mut planner = Planner::new(Setup {
-        program: Interp::new(Rc::new(parsed), StartProgram::First, &switches),
+        program: Interp::new(Rc::new(parsed), StartProgram::First),
         control,
         plant: &plant,
         plc: Box::new(BenchPlc::new(0.05, None)),
@@ -172,7 +172,7 @@ fn the_sample_of_the_lathes_manual_has_its_printed_speeds() {
 fn the_limit_of_the_lathe_takes_the_position_as_its_switch_says() {
     let lines = "S100 M3\nG0 X60 Z5\nG50 S800\nG96 S300\nG1 X30 F300\nG97 M5";
     for (setting, at_begin, at_end, x) in
-        [("reference point", 60.0, 30.0, 30.0), ("nothing", 60.0, 30.0, 30.0), ("work zero", 0.0, 30.0, 90.0)]
+        [("reference-point", 60.0, 30.0, 30.0), ("nothing", 60.0, 30.0, 30.0), ("work-zero", 0.0, 30.0, 90.0)]
     {
         let planner = sample(&[("speed-limit-sets-zero", setting)], lines);
         let end = planner.timeline().end();
@@ -211,7 +211,7 @@ M30
     let mut plant = plant();
     plant.block_time = 0.007;
     let mut planner = Planner::new(Setup {
-        program: Interp::new(Rc::new(parsed), StartProgram::First, &Switches::default()),
+        program: Interp::new(Rc::new(parsed), StartProgram::First),
         control: control(),
         plant: &plant,
         plc: Box::new(BenchPlc::new(0.05, Some(1033))),

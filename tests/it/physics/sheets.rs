@@ -24,11 +24,11 @@ impl Lathe {
         let control = controls::find(control).unwrap();
         let switches = Switches(switches.iter().map(|(id, value)| (id.to_string(), value.to_string())).collect());
         let slide = |letter, diameter| AxisPlant { diameter, time_constant: 0.0, position_gain: 1e4, ..axis(letter) };
-        let rules = control.spindle_rules(&switches);
+        let rules = Dialect::resolve(control, &switches).spindle();
         let spindle = SpindlePlant::new(Analog::unipolar(3500.0, 10.0), 3500.0, 0.0, rules);
         let positioning = Some(Positioning { speed: 100.0, acceleration: 500.0, clockwise: true });
         let plant = Plant {
-            axes: vec![slide(b'X', control.counts_diameters(0, &switches)), slide(b'Z', false)],
+            axes: vec![slide(b'X', Dialect::resolve(control, &switches).counts_diameters(0)), slide(b'Z', false)],
             spindle: SpindlePlant { positioning, centre: Some(0.0), ..spindle },
             ..plant()
         };
@@ -51,7 +51,7 @@ impl Lathe {
         };
         let parsed = parse_with(&Files::one("SHEET.nc", source), self.control, &self.switches);
         let mut planner = Planner::new(Setup {
-            program: Interp::new(Rc::new(parsed), StartProgram::First, &self.switches),
+            program: Interp::new(Rc::new(parsed), StartProgram::First),
             control: self.control,
             plant: &self.plant,
             plc: Box::new(self.plc),
@@ -106,7 +106,7 @@ fn the_limit_cases_of_the_sheet() {
         assert_eq!(now.bound, bound, "{lines}");
     }
     // Override 0 stops; a panel may not go so far.
-    for (knob, rpm) in [("0 to 200 %", 0.0), ("50 to 120 %", 500.0)] {
+    for (knob, rpm) in [("0-to-200", 0.0), ("50-to-120", 500.0)] {
         let mut lathe = Lathe::new("sinumerik-802d", &[("spindle-knob", knob)]);
         lathe.plc.knob = Some(lathe.plant.spindle.rules.knob);
         lathe.events = vec![at(0.0, Action::SpindleOverride(0.0))];
@@ -118,7 +118,7 @@ fn the_limit_cases_of_the_sheet() {
     // Without G25 the gear's own lowest speed holds; where both cannot be, the upper limit does.
     let planner = Lathe::of_the_sheet(&[]).run("G97 S20 M3\nG4 F1\nM0");
     assert_eq!((last(&planner).command, last(&planner).bound), (30.0, Bound::GearLow));
-    for (crossed, rpm) in [("upper holds", 60.0), ("lower holds", 900.0)] {
+    for (crossed, rpm) in [("upper-holds", 60.0), ("lower-holds", 900.0)] {
         let lathe = Lathe::of_the_sheet(&[("crossed-limits", crossed)]);
         assert_eq!(last(&lathe.run("G25 S900\nG26 S60\nS100 M3\nG4 F1\nM0")).command, rpm);
     }
@@ -288,7 +288,7 @@ fn m03_behind_m04_is_an_alarm_of_the_gsk_ladder() {
         assert_eq!(said(&planner), [""; 0], "{lines}");
         assert!(last(&planner).command < 0.0);
     }
-    let planner = run(&[("m03-m04", "turns back")], "S500 M03\nM04\nG04 X1.\nM00");
+    let planner = run(&[("m03-m04", "turns-back")], "S500 M03\nM04\nG04 X1.\nM00");
     assert_eq!((said(&planner), last(&planner).command), (vec![], -500.0));
     // Reset takes both away.
     let mut lathe = Lathe::new("gsk-980tdc", &[]);
@@ -420,7 +420,7 @@ fn p9100_in_r_parameters_computes_the_cases_of_the_sheet() {
             source.replace("R100=1200", &format!("R100={rpm}")).replace("R103=100", &format!("R103={percent}"));
         let control = controls::find("sinumerik-802d").unwrap();
         let parsed = parse_with(&Files::one("RIBBON.MPF", source), control, &Switches::default());
-        let mut interp = Interp::new(Rc::new(parsed), StartProgram::First, &Switches::default());
+        let mut interp = Interp::new(Rc::new(parsed), StartProgram::First);
         macroline::interp::run(&mut interp, &mut macroline::interp::world::Still::default(), 10_000, |_, _| {});
         let r = |number: u32| interp.variable(number).unwrap_or(0.0);
         assert_eq!(r(98), status, "{rpm} {percent}");

@@ -1,5 +1,6 @@
 //! What the fixtures cover: every row that a run acts on stands in a good program, every alarm in a bad one.
 
+use macroline::controls::options::SwitchKind;
 use macroline::controls::syntax::Function;
 use macroline::controls::{ALL, Alarm, Code, CodeDef, Control, VarKind};
 
@@ -128,15 +129,18 @@ fn each_setting_of_a_switch_stands_in_a_program() {
         };
         for row in control.switches {
             // Names of registers, and what the PLC does; no program can tell.
-            if row.id == "macro-input-base" || row.id == "pmc-override" {
+            if matches!(row.kind, SwitchKind::MacroInputBase(_) | SwitchKind::PmcOverride(_)) {
                 continue;
             }
-            let others: &[&str] = if row.is_text() { &[""] } else { &row.options[1..] };
+            let mut others: Vec<&str> = row.options().iter().skip(1).map(|option| option.id).collect();
+            if row.is_text() {
+                others.push("");
+            }
             missing.extend(
                 others
                     .iter()
-                    .filter(|option| !set(row.id, option))
-                    .map(|option| format!("{} {} {option}", control.id, row.id)),
+                    .filter(|option| !set(row.id(), option))
+                    .map(|option| format!("{} {} {option}", control.id, row.id())),
             );
         }
     }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use macroline::controls::{Switches, find};
+use macroline::controls::find;
 use macroline::interp::world::Still;
 use macroline::interp::{self, End, Interp, StartProgram};
 use macroline::nc::{self, Files};
@@ -14,7 +14,7 @@ fn called(entries: &str) -> impl Fn(u32) -> f64 + use<> {
     let text = format!("%_N_CASE_MPF\nR101=25 R102=100 R107=8 R109=6 R111=120\n{entries}\nL9100\nM30\n{program}");
     let parsed = Rc::new(nc::parse(&Files::one("CASE.MPF", text), find("sinumerik-802d").unwrap()));
     assert!(!parsed.has_errors());
-    let mut run = Interp::new(parsed, StartProgram::First, &Switches::default());
+    let mut run = Interp::new(parsed, StartProgram::First);
     assert_eq!(interp::run(&mut run, &mut Still::default(), 1000, |_, _| {}), Some(End::Program));
     move |number| run.variable(number).unwrap_or(0.0)
 }

@@ -1,25 +1,25 @@
 //! What the words of a block command of the spindle, by rules that differ from control to control.
 
 use expect_test::{Expect, expect};
+use macroline::controls::options::{FeedCodeWithoutS, G96AtOnce, LimitInG97, M5Timing, SposOutOfRange};
 use macroline::controls::spindle::SpindleRules;
-use macroline::controls::{self, Alarm, AlarmDef, Code, CodeDef, CodeId, Control, Group, Switch, Switches, gsk_980tdc};
+use macroline::controls::switch::switch;
+use macroline::controls::{
+    self, Alarm, AlarmDef, Code, CodeDef, CodeId, Control, Dialect, Group, Switch, Switches, gsk_980tdc,
+};
 use macroline::text::{Citation, Grade};
 
 use super::{log_of, start_on};
 
 const MADE: Citation = Citation::new("made for tests", Grade::Inferred);
 
-const fn switch(id: &'static str, options: &'static [&'static str]) -> Switch {
-    Switch { id, text: "", options, cite: MADE }
-}
-
 /// Open points of such controls (sinumerik-802d.md section 9).
 const SWITCHES: &[Switch] = &[
-    switch("m5-timing", &["before", "end"]),
-    switch("lims-in-g97", &["no", "yes"]),
-    switch("g96-apply-at-activation", &["yes", "no"]),
-    switch("g9x-without-s", &["last programmed", "hold"]),
-    switch("spos-out-of-range", &["alarm", "modulo"]),
+    switch(M5Timing::of(&[M5Timing::Before, M5Timing::End]), MADE),
+    switch(LimitInG97::of(&[LimitInG97::No, LimitInG97::Yes]), MADE),
+    switch(G96AtOnce::of(&[G96AtOnce::Yes, G96AtOnce::No]), MADE),
+    switch(FeedCodeWithoutS::of(&[FeedCodeWithoutS::LastProgrammed, FeedCodeWithoutS::Hold]), MADE),
+    switch(SposOutOfRange::of(&[SposOutOfRange::Alarm, SposOutOfRange::Modulo]), MADE),
 ];
 
 /// A control with the rules of SINUMERIK turning controls in the words of another: the codes of feed and surface speed are one group, a
@@ -205,7 +205,7 @@ fn more_than_is_known_of_a_driven_tool_ends_the_run() {
 fn every_open_point_of_the_spindle_is_a_switch() {
     let rules = |settings: &[(&str, &str)]| {
         let settings = settings.iter().map(|(id, set)| (id.to_string(), set.to_string())).collect();
-        one_group().spindle_rules(&Switches(settings))
+        Dialect::resolve(one_group(), &Switches(settings)).spindle()
     };
     let usual = rules(&[]);
     let told =

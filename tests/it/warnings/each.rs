@@ -64,6 +64,7 @@ const ROWS: &[Row] = &[
     Row { id: "lint.no-point-dwell", program: "G04 X2", named: "", switches: INCREMENTS },
     row("lint.no-such-program", "M98 P77", "L77"),
     row("lint.number-twice", "GOTO5\nN5 G00 X1.\nN5 G00 X2.", ""),
+    Row { id: "lint.setting-unread", program: "", named: "G0 X1", switches: &[("rotary-axes", "Q")] },
     row("lint.short-blocks", "", ""),
     row(
         "lint.slow-way-back",
@@ -93,12 +94,8 @@ fn each_warning_on_each_control() {
             let named = control.syntax.names.is_some();
             let (body, head, end) = if named { (row.named, "", "M30") } else { (row.program, "O1\n", "M30\nO2\nM99") };
             // Switches that the control does not have are not set.
-            let switches: Vec<(&str, &str)> = row
-                .switches
-                .iter()
-                .copied()
-                .filter(|(id, _)| control.switches.iter().any(|row| row.id == *id))
-                .collect();
+            let switches: Vec<(&str, &str)> =
+                row.switches.iter().copied().filter(|(id, _)| control.switch(id).is_some()).collect();
             // These end in another way, or are long.
             let text = match row.id {
                 "lint.main-returns" => "O1\nG00 X1.\nM99".to_owned(),
@@ -131,11 +128,13 @@ fn each_warning_on_each_control() {
         mitsubishi-e60 lint.feed-per-revolution
         mitsubishi-e60 lint.feed-zero
         mitsubishi-e60 lint.loose-comparison
+        mitsubishi-e60 lint.setting-unread
         mitsubishi-e60 lint.slow-way-back
         gsk-980tdc lint.calls-itself
         gsk-980tdc lint.feed-zero-digit
         gsk-980tdc lint.feed-zero-rapid
         gsk-980tdc lint.loose-comparison
+        gsk-980tdc lint.setting-unread
         gsk-980tdc lint.suppression-stays
         gsk-980tdc lint.vacant-word
         gsk-980tdc lint.word-again
@@ -143,6 +142,7 @@ fn each_warning_on_each_control() {
         knd-k2000t lint.feed-zero-digit
         knd-k2000t lint.feed-zero-rapid
         knd-k2000t lint.loose-comparison
+        knd-k2000t lint.setting-unread
         sinumerik-802d lint.call-parameter
         sinumerik-802d lint.calls-itself
         sinumerik-802d lint.equal-decimals

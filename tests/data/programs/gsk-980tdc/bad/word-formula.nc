@@ -1,5 +1,5 @@
 (0101 5:5)
-(SET word-formula in brackets)
+(SET word-formula in-brackets)
 O0058
 #100=1
 G00X#100+10

@@ -1,4 +1,4 @@
-(SET angle-range ATAN -180 to 180, ASIN 90 to 270)
+(SET angle-range atan-minus-180-to-180-asin-90-to-270)
 O0013 (No.180#7 IS 1)
 G00 X[ATAN[-1]/[-1]] Z[ATAN[1]/[1]]
 X[ASIN[0.5]] Z[ASIN[-0.5]]

@@ -1,5 +1,5 @@
 O0052(OF SEVERAL M CODES THE LAST ACTS)
-(SET m-codes the last acts)
+(SET m-codes last-acts)
 S500 M03 M08
 M#1 M10
 M30

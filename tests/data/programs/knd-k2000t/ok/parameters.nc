@@ -1,6 +1,6 @@
 (SET startup-motion G01)
 (SET startup-feed G99)
-(SET angle-range ATAN -180 to 180, ASIN -90 to 90)
+(SET angle-range atan-minus-180-to-180-asin-minus-90-to-90)
 (SET common-at-reset kept)
 (SET locals-of-calls kept)
 (SET override-suppression no)

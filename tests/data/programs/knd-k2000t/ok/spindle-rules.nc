@@ -1,6 +1,6 @@
 (SET speed-reached wait)
 (SET m5-timing end)
-(SET override-order behind the limits)
+(SET override-order behind-limits)
 (SET spindle-at-reset turns)
 O0019 (WITH A MOTION IN THE BLOCK M05 COMES LAST)
 S500 M03

@@ -1,5 +1,5 @@
 (P241 5:1)
-(SET common-variables #100 to #199, #500 to #599)
+(SET common-variables 200-sets)
 O9
 #1=600
 #[#1]=1

@@ -4,7 +4,7 @@ O49(WHAT NO MANUAL AT HAND SETTLES, THE OTHER WAY)
 (SET assignments several)
 (SET if-then read)
 (SET modulo read)
-(SET round-in-word to the step of the address)
+(SET round-in-word address-step)
 #107=8 #110=62.8 #115=#107*100
 G91 G01 X#107.Y#110. F#115.
 #1=#107 #107=#110 #110=#1

@@ -1,6 +1,6 @@
 %
 O41(200 SETS OF COMMON VARIABLES)
-(SET common-variables #100 to #199, #500 to #599)
+(SET common-variables 200-sets)
 #150=1
 #199=#150+1
 #550=#199+1

@@ -1,6 +1,6 @@
 %
 O42(300 SETS OF COMMON VARIABLES)
-(SET common-variables #100 to #199, #500 to #699)
+(SET common-variables 300-sets)
 #600=2
 #699=#600+1
 G00 X#699

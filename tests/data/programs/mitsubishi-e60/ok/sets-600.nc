@@ -1,6 +1,6 @@
 %
 O43(600 SETS OF COMMON VARIABLES)
-(SET common-variables #100 to #199, #500 to #999)
+(SET common-variables 600-sets)
 #700=3
 #1=999
 #[#1]=#700+1

@@ -1,5 +1,5 @@
 (SET decimal-point millimetres)
-(SET argument-point as written)
+(SET argument-point as-written)
 (SET startup-distance G91)
 (SET startup-motion G00)
 (SET feed-zero rapid)

@@ -1,5 +1,5 @@
 ;12290 4:1
 %_N_A_MPF
-;SET r-parameters R0 to R249
+;SET r-parameters 250
 R250=1
 M30

@@ -1,5 +1,5 @@
 %_N_AREA_MPF
-;SET working-area limit not
+;SET working-area no-limit
 ;$PATH=/_N_MPF_DIR
 G26 X100
 G0 X200

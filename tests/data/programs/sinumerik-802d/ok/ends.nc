@@ -1,5 +1,5 @@
 %_N_ENDS_MPF
-;SET end-in-subprogram end the program
+;SET end-in-subprogram end-program
 ;SET subprogram-levels 16
 ;$PATH=/_N_MPF_DIR
 : 10 R100=0

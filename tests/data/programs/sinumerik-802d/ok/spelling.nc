@@ -1,9 +1,9 @@
 ; the file names its program where no head does
 ;SET label-length 32
-;SET speed-reached do not wait
+;SET speed-reached no-wait
 ;SET block-length 512
 ;SET block-number-jumps yes
-;SET codes-g22-g23 radius and diameter
+;SET codes-g22-g23 radius-and-diameter
 ;SET startup-motion G0
 ;SET startup-feed G94
 ;SET startup-path G64

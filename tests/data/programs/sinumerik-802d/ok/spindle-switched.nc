@@ -4,10 +4,10 @@
 ;SET g96-apply-at-activation no
 ;SET g9x-without-s hold
 ;SET spos-out-of-range modulo
-;SET spindle-knob 50 to 120 %
+;SET spindle-knob 50-to-120
 ;SET spindle-lock M81
 ;SET driven-tool M24
-;SET crossed-limits lower holds
+;SET crossed-limits lower-holds
 G94 S500 M3 F200
 G96 S100 LIMS=900 F.2
 G94 F200

@@ -1,0 +1,580 @@
+//! `Dialect`: what a control's rows and the project's settings come to, resolved once and handed to parser, lint, interpreter, planner and machines.
+
+use super::code::{CodeId, Group};
+use super::control::Control;
+use super::interface::SignalRole;
+use super::macros::CodeCall;
+use super::options::*;
+use super::spindle::{LimitPlace, PANEL, REACHED, SpindleRules};
+use super::switch::Switches;
+use crate::text::{Citation, number};
+
+/// G22 and G23.
+const DIAMETER_CODES: &[CodeId] = &[CodeId::g(22), CodeId::g(23)];
+
+/// Digits of a number that fit everywhere, where no switch has fewer.
+const DIGITS: usize = 18;
+
+/// The control as it is set: nothing else looks a setting up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dialect {
+    pub(crate) reading: ReadingRules,
+    pub(crate) numbers: NumberRules,
+    pub(crate) running: RunningRules,
+    /// G codes in force after power-on.
+    pub(crate) startup: Vec<CodeId>,
+    /// Bits of axis indexes: words count diameters.
+    diameters: u32,
+    /// Bits of axis indexes: the axis turns and counts a turn.
+    rotary: u32,
+    /// Axis index and coordinate (mm or °, machine frame) of the reference points and of the fixed point; others are at 0.
+    pub(crate) points: [Vec<(usize, f64)>; 2],
+    spindle: SpindleRules,
+    calls: Vec<CodeCall>,
+    call_parts: Vec<CallPart>,
+    /// Registers by which the macro inputs are moved from where their rows have them.
+    inputs_moved: i64,
+    /// The feed override acts on axes that the PMC turns.
+    pub(crate) pmc_override: bool,
+    /// Parts of texts that no setting can be: switch id and part.
+    unread: Vec<(&'static str, String)>,
+}
+
+/// How the text of a program is read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ReadingRules {
+    /// Characters of a block at most.
+    pub(crate) block_chars: u32,
+    /// Characters of a label at most; 0 where the control has none.
+    pub(crate) label_chars: usize,
+    /// Digits of a number at most.
+    pub(crate) digits: usize,
+    /// GOTOF and GOTOB take block numbers.
+    pub(crate) number_jumps: bool,
+    /// A point behind a variable is ignored, not an alarm.
+    pub(crate) variable_point: bool,
+    /// A block may hold several assignments.
+    pub(crate) assignments: bool,
+    /// `IF [ ] THEN` is read, not an alarm.
+    pub(crate) if_then: bool,
+    /// `MOD` is read, not an alarm.
+    pub(crate) modulo: bool,
+    /// A formula behind an address needs brackets.
+    pub(crate) enclosed: bool,
+    /// Ranges of common variables that are fitted; none is named where all are.
+    pub(crate) fitted: &'static [(u32, u32)],
+    /// Codes that a switch keeps off.
+    pub(crate) codes_off: &'static [CodeId],
+}
+
+/// How numbers are counted, rounded and limited.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct NumberRules {
+    /// A coordinate without a point counts millimetres, not increments.
+    pub(crate) whole_units: bool,
+    /// A macro argument without a point counts increments.
+    pub(crate) argument_increments: bool,
+    /// A value that a program writes to an offset counts increments.
+    pub(crate) offset_increments: bool,
+    /// ROUND in a word rounds to the step of its address, not to a whole number.
+    pub(crate) round_to_step: bool,
+    /// S is rounded, not cut.
+    pub(crate) round_speed: bool,
+    /// `E` of a thread is a lead, not threads per inch.
+    pub(crate) fine_lead: bool,
+    /// `ATAN[y]/[x]` is within 0 to 360, not -180 to 180.
+    pub(crate) atan_turn: bool,
+    /// Range of the results of ASIN.
+    pub(crate) asin: AsinRange,
+}
+
+/// Range of the results of ASIN, in degrees.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AsinRange {
+    /// -90 to 90.
+    AroundZero,
+    /// 90 to 270.
+    AroundHalfTurn,
+    /// 270 to 360 and 0 to 90.
+    WithinTurn,
+}
+
+/// How codes and calls run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RunningRules {
+    /// F0 is rapid traverse, not an alarm.
+    pub(crate) feed_zero_rapid: bool,
+    /// `#3004` switches the cutting override off.
+    pub(crate) suppress_override: bool,
+    /// A local variable without argument keeps its last value.
+    pub(crate) keep_locals: bool,
+    /// Common variables become vacant at reset.
+    pub(crate) clear_common: bool,
+    /// M codes of a block that act.
+    pub(crate) m_codes: u8,
+    /// One M code more is an alarm; else the last ones act.
+    pub(crate) m_alarm: bool,
+    /// Limits of the working area hold the axes.
+    pub(crate) area: bool,
+    /// M02 and M30 in a subprogram return.
+    pub(crate) ends_return: bool,
+    /// Subprograms inside one another at most.
+    pub(crate) sub_depth: u8,
+    /// Added to the number of a user alarm to give the number that is shown; `None` where one number is shown for all.
+    pub(crate) user_alarm_base: Option<u32>,
+}
+
+impl Dialect {
+    /// What the rows of a control and the settings come to.
+    pub fn resolve(control: &Control, switches: &Switches) -> Dialect {
+        let set = Settings::new(control.switches.iter().map(|row| (row.kind, switches.setting(row))));
+        let mut unread = Vec::new();
+        let call_parts = call_parts(set.call_parameters.unwrap_or(""));
+        let diameters = set.diameter != Some(Diameter::Radius);
+        let counts = control.axes.iter().map(|axis| axis.diameter && diameters);
+        let turning = rotary_axes(control, set.rotary_axes.unwrap_or(""), &mut unread);
+        let turns = control.axes.iter().enumerate().map(|(at, axis)| axis.rotary || turning & 1 << at != 0);
+        Dialect {
+            reading: ReadingRules::new(control, &set),
+            numbers: NumberRules::new(control, &set),
+            running: RunningRules::new(control, &set),
+            startup: startup(control, &set),
+            diameters: bits(counts),
+            rotary: bits(turns),
+            points: [
+                point(control, ReferencePoint::ID, set.reference_point.unwrap_or(""), &mut unread),
+                point(control, FixedPoint::ID, set.fixed_point.unwrap_or(""), &mut unread),
+            ],
+            spindle: spindle(control.spindle, &set, &mut unread),
+            calls: calls(control, &call_parts.iter().filter_map(|part| part.1).collect::<Vec<_>>()),
+            call_parts,
+            inputs_moved: set.macro_input_base.map_or(0, |base| base.register() - input_rows(control)),
+            pmc_override: match set.pmc_override {
+                Some(PmcOverride::Acts) => true,
+                Some(PmcOverride::ActsNot) | None => false,
+            },
+            unread,
+        }
+    }
+
+    /// Whether words of an axis, by its index, count diameters.
+    pub fn counts_diameters(&self, axis: usize) -> bool {
+        axis < 32 && self.diameters & 1 << axis != 0
+    }
+
+    /// Whether an axis, by its index, turns and counts a turn.
+    pub fn is_rotary(&self, axis: usize) -> bool {
+        axis < 32 && self.rotary & 1 << axis != 0
+    }
+
+    /// The rules of the spindle.
+    pub fn spindle(&self) -> SpindleRules {
+        self.spindle
+    }
+
+    /// Codes that call programs.
+    pub fn calls(&self) -> &[CodeCall] {
+        &self.calls
+    }
+
+    /// The register of a role, with its source; `None` where the control has none.
+    pub fn device(&self, control: &Control, role: SignalRole) -> Option<(String, Citation)> {
+        let row = control.interface.iter().find(|row| row.role == role)?;
+        Some((self.moved(row.role, row.device), row.cite))
+    }
+
+    /// The role of a register.
+    pub fn role(&self, control: &Control, device: &str) -> Option<SignalRole> {
+        let row = control.interface.iter().find(|row| self.moved(row.role, row.device).eq_ignore_ascii_case(device))?;
+        Some(row.role)
+    }
+
+    /// A register of the rows, where the switch of the macro inputs has it.
+    fn moved(&self, role: SignalRole, device: &str) -> String {
+        match (role, device.split_at_checked(1).map(|(letter, number)| (letter, number.parse::<i64>()))) {
+            (SignalRole::MacroInputLow(_) | SignalRole::MacroInputHigh(_), Some((letter, Ok(number)))) => {
+                format!("{letter}{}", number + self.inputs_moved)
+            }
+            _ => device.to_owned(),
+        }
+    }
+}
+
+impl ReadingRules {
+    fn new(control: &Control, set: &Settings) -> ReadingRules {
+        let syntax = &control.syntax;
+        ReadingRules {
+            block_chars: match set.block_length {
+                Some(BlockLength::Chars200) => 200,
+                Some(BlockLength::Chars512) => 512,
+                None => syntax.block_read_chars,
+            },
+            label_chars: match set.label_length {
+                Some(LabelLength::Eight) => 8,
+                Some(LabelLength::ThirtyTwo) => 32,
+                None => 0,
+            },
+            digits: match set.number_digits {
+                Some(NumberDigits::Twelve) => 12,
+                Some(NumberDigits::Eight) => 8,
+                None => DIGITS,
+            },
+            number_jumps: match set.block_number_jumps {
+                Some(BlockNumberJumps::Yes) => true,
+                Some(BlockNumberJumps::No) | None => false,
+            },
+            variable_point: match set.point_behind_variable {
+                Some(PointBehindVariable::Ignored) => true,
+                Some(PointBehindVariable::Alarm) | None => false,
+            },
+            assignments: match set.assignments {
+                Some(Assignments::Several) => true,
+                Some(Assignments::One) | None => false,
+            },
+            if_then: match set.if_then {
+                Some(IfThen::Read) => true,
+                Some(IfThen::Alarm) | None => syntax.if_then,
+            },
+            modulo: match set.modulo {
+                Some(Modulo::Read) => true,
+                Some(Modulo::Alarm) | None => syntax.modulo,
+            },
+            enclosed: match set.word_formula {
+                Some(WordFormula::InBrackets) => true,
+                Some(WordFormula::AsIs) | None => false,
+            },
+            fitted: match (set.common_variables, set.r_parameters) {
+                (Some(CommonVariables::Sets100), _) => &[(100, 149), (500, 549)],
+                (Some(CommonVariables::Sets200), _) => &[(100, 199), (500, 599)],
+                (Some(CommonVariables::Sets300), _) => &[(100, 199), (500, 699)],
+                (Some(CommonVariables::Sets600), _) => &[(100, 199), (500, 999)],
+                (None, Some(RParameters::All300)) => &[(0, 299)],
+                (None, Some(RParameters::All250)) => &[(0, 249)],
+                (None, None) => &[],
+            },
+            codes_off: match set.codes_g22_g23 {
+                Some(CodesG22G23::Alarm) => DIAMETER_CODES,
+                Some(CodesG22G23::RadiusAndDiameter) | None => &[],
+            },
+        }
+    }
+}
+
+impl NumberRules {
+    fn new(control: &Control, set: &Settings) -> NumberRules {
+        let (atan_turn, asin) = match set.angle_range {
+            Some(AngleRange::AtanTurnAsinAroundZero) => (true, AsinRange::AroundZero),
+            Some(AngleRange::AtanTurnAsinWithinTurn) => (true, AsinRange::WithinTurn),
+            Some(AngleRange::AtanHalfTurnAsinAroundZero) | None => (false, AsinRange::AroundZero),
+            Some(AngleRange::AtanHalfTurnAsinAroundHalfTurn) => (false, AsinRange::AroundHalfTurn),
+        };
+        NumberRules {
+            whole_units: match set.decimal_point {
+                Some(DecimalPoint::Millimetres) => true,
+                Some(DecimalPoint::Increments) | None => false,
+            },
+            argument_increments: match set.argument_point {
+                Some(ArgumentPoint::Increments) => true,
+                Some(ArgumentPoint::AsWritten) | None => false,
+            },
+            offset_increments: match set.offset_values {
+                Some(OffsetValues::Increments) => true,
+                Some(OffsetValues::AsWritten) | None => false,
+            },
+            round_to_step: match set.round_in_word {
+                Some(RoundInWord::AddressStep) => true,
+                Some(RoundInWord::WholeNumber) | None => false,
+            },
+            round_speed: match set.spindle_word {
+                Some(SpindleWord::Round) => true,
+                Some(SpindleWord::Truncate) => false,
+                None => control.macros.round_words,
+            },
+            fine_lead: match set.thread_e {
+                Some(ThreadE::Lead) => true,
+                Some(ThreadE::ThreadsPerInch) | None => false,
+            },
+            atan_turn,
+            asin,
+        }
+    }
+}
+
+impl RunningRules {
+    fn new(control: &Control, set: &Settings) -> RunningRules {
+        let (m_codes, m_alarm) = match set.m_codes {
+            Some(MCodes::LastThreeAct) => (3, false),
+            Some(MCodes::LastActs) | None => (control.limits.m_codes, false),
+            Some(MCodes::Alarm) => (control.limits.m_codes, true),
+        };
+        RunningRules {
+            feed_zero_rapid: match set.feed_zero {
+                Some(FeedZero::Rapid) => true,
+                Some(FeedZero::Alarm) | None => false,
+            },
+            suppress_override: match set.override_suppression {
+                Some(OverrideSuppression::Yes) | None => true,
+                Some(OverrideSuppression::No) => false,
+            },
+            keep_locals: match set.locals_of_calls {
+                Some(LocalsOfCalls::Kept) => true,
+                Some(LocalsOfCalls::Vacant) | None => false,
+            },
+            clear_common: match set.common_at_reset {
+                Some(CommonAtReset::Vacant) => true,
+                Some(CommonAtReset::Kept) | None => false,
+            },
+            m_codes,
+            m_alarm,
+            area: match set.working_area {
+                Some(WorkingArea::Limit) | None => true,
+                Some(WorkingArea::NoLimit) => false,
+            },
+            ends_return: match set.end_in_subprogram {
+                Some(EndInSubprogram::Return) => true,
+                Some(EndInSubprogram::EndProgram) => false,
+                None => control.macros.ends_return,
+            },
+            // The main program is a level of the switch.
+            sub_depth: match set.subprogram_levels {
+                Some(SubprogramLevels::Eight) => 7,
+                Some(SubprogramLevels::Sixteen) => 15,
+                None => control.limits.sub_depth,
+            },
+            user_alarm_base: match set.user_alarm_base {
+                Some(UserAlarmBase::From5900) => Some(5900),
+                Some(UserAlarmBase::From500) => Some(500),
+                None => control.macros.user_alarm_base,
+            },
+        }
+    }
+}
+
+impl MacroInputBase {
+    /// Number of the register.
+    fn register(self) -> i64 {
+        match self {
+            MacroInputBase::R72 => 72,
+            MacroInputBase::R172 => 172,
+            MacroInputBase::R24 => 24,
+            MacroInputBase::R124 => 124,
+            MacroInputBase::R6436 => 6436,
+        }
+    }
+}
+
+/// Number of the register at which the rows of a control have the macro inputs begin: that of the switch's default.
+fn input_rows(control: &Control) -> i64 {
+    let default = control.switches.iter().find_map(|row| match row.kind {
+        SwitchKind::MacroInputBase(options) => options.first().copied(),
+        _ => None,
+    });
+    default.map_or(0, MacroInputBase::register)
+}
+
+/// Bits of the places where a statement holds; the first 32 of them.
+fn bits(holds: impl Iterator<Item = bool>) -> u32 {
+    holds.take(32).enumerate().fold(0, |bits, (at, holds)| bits | u32::from(holds) << at)
+}
+
+/// The codes after power-on: those of the rows, and those of the switches that the control has.
+fn startup(control: &Control, set: &Settings) -> Vec<CodeId> {
+    let distance = set.startup_distance.map(|code| match code {
+        StartupDistance::G90 => (90, Group::Distance),
+        StartupDistance::G91 => (91, Group::Distance),
+    });
+    let motion = set.startup_motion.map(|code| match code {
+        StartupMotion::G00 | StartupMotion::G0 => (0, Group::Motion),
+        StartupMotion::G01 | StartupMotion::G1 => (1, Group::Motion),
+    });
+    let feed = set.startup_feed.map(|code| match code {
+        StartupFeed::G94 => (94, Group::FeedUnit),
+        StartupFeed::G95 => (95, Group::FeedUnit),
+        StartupFeed::G98 => (98, Group::FeedUnit),
+        StartupFeed::G99 => (99, Group::FeedUnit),
+    });
+    let path = set.startup_path.map(|code| match code {
+        StartupPath::G60 => (60, Group::PathMode),
+        StartupPath::G64 => (64, Group::PathMode),
+    });
+    let mut startup = control.startup.to_vec();
+    let set = [distance, motion, feed, path].into_iter().flatten();
+    let rows = set.filter_map(|(number, group)| control.code(CodeId::g(number)).filter(|row| row.group == group));
+    startup.extend(rows.map(|row| row.id));
+    startup
+}
+
+/// The rules of the spindle: those of the row, but for what a switch settles.
+fn spindle(row: SpindleRules, set: &Settings, unread: &mut Vec<(&'static str, String)>) -> SpindleRules {
+    SpindleRules {
+        limit_place: match set.speed_limit_sets_zero {
+            Some(SpeedLimitSetsZero::ReferencePoint) => LimitPlace::ReferencePoint,
+            Some(SpeedLimitSetsZero::WorkZero) => LimitPlace::WorkZero,
+            Some(SpeedLimitSetsZero::Nothing) => LimitPlace::Nothing,
+            None => row.limit_place,
+        },
+        reached: match set.speed_reached {
+            Some(SpeedReached::Wait) => row.reached.or(Some(REACHED)),
+            Some(SpeedReached::NoWait) => None,
+            None => row.reached,
+        },
+        volts_stay: match set.volts_at_stop {
+            Some(VoltsAtStop::Kept) => true,
+            Some(VoltsAtStop::Off) => false,
+            None => row.volts_stay,
+        },
+        emergency_clears: match set.volts_at_emergency_stop {
+            Some(VoltsAtEmergencyStop::Off) => true,
+            Some(VoltsAtEmergencyStop::Kept) => false,
+            None => row.emergency_clears,
+        },
+        stop_last: match set.m5_timing {
+            Some(M5Timing::End) => true,
+            Some(M5Timing::Before) => false,
+            None => row.stop_last,
+        },
+        surface_limit_stays: match set.limit_in_g97 {
+            Some(LimitInG97::Yes) => true,
+            Some(LimitInG97::No) => false,
+            None => row.surface_limit_stays,
+        },
+        surface_at_once: match set.g96_at_once {
+            Some(G96AtOnce::Yes) => true,
+            Some(G96AtOnce::No) => false,
+            None => row.surface_at_once,
+        },
+        override_last: match set.override_order {
+            Some(OverrideOrder::BehindLimits) => true,
+            Some(OverrideOrder::BeforeLimits) => false,
+            None => row.override_last,
+        },
+        last_speed_back: match set.feed_code_without_s {
+            Some(FeedCodeWithoutS::LastProgrammed) => true,
+            Some(FeedCodeWithoutS::Hold) => false,
+            None => row.last_speed_back,
+        },
+        angle_wraps: match set.spos_out_of_range {
+            Some(SposOutOfRange::Modulo) => true,
+            Some(SposOutOfRange::Alarm) => false,
+            None => row.angle_wraps,
+        },
+        turns_through_reset: match set.spindle_at_reset {
+            Some(SpindleAtReset::Turns) => true,
+            Some(SpindleAtReset::Stops) => false,
+            None => row.turns_through_reset,
+        },
+        stop_between: match set.reversal {
+            Some(Reversal::Alarm) => true,
+            Some(Reversal::TurnsBack) => false,
+            None => row.stop_between,
+        },
+        knob: match set.spindle_knob {
+            Some(SpindleKnob::From50To120) => PANEL,
+            Some(SpindleKnob::From0To200) | None => row.knob,
+        },
+        lower_wins: match set.crossed_limits {
+            Some(CrossedLimits::LowerHolds) => true,
+            Some(CrossedLimits::UpperHolds) => false,
+            None => row.lower_wins,
+        },
+        end_stops: match set.spindle_at_end {
+            Some(SpindleAtEnd::Stops) => true,
+            Some(SpindleAtEnd::Turns) => false,
+            None => row.end_stops,
+        },
+        lock: m_code(SpindleLock::ID, set.spindle_lock, unread).or(row.lock),
+        driven_tool: m_code(DrivenTool::ID, set.driven_tool, unread).or(row.driven_tool),
+        ..row
+    }
+}
+
+/// The number of an M code as people write it: `M81`, `81`.
+fn m_code(id: &'static str, text: Option<&str>, unread: &mut Vec<(&'static str, String)>) -> Option<u32> {
+    let text = text?;
+    let number = text.trim_start_matches(['M', 'm']).parse().ok();
+    if number.is_none() && !text.trim().is_empty() {
+        unread.push((id, text.trim().to_owned()));
+    }
+    number
+}
+
+/// Bits of the axis indexes of letters, `Y` or `Y A`.
+fn rotary_axes(control: &Control, text: &str, unread: &mut Vec<(&'static str, String)>) -> u32 {
+    let mut turning = 0;
+    for letter in text.chars().filter(|c| !c.is_whitespace() && !SEPARATORS.contains(c)) {
+        let axis = u8::try_from(letter).ok().and_then(|letter| control.axis(letter.to_ascii_uppercase()));
+        match axis {
+            Some(axis) => turning |= bits((0..=axis).map(|at| at == axis)),
+            None => unread.push((RotaryAxes::ID, letter.to_string())),
+        }
+    }
+    turning
+}
+
+/// A place as words, `X300 Z-50.5`: axis index and coordinate. Of two words of an axis the later one holds.
+fn point(
+    control: &Control,
+    id: &'static str,
+    words: &str,
+    unread: &mut Vec<(&'static str, String)>,
+) -> Vec<(usize, f64)> {
+    let mut place = Vec::new();
+    for word in words.split(SEPARATORS).filter(|word| !word.is_empty()) {
+        let axis = word.bytes().next().and_then(|letter| control.axis(letter.to_ascii_uppercase()));
+        match axis.zip(word.get(1..).and_then(number::read)) {
+            Some(word) => place.push(word),
+            None => unread.push((id, word.to_owned())),
+        }
+    }
+    place
+}
+
+/// What stands between the words of a text.
+const SEPARATORS: [char; 3] = [' ', ',', ';'];
+
+/// A word of the switch of calls by code, and the number and value of the parameter that it sets.
+type CallPart = (String, Option<(u32, u32)>);
+
+/// The words of the switch of calls by code.
+fn call_parts(text: &str) -> Vec<CallPart> {
+    let words = text.split(SEPARATORS).filter(|word| !word.is_empty());
+    words.map(|word| (word.to_owned(), call_parameter(word))).collect()
+}
+
+/// `4120=512`, with or without `#` or `No.` in front.
+fn call_parameter(word: &str) -> Option<(u32, u32)> {
+    let (number, value) = word.split_once('=')?;
+    let digits = |text: &str| text.trim_start_matches(|c: char| !c.is_ascii_digit()).parse().ok();
+    Some((digits(number)?, digits(value)?))
+}
+
+/// The codes that call programs, by parameters.
+fn calls(control: &Control, parameters: &[(u32, u32)]) -> Vec<CodeCall> {
+    let mut calls = control.macros.calls(parameters);
+    calls.retain(|call| control.macros.calls_override || control.code(call.code).is_none());
+    calls
+}
+
+impl Dialect {
+    /// Parts of texts that have no effect: switch id and part.
+    pub fn idle_texts<'a>(&'a self, control: &'a Control) -> impl Iterator<Item = (&'static str, &'a str)> {
+        let unread = self.unread.iter().map(|(id, part)| (*id, part.as_str()));
+        unread.chain(self.idle_call_parts(control).map(|part| (CallParameters::ID, part)))
+    }
+
+    /// Words of the switch of calls by code that change no call; a parameter that is 0 is not set, and may be written so.
+    fn idle_call_parts<'a>(&'a self, control: &'a Control) -> impl Iterator<Item = &'a str> {
+        let parts = self.call_parts.iter().enumerate();
+        parts
+            .filter(|(at, (_, set))| match *set {
+                None => true,
+                Some((number, 0)) if control.macros.has_parameter(number) => false,
+                Some(_) => {
+                    let others = self.call_parts.iter().enumerate().filter(|(other, _)| other != at);
+                    let others: Vec<(u32, u32)> = others.filter_map(|(_, (_, set))| *set).collect();
+                    calls(control, &others) == self.calls
+                }
+            })
+            .map(|(_, (part, _))| part.as_str())
+    }
+}

@@ -1,0 +1,279 @@
+//! The table of all switches: id, type, options by id. Rows name them by type, so a misspelled switch or option does not compile.
+
+/// A possible setting of a switch, for lists.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SwitchOption {
+    /// Id in projects and on the command line.
+    pub id: &'static str,
+    /// Catalog id of its label.
+    pub label: &'static str,
+}
+
+/// The options of one switch as an enum.
+pub trait Choice: Copy + PartialEq + 'static {
+    /// Id of the switch.
+    const SWITCH: &'static str;
+
+    /// Id and label of the option.
+    fn option(self) -> SwitchOption;
+}
+
+/// Makes, for each line of the table, the enum of its options, its variant of [`SwitchKind`] and its member of [`Settings`]. Labels are
+/// `switch.ID` and `switch.ID.OPTION` in the catalog.
+macro_rules! switches {
+    (
+        choices { $( $(#[$doc:meta])* $member:ident: $kind:ident = $id:literal { $( $option:ident = $name:literal ),+ $(,)? } )+ }
+        texts { $( $(#[$text_doc:meta])* $text_member:ident: $text:ident = $text_id:literal; )+ }
+    ) => {
+        $(
+            $(#[$doc])*
+            #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+            pub enum $kind {
+                $(
+                    #[doc = concat!("`", $name, "`.")]
+                    $option,
+                )+
+            }
+
+            impl $kind {
+                /// This switch with the options that a control offers, the default first.
+                pub const fn of(options: &'static [$kind]) -> SwitchKind {
+                    assert!(!options.is_empty(), "a switch has a default");
+                    SwitchKind::$kind(options)
+                }
+            }
+
+            impl Choice for $kind {
+                const SWITCH: &'static str = $id;
+
+                fn option(self) -> SwitchOption {
+                    match self {
+                        $( $kind::$option => SwitchOption { id: $name, label: concat!("switch.", $id, ".", $name) }, )+
+                    }
+                }
+            }
+        )+
+        $(
+            $(#[$text_doc])*
+            pub enum $text {}
+
+            impl $text {
+                /// Id of the switch.
+                pub const ID: &'static str = $text_id;
+
+                /// This switch with its default.
+                pub const fn of(default: &'static str) -> SwitchKind {
+                    SwitchKind::$text(default)
+                }
+            }
+        )+
+
+        /// Which point a switch settles, with the options that a control offers, the default first; of a text its default.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub enum SwitchKind {
+            $(
+                $(#[$doc])*
+                $kind(&'static [$kind]),
+            )+
+            $(
+                $(#[$text_doc])*
+                $text(&'static str),
+            )+
+        }
+
+        impl SwitchKind {
+            /// Id of the switch.
+            pub fn id(&self) -> &'static str {
+                match self {
+                    $( SwitchKind::$kind(_) => $id, )+
+                    $( SwitchKind::$text(_) => $text_id, )+
+                }
+            }
+
+            /// Catalog id of the switch's label.
+            pub(super) const fn label(&self) -> &'static str {
+                match self {
+                    $( SwitchKind::$kind(_) => concat!("switch.", $id), )+
+                    $( SwitchKind::$text(_) => concat!("switch.", $text_id), )+
+                }
+            }
+
+            /// The default: id of an option, or a text.
+            pub(super) fn default(&self) -> &'static str {
+                match self {
+                    $( SwitchKind::$kind(options) => options.first().map_or("", |option| option.option().id), )+
+                    $( SwitchKind::$text(default) => default, )+
+                }
+            }
+
+            /// Ids and labels of the options; none of a text.
+            pub(super) fn options(&self) -> Vec<SwitchOption> {
+                match self {
+                    $( SwitchKind::$kind(options) => options.iter().map(|option| option.option()).collect(), )+
+                    $( SwitchKind::$text(_) => Vec::new(), )+
+                }
+            }
+
+            /// Whether the setting is free text.
+            pub(super) fn is_text(&self) -> bool {
+                matches!(self, $( SwitchKind::$text(_) )|+)
+            }
+        }
+
+        /// The settings of a control's switches; `None` where the control has no such switch.
+        #[derive(Default)]
+        pub(super) struct Settings<'a> {
+            $( pub(super) $member: Option<$kind>, )+
+            $( pub(super) $text_member: Option<&'a str>, )+
+        }
+
+        impl<'a> Settings<'a> {
+            /// The settings: each switch of a control with what is set.
+            pub(super) fn new(set: impl Iterator<Item = (SwitchKind, &'a str)>) -> Settings<'a> {
+                let mut settings = Settings::default();
+                for (kind, setting) in set {
+                    match kind {
+                        $( SwitchKind::$kind(options) => settings.$member = chosen(options, setting), )+
+                        $( SwitchKind::$text(_) => settings.$text_member = Some(setting), )+
+                    }
+                }
+                settings
+            }
+        }
+    };
+}
+
+/// The option of an id.
+fn chosen<C: Choice>(options: &[C], id: &str) -> Option<C> {
+    options.iter().copied().find(|option| option.option().id == id)
+}
+
+switches! {
+    choices {
+        /// A coordinate without a point.
+        decimal_point: DecimalPoint = "decimal-point" { Millimetres = "millimetres", Increments = "increments" }
+        /// A macro argument without a point.
+        argument_point: ArgumentPoint = "argument-point" { AsWritten = "as-written", Increments = "increments" }
+        /// A value that a program writes to a tool or work offset.
+        offset_values: OffsetValues = "offset-values" { AsWritten = "as-written", Increments = "increments" }
+        /// A point behind a variable, `X#107.`.
+        point_behind_variable: PointBehindVariable = "point-behind-variable" { Alarm = "alarm", Ignored = "ignored" }
+        /// Assignments in a block.
+        assignments: Assignments = "assignments" { One = "one", Several = "several" }
+        /// A formula behind an address, `X#100+10`.
+        word_formula: WordFormula = "word-formula" { AsIs = "as-is", InBrackets = "in-brackets" }
+        /// `IF [ ] THEN`.
+        if_then: IfThen = "if-then" { Alarm = "alarm", Read = "read" }
+        /// `MOD`.
+        modulo: Modulo = "modulo" { Alarm = "alarm", Read = "read" }
+        /// `ROUND` behind an address, `X[ROUND[#1]]`.
+        round_in_word: RoundInWord = "round-in-word" { WholeNumber = "whole-number", AddressStep = "address-step" }
+        /// Digits of a number at most.
+        number_digits: NumberDigits = "number-digits" { Twelve = "12", Eight = "8" }
+        /// Words of X count diameters or radii.
+        diameter: Diameter = "diameter" { Diameter = "diameter", Radius = "radius" }
+        /// M codes of a block beyond the first.
+        m_codes: MCodes = "m-codes" { Alarm = "alarm", LastActs = "last-acts", LastThreeAct = "last-three-act" }
+        /// Dimensions after power-on.
+        startup_distance: StartupDistance = "startup-distance" { G90 = "G90", G91 = "G91" }
+        /// Motion code after power-on.
+        startup_motion: StartupMotion = "startup-motion" { G00 = "G00", G01 = "G01", G0 = "G0", G1 = "G1" }
+        /// Unit of F after power-on.
+        startup_feed: StartupFeed = "startup-feed" { G94 = "G94", G95 = "G95", G98 = "G98", G99 = "G99" }
+        /// Exact stop or continuous path after power-on.
+        startup_path: StartupPath = "startup-path" { G60 = "G60", G64 = "G64" }
+        /// `E` of a thread.
+        thread_e: ThreadE = "thread-e" { ThreadsPerInch = "threads-per-inch", Lead = "lead" }
+        /// `F0`.
+        feed_zero: FeedZero = "feed-zero" { Alarm = "alarm", Rapid = "rapid" }
+        /// Ranges of the results of ATAN and ASIN, in degrees.
+        angle_range: AngleRange = "angle-range" {
+            AtanTurnAsinAroundZero = "atan-0-to-360-asin-minus-90-to-90",
+            AtanTurnAsinWithinTurn = "atan-0-to-360-asin-270-to-90",
+            AtanHalfTurnAsinAroundZero = "atan-minus-180-to-180-asin-minus-90-to-90",
+            AtanHalfTurnAsinAroundHalfTurn = "atan-minus-180-to-180-asin-90-to-270",
+        }
+        /// `G50 S` and the present position.
+        speed_limit_sets_zero: SpeedLimitSetsZero = "speed-limit-sets-zero" {
+            ReferencePoint = "reference-point", WorkZero = "work-zero", Nothing = "nothing",
+        }
+        /// The start of a cut and the spindle's speed.
+        speed_reached: SpeedReached = "speed-reached" { NoWait = "no-wait", Wait = "wait" }
+        /// Spindle override and limits of the speed.
+        override_order: OverrideOrder = "override-order" { BeforeLimits = "before-limits", BehindLimits = "behind-limits" }
+        /// `M05` beside a motion.
+        m5_timing: M5Timing = "m5-timing" { End = "end", Before = "before" }
+        /// The analog output at `M05`.
+        volts_at_stop: VoltsAtStop = "volts-at-stop" { Kept = "kept", Off = "off" }
+        /// The analog output at emergency stop.
+        volts_at_emergency_stop: VoltsAtEmergencyStop = "volts-at-emergency-stop" { Kept = "kept", Off = "off" }
+        /// `M04` while a machine's PLC puts out `M03`, or `M03` while `M04`.
+        reversal: Reversal = "m03-m04" { Alarm = "alarm", TurnsBack = "turns-back" }
+        /// The spindle at reset.
+        spindle_at_reset: SpindleAtReset = "spindle-at-reset" { Stops = "stops", Turns = "turns" }
+        /// The spindle at `M02` and `M30`.
+        spindle_at_end: SpindleAtEnd = "spindle-at-end" { Turns = "turns", Stops = "stops" }
+        /// `S` with decimals.
+        spindle_word: SpindleWord = "spindle-word" { Round = "round", Truncate = "truncate" }
+        /// Number shown for a user alarm n: this and n.
+        user_alarm_base: UserAlarmBase = "user-alarm-base" { From5900 = "5900", From500 = "500" }
+        /// Common variables (`#100` to `#199`) at reset.
+        common_at_reset: CommonAtReset = "common-at-reset" { Kept = "kept", Vacant = "vacant" }
+        /// Locals of a macro call without an argument.
+        locals_of_calls: LocalsOfCalls = "locals-of-calls" { Vacant = "vacant", Kept = "kept" }
+        /// Feed override and axes that the PMC turns.
+        pmc_override: PmcOverride = "pmc-override" { ActsNot = "acts-not", Acts = "acts" }
+        /// `#3004` bit 1 switches the cutting override off.
+        override_suppression: OverrideSuppression = "override-suppression" { Yes = "yes", No = "no" }
+        /// First register of the macro inputs.
+        macro_input_base: MacroInputBase = "macro-input-base" {
+            R72 = "R72", R172 = "R172", R24 = "R24", R124 = "R124", R6436 = "R6436",
+        }
+        /// Common variables that are fitted, by number of sets.
+        common_variables: CommonVariables = "common-variables" {
+            Sets100 = "100-sets", Sets200 = "200-sets", Sets300 = "300-sets", Sets600 = "600-sets",
+        }
+        /// R parameters that are fitted, by number.
+        r_parameters: RParameters = "r-parameters" { All300 = "300", All250 = "250" }
+        /// LIMS under G97.
+        limit_in_g97: LimitInG97 = "lims-in-g97" { No = "no", Yes = "yes" }
+        /// G25 above G26: the limit that holds.
+        crossed_limits: CrossedLimits = "crossed-limits" { UpperHolds = "upper-holds", LowerHolds = "lower-holds" }
+        /// G96 sets the speed at once.
+        g96_at_once: G96AtOnce = "g96-apply-at-activation" { Yes = "yes", No = "no" }
+        /// S behind G94 and G95 that end G96.
+        feed_code_without_s: FeedCodeWithoutS = "g9x-without-s" { LastProgrammed = "last-programmed", Hold = "hold" }
+        /// Positions of the spindle override.
+        spindle_knob: SpindleKnob = "spindle-knob" { From0To200 = "0-to-200", From50To120 = "50-to-120" }
+        /// SPOS outside 0 to 359.999.
+        spos_out_of_range: SposOutOfRange = "spos-out-of-range" { Alarm = "alarm", Modulo = "modulo" }
+        /// M2 and M30 in a subprogram.
+        end_in_subprogram: EndInSubprogram = "end-in-subprogram" { Return = "return", EndProgram = "end-program" }
+        /// Levels of programs, the main one included.
+        subprogram_levels: SubprogramLevels = "subprogram-levels" { Eight = "8", Sixteen = "16" }
+        /// G25 and G26 with axes.
+        working_area: WorkingArea = "working-area" { Limit = "limit", NoLimit = "no-limit" }
+        /// Characters of a label at most.
+        label_length: LabelLength = "label-length" { Eight = "8", ThirtyTwo = "32" }
+        /// Characters of a block at most.
+        block_length: BlockLength = "block-length" { Chars200 = "200", Chars512 = "512" }
+        /// GOTOF and GOTOB to block numbers.
+        block_number_jumps: BlockNumberJumps = "block-number-jumps" { No = "no", Yes = "yes" }
+        /// G22 and G23.
+        codes_g22_g23: CodesG22G23 = "codes-g22-g23" { Alarm = "alarm", RadiusAndDiameter = "radius-and-diameter" }
+    }
+    texts {
+        /// Parameters of calls by code, for instance `4120=512 4121=502`.
+        call_parameters: CallParameters = "call-parameters";
+        /// Letters of rotary axes, for instance `Y`.
+        rotary_axes: RotaryAxes = "rotary-axes";
+        /// M code that locks the spindle at its angle, for instance `M81`; empty: any M code of the builder.
+        spindle_lock: SpindleLock = "spindle-lock";
+        /// M code that starts a driven tool, for instance `M24`; empty: none.
+        driven_tool: DrivenTool = "driven-tool";
+        /// Reference points, where G74 goes, for instance `X300 Z500`; else 0.
+        reference_point: ReferencePoint = "reference-point";
+        /// Fixed point, where G75 goes, for instance `X300 Z500`; else 0.
+        fixed_point: FixedPoint = "fixed-point";
+    }
+}
