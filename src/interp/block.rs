@@ -15,6 +15,7 @@ use crate::controls::{Alarm, Code};
 use crate::drives::speed::SpeedLimit;
 use crate::msg;
 use crate::nc::{Block, Word};
+use crate::text::{Diagnostic, DiagnosticKind, Place};
 
 impl RunState {
     /// Runs a block of words.
@@ -184,6 +185,7 @@ impl RunState {
         self.at = end.saturating_add(1);
         let word = words.iter().find(|word| word.letter == b'G');
         let span = word.map_or(block.span, |word| word.span(block));
-        self.remark(cx, span, msg!("interp.contour", first, last));
+        let remark = Diagnostic::warning(msg!("interp.contour", first, last)).kind(DiagnosticKind::Contour);
+        cx.world.remark(remark.at(Place { file: self.file, span }));
     }
 }

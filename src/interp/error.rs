@@ -2,12 +2,13 @@
 
 use crate::controls::Alarm;
 use crate::nc::{Block, Deck, ExprId, Parsed, part_span};
-use crate::text::{Diagnostic, Message, Place, Span};
+use crate::text::{Diagnostic, DiagnosticKind, Message, Place, Span};
 
 /// An alarm in the making.
 #[derive(Debug)]
 pub(super) struct Fault {
     alarm: Alarm,
+    kind: DiagnosticKind,
     message: Message,
     hints: Vec<Message>,
     word: Option<Span>,
@@ -37,6 +38,7 @@ impl Trap {
     pub(super) fn alarm(alarm: Alarm, message: Message) -> Trap {
         Trap::Alarm(Box::new(Fault {
             alarm,
+            kind: DiagnosticKind::Plain,
             message,
             hints: Vec::new(),
             word: None,
@@ -52,6 +54,7 @@ impl Trap {
         let word = finding.place.map(|place| place.span);
         Trap::Alarm(Box::new(Fault {
             alarm,
+            kind: finding.kind,
             message: finding.message.clone(),
             hints: finding.hints.clone(),
             word,
@@ -59,6 +62,15 @@ impl Trap {
             letters: b"",
             number: None,
         }))
+    }
+
+    /// The same of a kind that code acts on.
+    #[cold]
+    pub(super) fn of_kind(mut self, kind: DiagnosticKind) -> Trap {
+        if let Trap::Alarm(fault) = &mut self {
+            fault.kind = kind;
+        }
+        self
     }
 
     /// The same with a way out.
@@ -126,7 +138,7 @@ impl Fault {
         let part = self.part.and_then(|part| part_span(parsed, block, part));
         let place = Place { file: block.file, span: part.or(self.word).unwrap_or(block.span) };
         let shown = parsed.control().alarm_shown(self.alarm);
-        let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(shown);
+        let mut diagnostic = Diagnostic::error(self.message).kind(self.kind).at(place).alarm(shown);
         if let Some(number) = self.number {
             // Its wording is the program's.
             (diagnostic.alarm, diagnostic.wording) = (Some(number.to_string().into()), None);

@@ -8,6 +8,7 @@ use super::state::RunState;
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::ExprId;
+use crate::text::DiagnosticKind;
 
 impl RunState {
     /// The END of the DO in a block, or the DO of its END.
@@ -18,7 +19,7 @@ impl RunState {
                 let depth = u32::from(cx.control.syntax.do_depth);
                 Err(Trap::alarm(Alarm::DoNesting, msg!("interp.do-nesting", depth)))
             }
-            Partner::Fault(alarm) => Err(Trap::alarm(alarm, msg!("interp.do-pair"))),
+            Partner::Fault(alarm) => Err(Trap::alarm(alarm, msg!("interp.do-pair")).of_kind(DiagnosticKind::UnpairedLoop)),
         }
     }
 

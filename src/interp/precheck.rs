@@ -14,7 +14,7 @@ use crate::controls::macros::CallKind;
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, CodeDef, Group, VarKind};
 use crate::nc::{Block, Dec, Expr, ExprId, Parsed, Stmt, Word, WordValue};
-use crate::text::{Diagnostic, Place, Severity};
+use crate::text::{Diagnostic, DiagnosticKind, Place, Severity};
 
 /// Findings that are listed.
 const FINDINGS: usize = 1000;
@@ -448,7 +448,7 @@ impl<'a> Oracle<'a> {
     fn contour(&mut self, at: u32, block: &Block, words: &[Word]) {
         // What else comes of it depends on the state.
         let _ = self.state.clone().words(&mut self.cx, at, block, words);
-        self.told.extend(self.heard.take().into_iter().filter(|remark| remark.message.id == "interp.contour"));
+        self.told.extend(self.heard.take().into_iter().filter(|remark| remark.kind == DiagnosticKind::Contour));
     }
 
     /// What is remarked of a block in every modal state.

@@ -22,13 +22,13 @@ pub mod turning_spindle;
 
 pub mod polygon_lathe;
 
-use crate::controls::options::{Choice, CommonAtReset};
+use crate::controls::options::{SwitchChoice, CommonAtReset};
 use crate::controls::{Control, Dialect, Switches};
 use crate::math;
 use crate::motion::{Action, Planner, Plant, Plc, RunningProgram, Snapshot};
 use crate::msg;
 use crate::nc::{Deck, File};
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, DiagnosticKind};
 use crate::view::{Chart, Explorer, Pose, Readout, Scene, Sheet};
 use form::{Field, FieldInfo, Origins, Value, Values};
 
@@ -104,7 +104,7 @@ impl Defaults {
     }
 
     /// A setting of the control that the machine needs, where that is not the default.
-    fn set<C: Choice>(&mut self, control: &Control, choice: C) {
+    fn set<C: SwitchChoice>(&mut self, control: &Control, choice: C) {
         let setting = choice.option().id;
         if let Some(row) = control.switch(C::SWITCH).filter(|row| row.takes(setting)) {
             self.switches.set(row, setting);
@@ -329,7 +329,10 @@ impl<M: Machine> AnyMachine for Erased<M> {
         let mut assumed = form::fill::assumed(&self.fields(), origins);
         assumed.retain(|id| !hidden.contains(id));
         if !assumed.is_empty() {
-            diagnostics.push(Diagnostic::info(msg!("form.assumed", assumed.len() as u32, assumed.join(", "))));
+            diagnostics.push(
+                Diagnostic::info(msg!("form.assumed", assumed.len() as u32, assumed.join(", ")))
+                    .kind(DiagnosticKind::AssumedFacts),
+            );
         }
         Design { diagnostics, ..design }
     }

@@ -7,6 +7,7 @@ use super::program::RunningProgram;
 use super::sim::{Once, Sim};
 use crate::interp::Feed;
 use crate::msg;
+use crate::text::DiagnosticKind;
 
 impl<P: RunningProgram> Sim<'_, P> {
     /// A cut begins, or waits for the spindle's speed, where the control does so.
@@ -54,7 +55,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if self.s.path.flow_end.take().is_some_and(|end| t > end) {
             self.s.starved += 1;
             let (block, logic) = (self.plant.block_time * 1e3, self.plant.macro_time * 1e3);
-            self.say(Once::Starved as u32, || msg!("motion.starved", block, logic));
+            self.say_kind(Once::Starved as u32, DiagnosticKind::Starved, || msg!("motion.starved", block, logic));
         }
         if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace {
             self.say_clamped(&motion, feed);

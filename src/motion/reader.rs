@@ -115,7 +115,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         for remark in eyes.remarks {
             // A block in a loop says it once, whatever its values are.
-            let told = |d: &Diagnostic| (d.place, d.message.id) == (remark.place, remark.message.id);
+            let told = |d: &Diagnostic| (d.place, d.id()) == (remark.place, remark.id());
             let said = &mut self.out.diagnostics;
             if said.len() < REMARKS && !said.iter().any(told) {
                 said.push(remark);

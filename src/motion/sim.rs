@@ -4,7 +4,7 @@ use super::checked_plant::CheckedPlant;
 use super::panel::Panel;
 use super::records::Records;
 use super::state::SimState;
-use crate::text::{Diagnostic, Message};
+use crate::text::{Diagnostic, DiagnosticKind, Message};
 
 /// Diagnostics that a run gives once, as numbers of bits; of axes, that of the first axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,9 +34,14 @@ pub(super) struct Sim<'a, P> {
 impl<P> Sim<'_, P> {
     /// Says something once a run.
     pub(super) fn say(&mut self, bit: u32, message: impl FnOnce() -> Message) {
+        self.say_kind(bit, DiagnosticKind::Plain, message);
+    }
+
+    /// The same of a kind that code acts on.
+    pub(super) fn say_kind(&mut self, bit: u32, kind: DiagnosticKind, message: impl FnOnce() -> Message) {
         if self.s.said & (1 << bit) == 0 {
             self.s.said |= 1 << bit;
-            let mut diagnostic = Diagnostic::warning(message());
+            let mut diagnostic = Diagnostic::warning(message()).kind(kind);
             diagnostic.place = self.s.place;
             self.out.diagnostics.push(diagnostic);
         }

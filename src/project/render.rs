@@ -115,7 +115,7 @@ impl<'f> Teller<'f> {
             "severity": word(diagnostic.severity),
             "alarm": diagnostic.alarm,
             "wording": diagnostic.wording,
-            "id": diagnostic.message.id,
+            "id": diagnostic.id(),
             "message": sentence(Language::English, &diagnostic.message),
             "file": place.map(|(file, _, _)| file),
             "line": place.map(|(_, line, _)| line),
@@ -145,7 +145,7 @@ pub fn headline(diagnostic: &Diagnostic) -> String {
     let tag = match (diagnostic.severity, diagnostic.alarm.as_deref()) {
         (_, Some(alarm)) => format!("[{alarm}]"),
         (Severity::Error, None) => String::new(),
-        (_, None) => format!("[{}]", diagnostic.message.id),
+        (_, None) => format!("[{}]", diagnostic.id()),
     };
     format!("{}{tag}: {}", word(diagnostic.severity), sentence(Language::English, &diagnostic.message))
 }

@@ -18,7 +18,7 @@ use crate::motion::{
 };
 use crate::nc::Parsed;
 use crate::text::catalog::number_text;
-use crate::text::{Diagnostic, Place, Severity};
+use crate::text::{Diagnostic, DiagnosticKind, Place, Severity};
 
 /// A planned run of the interpreter.
 pub type Run = Planner<Interp>;
@@ -312,11 +312,11 @@ pub fn repeats(d: &Diagnostic, told: &Diagnostic) -> bool {
         && told.alarm == d.alarm
         && (told.message == d.message || d.severity == Severity::Error && d.alarm.is_some())
         // The reader has told of each loop that lacks its other end, or of the block that hides it.
-        || d.message.id == "interp.do-pair"
+        || d.kind == DiagnosticKind::UnpairedLoop
             && told.severity == Severity::Error
             && d.place.map(|place| place.file) == told.place.map(|place| place.file)
-        || d.message.id == "motion.starved"
-            && told.message.id == "lint.short-blocks"
+        || d.kind == DiagnosticKind::Starved
+            && told.kind == DiagnosticKind::ShortBlocks
             && d.place.map(|place| place.file) == told.place.map(|place| place.file)
 }
 

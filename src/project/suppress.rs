@@ -1,4 +1,4 @@
-//! Warnings that the user does not want to see: left out by the id of their sentence.
+//! Warnings that the user does not want to see: left out by their stable id.
 
 use std::collections::BTreeSet;
 
@@ -9,7 +9,7 @@ pub fn silence(found: &mut Vec<Diagnostic>, silenced: &[String]) -> usize {
     let before = found.len();
     if !silenced.is_empty() {
         let silenced: BTreeSet<&str> = silenced.iter().map(String::as_str).collect();
-        found.retain(|d| d.severity == Severity::Error || !silenced.contains(d.message.id));
+        found.retain(|d| d.severity == Severity::Error || !silenced.contains(d.id()));
     }
     before - found.len()
 }

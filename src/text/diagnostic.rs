@@ -27,11 +27,43 @@ pub struct Fix {
     pub edits: Vec<(Place, String)>,
 }
 
+/// Diagnostics that code acts on; sentences are for people.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DiagnosticKind {
+    /// No code acts on it.
+    #[default]
+    Plain,
+    /// A file begins with a byte order mark: true of the file whatever is wrong with its lines.
+    ByteOrderMark,
+    /// A comment without its end hides the rest of the line.
+    OpenComment,
+    /// A block ends where more has to follow.
+    EndsEarly,
+    /// The contour of a cycle is passed over.
+    Contour,
+    /// A DO or END without its partner.
+    UnpairedLoop,
+    /// An auxiliary function is put out in each pass of a loop.
+    AuxiliaryInLoop,
+    /// A spindle code is put out in each pass of a loop.
+    SpindleInLoop,
+    /// Blocks take less time than the control needs to read them, by the text.
+    ShortBlocks,
+    /// The machine waited for the control to read blocks, in a run.
+    Starved,
+    /// Facts of the form that are only assumed; the values of the message are their count and their fields.
+    AssumedFacts,
+}
+
 /// One finding.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Diagnostic {
     /// How bad it is.
     pub severity: Severity,
+    /// What it is, where code acts on it.
+    #[serde(skip)]
+    pub kind: DiagnosticKind,
     /// What is wrong.
     pub message: Message,
     /// Where; `None` for the project as a whole.
@@ -52,6 +84,7 @@ impl Diagnostic {
     fn new(severity: Severity, message: Message) -> Diagnostic {
         Diagnostic {
             severity,
+            kind: DiagnosticKind::Plain,
             message,
             place: None,
             alarm: None,
@@ -80,6 +113,17 @@ impl Diagnostic {
     /// Sorts by file and start; findings without a place come first, findings at one place keep their order.
     pub fn in_order(found: &mut [Diagnostic]) {
         found.sort_by_key(|d| d.place.map(|place| (place.file, place.span.start)));
+    }
+
+    /// Stable id: of warnings that are silenced, in JSON, and where a remark is made once whatever its values are.
+    pub fn id(&self) -> &'static str {
+        self.message.id
+    }
+
+    /// The same of a kind that code acts on.
+    pub fn kind(mut self, kind: DiagnosticKind) -> Diagnostic {
+        self.kind = kind;
+        self
     }
 
     /// The same at a place.

@@ -109,7 +109,7 @@ fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
         out.push_str("</button>");
     }
     if diagnostic.severity != Severity::Error {
-        let (id, words) = (diagnostic.message.id, t("page.silence"));
+        let (id, words) = (diagnostic.id(), t("page.silence"));
         let _ = write!(out, "<button type=\"button\" class=\"quiet\" data-silence=\"{id}\">{words}</button>");
     }
     out.push_str("</li>");

@@ -11,6 +11,7 @@ mod machines;
 mod numbers;
 mod physics;
 mod programs;
+mod rows;
 mod saved;
 mod stepping;
 mod tidy;

@@ -10,7 +10,7 @@ pub struct SwitchOption {
 }
 
 /// The options of one switch as an enum.
-pub trait Choice: Copy + PartialEq + 'static {
+pub trait SwitchChoice: Copy + PartialEq + 'static {
     /// Id of the switch.
     const SWITCH: &'static str;
 
@@ -43,7 +43,7 @@ macro_rules! switches {
                 }
             }
 
-            impl Choice for $kind {
+            impl SwitchChoice for $kind {
                 const SWITCH: &'static str = $id;
 
                 fn option(self) -> SwitchOption {
@@ -144,7 +144,7 @@ macro_rules! switches {
 }
 
 /// The option of an id.
-fn chosen<C: Choice>(options: &[C], id: &str) -> Option<C> {
+fn chosen<C: SwitchChoice>(options: &[C], id: &str) -> Option<C> {
     options.iter().copied().find(|option| option.option().id == id)
 }
 

@@ -6,7 +6,7 @@ use super::roles::{AUXILIARY, CALL, CURVED, LINEAR, RAPID, SPECIAL, SPINDLE, SPI
 use super::vars::visit;
 use super::words::Facts;
 use super::{Lint, NONE};
-use crate::text::{Place, Span};
+use crate::text::{DiagnosticKind, Place, Span};
 
 /// Blocks that are looked at, for each block of the text: loops in loops are looked at again.
 const BUDGET: usize = 8;
@@ -118,21 +118,23 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
         }
     }
     if !rests {
-        spindle.tell(lint, "lint.spindle-in-loop");
+        spindle.tell(lint, "lint.spindle-in-loop", DiagnosticKind::SpindleInLoop);
     }
     if auxiliary.all.len() == 1 && (cuts || moves && !rapid) {
-        auxiliary.tell(lint, "lint.auxiliary-in-loop");
+        auxiliary.tell(lint, "lint.auxiliary-in-loop", DiagnosticKind::AuxiliaryInLoop);
     }
 }
 
 impl Function<'_> {
-    fn tell(&self, lint: &mut Lint, id: &'static str) {
+    fn tell(&self, lint: &mut Lint, id: &'static str, kind: DiagnosticKind) {
         for &(block, span) in &self.always {
             let place = lint.place(block, span);
             // A loop in a loop, or a program that two loops call, is looked at twice.
             let start = |place: Place| (place.file, place.span.start);
-            if lint.found.iter().all(|d| d.message.id != id || d.place.map(start) != Some(start(place))) {
-                lint.say(block, span, id, &[], "");
+            if lint.found.iter().all(|d| d.kind != kind || d.place.map(start) != Some(start(place))) {
+                if let Some(finding) = lint.say(block, span, id, &[], "") {
+                    finding.kind = kind;
+                }
             }
         }
     }

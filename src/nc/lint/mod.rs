@@ -83,7 +83,14 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
 impl Lint<'_> {
     /// Says a sentence about bytes of a block's file; the block is an index in the deck. {0} of the sentence is what stands there, {1}
     /// and so on are `more`. `hint` is the id of another sentence with the same values, or empty.
-    fn say(&mut self, block: u32, span: Span, id: &'static str, more: &[&str], hint: &'static str) {
+    fn say(
+        &mut self,
+        block: u32,
+        span: Span,
+        id: &'static str,
+        more: &[&str],
+        hint: &'static str,
+    ) -> Option<&mut Diagnostic> {
         let mut place = self.place(block, span);
         // A formula may end in space.
         let mut text = self.parsed.text(place);
@@ -92,15 +99,17 @@ impl Lint<'_> {
         }
         let text = text.trim_end();
         place.span.end = span.start + text.len() as u32;
-        if self.found.len() < self.most {
-            let text = [text.trim_matches(['[', ']'])];
-            let message = |id| Message { id, values: text.iter().chain(more).map(|text| Value::from(*text)).collect() };
-            let mut finding = Diagnostic::warning(message(id)).at(place);
-            if !hint.is_empty() {
-                finding.hints.push(message(hint));
-            }
-            self.found.push(finding);
+        if self.found.len() >= self.most {
+            return None;
         }
+        let text = [text.trim_matches(['[', ']'])];
+        let message = |id| Message { id, values: text.iter().chain(more).map(|text| Value::from(*text)).collect() };
+        let mut finding = Diagnostic::warning(message(id)).at(place);
+        if !hint.is_empty() {
+            finding.hints.push(message(hint));
+        }
+        self.found.push(finding);
+        self.found.last_mut()
     }
 
     /// Bytes of the file of a block.

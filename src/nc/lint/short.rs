@@ -9,8 +9,8 @@ use super::roles::{
     RETURN, SPECIAL, SPINDLE, SPINDLE_REST, STOP, SUB,
 };
 use crate::controls::{Control, Dialect};
-use crate::text::Span;
 use crate::text::catalog::number_text;
+use crate::text::{DiagnosticKind, Span};
 
 /// Blocks that stop the path, or after which nothing is known of the codes in force.
 const BREAKS: u32 =
@@ -150,7 +150,10 @@ impl Short {
             let (block, span, time) = self.told;
             let texts =
                 [time * 1e3, self.control.timing.block * 1e3, self.count.into()].map(|value| number_text(value, 1));
-            lint.say(block, span, "lint.short-blocks", &[&texts[0], &texts[1], &texts[2]], "");
+            let said = lint.say(block, span, "lint.short-blocks", &[&texts[0], &texts[1], &texts[2]], "");
+            if let Some(finding) = said {
+                finding.kind = DiagnosticKind::ShortBlocks;
+            }
         }
     }
 }

@@ -271,8 +271,8 @@ impl Vars<'_> {
             }
         }
         if !names.is_empty() {
-            lint.say(first.0, lint.part(first.0, first.1), "lint.unset-common", &[&names], "");
-            if let Some(finding) = lint.found.last_mut().filter(|finding| finding.message.id == "lint.unset-common") {
+            let part = lint.part(first.0, first.1);
+            if let Some(finding) = lint.say(first.0, part, "lint.unset-common", &[&names], "") {
                 finding.severity = Severity::Info;
             }
         }

@@ -5,7 +5,7 @@ use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
 use crate::text::lines::line_end;
-use crate::text::{Diagnostic, Span};
+use crate::text::{Diagnostic, DiagnosticKind, Span};
 
 /// Fixes that reach through the whole text are offered up to this size.
 const WHOLE: usize = 1 << 20;
@@ -52,7 +52,7 @@ impl Reader<'_> {
     fn foreign_bytes(&mut self) -> bool {
         if self.source.starts_with(BYTE_ORDER_MARK) {
             let place = self.place(Span::new(0, BYTE_ORDER_MARK.len_utf8() as u32));
-            let finding = Diagnostic::warning(msg!("nc.byte-order-mark")).at(place);
+            let finding = Diagnostic::warning(msg!("nc.byte-order-mark")).kind(DiagnosticKind::ByteOrderMark).at(place);
             self.found.push(finding.fix(msg!("nc.fix.byte-order-mark"), vec![(place, String::new())]));
         }
         if !self.source.as_bytes().contains(&b'\n')
@@ -65,7 +65,7 @@ impl Reader<'_> {
                 finding = finding.fix(msg!("nc.fix.line-ends"), vec![(all, self.source.replace('\r', "\n"))]);
             }
             // What was said of the text as one line.
-            self.found.retain(|finding| finding.message.id == "nc.byte-order-mark");
+            self.found.retain(|finding| finding.kind == DiagnosticKind::ByteOrderMark);
             self.found.push(finding);
             return true;
         }

@@ -6,7 +6,7 @@
 use super::{FINDINGS, Failure, Mark, Read, Reader};
 use crate::controls::Alarm;
 use crate::msg;
-use crate::text::Place;
+use crate::text::{DiagnosticKind, Place};
 
 /// Words that stand in arithmetic besides functions.
 const OPERATORS: [&[u8]; 10] = [b"AND", b"OR", b"XOR", b"MOD", b"EQ", b"NE", b"GT", b"GE", b"LT", b"LE"];
@@ -22,7 +22,7 @@ impl Reader<'_> {
             return self.add_finding(first.finding);
         }
         // A comment that is not closed was reported, and it hides the rest.
-        if self.found.iter().skip(mark.found).any(|finding| finding.message.id == "nc.open-comment") {
+        if self.found.iter().skip(mark.found).any(|finding| finding.kind == DiagnosticKind::OpenComment) {
             return;
         }
         if let Some((open, inner, close)) = self.nested_comment() {
@@ -46,7 +46,7 @@ impl Reader<'_> {
         self.rewind();
         match self.statement() {
             // What looks like a remark stands where a value should.
-            Err(failure) if failure.finding.message.id == "nc.ends-early" => {
+            Err(failure) if failure.finding.kind == DiagnosticKind::EndsEarly => {
                 self.rollback(&before);
                 self.add_finding(first.finding);
             }

@@ -8,7 +8,7 @@ use super::{Failure, LeftOut, Read, Reader};
 use crate::controls::macros::CallKind;
 use crate::controls::{Alarm, Code, CodeDef, CodeId};
 use crate::msg;
-use crate::text::Message;
+use crate::text::{DiagnosticKind, Message};
 
 /// Below it one more digit fits an `i64`.
 const FULL: i64 = 100_000_000_000_000_000;
@@ -57,7 +57,8 @@ impl<'a> Reader<'a> {
         let close = inner.iter().position(|&b| b == b')');
         let end = open + 1 + close.unwrap_or(inner.len());
         if close.is_none() {
-            let finding = self.finding(Alarm::CommentBracket, open, end, msg!("nc.open-comment"));
+            let finding =
+                self.finding(Alarm::CommentBracket, open, end, msg!("nc.open-comment")).kind(DiagnosticKind::OpenComment);
             self.replace(Alarm::CommentBracket, finding, end, end, ")");
         }
         let (from, to) = (self.base as usize + open + 1, self.base as usize + end);
@@ -548,7 +549,9 @@ impl<'a> Reader<'a> {
         if self.ended() {
             let before = self.line.get(..start).unwrap_or_default();
             let last = before.iter().rposition(|b| b & 0xC0 != 0x80).unwrap_or(0);
-            return self.failure(Alarm::Format, last, start, msg!("nc.ends-early"), false);
+            let mut failure = self.failure(Alarm::Format, last, start, msg!("nc.ends-early"), false);
+            failure.finding.kind = DiagnosticKind::EndsEarly;
+            return failure;
         }
         let from = self.base as usize + start;
         let character = self.source.get(from..).and_then(|rest| rest.chars().next()).unwrap_or('\u{fffd}');
