@@ -7,7 +7,7 @@ use crate::drives::Bound;
 use crate::drives::orient::turn;
 use crate::math;
 
-/// What a spindle is command. Two that are equal ask for the same.
+/// The commanded speed of the spindle. Equal commands ask for the same ramp.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct SpeedCommand {
     /// Speed in r/min without sign now, and `span` seconds later: under constant surface speed it changes evenly.
@@ -47,7 +47,7 @@ pub(super) struct Ramp {
     pub(super) rate: f64,
     /// Turns at `t`.
     pub(super) turns: f64,
-    /// What it is command.
+    /// The command that the ramp follows.
     pub(super) command: SpeedCommand,
     pub(super) control: SpindleMode,
     /// The axis that is square to the spindle, and its place in mm where the diameter is 0.
@@ -151,16 +151,16 @@ impl Ramp {
     }
 
     /// Commanded speed without sign.
-    fn command(&self, t: f64) -> f64 {
+    fn commanded(&self, t: f64) -> f64 {
         let SpeedCommand { from, to, span, .. } = self.command;
         if t < self.t + span { from + (to - from) * ((t - self.t) / span) } else { to }
     }
 
     /// The spindle at `t`; `place` tells where an axis is.
     pub(super) fn state(&self, plant: &SpindlePlant, t: f64, place: impl Fn(usize) -> f64) -> SpindleState {
-        let (analog, command) = (plant.analog(self.command.stage), self.command(t));
-        let command = command * f64::from(self.command.sign);
-        let out = if plant.rules.volts_stay && self.command.sign == 0 { command } else { command };
+        let (analog, speed) = (plant.analog(self.command.stage), self.commanded(t));
+        let command = speed * f64::from(self.command.sign);
+        let out = if plant.rules.volts_stay && self.command.sign == 0 { speed } else { command };
         let (actual, turns) = (self.actual(plant, t), self.turns(plant, t));
         let diameter = self.square.map(|(axis, zero)| 2.0 * (place(usize::from(axis)) - zero).abs());
         SpindleState {

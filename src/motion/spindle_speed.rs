@@ -114,7 +114,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if rpm > top { (top, Bound::Output) } else { (rpm, bound) }
     }
 
-    /// Lets the spindle go from where it is to what it is command.
+    /// Starts a ramp from the present speed to the commanded one.
     pub(super) fn put_ramp(&mut self, t: f64, command: SpeedCommand) {
         let plant = &self.plant.spindle;
         let last = self.out.timeline.ramps.last();
