@@ -1,7 +1,7 @@
 //! Errors raised while a block executes, before they are located and turned into a [`Diagnostic`].
 
 use crate::controls::Alarm;
-use crate::nc::{Block, Deck, ExprId, Parsed, part_span};
+use crate::nc::{Block, Deck, ExprId, Parsed};
 use crate::text::{Diagnostic, DiagnosticKind, Message, Place, Span};
 
 /// An alarm in the making.
@@ -135,7 +135,7 @@ impl Fault {
 
     /// The diagnostic in the control's numbers; `block` is its place where neither part nor word is known.
     pub(super) fn diagnostic(self, parsed: &Parsed, block: Place) -> Diagnostic {
-        let part = self.part.and_then(|part| part_span(parsed, block, part));
+        let part = self.part.and_then(|part| parsed.expr_span(block, part));
         let place = Place { file: block.file, span: part.or(self.word).unwrap_or(block.span) };
         let shown = parsed.control().alarm_shown(self.alarm);
         let mut diagnostic = Diagnostic::error(self.message).kind(self.kind).at(place).alarm(shown);

@@ -19,7 +19,9 @@ impl RunState {
                 let depth = u32::from(cx.control.syntax.do_depth);
                 Err(Trap::alarm(Alarm::DoNesting, msg!("interp.do-nesting", depth)))
             }
-            Partner::Fault(alarm) => Err(Trap::alarm(alarm, msg!("interp.do-pair")).of_kind(DiagnosticKind::UnpairedLoop)),
+            Partner::Fault(alarm) => {
+                Err(Trap::alarm(alarm, msg!("interp.do-pair")).of_kind(DiagnosticKind::UnpairedLoop))
+            }
         }
     }
 

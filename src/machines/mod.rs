@@ -22,7 +22,7 @@ pub mod turning_spindle;
 
 pub mod polygon_lathe;
 
-use crate::controls::options::{SwitchChoice, CommonAtReset};
+use crate::controls::options::{CommonAtReset, SwitchChoice};
 use crate::controls::{Control, Dialect, Switches};
 use crate::math;
 use crate::motion::{Action, Planner, Plant, Plc, RunningProgram, Snapshot};

@@ -167,6 +167,17 @@ pub enum JumpDirection {
     Backward,
 }
 
+impl JumpDirection {
+    /// Whether a jump in block `from` finds its target in block `to` of the same program.
+    pub(super) fn reaches(self, from: usize, to: usize) -> bool {
+        match self {
+            JumpDirection::Around => true,
+            JumpDirection::Forward => to > from,
+            JumpDirection::Backward => to <= from,
+        }
+    }
+}
+
 /// One of several assignments or jumps of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair {

@@ -1,4 +1,4 @@
-//! Whether two decks say the same: places, order of the arenas and blank blocks apart.
+//! Equality of decks, apart from places, the order in the arenas, and blank blocks.
 
 use super::ast::{Block, Deck, Expr, ExprId, Pair, Stmt, TextId, WordValue};
 

@@ -10,17 +10,18 @@ pub mod files;
 
 pub mod build;
 
+mod advice;
 mod codes;
 mod deck_eq;
 mod emit;
-mod emit_names;
 mod fix;
+mod lex;
 mod lint;
 mod lower;
-mod lower_names;
 mod parse;
 mod parsed;
-mod tokens;
+mod read;
+mod write;
 
 pub use ast::{
     Block, Deck, Dimensioning, Expr, ExprId, JumpDirection, Op, Pair, Program, Stmt, TextId, Word, WordValue,
@@ -30,8 +31,9 @@ pub use dec::Dec;
 pub use emit::{Emitted, Newline, emit, emit_parsed, emit_with};
 pub use files::{File, Files};
 pub use fix::fix;
+pub use lex::tokens::{TokenKind, tokens};
 pub use lint::warnings;
 pub use lower::lower;
-pub use parse::{Formula, formula, parse, parse_with, part_span};
+pub use parse::expression::{Formula, formula};
 pub use parsed::Parsed;
-pub use tokens::{TokenKind, tokens};
+pub use read::{parse, parse_with};

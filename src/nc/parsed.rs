@@ -2,11 +2,20 @@
 
 use std::rc::Rc;
 
-use super::ast::{Block, Deck};
+use super::ast::{Block, Deck, ExprId};
 use super::codes::Codes;
 use super::files::Files;
 use crate::controls::{Control, Dialect, Switches};
-use crate::text::{Diagnostic, Place, Severity};
+use crate::text::{Diagnostic, Place, Severity, Span};
+
+/// Place of an expression in its file, with the blanks around it.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::nc) struct ExprSpan {
+    /// First byte.
+    pub(in crate::nc) start: u32,
+    /// Number of bytes.
+    pub(in crate::nc) len: u16,
+}
 
 /// Text that a control has read. The interpreter takes nothing else.
 #[derive(Debug, Clone)]
@@ -18,6 +27,7 @@ pub struct Parsed {
     switches: Switches,
     dialect: Rc<Dialect>,
     codes: Codes,
+    expr_spans: Vec<ExprSpan>,
 }
 
 impl Parsed {
@@ -29,8 +39,9 @@ impl Parsed {
         switches: Switches,
         dialect: Rc<Dialect>,
         codes: Codes,
+        expr_spans: Vec<ExprSpan>,
     ) -> Parsed {
-        Parsed { files, deck, diagnostics, control, switches, dialect, codes }
+        Parsed { files, deck, diagnostics, control, switches, dialect, codes, expr_spans }
     }
 
     /// The text.
@@ -76,6 +87,16 @@ impl Parsed {
     /// The text of a place.
     pub fn text(&self, place: Place) -> &str {
         self.files.get(place.file).map_or("", |file| place.span.of(&file.text))
+    }
+
+    /// The bytes of an expression in the block at a place; `None` where the expression is not part of that block.
+    pub fn expr_span(&self, block: Place, expr: ExprId) -> Option<Span> {
+        let raw = self.expr_spans.get(expr.0 as usize)?;
+        let text =
+            self.files.get(block.file)?.text.get(raw.start as usize..raw.start as usize + usize::from(raw.len))?;
+        let start = raw.start + (text.len() - text.trim_ascii_start().len()) as u32;
+        let span = Span::new(start, start + text.trim_ascii().len() as u32);
+        (block.span.start <= span.start && span.end <= block.span.end).then_some(span)
     }
 
     /// The place of a block of a program, both by index.

@@ -15,7 +15,7 @@ pub mod citation;
 pub mod diagnostic;
 
 pub use citation::{Citation, Grade};
-pub use diagnostic::{Diagnostic, Fix, DiagnosticKind, Severity};
+pub use diagnostic::{Diagnostic, DiagnosticKind, Fix, Severity};
 pub use lines::{LineIndex, Position};
 pub use message::{Message, Value};
 pub use span::{FileId, Place, Span};

@@ -1,4 +1,4 @@
-//! What is known of programs with errors, and what is not: blocks that do not read may do anything that they name.
+//! Programs with errors: a block that does not parse may set, call or jump to anything that it names.
 
 use super::super::ast::Block;
 use super::Lint;

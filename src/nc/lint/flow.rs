@@ -1,7 +1,6 @@
-//! Where a program goes from a block, and which blocks nothing leads to.
+//! Control flow: the successors of each block, and blocks that nothing leads to.
 
 use super::super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Stmt, WordValue};
-use super::super::parse::on_way;
 use super::roles::{END, RETURN, Roles};
 use super::words::{Facts, whole};
 use super::{Lint, NONE};
@@ -73,7 +72,7 @@ impl<'a> Flow<'a> {
                 let label = self.deck.text(Some(label));
                 let lies = |row: &(usize, &Block)| row.1.label.is_some() && self.deck.text(row.1.label) == label;
                 let mut found = self.blocks.iter().enumerate().filter(lies).map(|row| row.0);
-                found.find(|&to| on_way(from as usize, to, way)).map_or(NONE, |to| to as u32)
+                found.find(|&to| way.reaches(from as usize, to)).map_or(NONE, |to| to as u32)
             }
             Expr::Number(number) => whole(WordValue::Number(number)).map_or(NONE, |number| self.target(number, from)),
             _ => ANY,

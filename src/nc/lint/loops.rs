@@ -1,4 +1,4 @@
-//! Spindle and auxiliary functions in every pass of a loop: each waits for the PLC, and the path stops.
+//! Spindle and auxiliary functions in every pass of a loop: each waits for the PLC and stops the path.
 
 use super::super::ast::{Expr, Stmt, Word, WordValue};
 use super::flow::{ANY, Flow};

@@ -1,4 +1,4 @@
-//! Messages to the operator that are longer than what the control shows of them.
+//! Operator messages that are longer than the control's display.
 
 use super::super::ast::{Block, Expr, Stmt};
 use super::Lint;

@@ -1,4 +1,4 @@
-//! Warnings that a senior programmer would give about programs that read well: what will not do what was meant.
+//! Warnings about programs that parse: blocks that do something other than intended.
 //!
 //! A few linear looks at the tree, each with a budget. Jumps are not followed in programs with errors, and of variables that stand in blocks
 //! that do not read nothing is known. Each warning is meant to be right; where the text leaves a doubt, nothing is said.
@@ -16,7 +16,6 @@ mod vars;
 mod words;
 
 use super::ast::{Deck, ExprId, Word, WordValue};
-use super::parse::part_span;
 use super::parsed::Parsed;
 use crate::controls::Control;
 use crate::controls::syntax::{RoundBrackets, letter_bits};
@@ -138,7 +137,7 @@ impl Lint<'_> {
     /// A part of a formula of a block; the block where it is not found again.
     fn part(&self, block: u32, part: ExprId) -> Span {
         let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
-        part_span(self.parsed, self.place(block, span), part).unwrap_or(span)
+        self.parsed.expr_span(self.place(block, span), part).unwrap_or(span)
     }
 
     /// Index of the first program with a number.

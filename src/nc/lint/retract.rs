@@ -1,4 +1,4 @@
-//! Ways back at cutting feed on a lathe: out of the cut, and further than where the rapid in front of it ended.
+//! Retractions at cutting feed on a lathe: out of the cut, and beyond the end of the preceding rapid.
 
 use super::super::ast::{Dimensioning, Stmt, Word};
 use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};

@@ -1,4 +1,4 @@
-//! What the codes of a block mean to the warnings, as bits: looked up once per review, or-ed together per block.
+//! Meaning of codes for the warnings, as bits: looked up per word, combined per block.
 
 use super::super::ast::{Word, WordValue};
 use super::super::codes::{Codes, code_of};

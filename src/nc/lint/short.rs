@@ -1,4 +1,4 @@
-//! Blocks with constant lengths at a constant feed that are over before the control has read the next one.
+//! Blocks with constant length and feed that end before the control has read the next block.
 
 use std::rc::Rc;
 

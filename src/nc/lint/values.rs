@@ -1,4 +1,4 @@
-//! What can be said of values without running: comparing decimals, dividing by zero, reading what nobody sets.
+//! Values that are known without a run: decimals compared for equality, division by zero, variables that nothing sets.
 
 use super::super::ast::{Expr, ExprId, Op, WordValue};
 use super::super::dec::{Dec, POW10};

@@ -1,4 +1,4 @@
-//! Every variable of a deck with what all programs together do to it.
+//! Variables of a deck, and everything that all programs together do to each.
 
 use super::super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, Word, WordValue};
 use super::super::codes::code_of;

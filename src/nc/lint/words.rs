@@ -1,4 +1,4 @@
-//! One look at every word: numbers without their point, F0, and who calls, returns and ends.
+//! Checks of single words: numbers without a point, F0; and which programs call, return and end.
 
 use super::super::ast::{Block, Stmt, Word, WordValue};
 use super::super::dec::{Dec, POW10};

@@ -1,19 +1,19 @@
-//! Macro calls: what can be said of G65, G66 and codes that call macros before they run.
+//! Macro calls: checks of G65, G66 and codes that call macros, before they run.
 
-use super::super::ast::{Word, WordValue};
-use super::super::codes::code_of;
-use super::super::dec::Dec;
-use super::Reader;
 use crate::controls::macros::CallKind;
 use crate::controls::syntax::Operation;
 use crate::controls::{Alarm, Code, CodeId};
 use crate::msg;
+use crate::nc::ast::{Word, WordValue};
+use crate::nc::codes::code_of;
+use crate::nc::dec::Dec;
+use crate::nc::parse::reader::Reader;
 use crate::text::Message;
 
 impl Reader<'_> {
     /// Reports what is wrong with a macro call, which the words from `first` on are.
     #[cold]
-    pub(super) fn check_call(&mut self, first: usize) {
+    pub(in crate::nc) fn check_call(&mut self, first: usize) {
         let words = self.deck.words.get(first..).unwrap_or_default().to_vec();
         let Some((at, code)) = words.iter().enumerate().find_map(|(at, word)| Some((at, self.caller(word)?))) else {
             return;
@@ -80,13 +80,13 @@ impl Reader<'_> {
     }
 
     /// Whether a word calls a subprogram.
-    pub(super) fn calls_sub(&self, word: &Word) -> bool {
+    pub(in crate::nc) fn calls_sub(&self, word: &Word) -> bool {
         self.m_row(word) == Some(Code::SubCall)
     }
 
     /// A call that names its program by the letter of its head.
     #[cold]
-    pub(super) fn named_by_letter(&mut self, alarm: Alarm, start: usize) {
+    pub(in crate::nc) fn named_by_letter(&mut self, alarm: Alarm, start: usize) {
         let finding = self.finding(alarm, start, start + 1, msg!("interp.call-without-program"));
         let finding = finding.hint(msg!("nc.hint.program-letter", "O"));
         self.replace(alarm, finding, start, start + 1, "P");
@@ -96,7 +96,7 @@ impl Reader<'_> {
         let start = caller.offset as usize;
         let finding =
             self.finding(Alarm::CallNotFirst, start, start + caller.len as usize, msg!("interp.call-not-first"));
-        let gap = self.line.get(..start).unwrap_or_default();
+        let gap = self.cursor.line.get(..start).unwrap_or_default();
         let from = gap.trim_ascii_end().len();
         let place = self.place(self.span(from, start));
         let new = format!("{}{}", self.newline(), self.skip_mark());
@@ -125,7 +125,7 @@ impl Reader<'_> {
             // A constant names the variable that was meant.
             let end = start + result.len as usize;
             let finding = self.finding(Alarm::CallOperands, start, end, msg!("interp.function-result"));
-            let digits = self.line.get(start + 1..end).unwrap_or_default();
+            let digits = self.cursor.line.get(start + 1..end).unwrap_or_default();
             let digits = start + 1 + digits.len() - digits.trim_ascii_start().len();
             return self.replace(Alarm::CallOperands, finding, digits, digits, "#");
         }

@@ -1,9 +1,11 @@
-//! One expression or condition alone, as people ask for it while a program runs.
+//! A single expression or condition, as typed into a breakpoint or a debugger.
 
-use super::super::ast::{Deck, Expr, ExprId};
-use super::super::codes::Codes;
-use super::{Read, Reader, Tables};
 use crate::controls::{Alarm, Control, Dialect, Switches};
+use crate::nc::ast::{Deck, Expr, ExprId};
+use crate::nc::codes::Codes;
+use crate::nc::parse::failure::Read;
+use crate::nc::parse::reader::Reader;
+use crate::nc::parse::tables::Tables;
 use crate::text::{Diagnostic, FileId};
 
 /// An expression (`#100*#1033/100`) or a condition (`#120 LE 3`) that a control has read; only [`formula`] makes one.
@@ -34,7 +36,7 @@ pub fn formula(text: &str, control: &'static Control) -> Result<Formula, Box<Dia
     let read = |bracketed: bool| {
         let mut reader = Reader::new(control, &tables, FileId(0), text, Deck::default());
         reader.take_line(text.as_bytes(), 0);
-        let mut wrong = match (reader.alone(bracketed), reader.found.pop()) {
+        let mut wrong = match (reader.alone(bracketed), reader.findings.list.pop()) {
             (Ok(root), None) => return Ok(Formula { deck: reader.deck, root }),
             (Ok(_), Some(found)) => found,
             (Err(failure), _) => failure.finding,
@@ -50,11 +52,11 @@ impl Reader<'_> {
     /// The whole line as an expression or a condition.
     fn alone(&mut self, bracketed: bool) -> Read<ExprId> {
         self.skip();
-        let start = self.at;
+        let start = self.cursor.at;
         if self.names().is_some() {
             let root = self.named_formula(true)?;
             self.skip();
-            return if self.ended() { Ok(root) } else { Err(self.unexpected()) };
+            return if self.cursor.ended() { Ok(root) } else { Err(self.unexpected()) };
         }
         let mut root = if bracketed { self.condition(Alarm::IfSentence, "")? } else { self.formula(false)? };
         if let Some(op) = self.comparison(Alarm::IfSentence) {
@@ -62,6 +64,6 @@ impl Reader<'_> {
             root = self.part(Expr::Binary(op, root, right), start)?;
         }
         self.skip();
-        if self.ended() { Ok(root) } else { Err(self.unexpected()) }
+        if self.cursor.ended() { Ok(root) } else { Err(self.unexpected()) }
     }
 }

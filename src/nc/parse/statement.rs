@@ -1,81 +1,46 @@
 //! Macro statements: assignments, jumps, loops, and the conditions in them.
 
-use super::super::ast::{Expr, ExprId, JumpDirection, Op, Pair, Stmt};
-use super::quick_fixes::meant;
-use super::{Failure, LeftOut, Read, Reader};
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
-
-pub(super) const COMPARISONS: [(&str, Op); 6] = [
-    ("EQ", Op::Equal),
-    ("NE", Op::NotEqual),
-    ("GT", Op::Greater),
-    ("GE", Op::GreaterEqual),
-    ("LT", Op::Less),
-    ("LE", Op::LessEqual),
-];
-
-/// Comparisons as signs, the longer ones first; whether a control that takes signs takes this one.
-pub(super) const SIGNS: [(&str, Op, bool); 13] = [
-    ("==", Op::Equal, true),
-    ("<>", Op::NotEqual, true),
-    (">=", Op::GreaterEqual, true),
-    ("<=", Op::LessEqual, true),
-    ("!=", Op::NotEqual, false),
-    ("=>", Op::GreaterEqual, false),
-    ("=<", Op::LessEqual, false),
-    (">", Op::Greater, true),
-    ("<", Op::Less, true),
-    ("=", Op::Equal, false),
-    ("≠", Op::NotEqual, false),
-    ("≥", Op::GreaterEqual, false),
-    ("≤", Op::LessEqual, false),
-];
+use crate::nc::ast::{Expr, ExprId, JumpDirection, Op, Pair, Stmt};
+use crate::nc::lex::keywords::{COMPARISONS, KEYWORDS, OUTSIDE, SIGNS, letters_of};
+use crate::nc::lex::spelling::meant;
+use crate::nc::parse::failure::{Failure, LeftOut, Read};
+use crate::nc::parse::reader::Reader;
 
 /// What would join conditions.
 const JOINTS: [&str; 5] = ["AND", "OR", "XOR", "&&", "||"];
 
-/// Words that open a macro statement.
-const KEYWORDS: [&str; 5] = ["IF", "GOTO", "WHILE", "DO", "END"];
-
-/// Statements that the control has and the simulation does not act on.
-const OUTSIDE: [&str; 4] = ["POPEN", "PCLOS", "DPRNT", "SETVN"];
-
-/// The spelling of a comparison.
-pub(super) fn letters_of(op: Op) -> &'static str {
-    COMPARISONS.iter().find(|(_, other)| *other == op).map_or("", |(word, _)| word)
-}
-
 impl Reader<'_> {
     /// Takes `GOTO`, spaces in it or not.
     fn take_goto(&mut self) -> bool {
-        let start = self.at;
+        let start = self.cursor.at;
         if self.take("GOTO") {
             return true;
         }
         let split = self.take("GO") && {
-            self.blank();
+            self.cursor.blank();
             self.take("TO")
         };
         if !split {
-            self.at = start;
+            self.cursor.at = start;
         }
         split
     }
 
     /// Whether a macro statement starts here.
-    pub(super) fn keyword_ahead(&self) -> bool {
-        KEYWORDS.iter().any(|word| self.ahead(word)) || self.ahead("THEN")
+    pub(in crate::nc) fn keyword_ahead(&self) -> bool {
+        KEYWORDS.iter().any(|word| self.cursor.ahead(word)) || self.cursor.ahead("THEN")
     }
 
     /// A statement that starts with a keyword, `None` where none stands here.
-    pub(super) fn keyword(&mut self) -> Read<Option<Stmt>> {
-        let start = self.at;
+    pub(in crate::nc) fn keyword(&mut self) -> Read<Option<Stmt>> {
+        let start = self.cursor.at;
         let word = KEYWORDS.into_iter().find(|word| self.take(word)).or_else(|| self.take_goto().then_some("GOTO"));
-        if let Some(index) = OUTSIDE.iter().position(|name| word.is_none() && self.ahead(name)) {
-            let end = self.line.len();
+        if let Some(index) = OUTSIDE.iter().position(|name| word.is_none() && self.cursor.ahead(name)) {
+            let end = self.cursor.line.len();
             self.not_simulated(LeftOut::Statement(index), start, end, OUTSIDE[index]);
-            self.at = end;
+            self.cursor.at = end;
             return Ok(Some(Stmt::Empty));
         }
         Ok(Some(match word.or_else(|| self.misspelt_keyword()) {
@@ -101,7 +66,7 @@ impl Reader<'_> {
 
     /// The keyword that a run of letters with a slip in it was meant to be.
     fn misspelt_keyword(&mut self) -> Option<&'static str> {
-        let rest = self.line.get(self.at..).unwrap_or_default();
+        let rest = self.cursor.rest();
         let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
         let name = String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase();
         let behind = rest.get(letters..).unwrap_or_default().trim_ascii_start().first();
@@ -109,9 +74,9 @@ impl Reader<'_> {
             return None;
         }
         let word = KEYWORDS[meant(&name, KEYWORDS.into_iter())?];
-        let start = self.at;
-        self.at += letters;
-        self.slip(Alarm::Format, start, self.at, msg!("nc.unknown-keyword", name), word);
+        let start = self.cursor.at;
+        self.cursor.at += letters;
+        self.slip(Alarm::Format, start, self.cursor.at, msg!("nc.unknown-keyword", name), word);
         Some(word)
     }
 
@@ -119,9 +84,9 @@ impl Reader<'_> {
     fn if_statement(&mut self, start: usize) -> Read<Stmt> {
         let cond = self.condition(Alarm::IfSentence, "IF")?;
         self.no_other_condition(Alarm::IfSentence)?;
-        let then = self.at;
+        let then = self.cursor.at;
         let named = self.take("THEN");
-        let behind = self.at;
+        let behind = self.cursor.at;
         self.skip();
         if self.take_goto() {
             if named {
@@ -131,17 +96,17 @@ impl Reader<'_> {
             self.end_of_macro()?;
             return Ok(Stmt::If { cond, target, way: JumpDirection::Around });
         }
-        if self.peek() != b'#' && !named {
-            let end = self.at.max(start + 2);
+        if self.cursor.peek() != b'#' && !named {
+            let end = self.cursor.at.max(start + 2);
             let mut failure = self.failure(Alarm::IfSentence, start, end, msg!("nc.if-without-goto"), false);
-            let next = self.line.get(self.at + 1..).unwrap_or_default().trim_ascii_start().first();
+            let next = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default().trim_ascii_start().first();
             let value = next.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'-' | b'+' | b'.' | b'#' | b'['));
-            if self.peek().is_ascii_alphabetic() && value {
+            if self.cursor.peek().is_ascii_alphabetic() && value {
                 failure.finding = self.jump_instead(failure.finding, then, then);
             }
             return Err(failure);
         }
-        let stmt = if self.peek() == b'#' {
+        let stmt = if self.cursor.peek() == b'#' {
             let (to, value) = self.assigned()?;
             self.end_of_macro()?;
             if self.tables.rules.if_then {
@@ -152,7 +117,7 @@ impl Reader<'_> {
             }
             Stmt::IfThen { cond, to, value }
         } else {
-            self.at = self.line.len();
+            self.cursor.at = self.cursor.line.len();
             Stmt::Empty
         };
         let message = match self.tables.rules.if_then {
@@ -167,31 +132,31 @@ impl Reader<'_> {
 
     /// The sequence number behind `GOTO`.
     fn target(&mut self) -> Read<ExprId> {
-        let start = self.at;
+        let start = self.cursor.at;
         let byte = self.skip();
-        if self.ended() {
+        if self.cursor.ended() {
             let message = msg!("nc.no-operand", "GOTO");
             return Err(self.failure(Alarm::IfSentence, start.saturating_sub(4), start, message, false));
         }
-        let at = self.at;
-        let next = self.line.get(at + 1..).unwrap_or_default().trim_ascii_start().first();
+        let at = self.cursor.at;
+        let next = self.cursor.line.get(at + 1..).unwrap_or_default().trim_ascii_start().first();
         if byte | 0x20 == b'n' && next.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'#' | b'[')) {
             self.slip(Alarm::IfSentence, at, at + 1, msg!("nc.goto-n"), "");
-            self.at += 1;
+            self.cursor.at += 1;
         }
         self.formula(false)
     }
 
     /// `[ expr comparison expr ]`.
-    pub(super) fn condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
-        self.sentence = alarm;
+    pub(in crate::nc) fn condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
+        self.formulas.sentence = alarm;
         let cond = self.bracketed_condition(alarm, keyword);
-        self.sentence = Alarm::Format;
+        self.formulas.sentence = Alarm::Format;
         cond
     }
 
     fn bracketed_condition(&mut self, alarm: Alarm, keyword: &str) -> Read<ExprId> {
-        let start = self.at;
+        let start = self.cursor.at;
         let byte = self.skip();
         let close = match byte {
             b'[' => b']',
@@ -200,20 +165,26 @@ impl Reader<'_> {
         };
         let open = self.open(close);
         self.skip();
-        if let Some(word) = COMPARISONS.iter().map(|row| row.0).find(|word| self.ahead(word)) {
-            return Err(self.failure(alarm, self.at, self.at + word.len(), msg!("nc.comparison-sides"), false));
+        if let Some(word) = COMPARISONS.iter().map(|row| row.0).find(|word| self.cursor.ahead(word)) {
+            return Err(self.failure(
+                alarm,
+                self.cursor.at,
+                self.cursor.at + word.len(),
+                msg!("nc.comparison-sides"),
+                false,
+            ));
         }
         let left = self.formula(false)?;
         self.skip();
-        let at = self.at;
+        let at = self.cursor.at;
         let Some(op) = self.comparison(alarm) else {
-            return Err(match self.peek() {
+            return Err(match self.cursor.peek() {
                 byte if byte == close => self.failure(alarm, open.at, at + 1, msg!("nc.no-comparison"), false),
                 _ => self.unexpected(),
             });
         };
         if self.skip() == close {
-            return Err(self.failure(alarm, at, self.compared.1, msg!("nc.comparison-sides"), false));
+            return Err(self.failure(alarm, at, self.formulas.compared.1, msg!("nc.comparison-sides"), false));
         }
         let right = self.formula(false)?;
         if self.skip() == close {
@@ -236,7 +207,7 @@ impl Reader<'_> {
 
     /// A condition whose brackets are missing.
     fn bare_condition(&mut self, alarm: Alarm, keyword: &str, start: usize) -> Read<ExprId> {
-        let from = self.at;
+        let from = self.cursor.at;
         let failure = |reader: &Self| {
             let message = msg!("nc.no-condition", keyword);
             reader.failure(alarm, start.saturating_sub(keyword.len()), start, message, false)
@@ -249,7 +220,7 @@ impl Reader<'_> {
         let finding = self.finding(alarm, from, to, msg!("nc.no-condition", keyword));
         if self.skip() == b']' {
             // Its other end is there.
-            self.at += 1;
+            self.cursor.at += 1;
             self.replace(alarm, finding, from, from, "[");
         } else {
             self.enclose(alarm, finding, from, to);
@@ -258,29 +229,29 @@ impl Reader<'_> {
     }
 
     /// Takes a comparison, in letters or in signs.
-    pub(super) fn comparison(&mut self, alarm: Alarm) -> Option<Op> {
-        let from = self.at;
-        if let Some((word, op)) = COMPARISONS.iter().find(|(word, _)| self.ahead(word)) {
+    pub(in crate::nc) fn comparison(&mut self, alarm: Alarm) -> Option<Op> {
+        let from = self.cursor.at;
+        if let Some((word, op)) = COMPARISONS.iter().find(|(word, _)| self.cursor.ahead(word)) {
             self.take(word);
-            self.compared = (from, self.at, *op);
+            self.formulas.compared = (from, self.cursor.at, *op);
             return Some(*op);
         }
-        let (sign, op, known) = *SIGNS.iter().find(|(sign, ..)| self.ahead(sign))?;
-        self.at += sign.len();
-        self.compared = (from, self.at, op);
+        let (sign, op, known) = *SIGNS.iter().find(|(sign, ..)| self.cursor.ahead(sign))?;
+        self.cursor.at += sign.len();
+        self.formulas.compared = (from, self.cursor.at, op);
         if !(known && self.control.syntax.comparison_signs) {
             let letters = letters_of(op);
             let message = msg!("nc.comparison-sign", sign, self.control.name, letters);
-            let letters = self.spaced(from, self.at, letters);
-            self.slip(alarm, from, self.at, message, &letters);
+            let letters = self.spaced(from, self.cursor.at, letters);
+            self.slip(alarm, from, self.cursor.at, message, &letters);
         }
         Some(op)
     }
 
     /// The failure of a comparison ahead that is not the one of a condition.
-    pub(super) fn lost_comparison(&self, alarm: Alarm) -> Option<Box<Failure>> {
+    pub(in crate::nc) fn lost_comparison(&self, alarm: Alarm) -> Option<Box<Failure>> {
         let signs = SIGNS.iter().map(|(sign, ..)| *sign).filter(|sign| *sign != "=");
-        let word = COMPARISONS.iter().map(|(word, _)| *word).chain(signs).find(|word| self.ahead(word))?;
+        let word = COMPARISONS.iter().map(|(word, _)| *word).chain(signs).find(|word| self.cursor.ahead(word))?;
         Some(self.one_comparison(alarm, word.len()))
     }
 
@@ -289,7 +260,7 @@ impl Reader<'_> {
         while self.skip() == b']' {
             self.stray_square();
         }
-        match JOINTS.iter().find(|word| self.ahead(word)) {
+        match JOINTS.iter().find(|word| self.cursor.ahead(word)) {
             Some(word) => Err(self.one_comparison(alarm, word.len())),
             None => Ok(()),
         }
@@ -299,7 +270,7 @@ impl Reader<'_> {
     fn one_comparison(&self, alarm: Alarm, len: usize) -> Box<Failure> {
         let condition = matches!(alarm, Alarm::IfSentence | Alarm::WhileSentence);
         let message = if condition { msg!("nc.two-comparisons") } else { msg!("nc.lost-comparison") };
-        let mut failure = self.failure(alarm, self.at, self.at + len, message, false);
+        let mut failure = self.failure(alarm, self.cursor.at, self.cursor.at + len, message, false);
         if condition {
             failure.finding = failure.finding.hint(msg!("nc.hint.two-conditions"));
         }
@@ -308,20 +279,21 @@ impl Reader<'_> {
 
     /// The number behind `DO` or `END`.
     fn label(&mut self, keyword: &str) -> Read<u16> {
-        let start = self.at;
+        let start = self.cursor.at;
         self.skip();
-        let from = self.at;
-        while self.peek().is_ascii_digit() {
-            self.at += 1;
+        let from = self.cursor.at;
+        while self.cursor.peek().is_ascii_digit() {
+            self.cursor.at += 1;
         }
         let most = self.control.syntax.do_max;
-        let number = core::str::from_utf8(self.line.get(from..self.at).unwrap_or_default()).unwrap_or("");
+        let number = core::str::from_utf8(self.cursor.line.get(from..self.cursor.at).unwrap_or_default()).unwrap_or("");
         let label = match number.parse::<u16>() {
             Ok(label) if label > 0 && u32::from(label) <= most => label,
             _ => {
-                let (from, to) = if number.is_empty() { (start - keyword.len(), start) } else { (from, self.at) };
+                let (from, to) =
+                    if number.is_empty() { (start - keyword.len(), start) } else { (from, self.cursor.at) };
                 // `END OF PROGRAM` is a remark.
-                let word = self.peek().is_ascii_alphabetic();
+                let word = self.cursor.peek().is_ascii_alphabetic();
                 return Err(self.failure(Alarm::DoNumber, from, to, msg!("nc.do-number", keyword, most), word));
             }
         };
@@ -330,7 +302,7 @@ impl Reader<'_> {
     }
 
     /// `#… = expr`.
-    pub(super) fn assignment(&mut self) -> Read<Stmt> {
+    pub(in crate::nc) fn assignment(&mut self) -> Read<Stmt> {
         let (to, value) = self.assigned()?;
         if !self.tables.rules.assignments || self.skip() != b'#' {
             self.end_of_macro()?;
@@ -348,23 +320,23 @@ impl Reader<'_> {
 
     /// The variable and the value of an assignment.
     fn assigned(&mut self) -> Read<(ExprId, ExprId)> {
-        let start = self.at;
+        let start = self.cursor.at;
         let to = self.variable(true)?;
-        let end = self.at;
+        let end = self.cursor.at;
         if self.skip() == b'.' {
             self.stray_point();
         }
-        if self.skip() == b':' && self.line.get(self.at + 1) == Some(&b'=') {
-            self.slip(Alarm::NoEquals, self.at, self.at + 1, msg!("nc.double-equals"), "");
-            self.at += 1;
+        if self.skip() == b':' && self.cursor.line.get(self.cursor.at + 1) == Some(&b'=') {
+            self.slip(Alarm::NoEquals, self.cursor.at, self.cursor.at + 1, msg!("nc.double-equals"), "");
+            self.cursor.at += 1;
         }
         if self.skip() != b'=' {
             return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
         }
-        self.at += 1;
+        self.cursor.at += 1;
         if self.skip() == b'=' {
-            self.slip(Alarm::Format, self.at, self.at + 1, msg!("nc.double-equals"), "");
-            self.at += 1;
+            self.slip(Alarm::Format, self.cursor.at, self.cursor.at + 1, msg!("nc.double-equals"), "");
+            self.cursor.at += 1;
         }
         let value = self.formula(false)?;
         if let (Expr::Var(number), Expr::Number(value)) = (self.deck.expr(to), self.deck.expr(value)) {
@@ -379,13 +351,13 @@ impl Reader<'_> {
         let row = self.control.var(variable);
         let alarm = row.is_some_and(|row| row.kind == VarKind::AlarmMessage);
         if alarm && !(f64::from(least)..=f64::from(most)).contains(&value) {
-            self.report(Alarm::UserAlarmRange, start, self.at, msg!("nc.user-alarm-number", least, most));
+            self.report(Alarm::UserAlarmRange, start, self.cursor.at, msg!("nc.user-alarm-number", least, most));
         }
     }
 
     /// Whether `#n =` stands here.
     fn assigns_ahead(&self) -> bool {
-        let rest = self.line.get(self.at + 1..).unwrap_or_default();
+        let rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
         rest.iter().find(|b| !b.is_ascii_digit() && **b != b' ') == Some(&b'=') || rest.first() == Some(&b'[')
     }
 
@@ -393,25 +365,26 @@ impl Reader<'_> {
     fn end_of_macro(&mut self) -> Read<()> {
         loop {
             let byte = self.skip();
-            let start = self.at;
+            let start = self.cursor.at;
             match byte {
-                _ if self.ended() => return Ok(()),
+                _ if self.cursor.ended() => return Ok(()),
                 b'.' => self.stray_point(),
                 b']' => self.stray_square(),
                 b')' => self.stray_round()?,
                 b'#' if self.assigns_ahead() => {
-                    let finding = self.finding(Alarm::Format, start, self.line.len(), msg!("nc.second-assignment"));
+                    let finding =
+                        self.finding(Alarm::Format, start, self.cursor.line.len(), msg!("nc.second-assignment"));
                     let place = self.place(self.span(start, start));
                     let finding = finding.fix(msg!("nc.fix.own-block"), vec![(place, self.newline().to_owned())]);
                     self.report_as(Alarm::Format, finding);
-                    self.at = self.line.len();
+                    self.cursor.at = self.cursor.line.len();
                     return Ok(());
                 }
                 _ => {
                     let failure = match self.lost_comparison(Alarm::Format) {
                         Some(lost) => lost,
                         None if byte.is_ascii_alphabetic() => {
-                            self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), true)
+                            self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), true)
                         }
                         None => self.unexpected(),
                     };

@@ -1,50 +1,32 @@
 //! NC words: the fast path, taken by nearly every block.
 
-use super::super::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
-use super::super::codes::{code_of, g_number, m_number};
-use super::super::dec::Dec;
-use super::quick_fixes::Mend;
-use super::{Failure, LeftOut, Read, Reader};
 use crate::controls::macros::CallKind;
 use crate::controls::{Alarm, Code, CodeDef, CodeId};
 use crate::msg;
+use crate::nc::ast::{Expr, ExprId, Op, Stmt, Word, WordValue};
+use crate::nc::codes::{code_of, g_number, m_number};
+use crate::nc::dec::Dec;
+use crate::nc::lex::cursor::Digits;
+use crate::nc::parse::failure::{Failure, LeftOut, Mend, Read};
+use crate::nc::parse::reader::Reader;
 use crate::text::{DiagnosticKind, Message};
 
-/// Below it one more digit fits an `i64`.
-const FULL: i64 = 100_000_000_000_000_000;
-
 impl<'a> Reader<'a> {
-    /// The byte at hand; 0 at the end of the line.
-    #[inline]
-    pub(super) fn peek(&self) -> u8 {
-        self.line.get(self.at).copied().unwrap_or(0)
-    }
-
-    #[inline]
-    pub(super) fn ended(&self) -> bool {
-        self.at >= self.line.len()
-    }
-
-    /// Skips white space only.
-    pub(super) fn blank(&mut self) {
-        while matches!(self.peek(), b' ' | b'\t' | b'\r') {
-            self.at += 1;
-        }
-    }
-
     /// Skips white space and comments; the byte behind them, 0 at the end.
     #[inline]
-    pub(super) fn skip(&mut self) -> u8 {
-        let byte = self.peek();
+    pub(in crate::nc) fn skip(&mut self) -> u8 {
+        let byte = self.cursor.peek();
         // White space and the bracket of a comment are below all that a word is made of.
         if byte > b'(' { byte } else { self.skip_on() }
     }
 
     fn skip_on(&mut self) -> u8 {
         loop {
-            match self.peek() {
-                b' ' | b'\t' | b'\r' => self.at += 1,
-                b'(' if self.names().is_none() && !(self.rounds && self.arithmetic_ahead()) => self.take_comment(),
+            match self.cursor.peek() {
+                b' ' | b'\t' | b'\r' => self.cursor.at += 1,
+                b'(' if self.names().is_none() && !(self.formulas.rounds && self.arithmetic_ahead()) => {
+                    self.take_comment()
+                }
                 byte => return byte,
             }
         }
@@ -52,46 +34,46 @@ impl<'a> Reader<'a> {
 
     /// Reads the comment at hand; the first one is the block's.
     fn take_comment(&mut self) {
-        let open = self.at;
-        let inner = self.line.get(open + 1..).unwrap_or_default();
-        let close = inner.iter().position(|&b| b == b')');
-        let end = open + 1 + close.unwrap_or(inner.len());
-        if close.is_none() {
-            let finding =
-                self.finding(Alarm::CommentBracket, open, end, msg!("nc.open-comment")).kind(DiagnosticKind::OpenComment);
+        let open = self.cursor.at;
+        let (length, closed) = self.cursor.enclosed(b')');
+        let end = open + length - usize::from(closed);
+        if !closed {
+            let finding = self
+                .finding(Alarm::CommentBracket, open, end, msg!("nc.open-comment"))
+                .kind(DiagnosticKind::OpenComment);
             self.replace(Alarm::CommentBracket, finding, end, end, ")");
         }
-        let (from, to) = (self.base as usize + open + 1, self.base as usize + end);
+        let (from, to) = (self.cursor.base as usize + open + 1, self.cursor.base as usize + end);
         self.note_foreign(from, to);
-        if self.comment.is_none() {
-            self.comment = Some(self.deck.add_text(self.source.get(from..to).unwrap_or("")));
+        if self.block.comment.is_none() {
+            self.block.comment = Some(self.deck.add_text(self.file.text.get(from..to).unwrap_or("")));
         }
-        self.at = (end + 1).min(self.line.len());
+        self.cursor.at = (end + 1).min(self.cursor.line.len());
     }
 
     /// Remembers the first character of a comment that the control does not have.
-    pub(super) fn note_foreign(&mut self, from: usize, to: usize) {
-        let text = self.source.get(from..to).unwrap_or("");
-        if self.foreign.is_none() && !text.is_ascii() {
+    pub(in crate::nc) fn note_foreign(&mut self, from: usize, to: usize) {
+        let text = self.file.text.get(from..to).unwrap_or("");
+        if self.notes.foreign.is_none() && !text.is_ascii() {
             let found = text.char_indices().find(|(_, c)| !c.is_ascii());
             let span = |(offset, c): (usize, char)| {
                 let start = (from + offset) as u32;
                 crate::text::Span::new(start, start + c.len_utf8() as u32)
             };
-            self.foreign = found.map(span);
+            self.notes.foreign = found.map(span);
         }
     }
 
     /// A whole block: skip mark, sequence number, then macro text or words.
-    pub(super) fn statement(&mut self) -> Read<Stmt> {
+    pub(in crate::nc) fn statement(&mut self) -> Read<Stmt> {
         let mut first = self.skip();
         if first == b'/' {
-            self.at += 1;
-            self.skip_switch = 1;
+            self.cursor.at += 1;
+            self.block.skip_switch = 1;
             first = self.skip();
             if first.is_ascii_digit() {
-                self.at += 1;
-                self.skip_switch = (first - b'0').max(1);
+                self.cursor.at += 1;
+                self.block.skip_switch = (first - b'0').max(1);
                 first = self.skip();
             }
         }
@@ -102,30 +84,31 @@ impl<'a> Reader<'a> {
         if first == b'#' {
             return self.assignment();
         }
-        let letters = first.is_ascii_alphabetic() && self.line.get(self.at + 1).is_some_and(u8::is_ascii_alphabetic);
+        let letters = first.is_ascii_alphabetic()
+            && self.cursor.line.get(self.cursor.at + 1).is_some_and(u8::is_ascii_alphabetic);
         let keyword = if letters { self.keyword()? } else { None };
         keyword.map_or_else(|| self.words(), Ok)
     }
 
     fn sequence_number(&mut self) -> Read<()> {
-        let start = self.at;
+        let start = self.cursor.at;
         self.note_case(start);
-        self.at += 1;
-        self.blank();
-        let digits = self.line.get(self.at..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit()).count();
+        self.cursor.at += 1;
+        self.cursor.blank();
+        let digits = self.cursor.digits();
         if digits == 0 {
             return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number"), true));
         }
-        let text = self.line.get(self.at..self.at + digits).unwrap_or_default();
-        self.at += digits;
+        let text = self.cursor.line.get(self.cursor.at..self.cursor.at + digits).unwrap_or_default();
+        self.cursor.at += digits;
         let number = core::str::from_utf8(text).ok().and_then(|text| text.parse::<u32>().ok());
         let most = self.control.syntax.sequence_digits;
         match number {
-            Some(0) => self.report(Alarm::NumberZero, start, self.at, msg!("nc.sequence-zero")),
+            Some(0) => self.report(Alarm::NumberZero, start, self.cursor.at, msg!("nc.sequence-zero")),
             Some(_) if digits <= most as usize => {}
-            _ => self.report(Alarm::SequenceDigits, start, self.at, msg!("nc.sequence-digits", u32::from(most))),
+            _ => self.report(Alarm::SequenceDigits, start, self.cursor.at, msg!("nc.sequence-digits", u32::from(most))),
         }
-        self.number = number;
+        self.block.number = number;
         Ok(())
     }
 
@@ -137,18 +120,18 @@ impl<'a> Reader<'a> {
         loop {
             let byte = self.skip();
             if !byte.is_ascii_alphabetic() {
-                if self.ended() {
+                if self.cursor.ended() {
                     break;
                 }
                 self.between_words(byte, first)?;
                 continue;
             }
-            let start = self.at;
+            let start = self.cursor.at;
             let letter = byte & 0xDF;
             if byte != letter {
                 self.note_case(start);
             }
-            self.at += 1;
+            self.cursor.at += 1;
             let value = self.value(start, letter)?;
             seen |= 1 << (letter & 31);
             match (letter, value) {
@@ -156,7 +139,7 @@ impl<'a> Reader<'a> {
                 (b'M', WordValue::Number(number)) => calls |= self.m_code(number, start),
                 _ => {}
             }
-            let len = (self.at - start).min(u8::MAX as usize) as u8;
+            let len = (self.cursor.at - start).min(u8::MAX as usize) as u8;
             self.deck.words.push(Word { len, offset: start as u16, ..Word::new(letter, value) });
         }
         let count = self.deck.words.len() - first;
@@ -171,7 +154,7 @@ impl<'a> Reader<'a> {
         if count > self.tables.most_words {
             let start = self.deck.words.get(first + self.tables.most_words).map_or(0, |word| word.offset as usize);
             let message = msg!("nc.too-many-words", self.tables.most_words as u32);
-            self.report(Alarm::BlockWords, start, self.line.len(), message);
+            self.report(Alarm::BlockWords, start, self.cursor.line.len(), message);
         }
         Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
     }
@@ -240,7 +223,7 @@ impl<'a> Reader<'a> {
     fn needless_point(&mut self, letter: u8, number: Dec, start: usize, end: usize) {
         let message = msg!("nc.point-not-allowed", (letter as char).to_string());
         let finding = self.finding(Alarm::PointNotAllowed, start, end, message);
-        let text = self.line.get(start..end).unwrap_or_default();
+        let text = self.cursor.line.get(start..end).unwrap_or_default();
         match text.iter().position(|&b| b == b'.') {
             Some(point) if number.to_f64().fract() == 0.0 => {
                 self.replace(Alarm::PointNotAllowed, finding, start + point, end, "");
@@ -262,26 +245,26 @@ impl<'a> Reader<'a> {
 
     /// What is neither a word nor white space.
     fn between_words(&mut self, byte: u8, first: usize) -> Read<()> {
-        let start = self.at;
+        let start = self.cursor.at;
         match byte {
             // Behind a sequence number there is nothing to divide.
             b'/' if self.skip_mark_ahead()
-                || self.deck.words.len() == first && matches!(self.line.get(start + 1), Some(b'1'..=b'9')) =>
+                || self.deck.words.len() == first && matches!(self.cursor.line.get(start + 1), Some(b'1'..=b'9')) =>
             {
-                self.at += 1;
-                let switch = match self.peek() {
+                self.cursor.at += 1;
+                let switch = match self.cursor.peek() {
                     digit @ b'1'..=b'9' => {
-                        self.at += 1;
+                        self.cursor.at += 1;
                         digit - b'0'
                     }
                     _ => 1,
                 };
-                let len = (self.at - start) as u8;
+                let len = (self.cursor.at - start) as u8;
                 let value = WordValue::Number(Dec::int(switch.into()));
                 self.deck.words.push(Word { len, offset: start as u16, ..Word::new(b'/', value) });
             }
             b',' => {
-                self.at += 1;
+                self.cursor.at += 1;
                 let letter = self.skip();
                 if !letter.is_ascii_alphabetic() {
                     return Err(self.unexpected());
@@ -291,13 +274,13 @@ impl<'a> Reader<'a> {
                     self.slip(Alarm::IllegalAddress, start, start + 1, msg!("nc.comma-between"), "");
                     return Ok(());
                 }
-                self.at += 1;
+                self.cursor.at += 1;
                 self.value(start, letter & 0xDF)?;
                 let name = format!(",{}", (letter & 0xDF) as char);
-                self.not_simulated(LeftOut::Comma(letter), start, self.at, &name);
+                self.not_simulated(LeftOut::Comma(letter), start, self.cursor.at, &name);
             }
             b'#' if self.deck.words.len() > first => {
-                return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), true));
+                return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), true));
             }
             b'.' => self.stray_point(),
             b')' => self.stray_round()?,
@@ -312,32 +295,32 @@ impl<'a> Reader<'a> {
     fn value(&mut self, start: usize, letter: u8) -> Read<WordValue> {
         let mut next = self.skip();
         let mut sign = 1;
-        let value_at = self.at;
+        let value_at = self.cursor.at;
         if matches!(next, b'-' | b'+') {
-            let rest = self.line.get(self.at + 1..).unwrap_or_default();
+            let rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
             let gap = rest.iter().take_while(|b| **b == b' ').count();
             if let Some(&digit) = rest.get(gap).filter(|&&b| b.is_ascii_digit() || b == b'.') {
                 sign = if next == b'-' { -1 } else { 1 };
-                self.at += 1 + gap;
+                self.cursor.at += 1 + gap;
                 next = digit;
             }
         }
         if next.is_ascii_digit() || next == b'.' {
             let mut number = self.digits()?;
             number.mantissa *= sign;
-            let end = self.at;
+            let end = self.cursor.at;
             match self.skip() {
                 b'+' | b'-' | b'*' | b'/' | b'A' | b'M' | b'O' | b'X' | b'a' | b'm' | b'o' | b'x'
                     if self.operator_ahead() =>
                 {
-                    self.at = value_at;
+                    self.cursor.at = value_at;
                 }
                 b'.' => {
                     self.stray_point();
                     return Ok(WordValue::Number(number));
                 }
                 _ => {
-                    self.at = end;
+                    self.cursor.at = end;
                     if end - value_at >= self.tables.word_chars {
                         self.too_long(start, end);
                     }
@@ -352,9 +335,9 @@ impl<'a> Reader<'a> {
             self.check_enclosed(value, value_at);
         }
         while self.skip() == b'.' {
-            let lone = !self.line.get(self.at + 1).is_some_and(u8::is_ascii_digit);
+            let lone = !self.cursor.line.get(self.cursor.at + 1).is_some_and(u8::is_ascii_digit);
             if lone && self.tables.rules.variable_point {
-                self.at += 1;
+                self.cursor.at += 1;
             } else {
                 self.stray_point();
             }
@@ -365,7 +348,7 @@ impl<'a> Reader<'a> {
     /// A word of more characters than the control takes, unless its digits were too many already.
     #[cold]
     fn too_long(&mut self, from: usize, to: usize) {
-        let digits = self.line.get(from..to).unwrap_or_default().iter().filter(|b| b.is_ascii_digit()).count();
+        let digits = self.cursor.line.get(from..to).unwrap_or_default().iter().filter(|b| b.is_ascii_digit()).count();
         if digits <= self.tables.rules.digits {
             self.report(Alarm::Digits, from, to, msg!("nc.word-too-long", self.tables.word_chars as u32));
         }
@@ -377,7 +360,7 @@ impl<'a> Reader<'a> {
         if !matches!(self.deck.expr(value), Expr::Binary(op, ..) if op != Op::Atan) {
             return;
         }
-        let text = self.line.get(from..self.at).unwrap_or_default().trim_ascii_end();
+        let text = self.cursor.line.get(from..self.cursor.at).unwrap_or_default().trim_ascii_end();
         let mut depth = 0_i32;
         let closed = text.iter().position(|&byte| {
             depth += i32::from(byte == b'[') - i32::from(byte == b']');
@@ -403,9 +386,9 @@ impl<'a> Reader<'a> {
             _ => {}
         }
         // The address alone: X, or the start of a word that is none.
-        self.at = start;
+        self.cursor.at = start;
         if self.keyword_ahead() {
-            return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), false));
+            return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
         }
         let message = msg!("nc.no-value", (letter as char).to_string());
         Err(self.failure(Alarm::NoNumber, start, start + 1, message, true))
@@ -413,43 +396,29 @@ impl<'a> Reader<'a> {
 
     /// An unsigned number; the reader stands at a digit or a point.
     #[inline]
-    pub(super) fn digits(&mut self) -> Read<Dec> {
-        let start = self.at;
-        let (mut mantissa, mut scale, mut point, mut full) = (0_i64, 0_u8, false, false);
-        let (mut length, mut odd) = (0, false);
-        for &byte in self.line.get(start..).unwrap_or_default() {
-            let digit = byte.wrapping_sub(b'0');
-            if digit < 10 {
-                if mantissa >= FULL || scale >= 18 {
-                    full = true;
-                } else {
-                    mantissa = mantissa * 10 + i64::from(digit);
-                    scale += u8::from(point);
-                }
-            } else if byte == b'.' && !point {
-                point = true;
-            } else {
-                odd = matches!(byte, b',' | b'O' | b'o');
-                break;
-            }
-            length += 1;
-        }
-        self.at += length;
-        if odd {
+    pub(in crate::nc) fn digits(&mut self) -> Read<Dec> {
+        let start = self.cursor.at;
+        let Digits { value, length, full, behind } = self.cursor.take_digits();
+        if matches!(behind, b',' | b'O' | b'o') {
             self.odd_digit();
         }
-        if length == usize::from(point) {
-            return Err(self.failure(Alarm::Format, start, self.at, msg!("nc.lone-point"), false));
+        if length == usize::from(value.point) {
+            return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.lone-point"), false));
         }
-        if full || length > self.tables.rules.digits + usize::from(point) {
-            self.report(Alarm::Digits, start, self.at, msg!("nc.too-many-digits", self.tables.rules.digits as u32));
+        if full || length > self.tables.rules.digits + usize::from(value.point) {
+            self.report(
+                Alarm::Digits,
+                start,
+                self.cursor.at,
+                msg!("nc.too-many-digits", self.tables.rules.digits as u32),
+            );
         }
-        Ok(Dec { mantissa, scale, point })
+        Ok(value)
     }
 
     /// Looks a G code up; whether it is a macro call, which takes any letter.
     #[inline(always)]
-    pub(super) fn g_code(&mut self, number: Dec, start: usize) -> bool {
+    pub(in crate::nc) fn g_code(&mut self, number: Dec, start: usize) -> bool {
         let Some(id) = g_number(number).map(CodeId::G) else { return self.unknown_g_code(number, start) };
         if let Some(call) = self.tables.codes.call(id) {
             return call.kind != CallKind::Sub;
@@ -469,7 +438,7 @@ impl<'a> Reader<'a> {
                 Code::Tapping => msg!("nc.no-tapping", name),
                 _ => msg!("nc.not-simulated", name),
             };
-            self.say_once(LeftOut::Code(row.id), start, self.at, message);
+            self.say_once(LeftOut::Code(row.id), start, self.cursor.at, message);
         }
         matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)
     }
@@ -480,7 +449,7 @@ impl<'a> Reader<'a> {
         self.report(
             Alarm::UnknownCode,
             start,
-            self.at,
+            self.cursor.at,
             msg!("nc.unknown-code", format!("G{number}"), self.control.name),
         );
         false
@@ -488,7 +457,7 @@ impl<'a> Reader<'a> {
 
     /// Looks an M code up; whether it is a macro call.
     #[inline(always)]
-    pub(super) fn m_code(&mut self, number: Dec, start: usize) -> bool {
+    pub(in crate::nc) fn m_code(&mut self, number: Dec, start: usize) -> bool {
         let Some(id) = m_number(number).filter(|_| number.scale == 0).map(CodeId::M) else { return false };
         if let Some(call) = self.tables.codes.call(id) {
             return call.kind != CallKind::Sub;
@@ -496,7 +465,7 @@ impl<'a> Reader<'a> {
         match self.tables.codes.row(id).map(|row| (row, row.code)) {
             Some((row, Code::NotSimulated)) => {
                 let name = format!("M{number} ({})", row.text);
-                self.not_simulated(LeftOut::Code(id), start, self.at, &name);
+                self.not_simulated(LeftOut::Code(id), start, self.cursor.at, &name);
             }
             Some((_, Code::SubCall)) => self.note_later(),
             _ => {}
@@ -505,57 +474,58 @@ impl<'a> Reader<'a> {
     }
 
     /// Says once per kind that the control has it and the simulation does not act on it.
-    pub(super) fn not_simulated(&mut self, key: LeftOut, from: usize, to: usize, name: &str) {
+    pub(in crate::nc) fn not_simulated(&mut self, key: LeftOut, from: usize, to: usize, name: &str) {
         self.say_once(key, from, to, msg!("nc.not-simulated", name));
     }
 
     /// Says something once per kind.
-    pub(super) fn say_once(&mut self, key: LeftOut, from: usize, to: usize, message: Message) {
-        if !self.said.contains(&key) {
-            self.said.push(key);
-            let base = self.base as usize;
+    pub(in crate::nc) fn say_once(&mut self, key: LeftOut, from: usize, to: usize, message: Message) {
+        if !self.findings.left_out.contains(&key) {
+            self.findings.left_out.push(key);
+            let base = self.cursor.base as usize;
             self.warn(base + from, base + to, message);
         }
     }
 
     /// Remembers the first small letter.
     #[inline]
-    pub(super) fn note_case(&mut self, at: usize) {
-        if self.small.is_none() && self.line.get(at).is_some_and(u8::is_ascii_lowercase) {
-            self.small = Some(self.base + at as u32);
+    pub(in crate::nc) fn note_case(&mut self, at: usize) {
+        if self.notes.small.is_none() && self.cursor.line.get(at).is_some_and(u8::is_ascii_lowercase) {
+            self.notes.small = Some(self.cursor.base + at as u32);
         }
     }
 
     /// A point that ends nothing: `X#107.` or `X1.5.`; reported with its fix, and skipped.
-    pub(super) fn stray_point(&mut self) {
-        let start = self.at;
-        while self.peek() == b'.' || self.peek().is_ascii_digit() {
-            self.at += 1;
+    pub(in crate::nc) fn stray_point(&mut self) {
+        let start = self.cursor.at;
+        while self.cursor.peek() == b'.' || self.cursor.peek().is_ascii_digit() {
+            self.cursor.at += 1;
         }
-        let text = String::from_utf8_lossy(self.line.get(start..self.at).unwrap_or_default()).into_owned();
-        self.slip(Alarm::Format, start, self.at, msg!("nc.stray-point", text), "");
+        let text =
+            String::from_utf8_lossy(self.cursor.line.get(start..self.cursor.at).unwrap_or_default()).into_owned();
+        self.slip(Alarm::Format, start, self.cursor.at, msg!("nc.stray-point", text), "");
     }
 
     /// A `]` without its `[`; reported with its fix, and skipped.
-    pub(super) fn stray_square(&mut self) {
-        let start = self.at;
-        self.at += 1;
-        self.slip(Alarm::BracketPair, start, self.at, msg!("nc.unopened-square"), "");
+    pub(in crate::nc) fn stray_square(&mut self) {
+        let start = self.cursor.at;
+        self.cursor.at += 1;
+        self.slip(Alarm::BracketPair, start, self.cursor.at, msg!("nc.unopened-square"), "");
     }
 
     /// The failure of a byte that cannot stand at this place.
-    pub(super) fn unexpected(&self) -> Box<Failure> {
-        let start = self.at;
-        if self.ended() {
-            let before = self.line.get(..start).unwrap_or_default();
+    pub(in crate::nc) fn unexpected(&self) -> Box<Failure> {
+        let start = self.cursor.at;
+        if self.cursor.ended() {
+            let before = self.cursor.line.get(..start).unwrap_or_default();
             let last = before.iter().rposition(|b| b & 0xC0 != 0x80).unwrap_or(0);
             let mut failure = self.failure(Alarm::Format, last, start, msg!("nc.ends-early"), false);
             failure.finding.kind = DiagnosticKind::EndsEarly;
             return failure;
         }
-        let from = self.base as usize + start;
-        let character = self.source.get(from..).and_then(|rest| rest.chars().next()).unwrap_or('\u{fffd}');
-        let end = (start + character.len_utf8()).min(self.line.len());
+        let from = self.cursor.base as usize + start;
+        let character = self.file.text.get(from..).and_then(|rest| rest.chars().next()).unwrap_or('\u{fffd}');
+        let end = (start + character.len_utf8()).min(self.cursor.line.len());
         let shown = if character.is_control() { character.escape_default().to_string() } else { character.to_string() };
         let known = character.is_ascii_alphanumeric() || "+-*/.,#[]()=%;:".chars().any(|c| c == character);
         if known {
@@ -572,7 +542,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    pub(super) fn failure(
+    pub(in crate::nc) fn failure(
         &self,
         alarm: Alarm,
         from: usize,

@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use macroline::controls::CodeId;
 use macroline::controls::syntax::long;
-use macroline::nc::{Deck, Dimensioning, Expr, ExprId, JumpDirection, Parsed, Stmt, WordValue, part_span};
+use macroline::nc::{Deck, Dimensioning, Expr, ExprId, JumpDirection, Parsed, Stmt, WordValue};
 
 use super::{findings, read};
 
@@ -168,7 +168,7 @@ fn check_parts(block: &str, expected: Expect) {
     assert!(!parsed.has_errors(), "{}", findings(&parsed));
     let deck = parsed.deck();
     let place = parsed.place(0, &deck.blocks[1]);
-    let spans = (0..deck.exprs.len() as u32).filter_map(|at| part_span(&parsed, place, ExprId(at)));
+    let spans = (0..deck.exprs.len() as u32).filter_map(|at| parsed.expr_span(place, ExprId(at)));
     let texts: Vec<&str> = spans.map(|span| span.of(&parsed.files().0[0].text)).collect();
     expected.assert_eq(&texts.join(" | "));
 }

@@ -1,13 +1,13 @@
 //! Tree to text in a language with names: heads, labels, `=` behind addresses, comparisons weakest.
 
-use super::ast::{Block, Dimensioning, Expr, ExprId, JumpDirection, Op, Program, Stmt, Word, WordValue};
-use super::emit::Writer;
+use super::Writer;
 use crate::controls::CodeId;
 use crate::controls::syntax::{Function, Names, long};
+use crate::nc::ast::{Block, Dimensioning, Expr, ExprId, JumpDirection, Op, Program, Stmt, Word, WordValue};
 
 impl Writer<'_> {
     /// The lines in front of a program.
-    pub(super) fn head(&mut self, names: &Names, program: &Program, eol: &str) {
+    pub(in crate::nc) fn head(&mut self, names: &Names, program: &Program, eol: &str) {
         let (name, ending) = (self.deck.text(program.name), names.endings[usize::from(program.sub)]);
         self.text.push_str(&format!("%_N_{name}_{ending}{eol};$PATH=/_N_{ending}_DIR{eol}"));
     }

@@ -1,12 +1,13 @@
-//! Slips that leave no doubt about what was meant: said once, with their fix, and read as they were meant.
+//! Mistakes with one obvious correction: reported once with the fix, and read as corrected.
 
-use super::super::ast::{Expr, ExprId, Op, fresh_numbers};
-use super::super::dec::{Dec, POW10};
-use super::recover::prose;
-use super::statement::letters_of;
-use super::{Failure, Read, Reader};
 use crate::controls::Alarm;
 use crate::msg;
+use crate::nc::ast::{Expr, ExprId, Op, fresh_numbers};
+use crate::nc::dec::{Dec, POW10};
+use crate::nc::lex::keywords::letters_of;
+use crate::nc::lex::spelling::prose;
+use crate::nc::parse::failure::{Failure, Mend, Read};
+use crate::nc::parse::reader::Reader;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Message};
 
@@ -16,43 +17,31 @@ const NUMBERED: usize = 1 << 20;
 /// Lines that are searched for the other end of a loop.
 const SEARCHED: usize = 1000;
 
-/// What mends a mistake in a line.
-pub(super) enum Mend<'t> {
-    /// Other text in place of some bytes.
-    Write(usize, usize, &'t str),
-    /// Square brackets around some bytes.
-    Enclose(usize, usize),
-    /// `DO` at a byte, with the number of the `END` that has no other.
-    Do(usize),
-    /// The characters of the control, where this one is only another shape of one of them.
-    Plain(char),
-}
-
 impl Reader<'_> {
     /// Reports a finding, mended by other text in place of some bytes of the line.
-    pub(super) fn replace(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize, new: &str) {
+    pub(in crate::nc) fn replace(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize, new: &str) {
         let finding = self.mend(finding, Mend::Write(from, to, new));
         self.report_as(alarm, finding);
     }
 
     /// Reports bytes of the line that should be other text.
-    pub(super) fn slip(&mut self, alarm: Alarm, from: usize, to: usize, message: Message, new: &str) {
+    pub(in crate::nc) fn slip(&mut self, alarm: Alarm, from: usize, to: usize, message: Message, new: &str) {
         let finding = self.finding(alarm, from, to, message);
         self.replace(alarm, finding, from, to, new);
     }
 
     /// Reports a finding, mended by square brackets around some bytes of the line.
-    pub(super) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
+    pub(in crate::nc) fn enclose(&mut self, alarm: Alarm, finding: Diagnostic, from: usize, to: usize) {
         let finding = self.mend(finding, Mend::Enclose(from, to));
         self.report_as(alarm, finding);
     }
 
     /// A finding with what mends it.
-    pub(super) fn mend(&self, finding: Diagnostic, mend: Mend) -> Diagnostic {
+    pub(in crate::nc) fn mend(&self, finding: Diagnostic, mend: Mend) -> Diagnostic {
         let place = |from, to| self.place(self.span(from, to));
         match mend {
             Mend::Write(from, to, new) => {
-                let old = String::from_utf8_lossy(self.line.get(from..to).unwrap_or_default()).into_owned();
+                let old = String::from_utf8_lossy(self.cursor.line.get(from..to).unwrap_or_default()).into_owned();
                 let title = match (old.trim(), new.trim()) {
                     (old, "") => msg!("nc.fix.drop", old),
                     ("", new) => msg!("nc.fix.insert", new),
@@ -72,8 +61,9 @@ impl Reader<'_> {
                 None => finding,
             },
             Mend::Plain(character) => {
-                let start = self.base as usize;
-                let text = self.source.get(start..start + self.line.len()).filter(|_| plain(character) != character);
+                let start = self.cursor.base as usize;
+                let text =
+                    self.file.text.get(start..start + self.cursor.line.len()).filter(|_| plain(character) != character);
                 let Some(text) = text else { return finding };
                 let line = text.chars().map(plain).collect();
                 let finding = match plain(character) {
@@ -83,31 +73,32 @@ impl Reader<'_> {
                     }
                     _ => finding,
                 };
-                finding.fix(msg!("nc.fix.plain-characters"), vec![(place(0, self.line.len()), line)])
+                finding.fix(msg!("nc.fix.plain-characters"), vec![(place(0, self.cursor.line.len()), line)])
             }
         }
     }
 
     /// Where what was read ends, without the blanks that were skipped behind it.
-    pub(super) fn ended_at(&self) -> usize {
-        self.line.get(..self.at).unwrap_or_default().trim_ascii_end().len()
+    pub(in crate::nc) fn ended_at(&self) -> usize {
+        self.cursor.line.get(..self.cursor.at).unwrap_or_default().trim_ascii_end().len()
     }
 
     /// A word in place of what stands here, with spaces where there are none.
-    pub(super) fn spaced(&self, from: usize, to: usize, word: &str) -> String {
-        let blank = |at: Option<usize>| at.and_then(|at| self.line.get(at)).is_some_and(|b| matches!(b, b' ' | b'\t'));
+    pub(in crate::nc) fn spaced(&self, from: usize, to: usize, word: &str) -> String {
+        let blank =
+            |at: Option<usize>| at.and_then(|at| self.cursor.line.get(at)).is_some_and(|b| matches!(b, b' ' | b'\t'));
         let gap = |blank: bool| if blank { "" } else { " " };
         format!("{}{word}{}", gap(blank(from.checked_sub(1))), gap(blank(Some(to))))
     }
 
     /// The line end of the file.
-    pub(super) fn newline(&self) -> &'static str {
-        line_end(self.source)
+    pub(in crate::nc) fn newline(&self) -> &'static str {
+        line_end(self.file.text)
     }
 
     /// The optional block skip of the block, as it is written.
-    pub(super) fn skip_mark(&self) -> String {
-        match self.skip_switch {
+    pub(in crate::nc) fn skip_mark(&self) -> String {
+        match self.block.skip_switch {
             0 => String::new(),
             1 => "/".to_owned(),
             switch => format!("/{switch}"),
@@ -116,28 +107,28 @@ impl Reader<'_> {
 
     /// A sequence number that stands nowhere in the file and was not given out before.
     fn fresh_number(&mut self) -> Option<u32> {
-        if self.source.len() > NUMBERED {
+        if self.file.text.len() > NUMBERED {
             return None;
         }
-        if self.numbers.is_empty() {
-            let runs = self.source.split(|c: char| !c.is_ascii_digit());
-            self.numbers = runs.filter_map(|run| run.parse().ok()).chain([0]).collect();
-            self.numbers.sort_unstable();
+        if self.fresh.known.is_empty() {
+            let runs = self.file.text.split(|c: char| !c.is_ascii_digit());
+            self.fresh.known = runs.filter_map(|run| run.parse().ok()).chain([0]).collect();
+            self.fresh.known.sort_unstable();
         }
-        let free = |number: &u32| self.numbers.binary_search(number).is_err() && !self.taken.contains(number);
+        let free = |number: &u32| self.fresh.known.binary_search(number).is_err() && !self.fresh.taken.contains(number);
         let number = fresh_numbers().find(free)?;
-        self.taken.push(number);
+        self.fresh.taken.push(number);
         Some(number)
     }
 
     /// `IF … THEN`, from `then` to `behind`, mended by a jump over what depends on the condition.
-    pub(super) fn jump_instead(&mut self, finding: Diagnostic, then: usize, behind: usize) -> Diagnostic {
-        let rest = self.line.get(behind..).unwrap_or_default();
+    pub(in crate::nc) fn jump_instead(&mut self, finding: Diagnostic, then: usize, behind: usize) -> Diagnostic {
+        let rest = self.cursor.line.get(behind..).unwrap_or_default();
         let behind = behind + rest.len() - rest.trim_ascii_start().len();
-        let end = self.line.len();
+        let end = self.cursor.line.len();
         let number = if behind < end { self.fresh_number() } else { None };
         let Some(number) = number else { return finding };
-        let (from, to, op) = self.compared;
+        let (from, to, op) = self.formulas.compared;
         let newline = self.newline();
         let skip = self.skip_mark();
         let opposite = self.spaced(from, to, letters_of(op.opposite()));
@@ -150,7 +141,7 @@ impl Reader<'_> {
     }
 
     /// The failure of a `WHILE` without its `DO`; the number of the `END` that has no other is the one that was meant.
-    pub(super) fn while_without_do(&self, start: usize) -> Box<Failure> {
+    pub(in crate::nc) fn while_without_do(&self, start: usize) -> Box<Failure> {
         let at = self.ended_at().max(start + 5);
         let mut failure = self.failure(Alarm::WhileSentence, start, at, msg!("nc.while-without-do"), false);
         failure.finding = self.mend(failure.finding, Mend::Do(at));
@@ -159,7 +150,7 @@ impl Reader<'_> {
 
     /// The number of the next `END` in the file that no `DO` behind this line belongs to.
     fn next_end(&self) -> Option<&str> {
-        let behind = self.source.get(self.base as usize + self.line.len()..)?;
+        let behind = self.file.text.get(self.cursor.base as usize + self.cursor.line.len()..)?;
         let mut open = 0_u32;
         for line in behind.lines().take(SEARCHED) {
             let line = line.trim().trim_start_matches(|c: char| matches!(c, '/' | 'N' | 'n' | '0'..='9' | ' '));
@@ -180,53 +171,53 @@ impl Reader<'_> {
     }
 
     /// Signs `=` behind an address, which is none on these controls; skips them.
-    pub(super) fn equals_in_word(&mut self) {
-        let at = self.at;
+    pub(in crate::nc) fn equals_in_word(&mut self) {
+        let at = self.cursor.at;
         while self.skip() == b'=' {
-            self.at += 1;
+            self.cursor.at += 1;
         }
         let to = self.ended_at();
         self.slip(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
     }
 
     /// Whether a letter O directly behind an address stands for 0, which it is read as.
-    pub(super) fn zero_behind_letter(&mut self, start: usize) -> bool {
-        let at = core::mem::replace(&mut self.at, start);
-        let other = self.keyword_ahead() || prose(self.line.get(start..).unwrap_or_default());
-        self.at = at;
+    pub(in crate::nc) fn zero_behind_letter(&mut self, start: usize) -> bool {
+        let at = core::mem::replace(&mut self.cursor.at, start);
+        let other = self.keyword_ahead() || prose(self.cursor.line.get(start..).unwrap_or_default());
+        self.cursor.at = at;
         at == start + 1 && !other && self.zero_for_o()
     }
 
     /// A comma or a letter O in a number, which is at hand.
     #[cold]
-    pub(super) fn odd_digit(&mut self) {
+    pub(in crate::nc) fn odd_digit(&mut self) {
         self.zero_for_o();
         // In brackets a comma parts two numbers.
-        if self.peek() != b',' || self.names().is_some() && self.depth > 0 {
+        if self.cursor.peek() != b',' || self.names().is_some() && self.formulas.depth > 0 {
             return;
         }
-        let at = self.at;
-        let behind = self.line.get(at + 1..).unwrap_or_default();
+        let at = self.cursor.at;
+        let behind = self.cursor.line.get(at + 1..).unwrap_or_default();
         let digits = behind.iter().take_while(|b| b.is_ascii_digit()).count();
         if digits > 0 {
             self.slip(Alarm::Format, at, at + 1, msg!("nc.decimal-comma"), ".");
-            self.at += 1 + digits;
+            self.cursor.at += 1 + digits;
         }
     }
 
     /// `EX-3` behind a number that starts at `start`, if it stands there: a power of ten, which 18 digits have to hold.
     #[cold]
-    pub(super) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
-        if !self.ahead("EX") {
+    pub(in crate::nc) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
+        if !self.cursor.ahead("EX") {
             return number;
         }
-        self.at += 2;
-        let negative = self.peek() == b'-';
-        self.at += usize::from(matches!(self.peek(), b'-' | b'+'));
+        self.cursor.at += 2;
+        let negative = self.cursor.peek() == b'-';
+        self.cursor.at += usize::from(matches!(self.cursor.peek(), b'-' | b'+'));
         let mut exponent = 0_i32;
-        while self.peek().is_ascii_digit() {
-            exponent = exponent.saturating_mul(10).saturating_add(i32::from(self.peek() - b'0'));
-            self.at += 1;
+        while self.cursor.peek().is_ascii_digit() {
+            exponent = exponent.saturating_mul(10).saturating_add(i32::from(self.cursor.peek() - b'0'));
+            self.cursor.at += 1;
         }
         let exponent = if negative { -exponent } else { exponent };
         let scale = i32::from(number.scale).saturating_sub(exponent);
@@ -237,37 +228,37 @@ impl Reader<'_> {
             _ => whole.map(|mantissa| Dec { mantissa, scale: 0, point: true }),
         };
         if raised.is_none() && number.mantissa != 0 {
-            self.report(Alarm::Digits, start, self.at, msg!("nc.too-many-digits", 18));
+            self.report(Alarm::Digits, start, self.cursor.at, msg!("nc.too-many-digits", 18));
         }
         Dec { point: true, ..raised.unwrap_or_default() }
     }
 
     /// Letters O that stand in a number for zeros, with the digits behind them; whether there are any.
     #[cold]
-    pub(super) fn zero_for_o(&mut self) -> bool {
-        let from = self.at;
-        if !matches!(self.peek(), b'O' | b'o') || self.ahead("OR") {
+    pub(in crate::nc) fn zero_for_o(&mut self) -> bool {
+        let from = self.cursor.at;
+        if !matches!(self.cursor.peek(), b'O' | b'o') || self.cursor.ahead("OR") {
             return false;
         }
-        while matches!(self.peek(), b'O' | b'o' | b'.' | b'0'..=b'9') {
-            self.at += 1;
+        while matches!(self.cursor.peek(), b'O' | b'o' | b'.' | b'0'..=b'9') {
+            self.cursor.at += 1;
         }
-        let text = String::from_utf8_lossy(self.line.get(from..self.at).unwrap_or_default()).into_owned();
-        self.slip(Alarm::Format, from, self.at, msg!("nc.letter-o"), &text.replace(['O', 'o'], "0"));
+        let text = String::from_utf8_lossy(self.cursor.line.get(from..self.cursor.at).unwrap_or_default()).into_owned();
+        self.slip(Alarm::Format, from, self.cursor.at, msg!("nc.letter-o"), &text.replace(['O', 'o'], "0"));
         true
     }
 
     /// `a**b`, which no control has; `a` is from `start` to `end`, the second `*` is at hand.
     #[cold]
-    pub(super) fn power(&mut self, base: ExprId, start: usize, end: usize) -> Read<ExprId> {
-        self.at += 1;
+    pub(in crate::nc) fn power(&mut self, base: ExprId, start: usize, end: usize) -> Read<ExprId> {
+        self.cursor.at += 1;
         let exponent = self.factor()?;
-        let finding = self.finding(Alarm::Format, end, self.at, msg!("nc.no-power")).hint(msg!("nc.hint.power"));
-        let text = String::from_utf8_lossy(self.line.get(start..end).unwrap_or_default()).trim().to_owned();
+        let finding = self.finding(Alarm::Format, end, self.cursor.at, msg!("nc.no-power")).hint(msg!("nc.hint.power"));
+        let text = String::from_utf8_lossy(self.cursor.line.get(start..end).unwrap_or_default()).trim().to_owned();
         match (self.deck.expr(base), self.deck.expr(exponent)) {
             (Expr::Var(_) | Expr::Number(_), Expr::Number(Dec { mantissa: times @ 2..=4, scale: 0, .. })) => {
                 let product = format!("*{text}").repeat(times as usize - 1);
-                self.replace(Alarm::Format, finding, end, self.at, &product);
+                self.replace(Alarm::Format, finding, end, self.cursor.at, &product);
             }
             _ => self.report_as(Alarm::Format, finding),
         }
@@ -289,29 +280,3 @@ fn plain(c: char) -> char {
 
 /// Letters of the Cyrillic and the Greek alphabet, and those that they are taken for.
 const LIKE: (&str, &str) = ("АВЕКМНОРСТУХЅІЈаеорсухΑΒΕΖΗΙΚΜΝΟΡΤΥΧ", "ABEKMHOPCTYXSIJAEOPCYXABEZHIKMNOPTYX");
-
-/// Which of some names was meant by a name: one letter wrong, missing, too many or exchanged, or two in a long name.
-pub(super) fn meant<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<usize> {
-    let most = if name.len() > 4 { 2 } else { 1 };
-    let near = names.enumerate().map(|(at, known)| (distance(name.as_bytes(), known.as_bytes()), at));
-    near.filter(|&(distance, _)| distance <= most).min().map(|(_, at)| at)
-}
-
-/// How many letters are to be put in, left out, changed or exchanged with the next to get from one name to another.
-fn distance(a: &[u8], b: &[u8]) -> usize {
-    let mut before: Vec<usize> = Vec::new();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.iter().enumerate() {
-        let mut next = vec![i + 1];
-        for (j, y) in b.iter().enumerate() {
-            let mut least = (row[j] + usize::from(x != y)).min(row[j + 1] + 1).min(next[j] + 1);
-            if i > 0 && j > 0 && a[i - 1] == *y && b[j - 1] == *x {
-                least = least.min(before[j - 1] + 1);
-            }
-            next.push(least);
-        }
-        before = row;
-        row = next;
-    }
-    row.last().copied().unwrap_or(0)
-}

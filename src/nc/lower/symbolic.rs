@@ -8,12 +8,12 @@
 //! | `jumps` | loops, jumps to block numbers | jumps to labels |
 //! | `no_names` | calls by name, messages, what has no form without names | `M98`, a comment |
 
-use super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
-use super::codes::code_of;
-use super::dec::Dec;
-use super::parse::number_in;
 use crate::controls::syntax::Names;
 use crate::controls::{Alarm, Code, CodeId, Control};
+use crate::nc::ast::{Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
+use crate::nc::codes::code_of;
+use crate::nc::dec::Dec;
+use crate::nc::lex::names::number_in;
 use crate::text::Span;
 
 /// All rewrites for a language with names; `origins` follows the blocks.

@@ -1,15 +1,15 @@
-//! What can be said only when a program is read to its end: loops, jump targets, its last block.
+//! Checks of whole programs: loops, jump targets, the last block.
 
 use std::collections::BTreeSet;
 
-use super::super::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
-use super::super::codes::{code_of, m_number};
-use super::super::dec::Dec;
-use super::super::files::Files;
-use super::FINDINGS;
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, CodeId, Control};
 use crate::msg;
+use crate::nc::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
+use crate::nc::codes::{code_of, m_number};
+use crate::nc::dec::Dec;
+use crate::nc::files::Files;
+use crate::nc::parse::reader::FINDINGS;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Fix, Message, Place, Span};
 
@@ -20,7 +20,13 @@ const SEARCHED: usize = 10_000;
 const ANY: u16 = 0;
 
 /// Checks every program; `later` are its blocks with calls and jumps in words.
-pub(super) fn programs(deck: &Deck, control: &Control, files: &Files, later: &[u32], found: &mut Vec<Diagnostic>) {
+pub(in crate::nc) fn programs(
+    deck: &Deck,
+    control: &Control,
+    files: &Files,
+    later: &[u32],
+    found: &mut Vec<Diagnostic>,
+) {
     for (program, repeated) in deck.programs.iter().zip(repeated(deck)) {
         if found.len() > 2 * FINDINGS {
             return;
@@ -80,7 +86,7 @@ pub(super) struct Check<'a> {
 }
 
 impl Check<'_> {
-    pub(super) fn report(&mut self, alarm: Alarm, span: Span, message: Message) {
+    pub(in crate::nc) fn report(&mut self, alarm: Alarm, span: Span, message: Message) {
         let place = Place { file: self.program.file, span };
         let finding = Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(alarm));
         self.found.push(finding);

@@ -1,18 +1,18 @@
-//! What can be said of labels, jumps to them and messages only when a program is read to its end.
+//! Checks of whole programs in a language with names: labels, jumps to them, messages.
 
 use std::collections::BTreeMap;
 
-use super::super::ast::{Block, Expr, JumpDirection, Stmt, TextId};
-use super::FINDINGS;
-use super::check::Check;
-use super::quick_fixes::meant;
+use super::programs::Check;
 use crate::controls::Alarm;
 use crate::msg;
+use crate::nc::ast::{Block, Expr, JumpDirection, Stmt, TextId};
+use crate::nc::lex::spelling::meant;
+use crate::nc::parse::reader::FINDINGS;
 use crate::text::{Diagnostic, Place, Span};
 
 impl<'a> Check<'a> {
     /// Labels, the jumps to them, and messages.
-    pub(super) fn named(&mut self) {
+    pub(in crate::nc) fn named(&mut self) {
         let deck = self.deck;
         let blocks = deck.blocks_of(self.program);
         // The blocks of each label.
@@ -56,7 +56,7 @@ impl<'a> Check<'a> {
     ) {
         let name = self.deck.text(Some(label));
         let places = labels.get(name).map_or(&[][..], Vec::as_slice);
-        if places.iter().any(|&to| on_way(at, to, way)) || self.found.len() > 2 * FINDINGS {
+        if places.iter().any(|&to| way.reaches(at, to)) || self.found.len() > 2 * FINDINGS {
             return;
         }
         let span = self.jump_span(block, name);
@@ -106,7 +106,7 @@ impl<'a> Check<'a> {
     /// A jump to a block number, where there are such.
     fn block_number(&mut self, (at, block): (usize, &Block), number: i64, way: JumpDirection) {
         let blocks = self.deck.blocks_of(self.program);
-        let found = |(to, row): (usize, &Block)| row.number.map(i64::from) == Some(number) && on_way(at, to, way);
+        let found = |(to, row): (usize, &Block)| row.number.map(i64::from) == Some(number) && way.reaches(at, to);
         if !blocks.iter().enumerate().any(found) && self.found.len() <= 2 * FINDINGS {
             self.report(Alarm::NoSequence, block.span, msg!("nc.no-such-sequence", format!("N{number}")));
         }
@@ -150,14 +150,5 @@ impl<'a> Check<'a> {
             from += jump + 4;
         }
         block.span
-    }
-}
-
-/// Whether a jump that stands in one block finds another on its way.
-pub(in super::super) fn on_way(from: usize, to: usize, way: JumpDirection) -> bool {
-    match way {
-        JumpDirection::Around => true,
-        JumpDirection::Forward => to > from,
-        JumpDirection::Backward => to <= from,
     }
 }

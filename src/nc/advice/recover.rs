@@ -1,11 +1,14 @@
-//! What a block that does not read was meant to be: mistakes of a known shape, each said once and with its fix.
+//! Blocks that do not parse: mistakes of known shapes, each reported once with its fix.
 //!
 //! Tried in this order: a comment with brackets in it; a remark without brackets or behind `//`, in front of which a block may stand; round brackets used for arithmetic; else the
 //! failure as the control would meet it. Whatever is found, the block is bad: the control would stop there.
 
-use super::{FINDINGS, Failure, Mark, Read, Reader};
 use crate::controls::Alarm;
 use crate::msg;
+use crate::nc::lex::spelling::prose;
+use crate::nc::parse::failure::{Failure, Read};
+use crate::nc::parse::reader::Mark;
+use crate::nc::parse::reader::{FINDINGS, Reader};
 use crate::text::{DiagnosticKind, Place};
 
 /// Words that stand in arithmetic besides functions.
@@ -16,13 +19,13 @@ const LOOKED_AT: usize = 1000;
 
 impl Reader<'_> {
     /// Reports why the line at hand does not read.
-    pub(super) fn recover(&mut self, mark: Mark, first: Box<Failure>) {
-        let (alarm, whole) = (first.alarm, self.line);
-        if whole.len() > LOOKED_AT || self.found.len() > FINDINGS {
+    pub(in crate::nc) fn recover(&mut self, mark: Mark, first: Box<Failure>) {
+        let (alarm, whole) = (first.alarm, self.cursor.line);
+        if whole.len() > LOOKED_AT || self.findings.list.len() > FINDINGS {
             return self.add_finding(first.finding);
         }
         // A comment that is not closed was reported, and it hides the rest.
-        if self.found.iter().skip(mark.found).any(|finding| finding.kind == DiagnosticKind::OpenComment) {
+        if self.findings.list.iter().skip(mark.found).any(|finding| finding.kind == DiagnosticKind::OpenComment) {
             return;
         }
         if let Some((open, inner, close)) = self.nested_comment() {
@@ -42,7 +45,7 @@ impl Reader<'_> {
         let before = mark;
         self.report_remark(alarm, head.len(), from);
         let mark = self.mark();
-        self.line = head;
+        self.cursor.line = head;
         self.rewind();
         match self.statement() {
             // What looks like a remark stands where a value should.
@@ -53,19 +56,19 @@ impl Reader<'_> {
             Err(failure) => self.try_rounds(&mark, *failure),
             Ok(_) => {}
         }
-        self.line = whole;
+        self.cursor.line = whole;
     }
 
     /// Reads the line again with round brackets that group: if it reads then, they are the mistake.
     fn try_rounds(&mut self, mark: &Mark, failure: Failure) {
-        if !self.line.contains(&b'(') {
+        if !self.cursor.line.contains(&b'(') {
             return self.add_finding(failure.finding);
         }
         self.rollback(mark);
-        self.rounds = true;
+        self.formulas.rounds = true;
         let again = self.statement();
-        self.rounds = false;
-        let brackets = core::mem::take(&mut self.round_brackets);
+        self.formulas.rounds = false;
+        let brackets = core::mem::take(&mut self.formulas.round_brackets);
         if again.is_err() || brackets.is_empty() {
             self.rollback(mark);
             // For what it finds on the way to its failure.
@@ -86,10 +89,10 @@ impl Reader<'_> {
     fn remark(&self, failure: &Failure) -> Option<usize> {
         let mut at = 0;
         let mut comment = false;
-        while let Some(&byte) = self.line.get(at) {
-            let run = dashes(self.line, at);
-            let slashes = self.line.get(at..).is_some_and(|rest| rest.starts_with(b"//"));
-            if !comment && (slashes || is_remark(self.line, at, run)) {
+        while let Some(&byte) = self.cursor.line.get(at) {
+            let run = dashes(self.cursor.line, at);
+            let slashes = self.cursor.line.get(at..).is_some_and(|rest| rest.starts_with(b"//"));
+            if !comment && (slashes || is_remark(self.cursor.line, at, run)) {
                 return Some(at);
             }
             comment = match byte {
@@ -99,7 +102,7 @@ impl Reader<'_> {
             };
             at += run.max(1);
         }
-        let rest = self.line.get(failure.from..).unwrap_or_default();
+        let rest = self.cursor.line.get(failure.from..).unwrap_or_default();
         let condition = [&b"IF"[..], b"WHILE"].iter().any(|word| {
             let behind = rest.get(word.len()..).unwrap_or_default().trim_ascii_start();
             rest.starts_with(word) && behind.first() == Some(&b'[')
@@ -109,9 +112,9 @@ impl Reader<'_> {
 
     /// Reports a remark from `from`, and how to put it in brackets; what is kept of the block ends at `cut`.
     fn report_remark(&mut self, alarm: Alarm, cut: usize, from: usize) {
-        let end = self.line.len();
-        let start = self.base as usize;
-        let text = self.source.get(start + from..start + end).unwrap_or("");
+        let end = self.cursor.line.len();
+        let start = self.cursor.base as usize;
+        let text = self.file.text.get(start + from..start + end).unwrap_or("");
         let bare = text.trim_start_matches(|c: char| c.is_whitespace() || c == '/' || is_dash(c));
         let mut finding = self.finding(alarm, from, end, msg!("nc.remark", short(bare)));
         if let Some((title, number)) = program_in(text).filter(|_| from == 0 && self.only_comments()) {
@@ -123,15 +126,15 @@ impl Reader<'_> {
             );
         }
         // A `;` in front of it was meant to begin it.
-        let before = self.source.get(..start + cut).unwrap_or("").trim_end_matches([' ', '\t']);
-        let semicolon = self.semicolon.filter(|&at| cut == 0 && before.len() == at as usize + 1);
+        let before = self.file.text.get(..start + cut).unwrap_or("").trim_end_matches([' ', '\t']);
+        let semicolon = self.notes.semicolon.filter(|&at| cut == 0 && before.len() == at as usize + 1);
         let mut place = self.place(self.span(cut, end));
         let mut cut = cut;
         if let Some(at) = semicolon {
-            self.semicolon = None;
+            self.notes.semicolon = None;
             let head = before.strip_suffix(';').unwrap_or(before).trim_end_matches([' ', '\t']).len();
             place.span.start = head as u32;
-            cut = usize::from(!self.source.get(..at as usize).unwrap_or("").ends_with('\n'));
+            cut = usize::from(!self.file.text.get(..at as usize).unwrap_or("").ends_with('\n'));
         }
         finding = match comment(bare) {
             Some(comment) => {
@@ -148,10 +151,10 @@ impl Reader<'_> {
     fn nested_comment(&self) -> Option<(usize, Vec<usize>, usize)> {
         let mut from = 0;
         loop {
-            let open = from + self.line.get(from..)?.iter().position(|&b| b == b'(')?;
+            let open = from + self.cursor.line.get(from..)?.iter().position(|&b| b == b'(')?;
             let mut depth = 0_u32;
             let mut inner = Vec::new();
-            for (at, &byte) in self.line.iter().enumerate().skip(open + 1) {
+            for (at, &byte) in self.cursor.line.iter().enumerate().skip(open + 1) {
                 match byte {
                     b'(' => {
                         depth += 1;
@@ -170,13 +173,13 @@ impl Reader<'_> {
                     _ => {}
                 }
             }
-            from = open + 1 + self.line.get(open + 1..)?.iter().position(|&b| b == b')')?;
+            from = open + 1 + self.cursor.line.get(open + 1..)?.iter().position(|&b| b == b')')?;
         }
     }
 
     fn report_nested(&mut self, alarm: Alarm, open: usize, inner: &[usize], close: usize) {
         let edit = |&at: &usize| {
-            let bracket = if self.line.get(at) == Some(&b'(') { "[" } else { "]" };
+            let bracket = if self.cursor.line.get(at) == Some(&b'(') { "[" } else { "]" };
             (self.place(self.span(at, at + 1)), bracket.to_owned())
         };
         let edits = inner.iter().map(edit).collect();
@@ -185,24 +188,24 @@ impl Reader<'_> {
     }
 
     /// A `)` without its `(`; reported with its fix, and skipped. Fails where it ends a comment with brackets in it.
-    pub(super) fn stray_round(&mut self) -> Read<()> {
-        let close = self.at;
-        let short = self.line.len() <= LOOKED_AT;
+    pub(in crate::nc) fn stray_round(&mut self) -> Read<()> {
+        let close = self.cursor.at;
+        let short = self.cursor.line.len() <= LOOKED_AT;
         if short && self.nested_comment().is_some_and(|(_, _, end)| end == close) {
             return Err(self.failure(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round"), false));
         }
-        self.at += 1;
+        self.cursor.at += 1;
         self.slip(Alarm::CommentBracket, close, close + 1, msg!("nc.unopened-round"), "");
         Ok(())
     }
 
     /// Whether the round bracket at hand holds arithmetic and no prose.
-    pub(super) fn arithmetic_ahead(&self) -> bool {
-        self.arithmetic(self.at)
+    pub(in crate::nc) fn arithmetic_ahead(&self) -> bool {
+        self.arithmetic(self.cursor.at)
     }
 
     fn arithmetic(&self, open: usize) -> bool {
-        let inner = self.line.get(open + 1..).unwrap_or_default();
+        let inner = self.cursor.line.get(open + 1..).unwrap_or_default();
         let len = inner.iter().position(|&b| b == b')').unwrap_or(inner.len());
         let inner = inner.get(..len).unwrap_or_default();
         let functions = self.control.syntax.functions;
@@ -246,14 +249,6 @@ fn variable_alone(head: &[u8]) -> Option<usize> {
     let number = number.strip_prefix(b"N").or(number.strip_prefix(b"n")).unwrap_or(number).trim_ascii();
     let digits = |text: &[u8]| text.iter().all(u8::is_ascii_digit);
     (digits(number) && digits(variable.get(1..)?)).then_some(at)
-}
-
-/// Whether the text reads like words of a language: two or more runs of letters, one of them long.
-pub(super) fn prose(rest: &[u8]) -> bool {
-    let runs = rest.split(|b| !b.is_ascii_alphabetic()).filter(|run| run.len() >= 2);
-    let (count, longest) = runs.fold((0, 0), |(count, longest), run| (count + 1, longest.max(run.len())));
-    let start = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
-    start >= 2 && longest >= 3 && (count >= 2 || start == rest.len())
 }
 
 /// Title and number in `Title: P9100`.

@@ -1,9 +1,9 @@
-//! Habits from other languages and from paper: words, signs and forms that the control does not have, each with the way out.
+//! Words, signs and forms of other languages and of paper, each with its replacement on this control.
 
-use super::quick_fixes::Mend;
-use super::recover::prose;
-use super::{Failure, Reader};
 use crate::msg;
+use crate::nc::lex::spelling::prose;
+use crate::nc::parse::failure::{Failure, Mend};
+use crate::nc::parse::reader::Reader;
 use crate::text::{Diagnostic, Message};
 
 /// Words of other languages, and the sentence that helps.
@@ -23,7 +23,7 @@ const PI: &str = "3.14159265";
 
 impl Reader<'_> {
     /// What is said instead of a failure where a habit explains it; the alarm stays.
-    pub(super) fn habit(&self, failure: &Failure) -> Option<Diagnostic> {
+    pub(in crate::nc) fn habit(&self, failure: &Failure) -> Option<Diagnostic> {
         if self.names().is_some() {
             return None;
         }
@@ -34,10 +34,12 @@ impl Reader<'_> {
     /// Behind an optional block skip and a sequence number.
     fn statement_start(&self) -> usize {
         let lead = |b: &u8| matches!(b, b'/' | b'N' | b'n' | b'0'..=b'9' | b' ' | b'\t');
-        let letters = self.line.iter().take_while(|b| lead(b)).count();
+        let letters = self.cursor.line.iter().take_while(|b| lead(b)).count();
         // `NEXT` begins with no sequence number.
-        match self.line.get(letters) {
-            Some(b) if b.is_ascii_alphabetic() && letters > 0 && self.line[letters - 1].is_ascii_alphabetic() => {
+        match self.cursor.line.get(letters) {
+            Some(b)
+                if b.is_ascii_alphabetic() && letters > 0 && self.cursor.line[letters - 1].is_ascii_alphabetic() =>
+            {
                 letters - 1
             }
             _ => letters,
@@ -46,7 +48,7 @@ impl Reader<'_> {
 
     /// The letters that stand at a byte of the line, as capitals.
     fn letters_at(&self, at: usize) -> String {
-        let rest = self.line.get(at..).unwrap_or_default();
+        let rest = self.cursor.line.get(at..).unwrap_or_default();
         let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
         String::from_utf8_lossy(rest.get(..letters).unwrap_or_default()).to_ascii_uppercase()
     }
@@ -54,7 +56,7 @@ impl Reader<'_> {
     fn foreign_word(&self, failure: &Failure, at: usize) -> Option<Diagnostic> {
         let word = self.letters_at(at);
         let end = at + word.len();
-        if prose(self.line.get(end..).unwrap_or_default().trim_ascii()) {
+        if prose(self.cursor.line.get(end..).unwrap_or_default().trim_ascii()) {
             // `RETURN TO START` is a remark.
             return None;
         }
@@ -72,9 +74,9 @@ impl Reader<'_> {
 
     /// A sign or a number that cannot stand where it does.
     fn foreign_form(&self, failure: &Failure, at: usize) -> Option<Diagnostic> {
-        let byte = *self.line.get(at)?;
-        let before = self.line.get(..at).unwrap_or_default().trim_ascii_end();
-        let rest = self.line.get(at..).unwrap_or_default();
+        let byte = *self.cursor.line.get(at)?;
+        let before = self.cursor.line.get(..at).unwrap_or_default().trim_ascii_end();
+        let rest = self.cursor.line.get(at..).unwrap_or_default();
         let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
         let behind = rest.get(digits..).unwrap_or_default().trim_ascii_start();
         if byte == b'^' {

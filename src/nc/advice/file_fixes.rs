@@ -1,9 +1,10 @@
-//! Findings about a file as a whole, with fixes that reach through all of it.
+//! Findings about a whole file, with fixes: `%`, small letters, line ends, variables that the control lacks.
 
-use super::{BYTE_ORDER_MARK, FINDINGS, Misused, Reader};
 use crate::controls::syntax::Percent;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
+use crate::nc::parse::failure::Misused;
+use crate::nc::parse::reader::{BYTE_ORDER_MARK, FINDINGS, Reader};
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, DiagnosticKind, Span};
 
@@ -12,75 +13,75 @@ const WHOLE: usize = 1 << 20;
 
 impl Reader<'_> {
     /// What can be said only when the file is read: `%`, small letters, variables that do not exist.
-    pub(super) fn mend_file(&mut self, opened: bool, closed: bool) {
+    pub(in crate::nc) fn mend_file(&mut self, opened: bool, closed: bool) {
         if self.foreign_bytes() {
             return;
         }
-        if self.deck.programs.last().is_none_or(|program| program.file != self.id) {
+        if self.deck.programs.last().is_none_or(|program| program.file != self.file.id) {
             let place = self.place(Span::at(0));
-            return self.found.push(Diagnostic::warning(msg!("nc.empty-file")).at(place));
+            return self.findings.list.push(Diagnostic::warning(msg!("nc.empty-file")).at(place));
         }
         self.variables();
         let opened = opened || self.control.syntax.percent == Percent::End;
         if !(opened && closed) && self.control.syntax.percent != Percent::Head {
             self.percent(opened, closed);
         }
-        if let Some(at) = self.hash {
+        if let Some(at) = self.notes.hash {
             self.hashes(at);
         }
-        if let Some(at) = self.small.filter(|_| self.names().is_none()) {
+        if let Some(at) = self.notes.small.filter(|_| self.names().is_none()) {
             let place = self.place(Span::new(at, at + 1));
             let mut finding = Diagnostic::info(msg!("nc.small-letters", self.control.name)).at(place);
-            if self.source.len() <= WHOLE {
-                let all = self.place(Span::new(0, self.source.len() as u32));
-                finding = finding.fix(msg!("nc.fix.capitals"), vec![(all, self.source.to_ascii_uppercase())]);
+            if self.file.text.len() <= WHOLE {
+                let all = self.place(Span::new(0, self.file.text.len() as u32));
+                finding = finding.fix(msg!("nc.fix.capitals"), vec![(all, self.file.text.to_ascii_uppercase())]);
             }
-            self.found.push(finding);
+            self.findings.list.push(finding);
         }
-        if let Some(at) = self.semicolon {
+        if let Some(at) = self.notes.semicolon {
             let place = self.place(Span::new(at, at + 1));
-            self.found.push(Diagnostic::info(msg!("nc.semicolon")).at(place));
+            self.findings.list.push(Diagnostic::info(msg!("nc.semicolon")).at(place));
         }
-        if let Some(span) = self.foreign {
-            let text = span.of(self.source).to_owned();
+        if let Some(span) = self.notes.foreign {
+            let text = span.of(self.file.text).to_owned();
             let finding = Diagnostic::warning(msg!("nc.foreign-comment", text)).at(self.place(span));
-            self.found.push(finding);
+            self.findings.list.push(finding);
         }
     }
 
     /// A byte order mark, and lines that end as on no control: true for these, as then there is but one line.
     fn foreign_bytes(&mut self) -> bool {
-        if self.source.starts_with(BYTE_ORDER_MARK) {
+        if self.file.text.starts_with(BYTE_ORDER_MARK) {
             let place = self.place(Span::new(0, BYTE_ORDER_MARK.len_utf8() as u32));
             let finding = Diagnostic::warning(msg!("nc.byte-order-mark")).kind(DiagnosticKind::ByteOrderMark).at(place);
-            self.found.push(finding.fix(msg!("nc.fix.byte-order-mark"), vec![(place, String::new())]));
+            self.findings.list.push(finding.fix(msg!("nc.fix.byte-order-mark"), vec![(place, String::new())]));
         }
-        if !self.source.as_bytes().contains(&b'\n')
-            && let Some(at) = self.source.trim_ascii_end().find('\r')
+        if !self.file.text.as_bytes().contains(&b'\n')
+            && let Some(at) = self.file.text.trim_ascii_end().find('\r')
         {
             let at = self.place(Span::new(at as u32, at as u32 + 1));
             let mut finding = Diagnostic::error(msg!("nc.carriage-returns")).at(at);
-            if self.source.len() <= WHOLE {
-                let all = self.place(Span::new(0, self.source.len() as u32));
-                finding = finding.fix(msg!("nc.fix.line-ends"), vec![(all, self.source.replace('\r', "\n"))]);
+            if self.file.text.len() <= WHOLE {
+                let all = self.place(Span::new(0, self.file.text.len() as u32));
+                finding = finding.fix(msg!("nc.fix.line-ends"), vec![(all, self.file.text.replace('\r', "\n"))]);
             }
             // What was said of the text as one line.
-            self.found.retain(|finding| finding.kind == DiagnosticKind::ByteOrderMark);
-            self.found.push(finding);
+            self.findings.list.retain(|finding| finding.kind == DiagnosticKind::ByteOrderMark);
+            self.findings.list.push(finding);
             return true;
         }
         false
     }
 
     fn percent(&mut self, opened: bool, closed: bool) {
-        let newline = line_end(self.source);
-        let len = self.source.len() as u32;
+        let newline = line_end(self.file.text);
+        let len = self.file.text.len() as u32;
         let mut edits = Vec::new();
         if !opened {
             edits.push((self.place(Span::at(0)), format!("%{newline}")));
         }
         if !closed {
-            let lead = if self.source.ends_with('\n') { "" } else { newline };
+            let lead = if self.file.text.ends_with('\n') { "" } else { newline };
             edits.push((self.place(Span::at(len)), format!("{lead}%{newline}")));
         }
         let at = if opened { len } else { 0 };
@@ -89,13 +90,13 @@ impl Reader<'_> {
             Percent::End | Percent::Head => msg!("nc.no-last-percent"),
         };
         let finding = Diagnostic::info(message).at(self.place(Span::at(at)));
-        self.found.push(finding.fix(msg!("nc.fix.percent"), edits));
+        self.findings.list.push(finding.fix(msg!("nc.fix.percent"), edits));
     }
 
     /// Variables written as on other controls, the first of them.
     fn hash_misuse(&self, at: u32) -> Diagnostic {
         let letter = self.control.syntax.variable.to_string();
-        let name: String = self.source.get(at as usize..).unwrap_or("").chars().take(1).collect();
+        let name: String = self.file.text.get(at as usize..).unwrap_or("").chars().take(1).collect();
         let message = msg!("nc.hash-variable", letter, self.control.name);
         let place = self.place(Span::new(at, at + name.len() as u32));
         Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(Alarm::Format))
@@ -105,10 +106,10 @@ impl Reader<'_> {
     fn hashes(&mut self, at: u32) {
         let letter = self.control.syntax.variable.to_string();
         let mut finding = self.hash_misuse(at);
-        if self.source.len() <= WHOLE {
+        if self.file.text.len() <= WHOLE {
             let mut edits = Vec::new();
             let (mut comment, mut quoted) = (false, false);
-            for (at, byte) in (0..).zip(self.source.bytes()) {
+            for (at, byte) in (0..).zip(self.file.text.bytes()) {
                 match byte {
                     b'\n' => (comment, quoted) = (false, false),
                     b'"' => quoted ^= !comment,
@@ -124,7 +125,7 @@ impl Reader<'_> {
 
     /// A variable that the control lacks or does not let write.
     fn misuse(&self, row: &Misused) -> Diagnostic {
-        let name = row.span.of(self.source).trim();
+        let name = row.span.of(self.file.text).trim();
         let message = match (row.alarm, self.control.var(row.number)) {
             (Alarm::VariableRange, None) => msg!("nc.no-such-variable", name, self.control.name),
             (Alarm::VariableRange, Some(range)) => {
@@ -138,21 +139,21 @@ impl Reader<'_> {
 
     /// Variables that the control lacks or does not let write, each once, with a free one in their place.
     fn variables(&mut self) {
-        let misused = core::mem::take(&mut self.misused);
+        let misused = core::mem::take(&mut self.findings.misused);
         if misused.is_empty() {
             return;
         }
-        let known = self.source.len() <= WHOLE && self.names().is_none();
-        let named = if known { variables_of(self.source) } else { Vec::new() };
+        let known = self.file.text.len() <= WHOLE && self.names().is_none();
+        let named = if known { variables_of(self.file.text) } else { Vec::new() };
         let mut taken = Vec::new();
         for row in &misused {
             let mut finding = self.misuse(row);
             // What the PLC, the clock or the screen have on another control is no scratch variable, nor is what is only read.
             let written = |span: &Span| {
-                let behind = self.source.get(span.end as usize..).unwrap_or("");
+                let behind = self.file.text.get(span.end as usize..).unwrap_or("");
                 // Functions by number name their result behind P.
                 let result =
-                    || self.source.get(..span.start as usize).is_some_and(|before| before.ends_with(['P', 'p']));
+                    || self.file.text.get(..span.start as usize).is_some_and(|before| before.ends_with(['P', 'p']));
                 behind.trim_start_matches(' ').starts_with('=') || result()
             };
             let scratch = row.alarm == Alarm::VariableRange
@@ -162,7 +163,7 @@ impl Reader<'_> {
             let uses: Vec<Span> = uses.map(|&(_, span)| span).collect();
             if let Some(free) = self.free_variable(&named, &taken).filter(|_| scratch && !uses.is_empty()) {
                 taken.push(free);
-                let title = msg!("nc.fix.variable", format!("#{free}"), row.span.of(self.source).trim());
+                let title = msg!("nc.fix.variable", format!("#{free}"), row.span.of(self.file.text).trim());
                 let edits = uses.into_iter().map(|span| (self.place(span), format!("#{free}"))).collect();
                 finding = finding.fix(title, edits);
             } else if row.alarm == Alarm::VariableRange {
@@ -180,7 +181,7 @@ impl Reader<'_> {
             (range.first..=range.last).contains(number) && !named
         };
         let computed = |&&(number, span): &&(u32, Span)| {
-            let behind = self.source.get(span.end as usize..).unwrap_or("");
+            let behind = self.file.text.get(span.end as usize..).unwrap_or("");
             (range.first..=range.last).contains(&number) && behind.trim_start_matches(' ').starts_with('=')
         };
         let first = named.iter().filter(computed).map(|(number, _)| *number).min();

@@ -1,4 +1,4 @@
-//! Blocks of a language with names: labels, jumps to them, assignments, calls by name, messages.
+//! Blocks of a language with names: labels, jumps to labels, assignments, calls by name, messages.
 //!
 //! ```text
 //! block  := [ '/' ] [ ( N | ':' ) uint ] [ name ':' ] ( assigns | jumps | call | message | words ) [ ';' comment ]
@@ -11,29 +11,23 @@
 //! logic  := expr { ( AND | XOR | OR ) expr }
 //! ```
 
-use super::super::ast::{Expr, ExprId, JumpDirection, Op, Pair, Stmt};
-use super::super::dec::Dec;
-use super::program_header::begins_as_name;
-use super::quick_fixes::meant;
-use super::statement::{COMPARISONS, SIGNS};
-use super::{BLOCK_BYTES, Failure, Read, Reader, begins_character};
 use crate::controls::Alarm;
 use crate::msg;
+use crate::nc::ast::{Expr, ExprId, JumpDirection, Op, Pair, Stmt};
+use crate::nc::dec::Dec;
+use crate::nc::lex::keywords::{COMPARISONS, SIGNS};
+use crate::nc::lex::keywords::{FOREIGN_STATEMENTS, LOGIC, NAMED_STATEMENTS};
+use crate::nc::lex::names::begins_as_name;
+use crate::nc::lex::spelling::{meant, prose};
+use crate::nc::parse::failure::{Failure, Read};
+use crate::nc::parse::file::begins_character;
+use crate::nc::parse::reader::{BLOCK_BYTES, FINDINGS, Reader};
 use crate::text::{Message, Place, Span};
-
-/// Operators between truths, from the loosest; each binds closer than the one before.
-const LOGIC: [(&str, Op); 3] = [("OR", Op::Or), ("XOR", Op::Xor), ("AND", Op::And)];
-
-/// Words that open statements.
-const KEYWORDS: [&str; 4] = ["IF", "GOTOF", "GOTOB", "MSG"];
-
-/// Statements of the macro languages of other controls, and what stands for them here.
-const OTHERS: [&str; 5] = ["GOTO", "WHILE", "DO", "END", "THEN"];
 
 impl<'a> Reader<'a> {
     /// A line of a file: one block, `from < to`, without white space around it.
-    pub(super) fn named_block(&mut self, from: usize, to: usize) {
-        let source = self.source;
+    pub(in crate::nc) fn named_block(&mut self, from: usize, to: usize) {
+        let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
         if self.path(line) {
             return;
@@ -54,18 +48,18 @@ impl<'a> Reader<'a> {
             }
         };
         let most = self.tables.rules.block_chars as usize;
-        if code > most && self.bad.is_none() {
-            let rest = self.line.get(most..code).unwrap_or_default();
+        if code > most && self.block.bad.is_none() {
+            let rest = self.cursor.line.get(most..code).unwrap_or_default();
             let at = most + rest.iter().position(|&byte| begins_character(byte)).unwrap_or(rest.len());
             self.report(Alarm::BlockTooLong, at, code, msg!("nc.block-too-long", most as u32));
         }
-        self.line = line;
+        self.cursor.line = line;
         self.push(stmt);
     }
 
     /// Takes a line without its comment, which it notes; how long that is.
-    pub(super) fn take_named(&mut self, from: usize, to: usize) -> usize {
-        let source = self.source;
+    pub(in crate::nc) fn take_named(&mut self, from: usize, to: usize) -> usize {
+        let source = self.file.text;
         let line = source.as_bytes().get(from..to).unwrap_or_default();
         let mut quoted = false;
         let semicolon = line.iter().position(|&b| {
@@ -76,7 +70,7 @@ impl<'a> Reader<'a> {
         self.take_line(code, from);
         if let Some(at) = semicolon {
             self.note_foreign(from + at + 1, to);
-            self.comment = Some(self.deck.add_text(source.get(from + at + 1..to).unwrap_or("")));
+            self.block.comment = Some(self.deck.add_text(source.get(from + at + 1..to).unwrap_or("")));
         }
         code.len()
     }
@@ -84,8 +78,8 @@ impl<'a> Reader<'a> {
     /// Reports why a block does not read.
     #[cold]
     fn named_failure(&mut self, failure: Failure) -> Stmt {
-        let rest = self.line.get(failure.from..).unwrap_or_default();
-        let remark = failure.at_word && super::recover::prose(rest) && self.comment.is_none();
+        let rest = self.cursor.line.get(failure.from..).unwrap_or_default();
+        let remark = failure.at_word && prose(rest) && self.block.comment.is_none();
         let Failure { alarm, mut finding, from, .. } = failure;
         if remark && finding.fixes.is_empty() {
             let place = self.place(self.span(from, from));
@@ -96,19 +90,19 @@ impl<'a> Reader<'a> {
     }
 
     /// Skip mark, block number and label, then what the block says.
-    pub(super) fn named_statement(&mut self) -> Read<Stmt> {
+    pub(in crate::nc) fn named_statement(&mut self) -> Read<Stmt> {
         let mut first = self.skip();
         if first == b'/' {
-            self.at += 1;
-            self.skip_switch = 1;
+            self.cursor.at += 1;
+            self.block.skip_switch = 1;
             first = self.skip();
             if first.is_ascii_digit() {
-                self.at += 1;
-                self.skip_switch = (first - b'0').max(1);
+                self.cursor.at += 1;
+                self.block.skip_switch = (first - b'0').max(1);
                 first = self.skip();
             }
         }
-        let second = self.byte(1);
+        let second = self.cursor.byte(1);
         if first == b':' || first | 0x20 == b'n' && (second.is_ascii_digit() || second == b' ') {
             self.block_number()?;
             first = self.skip();
@@ -118,7 +112,7 @@ impl<'a> Reader<'a> {
         {
             return Ok(stmt);
         }
-        if self.label.is_some() {
+        if self.block.label.is_some() {
             first = self.skip();
             if self.named_ahead()
                 && let Some(stmt) = self.name_first()?
@@ -128,74 +122,61 @@ impl<'a> Reader<'a> {
         }
         match first | 0x20 {
             b'r' if self.parameter_ahead() => self.assignments(),
-            b'l' if self.byte(1).is_ascii_digit() => self.call(),
-            b'p' if self.byte(1).is_ascii_digit() && self.lone_name() => self.call(),
+            b'l' if self.cursor.byte(1).is_ascii_digit() => self.call(),
+            b'p' if self.cursor.byte(1).is_ascii_digit() && self.lone_name() => self.call(),
             b'o' if self.foreign_head() => Ok(Stmt::Empty),
             _ if first == b'#' => self.assignments(),
             _ => self.named_words(),
         }
     }
 
-    /// A byte behind the one at hand.
-    pub(super) fn byte(&self, behind: usize) -> u8 {
-        self.line.get(self.at + behind).copied().unwrap_or(0)
-    }
-
     /// Whether a name stands here that is more than a letter, or a letter that is meant as a label.
     #[inline]
     fn named_ahead(&self) -> bool {
         let name = |b: u8| b.is_ascii_alphabetic() || b == b'_';
-        name(self.peek()) && (name(self.byte(1)) || self.byte(1) == b':')
-    }
-
-    /// The name at hand as it is written.
-    pub(super) fn name(&self) -> &'a str {
-        let rest = self.line.get(self.at..).unwrap_or_default();
-        let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
-        core::str::from_utf8(rest.get(..len).unwrap_or_default()).unwrap_or("")
+        name(self.cursor.peek()) && (name(self.cursor.byte(1)) || self.cursor.byte(1) == b':')
     }
 
     /// Whether nothing but a name, and how often it runs, stands from here on.
     fn lone_name(&self) -> bool {
-        let mut words =
-            self.line.get(self.at..).unwrap_or_default().split(|b| *b == b' ').filter(|word| !word.is_empty());
+        let mut words = self.cursor.rest().split(|b| *b == b' ').filter(|word| !word.is_empty());
         let digits = |word: &[u8]| word.get(1..).unwrap_or_default().iter().all(u8::is_ascii_digit);
         words.next().is_some_and(digits) && words.all(|word| word.first().is_some_and(|b| b | 0x20 == b'p'))
     }
 
     /// `N10` or `:10`.
     fn block_number(&mut self) -> Read<()> {
-        let start = self.at;
-        self.main = self.peek() == b':';
-        self.at += 1;
-        self.blank();
-        let from = self.at;
+        let start = self.cursor.at;
+        self.block.main = self.cursor.peek() == b':';
+        self.cursor.at += 1;
+        self.cursor.blank();
+        let from = self.cursor.at;
         let mut number = 0_u32;
-        while self.peek().is_ascii_digit() {
-            number = number.saturating_mul(10).saturating_add(u32::from(self.peek() - b'0'));
-            self.at += 1;
+        while self.cursor.peek().is_ascii_digit() {
+            number = number.saturating_mul(10).saturating_add(u32::from(self.cursor.peek() - b'0'));
+            self.cursor.at += 1;
         }
-        if self.at == from {
+        if self.cursor.at == from {
             return Err(self.failure(Alarm::NoNumber, start, start + 1, msg!("nc.no-sequence-number"), true));
         }
         let most = self.control.syntax.sequence_digits;
-        if self.at - from > usize::from(most) {
-            self.report(Alarm::SequenceDigits, start, self.at, msg!("nc.sequence-digits", u32::from(most)));
+        if self.cursor.at - from > usize::from(most) {
+            self.report(Alarm::SequenceDigits, start, self.cursor.at, msg!("nc.sequence-digits", u32::from(most)));
         }
-        self.number = Some(number);
+        self.block.number = Some(number);
         Ok(())
     }
 
     /// What begins with a name: a label, which is noted, or a statement. `None` where a code or an address stands here.
     fn name_first(&mut self) -> Read<Option<Stmt>> {
-        let start = self.at;
-        let written = self.name();
+        let start = self.cursor.at;
+        let written = self.cursor.name();
         let name = written.to_ascii_uppercase();
-        let behind = self.line.get(start + name.len()..).unwrap_or_default().trim_ascii_start();
-        if behind.first() == Some(&b':') && self.label.is_none() {
-            self.at = self.line.len() - behind.len() + 1;
+        let behind = self.cursor.line.get(start + name.len()..).unwrap_or_default().trim_ascii_start();
+        if behind.first() == Some(&b':') && self.block.label.is_none() {
+            self.cursor.at = self.cursor.line.len() - behind.len() + 1;
             self.check_label(&name, start);
-            self.label = Some(self.deck.add_text(name));
+            self.block.label = Some(self.deck.add_text(name));
             return Ok(None);
         }
         match name.as_str() {
@@ -217,17 +198,18 @@ impl<'a> Reader<'a> {
             let message = msg!("nc.foreign-statement", name, self.control.name);
             return Err(self.failure(Alarm::Format, start, start + written.len(), message, false));
         }
-        let others =
-            OTHERS.iter().any(|word| name.strip_prefix(word).is_some_and(|n| n.bytes().all(|b| b.is_ascii_digit())));
-        if others || behind.starts_with(b"[") && OTHERS.contains(&name.as_str()) {
+        let others = FOREIGN_STATEMENTS
+            .iter()
+            .any(|word| name.strip_prefix(word).is_some_and(|n| n.bytes().all(|b| b.is_ascii_digit())));
+        if others || behind.starts_with(b"[") && FOREIGN_STATEMENTS.contains(&name.as_str()) {
             return Err(self.other_statement(start, &name));
         }
-        if let Some(at) = (!behind.is_empty()).then(|| meant(&name, KEYWORDS.into_iter())).flatten() {
+        if let Some(at) = (!behind.is_empty()).then(|| meant(&name, NAMED_STATEMENTS.into_iter())).flatten() {
             let message = msg!("nc.unknown-keyword", name);
             let mut failure = self.failure(Alarm::Format, start, start + written.len(), message, false);
             let place = self.place(self.span(start, start + written.len()));
-            let title = msg!("nc.fix.write", KEYWORDS[at]);
-            failure.finding = failure.finding.fix(title, vec![(place, KEYWORDS[at].to_owned())]);
+            let title = msg!("nc.fix.write", NAMED_STATEMENTS[at]);
+            failure.finding = failure.finding.fix(title, vec![(place, NAMED_STATEMENTS[at].to_owned())]);
             return Err(failure);
         }
         self.call().map(Some)
@@ -243,16 +225,18 @@ impl<'a> Reader<'a> {
 
     /// A call of a program: the name at hand, and how often it runs.
     fn call(&mut self) -> Read<Stmt> {
-        let start = self.at;
-        let written = self.name();
-        self.at += written.len();
-        let end = self.at;
+        let start = self.cursor.at;
+        let written = self.cursor.name();
+        self.cursor.at += written.len();
+        let end = self.cursor.at;
         let mut repeats = None;
-        if self.skip() | 0x20 == b'p' && (self.byte(1).is_ascii_digit() || matches!(self.byte(1), b'=' | b' ' | b'-')) {
-            let from = self.at;
-            self.at += 1;
+        if self.skip() | 0x20 == b'p'
+            && (self.cursor.byte(1).is_ascii_digit() || matches!(self.cursor.byte(1), b'=' | b' ' | b'-'))
+        {
+            let from = self.cursor.at;
+            self.cursor.at += 1;
             if self.skip() == b'=' {
-                self.at += 1;
+                self.cursor.at += 1;
                 repeats = Some(self.named_formula(false)?);
             } else {
                 repeats = Some(self.factor()?);
@@ -260,12 +244,12 @@ impl<'a> Reader<'a> {
             if let Some(Expr::Number(number)) = repeats.map(|id| self.deck.expr(id)) {
                 let most = self.control.limits.repeat_max;
                 if number.scale > 0 || !(1..=i64::from(most)).contains(&number.mantissa) {
-                    self.report(Alarm::RepeatRange, from, self.at, msg!("nc.repeat-range", most));
+                    self.report(Alarm::RepeatRange, from, self.cursor.at, msg!("nc.repeat-range", most));
                 }
             }
         }
         self.skip();
-        if !self.ended() {
+        if !self.cursor.ended() {
             return Err(self.not_a_call(start, end, written));
         }
         let name = self.deck.add_text(written.to_ascii_uppercase());
@@ -275,7 +259,7 @@ impl<'a> Reader<'a> {
     /// A name with words behind it, which no call has: a label without its colon, or a name that nothing has.
     fn not_a_call(&self, start: usize, end: usize, name: &str) -> Box<Failure> {
         // Looking through a large file for each such line would take too long.
-        if begins_as_name(name) && self.source.len() < 1 << 16 && self.jumped_to(name) {
+        if begins_as_name(name) && self.file.text.len() < 1 << 16 && self.jumped_to(name) {
             let mut failure = self.failure(Alarm::Format, start, end, msg!("nc.label-colon", name), false);
             let place = self.place(self.span(end, end));
             failure.finding = failure.finding.fix(msg!("nc.fix.insert", ":"), vec![(place, ":".to_owned())]);
@@ -288,12 +272,12 @@ impl<'a> Reader<'a> {
     }
 
     /// The failure of a name that nothing has, with what was meant where one letter is wrong.
-    pub(super) fn unknown_name(&self, start: usize, name: &str) -> Box<Failure> {
+    pub(in crate::nc) fn unknown_name(&self, start: usize, name: &str) -> Box<Failure> {
         let end = start + name.len();
         let message = msg!("nc.unknown-name", name, self.control.name);
         let mut failure = self.failure(Alarm::UnknownName, start, end, message, true);
         let Some(names) = self.names() else { return failure };
-        let behind = self.line.get(end..).unwrap_or_default().trim_ascii_start();
+        let behind = self.cursor.line.get(end..).unwrap_or_default().trim_ascii_start();
         if name == "LF" && matches!(behind.first(), None | Some(b';')) {
             let place = self.place(self.span(start, end));
             failure.finding.message = msg!("nc.printed-line-end");
@@ -314,7 +298,7 @@ impl<'a> Reader<'a> {
     /// Whether a jump of the file names a label.
     fn jumped_to(&self, name: &str) -> bool {
         let mut jump = false;
-        self.source.split_ascii_whitespace().any(|word| {
+        self.file.text.split_ascii_whitespace().any(|word| {
             let to = word.split(';').next().unwrap_or("");
             let found = jump && to.eq_ignore_ascii_case(name);
             jump = word.eq_ignore_ascii_case("GOTOF") || word.eq_ignore_ascii_case("GOTOB");
@@ -336,14 +320,14 @@ impl<'a> Reader<'a> {
 
     /// `GOTO 10` as a jump to a label, which is put in front of the first block with that number.
     fn label_instead(&self, start: usize, name: &str) -> Option<Vec<(Place, String)>> {
-        let behind = self.line.get(start..).and_then(|rest| core::str::from_utf8(rest).ok())?;
+        let behind = self.cursor.line.get(start..).and_then(|rest| core::str::from_utf8(rest).ok())?;
         let tail = behind.get(4..).filter(|_| name.starts_with("GOTO"))?;
         let digits = tail.trim_start().trim_start_matches(['N', 'n']);
         let digits = digits.get(..digits.bytes().take_while(u8::is_ascii_digit).count()).filter(|d| !d.is_empty())?;
         let end = start + behind.len() - (tail.len() - tail.find(digits)? - digits.len());
         let label = format!("LB{digits}");
         let mut from = 0;
-        for line in self.source.split('\n').take(super::FINDINGS) {
+        for line in self.file.text.split('\n').take(FINDINGS) {
             let lead = line.len() - line.trim_start().len() + 1;
             let number = line.get(lead..).filter(|_| line.trim_start().starts_with(['N', 'n']));
             let number = number
@@ -351,7 +335,7 @@ impl<'a> Reader<'a> {
                 .filter(|rest| !rest.starts_with(|c: char| c.is_ascii_digit()));
             if number.is_some() {
                 let at = (from + lead + digits.len()) as u32;
-                let way = if at < self.base { "GOTOB" } else { "GOTOF" };
+                let way = if at < self.cursor.base { "GOTOB" } else { "GOTOF" };
                 let target = self.place(Span::new(at, at));
                 let jump = self.spaced(start, end, way).trim_end().to_owned();
                 let jump = if start == 0 { way.to_owned() } else { jump };
@@ -369,18 +353,18 @@ impl<'a> Reader<'a> {
     fn conditions(&mut self) -> Read<Stmt> {
         let first = self.deck.pairs.len();
         while self.take_word("IF") {
-            let start = self.at;
+            let start = self.cursor.at;
             self.skip();
-            if self.named_jump_ahead() || self.ended() {
+            if self.named_jump_ahead() || self.cursor.ended() {
                 let message = msg!("nc.no-named-condition");
                 return Err(self.failure(Alarm::IfSentence, start.saturating_sub(2), start, message, false));
             }
             let left = self.named_formula(true)?;
             self.skip();
             if !self.named_jump_ahead() {
-                let end = self.line.len();
-                if self.ahead("GOTO") {
-                    return Err(self.other_statement(self.at, "GOTO"));
+                let end = self.cursor.line.len();
+                if self.cursor.ahead("GOTO") {
+                    return Err(self.other_statement(self.cursor.at, "GOTO"));
                 }
                 return Err(self.failure(
                     Alarm::IfSentence,
@@ -406,73 +390,76 @@ impl<'a> Reader<'a> {
     }
 
     fn named_jump_ahead(&self) -> bool {
-        let name = self.name();
+        let name = self.cursor.name();
         name.eq_ignore_ascii_case("GOTOF") || name.eq_ignore_ascii_case("GOTOB")
     }
 
     /// Takes a word that is a name.
     fn take_word(&mut self, word: &str) -> bool {
-        let ahead = self.name().eq_ignore_ascii_case(word);
-        self.at += if ahead { word.len() } else { 0 };
+        let ahead = self.cursor.name().eq_ignore_ascii_case(word);
+        self.cursor.at += if ahead { word.len() } else { 0 };
         ahead
     }
 
     /// `GOTOF label`; the reader stands at the word.
     fn jump(&mut self) -> Read<(ExprId, JumpDirection)> {
-        let word = self.at;
-        let way = if self.byte(4) | 0x20 == b'f' { JumpDirection::Forward } else { JumpDirection::Backward };
-        self.at += 5;
+        let word = self.cursor.at;
+        let way = if self.cursor.byte(4) | 0x20 == b'f' { JumpDirection::Forward } else { JumpDirection::Backward };
+        self.cursor.at += 5;
         self.skip();
-        let start = self.at;
-        let name = self.name();
+        let start = self.cursor.at;
+        let name = self.cursor.name();
         let number = name.strip_prefix(['N', 'n']).unwrap_or(name);
         if !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()) {
-            self.at += name.len();
+            self.cursor.at += name.len();
             if !self.tables.rules.number_jumps {
                 let finding =
-                    self.finding(Alarm::NoSequence, start, self.at, msg!("nc.number-jump", self.control.name));
+                    self.finding(Alarm::NoSequence, start, self.cursor.at, msg!("nc.number-jump", self.control.name));
                 self.report_as(Alarm::NoSequence, finding.hint(msg!("nc.hint.number-jump")));
             }
             let number = Dec::int(number.parse().unwrap_or(i64::from(u32::MAX)));
             return Ok((self.part(Expr::Number(number), start)?, way));
         }
         if name.is_empty() || name.starts_with(|c: char| c.is_ascii_digit()) {
-            let text = self.line.get(word..word + 5).and_then(|text| core::str::from_utf8(text).ok()).unwrap_or("");
+            let text =
+                self.cursor.line.get(word..word + 5).and_then(|text| core::str::from_utf8(text).ok()).unwrap_or("");
             return Err(self.failure(Alarm::IfSentence, word, word + 5, msg!("nc.no-label", text), false));
         }
         // What is wrong with the name is said where the label stands.
-        self.at += name.len();
+        self.cursor.at += name.len();
         let label = self.deck.add_text(name.to_ascii_uppercase());
         Ok((self.part(Expr::Label(label), start)?, way))
     }
 
     /// `MSG("text")`.
     fn message(&mut self) -> Read<Stmt> {
-        let start = self.at;
-        self.at += 3;
+        let start = self.cursor.at;
+        self.cursor.at += 3;
         let form =
             |reader: &Self, end: usize| reader.failure(Alarm::Format, start, end, msg!("nc.message-form"), false);
         if self.skip() != b'(' {
             return Err(form(self, start + 3));
         }
-        self.at += 1;
+        self.cursor.at += 1;
         let mut text = None;
         if self.skip() == b'"' {
-            let from = self.at + 1;
-            let inner = self.line.get(from..).unwrap_or_default();
-            let Some(len) = inner.iter().position(|&b| b == b'"') else { return Err(form(self, self.line.len())) };
-            let base = self.base as usize + from;
+            let from = self.cursor.at + 1;
+            let inner = self.cursor.line.get(from..).unwrap_or_default();
+            let Some(len) = inner.iter().position(|&b| b == b'"') else {
+                return Err(form(self, self.cursor.line.len()));
+            };
+            let base = self.cursor.base as usize + from;
             self.note_foreign(base, base + len);
-            text = Some(self.deck.add_text(self.source.get(base..base + len).unwrap_or("")));
-            self.at = from + len + 1;
+            text = Some(self.deck.add_text(self.file.text.get(base..base + len).unwrap_or("")));
+            self.cursor.at = from + len + 1;
         }
         if self.skip() != b')' {
-            return Err(form(self, self.line.len()));
+            return Err(form(self, self.cursor.line.len()));
         }
-        self.at += 1;
+        self.cursor.at += 1;
         self.skip();
-        if !self.ended() {
-            let end = self.line.len();
+        if !self.cursor.ended() {
+            let end = self.cursor.line.len();
             self.report(Alarm::NotAlone, start, end, msg!("nc.stands-alone", "MSG"));
         }
         Ok(Stmt::Message(text))
@@ -482,32 +469,32 @@ impl<'a> Reader<'a> {
     fn assignments(&mut self) -> Read<Stmt> {
         let first = self.deck.pairs.len();
         loop {
-            let start = self.at;
-            let left = if self.peek() == b'#' { self.hash_variable(true)? } else { self.variable(true)? };
-            let end = self.at;
+            let start = self.cursor.at;
+            let left = if self.cursor.peek() == b'#' { self.hash_variable(true)? } else { self.variable(true)? };
+            let end = self.cursor.at;
             if self.skip() != b'=' {
                 return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
             }
-            self.at += 1;
+            self.cursor.at += 1;
             if self.skip() == b'=' {
-                self.slip(Alarm::Format, self.at, self.at + 1, msg!("nc.double-equals"), "");
-                self.at += 1;
+                self.slip(Alarm::Format, self.cursor.at, self.cursor.at + 1, msg!("nc.double-equals"), "");
+                self.cursor.at += 1;
             }
             let right = self.named_formula(false)?;
             self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around });
             self.skip();
-            if !(self.parameter_ahead() || self.peek() == b'#') {
+            if !(self.parameter_ahead() || self.cursor.peek() == b'#') {
                 break;
             }
         }
-        let letter = self.peek().is_ascii_alphabetic();
+        let letter = self.cursor.peek().is_ascii_alphabetic();
         if letter {
-            let (start, end) = (self.at, self.line.len());
+            let (start, end) = (self.cursor.at, self.cursor.line.len());
             let finding = self.finding(Alarm::Mixed, start, end, msg!("nc.assignments-alone"));
             let place = self.place(self.span(start, start));
             let finding = finding.fix(msg!("nc.fix.own-block"), vec![(place, self.newline().to_owned())]);
             self.report_as(Alarm::Mixed, finding);
-            self.at = end;
+            self.cursor.at = end;
         }
         self.end_of_named()?;
         let count = self.deck.pairs.len() - first;
@@ -523,10 +510,10 @@ impl<'a> Reader<'a> {
     /// Nothing may follow.
     fn end_of_named(&mut self) -> Read<()> {
         match self.skip() {
-            _ if self.ended() => Ok(()),
+            _ if self.cursor.ended() => Ok(()),
             b'(' if self.foreign_comment() => Ok(()),
             byte if byte.is_ascii_alphabetic() => {
-                Err(self.failure(Alarm::Mixed, self.at, self.line.len(), msg!("nc.mixed"), true))
+                Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed"), true))
             }
             _ => Err(self.unexpected()),
         }
@@ -534,13 +521,15 @@ impl<'a> Reader<'a> {
 
     /// Whether a variable stands here: its letter with a number or an index.
     #[inline]
-    pub(super) fn parameter_ahead(&self) -> bool {
-        self.names().is_some() && self.peek() | 0x20 == b'r' && (self.byte(1).is_ascii_digit() || self.byte(1) == b'[')
+    pub(in crate::nc) fn parameter_ahead(&self) -> bool {
+        self.names().is_some()
+            && self.cursor.peek() | 0x20 == b'r'
+            && (self.cursor.byte(1).is_ascii_digit() || self.cursor.byte(1) == b'[')
     }
 
     /// An expression in which comparisons come last; in a condition a lone `=` is meant as one.
-    pub(super) fn named_formula(&mut self, condition: bool) -> Read<ExprId> {
-        let start = self.at;
+    pub(in crate::nc) fn named_formula(&mut self, condition: bool) -> Read<ExprId> {
+        let start = self.cursor.at;
         let mut left = self.logic(0)?;
         while let Some(op) = self.named_comparison(condition) {
             let right = self.logic(0)?;
@@ -550,7 +539,7 @@ impl<'a> Reader<'a> {
     }
 
     fn logic(&mut self, least: usize) -> Read<ExprId> {
-        let start = self.at;
+        let start = self.cursor.at;
         let mut left = match self.negation()? {
             Some(left) => left,
             None => self.formula(false)?,
@@ -560,14 +549,14 @@ impl<'a> Reader<'a> {
             if !byte.is_ascii_alphabetic() {
                 return Ok(left);
             }
-            let name = self.name();
+            let name = self.cursor.name();
             let Some(level) = LOGIC.iter().position(|(word, _)| name.eq_ignore_ascii_case(word)) else {
                 return Ok(left);
             };
             if level < least {
                 return Ok(left);
             }
-            self.at += name.len();
+            self.cursor.at += name.len();
             self.skip();
             let right = self.logic(level + 1)?;
             left = self.part(Expr::Binary(LOGIC[level].1, left, right), start)?;
@@ -577,94 +566,106 @@ impl<'a> Reader<'a> {
     /// `NOT value`: what is told apart from 0 by being 0.
     fn negation(&mut self) -> Read<Option<ExprId>> {
         let byte = self.skip();
-        if byte | 0x20 != b'n' || !self.name().eq_ignore_ascii_case("NOT") {
+        if byte | 0x20 != b'n' || !self.cursor.name().eq_ignore_ascii_case("NOT") {
             return Ok(None);
         }
-        let start = self.at;
-        self.at += 3;
+        let start = self.cursor.at;
+        self.cursor.at += 3;
         self.deeper()?;
         let inner = self.factor()?;
-        self.depth -= 1;
+        self.formulas.depth -= 1;
         let zero = self.part(Expr::Number(Dec::int(0)), start)?;
         self.part(Expr::Binary(Op::Equal, inner, zero), start).map(Some)
     }
 
     /// Takes `DIV`, which divides to a whole number.
     #[cold]
-    pub(super) fn quotient_ahead(&mut self) -> bool {
+    pub(in crate::nc) fn quotient_ahead(&mut self) -> bool {
         self.take_word("DIV")
     }
 
     fn named_comparison(&mut self, condition: bool) -> Option<Op> {
         let byte = self.skip();
-        let from = self.at;
+        let from = self.cursor.at;
         if byte.is_ascii_alphabetic() {
-            let name = self.name();
+            let name = self.cursor.name();
             let &(word, op) = COMPARISONS.iter().find(|(word, _)| name.eq_ignore_ascii_case(word))?;
-            self.at += 2;
+            self.cursor.at += 2;
             let sign = sign_of(op);
-            self.slip(Alarm::Format, from, self.at, msg!("nc.comparison-sign", word, self.control.name, sign), sign);
+            self.slip(
+                Alarm::Format,
+                from,
+                self.cursor.at,
+                msg!("nc.comparison-sign", word, self.control.name, sign),
+                sign,
+            );
             return Some(op);
         }
-        let &(sign, op, known) = SIGNS.iter().find(|(sign, ..)| self.ahead(sign))?;
+        let &(sign, op, known) = SIGNS.iter().find(|(sign, ..)| self.cursor.ahead(sign))?;
         if !known && !condition {
             return None;
         }
-        self.at += sign.len();
+        self.cursor.at += sign.len();
         if !known {
             let right = sign_of(op);
-            self.slip(Alarm::Format, from, self.at, msg!("nc.comparison-sign", sign, self.control.name, right), right);
+            self.slip(
+                Alarm::Format,
+                from,
+                self.cursor.at,
+                msg!("nc.comparison-sign", sign, self.control.name, right),
+                right,
+            );
         }
         Some(op)
     }
 
     /// `ATAN2(y, x)`; the reader stands at the bracket.
-    pub(super) fn two_arguments(&mut self, start: usize) -> Read<ExprId> {
+    pub(in crate::nc) fn two_arguments(&mut self, start: usize) -> Read<ExprId> {
         self.deeper()?;
         let open = self.open(b')');
         let left = self.named_formula(false)?;
         if self.skip() != b',' {
             let message: Message = msg!("nc.two-arguments");
-            return Err(self.failure(Alarm::AtanForm, start, self.at, message, false));
+            return Err(self.failure(Alarm::AtanForm, start, self.cursor.at, message, false));
         }
-        self.at += 1;
+        self.cursor.at += 1;
         let right = self.named_formula(false)?;
         self.close(open)?;
-        self.depth -= 1;
+        self.formulas.depth -= 1;
         self.part(Expr::Binary(Op::Atan, left, right), start)
     }
 
     /// `[ expr ]` for grouping, which other controls have; read as it was meant.
     #[cold]
-    pub(super) fn square_group(&mut self) -> Read<ExprId> {
-        let start = self.at;
+    pub(in crate::nc) fn square_group(&mut self) -> Read<ExprId> {
+        let start = self.cursor.at;
         let inner = self.group(b']')?;
-        let finding = self.finding(Alarm::Format, start, self.at, msg!("nc.square-brackets", self.control.name));
+        let finding = self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.square-brackets", self.control.name));
         let edit = |at: usize, bracket: &str| (self.place(self.span(at, at + 1)), bracket.to_owned());
-        let edits = vec![edit(start, "("), edit(self.at - 1, ")")];
+        let edits = vec![edit(start, "("), edit(self.cursor.at - 1, ")")];
         self.report_as(Alarm::Format, finding.fix(msg!("nc.fix.round"), edits));
         Ok(inner)
     }
 
     /// `#1`, as other controls write variables; told once for the file.
     #[cold]
-    pub(super) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
-        self.hash.get_or_insert(self.base + self.at as u32);
-        self.bad.get_or_insert(Alarm::Format);
+    pub(in crate::nc) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
+        self.notes.hash.get_or_insert(self.cursor.base + self.cursor.at as u32);
+        self.block.bad.get_or_insert(Alarm::Format);
         self.variable(written)
     }
 
     /// `$P_S`: data of the control that the simulation does not keep.
     #[cold]
-    pub(super) fn system_variable(&self) -> Box<Failure> {
-        let rest = self.line.get(self.at..).unwrap_or_default();
+    pub(in crate::nc) fn system_variable(&self) -> Box<Failure> {
+        let rest = self.cursor.rest();
         let len = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'$' | b'_')).count();
         let name = String::from_utf8_lossy(rest.get(..len).unwrap_or_default()).into_owned();
-        self.failure(Alarm::Budget, self.at, self.at + len, msg!("nc.system-variable", name), false)
+        self.failure(Alarm::Budget, self.cursor.at, self.cursor.at + len, msg!("nc.system-variable", name), false)
     }
 }
 
 /// The sign of a comparison.
-pub(in super::super) fn sign_of(op: Op) -> &'static str {
+pub(in crate::nc) fn sign_of(op: Op) -> &'static str {
     SIGNS.iter().find(|row| row.1 == op && row.2).map_or("", |row| row.0)
 }

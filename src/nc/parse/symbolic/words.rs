@@ -1,12 +1,13 @@
-//! NC words of a language with names: addresses of several letters, values behind `=`, codes that are names.
+//! NC words of a language with names: addresses of several letters, values behind `=`, codes with names.
 
-use super::super::ast::{Dimensioning, Expr, Stmt, Word, WordValue};
-use super::super::codes::{g_number, m_number};
-use super::super::dec::Dec;
-use super::{LeftOut, Read, Reader};
 use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, CodeDef, CodeId, Group};
 use crate::msg;
+use crate::nc::ast::{Dimensioning, Expr, Stmt, Word, WordValue};
+use crate::nc::codes::{g_number, m_number};
+use crate::nc::dec::Dec;
+use crate::nc::parse::failure::{LeftOut, Read};
+use crate::nc::parse::reader::Reader;
 use crate::text::Diagnostic;
 
 /// How a value says that it counts.
@@ -47,26 +48,26 @@ impl Seen {
 }
 
 impl Reader<'_> {
-    pub(super) fn named_words(&mut self) -> Read<Stmt> {
+    pub(in crate::nc) fn named_words(&mut self) -> Read<Stmt> {
         let first = self.deck.words.len();
         let mut seen = Seen::default();
         loop {
             let byte = self.skip();
             if !byte.is_ascii_alphabetic() {
-                if self.ended() {
+                if self.cursor.ended() {
                     break;
                 }
                 self.between_names(byte)?;
                 continue;
             }
-            let start = self.at;
+            let start = self.cursor.at;
             let letter = byte & 0xDF;
-            let second = self.byte(1);
+            let second = self.cursor.byte(1);
             if second.is_ascii_alphabetic() || second == b'_' {
                 self.long_word(start, &mut seen)?;
                 continue;
             }
-            self.at += 1;
+            self.cursor.at += 1;
             let (index, form, value) = self.named_value(start, letter)?;
             if !matches!(form, Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Incremental) {
                 self.check_way(start, letter, form);
@@ -93,7 +94,7 @@ impl Reader<'_> {
                 _ => seen.odd |= seen.letters & bit != 0,
             }
             seen.letters |= bit;
-            let len = (self.at - start).min(u8::MAX as usize) as u8;
+            let len = (self.cursor.at - start).min(u8::MAX as usize) as u8;
             self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
         }
         if seen.odd || seen.letters & !self.tables.letters != 0 {
@@ -102,7 +103,7 @@ impl Reader<'_> {
         let count = self.deck.words.len() - first;
         if count > self.tables.most_words {
             let message = msg!("nc.too-many-words", self.tables.most_words as u32);
-            self.report(Alarm::BlockWords, 0, self.line.len(), message);
+            self.report(Alarm::BlockWords, 0, self.cursor.line.len(), message);
         }
         Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
     }
@@ -122,7 +123,7 @@ impl Reader<'_> {
     fn foreign_return(&mut self, start: usize) {
         let row = self.control.codes.iter().find(|row| row.code == Code::SubEnd);
         let end = row.map_or(String::new(), |row| self.control.code_name(row.id));
-        let place = self.place(self.span(start, self.at));
+        let place = self.place(self.span(start, self.cursor.at));
         let finding = Diagnostic::warning(msg!("nc.foreign-return", "M99", end.as_str())).at(place);
         self.add_finding(finding.fix(msg!("nc.fix.write", end.as_str()), vec![(place, end)]));
     }
@@ -142,9 +143,9 @@ impl Reader<'_> {
         let mut next = self.skip();
         let negative = next == b'-';
         if negative || next == b'+' {
-            let digit = self.byte(1);
+            let digit = self.cursor.byte(1);
             if digit.is_ascii_digit() || digit == b'.' {
-                self.at += 1;
+                self.cursor.at += 1;
                 next = digit;
             }
         }
@@ -152,13 +153,13 @@ impl Reader<'_> {
             return self.equals(start, letter);
         }
         let mut number = self.digits()?;
-        if self.peek() | 0x20 == b'e' {
+        if self.cursor.peek() | 0x20 == b'e' {
             number = self.exponent(number, start);
         }
         if negative {
             number.mantissa = -number.mantissa;
         }
-        match self.peek() {
+        match self.cursor.peek() {
             b'=' | b'+' | b'-' | b'*' | b'/' | b'.' | b' ' => self.behind_number(start, letter, number),
             _ => Ok((None, Dimensioning::Plain, WordValue::Number(self.whole_number(number, start)))),
         }
@@ -166,14 +167,14 @@ impl Reader<'_> {
 
     /// A number of a formula, which ends at hand: with its exponent, and within its range.
     #[inline]
-    pub(super) fn named_number(&mut self, number: Dec, start: usize) -> Dec {
-        let number = if self.peek() | 0x20 == b'e' { self.exponent(number, start) } else { number };
+    pub(in crate::nc) fn named_number(&mut self, number: Dec, start: usize) -> Dec {
+        let number = if self.cursor.peek() | 0x20 == b'e' { self.exponent(number, start) } else { number };
         self.whole_number(number, start)
     }
 
     /// A number without a point that is larger than whole numbers are.
     #[inline]
-    pub(super) fn whole_number(&mut self, number: Dec, start: usize) -> Dec {
+    pub(in crate::nc) fn whole_number(&mut self, number: Dec, start: usize) -> Dec {
         if number.mantissa.unsigned_abs() > 2_147_483_647 && !number.point {
             self.check_whole(number, start);
         }
@@ -184,27 +185,31 @@ impl Reader<'_> {
     fn check_whole(&mut self, number: Dec, start: usize) {
         let most = self.names().map_or(i64::MAX, |names| names.whole_max);
         if number.mantissa.unsigned_abs() > most.unsigned_abs() && !number.point {
-            let finding =
-                self.finding(Alarm::OutOfRange, start, self.at, msg!("nc.whole-range", Dec::int(most).to_string()));
-            self.replace(Alarm::OutOfRange, finding, self.at, self.at, ".0");
+            let finding = self.finding(
+                Alarm::OutOfRange,
+                start,
+                self.cursor.at,
+                msg!("nc.whole-range", Dec::int(most).to_string()),
+            );
+            self.replace(Alarm::OutOfRange, finding, self.cursor.at, self.cursor.at, ".0");
         }
     }
 
     /// What stands behind the number of a word: mostly a blank, rarely what makes it another thing.
     fn behind_number(&mut self, start: usize, letter: u8, number: Dec) -> Read<(Option<u8>, Dimensioning, WordValue)> {
-        let end = self.at;
+        let end = self.cursor.at;
         let next = self.skip();
-        if next == b'=' && self.byte(1) != b'=' {
+        if next == b'=' && self.cursor.byte(1) != b'=' {
             return self.extended(start, letter, number);
         }
         match next {
             b'.' => self.stray_point(),
             b'+' | b'-' | b'*' | b'/' => {
                 // A formula without its `=`.
-                self.at = start + 1;
+                self.cursor.at = start + 1;
                 return self.insert_equals(letter);
             }
-            _ => self.at = end,
+            _ => self.cursor.at = end,
         }
         Ok((None, Dimensioning::Plain, WordValue::Number(self.whole_number(number, start))))
     }
@@ -215,7 +220,7 @@ impl Reader<'_> {
         let index = u8::try_from(number.mantissa).ok().filter(|_| number.scale == 0 && !number.point && known);
         if index.is_none() {
             let address = (letter as char).to_string();
-            self.report(Alarm::Format, start, self.at, msg!("nc.extended-address", address));
+            self.report(Alarm::Format, start, self.cursor.at, msg!("nc.extended-address", address));
         }
         let (_, form, value) = self.equals(start, letter)?;
         Ok((index, form, value))
@@ -223,23 +228,23 @@ impl Reader<'_> {
 
     /// Where `[2]` ends in `S[2]=4`.
     fn index_ahead(&self) -> Option<usize> {
-        let rest = self.line.get(self.at + 1..)?;
+        let rest = self.cursor.line.get(self.cursor.at + 1..)?;
         let close = rest.iter().position(|byte| *byte == b']')?;
         let behind = rest.get(close + 1..)?.trim_ascii_start();
-        (behind.first() == Some(&b'=')).then_some(self.at + close + 2)
+        (behind.first() == Some(&b'=')).then_some(self.cursor.at + close + 2)
     }
 
     /// `= value`, or the failure of an address without a value.
     fn equals(&mut self, start: usize, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         match self.skip() {
-            b'=' => self.at += 1,
+            b'=' => self.cursor.at += 1,
             b'[' if self.index_ahead().is_some() => {
-                let end = self.index_ahead().unwrap_or(self.at);
+                let end = self.index_ahead().unwrap_or(self.cursor.at);
                 let message = msg!("nc.index-in-brackets", self.control.address(letter));
-                return Err(self.failure(Alarm::Format, self.at, end, message, false));
+                return Err(self.failure(Alarm::Format, self.cursor.at, end, message, false));
             }
             b'#' | b'[' | b'(' | b'-' | b'+' => return self.insert_equals(letter),
-            b'O' | b'o' if self.at == start + 1 && self.zero_behind_letter(start) => {
+            b'O' | b'o' if self.cursor.at == start + 1 && self.zero_behind_letter(start) => {
                 return Ok((None, Dimensioning::Plain, WordValue::Number(Dec::int(0))));
             }
             byte if !byte.is_ascii() => return Err(self.unexpected()),
@@ -251,7 +256,7 @@ impl Reader<'_> {
         }
         if matches!(letter, b'G' | b'N' | b'L') {
             let message = msg!("nc.no-formula", (letter as char).to_string());
-            return Err(self.failure(Alarm::Format, start, self.at, message, false));
+            return Err(self.failure(Alarm::Format, start, self.cursor.at, message, false));
         }
         let form = self.form();
         if form != Dimensioning::Plain {
@@ -260,7 +265,7 @@ impl Reader<'_> {
             let open = self.open(b')');
             let inner = self.named_constant()?;
             self.close(open)?;
-            self.depth -= 1;
+            self.formulas.depth -= 1;
             return Ok((None, form, inner));
         }
         Ok((None, form, self.named_constant()?))
@@ -271,10 +276,10 @@ impl Reader<'_> {
         if !self.skip().is_ascii_alphabetic() {
             return Dimensioning::Plain;
         }
-        let name = self.name();
-        let behind = self.line.get(self.at + name.len()..).unwrap_or_default().trim_ascii_start();
+        let name = self.cursor.name();
+        let behind = self.cursor.line.get(self.cursor.at + name.len()..).unwrap_or_default().trim_ascii_start();
         let form = FORMS.iter().find(|row| name.eq_ignore_ascii_case(row.0) && behind.first() == Some(&b'('));
-        self.at += form.map_or(0, |row| row.0.len());
+        self.cursor.at += form.map_or(0, |row| row.0.len());
         form.map_or(Dimensioning::Plain, |row| row.1)
     }
 
@@ -284,7 +289,7 @@ impl Reader<'_> {
         Ok(match self.deck.expr(id) {
             Expr::Number(number) => {
                 self.deck.exprs.pop();
-                self.places.as_mut().and_then(Vec::pop);
+                self.expr_spans.pop();
                 WordValue::Number(number)
             }
             _ => WordValue::Expr(id),
@@ -294,16 +299,16 @@ impl Reader<'_> {
     /// A formula directly behind its address, as other controls have it; read as it was meant.
     #[cold]
     fn insert_equals(&mut self, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
-        let from = self.at;
+        let from = self.cursor.at;
         let value = self.named_constant()?;
         let finding =
-            self.finding(Alarm::Format, from, self.at, msg!("nc.no-equals-sign", self.control.address(letter)));
+            self.finding(Alarm::Format, from, self.cursor.at, msg!("nc.no-equals-sign", self.control.address(letter)));
         self.replace(Alarm::Format, finding, from, from, "=");
         Ok((None, Dimensioning::Plain, value))
     }
 
     /// Whether a name is an address with a variable or a number that lacks its `=`: `XR1`, `LIMS3000`.
-    pub(super) fn missing_equals(&self, name: &str) -> bool {
+    pub(in crate::nc) fn missing_equals(&self, name: &str) -> bool {
         let variable = |rest: &str| rest.len() > 1 && rest.bytes().skip(1).all(|b| b.is_ascii_digit());
         let letter = name.bytes().next().unwrap_or(0).to_ascii_uppercase();
         let known = self.tables.letters & 1 << (letter & 31) != 0;
@@ -313,11 +318,11 @@ impl Reader<'_> {
     /// An address or a code of several letters.
     #[cold]
     fn long_word(&mut self, start: usize, seen: &mut Seen) -> Read<()> {
-        let written = self.name();
+        let written = self.cursor.name();
         let name = written.to_ascii_uppercase();
         let Some(names) = self.names() else { return Err(self.unexpected()) };
         if let Some(place) = names.code(&name) {
-            self.at += name.len();
+            self.cursor.at += name.len();
             let id = CodeId::Named(place as u16);
             let row = self.tables.codes.row(id);
             if let Some(row) = row {
@@ -327,15 +332,21 @@ impl Reader<'_> {
                     let digits = name.bytes().filter(u8::is_ascii_digit);
                     let cycle =
                         digits.map(|b| u32::from(b - b'0')).reduce(|all, b| all.wrapping_mul(10).wrapping_add(b));
-                    self.not_simulated(cycle.map_or(LeftOut::Code(id), LeftOut::Cycle), start, self.at, &what);
+                    self.not_simulated(cycle.map_or(LeftOut::Code(id), LeftOut::Cycle), start, self.cursor.at, &what);
                     // Its arguments, for instance of TRACYL(40).
                     if self.skip() == b'(' {
-                        let rest = self.line.get(self.at..).unwrap_or_default();
+                        let rest = self.cursor.rest();
                         let Some(close) = rest.iter().position(|&b| b == b')') else {
                             let message = msg!("nc.unclosed-group");
-                            return Err(self.failure(Alarm::BracketPair, self.at, self.at + 1, message, false));
+                            return Err(self.failure(
+                                Alarm::BracketPair,
+                                self.cursor.at,
+                                self.cursor.at + 1,
+                                message,
+                                false,
+                            ));
                         };
-                        self.at += close + 1;
+                        self.cursor.at += close + 1;
                     }
                 }
             }
@@ -348,30 +359,35 @@ impl Reader<'_> {
         if let Some(&(address, letter)) = longest {
             let rest = name.get(address.len()..).unwrap_or("");
             if rest.is_empty() || rest.bytes().all(|b| b.is_ascii_digit()) || self.missing_equals(&format!("X{rest}")) {
-                self.at += address.len();
+                self.cursor.at += address.len();
                 let value = self.long_value(start, address, letter)?;
                 if self.deck.words.iter().rev().take(64).any(|word| word.letter == letter && word.offset < start as u16)
                 {
                     seen.odd = true;
                 }
                 if let Some(row) = self.control.syntax.corners.iter().find(|row| row.0 == letter) {
-                    self.not_simulated(LeftOut::Address(letter), start, self.at, &format!("{address} ({})", row.1));
+                    self.not_simulated(
+                        LeftOut::Address(letter),
+                        start,
+                        self.cursor.at,
+                        &format!("{address} ({})", row.1),
+                    );
                 }
                 return self.push_long(start, letter, value);
             }
         }
         if self.missing_equals(written) {
-            self.at += 1;
+            self.cursor.at += 1;
             let letter = name.bytes().next().unwrap_or(0);
             let value = self.insert_equals(letter)?;
             return self.push_long(start, letter, value);
         }
-        let behind = self.line.get(start + name.len()..).unwrap_or_default();
+        let behind = self.cursor.line.get(start + name.len()..).unwrap_or_default();
         if matches!(name.as_str(), "IF" | "GOTOF" | "GOTOB" | "MSG") {
-            return Err(self.failure(Alarm::Mixed, start, self.line.len(), msg!("nc.mixed"), false));
+            return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
         }
         if behind.first() == Some(&b'(') && self.function_ahead() {
-            return Err(self.failure(Alarm::Format, start, self.line.len(), msg!("nc.no-address", name), false));
+            return Err(self.failure(Alarm::Format, start, self.cursor.line.len(), msg!("nc.no-address", name), false));
         }
         Err(self.unknown_name(start, written))
     }
@@ -385,7 +401,7 @@ impl Reader<'_> {
             _ => (Alarm::ShortestWay, "DC"),
         };
         if self.control.axis(letter).is_some() && self.tables.rotary & 1 << (letter & 31) == 0 {
-            self.report(alarm, start, self.at, msg!("nc.way-of-angle", name, (letter as char).to_string()));
+            self.report(alarm, start, self.cursor.at, msg!("nc.way-of-angle", name, (letter as char).to_string()));
         }
     }
 
@@ -400,12 +416,12 @@ impl Reader<'_> {
         self.close(open)?;
         match u8::try_from(number.mantissa) {
             Ok(index @ 1..) if number.scale == 0 => Ok(Some(index)),
-            _ => Err(self.failure(Alarm::OutOfRange, start, self.at, msg!("nc.spindle-number"), false)),
+            _ => Err(self.failure(Alarm::OutOfRange, start, self.cursor.at, msg!("nc.spindle-number"), false)),
         }
     }
 
     fn push_long(&mut self, start: usize, letter: u8, value: (Option<u8>, Dimensioning, WordValue)) -> Read<()> {
-        let len = (self.at - start).min(u8::MAX as usize) as u8;
+        let len = (self.cursor.at - start).min(u8::MAX as usize) as u8;
         let (index, form, value) = value;
         self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
         Ok(())
@@ -414,28 +430,29 @@ impl Reader<'_> {
     /// What stands behind an address of several letters, with an index in brackets or without.
     fn long_value(&mut self, start: usize, address: &str, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let mut index = None;
-        if self.peek() == b'[' {
-            self.at += 1;
+        if self.cursor.peek() == b'[' {
+            self.cursor.at += 1;
             let number = self.digits()?;
             index = u8::try_from(number.mantissa).ok();
             if self.skip() != b']' {
-                return Err(self.failure(Alarm::Format, start, self.at, msg!("nc.unclosed-group"), false));
+                return Err(self.failure(Alarm::Format, start, self.cursor.at, msg!("nc.unclosed-group"), false));
             }
-            self.at += 1;
+            self.cursor.at += 1;
         }
         if self.skip() == b'=' {
             let (_, form, value) = self.equals(start, letter)?;
             return Ok((index, form, value));
         }
         let end = start + address.len();
-        let value = self.peek().is_ascii_digit() || matches!(self.peek(), b'.' | b'-' | b'+' | b'#' | b'[' | b'(');
+        let value = self.cursor.peek().is_ascii_digit()
+            || matches!(self.cursor.peek(), b'.' | b'-' | b'+' | b'#' | b'[' | b'(');
         if !(value || self.parameter_ahead()) {
             let message = msg!("nc.no-value", address);
             return Err(self.failure(Alarm::NoNumber, start, end, message, false));
         }
-        let from = self.at;
+        let from = self.cursor.at;
         let value = self.named_constant()?;
-        let finding = self.finding(Alarm::Format, start, self.at, msg!("nc.no-equals-sign", address));
+        let finding = self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.no-equals-sign", address));
         self.replace(Alarm::Format, finding, end.min(from), from, "=");
         Ok((index, Dimensioning::Plain, value))
     }
@@ -450,22 +467,22 @@ impl Reader<'_> {
                 Ok(())
             }
             b'$' => Err(self.system_variable()),
-            b'#' => Err(self.failure(Alarm::Mixed, self.at, self.line.len(), msg!("nc.mixed"), true)),
+            b'#' => Err(self.failure(Alarm::Mixed, self.cursor.at, self.cursor.line.len(), msg!("nc.mixed"), true)),
             _ => Err(self.unexpected()),
         }
     }
 
     /// `( remark )` of other controls, at hand; told with its fix, and skipped.
     #[cold]
-    pub(super) fn foreign_comment(&mut self) -> bool {
-        let start = self.at;
-        let rest = self.line.get(start..).unwrap_or_default();
+    pub(in crate::nc) fn foreign_comment(&mut self) -> bool {
+        let start = self.cursor.at;
+        let rest = self.cursor.line.get(start..).unwrap_or_default();
         let Some(close) = rest.iter().position(|&b| b == b')') else { return false };
         let inner = String::from_utf8_lossy(rest.get(1..close).unwrap_or_default()).into_owned();
-        self.at = start + close + 1;
-        let finding = self.finding(Alarm::Format, start, self.at, msg!("nc.foreign-remark", self.control.name));
+        self.cursor.at = start + close + 1;
+        let finding = self.finding(Alarm::Format, start, self.cursor.at, msg!("nc.foreign-remark", self.control.name));
         // In the midst of a block it would make a comment of the rest.
-        let last = self.skip() == 0 && self.ended() && self.comment.is_none();
+        let last = self.skip() == 0 && self.cursor.ended() && self.block.comment.is_none();
         self.replace(
             Alarm::Format,
             finding,
@@ -543,7 +560,7 @@ impl Reader<'_> {
         if number != Dec::int(98) || words.len() > 3 || words.len() == 3 && value(b'L').is_none() {
             return false;
         }
-        let (start, end) = (call.offset as usize, self.line.len());
+        let (start, end) = (call.offset as usize, self.cursor.line.len());
         let repeats = value(b'L').map_or(String::new(), |(_, number)| format!(" P{number}"));
         self.slip(Alarm::Format, start, end, msg!("nc.foreign-call"), &format!("L{program}{repeats}"));
         true
@@ -569,7 +586,7 @@ impl Reader<'_> {
             };
             let words = self.deck.words.get(self.deck.words.len() - count..).unwrap_or_default();
             if count == 1 {
-                let base = self.base as usize;
+                let base = self.cursor.base as usize;
                 self.warn(base + start, base + end, msg!("nc.no-values", name));
                 return true;
             }

@@ -12,13 +12,15 @@
 //! | … `ATAN` of one number | | `ATAN[a]/[1]` |
 //! | `short_texts` | long blocks and messages | comments clipped |
 
-use super::ast::{self, Block, Deck, Expr, ExprId, JumpDirection, Op, Stmt, TextId, WordValue};
-use super::dec::Dec;
-use super::emit::text_length;
-use super::lower_names::{no_names, with_names};
+mod symbolic;
+
+use crate::controls::Control;
 use crate::controls::syntax::Function;
-use crate::controls::{Control, VarKind};
+use crate::nc::ast::{self, Block, Deck, Expr, ExprId, JumpDirection, Op, Stmt, TextId, WordValue};
+use crate::nc::dec::Dec;
+use crate::nc::write::{is_message, text_length};
 use crate::text::Span;
+use symbolic::{no_names, with_names};
 
 /// The deck as the control can take it.
 pub fn lower(deck: &Deck, control: &Control) -> Deck {
@@ -266,11 +268,4 @@ fn clip(deck: &mut Deck, comment: TextId, room: usize) {
     if let Some(text) = deck.text_mut(comment).filter(|text| text.len() > room) {
         *text = text.chars().take(room).collect::<String>().trim_end().into();
     }
-}
-
-/// Whether the comment of a block is what the operator reads: `#3000=1(…)`.
-pub(super) fn is_message(deck: &Deck, control: &Control, block: &Block) -> bool {
-    let (Stmt::Assign { to, .. } | Stmt::IfThen { to, .. }) = block.stmt else { return false };
-    let Expr::Var(number) = deck.expr(to) else { return false };
-    control.var(number).is_some_and(|row| matches!(row.kind, VarKind::AlarmMessage | VarKind::StopMessage))
 }

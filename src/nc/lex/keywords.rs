@@ -1,0 +1,54 @@
+//! Words and signs of macro statements: comparisons, keywords, external statements.
+
+use crate::nc::ast::Op;
+
+/// Comparisons as words.
+pub(in crate::nc) const COMPARISONS: [(&str, Op); 6] = [
+    ("EQ", Op::Equal),
+    ("NE", Op::NotEqual),
+    ("GT", Op::Greater),
+    ("GE", Op::GreaterEqual),
+    ("LT", Op::Less),
+    ("LE", Op::LessEqual),
+];
+
+/// Comparisons as signs, the longer ones first; whether a control that takes signs takes this one.
+pub(in crate::nc) const SIGNS: [(&str, Op, bool); 13] = [
+    ("==", Op::Equal, true),
+    ("<>", Op::NotEqual, true),
+    (">=", Op::GreaterEqual, true),
+    ("<=", Op::LessEqual, true),
+    ("!=", Op::NotEqual, false),
+    ("=>", Op::GreaterEqual, false),
+    ("=<", Op::LessEqual, false),
+    (">", Op::Greater, true),
+    ("<", Op::Less, true),
+    ("=", Op::Equal, false),
+    ("≠", Op::NotEqual, false),
+    ("≥", Op::GreaterEqual, false),
+    ("≤", Op::LessEqual, false),
+];
+
+/// Words that open a macro statement.
+pub(in crate::nc) const KEYWORDS: [&str; 5] = ["IF", "GOTO", "WHILE", "DO", "END"];
+
+/// Statements that the control has and the simulation does not act on.
+pub(in crate::nc) const OUTSIDE: [&str; 4] = ["POPEN", "PCLOS", "DPRNT", "SETVN"];
+
+/// The spelling of a comparison.
+pub(in crate::nc) fn letters_of(op: Op) -> &'static str {
+    COMPARISONS.iter().find(|(_, other)| *other == op).map_or("", |(word, _)| word)
+}
+
+/// Operators that are words.
+pub(in crate::nc) const OPERATORS: [(&str, Op); 4] =
+    [("AND", Op::And), ("MOD", Op::Modulo), ("OR", Op::Or), ("XOR", Op::Xor)];
+
+/// In a language with names: operators between truths, from the loosest to the closest.
+pub(in crate::nc) const LOGIC: [(&str, Op); 3] = [("OR", Op::Or), ("XOR", Op::Xor), ("AND", Op::And)];
+
+/// In a language with names: words that open statements.
+pub(in crate::nc) const NAMED_STATEMENTS: [&str; 4] = ["IF", "GOTOF", "GOTOB", "MSG"];
+
+/// In a language with names: statements of the macro languages of other controls.
+pub(in crate::nc) const FOREIGN_STATEMENTS: [&str; 5] = ["GOTO", "WHILE", "DO", "END", "THEN"];

@@ -1,0 +1,35 @@
+//! Misspelt names and plain language: the known name that a name is closest to, and whether a text is prose.
+
+/// Which of some names was meant by a name: one letter wrong, missing, too many or exchanged, or two in a long name.
+pub(in crate::nc) fn meant<'n>(name: &str, names: impl Iterator<Item = &'n str>) -> Option<usize> {
+    let most = if name.len() > 4 { 2 } else { 1 };
+    let near = names.enumerate().map(|(at, known)| (distance(name.as_bytes(), known.as_bytes()), at));
+    near.filter(|&(distance, _)| distance <= most).min().map(|(_, at)| at)
+}
+
+/// How many letters are to be put in, left out, changed or exchanged with the next to get from one name to another.
+fn distance(a: &[u8], b: &[u8]) -> usize {
+    let mut before: Vec<usize> = Vec::new();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.iter().enumerate() {
+        let mut next = vec![i + 1];
+        for (j, y) in b.iter().enumerate() {
+            let mut least = (row[j] + usize::from(x != y)).min(row[j + 1] + 1).min(next[j] + 1);
+            if i > 0 && j > 0 && a[i - 1] == *y && b[j - 1] == *x {
+                least = least.min(before[j - 1] + 1);
+            }
+            next.push(least);
+        }
+        before = row;
+        row = next;
+    }
+    row.last().copied().unwrap_or(0)
+}
+
+/// Whether the text reads like words of a language: two or more runs of letters, one of them long.
+pub(in crate::nc) fn prose(rest: &[u8]) -> bool {
+    let runs = rest.split(|b| !b.is_ascii_alphabetic()).filter(|run| run.len() >= 2);
+    let (count, longest) = runs.fold((0, 0), |(count, longest), run| (count + 1, longest.max(run.len())));
+    let start = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
+    start >= 2 && longest >= 3 && (count >= 2 || start == rest.len())
+}

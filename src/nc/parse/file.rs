@@ -1,0 +1,306 @@
+//! Files: lines, `%`, program numbers, and the blocks between them.
+
+use super::reader::{BLOCK_BYTES, BLOCKS, BYTE_ORDER_MARK, Reader};
+use crate::controls::Alarm;
+use crate::controls::syntax::Percent;
+use crate::msg;
+use crate::nc::ast::{Block, Program, Stmt};
+use crate::text::{Diagnostic, Span};
+
+/// How many bytes are such, in pieces whose numbers fit a byte: many are counted at once.
+fn count(bytes: &[u8], such: impl Fn(u8) -> bool) -> usize {
+    bytes.chunks(255).map(|piece| usize::from(piece.iter().map(|&b| u8::from(such(b))).sum::<u8>())).sum()
+}
+
+impl<'a> Reader<'a> {
+    /// Makes room once: growing by doubling would copy, and hold three times what is needed.
+    pub(in crate::nc) fn reserve(&mut self) {
+        let bytes = self.file.text.as_bytes();
+        let lines = count(bytes, |b| b == b'\n') + 1;
+        let letters = count(bytes, |b| b.is_ascii_alphabetic());
+        self.deck.blocks.reserve(lines.min(bytes.len() / 4).min(BLOCKS));
+        self.deck.words.reserve(letters.min(bytes.len() / 4).min(5 * BLOCKS));
+    }
+
+    pub(in crate::nc) fn file(&mut self) {
+        let bytes = self.file.text.as_bytes();
+        // A byte order mark is not part of the program; `mend_file` tells of it.
+        let mut at = if self.file.text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len_utf8() } else { 0 };
+        // Whether a `%` would open the record (nothing but comments so far) or close it.
+        let mut opened = false;
+        let mut closed = None;
+        let mut told = false;
+        if let Some(record) = self.leader(at) {
+            self.warn(at, record, msg!("nc.leader"));
+            at = record;
+        }
+        while at < bytes.len() {
+            let rest = self.file.text.get(at..).unwrap_or_default();
+            let end = at + rest.find('\n').unwrap_or(rest.len());
+            let (from, to) = self.trimmed(at, end);
+            match bytes.get(from) {
+                _ if from == to => {}
+                Some(b'%') if self.names().is_some() => self.head(from, to),
+                _ if self.names().is_some() => self.named_block(from, to),
+                Some(b'%') => {
+                    if !self.only_comments() {
+                        closed = Some(from);
+                        self.program = None;
+                    } else {
+                        opened = true;
+                    }
+                    self.behind_percent(from + 1, to);
+                }
+                _ => {
+                    // Only what begins a program is worth reading behind the end of the record.
+                    let begins = closed.is_some() && self.begins_program(from);
+                    if let Some(percent) = closed.filter(|_| !told) {
+                        let said = if begins { msg!("nc.next-record") } else { msg!("nc.behind-end") };
+                        self.warn(percent, percent + 1, said);
+                        told = true;
+                    }
+                    if closed.is_none() || begins {
+                        (closed, told) = (None, false);
+                        self.blocks(from, to);
+                    }
+                }
+            }
+            if self.deck.blocks.len() >= BLOCKS {
+                let place = self.place(Span::new(from as u32, to as u32));
+                self.findings.list.push(Diagnostic::error(msg!("nc.too-many-blocks", BLOCKS as u32)).at(place));
+                break;
+            }
+            at = end + 1;
+        }
+        self.mend_file(opened, closed.is_some());
+    }
+
+    /// Where a line begins with a program number, or with a comment, which may stand in front of one.
+    pub(in crate::nc) fn begins_program(&self, at: usize) -> bool {
+        let line = self.file.text.as_bytes().get(at..).unwrap_or_default();
+        match line {
+            [b'(', ..] => true,
+            [b'O' | b'o' | b':', digit, ..] => digit.is_ascii_digit(),
+            _ => false,
+        }
+    }
+
+    /// Where the record begins, if something that is neither comment nor program stands in front of its `%`: leader of a tape.
+    pub(in crate::nc) fn leader(&self, from: usize) -> Option<usize> {
+        if self.control.syntax.percent != Percent::Both {
+            return None;
+        }
+        let mut at = from;
+        let mut stray = false;
+        for line in self.file.text.get(from..)?.split_inclusive('\n') {
+            let (begin, end) = self.trimmed(at, at + line.trim_end_matches('\n').len());
+            match self.file.text.as_bytes().get(begin) {
+                _ if begin == end => {}
+                Some(b'%') => return stray.then_some(at),
+                Some(b'(') | None => {}
+                Some(byte) => {
+                    // A digit tells a block; tapes carry names.
+                    let digits =
+                        self.file.text.get(begin..end).is_some_and(|text| text.bytes().any(|b| b.is_ascii_digit()));
+                    if digits || *byte == b'#' || *byte == b'/' {
+                        return None;
+                    }
+                    stray = true;
+                }
+            }
+            at += line.len();
+        }
+        None
+    }
+
+    /// What stands behind a `%` in its line is skipped by the control.
+    pub(in crate::nc) fn behind_percent(&mut self, from: usize, to: usize) {
+        let (from, to) = self.trimmed(from, to);
+        if from < to && self.file.text.as_bytes().get(from) != Some(&b'(') {
+            self.warn(from, to, msg!("nc.skipped-lead"));
+        }
+    }
+
+    /// Whether the program so far has nothing that runs.
+    pub(in crate::nc) fn only_comments(&self) -> bool {
+        match self.program.and_then(|index| self.deck.programs.get(index)) {
+            None => true,
+            Some(program) => {
+                program.number == 0
+                    && program.span == Span::default()
+                    && self.deck.blocks_of(program).iter().all(|b| b.stmt == Stmt::Empty && b.number.is_none())
+            }
+        }
+    }
+
+    /// The blocks of a line: one, or several with `;` between them.
+    pub(in crate::nc) fn blocks(&mut self, from: usize, to: usize) {
+        let bytes = self.file.text.as_bytes();
+        let line = bytes.get(from..to).unwrap_or_default();
+        if !line.contains(&b';') {
+            return self.block(from, to);
+        }
+        let mut comment = false;
+        let mut start = from;
+        for (offset, &byte) in line.iter().enumerate() {
+            match byte {
+                b'(' => comment = true,
+                b')' => comment = false,
+                b';' if !comment && self.deck.blocks.len() < BLOCKS => {
+                    self.notes.semicolon.get_or_insert((from + offset) as u32);
+                    let (a, b) = self.trimmed(start, from + offset);
+                    if a < b {
+                        self.block(a, b);
+                    }
+                    start = from + offset + 1;
+                }
+                _ => {}
+            }
+        }
+        let (a, b) = self.trimmed(start, to);
+        if a < b {
+            self.block(a, b);
+        }
+    }
+
+    /// One block, `from < to`, without white space around it.
+    pub(in crate::nc) fn block(&mut self, from: usize, to: usize) {
+        let source = self.file.text;
+        let line = source.as_bytes().get(from..to).unwrap_or_default();
+        if line.len() > BLOCK_BYTES {
+            self.take_line(line, from);
+            self.report(Alarm::BlockTooLong, 0, line.len(), msg!("nc.block-too-long", BLOCK_BYTES as u32));
+            return self.push(Stmt::Empty);
+        }
+        let letters = self.control.syntax.program_letters;
+        let program = line.first().is_some_and(|b| letters.contains(&b.to_ascii_uppercase()) || *b == b':');
+        self.take_line(line, from);
+        if program && self.program_number() {
+            let (from, to) = self.trimmed(from + self.cursor.at, to);
+            let rest = source.as_bytes().get(from..to).unwrap_or_default();
+            self.take_line(rest, from);
+            if rest.is_empty() {
+                return;
+            }
+        }
+        let mark = self.mark();
+        let stmt = match self.statement() {
+            Ok(stmt) => stmt,
+            Err(failure) => {
+                // Whatever the block was meant to be, the control stops where it first does not read.
+                let (number, skip_switch, bad) =
+                    (self.block.number, self.block.skip_switch, self.block.bad.or(Some(failure.alarm)));
+                self.recover(mark, failure);
+                (self.block.number, self.block.skip_switch, self.block.bad, self.block.comment) =
+                    (number, skip_switch, bad, None);
+                Stmt::Empty
+            }
+        };
+        if self.cursor.line.len() > self.tables.rules.block_chars as usize {
+            self.check_length();
+        }
+        self.push(stmt);
+    }
+
+    /// A block has so many characters at most; comments do not count.
+    #[cold]
+    pub(in crate::nc) fn check_length(&mut self) {
+        let (mut count, mut comment) = (0, false);
+        let most = self.control.syntax.block_read_chars;
+        for (at, &byte) in self.cursor.line.iter().enumerate() {
+            comment |= byte == b'(';
+            count += u32::from(!comment && begins_character(byte));
+            comment &= byte != b')';
+            if count > most && self.block.bad.is_none() {
+                return self.report(Alarm::BlockTooLong, at, self.cursor.line.len(), msg!("nc.block-too-long", most));
+            }
+        }
+    }
+
+    /// `O9100(TITLE)` at the head of a line: starts a program. False where the letter is an ordinary address.
+    pub(in crate::nc) fn program_number(&mut self) -> bool {
+        let letter = self.cursor.line.first().map_or(0, u8::to_ascii_uppercase);
+        let usual = self.control.syntax.program_letters.first() == Some(&letter);
+        self.cursor.at = 1;
+        self.cursor.blank();
+        let digits = self.cursor.digits();
+        let (from, to) = (self.cursor.at, self.cursor.at + digits);
+        let number = self.cursor.line.get(from..to).and_then(|d| core::str::from_utf8(d).ok()?.parse::<u32>().ok());
+        self.cursor.at = to;
+        let title = self.title();
+        if digits == 0 || !usual && self.cursor.at < self.cursor.line.len() {
+            self.cursor.at = 0;
+            return false;
+        }
+        self.note_case(0);
+        let span = self.span(0, to);
+        let limit = self.control.syntax.program_digits as usize;
+        match number {
+            Some(0) => self.report(Alarm::NumberZero, 0, to, msg!("nc.program-zero")),
+            Some(_) if digits <= limit => {}
+            _ => self.report(Alarm::OutOfRange, 0, to, msg!("nc.program-digits", limit as u32)),
+        }
+        if !self.control.syntax.program_letters.contains(&letter) {
+            let usual = self.program_letter();
+            self.slip(Alarm::Format, 0, 1, msg!("nc.program-letter", usual.as_str()), &usual);
+        }
+        let number = number.unwrap_or(0);
+        let title = title.map(|title| self.deck.add_text(title));
+        if self.only_comments() && self.program.is_some() {
+            // Comments above the number belong to its program.
+            let program = self.program.and_then(|index| self.deck.programs.get_mut(index));
+            if let Some(program) = program {
+                (program.number, program.title, program.span) = (number, title, span);
+            }
+        } else {
+            let at = self.deck.blocks.len() as u32;
+            self.program = Some(self.deck.programs.len());
+            let program =
+                Program { file: self.file.id, number, name: None, sub: false, title, span, first: at, end: at };
+            self.deck.programs.push(program);
+        }
+        true
+    }
+
+    /// The letter that program numbers have on this control.
+    pub(in crate::nc) fn program_letter(&self) -> String {
+        self.control.syntax.program_letters.first().map_or('O', |&letter| letter as char).to_string()
+    }
+
+    /// The comment behind a program number.
+    pub(in crate::nc) fn title(&mut self) -> Option<&'a str> {
+        self.cursor.blank();
+        let rest = self.cursor.rest();
+        let inner = rest.strip_prefix(b"(")?;
+        let len = inner.iter().position(|&b| b == b')')?;
+        let from = self.cursor.base as usize + self.cursor.at + 1;
+        self.cursor.at += len + 2;
+        self.cursor.blank();
+        let title = self.file.text.get(from..from + len);
+        self.note_foreign(from, from + len);
+        title
+    }
+
+    pub(in crate::nc) fn push(&mut self, stmt: Stmt) {
+        let stmt = self.block.bad.map_or(stmt, Stmt::Bad);
+        let span = Span::new(self.cursor.base, self.cursor.base + self.cursor.line.len() as u32);
+        let (number, comment, label) = (self.block.number, self.block.comment, self.block.label);
+        let block = Block { span, number, stmt, comment, label, skip: self.block.skip_switch, main: self.block.main };
+        self.deck.blocks.push(block);
+        let end = self.deck.blocks.len() as u32;
+        match self.program.and_then(|index| self.deck.programs.get_mut(index)) {
+            Some(program) => program.end = end,
+            None => {
+                self.program = Some(self.deck.programs.len());
+                let (file, first, span) = (self.file.id, end - 1, Span::default());
+                let (name, sub, number) = self.file_program();
+                self.deck.programs.push(Program { file, number, name, sub, title: None, span, first, end });
+            }
+        }
+    }
+}
+
+/// Whether a byte of UTF-8 is the first of its character.
+pub(in crate::nc) fn begins_character(byte: u8) -> bool {
+    byte & 0b1100_0000 != 0b1000_0000
+}

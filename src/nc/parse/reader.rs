@@ -1,0 +1,261 @@
+//! [`Reader`]: the state of the parser.
+
+use super::failure::{LeftOut, Misused};
+use super::tables::Tables;
+use crate::controls::syntax::{Names, RoundBrackets};
+use crate::controls::{Alarm, Control};
+use crate::nc::ast::{Deck, Op, TextId};
+use crate::nc::lex::cursor::Cursor;
+use crate::nc::parsed::ExprSpan;
+use crate::text::{Diagnostic, FileId, Message, Place, Span};
+
+/// Findings that are listed; a file of garbage has millions.
+pub(in crate::nc) const FINDINGS: usize = 1000;
+
+/// Blocks that are read: five times what the largest programs have.
+pub(in crate::nc) const BLOCKS: usize = 5_000_000;
+
+/// Bytes of a block: a word's offset has 16 bits, and no control takes a tenth of that.
+pub(in crate::nc) const BLOCK_BYTES: usize = 60_000;
+
+/// What some editors write before a text in UTF-8.
+pub(in crate::nc) const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// How far the arenas were filled before a block was tried.
+pub(in crate::nc) struct Mark {
+    pub(in crate::nc) words: usize,
+    pub(in crate::nc) exprs: usize,
+    pub(in crate::nc) pairs: usize,
+    pub(in crate::nc) texts: usize,
+    pub(in crate::nc) found: usize,
+    pub(in crate::nc) variables: usize,
+    pub(in crate::nc) small: Option<u32>,
+}
+
+/// The file that is read.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::nc) struct SourceFile<'a> {
+    pub(in crate::nc) id: FileId,
+    pub(in crate::nc) name: &'a str,
+    pub(in crate::nc) text: &'a str,
+}
+
+/// Findings so far, and what is checked when everything is read.
+#[derive(Debug, Default)]
+pub(in crate::nc) struct Findings {
+    pub(in crate::nc) list: Vec<Diagnostic>,
+    /// Features that were reported as not simulated.
+    pub(in crate::nc) left_out: Vec<LeftOut>,
+    /// Variables that the control lacks or does not let write, reported at the end of the file.
+    pub(in crate::nc) misused: Vec<Misused>,
+    /// Blocks with calls and jumps in words, checked when all files are read.
+    pub(in crate::nc) later: Vec<u32>,
+}
+
+/// Peculiarities of the file's spelling, each by its first place in the file.
+#[derive(Debug, Default)]
+pub(in crate::nc) struct FileNotes {
+    /// Small letter outside comments.
+    pub(in crate::nc) small: Option<u32>,
+    /// `;` that ends a block.
+    pub(in crate::nc) semicolon: Option<u32>,
+    /// Character in a comment that the control lacks.
+    pub(in crate::nc) foreign: Option<Span>,
+    /// `#` outside comments, where variables have a letter.
+    pub(in crate::nc) hash: Option<u32>,
+    /// The line before names a program: the next one may name its directory.
+    pub(in crate::nc) headed: bool,
+}
+
+/// Parts of the block so far, besides its statement.
+#[derive(Debug, Default)]
+pub(in crate::nc) struct BlockParts {
+    pub(in crate::nc) number: Option<u32>,
+    pub(in crate::nc) skip_switch: u8,
+    /// The number is written behind `:`.
+    pub(in crate::nc) main: bool,
+    pub(in crate::nc) comment: Option<TextId>,
+    pub(in crate::nc) label: Option<TextId>,
+    /// The first alarm of the block.
+    pub(in crate::nc) bad: Option<Alarm>,
+}
+
+/// State of the formulas of a block.
+#[derive(Debug)]
+pub(in crate::nc) struct Formulas {
+    /// Square brackets that are open.
+    pub(in crate::nc) depth: u32,
+    /// Expressions of the block so far.
+    pub(in crate::nc) parts: u32,
+    /// Alarm for a mistake in the condition that is read.
+    pub(in crate::nc) sentence: Alarm,
+    /// The last comparison of the block: first byte, one past its last byte, operator.
+    pub(in crate::nc) compared: (usize, usize, Op),
+    /// Round brackets with arithmetic in them group.
+    pub(in crate::nc) rounds: bool,
+    /// Places of such brackets.
+    pub(in crate::nc) round_brackets: Vec<(usize, usize)>,
+    /// Cache: the range of variables, free to read and write, that the last variable was in.
+    pub(in crate::nc) plain: core::ops::Range<u32>,
+}
+
+/// Sequence numbers for fixes that need a new one.
+#[derive(Debug, Default)]
+pub(in crate::nc) struct FreshNumbers {
+    /// Every number of the file in rising order, once a fix asks.
+    pub(in crate::nc) known: Vec<u32>,
+    /// Numbers that fixes use.
+    pub(in crate::nc) taken: Vec<u32>,
+}
+
+/// The parser: what it reads with, what it has read, and where it is.
+pub(in crate::nc) struct Reader<'a> {
+    pub(in crate::nc) control: &'static Control,
+    pub(in crate::nc) tables: &'a Tables<'a>,
+    pub(in crate::nc) file: SourceFile<'a>,
+    pub(in crate::nc) deck: Deck,
+    /// Places of the expressions of the deck.
+    pub(in crate::nc) expr_spans: Vec<ExprSpan>,
+    /// Index of the program that blocks go to.
+    pub(in crate::nc) program: Option<usize>,
+    pub(in crate::nc) findings: Findings,
+    pub(in crate::nc) notes: FileNotes,
+    pub(in crate::nc) cursor: Cursor<'a>,
+    pub(in crate::nc) block: BlockParts,
+    pub(in crate::nc) formulas: Formulas,
+    pub(in crate::nc) fresh: FreshNumbers,
+}
+
+impl<'a> Reader<'a> {
+    /// What has names, where the language has such.
+    #[inline]
+    pub(in crate::nc) fn names(&self) -> Option<&'static Names> {
+        self.control.syntax.names()
+    }
+
+    pub(in crate::nc) fn new(
+        control: &'static Control,
+        tables: &'a Tables<'a>,
+        id: FileId,
+        text: &'a str,
+        deck: Deck,
+    ) -> Reader<'a> {
+        Reader {
+            control,
+            tables,
+            file: SourceFile { id, name: "", text },
+            deck,
+            expr_spans: Vec::new(),
+            program: None,
+            findings: Findings::default(),
+            notes: FileNotes::default(),
+            cursor: Cursor { line: &[], base: 0, at: 0 },
+            block: BlockParts::default(),
+            formulas: Formulas {
+                depth: 0,
+                parts: 0,
+                sentence: Alarm::Format,
+                compared: (0, 0, Op::Equal),
+                rounds: control.syntax.round == RoundBrackets::Group,
+                round_brackets: Vec::new(),
+                plain: 0..0,
+            },
+            fresh: FreshNumbers::default(),
+        }
+    }
+
+    /// Without white space at both ends, and without a `;` there.
+    pub(in crate::nc) fn trimmed(&self, from: usize, to: usize) -> (usize, usize) {
+        let bytes = self.file.text.as_bytes();
+        let blank = |b: &u8| matches!(b, b' ' | b'\t' | b'\r');
+        let line = bytes.get(from..to).unwrap_or_default();
+        let lead = line.iter().take_while(|b| blank(b)).count();
+        let trail = line.iter().rev().take_while(|b| blank(b)).count();
+        (from + lead, (to - trail).max(from + lead))
+    }
+
+    pub(in crate::nc) fn take_line(&mut self, line: &'a [u8], from: usize) {
+        self.cursor.line = line;
+        self.cursor.base = from as u32;
+        self.rewind();
+    }
+
+    /// Back to the start of the line.
+    pub(in crate::nc) fn rewind(&mut self) {
+        self.cursor.at = 0;
+        self.block = BlockParts::default();
+        self.formulas.depth = 0;
+        self.formulas.parts = 0;
+        self.formulas.sentence = Alarm::Format;
+    }
+
+    pub(in crate::nc) fn mark(&self) -> Mark {
+        Mark {
+            words: self.deck.words.len(),
+            exprs: self.deck.exprs.len(),
+            pairs: self.deck.pairs.len(),
+            texts: self.deck.texts.len(),
+            found: self.findings.list.len(),
+            variables: self.findings.misused.len(),
+            small: self.notes.small,
+        }
+    }
+
+    /// Forgets everything since the mark, to read the line again.
+    pub(in crate::nc) fn rollback(&mut self, mark: &Mark) {
+        self.deck.words.truncate(mark.words);
+        self.deck.exprs.truncate(mark.exprs);
+        self.expr_spans.truncate(mark.exprs);
+        self.deck.pairs.truncate(mark.pairs);
+        self.deck.texts.truncate(mark.texts);
+        self.findings.list.truncate(mark.found);
+        self.findings.misused.truncate(mark.variables);
+        self.notes.small = mark.small;
+        self.formulas.round_brackets.clear();
+        self.rewind();
+    }
+
+    /// Bytes of the line as a span of the file.
+    pub(in crate::nc) fn span(&self, from: usize, to: usize) -> Span {
+        Span::new(self.cursor.base + from.min(to) as u32, self.cursor.base + to as u32)
+    }
+
+    pub(in crate::nc) fn place(&self, span: Span) -> Place {
+        Place { file: self.file.id, span }
+    }
+
+    /// An alarm of the control at bytes of the line.
+    pub(in crate::nc) fn finding(&self, alarm: Alarm, from: usize, to: usize, message: Message) -> Diagnostic {
+        Diagnostic::error(message).at(self.place(self.span(from, to))).alarm(self.control.alarm_shown(alarm))
+    }
+
+    /// Has the block looked at when all is read.
+    pub(in crate::nc) fn note_later(&mut self) {
+        if self.findings.later.len() < FINDINGS {
+            self.findings.later.push(self.deck.blocks.len() as u32);
+        }
+    }
+
+    pub(in crate::nc) fn add_finding(&mut self, diagnostic: Diagnostic) {
+        if self.findings.list.len() <= FINDINGS {
+            self.findings.list.push(diagnostic);
+        }
+    }
+
+    /// Reports an alarm and reads on; the block will run into it.
+    pub(in crate::nc) fn report(&mut self, alarm: Alarm, from: usize, to: usize, message: Message) {
+        let finding = self.finding(alarm, from, to, message);
+        self.report_as(alarm, finding);
+    }
+
+    pub(in crate::nc) fn report_as(&mut self, alarm: Alarm, finding: Diagnostic) {
+        self.add_finding(finding);
+        self.block.bad.get_or_insert(alarm);
+    }
+
+    /// A warning at bytes of the file.
+    pub(in crate::nc) fn warn(&mut self, from: usize, to: usize, message: Message) {
+        let place = self.place(Span::new(from as u32, to as u32));
+        self.add_finding(Diagnostic::warning(message).at(place));
+    }
+}

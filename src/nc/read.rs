@@ -1,0 +1,57 @@
+//! Text to tree: every file of a program, one block after the other.
+
+use std::rc::Rc;
+
+use super::advice::programs::programs;
+use super::ast::Deck;
+use super::codes::Codes;
+use super::files::Files;
+use super::parse::reader::{FINDINGS, Reader};
+use super::parse::tables::Tables;
+use super::parsed::Parsed;
+use crate::controls::{Control, Dialect, Switches};
+use crate::msg;
+use crate::text::{Diagnostic, FileId};
+
+/// Reads files as a control would whose open points are at their defaults. Total: any text gives a value.
+pub fn parse(files: &Files, control: &'static Control) -> Parsed {
+    parse_with(files, control, &Switches::default())
+}
+
+/// Reads files as a control would with its open points as they are set. Total: any text gives a value.
+pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches) -> Parsed {
+    let dialect = Rc::new(Dialect::resolve(control, switches));
+    let codes = Codes::new(control, &dialect);
+    let tables = Tables::new(control, &dialect, &codes);
+    let mut deck = Deck::default();
+    let mut expr_spans = Vec::new();
+    let mut found = Vec::new();
+    let mut later = Vec::new();
+    for (index, file) in files.0.iter().enumerate() {
+        let Ok(id) = u16::try_from(index) else {
+            found.push(Diagnostic::error(msg!("nc.too-many-files", u32::from(u16::MAX))));
+            break;
+        };
+        if u32::try_from(file.text.len()).is_err() {
+            found.push(Diagnostic::error(msg!("nc.file-too-large", file.name.as_str())));
+            continue;
+        }
+        let mut reader = Reader::new(control, &tables, FileId(id), &file.text, deck);
+        reader.file.name = &file.name;
+        reader.expr_spans = expr_spans;
+        reader.reserve();
+        reader.file();
+        (deck, expr_spans) = (reader.deck, reader.expr_spans);
+        found.append(&mut reader.findings.list);
+        later.append(&mut reader.findings.later);
+    }
+    programs(&deck, control, files, &later, &mut found);
+    Diagnostic::in_order(&mut found);
+    if found.len() > FINDINGS {
+        found.truncate(FINDINGS);
+        found.push(Diagnostic::info(msg!("nc.more-findings", FINDINGS as u32)));
+    }
+    deck.shrink();
+    expr_spans.shrink_to_fit();
+    Parsed::new(files.clone(), deck, found, control, switches.clone(), dialect, codes, expr_spans)
+}

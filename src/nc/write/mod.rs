@@ -1,0 +1,228 @@
+//! Tree to text: one block at a time, brackets only where precedence needs them.
+
+mod symbolic;
+
+use crate::controls::syntax::{Function, RoundBrackets};
+use crate::controls::{Control, VarKind};
+use crate::nc::ast::{Block, Deck, Expr, ExprId, Op, Stmt, TextId, WordValue};
+use crate::nc::dec::Dec;
+use symbolic::named_operator;
+
+/// Trees deeper than this are no formulas; reading stops at as many parts.
+pub(in crate::nc) const DEPTH: u32 = 250;
+
+/// The level at which no operator stands bare.
+pub(in crate::nc) const FACTOR: u8 = 6;
+
+/// Longest text of a block that is still written out.
+const BLOCK_TEXT: usize = 10_000;
+
+/// Whether the comment of a block is what the operator reads: `#3000=1(…)`.
+pub(in crate::nc) fn is_message(deck: &Deck, control: &Control, block: &Block) -> bool {
+    let (Stmt::Assign { to, .. } | Stmt::IfThen { to, .. }) = block.stmt else { return false };
+    let Expr::Var(number) = deck.expr(to) else { return false };
+    control.var(number).is_some_and(|row| matches!(row.kind, VarKind::AlarmMessage | VarKind::StopMessage))
+}
+
+/// The length of a block's text without its comment.
+pub(in crate::nc) fn text_length(deck: &Deck, control: &Control, block: &Block) -> usize {
+    let mut w = Writer { deck, control, text: String::new(), start: 0, too_deep: false };
+    w.block(&Block { comment: None, ..*block });
+    w.text.len()
+}
+
+pub(in crate::nc) struct Writer<'a> {
+    pub(in crate::nc) deck: &'a Deck,
+    pub(in crate::nc) control: &'a Control,
+    pub(in crate::nc) text: String,
+    /// Where the block starts.
+    pub(in crate::nc) start: usize,
+    pub(in crate::nc) too_deep: bool,
+}
+
+impl Writer<'_> {
+    pub(in crate::nc) fn block(&mut self, block: &Block) {
+        self.start = self.text.len();
+        self.too_deep = false;
+        match block.skip {
+            0 => {}
+            1 => self.text.push('/'),
+            switch => self.text.push_str(&format!("/{switch}")),
+        }
+        if let Some(number) = block.number {
+            self.text.push(if block.main { ':' } else { 'N' });
+            self.text.push_str(&number.to_string());
+            if block.stmt != Stmt::Empty || block.label.is_some() {
+                self.text.push(' ');
+            }
+        }
+        if self.control.syntax.names().is_some() {
+            return self.named_block(block);
+        }
+        match block.stmt {
+            // What has no form here is left out by `lower`.
+            Stmt::Empty | Stmt::Bad(_) | Stmt::Ifs { .. } => {}
+            Stmt::Assigns { first, count } => {
+                for (at, pair) in self.deck.pairs_of(first, count).iter().enumerate() {
+                    self.text.push_str(if at > 0 { " " } else { "" });
+                    self.assignment(pair.left, pair.right);
+                }
+            }
+            Stmt::Call { .. } | Stmt::Message(_) => {}
+            Stmt::Words { .. } => self.words(block),
+            Stmt::Assign { to, value } => self.assignment(to, value),
+            Stmt::If { cond, target, .. } => {
+                self.text.push_str("IF[");
+                self.expr(cond, 0, true, 0);
+                self.text.push_str("]GOTO");
+                self.expr(target, 0, true, 0);
+            }
+            Stmt::IfThen { cond, to, value } => {
+                self.text.push_str("IF[");
+                self.expr(cond, 0, true, 0);
+                self.text.push_str("]THEN ");
+                self.assignment(to, value);
+            }
+            Stmt::Goto { target, .. } => {
+                self.text.push_str("GOTO");
+                self.expr(target, 0, true, 0);
+            }
+            Stmt::While { cond, label } => {
+                if let Some(cond) = cond {
+                    self.text.push_str("WHILE[");
+                    self.expr(cond, 0, true, 0);
+                    self.text.push(']');
+                }
+                self.text.push_str(&format!("DO{label}"));
+            }
+            Stmt::End { label } => self.text.push_str(&format!("END{label}")),
+        }
+        let spaced = self.text.len() > self.start && !is_message(self.deck, self.control, block);
+        self.comment(block.comment, spaced);
+    }
+
+    pub(in crate::nc) fn assignment(&mut self, to: ExprId, value: ExprId) {
+        self.expr(to, FACTOR, true, 0);
+        self.text.push('=');
+        self.expr(value, 0, true, 0);
+    }
+
+    pub(in crate::nc) fn comment(&mut self, comment: Option<TextId>, spaced: bool) {
+        if comment.is_some() {
+            let round = self.control.syntax.round == RoundBrackets::Comment;
+            if spaced {
+                self.text.push(' ');
+            }
+            self.text.push(if round { '(' } else { ';' });
+            self.text.push_str(self.deck.text(comment));
+            self.text.push_str(if round { ")" } else { "" });
+        }
+    }
+
+    pub(in crate::nc) fn words(&mut self, block: &Block) {
+        for (index, word) in self.deck.words_of(block).iter().enumerate() {
+            if index > 0 {
+                self.text.push(' ');
+            }
+            self.text.push(word.letter as char);
+            match word.value {
+                // The first switch of a skip in the middle of a block goes without its number.
+                WordValue::Number(Dec { mantissa: 1, .. }) if word.letter == b'/' => {}
+                // G codes have two digits in every manual.
+                WordValue::Number(number @ Dec { mantissa: 0..10, scale: 0, .. }) if word.letter == b'G' => {
+                    self.text.push_str(&format!("0{number}"));
+                }
+                WordValue::Number(number) => self.text.push_str(&number.to_string()),
+                WordValue::Expr(value) => match self.deck.expr(value) {
+                    Expr::Var(_) | Expr::Indirect(_) => self.expr(value, FACTOR, true, 0),
+                    _ => self.bracketed(value, 0),
+                },
+            }
+        }
+    }
+
+    pub(in crate::nc) fn function_name(&mut self, function: Function) {
+        let row = self.control.syntax.functions.iter().find(|(_, other)| *other == function);
+        let name = row.map_or_else(|| format!("{function:?}").to_ascii_uppercase(), |(name, _)| (*name).to_owned());
+        self.text.push_str(&name);
+    }
+
+    pub(in crate::nc) fn bracketed(&mut self, id: ExprId, depth: u32) {
+        let round = self.control.syntax.round == RoundBrackets::Group;
+        self.text.push(if round { '(' } else { '[' });
+        self.expr(id, 0, true, depth + 1);
+        self.text.push(if round { ')' } else { ']' });
+    }
+
+    /// Writes an expression where operators of at least `level` may stand bare, from comparisons at 0 to none at [`FACTOR`]; a sign
+    /// only at the head of a bracket or block (`lead`).
+    pub(in crate::nc) fn expr(&mut self, id: ExprId, level: u8, lead: bool, depth: u32) {
+        if depth > DEPTH || self.text.len() - self.start > BLOCK_TEXT {
+            self.too_deep = true;
+            self.text.push('0');
+            return;
+        }
+        match self.deck.expr(id) {
+            Expr::Number(number) if number.mantissa < 0 && !lead => self.bracketed(id, depth),
+            Expr::Label(name) => self.text.push_str(self.deck.text(Some(name))),
+            Expr::Number(number) => self.text.push_str(&number.to_string()),
+            Expr::Var(number) => self.text.push_str(&self.control.variable(number)),
+            Expr::Indirect(inner) => {
+                self.text.push(self.control.syntax.variable);
+                self.text.push('[');
+                self.expr(inner, 0, true, depth + 1);
+                self.text.push(']');
+            }
+            Expr::Negate(_) if !lead => self.bracketed(id, depth),
+            Expr::Negate(inner) => {
+                self.text.push('-');
+                match self.deck.expr(inner) {
+                    Expr::Var(_) | Expr::Indirect(_) | Expr::Call(..) => self.expr(inner, FACTOR, false, depth + 1),
+                    _ => self.bracketed(inner, depth),
+                }
+            }
+            Expr::Call(function, inner) => {
+                self.function_name(function);
+                self.bracketed(inner, depth);
+            }
+            Expr::Binary(Op::Atan, left, right) if self.control.syntax.names().is_some() => {
+                self.two_arguments(left, right, depth);
+            }
+            Expr::Binary(Op::Atan, left, right) => {
+                self.function_name(Function::Atan);
+                self.bracketed(left, depth);
+                self.text.push('/');
+                self.bracketed(right, depth);
+            }
+            Expr::Binary(op, left, right) => {
+                let (own, sign) = if self.control.syntax.names().is_some() { named_operator(op) } else { operator(op) };
+                if own < level {
+                    return self.bracketed(id, depth);
+                }
+                self.expr(left, own, lead, depth + 1);
+                self.text.push_str(sign);
+                self.expr(right, own + 1, false, depth + 1);
+            }
+        }
+    }
+}
+
+/// Level and spelling of an operator.
+fn operator(op: Op) -> (u8, &'static str) {
+    match op {
+        Op::Add => (1, "+"),
+        Op::Subtract => (1, "-"),
+        Op::Or => (1, " OR "),
+        Op::Xor => (1, " XOR "),
+        Op::Multiply => (2, "*"),
+        Op::Divide | Op::Atan => (2, "/"),
+        Op::And => (2, " AND "),
+        Op::Modulo => (2, " MOD "),
+        Op::Equal => (0, " EQ "),
+        Op::NotEqual => (0, " NE "),
+        Op::Greater => (0, " GT "),
+        Op::GreaterEqual => (0, " GE "),
+        Op::Less => (0, " LT "),
+        Op::LessEqual => (0, " LE "),
+    }
+}
