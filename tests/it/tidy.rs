@@ -151,6 +151,14 @@ fn the_core_has_no_clock_no_randomness_and_no_files() {
 }
 
 #[test]
+fn no_code_steers_by_the_id_of_a_message() {
+    let outside = sources().filter(|source| source.room() != Some("text"));
+    let broken = outside.flat_map(|source| source.find_code(&[". message . id"])).collect();
+    let mend = "give the diagnostic a `DiagnosticKind` where it arises; `Diagnostic::id` is for silencing and JSON";
+    hold("Diagnostics have kinds; ids and texts of messages are for people.", mend, broken);
+}
+
+#[test]
 fn only_the_math_gate_names_libm() {
     let broken =
         sources().filter(|source| source.path != "src/math.rs").flat_map(|s| s.find_words(&["libm"])).collect();
