@@ -21,7 +21,7 @@ pub enum Grade {
 /// Source and grade of one row of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Citation {
-    /// Manual, page, header line; short enough for a table cell.
+    /// Manual, page, header line; short enough for a table cell. Word for word a line of `docs/reference/sources.md`.
     pub source: &'static str,
     /// How far it carries.
     pub grade: Grade,
