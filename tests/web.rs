@@ -58,13 +58,13 @@ fn press(button: &web_sys::Element) {
 }
 
 #[wasm_bindgen_test]
-async fn the_app_mounts() {
+async fn app_mounts() {
     let (host, _mounted) = app().await;
     assert!(host.text_content().unwrap().contains("macroline"));
 }
 
 #[wasm_bindgen_test]
-async fn a_field_keeps_what_is_typed_and_says_what_is_wrong() {
+async fn field_keeps_typed_text_and_shows_its_error() {
     let (_, _mounted) = app().await;
     for (typed, wrong) in
         [("1.05", false), ("1,5", false), ("0.05", false), ("-1.50", true), ("", true), ("1e400", true)]
@@ -78,7 +78,7 @@ async fn a_field_keeps_what_is_typed_and_says_what_is_wrong() {
 }
 
 #[wasm_bindgen_test]
-async fn undo_brings_back_what_a_field_showed() {
+async fn undo_restores_the_shown_field() {
     let (host, _mounted) = app().await;
     let input = type_into("pitch", "9.5").await;
     press(&host.query_selector("[aria-label=Undo]").unwrap().unwrap());
@@ -87,7 +87,7 @@ async fn undo_brings_back_what_a_field_showed() {
 }
 
 #[wasm_bindgen_test]
-async fn a_field_reaches_the_program() {
+async fn field_change_reaches_the_program() {
     let (host, _mounted) = app().await;
     type_into("pitch", "7,25").await;
     let files = host.query_selector_all("[aria-label='Program files'] button").unwrap();
@@ -104,7 +104,7 @@ async fn a_field_reaches_the_program() {
 }
 
 #[wasm_bindgen_test]
-async fn another_control_writes_its_own_words() {
+async fn change_of_control_rewrites_the_program() {
     let (host, _mounted) = app().await;
     let choice = host.query_selector("select.control").unwrap().unwrap();
     choose(&choice, "sinumerik-802d").await;
@@ -114,7 +114,7 @@ async fn another_control_writes_its_own_words() {
 }
 
 #[wasm_bindgen_test]
-async fn a_broken_stored_state_is_set_aside() {
+async fn broken_stored_state_is_set_aside() {
     let store = window().local_storage().unwrap().unwrap();
     store.clear().unwrap();
     store.set_item("macroline.project", "{ not a project").unwrap();

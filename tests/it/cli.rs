@@ -93,7 +93,7 @@ fn run_exported(files: &[String], more: &[&str]) -> Json {
 }
 
 #[test]
-fn the_papers_example_runs_from_the_exported_text_with_exact_pi() {
+fn exported_paper_example_with_exact_pi_runs_to_its_figures() {
     let files = exported(&folder("paper-exact"), json!({ "pitch-count": 40 }));
     assert_eq!(files.len(), 3, "{files:?}");
     let out = run_exported(&files, &["--no-canon"]);
@@ -105,7 +105,7 @@ fn the_papers_example_runs_from_the_exported_text_with_exact_pi() {
 }
 
 #[test]
-fn the_papers_example_runs_with_the_papers_pi() {
+fn exported_paper_example_with_short_pi_runs_to_its_figures() {
     let files = exported(&folder("paper-314"), json!({ "pitch-count": 40, "pi": "3.14" }));
     let out = run_exported(&files, &["--no-canon"]);
     near(&out["variables"]["#105"], 15072.0, 1e-12);
@@ -114,7 +114,7 @@ fn the_papers_example_runs_with_the_papers_pi() {
 }
 
 #[test]
-fn a_project_runs_as_its_exported_files_do() {
+fn project_and_its_exported_files_run_alike() {
     let folder = folder("project-run");
     let files = exported(&folder, json!({ "pitch-count": 40 }));
     let bare = run_exported(&files, &[]);
@@ -124,7 +124,7 @@ fn a_project_runs_as_its_exported_files_do() {
 }
 
 #[test]
-fn five_hundred_pitches_by_any_number_per_block_print_exactly_five_hundred() {
+fn pitches_per_block_do_not_change_the_pitch_count() {
     for per_block in [1, 3, 6, 7, 499, 500, 600] {
         let folder = folder(&format!("per-block-{per_block}"));
         let path = project(&folder, json!({ "pitch-count": 500, "pitches-per-block": per_block }));
@@ -137,7 +137,7 @@ fn five_hundred_pitches_by_any_number_per_block_print_exactly_five_hundred() {
 }
 
 #[test]
-fn the_operator_changes_product_by_variables_alone() {
+fn operator_changes_product_by_variables_on_the_command_line() {
     let folder = folder("product-change");
     let files = exported(&folder, json!({ "pitch-count": 60 }));
     let out = run_exported(&files, &["--no-canon", "--set", "#107=12.5", "--set", "#109=4"]);
@@ -148,7 +148,7 @@ fn the_operator_changes_product_by_variables_alone() {
 }
 
 #[test]
-fn a_knob_turned_in_the_run_changes_the_speed_of_both() {
+fn override_during_run_changes_spindle_and_axis_speed() {
     let folder = folder("knob");
     let path = project(&folder, json!({ "pitch-count": 400 }));
     let panel = folder.join("panel.json");
@@ -159,7 +159,7 @@ fn a_knob_turned_in_the_run_changes_the_speed_of_both() {
 }
 
 #[test]
-fn wrong_usage_exits_2_and_errors_exit_1() {
+fn wrong_usage_exits_2_and_error_diagnostics_exit_1() {
     for line in [
         &["run"][..],
         &["new", "no-such-machine"],
@@ -182,7 +182,7 @@ fn wrong_usage_exits_2_and_errors_exit_1() {
 }
 
 #[test]
-fn an_endless_program_ends_at_its_budget() {
+fn endless_program_ends_at_its_budget() {
     let folder = folder("endless");
     let path = folder.join("endless.nc");
     std::fs::write(&path, "%\nO1\nWHILE[1 EQ 1]DO1\n#100=#100+1\nEND1\nM30\n%\n").unwrap();
@@ -197,7 +197,7 @@ fn an_endless_program_ends_at_its_budget() {
 }
 
 #[test]
-fn diagnostics_have_the_same_keys_with_and_without_a_place() {
+fn diagnostics_without_place_have_the_same_json_keys() {
     let folder = folder("keys");
     let path = folder.join("keys.nc");
     std::fs::write(&path, "%\nO1\nN1GOTO1\nX#2000\nM30\n%\n").unwrap();
@@ -214,7 +214,7 @@ fn diagnostics_have_the_same_keys_with_and_without_a_place() {
 }
 
 #[test]
-fn what_a_terminal_gets_is_short_and_harmless() {
+fn terminal_output_is_short_and_without_control_characters() {
     let folder = folder("terminal");
     let path = folder.join("long.nc");
     let text_of_it = format!("%\nO1(\u{1b}[31m)\nGOTO7\n#1=1{}\nM30\n%\n", "+1".repeat(20_000));
@@ -226,7 +226,7 @@ fn what_a_terminal_gets_is_short_and_harmless() {
 }
 
 #[test]
-fn inputs_of_the_plc_are_forced_by_variable_or_register() {
+fn plc_inputs_are_forced_by_variable_or_register() {
     let folder = folder("inputs");
     let path = folder.join("inputs.nc");
     std::fs::write(&path, "%\nO1\nS1200M3\nG04X3.\n#100=#1033\n#101=#1032\n#102=#1002\nG04X1.\nM00\nM30\n%\n").unwrap();
@@ -271,7 +271,7 @@ fn inputs_of_the_plc_are_forced_by_variable_or_register() {
 }
 
 #[test]
-fn the_spindle_stands_as_m00_left_it() {
+fn run_that_ends_at_m00_reports_the_turning_spindle() {
     let folder = folder("m00");
     let path = folder.join("spindle.nc");
     std::fs::write(&path, "%\nO1\nS1200M3\nG04X5.\nM00\nM30\n%\n").unwrap();
@@ -283,7 +283,7 @@ fn the_spindle_stands_as_m00_left_it() {
 }
 
 #[test]
-fn gear_angle_and_limits_of_the_spindle_are_told() {
+fn run_json_reports_gear_angle_and_speed_limits() {
     let folder = folder("spindle");
     let path = folder.join("spindle.nc");
     std::fs::write(&path, "O1\nS1000 M03\nM42\nG04 X5.\nM30\n%\n").unwrap();
@@ -306,7 +306,7 @@ fn gear_angle_and_limits_of_the_spindle_are_told() {
 /// Eight bytes a block that stayed would be too many.
 #[cfg(unix)]
 #[test]
-fn a_run_streams() {
+fn run_prints_its_log_while_it_runs() {
     let program = folder("streams").join("endless.nc");
     std::fs::write(&program, "%\nO1\nG91G01F119391.393\nDO1\nX8.Y62.832\n#100=#100+1\nEND1\n%\n").unwrap();
     let run = "ulimit -v 32000 && exec \"$0\" run \"$1\" --control mitsubishi-e60 --seconds 1e9 --blocks 3000000";
@@ -332,7 +332,7 @@ fn step(args: &[&str], script: &str) -> (i32, String, String) {
 }
 
 #[test]
-fn step_takes_a_script_and_ends_with_the_status_of_the_run() {
+fn step_exits_with_the_status_of_its_run() {
     let path = folder("step").join("a.nc");
     std::fs::write(&path, "%\nO1\n#100=#107+1\n#101=SQRT[3-#100]\nM30\n%\n").unwrap();
     let file = text(&path);
@@ -355,7 +355,7 @@ fn step_takes_a_script_and_ends_with_the_status_of_the_run() {
 }
 
 #[test]
-fn step_takes_a_project_with_its_panel_and_budget() {
+fn step_uses_panel_and_budget_of_the_project() {
     let folder = folder("step-project");
     let project = project(&folder, json!({}));
     let (status, out, _) =
@@ -373,7 +373,7 @@ fn ids_told(out: &Output) -> (Vec<String>, String) {
 }
 
 #[test]
-fn warnings_show_the_id_that_silences_them() {
+fn warning_shows_the_id_that_suppresses_it() {
     let folder = folder("silence");
     let path = folder.join("O1.nc");
     std::fs::write(&path, "%\nO1\nG91 G01 X8 F100\nM30\nX1.\nM30\n%\n").unwrap();
@@ -398,7 +398,7 @@ fn warnings_show_the_id_that_silences_them() {
 }
 
 #[test]
-fn fixes_are_told_with_their_edits() {
+fn json_fixes_carry_their_edits() {
     let path = folder("edits").join("O1.nc");
     let source = "%\nO1\nG91 G01 X8 F100\nM30\n%\n";
     std::fs::write(&path, source).unwrap();
@@ -413,7 +413,7 @@ fn fixes_are_told_with_their_edits() {
 }
 
 #[test]
-fn no_number_is_minus_zero() {
+fn json_numbers_are_never_minus_zero() {
     let path = folder("zero").join("O1.nc");
     std::fs::write(&path, "%\nO1\nG00 X-0. Y[0*-1]\nG91 X1.\nX-1.\nM30\n%\n").unwrap();
     let args = ["run", &text(&path), "--control", "mitsubishi-e60", "--set", "#100=-0", "--json"];
@@ -422,7 +422,7 @@ fn no_number_is_minus_zero() {
 }
 
 #[test]
-fn the_last_command_is_told_once() {
+fn last_command_is_logged_once() {
     let path = folder("end").join("O1.nc");
     std::fs::write(&path, "%\nO1\nG00 X1.\nM30\n%\n").unwrap();
     let args = [text(&path), "--control".to_owned(), "mitsubishi-e60".to_owned()];
@@ -435,7 +435,7 @@ fn the_last_command_is_told_once() {
 }
 
 #[test]
-fn a_loop_without_its_other_end_is_told_once() {
+fn loop_without_its_other_end_is_one_finding() {
     let path = text(&folder("loops").join("O1.nc"));
     for (lines, alarm) in [("DO1\nG04 X1.\nEND", "P291"), ("DO1\nDO2\nEND1\nEND2", "P294"), ("G04 X1.\nEND1", "P294")] {
         std::fs::write(&path, format!("%\nO1\n{lines}\nM30\n%\n")).unwrap();
@@ -446,14 +446,14 @@ fn a_loop_without_its_other_end_is_told_once() {
 }
 
 #[test]
-fn what_may_stop_a_run_is_not_told_beside_what_stopped_it() {
+fn stopped_run_omits_the_warning_that_foresaw_it() {
     let path = text(&folder("may").join("O1.nc"));
     for (block, warning, alarm) in [
         ("M98 P77", "lint.no-such-program", "P232"),
         ("#2=5/#1", "lint.zero-divisor", "P283"),
         ("G01 X1. F0", "lint.feed-zero-digit", "P62"),
     ] {
-        // Where the run does not come to it, the warning stands.
+        // The warning stays where the run does not reach it.
         for (jump, told) in [("", json!([alarm])), ("#3=1\nIF[#3 EQ 1]GOTO9", json!([null]))] {
             std::fs::write(&path, format!("%\nO1\n#1=0\n{jump}\n{block}\nN9 M30\n%\n")).unwrap();
             let out = run(&[&path, "--control", "mitsubishi-e60"], i32::from(jump.is_empty()));
@@ -467,7 +467,7 @@ fn what_may_stop_a_run_is_not_told_beside_what_stopped_it() {
 }
 
 #[test]
-fn what_a_block_does_not_do_is_told_once() {
+fn ignored_part_of_a_block_is_one_finding() {
     let path = folder("remarks").join("O1.nc");
     let program =
         "%\nO1\nWHILE[#1 LT 5]DO1\n#1=#1+1\n#1132=#1*1E9\nG04 P0.5\nEND1\nM30\n%\n".replace("1E9", "1000000000");
@@ -480,7 +480,7 @@ fn what_a_block_does_not_do_is_told_once() {
 }
 
 #[test]
-fn settings_of_calls_by_code_that_bind_nothing_are_told() {
+fn code_call_setting_without_a_program_is_a_finding() {
     let path = folder("call-parameters").join("O1.nc");
     std::fs::write(&path, "O1\nM30\n%\n").unwrap();
     for (control, setting, strange) in [
@@ -504,7 +504,7 @@ fn settings_of_calls_by_code_that_bind_nothing_are_told() {
 }
 
 #[test]
-fn what_a_project_silences_stays_silent_everywhere_but_errors() {
+fn suppression_hides_warnings_everywhere_but_never_errors() {
     let folder = folder("silenced-project");
     let path = project(&folder, json!({}));
     let mut saved: Json = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
@@ -526,14 +526,14 @@ fn what_a_project_silences_stays_silent_everywhere_but_errors() {
 }
 
 #[test]
-fn axes_that_stop_between_short_blocks_are_told_once() {
+fn axes_that_stop_between_short_blocks_are_one_finding() {
     let folder = folder("short");
     let path = folder.join("O1.nc");
     let program = format!("%\nO1\nG91 G64 G01 X10. F30000\n{}M30\n%\n", "X0.5\n".repeat(40));
     std::fs::write(&path, program).unwrap();
     let args = ["run", &text(&path), "--control", "mitsubishi-e60"];
     assert_eq!(ids_told(&macroline(&args)).0, ["lint.short-blocks"]);
-    // Calculated lengths are told by the run.
+    // Calculated lengths are reported by the run.
     std::fs::write(&path, format!("%\nO1\n#1=0.5\nG91 G64 G01 X10. F30000\n{}M30\n%\n", "X#1\n".repeat(40))).unwrap();
     assert_eq!(ids_told(&macroline(&args)).0, ["motion.starved"]);
 }

@@ -1,4 +1,4 @@
-//! What the same lines do on each control: the differences as one table, run and not claimed.
+//! The same lines on each control: their differences as one table, from runs.
 
 use std::fmt::Write as _;
 use std::rc::Rc;
@@ -151,7 +151,7 @@ const QUESTIONS: &[(&str, &str, &str)] = &[
 ];
 
 #[test]
-fn the_controls_differ_where_the_sheets_say() {
+fn same_lines_on_each_control_match_the_table() {
     let mut rows = vec![("".to_owned(), ALL.iter().map(|control| control.name.to_owned()).collect::<Vec<_>>())];
     rows.extend(
         QUESTIONS

@@ -48,7 +48,7 @@ fn every_row_has_a_source() {
 }
 
 #[test]
-fn rows_that_are_searched_stand_in_order() {
+fn searched_rows_are_sorted() {
     for control in ALL {
         assert!(control.codes.is_sorted_by_key(|row| row.id), "{}", control.id);
         for pair in control.codes.windows(2) {
@@ -76,7 +76,7 @@ const ON_SOME: [Alarm; 7] = [
 ];
 
 #[test]
-fn every_alarm_leads_to_one_row() {
+fn every_alarm_kind_has_one_row_or_a_wider_one() {
     for control in ALL {
         for kind in Alarm::ALL {
             let rows = control.alarms.iter().filter(|row| row.kind == *kind).count();
@@ -90,7 +90,7 @@ fn every_alarm_leads_to_one_row() {
 }
 
 #[test]
-fn ids_are_unique_and_found() {
+fn control_ids_are_unique_and_found() {
     for control in ALL {
         assert!(core::ptr::eq(find(control.id).unwrap(), *control));
         for switch in control.switches {
@@ -103,7 +103,7 @@ fn ids_are_unique_and_found() {
 }
 
 #[test]
-fn each_group_starts_with_one_code() {
+fn startup_codes_are_modal_and_one_per_group() {
     for control in ALL {
         let row = |id: &CodeId| control.code(*id).unwrap();
         let groups: Vec<Group> = control.startup.iter().map(|id| row(id).group).collect();
@@ -126,7 +126,7 @@ fn the_bench_has_axes_of_the_control() {
 }
 
 #[test]
-fn variables_of_the_e60() {
+fn e60_variables_match_the_fact_sheet() {
     let kind = |number| e60().var(number).map(|row| row.kind);
     for (number, expected) in [
         (0, Some(VarKind::Vacant)),
@@ -154,7 +154,7 @@ fn variables_of_the_e60() {
 }
 
 #[test]
-fn codes_of_the_e60() {
+fn e60_codes_match_the_fact_sheet() {
     let code = |id| e60().code(id).map(|row| row.code);
     assert_eq!(code(CodeId::g(1)), Some(Code::Linear));
     assert_eq!(code(CodeId::g_dot(61, 1)), Some(Code::NotSimulated));
@@ -166,7 +166,7 @@ fn codes_of_the_e60() {
 }
 
 #[test]
-fn the_parameters_that_the_paper_misprints() {
+fn e60_parameters_correct_the_papers_misprints() {
     let number = |role| e60().param(role).unwrap().number;
     assert_eq!(number(ParamRole::SpindleCount), "#1039");
     assert_eq!(number(ParamRole::SpindleLimit), "#3001");
@@ -174,7 +174,7 @@ fn the_parameters_that_the_paper_misprints() {
 }
 
 #[test]
-fn a_switch_is_set_or_at_its_default() {
+fn switch_is_set_or_at_its_default() {
     let row = e60().switch("decimal-point").unwrap();
     let set = |value: &str| Switches(vec![("decimal-point".to_owned(), value.to_owned())]);
     assert_eq!(Switches::default().setting(row), "increments");
@@ -192,7 +192,7 @@ fn shows(control: &Control, rows: &[(Alarm, &str)]) {
 }
 
 #[test]
-fn variables_of_the_980tdc() {
+fn gsk_980tdc_variables_match_the_fact_sheet() {
     let kind = |number| gsk().var(number).map(|row| row.kind);
     for (number, expected) in [
         (0, Some(VarKind::Vacant)),
@@ -230,7 +230,7 @@ fn variables_of_the_980tdc() {
 }
 
 #[test]
-fn variables_of_the_k2000t() {
+fn knd_k2000t_variables_match_the_fact_sheet() {
     let kind = |number| knd().var(number).map(|row| row.kind);
     for (number, expected) in [
         (1032, Some(VarKind::InputWord(Width::Word))),
@@ -262,7 +262,7 @@ fn variables_of_the_k2000t() {
 }
 
 #[test]
-fn lathes_count_diameters_and_have_addresses_for_steps() {
+fn lathes_count_diameters_and_have_incremental_addresses() {
     for control in [gsk(), knd()] {
         for (letter, incremental, diameter, rotary) in [
             (b'X', b'U', true, false),
@@ -283,7 +283,7 @@ fn lathes_count_diameters_and_have_addresses_for_steps() {
 }
 
 #[test]
-fn the_980tdc_takes_vacant_for_zero() {
+fn gsk_980tdc_takes_vacant_as_zero() {
     let macros = &gsk().macros;
     assert_eq!((macros.vacant_word, macros.vacant_equals_zero), (VacantWord::Zero, true));
     assert!(macros.whole_bits && macros.call_first && macros.call_ends_modal);
@@ -300,7 +300,7 @@ fn the_980tdc_takes_vacant_for_zero() {
 }
 
 #[test]
-fn the_k2000t_follows_custom_macro_b() {
+fn knd_k2000t_follows_custom_macro_b() {
     let macros = &knd().macros;
     assert_eq!((macros.vacant_word, macros.vacant_equals_zero), (VacantWord::Dropped, false));
     assert_eq!(macros.argument_sets, ArgumentSets::InOrder);
@@ -312,7 +312,7 @@ fn the_k2000t_follows_custom_macro_b() {
 }
 
 #[test]
-fn codes_of_the_user_by_parameter() {
+fn user_codes_follow_their_parameters() {
     let calls = |control: &Control, settings: &str| -> Vec<(CodeId, u32)> {
         let switches = Switches(vec![("call-parameters".to_owned(), settings.to_owned())]);
         Dialect::resolve(control, &switches).calls().iter().map(|call| (call.code, call.program)).collect()
@@ -331,7 +331,7 @@ fn codes_of_the_user_by_parameter() {
 }
 
 #[test]
-fn alarms_of_the_980tdc() {
+fn gsk_980tdc_alarms_match_the_fact_sheet() {
     shows(
         gsk(),
         &[
@@ -370,12 +370,12 @@ fn alarms_of_the_980tdc() {
             (Alarm::NotWhole, "0127"),
         ],
     );
-    // G67 stands in many opening blocks without a G66 before it.
+    // Many opening blocks have G67 without a G66 before it.
     assert!(!gsk().raises(Alarm::NoModalCall) && !knd().raises(Alarm::NoModalCall) && e60().raises(Alarm::NoModalCall));
 }
 
 #[test]
-fn alarms_of_the_k2000t() {
+fn knd_k2000t_alarms_match_the_fact_sheet() {
     shows(
         knd(),
         &[
@@ -421,7 +421,7 @@ fn codes_that_call_macros_are_parameters() {
 }
 
 #[test]
-fn each_bit_stands_in_a_word() {
+fn each_plc_bit_belongs_to_a_word() {
     for control in ALL {
         for row in control.vars.iter().filter(|row| matches!(row.kind, VarKind::InputBit | VarKind::OutputBit)) {
             let at = |number: u32| control.word_of_bit(number);

@@ -14,7 +14,7 @@ fn check(id: &str, text: &str, expected: Expect) {
 }
 
 #[test]
-fn place_hints_and_fixes() {
+fn diagnostic_shows_place_hints_and_fixes() {
     check(
         "mitsubishi-e60",
         "%\nO1\nN5 #2000=(3.14*#102)/#101\nIF[#1==0]THEN #2=1 (NOTE)\nM98P100\n%\n",
@@ -83,7 +83,7 @@ fn place_hints_and_fixes() {
 }
 
 #[test]
-fn numbers_of_lines_are_aligned() {
+fn line_numbers_are_aligned() {
     let text = format!("%\nO1\n{}IF[#1 EQ 0]THEN #2=1\nM30\n%\n", "G04X1.\n".repeat(6));
     check(
         "mitsubishi-e60",
@@ -107,7 +107,7 @@ fn numbers_of_lines_are_aligned() {
 }
 
 #[test]
-fn marks_stand_under_what_they_mean() {
+fn marks_are_under_their_columns() {
     check(
         "mitsubishi-e60",
         "%\nO1\n\tG00\tQ1.\t\tX#107.\n(主轴 转速) G00 X１０\nM30\n%\n",
@@ -144,7 +144,7 @@ fn marks_stand_under_what_they_mean() {
 }
 
 #[test]
-fn long_lines_are_shown_around_the_place() {
+fn long_line_is_cut_around_the_place() {
     check(
         "mitsubishi-e60",
         &format!("%\nO1\n#1={}#2000{}\nM30\n%\n", "1+".repeat(100), "+1".repeat(100)),
@@ -170,7 +170,7 @@ fn long_lines_are_shown_around_the_place() {
 }
 
 #[test]
-fn fixes_that_reach_through_the_file_are_named_alone() {
+fn fix_across_the_file_is_named_without_lines() {
     check(
         "mitsubishi-e60",
         &format!("o1\n{}m30\n%\n", "g04x1.\n".repeat(200)),
@@ -198,7 +198,7 @@ fn fixes_that_reach_through_the_file_are_named_alone() {
 }
 
 #[test]
-fn nothing_to_say() {
+fn clean_program_prints_nothing_to_say() {
     check(
         "gsk-980tdc",
         "O0001\nM30\n%\n",
@@ -210,7 +210,7 @@ fn nothing_to_say() {
 
 /// A tape has a leader, and whatever its punch left behind the end: the control reads neither.
 #[test]
-fn what_stands_outside_the_record_is_said_once_and_not_read() {
+fn text_outside_the_record_is_one_finding() {
     check(
         "mitsubishi-e60",
         "LEADER TAPE\n%\nO1\nG00 X1.\nM30\n%\nREST OF THE TAPE\nG00 X9.\n",

@@ -52,7 +52,7 @@ fn near(value: f64, want: f64, relative: f64) {
 }
 
 #[test]
-fn the_override_table_comes_out_row_by_row() {
+fn exported_text_reproduces_the_override_table() {
     // Override %, r/min, then with 3.14 and with exact π: line speed, vector feed in mm/min, block time in ms; volts.
     let table = [
         (10.0, 120.0, 1507.200, 11927.134, 318.471, 1507.964, 11939.139, 318.310, 0.811),
@@ -62,7 +62,7 @@ fn the_override_table_comes_out_row_by_row() {
         (110.0, 1320.0, 16579.200, 131198.470, 28.952, 16587.609, 131330.533, 28.937, 8.919),
         (120.0, 1440.0, 18086.400, 143125.604, 26.539, 18095.574, 143269.672, 26.526, 9.730),
         (123.0, 1476.0, 18538.560, 146703.744, 25.892, 18547.963, 146851.414, 25.879, 9.973),
-        // Above 123.3 % the spindle stands at its clamp, and so does the program.
+        // Above 123.3 % spindle and program are at the clamp.
         (124.0, 1480.0, 18588.800, 147101.315, 25.822, 18598.229, 147249.385, 25.809, 10.0),
         (200.0, 1480.0, 18588.800, 147101.315, 25.822, 18598.229, 147249.385, 25.809, 10.0),
     ];
@@ -88,7 +88,7 @@ fn the_override_table_comes_out_row_by_row() {
 }
 
 #[test]
-fn the_volts_stand_at_the_spindle_while_it_prints() {
+fn analog_volts_while_printing_match_the_design() {
     let project = ribbon(&[("pitch-count", 100.0)]);
     let written = project.written();
     let limits = Budget { blocks: 1_000_000, seconds: 100.0 };
@@ -103,7 +103,7 @@ fn the_volts_stand_at_the_spindle_while_it_prints() {
 }
 
 #[test]
-fn exported_programs_are_as_the_control_wants_them() {
+fn exported_programs_follow_the_control_syntax() {
     for (control, crlf) in controls().iter().flat_map(|id| [(id, false), (id, true)]) {
         let mut project = ribbon_on(control, &[]);
         choose(&mut project, "newline", if crlf { "crlf" } else { "lf" });
@@ -136,7 +136,7 @@ fn exported_programs_are_as_the_control_wants_them() {
 }
 
 #[test]
-fn a_dropped_program_brings_the_form_back() {
+fn dropped_program_restores_the_whole_project() {
     let values = [("pitch", 12.5), ("heads", 47.0), ("clamp-x", 25_000.0), ("pitches-per-block", 4.0)];
     let present = ribbon(&[]);
     for control in controls() {
@@ -152,7 +152,7 @@ fn a_dropped_program_brings_the_form_back() {
 }
 
 #[test]
-fn a_dropped_program_that_was_edited_keeps_its_edit() {
+fn dropped_edited_program_keeps_its_edit() {
     let project = ribbon(&[("pitch", 12.5)]);
     let file = project.written().files.0.into_iter().find(|f| f.name == "O9101.nc").unwrap();
     let text = file.text.replace("G04 X2.", "G04 X3.");
@@ -165,7 +165,7 @@ fn a_dropped_program_that_was_edited_keeps_its_edit() {
 }
 
 #[test]
-fn errors_refuse_the_export_and_verdicts_do_not() {
+fn errors_refuse_export_and_failed_verdicts_allow_it() {
     assert!(!ribbon(&[]).export().files.is_empty(), "the paper's own example fails the slip rule and is exported");
     for (field, value) in
         [("pitch", 0.0), ("pitch", -8.0), ("heads", 0.0), ("reduction-ratio", f64::INFINITY), ("clamp-y", 1000.0)]
@@ -180,7 +180,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(256))]
 
     #[test]
-    fn running_the_program_gives_the_closed_form(
+    fn run_of_exported_program_equals_closed_form(
         speed in 100u32..1480, ratio in 5.0..60.0f64, press in 40.0..200.0f64, pitch in 2.0..60.0f64, heads in 1u32..60,
         roller in 20.0..300.0f64, count in 1u32..60, per_block in 1u32..9, percent in 10u32..120, degrees: bool,
         control in proptest::sample::select(controls()),

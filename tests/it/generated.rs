@@ -1,4 +1,4 @@
-//! Laws on generated programs: written out block by block they do the same, and read, write and run of them hold what is promised.
+//! Laws on generated programs: plain blocks do the same as macros; parse, emit and run keep their promises.
 
 mod dice;
 mod flat;
@@ -104,39 +104,39 @@ fn bytes() -> impl Strategy<Value = Vec<u8>> {
 
 proptest! {
     #[test]
-    fn a_run_written_out_in_plain_blocks_moves_the_same(bytes in bytes()) {
+    fn macro_program_moves_like_its_plain_blocks(bytes in bytes()) {
         for control in controls::ALL {
             written_out_it_moves_the_same(control, &bytes)?;
         }
     }
 
     #[test]
-    fn programs_are_read_and_written_without_loss(bytes in bytes()) {
+    fn generated_programs_survive_parse_and_emit(bytes in bytes()) {
         controls::ALL.iter().for_each(|control| laws::reading(control, &program::program(control, &bytes)));
     }
 
     #[test]
-    fn broken_programs_are_read_and_written_without_loss(bytes in bytes()) {
+    fn broken_programs_survive_parse_and_emit(bytes in bytes()) {
         controls::ALL.iter().for_each(|control| laws::reading(control, &program::broken(control, &bytes)));
     }
 
     #[test]
-    fn soups_of_words_are_read_and_written_without_loss(bytes in bytes()) {
+    fn random_words_survive_parse_and_emit(bytes in bytes()) {
         controls::ALL.iter().for_each(|control| laws::reading(control, &program::soup(control, &bytes)));
     }
 
     #[test]
-    fn any_text_is_read_and_written_without_loss(text in "\\PC{0,80}") {
+    fn any_text_survives_parse_and_emit(text in "\\PC{0,80}") {
         controls::ALL.iter().for_each(|control| laws::reading(control, &text));
     }
 
     #[test]
-    fn bytes_are_read_and_written_without_loss(bytes in bytes()) {
+    fn any_bytes_survive_parse_and_emit(bytes in bytes()) {
         controls::ALL.iter().for_each(|control| laws::reading(control, &String::from_utf8_lossy(&bytes)));
     }
 
     #[test]
-    fn whatever_is_run_ends_within_its_budget(bytes in bytes(), world in bytes()) {
+    fn generated_runs_end_within_their_budget(bytes in bytes(), world in bytes()) {
         for control in controls::ALL {
             laws::running(control, &program::program(control, &bytes), &world);
             laws::running(control, &program::broken(control, &bytes), &world);
@@ -167,7 +167,7 @@ fn kinds(control: &'static Control, programs: u32) -> (BTreeMap<String, u32>, u3
 }
 
 #[test]
-fn what_is_generated_is_worth_running() {
+fn generated_programs_reach_every_command_kind() {
     let every = ["Rapid", "Linear", "Arc", "Dwell", "SpindleSpeed", "SpindleDirection", "Auxiliary", "Tool"];
     for control in controls::ALL {
         let (kinds, ended) = kinds(control, 300);
@@ -193,7 +193,7 @@ fn what_is_generated_is_worth_running() {
 }
 
 #[test]
-fn the_fixtures_hold_the_laws() {
+fn fixture_programs_hold_the_generated_laws() {
     for control in controls::ALL {
         for folder in ["ok", "bad"] {
             let folder =

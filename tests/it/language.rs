@@ -3,7 +3,7 @@
 mod dialects;
 mod loops;
 mod names;
-mod slips;
+mod quick_fixes;
 mod trees;
 
 use expect_test::{Expect, expect};
@@ -64,7 +64,7 @@ fn check_block(block: &str, expected: Expect) {
 }
 
 #[test]
-fn the_papers_listing_as_printed() {
+fn printed_paper_listing_gets_its_findings() {
     let text = include_str!("../../src/machines/ribbon_line/listing.nc");
     check(
         text,
@@ -177,7 +177,7 @@ fn round_brackets_are_comments() {
 }
 
 #[test]
-fn what_is_no_block() {
+fn lines_that_are_no_blocks_are_errors() {
     check_block(
         "X",
         expect![[r#"
@@ -327,7 +327,7 @@ fn what_is_no_block() {
 }
 
 #[test]
-fn codes_that_are_unknown_or_not_simulated() {
+fn unknown_and_unsimulated_codes_are_findings() {
     check_block(
         "G72 X1.",
         expect![[r#"
@@ -360,7 +360,7 @@ fn codes_that_are_unknown_or_not_simulated() {
 }
 
 #[test]
-fn formulas() {
+fn faulty_formulas_are_errors_at_their_place() {
     check_block(
         "#1=[#2+1",
         expect![[r#"
@@ -476,7 +476,7 @@ fn formulas() {
 }
 
 #[test]
-fn variables() {
+fn faulty_variables_are_errors_at_their_place() {
     check_block(
         "#2000=1\n#1=#2000+#2000",
         expect![[r##"
@@ -534,7 +534,7 @@ fn variables() {
 }
 
 #[test]
-fn jumps_and_loops() {
+fn faulty_jumps_and_loops_are_errors_at_their_place() {
     check_block(
         "GOTO 5",
         expect![[r#"
@@ -631,7 +631,7 @@ fn jumps_and_loops() {
 }
 
 #[test]
-fn files_and_programs() {
+fn faulty_program_heads_and_ends_are_findings() {
     check(
         "",
         expect![[r#"
@@ -698,7 +698,7 @@ fn files_and_programs() {
 }
 
 #[test]
-fn what_editors_leave_in_a_file() {
+fn editor_marks_in_a_file_are_findings() {
     check(
         "\u{feff}%\nO1\nM30\n%\n",
         expect![[r#"
@@ -717,7 +717,7 @@ fn what_editors_leave_in_a_file() {
 }
 
 #[test]
-fn a_block_takes_little_memory() {
+fn parsed_block_takes_little_memory() {
     let blocks = 10_000;
     let parsed = read(&"G91 G01 X1. Y2. F1000\n".repeat(blocks));
     let deck = parsed.deck();
@@ -729,7 +729,7 @@ fn a_block_takes_little_memory() {
 }
 
 #[test]
-fn a_file_of_garbage_is_answered_with_a_bounded_list() {
+fn garbage_file_gets_a_bounded_list_of_findings() {
     let lines = |line: &str| format!("{line}\n").repeat(20_000);
     for text in [
         lines("@"),

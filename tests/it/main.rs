@@ -2,8 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::string_slice)]
 
 mod cli;
+mod control_differences;
 mod controls;
-mod differences;
+mod diagnostic_text;
 mod figures;
 mod generated;
 mod language;
@@ -15,6 +16,5 @@ mod rows;
 mod saved;
 mod stepping;
 mod tidy;
-mod told;
 mod warnings;
 mod writing;

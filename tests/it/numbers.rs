@@ -6,7 +6,7 @@ use macroline::text::number;
 use proptest::prelude::*;
 
 #[test]
-fn numbers_are_short() {
+fn numbers_are_printed_short() {
     for (value, decimals, text) in [
         (0.0, 3, "0"),
         (-0.0, 3, "0"),
@@ -33,7 +33,7 @@ fn numbers_are_short() {
 
 proptest! {
     #[test]
-    fn what_is_written_reads_back(value in -1e12..1e12f64, shift in 0i32..15, decimals in 0u8..=10) {
+    fn printed_numbers_read_back_exactly(value in -1e12..1e12f64, shift in 0i32..15, decimals in 0u8..=10) {
         let value = value / math::pow(10.0, f64::from(shift));
         let text = number_text(value, decimals);
         let read = number::read(&text).unwrap();
@@ -124,7 +124,7 @@ fn functions_of_whole_degrees_are_exact() {
 
 proptest! {
     #[test]
-    fn functions_of_degrees_are_the_nearest_double_or_its_neighbour(x in prop_oneof![-720.0..720.0f64, (-720_000i32..720_000).prop_map(|x| f64::from(x) / 1000.0)]) {
+    fn functions_of_degrees_err_by_one_ulp_at_most(x in prop_oneof![-720.0..720.0f64, (-720_000i32..720_000).prop_map(|x| f64::from(x) / 1000.0)]) {
         let (sin, cos) = math::sin_cos_degrees(x);
         let (sine, cosine) = series(x);
         prop_assert!(steps(sin, sine) < 1.0 && steps(cos, cosine) < 1.0, "{x:?}: {} {}", steps(sin, sine), steps(cos, cosine));

@@ -1,19 +1,19 @@
-//! Time against mathematics: paths, speeds, accelerations, waits, spindle, and a past that the operator changes.
+//! Runs over time against closed forms: paths, speeds, accelerations, waits, spindle, replanning after operator events.
 
+mod any_command;
 mod drives;
 mod lathe;
 mod operator;
 mod orienting;
-mod past;
 mod path;
 mod pmc;
 mod polygon;
 mod program;
 mod reading;
+mod replanning;
 mod script;
 mod sheets;
 mod spindle;
-mod strange;
 mod turning;
 
 use macroline::controls::{self, Control, Dialect, Switches};

@@ -1,8 +1,8 @@
 //! Programs run: canonical logs of the fixtures of every control, and alarms at their places.
 
 mod coverage;
-mod foretold;
 mod parameters;
+mod precheck;
 mod running;
 mod spindle;
 
@@ -133,7 +133,7 @@ fn good_programs_give_their_canonical_log() {
 }
 
 #[test]
-fn bad_programs_stop_with_the_alarm_at_the_place_of_their_first_line() {
+fn bad_programs_raise_the_alarm_of_their_first_line() {
     let mut wrong = Vec::new();
     for control in controls::ALL {
         for (path, source) in fixtures(control, "bad") {

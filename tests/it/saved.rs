@@ -1,4 +1,4 @@
-//! Project files: what is saved comes back, and what comes in is hostile until checked.
+//! Project files: saved projects read back equal, and hostile input gets findings with their place.
 
 use expect_test::{Expect, expect};
 use macroline::machines::form::Value;
@@ -27,7 +27,7 @@ fn check(text: &str, expect: Expect) {
 }
 
 #[test]
-fn a_project_comes_back_as_it_was_saved() {
+fn saved_project_reads_back_equal() {
     let mut project = ribbon();
     project.name = "Customer 4711".to_owned();
     project.values.insert("pitch".to_owned(), Value::Number(12.5));
@@ -44,7 +44,7 @@ fn a_project_comes_back_as_it_was_saved() {
 }
 
 #[test]
-fn a_file_that_is_no_project_says_so() {
+fn file_that_is_no_project_is_an_error() {
     check(
         "",
         expect![[r#"
@@ -193,7 +193,7 @@ fn repeated_keys_are_errors_at_their_place() {
 }
 
 #[test]
-fn what_does_not_fit_is_named_and_the_rest_is_kept() {
+fn unknown_values_are_named_and_the_rest_is_kept() {
     check(
         r#"{ "version": 1, "machine": "ribbon-line", "control": "mitsubishi-e60",
              "values": { "pitch": "wide", "colour": 3, "heads": 4 }, "provenance": { "pitch": "guessed" },
@@ -240,7 +240,7 @@ fn what_does_not_fit_is_named_and_the_rest_is_kept() {
 }
 
 #[test]
-fn more_than_the_limits_is_told_and_not_taken() {
+fn projects_over_the_limits_are_refused() {
     let program = r#"{ "name": "O1.nc", "text": "M30" }"#;
     for (count, taken) in [(64, true), (65, false)] {
         let text = with(&format!("\"values\": {{}}, \"edited\": [{}]", vec![program; count].join(",")));
@@ -263,7 +263,7 @@ fn more_than_the_limits_is_told_and_not_taken() {
 }
 
 #[test]
-fn a_hundred_findings_are_listed_and_the_others_counted() {
+fn first_100_findings_are_listed_and_the_rest_counted() {
     let keys: Vec<String> = (0..100_000).map(|key| format!("\"key{key}\": 1")).collect();
     let loaded = Project::from_json(&with(&format!("\"values\": {{ {} }}", keys.join(", "))));
     assert_eq!(loaded.diagnostics.len(), 101);
@@ -273,7 +273,7 @@ fn a_hundred_findings_are_listed_and_the_others_counted() {
 }
 
 #[test]
-fn a_byte_order_mark_is_skipped_and_places_stay() {
+fn byte_order_mark_is_skipped_and_places_hold() {
     let text = format!("\u{feff}{}", with("  \"values\": { \"colour\": 3 }"));
     let loaded = Project::from_json(&text);
     assert!(loaded.project.is_some());
@@ -284,7 +284,7 @@ fn a_byte_order_mark_is_skipped_and_places_stay() {
 }
 
 #[test]
-fn numbers_are_written_as_people_write_them() {
+fn saved_numbers_are_written_as_people_write_them() {
     let mut project = ribbon();
     for (value, text) in [
         (8.0, "8"),
@@ -303,7 +303,7 @@ fn numbers_are_written_as_people_write_them() {
 }
 
 #[test]
-fn a_value_out_of_range_stays_and_the_field_says_what_is_allowed() {
+fn value_out_of_range_is_kept_with_an_error() {
     let mut project = ribbon();
     project.values.insert("pitch".to_owned(), Value::Number(-8.0));
     let back = Project::from_json(&project.to_json()).project.unwrap();
@@ -313,7 +313,7 @@ fn a_value_out_of_range_stays_and_the_field_says_what_is_allowed() {
 }
 
 #[test]
-fn a_hostile_name_of_a_program_stays_in_the_folder() {
+fn hostile_program_name_stays_in_the_folder() {
     for (name, bare) in [
         ("../../evil.nc", "evil.nc"),
         ("/etc/passwd", "passwd"),
@@ -330,7 +330,7 @@ fn a_hostile_name_of_a_program_stays_in_the_folder() {
 }
 
 #[test]
-fn the_first_shape_of_a_file_is_read_for_ever() {
+fn version_1_project_file_still_reads() {
     let text = include_str!("../data/saved/v1.json");
     let loaded = Project::from_json(text);
     assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
@@ -343,7 +343,7 @@ fn the_first_shape_of_a_file_is_read_for_ever() {
 
 proptest! {
     #[test]
-    fn what_is_not_json_is_refused_and_nothing_else(text in r#"([\[\]{}",:.\\+\-]|[0-9]{1,3}|e|E|true|null|"[a-c]?"|\\u[dD][89abcdEF]0[0-9]|\\[nx/]|[ \n\t]|é){0,12}"#) {
+    fn only_invalid_json_is_refused_as_json(text in r#"([\[\]{}",:.\\+\-]|[0-9]{1,3}|e|E|true|null|"[a-c]?"|\\u[dD][89abcdEF]0[0-9]|\\[nx/]|[ \n\t]|é){0,12}"#) {
         // Half of a surrogate pair and numbers beyond every double are JSON.
         let is_json = |text: &str| serde_json::from_str::<serde::de::IgnoredAny>(text).is_ok();
         for text in [text.clone(), format!("{{\"a\":\"{text}\"}}"), format!("{{\"a\":{text}}}")] {
@@ -355,7 +355,7 @@ proptest! {
     }
 
     #[test]
-    fn every_number_comes_back_to_the_bit(value in any::<f64>().prop_filter("numbers", |value| value.is_finite())) {
+    fn saved_numbers_read_back_to_the_bit(value in any::<f64>().prop_filter("numbers", |value| value.is_finite())) {
         let mut project = ribbon();
         project.values.insert("pitch".to_owned(), Value::Number(value));
         let back = Project::from_json(&project.to_json()).project.unwrap();
@@ -363,7 +363,7 @@ proptest! {
     }
 
     #[test]
-    fn any_bytes_give_an_answer(bytes in proptest::collection::vec(any::<u8>(), 0..400)) {
+    fn any_bytes_as_project_give_an_answer(bytes in proptest::collection::vec(any::<u8>(), 0..400)) {
         let text = String::from_utf8_lossy(&bytes);
         let loaded = Project::from_json(&text);
         prop_assert!(loaded.project.is_some() || !loaded.diagnostics.is_empty());
@@ -371,7 +371,7 @@ proptest! {
     }
 
     #[test]
-    fn a_cut_or_changed_project_gives_an_answer(at in 0usize..4000, byte in 0x20u8..0x7f) {
+    fn damaged_project_gives_an_answer(at in 0usize..4000, byte in 0x20u8..0x7f) {
         let mut text = ribbon().to_json().into_bytes();
         let at = at % text.len();
         text[at] = byte;

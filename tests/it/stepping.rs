@@ -65,7 +65,7 @@ N30 M99
 ";
 
 #[test]
-fn every_command_is_told_by_help() {
+fn help_lists_every_command() {
     let files = Files::one("a.nc", CALLS);
     let mut console = Console::new(bench(&files, Panel::default()), &files);
     let (_, help) = console.line("help");
@@ -106,7 +106,7 @@ fn seen(run: &Run, from: f64, to: f64) -> Vec<String> {
 }
 
 #[test]
-fn a_walk_is_the_run() {
+fn stepping_gives_the_log_of_the_run() {
     let main = ribbon(2.5);
     let mut points = Breakpoints::default();
     let mut debugger = Debugger::new(&main, 0.3, Goal::Into);
@@ -134,7 +134,7 @@ fn a_walk_is_the_run() {
 }
 
 #[test]
-fn back_is_where_one_was() {
+fn stepping_back_restores_the_state() {
     let main = ribbon(4.0);
     let mut points = Breakpoints::default();
     let mut debugger = Debugger::new(&main, 1.0, Goal::Into);
@@ -162,7 +162,7 @@ fn back_is_where_one_was() {
 }
 
 #[test]
-fn breakpoints_find_their_blocks_in_another_text() {
+fn breakpoints_follow_their_blocks_through_edits() {
     let before = nc::parse(&Files::one("a.nc", CALLS), e60());
     let after = nc::parse(&Files::one("a.nc", CALLS.replace("N40", "N38\nN40")), e60());
     let mut points = Breakpoints::default();
@@ -187,7 +187,7 @@ fn breakpoints_find_their_blocks_in_another_text() {
 }
 
 #[test]
-fn a_finding_about_an_expression_has_no_place_in_the_program() {
+fn expression_errors_have_no_place_in_the_program() {
     let files = Files::one("a.nc", CALLS);
     let mut debugger = Debugger::new(&bench(&files, Panel::default()), 0.0, Goal::Into);
     arrive(&mut debugger, &mut Breakpoints::default());
@@ -200,7 +200,7 @@ proptest! {
 
     /// Whatever is typed, there is an answer.
     #[test]
-    fn any_line_is_answered(lines in prop::collection::vec("(into|over|out|to|break|watch|print|set|back|start|c|clear|on)?[ #\\[\\]NOI0-9A-Z+*/.=-]{0,12}", 1..20)) {
+    fn any_console_line_gets_an_answer(lines in prop::collection::vec("(into|over|out|to|break|watch|print|set|back|start|c|clear|on)?[ #\\[\\]NOI0-9A-Z+*/.=-]{0,12}", 1..20)) {
         let files = Files::one("a.nc", CALLS);
         let mut console = Console::new(bench(&files, Panel::default()), &files);
         talk(&mut console, &lines.join("\n"));
@@ -208,7 +208,7 @@ proptest! {
 
     /// Any text as an expression has a value or a reason.
     #[test]
-    fn any_expression_is_answered(text in "\\PC{0,40}") {
+    fn any_watch_expression_gets_an_answer(text in "\\PC{0,40}") {
         for control in macroline::controls::ALL {
             if let Err(why) = nc::formula(&text, control) {
                 let place = why.place.unwrap().span;

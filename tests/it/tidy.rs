@@ -3,6 +3,7 @@
 mod citations;
 mod imports;
 mod source;
+mod test_names;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -50,7 +51,7 @@ fn roots_named(source: &Source) -> Vec<(String, usize)> {
 }
 
 #[test]
-fn a_module_names_only_itself_and_those_before_it() {
+fn modules_name_only_earlier_modules() {
     let rank = |module: &str| ORDER.iter().position(|name| *name == module);
     let mut broken = Vec::new();
     for source in sources() {
@@ -71,7 +72,7 @@ fn a_module_names_only_itself_and_those_before_it() {
 }
 
 #[test]
-fn the_library_declares_its_modules_in_the_order_of_the_flow() {
+fn library_declares_its_modules_in_order() {
     let library = sources().find(|source| source.path == "src/lib.rs").unwrap();
     assert_eq!(
         library.children, ORDER,
@@ -80,7 +81,7 @@ fn the_library_declares_its_modules_in_the_order_of_the_flow() {
 }
 
 #[test]
-fn only_the_page_knows_the_web() {
+fn web_crates_are_named_only_in_ui() {
     let outside = sources().filter(|source| source.path != "src/lib.rs" && source.room() != Some("ui"));
     let web = ["leptos", "web_sys", "js_sys", "wasm_bindgen", "wasm_bindgen_futures", "gloo"];
     let broken = outside.flat_map(|source| source.find_words(&web)).collect();
@@ -88,7 +89,7 @@ fn only_the_page_knows_the_web() {
 }
 
 #[test]
-fn a_controls_name_stands_only_with_the_controls() {
+fn control_names_are_only_in_controls() {
     // From the ids, so that a new control needs no line here: `mitsubishi-e60` gives `mitsubishi` and `e60`.
     let names: BTreeSet<&str> = macroline::controls::ALL.iter().flat_map(|control| control.id.split('-')).collect();
     let named = |text: &str| {
@@ -127,7 +128,7 @@ fn list_of_controls(source: &Source) -> std::ops::Range<usize> {
 }
 
 #[test]
-fn the_files_of_the_controls_are_rows() {
+fn control_files_hold_rows_and_no_logic() {
     let files = sources().filter(|source| {
         let modules = source.modules();
         let file = modules.get(1).copied().unwrap_or_default().replace('_', "-");
@@ -140,7 +141,7 @@ fn the_files_of_the_controls_are_rows() {
 }
 
 #[test]
-fn the_core_has_no_clock_no_randomness_and_no_files() {
+fn core_has_no_clock_randomness_or_files() {
     let words =
         ["SystemTime", "Instant", "rand", "getrandom", "HashMap", "HashSet", "RandomState", "println", "eprintln"];
     let paths = ["time", "fs", "env", "net", "thread", "process", "io"].map(|name| format!("std : : {name}"));
@@ -159,7 +160,7 @@ fn no_code_steers_by_the_id_of_a_message() {
 }
 
 #[test]
-fn only_the_math_gate_names_libm() {
+fn libm_is_named_only_in_math() {
     let broken =
         sources().filter(|source| source.path != "src/math.rs").flat_map(|s| s.find_words(&["libm"])).collect();
     hold(
@@ -170,7 +171,7 @@ fn only_the_math_gate_names_libm() {
 }
 
 #[test]
-fn the_core_never_panics_by_itself() {
+fn core_has_no_panicking_calls() {
     // The const row builders of the controls stop the compiler.
     let outside = core().filter(|source| source.room() != Some("controls"));
     let panics = ["panic !", "unreachable !", ". unwrap ( )", ". expect ("];
@@ -183,7 +184,7 @@ fn the_core_never_panics_by_itself() {
 }
 
 #[test]
-fn only_the_project_reads_what_was_saved() {
+fn deserialize_is_only_in_project() {
     let outside = core().filter(|source| source.room() != Some("project"));
     let broken = outside.flat_map(|source| source.find_words(&["Deserialize", "DeserializeOwned"])).collect();
     hold(
@@ -194,7 +195,7 @@ fn only_the_project_reads_what_was_saved() {
 }
 
 #[test]
-fn only_what_leaves_through_json_is_serialized() {
+fn serialize_is_only_on_json_types() {
     let leaves = ["text", "view", "project"];
     let inside = core().filter(|source| !leaves.contains(&source.modules()[0]));
     let broken = inside.flat_map(|source| source.find_words(&["Serialize"])).collect();
@@ -206,7 +207,7 @@ fn only_what_leaves_through_json_is_serialized() {
 }
 
 #[test]
-fn the_catalog_and_the_source_name_the_same_sentences() {
+fn catalog_and_code_name_the_same_sentences() {
     let file = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(CATALOG)).unwrap();
     let lines: Vec<&str> = file.lines().skip(1).collect();
     let mut broken = Vec::new();
@@ -304,7 +305,7 @@ fn messages(source: &Source) -> Vec<(usize, &str, usize)> {
 }
 
 #[test]
-fn files_are_short_and_say_what_they_are() {
+fn files_are_short_and_open_with_a_sentence() {
     let mut broken = Vec::new();
     for source in Source::all() {
         // Data is read by looking a row up, not from top to bottom.
@@ -324,7 +325,7 @@ fn files_are_short_and_say_what_they_are() {
 }
 
 #[test]
-fn nothing_is_left_undone_or_switched_off() {
+fn no_unfinished_code_or_ignored_tests() {
     let mut broken = Vec::new();
     for source in Source::all() {
         let marked =
@@ -350,7 +351,7 @@ const WITHOUT_CIRCLES: [&str; 7] = ["math", "text", "drives", "interp", "motion"
 const WITH_FACES: [&str; 5] = ["controls", "nc", "machines", "project", "ui"];
 
 #[test]
-fn no_files_import_one_another_in_a_circle() {
+fn files_have_no_import_circle() {
     let covered = sources().filter(|source| source.room().is_some_and(|room| WITHOUT_CIRCLES.contains(&room)));
     let mend = "move what both need into a file of its own below them, or hand it in as an argument";
     hold(
@@ -364,7 +365,7 @@ fn no_files_import_one_another_in_a_circle() {
 const TWICE: [&str; 5] = ["Derived", "Formula", "Outcome", "Params", "Value"];
 
 #[test]
-fn no_two_public_types_have_one_name() {
+fn public_type_names_are_unique() {
     let mut places: BTreeMap<&str, Vec<String>> = BTreeMap::new();
     for source in sources() {
         for (name, line) in &source.public_types {
@@ -380,7 +381,7 @@ fn no_two_public_types_have_one_name() {
 const SHORT: [&str; 5] = ["math", "text", "drives", "motion", "view"];
 
 #[test]
-fn functions_and_structs_are_taken_in_at_a_glance() {
+fn functions_and_structs_stay_within_their_size() {
     let mut broken = Vec::new();
     for source in sources().filter(|source| source.room().is_some_and(|room| SHORT.contains(&room))) {
         let long = source.functions.iter().filter(|function| function.size > 100);
@@ -394,7 +395,7 @@ fn functions_and_structs_are_taken_in_at_a_glance() {
 
 /// The map in `src/README.md`: every file with its first sentence. `UPDATE_EXPECT=1` writes it anew.
 #[test]
-fn the_map_names_every_file_with_its_first_sentence() {
+fn map_lists_every_file_with_its_first_sentence() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/README.md");
     let readme = std::fs::read_to_string(&path).unwrap();
     let (head, _) = readme.split_once("\n## Map\n").expect("src/README.md has a section “Map”");

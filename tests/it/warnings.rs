@@ -11,7 +11,7 @@ use macroline::project::check::review;
 use macroline::text::catalog::{Language, sentence};
 use macroline::text::{Diagnostic, LineIndex};
 
-/// A program, and what is known beside it.
+/// Control, settings, start program and variables that the operator has set.
 struct Case<'a> {
     control: &'a str,
     switches: &'a [(&'a str, &'a str)],
@@ -25,7 +25,7 @@ const KND: Case = Case { control: "knd-k2000t", ..E60 };
 const NAMED: Case = Case { control: "sinumerik-802d", ..E60 };
 
 impl Case<'_> {
-    /// The program stands in `%`, or has a head where programs have names; line 1 of `text` is line 2 of the file, as if it stood in line 1 of its own.
+    /// Puts `%` or a program head before `text`, whose line 1 becomes line 2 of the file.
     fn review(&self, text: &str) -> (String, Vec<Diagnostic>) {
         let control = find(self.control).unwrap();
         let text =
@@ -73,7 +73,7 @@ impl Case<'_> {
 
 /// A lathe program without G99 on a control that starts with G98 crawls; the other way round it digs.
 #[test]
-fn feed_of_the_other_unit() {
+fn feed_of_the_other_unit_is_a_warning() {
     let slow = "O1 (SHAFT)\nT0101 M03 S800\nG00 X40. Z2.\nG01 Z-20. F0.15\nX44. F.2\nM30";
     GSK.check(slow, expect![[r#"
         5:11 “F0.15” warning lint.feed-per-minute
@@ -95,7 +95,7 @@ fn feed_of_the_other_unit() {
 }
 
 #[test]
-fn decimals_are_not_compared_digit_by_digit() {
+fn comparing_decimals_for_equality_is_a_warning() {
     E60.check("O1\n#1=1/3\nIF[#1*3 EQ 1]GOTO9\nX#1\nN9 M30", expect![[r#"
         4:3 “[#1*3 EQ 1]” warning lint.equal-decimals
             #1*3 EQ 1 compares every digit, and the value can have decimals: what should be equal may differ in the last one.
@@ -143,7 +143,7 @@ fn decimals_are_not_compared_digit_by_digit() {
 }
 
 #[test]
-fn counts_copies_and_tests_of_wholeness_may_be_compared() {
+fn comparing_whole_numbers_gives_no_warning() {
     // Counts are whole, whatever is added to them.
     E60.quiet("O1\n#1=0\nN1 #1=#1+2\nIF[#1 NE 10]GOTO1\nM30");
     // Change of a value against its copy.
@@ -163,7 +163,7 @@ fn counts_copies_and_tests_of_wholeness_may_be_compared() {
 }
 
 #[test]
-fn a_missing_point_makes_increments() {
+fn missing_point_is_a_warning() {
     E60.check(
         "O1\nG91 G01 X8 Y2. F300\nX-12 Y0\nX8.\nM30",
         expect![[r#"
@@ -233,7 +233,7 @@ fn a_missing_point_makes_increments() {
 }
 
 #[test]
-fn f0_is_no_feed() {
+fn f0_is_a_warning() {
     E60.check("O1\nG91 G01 X1. F100\nX1. F0\nY1. F0.0\nM30", expect![[r#"
         4:5 “F0” warning lint.feed-zero-digit
             F0 is no feed: a cutting motion stops with an alarm, or runs in rapid traverse where #1079 is 1. Jump over the motion, or wait by G04.
@@ -256,7 +256,7 @@ fn f0_is_no_feed() {
 }
 
 #[test]
-fn spindle_and_auxiliary_functions_in_every_pass() {
+fn m_and_s_in_every_pass_is_a_warning() {
     // The published P9100, called once per pitch.
     E60.check(
         "O1\n#1=10\nWHILE[#1 GT 0]DO1\nM98 P9100\n#1=#1-1\nEND1\nM30\nO9100\nIF[#100 LE 0]GOTO901\nN100 S#100 M3\nG91 G01 X8. F1000\nM99\nN901 #3000=1(SET)\nM99",
@@ -286,7 +286,7 @@ fn spindle_and_auxiliary_functions_in_every_pass() {
 }
 
 #[test]
-fn what_a_pass_switches_on_purpose() {
+fn codes_switched_within_the_pass_give_no_warning() {
     // Only when something has changed.
     E60.quiet(
         "O1\n#1=0\nWHILE[#1033 GT 0]DO1\nIF[#1 EQ #1033]GOTO5\n#1=#1033\nS500 M3\nN5 G91 G01 X1. F100\nEND1\nM5\nM30",
@@ -303,7 +303,7 @@ fn what_a_pass_switches_on_purpose() {
 }
 
 #[test]
-fn blocks_that_nothing_leads_to() {
+fn unreachable_blocks_are_a_warning() {
     E60.check(
         "O1\nGOTO9\nX1.\n(STILL)\nX2.\nN9 M30",
         expect![[r#"
@@ -334,7 +334,7 @@ fn blocks_that_nothing_leads_to() {
 }
 
 #[test]
-fn ends_that_have_to_stand_there_and_jumps_that_may_lead_anywhere() {
+fn required_ends_and_computed_jumps_give_no_warning() {
     // The end that every program needs, behind an alarm.
     E60.quiet("O1\nIF[#1033 EQ 1]GOTO9\nM30\nN9 #3000=1(NO)\nM30");
     E60.quiet("O1\n#1=2\nGOTO[#1*10]\nN10 X1.\nM30\nN20 X2.\nM30");
@@ -347,7 +347,7 @@ fn ends_that_have_to_stand_there_and_jumps_that_may_lead_anywhere() {
 }
 
 #[test]
-fn variables_that_nobody_sets() {
+fn variables_never_set_are_a_warning() {
     E60.check(
         "O1\nG91 G01 X#5 F100\nM30",
         expect![[r#"
@@ -380,7 +380,7 @@ fn variables_that_nobody_sets() {
 }
 
 #[test]
-fn variables_that_somebody_sets_or_asks_for() {
+fn variables_set_or_tested_give_no_warning() {
     // Of a macro without its caller, of a subprogram with its caller's locals, by a calculated number.
     E60.quiet("O9001\nG91 G01 X#24 F#9\nM99");
     E60.quiet("O1\n#1=5\nM98 P2\nM30\nO2\nG91 G00 X#1\n#2=1\nM99");
@@ -393,7 +393,7 @@ fn variables_that_somebody_sets_or_asks_for() {
 }
 
 #[test]
-fn words_that_a_vacant_variable_drops() {
+fn words_dropped_by_a_vacant_variable_are_a_warning() {
     // A time and arguments move no axis.
     E60.check("O1\nG04 X#100\nG65 P9010 X#100\nM30", expect![[r#"
         3:6 “#100” info lint.unset-common
@@ -426,7 +426,7 @@ fn words_that_a_vacant_variable_drops() {
 }
 
 #[test]
-fn divisors_that_can_be_zero() {
+fn unguarded_divisor_is_a_warning() {
     E60.check("O1\n#110=3.14*#111/#109\n#115=#110/#109\nIF[#109 LE 0]GOTO9\nX#115\nN9 M30", expect![[r#"
         3:11 “#111” info lint.unset-common
             To be set on the screen before the start, as no program here does: #109, #111. What is not set is vacant, and counts as 0 in formulas.
@@ -448,7 +448,7 @@ fn divisors_that_can_be_zero() {
 }
 
 #[test]
-fn divisors_that_are_tested_or_cannot_be_zero() {
+fn guarded_divisor_gives_no_warning() {
     E60.quiet("O1\n#109=6\nIF[#111 LE 0]GOTO9\n#110=[3.14*#109]/#111\nX#110\nN9 #111=1\nM30");
     E60.quiet("O1\n#1=#1033\n#2=100\nIF[#1 EQ #2]GOTO9\n#3=5/[#1-#2]\nX#3\nN9 M30");
     // What is always 0 is an alarm.
@@ -462,7 +462,7 @@ fn divisors_that_are_tested_or_cannot_be_zero() {
             Division by zero.
     "#]],
     );
-    // What nobody sets is told of as that.
+    // A variable that is never set has a warning of its own.
     E60.check(
         "O1\n#1=#1033\n#3=#1/#4\n#5=#1/[#6-#1]\nM30",
         expect![[r#"
@@ -482,7 +482,7 @@ fn divisors_that_are_tested_or_cannot_be_zero() {
 }
 
 #[test]
-fn blocks_shorter_than_the_control_reads_them() {
+fn blocks_shorter_than_their_reading_are_a_warning() {
     let short = "X0.05\n".repeat(8);
     E60.check(&format!("O1\nG91 G64 G01 X10. F3000\n{short}M30"), expect![[r#"
         4:1 “X0.05” warning lint.short-blocks
@@ -495,7 +495,7 @@ fn blocks_shorter_than_the_control_reads_them() {
 }
 
 #[test]
-fn blocks_that_are_short_and_do_no_harm() {
+fn harmless_short_blocks_give_no_warning() {
     // A few of them, as the control has read on; long enough; with a stop in each; of unknown length.
     let short = "X0.05\n".repeat(5);
     E60.quiet(&format!("O1\nG91 G01 X10. F3000\n{short}X10.\n{short}M30"));
@@ -506,7 +506,7 @@ fn blocks_that_are_short_and_do_no_harm() {
 }
 
 #[test]
-fn variables_that_are_kept_for_something_else() {
+fn scratch_use_of_kept_variables_is_a_warning() {
     E60.check("O1\n#2001=#500*2\nX[#2001+1]\nM30", expect![[r#"
         3:1 “#2001” warning lint.kept-as-scratch
             #2001 is no free variable (tool offsets): what is calculated into it stays, and acts on the next part. Take a common variable.
@@ -532,7 +532,7 @@ fn variables_that_are_kept_for_something_else() {
 }
 
 #[test]
-fn a_main_program_that_returns() {
+fn main_program_that_returns_is_a_warning() {
     E60.check(
         "O1\nG91 G01 X1. F100\nM99",
         expect![[r#"
@@ -556,12 +556,12 @@ fn a_main_program_that_returns() {
 
 /// Its jumps and assignments are not followed, so that nothing is said that could be wrong.
 #[test]
-fn macro_functions_by_number_are_left_alone() {
+fn g65_h_functions_give_no_warning() {
     GSK.quiet("O0001\nG65 H05 P#101 Q#102 R#103\nG65 H81 P9 Q#101 R#500\nG65 H80 P9\nG00 X1.\nN9 M30");
 }
 
 #[test]
-fn what_depends_on_a_block_that_does_not_read_is_left_open() {
+fn unreadable_block_hides_warnings_that_depend_on_it() {
     // What the first block sets is not known, so nothing is said of who reads it.
     let (_, found) = E60.review("O1\n#5=(1+2)\nX#5\nGOTO9\nX1.\nN9 M30");
     assert!(found.iter().all(|d| d.alarm.is_some()), "{found:#?}");
@@ -572,7 +572,7 @@ fn what_depends_on_a_block_that_does_not_read_is_left_open() {
 }
 
 #[test]
-fn what_does_not_depend_on_it_is_told() {
+fn unreadable_block_keeps_independent_warnings() {
     E60.check(
         "O1\n#5=[1+2\n#100=1/3\nIF[#100*3 EQ 1]GOTO9\n#101=5/#102\nG91 G01 X8 F0\nN9 M30\nO2\nGOTO9\nG00 X1.\nN9 M99",
         expect![[r#"
@@ -599,7 +599,7 @@ fn what_does_not_depend_on_it_is_told() {
 }
 
 #[test]
-fn a_cut_that_nothing_gives_a_feed() {
+fn cut_without_any_feed_is_a_warning() {
     E60.check("O1\nG00 X1.\nG91 G01 X5.\nX6.\nM30", expect![[r#"
         4:5 “G01” warning lint.no-feed
             G01 cuts, and no program here gives F: the motion stops with P62 where no feed is in force from before. Write F behind it.
@@ -618,7 +618,7 @@ fn a_cut_that_nothing_gives_a_feed() {
 }
 
 #[test]
-fn words_that_overwrite_another() {
+fn overwritten_words_are_a_warning() {
     E60.check(
         "O1\nG91 G00 X1. Y2. X3.\nM30",
         expect![[r#"
@@ -631,7 +631,7 @@ fn words_that_overwrite_another() {
 }
 
 #[test]
-fn messages_longer_than_the_control_shows() {
+fn messages_longer_than_shown_are_a_warning() {
     E60.check(
         "O1\nIF[#1033 LT 5]GOTO9\nM30\nN9 #3000=1(THE RIBBON IS AT ITS END, PUT IN ANOTHER)",
         expect![[r#"
@@ -658,7 +658,7 @@ fn messages_longer_than_the_control_shows() {
 }
 
 #[test]
-fn sequence_numbers_that_stand_twice() {
+fn duplicate_sequence_numbers_are_a_warning() {
     E60.check("O1\nIF[#1033 EQ 1]GOTO5\nN5 G00 X1.\nN5 G00 X2.\nN7 M5\nN7 M30", expect![[r#"
         5:1 “N5” warning lint.number-twice
             N5 stands twice, here and in line 4: a jump to it goes to the one that comes first from the jump on, and at the end from the head of the program. Give one of them a number of its own.
@@ -674,7 +674,7 @@ fn sequence_numbers_that_stand_twice() {
 }
 
 #[test]
-fn conditions_that_always_hold() {
+fn conditions_that_always_hold_are_a_warning() {
     E60.check(
         "O1\nWHILE[1 EQ 1]DO1\nG91 G01 X1. F100\nEND1\nM5\nM30",
         expect![[r#"
@@ -702,7 +702,7 @@ fn conditions_that_always_hold() {
 }
 
 #[test]
-fn programs_that_are_called_and_not_here() {
+fn calls_of_missing_programs_are_a_warning() {
     E60.check(
         "O1\nM98 P77\nG65 P77 A1.\nG65 P9810 A1.\nM30",
         expect![[r#"
@@ -737,7 +737,7 @@ fn programs_that_are_called_and_not_here() {
 
 /// The paper's part goes back to Z20 at F200.
 #[test]
-fn ways_back_at_cutting_feed() {
+fn retract_at_cutting_feed_is_a_warning() {
     KND.check("O3000\nG0 X22.Z2\nG01 X20.Z0.0 F200.\nZ-15.\nX25\nZ20.\nM30", expect![[r#"
         7:1 “Z20.” warning lint.slow-way-back
             Z20. goes back at cutting feed, out of the cut and further than the rapid in front of it: G01 is still in force, with its F. G00 is quicker.

@@ -34,7 +34,7 @@ fn check(write: impl FnOnce(&mut Builder), expected: Expect) {
 }
 
 #[test]
-fn a_program_looks_as_the_control_wants_it() {
+fn emitted_program_follows_the_control_syntax() {
     check(
         |b| {
             b.program(9100, "Ribbon (dots)");
@@ -82,7 +82,7 @@ fn a_program_looks_as_the_control_wants_it() {
 }
 
 #[test]
-fn brackets_stand_only_where_they_must() {
+fn brackets_are_emitted_only_where_needed() {
     check(
         |b| {
             b.assign(1, v(1) - (v(2) - v(3)));
@@ -119,7 +119,7 @@ fn brackets_stand_only_where_they_must() {
 }
 
 #[test]
-fn long_blocks_and_texts_are_said() {
+fn too_long_blocks_and_texts_are_findings() {
     check(
         |b| {
             b.program(1, &"title ".repeat(20));
@@ -149,7 +149,7 @@ fn long_blocks_and_texts_are_said() {
 }
 
 #[test]
-fn what_a_control_lacks_is_written_in_its_own_forms() {
+fn missing_syntax_is_lowered_to_the_controls_forms() {
     let mut b = Builder::new();
     b.program(1, "");
     b.if_then(v(1).eq(0), 2, real(0.5, 1)).note("half");
@@ -211,7 +211,7 @@ fn what_a_control_lacks_is_written_in_its_own_forms() {
 }
 
 #[test]
-fn line_ends_are_chosen() {
+fn emitted_line_ends_follow_the_choice() {
     let mut b = Builder::new();
     b.program(1, "").words([m(30)]);
     let out = emit_with(&b.finish(), e60(), Newline::CrLf);
@@ -219,7 +219,7 @@ fn line_ends_are_chosen() {
 }
 
 #[test]
-fn the_places_of_written_blocks_hold_their_text() {
+fn places_of_emitted_blocks_hold_their_text() {
     let mut b = Builder::new();
     b.program(1, "A").words([g(91)]).n(5).words([m(30)]);
     b.program(2, "B").words([m(99)]);
@@ -229,7 +229,7 @@ fn the_places_of_written_blocks_hold_their_text() {
 }
 
 #[test]
-fn a_changed_block_leaves_every_other_byte_alone() {
+fn changed_block_leaves_every_other_byte_alone() {
     let text = "%\r\n o1 (Shop)\r\n\r\n n10 g1  x 5. (FAST) f100 ; \r\n#1 = 2\r\nM30\r\n%";
     let parsed = parse(&Files::one("A.MIN", text), e60());
     assert_eq!(emit_parsed(&parsed, parsed.deck()).files, *parsed.files());
@@ -263,7 +263,7 @@ fn mend(text: &str) -> Files {
 }
 
 #[test]
-fn the_fixes_of_the_papers_listing_make_it_a_program() {
+fn fixes_turn_the_printed_listing_into_a_program() {
     let files = mend(include_str!("../../src/machines/ribbon_line/listing.nc"));
     let parsed = parse(&files, e60());
     assert!(parsed.diagnostics().iter().all(|d| d.severity == Severity::Info), "{:?}", parsed.diagnostics());
@@ -294,7 +294,7 @@ fn the_fixes_of_the_papers_listing_make_it_a_program() {
 }
 
 #[test]
-fn a_fix_that_does_not_fit_changes_nothing() {
+fn stale_fix_changes_nothing() {
     let files = Files::one("A", "GÜ");
     let edit = |start, end| (Place { span: Span::new(start, end), ..Place::default() }, "X".to_owned());
     for edits in [vec![edit(2, 3)], vec![edit(9, 12)], vec![edit(2, 2)]] {
@@ -304,7 +304,7 @@ fn a_fix_that_does_not_fit_changes_nothing() {
 }
 
 #[test]
-fn pieces_for_colouring() {
+fn tokens_of_each_line_match() {
     let line = "/N10 IF[#100 LE 0.5]GOTO#1 G01X-5.SIN[2](A)@%";
     let text: Vec<String> =
         tokens(line, e60()).into_iter().map(|(span, kind)| format!("{}={kind:?}", span.of(line))).collect();
@@ -456,12 +456,12 @@ fn reads_back(deck: &Deck, control: &'static Control) -> Result<(), TestCaseErro
 
 proptest! {
     #[test]
-    fn what_is_written_reads_back_the_same((control, deck) in deck_of()) {
+    fn emitted_deck_parses_to_the_lowered_deck((control, deck) in deck_of()) {
         reads_back(&deck, control)?;
     }
 
     #[test]
-    fn what_a_control_lacks_is_written_another_way((control, value) in (any_control(), formula(true))) {
+    fn lowered_formulas_survive_parse_and_emit((control, value) in (any_control(), formula(true))) {
         let mut b = Builder::new();
         b.assign(1, value);
         reads_back(&b.finish(), control)?;

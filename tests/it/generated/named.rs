@@ -31,7 +31,7 @@ pub(crate) fn program(control: &'static Control, bytes: &[u8]) -> String {
     w.out
 }
 
-/// Something that stands in programs.
+/// A generated part of a program.
 pub(crate) fn word(control: &'static Control, dice: &mut Dice) -> String {
     const SIGNS: &[&str] = &[
         "\n",

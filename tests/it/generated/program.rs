@@ -65,7 +65,7 @@ pub(crate) fn soup(control: &'static Control, bytes: &[u8]) -> String {
     text
 }
 
-/// Something that stands in programs.
+/// A generated part of a program.
 fn word(control: &'static Control, dice: &mut Dice) -> String {
     if control.syntax.names.is_some() {
         return named::word(control, dice);
@@ -452,7 +452,7 @@ impl<'a> Writer<'a> {
         let planes: Vec<_> = PLANES.into_iter().filter(|plane| self.control.can(plane.0)).collect();
         let arc = Arc::of(&mut self.dice, &planes);
         let mut text = g(self.control, arc.plane).unwrap_or_default();
-        // The end is given relative to the start, as nobody knows where that is.
+        // The end is relative to the start, which is unknown here.
         text.extend(g(self.control, Code::Incremental).map(|code| format!(" {code}")));
         text += &format!(" {}", g(self.control, arc.code()).unwrap_or_default());
         for (letter, way, _) in arc.axes {

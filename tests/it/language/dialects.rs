@@ -7,7 +7,7 @@ use macroline::nc::{self, Files, Parsed};
 use super::trees::tree;
 use super::{findings, read_on};
 
-/// What a text comes to: its blocks, or what is wrong with it.
+/// Blocks of a text, or its findings.
 fn reading(parsed: &Parsed) -> String {
     if parsed.diagnostics().iter().any(|d| d.severity != macroline::text::Severity::Info) {
         return findings(parsed);
@@ -30,7 +30,7 @@ fn check(block: &str, expected: Expect) {
 }
 
 #[test]
-fn conditions() {
+fn conditions_follow_each_controls_syntax() {
     check(
         "IF[#1 EQ 0]THEN #2=[#3+1] (NOTE)",
         expect![[r#"
@@ -65,7 +65,7 @@ fn conditions() {
 }
 
 #[test]
-fn functions() {
+fn functions_follow_each_controls_syntax() {
     check(
         "#1=ATAN[#2]/[#3]*2",
         expect![[r#"
@@ -140,7 +140,7 @@ fn functions() {
 }
 
 #[test]
-fn variables_by_variables() {
+fn indirect_variables_follow_each_controls_syntax() {
     check(
         "##1=##2",
         expect![[r#"
@@ -199,7 +199,7 @@ fn variables_by_variables() {
 }
 
 #[test]
-fn words() {
+fn words_follow_each_controls_syntax() {
     check(
         "G01 X1. Z2. X3. F100",
         expect![[r#"
@@ -308,7 +308,7 @@ fn words() {
 }
 
 #[test]
-fn lengths_of_blocks() {
+fn block_length_limit_follows_the_control() {
     check(
         &"G01 ".repeat(101),
         expect![[r#"
@@ -345,7 +345,7 @@ fn lengths_of_blocks() {
 }
 
 #[test]
-fn loop_numbers_and_sequence_numbers() {
+fn loop_and_sequence_numbers_follow_the_control() {
     check(
         "DO4\nEND4",
         expect![[r#"
@@ -395,7 +395,7 @@ fn loop_numbers_and_sequence_numbers() {
 }
 
 #[test]
-fn user_alarms() {
+fn user_alarm_numbers_follow_the_control() {
     check(
         "#3000=150(TEXT)",
         expect![[r#"
@@ -410,7 +410,7 @@ fn user_alarms() {
 }
 
 #[test]
-fn codes_that_call_macros_take_any_letter() {
+fn codes_that_call_macros_accept_any_address() {
     let check = |id: &str, setting: &str, text: &str, expected: Expect| {
         let switches = Switches(vec![("call-parameters".to_owned(), setting.to_owned())]);
         let parsed = nc::parse_with(&Files::one("O1.nc", text), find(id).unwrap(), &switches);
@@ -459,7 +459,7 @@ fn codes_that_call_macros_take_any_letter() {
 }
 
 #[test]
-fn macro_calls() {
+fn faulty_macro_calls_are_errors() {
     check(
         "G65 P9010 A1. B2. I3. J4. I5.",
         expect![[r#"
@@ -546,7 +546,7 @@ fn macro_calls() {
 }
 
 #[test]
-fn functions_behind_g65() {
+fn g65_h_functions_are_checked_on_reading() {
     check(
         "G65 H01 P#100 Q#101\nG65 H34 P#1 Q2 R3",
         expect![[r#"
@@ -614,7 +614,7 @@ fn functions_behind_g65() {
 }
 
 #[test]
-fn corners() {
+fn comma_corner_words_follow_each_controls_syntax() {
     check(
         "G01 X10 Z-5 L2 F100\nX20 D1\nM98 P2 L2\nG65 P2 L2 X1",
         expect![[r#"

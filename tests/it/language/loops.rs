@@ -1,4 +1,4 @@
-//! Loops and conditions that do not read, and what is said beside them.
+//! Unreadable loops and conditions, and the findings beside them.
 
 use expect_test::expect;
 
@@ -6,7 +6,7 @@ use super::check_block;
 
 /// One of them hides nothing else, and its partner is not to blame.
 #[test]
-fn loops_beside_one_that_does_not_read() {
+fn unreadable_loop_block_hides_no_other_loop() {
     check_block(
         "WHILE[#1 LT 5 DO1\nEND1\nDO2\nEND3",
         expect![[r#"
@@ -66,7 +66,7 @@ fn loops_beside_one_that_does_not_read() {
 }
 
 #[test]
-fn one_comparison_in_a_condition() {
+fn second_comparison_in_a_condition_is_an_error() {
     check_block(
         "IF[#1 EQ 0]AND[#2 EQ 0]GOTO5\nN5",
         expect![[r#"

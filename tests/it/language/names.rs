@@ -1,4 +1,4 @@
-//! The language in which programs, labels and codes have names: what is read, what is said of slips, what is written.
+//! Languages with names of programs, labels and codes: reading, findings, emitting.
 
 use expect_test::{Expect, expect};
 use macroline::controls::{Control, Switches, find};
@@ -88,7 +88,7 @@ fn blocks_as_trees() {
 }
 
 #[test]
-fn names_of_programs() {
+fn program_names_outside_the_rules_are_errors() {
     let heads = |text: &str| -> Vec<(String, bool, u32)> {
         let parsed = parse(&Files::one("L12.SPF", text), control());
         let deck = parsed.deck();
@@ -108,7 +108,7 @@ fn names_of_programs() {
 }
 
 #[test]
-fn slips_of_an_engineer_from_other_controls() {
+fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "#1=5",
         expect![[r##"
@@ -395,7 +395,7 @@ fn slips_of_an_engineer_from_other_controls() {
 }
 
 #[test]
-fn a_letter_o_in_the_end_of_a_program_is_one_mistake() {
+fn letter_o_in_m30_is_one_finding() {
     for (end, mended) in [("M3O", "M30"), ("N5 M1O7", "M107")] {
         let parsed = read_on(control(), &format!("G0 X1\n{end}\n"));
         let said: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
@@ -411,7 +411,7 @@ fn a_letter_o_in_the_end_of_a_program_is_one_mistake() {
 }
 
 #[test]
-fn one_mistake_is_one_finding() {
+fn each_mistake_on_the_802d_is_one_finding() {
     let said = |text: &str| {
         let parsed = read_on(control(), text);
         let ids: Vec<&str> = parsed.diagnostics().iter().map(|finding| finding.message.id).collect();
@@ -438,7 +438,7 @@ fn one_mistake_is_one_finding() {
 }
 
 #[test]
-fn switches_of_the_reader() {
+fn reader_switches_change_what_is_accepted() {
     let errors = |text: &str, id: &str, value: &str| {
         let switches = Switches(vec![(id.to_owned(), value.to_owned())]);
         [&Switches::default(), &switches]
@@ -465,7 +465,7 @@ fn check_written(write: impl FnOnce(&mut Builder), expected: Expect) {
 }
 
 #[test]
-fn decks_of_numbers_are_written_with_names() {
+fn numbered_deck_is_emitted_with_names() {
     check_written(
         |b| {
             b.program(9101, "Ribbon (dots)");
@@ -516,7 +516,7 @@ fn decks_of_numbers_are_written_with_names() {
 }
 
 #[test]
-fn programs_of_one_name_are_told_and_of_one_number_not() {
+fn duplicate_program_names_are_findings_numbers_are_not() {
     let twice = |text: &str| {
         let parsed = read_on(control(), text);
         parsed.diagnostics().iter().filter(|finding| finding.message.id == "nc.program-twice").count()
@@ -526,7 +526,7 @@ fn programs_of_one_name_are_told_and_of_one_number_not() {
 }
 
 #[test]
-fn repeated_names_of_any_length_are_found() {
+fn duplicate_names_of_any_length_are_findings() {
     for (one, other) in [("LNA1", "LNA2"), ("LONGNAME1", "LONGNAME2"), ("LONGNAMELONGNAME1", "LONGNAMELONGNAME2")] {
         let found = |text: &str, id: &str| {
             let switches = Switches(vec![("label-length".to_owned(), "32".to_owned())]);
@@ -556,7 +556,7 @@ fn check_warnings(text: &str, expected: Expect) {
 }
 
 #[test]
-fn warnings_about_programs() {
+fn named_programs_get_their_warnings() {
     // Equality takes rounding into account; a main program may end in M17.
     check_warnings("R1=0.1+0.2\nIF R1==0.3 GOTOF AB\nR2=1\nAB: M17", expect![[""]]);
     check_warnings(
@@ -596,16 +596,16 @@ fn warnings_about_programs() {
 }
 
 #[test]
-fn a_line_in_pieces() {
+fn tokens_of_a_named_line_match() {
     let line = "/N10 MARK1: IF (R1+1)>=2.5 GOTOF NEXT G1 X=IC(-R2) LIMS=30 DIAMON MSG(\"a;b\") ;note";
     let pieces = tokens(line, control());
     let text: Vec<String> = pieces.iter().map(|(span, kind)| format!("{}={kind:?}", span.of(line))).collect();
     expect![[r#"/=Operator N10=Sequence MARK1=Sequence :=Operator IF=Keyword (=Operator R1=Variable +=Operator 1=Number )=Operator >=Operator ==Operator 2.5=Number GOTOF=Keyword NEXT=Address G1=Code X=Address ==Operator IC=Address (=Operator -=Operator R2=Variable )=Operator LIMS=Address ==Operator 30=Number DIAMON=Code MSG=Keyword (=Operator "a;b"=Comment )=Operator ;note=Comment"#]].assert_eq(&text.join(" "));
 }
 
-/// Where a block gets too long is told between characters, also where one takes two bytes.
+/// The place where a block gets too long is between characters, also beside one of two bytes.
 #[test]
-fn a_message_that_is_too_long() {
+fn long_msg_text_is_a_finding() {
     check(
         &format!("MSG(\"{}\")", "ä".repeat(150)),
         expect![[r#"
@@ -616,13 +616,13 @@ fn a_message_that_is_too_long() {
 }
 
 #[test]
-fn main_blocks_stay_main_blocks() {
+fn main_block_colon_survives_emit() {
     let text = "%_N_A_MPF\n;$PATH=/_N_MPF_DIR\n/:  20 G0 X1\n:30 AB: R1=1\nN40 M30\n";
     let parsed = read_on(control(), text);
     let written = emit(parsed.deck(), control());
     assert_eq!(written.files.0[0].text, "%_N_A_MPF\n;$PATH=/_N_MPF_DIR\n/:20 G0 X1\n:30 AB: R1=1\nN40 M30\n");
     assert!(parse(&written.files, control()).deck().same_as(parsed.deck()));
-    // Edited, too; what nobody edited stays byte for byte.
+    // After an edit, too; unedited blocks stay byte for byte.
     let mut deck = parsed.deck().clone();
     deck.blocks[1].span = macroline::text::Span::default();
     let edited = nc::emit_parsed(&parsed, &deck);
@@ -635,7 +635,7 @@ fn main_blocks_stay_main_blocks() {
 }
 
 #[test]
-fn ways_to_angles_are_for_rotary_axes() {
+fn angle_approach_on_linear_axis_is_an_error() {
     check(
         "G0 X=DC(5)",
         expect![[r#"

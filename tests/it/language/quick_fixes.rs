@@ -1,4 +1,4 @@
-//! Slips that everybody makes: what each control says of them, and that the fix makes a program of them.
+//! Common slips: the finding of each control, and the fix that makes a program of the text.
 
 use expect_test::{Expect, expect};
 use macroline::controls;

@@ -174,7 +174,7 @@ fn check_parts(block: &str, expected: Expect) {
 }
 
 #[test]
-fn the_places_of_the_parts_of_formulas() {
+fn formula_parts_have_their_places() {
     check_parts("#1=#2/#3", expect!["#1 | #2 | #3 | #2/#3"]);
     check_parts(
         "N5 #[#1 + 2] = -[ #2 * SQRT[#3] ] AND 3 (NOTE)",

@@ -29,7 +29,7 @@ fn pose(t: f64, step: f64, strobe: bool) -> Pose {
 }
 
 #[test]
-fn poses_move_what_the_scene_has() {
+fn pose_moves_only_nodes_of_the_scene() {
     for heads in ["1", "6", "60", "1000"] {
         let values = values(&[("heads", heads)]);
         let scene = machine().scene(&values, on());
@@ -51,7 +51,7 @@ fn poses_move_what_the_scene_has() {
 }
 
 #[test]
-fn figures_say_what_the_snapshot_says() {
+fn pose_figures_equal_the_snapshot() {
     let pose = pose(2.0, 0.001, false);
     let texts: Vec<&str> = pose.texts.iter().map(|(_, text)| text.as_str()).collect();
     assert_eq!(
@@ -70,14 +70,14 @@ fn figures_say_what_the_snapshot_says() {
     );
 }
 
-/// Opacity of the heads and of the ring that stands for them.
+/// Opacity of the heads and of the ring that replaces them.
 fn heads_and_ring(pose: &Pose) -> (f64, f64) {
     let opacity = |group| pose.placements.iter().find(|place| place.group == group).unwrap().opacity;
     (opacity(6), opacity(7))
 }
 
 #[test]
-fn a_roller_too_fast_to_see_is_a_ring_and_the_stroboscope_stops_it() {
+fn fast_roller_blurs_and_strobe_freezes_it() {
     // The print roller turns 1885 degrees a second: 18.85 in 10 ms, 37.7 in 20 ms.
     assert_eq!(heads_and_ring(&pose(2.0, 0.010, false)).0, 1.0);
     let (heads, ring) = heads_and_ring(&pose(2.0, 0.020, false));
@@ -108,7 +108,7 @@ impl Samples for Running {
 }
 
 #[test]
-fn charts_sample_the_run() {
+fn chart_points_equal_the_timeline() {
     let charts = machine().charts(&values(&[]), on(), &Running, 0.0, 4.0, 9);
     let ids: Vec<_> = charts.iter().map(|chart| chart.id).collect();
     assert_eq!(ids, ["feeds", "spindle", "volts", "slack", "register"]);
@@ -126,7 +126,7 @@ fn chart(points: Vec<(f64, f64)>) -> Chart {
 }
 
 #[test]
-fn a_chart_is_lines_grid_and_figures_with_classes() {
+fn chart_svg_has_lines_grid_and_figures_with_classes() {
     let drawn = plot::draw(&chart(vec![(0.0, 0.0), (1.0, 50.0), (2.0, 100.0)]));
     assert_eq!((drawn.x, drawn.y), ((0.0, 2.0), (0.0, 112.0)));
     assert!(drawn.svg.contains("<path class=\"line l1\" d=\"M0 200L500"), "{}", drawn.svg);
@@ -137,7 +137,7 @@ fn a_chart_is_lines_grid_and_figures_with_classes() {
 }
 
 #[test]
-fn charts_of_nothing_or_nonsense_are_drawn() {
+fn empty_or_non_finite_charts_are_drawn() {
     for points in [
         vec![],
         vec![(0.0, 1.0)],
@@ -152,7 +152,7 @@ fn charts_of_nothing_or_nonsense_are_drawn() {
 }
 
 #[test]
-fn a_timeline_becomes_columns() {
+fn run_is_exported_as_csv_columns() {
     let mut wide = chart(vec![(0.0, 1.0), (0.5, 2.5)]);
     wide.series.push(Series { label: "ribbon.print-axis.y", tone: 2, points: vec![(0.0, -1.0)] });
     assert_eq!(
@@ -174,7 +174,7 @@ fn rows_with(changes: &[(&str, &str)], switches: &Switches, id: &str) -> String 
 }
 
 #[test]
-fn the_parameter_sheet_carries_the_projects_values() {
+fn parameter_sheet_carries_the_project_values() {
     let rows = rows(&[("y-unit", "degrees"), ("clamp-y", "140000")], "parameters");
     for row in [
         "#1039 | spinno |  | 1 |",
@@ -191,7 +191,7 @@ fn the_parameter_sheet_carries_the_projects_values() {
 }
 
 #[test]
-fn the_ladder_is_figure_1() {
+fn ladder_list_equals_figure_1_of_the_paper() {
     expect![[r#"
         0 | LD ON | 
         1 | MOV D100 R148 | spindle override to the control
@@ -230,7 +230,7 @@ fn the_ladder_is_figure_1() {
 }
 
 #[test]
-fn the_register_of_the_macro_input_is_where_the_switch_puts_it() {
+fn macro_input_register_follows_its_switch() {
     let base = |base: &str| Switches(vec![("macro-input-base".to_owned(), base.to_owned())]);
     assert!(rows_with(&[], &base("R172"), "interface").contains("R174 | #1033 | PLC | program | %"));
     let ladder = rows_with(&[], &base("R6436"), "ladder");
@@ -248,17 +248,17 @@ fn the_register_of_the_macro_input_is_where_the_switch_puts_it() {
 }
 
 #[test]
-fn the_ladder_is_drawn() {
+fn ladder_drawing_shows_every_contact() {
     let sheets = machine().sheets(&values(&[("wait", "fin")]), on());
     let sheet = sheets.iter().find(|sheet| sheet.id == "ladder").unwrap();
     let drawn = &sheet.drawing;
-    // A note stands at what a rung switches.
+    // A note is beside the coil of its rung.
     assert_eq!(drawn.matches("<rect").count(), sheet.rows.iter().filter(|row| !row.cells[2].is_empty()).count());
     assert!(drawn.contains(">MOV R148 R74</text>") && !drawn.contains("style="));
 }
 
 #[test]
-fn the_report_has_inputs_with_origin_verdicts_and_open_points() {
+fn report_has_inputs_with_origin_verdicts_and_open_points() {
     let origins = Origins::from_iter([("dancer".to_owned(), Provenance::Measured)]);
     let values = values(&[("customer", "Customer 4711")]);
     let switches = Switches(vec![("decimal-point".to_owned(), "millimetres".to_owned())]);

@@ -79,7 +79,7 @@ const STAR: [(&str, &str); 6] =
 const PAPER: &str = include_str!("../../../src/machines/polygon_lathe/listing.nc");
 
 #[test]
-fn the_programs() {
+fn exported_programs_match_their_goldens() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/machines/polygon-lathe/knd-k2000t");
     type Case = (&'static str, &'static [(&'static str, &'static str)]);
     let cases: [Case; 3] = [
@@ -95,7 +95,7 @@ fn the_programs() {
 }
 
 #[test]
-fn the_papers_example_turns_work_and_tool_at_200_and_400() {
+fn paper_example_turns_work_at_200_and_tool_at_400() {
     let planner = whole(&edited(&[], PAPER));
     // Its retract stays at F200.
     let said = edited(&[], PAPER);
@@ -121,7 +121,7 @@ fn the_papers_example_turns_work_and_tool_at_200_and_400() {
 }
 
 #[test]
-fn what_the_program_tells_the_pmc_stands_on_the_screen() {
+fn program_outputs_to_the_pmc_show_on_the_screen() {
     let project = project(&[]);
     let planner = whole(&project);
     let shown = |t| [1480, 1484, 1488, 1101].map(|number| run::shown(&planner, project.control, number, t));
@@ -130,7 +130,7 @@ fn what_the_program_tells_the_pmc_stands_on_the_screen() {
 }
 
 #[test]
-fn what_the_pmc_tells_the_program_in_a_word_stands_on_the_screen_bit_by_bit() {
+fn pmc_word_to_the_program_shows_bit_by_bit_on_the_screen() {
     let project = project(&[]);
     let planner = whole(&project);
     let bits = |t| [1000, 1001, 1002, 1003].map(|number| run::shown(&planner, project.control, number, t));
@@ -143,7 +143,7 @@ fn what_the_pmc_tells_the_program_in_a_word_stands_on_the_screen_bit_by_bit() {
 }
 
 #[test]
-fn the_tool_keeps_its_ratio_at_every_moment_through_every_change_of_speed() {
+fn tool_keeps_its_ratio_through_every_speed_change() {
     let ways = [("1", "2"), ("5", "12"), ("-1", "2"), ("3", "-7"), ("-2", "-3")];
     for ((work, tool), override_acts) in ways.into_iter().flat_map(|way| [(way, true), (way, false)]) {
         let changes = [
@@ -201,7 +201,7 @@ fn the_tool_keeps_its_ratio_at_every_moment_through_every_change_of_speed() {
 }
 
 #[test]
-fn both_go_to_their_start_angles_in_the_sense_of_the_sign() {
+fn both_axes_reach_start_angles_in_the_sense_of_the_sign() {
     for (a, e) in [("90", "-45"), ("-200", "359"), ("0", "0"), ("0.001", "-0.001")] {
         let planner = planned(&project(&[("work-start", a), ("tool-start", e)]));
         let timeline = planner.timeline();
@@ -218,7 +218,7 @@ fn both_go_to_their_start_angles_in_the_sense_of_the_sign() {
 }
 
 #[test]
-fn mistakes_are_alarms() {
+fn wrong_g512_arguments_raise_alarms() {
     let said = |block: &str| {
         let text = format!("O3000\nT0101\nG0X40.Z5.\n{block}\nG502\nM30\n");
         let project = edited(&[], &text);
@@ -271,7 +271,7 @@ fn turns_in_ratio_again(timeline: &Timeline) {
 }
 
 #[test]
-fn reset_and_emergency_stop_end_it_and_it_begins_again_with_a_new_call() {
+fn reset_or_emergency_stop_needs_a_new_g512() {
     for action in [Action::Reset, Action::EmergencyStop] {
         let mut project = project(&[]);
         project.panel.add(Event { t: 5.0, action });
@@ -296,7 +296,7 @@ fn reset_and_emergency_stop_end_it_and_it_begins_again_with_a_new_call() {
 }
 
 #[test]
-fn drives_that_are_off_at_emergency_stop_let_both_coast_out_of_ratio() {
+fn drives_off_at_emergency_stop_lose_the_ratio() {
     let changes = [("emergency", "off"), ("work-coast", "6"), ("tool-coast", "2.5")];
     let mut project = project(&changes);
     project.panel.add(Event { t: 5.0, action: Action::EmergencyStop });
@@ -326,7 +326,7 @@ fn drives_that_are_off_at_emergency_stop_let_both_coast_out_of_ratio() {
 }
 
 #[test]
-fn feeding_into_work_that_stands_is_told_once_and_at_its_block() {
+fn feed_into_standing_work_is_one_finding_at_its_block() {
     let said = |text: &str| {
         let planner = planned(&edited(&[], &format!("O3000\nT0101\nG98G0X29.Z2.\n{text}M30\n")));
         let standing = planner.diagnostics().iter().filter(|d| d.message.id == "motion.standing-work");
@@ -361,13 +361,13 @@ fn feeding_into_work_that_stands_is_told_once_and_at_its_block() {
 }
 
 #[test]
-fn g502_within_the_cut_waits_for_the_slide_and_stops_both_in_ratio() {
+fn g502_in_the_cut_waits_for_the_slide_and_stops_in_ratio() {
     let text = "O3000\nT0101\nG0X29.Z2.\nG512B200D1Q2\nG0X22.\nG98G1Z-10.F200.\nG502\nG0X40.\nM30\n";
     let planner = whole(&edited(&[], text));
     let timeline = planner.timeline();
     let moments: Vec<_> = (0..20_000).map(|i| timeline.at(0.001 * f64::from(i))).collect();
     let last = moments.iter().rposition(|now| now.pmc[WORK].feed == 72_000.0).unwrap();
-    // Both turn at speed until the slide stands at its place in the cut, and nothing moves away before both stand.
+    // Both turn at speed until the slide is at rest in the cut, and nothing moves away before both are at rest.
     assert!((moments[last].axes[1].actual + 10.0).abs() < 0.03, "{:?}", moments[last].axes);
     let stands = (last..moments.len()).find(|at| moments[*at].pmc[WORK].feed == 0.0).unwrap();
     for now in &moments[last..=stands] {
@@ -378,8 +378,16 @@ fn g502_within_the_cut_waits_for_the_slide_and_stops_both_in_ratio() {
     assert!(moments[stands..].iter().any(|now| now.axes[0].position > 19.0));
 }
 
+/// Processor time of this thread in s, in steps of 0.01; 0 where the system does not tell.
+fn processor_seconds() -> f64 {
+    let Ok(stat) = std::fs::read_to_string("/proc/thread-self/stat") else { return 0.0 };
+    // Fields 14 and 15, user and system time in ticks, counted behind the name in brackets, which is field 2.
+    let behind = stat.rsplit(')').next().unwrap_or_default();
+    behind.split_whitespace().skip(11).take(2).filter_map(|ticks| ticks.parse::<f64>().ok()).sum::<f64>() / 100.0
+}
+
 #[test]
-fn whatever_is_typed_gives_a_design_soon() {
+fn any_form_values_design_within_the_processor_time() {
     let fields = machine().fields();
     let mut seed = 5_u64;
     let mut dice = |sides: usize| {
@@ -399,16 +407,16 @@ fn whatever_is_typed_gives_a_design_soon() {
             let typed = if dice(3) == 0 { field.read(&ends[dice(4)]).ok() } else { None };
             project.values.extend(typed.map(|value| (field.id.to_owned(), value)));
         }
-        let begun = std::time::Instant::now();
+        let begun = processor_seconds();
         let _ = (project.design(), project.export());
-        slowest = slowest.max(begun.elapsed().as_secs_f64());
+        slowest = slowest.max(processor_seconds() - begun);
     }
-    // Without optimisation, beside all other tests.
-    assert!(slowest < 3.0, "{slowest}");
+    // Without optimisation.
+    assert!(slowest < 3.0, "{slowest} s of processor time");
 }
 
 #[test]
-fn unequal_time_constants_are_a_phase_error_of_which_a_verdict_tells() {
+fn unequal_time_constants_fail_the_phase_verdict() {
     let project = project(&[("tool-time-constant", "500"), ("work-gain", "40")]);
     let design = project.design();
     let advice = design.readouts.iter().flat_map(|row| &row.advice);
@@ -425,7 +433,7 @@ fn unequal_time_constants_are_a_phase_error_of_which_a_verdict_tells() {
 }
 
 #[test]
-fn a_dropped_program_restores_the_form() {
+fn dropped_program_restores_the_form() {
     let saved = project(&[("shape", "triangle"), ("across-flats", "8"), ("stock-diameter", "11"), ("product", "LOCK")]);
     let present = Project::of("ribbon-line", None).unwrap();
     for file in saved.written().files.0.into_iter().take(1) {
@@ -438,7 +446,7 @@ fn a_dropped_program_restores_the_form() {
 }
 
 #[test]
-fn what_the_design_says() {
+fn design_readouts_match_their_golden() {
     let said = |changes: &[(&str, &str)]| {
         let design = machine().design(&values(changes), &Origins::default(), project(&[]).on());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
@@ -563,7 +571,7 @@ fn area(path: &str) -> f64 {
 }
 
 #[test]
-fn the_section_is_cut_never_grows_and_ends_as_the_exact_one() {
+fn cut_section_never_grows_and_ends_exact() {
     let shapes: [&[(&str, &str)]; 5] = [
         &[],
         &[("shape", "knob")],
@@ -600,7 +608,7 @@ fn the_section_is_cut_never_grows_and_ends_as_the_exact_one() {
 }
 
 #[test]
-fn the_papers_program_cuts_too_and_what_coasts_behind_the_face_does_not() {
+fn paper_program_cuts_and_coasting_behind_the_face_does_not() {
     let look = |project: &Project, t: f64| {
         let planner = planned(project);
         let frame = Frame { step: 0.001, strobe: false };
@@ -624,7 +632,7 @@ fn the_papers_program_cuts_too_and_what_coasts_behind_the_face_does_not() {
 }
 
 #[test]
-fn charts_and_drawings() {
+fn charts_and_drawings_show_the_check_table_values() {
     let project = project(&[("stock-diameter", "29")]);
     let planner = whole(&project);
     let charts = machine().charts(&project.values, project.on(), &planner, 0.0, 10.0, 721);
@@ -663,7 +671,7 @@ fn charts_and_drawings() {
 }
 
 #[test]
-fn other_programs_run_on_the_machine_too() {
+fn pasted_programs_run_on_the_polygon_lathe() {
     // The paper's listing as a bare file beside the macro programs, on the plant of the project.
     let plant = project(&[]);
     let mut files: Vec<File> = vec![File { name: "O3000.nc".to_owned(), text: PAPER.to_owned() }];
@@ -674,7 +682,7 @@ fn other_programs_run_on_the_machine_too() {
 }
 
 #[test]
-fn a_way_that_is_taken_gives_what_its_row_shows_to_the_last_digit() {
+fn taken_way_gives_the_figures_of_its_row() {
     let fixed = [("least-radius", "45"), ("greatest-radius", "45")];
     let wide = [("least-radius", "30"), ("greatest-radius", "60")];
     let cases: [&[(&str, &str)]; 8] = [
@@ -723,7 +731,7 @@ fn a_way_that_is_taken_gives_what_its_row_shows_to_the_last_digit() {
 }
 
 #[test]
-fn what_is_dragged_has_the_same_sliders_everywhere_and_a_section_where_there_is_one() {
+fn explorer_has_fixed_sliders_and_a_section_where_one_exists() {
     let look = |changes: &[(&str, &str)]| {
         let project = project(changes);
         project.machine.explorer(&project.values, project.on()).unwrap()

@@ -15,7 +15,7 @@ fn rows(changes: &[(&str, &str)], id: &str) -> String {
 }
 
 #[test]
-fn the_sheets() {
+fn machine_sheets_have_the_expected_rows() {
     let all = rows(&[], "parameters");
     assert!(
         all.contains("4120 |  |  | 512 |  | G code that calls O9120\n4121 |  |  | 502 |  | G code that calls O9121"),
@@ -82,7 +82,7 @@ fn the_sheets() {
 }
 
 #[test]
-fn the_part_with_a_code_of_its_own_leaves_as_a_file_that_reads_without_errors() {
+fn exported_g51_2_file_reads_without_errors() {
     let control = macroline::controls::find("gsk-980tdc").unwrap();
     for changes in [&[][..], &[("shape", "hexagon"), ("work-start", "12.5"), ("lead", "300")]] {
         let files = project(changes).export().files;
@@ -94,7 +94,7 @@ fn the_part_with_a_code_of_its_own_leaves_as_a_file_that_reads_without_errors() 
 }
 
 #[test]
-fn every_insert_may_stand_beside_its_place() {
+fn radius_errors_of_inserts_show_on_their_sides() {
     // Two at ratio 3 turn a hexagon: the sides of one stand opposite those of the other, so that 0.1 mm is 0.1 mm across flats.
     let hexagon = [("shape", "own"), ("tool-ratio", "3"), ("sides", "6"), ("stock-diameter", "30")];
     let off = |radii: &'static str| [&hexagon[..], &[("radius-errors", radii)]].concat();
@@ -116,7 +116,7 @@ fn every_insert_may_stand_beside_its_place() {
     "#]]
     .assert_eq(&rows(&square, "inserts"));
     assert!((felt(&square, "least-across-flats") - 19.96).abs() < 1e-6, "{}", felt(&square, "least-across-flats"));
-    // Both cut every side of a triangle: the one that stands out cuts it, the other nothing.
+    // Both pass every side of a triangle: the longer insert cuts it, the other nothing.
     let triangle = [("shape", "triangle"), ("stock-diameter", "22"), ("radius-errors", "0 -0.05")];
     assert!(
         (felt(&triangle, "across-flats") - 20.0).abs() < 1e-9
@@ -147,7 +147,7 @@ fn scanned(rungs: &[(Vec<String>, String)], on: &mut Vec<String>) {
 }
 
 #[test]
-fn the_ladder_goes_through_the_sequence_as_the_plc_does() {
+fn ladder_and_plc_take_the_same_sequence() {
     let rungs: Vec<(Vec<String>, String)> = rows(&[], "ladder")
         .lines()
         .map(|line| {

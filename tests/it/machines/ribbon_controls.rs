@@ -62,7 +62,7 @@ fn said(found: &[Diagnostic]) -> Vec<String> {
 }
 
 #[test]
-fn a_case_that_all_controls_take_moves_the_machine_alike() {
+fn case_that_all_controls_accept_moves_alike() {
     // The same times of blocks: those are the control's, not the machine's.
     let same = [("block-time", "7.1"), ("macro-time", "3"), ("preread", "5"), ("spindle-speed", "100")];
     let changes: Vec<_> = same.into_iter().chain([("pitch-count", "20")]).collect();
@@ -90,7 +90,7 @@ fn a_case_that_all_controls_take_moves_the_machine_alike() {
 }
 
 #[test]
-fn words_of_x_count_diameters_or_radii_as_the_switch_says() {
+fn x_words_count_diameter_or_radius_by_switch() {
     for (id, setting, word) in [
         ("gsk-980tdc", "diameter", "N37 #129=#107*#128*2 (X PER BLOCK, DIAMETER)"),
         ("knd-k2000t", "radius", "N37 #129=#107*#128 (X PER BLOCK)"),
@@ -106,7 +106,7 @@ fn words_of_x_count_diameters_or_radii_as_the_switch_says() {
 }
 
 #[test]
-fn a_feed_beyond_the_range_of_a_control_says_how_fast_it_may_run_and_the_way_out() {
+fn feed_above_control_range_names_the_possible_speed() {
     let fast = project("gsk-980tdc", &[]);
     let design = fast.design();
     let feed = design.readouts.iter().find(|row| row.id == "vector-feed").unwrap();
@@ -143,7 +143,7 @@ fn a_feed_beyond_the_range_of_a_control_says_how_fast_it_may_run_and_the_way_out
 }
 
 #[test]
-fn the_range_of_f_per_minute_on_the_802d_is_said_with_its_numbers() {
+fn f_range_on_the_802d_is_reported_with_its_numbers() {
     for (rpm, fits) in [("600", true), ("1000", true), ("1005", true), ("1006", false), ("1200", false)] {
         let project =
             project("sinumerik-802d", &[("spindle-speed", rpm), ("pitch-count", "5"), ("spindle-encoder", "true")]);
@@ -165,7 +165,7 @@ fn the_range_of_f_per_minute_on_the_802d_is_said_with_its_numbers() {
 }
 
 #[test]
-fn a_feed_per_revolution_runs_in_step_with_the_unwinder_on_every_control() {
+fn feed_per_revolution_follows_the_unwinder_everywhere() {
     let knob = |t: f64, percent: f64| Event { t, action: Action::SpindleOverride(percent) };
     for control in controls() {
         let changes =
@@ -194,7 +194,7 @@ fn a_feed_per_revolution_runs_in_step_with_the_unwinder_on_every_control() {
 }
 
 #[test]
-fn a_feed_per_revolution_needs_an_encoder() {
+fn feed_per_revolution_without_encoder_is_an_error() {
     for control in controls() {
         let project = project(control.id, &[("feed-form", "per-revolution")]);
         let export = project.export();
@@ -205,7 +205,7 @@ fn a_feed_per_revolution_needs_an_encoder() {
 }
 
 #[test]
-fn the_design_of_a_feed_per_revolution_is_its_run() {
+fn feed_per_revolution_design_equals_its_run() {
     for (dwell, ramp) in [("0", "2"), ("0.5", "2"), ("2", "1")] {
         let project = project(
             "knd-k2000t",
@@ -232,7 +232,7 @@ fn the_design_of_a_feed_per_revolution_is_its_run() {
 }
 
 #[test]
-fn the_plc_hands_over_the_override_in_the_word_that_the_control_has() {
+fn plc_passes_the_override_in_the_controls_word() {
     for (id, word) in [("mitsubishi-e60", 1033), ("gsk-980tdc", 1032), ("knd-k2000t", 1032)] {
         let project = project(id, &[("spindle-speed", "100")]);
         let knob = Event { t: 2.0, action: Action::SpindleOverride(80.0) };
@@ -245,7 +245,7 @@ fn the_plc_hands_over_the_override_in_the_word_that_the_control_has() {
 }
 
 #[test]
-fn a_second_start_prints_again() {
+fn second_start_prints_again() {
     for control in controls() {
         let project = project(control.id, &[("spindle-speed", "100"), ("pitch-count", "5")]);
         let mut planner = over_time(&project, vec![]);
@@ -257,7 +257,7 @@ fn a_second_start_prints_again() {
 }
 
 #[test]
-fn fields_are_shown_where_there_is_a_choice() {
+fn fields_without_a_choice_are_hidden() {
     let hidden = |id: &str, changes: &[(&str, &str)]| {
         machine().hidden(&values(changes), macroline::controls::find(id).unwrap()).join(" ")
     };
@@ -269,7 +269,7 @@ fn fields_are_shown_where_there_is_a_choice() {
 }
 
 #[test]
-fn what_a_control_lacks_has_no_effect_there() {
+fn values_that_a_control_lacks_have_no_effect() {
     let chosen =
         [("override-form", "final-speed"), ("path-mode", "exact-stop"), ("print-axis", "c"), ("y-unit", "degrees")];
     let text = |id: &str, changes: &[(&str, &str)]| -> String {
@@ -283,7 +283,7 @@ fn what_a_control_lacks_has_no_effect_there() {
 }
 
 #[test]
-fn another_control_keeps_the_values() {
+fn change_of_control_keeps_the_values() {
     let mut project = project("mitsubishi-e60", &[("pitch", "12.5"), ("heads", "47")]);
     project.switches.0.push(("macro-input-base".to_owned(), "R172".to_owned()));
     project.switches.0.push(("locals-of-calls".to_owned(), "kept".to_owned()));
@@ -300,7 +300,7 @@ fn another_control_keeps_the_values() {
 }
 
 #[test]
-fn a_new_project_has_the_times_and_ranges_of_its_control() {
+fn new_project_has_times_and_ranges_of_its_control() {
     let value = |id: &str, field: &str| project(id, &[]).values.get(field).cloned();
     for (field, text) in [("block-time", "8"), ("macro-time", "4"), ("preread", "3"), ("feed-limit", "15000")] {
         assert_eq!(value("gsk-980tdc", field), values(&[(field, text)]).get(field).cloned());
@@ -314,7 +314,7 @@ fn a_new_project_has_the_times_and_ranges_of_its_control() {
 }
 
 #[test]
-fn a_dropped_program_finds_its_control() {
+fn dropped_program_selects_its_control() {
     let present = project("mitsubishi-e60", &[]);
     for id in LATHES {
         let wanted = project(id, &[("pitch", "12.5"), ("print-axis", "c"), ("spindle-speed", "100")]);
@@ -337,7 +337,7 @@ fn check(control: &str, changes: &[(&str, &str)], sheet: &str, wanted: Expect) {
 }
 
 #[test]
-fn the_parameters_of_the_lathe_controls() {
+fn lathe_parameter_sheets_match_their_goldens() {
     check(
         "gsk-980tdc",
         &[("print-axis", "c"), ("spindle-encoder", "true")],
@@ -393,7 +393,7 @@ fn the_parameters_of_the_lathe_controls() {
 }
 
 #[test]
-fn the_registers_and_the_ladder_of_the_lathe_controls() {
+fn lathe_registers_and_ladder_match_their_goldens() {
     check(
         "gsk-980tdc",
         &[],
@@ -452,7 +452,7 @@ fn the_registers_and_the_ladder_of_the_lathe_controls() {
 }
 
 #[test]
-fn what_the_operator_of_a_control_has_to_know() {
+fn operator_notes_of_each_control_match() {
     let told = |id: &str| -> String {
         let design =
             machine().design(&Values::new(), &Origins::new(), at_defaults(macroline::controls::find(id).unwrap()));

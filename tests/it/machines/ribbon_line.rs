@@ -67,7 +67,7 @@ fn advice(readout: &Readout) -> Vec<String> {
 }
 
 #[test]
-fn the_papers_example_with_exact_pi() {
+fn paper_example_with_exact_pi_gives_its_figures() {
     check(
         &[],
         2e-9,
@@ -86,7 +86,7 @@ fn the_papers_example_with_exact_pi() {
 }
 
 #[test]
-fn the_papers_example_with_its_own_pi() {
+fn paper_example_with_short_pi_gives_its_figures() {
     check(
         &[("pi", "3.14")],
         1e-9,
@@ -118,7 +118,7 @@ const OVERRIDES: [Row; 7] = [
 ];
 
 #[test]
-fn the_override_table_row_by_row() {
+fn design_reproduces_the_override_table() {
     for (knob, speed, short, exact, volts) in OVERRIDES {
         for (pi, [line, feed, time]) in [("3.14", short), ("exact", exact)] {
             let design = design(&[("override", &knob.to_string()), ("pi", pi)]);
@@ -136,7 +136,7 @@ fn the_override_table_row_by_row() {
 }
 
 #[test]
-fn above_the_clamp_the_line_is_slower_than_asked_and_says_so() {
+fn speed_above_the_clamp_slows_the_line_with_a_verdict() {
     let design = design(&[("override", "124")]);
     assert_eq!(readout(&design, "actual-speed").value, 1480.0);
     let volts = readout(&design, "volts");
@@ -150,7 +150,7 @@ fn above_the_clamp_the_line_is_slower_than_asked_and_says_so() {
 }
 
 #[test]
-fn y_in_degrees_keeps_x_and_changes_the_vector() {
+fn y_in_degrees_keeps_x_feed_and_changes_the_vector() {
     check(
         &[("y-unit", "degrees")],
         1e-8,
@@ -160,7 +160,7 @@ fn y_in_degrees_keeps_x_and_changes_the_vector() {
 }
 
 #[test]
-fn the_sizing_oracle_row_by_row() {
+fn design_reproduces_the_sizing_table() {
     // Sections A, D, E, F and G of sizing_check.py, in the units of the readouts.
     check(
         &[],
@@ -206,7 +206,7 @@ fn the_sizing_oracle_row_by_row() {
 }
 
 #[test]
-fn start_and_stop_against_the_oracle() {
+fn start_and_stop_slack_match_the_sizing_table() {
     // D23: X waits for the speed. D24: both start together. D25: both stop together. v 251.327 mm/s, ramps 2 s and 0.1 s.
     for (slack, wanted) in [
         (web::slack_after_start(251.327412, 2.0, 0.1, 2.0), 263.894),
@@ -218,7 +218,7 @@ fn start_and_stop_against_the_oracle() {
 }
 
 #[test]
-fn the_papers_own_example_slips_and_says_what_would_match() {
+fn paper_example_fails_the_slip_rule_and_names_the_match() {
     let design = design(&[]);
     let ratio = readout(&design, "surface-ratio");
     assert_eq!(ratio.verdict, Verdict::Fail);
@@ -239,7 +239,7 @@ fn the_papers_own_example_slips_and_says_what_would_match() {
 
 /// Every rule once beyond its limit: the result, its verdict.
 #[test]
-fn rules_judge() {
+fn rules_give_their_verdicts() {
     type Case = (&'static [(&'static str, &'static str)], &'static str, Verdict);
     let cases: &[Case] = &[
         (&[("heads", "47")], "surface-ratio", Verdict::Ok),
@@ -284,7 +284,7 @@ fn rules_judge() {
 }
 
 #[test]
-fn feeds_beyond_the_clamps_are_errors_and_say_how_fast_it_may_run() {
+fn feed_above_a_clamp_is_an_error_with_the_possible_speed() {
     let slow = design(&[("clamp-y", "100000")]);
     let [error] = slow.diagnostics.iter().filter(|d| d.severity == Severity::Error).collect::<Vec<_>>()[..] else {
         panic!("one error: {:?}", slow.diagnostics)
@@ -299,7 +299,7 @@ fn feeds_beyond_the_clamps_are_errors_and_say_how_fast_it_may_run() {
 }
 
 #[test]
-fn blocks_that_the_control_cannot_read_are_errors() {
+fn blocks_too_long_for_the_control_are_errors() {
     let errors = |changes: &[(&str, &str)]| -> Vec<String> {
         let found = design(changes).diagnostics.into_iter().filter(|d| d.severity == Severity::Error);
         found.map(|d| sentence(Language::English, &d.message)).collect()
@@ -322,7 +322,7 @@ fn blocks_that_the_control_cannot_read_are_errors() {
 }
 
 #[test]
-fn labels_are_words_and_no_sentences_with_places() {
+fn labels_contain_no_placeholders() {
     let fields = machine().fields().into_iter().flat_map(|field| [field.label, field.help, field.group]);
     let readouts = design(&[]).readouts.into_iter().map(|readout| readout.label);
     let variables = machine().variables(&Values::new(), on()).into_iter().map(|(_, meaning, _)| meaning);
@@ -333,7 +333,7 @@ fn labels_are_words_and_no_sentences_with_places() {
 }
 
 #[test]
-fn a_line_that_stands_still_has_results() {
+fn line_at_standstill_has_finite_results() {
     let design = design(&[("override", "0")]);
     for readout in &design.readouts {
         assert!(!readout.value.is_nan(), "{}: no number", readout.id);
@@ -343,14 +343,14 @@ fn a_line_that_stands_still_has_results() {
 }
 
 #[test]
-fn the_plcs_knob_has_steps() {
+fn override_knob_moves_in_its_steps() {
     for (step, speed) in [("1", 876.0), ("5", 900.0), ("10", 840.0)] {
         check(&[("override", "73"), ("knob-step", step)], 1e-12, &[("actual-speed", speed)]);
     }
 }
 
 #[test]
-fn a_length_becomes_whole_pitches() {
+fn product_length_becomes_whole_pitches() {
     check(
         &[("job", "product-length"), ("product-length", "4003")],
         1e-12,
@@ -359,7 +359,7 @@ fn a_length_becomes_whole_pitches() {
 }
 
 #[test]
-fn facts_are_assumed_until_somebody_says_where_they_come_from() {
+fn values_without_origin_are_listed_as_assumed() {
     let count = |origins: &Origins| {
         let design = machine().design(&Values::new(), origins, on());
         let infos = design.diagnostics.into_iter().filter(|d| d.severity == Severity::Info);
@@ -371,7 +371,7 @@ fn facts_are_assumed_until_somebody_says_where_they_come_from() {
 }
 
 #[test]
-fn invalid_values_keep_the_default_and_are_errors_about_their_field() {
+fn invalid_value_is_an_error_and_the_default_stays() {
     let values =
         Values::from_iter([("pitch".to_owned(), Value::Number(0.0)), ("heads".to_owned(), Value::Number(2.5))]);
     let design = machine().design(&values, &Origins::new(), on());

@@ -153,7 +153,7 @@ const CASES: &[Case] = &[
 ];
 
 #[test]
-fn programs_as_they_go_to_the_machine() {
+fn programs_match_their_goldens() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/machines/ribbon-line");
     for (id, name, changes) in CASES {
         let on = at_defaults(macroline::controls::find(id).unwrap());
@@ -165,7 +165,7 @@ fn programs_as_they_go_to_the_machine() {
 }
 
 #[test]
-fn every_program_runs_to_its_end_at_the_designed_place() {
+fn every_program_ends_at_the_designed_position() {
     for (id, name, changes) in CASES {
         let on = at_defaults(macroline::controls::find(id).unwrap());
         let values = values(changes);
@@ -197,7 +197,7 @@ fn print_letter(on: ControlContext, values: &Values) -> u8 {
 }
 
 #[test]
-fn the_papers_figures_by_running_the_text() {
+fn run_of_the_text_gives_the_papers_figures() {
     let mut run = ready(&values(&[]));
     let printed = print(&mut run, 100.0);
     assert_eq!((printed.blocks, printed.x), (500, 4000.0));
@@ -213,7 +213,7 @@ fn the_papers_figures_by_running_the_text() {
 }
 
 #[test]
-fn the_final_speed_is_taken_as_it_is_and_stops_at_the_clamp() {
+fn final_speed_input_is_used_up_to_the_clamp() {
     for (word, speed) in [(960.0, 960.0), (1480.0, 1480.0), (1600.0, 1480.0)] {
         let mut run = ready(&values(&[("override-form", "final-speed"), ("pitch-count", "5")]));
         print(&mut run, word);
@@ -223,7 +223,7 @@ fn the_final_speed_is_taken_as_it_is_and_stops_at_the_clamp() {
 }
 
 #[test]
-fn a_product_is_changed_by_variables_alone() {
+fn changed_variables_print_another_product() {
     for variant in ["ready-made", "published"] {
         let mut run = ready(&values(&[("variant", variant)]));
         print(&mut run, 100.0);
@@ -254,7 +254,7 @@ fn a_product_is_changed_by_variables_alone() {
 }
 
 #[test]
-fn a_second_start_prints_again() {
+fn second_start_prints_again() {
     let mut run = ready(&values(&[]));
     for _ in 0..2 {
         let before = run.position()[0];
@@ -265,7 +265,7 @@ fn a_second_start_prints_again() {
 }
 
 #[test]
-fn five_hundred_pitches_by_any_number_a_block_are_five_hundred() {
+fn any_pitches_per_block_print_exactly_500() {
     for pitches in 1..=60 {
         let mut run = ready(&values(&[("pitches-per-block", &pitches.to_string())]));
         let printed = print(&mut run, 100.0);
@@ -277,7 +277,7 @@ fn five_hundred_pitches_by_any_number_a_block_are_five_hundred() {
 }
 
 #[test]
-fn y_after_a_million_pitches_is_within_one_increment() {
+fn y_error_after_a_million_pitches_is_below_one_increment() {
     for changes in
         [&[("pitch-count", "1000000")][..], &[("pitch-count", "1000000"), ("y-unit", "degrees"), ("heads", "7")]]
     {
@@ -289,7 +289,7 @@ fn y_after_a_million_pitches_is_within_one_increment() {
 }
 
 #[test]
-fn entries_that_cannot_be_raise_the_controls_alarm_with_a_message() {
+fn impossible_entries_raise_the_user_alarm_with_message() {
     for (number, value, text) in [
         (101, None, "#101 MUST BE ABOVE ZERO"),
         (107, Some(0.0), "#107 MUST BE ABOVE ZERO"),
@@ -317,7 +317,7 @@ fn entries_that_cannot_be_raise_the_controls_alarm_with_a_message() {
 
 /// Blocks read from one pitch to the next, in the middle of a run.
 #[test]
-fn the_blocks_of_a_pass_are_counted_right() {
+fn counted_blocks_per_pass_equal_the_run() {
     for (variant, nc, macros) in [("ready-made", 1, 7), ("published", 1, 15)] {
         let mut run = ready(&values(&[("variant", variant)]));
         let mut counts = Vec::new();
@@ -333,7 +333,7 @@ fn the_blocks_of_a_pass_are_counted_right() {
 }
 
 #[test]
-fn a_dropped_program_restores_the_form() {
+fn dropped_program_restores_the_form() {
     let changes: &[(&str, &str)] = &[
         ("pitch", "12.5"),
         ("heads", "11"),
@@ -385,7 +385,7 @@ fn result_on(on: ControlContext, values: &Values, id: &str) -> f64 {
 }
 
 #[test]
-fn the_line_runs_at_the_designed_speed_without_a_stop_between_pitches() {
+fn line_keeps_its_speed_between_pitches() {
     for wait in ["dwell", "fin"] {
         let values = values(&[("wait", wait)]);
         let mut run = planned(&values, vec![]);
@@ -404,7 +404,7 @@ fn the_line_runs_at_the_designed_speed_without_a_stop_between_pitches() {
 }
 
 #[test]
-fn slack_in_the_run_is_the_designs() {
+fn slack_in_the_run_equals_the_design() {
     for (dwell, wait) in [("2", "dwell"), ("0.5", "dwell"), ("5", "dwell"), ("2", "fin")] {
         // Without slip: with it the slack grows while X waits, too.
         let values =
@@ -430,7 +430,7 @@ fn spindle_override(t: f64, percent: f64) -> Event {
 }
 
 #[test]
-fn a_turned_knob_changes_x_and_spindle_alike() {
+fn turned_knob_changes_x_and_spindle_alike() {
     let mut run = planned(&values(&[]), vec![spindle_override(8.0, 50.0), spindle_override(14.0, 110.0)]);
     run.advance(3600.0, 10_000_000);
     for (t, speed) in [(7.5, 1200.0), (12.0, 600.0), (17.0, 1320.0)] {
@@ -441,7 +441,7 @@ fn a_turned_knob_changes_x_and_spindle_alike() {
 }
 
 #[test]
-fn override_0_waits_and_goes_on() {
+fn override_0_waits_until_it_rises() {
     let mut run =
         planned(&values(&[("pitch-count", "200")]), vec![spindle_override(5.0, 0.0), spindle_override(60.0, 100.0)]);
     let progress = run.advance(3600.0, 10_000_000);
@@ -454,7 +454,7 @@ fn override_0_waits_and_goes_on() {
 }
 
 #[test]
-fn entries_changed_while_it_runs_act_at_once() {
+fn entries_changed_during_the_run_act_at_once() {
     let set = |number, value| Event { t: 6.0, action: Action::Variable(number, Some(value)) };
     // Pitch by 2 up and heads by 2 down: a mere sum of the entries would not notice.
     let mut run = planned(&values(&[]), vec![set(107, 10.0), set(109, 4.0)]);
@@ -472,7 +472,7 @@ fn entries_changed_while_it_runs_act_at_once() {
 }
 
 #[test]
-fn s_changed_while_it_runs_is_commanded_again() {
+fn s_changed_during_the_run_is_commanded_again() {
     let mut run = planned(&values(&[]), vec![Event { t: 6.0, action: Action::Variable(100, Some(900.0)) }]);
     run.advance(3600.0, 10_000_000);
     let now = run.timeline().at(12.0);
@@ -540,7 +540,7 @@ proptest! {
     /// Whatever the settings and the control: the control has nothing to say about the text, it runs to the numbers of the closed form,
     /// it writes none of the operator's variables, and dropped again it restores the form.
     #[test]
-    fn any_settings_give_a_clean_program_that_runs_to_the_closed_form((on, values) in any_settings()) {
+    fn any_settings_run_to_the_closed_form_without_findings((on, values) in any_settings()) {
         let design = machine().design(&values, &Origins::new(), on);
         prop_assume!(design.diagnostics.iter().all(|d| d.severity == Severity::Info));
         let refused = |id: &str| design.readouts.iter().any(|row| row.id == id && row.verdict == Verdict::Fail);

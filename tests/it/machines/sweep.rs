@@ -15,7 +15,7 @@ const RANDOM: usize = 300;
 /// Blocks of a run, and seconds of the machine: enough for every kind of block that a program has.
 const BUDGET: Budget = Budget { blocks: 300, seconds: 30.0 };
 
-/// What ends or slows a run, by a part of its sentence, and the results of which one has told it before.
+/// Findings that end or slow a run, by a part of their sentence, with the results of which one must have failed before.
 const TOLD: &[(&str, &[&str])] = &[
     // Alarms that the program raises.
     ("ABOVE LIMIT", &["vector-feed", "feed-per-revolution"]),
@@ -23,7 +23,7 @@ const TOLD: &[(&str, &[&str])] = &[
     ("THE TOOL WOULD TURN TOO FAST", &["tool-speed"]),
     // Where a control has no alarms for programs, they stop with a message.
     ("waits for the operator", &["vector-feed", "feed-per-revolution", "block-time"]),
-    // What the machine does other than it is told.
+    // The machine deviates from its commands.
     ("is told", &["volts", "stage-speed", "speed-smallest", "lower-limit"]),
     ("the control slows the whole block", &["feed-top", "feed-per-revolution"]),
     ("The axes stop between blocks", &["block-time", "cutting-time"]),
@@ -164,7 +164,7 @@ fn changes(project: &Project) -> String {
 }
 
 #[test]
-fn every_form_has_a_sound_design_a_sound_program_and_a_run_without_surprises() {
+fn any_form_has_finite_results_and_a_clean_program() {
     let mut found: Vec<String> = Vec::new();
     for machine in machines::ALL {
         for control in machine.controls() {

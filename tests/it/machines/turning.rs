@@ -91,7 +91,7 @@ pub(super) fn cuts(project: &Project, planner: &Planner<Interp>) -> Vec<(f64, f6
 }
 
 #[test]
-fn the_run_cuts_as_long_as_the_closed_form_says() {
+fn cutting_time_of_the_run_equals_closed_form() {
     let limits = [("2500", "0"), ("60000", "0"), ("900", "700"), ("1200", "0")];
     for control in ["gsk-980tdc", "sinumerik-802d", "knd-k2000t"] {
         for path in PATHS {
@@ -117,7 +117,7 @@ fn the_run_cuts_as_long_as_the_closed_form_says() {
 }
 
 #[test]
-fn the_surface_speed_is_held_wherever_nothing_binds() {
+fn surface_speed_is_constant_where_no_limit_binds() {
     for path in PATHS {
         let project = ideal("gsk-980tdc", &[("path", path), ("depth", "7")]);
         let planner = over_time(&project);
@@ -140,7 +140,7 @@ fn the_surface_speed_is_held_wherever_nothing_binds() {
 }
 
 #[test]
-fn the_programs() {
+fn exported_programs_match_their_goldens() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/machines/turning-spindle");
     type Case = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
     let cases: [Case; 7] = [
@@ -164,7 +164,7 @@ fn the_programs() {
 }
 
 #[test]
-fn a_dropped_program_restores_the_form() {
+fn dropped_program_restores_the_form() {
     let changes = [("path", "taper"), ("cutting-speed", "95.5"), ("gear", "2"), ("output", "+-10"), ("product", "PIN")];
     for control in machine().controls() {
         let saved = project(control, &changes);
@@ -190,7 +190,7 @@ fn area(path: &str) -> f64 {
 }
 
 #[test]
-fn the_part_is_cut_and_never_grows_again() {
+fn cut_part_never_grows() {
     for (path, finished) in [("facing", "0"), ("facing", "20"), ("turning", "20"), ("taper", "20"), ("taper", "70")] {
         for depth in ["0.7", "3", "40"] {
             let project = ideal(
@@ -217,7 +217,7 @@ fn the_part_is_cut_and_never_grows_again() {
 }
 
 #[test]
-fn what_the_design_says() {
+fn design_readouts_match_their_golden() {
     let said = |changes: &[(&str, &str)]| {
         let design = machine().design(&values(changes), &Origins::default(), project("gsk-980tdc", &[]).on());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
@@ -262,7 +262,7 @@ fn sheet(control: &str, changes: &[(&str, &str)]) -> String {
 }
 
 #[test]
-fn the_parameters_that_the_builder_sets() {
+fn parameter_sheets_match_their_goldens() {
     let changes =
         [("stage-3", "1500"), ("offset-zero", "-12"), ("offset-full", "35"), ("lower-limit", "40"), ("keyway", "true")];
     expect![[r#"
@@ -389,7 +389,7 @@ fn findings(control: &str, changes: &[(&str, &str)]) -> String {
 }
 
 #[test]
-fn what_a_control_does_not_take_is_said() {
+fn values_that_a_control_refuses_are_findings() {
     expect![[r#"
         Error offset-zero: 1001 mV is beyond what the parameter of this control takes: -1000 to 1000 mV.
         Error stage-1: 9 r/min is beyond what the parameter of this control takes: 10 to 9999 r/min.
@@ -429,7 +429,7 @@ fn what_a_control_does_not_take_is_said() {
 }
 
 #[test]
-fn a_signed_output_is_there_where_the_control_has_one() {
+fn signed_output_exists_where_the_control_has_one() {
     for (control, signed) in
         [("gsk-980tdc", false), ("sinumerik-802d", true), ("knd-k2000t", true), ("mitsubishi-e60", false)]
     {
@@ -444,7 +444,7 @@ fn a_signed_output_is_there_where_the_control_has_one() {
 }
 
 #[test]
-fn charts_and_results_say_the_same_speed() {
+fn charts_and_results_show_the_same_speed() {
     for control in machine().controls() {
         for changes in [
             &[("override", "120"), ("upper-limit", "900")][..],
@@ -479,7 +479,7 @@ fn charts_and_results_say_the_same_speed() {
 }
 
 #[test]
-fn passes_are_counted_whoever_asks_in_whatever_order() {
+fn pass_count_is_independent_of_query_order() {
     let project = ideal("gsk-980tdc", &[("path", "taper"), ("depth", "1")]);
     let planner = over_time(&project);
     let end = planner.timeline().end();
@@ -501,7 +501,7 @@ fn passes_are_counted_whoever_asks_in_whatever_order() {
 }
 
 #[test]
-fn a_part_beyond_the_travels_is_an_error() {
+fn part_beyond_the_travels_is_an_error() {
     expect![[r#"
         Error travel-x: From its start the tool has to move 65 mm, the slide has 60 mm: start nearer to the part, or take a shorter one.
         Error travel-z: From its start the tool has to move 1100 mm, the slide has 1000 mm: start nearer to the part, or take a shorter one.

@@ -29,7 +29,7 @@ fn moved(project: &Project, planner: &Planner<Interp>, from: f64, to: f64) -> Ve
 }
 
 #[test]
-fn where_their_rules_agree_the_same_part_is_the_same_motion() {
+fn controls_with_equal_rules_move_alike() {
     let surface: Vec<&Control> = controls().filter(|control| control.can(Code::SurfaceSpeed)).collect();
     assert_eq!(surface.len(), 3);
     for path in ["facing", "turning", "taper"] {
@@ -170,7 +170,7 @@ fn machine_speed(control: &Control, typed: &str) -> f64 {
 }
 
 #[test]
-fn the_differences_of_a_part_on_the_controls() {
+fn differences_between_controls_match_the_table() {
     let mut table = String::new();
     for (what, answer) in QUESTIONS {
         let _ = writeln!(table, "{what}");

@@ -1,4 +1,4 @@
-//! Whatever is commanded, on whatever plant: a run ends, and nothing panics.
+//! Any commands on any plant: the run ends, and nothing panics.
 
 use macroline::drives::speed::SpeedLimit;
 use macroline::drives::{Approach, Positioning, Stage};
@@ -91,7 +91,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 128, ..ProptestConfig::default() })]
 
     #[test]
-    fn every_run_ends(
+    fn any_commands_on_any_plant_end(
         commands in prop::collection::vec(canon(), 1..12),
         plant in any_plant(),
         percent in number(),

@@ -8,7 +8,7 @@ use macroline::drives::{Analog, Bound, SpeedLimits, Stage};
 use super::*;
 
 #[test]
-fn a_signed_output_is_that_of_the_sheet() {
+fn signed_output_matches_the_fact_sheet() {
     // sinumerik-802d.md section 4: 80 % of 10 V at 3000 r/min, ±10 V.
     let analog = Analog {
         rated_speed: 3000.0,
@@ -28,7 +28,7 @@ fn a_signed_output_is_that_of_the_sheet() {
 }
 
 #[test]
-fn offsets_bend_the_line_at_both_ends() {
+fn output_offsets_shift_both_ends_of_the_line() {
     // gsk-knd-polygon.md section 1.1: mV = c0 + (10000 + c10 - c0) n / n_max, 0 to 10000.
     let analog = Analog { offset_zero: 0.05, offset_rated: -0.1, ..Analog::unipolar(2000.0, 10.0) };
     close(analog.command(0.0), 0.05, 1e-12);
@@ -43,7 +43,7 @@ fn offsets_bend_the_line_at_both_ends() {
 }
 
 #[test]
-fn the_manuals_surface_speeds_come_out() {
+fn surface_speeds_match_the_manual() {
     for (diameter, rpm) in [(100.0, 955.0), (50.0, 1910.0), (80.0, 1194.0)] {
         assert_eq!(surface_rpm(300.0, diameter).round(), rpm);
     }
@@ -65,7 +65,7 @@ fn sheet(surface: bool) -> SpeedLimits {
 }
 
 #[test]
-fn limits_hold_as_in_the_sheets_table_and_tell_which_binds() {
+fn speed_limits_match_the_table_and_name_the_binding_one() {
     // sinumerik-802d.md section 7.
     let constant = sheet(false);
     assert_eq!(constant.hold(3200.0), (2800.0, Bound::Gear));
@@ -88,7 +88,7 @@ fn limits_hold_as_in_the_sheets_table_and_tell_which_binds() {
 }
 
 #[test]
-fn a_spindle_goes_to_an_angle_as_in_the_sheets_table() {
+fn positioning_travel_matches_the_table() {
     use Approach::{Clockwise, CounterClockwise, Direct, Incremental};
     // sinumerik-802d.md section 3.6: angle, target, sense of rotation, approach, way.
     let table = [
@@ -117,7 +117,7 @@ fn a_spindle_goes_to_an_angle_as_in_the_sheets_table() {
 }
 
 #[test]
-fn a_travel_covers_its_turns_and_leaves_room_to_slow_down() {
+fn positioning_travel_leaves_room_to_brake() {
     // Turns: the area under the speed.
     let covered = |travel: &Travel, rpm: f64| {
         ((rpm + travel.peak) * 0.5 * travel.to_peak + travel.peak * travel.steady + travel.peak * 0.5 * travel.to_rest)
@@ -133,7 +133,7 @@ fn a_travel_covers_its_turns_and_leaves_room_to_slow_down() {
 }
 
 #[test]
-fn gears_are_selected_by_speed_and_kept_where_they_fit() {
+fn gear_is_kept_where_it_fits_else_selected_by_speed() {
     let stage = |low, high| Stage { automatic: (low, high), ..Stage::new(high) };
     let stages = [stage(0.0, 400.0), stage(300.0, 1000.0), stage(900.0, 3000.0)];
     let chosen = [(1, 350.0), (2, 350.0), (3, 350.0), (1, 950.0), (3, 950.0), (2, 3001.0), (9, 5.0)];
@@ -142,14 +142,14 @@ fn gears_are_selected_by_speed_and_kept_where_they_fit() {
 }
 
 #[test]
-fn a_knob_has_its_steps() {
+fn knob_value_snaps_to_its_steps() {
     let knob = Steps { low: 50.0, high: 120.0, step: 10.0 };
     assert_eq!([0.0, 54.0, 55.0, 99.0, 130.0].map(|percent| knob.nearest(percent)), [50.0, 50.0, 60.0, 100.0, 120.0]);
     assert_eq!(Steps { low: 0.0, high: 200.0, step: 0.0 }.nearest(83.758), 83.758);
 }
 
 #[test]
-fn cutting_times_are_those_of_the_sheet() {
+fn cutting_times_match_the_fact_sheet() {
     // sinumerik-802d.md section 7, N100: X84 to, 0.2 mm, 180 m/min, at most 2500 r/min.
     let face = Cut { diameters: (84.0, -1.6), length: 42.8, feed: 0.2 };
     close(face.surface_time(180.0, (0.0, 2500.0)), 10.019832, 1e-7);
@@ -164,7 +164,7 @@ fn cutting_times_are_those_of_the_sheet() {
 }
 
 #[test]
-fn cutting_time_is_the_integral_over_the_path() {
+fn cutting_time_equals_the_integral_over_the_path() {
     let cuts = [(84.0, -1.6, 42.8), (30.0, 90.0, 60.0), (60.0, 61.0, 200.0), (-20.0, 40.0, 30.0), (80.0, 20.0, 30.0)];
     for (from, to, length) in cuts {
         for limits in [(0.0, 2500.0), (700.0, 900.0), (0.0, 100.0), (5000.0, 6000.0), (400.0, 1e9)] {
@@ -188,7 +188,7 @@ fn cutting_time_is_the_integral_over_the_path() {
 }
 
 #[test]
-fn power_is_torque_times_speed() {
+fn power_equals_torque_times_speed() {
     let (force, diameter) = (2000.0, 60.0);
     let rpm = surface_rpm(150.0, diameter);
     assert_eq!(power(force, 150.0), 5.0);

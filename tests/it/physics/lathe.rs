@@ -28,7 +28,7 @@ pub(super) fn begins(planner: &Planner<Script>, line: usize) -> f64 {
 }
 
 #[test]
-fn a_diameter_moves_half_and_feed_counts_the_true_path() {
+fn diameter_words_move_half_and_feed_is_the_true_path() {
     // 60 of diameter are 30 mm; with 40 mm that is a path of 50 mm.
     let planner = on_lathe(vec![], vec![linear(60.0, 40.0, 6000.0)]);
     let (begin, end) = (begins(&planner, 0), planner.timeline().end());
@@ -42,7 +42,7 @@ fn a_diameter_moves_half_and_feed_counts_the_true_path() {
 }
 
 #[test]
-fn clamps_and_rapid_rates_hold_for_what_the_slide_moves() {
+fn clamps_and_rapids_limit_the_slide_not_the_diameter() {
     let mut plant = lathe();
     plant.axes[0].clamp = 1000.0;
     let planner = run_on(&plant, vec![], vec![linear(60.0, 0.0, 2000.0), rapid(0.0, 0.0)]);
@@ -53,7 +53,7 @@ fn clamps_and_rapid_rates_hold_for_what_the_slide_moves() {
 }
 
 #[test]
-fn an_arc_in_diameters_is_a_circle_of_the_slide() {
+fn arc_in_diameter_words_is_a_circle_of_the_slide() {
     // From (0, 0) about X20 (10 mm) to X20 Y-10.
     let arc = Canon::Arc {
         to: target(20.0, -10.0),
@@ -73,7 +73,7 @@ fn an_arc_in_diameters_is_a_circle_of_the_slide() {
 }
 
 #[test]
-fn programs_read_and_restart_in_what_they_count() {
+fn positions_and_restart_use_diameter_words() {
     let steps = vec![Line::Add(1, 600.0), Line::Step([7_500, 0], 1), Line::Position(100)];
     let mut planner = on_lathe(vec![], steps);
     assert_eq!(planner.program().variable(100), Some(7.5));
@@ -85,7 +85,7 @@ fn programs_read_and_restart_in_what_they_count() {
 }
 
 #[test]
-fn a_thread_is_lead_times_turns_whatever_the_operator_turns() {
+fn thread_is_lead_times_turns_at_any_override() {
     let lead = 1.5;
     let thread = Canon::Thread { to: target(0.0, 90.0), lead };
     let events = vec![
@@ -113,7 +113,7 @@ fn a_thread_is_lead_times_turns_whatever_the_operator_turns() {
 }
 
 #[test]
-fn a_feed_per_revolution_waits_for_a_spindle_and_says_so_once() {
+fn feed_per_revolution_without_spindle_waits_with_one_finding() {
     let per_turn = |y: f64| one(Canon::Linear { to: target(0.0, y), feed: Feed::PerRevolution(0.2), exact: false });
     let mut planner = on_lathe(vec![], vec![per_turn(10.0), per_turn(20.0)]);
     let said: Vec<_> = planner.diagnostics().iter().map(|found| (found.message.id, found.place)).collect();
@@ -127,7 +127,7 @@ fn a_feed_per_revolution_waits_for_a_spindle_and_says_so_once() {
 }
 
 #[test]
-fn a_feed_per_revolution_above_a_clamp_is_said() {
+fn feed_per_revolution_above_clamp_is_a_finding() {
     let mut plant = lathe();
     plant.axes[1].clamp = 100.0;
     let feed = Feed::PerRevolution(0.2);
@@ -142,7 +142,7 @@ pub(super) fn surface(speed: f64, zero: f64) -> Line {
 }
 
 #[test]
-fn the_surface_speed_is_constant_within_a_step() {
+fn surface_speed_is_constant_within_one_step() {
     // Work zero lies at X10; from a diameter of 100 down to 30 and back up a taper.
     let lines = vec![
         turn(100.0, 1),
@@ -170,7 +170,7 @@ fn the_surface_speed_is_constant_within_a_step() {
 }
 
 #[test]
-fn the_manuals_check_values_of_300_m_per_min() {
+fn surface_speed_300_gives_the_manuals_values() {
     for (diameter, rpm) in [(100.0, 955.0), (80.0, 1194.0)] {
         let lines = vec![turn(100.0, 1), rapid(diameter, 0.0), surface(300.0, 0.0), one(Canon::Dwell { seconds: 2.0 })];
         let planner = on_lathe(vec![], lines);
@@ -180,7 +180,7 @@ fn the_manuals_check_values_of_300_m_per_min() {
 }
 
 #[test]
-fn a_rapid_has_the_speed_of_its_end_from_its_beginning() {
+fn rapid_starts_with_the_spindle_speed_of_its_end() {
     let lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(120.0, 0.0)];
     let rest = [one(Canon::Dwell { seconds: 1.0 }), rapid(50.0, 0.0), one(Canon::End)];
     let planner = on_lathe(vec![], lines.into_iter().chain(rest).collect());
@@ -191,7 +191,7 @@ fn a_rapid_has_the_speed_of_its_end_from_its_beginning() {
 }
 
 #[test]
-fn at_the_centre_the_limit_holds_and_constant_speed_keeps_the_last() {
+fn limit_holds_at_centre_and_g97_keeps_the_last_speed() {
     let lines = |limit: Option<f64>| {
         let mut lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(120.0, 0.0), linear(0.0, 0.0, 3000.0)];
         lines.extend([one(Canon::ConstantSpeed), linear(100.0, 0.0, 3000.0), one(Canon::End)]);
@@ -217,7 +217,7 @@ fn at_the_centre_the_limit_holds_and_constant_speed_keeps_the_last() {
 }
 
 #[test]
-fn turning_at_one_diameter_asks_the_spindle_once() {
+fn constant_diameter_commands_the_spindle_once() {
     let feed = Feed::PerRevolution(0.1);
     let along = one(Canon::Linear { to: target(100.0, 50.0), feed, exact: false });
     let lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(120.0, 0.0), one(Canon::Dwell { seconds: 2.0 }), along];
@@ -228,7 +228,7 @@ fn turning_at_one_diameter_asks_the_spindle_once() {
 }
 
 #[test]
-fn chips_are_as_thick_as_commanded_while_the_spindle_follows_the_diameter() {
+fn chip_thickness_is_constant_under_surface_speed() {
     let feed = Feed::PerRevolution(0.1);
     let face = one(Canon::Linear { to: target(20.0, 0.0), feed, exact: false });
     let lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(60.0, 0.0), one(Canon::Dwell { seconds: 2.0 }), face];
@@ -240,7 +240,7 @@ fn chips_are_as_thick_as_commanded_while_the_spindle_follows_the_diameter() {
 }
 
 #[test]
-fn waits_that_the_program_switches_off_do_not_happen() {
+fn waits_switched_off_by_the_program_do_not_happen() {
     let off = |single_block, fin| one(Canon::SuppressWaits { single_block, fin });
     let auxiliary = || one(Canon::Auxiliary { code: 10 });
     // FIN takes 50 ms each time it is waited for.

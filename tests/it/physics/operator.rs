@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn a_stop_without_answer_ends_the_run_with_the_spindle_as_it_is() {
+fn unanswered_stop_ends_the_run_with_spindle_unchanged() {
     let lines =
         vec![turn(1200.0, 1), linear(10.0, 0.0, 6000.0), one(Canon::Stop), linear(20.0, 0.0, 6000.0), one(Canon::End)];
     let mut planner = planner(&plant(), vec![], lines);
@@ -18,14 +18,14 @@ fn a_stop_without_answer_ends_the_run_with_the_spindle_as_it_is() {
 }
 
 #[test]
-fn an_optional_stop_asks_the_switch() {
+fn m01_stops_only_with_optional_stop_on() {
     let lines = vec![linear(10.0, 0.0, 6000.0), one(Canon::OptionalStop), one(Canon::End)];
     assert_eq!(finish(&mut planner(&plant(), vec![], lines.clone())).1, RunEnd::ProgramEnd);
     assert_eq!(finish(&mut planner(&plant(), vec![at(0.0, Action::OptionalStop(true))], lines)).1, RunEnd::Stop);
 }
 
 #[test]
-fn single_block_stops_behind_nc_blocks_only() {
+fn single_block_stops_after_nc_blocks_only() {
     let lines = vec![
         linear(10.0, 0.0, 6000.0),
         Line::Add(1, 1.0),
@@ -45,7 +45,7 @@ fn single_block_stops_behind_nc_blocks_only() {
 }
 
 #[test]
-fn reset_stops_axes_and_spindle_and_start_begins_at_the_head() {
+fn reset_stops_everything_and_start_begins_at_the_head() {
     let lines = vec![turn(1200.0, 1), linear(100.0, 0.0, 6000.0), linear(200.0, 0.0, 6000.0), one(Canon::End)];
     let mut planner = planner(&plant(), vec![at(0.557_1, Action::Reset)], lines);
     let (t, end) = finish(&mut planner);
@@ -65,7 +65,7 @@ fn reset_stops_axes_and_spindle_and_start_begins_at_the_head() {
 }
 
 #[test]
-fn emergency_stop_needs_reset_and_start() {
+fn emergency_stop_needs_reset_before_start() {
     let lines = vec![turn(1200.0, 1), linear(100.0, 0.0, 6000.0), one(Canon::End)];
     let mut planner = planner(&plant(), vec![at(0.5, Action::EmergencyStop), at(2.0, Action::Start)], lines);
     let (t, end) = finish(&mut planner);
@@ -80,7 +80,7 @@ fn emergency_stop_needs_reset_and_start() {
 }
 
 #[test]
-fn inputs_that_are_forced_stay_forced() {
+fn forced_inputs_stay_forced() {
     let lines = vec![one(Canon::Dwell { seconds: 1.0 }), Line::Position(1), Line::Input(100, 1033), one(Canon::End)];
     let events = vec![at(0.5, Action::Input("#1033".to_owned(), 77.0)), at(0.6, Action::SpindleOverride(90.0))];
     let planner = run_on(&plant(), events, lines);
@@ -88,7 +88,7 @@ fn inputs_that_are_forced_stay_forced() {
 }
 
 #[test]
-fn budgets_end_an_endless_program() {
+fn budget_ends_an_endless_program() {
     let plant = plant();
     let setup = |limits| Setup {
         program: Script::new([Line::Add(1, 1.0), Line::Goto(0)]),
@@ -109,7 +109,7 @@ fn budgets_end_an_endless_program() {
 }
 
 #[test]
-fn the_log_holds_what_was_begun_in_the_order_of_the_program() {
+fn log_holds_begun_commands_in_program_order() {
     let output = Canon::Output { variable: 1132, value: 5.0 };
     let lines = vec![linear(10.0, 0.0, 6000.0), one(output.clone()), linear(20.0, 0.0, 6000.0), one(Canon::End)];
     let run = |events| {

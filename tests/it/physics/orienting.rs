@@ -33,7 +33,7 @@ fn turned(planner: &Planner<Script>, from: usize, to: usize) -> f64 {
 }
 
 #[test]
-fn from_standstill_it_goes_as_in_the_sheets_table() {
+fn positioning_from_standstill_matches_the_table() {
     use Approach::{Clockwise, CounterClockwise, Direct, Incremental};
     for (from, target, approach, way) in [
         (350.0, 20.0, Direct, 30.0),
@@ -55,7 +55,7 @@ fn from_standstill_it_goes_as_in_the_sheets_table() {
 }
 
 #[test]
-fn turning_it_keeps_its_direction_and_adds_no_turn_too_many() {
+fn positioning_while_turning_keeps_direction_and_turns() {
     for (rpm, sign) in [(600.0, 1), (600.0, -1), (30.0, 1), (100.0, -1)] {
         let mut lines = at_angle(0.0);
         lines.extend([turn(rpm, sign), dwell(3.21), orient(90.0, Approach::Direct), dwell(0.1)]);
@@ -78,7 +78,7 @@ fn turning_it_keeps_its_direction_and_adds_no_turn_too_many() {
 }
 
 #[test]
-fn against_its_rotation_it_stops_first() {
+fn positioning_against_rotation_stops_first() {
     use Approach::{Clockwise, CounterClockwise, Incremental};
     let cases = [(1, CounterClockwise, 40.0, 40.0), (-1, Clockwise, 40.0, 40.0), (1, Incremental, -30.0, f64::NAN)];
     for (sign, approach, angle, wanted) in cases {
@@ -98,7 +98,7 @@ fn against_its_rotation_it_stops_first() {
 }
 
 #[test]
-fn the_first_time_it_looks_for_the_zero_mark_as_the_machine_says() {
+fn first_positioning_seeks_the_zero_mark() {
     for (clockwise, way) in [(true, 360.0 + 90.0), (false, -360.0 - 270.0)] {
         let mut plant = orientable();
         plant.spindle.positioning = plant.spindle.positioning.map(|with| Positioning { clockwise, ..with });
@@ -112,7 +112,7 @@ fn the_first_time_it_looks_for_the_zero_mark_as_the_machine_says() {
 }
 
 #[test]
-fn the_block_ends_when_axes_and_spindle_are_there() {
+fn block_ends_when_axes_and_spindle_arrive() {
     // 180° at 100 r/min with 0.5 s up and down: 0.5 turns are short of the 0.833 of both ramps.
     let peak = (120.0_f64 * 0.5 / (2.0 / 200.0)).sqrt();
     let spun = 2.0 * peak / 200.0;
@@ -131,7 +131,7 @@ fn the_block_ends_when_axes_and_spindle_are_there() {
 }
 
 #[test]
-fn it_is_held_until_a_direction_or_stop_is_given() {
+fn angle_is_held_until_m3_m4_or_m5() {
     let mut lines = vec![turn(300.0, 1), dwell(1.0), orient(45.0, Approach::Direct), dwell(1.0)];
     lines.extend([one(Canon::SpindleSpeed { rpm: 240.0 }), dwell(1.0)]);
     lines.extend([one(Canon::SpindleDirection { sign: 1 }), dwell(2.0)]);
@@ -155,7 +155,7 @@ fn it_is_held_until_a_direction_or_stop_is_given() {
 }
 
 #[test]
-fn a_spindle_that_cannot_be_positioned_stops_the_program() {
+fn spindle_without_positioning_stops_the_program() {
     let mut without = orientable();
     without.spindle.encoder = false;
     for plant in [plant(), without] {

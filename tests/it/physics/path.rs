@@ -28,7 +28,7 @@ fn mixed() -> Planner<Script> {
 }
 
 #[test]
-fn speed_is_the_derivative_of_position_and_acceleration_that_of_speed() {
+fn speed_and_acceleration_are_derivatives_of_position() {
     let planner = mixed();
     let timeline = planner.timeline();
     let h = 1e-5;
@@ -50,7 +50,7 @@ fn speed_is_the_derivative_of_position_and_acceleration_that_of_speed() {
 }
 
 #[test]
-fn the_path_ends_where_it_was_told_to() {
+fn path_ends_at_its_target() {
     let planner = mixed();
     let end = planner.timeline().at(planner.timeline().end() + 2.0);
     assert_eq!((end.axes[0].position, end.axes[1].position), (-20.0, 7.0));
@@ -60,7 +60,7 @@ fn the_path_ends_where_it_was_told_to() {
 }
 
 #[test]
-fn an_arc_runs_on_its_circle() {
+fn arc_stays_on_its_circle() {
     // Without time constants the commanded path is the circle itself, at constant speed.
     let mut plant = plant();
     for axis in &mut plant.axes {
@@ -85,7 +85,7 @@ fn an_arc_runs_on_its_circle() {
 }
 
 #[test]
-fn acceleration_on_an_arc_stays_below_feed_over_time_constant_and_shrinks_the_radius_as_published() {
+fn arc_acceleration_and_radius_error_match_the_formula() {
     // Fanuc: linear acceleration behind the interpolator loses T²/24 v²/r, the servo 1/2 (v/K)²/r (sizing.md section 4).
     let feed = Feed::PerMinute(6000.0);
     let turns = |n: usize| {
@@ -109,7 +109,7 @@ fn acceleration_on_an_arc_stays_below_feed_over_time_constant_and_shrinks_the_ra
 }
 
 #[test]
-fn an_isolated_block_takes_its_time_and_the_time_constant() {
+fn isolated_block_takes_its_time_plus_time_constant() {
     for (length, feed) in [(50.0, 6000.0), (8.0, 15079.645), (1.0, 3000.0)] {
         let planner = run(vec![linear(length, 0.0, feed)]);
         let begin = plant().block_time;
@@ -131,7 +131,7 @@ fn an_isolated_block_takes_its_time_and_the_time_constant() {
 }
 
 #[test]
-fn cutting_mode_keeps_the_speed_exactly_through_joints() {
+fn cutting_mode_keeps_speed_through_block_joints() {
     let lines = (1..=100).map(|i| linear(8.0 * f64::from(i), 60.0 * f64::from(i), 114_098.2)).collect();
     let planner = run(lines);
     assert_eq!(planner.starved(), 0);
@@ -149,7 +149,7 @@ fn cutting_mode_keeps_the_speed_exactly_through_joints() {
 }
 
 #[test]
-fn exact_stop_takes_what_the_reference_says() {
+fn exact_stop_time_matches_the_fact_sheet() {
     // sizing.md section 6, F1 to F8: 8 mm at 251.327 mm/s, gain 33, in position 20 µm.
     let v: f64 = 1200.0 / 60.0 * math::PI * 100.0 / 25.0;
     for (tau, cycle, share) in [(0.1, 0.261_537, 0.121_707), (0.03, 0.215_083, 0.147_994)] {
@@ -174,7 +174,7 @@ fn exact_stop_takes_what_the_reference_says() {
 }
 
 #[test]
-fn exact_stop_can_be_switched_off_by_the_program() {
+fn program_switches_exact_stop_off() {
     let suppress = Canon::Suppress { hold: false, feed_override: false, exact: true };
     let lines = vec![one(suppress), exact(8.0, 0.0, 15000.0), exact(16.0, 0.0, 15000.0)];
     let planner = run(lines);
@@ -183,7 +183,7 @@ fn exact_stop_can_be_switched_off_by_the_program() {
 }
 
 #[test]
-fn clamps_slow_the_whole_vector_and_keep_the_ratio() {
+fn clamp_slows_the_vector_and_keeps_the_ratio() {
     let mut plant = plant();
     plant.axes[1].clamp = 60e3;
     // The paper's block asks 118 m/min of Y.
@@ -195,7 +195,7 @@ fn clamps_slow_the_whole_vector_and_keep_the_ratio() {
 }
 
 #[test]
-fn rapid_is_straight_and_no_axis_is_above_its_rate() {
+fn rapid_is_straight_within_every_axis_rate() {
     let mut plant = plant();
     plant.axes[1].rapid = 12e3;
     let planner = run_on(
@@ -212,7 +212,7 @@ fn rapid_is_straight_and_no_axis_is_above_its_rate() {
 }
 
 #[test]
-fn hold_and_start_conserve_the_path() {
+fn hold_and_start_keep_the_path() {
     let events = vec![at(0.5, Action::Hold), at(1.5, Action::Start)];
     let planner = run_on(&plant(), events, vec![linear(100.0, 40.0, 6000.0), linear(200.0, 80.0, 6000.0)]);
     let held = planner.timeline().at(1.2);
@@ -226,7 +226,7 @@ fn hold_and_start_conserve_the_path() {
 }
 
 #[test]
-fn hold_and_feed_override_can_be_switched_off_by_the_program() {
+fn program_switches_hold_and_feed_override_off() {
     let suppress = Canon::Suppress { hold: true, feed_override: true, exact: false };
     let events = vec![at(0.2, Action::Hold), at(0.3, Action::FeedOverride(10.0))];
     let planner = run_on(&plant(), events, vec![one(suppress), linear(100.0, 0.0, 6000.0)]);

@@ -38,7 +38,7 @@ fn turning(k: f64, tau: [f64; 2], gain: f64, events: Vec<Event>) -> Planner<Scri
 }
 
 #[test]
-fn the_ratio_holds_at_every_moment_where_the_time_constants_are_equal() {
+fn pmc_ratio_holds_with_equal_time_constants() {
     let events = || vec![at(0.9, Action::FeedOverride(37.0)), at(2.2, Action::FeedOverride(120.0))];
     for (k, tau, gain) in [(2.0, 0.2, 33.0), (-12.0 / 5.0, 0.05, 0.0), (1.5, 0.0, 20.0), (3.0, 0.0, 0.0)] {
         for end in [Vec::new(), vec![at(2.51, Action::Reset)], vec![at(0.74, Action::EmergencyStop)]] {
@@ -55,7 +55,7 @@ fn the_ratio_holds_at_every_moment_where_the_time_constants_are_equal() {
 }
 
 #[test]
-fn unequal_time_constants_leave_the_faster_axis_ahead_by_half_their_difference() {
+fn unequal_time_constants_leave_the_faster_axis_ahead() {
     let planner = turning(2.0, [0.1, 0.3], 0.0, Vec::new());
     let [work, tool] = planner.timeline().at(0.7).pmc;
     let turns = 400.0 / 60.0 * (0.3 - 0.1) / 2.0;
@@ -64,7 +64,7 @@ fn unequal_time_constants_leave_the_faster_axis_ahead_by_half_their_difference()
 }
 
 #[test]
-fn angle_is_the_integral_of_speed_and_speed_that_of_acceleration() {
+fn pmc_angle_is_the_integral_of_speed() {
     let planner = turning(2.0, [0.1, 0.15], 33.0, Vec::new());
     let h = 1e-5;
     for t in [0.15, 0.21, 0.5, 0.745, 0.8, 1.25, 2.05, 2.95] {
@@ -77,7 +77,7 @@ fn angle_is_the_integral_of_speed_and_speed_that_of_acceleration() {
 }
 
 #[test]
-fn an_override_that_comes_later_gives_the_run_that_knew_it_from_the_beginning() {
+fn late_override_gives_the_run_that_knew_it() {
     let event = || at(1.1, Action::FeedOverride(50.0));
     let whole = turning(2.0, [0.2, 0.2], 33.0, vec![event()]);
     let mut later = turning(2.0, [0.2, 0.2], 33.0, Vec::new());

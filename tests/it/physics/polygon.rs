@@ -45,7 +45,7 @@ impl Random {
 }
 
 #[test]
-fn a_ratio_is_kept_in_lowest_terms_and_says_how_many_sides_it_turns() {
+fn ratio_in_lowest_terms_gives_the_number_of_sides() {
     let same = ratio(12, 30);
     assert_eq!((same.tool(), same.work(), same), (2, 5, ratio(-2, -5)));
     assert_eq!((ratio(2, -1).tool(), ratio(2, -1).work()), (-2, 1));
@@ -73,7 +73,7 @@ fn a_ratio_is_kept_in_lowest_terms_and_says_how_many_sides_it_turns() {
 }
 
 #[test]
-fn the_ratio_for_a_number_of_sides_is_found() {
+fn ratio_for_a_number_of_sides_is_found() {
     assert_eq!(Ratio::for_sides(6, 3, 1), Some(ratio(2, 1)));
     assert_eq!(Ratio::for_sides(12, 5, 5), Some(ratio(12, 5)));
     assert_eq!(Ratio::for_sides(5, 2, 2), Some(ratio(5, 2)));
@@ -92,7 +92,7 @@ fn the_ratio_for_a_number_of_sides_is_found() {
 }
 
 #[test]
-fn the_paths_are_those_of_the_paper_mirrored() {
+fn tip_paths_equal_the_papers_mirrored() {
     // Equations (1) and (2) with the slips of sheet 3.7 mended: X = a cos αt - r cos (θ-α)t, Y = a sin αt + r sin (θ-α)t.
     let cutter = setup(55.0, 45.0, ratio(2, 1), 2);
     for i in 0..100 {
@@ -108,7 +108,7 @@ fn the_paths_are_those_of_the_paper_mirrored() {
 }
 
 #[test]
-fn start_angles_turn_the_polygon() {
+fn start_angles_rotate_the_polygon() {
     // Sheet 3.1: A turns it by -A, E by E/k (E = 10 degrees at k = 2 gives 5).
     let mut cutter = setup(55.0, 45.0, ratio(2, 1), 2);
     cutter.tool_start = 10.0 * PI / 180.0;
@@ -152,7 +152,7 @@ fn sides_are_flat_in_the_middle_at_one_radius() {
 }
 
 #[test]
-fn an_insert_needs_more_relief_than_its_motion_takes() {
+fn required_relief_exceeds_the_tip_motion_angle() {
     // Sheet 3.4: hundredths of a degree at the finished corner.
     for (across_flats, radius, inserts, wanted) in
         [(20.0, 45.0, 2, 628.0), (20.0, 45.0, 3, 364.0), (20.0, 30.0, 2, 930.0), (30.0, 45.0, 3, 539.0)]
@@ -170,7 +170,7 @@ fn an_insert_needs_more_relief_than_its_motion_takes() {
 }
 
 #[test]
-fn relief_and_speed_follow_the_motion_of_the_tip_over_the_work() {
+fn relief_and_cutting_speed_follow_the_tip_motion() {
     let mut random = Random(7);
     for _ in 0..300 {
         let (d, r, k) = (random.between(2.0, 30.0), random.between(5.0, 80.0), random.between(-8.0, 8.0));
@@ -210,7 +210,7 @@ fn relief_and_speed_follow_the_motion_of_the_tip_over_the_work() {
 }
 
 #[test]
-fn the_papers_example_turns_a_square_and_a_third_insert_a_hexagon() {
+fn two_inserts_turn_a_square_three_a_hexagon() {
     // B200 D1 Q2 with two inserts opposite each other: work 200, tool 400 r/min; X20 is 20 mm across flats.
     let (work, tool) = (200.0 * 1.0, 200.0 * 2.0);
     let square = CutterSetup::even(20.0, 45.0, ratio(2, 1), 2);
@@ -229,7 +229,7 @@ fn the_papers_example_turns_a_square_and_a_third_insert_a_hexagon() {
 }
 
 #[test]
-fn a_twisted_polygon_needs_a_tool_a_little_faster_or_slower() {
+fn twisted_polygon_changes_the_tool_speed() {
     // Sheet 3.5: n_tool = k (n_work ∓ F/K).
     close(helical_tool_speed(ratio(2, 1), 200.0, -50.0, 100.0), 2.0 * (200.0 - 0.5), 1e-15);
     close(helical_tool_speed(ratio(2, 1), 200.0, -50.0, -100.0), 2.0 * (200.0 + 0.5), 1e-15);
@@ -242,7 +242,7 @@ fn a_twisted_polygon_needs_a_tool_a_little_faster_or_slower() {
 }
 
 #[test]
-fn ellipses_are_as_long_as_the_tables_say() {
+fn ellipse_sides_match_the_table() {
     // Sheet 3.6: the sag in mm by number of sides, half distance across flats and tip circle.
     let radii = [30.0, 45.0, 60.0, 80.0, 100.0];
     let rows: [(u32, f64, &[f64]); 9] = [

@@ -56,7 +56,7 @@ fn ribbon(seconds: f64, events: Vec<Event>) -> Planner<Interp> {
 }
 
 #[test]
-fn the_ribbon_line_runs_at_the_speed_of_the_sheet() {
+fn ribbon_line_runs_at_the_fact_sheet_speed() {
     let mut planner = ribbon(60.0, vec![at(10.0, Action::SpindleOverride(50.0))]);
     let progress = planner.advance(f64::INFINITY, usize::MAX);
     assert_eq!(progress.ended, Some(RunEnd::Seconds), "{:?}", planner.diagnostics());
@@ -69,7 +69,7 @@ fn the_ribbon_line_runs_at_the_speed_of_the_sheet() {
     // A block each 31.831 ms, to within the rounding of Y.
     let (from, to) = (planner.variable_at(120, 5.0).unwrap(), planner.variable_at(120, 9.0).unwrap());
     close(4.0 / (to - from), 0.031_831, 0.01);
-    // The knob waits for what is read ahead: five to six blocks, less the macro blocks between #1033 and the end of the G01 before.
+    // The knob acts after the blocks read ahead: five to six blocks, less the macro blocks between #1033 and the end of the G01 before.
     let change = first_of(&planner, 10.0, |now| now.axes[0].acceleration < -1.0);
     assert!((10.0 + 5.0 * 0.0318 - 0.0191..10.0 + 6.0 * 0.0319).contains(&change), "{change}");
     assert_eq!(planner.variable_at(115, 9.0).map(f64::round), Some(119_391.0));
@@ -85,7 +85,7 @@ fn first_of(planner: &Planner<Interp>, mut t: f64, holds: impl Fn(&Snapshot) -> 
 }
 
 #[test]
-fn an_alarm_of_the_program_comes_when_all_before_it_is_done() {
+fn program_alarm_waits_for_the_blocks_before_it() {
     let parsed = parse(&Files::one("O1.nc", "%\nO1\nG91G01X10.F6000.\nX10.\n#100=1/0\nM30\n%\n"), control());
     let mut planner = Planner::new(Setup {
         program: Interp::new(Rc::new(parsed), StartProgram::First),
@@ -104,7 +104,7 @@ fn an_alarm_of_the_program_comes_when_all_before_it_is_done() {
 }
 
 #[test]
-fn an_hour_of_blocks_stays_small_and_answers_the_knob_from_a_checkpoint() {
+fn hour_of_blocks_stays_small_and_replans_from_a_checkpoint() {
     let mut planner = ribbon(3600.0, vec![]);
     planner.advance(f64::INFINITY, usize::MAX);
     assert!(planner.blocks().nc > 113_000, "{:?}", planner.blocks());
@@ -112,7 +112,7 @@ fn an_hour_of_blocks_stays_small_and_answers_the_knob_from_a_checkpoint() {
     let before = planner.blocks();
     let (old, t) = (planner.timeline().at(3590.0), 3590.5);
     planner.event(at(t, Action::SpindleOverride(80.0)));
-    // What must be planned anew is less than a second, and what is asked for.
+    // Planned anew: less than a second before the event, and the time asked for.
     assert!(before.nc - planner.blocks().nc < 10 * 34 + 40);
     let mut steps = 0;
     while planner.advance(t + 2.0, 100).planned_to < t + 2.0 {
@@ -150,7 +150,7 @@ fn begins_at(planner: &Planner<Interp>, n: usize) -> f64 {
 }
 
 #[test]
-fn the_sample_of_the_lathes_manual_has_its_printed_speeds() {
+fn manual_sample_runs_at_its_printed_speeds() {
     let lines = "N10 M3 G96 S300\nN20 G0 X100 Z50\nN30 G0 X50 Z0\nN40 G1 W-30 F200\nN50 X80 W-20 F150\nN60 G0 X100 Z50";
     let planner = sample(&[], lines);
     let mut speeds = Vec::new();
@@ -164,12 +164,12 @@ fn the_sample_of_the_lathes_manual_has_its_printed_speeds() {
     // N50 has come to X80 but for the last of its slowing down when the rapid begins.
     let rapid = first_of(&planner, begins_at(&planner, 5) - 1e-3, |now| now.spindle.command < 1000.0);
     close(planner.timeline().at(rapid - 2e-4).spindle.command, 1194.0, 2e-3);
-    // The voltage stands behind the program's end.
+    // The voltage stays after the program's end.
     close(planner.timeline().at(t).spindle.volts_command, 10.0 * 954.9297 / 3000.0, 1e-6);
 }
 
 #[test]
-fn the_limit_of_the_lathe_takes_the_position_as_its_switch_says() {
+fn g50_s_sets_the_work_zero_by_its_switch() {
     let lines = "S100 M3\nG0 X60 Z5\nG50 S800\nG96 S300\nG1 X30 F300\nG97 M5";
     for (setting, at_begin, at_end, x) in
         [("reference-point", 60.0, 30.0, 30.0), ("nothing", 60.0, 30.0, 30.0), ("work-zero", 0.0, 30.0, 90.0)]
@@ -185,8 +185,8 @@ fn the_limit_of_the_lathe_takes_the_position_as_its_switch_says() {
 }
 
 #[test]
-fn a_program_that_reads_ahead_sees_what_is_in_force_in_the_block_that_is_executed() {
-    // The first cut takes ten seconds; what stands behind it is read while it goes on.
+fn modal_variables_show_the_executing_block() {
+    // The first cut takes ten seconds; the next blocks are read during it.
     let text = "%
 O1
 N5 G91 G94 G01 X100. F600

@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn dwell_and_codes_wait_for_standstill() {
+fn dwell_and_m_codes_wait_for_standstill() {
     let lines = vec![linear(10.0, 0.0, 6000.0), one(Canon::Dwell { seconds: 0.3 }), turn(1000.0, 1), one(Canon::End)];
     let planner = run(lines);
     let begin = plant().block_time;
@@ -17,7 +17,7 @@ fn dwell_and_codes_wait_for_standstill() {
 }
 
 #[test]
-fn a_knob_acts_as_late_as_the_control_reads_ahead() {
+fn knob_acts_after_the_blocks_read_ahead() {
     // 100 = override; F = 100 × … is modelled as F from the variable itself.
     let lines = vec![Line::Input(100, 1033), Line::Add(100, 5900.0), Line::Step([10_000, 0], 100), Line::Goto(0)];
     let mut planner = planner(&plant(), vec![at(2.0, Action::SpindleOverride(50.0))], lines);
@@ -43,7 +43,7 @@ fn a_knob_acts_as_late_as_the_control_reads_ahead() {
 }
 
 #[test]
-fn blocks_that_are_read_too_slowly_starve_the_path_and_say_so_once() {
+fn slow_reading_starves_the_path_with_one_finding() {
     let mut lines: Vec<Line> = vec![Line::Add(1, 100.0 * 60.0)];
     lines.extend(vec![Line::Add(2, 1.0); 20]);
     lines.extend([Line::Step([1000, 0], 1), Line::Goto(1)]);
@@ -58,7 +58,7 @@ fn blocks_that_are_read_too_slowly_starve_the_path_and_say_so_once() {
 }
 
 #[test]
-fn positions_are_read_at_rest() {
+fn positions_are_read_at_standstill() {
     let lines = vec![linear(10.0, 0.0, 6000.0), Line::Position(7), linear(20.0, 0.0, 6000.0)];
     let planner = run(lines);
     assert_eq!(planner.program().variable(7), Some(10.0));

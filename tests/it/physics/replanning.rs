@@ -1,4 +1,4 @@
-//! A past that changes: planning on equals planning from zero.
+//! Planning on from a checkpoint equals planning from zero.
 
 use macroline::controls::spindle::RapidSpeed;
 use macroline::drives::speed::SpeedLimit;
@@ -85,7 +85,7 @@ fn bits(planner: &Planner<Script>, t: f64) -> String {
 }
 
 #[test]
-fn the_busy_program_comes_round_within_the_time_looked_at() {
+fn replanning_script_loops_within_the_sampled_time() {
     let mut planner = planner(&lathe(), vec![], busy());
     planner.advance(9.0, usize::MAX);
     let (mut t, mut lines) = (0.0, Vec::new());
@@ -100,7 +100,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
     #[test]
-    fn planning_on_from_a_checkpoint_equals_planning_from_zero_to_the_bit(
+    fn replanning_equals_planning_from_zero_to_the_bit(
         events in prop::collection::vec((0.0f64..9.0, action()), 1..8),
         whole in any::<bool>(),
         ahead in 0.0f64..3.0,

@@ -1,4 +1,4 @@
-//! Programs of the sheets on plants of the sheets: text in, speeds, angles, volts and what is said of them out.
+//! Programs of the fact sheets on their plants: speeds, angles, volts and findings of the text.
 
 use std::rc::Rc;
 
@@ -84,7 +84,7 @@ fn begins(planner: &Planner<Interp>, number: &str) -> f64 {
 }
 
 #[test]
-fn the_limit_cases_of_the_sheet() {
+fn speed_limits_match_the_fact_sheet_cases() {
     // sinumerik-802d.md section 7: G25 = 50, G26 = 3000, LIMS = 2500; what is programmed, override, speed, what holds it.
     let (six, five) = (682.092_613, 545.674_091);
     for (lines, percent, wanted, bound) in [
@@ -164,7 +164,7 @@ N280 SPOS=IC(180)
 N290 M0";
 
 #[test]
-fn the_worked_program_of_the_sheet_faces_and_stands_at_its_keyways() {
+fn worked_802d_program_faces_and_stops_at_keyways() {
     for (at_once, first) in [("yes", 622.780_212), ("no", 800.0)] {
         let planner = Lathe::of_the_sheet(&[("g96-apply-at-activation", at_once)]).run(FACE);
         let command = |number: &str| planner.timeline().at(begins(&planner, number) + 1e-6).spindle.command;
@@ -199,7 +199,7 @@ fn first_at(planner: &Planner<Interp>, mut t: f64, holds: impl Fn(&Snapshot) -> 
 }
 
 #[test]
-fn the_directions_of_spos_by_its_words() {
+fn spos_words_choose_their_direction() {
     // sinumerik-802d.md section 3.6: from, target, state before, form, way, end.
     for (from, state, form, way, end) in [
         (10.0, "S1 M3", "90", 80.0, 90.0),
@@ -231,7 +231,7 @@ fn the_directions_of_spos_by_its_words() {
 }
 
 #[test]
-fn a_shifted_zero_falsifies_surface_speed_and_is_said() {
+fn shifted_work_zero_under_surface_speed_is_a_finding() {
     let shifted = |lines: &str| {
         let planner = Lathe::new("sinumerik-802d", &[]).run(&format!("S100 M3\n{lines}\nM0"));
         (said(&planner), last(&planner).command)
@@ -250,7 +250,7 @@ fn a_shifted_zero_falsifies_surface_speed_and_is_said() {
 }
 
 #[test]
-fn cutting_at_an_angle_wants_a_lock_and_a_driven_tool() {
+fn cutting_at_an_angle_without_lock_is_a_finding() {
     let told = |switches: &[(&str, &str)], lines: &str| {
         let planner = Lathe::new("sinumerik-802d", switches).run(&format!("G94 S300 M3\n{lines}\nM0"));
         said(&planner)
@@ -274,7 +274,7 @@ fn cutting_at_an_angle_wants_a_lock_and_a_driven_tool() {
 }
 
 #[test]
-fn m03_behind_m04_is_an_alarm_of_the_gsk_ladder() {
+fn m03_after_m04_raises_the_gsk_ladder_alarm() {
     let run = |switches: &[(&str, &str)], lines: &str| Lathe::new("gsk-980tdc", switches).run(lines);
     for (lines, rpm) in [("S500 M03\nG04 X1.\nM04\nG04 X1.\nM00", 500.0), ("S500 M04\nG04 X1.\nM03\nM00", -500.0)] {
         let planner = run(&[], lines);
@@ -298,7 +298,7 @@ fn m03_behind_m04_is_an_alarm_of_the_gsk_ladder() {
 }
 
 #[test]
-fn a_gear_that_does_not_mesh_in_time_is_an_alarm_of_the_gsk_ladder() {
+fn late_gear_raises_the_gsk_ladder_alarm() {
     for (patience, alarm) in [(None, None), (Some(2.0), None), (Some(0.4), Some("A1.0"))] {
         let mut lathe = Lathe::new("gsk-980tdc", &[]);
         lathe.plant.spindle = lathe.plant.spindle.with_stages([1000.0, 3000.0].map(Stage::new));
@@ -320,7 +320,7 @@ fn a_gear_that_does_not_mesh_in_time_is_an_alarm_of_the_gsk_ladder() {
 }
 
 #[test]
-fn m05_beside_a_motion_comes_when_the_control_says() {
+fn m05_beside_motion_acts_by_the_control() {
     // The page on the 802D has it behind the motion, the other manuals before it; on the TDc it is a bit of the PLC.
     for (control, setting, stands) in [
         ("sinumerik-802d", "before", true),
@@ -342,7 +342,7 @@ fn m05_beside_a_motion_comes_when_the_control_says() {
 }
 
 #[test]
-fn the_gsk_output_keeps_its_volts_but_where_a_parameter_takes_them_away() {
+fn gsk_output_keeps_its_volts_unless_a_parameter_clears_them() {
     let volts = |switches: &[(&str, &str)], action: Option<Action>, lines: &str| {
         let mut lathe = Lathe::new("gsk-980tdc", switches);
         lathe.events = action.into_iter().map(|action| at(2.0, action)).collect();
@@ -360,7 +360,7 @@ fn the_gsk_output_keeps_its_volts_but_where_a_parameter_takes_them_away() {
 }
 
 #[test]
-fn the_printed_surface_speeds_of_the_gsk_manual_by_its_own_words() {
+fn gsk_manual_sample_gives_its_printed_speeds() {
     // gsk-knd-polygon.md section 1.3: S300 at 100, 50 and 80 mm; and note 1, G96 with the S that it had.
     for (diameter, rpm) in [(100.0, 955.0), (50.0, 1910.0), (80.0, 1194.0)] {
         for (switches, word) in [(&[][..], diameter), (&[("diameter", "radius")], diameter / 2.0)] {
@@ -375,7 +375,7 @@ fn the_printed_surface_speeds_of_the_gsk_manual_by_its_own_words() {
     // Note 4: without S the last speed is kept. Repeated codes are no alarm.
     let planner = Lathe::new("gsk-980tdc", &[]).run("G00 X60.\nG96 S50 M03\nG96\nG97\nG97\nG00 X90.\nM00");
     close(last(&planner).command, 1000.0 * 50.0 / (math::PI * 60.0), 1e-12);
-    // G50 S0 without No.043: the spindle stands. No limit at power-on, and none at a constant speed.
+    // G50 S0 without No.043: the spindle does not turn. No limit at power-on, and none at constant speed.
     let planner = Lathe::new("gsk-980tdc", &[]).run("G00 X60.\nG50 S0\nG96 S50 M03\nG04 X1.\nM00");
     assert_eq!(last(&planner).command, 0.0);
     let planner = Lathe::new("gsk-980tdc", &[]).run("G50 S700\nG97 S900 M03\nG04 X1.\nM00");
@@ -383,7 +383,7 @@ fn the_printed_surface_speeds_of_the_gsk_manual_by_its_own_words() {
 }
 
 #[test]
-fn volts_of_the_gsk_gears_and_offsets() {
+fn gsk_volts_follow_gears_and_offsets() {
     // gsk-knd-polygon.md section 6: gears 1000, 2000, 4000, 5000, S800 is 8, 4, 2, 1.6 V.
     for (gear, volts) in [(1, 8.0), (2, 4.0), (3, 2.0), (4, 1.6)] {
         let mut lathe = Lathe::new("gsk-980tdc", &[]);
@@ -402,7 +402,7 @@ fn volts_of_the_gsk_gears_and_offsets() {
 }
 
 #[test]
-fn p9100_in_r_parameters_computes_the_cases_of_the_sheet() {
+fn p9100_in_r_parameters_gives_the_fact_sheet_cases() {
     // sinumerik-802d.md section 8.1: S, override, line speed, feed, status.
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/programs/sinumerik-802d/ok/ribbon.nc");
     let source = std::fs::read_to_string(folder).unwrap();
@@ -433,7 +433,7 @@ fn p9100_in_r_parameters_computes_the_cases_of_the_sheet() {
 }
 
 #[test]
-fn nothing_is_wrong_with_the_programs_of_the_sheets() {
+fn fact_sheet_programs_have_no_findings() {
     let parsed = parse_with(
         &Files::one("A.MPF", format!("%_N_FACEKEY_MPF\n{FACE}\n")),
         Lathe::new("sinumerik-802d", &[]).control,

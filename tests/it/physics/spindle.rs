@@ -5,7 +5,7 @@ use macroline::motion::Io;
 use super::*;
 
 #[test]
-fn the_spindle_ramps_straight_and_counts_its_turns_exactly() {
+fn spindle_ramps_linearly_and_counts_turns_exactly() {
     let planner = run(vec![
         turn(1200.0, 1),
         one(Canon::Dwell { seconds: 4.0 }),
@@ -29,7 +29,7 @@ fn the_spindle_ramps_straight_and_counts_its_turns_exactly() {
 }
 
 #[test]
-fn volts_are_those_of_the_reference() {
+fn volts_match_the_fact_sheet() {
     // mitsubishi-e60.md section 6.2: override, volts.
     let analog = Analog::unipolar(1480.0, 10.0);
     let table = [
@@ -56,7 +56,7 @@ fn volts_are_those_of_the_reference() {
 }
 
 #[test]
-fn override_reaches_the_spindle_at_once_and_saturates_with_a_word() {
+fn spindle_override_acts_at_once_and_reports_saturation() {
     let lines = vec![turn(1200.0, 1), one(Canon::Dwell { seconds: 6.0 })];
     let planner = run_on(&plant(), vec![at(3.0, Action::SpindleOverride(150.0))], lines);
     assert_eq!(planner.timeline().at(2.999).spindle.command, 1200.0);
@@ -65,7 +65,7 @@ fn override_reaches_the_spindle_at_once_and_saturates_with_a_word() {
 }
 
 #[test]
-fn slip_takes_its_share_without_jumps() {
+fn slip_reduces_speed_without_jumps() {
     for slip in [0.02, -0.0135] {
         let mut plant = plant();
         plant.spindle.slip = slip;
@@ -101,7 +101,7 @@ impl Plc for AtSpeed {
 }
 
 #[test]
-fn a_plc_can_wait_for_the_spindle() {
+fn plc_waits_for_the_spindle() {
     let lines = vec![turn(1200.0, 1), linear(10.0, 0.0, 6000.0)];
     let mut planner = planner_with(Box::new(AtSpeed), &plant(), vec![], lines);
     finish(&mut planner);

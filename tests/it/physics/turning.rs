@@ -35,7 +35,7 @@ fn spindle(planner: &Planner<Script>, t: f64) -> macroline::motion::SpindleState
 }
 
 #[test]
-fn the_face_of_the_sheet_takes_its_time() {
+fn facing_time_matches_the_fact_sheet() {
     // sinumerik-802d.md section 7: 682.093 r/min at X84, 2500 from X22.918, 10.019832 s.
     let lines = vec![
         turn(800.0, 1),
@@ -67,7 +67,7 @@ fn the_face_of_the_sheet_takes_its_time() {
 }
 
 #[test]
-fn closed_forms_hold_for_any_straight_cut() {
+fn any_straight_cut_matches_closed_forms() {
     for (from, to, along, speed, limits) in [
         (60.0, 60.0, 80.0, 120.0, (0.0, 3500.0)),
         (30.0, 90.0, 50.0, 150.0, (0.0, 3500.0)),
@@ -96,8 +96,8 @@ fn closed_forms_hold_for_any_straight_cut() {
 }
 
 #[test]
-fn the_tool_cuts_at_its_speed_while_the_axes_lag() {
-    // With acceleration the axis is behind the path; the spindle goes by where it is told to be.
+fn surface_speed_holds_despite_servo_lag() {
+    // With acceleration the axis lags the path; the spindle follows the commanded position.
     let lines = vec![
         turn(800.0, 1),
         rapid(90.0, 0.0),
@@ -117,7 +117,7 @@ fn the_tool_cuts_at_its_speed_while_the_axes_lag() {
 }
 
 #[test]
-fn a_rapid_to_a_cut_has_its_speed_and_another_changes_nothing() {
+fn rapid_before_a_cut_sets_the_spindle_speed() {
     // sinumerik-802d.md section 7, N50 to N130; 802D rules.
     let mut plant = quick(0.1);
     plant.spindle.rules.rapid = RapidSpeed::BeforeCut;
@@ -154,7 +154,7 @@ fn a_rapid_to_a_cut_has_its_speed_and_another_changes_nothing() {
 }
 
 #[test]
-fn a_rapid_behind_which_a_cut_is_read_late_gets_its_speed_on_the_way() {
+fn late_read_cut_sets_the_speed_during_the_rapid() {
     let mut plant = quick(0.0);
     plant.spindle.rules.rapid = RapidSpeed::BeforeCut;
     plant.macro_time = 0.05;
@@ -167,7 +167,7 @@ fn a_rapid_behind_which_a_cut_is_read_late_gets_its_speed_on_the_way() {
 }
 
 #[test]
-fn the_volts_of_s_stand_without_m03_and_through_reset() {
+fn volts_of_s_exist_without_m03_and_survive_reset() {
     let lines = || vec![turn(1000.0, 0), dwell(1.0), turn(1000.0, 1), dwell(3.0), turn(0.0, 1), dwell(1.0)];
     for (stay, event) in [(true, Action::Reset), (true, Action::EmergencyStop), (false, Action::Reset)] {
         let mut plant = plant();
@@ -191,7 +191,7 @@ fn the_volts_of_s_stand_without_m03_and_through_reset() {
 }
 
 #[test]
-fn a_spindle_may_turn_through_reset_but_not_through_emergency_stop() {
+fn spindle_survives_reset_but_not_emergency_stop() {
     let mut plant = plant();
     plant.spindle.rules.turns_through_reset = true;
     for (event, rpm) in [(Action::Reset, 1000.0), (Action::EmergencyStop, 0.0)] {
@@ -204,7 +204,7 @@ fn a_spindle_may_turn_through_reset_but_not_through_emergency_stop() {
 }
 
 #[test]
-fn the_sign_of_a_signed_output_is_the_direction() {
+fn signed_output_carries_the_direction() {
     let mut plant = plant();
     plant.spindle.analog = Analog { rated_volts: 8.0, bipolar: true, ..Analog::unipolar(3000.0, 10.0) };
     plant.spindle = plant.spindle.with_stages([Stage::new(3000.0)]);
@@ -215,7 +215,7 @@ fn the_sign_of_a_signed_output_is_the_direction() {
 }
 
 #[test]
-fn setting_data_holds_speeds_and_outlives_reset_while_s_stays_stored() {
+fn setting_data_limits_speed_and_survives_reset() {
     let lines = vec![
         turn(1200.0, 1),
         dwell(1.0),
@@ -248,7 +248,7 @@ fn setting_data_holds_speeds_and_outlives_reset_while_s_stays_stored() {
 }
 
 #[test]
-fn a_limit_of_surface_speed_holds_constant_speed_only_where_the_control_says_so() {
+fn surface_speed_limit_binds_g97_by_the_control() {
     for (stays, wanted) in [(false, 1200.0), (true, 700.0)] {
         let mut plant = plant();
         plant.spindle.rules.surface_limit_stays = stays;
@@ -258,14 +258,14 @@ fn a_limit_of_surface_speed_holds_constant_speed_only_where_the_control_says_so(
 }
 
 #[test]
-fn constant_speed_keeps_what_surface_speed_and_knob_had_come_to() {
+fn g97_keeps_the_speed_reached_under_g96() {
     let lines = vec![turn(100.0, 1), rapid(60.0, 0.0), surface(100.0, 0.0), one(Canon::ConstantSpeed), dwell(1.0)];
     let planner = run_on(&quick(0.0), vec![at(0.0, Action::SpindleOverride(70.0))], lines);
     close(spindle(&planner, planner.timeline().end()).command, 0.7 * surface_rpm(100.0, 60.0), 1e-12);
 }
 
 #[test]
-fn the_knob_does_not_reach_a_thread_where_the_control_says_so() {
+fn knob_is_ignored_in_threads_by_the_control() {
     let thread = || one(Canon::Thread { to: target(0.0, 20.0), lead: 1.0 });
     for (reaches, rpm) in [(false, 600.0), (true, 300.0)] {
         let mut plant = quick(0.0);
@@ -278,7 +278,7 @@ fn the_knob_does_not_reach_a_thread_where_the_control_says_so() {
 }
 
 #[test]
-fn gears_are_shifted_in_the_order_of_the_ladder() {
+fn gear_shift_follows_the_ladder_sequence() {
     // gsk-knd-polygon.md section 1.2.
     let stages = [750.0, 1500.0, 3000.0].map(Stage::new);
     let mut plant = plant();
@@ -311,7 +311,7 @@ fn gears_are_shifted_in_the_order_of_the_ladder() {
 }
 
 #[test]
-fn automatic_gears_follow_s() {
+fn automatic_gear_follows_s() {
     let stage = |low: f64, high: f64| Stage { automatic: (low, high), ..Stage::new(high) };
     let mut plant = plant();
     plant.spindle.speed_clamp = 9999.0;
@@ -332,7 +332,7 @@ fn automatic_gears_follow_s() {
 }
 
 #[test]
-fn the_output_saturates_in_its_gear_and_under_surface_speed_the_gear_limits() {
+fn output_saturates_in_its_gear_and_gear_limits_g96() {
     let mut plant = quick(0.0);
     plant.spindle = plant.spindle.with_stages([Stage::new(1000.0)]);
     let planner = run_on(&plant, vec![], vec![turn(1500.0, 1), dwell(1.0)]);
@@ -346,7 +346,7 @@ fn the_output_saturates_in_its_gear_and_under_surface_speed_the_gear_limits() {
 }
 
 #[test]
-fn a_cut_waits_for_the_speed_where_the_control_does() {
+fn cut_waits_for_speed_reached_by_the_control() {
     for (part, delay) in [(0.1, 0.0), (0.01, 0.0), (0.1, 3.0)] {
         let mut plant = plant();
         plant.spindle.rules.reached = Some(part);
@@ -368,7 +368,7 @@ fn a_cut_waits_for_the_speed_where_the_control_does() {
 }
 
 #[test]
-fn a_dwell_may_count_turns() {
+fn dwell_counts_spindle_turns() {
     let turns = |turns| one(Canon::DwellTurns { turns });
     for sign in [1, -1] {
         let planner = run(vec![turn(600.0, sign), turns(7.5), turns(20.0), turns(0.0), one(Canon::End)]);
@@ -378,7 +378,7 @@ fn a_dwell_may_count_turns() {
             assert!((turned(to) - turned(from) - counted).abs() < 1e-6);
         }
     }
-    // A spindle that stands is waited for.
+    // The cut waits for a spindle at rest.
     let mut planner = planner(&plant(), vec![], vec![turns(5.0)]);
     assert_eq!(finish(&mut planner).1, RunEnd::Stop);
     assert_eq!(planner.diagnostics()[0].message.id, "motion.spindle-stands");
@@ -388,7 +388,7 @@ fn a_dwell_may_count_turns() {
 }
 
 #[test]
-fn a_feed_per_revolution_behind_a_stop_in_the_run_up_comes_to_rest_and_says_so() {
+fn feed_per_revolution_after_early_stop_rests_with_a_finding() {
     // The ramp down ends at a moment that rounding would leave beside it: the speed is 0 there, not nearly.
     for ms in 1..40 {
         let lines = vec![
@@ -405,7 +405,7 @@ fn a_feed_per_revolution_behind_a_stop_in_the_run_up_comes_to_rest_and_says_so()
 }
 
 #[test]
-fn without_an_encoder_a_feed_per_revolution_never_moves() {
+fn feed_per_revolution_without_encoder_never_moves() {
     let mut plant = plant();
     plant.spindle.encoder = false;
     let mut planner = planner(&plant, vec![], vec![turn(1200.0, 1), per_turn(10.0, 0.0, 0.2)]);
@@ -414,7 +414,7 @@ fn without_an_encoder_a_feed_per_revolution_never_moves() {
 }
 
 #[test]
-fn a_work_zero_off_the_centre_is_said() {
+fn work_zero_off_centre_is_a_finding() {
     let said = |centre, zeros: &[f64]| {
         let mut plant = quick(0.0);
         plant.spindle.centre = centre;
@@ -429,7 +429,7 @@ fn a_work_zero_off_the_centre_is_said() {
 }
 
 #[test]
-fn a_bench_knob_stands_in_its_steps() {
+fn bench_knob_snaps_to_its_steps() {
     let mut plc = BenchPlc::new(0.05, Some(1033));
     plc.knob = Some(Steps { low: 50.0, high: 120.0, step: 10.0 });
     let events = vec![at(1.0, Action::SpindleOverride(47.0)), at(2.0, Action::SpindleOverride(300.0))];

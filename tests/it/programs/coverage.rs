@@ -1,4 +1,4 @@
-//! What the fixtures cover: every row that a run acts on stands in a good program, every alarm in a bad one.
+//! Coverage of the fixtures: every row that a run acts on has a good program, every alarm a bad one.
 
 use macroline::controls::options::SwitchKind;
 use macroline::controls::syntax::Function;
@@ -11,7 +11,7 @@ fn good(control: &Control) -> Vec<String> {
     fixtures(control, "ok").into_iter().map(|(_, source)| source).collect()
 }
 
-/// Whether a word stands in a program with nothing behind it that would make it another.
+/// Whether a program has this word as a whole, not as the beginning of a longer one.
 fn stands(sources: &[String], word: &str) -> bool {
     sources.iter().any(|source| {
         let behind = source.match_indices(word).map(|(at, _)| source[at + word.len()..].chars().next());
@@ -54,7 +54,7 @@ fn each_alarm_has_a_program_that_raises_it() {
 }
 
 #[test]
-fn each_code_that_is_acted_on_stands_in_a_good_program() {
+fn each_simulated_code_is_in_a_good_program() {
     let acted = |row: &&CodeDef| !matches!(row.code, Code::NotSimulated | Code::Cancel);
     let mut missing = Vec::new();
     for control in ALL {
@@ -75,7 +75,7 @@ fn each_code_that_is_acted_on_stands_in_a_good_program() {
 }
 
 #[test]
-fn each_variable_that_is_acted_on_stands_in_a_good_program() {
+fn each_simulated_variable_is_in_a_good_program() {
     let mut missing = Vec::new();
     for control in ALL {
         let good = good(control);
@@ -90,13 +90,13 @@ fn each_variable_that_is_acted_on_stands_in_a_good_program() {
 }
 
 #[test]
-fn each_function_stands_in_a_good_program() {
+fn each_function_is_in_a_good_program() {
     let mut missing = Vec::new();
     for control in ALL {
         let good = good(control);
         let bare = |name: &str| good.iter().any(|source| source.contains(name));
         for (name, function) in control.syntax.functions {
-            // `SIN` stands in `ASIN` too.
+            // `ASIN` contains `SIN` too.
             let found = match function {
                 Function::Sin | Function::Cos | Function::Tan => {
                     ["[", "(", "+", "=", "*"].iter().any(|ahead| bare(&format!("{ahead}{name}")))
@@ -117,7 +117,7 @@ fn each_function_stands_in_a_good_program() {
 }
 
 #[test]
-fn each_setting_of_a_switch_stands_in_a_program() {
+fn each_switch_setting_is_in_a_program() {
     let mut missing = Vec::new();
     for control in ALL {
         // Some settings show in alarms alone.

@@ -26,7 +26,7 @@ fn near(value: f64, expected: f64) {
 }
 
 #[test]
-fn line_speed_and_feeds_of_the_sheet() {
+fn r_parameter_program_gives_fact_sheet_feeds() {
     // Motor r/min, override in percent; line speed, feed per minute, status.
     let cases = [
         (1200, 80, 12_063.716, 95_513.115, 0.0),
@@ -47,7 +47,7 @@ fn line_speed_and_feeds_of_the_sheet() {
 }
 
 #[test]
-fn where_the_feed_word_ends() {
+fn r_parameter_program_reports_feed_out_of_range() {
     assert_eq!(called("R100=1005.097 R103=100")(98), 0.0);
     assert_eq!(called("R100=1005.098 R103=100")(98), 2.0);
     assert_eq!(called("R100=1200 R103=83.758")(98), 0.0);

@@ -1,4 +1,4 @@
-//! Alarms that are told before a program runs: the same, at the same place, and never of a program that runs.
+//! Alarms found before a run: the alarm of the run at the same place, and none for programs that run.
 
 use std::fmt::Write as _;
 use std::rc::Rc;
@@ -18,7 +18,7 @@ fn alarms(parsed: &Rc<Parsed>) -> Vec<Diagnostic> {
 }
 
 #[test]
-fn remarks_of_a_run_are_foretold_where_they_are_certain() {
+fn certain_run_findings_are_found_by_the_precheck() {
     let e60 = controls::find("mitsubishi-e60").unwrap();
     let remarks = |block: &str| {
         let interp = start_on(e60, &format!("O1\nG00 X1.\n{block}\nM30\n%\n"), &[]);
@@ -44,7 +44,7 @@ fn remarks_of_a_run_are_foretold_where_they_are_certain() {
 }
 
 #[test]
-fn the_contour_that_a_cycle_passes_over_is_foretold() {
+fn skipped_cycle_contour_is_found_by_the_precheck() {
     let gsk = controls::find("gsk-980tdc").unwrap();
     let ids = |p: &str| {
         let source = format!("O1\nG71 U1. R1.\nG71 {p} Q20 U1. F100\nN10 G00 X1.\nN20 X2.\nM30\n%\n");
@@ -56,7 +56,7 @@ fn the_contour_that_a_cycle_passes_over_is_foretold() {
 }
 
 #[test]
-fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
+fn precheck_alarm_equals_the_alarm_of_the_run() {
     let mut later = String::new();
     for control in controls::ALL {
         for (path, source) in fixtures(control, "bad") {
@@ -156,7 +156,7 @@ fn what_is_foretold_of_a_bad_program_is_what_it_stops_with() {
 }
 
 #[test]
-fn nothing_is_foretold_of_programs_that_run() {
+fn precheck_is_silent_on_programs_that_run() {
     for control in controls::ALL {
         for (path, source) in fixtures(control, "ok") {
             let mut interp = start_fixture(control, &source);
@@ -215,7 +215,7 @@ fn check(blocks: &[&str], expected: Expect) {
 }
 
 #[test]
-fn values_that_an_address_cannot_hold() {
+fn precheck_finds_values_outside_address_ranges() {
     check(
         &[
             "S10000 M3",
@@ -259,7 +259,7 @@ fn values_that_an_address_cannot_hold() {
 }
 
 #[test]
-fn calculations_without_a_result() {
+fn precheck_finds_calculations_without_a_result() {
     check(
         &[
             "#1=5/0",
@@ -315,7 +315,7 @@ fn calculations_without_a_result() {
 }
 
 #[test]
-fn calls_and_jumps_that_cannot_be() {
+fn precheck_finds_impossible_calls_and_jumps() {
     check(
         &[
             "M98",
@@ -349,7 +349,7 @@ fn calls_and_jumps_that_cannot_be() {
 }
 
 #[test]
-fn a_block_is_told_the_same_behind_blocks_of_its_form() {
+fn precheck_findings_do_not_depend_on_blocks_before() {
     let mut state = 1_u64;
     let mut below = |n: usize| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -381,7 +381,7 @@ fn a_block_is_told_the_same_behind_blocks_of_its_form() {
                     form.iter().map(word).fold(code.to_owned(), |block, word| block + &word)
                 })
                 .collect();
-            // An M code between any two: none stands behind another of its form.
+            // An M code between any two: no block follows one of its own form.
             let apart: Vec<String> = blocks.iter().flat_map(|block| [block.clone(), "M10".to_owned()]).collect();
             let alone = told(&program(&apart));
             findings += alone.len();
@@ -393,7 +393,7 @@ fn a_block_is_told_the_same_behind_blocks_of_its_form() {
 }
 
 #[test]
-fn a_subprogram_that_taps_in_the_mode_of_its_caller_is_no_straight_line() {
+fn precheck_accepts_tapping_in_the_callers_mode() {
     let control = controls::find("sinumerik-802d").unwrap();
     // K is a lead where G331 is in force, and no address of a straight line.
     let source = "%_N_MAIN_MPF\nG0 Z5 S500\nG331 Z-10 K1.5\nTAP\nG1 F100 Z20\nM2\n%_N_TAP_SPF\nZ-12 K1.5\nM17\n";

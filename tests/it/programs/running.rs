@@ -10,7 +10,7 @@ use super::{BUDGET, check, check_switched, log_of, start, world};
 
 /// The sheet's list of texts that an E60 must refuse.
 #[test]
-fn the_control_refuses_what_it_must() {
+fn faulty_programs_raise_their_alarms() {
     for (block, alarm) in [
         ("#105=(3.14*#102)/#101", "P33"),
         ("#2000=1", "P241"),
@@ -28,7 +28,7 @@ fn the_control_refuses_what_it_must() {
 }
 
 #[test]
-fn an_alarm_names_the_way_out() {
+fn alarm_of_a_run_has_a_hint() {
     check(
         "O1\n#109=0\nN20 #110=[3.14*#111]/[#109*#108]\nM30",
         expect![[r#"
@@ -76,7 +76,7 @@ fn an_alarm_names_the_way_out() {
 }
 
 #[test]
-fn switches_settle_the_open_points() {
+fn switches_change_what_a_program_does() {
     let source = "O1\nG91 G01 X8 Y8. F100\nM30";
     check_switched(
         source,
@@ -149,7 +149,7 @@ fn switches_settle_the_open_points() {
 }
 
 #[test]
-fn the_main_program_starts_again_at_m99() {
+fn m99_restarts_the_main_program() {
     let source = "O1\n#100=#100+1\nIF[#100 GT 2]GOTO9\nG00 X#100\nM99\nN9 M30";
     check(
         source,
@@ -162,7 +162,7 @@ fn the_main_program_starts_again_at_m99() {
 }
 
 #[test]
-fn block_skip_leaves_blocks_out() {
+fn block_skip_omits_its_blocks() {
     let log = |source: &str| {
         let mut interp = start(source, &[]);
         let names = interp.names();
@@ -179,7 +179,7 @@ fn block_skip_leaves_blocks_out() {
 }
 
 #[test]
-fn stops_and_positions_wait_for_the_machine() {
+fn stops_and_position_reads_synchronise_with_the_machine() {
     let source = "O1\nG00 X1.\n#100=#5021\nM00\n#101=#1033\n#3006=1(LOOK)\nX2.\nM30";
     let mut interp = start(source, &[]);
     let mut steps = String::new();
@@ -242,7 +242,7 @@ fn formulas(pi: &str, percent: f64) -> [f64; 4] {
 }
 
 #[test]
-fn the_papers_formulas_give_its_table() {
+fn paper_formulas_give_the_papers_table() {
     let table = [
         (10.0, 120.0, 1507.200, 11927.134, 1507.964, 11939.139),
         (50.0, 600.0, 7536.000, 59635.668, 7539.822, 59695.697),
@@ -273,7 +273,7 @@ fn the_papers_formulas_give_its_table() {
 }
 
 #[test]
-fn a_million_increments_add_up() {
+fn million_increments_add_up_exactly() {
     let source = "O1\nG91 G01 F1000\nWHILE[#100 LT 1000000]DO1\nY62.832 X-.001\n#100=#100+1\nEND1\nM30";
     let mut interp = start(source, &[]);
     let end = interp::run(&mut interp, &mut world(), u64::MAX, |_, _| {});
@@ -282,7 +282,7 @@ fn a_million_increments_add_up() {
 }
 
 #[test]
-fn a_copy_runs_on_its_own() {
+fn copied_interpreter_runs_independently() {
     let source = "O1\nDO1\n#100=#100+1\nG91 G00 X.001\nEND1";
     let mut interp = start(source, &[]);
     for _ in 0..1000 {
@@ -302,7 +302,7 @@ fn a_copy_runs_on_its_own() {
 }
 
 #[test]
-fn variables_are_set_as_on_the_screen() {
+fn operator_sets_variables_within_screen_rules() {
     let mut interp = start("O1\nG00 X#100\nM30", &[]);
     assert!(interp.set_variable(100, Some(3.5)));
     assert!(interp.set_variable(549, Some(1.0)));

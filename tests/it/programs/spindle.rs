@@ -67,7 +67,7 @@ fn check(lines: &str, expected: Expect) {
 }
 
 #[test]
-fn a_code_of_feed_brings_the_last_s_back() {
+fn g94_restores_the_last_programmed_s() {
     check(
         "S800 M03\nG96 S180\nG01 X80. F.2\nG98 F100\nG96\nG99 S500\nG96\nG97\nG98",
         expect![[r#"
@@ -100,7 +100,7 @@ fn a_code_of_feed_brings_the_last_s_back() {
 }
 
 #[test]
-fn surface_speed_counts_feed_per_revolution_and_wants_it_anew() {
+fn g96_switches_to_feed_per_revolution_and_needs_f() {
     check(
         "G98 F300\nG96 S180\nG01 X80.",
         expect![[r#"
@@ -123,7 +123,7 @@ fn surface_speed_counts_feed_per_revolution_and_wants_it_anew() {
 }
 
 #[test]
-fn limits_stand_behind_their_codes_and_leave_s_as_it_is() {
+fn g25_g26_and_lims_keep_the_programmed_s() {
     check(
         "S800\nG25 S50\nG26 S3000\nG25 X10. Z5.\nG96 S100\nG98",
         expect![[r#"
@@ -139,7 +139,7 @@ fn limits_stand_behind_their_codes_and_leave_s_as_it_is() {
 }
 
 #[test]
-fn a_spindle_goes_to_its_angle_beside_the_motion() {
+fn spos_runs_beside_axis_motion() {
     check(
         "M19\nG00 X20. M19",
         expect![[r#"
@@ -152,7 +152,7 @@ fn a_spindle_goes_to_its_angle_beside_the_motion() {
 }
 
 #[test]
-fn a_cutting_speed_is_needed_and_has_its_range() {
+fn g96_without_or_with_wrong_s_raises_its_alarm() {
     check(
         "G96",
         expect![[r#"
@@ -174,7 +174,7 @@ fn a_cutting_speed_is_needed_and_has_its_range() {
 }
 
 #[test]
-fn more_than_is_known_of_a_driven_tool_ends_the_run() {
+fn unsupported_driven_tool_command_ends_the_run() {
     let check = |lines: &str, expected: Expect| {
         let source = format!("%_N_A_MPF\nSETMS(2)\n{lines}\nM30\n");
         let control = controls::find("sinumerik-802d").unwrap();

@@ -5,7 +5,7 @@ use expect_test::expect;
 use super::{CALLS, check};
 
 #[test]
-fn a_breakpoint_stops_where_its_condition_holds() {
+fn breakpoint_stops_where_its_condition_holds() {
     let script =
         "break O2000 N20 if #102 EQ 2\nbreak 13\nbreaks\nc\nstack\noff 1\nc\non 1\nclear 2\nclear 2\nbreaks\nc";
     check(
@@ -62,7 +62,7 @@ fn a_breakpoint_stops_where_its_condition_holds() {
 }
 
 #[test]
-fn a_condition_without_a_value_stops_and_says_why() {
+fn breakpoint_condition_without_value_stops_with_reason() {
     check(
         CALLS,
         "break N30 if [1/#500 GT 2]\nc\nbreak N40 if #1 GT\nbreak N40 if #1=2\nc",
@@ -106,7 +106,7 @@ fn a_condition_without_a_value_stops_and_says_why() {
 }
 
 #[test]
-fn watches_are_calculated_by_the_rules_of_the_control() {
+fn watches_follow_the_controls_arithmetic() {
     let script = "\
 watch #100*2
 watch #[#100+98]
@@ -189,7 +189,7 @@ watches";
 }
 
 #[test]
-fn an_expression_that_does_not_read_is_told_with_its_place() {
+fn unreadable_expression_is_an_error_with_its_place() {
     let script = "print #1+\nprint 2*FOO[3]\nprint #\nprint (1+2)\nprint 1 2\nprint #1 EQ 1 EQ 2\nprint #99999\nprint 1/0\nprint [#100 EQ #0]";
     check(
         CALLS,
@@ -230,7 +230,7 @@ fn an_expression_that_does_not_read_is_told_with_its_place() {
 }
 
 #[test]
-fn what_the_operator_sets_is_there_at_once() {
+fn variable_set_by_the_operator_shows_at_once() {
     let script = "set #100=7\nprint #100\nset #1033=80\nprint #1033\nset FOO=1\nset #100\ncontinue\nback\nprint #100";
     check(
         "O1\n#101=#100*#1033\nM30\n%\n",
@@ -269,7 +269,7 @@ fn what_the_operator_sets_is_there_at_once() {
 }
 
 #[test]
-fn an_alarm_is_told_at_its_place() {
+fn alarm_while_stepping_has_its_place() {
     check(
         "O1\n#100=4\n#101=SQRT[#100-5]\nM30\n%\n",
         "continue\nwhere\nback\nprint #100-5",
@@ -303,7 +303,7 @@ fn an_alarm_is_told_at_its_place() {
 }
 
 #[test]
-fn what_a_block_changes_is_variables_codes_and_what_it_gives() {
+fn step_lists_changed_variables_codes_and_commands() {
     let program = "O1\nG00 G90 X5. S300 M03\nG91 G01 G61 Y2. F200\n#100=1 (NOTE)\n#1132=5\n#3004=3\n#3001=0\nM30\n%\n";
     check(
         program,
@@ -371,7 +371,7 @@ fn what_a_block_changes_is_variables_codes_and_what_it_gives() {
 }
 
 #[test]
-fn a_long_way_gives_its_last_commands() {
+fn long_step_lists_its_last_commands() {
     let program = "O1\n#1=0\nWHILE [#1 LT 30] DO1\n#1=#1+1\nG01 X#1 F6000\nEND1\nM30\n%\n";
     check(
         program,

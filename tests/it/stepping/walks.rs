@@ -5,7 +5,7 @@ use expect_test::expect;
 use super::{CALLS, check};
 
 #[test]
-fn into_goes_down_a_call_and_out_of_it_again() {
+fn step_into_enters_and_leaves_a_call() {
     check(
         CALLS,
         "where\ninto\ninto\nstack\nlocals\nout\nchanged",
@@ -51,7 +51,7 @@ fn into_goes_down_a_call_and_out_of_it_again() {
 }
 
 #[test]
-fn over_takes_a_call_with_its_repeats_as_one_block() {
+fn step_over_runs_a_call_with_its_repeats() {
     check(
         CALLS,
         "over\nover\nover\nprint #102",
@@ -85,7 +85,7 @@ fn over_takes_a_call_with_its_repeats_as_one_block() {
 }
 
 #[test]
-fn out_of_the_start_program_is_its_end() {
+fn step_out_of_the_main_program_ends_it() {
     check(
         CALLS,
         "out\nwhere",
@@ -114,7 +114,7 @@ fn out_of_the_start_program_is_its_end() {
 }
 
 #[test]
-fn to_goes_to_a_line_or_a_sequence_number() {
+fn run_to_reaches_a_line_or_sequence_number() {
     check(
         CALLS,
         "to N40\nback\nback\nto O2000 N20\nto 2\nto O77\nto 99\nto a.nc:5",
@@ -188,7 +188,7 @@ M99
 ";
 
 #[test]
-fn a_modal_call_is_gone_into_and_over() {
+fn modal_call_is_stepped_into_and_over() {
     check(
         MODAL,
         "into\ninto\ninto\nstack\nout\nover\nover\ninto",
@@ -261,7 +261,7 @@ fn a_modal_call_is_gone_into_and_over() {
 const DEEP: &str = "O1\nG65 P2 A1\nM30\nO2\n#1=#1+1\nG65 P2 A#1\nM99\n%\n";
 
 #[test]
-fn the_limit_of_nesting_stops_with_the_stack_that_led_there() {
+fn nesting_limit_stops_with_the_call_stack() {
     check(
         DEEP,
         "break O2\ncontinue\ncontinue\ncontinue\ncontinue\ncontinue\nstack\nback\nback",
@@ -340,7 +340,7 @@ fn the_limit_of_nesting_stops_with_the_stack_that_led_there() {
 const WAITS: &str = "O1\nG01 X10. F6000\nM00\n#100=#5021\n#101=#100*2\nM30\n%\n";
 
 #[test]
-fn a_stop_waits_for_cycle_start_and_positions_are_those_of_the_machine() {
+fn stepping_waits_at_m00_and_shows_machine_positions() {
     let script = "into\nprint #5021\ninto\ninto\nstart\ninto\ninto\nprint #5021\ncontinue\ncontinue";
     check(
         WAITS,

@@ -336,7 +336,7 @@ impl<'ast> Visit<'ast> for Measure {
 }
 
 #[test]
-fn comments_and_strings_are_no_words() {
+fn comments_and_strings_are_not_words() {
     let text = r##"//! A file.
 use super::{self as up, lex::{Lexer, *}};
 /// "Doc."

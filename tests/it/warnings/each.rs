@@ -86,7 +86,7 @@ const ROWS: &[Row] = &[
 ];
 
 #[test]
-fn each_warning_on_each_control() {
+fn every_warning_appears_on_every_control() {
     let mut missing = Vec::new();
     let mut raised: BTreeSet<&str> = BTreeSet::new();
     for control in controls::ALL {

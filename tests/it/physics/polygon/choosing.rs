@@ -28,7 +28,7 @@ fn find(found: &[Choice], cutter: usize, k: Ratio) -> &Choice {
 }
 
 #[test]
-fn the_flattest_of_the_possible_ones_comes_first() {
+fn flattest_possible_way_comes_first() {
     let found = choices(&HEXAGON, &means(vec![cutter(3, 45.0), cutter(3, 60.0), cutter(2, 45.0), cutter(1, 45.0)]));
     let best = &found[0];
     assert_eq!((best.cutter, best.ratio, best.limits.is_empty()), (1, ratio(2, 1), true));
@@ -46,7 +46,7 @@ fn the_flattest_of_the_possible_ones_comes_first() {
 }
 
 #[test]
-fn a_choice_names_every_limit_that_excludes_it() {
+fn choice_names_every_limit_that_excludes_it() {
     let narrow = Means { terms: (6, 1), ..means(vec![cutter(3, 45.0), cutter(2, 45.0)]) };
     let found = choices(&HEXAGON, &narrow);
     assert_eq!(find(&found, 0, ratio(2, 1)).limits, []);
@@ -74,7 +74,7 @@ fn a_choice_names_every_limit_that_excludes_it() {
 }
 
 #[test]
-fn speeds_are_as_fast_as_every_limit_allows() {
+fn speeds_reach_the_binding_limit() {
     let one = means(vec![cutter(3, 45.0)]);
     let of = |means: &Means| find(&choices(&HEXAGON, means), 0, ratio(2, 1)).clone();
     let free = of(&one);
@@ -93,7 +93,7 @@ fn speeds_are_as_fast_as_every_limit_allows() {
 }
 
 #[test]
-fn a_cutter_that_can_be_set_is_set_to_where_crown_and_hollow_balance() {
+fn adjustable_cutter_balances_crown_and_hollow() {
     // Nothing else shall hold it back: every radius is possible.
     let range = |inserts| Cutter { radius: (5.0, 60.0), relief: 1.5, ..cutter(inserts, 0.0) };
     let free =
@@ -121,7 +121,7 @@ fn a_cutter_that_can_be_set_is_set_to_where_crown_and_hollow_balance() {
 }
 
 #[test]
-fn a_cutter_is_set_to_what_is_possible() {
+fn cutter_radius_stays_within_its_range() {
     // No hollow sides: at ratio 3 the largest crowned circle, r = d/3 (curvature 0 in the middle).
     let range = Cutter { radius: (3.0, 60.0), relief: 60.0 * PI / 180.0, ..cutter(2, 0.0) };
     let near_by = Means { distance: (10.0, 120.0), cutting_speed: (5.0, 200.0), ..means(vec![range]) };
@@ -138,7 +138,7 @@ fn a_cutter_is_set_to_what_is_possible() {
 }
 
 #[test]
-fn a_pass_needs_relief_as_far_out_as_the_corners_that_the_pass_before_has_left() {
+fn pass_relief_reaches_the_corners_of_the_pass_before() {
     let mut random = Random(11);
     let (mut met, mut stood) = (0, 0);
     for _ in 0..300 {
@@ -165,7 +165,7 @@ fn a_pass_needs_relief_as_far_out_as_the_corners_that_the_pass_before_has_left()
 }
 
 #[test]
-fn odd_means_are_answered() {
+fn odd_arguments_get_an_answer() {
     for radius in [(f64::NAN, 1.0), (0.0, 0.0), (-5.0, 5.0), (60.0, 5.0), (1.0, f64::INFINITY)] {
         let strange = means(vec![Cutter { radius, ..cutter(3, 1.0) }, Cutter { inserts: 0, ..cutter(1, 45.0) }]);
         for across_flats in [20.0, 0.0, -4.0, f64::NAN] {

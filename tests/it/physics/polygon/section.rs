@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn sections_are_those_of_the_check_table() {
+fn sections_match_the_check_table() {
     // Sheet 3.6: a, r, tool and work terms, inserts, sides, corner radius, deviation, area and how exact it is.
     // (The sheet prints 11.53564 in row 4, where its own closed form gives 11.535635; its areas are sums, right to 1e-3.)
     let rows = [
@@ -44,7 +44,7 @@ fn sections_are_those_of_the_check_table() {
 }
 
 #[test]
-fn sides_of_the_wrong_sense_do_not_meet_in_the_stock() {
+fn wrong_sense_sides_do_not_meet_in_the_stock() {
     // The last row of the table.
     let section = Section::new(&setup(55., 45., ratio(-2, 1), 2), 15.0).unwrap();
     assert!(section.corners().iter().all(|corner| !corner.meets && corner.radius == 15.0));
@@ -52,7 +52,7 @@ fn sides_of_the_wrong_sense_do_not_meet_in_the_stock() {
 }
 
 #[test]
-fn ratio_two_gives_ellipses_in_a_thousand_cases() {
+fn ratio_2_sections_equal_the_ellipse_formula() {
     let mut random = Random(1);
     for case in 0..1000 {
         let (d, r) = (random.between(1.0, 40.0), random.between(5.0, 150.0));
@@ -90,7 +90,7 @@ fn ratio_two_gives_ellipses_in_a_thousand_cases() {
 }
 
 #[test]
-fn ratio_one_gives_arcs_of_the_radius_of_the_axes_distance() {
+fn ratio_1_sections_are_arcs_of_the_axis_distance() {
     // e^(-iσ) a - r: a circle about -r on the normal.
     let mut random = Random(2);
     for _ in 0..200 {
@@ -104,7 +104,7 @@ fn ratio_one_gives_arcs_of_the_radius_of_the_axes_distance() {
 }
 
 #[test]
-fn the_sides_of_five_hundred_ratios_are_counted_on_the_section() {
+fn side_count_of_500_ratios_matches_the_section() {
     let mut random = Random(3);
     for _ in 0..500 {
         let (ratio, inserts) = (random.ratio(), random.integer(1, 6) as u32);
@@ -137,7 +137,7 @@ fn worn(random: &mut Random) -> CutterSetup {
 }
 
 #[test]
-fn tips_have_passed_everything_outside_of_the_section_and_nothing_within() {
+fn tips_pass_outside_the_section_and_never_inside() {
     let mut random = Random(4);
     for case in 0..300 {
         let cutter = worn(&mut random);
@@ -184,7 +184,7 @@ fn tips_have_passed_everything_outside_of_the_section_and_nothing_within() {
 }
 
 #[test]
-fn one_side_repeated_is_the_same_as_every_pass_for_itself() {
+fn repeated_side_equals_pass_by_pass_section() {
     let mut random = Random(5);
     for _ in 0..100 {
         let (d, r, inserts) = (random.between(3.0, 30.0), random.between(20.0, 60.0), random.integer(1, 6) as u32);
@@ -215,7 +215,7 @@ fn one_side_repeated_is_the_same_as_every_pass_for_itself() {
 }
 
 #[test]
-fn area_is_that_under_the_radii() {
+fn section_area_equals_the_integral_of_radii() {
     // In the last row the sides turn back before they meet: there the radius jumps, and a sum is less exact.
     for (tool, work, inserts, stock, within) in [
         (2, 1, 3, 20.0, 1e-9),
@@ -232,7 +232,7 @@ fn area_is_that_under_the_radii() {
 }
 
 #[test]
-fn an_insert_out_of_place_shows_on_its_own_sides() {
+fn displaced_insert_changes_its_own_sides() {
     // Two inserts, ratio 2: insert 1 cuts the sides 1 and 3.
     let mut cutter = setup(55.0, 45.0, ratio(2, 1), 2);
     cutter.tips[1].radius += 0.05;
@@ -268,7 +268,7 @@ fn an_insert_out_of_place_shows_on_its_own_sides() {
 }
 
 #[test]
-fn an_insert_too_short_leaves_its_sides_to_the_others() {
+fn short_insert_leaves_its_sides_to_the_others() {
     let mut cutter = setup(55.0, 45.0, ratio(2, 1), 2);
     cutter.tips[1].radius -= 4.0;
     let section = Section::new(&cutter, 13.0).unwrap();
@@ -283,7 +283,7 @@ fn an_insert_too_short_leaves_its_sides_to_the_others() {
 }
 
 #[test]
-fn two_flats_and_one_flat_end_in_the_stock() {
+fn one_and_two_flats_end_at_the_stock() {
     let section = Section::new(&setup(55.0, 45.0, ratio(2, 1), 1), 12.0).unwrap();
     assert_eq!(section.sides().len(), 2);
     near(section.sides()[1].flatness(), 0.02225, 5e-6);
@@ -296,7 +296,7 @@ fn two_flats_and_one_flat_end_in_the_stock() {
 }
 
 #[test]
-fn whatever_is_asked_is_answered() {
+fn any_section_input_gets_a_finite_answer() {
     let odd = [f64::NAN, f64::INFINITY, -f64::INFINITY, -1.0, 0.0, 1e-300, 1e300, 20.0];
     for a in odd {
         for r in odd {
