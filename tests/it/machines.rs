@@ -1,5 +1,6 @@
 //! The machines: their numbers against the independent oracle (`sizing_check.py`), their verdicts, their programs.
 
+mod adding;
 mod look;
 mod polygon;
 mod polygon_sheets;
@@ -7,6 +8,7 @@ mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;
 mod sweep;
+mod toy;
 mod turning;
 mod turning_controls;
 mod written;

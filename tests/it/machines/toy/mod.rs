@@ -1,0 +1,78 @@
+//! A toy machine that follows `docs/adding-a-machine.md` step by step: Z feeds a strip, waits for the knife, and feeds again.
+
+mod derive;
+mod params;
+mod plant;
+mod program;
+mod resolved;
+mod rules;
+mod scene;
+
+use macroline::machines::form::Field;
+use macroline::machines::form::rows::LineEnds;
+use macroline::machines::verdict::judge;
+use macroline::machines::{
+    ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples, chart_rows, sheets,
+};
+use macroline::motion::{BenchPlc, Plant, Plc, Snapshot};
+use macroline::view::{Chart, Pose, Scene, Sheet};
+
+use params::{FIELDS, Params};
+pub(super) use resolved::{CutToLength, PREPARED};
+
+impl Machine for CutToLength {
+    type Params = Params;
+    const ID: &'static str = "cut-to-length";
+    const NAME: &'static str = "toy.name";
+    const CONTROLS: &'static [&'static str] = &["mitsubishi-e60", "gsk-980tdc", "knd-k2000t"];
+    const SPEED: f64 = 1.0;
+
+    fn fields() -> &'static [Field<Params>] {
+        FIELDS
+    }
+
+    fn new(params: Params, on: ControlContext) -> CutToLength {
+        CutToLength::resolve(params, on)
+    }
+}
+
+impl Prepared for CutToLength {
+    fn results(&self) -> Design {
+        let readouts = rules::READOUTS.iter().map(|row| judge(row, self, row.unit, rules::RULES)).collect();
+        Design { readouts, diagnostics: rules::findings(self) }
+    }
+
+    fn program(&self) -> MachineProgram {
+        let crlf = self.p.newline == LineEnds::CrLf;
+        MachineProgram { deck: program::deck(self), setup: program::SETUP, main: program::RUN, crlf }
+    }
+
+    fn plant(&self) -> Plant {
+        plant::plant(self)
+    }
+
+    fn plc(&self) -> Box<dyn Plc> {
+        Box::new(BenchPlc::new(0.05, None))
+    }
+
+    fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {
+        program::VARIABLES.to_vec()
+    }
+
+    fn sheets(&self) -> Vec<Sheet> {
+        let units = sheets::AxisUnits { cross_words: 1.0, rotary: None };
+        vec![sheets::parameters(self.control, &units, plant::parameters(self))]
+    }
+
+    fn scene(&self) -> Scene {
+        scene::scene()
+    }
+
+    fn pose(&self, _: &dyn Samples, now: &Snapshot, _: Frame) -> Pose {
+        scene::pose(self, now)
+    }
+
+    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        chart_rows::charts(scene::CHARTS, self, run, from, to, points)
+    }
+}

@@ -1,0 +1,68 @@
+//! The program of the cut-to-length feeder: O9301 feeds and waits for the knife, O9302 sets the values of the form once.
+
+use macroline::controls::Code;
+use macroline::machines::writing::{self, Entry};
+use macroline::nc::Deck;
+use macroline::nc::build::{Builder, f, g, m, real, v, z};
+
+use super::params::Feed;
+use super::resolved::CutToLength;
+
+/// Number of the program that feeds.
+pub(super) const RUN: u32 = 9301;
+/// Number of the program that sets the values of the form.
+pub(super) const SETUP: u32 = 9302;
+
+/// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
+pub(super) const VARIABLES: [(u32, &str, &str); 5] = [
+    (100, "toy.length", "mm"),
+    (101, "toy.speed", "mm/min"),
+    (102, "toy.pieces", ""),
+    (103, "toy.variable.left", ""),
+    (104, "toy.variable.position", "mm"),
+];
+
+/// Variables of the operator, and whether only whole numbers are valid.
+const ENTRIES: [Entry; 3] = [(100, false), (101, false), (102, true)];
+
+/// The programs, one per file.
+pub(super) fn deck(feeder: &CutToLength) -> Deck {
+    let mut b = Builder::new();
+    run(&mut b, feeder);
+    setup(&mut b, feeder);
+    b.finish()
+}
+
+fn run(b: &mut Builder, feeder: &CutToLength) {
+    let control = feeder.control;
+    b.program(RUN, "CUT TO LENGTH - RUN");
+    writing::write_header::<CutToLength>(b, &feeder.p, control);
+    writing::guards(b, &ENTRIES);
+    b.n(20).words(writing::codes(control, [Code::Absolute, Code::FeedPerMinute]));
+    b.n(21).assign(103, v(102)).note("PIECES LEFT");
+    b.n(22).assign(104, 0).note("POSITION");
+    b.n(30).while_do(v(103).gt(0), 1);
+    b.n(31).assign(104, v(104) + v(100));
+    match feeder.p.feed {
+        Feed::Cutting => b.n(32).words([g(1), z(v(104)), f(v(101))]),
+        Feed::Rapid => b.n(32).words([g(0), z(v(104))]),
+    };
+    b.n(33).words(writing::dwell(control, feeder.p.cut_time)).note("KNIFE");
+    b.n(34).assign(103, v(103) - 1);
+    b.n(35).end_do(1);
+    b.n(40).words([m(30)]);
+    writing::alarms(b, control, &ENTRIES);
+    if writing::has_alarms(control) {
+        b.words([m(30)]);
+    }
+}
+
+fn setup(b: &mut Builder, feeder: &CutToLength) {
+    let p = &feeder.p;
+    b.program(SETUP, "CUT TO LENGTH - SET VALUES ONCE");
+    writing::write_header::<CutToLength>(b, p, feeder.control);
+    b.n(1).assign(100, real(p.length, 3)).note("LENGTH");
+    b.n(2).assign(101, real(p.speed, 0)).note("SPEED");
+    b.n(3).assign(102, real(p.pieces, 0)).note("PIECES");
+    b.n(20).words([m(30)]);
+}

@@ -1,0 +1,36 @@
+//! The cut-to-length feeder on a control.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use macroline::controls::Control;
+use macroline::machines::ControlContext;
+
+use super::derive::Derived;
+use super::params::Params;
+
+/// The axis that feeds.
+pub(super) const FEED_AXIS: u8 = b'Z';
+
+/// Machines prepared so far: the test counts them.
+pub(crate) static PREPARED: AtomicUsize = AtomicUsize::new(0);
+
+/// The feeder on a control.
+#[derive(Debug)]
+pub(crate) struct CutToLength {
+    pub(super) p: Params,
+    pub(super) d: Derived,
+    pub(super) control: &'static Control,
+}
+
+impl CutToLength {
+    /// Computes the formulas.
+    pub(super) fn resolve(p: Params, on: ControlContext) -> CutToLength {
+        PREPARED.fetch_add(1, Ordering::Relaxed);
+        CutToLength { d: Derived::new(&p), p, control: on.control }
+    }
+
+    /// Index of the axis that feeds, in the control's order.
+    pub(super) fn axis(&self) -> usize {
+        self.control.axis(FEED_AXIS).unwrap_or(0)
+    }
+}

@@ -1,0 +1,54 @@
+//! Drawing and charts of the cut-to-length feeder.
+
+use macroline::machines::chart_rows::{ChartLine, ChartRow};
+use macroline::motion::Snapshot;
+use macroline::view::pen::Pen;
+use macroline::view::scene::Placement;
+use macroline::view::{Pose, Scene};
+
+use super::resolved::CutToLength;
+
+/// Group of the strip.
+const STRIP: u16 = 1;
+
+/// Drawing units per millimetre.
+const SCALE: f64 = 0.5;
+
+/// The drawing at rest.
+pub(super) fn scene() -> Scene {
+    let mut pen = Pen::default();
+    pen.path(STRIP, "M-400 60h400v8h-400z".to_owned(), "steel", "dim", 1.0, "part");
+    pen.rect(0.0, 20.0, 6.0, 36.0, "ink", "");
+    Scene { view: [-100.0, 0.0, 400.0, 120.0], nodes: pen.nodes, groups: 2, alt: "toy.scene.alt", option: None }
+}
+
+/// The drawing at a moment: the strip since its last cut.
+pub(super) fn pose(feeder: &CutToLength, now: &Snapshot) -> Pose {
+    let dx = position(feeder, now) % feeder.p.length * SCALE;
+    let placements = vec![Placement { group: STRIP, dx, opacity: 1.0, ..Placement::default() }];
+    Pose { placements, ..Pose::default() }
+}
+
+fn position(feeder: &CutToLength, now: &Snapshot) -> f64 {
+    now.axes.get(feeder.axis()).map_or(0.0, |axis| axis.actual)
+}
+
+/// Charts over time, from top to bottom.
+pub(super) const CHARTS: &[ChartRow<CutToLength>] = &[
+    ChartRow {
+        id: "position",
+        title: "toy.chart.position",
+        unit: "mm",
+        lines: &[ChartLine { label: |_| "toy.chart.strip", tone: 0, value: position }],
+    },
+    ChartRow {
+        id: "feed",
+        title: "toy.chart.feed",
+        unit: "mm/min",
+        lines: &[ChartLine {
+            label: |_| "toy.chart.strip",
+            tone: 1,
+            value: |feeder, now| now.axes.get(feeder.axis()).map_or(0.0, |axis| axis.feed),
+        }],
+    },
+];
