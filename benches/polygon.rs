@@ -45,7 +45,7 @@ fn speed(c: &mut Criterion) {
 /// A value of the form is dragged: results with advice, and the drawing. The hollow sides ask for the list of better ways.
 fn drag(project: &Project) -> usize {
     let design = black_box(project).design();
-    design.readouts.len() + project.machine.scene(&project.values, project.on()).nodes.len()
+    design.readouts.len() + project.prepared().scene().nodes.len()
 }
 
 /// A polygon lathe whose inserts turn five to twelve, badly.

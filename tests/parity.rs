@@ -259,7 +259,7 @@ fn machine_on_control(project: &Project) -> String {
         }
     }
     let _ = writeln!(out, "run at 101 moments: sum {}", sum.0);
-    for chart in project.machine.charts(&project.values, project.on(), &planner, 0.0, end, 60) {
+    for chart in project.prepared().charts(&planner, 0.0, end, 60) {
         let svg = view::plot::svg(&chart);
         let mut sum = Sum::new();
         sum.bytes(svg.as_bytes());

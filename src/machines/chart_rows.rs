@@ -1,30 +1,35 @@
-//! Charts of a run as rows: for every machine.
+//! Charts over time as rows.
 
-use super::Samples;
-use super::verdict::Rows;
+use super::machine::Samples;
 use crate::motion::Snapshot;
 use crate::view::{Chart, Series};
 
-/// A line of a chart.
-pub(super) struct Line<M: Rows> {
+/// A line of a chart of a machine `M`.
+pub struct ChartLine<M: 'static> {
     /// Catalog id of its name.
-    pub(super) label: fn(&M::Resolved<'_>) -> &'static str,
-    pub(super) tone: u8,
-    pub(super) value: fn(&M::Resolved<'_>, &Snapshot) -> f64,
+    pub label: fn(&M) -> &'static str,
+    /// Number of its colour.
+    pub tone: u8,
+    /// Its value at a moment of the run.
+    pub value: fn(&M, &Snapshot) -> f64,
 }
 
-/// A chart over time.
-pub(super) struct Row<M: Rows> {
-    pub(super) id: &'static str,
-    pub(super) title: &'static str,
-    pub(super) unit: &'static str,
-    pub(super) lines: &'static [Line<M>],
+/// A chart over time of a machine `M`.
+pub struct ChartRow<M: 'static> {
+    /// Id, for instance `speed`.
+    pub id: &'static str,
+    /// Catalog id of the title.
+    pub title: &'static str,
+    /// Unit of its values.
+    pub unit: &'static str,
+    /// Its lines.
+    pub lines: &'static [ChartLine<M>],
 }
 
 /// The charts from `from` to `to` seconds with `points` points (2 at least) each.
-pub(super) fn charts<M: Rows>(
-    rows: &[Row<M>],
-    on: &M::Resolved<'_>,
+pub fn charts<M>(
+    rows: &[ChartRow<M>],
+    machine: &M,
     run: &dyn Samples,
     from: f64,
     to: f64,
@@ -33,12 +38,12 @@ pub(super) fn charts<M: Rows>(
     let points = points.max(2);
     let step = (to - from) / (points - 1) as f64;
     let moments: Vec<(f64, Snapshot)> = (0..points).map(|at| from + step * at as f64).map(|t| (t, run.at(t))).collect();
-    let drawn = |line: &Line<M>| Series {
-        label: (line.label)(on),
+    let drawn = |line: &ChartLine<M>| Series {
+        label: (line.label)(machine),
         tone: line.tone,
-        points: moments.iter().map(|(t, now)| (*t, (line.value)(on, now))).collect(),
+        points: moments.iter().map(|(t, now)| (*t, (line.value)(machine, now))).collect(),
     };
-    let chart = |row: &Row<M>| Chart {
+    let chart = |row: &ChartRow<M>| Chart {
         id: row.id,
         title: row.title,
         unit: row.unit,

@@ -1,4 +1,4 @@
-//! A form as data: fields with unit, range, default and help; values as they are typed and checked.
+//! A form as data: fields with unit, range, default and help, and their values.
 
 pub mod fill;
 
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 use crate::controls::Control;
 
-/// Where a value comes from; the report lists the assumed ones.
+/// Origin of a value; the report lists the assumed ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Provenance {
     /// Measured on the machine.
@@ -33,17 +33,17 @@ pub enum Value {
     Text(String),
 }
 
-/// Values by field id. What is missing has its default.
+/// Values by field id; a missing one has its default.
 pub type Values = BTreeMap<String, Value>;
 
-/// Where values come from, by field id. What is missing is assumed.
+/// Origins by field id; a missing one is assumed.
 pub type Origins = BTreeMap<String, Provenance>;
 
 /// A field of a machine with parameters `P`.
 pub struct Field<P: 'static> {
     /// Id in projects, for instance `pitch`.
     pub id: &'static str,
-    /// Catalog id of the group it stands in.
+    /// Catalog id of its group.
     pub group: &'static str,
     /// Catalog id of the label.
     pub label: &'static str,
@@ -51,17 +51,17 @@ pub struct Field<P: 'static> {
     pub help: &'static str,
     /// Symbol or variable, for instance `#107`, or empty.
     pub symbol: &'static str,
-    /// Whether it belongs to the few that define the product (shown first, and always kept in a program's header).
+    /// One of the few that define the product: shown first, and always in a program's header.
     pub essential: bool,
-    /// Whether it is a fact of the machine, which somebody measured, read off or assumed, and not a choice.
+    /// A fact of the machine (measured, from a data sheet or assumed), not a choice of the engineer.
     pub fact: bool,
-    /// Whether it means anything with these parameters on this control.
+    /// Whether the field is shown with these parameters on this control.
     pub shown: fn(&P, &Control) -> bool,
-    /// What it holds.
+    /// Kind and limits of its value.
     pub kind: Kind<P>,
 }
 
-/// What a field holds and how it reaches the parameters.
+/// Kind of a field, with getter and setter of its member of the parameters.
 pub enum Kind<P: 'static> {
     /// A number.
     Number {
@@ -95,7 +95,7 @@ pub enum Kind<P: 'static> {
     Choice {
         /// `(id, catalog id of the label)`; the first is the default.
         options: &'static [(&'static str, &'static str)],
-        /// Index of the present one.
+        /// Index of the chosen option.
         get: fn(&P) -> usize,
         /// Sets it by index.
         set: fn(&mut P, usize),
@@ -128,11 +128,11 @@ pub struct FieldInfo {
     pub essential: bool,
     /// A fact of the machine, not a choice: it has a provenance.
     pub fact: bool,
-    /// What it holds.
+    /// Kind and limits of its value.
     pub kind: KindInfo,
 }
 
-/// What a field holds.
+/// Kind and limits of a value.
 #[derive(Debug, Clone, PartialEq)]
 pub enum KindInfo {
     /// A number.

@@ -1,7 +1,7 @@
 //! The report of any machine: its form, its results, its sheets, and the open points of its control.
 
 use super::form::{FieldInfo, KindInfo, Origins, Provenance, Value, Values};
-use super::{AnyMachine, ControlContext};
+use super::machine::{AnyMachine, ControlContext, PreparedMachine};
 use crate::controls::options::SwitchOption;
 use crate::controls::{Control, Switch, Switches};
 use crate::text::catalog::{Language, number_text, words};
@@ -12,14 +12,15 @@ use crate::view::report::{Input, Open, Report};
 /// the program.
 pub fn report(
     machine: &dyn AnyMachine,
+    prepared: &PreparedMachine,
     name: &str,
     (values, origins): (&Values, &Origins),
     on: ControlContext,
     further: &[Diagnostic],
 ) -> Report {
     let ControlContext { control, switches } = on;
-    let design = machine.design(values, origins, on);
-    let hidden = machine.hidden(values, control);
+    let design = prepared.design(origins);
+    let hidden = prepared.hidden();
     let fields = machine.fields();
     let fields = fields.iter().filter(|field| !hidden.contains(&field.id));
     let title = [words(Language::English, machine.name()), control.name, name];
@@ -29,7 +30,7 @@ pub fn report(
         inputs: fields.map(|field| input(field, values, origins)).collect(),
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
-        sheets: machine.sheets(values, on),
+        sheets: prepared.sheets(),
         open: open(control, switches),
     }
 }
@@ -63,7 +64,7 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
     }
 }
 
-/// What no manual at hand confirms, by table; of the switches also those that are not at their default.
+/// Rows that no manual confirms, by table; of the switches also those that differ from their default.
 fn open(control: &Control, switches: &Switches) -> Vec<Open> {
     let doubtful = |cite: &Citation| cite.grade == Grade::Open;
     let code = |row: &&crate::controls::CodeDef| control.code_name(row.id);

@@ -1,4 +1,4 @@
-//! Sheets that stand beside a program: what those of all machines have in common.
+//! Sheets beside a program: rows that all machines share.
 
 use crate::controls::{Control, ParamDef, ParamRole};
 use crate::text::Citation;
@@ -6,36 +6,36 @@ use crate::text::catalog::{Language, number_text, words};
 use crate::view::{Row, Sheet};
 
 /// A sentence of the catalog, for cells and drawings.
-pub(super) fn say(id: &'static str) -> String {
+pub fn say(id: &'static str) -> String {
     words(Language::English, id).to_owned()
 }
 
 /// A row with its evidence.
-pub(super) fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {
+pub fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {
     Row { cells: cells.into(), grade: cite.grade, source: cite.source, sets: Vec::new() }
 }
 
-/// What a parameter is set to.
-pub(super) enum Setting {
+/// The value of a parameter of the control.
+pub enum ParamValue {
     /// A number, in mm, mm/min, r/min, r/min per second, ms, mV or 1/s.
     Number(f64),
     /// Yes or no, in the control's own figures.
     Answer(bool),
 }
 
-/// What the axes of a machine count.
-pub(super) struct Axes<'a> {
-    /// What words of X count for each millimetre that it moves.
-    pub(super) cross_words: f64,
-    /// The axis that counts degrees, if one does.
-    pub(super) rotary: Option<&'a str>,
+/// Units that the words of a machine's axes count.
+pub struct AxisUnits<'a> {
+    /// Units of X words per millimetre of its slide: 2 where they are diameters.
+    pub cross_words: f64,
+    /// The axis that counts degrees, if any.
+    pub rotary: Option<&'a str>,
 }
 
 /// Values of a parameter: by axis, or one under an empty name.
-pub(super) type Values<'a> = Vec<(&'a str, Setting)>;
+pub type AxisValues<'a> = Vec<(&'a str, ParamValue)>;
 
 /// Parameters with their values, as far as the control has them.
-pub(super) fn parameters(control: &Control, axes: &Axes, values: Vec<(ParamRole, Values)>) -> Sheet {
+pub fn parameters(control: &Control, axes: &AxisUnits, values: Vec<(ParamRole, AxisValues)>) -> Sheet {
     // In the order of the control's numbers.
     let values = &values;
     let rows = control.params.iter().flat_map(|def| {
@@ -53,7 +53,7 @@ pub(super) fn parameters(control: &Control, axes: &Axes, values: Vec<(ParamRole,
 }
 
 /// Registers between PLC and control: who writes, who reads, what for.
-pub(super) fn interface(rows: Vec<Row>) -> Sheet {
+pub fn interface(rows: Vec<Row>) -> Sheet {
     Sheet {
         id: "interface",
         title: "sheet.interface",
@@ -63,12 +63,12 @@ pub(super) fn interface(rows: Vec<Row>) -> Sheet {
     }
 }
 
-/// A row of the sheet; none where nobody knows how the control wants it written.
-fn parameter(axes: &Axes, def: &ParamDef, axis: &str, setting: &Setting) -> Option<Row> {
+/// A row of the sheet; none where the control's unit is not known.
+fn parameter(axes: &AxisUnits, def: &ParamDef, axis: &str, value: &ParamValue) -> Option<Row> {
     let words = if def.diameter && axis == "X" { axes.cross_words } else { 1.0 };
-    let text = match setting {
-        Setting::Number(value) => number_text(*value * words * per_unit(def.unit)?, 3),
-        Setting::Answer(yes) => def.answer(*yes).to_owned(),
+    let text = match value {
+        ParamValue::Number(value) => number_text(*value * words * per_unit(def.unit)?, 3),
+        ParamValue::Answer(yes) => def.answer(*yes).to_owned(),
     };
     if text.is_empty() {
         return None;

@@ -1,87 +1,76 @@
-//! Results of a machine as rows, and the rules that judge them: for every machine.
+//! Results as rows, and the rules that judge them.
 
 use crate::text::{Citation, Message};
 use crate::view::{Readout, Verdict};
 
-/// What the rows of a machine are about.
-pub(super) trait Rows: 'static {
-    /// The machine on its control.
-    type Resolved<'a>;
-    /// What follows from its inputs.
-    type Derived;
-    /// What its rules judge.
-    type Case<'a>;
-}
-
-/// A result before it is judged.
-pub(super) struct Row<M: Rows> {
-    pub(super) id: &'static str,
-    pub(super) label: &'static str,
-    pub(super) unit: &'static str,
-    pub(super) decimals: u8,
-    pub(super) formula: &'static str,
-    pub(super) cite: Citation,
-    pub(super) headline: bool,
-    pub(super) value: fn(&M::Derived) -> f64,
+/// A result of a machine `M` before it is judged.
+pub struct ReadoutRow<M> {
+    /// Id, for instance `line-speed`.
+    pub id: &'static str,
+    /// Catalog id of the label.
+    pub label: &'static str,
+    /// Unit, or empty.
+    pub unit: &'static str,
+    /// Decimals shown.
+    pub decimals: u8,
+    /// The formula as text.
+    pub formula: &'static str,
+    /// Source of the formula.
+    pub cite: Citation,
+    /// One of the few results above the drawing.
+    pub headline: bool,
+    /// The value.
+    pub value: fn(&M) -> f64,
 }
 
 /// The judgement of one rule.
-pub(super) struct Judgement {
-    pub(super) verdict: Verdict,
-    pub(super) limit: Option<f64>,
-    pub(super) advice: Vec<Message>,
+pub struct Judgement {
+    /// Whether the result holds.
+    pub verdict: Verdict,
+    /// The limit that it was compared with.
+    pub limit: Option<f64>,
+    /// Remedies, and facts to know.
+    pub advice: Vec<Message>,
 }
 
-/// A rule about a result.
-pub(super) struct Rule<M: Rows> {
-    /// Id of the result that it judges.
-    pub(super) on: &'static str,
-    /// Where its limit comes from.
-    pub(super) cite: Citation,
-    /// The judgement; `None` where the rule has nothing to say.
-    pub(super) judge: fn(&M::Case<'_>) -> Option<Judgement>,
+/// A rule about a result of a machine `M`.
+pub struct Rule<M> {
+    /// Id of the result.
+    on: &'static str,
+    /// Source of the limit.
+    cite: Citation,
+    /// The judgement; `None` where the rule does not apply.
+    judge: fn(&M) -> Option<Judgement>,
 }
 
-/// A row of the rules: the result that it judges, the judgement, where its limit comes from.
-macro_rules! rule {
-    ($on:literal, $judge:expr, $source:literal, $grade:ident) => {
-        $crate::machines::verdict::Rule {
-            on: $on,
-            cite: $crate::text::Citation::new($source, $crate::text::Grade::$grade),
-            judge: $judge,
-        }
-    };
+impl<M> Rule<M> {
+    /// A row of the rules: the result, its judgement, the source of the limit.
+    pub const fn new(on: &'static str, judge: fn(&M) -> Option<Judgement>, cite: Citation) -> Rule<M> {
+        Rule { on, cite, judge }
+    }
 }
 
-pub(super) use rule;
-
-/// It holds.
-pub(super) fn ok(limit: impl Into<Option<f64>>) -> Option<Judgement> {
+/// The result holds.
+pub fn ok(limit: impl Into<Option<f64>>) -> Option<Judgement> {
     Some(Judgement { verdict: Verdict::Ok, limit: limit.into(), advice: Vec::new() })
 }
 
-/// To be thought about.
-pub(super) fn warn(limit: impl Into<Option<f64>>, advice: impl Into<Vec<Message>>) -> Option<Judgement> {
+/// The result deserves attention.
+pub fn warn(limit: impl Into<Option<f64>>, advice: impl Into<Vec<Message>>) -> Option<Judgement> {
     Some(Judgement { verdict: Verdict::Warn, limit: limit.into(), advice: advice.into() })
 }
 
-/// It fails.
-pub(super) fn fail(limit: impl Into<Option<f64>>, advice: impl Into<Vec<Message>>) -> Option<Judgement> {
+/// The result fails.
+pub fn fail(limit: impl Into<Option<f64>>, advice: impl Into<Vec<Message>>) -> Option<Judgement> {
     Some(Judgement { verdict: Verdict::Fail, limit: limit.into(), advice: advice.into() })
 }
 
-/// A result with the judgement of every rule about it: the worst verdict, all advice.
-pub(super) fn judge<M: Rows>(
-    row: &Row<M>,
-    derived: &M::Derived,
-    unit: &'static str,
-    rules: &[Rule<M>],
-    case: &M::Case<'_>,
-) -> Readout {
+/// A result with the judgement of every rule about it: the worst verdict, all advice. `unit` may differ from the row's.
+pub fn judge<M>(row: &ReadoutRow<M>, machine: &M, unit: &'static str, rules: &[Rule<M>]) -> Readout {
     let mut readout = Readout {
         id: row.id,
         label: row.label,
-        value: (row.value)(derived),
+        value: (row.value)(machine),
         unit,
         decimals: row.decimals,
         limit: None,
@@ -92,7 +81,7 @@ pub(super) fn judge<M: Rows>(
         headline: row.headline,
     };
     for rule in rules.iter().filter(|rule| rule.on == row.id) {
-        let Some(judgement) = (rule.judge)(case) else { continue };
+        let Some(judgement) = (rule.judge)(machine) else { continue };
         if judgement.verdict >= readout.verdict {
             readout.cite = rule.cite;
         }

@@ -1,19 +1,20 @@
-//! Writing a program: what the programs of all machines have in common.
+//! Parts that the programs of all machines share: header, checks of the operator's variables, alarms.
 
-use super::{Machine, settings};
+use super::header;
+use super::machine::Machine;
 use crate::controls::{Code, CodeId, Control, VarKind};
-use crate::nc::build::{Builder, NewWord, g, m, real, v};
+use crate::nc::build::{Builder, NewWord, g, m, real, v, word};
 
-/// What wrote the program, and the settings it was written from.
-pub(super) fn header<M: Machine>(b: &mut Builder, params: &M::Params, control: &Control) {
+/// Comments with the version of macroline and the settings of the form.
+pub fn write_header<M: Machine>(b: &mut Builder, params: &M::Params, control: &Control) {
     b.comment(concat!("WRITTEN BY MACROLINE ", env!("CARGO_PKG_VERSION")));
-    for text in settings::write::<M>(params, control) {
+    for text in header::lines::<M>(params, control) {
         b.comment(&text);
     }
 }
 
-/// Codes of the control for what is wanted, as far as it has them.
-pub(super) fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
+/// The control's own codes for these functions; those that it lacks are left out.
+pub fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
     let word = |code: Code| {
         let row = control.codes.iter().find(|row| row.code == code)?;
         match row.id {
@@ -25,11 +26,18 @@ pub(super) fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -
     wanted.into_iter().filter_map(word).collect()
 }
 
-/// An operator's variable, and whether only whole numbers make sense.
-pub(super) type Entry = (u32, bool);
+/// A dwell in seconds: with X where the control reads that, else with its first address for seconds.
+pub fn dwell(control: &Control, seconds: f64) -> [NewWord; 2] {
+    let addresses = control.syntax.dwell_addresses;
+    let address = if addresses.contains(&b'X') { b'X' } else { addresses.first().copied().unwrap_or(b'X') };
+    [g(4), word(address, real(seconds, 3))]
+}
 
-/// Every entry above zero, whole where it counts; else on to [`alarms`].
-pub(super) fn guards(b: &mut Builder, entries: &[Entry]) {
+/// A variable of the operator, and whether only whole numbers are valid.
+pub type Entry = (u32, bool);
+
+/// Checks that every entry is above zero, and whole where required; else jumps to [`alarms`].
+pub fn guards(b: &mut Builder, entries: &[Entry]) {
     for (at, (entry, _)) in (1..).zip(entries) {
         b.n(at).if_goto(v(*entry).le(0), 900 + at);
     }
@@ -38,8 +46,8 @@ pub(super) fn guards(b: &mut Builder, entries: &[Entry]) {
     }
 }
 
-/// What the operator reads where an entry cannot be.
-pub(super) fn alarms(b: &mut Builder, control: &Control, entries: &[Entry]) {
+/// The alarms of invalid entries.
+pub fn alarms(b: &mut Builder, control: &Control, entries: &[Entry]) {
     for (at, (entry, _)) in (1..).zip(entries) {
         alarm(b, control, at, &format!("{} MUST BE ABOVE ZERO", control.variable(*entry)));
     }
@@ -49,12 +57,12 @@ pub(super) fn alarms(b: &mut Builder, control: &Control, entries: &[Entry]) {
 }
 
 /// Whether a program can raise an alarm of its own.
-pub(super) fn has_alarms(control: &Control) -> bool {
+pub fn has_alarms(control: &Control) -> bool {
     control.vars.iter().any(|row| row.kind == VarKind::AlarmMessage)
 }
 
-/// The program stops with a text: as its own alarm, or as a message and a stop, again and again until reset, where the control has no such alarms.
-pub(super) fn alarm(b: &mut Builder, control: &Control, number: u32, text: &str) {
+/// Stops the program with a text: as a user alarm, or, on controls without these, as a message and M0 in a loop until reset.
+pub fn alarm(b: &mut Builder, control: &Control, number: u32, text: &str) {
     b.n(900 + number);
     if has_alarms(control) {
         b.alarm(number, text);

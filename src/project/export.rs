@@ -27,7 +27,7 @@ impl Project {
 
     /// The same with [`advice`](Project::advice) about the program, which are told, and written in the report.
     pub fn export_with(&self, advice: &[Diagnostic]) -> Export {
-        let design = self.design();
+        let (prepared, design) = (self.prepared(), self.design());
         let written = self.written();
         let mut found = written.diagnostics;
         found.extend_from_slice(advice);
@@ -39,8 +39,8 @@ impl Project {
         let mut files = Vec::new();
         if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
             files.extend(written.files.0.iter().cloned());
-            let sheets = self.machine.sheets(&self.values, self.on());
-            let told = report(self.machine, &self.name, (&self.values, &self.provenance), self.on(), &found);
+            let sheets = prepared.sheets();
+            let told = report(self.machine, &prepared, &self.name, (&self.values, &self.provenance), self.on(), &found);
             files.push(File { name: "report.md".to_owned(), text: view::report::markdown(&told, Language::English) });
             for sheet in sheets {
                 files.push(File {
@@ -51,7 +51,7 @@ impl Project {
                     files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });
                 }
             }
-            files.extend(self.machine.drawings(&self.values, self.on()));
+            files.extend(prepared.drawings());
             files.push(File { name: "project.json".to_owned(), text: self.to_json() });
         }
         Export { files, diagnostics, about: written.files }

@@ -4,6 +4,8 @@ pub mod saved;
 
 pub mod import;
 
+mod prepared;
+
 pub mod program;
 
 mod io_names;
@@ -53,6 +55,7 @@ pub struct Project {
     pub panel: Panel,
     /// The program files, where the user has edited them: detached from the form.
     pub edited: Option<Files>,
+    memo: prepared::Memo,
 }
 
 impl PartialEq for Project {
@@ -72,7 +75,7 @@ impl PartialEq for Project {
 impl Project {
     /// A project with every value at its default.
     pub fn new(machine: &'static dyn AnyMachine, control: &'static Control) -> Project {
-        let Defaults { values: own, switches } = machine.start(control);
+        let Defaults { values: own, switches } = machine.defaults(control);
         let mut values: Values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
         values.extend(own);
         Project {
@@ -85,6 +88,7 @@ impl Project {
             silenced: Vec::new(),
             panel: Panel::default(),
             edited: None,
+            memo: prepared::Memo::default(),
         }
     }
 
@@ -105,7 +109,7 @@ impl Project {
 
     /// Takes the project to another control: the values stay, the settings of open points as far as that control has them.
     pub fn move_to(&mut self, control: &'static Control) {
-        let needed = self.machine.start(control).switches;
+        let needed = self.machine.defaults(control).switches;
         let takes = |id: &str, setting: &str| control.switch(id).is_some_and(|row| row.takes(setting));
         self.switches.0.retain(|(id, setting)| takes(id, setting));
         for (id, setting) in needed.0 {
@@ -123,6 +127,6 @@ impl Project {
 
     /// Results, verdicts and invalid fields.
     pub fn design(&self) -> Design {
-        self.machine.design(&self.values, &self.provenance, self.on())
+        self.prepared().design(&self.provenance)
     }
 }

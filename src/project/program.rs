@@ -26,7 +26,7 @@ pub struct Written {
 impl Project {
     /// The program: the machine's own, or the edited text.
     pub fn written(&self) -> Written {
-        let plan = self.machine.plan(&self.values, self.on());
+        let plan = self.prepared().program();
         let (files, mut diagnostics) = match &self.edited {
             Some(files) => (files.clone(), Vec::new()),
             None => {

@@ -106,12 +106,12 @@ pub fn of_project(project: &Project, written: &Written, begin: &RunOptions) -> R
     let start = begin.start.unwrap_or(StartProgram::Program(written.main));
     let mut interp = Interp::new(Rc::clone(&written.parsed), start);
     set_up(&mut interp, project, written);
-    let plant = project.machine.plant(&project.values, project.on());
-    let plc = project.machine.plc(&project.values, project.on());
-    // The knobs stand as the form says until the operator turns them.
-    let knobs = project.machine.hand(&project.values).into_iter().map(|action| Event { t: 0.0, action });
-    let panel = Panel::new(knobs.chain(project.panel.events().iter().cloned()));
-    started(interp, &plant, plc, panel, begin)
+    let machine = project.prepared();
+    // The knob is where the form sets it until the operator turns it.
+    let knob =
+        machine.panel().spindle_override.map(|percent| Event { t: 0.0, action: Action::SpindleOverride(percent) });
+    let panel = Panel::new(knob.into_iter().chain(project.panel.events().iter().cloned()));
+    started(interp, &machine.plant(), machine.plc(), panel, begin)
 }
 
 /// The run of bare programs, with the switches that they were read with: on the control's bench, or on the plant of a project.
@@ -122,8 +122,8 @@ pub fn of_programs(parsed: Rc<Parsed>, plant: Option<&Project>, panel: Panel, be
     let interp = Interp::new(parsed, start);
     let (plant, plc) = match plant {
         Some(project) => {
-            let on = ControlContext { control, switches: &switches };
-            (project.machine.plant(&project.values, on), project.machine.plc(&project.values, on))
+            let machine = project.machine.prepare(&project.values, ControlContext { control, switches: &switches });
+            (machine.plant(), machine.plc())
         }
         None => bench(control, &dialect),
     };

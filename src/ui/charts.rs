@@ -9,8 +9,7 @@ use super::dom;
 use super::el::{El, button, el};
 use super::model::Model;
 use super::words::{figure, t};
-use crate::machines::form::Values;
-use crate::machines::{AnyMachine, ControlContext, Samples};
+use crate::machines::{PreparedMachine, Samples};
 use crate::math;
 use crate::text::number::filled;
 use crate::view::svg::escape;
@@ -68,18 +67,10 @@ impl Charts {
     }
 
     /// Draws the charts.
-    pub(super) fn draw(
-        &mut self,
-        machine: &dyn AnyMachine,
-        values: &Values,
-        on: ControlContext,
-        run: &dyn Samples,
-        from: f64,
-        to: f64,
-    ) {
+    pub(super) fn draw(&mut self, machine: &PreparedMachine, run: &dyn Samples, from: f64, to: f64) {
         let Some(host) = &self.host else { return };
         self.page = (from, to);
-        self.charts = machine.charts(values, on, run, from, to, POINTS);
+        self.charts = machine.charts(run, from, to, POINTS);
         let mut out = String::with_capacity(64 << 10);
         for chart in &self.charts {
             figure_of(&mut out, chart);

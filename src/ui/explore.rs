@@ -1,5 +1,7 @@
 //! The explorer: a value that is dragged shows at once what comes of it, the form takes it when it is let go; a click on a listed way takes that.
 
+use std::sync::Arc;
+
 use leptos::wasm_bindgen::JsCast;
 use web_sys::Element;
 
@@ -10,11 +12,12 @@ use super::local::Local;
 use super::model::Model;
 use super::words::t;
 use super::{scene_view, sheets};
+use crate::machines::PreparedMachine;
 use crate::machines::form::{FieldInfo, KindInfo, Values};
 use crate::project::Project;
 use crate::text::catalog::number_text;
 use crate::text::number::filled;
-use crate::view::{Explorer, Knob};
+use crate::view::{Explorer, Knob, Readout};
 
 /// Whether there is something to drag on the machine.
 pub(super) fn explores(model: Model) -> bool {
@@ -22,8 +25,12 @@ pub(super) fn explores(model: Model) -> bool {
     model.project.with_untracked(|project| project.machine.explores())
 }
 
-fn look(project: &Project, values: &Values) -> Option<Explorer> {
-    project.machine.explorer(values, project.on())
+/// The machine with dragged values, or with those of the form.
+fn prepared(project: &Project, draft: Option<&Values>) -> Arc<PreparedMachine> {
+    match draft {
+        Some(values) => Arc::new(project.machine.prepare(values, project.on())),
+        None => project.prepared(),
+    }
 }
 
 /// Sets fields to what is typed there.
@@ -56,13 +63,18 @@ pub(super) fn explore(model: Model) -> Vec<El> {
     // What is dragged and not yet in the form.
     let draft: Local<Option<Values>> = Local::new(None);
     let seen = Local::new(Explorer::default());
-    let values = move || draft.get().unwrap_or_else(|| model.project.with(|project| project.values.clone()));
+    let readouts: Local<Vec<Readout>> = Local::new(Vec::new());
     let shape = el("div.shape");
     let plots = el("div.plots");
     let (scene, charts) = (shape.dom().clone(), plots.dom().clone());
     let draw = move || {
-        let values = values();
-        let found = model.project.with(|project| look(project, &values)).unwrap_or_default();
+        let (machine, design) = model.project.with(|project| {
+            let machine = draft.with(|draft| prepared(project, draft.as_ref()));
+            let design = machine.design(&project.provenance);
+            (machine, design)
+        });
+        let found = machine.explorer().unwrap_or_default();
+        readouts.set(design.readouts);
         scene.set_inner_html(&scene_view::svg(&found.scene));
         let mut out = String::new();
         found.charts.iter().for_each(|chart| figure_of(&mut out, chart));
@@ -70,13 +82,13 @@ pub(super) fn explore(model: Model) -> Vec<El> {
         seen.set(found);
     };
     let results = move || {
-        let values = values();
-        let design = model.project.with(|project| project.machine.design(&values, &project.provenance, project.on()));
-        design.readouts.iter().filter(|readout| readout.headline).map(|readout| card(model, readout)).collect()
+        readouts.with(|readouts| {
+            readouts.iter().filter(|readout| readout.headline).map(|readout| card(model, readout)).collect()
+        })
     };
     let (fields, first) = model
         .project
-        .with_untracked(|project| (project.machine.fields(), look(project, &project.values).unwrap_or_default().knobs));
+        .with_untracked(|project| (project.machine.fields(), project.prepared().explorer().unwrap_or_default().knobs));
     let info = |knob: &Knob| fields.iter().find(|field| field.id == knob.field);
     let knobs: Vec<El> = first
         .iter()

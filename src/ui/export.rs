@@ -11,7 +11,7 @@ use crate::view::svg::escape;
 
 /// The sheets for the tab of the parameters, for the tab of the PLC, and those whose rows are ways that can be taken.
 pub(super) fn sheets(project: &Project) -> JsValue {
-    let sheets = project.machine.sheets(&project.values, project.on());
+    let sheets = project.prepared().sheets();
     let (mut parameters, mut plc, mut ways) = (String::new(), String::new(), String::new());
     for sheet in &sheets {
         let takes = sheet.rows.iter().any(|row| !row.sets.is_empty());

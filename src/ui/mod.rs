@@ -148,8 +148,8 @@ fn drawing(model: Model) -> El {
         });
     };
     let mode = move || player.now.with(|now| now.mode);
-    let strobe = move |on| {
-        player.strobe.set(on);
+    let option = move |on| {
+        player.option.set(on);
         player.ask();
     };
     el("section.pane.drawing#machine").label(t("page.drawing")).add(&[
@@ -158,11 +158,10 @@ fn drawing(model: Model) -> El {
             .bind("class", move || format!("mode {}", mode_tone(mode())))
             .live(move || mode_words(mode()).to_owned()),
         el("p.why").at("role", "status").live(move || why(model)),
-        el("div.strobe").mark("gone", move || model.scene.with(|scene| !scene.strobe)).add(&[check(
-            t("page.strobe"),
-            move || player.strobe.get(),
-            strobe,
-        )]),
+        el("div.strobe").swap(move || {
+            let label = model.scene.with(|scene| scene.option);
+            label.into_iter().map(|label| check(t(label), move || player.option.get(), option)).collect()
+        }),
     ])
 }
 

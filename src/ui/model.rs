@@ -119,10 +119,8 @@ impl Model {
     pub(super) fn new(project: Project, notices: Vec<Notice>) -> Model {
         let design = Rc::new(project.design());
         let written = Rc::new(project.written());
-        let (on, values) = (project.on(), &project.values);
-        let scene = project.machine.scene(values, on);
-        let hidden = project.machine.hidden(values, project.control);
-        let variables = project.machine.variables(values, on);
+        let prepared = project.prepared();
+        let (scene, hidden, variables) = (prepared.scene(), prepared.hidden().to_vec(), prepared.variables());
         let (machine, control, edited) = (project.machine.id(), project.control.id, written.edited);
         let player = Player::new();
         player.load(&project, &written);
@@ -255,9 +253,10 @@ impl Model {
         let program = values || before.switches != after.switches || before.edited != after.edited;
         if values {
             self.design.set(Rc::new(after.design()));
-            self.hidden.put(after.machine.hidden(&after.values, after.control));
-            self.variables.put(after.machine.variables(&after.values, after.on()));
-            let scene = after.machine.scene(&after.values, after.on());
+            let prepared = after.prepared();
+            self.hidden.put(prepared.hidden().to_vec());
+            self.variables.put(prepared.variables());
+            let scene = prepared.scene();
             if self.scene.with_untracked(|present| *present != scene) {
                 self.scene.set(scene);
             }

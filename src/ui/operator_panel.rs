@@ -8,7 +8,6 @@ use super::model::Model;
 use super::words::{clock, short, t, value_of};
 use crate::controls::Control;
 use crate::drives::speed::SpeedLimit;
-use crate::machines::form::Value;
 use crate::math;
 use crate::motion::{Action, Event, Mode};
 use crate::project::{Project, run};
@@ -114,7 +113,7 @@ pub(super) fn hand(model: Model) -> El {
         }
     };
     let spindle = standing(
-        |project| number(project, "override", 100.0),
+        |project| project.prepared().panel().spindle_override.unwrap_or(100.0),
         |action| match action {
             Action::SpindleOverride(percent) => Some(*percent),
             _ => None,
@@ -134,7 +133,7 @@ pub(super) fn hand(model: Model) -> El {
             _ => None,
         },
     );
-    let step = move || model.project.with(|project| number(project, "knob-step", 10.0));
+    let step = move || model.project.with(|project| project.prepared().panel().override_step);
     let waits = move || matches!(player.now.with(|now| now.mode), Mode::Hold | Mode::Stopped);
     let press = move |class: &str, label: &'static str, action: Action| {
         button(class, t(label), move || act(model, action.clone()))
@@ -160,15 +159,6 @@ pub(super) fn hand(model: Model) -> El {
         presses,
         el("p.changed").add(&[el("span#changed").live(told), clear.mark("gone", move || count() == 0)]),
     ])
-}
-
-/// A number of the project's form; of a choice, its id as a number.
-fn number(project: &Project, id: &str, otherwise: f64) -> f64 {
-    match project.values.get(id) {
-        Some(Value::Number(number)) => *number,
-        Some(Value::Text(text)) => crate::text::number::read(text).unwrap_or(otherwise),
-        _ => otherwise,
-    }
 }
 
 fn knob(

@@ -1,5 +1,6 @@
 //! The run: a planner that is ahead of the play head, and the head itself. Not reactive, but for the few signals at its edge.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use leptos::prelude::*;
@@ -9,10 +10,8 @@ use super::debug_session::Walk;
 use super::dom::{self, Frames};
 use super::local::Local;
 use super::scene_view::Stage;
-use crate::controls::{Control, Switches};
 use crate::interp::inspect::What;
-use crate::machines::form::Values;
-use crate::machines::{AnyMachine, ControlContext, Frame};
+use crate::machines::{Frame, PreparedMachine};
 use crate::math;
 use crate::motion::{Action, Budget, Event, Retention, RunEnd, Snapshot};
 use crate::project::Project;
@@ -55,7 +54,7 @@ pub(super) struct Player {
     /// Machine seconds per second.
     pub speed: Local<f64>,
     /// Whether rollers are shown once per head.
-    pub strobe: Local<bool>,
+    pub option: Local<bool>,
     /// The machine at the head, some times a second.
     pub now: Local<Snapshot>,
     /// The block that runs at the head.
@@ -74,10 +73,8 @@ pub(super) struct Player {
 
 struct State {
     planner: Option<run::Run>,
-    machine: Option<&'static dyn AnyMachine>,
-    control: Option<&'static Control>,
-    switches: Switches,
-    values: Values,
+    id: &'static str,
+    machine: Option<Arc<PreparedMachine>>,
     head: f64,
     stamp: Option<f64>,
     slow_at: f64,
@@ -89,21 +86,12 @@ struct State {
     charts: Charts,
 }
 
-impl State {
-    /// The machine, on its control.
-    fn machine(&self) -> Option<(&'static dyn AnyMachine, ControlContext<'_>)> {
-        Some((self.machine?, ControlContext { control: self.control?, switches: &self.switches }))
-    }
-}
-
 impl Player {
     pub(super) fn new() -> Player {
         let state = State {
             planner: None,
+            id: "",
             machine: None,
-            control: None,
-            switches: Switches::default(),
-            values: Values::new(),
             head: 0.0,
             stamp: None,
             slow_at: 0.0,
@@ -119,7 +107,7 @@ impl Player {
             frames: Local::new(None),
             playing: Local::new(false),
             speed: Local::new(0.05),
-            strobe: Local::new(false),
+            option: Local::new(false),
             now: Local::new(Snapshot::default()),
             running: Local::new(None),
             planned: Local::new((0.0, false)),
@@ -134,17 +122,15 @@ impl Player {
 
     /// Takes another run; the head stays at its time.
     pub(super) fn load(self, project: &Project, written: &Written) {
-        let machine = project.machine;
-        if self.state.with_untracked(|state| state.machine.is_none_or(|before| before.id() != machine.id())) {
-            self.speed.set(machine.speed());
+        let id = project.machine.id();
+        if self.state.with_untracked(|state| state.id != id) {
+            self.speed.set(project.machine.speed());
         }
         self.state.quietly(|state| {
             let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
             state.planner = Some(run::of_project(project, written, &begin));
-            state.machine = Some(machine);
-            state.control = Some(project.control);
-            state.switches.clone_from(&project.switches);
-            state.values.clone_from(&project.values);
+            state.id = id;
+            state.machine = Some(project.prepared());
             state.charts_stale = true;
         });
         self.walk_away();
@@ -263,8 +249,8 @@ impl Player {
     /// The charts of the whole plan, for a file.
     pub(super) fn all_charts(self, points: usize) -> Vec<crate::view::Chart> {
         let end = self.planned.get_untracked().0;
-        self.state.with_untracked(|state| match (&state.planner, state.machine()) {
-            (Some(planner), Some((machine, on))) => machine.charts(&state.values, on, planner, 0.0, end, points),
+        self.state.with_untracked(|state| match (&state.planner, &state.machine) {
+            (Some(planner), Some(machine)) => machine.charts(planner, 0.0, end, points),
             _ => Vec::new(),
         })
     }
@@ -402,11 +388,10 @@ impl Player {
         let now = dom::now();
         let (planned, _) = self.planned.get_untracked();
         let playing = self.playing.get_untracked();
-        let frame = Frame { step: self.speed.get_untracked() / 60.0, strobe: self.strobe.get_untracked() };
+        let frame = Frame { step: self.speed.get_untracked() / 60.0, option: self.option.get_untracked() };
         let window = self.window.get_untracked();
         let shown = self.state.quietly(|state| {
-            let (planner, machine) = (state.planner.as_ref()?, state.machine?);
-            let on = ControlContext { control: state.control?, switches: &state.switches };
+            let (planner, machine) = (state.planner.as_ref()?, state.machine.as_deref()?);
             // The debugger may stand where nothing is planned yet.
             let snapshot = self.walk.with_untracked(|walk| {
                 let stop = walk.stands().filter(|debugger| debugger.t() > planned);
@@ -415,12 +400,12 @@ impl Player {
             });
             let head = snapshot.t;
             if let Some(stage) = &mut state.stage {
-                stage.pose(&machine.pose(&state.values, on, planner, &snapshot, frame));
+                stage.pose(&machine.pose(planner, &snapshot, frame));
                 stage.time(head, planned);
             }
             let (from, to) = state.charts.page(head, planned, window);
             if (state.charts_stale || state.charts.moved(from, to)) && !state.charts_drawn {
-                state.charts.draw(machine, &state.values, on, planner, from, to);
+                state.charts.draw(machine, planner, from, to);
                 state.charts_drawn = true;
                 state.charts_stale = false;
             }

@@ -69,8 +69,8 @@ pub struct Scene {
     pub groups: u16,
     /// What the drawing shows, for those who do not see it: catalog id.
     pub alt: &'static str,
-    /// Something in it can be frozen by a stroboscope.
-    pub strobe: bool,
+    /// Catalog id of the drawing's own option, a check box below it; none for most.
+    pub option: Option<&'static str>,
 }
 
 /// Where a group stands: rotated by `turn` degrees around (`cx`, `cy`), then shifted.

@@ -1,6 +1,6 @@
 //! Parameters from values: the defaults of the form, then every valid value.
 
-use super::{Field, FieldInfo, Kind, Origins, Provenance, Value, Values};
+use super::{Field, Kind, Origins, Provenance, Value, Values};
 use crate::text::{Diagnostic, Severity};
 
 /// Sets every parameter to the default of its field.
@@ -15,13 +15,13 @@ pub fn defaults<P>(fields: &[Field<P>], params: &mut P) {
     }
 }
 
-/// Ids of the facts that nobody has measured or read off: their origin is [`Provenance::Assumed`] or not known.
-pub fn assumed(fields: &[FieldInfo], origins: &Origins) -> Vec<&'static str> {
+/// The facts (field ids) that are only assumed: their origin is [`Provenance::Assumed`] or missing.
+pub fn assumed(facts: &[&'static str], origins: &Origins) -> Vec<&'static str> {
     let known = |id: &str| origins.get(id).is_some_and(|origin| *origin != Provenance::Assumed);
-    fields.iter().filter(|field| field.fact && !known(field.id)).map(|field| field.id).collect()
+    facts.iter().copied().filter(|id| !known(id)).collect()
 }
 
-/// Fills parameters from values: valid ones are set, invalid ones keep what is there and are reported.
+/// Fills parameters from values: valid ones are set, invalid ones are reported and leave the parameter unchanged.
 pub fn fill<P>(fields: &[Field<P>], values: &Values, params: &mut P) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for field in fields {

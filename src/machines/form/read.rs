@@ -1,4 +1,4 @@
-//! From typed text to a checked value, and the sentences for what is wrong.
+//! Typed text to a checked value, with a diagnostic for every invalid one.
 
 use super::{FieldInfo, KindInfo, Value};
 use crate::msg;

@@ -1,33 +1,32 @@
 //! The charts of the polygon lathe: speeds, phase and slide over time, the deviation of the sides over angle and tip radius.
 
-use super::Lathe;
-use super::resolved::{Resolved, TOOL, WORK};
+use super::resolved::{PolygonLathe, TOOL, WORK};
 use super::scene::deviations;
 use crate::drives::polygon::{CutterSetup, Section};
-use crate::machines::chart_rows::{Line, Row};
+use crate::machines::chart_rows::{ChartLine, ChartRow};
 use crate::math::PI;
 use crate::view::{Chart, Series};
 
 /// Charts over time, from top to bottom.
 #[rustfmt::skip]
-pub(super) const ROWS: &[Row<Lathe>] = &[
-    Row { id: "speeds", title: "polygon.chart.speeds", unit: "r/min", lines: &[
-        Line { label: |_| "polygon.chart.work", tone: 0, value: |_, now| now.pmc[WORK].feed / 360.0 },
-        Line { label: |_| "polygon.chart.tool", tone: 1, value: |_, now| now.pmc[TOOL].feed / 360.0 },
+pub(super) const ROWS: &[ChartRow<PolygonLathe>] = &[
+    ChartRow { id: "speeds", title: "polygon.chart.speeds", unit: "r/min", lines: &[
+        ChartLine { label: |_| "polygon.chart.work", tone: 0, value: |_, now| now.pmc[WORK].feed / 360.0 },
+        ChartLine { label: |_| "polygon.chart.tool", tone: 1, value: |_, now| now.pmc[TOOL].feed / 360.0 },
     ] },
-    Row { id: "phase", title: "polygon.chart.phase", unit: "°", lines: &[
-        Line { label: |_| "polygon.chart.ahead", tone: 3, value: |lathe, now| lathe.phase(now) },
+    ChartRow { id: "phase", title: "polygon.chart.phase", unit: "°", lines: &[
+        ChartLine { label: |_| "polygon.chart.ahead", tone: 3, value: |lathe, now| lathe.phase(now) },
     ] },
-    Row { id: "size", title: "polygon.chart.size", unit: "mm", lines: &[
-        Line { label: |_| "polygon.chart.across", tone: 2, value: |lathe, now| lathe.slide(now).0 },
+    ChartRow { id: "size", title: "polygon.chart.size", unit: "mm", lines: &[
+        ChartLine { label: |_| "polygon.chart.across", tone: 2, value: |lathe, now| lathe.slide(now).0 },
     ] },
-    Row { id: "along", title: "polygon.chart.along", unit: "mm", lines: &[
-        Line { label: |_| "polygon.chart.z", tone: 0, value: |lathe, now| lathe.slide(now).1 },
+    ChartRow { id: "along", title: "polygon.chart.along", unit: "mm", lines: &[
+        ChartLine { label: |_| "polygon.chart.z", tone: 0, value: |lathe, now| lathe.slide(now).1 },
     ] },
 ];
 
 /// The deviation of the finished section from its sides, over the angle.
-pub(super) fn deviation(lathe: &Resolved, points: usize) -> Option<Chart> {
+pub(super) fn deviation(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
     let section = lathe.p.section()?;
     let sides = lathe.p.ratio()?.sides(lathe.p.inserts as u32);
     // Every corner is met.
@@ -48,7 +47,7 @@ pub(super) fn deviation(lathe: &Resolved, points: usize) -> Option<Chart> {
 const CIRCLES: usize = 60;
 
 /// Least and greatest deviation of the sides over the radius of the tip circle, at the ratio and the inserts of the form.
-pub(super) fn over_radius(lathe: &Resolved, points: usize) -> Option<Chart> {
+pub(super) fn over_radius(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
     let (p, ratio) = (&lathe.p, lathe.p.ratio()?);
     let count = points.clamp(2, CIRCLES);
     let (from, to) = (0.25 * p.tip_radius, 2.0 * p.tip_radius);

@@ -1,4 +1,4 @@
-//! The formulas of the polygon lathe, each once: what follows from the inputs before anything runs.
+//! The formulas of the polygon lathe, each once: results that need no run.
 
 use super::params::Params;
 use crate::drives::polygon::choose::{Choice, choices};
@@ -6,17 +6,16 @@ use crate::drives::polygon::cut::{self, InsertLoad};
 use crate::drives::polygon::{CutterSetup, Ratio, Section};
 use crate::math::{self, PI};
 
-/// Passes that are written at most.
-pub const PASSES: f64 = 60.0;
+/// Greatest number of passes.
+pub(super) const PASSES: f64 = 60.0;
 
 /// Degrees in a radian.
 const DEGREES: f64 = 180.0 / PI;
 
-/// What follows from the inputs. Lengths in mm, angles in degrees, speeds in r/min, times in seconds.
+/// The results. Lengths in mm, angles in degrees, speeds in r/min, times in s.
 #[derive(Debug, Clone, Default)]
-#[allow(missing_docs)] // One row of the readouts documents each member: label, unit, formula, source.
-pub struct Derived {
-    /// Whether there is a section at all.
+pub(super) struct Derived {
+    /// The inserts cut a section out of the stock.
     pub cuts: bool,
     pub sides: f64,
     pub ratio: f64,
@@ -27,7 +26,7 @@ pub struct Derived {
     pub flatness: f64,
     /// Greatest deviation where all inserts are in their places: above 0 the sides are hollow.
     pub hollow: f64,
-    /// 1/mm, positive where the sides are crowned.
+    /// Curvature of the sides, 1/mm; positive where they are crowned.
     pub curvature: f64,
     pub corner: f64,
     pub across_corners: f64,
@@ -36,10 +35,10 @@ pub struct Derived {
     pub area: f64,
     pub distance: f64,
     pub offset: f64,
-    /// Of the pass that needs most, whose number from 1 it is.
+    /// Greatest relief that a pass needs (°), and the number of that pass, from 1.
     pub relief_needed: f64,
     pub relief_pass: f64,
-    /// Whether the inserts face the way of a cutter that turns in the sense of the work.
+    /// The inserts face in the direction of a cutter that turns in the sense of the work.
     pub faces_forward: bool,
     pub work_speed: f64,
     pub tool_speed: f64,
@@ -47,24 +46,24 @@ pub struct Derived {
     pub fastest_cut: f64,
     pub orientation: f64,
     pub orientation_error: f64,
-    /// The A that gives the orientation.
+    /// Start angle A of the work for the wanted orientation.
     pub work_start: f64,
-    /// Of the tool, behind (negative) or ahead of the work.
+    /// Phase of the tool against the work, degrees of the tool; negative where it lags.
     pub phase: f64,
-    /// What that turns the polygon by.
+    /// Rotation of the polygon by the phase, degrees of the work.
     pub phase_on_work: f64,
-    /// Of the tool ahead of the work when both have coasted to rest.
+    /// Phase of the tool after both have coasted to rest.
     pub coast_phase: f64,
     pub least_across_flats: f64,
     /// Whether all inserts are in their places.
     pub even: bool,
-    /// Of the insert that is the furthest beside the tip circle: its number, and how far it stands out.
+    /// The insert with the greatest radial error: its number, and the error.
     pub insert_depth: (f64, f64),
-    /// Of the insert that is the furthest beside its angle: its number, and by how much that turns its sides.
+    /// The insert with the greatest angular error: its number, and the rotation of its sides.
     pub insert_turn: (f64, f64),
-    /// Degrees along the length.
+    /// Twist over the length, degrees.
     pub twist: f64,
-    /// Speed of the tool that it needs while the last pass feeds.
+    /// Speed of the tool that the twist needs during the last pass.
     pub twist_speed: f64,
     pub passes: f64,
     pub feed: f64,
@@ -75,19 +74,19 @@ pub struct Derived {
 }
 
 impl Params {
-    /// What is cut off a radius before the finishing pass.
+    /// Depth of all roughing passes, on the radius.
     fn rough(&self) -> f64 {
         (0.5 * (self.stock_diameter - self.across_flats) - self.allowance).max(0.0)
     }
 
-    /// Passes of which the last one finishes.
-    pub fn passes(&self) -> f64 {
+    /// Number of passes; the last one finishes.
+    pub(super) fn passes(&self) -> f64 {
         // Nine decimals: 0.3 / 0.1 is three passes.
         1.0 + math::clamp(((self.rough() / self.depth * 1e9).round() / 1e9).ceil(), 0.0, PASSES)
     }
 
-    /// Across flats that a pass (from 1) cuts to.
-    pub fn size(&self, pass: f64) -> f64 {
+    /// Across flats after a pass (from 1).
+    pub(super) fn size(&self, pass: f64) -> f64 {
         let rough = self.across_flats + 2.0 * self.allowance;
         if pass >= self.passes() {
             self.across_flats
@@ -97,61 +96,60 @@ impl Params {
     }
 
     /// Feed of a pass in mm for each turn of the work.
-    pub fn feed_of(&self, pass: f64) -> f64 {
+    pub(super) fn feed_of(&self, pass: f64) -> f64 {
         if pass >= self.passes() { self.finish_feed } else { self.feed }
     }
 
     /// Speed of the work in r/min, signed: `n = B · D`. Source: K2000T facts 2.
-    pub fn work_speed(&self) -> f64 {
+    pub(super) fn work_speed(&self) -> f64 {
         self.speed * self.work_ratio
     }
 
     /// Speed of the tool in r/min, signed: `n = B · Q`. Source: K2000T facts 2.
-    pub fn tool_speed(&self) -> f64 {
+    pub(super) fn tool_speed(&self) -> f64 {
         self.speed * self.tool_ratio
     }
 
     /// F in mm/min for a feed for each turn of the work.
-    pub fn per_minute(&self, feed: f64) -> f64 {
+    pub(super) fn per_minute(&self, feed: f64) -> f64 {
         feed * self.work_speed().abs()
     }
 
-    /// Seconds until both axes have what they are told: the longer time constant, and eight times that of the servo.
-    pub fn settling(&self) -> f64 {
+    /// Settling time of both axes, s: `max(τ) + 8 / min(K)`, with time constants τ [s] and position gains K [1/s].
+    pub(super) fn settling(&self) -> f64 {
         self.work_time_constant.max(self.tool_time_constant) / 1000.0 + 8.0 / self.work_gain.min(self.tool_gain)
     }
 
-    /// By how much the tool runs ahead of the work at speed, in degrees of the tool: each axis is behind its command by
-    /// `6 n (τ/2 + 1/K)` degrees, and in ratio only where both are alike. Source: servo lag behind linear acceleration.
-    pub fn phase(&self) -> f64 {
+    /// Phase of the tool ahead of the work at speed, degrees of the tool: `6 n_tool · ((τ_w/2 + 1/K_w) - (τ_t/2 + 1/K_t))`, with time
+    /// constants τ [s] and gains K [1/s] of work and tool. Source: servo lag behind linear acceleration.
+    pub(super) fn phase(&self) -> f64 {
         let lag = |ms: f64, gain: f64| 0.5 * ms / 1000.0 + 1.0 / gain;
         let early = lag(self.work_time_constant, self.work_gain) - lag(self.tool_time_constant, self.tool_gain);
         6.0 * self.tool_speed() * early + 0.0
     }
 
-    /// How fast the axes of work and tool slow down with their drives off, by friction: r/min in a second.
-    pub fn coasting(&self) -> [f64; 2] {
+    /// Deceleration of work and tool by friction with the drives off, r/min per second.
+    pub(super) fn coasting(&self) -> [f64; 2] {
         [self.work_limit / self.work_coast, self.tool_limit / self.tool_coast]
     }
 
-    /// By how much the tool is ahead of the work, in degrees of the tool, when both have coasted to rest: each turns by `n² / 2` over
-    /// what it slows down by.
-    pub fn coast_phase(&self) -> f64 {
+    /// Phase of the tool ahead of the work after coasting to rest, degrees of the tool: each axis turns by `3 n² / a` degrees, with speed n
+    /// [r/min] and deceleration a [r/min per second].
+    pub(super) fn coast_phase(&self) -> f64 {
         let [work, tool] = self.coasting();
         let left = |rpm: f64, slows: f64| 3.0 * rpm * rpm.abs() / slows;
         let ratio = self.tool_ratio / self.work_ratio;
         left(self.tool_speed(), tool) - ratio * left(self.work_speed(), work) + 0.0
     }
 
-    /// Seconds that an axis takes to its start angle.
-    pub fn index_time(&self) -> f64 {
+    /// Time of the axes to their start angles, s: `max(|A|, |E|) / (6 n_index)`.
+    pub(super) fn index_time(&self) -> f64 {
         self.work_start.abs().max(self.tool_start.abs()) / (6.0 * self.index_speed)
     }
 }
 
 impl Derived {
-    /// Everything that follows from the inputs, in passes of these `sizes` across flats; words of X count `cross_words` for each mm of
-    /// its slide.
+    /// Computes the results for passes of these `sizes` across flats; X words count `cross_words` units per mm of the slide.
     pub(super) fn new(p: &Params, sizes: &[f64], cross_words: f64) -> Derived {
         let passes = sizes.len() as f64;
         let way = p.length + p.clearance;
@@ -175,7 +173,7 @@ impl Derived {
         cut.map_or_else(|| whole.clone(), |(setup, section)| whole.clone().with(p, sizes, &setup, &section))
     }
 
-    /// The same with what is to be said of the section.
+    /// Adds the results of the section.
     fn with(self, p: &Params, sizes: &[f64], setup: &CutterSetup, section: &Section) -> Derived {
         let Some(curve) = setup.curve(0) else { return self };
         let sides = section.sides();
@@ -239,12 +237,12 @@ impl Derived {
     }
 }
 
-/// Every way to turn the polygon that is wanted, the best one first.
+/// All cutters and ratios for the polygon, the best first.
 pub(super) fn ways(p: &Params, sizes: &[f64]) -> Vec<Choice> {
     choices(&p.wanted(sizes), &p.means())
 }
 
-/// The same with the tip circle as it is: quick enough for every key that is pressed.
+/// The same for the tip circle of the form alone: fast enough for every keystroke.
 pub(super) fn ways_as_set(p: &Params, sizes: &[f64]) -> Vec<Choice> {
     let mut means = p.means();
     for cutter in &mut means.cutters {

@@ -1,7 +1,7 @@
 //! Files beside programs and sheets: the section in true millimetres as SVG and DXF, and the part program in the native codes of other controls.
 
 use super::native_code;
-use super::resolved::Resolved;
+use super::resolved::PolygonLathe;
 use super::scene::ideal;
 use crate::nc::File;
 use crate::view::outline::{Outline, OutlineShape};
@@ -10,12 +10,9 @@ use crate::view::outline::{Outline, OutlineShape};
 const STEPS: u32 = 64;
 
 /// The files beside programs and sheets.
-pub(super) fn drawings(lathe: &Resolved) -> Vec<File> {
+pub(super) fn drawings(lathe: &PolygonLathe) -> Vec<File> {
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
-    let mut files = Vec::new();
-    if lathe.p.ratio().is_some() {
-        files.push(native_code::file(lathe));
-    }
+    let mut files: Vec<File> = native_code::file(lathe).into_iter().collect();
     if let Some(outline) = section(lathe) {
         files.push(file("section.svg", outline.svg()));
         files.push(file("section.dxf", outline.dxf()));
@@ -24,7 +21,7 @@ pub(super) fn drawings(lathe: &Resolved) -> Vec<File> {
 }
 
 /// The finished section, the ideal polygon and the stock.
-fn section(lathe: &Resolved) -> Option<Outline> {
+fn section(lathe: &PolygonLathe) -> Option<Outline> {
     let section = lathe.p.section()?;
     let p = &lathe.p;
     let mut shapes = vec![

@@ -1,11 +1,11 @@
 //! The explorer of the polygon lathe: inserts, ratio and tip radius are dragged, the section and its deviation follow.
 
 use super::charts;
-use super::resolved::Resolved;
+use super::resolved::PolygonLathe;
 use super::scene::{closed, ideal};
-use super::show;
 use crate::machines::sheets::say;
 use crate::math;
+use crate::text::catalog::number_text as show;
 use crate::view::pen::Pen;
 use crate::view::{Explorer, Knob, Scene};
 
@@ -18,11 +18,11 @@ const STEPS: u32 = 16;
 /// Points of the deviation.
 const POINTS: usize = 360;
 
-/// Paths that are drawn at most: more of them are one grey.
+/// Greatest number of paths; more merge into one grey.
 const PATHS: usize = 60;
 
 /// Sliders and section.
-pub(super) fn explorer(lathe: &Resolved) -> Explorer {
+pub(super) fn explorer(lathe: &PolygonLathe) -> Explorer {
     Explorer {
         knobs: knobs(lathe),
         scene: scene(lathe),
@@ -30,7 +30,7 @@ pub(super) fn explorer(lathe: &Resolved) -> Explorer {
     }
 }
 
-/// What a cutter and a ratio are in the form, whatever shape it says.
+/// Fields and values of a cutter and a ratio, with the shape set to the form's own.
 pub(super) fn own(sides: f64, inserts: f64, (tool, work): (f64, f64)) -> Vec<(&'static str, String)> {
     let number = |id: &'static str, value: f64| (id, show(value, 0));
     let shape = ("shape", "own".to_owned());
@@ -43,7 +43,7 @@ pub(super) fn own(sides: f64, inserts: f64, (tool, work): (f64, f64)) -> Vec<(&'
     ]
 }
 
-fn knobs(lathe: &Resolved) -> Vec<Knob> {
+fn knobs(lathe: &PolygonLathe) -> Vec<Knob> {
     let p = &lathe.p;
     let along = own(p.sides, p.inserts, (p.tool_ratio, p.work_ratio));
     let count = |field: &'static str, range: (f64, f64), value: f64| Knob {
@@ -54,7 +54,7 @@ fn knobs(lathe: &Resolved) -> Vec<Knob> {
         along: along.clone(),
     };
     let least = if p.against { -p.most_tool_turns } else { 1.0 };
-    // Cutters of other sizes may be looked at too.
+    // Cutters of other sizes can be tried.
     let radius = ((0.25 * p.least_radius).ceil(), (2.0 * p.greatest_radius).ceil());
     vec![
         count("sides", (1.0, 12.0), p.sides),
@@ -66,7 +66,7 @@ fn knobs(lathe: &Resolved) -> Vec<Knob> {
 }
 
 /// The finished section, the stock, the polygon that is wanted, and the paths of the inserts as the work sees them.
-fn scene(lathe: &Resolved) -> Scene {
+fn scene(lathe: &PolygonLathe) -> Scene {
     let p = &lathe.p;
     let mut pen = Pen::default();
     let (width, height, r) = ROOM;
@@ -105,6 +105,6 @@ fn scene(lathe: &Resolved) -> Scene {
         nodes: pen.nodes,
         groups: 0,
         alt: "polygon.explore.alt",
-        strobe: false,
+        option: None,
     }
 }

@@ -1,14 +1,15 @@
-//! The PMC program of the paper's figure 5, reconstructed: the figure is a picture that is lost, its signals stand in the text.
+//! The PMC program of the paper's figure 5, reconstructed from the signals in its text; the picture is lost.
 
-use super::resolved::Resolved;
+use super::resolved::PolygonLathe;
 use crate::machines::sheets::{row, say};
+use crate::text::catalog::number_text as show;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 use crate::view::ladder::{self, Contact, Rung};
 
 const OURS: Citation = Citation::new("our own choice; signals and channels by the paper's section 3.1", Grade::Open);
 
-/// Contacts (a leading `/` opens), what they switch, and what for.
+/// Contacts (a leading `/` opens), output, note.
 #[rustfmt::skip]
 const RUNGS: &[(&[&str], &str, &str)] = &[
     (&["ON"], "OUT G159.2", "polygon.ladder.overlap-tool"),
@@ -51,9 +52,9 @@ const RUNGS: &[(&[&str], &str, &str)] = &[
 ];
 
 /// The rungs as an instruction list, with its drawing.
-pub(super) fn sheet(lathe: &Resolved) -> Sheet {
-    // What both axes take to come to rest, or to their speed.
-    let settling = super::show((1000.0 * lathe.p.settling()).ceil(), 0);
+pub(super) fn sheet(lathe: &PolygonLathe) -> Sheet {
+    // Settling time of both axes, ms.
+    let settling = show((1000.0 * lathe.p.settling()).ceil(), 0);
     let contact = |device: &&str| match device.strip_prefix('/') {
         Some(device) => Contact { device: device.to_owned(), inverted: true },
         None => Contact::closes(*device),

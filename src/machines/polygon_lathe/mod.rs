@@ -1,8 +1,8 @@
 //! The polygon lathe: a cutter disc and the work turn in a fixed ratio, started and stopped by G512 and G502, and flats appear.
 
-pub mod params;
+mod params;
 
-pub mod derive;
+mod derive;
 
 mod geometry;
 
@@ -38,114 +38,95 @@ mod sequence;
 
 mod explore;
 
-use crate::controls::Control;
+pub(crate) use resolved::PolygonLathe;
+
 use crate::machines::chart_rows;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
-use crate::machines::verdict::{Rows, judge};
-use crate::machines::{ControlContext, Defaults, Design, Frame, Machine, MachineProgram, Samples};
-use crate::motion::{Action, Plant, Plc, Snapshot};
+use crate::machines::machine::{ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples};
+use crate::machines::verdict::judge;
+use crate::motion::{Plant, Plc, Snapshot};
 use crate::nc::File;
-use crate::text::catalog::number_text as show;
 use crate::view::{Chart, Explorer, Pose, Scene, Sheet};
-use derive::Derived;
 use params::{FIELDS, Params};
-use resolved::Resolved;
-use rules::{Case, RULES};
-
-/// The machine.
-#[derive(Debug)]
-pub struct PolygonLathe;
-
-/// The lathe, for its rows.
-struct Lathe;
-
-impl Rows for Lathe {
-    type Resolved<'a> = Resolved<'a>;
-    type Derived = Derived;
-    type Case<'a> = Case<'a>;
-}
+use rules::RULES;
 
 impl Machine for PolygonLathe {
     type Params = Params;
     const ID: &'static str = "polygon-lathe";
     const NAME: &'static str = "polygon.name";
     const CONTROLS: &'static [&'static str] = &["knd-k2000t"];
-
     const LISTING: &'static str = include_str!("listing.nc");
     const SPEED: f64 = 0.05;
-    const EXPLORER: Option<fn(&Params, ControlContext) -> Explorer> =
-        Some(|p, on| explore::explorer(&Resolved::new(p, on)));
+    const EXPLORES: bool = true;
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS
     }
 
-    /// The control's own times.
-    fn start(control: &Control) -> Defaults {
-        Defaults::timing(control)
+    fn new(form: Params, on: ControlContext) -> PolygonLathe {
+        PolygonLathe::resolve(form, on)
     }
+}
 
-    fn design(p: &Params, on: ControlContext) -> Design {
-        let lathe = Resolved::new(p, on);
-        let d = lathe.derived();
-        let case = Case { lathe: &lathe, p: &lathe.p, d: &d };
+impl Prepared for PolygonLathe {
+    fn results(&self) -> Design {
+        let (p, d) = (&self.p, &self.d);
         let shown = |id: &str| match id {
             "tool-speed" | "work-speed" | "ratio" | "distance" | "offset" | "passes" | "feed" | "finish-feed"
             | "ready" => true,
             _ if !d.cuts => false,
             "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
-            "coast-phase" => lathe.p.coasts(on.control),
-            "twist" | "twist-speed" => lathe.p.lead != 0.0,
+            "coast-phase" => p.coasts(self.control),
+            "twist" | "twist-speed" => p.lead != 0.0,
             _ => true,
         };
         let readouts = readouts::ROWS.iter().filter(|row| shown(row.id));
-        let readouts = readouts.map(|row| judge(row, &d, row.unit, RULES, &case)).collect();
-        Design { readouts, diagnostics: rules::findings(&case) }
+        let readouts = readouts.map(|row| judge(row, self, row.unit, RULES)).collect();
+        Design { readouts, diagnostics: rules::findings(self) }
     }
 
-    fn plan(p: &Params, on: ControlContext) -> MachineProgram {
-        let deck = program::deck(&Resolved::new(p, on));
-        MachineProgram { deck, setup: 0, main: program::PART, crlf: p.newline == LineEnds::CrLf }
+    fn program(&self) -> MachineProgram {
+        let crlf = self.p.newline == LineEnds::CrLf;
+        MachineProgram { deck: program::deck(self), setup: 0, main: program::PART, crlf }
     }
 
-    fn plant(p: &Params, on: ControlContext) -> Plant {
-        plant::plant(&Resolved::new(p, on))
+    fn plant(&self) -> Plant {
+        plant::plant(self)
     }
 
-    fn hand(_: &Params) -> Vec<Action> {
-        Vec::new()
+    fn plc(&self) -> Box<dyn Plc> {
+        Box::new(plc::PolygonPlc::new(self))
     }
 
-    fn plc(p: &Params, on: ControlContext) -> Box<dyn Plc> {
-        Box::new(plc::PolygonPlc::new(&Resolved::new(p, on)))
-    }
-
-    fn sheets(p: &Params, on: ControlContext) -> Vec<Sheet> {
-        sheets::sheets(&Resolved::new(p, on))
-    }
-
-    fn drawings(p: &Params, on: ControlContext) -> Vec<File> {
-        drawings::drawings(&Resolved::new(p, on))
-    }
-
-    fn variables(_: &Params, _: ControlContext) -> Vec<(u32, &'static str, &'static str)> {
+    fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {
         program::VARIABLES.to_vec()
     }
 
-    fn scene(p: &Params, on: ControlContext) -> Scene {
-        scene::scene(&Resolved::new(p, on))
+    fn sheets(&self) -> Vec<Sheet> {
+        sheets::sheets(self)
     }
 
-    fn pose(p: &Params, on: ControlContext, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
-        pose::pose(&Resolved::new(p, on), run, now, frame)
+    fn drawings(&self) -> Vec<File> {
+        drawings::drawings(self)
     }
 
-    fn charts(p: &Params, on: ControlContext, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        let lathe = Resolved::new(p, on);
-        let mut all = chart_rows::charts(charts::ROWS, &lathe, run, from, to, points);
-        all.extend(charts::deviation(&lathe, points));
-        all.extend(charts::over_radius(&lathe, points));
+    fn explorer(&self) -> Option<Explorer> {
+        Some(explore::explorer(self))
+    }
+
+    fn scene(&self) -> Scene {
+        scene::scene(self)
+    }
+
+    fn pose(&self, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+        pose::pose(self, run, now, frame)
+    }
+
+    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        let mut all = chart_rows::charts(charts::ROWS, self, run, from, to, points);
+        all.extend(charts::deviation(self, points));
+        all.extend(charts::over_radius(self, points));
         all
     }
 }

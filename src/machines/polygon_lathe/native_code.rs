@@ -1,88 +1,96 @@
-//! The same part on controls that have polygon turning as a code of their own: G51.2 and G50.2 as a file, and as a list of blocks.
+//! The same part for controls with polygon turning as a native code: G51.2 and G50.2 as a program file, and as a list of blocks.
 
-use super::resolved::Resolved;
+use super::program::PART;
+use super::resolved::PolygonLathe;
+use crate::controls::Code;
 use crate::machines::sheets::{row, say};
+use crate::machines::writing;
 use crate::math;
-use crate::nc::File;
+use crate::nc::build::{Builder, NewWord, f, g, m, p as p_word, real, s, word, x, z};
+use crate::nc::{self, Deck, File, Newline};
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 
 const MANUAL: Citation = Citation::new("maker's manual on G51.2", Grade::Sister);
 
-/// P and Q of the code: P above 0, Q with the sense. None where one of them is 0.
-fn terms(lathe: &Resolved) -> Option<(i32, i32)> {
-    let ratio = lathe.p.ratio()?;
-    Some((ratio.work(), ratio.tool()))
-}
-
-/// R in degrees: what the work is turned by at the start that the tool is not. The tool has no angle of its own there; E is that of the
-/// work by the ratio: `R = A - E/k`.
-fn offset(lathe: &Resolved) -> f64 {
+/// R of G51.2: `R = A - E / k` [°, 0 to 360), with start angles A of the work and E of the tool, and the ratio k = tool to work speed. The
+/// code has no start angle of the tool: E is that of the work by the ratio.
+fn offset(lathe: &PolygonLathe) -> f64 {
     let k = lathe.p.ratio().map_or(1.0, |ratio| ratio.value());
     (lathe.p.work_start - lathe.p.tool_start / k).rem_euclid(360.0)
 }
 
-/// Blocks with what they do; none where there is no ratio.
-fn blocks(lathe: &Resolved) -> Vec<(String, &'static str)> {
+/// The program, and what each of its blocks does (catalog id, or empty); none without a ratio.
+fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     let p = &lathe.p;
-    let mut rows = Vec::new();
-    let whole = |value: f64| super::show(value, 3);
-    // With its point: without one it would count increments.
-    let number = |value: f64| match whole(value) {
-        text if text.contains('.') => text,
-        text => text + ".",
+    let ratio = p.ratio()?;
+    let mut b = Builder::new();
+    b.program(PART, "");
+    let mut notes = Vec::new();
+    let mut add = |words: Vec<NewWord>, note: &'static str| {
+        b.words(words);
+        notes.push(note);
     };
-    let mut add = |block: String, note: &'static str| {
-        rows.push((block, note));
-    };
-    if let Some((work, tool)) = terms(lathe) {
-        let clear = number(p.stock_diameter + 2.0 * p.clearance);
-        add("G98".to_owned(), "polygon.other.per-minute");
-        add(format!("T{:04}", p.tool as u32 * 101), "");
-        add(format!("G00 X{clear} Z{}", number(p.clearance)), "");
-        let offset = offset(lathe);
-        let r = if math::clamp(offset, 1e-6, 359.999_999) == offset {
-            format!(" R{}", number(offset))
-        } else {
-            String::new()
-        };
-        let a = if p.lead == 0.0 { String::new() } else { format!(" A{}", number(p.lead)) };
-        add(format!("G51.2 P{work} Q{tool}{r}{a}"), "polygon.other.on");
-        add(format!("S{}", whole(p.work_speed())), "polygon.other.speed");
-        let passes = p.passes() as u32;
-        for pass in 1..=passes {
-            let pass = f64::from(pass);
-            add(format!("G00 X{}", number(p.size(pass))), if pass == p.passes() { "polygon.other.finish" } else { "" });
-            add(format!("G01 Z-{} F{}", number(p.length), whole(p.per_minute(p.feed_of(pass)))), "");
-            add(format!("G00 X{clear}"), "");
-            add(format!("Z{}", number(p.clearance)), "");
-        }
-        add(format!("G00 X{} Z{}", number(p.start_x), number(p.start_z)), "");
-        add("S0".to_owned(), "polygon.other.stop");
-        add("G50.2".to_owned(), "polygon.other.off");
-        add("M30".to_owned(), "");
+    // With its point: without one a word of an axis counts increments.
+    let cross = |size: f64| x(real(size * 0.5 * lathe.words(), 3));
+    let along = |length: f64| z(real(length, 3));
+    let clear = p.stock_diameter + 2.0 * p.clearance;
+    add(writing::codes(lathe.control, [Code::FeedPerMinute]), "polygon.other.per-minute");
+    add(vec![word(b'T', p.tool as u32 * 101)], "");
+    add(vec![g(0), cross(clear), along(p.clearance)], "");
+    // P above 0, Q with the sense of the tool.
+    let mut on = vec![word(b'G', real(51.2, 1)), p_word(ratio.work()), word(b'Q', ratio.tool())];
+    let offset = offset(lathe);
+    if math::clamp(offset, 1e-6, 359.999_999) == offset {
+        on.push(word(b'R', real(offset, 3)));
     }
-    rows
+    if p.lead != 0.0 {
+        on.push(word(b'A', real(p.lead, 3)));
+    }
+    add(on, "polygon.other.on");
+    add(vec![s(p.work_speed() as i32)], "polygon.other.speed");
+    let passes = p.passes() as u32;
+    for pass in 1..=passes {
+        let (size, feed) = (p.size(f64::from(pass)), p.per_minute(p.feed_of(f64::from(pass))));
+        add(vec![g(0), cross(size)], if pass == passes { "polygon.other.finish" } else { "" });
+        add(vec![g(1), along(-p.length), f(real(feed, 3))], "");
+        add(vec![g(0), cross(clear)], "");
+        add(vec![along(p.clearance)], "");
+    }
+    add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
+    add(vec![s(0)], "polygon.other.stop");
+    add(vec![word(b'G', real(50.2, 1))], "polygon.other.off");
+    add(vec![m(30)], "");
+    Some((b.finish(), notes))
 }
 
-/// The blocks as a program.
-pub(super) fn file(lathe: &Resolved) -> File {
-    let mut text = format!("O{:04}\n", super::program::PART);
-    for (block, _) in blocks(lathe) {
-        text.push_str(&block);
-        text.push('\n');
-    }
-    File { name: "own-code.nc".to_owned(), text: text + "%\n" }
+/// The program as text, and each block with its note.
+fn written(lathe: &PolygonLathe) -> Option<(File, Vec<(String, &'static str)>)> {
+    let (deck, notes) = deck(lathe)?;
+    let emitted = nc::emit_with(&deck, lathe.control, Newline::Lf);
+    let text = emitted.files.0.into_iter().next()?.text;
+    let block = |place: &crate::text::Place| {
+        let (start, end) = (place.span.start as usize, place.span.end as usize);
+        text.get(start..end).unwrap_or_default().to_owned()
+    };
+    let blocks = emitted.places.iter().map(block).zip(notes).collect();
+    Some((File { name: "own-code.nc".to_owned(), text }, blocks))
 }
 
-/// The blocks with what they do.
-pub(super) fn sheet(lathe: &Resolved) -> Sheet {
-    let told = |note: &'static str| if note.is_empty() { String::new() } else { say(note) };
+/// The program as a file.
+pub(super) fn file(lathe: &PolygonLathe) -> Option<File> {
+    written(lathe).map(|(file, _)| file)
+}
+
+/// The blocks with their notes.
+pub(super) fn sheet(lathe: &PolygonLathe) -> Sheet {
+    let blocks = written(lathe).map_or_else(Vec::new, |(_, blocks)| blocks);
+    let note = |id: &'static str| if id.is_empty() { String::new() } else { say(id) };
     Sheet {
         id: "own-code",
         title: "polygon.sheet.own-code",
         columns: vec!["polygon.sheet.block", "sheet.use"],
-        rows: blocks(lathe).into_iter().map(|(block, note)| row([block, told(note)], MANUAL)).collect(),
+        rows: blocks.into_iter().map(|(block, id)| row([block, note(id)], MANUAL)).collect(),
         drawing: String::new(),
     }
 }

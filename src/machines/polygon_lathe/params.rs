@@ -6,8 +6,8 @@ use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
 use crate::{member, options};
 
 options! {
-    /// What is turned: it says how many inserts are fitted, and at which ratio they turn.
-    pub enum Shape {
+    /// Shape of the part; it sets the number of inserts and the ratio.
+    pub(crate) enum Shape {
         /// Two inserts at ratio 2.
         Square = "square" "polygon.shape.square",
         /// One insert at ratio 2.
@@ -22,9 +22,9 @@ options! {
 }
 
 options! {
-    /// What emergency stop does to the drives of work and tool.
-    pub enum Emergency {
-        /// They stay on until both stand.
+    /// Drives of work and tool at emergency stop.
+    pub(crate) enum Emergency {
+        /// They stay on until both are at rest.
         Held = "held" "polygon.emergency.held",
         /// They are off at once.
         Off = "off" "polygon.emergency.off",
@@ -33,8 +33,7 @@ options! {
 
 /// Inputs of the polygon lathe, within the ranges of [`FIELDS`]. Units as in the form.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[allow(missing_docs)] // One row of FIELDS documents each member: label, unit, range, help.
-pub struct Params {
+pub(crate) struct Params {
     pub shape: Shape,
     pub sides: f64,
     pub across_flats: f64,
@@ -113,7 +112,7 @@ impl Params {
 
 /// Every input, in the order of the form.
 #[rustfmt::skip]
-pub static FIELDS: &[Field<Params>] = &[
+pub(super) static FIELDS: &[Field<Params>] = &[
     choice("shape", member!(Params.shape: Shape)).group("polygon.group.part").label("polygon.shape").help("polygon.shape.help"),
     number("sides", member!(Params.sides)).group("polygon.group.part").label("polygon.sides").help("polygon.sides.help").symbol("N")
         .range(1.0..=100.0).default(4.0).decimals(0).step(1.0).when(Params::is_own),

@@ -1,10 +1,10 @@
 //! The plant of the polygon lathe: two slides, and the axes of work and tool that the PMC turns.
 
-use super::resolved::{ALONG, CROSS, Resolved};
+use super::resolved::{ALONG, CROSS, PolygonLathe};
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
 /// The plant with the project's clamps and time constants.
-pub(super) fn plant(lathe: &Resolved) -> Plant {
+pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
     let p = &lathe.p;
     let slide = |letter: u8, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
         letter,

@@ -1,13 +1,13 @@
 //! The builder's PMC of the polygon lathe: takes speed, ratios and start angles from the macro program, turns both axes, answers in bits.
 //!
-//! What the paper tells of it is which variables carry speed and ratios, and that each axis turns at their product. The rest is ours, as in
-//! the ladder list: reset and emergency stop end it (in ratio, or coasting where the drives go off), and it begins again only with a new request. Feed hold does not touch it: the work turns
-//! on beside a slide that stands.
+//! From the paper: the variables of speed and ratios, and that each axis turns at their product. The rest is ours, as in the ladder list:
+//! reset and emergency stop end polygon turning (in ratio, or coasting with the drives off), and only a new request starts it again. Feed
+//! hold stops the slide alone.
 
 use super::program::{
     AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
 };
-use super::resolved::{Resolved, TOOL, WORK};
+use super::resolved::{PolygonLathe, TOOL, WORK};
 use crate::motion::{BenchPlc, Io, PMC_AXES, Plc};
 
 /// Seconds from a strobe to FIN: a few scans of the ladder.
@@ -16,10 +16,10 @@ const FIN_DELAY: f64 = 0.05;
 const INPUTS: u32 = 1032;
 /// Seconds between two speeds of an axis that coasts.
 const STEP: f64 = 0.01;
-/// Turns that are none.
+/// Turns that count as zero.
 const NOTHING: f64 = 1e-9;
 
-/// What it is at.
+/// State of polygon turning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Stage {
     /// Nothing turns.
@@ -42,20 +42,20 @@ pub(super) struct PolygonPlc {
     /// FIN for S, M and T.
     codes: BenchPlc,
     stage: Stage,
-    /// A request that reset has cut short counts no more until it falls.
+    /// The request was ended by reset; it is ignored until it falls.
     spent: bool,
-    /// Seconds until an axis has what it is told.
+    /// Settling time of an axis, s.
     settle: f64,
     /// Speed to the start angles in r/min.
     index_speed: f64,
     /// The feed override acts.
     overrides: bool,
-    /// Where emergency stop switches the drives off: by how many r/min each axis slows down in a second.
+    /// Deceleration (r/min per second) of each axis after an emergency stop that switches the drives off.
     coasting: Option<[f64; PMC_AXES]>,
 }
 
 impl PolygonPlc {
-    pub(super) fn new(lathe: &Resolved) -> PolygonPlc {
+    pub(super) fn new(lathe: &PolygonLathe) -> PolygonPlc {
         let p = &lathe.p;
         PolygonPlc {
             codes: BenchPlc::new(FIN_DELAY, None),
@@ -68,7 +68,7 @@ impl PolygonPlc {
         }
     }
 
-    /// Sets the speeds that belong to the stage, and goes on to the next stage where it is due; when to look again.
+    /// Sets the speeds of the stage, or enters the next one; returns the time of the next scan.
     fn run(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         let out = |variable: u32| io.outputs.get(&variable).copied().unwrap_or(0.0);
         let (index, turn) = (out(INDEX) != 0.0, out(TURN) != 0.0);
@@ -129,7 +129,7 @@ impl PolygonPlc {
         }
     }
 
-    /// What the program reads.
+    /// Writes the bits that the program reads.
     fn answer(&self, t: f64, io: &mut Io) {
         let asked = [INDEX, TURN].iter().any(|bit| io.outputs.get(bit).is_some_and(|value| *value != 0.0));
         let due = |at: f64| t >= at;
@@ -144,11 +144,11 @@ impl PolygonPlc {
     }
 }
 
-/// Turns from where an axis is to an angle, both in turns: forward, or backward where the angle is negative.
+/// Travel of an axis to an angle, in turns: forward, or backward to a negative angle.
 fn way(now: f64, angle: f64) -> f64 {
     let left = angle - now;
     let whole = if angle < 0.0 { (left + NOTHING).ceil() } else { (left - NOTHING).floor() };
-    // On the angle already, within what nobody measures.
+    // At the angle already.
     if (left - left.round()).abs() <= NOTHING { left - left.round() } else { left - whole }
 }
 

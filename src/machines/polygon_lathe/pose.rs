@@ -1,23 +1,23 @@
-//! The drawing of the polygon lathe at a moment: how far the flats are, where cutter and slide stand, what the figures say.
+//! The drawing of the polygon lathe at a moment: section, positions of cutter and slide, figures.
 
 use super::progress::{self, GRID, Pass, Progress};
-use super::resolved::{Resolved, TOOL, WORK};
+use super::resolved::{PolygonLathe, TOOL, WORK};
 use super::scene::{self, CLOSE, TIPS, View, closed, group, node};
-use super::show;
-use crate::machines::{Frame, Samples};
+use crate::machines::machine::{Frame, Samples};
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::motion::snapshot::Mode;
+use crate::text::catalog::number_text as show;
 use crate::text::catalog::{Language, words};
 use crate::text::number::figure;
 use crate::view::Pose;
 use crate::view::scene::Placement;
 
-/// Inserts that turn further from frame to frame are not seen turning, in degrees, for one insert.
+/// Degrees per frame beyond which a single insert blurs.
 const SEEN: f64 = 60.0;
 
-/// Where everything stands.
-pub(super) fn pose(lathe: &Resolved, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+/// Placements, paths and figures at a moment.
+pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
     let p = &lathe.p;
     let view = View::new(lathe);
     let progress = progress::progress(lathe, run, now);
@@ -61,14 +61,14 @@ pub(super) fn pose(lathe: &Resolved, run: &dyn Samples, now: &Snapshot, frame: F
 }
 
 /// The bar from the side.
-fn bar(lathe: &Resolved, view: &View, progress: Progress) -> String {
+fn bar(lathe: &PolygonLathe, view: &View, progress: Progress) -> String {
     let half = |pass: Option<Pass>| 0.5 * pass.map_or(lathe.p.stock_diameter, |pass| pass.size);
     let deeper = progress.now.filter(|now| now.size <= 2.0 * half(progress.done));
     scene::bar(lathe, view, half(progress.done), deeper.map(|now| (now.behind, 0.5 * now.size)))
 }
 
-/// Which pass it is, and of how many where it is one of the form's.
-fn pass(lathe: &Resolved, progress: Progress) -> String {
+/// Number of the pass, and the number of passes where its size is one of the form's.
+fn pass(lathe: &PolygonLathe, progress: Progress) -> String {
     let sizes = &lathe.sizes;
     let Some(now) = progress.now else { return format!("1 / {}", sizes.len()) };
     let planned = sizes.get(now.before).is_some_and(|size| (size - now.size).abs() < 1e-3);
@@ -76,7 +76,7 @@ fn pass(lathe: &Resolved, progress: Progress) -> String {
     if planned { format!("{number} / {}", sizes.len()) } else { number.to_string() }
 }
 
-fn texts(lathe: &Resolved, now: &Snapshot, progress: Progress, across_flats: f64) -> Vec<(usize, String)> {
+fn texts(lathe: &PolygonLathe, now: &Snapshot, progress: Progress, across_flats: f64) -> Vec<(usize, String)> {
     let speed = |axis: usize| format!("{} r/min", figure(now.pmc[axis].feed / 360.0, 1));
     let turns = now.pmc[TOOL].feed != 0.0;
     let state = match now.mode {

@@ -1,22 +1,22 @@
 //! The programs of the polygon lathe: O3000 turns the part, O9120 (G512) starts the two axes, O9121 (G502) stops them.
 //!
-//! The part program is that of the paper, with more passes. What the paper says of O9120 and O9121 is which variables they write; the rest of
-//! them, and the bits between them and the PMC, is ours.
+//! The part program is the paper's, with more passes. Of O9120 and O9121 the paper names the variables that they write; everything else in
+//! them, and the bits to and from the PMC, is ours.
 
-use super::PolygonLathe;
-use super::resolved::Resolved;
+use super::resolved::PolygonLathe;
 use crate::controls::Code;
 use crate::controls::CodeId;
 use crate::machines::writing;
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, v, word, x, z};
+use crate::text::catalog::number_text as show;
 
 /// Number of the program that turns the part: the paper's.
 pub(super) const PART: u32 = 3000;
 /// Programs that the two codes call: start and stop.
 pub(super) const MACROS: [u32; 2] = [9120, 9121];
 
-/// What the macro programs write: speed, ratio of the work, ratio of the tool (the paper's).
+/// Variables that O9120 writes: speed, ratio of the work, ratio of the tool (the paper's).
 pub(super) const SPEED: u32 = 1480;
 pub(super) const WORK_RATIO: u32 = 1484;
 pub(super) const TOOL_RATIO: u32 = 1488;
@@ -40,7 +40,7 @@ const E: u32 = 8;
 const Q: u32 = 17;
 /// Arguments that would be words of another command: C, F, H, M, S, T, U, V, W, X, Y, Z.
 const OTHERS: [u32; 12] = [3, 9, 11, 13, 19, 20, 21, 22, 23, 24, 25, 26];
-/// A position is read into it: the control waits for standstill.
+/// Receives a position: reading it makes the control wait for standstill.
 const STANDS: u32 = 32;
 
 /// First sequence number of a pass, from 1, and that of its cutting block behind it.
@@ -48,7 +48,7 @@ pub(super) fn number(pass: u32) -> u32 {
     100 + 10 * pass
 }
 
-/// Variables that show what happens: number, meaning, unit.
+/// Variables that show the state: number, meaning, unit.
 pub(super) const VARIABLES: [(u32, &str, &str); 11] = [
     (SPEED, "polygon.speed", "r/min"),
     (WORK_RATIO, "polygon.work-ratio", ""),
@@ -64,7 +64,7 @@ pub(super) const VARIABLES: [(u32, &str, &str); 11] = [
 ];
 
 /// The programs, one per file.
-pub(super) fn deck(lathe: &Resolved) -> Deck {
+pub(super) fn deck(lathe: &PolygonLathe) -> Deck {
     let mut b = Builder::new();
     part(&mut b, lathe);
     start(&mut b, lathe);
@@ -73,7 +73,7 @@ pub(super) fn deck(lathe: &Resolved) -> Deck {
 }
 
 /// Numbers of the G codes that call [`MACROS`], as the parameters of the control bind them.
-pub(super) fn codes(lathe: &Resolved) -> [Option<u32>; 2] {
+pub(super) fn codes(lathe: &PolygonLathe) -> [Option<u32>; 2] {
     let calls = lathe.dialect.calls();
     MACROS.map(|program| {
         calls.iter().find_map(|call| match call.code {
@@ -88,21 +88,21 @@ fn rapid(words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
 }
 
 /// A word of X for a distance across flats or a diameter.
-fn cross(lathe: &Resolved, size: f64) -> NewWord {
+fn cross(lathe: &PolygonLathe, size: f64) -> NewWord {
     x(real(size * 0.5 * lathe.words(), 3))
 }
 
 /// O3000.
-fn part(b: &mut Builder, lathe: &Resolved) {
+fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let p = &lathe.p;
     let [on, off] = codes(lathe).map(|code| code.unwrap_or(0));
     let mm = |number: f64| real(number, 3);
     let clear = p.stock_diameter + 2.0 * p.clearance;
     b.program(PART, "POLYGON TURNING");
-    writing::header::<PolygonLathe>(b, lathe.form, lathe.control);
-    let offset = super::show(-p.tip_radius * lathe.words(), 3);
-    let across = super::show(p.across_flats, 3);
-    let word_of_x = super::show(p.across_flats * 0.5 * lathe.words(), 3);
+    writing::write_header::<PolygonLathe>(b, &lathe.form, lathe.control);
+    let offset = show(-p.tip_radius * lathe.words(), 3);
+    let across = show(p.across_flats, 3);
+    let word_of_x = show(p.across_flats * 0.5 * lathe.words(), 3);
     b.comment(&format!("X OFFSET OF THE CUTTER IS {offset}, X0 WITH THE TIPS AT THE CENTRE"));
     b.comment(&format!("THEN X{word_of_x} IS {across} MM ACROSS FLATS"));
     b.n(10).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
@@ -132,14 +132,14 @@ fn part(b: &mut Builder, lathe: &Resolved) {
     b.n(802).words([m(30)]);
 }
 
-/// On to an alarm where the code does not stand alone in its block.
+/// Jumps to an alarm where another word is in the block of the code.
 fn alone(b: &mut Builder, target: u32) {
     for other in OTHERS {
         b.if_goto(v(other).ne(v(0)), target);
     }
 }
 
-/// The slide stands before anything begins or ends: reading a position waits for that.
+/// Waits for standstill of the slide by reading its position.
 fn wait_for_slide(b: &mut Builder) {
     b.assign(STANDS, v(5041)).note("WAITS FOR STANDSTILL");
 }
@@ -151,7 +151,7 @@ fn wait_for(b: &mut Builder, bit: u32) {
 }
 
 /// O9120.
-fn start(b: &mut Builder, lathe: &Resolved) {
+fn start(b: &mut Builder, lathe: &PolygonLathe) {
     let p = &lathe.p;
     b.program(MACROS[0], "POLYGON TURNING ON");
     b.comment("RECONSTRUCTED, NOT THE PAPER'S TEXT");
@@ -209,7 +209,7 @@ fn start(b: &mut Builder, lathe: &Resolved) {
 }
 
 /// O9121.
-fn stop(b: &mut Builder, lathe: &Resolved) {
+fn stop(b: &mut Builder, lathe: &PolygonLathe) {
     b.program(MACROS[1], "POLYGON TURNING OFF");
     b.comment("RECONSTRUCTED, NOT THE PAPER'S TEXT");
     alone(b, 907);

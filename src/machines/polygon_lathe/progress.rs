@@ -1,12 +1,12 @@
-//! How far the part is: which passes have cut, how far the present one is, and what is left of the stock at its face.
+//! Progress of the part: passes done, position of the present one, and the outline of the stock at its face.
 //!
 //! Whatever program runs: a pass is the slide on its way below the face, within the stock. The outline is cut again for every frame from the
 //! angles that the two axes had as the pass began: a phase error or a wrong start angle shows. It is a polar grid, for the eye; what is measured
 //! comes from the exact section.
 
-use super::resolved::{Resolved, TOOL, WORK};
+use super::resolved::{PolygonLathe, TOOL, WORK};
 use crate::drives::polygon::{Curve, CutterSetup};
-use crate::machines::Samples;
+use crate::machines::machine::Samples;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
 
@@ -14,36 +14,36 @@ use crate::motion::Snapshot;
 pub(super) const GRID: usize = 360;
 /// Steps along a pass of an insert.
 const STEPS: u32 = 48;
-/// Passes of inserts that are cut again at most.
+/// Greatest number of insert passes per frame.
 const MOST: i64 = 600;
-/// Passes of the slide that are looked at: the newest ones.
+/// Greatest number of slide passes, the newest.
 const PASSES: usize = 200;
 
 /// A pass of the slide.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pass {
-    /// How many there were before it.
+    /// Number of passes before it.
     pub(super) before: usize,
     /// Across flats.
     pub(super) size: f64,
-    /// How far it has come behind the face, in mm.
+    /// Depth behind the face, mm.
     pub(super) behind: f64,
-    /// The machine as it came to the face.
+    /// The machine as the slide reached the face.
     since: Snapshot,
 }
 
 /// The deepest of the passes before the newest, and the newest.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Progress {
-    /// What has been cut before.
+    /// The deepest pass before.
     pub(super) done: Option<Pass>,
-    /// What cuts, or has cut last.
+    /// The present pass, or the last.
     pub(super) now: Option<Pass>,
 }
 
-/// What the slide has done until now.
-pub(super) fn progress(lathe: &Resolved, run: &dyn Samples, now: &Snapshot) -> Progress {
-    let dips = run.dips(lathe.along(), now.t);
+/// Progress of the slide up to now.
+pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) -> Progress {
+    let dips = run.excursions(lathe.along(), now.t);
     let first = dips.len().saturating_sub(PASSES);
     let mut progress = Progress::default();
     let mut before = 0;
@@ -66,7 +66,7 @@ pub(super) fn progress(lathe: &Resolved, run: &dyn Samples, now: &Snapshot) -> P
 }
 
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
-pub(super) fn outline(lathe: &Resolved, progress: Progress, now: &Snapshot) -> Vec<f64> {
+pub(super) fn outline(lathe: &PolygonLathe, progress: Progress, now: &Snapshot) -> Vec<f64> {
     let mut grid = vec![0.5 * lathe.p.stock_diameter; GRID];
     for pass in [progress.done, progress.now].into_iter().flatten() {
         cut(&mut grid, lathe, &pass, now);
@@ -74,8 +74,8 @@ pub(super) fn outline(lathe: &Resolved, progress: Progress, now: &Snapshot) -> V
     grid
 }
 
-/// Cuts what the inserts have cut in the turns of the work since then, until the pattern has closed.
-fn cut(grid: &mut [f64], lathe: &Resolved, slide: &Pass, now: &Snapshot) {
+/// Cuts the insert passes since the slide reached the face, up to one closed pattern.
+fn cut(grid: &mut [f64], lathe: &PolygonLathe, slide: &Pass, now: &Snapshot) {
     let Some(setup) = lathe.p.setup(slide.size) else { return };
     let k = setup.ratio.value();
     let [work, tool] = [WORK, TOOL].map(|axis| slide.since.pmc[axis].actual / 360.0);
@@ -120,7 +120,7 @@ fn pass(grid: &mut [f64], curve: &Curve, normal: f64, stock: f64) {
 }
 
 /// Where the tips are on the work, and how far the axes are apart, at a setting of the slide.
-pub(super) fn tips(lathe: &Resolved, now: &Snapshot) -> Option<(CutterSetup, Vec<(f64, f64)>)> {
+pub(super) fn tips(lathe: &PolygonLathe, now: &Snapshot) -> Option<(CutterSetup, Vec<(f64, f64)>)> {
     let (across_flats, _) = lathe.slide(now);
     let mut setup = lathe.p.setup(across_flats)?;
     setup.distance = 0.5 * across_flats + setup.radius;

@@ -1,7 +1,7 @@
-//! The results of the polygon lathe as rows: what is shown, in which unit, by which formula, from which source.
+//! The results of the polygon lathe as rows: label, unit, formula, source.
 
-use super::Lathe;
-use crate::machines::verdict::Row;
+use super::resolved::PolygonLathe;
+use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
 const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
@@ -11,7 +11,7 @@ const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 
 macro_rules! row {
     ($id:literal, $label:literal, $unit:literal, $decimals:literal, $headline:literal, $formula:literal, $cite:ident, $value:expr) => {
-        Row {
+        ReadoutRow {
             id: $id,
             label: $label,
             unit: $unit,
@@ -26,37 +26,37 @@ macro_rules! row {
 
 /// Rows in the order they are shown; the headline ones first.
 #[rustfmt::skip]
-pub(super) const ROWS: &[Row<Lathe>] = &[
-    row!("sides", "polygon.readout.sides", "", 0, true, "N = n |Q| / gcd(n, D), in lowest terms", GEOMETRY, |d| d.sides),
-    row!("flatness", "polygon.readout.flatness", "mm", 4, true, "highest less lowest point of a side", GEOMETRY, |d| d.flatness),
-    row!("across-flats", "polygon.readout.across-flats", "mm", 3, true, "2 (a - r), over the highest points", GEOMETRY, |d| d.across_flats),
-    row!("relief", "polygon.readout.relief", "°", 2, true, "atan[a sin σ / (a cos σ + (k - 1) r)], of all passes, each up to the corners that it meets", GEOMETRY, |d| d.relief_needed),
-    row!("tool-speed", "polygon.readout.tool-speed", "r/min", 0, true, "B · Q", PAPER, |d| d.tool_speed),
-    row!("orientation", "polygon.readout.orientation", "°", 3, true, "E/k - A", GEOMETRY, |d| d.orientation),
-    row!("work-speed", "polygon.readout.work-speed", "r/min", 0, false, "B · D", PAPER, |d| d.work_speed),
-    row!("ratio", "polygon.readout.ratio", "", 4, false, "k = Q / D", PAPER, |d| d.ratio),
-    row!("curvature", "polygon.readout.curvature", "1/mm", 6, false, "[a - r (k - 1)²] / [a + r (k - 1)]²", GEOMETRY, |d| d.curvature),
-    row!("deviation-low", "polygon.readout.deviation-low", "mm", 4, false, "lowest point of the sides", GEOMETRY, |d| d.deviation.0),
-    row!("deviation-high", "polygon.readout.deviation-high", "mm", 4, false, "highest point of the sides", GEOMETRY, |d| d.deviation.1),
-    row!("corner", "polygon.readout.corner", "mm", 3, false, "distance of the corners from the centre", GEOMETRY, |d| d.corner),
-    row!("across-corners", "polygon.readout.across-corners", "mm", 3, false, "over opposite corners", GEOMETRY, |d| d.across_corners),
-    row!("area", "polygon.readout.area", "mm²", 2, false, "½ ∫ ρ² dφ", GEOMETRY, |d| d.area),
-    row!("slowest-cut", "polygon.readout.slowest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |d| d.slowest_cut),
-    row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |d| d.fastest_cut),
-    row!("distance", "polygon.readout.distance", "mm", 3, false, "a = AF/2 + r", GEOMETRY, |d| d.distance),
-    row!("offset", "polygon.readout.offset", "mm", 3, false, "-2 r, where X counts diameters", GEOMETRY, |d| d.offset),
-    row!("orientation-error", "polygon.readout.orientation-error", "°", 3, false, "E/k - A + phase/k - ψ", GEOMETRY, |d| d.orientation_error),
-    row!("phase", "polygon.readout.phase", "°", 3, false, "6 n [(τ/2 + 1/K) work - (τ/2 + 1/K) tool]", MECHANICS, |d| d.phase),
-    row!("coast-phase", "polygon.readout.coast-phase", "°", 0, false, "3 (n² / slowing tool - k n² / slowing work)", MECHANICS, |d| d.coast_phase),
-    row!("least-across-flats", "polygon.readout.least-across-flats", "mm", 4, false, "over the lowest of the highest points", GEOMETRY, |d| d.least_across_flats),
-    row!("insert-depth", "polygon.readout.insert-depth", "mm", 4, false, "Δr", GEOMETRY, |d| d.insert_depth.1),
-    row!("insert-turn", "polygon.readout.insert-turn", "°", 3, false, "Δφ / k", GEOMETRY, |d| d.insert_turn.1),
-    row!("twist", "polygon.readout.twist", "°", 3, false, "360 L / K", GEOMETRY, |d| d.twist),
-    row!("twist-speed", "polygon.readout.twist-speed", "r/min", 3, false, "k (n work - F / K)", GEOMETRY, |d| d.twist_speed),
-    row!("passes", "polygon.readout.passes", "", 0, false, "(stock - AF - 2 allowance) / (2 depth), rounded up, and one", MECHANICS, |d| d.passes),
-    row!("feed", "polygon.readout.feed", "mm/min", 1, false, "f · n work", MECHANICS, |d| d.feed),
-    row!("finish-feed", "polygon.readout.finish-feed", "mm/min", 1, false, "f · n work", MECHANICS, |d| d.finish_feed),
-    row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |d| d.mark_pitch),
-    row!("ready", "polygon.readout.ready", "s", 2, false, "index to A and E, and twice (τ + 8/K)", MECHANICS, |d| d.ready),
-    row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 (L + clearance) / F, pass by pass", MECHANICS, |d| d.cutting_time),
+pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
+    row!("sides", "polygon.readout.sides", "", 0, true, "N = n |Q| / gcd(n, D), in lowest terms", GEOMETRY, |lathe| lathe.d.sides),
+    row!("flatness", "polygon.readout.flatness", "mm", 4, true, "highest less lowest point of a side", GEOMETRY, |lathe| lathe.d.flatness),
+    row!("across-flats", "polygon.readout.across-flats", "mm", 3, true, "2 (a - r), over the highest points", GEOMETRY, |lathe| lathe.d.across_flats),
+    row!("relief", "polygon.readout.relief", "°", 2, true, "atan[a sin σ / (a cos σ + (k - 1) r)], of all passes, each up to the corners that it meets", GEOMETRY, |lathe| lathe.d.relief_needed),
+    row!("tool-speed", "polygon.readout.tool-speed", "r/min", 0, true, "B · Q", PAPER, |lathe| lathe.d.tool_speed),
+    row!("orientation", "polygon.readout.orientation", "°", 3, true, "E/k - A", GEOMETRY, |lathe| lathe.d.orientation),
+    row!("work-speed", "polygon.readout.work-speed", "r/min", 0, false, "B · D", PAPER, |lathe| lathe.d.work_speed),
+    row!("ratio", "polygon.readout.ratio", "", 4, false, "k = Q / D", PAPER, |lathe| lathe.d.ratio),
+    row!("curvature", "polygon.readout.curvature", "1/mm", 6, false, "[a - r (k - 1)²] / [a + r (k - 1)]²", GEOMETRY, |lathe| lathe.d.curvature),
+    row!("deviation-low", "polygon.readout.deviation-low", "mm", 4, false, "lowest point of the sides", GEOMETRY, |lathe| lathe.d.deviation.0),
+    row!("deviation-high", "polygon.readout.deviation-high", "mm", 4, false, "highest point of the sides", GEOMETRY, |lathe| lathe.d.deviation.1),
+    row!("corner", "polygon.readout.corner", "mm", 3, false, "distance of the corners from the centre", GEOMETRY, |lathe| lathe.d.corner),
+    row!("across-corners", "polygon.readout.across-corners", "mm", 3, false, "over opposite corners", GEOMETRY, |lathe| lathe.d.across_corners),
+    row!("area", "polygon.readout.area", "mm²", 2, false, "½ ∫ ρ² dφ", GEOMETRY, |lathe| lathe.d.area),
+    row!("slowest-cut", "polygon.readout.slowest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.slowest_cut),
+    row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.fastest_cut),
+    row!("distance", "polygon.readout.distance", "mm", 3, false, "a = AF/2 + r", GEOMETRY, |lathe| lathe.d.distance),
+    row!("offset", "polygon.readout.offset", "mm", 3, false, "-2 r, where X counts diameters", GEOMETRY, |lathe| lathe.d.offset),
+    row!("orientation-error", "polygon.readout.orientation-error", "°", 3, false, "E/k - A + phase/k - ψ", GEOMETRY, |lathe| lathe.d.orientation_error),
+    row!("phase", "polygon.readout.phase", "°", 3, false, "6 n [(τ/2 + 1/K) work - (τ/2 + 1/K) tool]", MECHANICS, |lathe| lathe.d.phase),
+    row!("coast-phase", "polygon.readout.coast-phase", "°", 0, false, "3 (n² / slowing tool - k n² / slowing work)", MECHANICS, |lathe| lathe.d.coast_phase),
+    row!("least-across-flats", "polygon.readout.least-across-flats", "mm", 4, false, "over the lowest of the highest points", GEOMETRY, |lathe| lathe.d.least_across_flats),
+    row!("insert-depth", "polygon.readout.insert-depth", "mm", 4, false, "Δr", GEOMETRY, |lathe| lathe.d.insert_depth.1),
+    row!("insert-turn", "polygon.readout.insert-turn", "°", 3, false, "Δφ / k", GEOMETRY, |lathe| lathe.d.insert_turn.1),
+    row!("twist", "polygon.readout.twist", "°", 3, false, "360 L / K", GEOMETRY, |lathe| lathe.d.twist),
+    row!("twist-speed", "polygon.readout.twist-speed", "r/min", 3, false, "k (n work - F / K)", GEOMETRY, |lathe| lathe.d.twist_speed),
+    row!("passes", "polygon.readout.passes", "", 0, false, "(stock - AF - 2 allowance) / (2 depth), rounded up, and one", MECHANICS, |lathe| lathe.d.passes),
+    row!("feed", "polygon.readout.feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.feed),
+    row!("finish-feed", "polygon.readout.finish-feed", "mm/min", 1, false, "f · n work", MECHANICS, |lathe| lathe.d.finish_feed),
+    row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |lathe| lathe.d.mark_pitch),
+    row!("ready", "polygon.readout.ready", "s", 2, false, "index to A and E, and twice (τ + 8/K)", MECHANICS, |lathe| lathe.d.ready),
+    row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 (L + clearance) / F, pass by pass", MECHANICS, |lathe| lathe.d.cutting_time),
 ];

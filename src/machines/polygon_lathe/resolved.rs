@@ -1,34 +1,44 @@
-//! The lathe on a control: what the form comes to, as geometry and as the words that start it.
+//! The polygon lathe on a control: inserts and ratio by the chosen shape, sizes of the passes, axes and units of words.
 
 use super::derive::Derived;
 use super::params::{Params, Shape};
 use crate::controls::{Control, Dialect};
 use crate::drives::polygon::Ratio;
-use crate::machines::ControlContext;
+use crate::machines::machine::ControlContext;
 use crate::motion::Snapshot;
 
 /// The slide across the work, and the one along it.
 pub(super) const CROSS: u8 = b'X';
 pub(super) const ALONG: u8 = b'Z';
 
-/// Which axis of the PLC turns the work, and which the tool.
+/// Index of the PMC axis of the work, and of the tool.
 pub(super) const WORK: usize = 0;
 pub(super) const TOOL: usize = 1;
 
-/// The form on a control.
-pub(super) struct Resolved<'a> {
+/// The polygon lathe on a control.
+#[derive(Debug)]
+pub(crate) struct PolygonLathe {
     /// The form as it was filled in.
-    pub(super) form: &'a Params,
-    /// The form, with what the shape says of inserts and ratio.
+    pub(super) form: Params,
+    /// The form, with inserts and ratio of the chosen shape.
     pub(super) p: Params,
-    pub(super) control: &'a Control,
+    /// The results of the formulas.
+    pub(super) d: Derived,
+    pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
     /// Across flats of every pass.
     pub(super) sizes: Vec<f64>,
 }
 
-impl<'a> Resolved<'a> {
-    pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
+/// Units of X words per millimetre of its slide: 2 where they are diameters.
+fn words_per_mm(control: &Control, dialect: &Dialect) -> f64 {
+    let cross = control.axis(CROSS).unwrap_or(0);
+    if dialect.counts_diameters(cross) { 2.0 } else { 1.0 }
+}
+
+impl PolygonLathe {
+    /// Fits the form to the control and computes the formulas.
+    pub(super) fn resolve(form: Params, on: ControlContext) -> PolygonLathe {
         let (control, dialect) = (on.control, on.dialect());
         let mut p = form.clone();
         let shape = match p.shape {
@@ -41,13 +51,10 @@ impl<'a> Resolved<'a> {
         if let Some(shape) = shape {
             (p.sides, p.inserts, p.work_ratio, p.tool_ratio) = shape;
         }
-        let sizes = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
-        Resolved { form, p, control, dialect, sizes }
-    }
-
-    /// What follows from the form.
-    pub(super) fn derived(&self) -> Derived {
-        Derived::new(&self.p, &self.sizes, self.words())
+        let sizes: Vec<f64> = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
+        let words = words_per_mm(control, &dialect);
+        let d = Derived::new(&p, &sizes, words);
+        PolygonLathe { form, p, d, control, dialect, sizes }
     }
 
     /// Index of the slide across the work.
@@ -60,23 +67,23 @@ impl<'a> Resolved<'a> {
         self.control.axis(ALONG).unwrap_or(0)
     }
 
-    /// What words of X count for each millimetre that the slide moves.
+    /// Units of X words per millimetre of its slide.
     pub(super) fn words(&self) -> f64 {
-        if self.dialect.counts_diameters(self.cross()) { 2.0 } else { 1.0 }
+        words_per_mm(self.control, &self.dialect)
     }
 
-    /// Whether the feed override acts on the axes of the PMC.
+    /// The feed override acts on the PMC axes.
     pub(super) fn overrides(&self) -> bool {
         self.dialect.pmc_override
     }
 
-    /// Across flats that the slide is set to, and where it stands along the work, in mm.
+    /// Across flats at the slide's position, and its position along the work, mm.
     pub(super) fn slide(&self, now: &Snapshot) -> (f64, f64) {
         let at = |axis: usize| now.axes.get(axis).map_or(0.0, |axis| axis.actual);
         (2.0 * at(self.cross()), at(self.along()))
     }
 
-    /// By how much the tool is ahead of where ratio and start angles want it beside the work, in degrees, half a turn at most.
+    /// Phase of the tool ahead of ratio and start angles, degrees of the tool, within half a turn.
     pub(super) fn phase(&self, now: &Snapshot) -> f64 {
         let k = self.p.ratio().map_or(0.0, Ratio::value);
         let (work, tool) = (now.pmc[WORK].actual - self.p.work_start, now.pmc[TOOL].actual - self.p.tool_start);

@@ -1,8 +1,8 @@
 //! The drawing of the polygon lathe: the section on the machine and as the work sees it, the side, the finished polygon against the ideal one.
 //!
-//! Section and cutter are to one scale; what the work sees is larger, the deviation much larger, and both scales are told.
+//! Section and cutter are to one scale; the view from the work and the deviation are magnified, with their scales as text.
 
-use super::resolved::Resolved;
+use super::resolved::PolygonLathe;
 use crate::drives::polygon::Section;
 use crate::math::{self, PI};
 use crate::text::catalog::{Language, words};
@@ -18,7 +18,7 @@ pub(super) mod group {
     pub(in super::super) const DISC: u16 = 2;
     /// Its inserts, which also turn.
     pub(in super::super) const INSERTS: u16 = 3;
-    /// The ring that stands for inserts too fast to see.
+    /// The ring that replaces inserts at high speed.
     pub(in super::super) const BLUR: u16 = 4;
     /// The cutter from the side.
     pub(in super::super) const SIDE: u16 = 5;
@@ -68,7 +68,7 @@ pub(super) struct View {
 }
 
 impl View {
-    pub(super) fn new(lathe: &Resolved) -> View {
+    pub(super) fn new(lathe: &PolygonLathe) -> View {
         let p = &lathe.p;
         let stock = 0.5 * p.stock_diameter;
         // Room for the whole cutter where the slide begins.
@@ -120,7 +120,7 @@ pub(super) fn deviations(section: &Section, apothem: f64, sides: u32, count: usi
 }
 
 /// The drawing at rest.
-pub(super) fn scene(lathe: &Resolved) -> Scene {
+pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
     let p = &lathe.p;
     let view = View::new(lathe);
     let mut pen = Pen::default();
@@ -154,12 +154,12 @@ pub(super) fn scene(lathe: &Resolved) -> Scene {
         nodes: pen.nodes,
         groups: group::TIPS + tips,
         alt: "polygon.scene.alt",
-        strobe: false,
+        option: None,
     }
 }
 
 /// Cutter and centre lines on the machine.
-fn machine(pen: &mut Pen, lathe: &Resolved, view: &View) {
+fn machine(pen: &mut Pen, lathe: &PolygonLathe, view: &View) {
     let p = &lathe.p;
     let ((wx, wy), (cx, cy), r) = (view.work, view.cutter, p.tip_radius * view.scale);
     pen.ring(0, (wx, wy, 0.5 * p.stock_diameter * view.scale), "dim", 0.8, "dash");
@@ -183,7 +183,7 @@ fn machine(pen: &mut Pen, lathe: &Resolved, view: &View) {
 }
 
 /// What stays of the section as the work sees it: stock, ideal polygon, tips.
-fn close(pen: &mut Pen, lathe: &Resolved, view: &View) {
+fn close(pen: &mut Pen, lathe: &PolygonLathe, view: &View) {
     let p = &lathe.p;
     let (x, y, r) = CLOSE;
     pen.ring(0, (x, y, r), "dim", 0.8, "dash");
@@ -197,8 +197,8 @@ fn close(pen: &mut Pen, lathe: &Resolved, view: &View) {
 }
 
 /// The finished polygon against the ideal one, its deviation magnified.
-fn finished(pen: &mut Pen, lathe: &Resolved) {
-    let (p, d) = (&lathe.p, lathe.derived());
+fn finished(pen: &mut Pen, lathe: &PolygonLathe) {
+    let (p, d) = (&lathe.p, &lathe.d);
     let (x, y, r) = FINISHED;
     let Some(section) = lathe.p.section() else { return };
     let (apothem, sides) = (0.5 * p.across_flats, d.sides as u32);
@@ -230,12 +230,12 @@ const MOST_TURNS: f64 = 8.0;
 const TWIST: u32 = 64;
 
 /// The cutter from the side, the corners of a twisted polygon, over the bar that poses draw.
-fn side(pen: &mut Pen, lathe: &Resolved, view: &View) {
+fn side(pen: &mut Pen, lathe: &PolygonLathe, view: &View) {
     let p = &lathe.p;
     let (scale, face) = view.side;
     let top = SIDE.1 - 0.5 * p.across_flats * scale;
     pen.path(0, filled("M# #H#", &[SIDE.0 - 10.0, SIDE.1, SIDE.0 + SIDE.2 + 40.0]), "", "dim", 0.8, "dash");
-    let (turns, d) = (p.length / p.lead, lathe.derived());
+    let (turns, d) = (p.length / p.lead, &lathe.d);
     if turns.abs() <= MOST_TURNS && d.cuts && d.sides > 1.0 {
         // The corners as they would run; those on the near side of the part.
         for corner in 0..d.sides as u32 {
@@ -259,7 +259,7 @@ fn side(pen: &mut Pen, lathe: &Resolved, view: &View) {
 }
 
 /// The bar from the side: cut to half widths `done` as far as the length, and `deeper` as far as `behind`, in mm.
-pub(super) fn bar(lathe: &Resolved, view: &View, done: f64, deeper: Option<(f64, f64)>) -> String {
+pub(super) fn bar(lathe: &PolygonLathe, view: &View, done: f64, deeper: Option<(f64, f64)>) -> String {
     let p = &lathe.p;
     let (scale, face) = view.side;
     let stock = 0.5 * p.stock_diameter;

@@ -2,9 +2,9 @@
 
 use core::fmt::Write;
 
-use super::resolved::Resolved;
-use super::show;
+use super::resolved::PolygonLathe;
 use crate::machines::sheets::{row, say};
+use crate::text::catalog::number_text as show;
 use crate::text::number::{Plain, fill, filled};
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
@@ -25,9 +25,9 @@ const TRACKS: [&str; 6] = [
 /// A step of the sequence: when it happens, its text, and which tracks (index, on) change.
 type Step = (f64, &'static str, Vec<(usize, bool)>);
 
-/// What happens from G512 to G502: times in closed form, blocks of the macro programs apart.
-fn steps(lathe: &Resolved) -> Vec<Step> {
-    let (p, d) = (&lathe.p, lathe.derived());
+/// Steps from G512 to G502, with times in closed form that leave out the blocks of the macro programs.
+fn steps(lathe: &PolygonLathe) -> Vec<Step> {
+    let (p, d) = (&lathe.p, &lathe.d);
     let angle = p.index_time() + p.settling();
     let speed = angle + p.settling();
     let cut = speed + d.cutting_time;
@@ -44,7 +44,7 @@ fn steps(lathe: &Resolved) -> Vec<Step> {
 }
 
 /// The sequence as a table with its diagram.
-pub(super) fn sheet(lathe: &Resolved) -> Sheet {
+pub(super) fn sheet(lathe: &PolygonLathe) -> Sheet {
     let step = |(t, text, _): Step| row([show(t, 3), say(text)], OURS);
     let coasts = lathe.p.coasts(lathe.control);
     let emergency = if coasts { "polygon.step.coast" } else { "polygon.step.emergency" };
@@ -64,8 +64,8 @@ const LEFT: f64 = 10.0;
 const RIGHT: f64 = 390.0;
 const TRACK: f64 = 44.0;
 
-/// When which signal is on, from G512 to G502. The cut is shown shorter than it is.
-fn diagram(lathe: &Resolved) -> String {
+/// Timing diagram of the signals from G512 to G502; the cut is shortened.
+fn diagram(lathe: &PolygonLathe) -> String {
     let steps = steps(lathe);
     // Every step gets its own column, so that short ones are seen.
     let column = (RIGHT - LEFT) / steps.len() as f64;

@@ -1,14 +1,15 @@
-//! What the machine builder sets beside the program: parameters, the interface of the PMC, its ladder, the sequence, and the ways to turn it.
+//! Sheets for the machine builder: parameters, interface of the PMC, ladder, sequence, choices of cutter and ratio, passes, inserts.
 
 use super::derive::ways;
 use super::program::{self, MACROS};
-use super::resolved::Resolved;
-use super::{explore, ladder, native_code, sequence, show};
+use super::resolved::PolygonLathe;
+use super::{explore, ladder, native_code, sequence};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, ChoiceLimit};
 use crate::drives::polygon::cut::InsertLoad;
-use crate::machines::sheets::{self, Axes, Setting, row, say};
+use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
 use crate::math::PI;
+use crate::text::catalog::number_text as show;
 use crate::text::{Citation, Grade};
 use crate::view::{Row, Sheet};
 
@@ -16,7 +17,7 @@ const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
 const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 
 /// All sheets.
-pub(super) fn sheets(lathe: &Resolved) -> Vec<Sheet> {
+pub(super) fn sheets(lathe: &PolygonLathe) -> Vec<Sheet> {
     let mut all = vec![
         parameters(lathe),
         interface(),
@@ -33,17 +34,17 @@ pub(super) fn sheets(lathe: &Resolved) -> Vec<Sheet> {
 /// The first parameter that binds a code, and the program that it calls.
 const FIRST: u32 = 4120;
 
-fn parameters(lathe: &Resolved) -> Sheet {
+fn parameters(lathe: &PolygonLathe) -> Sheet {
     let p = &lathe.p;
-    let slides = |x: f64, z: f64| vec![("X", Setting::Number(x)), ("Z", Setting::Number(z))];
+    let slides = |x: f64, z: f64| vec![("X", ParamValue::Number(x)), ("Z", ParamValue::Number(z))];
     let values = vec![
-        (ParamRole::AxisDiameter, vec![("X", Setting::Answer(lathe.words() > 1.0))]),
+        (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.words() > 1.0))]),
         (ParamRole::AxisRapid, slides(p.rapid_x, p.rapid_z)),
         (ParamRole::AxisClamp, slides(p.clamp_x, p.clamp_z)),
         (ParamRole::AxisTimeConstant, slides(p.time_constant, p.time_constant)),
         (ParamRole::AxisPositionGain, slides(p.position_gain, p.position_gain)),
     ];
-    let axes = Axes { cross_words: lathe.words(), rotary: None };
+    let axes = AxisUnits { cross_words: lathe.words(), rotary: None };
     let mut sheet = sheets::parameters(lathe.control, &axes, values);
     for ((number, code), program) in (FIRST..).zip(program::codes(lathe)).zip(MACROS) {
         let code = code.map_or(String::new(), |code| code.to_string());
@@ -107,11 +108,11 @@ fn interface() -> Sheet {
     sheets::interface(SIGNALS.iter().map(signal).collect())
 }
 
-/// Ways that are listed.
+/// Greatest number of listed choices.
 const WAYS: usize = 40;
 
-/// How the polygon can be turned, the best first, with what excludes the others.
-fn choices(lathe: &Resolved) -> Sheet {
+/// Cutters and ratios for the polygon, the best first, with the limits that exclude the others.
+fn choices(lathe: &PolygonLathe) -> Sheet {
     let cite = Citation::new(
         "polygon turning facts 3: the flattest among those within all limits is the best",
         Grade::Inferred,
@@ -161,8 +162,8 @@ fn choices(lathe: &Resolved) -> Sheet {
     }
 }
 
-/// What each pass asks of the inserts, first the one that needs most relief.
-fn passes(lathe: &Resolved) -> Option<Sheet> {
+/// Relief and cutting speed that each pass needs, the greatest relief first.
+fn passes(lathe: &PolygonLathe) -> Option<Sheet> {
     let cite =
         Citation::new("polygon turning facts 3.3 and 3.4; a pass meets what the one before has left", Grade::Inferred);
     let p = &lathe.p;
@@ -194,11 +195,11 @@ fn passes(lathe: &Resolved) -> Option<Sheet> {
     })
 }
 
-/// Sides that are named.
+/// Greatest number of listed sides.
 const NAMED: usize = 12;
 
-/// Every insert with its errors and what they do to the sides that it cuts; nothing where all are in their places.
-fn inserts(lathe: &Resolved) -> Option<Sheet> {
+/// Every insert with its errors and their effect on its sides; none without errors.
+fn inserts(lathe: &PolygonLathe) -> Option<Sheet> {
     let cite = Citation::new("polygon turning facts 3.1, and the section itself", Grade::Inferred);
     let setup = lathe.p.setup(lathe.p.across_flats).filter(|setup| !setup.is_even())?;
     let sides = lathe.p.section()?.sides();

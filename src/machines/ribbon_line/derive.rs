@@ -1,4 +1,4 @@
-//! The formulas of the ribbon line, each once: what follows from the inputs before anything runs.
+//! The formulas of the ribbon line, each once: results that need no run.
 //!
 //! Lengths in mm, speeds in mm/min unless said otherwise, times in seconds. The equations (1) to (4) are the paper's.
 
@@ -17,10 +17,9 @@ pub(super) const FIN_DELAY: f64 = 0.05;
 /// Share of the commanded speed from which the PLC reports the spindle at speed.
 pub(super) const AT_SPEED: f64 = 0.95;
 
-/// Everything that follows from the inputs. Where the line stands still (override 0), times of a pitch are infinite.
+/// The results. At standstill (override 0) the times of a pitch are infinite.
 #[derive(Debug, Clone, PartialEq)]
-#[allow(missing_docs)] // Each member is one function or line below, with its formula, and one readout with its label.
-pub struct Derived {
+pub(super) struct Derived {
     pub k: f64,
     pub asked_speed: f64,
     pub top_speed: f64,
@@ -78,8 +77,8 @@ pub struct Derived {
 }
 
 impl Params {
-    /// π as it stands in the program.
-    pub fn program_pi(&self) -> f64 {
+    /// π as the program writes it.
+    pub(super) fn program_pi(&self) -> f64 {
         match self.pi {
             PiForm::Exact => PI,
             PiForm::Short => PUBLISHED_PI,
@@ -87,7 +86,7 @@ impl Params {
     }
 
     /// Whole pitches of a product: the count itself, or the length over the pitch, at least 1.
-    pub fn count(&self) -> f64 {
+    pub(super) fn count(&self) -> f64 {
         match self.job {
             Job::Pitches => self.pitch_count,
             Job::Length => math::clamp((self.product_length / self.pitch).round(), 1.0, 1e7),
@@ -95,7 +94,7 @@ impl Params {
     }
 
     /// Pitches of one block; the published listing moves one.
-    pub fn block_pitches(&self) -> f64 {
+    pub(super) fn block_pitches(&self) -> f64 {
         match self.variant {
             Variant::ReadyMade => self.pitches_per_block,
             Variant::Published => 1.0,
@@ -112,19 +111,19 @@ impl Params {
         }
     }
 
-    /// Override in percent as it leaves the PLC: the knob rounded to its step.
-    pub fn override_stepped(&self) -> f64 {
+    /// Override (%) that the PLC puts out: the knob rounded to its step.
+    pub(super) fn override_stepped(&self) -> f64 {
         let step = self.knob_step.percent();
         (self.override_percent / step).round() * step
     }
 
     /// Highest speed in r/min that the analog output can give: the clamp, or 10 V.
-    pub fn top_speed(&self) -> f64 {
+    pub(super) fn top_speed(&self) -> f64 {
         self.speed_clamp.min(self.speed_at_10v)
     }
 
     /// The unwinder's motor and inverter. With a dancer they follow the pull.
-    pub fn induction(&self) -> Induction {
+    pub(super) fn induction(&self) -> Induction {
         Induction {
             full_command: self.speed_at_10v,
             no_load: self.no_load_speed,
@@ -135,23 +134,23 @@ impl Params {
 }
 
 /// mm of ribbon per revolution of the unwinder motor: `K = π · D / i`, equation (2).
-pub fn k(pi: f64, diameter: f64, reduction: f64) -> f64 {
+pub(super) fn k(pi: f64, diameter: f64, reduction: f64) -> f64 {
     pi * diameter / reduction
 }
 
 /// F of a block that moves X by `a` and Y by `b` so that X runs at `x_speed`: `F = Fx · √(a² + b²) / a`, equation (4). It holds for
 /// millimetres and degrees mixed as well, because the control works with the numbers (sheet section 5).
-pub fn vector_feed(x_speed: f64, a: f64, b: f64) -> f64 {
+pub(super) fn vector_feed(x_speed: f64, a: f64, b: f64) -> f64 {
     x_speed * math::hypot(a, b) / a
 }
 
 impl Derived {
-    /// Everything that follows from the inputs, with an output of `bits` bits.
-    pub fn new(p: &Params, bits: u8) -> Derived {
+    /// Computes the results for an analog output of `bits` bits.
+    pub(super) fn new(p: &Params, bits: u8) -> Derived {
         let pi = p.program_pi();
         let k = k(pi, p.press_roller_diameter, p.reduction_ratio);
         let top_speed = p.top_speed();
-        // Equation (1), and the clamp that the control and the program apply alike.
+        // Equation (1), and the clamp of control and program.
         let asked_speed = p.spindle_speed * p.override_stepped() / 100.0;
         let actual_speed = asked_speed.min(top_speed);
         let line_speed = k * actual_speed;
@@ -176,7 +175,7 @@ impl Derived {
         let slack = Slack::new(p, line_speed, actual_speed, timing.product);
         let (tau_x, tau_y) = (p.time_constant_x / 1000.0, p.time_constant_y / 1000.0);
         let x_second = line_speed / 60.0;
-        // X and Y behind their own ramps and lags are apart by this much ribbon at full speed.
+        // e = v · ((τx - τy)/2 + 1/Kx - 1/Ky)  [mm]: difference of ramp and servo lag at full speed.
         let register_error = x_second * ((tau_x - tau_y) / 2.0 + 1.0 / p.position_gain_x - 1.0 / p.position_gain_y);
         let area = p.ribbon_width * p.ribbon_thickness;
         Derived {
@@ -249,7 +248,7 @@ fn y_drift(stroke: f64, pitch_time: f64) -> f64 {
     (rounded - stroke) * 8.0 * 3600.0 / pitch_time
 }
 
-/// What a pitch, a block and a product take, in seconds.
+/// Times of a pitch, a block and a product, s.
 struct Timing {
     block: f64,
     needed: f64,
@@ -284,7 +283,7 @@ impl Timing {
     }
 }
 
-/// Seconds from M3 to the first pull; 0 where nothing moves. The PLC takes its time for FIN in either way.
+/// Time from M3 to the first pull, s: `t_FIN + t_dwell`, or `max(0.95 t_ramp, t_FIN)` where FIN waits for the speed; 0 at standstill.
 fn wait(p: &Params, moves: bool) -> f64 {
     match p.wait {
         _ if !moves => 0.0,
@@ -293,20 +292,21 @@ fn wait(p: &Params, moves: bool) -> f64 {
     }
 }
 
-/// Seconds that a feed per revolution loses behind the wait, while the spindle still comes up.
+/// Time that a feed per revolution loses on the rest of the spindle ramp after the wait, s: `(t_ramp - t_wait)² / (2 t_ramp)`.
 fn still_to_ramp(p: &Params, wait: f64) -> f64 {
     let (ramp, left) = (ramp(p), ramp(p) - wait);
     if p.feed_form == FeedForm::PerRevolution && left > 0.0 { left * left / (2.0 * ramp) } else { 0.0 }
 }
 
-/// Seconds the inverter takes from standstill to the actual speed: its ramp is set for the speed at 10 V.
+/// Time of the inverter from standstill to the actual speed n, s: `t_ramp = t_10 · n / n10`, with its ramp t_10 for the speed n10 at 10 V.
 fn ramp(p: &Params) -> f64 {
     let asked = (p.spindle_speed * p.override_stepped() / 100.0).min(p.top_speed());
     p.inverter_ramp * asked / p.speed_at_10v
 }
 
-/// Ribbon that a start lays down before X runs with the unwinder, at `speed` mm/s. In step with the spindle that is what the unwinder
-/// turns in the wait, be it still on its ramp, and what the acceleration of X takes.
+/// Ribbon unwound at a start before X pulls at the same speed, mm. With F per revolution and a wait t_w shorter than the spindle ramp t_r:
+/// `s = v · (t_w² / (2 t_r) + τ / 2)`, with ribbon speed v [mm/s] and time constant τ of X [s]; else [`web::slack_after_start`].
+/// Source: sizing facts 2.6.
 fn laid(p: &Params, speed: f64, ramp: f64, tau: f64) -> f64 {
     let wait = wait(p, true);
     if p.feed_form == FeedForm::PerRevolution && wait < ramp {
@@ -316,7 +316,7 @@ fn laid(p: &Params, speed: f64, ramp: f64, tau: f64) -> f64 {
     }
 }
 
-/// Ribbon between unwinder and pull roller, mm and mm/min; positive piles up.
+/// Ribbon between unwinder and pull roller, mm and mm/min; positive where it piles up.
 struct Slack {
     error: f64,
     error_rated: f64,
@@ -334,9 +334,9 @@ impl Slack {
         let loaded = Induction { load: 1.0, ..motor };
         let (error, error_rated) =
             if p.dancer { (0.0, 0.0) } else { (motor.error(actual_speed), loaded.error(actual_speed)) };
-        // What is truly unwound per minute less what X pulls; a dancer trims any difference away.
+        // Ribbon unwound per minute, with the exact π.
         let unwound = k(PI, p.press_roller_diameter, p.reduction_ratio) * actual_speed;
-        // A feed per revolution follows what the unwinder truly turns.
+        // A feed per revolution follows the measured speed of the unwinder.
         let in_step = p.feed_form == FeedForm::PerRevolution;
         let pulled = |error: f64| if in_step { line_speed * (1.0 + error) } else { line_speed };
         let rate = |error: f64| if p.dancer { 0.0 } else { unwound * (1.0 + error) - pulled(error) };
@@ -349,12 +349,12 @@ impl Slack {
             loop_time: if worst > 0.0 { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
             error,
             error_rated,
-            // The axis stands the servo's lag behind its command, as long as it runs.
+            // A running axis lags its command by v / K.
             start: if started { laid(p, second, feed_ramp, tau) + lag } else { 0.0 },
             rate: rate(error),
             rate_rated: rate(error_rated),
             run: if started { rate(error) * product / 60.0 } else { 0.0 },
-            // M5 stands behind the last move and is read when X has stopped.
+            // M5 follows the last move and is read when X has stopped.
             stop: web::slack_after_stop(second, feed_ramp, tau, tau) - lag,
         }
     }

@@ -1,8 +1,8 @@
 //! The ribbon dot-printing line: an inverter unwinds, X pulls, another axis prints a dot every pitch.
 
-pub mod params;
+mod params;
 
-pub mod derive;
+mod derive;
 
 mod resolved;
 
@@ -24,34 +24,27 @@ mod charts;
 
 mod sheets;
 
+pub(crate) use resolved::RibbonLine;
+
 use crate::controls::Control;
 use crate::controls::options::SpeedReached;
 use crate::machines::chart_rows;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
-use crate::machines::verdict::{Row, Rows, judge};
-use crate::machines::{ControlContext, Defaults, Design, Frame, Machine, MachineProgram, Samples};
-use crate::motion::{Action, Plant, Plc, Snapshot};
-use crate::text::catalog::number_text as show;
+use crate::machines::machine::{
+    ControlContext, Defaults, Design, Frame, Machine, MachineProgram, PanelSetup, Prepared, Samples,
+};
+use crate::machines::verdict::judge;
+use crate::motion::{Plant, Plc, Snapshot};
 use crate::view::{Chart, Pose, Scene, Sheet};
-use derive::Derived;
 use params::{FIELDS, Params};
-use resolved::Resolved;
-use rules::{Case, RULES};
-
-/// Id of the machine.
-const ID: &str = "ribbon-line";
-
-/// The machine.
-#[derive(Debug)]
-pub struct RibbonLine;
+use rules::RULES;
 
 impl Machine for RibbonLine {
     type Params = Params;
-    const ID: &'static str = ID;
+    const ID: &'static str = "ribbon-line";
     const NAME: &'static str = "ribbon.name";
     const CONTROLS: &'static [&'static str] = &["mitsubishi-e60", "gsk-980tdc", "sinumerik-802d", "knd-k2000t"];
-
     const LISTING: &'static str = include_str!("listing.nc");
     const SPEED: f64 = 0.05;
 
@@ -59,85 +52,68 @@ impl Machine for RibbonLine {
         FIELDS
     }
 
-    fn start(control: &Control) -> Defaults {
-        start(control)
+    /// The control's own times and ranges, and the parameter that keeps the values for a second start.
+    fn defaults(control: &Control) -> Defaults {
+        let mut defaults = Defaults::timing(control);
+        defaults.number("feed-limit", control.limits.feed_max);
+        defaults.keep_common(control);
+        // Axes that wait until the unwinder has its speed let the ribbon pile up meanwhile.
+        defaults.set(control, SpeedReached::NoWait);
+        defaults
     }
 
-    fn design(p: &Params, on: ControlContext) -> Design {
-        design(&Resolved::new(p, on))
-    }
-
-    fn plan(p: &Params, on: ControlContext) -> MachineProgram {
-        let deck = program::deck(&Resolved::new(p, on));
-        MachineProgram { deck, setup: program::SETUP, main: program::RUN, crlf: p.newline == LineEnds::CrLf }
-    }
-
-    fn plant(p: &Params, on: ControlContext) -> Plant {
-        plant::plant(&Resolved::new(p, on))
-    }
-
-    fn hand(p: &Params) -> Vec<Action> {
-        vec![Action::SpindleOverride(p.override_percent)]
-    }
-
-    fn plc(p: &Params, on: ControlContext) -> Box<dyn Plc> {
-        Box::new(plc::RibbonPlc::new(&Resolved::new(p, on)))
-    }
-
-    fn sheets(p: &Params, on: ControlContext) -> Vec<Sheet> {
-        sheets::sheets(&Resolved::new(p, on))
-    }
-
-    fn variables(p: &Params, on: ControlContext) -> Vec<(u32, &'static str, &'static str)> {
-        program::variables(&Resolved::new(p, on))
-    }
-
-    fn scene(p: &Params, on: ControlContext) -> Scene {
-        scene::scene(&Resolved::new(p, on))
-    }
-
-    fn pose(p: &Params, on: ControlContext, _: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
-        pose::pose(&Resolved::new(p, on), now, frame)
-    }
-
-    fn charts(p: &Params, on: ControlContext, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        chart_rows::charts(charts::ROWS, &Resolved::new(p, on), run, from, to, points)
+    fn new(form: Params, on: ControlContext) -> RibbonLine {
+        RibbonLine::resolve(form, on)
     }
 }
 
-/// The line, for its rows.
-struct Line;
+impl Prepared for RibbonLine {
+    fn results(&self) -> Design {
+        // Y counts degrees where it is a rotary axis.
+        let unit = |id: &str, unit: &'static str| match id {
+            "y-stroke" | "y-drift" if self.degrees() => "°",
+            "y-feed" if self.degrees() => "°/min",
+            _ => unit,
+        };
+        let readouts = readouts::ROWS.iter().map(|row| judge(row, self, unit(row.id, row.unit), RULES)).collect();
+        Design { readouts, diagnostics: rules::findings(self) }
+    }
 
-impl Rows for Line {
-    type Resolved<'a> = Resolved<'a>;
-    type Derived = Derived;
-    type Case<'a> = Case<'a>;
-}
+    fn program(&self) -> MachineProgram {
+        let crlf = self.p.newline == LineEnds::CrLf;
+        MachineProgram { deck: program::deck(self), setup: program::SETUP, main: program::RUN, crlf }
+    }
 
-/// The control's own times and ranges, and the parameter without which a second start would find no values.
-fn start(control: &Control) -> Defaults {
-    let mut start = Defaults::timing(control);
-    start.number("feed-limit", control.limits.feed_max);
-    start.keep_common(control);
-    // Axes that wait until the unwinder has its speed let the ribbon pile up meanwhile.
-    start.set(control, SpeedReached::NoWait);
-    start
-}
+    fn plant(&self) -> Plant {
+        plant::plant(self)
+    }
 
-/// Results, each judged by the rules about it, and the errors.
-fn design(line: &Resolved) -> Design {
-    let d = Derived::new(&line.p, line.control.bench.output_bits);
-    let case = Case { line, p: &line.p, d: &d, limits: &line.control.limits };
-    let judged = |row| judge(row, &d, unit(row, line), RULES, &case);
-    let readouts = readouts::ROWS.iter().map(judged).collect();
-    Design { readouts, diagnostics: rules::findings(&case) }
-}
+    fn plc(&self) -> Box<dyn Plc> {
+        Box::new(plc::RibbonPlc::new(self))
+    }
 
-/// The print roller's axis counts degrees where it is fitted so.
-fn unit(row: &Row<Line>, line: &Resolved) -> &'static str {
-    match row.id {
-        "y-stroke" | "y-drift" if line.degrees() => "°",
-        "y-feed" if line.degrees() => "°/min",
-        _ => row.unit,
+    fn panel(&self) -> PanelSetup {
+        let (spindle_override, override_step) = (Some(self.form.override_percent), self.form.knob_step.percent());
+        PanelSetup { spindle_override, override_step }
+    }
+
+    fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {
+        program::variables(self)
+    }
+
+    fn sheets(&self) -> Vec<Sheet> {
+        sheets::sheets(self)
+    }
+
+    fn scene(&self) -> Scene {
+        scene::scene(self)
+    }
+
+    fn pose(&self, _: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+        pose::pose(self, now, frame)
+    }
+
+    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        chart_rows::charts(charts::ROWS, self, run, from, to, points)
     }
 }

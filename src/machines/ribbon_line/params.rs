@@ -10,8 +10,8 @@ use crate::{member, options};
 pub(super) const PULL: u8 = b'X';
 
 options! {
-    /// How the override reaches the program.
-    pub enum OverrideForm {
+    /// Unit of the override in the macro input.
+    pub(crate) enum OverrideForm {
         /// In percent: speed = S · override / 100, clamped by the program.
         Percent = "percent" "ribbon.override-form.percent",
         /// As the spindle's speed after override and clamp, in r/min.
@@ -21,7 +21,7 @@ options! {
 
 options! {
     /// Steps of the override knob.
-    pub enum KnobStep {
+    pub(crate) enum KnobStep {
         /// 1 %.
         One = "1" "ribbon.knob-step.1",
         /// 5 %.
@@ -33,7 +33,7 @@ options! {
 
 options! {
     /// The axis of the print roller.
-    pub enum PrintAxis {
+    pub(crate) enum PrintAxis {
         /// Y.
         Y = "y" "ribbon.print-axis.y",
         /// C, in degrees.
@@ -44,8 +44,8 @@ options! {
 }
 
 options! {
-    /// What F counts.
-    pub enum FeedForm {
+    /// Unit of F.
+    pub(crate) enum FeedForm {
         /// mm/min.
         PerMinute = "per-minute" "ribbon.feed-form.per-minute",
         /// mm per revolution of the unwinder's motor.
@@ -55,7 +55,7 @@ options! {
 
 options! {
     /// Unit of the print roller's axis.
-    pub enum YUnit {
+    pub(crate) enum YUnit {
         /// Circumference in millimetres.
         Millimetres = "mm" "ribbon.y-unit.mm",
         /// Degrees of the print roller.
@@ -64,8 +64,8 @@ options! {
 }
 
 options! {
-    /// What ends a product.
-    pub enum Job {
+    /// Size of a product.
+    pub(crate) enum Job {
         /// A number of pitches.
         Pitches = "pitch-count" "ribbon.job.pitch-count",
         /// A length of ribbon.
@@ -75,7 +75,7 @@ options! {
 
 options! {
     /// π in the program.
-    pub enum PiForm {
+    pub(crate) enum PiForm {
         /// 3.141592654.
         Exact = "exact" "ribbon.pi.exact",
         /// 3.14, as published.
@@ -85,7 +85,7 @@ options! {
 
 options! {
     /// How the program waits for the spindle before the ribbon is pulled.
-    pub enum Wait {
+    pub(crate) enum Wait {
         /// A dwell behind M3.
         Dwell = "dwell" "ribbon.wait.dwell",
         /// The PLC answers M3 when the spindle has its speed.
@@ -95,7 +95,7 @@ options! {
 
 options! {
     /// How blocks join.
-    pub enum PathMode {
+    pub(crate) enum PathMode {
         /// Cutting mode, G64.
         Continuous = "continuous" "ribbon.path-mode.continuous",
         /// Exact stop, G61.
@@ -105,7 +105,7 @@ options! {
 
 options! {
     /// Which program is written.
-    pub enum Variant {
+    pub(crate) enum Variant {
         /// The ready-made one.
         ReadyMade = "ready-made" "ribbon.variant.ready-made",
         /// The paper's listing with its numbers, corrected.
@@ -124,7 +124,7 @@ impl PrintAxis {
     }
 
     /// Its address letter.
-    pub fn letter(self) -> u8 {
+    pub(super) fn letter(self) -> u8 {
         match self {
             PrintAxis::Y => b'Y',
             PrintAxis::C => b'C',
@@ -135,7 +135,7 @@ impl PrintAxis {
 
 impl KnobStep {
     /// Percent per step.
-    pub fn percent(self) -> f64 {
+    pub(super) fn percent(self) -> f64 {
         match self {
             KnobStep::One => 1.0,
             KnobStep::Five => 5.0,
@@ -146,8 +146,7 @@ impl KnobStep {
 
 /// Inputs of the ribbon line, within the ranges of [`FIELDS`]. Units as in the form.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[allow(missing_docs)] // One row of FIELDS documents each member: label, unit, range, help.
-pub struct Params {
+pub(crate) struct Params {
     pub spindle_speed: f64,
     pub reduction_ratio: f64,
     pub press_roller_diameter: f64,
@@ -251,7 +250,7 @@ impl Params {
 
 /// Every input, in the order of the form.
 #[rustfmt::skip]
-pub static FIELDS: &[Field<Params>] = &[
+pub(super) static FIELDS: &[Field<Params>] = &[
     number("spindle-speed", member!(Params.spindle_speed)).group("ribbon.group.unwinder").label("ribbon.spindle-speed").help("ribbon.spindle-speed.help").symbol("#100")
         .unit("r/min").range(1.0..=30000.0).default(1200.0).decimals(0).step(10.0).essential(),
     number("reduction-ratio", member!(Params.reduction_ratio)).group("ribbon.group.unwinder").label("ribbon.reduction-ratio").help("ribbon.reduction-ratio.help").symbol("#101")

@@ -1,13 +1,13 @@
 //! The plant of the ribbon line: two servo axes and the unwinder on the analog output.
 
 use super::params::PULL;
-use super::resolved::Resolved;
+use super::resolved::RibbonLine;
 use crate::drives::Analog;
 use crate::math::PI;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
 /// The plant with the project's clamps, ramps and slip.
-pub(super) fn plant(line: &Resolved) -> Plant {
+pub(super) fn plant(line: &RibbonLine) -> Plant {
     let p = &line.p;
     let x = AxisPlant {
         letter: PULL,
@@ -41,8 +41,8 @@ pub(super) fn plant(line: &Resolved) -> Plant {
     }
 }
 
-/// The unwinder. A dancer trims it to what X pulls: no slip, and the program's own π.
-fn spindle(line: &Resolved) -> SpindlePlant {
+/// The unwinder. A dancer trims it to the pull of X: no slip, and π as the program writes it.
+fn spindle(line: &RibbonLine) -> SpindlePlant {
     let (p, bench) = (&line.p, &line.control.bench);
     let motor = p.induction();
     let (gain, slip) =

@@ -2,11 +2,11 @@
 
 use super::derive::{AT_SPEED, FIN_DELAY};
 use super::params::{OverrideForm, Wait};
-use super::resolved::Resolved;
+use super::resolved::RibbonLine;
 use crate::math;
 use crate::motion::{Io, Plc, Strobes};
 
-/// Seconds between two looks at the spindle while FIN waits for its speed.
+/// Scan time (s) while FIN waits for the spindle speed.
 const SCAN: f64 = 0.01;
 
 /// The ladder.
@@ -16,14 +16,14 @@ pub(super) struct RibbonPlc {
     step: f64,
     form: OverrideForm,
     wait: Wait,
-    /// The macro input, and what fits into it.
+    /// The macro input, and its range.
     input: Option<u32>,
     range: (f64, f64),
     strobes: Strobes,
 }
 
 impl RibbonPlc {
-    pub(super) fn new(line: &Resolved) -> RibbonPlc {
+    pub(super) fn new(line: &RibbonLine) -> RibbonPlc {
         let (p, input, range) = (&line.p, line.handed(), line.input_range());
         RibbonPlc {
             step: p.knob_step.percent(),

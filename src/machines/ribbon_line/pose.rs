@@ -1,17 +1,17 @@
-//! The drawing of the ribbon line at a moment: where rollers and dots stand, how deep the loop hangs, what the figures say.
+//! The drawing of the ribbon line at a moment: angles of the rollers, dots, depth of the loop, figures.
 
 use super::params::Params;
-use super::resolved::Resolved;
+use super::resolved::RibbonLine;
 use super::scene::{self, DOTS, PITCH, group, node};
-use super::show;
-use crate::machines::Frame;
+use crate::machines::machine::Frame;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
+use crate::text::catalog::number_text as show;
 use crate::text::number::figure;
 use crate::view::Pose;
 use crate::view::scene::Placement;
 
-/// A roller that turns further from frame to frame is not seen turning: it is drawn as a ring.
+/// Degrees per frame beyond which a roller is drawn as a blurred ring.
 const SEEN: f64 = 20.0;
 
 /// The state of the line at a moment, in the units of the drawing's figures.
@@ -31,7 +31,7 @@ pub(super) struct State {
 }
 
 impl State {
-    pub(super) fn new(line: &Resolved, now: &Snapshot) -> State {
+    pub(super) fn new(line: &RibbonLine, now: &Snapshot) -> State {
         let p = &line.p;
         let (x, y) = (&now.axes[line.pull()], &now.axes[line.print()]);
         // The axis itself, which lags its command.
@@ -52,14 +52,14 @@ impl State {
         }
     }
 
-    /// How far the print roller is from where X asks it to be, in mm of ribbon: the register error.
+    /// Register error, mm of ribbon: `y = α · heads / 360 · pitch - x`, with the angle α [°] of the print roller and the pulled length x.
     pub(super) fn register(&self, p: &Params) -> f64 {
         self.print_angle * p.heads / 360.0 * p.pitch - self.pulled
     }
 }
 
-/// Where everything stands.
-pub(super) fn pose(line: &Resolved, now: &Snapshot, frame: Frame) -> Pose {
+/// Placements, paths and figures at a moment.
+pub(super) fn pose(line: &RibbonLine, now: &Snapshot, frame: Frame) -> Pose {
     let (p, state) = (&line.p, State::new(line, now));
     let [unwinder, pull, print] = state.speeds.map(|speed| (speed * frame.step).abs());
     let mut pose = Pose::default();
@@ -83,8 +83,8 @@ pub(super) fn pose(line: &Resolved, now: &Snapshot, frame: Frame) -> Pose {
     put(group::PULL_PRESS, scene::PULL_PRESS, -360.0 * state.pull_turns * smaller, seen(pull * smaller));
     // The stroboscope flashes when a head meets the ribbon.
     let head = 360.0 / p.heads;
-    let flash = |angle: f64| if frame.strobe { (angle / head).floor() * head } else { angle };
-    let print_seen = if frame.strobe { 1.0 } else { seen(print) };
+    let flash = |angle: f64| if frame.option { (angle / head).floor() * head } else { angle };
+    let print_seen = if frame.option { 1.0 } else { seen(print) };
     put(group::PRINT, scene::PRINT, -flash(state.print_angle + 1e-6), print_seen);
     put(group::PRINT_BLUR, scene::PRINT, 0.0, 0.45 * (1.0 - print_seen));
     dots(line, now, frame, &state, &mut pose);
@@ -99,14 +99,14 @@ fn seen(step: f64) -> f64 {
 }
 
 /// The dots move with X; the newest was printed where the last head met the ribbon.
-fn dots(line: &Resolved, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
+fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
     let p = &line.p;
     let passed = state.pulled / p.pitch + 1e-6;
     let printed = passed.floor();
-    let part = if frame.strobe { 0.0 } else { passed - printed };
+    let part = if frame.option { 0.0 } else { passed - printed };
     let step = now.axes[line.pull()].feed / 60.0 * frame.step / p.pitch;
     // Beyond a third of a pitch a frame the eye joins wrong dots.
-    let clear = if frame.strobe { 1.0 } else { math::clamp((0.45 - step) / 0.15, 0.0, 1.0) };
+    let clear = if frame.option { 1.0 } else { math::clamp((0.45 - step) / 0.15, 0.0, 1.0) };
     for dot in 0..DOTS {
         let there = f64::from(dot) <= printed;
         pose.placements.push(Placement {
@@ -120,7 +120,7 @@ fn dots(line: &Resolved, now: &Snapshot, frame: Frame, state: &State, pose: &mut
     pose.placements.push(Placement { group: group::DOTS_BLUR, opacity: streak, ..Placement::default() });
 }
 
-fn texts(line: &Resolved, now: &Snapshot, state: &State) -> Vec<(usize, String)> {
+fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(usize, String)> {
     let p = &line.p;
     let heads = p.heads.max(1.0);
     let met = (state.print_angle * heads / 360.0 + 1e-6).floor();

@@ -1,11 +1,10 @@
 //! The program of the ribbon line: O9100 computes, O9101 runs, O9102 sets the project's values once.
 //!
-//! Words and codes are those that the control has: G91 or incremental addresses, exact stop or none, #3004 or none.
+//! It uses the words and codes of the control: G91 or incremental addresses, exact stop or none, #3004 or none.
 //! O9100 and O9101 never write the operator's variables (those of O9102), so that products are changed by variables alone.
 
-use super::RibbonLine;
 use super::params::{OverrideForm, PathMode, Variant, Wait};
-use super::resolved::Resolved;
+use super::resolved::RibbonLine;
 use crate::controls::{Code, VarKind};
 use crate::machines::writing::{self, Entry};
 use crate::nc::Deck;
@@ -18,7 +17,7 @@ pub(super) const RUN: u32 = 9101;
 /// Number of the program that sets the project's values.
 pub(super) const SETUP: u32 = 9102;
 
-/// The operator's variables: number and whether only whole numbers make sense.
+/// The operator's variables: number, and whether only whole numbers are valid.
 const ENTRIES: [Entry; 10] = [
     (100, true),
     (101, false),
@@ -33,13 +32,13 @@ const ENTRIES: [Entry; 10] = [
 ];
 
 /// The operator's variables on this control.
-fn entries(line: &Resolved) -> Vec<Entry> {
+fn entries(line: &RibbonLine) -> Vec<Entry> {
     let typed = line.handed().is_none().then_some((line.input(), false));
     ENTRIES.into_iter().chain(typed).collect()
 }
 
 /// Variables that the operator reads and sets: number, meaning, unit.
-pub(super) fn variables(line: &Resolved) -> Vec<(u32, &'static str, &'static str)> {
+pub(super) fn variables(line: &RibbonLine) -> Vec<(u32, &'static str, &'static str)> {
     let per_turn = line.in_step();
     let mut all = vec![
         (100, "ribbon.spindle-speed", "r/min"),
@@ -72,13 +71,13 @@ pub(super) fn variables(line: &Resolved) -> Vec<(u32, &'static str, &'static str
 /// The vector feed per revolution of the unwinder's motor.
 const PER_TURN: u32 = 117;
 
-/// Entries that change the motion of a running line, with the variables that remember them; `#130` to `#136`.
-fn watched(line: &Resolved) -> [(u32, u32); 7] {
+/// Entries that change the motion of a running line, each with the variable of its copy, `#130` to `#136`.
+fn watched(line: &RibbonLine) -> [(u32, u32); 7] {
     [(line.input(), 130), (100, 131), (101, 132), (102, 133), (107, 134), (109, 135), (111, 136)]
 }
 
 /// The programs, one per file.
-pub(super) fn deck(line: &Resolved) -> Deck {
+pub(super) fn deck(line: &RibbonLine) -> Deck {
     let mut b = Builder::new();
     match line.p.variant {
         Variant::ReadyMade => {
@@ -94,34 +93,34 @@ pub(super) fn deck(line: &Resolved) -> Deck {
     b.finish()
 }
 
-fn header(b: &mut Builder, line: &Resolved) {
-    writing::header::<RibbonLine>(b, line.form, line.control);
+fn header(b: &mut Builder, line: &RibbonLine) {
+    writing::write_header::<RibbonLine>(b, &line.form, line.control);
 }
 
-/// Codes of the control for what is wanted, as far as it has them.
-fn codes(line: &Resolved, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
+/// The control's own codes for these functions; those that it lacks are left out.
+fn codes(line: &RibbonLine, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
     writing::codes(line.control, wanted)
 }
 
 /// A word that moves an axis by `by`: its incremental address, or its own under G91.
-fn travel(line: &Resolved, axis: usize, by: Formula) -> NewWord {
+fn travel(line: &RibbonLine, axis: usize, by: Formula) -> NewWord {
     let row = line.control.axes.get(axis);
     let own = row.map_or(b'X', |row| row.letter);
     let incremental = row.and_then(|row| row.incremental).filter(|_| !line.control.can(Code::Incremental));
     word(incremental.unwrap_or(own), by)
 }
 
-fn print_letter(line: &Resolved) -> char {
+fn print_letter(line: &RibbonLine) -> char {
     line.p.print_axis.letter() as char
 }
 
 /// A note about the print roller's axis.
-fn about(line: &Resolved, what: &str) -> String {
+fn about(line: &RibbonLine, what: &str) -> String {
     format!("{} {what}", print_letter(line))
 }
 
 /// Words of the pull axis for so many millimetres of ribbon.
-fn pull_words(line: &Resolved, ribbon: Formula) -> Formula {
+fn pull_words(line: &RibbonLine, ribbon: Formula) -> Formula {
     match line.pull_words() {
         1 => ribbon,
         words => ribbon * words,
@@ -129,7 +128,7 @@ fn pull_words(line: &Resolved, ribbon: Formula) -> Formula {
 }
 
 /// The block that pulls and prints. An exact stop that holds for one block stands in each.
-fn move_block(line: &Resolved, pull: Formula) -> Vec<NewWord> {
+fn move_block(line: &RibbonLine, pull: Formula) -> Vec<NewWord> {
     let once = line.p.path_mode == PathMode::ExactStop && !line.control.can(Code::ExactStop);
     let mut words = codes(line, once.then_some(Code::ExactStopOnce));
     let feed = if line.in_step() { PER_TURN } else { 115 };
@@ -138,26 +137,26 @@ fn move_block(line: &Resolved, pull: Formula) -> Vec<NewWord> {
 }
 
 /// Incremental dimensions, unit of F, and how blocks join.
-fn modes(line: &Resolved) -> Vec<NewWord> {
+fn modes(line: &RibbonLine) -> Vec<NewWord> {
     let feed = if line.in_step() { Code::FeedPerRevolution } else { Code::FeedPerMinute };
     let path = if line.p.path_mode == PathMode::ExactStop { Code::ExactStop } else { Code::Cutting };
     codes(line, [Code::Incremental, feed, path])
 }
 
 /// Feed override off, where the control has a variable for it.
-fn override_off(b: &mut Builder, line: &Resolved, number: u32) {
+fn override_off(b: &mut Builder, line: &RibbonLine, number: u32) {
     if overrides_can_be_off(line) {
         b.n(number).assign(3004, 2).note("FEED OVERRIDE OFF");
     }
 }
 
 /// Whether the program can switch the feed override off.
-pub(super) fn overrides_can_be_off(line: &Resolved) -> bool {
+pub(super) fn overrides_can_be_off(line: &RibbonLine) -> bool {
     line.control.var(3004).is_some_and(|row| row.kind == VarKind::SuppressOverride)
 }
 
 /// Here is zero.
-fn preset(b: &mut Builder, line: &Resolved, number: u32) {
+fn preset(b: &mut Builder, line: &RibbonLine, number: u32) {
     if !line.control.can(Code::SetCoordinates) {
         return;
     }
@@ -167,24 +166,17 @@ fn preset(b: &mut Builder, line: &Resolved, number: u32) {
     b.n(number).words(words);
 }
 
-/// A dwell in seconds.
-fn dwell(line: &Resolved, seconds: f64) -> [NewWord; 2] {
-    let addresses = line.control.syntax.dwell_addresses;
-    let address = if addresses.contains(&b'X') { b'X' } else { addresses.first().copied().unwrap_or(b'X') };
-    [g(4), word(address, real(seconds, 3))]
-}
-
 /// π as it is written: 3.141592654, or 3.14.
 ///
 /// The vector feed takes π almost squared: with eight decimals it would come out 2.3e-9 low, with nine it is right to 3e-10. Where the
 /// control takes fewer digits, it gets what fits.
-fn pi(line: &Resolved) -> Formula {
+fn pi(line: &RibbonLine) -> Formula {
     let decimals = line.dialect.reading.digits.saturating_sub(1).min(9);
     real(line.p.program_pi(), decimals as u8)
 }
 
 /// Actual spindle speed, equation (1). `input` holds the PLC's word.
-fn actual_speed(line: &Resolved, input: u32) -> Formula {
+fn actual_speed(line: &RibbonLine, input: u32) -> Formula {
     match line.p.override_form {
         OverrideForm::Percent => v(100) * v(input) / 100,
         OverrideForm::FinalSpeed => v(input),
@@ -192,7 +184,7 @@ fn actual_speed(line: &Resolved, input: u32) -> Formula {
 }
 
 /// Travel of the print roller per pitch: one head further.
-fn print_stroke(line: &Resolved) -> Formula {
+fn print_stroke(line: &RibbonLine) -> Formula {
     if line.degrees() { real(360.0, 0) / v(109) } else { pi(line) * v(111) / v(109) }
 }
 
@@ -202,12 +194,12 @@ fn vector_feed(speed: Formula) -> Formula {
 }
 
 /// Ribbon per revolution of the unwinder's motor, equation (2).
-fn per_turn(line: &Resolved) -> Formula {
+fn per_turn(line: &RibbonLine) -> Formula {
     pi(line) * v(102) / v(101)
 }
 
-/// F is more than the control takes.
-fn feed_alarm(b: &mut Builder, line: &Resolved) {
+/// The alarm of an F above the limit.
+fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
     let feed = line.control.variable(if line.in_step() { PER_TURN } else { 115 });
     writing::alarm(b, line.control, 20, &format!("FEED {feed} ABOVE LIMIT {}", line.control.variable(119)));
     if writing::has_alarms(line.control) {
@@ -216,7 +208,7 @@ fn feed_alarm(b: &mut Builder, line: &Resolved) {
 }
 
 /// O9100, ready-made: guards, copies of what the run watches, and the paper's equations.
-fn compute(b: &mut Builder, line: &Resolved) {
+fn compute(b: &mut Builder, line: &RibbonLine) {
     b.program(COMPUTE, "RIBBON LINE - COMPUTE");
     writing::guards(b, &entries(line));
     // Copied before it is used: what changes from here on differs from its copy and is computed again.
@@ -249,7 +241,7 @@ fn compute(b: &mut Builder, line: &Resolved) {
 }
 
 /// O9101, ready-made.
-fn run(b: &mut Builder, line: &Resolved) {
+fn run(b: &mut Builder, line: &RibbonLine) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
     override_off(b, line, 1);
@@ -270,7 +262,7 @@ fn run(b: &mut Builder, line: &Resolved) {
     b.n(17).assign(127, v(100));
     b.n(18).words([s(v(100))]);
     b.n(19).if_goto(v(115).ge(real(0.001, 3)), 30).note("F BELOW IS F0");
-    b.n(20).words(dwell(line, 0.1)).note("OVERRIDE 0: WAIT");
+    b.n(20).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     b.n(21).goto(15);
     b.n(30).while_do(v(125).ge(v(128)), 2);
     let watched = watched(line);
@@ -300,11 +292,11 @@ fn changed(watched: &[(u32, u32)]) -> Formula {
 }
 
 /// S and M3, and the wait until the unwinder runs.
-fn start_spindle(b: &mut Builder, line: &Resolved, start: u32, wait: u32) {
+fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait: u32) {
     b.n(start).words([s(v(100)), m(3)]);
     match line.p.wait {
         Wait::Dwell if line.p.dwell > 0.0 => {
-            b.n(wait).words(dwell(line, line.p.dwell)).note("SPINDLE GETS ITS SPEED");
+            b.n(wait).words(writing::dwell(line.control, line.p.dwell)).note("SPINDLE GETS ITS SPEED");
         }
         Wait::Dwell => {}
         Wait::Fin => {
@@ -315,7 +307,7 @@ fn start_spindle(b: &mut Builder, line: &Resolved, start: u32, wait: u32) {
 
 /// Spindle off, absolute dimensions, program end. `#3004` is cleared by the reset of M30: written here it would act before the last
 /// moves are done.
-fn end(b: &mut Builder, line: &Resolved) {
+fn end(b: &mut Builder, line: &RibbonLine) {
     b.n(50).words([m(5)]);
     let absolute = codes(line, [Code::Absolute]);
     if !absolute.is_empty() {
@@ -325,7 +317,7 @@ fn end(b: &mut Builder, line: &Resolved) {
 }
 
 /// O9100 as published: its numbers N5, N10, N20, N30, N100 and N200 with the corrections between them.
-fn published(b: &mut Builder, line: &Resolved) {
+fn published(b: &mut Builder, line: &RibbonLine) {
     b.program(COMPUTE, "RIBBON LINE - AS PUBLISHED");
     b.n(5).assign(104, actual_speed(line, line.input())).note("ACTUAL SPEED R/MIN");
     b.n(6).if_goto(v(104).le(v(116)), 10);
@@ -349,14 +341,14 @@ fn published(b: &mut Builder, line: &Resolved) {
     b.n(201).assign(122, v(122) + v(110) - v(124)).note(&about(line, "LEFT OVER"));
     b.n(202).assign(125, v(125) - 1);
     b.n(203).words(codes(line, [Code::SubEnd]));
-    b.n(210).words(dwell(line, 0.1)).note("OVERRIDE 0: WAIT");
+    b.n(210).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     b.n(211).words(codes(line, [Code::SubEnd]));
     feed_alarm(b, line);
     header(b, line);
 }
 
 /// The main program of the published listing: one call of O9100 per pitch.
-fn run_published(b: &mut Builder, line: &Resolved) {
+fn run_published(b: &mut Builder, line: &RibbonLine) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
     writing::guards(b, &entries(line));
@@ -374,7 +366,7 @@ fn run_published(b: &mut Builder, line: &Resolved) {
 }
 
 /// O9102: the values of the project, once.
-fn setup(b: &mut Builder, line: &Resolved) {
+fn setup(b: &mut Builder, line: &RibbonLine) {
     b.program(SETUP, "RIBBON LINE - SET VALUES ONCE");
     header(b, line);
     let p = &line.p;

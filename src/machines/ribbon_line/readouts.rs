@@ -1,245 +1,245 @@
-//! The results of the ribbon line as rows: what is shown, in which unit, by which formula, from which source.
+//! The results of the ribbon line as rows: label, unit, formula, source.
 
-use super::Line;
-use crate::machines::verdict::Row;
+use super::resolved::RibbonLine;
+use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
 /// Rows in the order they are shown; the headline ones first.
 #[rustfmt::skip]
-pub(super) const ROWS: &[Row<Line>] = &[
-    Row {
+pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
+    ReadoutRow {
         id: "line-speed", label: "ribbon.readout.line-speed", unit: "mm/min", decimals: 3, headline: true,
         formula: "#105 = K · #104",
-        cite: Citation::new("ribbon dot-printing paper, equation (2)", Grade::Manual), value: |d| d.line_speed,
+        cite: Citation::new("ribbon dot-printing paper, equation (2)", Grade::Manual), value: |line| line.d.line_speed,
     },
-    Row {
+    ReadoutRow {
         id: "dots-per-second", label: "ribbon.readout.dots-per-second", unit: "1/s", decimals: 4, headline: true,
         formula: "#105 / (60 · #107)",
-        cite: Citation::new("ribbon line facts, 2", Grade::Inferred), value: |d| d.dots_per_second,
+        cite: Citation::new("ribbon line facts, 2", Grade::Inferred), value: |line| line.d.dots_per_second,
     },
-    Row {
+    ReadoutRow {
         id: "vector-feed", label: "ribbon.readout.vector-feed", unit: "mm/min", decimals: 3, headline: true,
         formula: "#115 = #105 · SQRT[#107² + #110²] / #107",
-        cite: Citation::new("ribbon dot-printing paper, equation (4)", Grade::Manual), value: |d| d.vector_feed,
+        cite: Citation::new("ribbon dot-printing paper, equation (4)", Grade::Manual), value: |line| line.d.vector_feed,
     },
-    Row {
+    ReadoutRow {
         id: "block-time", label: "ribbon.readout.block-time", unit: "ms", decimals: 3, headline: true,
         formula: "#121 · #107 / #105 · 60 000",
-        cite: Citation::new("ribbon line facts, 2", Grade::Inferred), value: |d| d.block_time * 1e3,
+        cite: Citation::new("ribbon line facts, 2", Grade::Inferred), value: |line| line.d.block_time * 1e3,
     },
-    Row {
+    ReadoutRow {
         id: "volts", label: "ribbon.readout.volts", unit: "V", decimals: 3, headline: true,
         formula: "10 · round(4095 · #104 / n10) / 4095",
-        cite: Citation::new("ribbon line facts, 4; 12 bits from memory", Grade::Open), value: |d| d.volts,
+        cite: Citation::new("ribbon line facts, 4; 12 bits from memory", Grade::Open), value: |line| line.d.volts,
     },
-    Row {
+    ReadoutRow {
         id: "surface-ratio", label: "ribbon.readout.surface-ratio", unit: "", decimals: 3, headline: true,
         formula: "π · #111 / #109 / #107",
-        cite: Citation::new("sizing facts 3.1", Grade::Inferred), value: |d| d.surface_ratio,
+        cite: Citation::new("sizing facts 3.1", Grade::Inferred), value: |line| line.d.surface_ratio,
     },
-    Row {
+    ReadoutRow {
         id: "smear", label: "ribbon.readout.smear", unit: "mm", decimals: 3, headline: false,
         formula: "|1 - 1/r| · c",
-        cite: Citation::new("sizing facts 3.2", Grade::Inferred), value: |d| d.smear,
+        cite: Citation::new("sizing facts 3.2", Grade::Inferred), value: |line| line.d.smear,
     },
-    Row {
+    ReadoutRow {
         id: "k", label: "ribbon.readout.k", unit: "mm/rev", decimals: 6, headline: false,
         formula: "π · #102 / #101",
-        cite: Citation::new("ribbon dot-printing paper, equation (2)", Grade::Manual), value: |d| d.k,
+        cite: Citation::new("ribbon dot-printing paper, equation (2)", Grade::Manual), value: |line| line.d.k,
     },
-    Row {
+    ReadoutRow {
         id: "actual-speed", label: "ribbon.readout.actual-speed", unit: "r/min", decimals: 2, headline: false,
         formula: "#104 = #100 · override / 100, at most #116",
-        cite: Citation::new("ribbon dot-printing paper, equation (1)", Grade::Manual), value: |d| d.actual_speed,
+        cite: Citation::new("ribbon dot-printing paper, equation (1)", Grade::Manual), value: |line| line.d.actual_speed,
     },
-    Row {
+    ReadoutRow {
         id: "override-limit", label: "ribbon.readout.override-limit", unit: "%", decimals: 1, headline: false,
         formula: "100 · #116 / #100",
-        cite: Citation::new("sizing facts D20", Grade::Inferred), value: |d| d.override_limit,
+        cite: Citation::new("sizing facts D20", Grade::Inferred), value: |line| line.d.override_limit,
     },
-    Row {
+    ReadoutRow {
         id: "y-stroke", label: "ribbon.readout.y-stroke", unit: "mm", decimals: 6, headline: false,
         formula: "#110 = π · #111 / #109",
-        cite: Citation::new("ribbon dot-printing paper, table 1", Grade::Manual), value: |d| d.y_stroke,
+        cite: Citation::new("ribbon dot-printing paper, table 1", Grade::Manual), value: |line| line.d.y_stroke,
     },
-    Row {
+    ReadoutRow {
         id: "feed-per-revolution", label: "ribbon.readout.feed-per-revolution", unit: "mm/rev", decimals: 6, headline: false,
         formula: "#115 / #104",
-        cite: Citation::new("ribbon dot-printing paper, equations (2) and (4)", Grade::Inferred), value: |d| d.feed_per_revolution,
+        cite: Citation::new("ribbon dot-printing paper, equations (2) and (4)", Grade::Inferred), value: |line| line.d.feed_per_revolution,
     },
-    Row {
+    ReadoutRow {
         id: "x-feed", label: "ribbon.readout.x-feed", unit: "mm/min", decimals: 3, headline: false,
         formula: "#105",
-        cite: Citation::new("ribbon dot-printing paper, equation (3)", Grade::Manual), value: |d| d.x_feed,
+        cite: Citation::new("ribbon dot-printing paper, equation (3)", Grade::Manual), value: |line| line.d.x_feed,
     },
-    Row {
+    ReadoutRow {
         id: "y-feed", label: "ribbon.readout.y-feed", unit: "mm/min", decimals: 3, headline: false,
         formula: "#105 · #110 / #107",
-        cite: Citation::new("ribbon dot-printing paper, equation (3)", Grade::Manual), value: |d| d.y_feed,
+        cite: Citation::new("ribbon dot-printing paper, equation (3)", Grade::Manual), value: |line| line.d.y_feed,
     },
-    Row {
+    ReadoutRow {
         id: "surface-speed", label: "ribbon.readout.surface-speed", unit: "mm/min", decimals: 1, headline: false,
         formula: "r · #105",
-        cite: Citation::new("sizing facts A7", Grade::Inferred), value: |d| d.surface_speed,
+        cite: Citation::new("sizing facts A7", Grade::Inferred), value: |line| line.d.surface_speed,
     },
-    Row {
+    ReadoutRow {
         id: "print-roller-speed", label: "ribbon.readout.print-roller-speed", unit: "r/min", decimals: 3, headline: false,
         formula: "surface speed / (π · #111)",
-        cite: Citation::new("sizing facts A8", Grade::Inferred), value: |d| d.print_roller_speed,
+        cite: Citation::new("sizing facts A8", Grade::Inferred), value: |line| line.d.print_roller_speed,
     },
-    Row {
+    ReadoutRow {
         id: "x-motor-speed", label: "ribbon.readout.x-motor-speed", unit: "r/min", decimals: 1, headline: false,
         formula: "#105 / (π · Dx) · ix",
-        cite: Citation::new("sizing facts A9", Grade::Inferred), value: |d| d.x_motor_speed,
+        cite: Citation::new("sizing facts A9", Grade::Inferred), value: |line| line.d.x_motor_speed,
     },
-    Row {
+    ReadoutRow {
         id: "y-motor-speed", label: "ribbon.readout.y-motor-speed", unit: "r/min", decimals: 1, headline: false,
         formula: "print roller · iy",
-        cite: Citation::new("sizing facts A10", Grade::Inferred), value: |d| d.y_motor_speed,
+        cite: Citation::new("sizing facts A10", Grade::Inferred), value: |line| line.d.y_motor_speed,
     },
-    Row {
+    ReadoutRow {
         id: "volts-command", label: "ribbon.readout.volts-command", unit: "V", decimals: 5, headline: false,
         formula: "10 · #104 / n10",
-        cite: Citation::new("ribbon dot-printing paper, section 3", Grade::Manual), value: |d| d.volts_command,
+        cite: Citation::new("ribbon dot-printing paper, section 3", Grade::Manual), value: |line| line.d.volts_command,
     },
-    Row {
+    ReadoutRow {
         id: "analog-step", label: "ribbon.readout.analog-step", unit: "r/min", decimals: 3, headline: false,
         formula: "n10 / 4095",
-        cite: Citation::new("sizing facts D14", Grade::Open), value: |d| d.analog_step,
+        cite: Citation::new("sizing facts D14", Grade::Open), value: |line| line.d.analog_step,
     },
-    Row {
+    ReadoutRow {
         id: "frequency", label: "ribbon.readout.frequency", unit: "Hz", decimals: 2, headline: false,
         formula: "f10 · #104 / n10",
-        cite: Citation::new("sizing facts D2", Grade::Inferred), value: |d| d.frequency,
+        cite: Citation::new("sizing facts D2", Grade::Inferred), value: |line| line.d.frequency,
     },
-    Row {
+    ReadoutRow {
         id: "block-needed", label: "ribbon.readout.block-needed", unit: "ms", decimals: 1, headline: false,
         formula: "blocks · block time + macro blocks · macro time",
-        cite: Citation::new("sizing facts F12, times from memory", Grade::Open), value: |d| d.block_needed * 1e3,
+        cite: Citation::new("sizing facts F12, times from memory", Grade::Open), value: |line| line.d.block_needed * 1e3,
     },
-    Row {
+    ReadoutRow {
         id: "override-delay", label: "ribbon.readout.override-delay", unit: "ms", decimals: 0, headline: false,
         formula: "blocks read ahead · block time",
-        cite: Citation::new("ribbon line facts, 5", Grade::Sister), value: |d| d.override_delay * 1e3,
+        cite: Citation::new("ribbon line facts, 5", Grade::Sister), value: |line| line.d.override_delay * 1e3,
     },
-    Row {
+    ReadoutRow {
         id: "override-step", label: "ribbon.readout.override-step", unit: "mm/s", decimals: 3, headline: false,
         formula: "v · step / 100",
-        cite: Citation::new("sizing facts D19", Grade::Inferred), value: |d| d.override_step,
+        cite: Citation::new("sizing facts D19", Grade::Inferred), value: |line| line.d.override_step,
     },
-    Row {
+    ReadoutRow {
         id: "start-stop-speed", label: "ribbon.readout.start-stop-speed", unit: "%", decimals: 2, headline: false,
         formula: "T / (T + τ + ln(lag / w) / Kp)",
-        cite: Citation::new("sizing facts F6", Grade::Inferred), value: |d| d.start_stop_speed,
+        cite: Citation::new("sizing facts F6", Grade::Inferred), value: |line| line.d.start_stop_speed,
     },
-    Row {
+    ReadoutRow {
         id: "dots-per-product", label: "ribbon.readout.dots-per-product", unit: "", decimals: 0, headline: false,
         formula: "#120",
-        cite: Citation::new("ribbon dot-printing paper, section 1", Grade::Manual), value: |d| d.dots_per_product,
+        cite: Citation::new("ribbon dot-printing paper, section 1", Grade::Manual), value: |line| line.d.dots_per_product,
     },
-    Row {
+    ReadoutRow {
         id: "product-length", label: "ribbon.readout.product-length", unit: "mm", decimals: 3, headline: false,
         formula: "#120 · #107",
-        cite: Citation::new("ribbon line facts, 6", Grade::Inferred), value: |d| d.product_length,
+        cite: Citation::new("ribbon line facts, 6", Grade::Inferred), value: |line| line.d.product_length,
     },
-    Row {
+    ReadoutRow {
         id: "product-time", label: "ribbon.readout.product-time", unit: "s", decimals: 3, headline: false,
         formula: "start wait + #120 · T + τ",
-        cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: |d| d.product_time,
+        cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: |line| line.d.product_time,
     },
-    Row {
+    ReadoutRow {
         id: "products-per-hour", label: "ribbon.readout.products-per-hour", unit: "1/h", decimals: 1, headline: false,
         formula: "3600 / time of a product",
-        cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: |d| d.products_per_hour,
+        cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: |line| line.d.products_per_hour,
     },
-    Row {
+    ReadoutRow {
         id: "manual-line-speed", label: "ribbon.readout.manual-line-speed", unit: "mm/min", decimals: 1, headline: false,
         formula: "K · S",
-        cite: Citation::new("ribbon dot-printing paper, equation (2)", Grade::Manual), value: |d| d.manual_line_speed,
+        cite: Citation::new("ribbon dot-printing paper, equation (2)", Grade::Manual), value: |line| line.d.manual_line_speed,
     },
-    Row {
+    ReadoutRow {
         id: "matching-diameter", label: "ribbon.readout.matching-diameter", unit: "mm", decimals: 3, headline: false,
         formula: "#109 · #107 / π",
-        cite: Citation::new("sizing facts E2", Grade::Inferred), value: |d| d.matching_diameter,
+        cite: Citation::new("sizing facts E2", Grade::Inferred), value: |line| line.d.matching_diameter,
     },
-    Row {
+    ReadoutRow {
         id: "matching-heads", label: "ribbon.readout.matching-heads", unit: "", decimals: 1, headline: false,
         formula: "π · #111 / #107",
-        cite: Citation::new("sizing facts E3", Grade::Inferred), value: |d| d.matching_heads,
+        cite: Citation::new("sizing facts E3", Grade::Inferred), value: |line| line.d.matching_heads,
     },
-    Row {
+    ReadoutRow {
         id: "speed-error", label: "ribbon.readout.speed-error", unit: "%", decimals: 3, headline: false,
         formula: "n / S - 1 at the running load",
-        cite: Citation::new("sizing facts D6", Grade::Inferred), value: |d| d.speed_error * 100.0,
+        cite: Citation::new("sizing facts D6", Grade::Inferred), value: |line| line.d.speed_error * 100.0,
     },
-    Row {
+    ReadoutRow {
         id: "speed-error-rated", label: "ribbon.readout.speed-error-rated", unit: "%", decimals: 3, headline: false,
         formula: "n / S - 1 at rated torque",
-        cite: Citation::new("sizing facts D8", Grade::Inferred), value: |d| d.speed_error_rated * 100.0,
+        cite: Citation::new("sizing facts D8", Grade::Inferred), value: |line| line.d.speed_error_rated * 100.0,
     },
-    Row {
+    ReadoutRow {
         id: "slack-start", label: "ribbon.readout.slack-start", unit: "mm", decimals: 1, headline: false,
         formula: "v · (wait - ramp / 2 + τ / 2 + 1 / Kx)",
-        cite: Citation::new("sizing facts D23, D24", Grade::Inferred), value: |d| d.slack_start,
+        cite: Citation::new("sizing facts D23, D24", Grade::Inferred), value: |line| line.d.slack_start,
     },
-    Row {
+    ReadoutRow {
         id: "slack-rate", label: "ribbon.readout.slack-rate", unit: "mm/min", decimals: 1, headline: false,
         formula: "v unwound - v pulled",
-        cite: Citation::new("sizing facts D7", Grade::Inferred), value: |d| d.slack_rate,
+        cite: Citation::new("sizing facts D7", Grade::Inferred), value: |line| line.d.slack_rate,
     },
-    Row {
+    ReadoutRow {
         id: "slack-rate-rated", label: "ribbon.readout.slack-rate-rated", unit: "mm/min", decimals: 1, headline: false,
         formula: "v unwound - v pulled",
-        cite: Citation::new("sizing facts D9", Grade::Inferred), value: |d| d.slack_rate_rated,
+        cite: Citation::new("sizing facts D9", Grade::Inferred), value: |line| line.d.slack_rate_rated,
     },
-    Row {
+    ReadoutRow {
         id: "slack-run", label: "ribbon.readout.slack-run", unit: "mm", decimals: 1, headline: false,
         formula: "slack rate · time of a product",
-        cite: Citation::new("sizing facts 2.6", Grade::Inferred), value: |d| d.slack_run,
+        cite: Citation::new("sizing facts 2.6", Grade::Inferred), value: |line| line.d.slack_run,
     },
-    Row {
+    ReadoutRow {
         id: "slack-stop", label: "ribbon.readout.slack-stop", unit: "mm", decimals: 1, headline: false,
         formula: "v · (ramp / 2 + τ / 2 - 1 / Kx): M5 stands behind the last move",
-        cite: Citation::new("sizing facts D25", Grade::Inferred), value: |d| d.slack_stop,
+        cite: Citation::new("sizing facts D25", Grade::Inferred), value: |line| line.d.slack_stop,
     },
-    Row {
+    ReadoutRow {
         id: "loop-time", label: "ribbon.readout.loop-time", unit: "s", decimals: 1, headline: false,
         formula: "loop capacity / worst slack rate",
-        cite: Citation::new("sizing facts D26, D27", Grade::Inferred), value: |d| d.loop_time,
+        cite: Citation::new("sizing facts D26, D27", Grade::Inferred), value: |line| line.d.loop_time,
     },
-    Row {
+    ReadoutRow {
         id: "tension", label: "ribbon.readout.tension", unit: "N", decimals: 3, headline: false,
         formula: "E · width · thickness · draw",
-        cite: Citation::new("sizing facts D11", Grade::Inferred), value: |d| d.tension,
+        cite: Citation::new("sizing facts D11", Grade::Inferred), value: |line| line.d.tension,
     },
-    Row {
+    ReadoutRow {
         id: "pi-drift", label: "ribbon.readout.pi-drift", unit: "mm/min", decimals: 3, headline: false,
         formula: "(π / π written - 1) · v",
-        cite: Citation::new("sizing facts D21", Grade::Inferred), value: |d| d.pi_drift,
+        cite: Citation::new("sizing facts D21", Grade::Inferred), value: |line| line.d.pi_drift,
     },
-    Row {
+    ReadoutRow {
         id: "thickness-error", label: "ribbon.readout.thickness-error", unit: "%", decimals: 2, headline: false,
         formula: "t / #102 · 100",
-        cite: Citation::new("sizing facts D22", Grade::Inferred), value: |d| d.thickness_error,
+        cite: Citation::new("sizing facts D22", Grade::Inferred), value: |line| line.d.thickness_error,
     },
-    Row {
+    ReadoutRow {
         id: "register-error", label: "ribbon.readout.register-error", unit: "mm", decimals: 3, headline: false,
         formula: "v · ((τx - τy) / 2 + 1/Kx - 1/Ky)",
-        cite: Citation::new("sizing facts F15", Grade::Inferred), value: |d| d.register_error,
+        cite: Citation::new("sizing facts F15", Grade::Inferred), value: |line| line.d.register_error,
     },
-    Row {
+    ReadoutRow {
         id: "x-resolution", label: "ribbon.readout.x-resolution", unit: "µm", decimals: 3, headline: false,
         formula: "π · Dx / ix / pulses",
-        cite: Citation::new("sizing facts G", Grade::Inferred), value: |d| d.x_resolution,
+        cite: Citation::new("sizing facts G", Grade::Inferred), value: |line| line.d.x_resolution,
     },
-    Row {
+    ReadoutRow {
         id: "y-resolution", label: "ribbon.readout.y-resolution", unit: "µm", decimals: 3, headline: false,
         formula: "π · #111 / iy / pulses",
-        cite: Citation::new("sizing facts G", Grade::Inferred), value: |d| d.y_resolution,
+        cite: Citation::new("sizing facts G", Grade::Inferred), value: |line| line.d.y_resolution,
     },
-    Row {
+    ReadoutRow {
         id: "y-drift", label: "ribbon.readout.y-drift", unit: "mm", decimals: 3, headline: false,
         formula: "(round(#110) - #110) · pitches in 8 h",
-        cite: Citation::new("ribbon line facts, 3", Grade::Inferred), value: |d| d.y_drift,
+        cite: Citation::new("ribbon line facts, 3", Grade::Inferred), value: |line| line.d.y_drift,
     },
 ];

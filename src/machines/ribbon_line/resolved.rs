@@ -1,25 +1,30 @@
-//! The line on a control: which axes, words and inputs it has there, and the form without the choices that the control lacks.
+//! The ribbon line on a control: its axes, words and inputs there, and the form without the choices that the control lacks.
 
+use super::derive::Derived;
 use super::params::{FeedForm, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit};
 use crate::controls::vars::Width;
 use crate::controls::{Control, Dialect, VarKind};
-use crate::machines::ControlContext;
+use crate::machines::machine::ControlContext;
 
-/// The variable in which the operator types the override where the PLC cannot hand it over.
+/// Variable for the typed override, on controls whose PLC has no macro input.
 const TYPED: u32 = 103;
 
-/// The form on a control.
-pub(super) struct Resolved<'a> {
+/// The ribbon line on a control.
+#[derive(Debug)]
+pub(crate) struct RibbonLine {
     /// The form as it was filled in.
-    pub(super) form: &'a Params,
-    /// The form, with what the control has in place of what it lacks.
+    pub(super) form: Params,
+    /// The form, with the control's own choice where it lacks the chosen one.
     pub(super) p: Params,
-    pub(super) control: &'a Control,
+    /// The results of the formulas.
+    pub(super) d: Derived,
+    pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
 }
 
-impl<'a> Resolved<'a> {
-    pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
+impl RibbonLine {
+    /// Fits the form to the control and computes the formulas.
+    pub(super) fn resolve(form: Params, on: ControlContext) -> RibbonLine {
         let (control, dialect) = (on.control, on.dialect());
         let mut p = form.clone();
         p.print_axis = form.print_axis_on(control);
@@ -34,7 +39,8 @@ impl<'a> Resolved<'a> {
         if !form.stops_exactly(control) {
             p.path_mode = PathMode::Continuous;
         }
-        Resolved { form, p, control, dialect }
+        let d = Derived::new(&p, control.bench.output_bits);
+        RibbonLine { form, p, d, control, dialect }
     }
 
     /// Index of the axis that pulls, in the control's order.
@@ -47,7 +53,7 @@ impl<'a> Resolved<'a> {
         self.control.axis(self.p.print_axis.letter()).unwrap_or(0)
     }
 
-    /// What words of the pull axis count for each millimetre of ribbon.
+    /// Units of X words per millimetre of ribbon: 2 where they are diameters.
     pub(super) fn pull_words(&self) -> u32 {
         if self.dialect.counts_diameters(self.pull()) { 2 } else { 1 }
     }
@@ -62,18 +68,18 @@ impl<'a> Resolved<'a> {
         self.p.feed_form == FeedForm::PerRevolution
     }
 
-    /// The largest F: in mm/min the project's limit, and never more than the control reads.
+    /// The largest F: the range of the control, in mm/min also the limit of the form.
     pub(super) fn feed_max(&self) -> f64 {
         let limits = &self.control.limits;
         if self.in_step() { limits.revolution_feed_max } else { self.p.feed_limit.min(limits.feed_max) }
     }
 
-    /// The variable in which the PLC hands over the override; where the control has none, the one in which it is typed.
+    /// Variable of the override: the macro input, or the one in which it is typed.
     pub(super) fn input(&self) -> u32 {
         self.handed().unwrap_or(TYPED)
     }
 
-    /// The variable in which the PLC hands over the override, where the control has such.
+    /// Macro input that carries the override, where the control has one.
     pub(super) fn handed(&self) -> Option<u32> {
         let word = |kind| matches!(kind, VarKind::InputWord(_));
         let first = || self.control.vars.iter().find(|row| word(row.kind)).map(|row| row.first);

@@ -4,8 +4,9 @@
 //! smear; the loop hangs as deep as the slack is long.
 
 use super::params::Params;
-use super::resolved::Resolved;
+use super::resolved::RibbonLine;
 use crate::math::{self, PI};
+use crate::text::catalog::number_text as show;
 use crate::text::catalog::{Language, words};
 use crate::text::number::filled;
 use crate::view::Scene;
@@ -27,7 +28,7 @@ pub(super) mod group {
     pub(in super::super) const DOTS: u16 = 11;
 }
 
-/// Nodes whose path or text poses change; they stand behind the frame.
+/// Nodes whose path or text poses change; they follow the frame.
 pub(super) mod node {
     /// Plates, the reel's stand, the floor.
     const FRAME: usize = 5;
@@ -63,11 +64,11 @@ pub(super) const PITCH: f64 = 26.0;
 pub(super) const DOTS: u16 = 8;
 /// Depth of the loop with neither slack nor lack.
 const LOOP_DEPTH: f64 = 66.0;
-/// Heads that can be told apart in the drawing; more are drawn as these.
+/// Greatest number of heads in the drawing.
 const HEADS: f64 = 60.0;
 
 /// The drawing at rest.
-pub(super) fn scene(line: &Resolved) -> Scene {
+pub(super) fn scene(line: &RibbonLine) -> Scene {
     let p = &line.p;
     let mut pen = Pen::default();
     let language = Language::English;
@@ -115,7 +116,7 @@ pub(super) fn scene(line: &Resolved) -> Scene {
         nodes: pen.nodes,
         groups: group::DOTS + DOTS,
         alt: "ribbon.scene.alt",
-        strobe: true,
+        option: Some("ribbon.scene.strobe"),
     }
 }
 
@@ -176,12 +177,12 @@ fn web(pen: &mut Pen, p: &Params) {
     // How deep the loop may hang, and a straight ribbon.
     let full = WEB + 2.0 * LOOP_DEPTH + 6.0;
     pen.path(0, filled("M290 #H362", &[full]), "", "dim", 1.0, "dash");
-    pen.text(326.0, full + 14.0, "middle", format!("{} mm", super::show(p.loop_capacity, 0)), "dim", "small");
+    pen.text(326.0, full + 14.0, "middle", format!("{} mm", show(p.loop_capacity, 0)), "dim", "small");
     pen.rect(546.0, WEB + 3.5, 60.0, 9.0, "steel", "roller");
     pen.path(0, filled("M560 #V286H592V#Z", &[WEB + 12.5, WEB + 12.5]), "steel", "", 0.0, "soft");
     pen.path(0, "M738 136H752M748 132L753 136L748 140".to_owned(), "", "dim", 1.2, "");
     pen.path(0, "M640 136V144M666 136V144M640 140H666".to_owned(), "", "dim", 1.0, "");
-    pen.text(653.0, 157.0, "middle", format!("{} mm", super::show(p.pitch, 3)), "dim", "small");
+    pen.text(653.0, 157.0, "middle", format!("{} mm", show(p.pitch, 3)), "dim", "small");
     pen.text(653.0, 170.0, "middle", words(Language::English, "ribbon.scene.pitch").to_owned(), "dim", "small");
 }
 
@@ -224,7 +225,7 @@ fn print(pen: &mut Pen, p: &Params) {
     dots(pen, p);
 }
 
-/// The dots, each a group of its own, and the streak that stands for them when they run too fast to see.
+/// The dots, each a group of its own, and the streak that replaces them at high speed.
 fn dots(pen: &mut Pen, p: &Params) {
     let ratio = PI * p.print_roller_diameter / p.heads / p.pitch;
     let smear = (crate::drives::web::smear(ratio, p.contact_length) / p.pitch * PITCH).min(PITCH - 6.0);

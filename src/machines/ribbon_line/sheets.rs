@@ -1,32 +1,32 @@
-//! What the machine builder sets beside the program: parameters, registers between PLC and control, and the ladder of figure 1.
+//! Sheets for the machine builder: parameters, registers between PLC and control, and the ladder of figure 1.
 
 use super::params::{OverrideForm, PrintAxis, Wait};
 use super::program;
-use super::resolved::Resolved;
+use super::resolved::RibbonLine;
 use crate::controls::ParamRole;
 use crate::controls::interface::SignalRole;
-use crate::machines::sheets::{self, Axes, Setting, row, say};
+use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
 use crate::text::number::Plain;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
 use crate::view::ladder::{self, Contact, Rung};
 
 /// All sheets.
-pub(super) fn sheets(line: &Resolved) -> Vec<Sheet> {
+pub(super) fn sheets(line: &RibbonLine) -> Vec<Sheet> {
     vec![parameters(line), interface(line), ladder(line)]
 }
 
 /// Parameters with their values for this project.
-fn parameters(line: &Resolved) -> Sheet {
+fn parameters(line: &RibbonLine) -> Sheet {
     let p = &line.p;
     let print: &str = &(p.print_axis.letter() as char).to_string();
-    let number = |value: f64| Setting::Number(value);
+    let number = |value: f64| ParamValue::Number(value);
     let per_axis = |x: f64, y: f64| vec![("X", number(x)), (print, number(y))];
-    let one = |setting: Setting| vec![("", setting)];
-    let both = |on: bool| vec![("X", Setting::Answer(on)), (print, Setting::Answer(on))];
+    let one = |setting: ParamValue| vec![("", setting)];
+    let both = |on: bool| vec![("X", ParamValue::Answer(on)), (print, ParamValue::Answer(on))];
     // A rotary axis can be C or what was fitted as Y.
-    let turning = if p.print_axis == PrintAxis::Z { vec![] } else { vec![(print, Setting::Answer(line.degrees()))] };
-    let yes = |on: bool| one(Setting::Answer(on));
+    let turning = if p.print_axis == PrintAxis::Z { vec![] } else { vec![(print, ParamValue::Answer(line.degrees()))] };
+    let yes = |on: bool| one(ParamValue::Answer(on));
     let values = vec![
         (ParamRole::SpindleCount, yes(true)),
         (ParamRole::SpindleConnection, yes(true)),
@@ -34,7 +34,7 @@ fn parameters(line: &Resolved) -> Sheet {
         (ParamRole::SpindleMaximum, one(number(p.top_speed()))),
         (ParamRole::SpindleMinimum, one(number(0.0))),
         (ParamRole::SpindleEncoder, yes(p.spindle_encoder)),
-        (ParamRole::AxisDiameter, vec![("X", Setting::Answer(line.pull_words() == 2))]),
+        (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(line.pull_words() == 2))]),
         (ParamRole::AxisRotary, turning),
         (ParamRole::AxisRapid, per_axis(p.rapid_x, p.rapid_y)),
         (ParamRole::AxisClamp, per_axis(p.clamp_x, p.clamp_y)),
@@ -50,12 +50,12 @@ fn parameters(line: &Resolved) -> Sheet {
         (ParamRole::EditLock, yes(false)),
         (ParamRole::MacroSingle, yes(false)),
     ];
-    let axes = Axes { cross_words: f64::from(line.pull_words()), rotary: line.degrees().then_some(print) };
+    let axes = AxisUnits { cross_words: f64::from(line.pull_words()), rotary: line.degrees().then_some(print) };
     sheets::parameters(line.control, &axes, values)
 }
 
 /// Registers between PLC and control, as far as the control has them: who writes, who reads, what for.
-fn interface(line: &Resolved) -> Sheet {
+fn interface(line: &RibbonLine) -> Sheet {
     let (p, input) = (&line.p, line.input());
     let (plc, nc, text) = (say("ribbon.plc.plc"), say("ribbon.plc.control"), say("ribbon.plc.program"));
     let number = |variable: u32| format!("#{variable}");
@@ -94,8 +94,8 @@ fn interface(line: &Resolved) -> Sheet {
     sheets::interface(rows)
 }
 
-/// The rungs of the paper's figure 1, and FIN. What the control has no register for is left out.
-fn rungs(line: &Resolved) -> Vec<Rung> {
+/// The rungs of the paper's figure 1, and FIN; rungs need a register of the control.
+fn rungs(line: &RibbonLine) -> Vec<Rung> {
     let p = &line.p;
     let name = |role| line.dialect.device(line.control, role).map(|(device, _)| device);
     let register = name(SignalRole::SpindleOverride);
@@ -145,7 +145,7 @@ fn rungs(line: &Resolved) -> Vec<Rung> {
 }
 
 /// Figure 1 as an instruction list, with its drawing.
-fn ladder(line: &Resolved) -> Sheet {
+fn ladder(line: &RibbonLine) -> Sheet {
     let rungs = rungs(line);
     let cite = Citation::new(
         "ribbon dot-printing paper, figure 1: R148 to R74; instructions by the usual list of the maker",

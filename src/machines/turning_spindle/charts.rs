@@ -1,35 +1,34 @@
 //! The charts of the turning spindle: over time from the run, over the diameter from the formulas.
 
-use super::Lathe;
-use super::resolved::Resolved;
+use super::resolved::TurningSpindle;
 use crate::drives::speed::surface_speed;
-use crate::machines::chart_rows::{Line, Row};
+use crate::machines::chart_rows::{ChartLine, ChartRow};
 use crate::view::{Chart, Series};
 
 /// Charts over time, from top to bottom.
 #[rustfmt::skip]
-pub(super) const ROWS: &[Row<Lathe>] = &[
-    Row { id: "speed", title: "turning.chart.speed", unit: "r/min", lines: &[
-        Line { label: |_| "turning.chart.command", tone: 0, value: |_, now| now.spindle.command },
-        Line { label: |_| "turning.chart.actual", tone: 1, value: |_, now| now.spindle.actual },
+pub(super) const ROWS: &[ChartRow<TurningSpindle>] = &[
+    ChartRow { id: "speed", title: "turning.chart.speed", unit: "r/min", lines: &[
+        ChartLine { label: |_| "turning.chart.command", tone: 0, value: |_, now| now.spindle.command },
+        ChartLine { label: |_| "turning.chart.actual", tone: 1, value: |_, now| now.spindle.actual },
     ] },
-    Row { id: "surface", title: "turning.chart.surface", unit: "m/min", lines: &[
-        Line { label: |_| "turning.chart.at-tool", tone: 2, value: |lathe, now| surface_speed(now.spindle.actual, lathe.diameter(now)) },
+    ChartRow { id: "surface", title: "turning.chart.surface", unit: "m/min", lines: &[
+        ChartLine { label: |_| "turning.chart.at-tool", tone: 2, value: |lathe, now| surface_speed(now.spindle.actual, lathe.diameter(now)) },
     ] },
-    Row { id: "volts", title: "turning.chart.volts", unit: "V", lines: &[
-        Line { label: |_| "turning.chart.output", tone: 3, value: |_, now| now.spindle.volts },
+    ChartRow { id: "volts", title: "turning.chart.volts", unit: "V", lines: &[
+        ChartLine { label: |_| "turning.chart.output", tone: 3, value: |_, now| now.spindle.volts },
     ] },
-    Row { id: "stage", title: "turning.chart.stage", unit: "", lines: &[
-        Line { label: |_| "turning.chart.engaged", tone: 4, value: |_, now| f64::from(now.spindle.stage) },
+    ChartRow { id: "stage", title: "turning.chart.stage", unit: "", lines: &[
+        ChartLine { label: |_| "turning.chart.engaged", tone: 4, value: |_, now| f64::from(now.spindle.stage) },
     ] },
-    Row { id: "diameter", title: "turning.chart.diameter", unit: "mm", lines: &[
-        Line { label: |_| "turning.chart.tool", tone: 0, value: |lathe, now| lathe.diameter(now) },
+    ChartRow { id: "diameter", title: "turning.chart.diameter", unit: "mm", lines: &[
+        ChartLine { label: |_| "turning.chart.tool", tone: 0, value: |lathe, now| lathe.diameter(now) },
     ] },
 ];
 
 /// Charts over the diameter: constant surface speed beside the fixed speed.
-pub(super) fn over_diameter(lathe: &Resolved, points: usize) -> Vec<Chart> {
-    let d = lathe.derived();
+pub(super) fn over_diameter(lathe: &TurningSpindle, points: usize) -> Vec<Chart> {
+    let d = &lathe.d;
     let points = points.max(2);
     let step = (d.largest - d.smallest) / (points - 1) as f64;
     let held = |diameter: f64| d.held.at(diameter).0;

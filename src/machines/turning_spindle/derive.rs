@@ -1,4 +1,4 @@
-//! The formulas of the turning spindle, each once: what follows from the inputs before anything runs.
+//! The formulas of the turning spindle, each once: results that need no run.
 
 use super::params::{Direction, Gear, Output, Params, Path, SpeedMode};
 use crate::controls::SpindleRules;
@@ -7,24 +7,24 @@ use crate::drives::speed::{SpeedLimits, limit_diameter, surface_rpm, surface_spe
 use crate::drives::{Analog, Bound};
 use crate::math;
 
-/// Passes that are counted at most.
-pub const PASSES: f64 = 2000.0;
+/// Greatest number of passes.
+pub(super) const PASSES: f64 = 2000.0;
 
 /// The spindle's speed over the diameter, as the control holds it.
 #[derive(Debug, Clone, Default)]
-pub struct Held {
+pub(super) struct Held {
     limits: SpeedLimits,
-    /// Surface speed behind an override that acts before the limits, m/min.
+    /// Surface speed after an override that acts before the limits, m/min.
     speed: f64,
-    /// Override that acts behind the limits.
+    /// Factor of an override that acts after the limits.
     behind: f64,
-    /// What the output can ask for.
+    /// Greatest speed of the analog output, r/min.
     top: f64,
 }
 
 impl Held {
-    /// Speed at a surface speed, and what holds it.
-    pub fn at(&self, diameter: f64) -> (f64, Bound) {
+    /// Speed (r/min) at a diameter (mm) under constant surface speed, and the limit that binds it.
+    pub(super) fn at(&self, diameter: f64) -> (f64, Bound) {
         self.within(surface_rpm(self.speed, diameter))
     }
 
@@ -35,16 +35,15 @@ impl Held {
     }
 }
 
-/// What follows from the inputs. Speeds in r/min, diameters in mm, times in seconds, voltages in volts.
+/// The results. Speeds in r/min, diameters in mm, times in s, voltages in V.
 #[derive(Debug, Clone, Default)]
-#[allow(missing_docs)] // One row of the readouts documents each member: label, unit, formula, source.
-pub struct Derived {
+pub(super) struct Derived {
     pub passes: f64,
     pub largest: f64,
     pub smallest: f64,
     pub speed_largest: f64,
     pub speed_smallest: f64,
-    /// What sets the speed at the smallest diameter.
+    /// The limit that binds the speed at the smallest diameter.
     pub bound: Bound,
     pub limit_diameter: f64,
     pub low_diameter: f64,
@@ -59,9 +58,9 @@ pub struct Derived {
     /// Number of the gear stage, from 1.
     pub stage: u8,
     pub stage_speed: f64,
-    /// What the output can ask for in it, offsets included.
+    /// Greatest speed of the analog output in this stage, offsets included.
     pub stage_top: f64,
-    /// What the spindle is held at below the limit diameter.
+    /// Speed below the limit diameter.
     pub high: f64,
     pub volts_largest: f64,
     pub volts_smallest: f64,
@@ -72,14 +71,14 @@ pub struct Derived {
     pub acceleration_needed: f64,
     pub acceleration: f64,
     pub feed_top: f64,
-    /// The speed that was asked for at the stock's diameter, where the spindle keeps one speed.
+    /// Commanded speed at the stock's diameter, at one speed for the whole cut.
     pub asked: f64,
     pub held: Held,
 }
 
 impl Params {
     /// Passes from stock to finished part.
-    pub fn passes(&self) -> f64 {
+    pub(super) fn passes(&self) -> f64 {
         let depth = match self.path {
             Path::Facing => self.allowance,
             Path::Turning => 0.5 * (self.stock_diameter - self.finished_diameter),
@@ -89,8 +88,8 @@ impl Params {
         math::clamp(((depth / self.depth * 1e9).round() / 1e9).ceil(), 0.0, PASSES)
     }
 
-    /// What is left to cut behind pass `pass` (from 1): mm in Z on a face, in diameter else.
-    pub fn left(&self, pass: f64) -> f64 {
+    /// Stock that remains after pass `pass` (from 1), mm: along Z on a face, else in diameter.
+    pub(super) fn left(&self, pass: f64) -> f64 {
         match self.path {
             Path::Facing => (self.allowance - pass * self.depth).max(0.0),
             Path::Turning => (self.stock_diameter - self.finished_diameter - 2.0 * pass * self.depth).max(0.0),
@@ -102,7 +101,7 @@ impl Params {
     }
 
     /// The cuts of a pass (from 1), one or two. They begin at the clearance.
-    pub fn cuts(&self, pass: f64) -> impl Iterator<Item = Cut> {
+    pub(super) fn cuts(&self, pass: f64) -> impl Iterator<Item = Cut> {
         let (feed, clear) = (self.feed, self.clearance);
         let along = |diameter: f64, length: f64| Cut { diameters: (diameter, diameter), length, feed };
         let cuts = match self.path {
@@ -123,7 +122,7 @@ impl Params {
     }
 
     /// Largest and smallest diameter at which anything is cut, the way in from the clearance included.
-    pub fn diameters(&self) -> (f64, f64) {
+    pub(super) fn diameters(&self) -> (f64, f64) {
         let ends = [1.0, self.passes().max(1.0)].map(|pass| {
             self.cuts(pass).fold((0.0_f64, f64::INFINITY), |(large, small), Cut { diameters: (from, to), .. }| {
                 (large.max(from).max(to), small.min(from).min(to))
@@ -133,7 +132,7 @@ impl Params {
     }
 
     /// The converter of the analog output in a gear stage that has `rated` r/min at 10 V.
-    pub fn analog(&self, rated: f64, volts: f64, bits: u8) -> Analog {
+    pub(super) fn analog(&self, rated: f64, volts: f64, bits: u8) -> Analog {
         Analog {
             bits,
             offset_zero: self.offset_zero / 1000.0,
@@ -145,7 +144,7 @@ impl Params {
 
     /// Number of the gear stage, from 1, and its speed at full output: the chosen one where it is fitted, else the lowest that reaches
     /// `top` r/min, else the fastest.
-    pub fn stage(&self, top: f64) -> (u8, f64) {
+    pub(super) fn stage(&self, top: f64) -> (u8, f64) {
         let stages = || (1..).zip(self.stages());
         let chosen = stages().find(|(number, _)| self.gear != Gear::Best && *number == self.gear as u8);
         let reaches = || stages().filter(|(_, speed)| *speed >= top).fold(None, slower);
@@ -159,13 +158,13 @@ fn slower(best: Option<(u8, f64)>, next: (u8, f64)) -> Option<(u8, f64)> {
 }
 
 impl Derived {
-    /// Everything that follows from the inputs, with an output of `bits` bits and `volts` at its end, on a control with these rules.
-    pub fn new(p: &Params, volts: f64, bits: u8, rules: &SpindleRules) -> Derived {
+    /// Computes the results for an analog output of `bits` bits with `volts` at full scale, on a control with these rules.
+    pub(super) fn new(p: &Params, volts: f64, bits: u8, rules: &SpindleRules) -> Derived {
         let (largest, smallest) = p.diameters();
         let fixed = p.speed_mode == SpeedMode::Fixed;
         let knob = p.override_percent / 100.0;
         let (before, behind) = if rules.override_last { (1.0, knob) } else { (knob, 1.0) };
-        // What is commanded at a surface speed, and where that ends: behind the limits only the output itself holds the override.
+        // Commanded surface speed and its limits; an override after the limits is bound by the output alone.
         let v = p.cutting_speed * before;
         let machine = p.chuck_limit.min(p.upper_limit);
         let low = if fixed && !rules.low_always { 0.0 } else { p.lower_limit };
@@ -214,7 +213,7 @@ impl Derived {
             surface_time,
             fixed_time,
             cutting_time: if fixed { fixed_time } else { surface_time },
-            // All of it where a spindle that stands at its one speed never ends the cut.
+            // 100 % where one speed of 0 never ends the cut.
             saved: if fixed_time > 0.0 && surface_time.is_finite() {
                 100.0 * (1.0 - surface_time / fixed_time)
             } else {
@@ -239,7 +238,7 @@ impl Derived {
     }
 }
 
-/// How fast the spindle has to speed up at a diameter, in r/min per second: `dn/dt = n² f s / (60 d)`, where the diameter changes by `s`
+/// Acceleration of the spindle at a diameter d [mm], r/min per second: `dn/dt = n² f s / (60 d)`, where the diameter changes by `s`
 /// for each millimetre of path (2 on a face).
 ///
 /// Source: derivative of `n = 1000 v / (π d)` along the path.

@@ -1,8 +1,8 @@
-//! The turning spindle: a lathe that faces, turns or cuts a taper, and what its spindle does on the way.
+//! The turning spindle: a lathe that faces, turns or cuts a taper at constant surface speed or constant r/min.
 
-pub mod params;
+mod params;
 
-pub mod derive;
+mod derive;
 
 mod resolved;
 
@@ -22,106 +22,93 @@ mod charts;
 
 mod sheets;
 
+pub(crate) use resolved::TurningSpindle;
+
 use crate::controls::Control;
 use crate::machines::chart_rows;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
-use crate::machines::verdict::{Rows, judge};
-use crate::machines::{ControlContext, Defaults, Design, Frame, Machine, MachineProgram, Samples};
-use crate::motion::{Action, Plant, Plc, Snapshot};
-use crate::text::catalog::number_text as show;
+use crate::machines::machine::{
+    ControlContext, Defaults, Design, Frame, Machine, MachineProgram, PanelSetup, Prepared, Samples,
+};
+use crate::machines::verdict::judge;
+use crate::motion::{Plant, Plc, Snapshot};
 use crate::view::{Chart, Pose, Scene, Sheet};
-use derive::Derived;
 use params::{FIELDS, Params};
-use resolved::Resolved;
-use rules::{Case, RULES};
-
-/// The machine.
-#[derive(Debug)]
-pub struct TurningSpindle;
-
-/// The lathe, for its rows.
-struct Lathe;
-
-impl Rows for Lathe {
-    type Resolved<'a> = Resolved<'a>;
-    type Derived = Derived;
-    type Case<'a> = Case<'a>;
-}
+use rules::RULES;
 
 impl Machine for TurningSpindle {
     type Params = Params;
     const ID: &'static str = "turning-spindle";
     const NAME: &'static str = "turning.name";
     const CONTROLS: &'static [&'static str] = &["gsk-980tdc", "sinumerik-802d", "knd-k2000t", "mitsubishi-e60"];
-
-    const LISTING: &'static str = "";
     const SPEED: f64 = 1.0;
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS
     }
 
-    /// The control's own times.
-    fn start(control: &Control) -> Defaults {
-        let mut start = Defaults::timing(control);
-        start.keep_common(control);
-        start
+    fn defaults(control: &Control) -> Defaults {
+        let mut defaults = Defaults::timing(control);
+        defaults.keep_common(control);
+        defaults
     }
 
-    fn design(p: &Params, on: ControlContext) -> Design {
-        let lathe = Resolved::new(p, on);
-        let d = lathe.derived();
-        let case = Case { lathe: &lathe, p: &lathe.p, d: &d };
+    fn new(form: Params, on: ControlContext) -> TurningSpindle {
+        TurningSpindle::resolve(form, on)
+    }
+}
+
+impl Prepared for TurningSpindle {
+    fn results(&self) -> Design {
         let shown = |id: &str| match id {
-            "power" | "torque" => lathe.p.cutting_force > 0.0,
+            "power" | "torque" => self.p.cutting_force > 0.0,
             "limit-diameter" | "limited-share" | "low-diameter" | "surface-smallest" | "acceleration-needed" => {
-                lathe.surface()
+                self.surface()
             }
             _ => true,
         };
         let readouts = readouts::ROWS.iter().filter(|row| shown(row.id));
-        let readouts = readouts.map(|row| judge(row, &d, row.unit, RULES, &case)).collect();
-        Design { readouts, diagnostics: rules::findings(&case) }
+        let readouts = readouts.map(|row| judge(row, self, row.unit, RULES)).collect();
+        Design { readouts, diagnostics: rules::findings(self) }
     }
 
-    fn plan(p: &Params, on: ControlContext) -> MachineProgram {
-        let deck = program::deck(&Resolved::new(p, on));
-        MachineProgram { deck, setup: program::SETUP, main: program::RUN, crlf: p.newline == LineEnds::CrLf }
+    fn program(&self) -> MachineProgram {
+        let crlf = self.p.newline == LineEnds::CrLf;
+        MachineProgram { deck: program::deck(self), setup: program::SETUP, main: program::RUN, crlf }
     }
 
-    fn plant(p: &Params, on: ControlContext) -> Plant {
-        plant::plant(&Resolved::new(p, on))
+    fn plant(&self) -> Plant {
+        plant::plant(self)
     }
 
-    fn hand(p: &Params) -> Vec<Action> {
-        vec![Action::SpindleOverride(p.override_percent)]
+    fn plc(&self) -> Box<dyn Plc> {
+        Box::new(plant::plc(self))
     }
 
-    fn plc(p: &Params, on: ControlContext) -> Box<dyn Plc> {
-        Box::new(plant::plc(&Resolved::new(p, on)))
+    fn panel(&self) -> PanelSetup {
+        PanelSetup { spindle_override: Some(self.form.override_percent), ..PanelSetup::default() }
     }
 
-    fn sheets(p: &Params, on: ControlContext) -> Vec<Sheet> {
-        sheets::sheets(&Resolved::new(p, on))
+    fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {
+        program::variables(self)
     }
 
-    fn variables(p: &Params, on: ControlContext) -> Vec<(u32, &'static str, &'static str)> {
-        program::variables(&Resolved::new(p, on))
+    fn sheets(&self) -> Vec<Sheet> {
+        sheets::sheets(self)
     }
 
-    fn scene(p: &Params, on: ControlContext) -> Scene {
-        scene::scene(&Resolved::new(p, on))
+    fn scene(&self) -> Scene {
+        scene::scene(self)
     }
 
-    fn pose(p: &Params, on: ControlContext, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
-        pose::pose(&Resolved::new(p, on), run, now, frame)
+    fn pose(&self, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+        pose::pose(self, run, now, frame)
     }
 
-    fn charts(p: &Params, on: ControlContext, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
-        let lathe = Resolved::new(p, on);
-        let mut all = chart_rows::charts(charts::ROWS, &lathe, run, from, to, points);
-        all.extend(charts::over_diameter(&lathe, points));
+    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
+        let mut all = chart_rows::charts(charts::ROWS, self, run, from, to, points);
+        all.extend(charts::over_diameter(self, points));
         all
     }
 }

@@ -7,8 +7,8 @@ use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
 use crate::{member, options};
 
 options! {
-    /// What is cut.
-    pub enum Path {
+    /// Shape of the cut.
+    pub(crate) enum Path {
         /// Across the face, from the stock's diameter inwards.
         Facing = "facing" "turning.path.facing",
         /// Along the part, at one diameter per pass.
@@ -19,18 +19,18 @@ options! {
 }
 
 options! {
-    /// What the spindle holds.
-    pub enum SpeedMode {
-        /// The surface speed, by the diameter.
+    /// Spindle speed during the cut.
+    pub(crate) enum SpeedMode {
+        /// Constant surface speed: r/min by the diameter.
         Surface = "surface" "turning.speed-mode.surface",
-        /// Its own speed, that of the stock's diameter.
+        /// Constant r/min: that of the stock's diameter.
         Fixed = "fixed" "turning.speed-mode.fixed",
     }
 }
 
 options! {
-    /// Which way it turns.
-    pub enum Direction {
+    /// Direction of rotation.
+    pub(crate) enum Direction {
         /// M03.
         Clockwise = "cw" "turning.direction.cw",
         /// M04.
@@ -40,7 +40,7 @@ options! {
 
 options! {
     /// The gear stage that the program engages.
-    pub enum Gear {
+    pub(crate) enum Gear {
         /// The lowest that reaches the highest speed needed.
         Best = "best" "turning.gear.best",
         /// Stage 1.
@@ -56,7 +56,7 @@ options! {
 
 options! {
     /// Form of the analog output.
-    pub enum Output {
+    pub(crate) enum Output {
         /// 0 to 10 V, direction by contacts.
         Unipolar = "0-10" "turning.output.unipolar",
         /// -10 to 10 V.
@@ -66,8 +66,7 @@ options! {
 
 /// Inputs of the turning spindle, within the ranges of [`FIELDS`]. Units as in the form.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[allow(missing_docs)] // One row of FIELDS documents each member: label, unit, range, help.
-pub struct Params {
+pub(crate) struct Params {
     pub path: Path,
     pub stock_diameter: f64,
     pub finished_diameter: f64,
@@ -127,7 +126,7 @@ pub(super) fn has_address(control: &Control, address: u8) -> bool {
 
 impl Params {
     /// Speeds at full output of the gear stages that are fitted, in r/min.
-    pub fn stages(&self) -> impl Iterator<Item = f64> {
+    pub(super) fn stages(&self) -> impl Iterator<Item = f64> {
         [self.stage_1, self.stage_2, self.stage_3, self.stage_4].into_iter().take_while(|speed| *speed > 0.0)
     }
 
@@ -176,7 +175,7 @@ impl Params {
 
 /// Every input, in the order of the form.
 #[rustfmt::skip]
-pub static FIELDS: &[Field<Params>] = &[
+pub(super) static FIELDS: &[Field<Params>] = &[
     choice("path", member!(Params.path: Path)).group("turning.group.part").label("turning.path").help("turning.path.help"),
     number("stock-diameter", member!(Params.stock_diameter)).group("turning.group.part").label("turning.stock-diameter").help("turning.stock-diameter.help").symbol("#102")
         .unit("mm").range(1.0..=3000.0).default(80.0).decimals(3).step(1.0).essential(),

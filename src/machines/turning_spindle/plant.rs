@@ -1,15 +1,15 @@
 //! The plant of the turning spindle: two slides, the spindle with its gear stages, and the builder's logic between them.
 
-use super::resolved::{ALONG, CROSS, Resolved};
+use super::resolved::{ALONG, CROSS, TurningSpindle};
 use crate::controls::SpindleRules;
 use crate::drives::Positioning;
 use crate::motion::{AxisPlant, BenchPlc, GearShift, Plant, SpindlePlant};
 
-/// Seconds from a strobe to FIN where nothing has to be waited for: a few scans of the ladder.
+/// Seconds from a strobe to FIN: a few scans of the ladder.
 const FIN_DELAY: f64 = 0.05;
 
 /// The plant with the project's clamps, ramps and limits.
-pub(super) fn plant(lathe: &Resolved) -> Plant {
+pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
     let p = &lathe.p;
     let slide = |letter: u8, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
         letter,
@@ -36,7 +36,7 @@ pub(super) fn plant(lathe: &Resolved) -> Plant {
     }
 }
 
-fn spindle(lathe: &Resolved) -> SpindlePlant {
+fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
     let (p, bench) = (&lathe.p, &lathe.control.bench);
     let analog = p.analog(p.stage_1, bench.volts_full, bench.output_bits);
     let rules = SpindleRules {
@@ -54,7 +54,7 @@ fn spindle(lathe: &Resolved) -> SpindlePlant {
 }
 
 /// FIN for S, M and T, and the gear change.
-pub(super) fn plc(lathe: &Resolved) -> BenchPlc {
+pub(super) fn plc(lathe: &TurningSpindle) -> BenchPlc {
     let p = &lathe.p;
     let mut plc = BenchPlc::new(FIN_DELAY, None);
     plc.shift =
@@ -64,12 +64,12 @@ pub(super) fn plc(lathe: &Resolved) -> BenchPlc {
     plc
 }
 
-/// How gears are shifted: half of the time they mesh.
+/// A gear shift of `seconds`: an eighth before, half of it meshing, the rest after.
 pub(super) fn shift(seconds: f64, patience: Option<f64>) -> GearShift {
     GearShift { volts: SHIFT_VOLTS, before: 0.125 * seconds, meshing: 0.5 * seconds, after: 0.375 * seconds, patience }
 }
 
-/// How the spindle is brought to an angle: assumed, as MD35300, MD35210 and MD35350 are the machine's.
+/// Positioning of the spindle; MD35300, MD35210 and MD35350 are facts of the machine, these values are assumed.
 pub(super) const POSITIONING: Positioning = Positioning { speed: 100.0, acceleration: 500.0, clockwise: true };
 
 /// Volts while gears mesh: a slow turn (GSK No.067).

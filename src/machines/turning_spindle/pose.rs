@@ -1,15 +1,15 @@
-//! The drawing of the turning spindle at a moment: how much of the part is cut, where tool, jaws and needle stand, what the figures say.
+//! The drawing of the turning spindle at a moment: outline of the part, positions of tool, jaws and needle, figures.
 
 use super::params::{Output, Path};
 use super::program::CUTS;
-use super::resolved::Resolved;
+use super::resolved::TurningSpindle;
 use super::scene::{self, JAWS, View, group, node};
-use super::show;
 use crate::drives::Bound;
 use crate::drives::speed::surface_speed;
-use crate::machines::{Frame, Samples};
+use crate::machines::machine::{Frame, Samples};
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
+use crate::text::catalog::number_text as show;
 use crate::text::catalog::{Language, words};
 use crate::text::number::{figure, filled};
 use crate::view::Pose;
@@ -17,7 +17,7 @@ use crate::view::scene::Placement;
 
 /// Points of the part's outline.
 const POINTS: u32 = 48;
-/// A chuck that turns further from frame to frame is not seen turning, in degrees.
+/// Degrees per frame beyond which the jaws blur.
 const SEEN: f64 = 40.0;
 
 /// How far the part is.
@@ -29,8 +29,8 @@ pub(super) struct Progress {
     pub(super) at: Option<f64>,
 }
 
-/// How far the part is: how often the cutting block has begun, and where the tool stands in it.
-pub(super) fn progress(lathe: &Resolved, run: &dyn Samples, now: &Snapshot) -> Progress {
+/// Progress of the part: starts of the cutting block, and position of the tool in it.
+pub(super) fn progress(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot) -> Progress {
     let p = &lathe.p;
     let (begun, mut cutting) = run.passes(CUTS[0], now.t);
     if p.path == Path::Taper {
@@ -44,14 +44,14 @@ pub(super) fn progress(lathe: &Resolved, run: &dyn Samples, now: &Snapshot) -> P
 }
 
 /// Diameter of the finished part at a place: the taper goes on as a cylinder in front of the face.
-fn contour(lathe: &Resolved, z: f64) -> f64 {
+fn contour(lathe: &TurningSpindle, z: f64) -> f64 {
     let p = &lathe.p;
     let end = if p.path == Path::Taper { p.large_diameter } else { p.finished_diameter };
     p.finished_diameter + (end - p.finished_diameter) * math::clamp(-z / p.length, 0.0, 1.0)
 }
 
 /// The outline of the part, both sides.
-pub(super) fn outline(lathe: &Resolved, progress: Progress) -> String {
+pub(super) fn outline(lathe: &TurningSpindle, progress: Progress) -> String {
     let (p, view) = (&lathe.p, View::new(&lathe.p));
     let Progress { done, at } = progress;
     let left = |pass: u32| p.left(f64::from(pass));
@@ -65,7 +65,7 @@ pub(super) fn outline(lathe: &Resolved, progress: Progress) -> String {
             }
             None => points.push((face, p.stock_diameter)),
         }
-        // What a tool that stops short of the centre leaves standing.
+        // The stub that remains where the cut ends short of the centre.
         let stub = if done > 0 { p.allowance } else { face };
         points.extend([(face, rest), (stub, rest), (stub, 0.0)]);
     } else {
@@ -90,8 +90,8 @@ pub(super) fn outline(lathe: &Resolved, progress: Progress) -> String {
     d
 }
 
-/// Where everything stands.
-pub(super) fn pose(lathe: &Resolved, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
+/// Placements, paths and figures at a moment.
+pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
     let p = &lathe.p;
     let view = View::new(p);
     let (radius, z) = lathe.tool(now);
@@ -123,7 +123,7 @@ pub(super) fn pose(lathe: &Resolved, run: &dyn Samples, now: &Snapshot, frame: F
     pose
 }
 
-fn texts(lathe: &Resolved, now: &Snapshot, progress: Progress) -> Vec<(usize, String)> {
+fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(usize, String)> {
     let p = &lathe.p;
     let say = |id| words(Language::English, id).to_owned();
     let spindle = &now.spindle;
@@ -141,7 +141,7 @@ fn texts(lathe: &Resolved, now: &Snapshot, progress: Progress) -> Vec<(usize, St
     ]
 }
 
-/// What holds the speed.
+/// Name of the limit that binds the speed.
 fn bound(bound: Bound) -> Option<&'static str> {
     Some(match bound {
         Bound::None => return None,

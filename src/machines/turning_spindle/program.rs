@@ -1,11 +1,10 @@
 //! The program of the turning spindle: O9201 cuts pass by pass, O9202 sets the project's values once.
 //!
-//! Words and codes are those that the control has: diameters or radii, surface speed or a fixed one, gear stages or none. O9201 never
+//! It uses the words and codes of the control: diameters or radii, surface speed or a fixed one, gear stages or none. O9201 never
 //! writes the operator's variables, so that parts are changed by variables alone.
 
-use super::TurningSpindle;
 use super::params::{Direction, Path};
-use super::resolved::Resolved;
+use super::resolved::TurningSpindle;
 use crate::controls::Code;
 use crate::controls::syntax::long;
 use crate::machines::writing::{self, Entry};
@@ -17,27 +16,27 @@ pub(super) const RUN: u32 = 9201;
 /// Number of the program that sets the project's values.
 pub(super) const SETUP: u32 = 9202;
 
-/// What is left to cut behind the pass: in diameter, on a face in Z.
+/// Stock that remains after the pass: in diameter, on a face along Z.
 const LEFT: u32 = 110;
 /// Sequence numbers of the blocks that cut; the second on a taper.
 pub(super) const CUTS: [u32; 2] = [36, 37];
-/// The speed that the spindle keeps, or has behind the cut: that of the largest diameter.
+/// Speed for the largest diameter: kept through the cut, or set after it.
 const SPEED: u32 = 109;
 
-/// The operator's variables that have to be above zero.
-fn entries(lathe: &Resolved) -> Vec<Entry> {
+/// The operator's variables, all above zero.
+fn entries(lathe: &TurningSpindle) -> Vec<Entry> {
     let end = (lathe.p.path == Path::Taper).then_some(104);
     let all = [100, 101, 102].into_iter().chain(end).chain([way(lathe), 106, 107, 108, 111, 112]);
     all.map(|number| (number, false)).collect()
 }
 
 /// Variable of the length, or of the allowance of a face.
-fn way(lathe: &Resolved) -> u32 {
+fn way(lathe: &TurningSpindle) -> u32 {
     if lathe.p.path == Path::Facing { 114 } else { 105 }
 }
 
 /// Variables that the operator reads and sets: number, meaning, unit.
-pub(super) fn variables(lathe: &Resolved) -> Vec<(u32, &'static str, &'static str)> {
+pub(super) fn variables(lathe: &TurningSpindle) -> Vec<(u32, &'static str, &'static str)> {
     let face = lathe.p.path == Path::Facing;
     let mut all = vec![
         (100, "turning.cutting-speed", "m/min"),
@@ -65,7 +64,7 @@ pub(super) fn variables(lathe: &Resolved) -> Vec<(u32, &'static str, &'static st
 }
 
 /// The programs, one per file.
-pub(super) fn deck(lathe: &Resolved) -> Deck {
+pub(super) fn deck(lathe: &TurningSpindle) -> Deck {
     let mut b = Builder::new();
     run(&mut b, lathe);
     setup(&mut b, lathe);
@@ -73,16 +72,16 @@ pub(super) fn deck(lathe: &Resolved) -> Deck {
 }
 
 /// A word of X for a diameter.
-fn cross(lathe: &Resolved, diameter: Formula) -> NewWord {
+fn cross(lathe: &TurningSpindle, diameter: Formula) -> NewWord {
     x(if lathe.diameters() { diameter } else { diameter / 2 })
 }
 
-fn codes(lathe: &Resolved, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
+fn codes(lathe: &TurningSpindle, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
     writing::codes(lathe.control, wanted)
 }
 
 /// A block: codes, then words.
-fn block(lathe: &Resolved, code: Code, words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
+fn block(lathe: &TurningSpindle, code: Code, words: impl IntoIterator<Item = NewWord>) -> Vec<NewWord> {
     codes(lathe, [code]).into_iter().chain(words).collect()
 }
 
@@ -92,11 +91,11 @@ fn clear() -> Formula {
 }
 
 /// O9201.
-fn run(b: &mut Builder, lathe: &Resolved) {
+fn run(b: &mut Builder, lathe: &TurningSpindle) {
     b.program(RUN, "TURNING - RUN");
-    writing::header::<TurningSpindle>(b, lathe.form, lathe.control);
+    writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
     writing::guards(b, &entries(lathe));
-    // The limit stands beside the position: controls whose limit takes the position as a reference get the same one.
+    // The speed limit S in the block of the preset: some controls take its position as their reference.
     if lathe.control.can(Code::SetCoordinates) {
         let mut preset = block(lathe, Code::SetCoordinates, [cross(lathe, v(111)), z(v(112))]);
         if lathe.surface() {
@@ -144,19 +143,19 @@ fn run(b: &mut Builder, lathe: &Resolved) {
 }
 
 /// Variable of the smaller end of the taper.
-fn small(lathe: &Resolved) -> u32 {
+fn small(lathe: &TurningSpindle) -> u32 {
     if lathe.p.large_diameter < lathe.p.finished_diameter { 104 } else { 103 }
 }
 
 /// The code of the gear stage, where there are several.
-fn gear(lathe: &Resolved) -> Option<Vec<NewWord>> {
+fn gear(lathe: &TurningSpindle) -> Option<Vec<NewWord>> {
     let stage = lathe.stage();
     let words = codes(lathe, [Code::GearStage(stage)]);
     (lathe.p.stages().nth(1).is_some() && !words.is_empty()).then_some(words)
 }
 
 /// The spindle: surface speed, or the speed of the largest diameter.
-fn start(b: &mut Builder, lathe: &Resolved) {
+fn start(b: &mut Builder, lathe: &TurningSpindle) {
     let turn = m(if lathe.p.direction == Direction::Clockwise { 3 } else { 4 });
     // n = 1000 v / (π d) at the stock's diameter, as whole as S is.
     b.n(24).assign(SPEED, (v(100) * 1000 / (real(crate::math::PI, 6) * v(102))).fix());
@@ -166,14 +165,14 @@ fn start(b: &mut Builder, lathe: &Resolved) {
         true => block(lathe, Code::SurfaceSpeed, [s(v(100))]),
         false => block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))]),
     };
-    // The limit in a word of its own, where no block in front has set it.
+    // The speed limit as a word of its own, where no block before sets it.
     words.extend(lathe.limit_word().filter(|_| lathe.surface()).map(|address| word(address, v(107))));
     words.push(turn);
     b.n(27).words(words);
 }
 
 /// The blocks of a pass.
-fn pass(b: &mut Builder, lathe: &Resolved) {
+fn pass(b: &mut Builder, lathe: &TurningSpindle) {
     let rapid = |words: Vec<NewWord>| block(lathe, Code::Rapid, words);
     let cut = |words: Vec<NewWord>| block(lathe, Code::Linear, words);
     let away = || v(103) + v(LEFT) + v(106);
@@ -201,9 +200,9 @@ fn pass(b: &mut Builder, lathe: &Resolved) {
 }
 
 /// O9202: the values of the project, once.
-fn setup(b: &mut Builder, lathe: &Resolved) {
+fn setup(b: &mut Builder, lathe: &TurningSpindle) {
     b.program(SETUP, "TURNING - SET VALUES ONCE");
-    writing::header::<TurningSpindle>(b, lathe.form, lathe.control);
+    writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
     let p = &lathe.p;
     let face = p.path == Path::Facing;
     let values = [

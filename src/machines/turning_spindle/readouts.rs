@@ -1,7 +1,7 @@
-//! The results of the turning spindle as rows: what is shown, in which unit, by which formula, from which source.
+//! The results of the turning spindle as rows: label, unit, formula, source.
 
-use super::Lathe;
-use crate::machines::verdict::Row;
+use super::resolved::TurningSpindle;
+use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
 const SURFACE: Citation = Citation::new("the makers' pages on S, G96 and G97", Grade::Manual);
@@ -10,89 +10,89 @@ const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
 
 /// Rows in the order they are shown; the headline ones first.
 #[rustfmt::skip]
-pub(super) const ROWS: &[Row<Lathe>] = &[
-    Row {
+pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
+    ReadoutRow {
         id: "cutting-time", label: "turning.readout.cutting-time", unit: "s", decimals: 2, headline: true,
-        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |d| d.cutting_time,
+        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.cutting_time,
     },
-    Row {
+    ReadoutRow {
         id: "speed-largest", label: "turning.readout.speed-largest", unit: "r/min", decimals: 1, headline: true,
-        formula: "n = 1000 v / (π D)", cite: SURFACE, value: |d| d.speed_largest,
+        formula: "n = 1000 v / (π D)", cite: SURFACE, value: |lathe| lathe.d.speed_largest,
     },
-    Row {
+    ReadoutRow {
         id: "speed-smallest", label: "turning.readout.speed-smallest", unit: "r/min", decimals: 1, headline: true,
-        formula: "n = 1000 v / (π D), within the limits", cite: SURFACE, value: |d| d.speed_smallest,
+        formula: "n = 1000 v / (π D), within the limits", cite: SURFACE, value: |lathe| lathe.d.speed_smallest,
     },
-    Row {
+    ReadoutRow {
         id: "limit-diameter", label: "turning.readout.limit-diameter", unit: "mm", decimals: 3, headline: true,
-        formula: "D = 1000 v / (π n limit)", cite: SURFACE, value: |d| d.limit_diameter,
+        formula: "D = 1000 v / (π n limit)", cite: SURFACE, value: |lathe| lathe.d.limit_diameter,
     },
-    Row {
+    ReadoutRow {
         id: "volts-smallest", label: "turning.readout.volts-smallest", unit: "V", decimals: 3, headline: true,
-        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |d| d.volts_smallest,
+        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |lathe| lathe.d.volts_smallest,
     },
-    Row {
+    ReadoutRow {
         id: "saved", label: "turning.readout.saved", unit: "%", decimals: 1, headline: true,
-        formula: "1 - t surface / t fixed", cite: MECHANICS, value: |d| d.saved,
+        formula: "1 - t surface / t fixed", cite: MECHANICS, value: |lathe| lathe.d.saved,
     },
-    Row {
+    ReadoutRow {
         id: "passes", label: "turning.readout.passes", unit: "", decimals: 0, headline: false,
-        formula: "allowance / depth, rounded up", cite: MECHANICS, value: |d| d.passes,
+        formula: "allowance / depth, rounded up", cite: MECHANICS, value: |lathe| lathe.d.passes,
     },
-    Row {
+    ReadoutRow {
         id: "stage", label: "turning.readout.stage", unit: "", decimals: 0, headline: false,
-        formula: "lowest stage that reaches the highest speed", cite: MECHANICS, value: |d| f64::from(d.stage),
+        formula: "lowest stage that reaches the highest speed", cite: MECHANICS, value: |lathe| f64::from(lathe.d.stage),
     },
-    Row {
+    ReadoutRow {
         id: "stage-speed", label: "turning.readout.stage-speed", unit: "r/min", decimals: 0, headline: false,
-        formula: "n10 of the stage", cite: OUTPUT, value: |d| d.stage_speed,
+        formula: "n10 of the stage", cite: OUTPUT, value: |lathe| lathe.d.stage_speed,
     },
-    Row {
+    ReadoutRow {
         id: "volts-largest", label: "turning.readout.volts-largest", unit: "V", decimals: 3, headline: false,
-        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |d| d.volts_largest,
+        formula: "V = c0 + (10 + c10 - c0) · n / n10, in steps", cite: OUTPUT, value: |lathe| lathe.d.volts_largest,
     },
-    Row {
+    ReadoutRow {
         id: "analog-step", label: "turning.readout.analog-step", unit: "r/min", decimals: 3, headline: false,
-        formula: "n10 / 4095", cite: OUTPUT, value: |d| d.analog_step,
+        formula: "n10 / 4095", cite: OUTPUT, value: |lathe| lathe.d.analog_step,
     },
-    Row {
+    ReadoutRow {
         id: "limited-share", label: "turning.readout.limited-share", unit: "%", decimals: 1, headline: false,
-        formula: "(D limit - D small) / (D large - D small)", cite: MECHANICS, value: |d| d.limited_share * 100.0,
+        formula: "(D limit - D small) / (D large - D small)", cite: MECHANICS, value: |lathe| lathe.d.limited_share * 100.0,
     },
-    Row {
+    ReadoutRow {
         id: "low-diameter", label: "turning.readout.low-diameter", unit: "mm", decimals: 3, headline: false,
-        formula: "D = 1000 v / (π n low)", cite: SURFACE, value: |d| d.low_diameter,
+        formula: "D = 1000 v / (π n low)", cite: SURFACE, value: |lathe| lathe.d.low_diameter,
     },
-    Row {
+    ReadoutRow {
         id: "surface-smallest", label: "turning.readout.surface-smallest", unit: "m/min", decimals: 2, headline: false,
-        formula: "v = π D n / 1000", cite: SURFACE, value: |d| d.surface_smallest,
+        formula: "v = π D n / 1000", cite: SURFACE, value: |lathe| lathe.d.surface_smallest,
     },
-    Row {
+    ReadoutRow {
         id: "surface-time", label: "turning.readout.surface-time", unit: "s", decimals: 2, headline: false,
-        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |d| d.surface_time,
+        formula: "60 π L d / (1000 v f), at a limit 60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.surface_time,
     },
-    Row {
+    ReadoutRow {
         id: "fixed-time", label: "turning.readout.fixed-time", unit: "s", decimals: 2, headline: false,
-        formula: "60 L / (f n)", cite: MECHANICS, value: |d| d.fixed_time,
+        formula: "60 L / (f n)", cite: MECHANICS, value: |lathe| lathe.d.fixed_time,
     },
-    Row {
+    ReadoutRow {
         id: "fixed-surface-smallest", label: "turning.readout.fixed-surface-smallest", unit: "m/min", decimals: 2, headline: false,
-        formula: "v = π D n / 1000", cite: SURFACE, value: |d| d.fixed_surface_smallest,
+        formula: "v = π D n / 1000", cite: SURFACE, value: |lathe| lathe.d.fixed_surface_smallest,
     },
-    Row {
+    ReadoutRow {
         id: "feed-top", label: "turning.readout.feed-top", unit: "mm/min", decimals: 1, headline: false,
-        formula: "f · n", cite: MECHANICS, value: |d| d.feed_top,
+        formula: "f · n", cite: MECHANICS, value: |lathe| lathe.d.feed_top,
     },
-    Row {
+    ReadoutRow {
         id: "acceleration-needed", label: "turning.readout.acceleration-needed", unit: "r/min/s", decimals: 1, headline: false,
-        formula: "n² f s / (60 D)", cite: MECHANICS, value: |d| d.acceleration_needed,
+        formula: "n² f s / (60 D)", cite: MECHANICS, value: |lathe| lathe.d.acceleration_needed,
     },
-    Row {
+    ReadoutRow {
         id: "power", label: "turning.readout.power", unit: "kW", decimals: 2, headline: false,
-        formula: "F v / 60 000", cite: MECHANICS, value: |d| d.power,
+        formula: "F v / 60 000", cite: MECHANICS, value: |lathe| lathe.d.power,
     },
-    Row {
+    ReadoutRow {
         id: "torque", label: "turning.readout.torque", unit: "Nm", decimals: 1, headline: false,
-        formula: "F D / 2000", cite: MECHANICS, value: |d| d.torque,
+        formula: "F D / 2000", cite: MECHANICS, value: |lathe| lathe.d.torque,
     },
 ];

@@ -1,29 +1,33 @@
-//! The lathe on a control: what of the form it can do there, and what its words count.
+//! The turning spindle on a control: the form without the choices that the control lacks, and the units of its words.
 
 use super::derive::Derived;
 use super::params::{self, Gear, Output, Params, SpeedMode};
 use crate::controls::syntax::long;
 use crate::controls::{Control, Dialect, SpindleRules};
 use crate::drives::Stage;
-use crate::machines::ControlContext;
+use crate::machines::machine::ControlContext;
 use crate::motion::Snapshot;
 
-/// The axis that is square to the spindle, and the one along it.
+/// The axis across the spindle, and the one along it.
 pub(super) const CROSS: u8 = b'X';
 pub(super) const ALONG: u8 = b'Z';
 
-/// The form on a control.
-pub(super) struct Resolved<'a> {
+/// The turning spindle on a control.
+#[derive(Debug)]
+pub(crate) struct TurningSpindle {
     /// The form as it was filled in.
-    pub(super) form: &'a Params,
-    /// The form, with what the control has in place of what it lacks.
+    pub(super) form: Params,
+    /// The form, with the control's own choice where it lacks the chosen one.
     pub(super) p: Params,
-    pub(super) control: &'a Control,
+    /// The results of the formulas.
+    pub(super) d: Derived,
+    pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
 }
 
-impl<'a> Resolved<'a> {
-    pub(super) fn new(form: &'a Params, on: ControlContext<'a>) -> Resolved<'a> {
+impl TurningSpindle {
+    /// Fits the form to the control and computes the formulas.
+    pub(super) fn resolve(form: Params, on: ControlContext) -> TurningSpindle {
         let (control, dialect) = (on.control, on.dialect());
         let mut p = form.clone();
         if !form.holds_surface_speed(control) {
@@ -36,16 +40,18 @@ impl<'a> Resolved<'a> {
         if !form.has_signed_output(control) {
             p.output = Output::Unipolar;
         }
-        // As the knob can stand, and as S can be read.
+        // The nearest position of the knob, and S as a whole number where the control reads it so.
         p.override_percent = dialect.spindle().knob.nearest(p.override_percent);
         if control.syntax.integer_addresses.contains(&b'S') {
             let truncates = !dialect.numbers.round_speed;
             p.cutting_speed = if truncates { p.cutting_speed.floor() } else { p.cutting_speed.round() };
         }
-        Resolved { form, p, control, dialect }
+        let bench = &control.bench;
+        let d = Derived::new(&p, bench.volts_full, bench.output_bits, &dialect.spindle());
+        TurningSpindle { form, p, d, control, dialect }
     }
 
-    /// Index of the axis that is square to the spindle.
+    /// Index of the axis across the spindle.
     pub(super) fn cross(&self) -> usize {
         self.control.axis(CROSS).unwrap_or(0)
     }
@@ -65,30 +71,24 @@ impl<'a> Resolved<'a> {
         self.p.speed_mode == SpeedMode::Surface
     }
 
-    /// The address of the limit under constant surface speed, where that has a word of its own.
+    /// Address of the speed limit under constant surface speed, on controls with a word for it.
     pub(super) fn limit_word(&self) -> Option<u8> {
         params::has_address(self.control, long::LIMS).then_some(long::LIMS)
     }
 
-    /// The spindle is brought to an angle behind the cut.
+    /// The spindle is positioned to an angle after the cut.
     pub(super) fn positions(&self) -> bool {
         self.p.keyway && self.form.can_position(self.control)
     }
 
-    /// What the control does with the spindle, as its open points are set.
+    /// Spindle rules of the control under its settings.
     pub(super) fn rules(&self) -> SpindleRules {
         self.dialect.spindle()
     }
 
-    /// What follows from the form.
-    pub(super) fn derived(&self) -> Derived {
-        let bench = &self.control.bench;
-        Derived::new(&self.p, bench.volts_full, bench.output_bits, &self.rules())
-    }
-
     /// Number of the gear stage that the program engages.
     pub(super) fn stage(&self) -> u8 {
-        self.derived().stage
+        self.d.stage
     }
 
     /// Distance of the tool from the turning centre in mm, and from the finished face.
@@ -97,7 +97,7 @@ impl<'a> Resolved<'a> {
         (at(self.cross()), at(self.along()))
     }
 
-    /// The diameter at which the tool stands.
+    /// Diameter at the tool tip, mm.
     pub(super) fn diameter(&self, now: &Snapshot) -> f64 {
         2.0 * self.tool(now).0
     }

@@ -1,40 +1,32 @@
-//! The rules a turning spindle is judged by, as rows: which result, which limit, what would mend it.
+//! The rules of the turning spindle, as rows: result, limit, remedy.
 
-use super::Lathe;
-use super::derive::Derived;
-use super::params::{Params, Path};
-use super::resolved::Resolved;
-use super::{program, show};
+use super::params::Path;
+use super::program;
+use super::resolved::TurningSpindle;
 use crate::controls::CodeId;
 use crate::drives::Bound;
-use crate::machines::verdict::{Judgement, Rule, fail, ok, rule, warn};
+use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
 use crate::math;
 use crate::msg;
-use crate::text::Diagnostic;
-
-/// Inputs, what follows from them, and what the control takes.
-pub(super) struct Case<'a> {
-    pub(super) lathe: &'a Resolved<'a>,
-    pub(super) p: &'a Params,
-    pub(super) d: &'a Derived,
-}
+use crate::text::catalog::number_text as show;
+use crate::text::{Citation, Diagnostic, Grade};
 
 /// All rules that judge a result.
-pub(super) const RULES: &[Rule<Lathe>] = &[
-    rule!("speed-smallest", top_speed, "highest speed of the chuck", Manual),
-    rule!("limit-diameter", limit, "turning spindle facts 2: the upper limit wins", Inferred),
-    rule!("volts-smallest", few_volts, "engineering choice", Inferred),
-    rule!("volts-largest", few_volts_large, "engineering choice", Inferred),
-    rule!("stage-speed", stage, "speed at 10 V of the gear stage", Manual),
-    rule!("stage", gear_time, "ladder of the control, A1.0", Sister),
-    rule!("feed-top", clamps, "cutting feed clamp, a parameter", Sister),
-    rule!("acceleration-needed", acceleration, "derivative of n = 1000 v / (π d)", Inferred),
-    rule!("cutting-time", block_time, "what a block costs, a parameter", Open),
-    rule!("power", power, "data sheet of the motor", Manual),
+pub(super) const RULES: &[Rule<TurningSpindle>] = &[
+    Rule::new("speed-smallest", top_speed, Citation::new("highest speed of the chuck", Grade::Manual)),
+    Rule::new("limit-diameter", limit, Citation::new("turning spindle facts 2: the upper limit wins", Grade::Inferred)),
+    Rule::new("volts-smallest", few_volts, Citation::new("engineering choice", Grade::Inferred)),
+    Rule::new("volts-largest", few_volts_large, Citation::new("engineering choice", Grade::Inferred)),
+    Rule::new("stage-speed", stage, Citation::new("speed at 10 V of the gear stage", Grade::Manual)),
+    Rule::new("stage", gear_time, Citation::new("ladder of the control, A1.0", Grade::Sister)),
+    Rule::new("feed-top", clamps, Citation::new("cutting feed clamp, a parameter", Grade::Sister)),
+    Rule::new("acceleration-needed", acceleration, Citation::new("derivative of n = 1000 v / (π d)", Grade::Inferred)),
+    Rule::new("cutting-time", block_time, Citation::new("what a block costs, a parameter", Grade::Open)),
+    Rule::new("power", power, Citation::new("data sheet of the motor", Grade::Manual)),
 ];
 
-fn top_speed(case: &Case) -> Option<Judgement> {
-    let Case { p, d, .. } = case;
+fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { p, d, .. } = lathe;
     if p.upper_limit > p.chuck_limit {
         let advice = msg!("turning.limit-above-chuck", (p.upper_limit, 0), (p.chuck_limit, 0));
         return if d.speed_smallest.max(d.speed_largest) >= p.chuck_limit {
@@ -47,8 +39,8 @@ fn top_speed(case: &Case) -> Option<Judgement> {
 }
 
 /// Below the diameter of the limit the surface speed falls with the diameter.
-fn limit(case: &Case) -> Option<Judgement> {
-    let Case { lathe, d, .. } = case;
+fn limit(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { d, .. } = lathe;
     if !lathe.surface() || d.limited_share <= 0.0 {
         return ok(None);
     }
@@ -66,27 +58,27 @@ fn limit(case: &Case) -> Option<Judgement> {
     }
 }
 
-fn few(case: &Case, volts: f64) -> Option<Judgement> {
+fn few(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
     if volts.abs() >= 0.5 {
         return ok(None);
     }
-    let several = case.p.stages().nth(1).is_some();
+    let several = lathe.p.stages().nth(1).is_some();
     warn(
         0.5,
         [if several { msg!("turning.few-volts", (volts, 3)) } else { msg!("turning.few-volts-alone", (volts, 3)) }],
     )
 }
 
-fn few_volts(case: &Case) -> Option<Judgement> {
-    few(case, case.d.volts_smallest)
+fn few_volts(lathe: &TurningSpindle) -> Option<Judgement> {
+    few(lathe, lathe.d.volts_smallest)
 }
 
-fn few_volts_large(case: &Case) -> Option<Judgement> {
-    few(case, case.d.volts_largest)
+fn few_volts_large(lathe: &TurningSpindle) -> Option<Judgement> {
+    few(lathe, lathe.d.volts_largest)
 }
 
-fn stage(case: &Case) -> Option<Judgement> {
-    let Case { lathe, d, p } = case;
+fn stage(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { d, p, .. } = lathe;
     if d.bound == Bound::Output {
         let asked = if lathe.rules().low_always { d.asked.max(p.lower_limit) } else { d.asked };
         return fail(None, [msg!("turning.output-full", f64::from(d.stage), (d.stage_top, 0), (asked, 0))]);
@@ -101,8 +93,8 @@ fn stage(case: &Case) -> Option<Judgement> {
 }
 
 /// A gear that meshes longer than the PLC waits.
-fn gear_time(case: &Case) -> Option<Judgement> {
-    let Case { lathe, p, .. } = case;
+fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { p, .. } = lathe;
     let shift = super::plant::plc(lathe).shift;
     let patience = shift.patience.filter(|&patience| patience < shift.meshing)?;
     fail(
@@ -111,13 +103,13 @@ fn gear_time(case: &Case) -> Option<Judgement> {
     )
 }
 
-fn clamps(case: &Case) -> Option<Judgement> {
-    let Case { p, d, .. } = case;
+fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { p, d, .. } = lathe;
     let clamp = match p.path {
         Path::Facing => p.clamp_x,
         Path::Turning => p.clamp_z,
         Path::Taper => {
-            // The part of the feed that X has.
+            // Feed of X: its share of the path.
             let across = 0.5 * (p.large_diameter - p.finished_diameter).abs();
             p.clamp_z.min(p.clamp_x * math::hypot(p.length, across) / across)
         }
@@ -129,14 +121,14 @@ fn clamps(case: &Case) -> Option<Judgement> {
 const BETWEEN: f64 = 5.0;
 
 /// Blocks that are read while the cut lasts.
-fn block_time(case: &Case) -> Option<Judgement> {
-    let Case { p, d, .. } = case;
+fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { p, d, .. } = lathe;
     let (lasts, needed) = (1000.0 * d.cutting_time / d.passes.max(1.0), p.block_time + BETWEEN * p.macro_time);
     (lasts < needed).then(|| warn(None, [msg!("turning.blocks-too-slow", (lasts, 0), (needed, 0))])).flatten()
 }
 
-fn acceleration(case: &Case) -> Option<Judgement> {
-    let d = case.d;
+fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
+    let d = &lathe.d;
     if d.acceleration_needed > d.acceleration {
         return warn(d.acceleration, [msg!("turning.spindle-lags", (d.acceleration_needed, 0), (d.acceleration, 0))]);
     }
@@ -144,8 +136,8 @@ fn acceleration(case: &Case) -> Option<Judgement> {
     ok(Some(d.acceleration).filter(|most| most.is_finite()))
 }
 
-fn power(case: &Case) -> Option<Judgement> {
-    let Case { p, d, .. } = case;
+fn power(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { p, d, .. } = lathe;
     if p.cutting_force <= 0.0 {
         return None;
     }
@@ -160,11 +152,11 @@ fn power(case: &Case) -> Option<Judgement> {
     ok(d.power_available)
 }
 
-/// A part that the slides do not reach over: from where the tool starts to where it cuts last.
-fn travels(case: &Case, found: &mut Vec<Diagnostic>) {
-    let p = case.p;
+/// Travels of the slides: from the start of the tool to its last cut.
+fn travels(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
+    let p = &lathe.p;
     let (cross, along) =
-        (0.5 * (p.start_x - case.d.smallest), p.start_z + if p.path == Path::Facing { 0.0 } else { p.length });
+        (0.5 * (p.start_x - lathe.d.smallest), p.start_z + if p.path == Path::Facing { 0.0 } else { p.length });
     for (field, needed, travel) in [("travel-x", cross, p.travel_x), ("travel-z", along, p.travel_z)] {
         if travel > 0.0 && needed > travel {
             found.push(Diagnostic::error(msg!("turning.beyond-travel", (needed, 3), (travel, 3))).about(field));
@@ -172,9 +164,9 @@ fn travels(case: &Case, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Parameters of the output that the control does not take.
-fn ranges(case: &Case, found: &mut Vec<Diagnostic>) {
-    let Case { lathe, p, .. } = case;
+/// Parameters of the analog output out of the control's range.
+fn ranges(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
+    let TurningSpindle { p, .. } = lathe;
     let rules = &lathe.control.spindle;
     let mut check = |field: &'static str, value: f64, unit: &'static str, range: Option<(f64, f64)>| {
         if let Some((low, high)) = range.filter(|(low, high)| !(*low..=*high).contains(&value)) {
@@ -190,9 +182,9 @@ fn ranges(case: &Case, found: &mut Vec<Diagnostic>) {
     }
 }
 
-/// Errors that keep the program from being exported, and what the operator has to know.
-pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
-    let Case { lathe, p, d } = case;
+/// Errors that refuse the export, and notes for the operator.
+pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
+    let TurningSpindle { p, d, .. } = lathe;
     let limits = &lathe.control.limits;
     let mut found = Vec::new();
     let largest = if p.path == Path::Taper { p.finished_diameter.max(p.large_diameter) } else { p.finished_diameter };
@@ -215,7 +207,7 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
         let least = p.stock_diameter + 2.0 * p.clearance;
         found.push(Diagnostic::error(msg!("turning.start-in-stock", (p.start_x, 3), (least, 3))).about("start-x"));
     }
-    travels(case, &mut found);
+    travels(lathe, &mut found);
     if p.upper_limit > limits.speed_max {
         let message = msg!("turning.speed-above-range", (p.upper_limit, 0), limits.speed_max);
         found.push(Diagnostic::error(message).about("upper-limit"));
@@ -236,13 +228,13 @@ pub(super) fn findings(case: &Case) -> Vec<Diagnostic> {
     if p.override_percent != lathe.form.override_percent {
         found.push(Diagnostic::warning(msg!("turning.knob-steps", p.override_percent)).about("override"));
     }
-    ranges(case, &mut found);
+    ranges(lathe, &mut found);
     if lathe.form.speed_mode != p.speed_mode {
         found.push(Diagnostic::info(msg!("turning.no-surface-speed", lathe.control.name)));
     }
     let lock = p.lock_code as u32;
     let known = lathe.control.codes.iter().find(|row| row.id == CodeId::M(lock));
-    // Who reads M99 takes it for the end of a subprogram, also where it is none.
+    // M99 ends a subprogram on every control, listed or not.
     let meaning = known.map(|row| row.text).or((lock == 99).then_some("subprogram return"));
     if let Some(meaning) = meaning.filter(|_| lathe.positions() && lock > 0) {
         found.push(Diagnostic::error(msg!("turning.lock-is-taken", lock, meaning)).about("lock-code"));

@@ -3,8 +3,9 @@
 //! The part is to scale with its diameters and lengths; chuck, tool and voltmeter are not.
 
 use super::params::{Output, Params, Path};
-use super::resolved::Resolved;
+use super::resolved::TurningSpindle;
 use crate::math::{self, PI};
+use crate::text::catalog::number_text as show;
 use crate::text::catalog::{Language, words};
 use crate::text::number::filled;
 use crate::view::Scene;
@@ -22,7 +23,7 @@ pub(super) mod group {
 /// Jaws of the chuck.
 pub(super) const JAWS: u16 = 3;
 
-/// Nodes whose path or text poses change; they stand behind the frame.
+/// Nodes whose path or text poses change; they follow the frame.
 pub(super) mod node {
     /// Headstock, chuck, stock, centre line, the voltmeter's face.
     const FRAME: usize = 5;
@@ -51,9 +52,9 @@ const ROOM: (f64, f64) = (300.0, 104.0);
 pub(super) struct View {
     /// Units of the drawing per millimetre.
     pub(super) scale: f64,
-    /// Where the finished face stands.
+    /// Position of the finished face.
     pub(super) face: f64,
-    /// Length in mm that stands out of the chuck, behind the finished face.
+    /// Length of the part between chuck and finished face, mm.
     pub(super) behind: f64,
 }
 
@@ -74,7 +75,7 @@ impl View {
 }
 
 /// The drawing at rest.
-pub(super) fn scene(lathe: &Resolved) -> Scene {
+pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
     let p = &lathe.p;
     let mut pen = Pen::default();
     let view = View::new(p);
@@ -111,7 +112,7 @@ pub(super) fn scene(lathe: &Resolved) -> Scene {
         nodes: pen.nodes,
         groups: group::JAWS + JAWS,
         alt: "turning.scene.alt",
-        strobe: false,
+        option: None,
     }
 }
 
@@ -146,7 +147,7 @@ fn jaws(pen: &mut Pen) {
     pen.path(group::BLUR, blur, "ink", "", 0.0, "blur");
 }
 
-/// The tool; its tip stands at the finished face on the turning centre, poses shift it.
+/// The tool with its tip at the finished face on the turning centre; poses shift it.
 fn tool(pen: &mut Pen, view: &View) {
     let (x, y) = (view.face, CENTRE);
     pen.path(group::TOOL, filled("M# #l7 -15l-14 -3z", &[x, y]), "accent", "pane", 0.6, "insert");
@@ -171,7 +172,7 @@ fn meter(pen: &mut Pen, p: &Params) {
         );
         if long {
             let volts = if bipolar { 10.0 * part } else { 5.0 * (part + 1.0) };
-            pen.text(x + (r - 22.0) * c, y + (r - 22.0) * s + 4.0, "middle", super::show(volts, 0), "dim", "small");
+            pen.text(x + (r - 22.0) * c, y + (r - 22.0) * s + 4.0, "middle", show(volts, 0), "dim", "small");
         }
     }
     pen.path(group::NEEDLE, ray(x, y, (0.0, -1.0), -12.0, r - 4.0), "", "bad", 2.0, "");

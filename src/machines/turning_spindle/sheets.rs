@@ -1,39 +1,39 @@
-//! What the machine builder sets beside the program: the parameters of spindle and slides.
+//! Sheets for the machine builder: parameters of spindle and slides.
 
 use super::params::Output;
 use super::plant::{POSITIONING, SHIFT_VOLTS, plc};
-use super::resolved::Resolved;
+use super::resolved::TurningSpindle;
 use crate::controls::ParamRole;
-use crate::machines::sheets::{self, Axes, Setting, Values};
+use crate::machines::sheets::{self, AxisUnits, AxisValues, ParamValue};
 use crate::view::Sheet;
 
 /// All sheets.
-pub(super) fn sheets(lathe: &Resolved) -> Vec<Sheet> {
+pub(super) fn sheets(lathe: &TurningSpindle) -> Vec<Sheet> {
     vec![parameters(lathe)]
 }
 
-fn parameters(lathe: &Resolved) -> Sheet {
+fn parameters(lathe: &TurningSpindle) -> Sheet {
     let p = &lathe.p;
-    let number = |value: f64| vec![("", Setting::Number(value))];
-    let yes = |on: bool| vec![("", Setting::Answer(on))];
-    let slides = |x: f64, z: f64| vec![("X", Setting::Number(x)), ("Z", Setting::Number(z))];
+    let number = |value: f64| vec![("", ParamValue::Number(value))];
+    let yes = |on: bool| vec![("", ParamValue::Answer(on))];
+    let slides = |x: f64, z: f64| vec![("X", ParamValue::Number(x)), ("Z", ParamValue::Number(z))];
     let stage = |speed: f64| if speed > 0.0 { number(speed) } else { Vec::new() };
     // Some controls want a gain here, or units of their own.
     let volts = |role: ParamRole, value: f64| {
         let millivolts = lathe.control.param(role).is_some_and(|row| row.unit == "mV");
         if millivolts { number(value) } else { Vec::new() }
     };
-    // By gear stage, where the control counts so; else once.
+    // One value per gear stage.
     let names = ["1", "2", "3", "4"];
-    let by_stage = |value: &dyn Fn(f64) -> f64| -> Values {
+    let by_stage = |value: &dyn Fn(f64) -> f64| -> AxisValues {
         let stages = names.into_iter().zip(lathe.p.stages());
-        stages.map(|(name, speed)| (name, Setting::Number(value(speed)))).collect()
+        stages.map(|(name, speed)| (name, ParamValue::Number(value(speed)))).collect()
     };
     let (rules, shift) = (lathe.rules(), plc(lathe).shift);
     let minimum = if rules.low_always { by_stage(&|_| p.lower_limit) } else { number(p.lower_limit) };
     let shifts = p.stages().nth(1).is_some();
     let angle = |value: f64| if lathe.positions() { number(value) } else { Vec::new() };
-    let values: Vec<(ParamRole, Values)> = vec![
+    let values: Vec<(ParamRole, AxisValues)> = vec![
         (ParamRole::SpindleCount, yes(true)),
         (ParamRole::SpindleConnection, yes(true)),
         (ParamRole::SpindleOffsetRated, volts(ParamRole::SpindleOffsetRated, p.offset_full)),
@@ -66,16 +66,16 @@ fn parameters(lathe: &Resolved) -> Sheet {
         (ParamRole::StopLast, yes(rules.stop_last)),
         (ParamRole::VoltsOffAtStop, yes(!rules.volts_stay)),
         (ParamRole::SpindleEncoder, yes(true)),
-        (ParamRole::AxisDiameter, vec![("X", Setting::Answer(lathe.diameters()))]),
+        (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.diameters()))]),
         (ParamRole::AxisRapid, slides(p.rapid_x, p.rapid_z)),
         (ParamRole::AxisClamp, slides(p.clamp_x, p.clamp_z)),
-        (ParamRole::AxisAcceleration, vec![("X", Setting::Answer(true)), ("Z", Setting::Answer(true))]),
+        (ParamRole::AxisAcceleration, vec![("X", ParamValue::Answer(true)), ("Z", ParamValue::Answer(true))]),
         (ParamRole::AxisTimeConstant, slides(p.time_constant, p.time_constant)),
         (ParamRole::AxisPositionGain, slides(p.position_gain, p.position_gain)),
         (ParamRole::CommandUnit, yes(true)),
         (ParamRole::VariablesAtReset, yes(false)),
         (ParamRole::VariablesAtPowerOn, yes(false)),
     ];
-    let axes = Axes { cross_words: if lathe.diameters() { 2.0 } else { 1.0 }, rotary: None };
+    let axes = AxisUnits { cross_words: if lathe.diameters() { 2.0 } else { 1.0 }, rotary: None };
     sheets::parameters(lathe.control, &axes, values)
 }

@@ -23,6 +23,7 @@ use self::json::{Entries, Located};
 use self::v1::{ProgramV1, ProjectV1};
 use super::Project;
 use crate::machines::form::Value;
+use crate::machines::{self, AnyMachine};
 use crate::motion::Panel;
 use crate::msg;
 use crate::text::catalog::{Language, sentence};
@@ -88,9 +89,14 @@ impl Project {
 
     /// Reads a project file. Total: any text gives a project or errors that name what is wrong with it, and where.
     pub fn from_json(text: &str) -> Loaded {
+        Project::from_json_among(machines::ALL, text)
+    }
+
+    /// Reads a project file of one of these machines.
+    pub fn from_json_among(machines: &[&'static dyn AnyMachine], text: &str) -> Loaded {
         let mut found = Findings::new(text);
         match newest(text) {
-            Ok(saved) => resolve::project(saved, found),
+            Ok(saved) => resolve::project(machines, saved, found),
             Err(finding) => {
                 found.add(finding, "");
                 Loaded::refused(found)

@@ -8,8 +8,8 @@ use super::old_options::option_id;
 use super::v1::{ProgramV1, ProjectV1};
 use super::{Loaded, MAX_PROGRAMS, panel};
 use crate::controls::{self, Switches};
+use crate::machines::AnyMachine;
 use crate::machines::form::{KindInfo, Provenance, Value};
-use crate::machines::{self, AnyMachine};
 use crate::msg;
 use crate::nc::{File, Files};
 use crate::project::Project;
@@ -19,11 +19,15 @@ use crate::text::Diagnostic;
 const NAME: usize = 120;
 
 /// The project that a file describes.
-pub(super) fn project<'t>(saved: ProjectV1<'t>, mut found: Findings<'t>) -> Loaded {
+pub(super) fn project<'t>(
+    machines: &[&'static dyn AnyMachine],
+    saved: ProjectV1<'t>,
+    mut found: Findings<'t>,
+) -> Loaded {
     let part = |id: &Option<super::json::Located<'t>>| id.as_ref().map_or("", |id| id.source);
     let named = saved.machine.as_ref().and_then(|id| id.as_str());
-    let Some(machine) = named.and_then(machines::find) else {
-        let known = machines::ALL.iter().map(|machine| machine.id()).collect::<Vec<_>>().join(", ");
+    let Some(machine) = named.and_then(|id| machines.iter().copied().find(|machine| machine.id() == id)) else {
+        let known = machines.iter().map(|machine| machine.id()).collect::<Vec<_>>().join(", ");
         found.error(msg!("project.no-machine", known), part(&saved.machine));
         return Loaded::refused(found);
     };

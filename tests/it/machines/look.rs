@@ -25,15 +25,15 @@ fn running(t: f64) -> Snapshot {
 }
 
 fn pose(t: f64, step: f64, strobe: bool) -> Pose {
-    machine().pose(&values(&[]), on(), &Running, &running(t), Frame { step, strobe })
+    machine().prepare(&values(&[]), on()).pose(&Running, &running(t), Frame { step, option: strobe })
 }
 
 #[test]
 fn pose_moves_only_nodes_of_the_scene() {
     for heads in ["1", "6", "60", "1000"] {
         let values = values(&[("heads", heads)]);
-        let scene = machine().scene(&values, on());
-        let pose = machine().pose(&values, on(), &Running, &running(3.0), Frame { step: 0.001, strobe: false });
+        let scene = machine().prepare(&values, on()).scene();
+        let pose = machine().prepare(&values, on()).pose(&Running, &running(3.0), Frame { step: 0.001, option: false });
         assert!(scene.nodes.len() < 250, "{heads} heads: {} nodes", scene.nodes.len());
         assert!(scene.nodes.iter().all(|node| node.group <= scene.groups));
         for (at, _) in &pose.texts {
@@ -102,14 +102,14 @@ impl Samples for Running {
         (0, false)
     }
 
-    fn dips(&self, _: usize, _: f64) -> Vec<(f64, f64)> {
+    fn excursions(&self, _: usize, _: f64) -> Vec<(f64, f64)> {
         Vec::new()
     }
 }
 
 #[test]
 fn chart_points_equal_the_timeline() {
-    let charts = machine().charts(&values(&[]), on(), &Running, 0.0, 4.0, 9);
+    let charts = machine().prepare(&values(&[]), on()).charts(&Running, 0.0, 4.0, 9);
     let ids: Vec<_> = charts.iter().map(|chart| chart.id).collect();
     assert_eq!(ids, ["feeds", "spindle", "volts", "slack", "register"]);
     assert!(charts.iter().flat_map(|chart| &chart.series).all(|line| line.points.len() == 9));
@@ -168,7 +168,7 @@ fn rows(changes: &[(&str, &str)], id: &str) -> String {
 }
 
 fn rows_with(changes: &[(&str, &str)], switches: &Switches, id: &str) -> String {
-    let sheets = machine().sheets(&values(changes), ControlContext { control: control(), switches });
+    let sheets = machine().prepare(&values(changes), ControlContext { control: control(), switches }).sheets();
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }
@@ -249,7 +249,7 @@ fn macro_input_register_follows_its_switch() {
 
 #[test]
 fn ladder_drawing_shows_every_contact() {
-    let sheets = machine().sheets(&values(&[("wait", "fin")]), on());
+    let sheets = machine().prepare(&values(&[("wait", "fin")]), on()).sheets();
     let sheet = sheets.iter().find(|sheet| sheet.id == "ladder").unwrap();
     let drawn = &sheet.drawing;
     // A note is beside the coil of its rung.
@@ -262,13 +262,9 @@ fn report_has_inputs_with_origin_verdicts_and_open_points() {
     let origins = Origins::from_iter([("dancer".to_owned(), Provenance::Measured)]);
     let values = values(&[("customer", "Customer 4711")]);
     let switches = Switches(vec![("decimal-point".to_owned(), "millimetres".to_owned())]);
-    let report = report::report(
-        machine(),
-        "ribbon 8 mm",
-        (&values, &origins),
-        ControlContext { control: control(), switches: &switches },
-        &[],
-    );
+    let on = ControlContext { control: control(), switches: &switches };
+    let prepared = machine().prepare(&values, on);
+    let report = report::report(machine(), &prepared, "ribbon 8 mm", (&values, &origins), on, &[]);
     let text = view::report::markdown(&report, Language::English);
     for part in [
         "# Ribbon line, Mitsubishi E60, ribbon 8 mm\n",

@@ -448,7 +448,7 @@ fn dropped_program_restores_the_form() {
 #[test]
 fn design_readouts_match_their_golden() {
     let said = |changes: &[(&str, &str)]| {
-        let design = machine().design(&values(changes), &Origins::default(), project(&[]).on());
+        let design = machine().prepare(&values(changes), project(&[]).on()).design(&Origins::default());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
             let advice: Vec<_> = row.advice.iter().map(|advice| sentence(Language::English, advice)).collect();
             format!("{:?} {}: {}\n", row.verdict, row.id, advice.join(" "))
@@ -583,12 +583,12 @@ fn cut_section_never_grows_and_ends_exact() {
         let project = project(&[changes, &[("depth", "3"), ("preread", "3")]].concat());
         let planner = whole(&project);
         let end = planner.timeline().end();
-        let frame = Frame { step: 0.001, strobe: false };
-        let scene = machine().scene(&project.values, project.on());
+        let frame = Frame { step: 0.001, option: false };
+        let scene = project.prepared().scene();
         let mut left = f64::INFINITY;
         for at in 0..=400 {
             let now = Samples::at(&planner, end * f64::from(at) / 400.0);
-            let pose = machine().pose(&project.values, project.on(), &planner, &now, frame);
+            let pose = project.prepared().pose(&planner, &now, frame);
             let picture = svg::picture(&scene, &pose);
             assert!(!picture.contains("NaN") && !picture.contains("inf") && !picture.contains('∞'), "{changes:?}");
             let now = area(&pose.paths[1].1);
@@ -611,9 +611,9 @@ fn cut_section_never_grows_and_ends_exact() {
 fn paper_program_cuts_and_coasting_behind_the_face_does_not() {
     let look = |project: &Project, t: f64| {
         let planner = planned(project);
-        let frame = Frame { step: 0.001, strobe: false };
+        let frame = Frame { step: 0.001, option: false };
         let now = Samples::at(&planner, t);
-        let pose = machine().pose(&project.values, project.on(), &planner, &now, frame);
+        let pose = project.prepared().pose(&planner, &now, frame);
         (area(&pose.paths[1].1) * (12.5 / 74.0) * (12.5 / 74.0), pose.texts[3].1.clone())
     };
     let paper = edited(&[], PAPER);
@@ -635,7 +635,7 @@ fn paper_program_cuts_and_coasting_behind_the_face_does_not() {
 fn charts_and_drawings_show_the_check_table_values() {
     let project = project(&[("stock-diameter", "29")]);
     let planner = whole(&project);
-    let charts = machine().charts(&project.values, project.on(), &planner, 0.0, 10.0, 721);
+    let charts = project.prepared().charts(&planner, 0.0, 10.0, 721);
     let ids: Vec<_> = charts.iter().map(|chart| chart.id).collect();
     assert_eq!(ids, ["speeds", "phase", "size", "along", "deviation", "radius"]);
     let deviation = &charts[4].series[0].points;
@@ -699,7 +699,7 @@ fn taken_way_gives_the_figures_of_its_row() {
     let mut rows = 0;
     for changes in cases {
         let first = project(changes);
-        let sheets = first.machine.sheets(&first.values, first.on());
+        let sheets = first.prepared().sheets();
         let ways = &sheets.iter().find(|sheet| sheet.id == "choices").unwrap().rows;
         assert!(!ways.is_empty());
         for way in ways {
@@ -734,7 +734,7 @@ fn taken_way_gives_the_figures_of_its_row() {
 fn explorer_has_fixed_sliders_and_a_section_where_one_exists() {
     let look = |changes: &[(&str, &str)]| {
         let project = project(changes);
-        project.machine.explorer(&project.values, project.on()).unwrap()
+        project.prepared().explorer().unwrap()
     };
     let square = look(&[]);
     let fields: Vec<&str> = square.knobs.iter().map(|knob| knob.field).collect();
@@ -756,5 +756,5 @@ fn explorer_has_fixed_sliders_and_a_section_where_one_exists() {
     let none = look(&[("shape", "own"), ("tool-ratio", "0")]);
     assert!(none.charts.is_empty() && !none.scene.nodes.is_empty());
     let ribbon = Project::of("ribbon-line", None).unwrap();
-    assert!(ribbon.machine.explorer(&ribbon.values, ribbon.on()).is_none());
+    assert!(ribbon.prepared().explorer().is_none());
 }

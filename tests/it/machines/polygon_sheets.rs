@@ -5,11 +5,11 @@ use macroline::controls::Switches;
 use macroline::nc::{self, Files};
 use macroline::text::Severity;
 
-use super::polygon::{machine, project, result};
+use super::polygon::{project, result};
 
 fn rows(changes: &[(&str, &str)], id: &str) -> String {
     let project = project(changes);
-    let sheets = machine().sheets(&project.values, project.on());
+    let sheets = project.prepared().sheets();
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }
@@ -23,24 +23,24 @@ fn machine_sheets_have_the_expected_rows() {
     );
     expect![[r#"
         G98 | feed per minute
-        T0101 | 
+        T101 | 
         G00 X29. Z2. | 
         G51.2 P1 Q2 | polygon turning on, in a block of its own: P and Q as the ratio, R the offset of the work, A the lead of a twist
         S200 | speed of the work; the tool follows
         G00 X23. | 
-        G01 Z-15. F100 | 
+        G01 Z-15. F100. | 
         G00 X29. | 
         Z2. | 
         G00 X21. | 
-        G01 Z-15. F100 | 
+        G01 Z-15. F100. | 
         G00 X29. | 
         Z2. | 
         G00 X20.4 | 
-        G01 Z-15. F100 | 
+        G01 Z-15. F100. | 
         G00 X29. | 
         Z2. | 
         G00 X20. | finishing
-        G01 Z-15. F50 | 
+        G01 Z-15. F50. | 
         G00 X29. | 
         Z2. | 
         G00 X60. Z30. | 

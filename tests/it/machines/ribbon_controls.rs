@@ -184,7 +184,7 @@ fn feed_per_revolution_follows_the_unwinder_everywhere() {
         // In ramps, too: the loop never takes more than what X lags at 110 %, half its time constant and its gain, and what the unwinder
         // turns before the program has read its first block.
         let end = planner.timeline().end() - 0.5;
-        let charts = machine().charts(&project.values, project.on(), &planner, 0.0, end, 2000);
+        let charts = project.prepared().charts(&planner, 0.0, end, 2000);
         let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
         let lag = 280.0 * (0.05 + 1.0 / 33.0) + 4.0;
         let most = slack.iter().map(|(_, mm)| *mm).fold(0.0, f64::max);
@@ -221,7 +221,7 @@ fn feed_per_revolution_design_equals_its_run() {
         let planner = over_time(&project, vec![]);
         let design = project.design();
         let result = |id: &str| design.readouts.iter().find(|row| row.id == id).unwrap().value;
-        let charts = machine().charts(&project.values, project.on(), &planner, 0.0, 15.0, 1501);
+        let charts = project.prepared().charts(&planner, 0.0, 15.0, 1501);
         let slack = charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points[1000].1;
         // A scan of the PLC and the steps of F.
         assert!((slack - result("slack-start")).abs() < 1.0, "{dwell} {ramp}: {slack} {}", result("slack-start"));
@@ -239,7 +239,7 @@ fn plc_passes_the_override_in_the_controls_word() {
         let planner = over_time(&project, vec![knob]);
         assert_eq!((planner.variable_at(word, 1.9), planner.variable_at(word, 2.1)), (Some(100.0), Some(80.0)), "{id}");
         assert_eq!(planner.timeline().at(3.0).spindle.command, 80.0);
-        let rows = machine().variables(&project.values, project.on());
+        let rows = project.prepared().variables();
         assert!(rows.iter().any(|(number, ..)| *number == word));
     }
 }
@@ -259,7 +259,7 @@ fn second_start_prints_again() {
 #[test]
 fn fields_without_a_choice_are_hidden() {
     let hidden = |id: &str, changes: &[(&str, &str)]| {
-        machine().hidden(&values(changes), macroline::controls::find(id).unwrap()).join(" ")
+        machine().prepare(&values(changes), at_defaults(macroline::controls::find(id).unwrap())).hidden().join(" ")
     };
     assert_eq!(hidden("mitsubishi-e60", &[]), "print-axis");
     assert_eq!(hidden("mitsubishi-e60", &[("print-axis", "c")]), "print-axis");
@@ -327,7 +327,7 @@ fn dropped_program_selects_its_control() {
 }
 
 fn rows(on: ControlContext, changes: &[(&str, &str)], id: &str) -> String {
-    let sheets = machine().sheets(&values(changes), on);
+    let sheets = machine().prepare(&values(changes), on).sheets();
     let sheet = sheets.into_iter().find(|sheet| sheet.id == id).unwrap();
     sheet.rows.iter().map(|row| row.cells.join(" | ") + "\n").collect()
 }
@@ -454,8 +454,9 @@ fn lathe_registers_and_ladder_match_their_goldens() {
 #[test]
 fn operator_notes_of_each_control_match() {
     let told = |id: &str| -> String {
-        let design =
-            machine().design(&Values::new(), &Origins::new(), at_defaults(macroline::controls::find(id).unwrap()));
+        let design = machine()
+            .prepare(&Values::new(), at_defaults(macroline::controls::find(id).unwrap()))
+            .design(&Origins::new());
         let infos =
             design.diagnostics.iter().filter(|d| d.severity == Severity::Info && d.message.id != "form.assumed");
         infos.map(|d| sentence(Language::English, &d.message) + "\n").collect()

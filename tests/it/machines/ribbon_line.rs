@@ -17,7 +17,7 @@ pub(super) fn control() -> &'static Control {
 }
 
 /// A control with its open points at their defaults.
-pub(super) fn at_defaults(control: &Control) -> ControlContext<'_> {
+pub(super) fn at_defaults(control: &'static Control) -> ControlContext<'static> {
     static DEFAULTS: Switches = Switches(Vec::new());
     ControlContext { control, switches: &DEFAULTS }
 }
@@ -44,7 +44,7 @@ pub(super) fn values(changes: &[(&str, &str)]) -> Values {
 }
 
 fn design(changes: &[(&str, &str)]) -> Design {
-    machine().design(&values(changes), &Origins::new(), on())
+    machine().prepare(&values(changes), on()).design(&Origins::new())
 }
 
 #[track_caller]
@@ -325,7 +325,7 @@ fn blocks_too_long_for_the_control_are_errors() {
 fn labels_contain_no_placeholders() {
     let fields = machine().fields().into_iter().flat_map(|field| [field.label, field.help, field.group]);
     let readouts = design(&[]).readouts.into_iter().map(|readout| readout.label);
-    let variables = machine().variables(&Values::new(), on()).into_iter().map(|(_, meaning, _)| meaning);
+    let variables = machine().prepare(&Values::new(), on()).variables().into_iter().map(|(_, meaning, _)| meaning);
     for label in fields.chain(readouts).chain(variables) {
         let said = words(Language::English, label);
         assert!(!said.is_empty() && !said.contains('{'), "{label}: {said}");
@@ -361,7 +361,7 @@ fn product_length_becomes_whole_pitches() {
 #[test]
 fn values_without_origin_are_listed_as_assumed() {
     let count = |origins: &Origins| {
-        let design = machine().design(&Values::new(), origins, on());
+        let design = machine().prepare(&Values::new(), on()).design(origins);
         let infos = design.diagnostics.into_iter().filter(|d| d.severity == Severity::Info);
         infos.map(|d| sentence(Language::English, &d.message)).collect::<String>()
     };
@@ -374,7 +374,7 @@ fn values_without_origin_are_listed_as_assumed() {
 fn invalid_value_is_an_error_and_the_default_stays() {
     let values =
         Values::from_iter([("pitch".to_owned(), Value::Number(0.0)), ("heads".to_owned(), Value::Number(2.5))]);
-    let design = machine().design(&values, &Origins::new(), on());
+    let design = machine().prepare(&values, on()).design(&Origins::new());
     let fields: Vec<_> =
         design.diagnostics.iter().filter(|d| d.severity == Severity::Error).filter_map(|d| d.field).collect();
     assert_eq!(fields, ["pitch", "heads"]);

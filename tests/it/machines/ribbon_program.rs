@@ -20,7 +20,7 @@ use macroline::view::Verdict;
 use proptest::prelude::*;
 
 fn plan(on: ControlContext, values: &Values) -> (MachineProgram, Emitted) {
-    let plan = machine().plan(values, on);
+    let plan = machine().prepare(values, on).program();
     let emitted = nc::emit(&plan.deck, on.control);
     (plan, emitted)
 }
@@ -188,7 +188,7 @@ fn travels(on: ControlContext, values: &Values) -> [f64; 2] {
 
 /// The axis of the print roller: that of the form, where the control has a choice.
 fn print_letter(on: ControlContext, values: &Values) -> u8 {
-    let hidden = machine().hidden(values, on.control).contains(&"print-axis");
+    let hidden = machine().prepare(values, on).hidden().contains(&"print-axis");
     let letter = match values.get("print-axis") {
         Some(Value::Text(letter)) if !hidden => letter.as_bytes()[0].to_ascii_uppercase(),
         _ => b'Y',
@@ -363,12 +363,12 @@ fn dropped_program_restores_the_form() {
 
 /// The run over time, `setup` done.
 fn planned(values: &Values, events: Vec<Event>) -> Planner<Interp> {
-    let plant = machine().plant(values, on());
+    let plant = machine().prepare(values, on()).plant();
     Planner::new(Setup {
         program: ready(values),
         control: control(),
         plant: &plant,
-        plc: machine().plc(values, on()),
+        plc: machine().prepare(values, on()).plc(),
         panel: Panel::new(events),
         limits: Budget { blocks: 10_000_000, seconds: 3600.0 },
         keep: Retention::Timeline,
@@ -380,7 +380,7 @@ fn result(values: &Values, id: &str) -> f64 {
 }
 
 fn result_on(on: ControlContext, values: &Values, id: &str) -> f64 {
-    let design = machine().design(values, &Origins::new(), on);
+    let design = machine().prepare(values, on).design(&Origins::new());
     design.readouts.into_iter().find(|readout| readout.id == id).unwrap().value
 }
 
@@ -412,7 +412,7 @@ fn slack_in_the_run_equals_the_design() {
         let mut run = planned(&values, vec![]);
         run.advance(3600.0, 10_000_000);
         let end = run.timeline().end();
-        let charts = machine().charts(&values, on(), &run, 0.0, end, 2001);
+        let charts = machine().prepare(&values, on()).charts(&run, 0.0, end, 2001);
         let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
         let (middle, last) = (slack[1200].1, slack[2000].1);
         // The 12 bits of the output unwind 0.1 r/min less than is asked for: 0.25 mm in the time of a run.
@@ -541,7 +541,7 @@ proptest! {
     /// it writes none of the operator's variables, and dropped again it restores the form.
     #[test]
     fn any_settings_run_to_the_closed_form_without_findings((on, values) in any_settings()) {
-        let design = machine().design(&values, &Origins::new(), on);
+        let design = machine().prepare(&values, on).design(&Origins::new());
         prop_assume!(design.diagnostics.iter().all(|d| d.severity == Severity::Info));
         let refused = |id: &str| design.readouts.iter().any(|row| row.id == id && row.verdict == Verdict::Fail);
         prop_assume!(!refused("feed-per-revolution"));
@@ -563,7 +563,7 @@ proptest! {
         let percent = (knob / step).round() * step;
         prop_assume!(percent > 0.0);
         let final_speed = values.get("override-form") == Some(&Value::Text("final-speed".to_owned()))
-            && !machine().hidden(&values, on.control).contains(&"override-form");
+            && !machine().prepare(&values, on).hidden().contains(&"override-form");
         let printed = print(&mut run, if final_speed { result_on(on, &values, "actual-speed") } else { percent });
         for (name, value) in entries {
             let number = name[1..].parse().unwrap();

@@ -199,10 +199,10 @@ fn cut_part_never_grows() {
             );
             let planner = over_time(&project);
             let end = planner.timeline().end();
-            let frame = Frame { step: 0.01, strobe: false };
+            let frame = Frame { step: 0.01, option: false };
             let outline = |t: f64| {
                 let now = Samples::at(&planner, t);
-                area(&machine().pose(&project.values, project.on(), &planner, &now, frame).paths[0].1)
+                area(&project.prepared().pose(&planner, &now, frame).paths[0].1)
             };
             let whole = outline(0.0);
             let mut left = whole;
@@ -219,7 +219,7 @@ fn cut_part_never_grows() {
 #[test]
 fn design_readouts_match_their_golden() {
     let said = |changes: &[(&str, &str)]| {
-        let design = machine().design(&values(changes), &Origins::default(), project("gsk-980tdc", &[]).on());
+        let design = machine().prepare(&values(changes), project("gsk-980tdc", &[]).on()).design(&Origins::default());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
             let advice: Vec<_> = row.advice.iter().map(|advice| sentence(Language::English, advice)).collect();
             format!("{:?} {}: {}\n", row.verdict, row.id, advice.join(" "))
@@ -255,7 +255,7 @@ fn design_readouts_match_their_golden() {
 /// The parameter sheet: number, name, index, value, unit.
 fn sheet(control: &str, changes: &[(&str, &str)]) -> String {
     let project = project(control, changes);
-    let sheets = machine().sheets(&project.values, project.on());
+    let sheets = project.prepared().sheets();
     let rows = sheets.iter().filter(|sheet| sheet.id == "parameters").flat_map(|sheet| &sheet.rows);
     let lines = rows.map(|row| format!("{} {:?}", row.cells[..5].join(" ").trim_end(), row.grade));
     lines.map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ") + "\n").collect()
@@ -382,7 +382,7 @@ fn parameter_sheets_match_their_goldens() {
 /// Errors and warnings of a form.
 fn findings(control: &str, changes: &[(&str, &str)]) -> String {
     let project = project(control, changes);
-    let design = machine().design(&project.values, &Origins::default(), project.on());
+    let design = project.prepared().design(&Origins::default());
     let all = design.diagnostics.iter().filter(|d| !d.message.id.starts_with("form."));
     all.map(|d| format!("{:?} {}: {}\n", d.severity, d.field.unwrap_or(""), sentence(Language::English, &d.message)))
         .collect()
@@ -434,7 +434,7 @@ fn signed_output_exists_where_the_control_has_one() {
         [("gsk-980tdc", false), ("sinumerik-802d", true), ("knd-k2000t", true), ("mitsubishi-e60", false)]
     {
         let project = ideal(control, &[("output", "+-10"), ("direction", "ccw")]);
-        assert_eq!(machine().hidden(&project.values, project.control).contains(&"output"), !signed, "{control}");
+        assert_eq!(project.prepared().hidden().contains(&"output"), !signed, "{control}");
         let planner = over_time(&project);
         let (from, _) = cuts(&project, &planner)[0];
         let volts = planner.timeline().at(from + 0.1).spindle.volts;
@@ -453,7 +453,7 @@ fn charts_and_results_show_the_same_speed() {
         ] {
             let project = ideal(control, changes);
             let planner = over_time(&project);
-            let charts = machine().charts(&project.values, project.on(), &planner, 0.0, planner.timeline().end(), 50);
+            let charts = project.prepared().charts(&planner, 0.0, planner.timeline().end(), 50);
             let chart = charts.iter().find(|chart| chart.id == "speed-diameter").unwrap();
             let surface = project.control.can(macroline::controls::Code::SurfaceSpeed);
             let line = &chart.series[usize::from(!surface)].points;

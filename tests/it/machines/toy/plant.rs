@@ -1,6 +1,6 @@
 //! The plant of the cut-to-length feeder: one slide, and the parameters that the builder sets for it.
 
-use macroline::controls::{ParamRole, Switches};
+use macroline::controls::ParamRole;
 use macroline::machines::sheets::{AxisValues, ParamValue};
 use macroline::motion::{AxisPlant, Plant, SpindlePlant};
 
@@ -22,7 +22,7 @@ pub(super) fn plant(feeder: &CutToLength) -> Plant {
     Plant {
         axes: vec![axis],
         pmc: Vec::new(),
-        spindle: SpindlePlant::bench(feeder.control, &Switches::default()),
+        spindle: SpindlePlant::bench(feeder.control, feeder.dialect.spindle()),
         block_time: p.block_time / 1000.0,
         macro_time: p.macro_time / 1000.0,
         preread: p.preread as u8,

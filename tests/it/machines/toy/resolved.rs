@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use macroline::controls::Control;
+use macroline::controls::{Control, Dialect};
 use macroline::machines::ControlContext;
 
 use super::derive::Derived;
@@ -20,13 +20,14 @@ pub(crate) struct CutToLength {
     pub(super) p: Params,
     pub(super) d: Derived,
     pub(super) control: &'static Control,
+    pub(super) dialect: Dialect,
 }
 
 impl CutToLength {
     /// Computes the formulas.
     pub(super) fn resolve(p: Params, on: ControlContext) -> CutToLength {
         PREPARED.fetch_add(1, Ordering::Relaxed);
-        CutToLength { d: Derived::new(&p), p, control: on.control }
+        CutToLength { d: Derived::new(&p), p, control: on.control, dialect: on.dialect() }
     }
 
     /// Index of the axis that feeds, in the control's order.

@@ -28,7 +28,7 @@ pub(super) const READOUTS: &[ReadoutRow<CutToLength>] = &[
 
 /// All rules.
 pub(super) const RULES: &[Rule<CutToLength>] =
-    &[Rule::new("speed", within_clamp, "cutting feed clamp, a parameter", Grade::Inferred)];
+    &[Rule::new("speed", within_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred))];
 
 /// The axis reaches the feed.
 fn within_clamp(feeder: &CutToLength) -> Option<Judgement> {

@@ -1,0 +1,46 @@
+//! A machine's settings as comment lines of its program, so that a dropped program restores the form.
+//!
+//! The first line names machine and format (`MACROLINE RIBBON-LINE 1`), the next the control where it is not the machine's first
+//! (`CONTROL=…`), each further one a field (`PITCH=8`): the essential ones always, the others where they differ from the default.
+
+use super::form::{Field, Kind};
+use super::machine::Machine;
+use crate::controls::Control;
+use crate::text::catalog::number_text;
+
+/// First word of the first line.
+pub(super) const MARK: &str = "MACROLINE";
+/// Format of the lines.
+const VERSION: &str = "1";
+/// Key of the control's line.
+pub(super) const CONTROL: &str = "control";
+
+/// Comment lines, without brackets, that hold the parameters of a machine on a control.
+pub fn lines<M: Machine>(params: &M::Params, control: &Control) -> Vec<String> {
+    let mut lines = vec![format!("{MARK} {} {VERSION}", M::ID).to_ascii_uppercase()];
+    if M::CONTROLS.first() != Some(&control.id) {
+        lines.push(format!("{CONTROL}={}", control.id).to_ascii_uppercase());
+    }
+    let fields: &[Field<M::Params>] = M::fields();
+    for field in fields {
+        let text = match &field.kind {
+            Kind::Number { get, default, decimals, .. } => {
+                let number = get(params);
+                (field.essential || number != *default).then(|| number_text(number, *decimals))
+            }
+            Kind::Flag { get, default, .. } => (get(params) != *default).then(|| get(params).to_string()),
+            Kind::Choice { options, get, .. } => {
+                options.get(get(params)).filter(|_| get(params) != 0).map(|(option, _)| (*option).to_owned())
+            }
+            Kind::Text { get, .. } => Some(plain(get(params))).filter(|text| !text.is_empty()),
+        };
+        lines.extend(text.map(|text| format!("{}={}", field.id, text).to_ascii_uppercase()));
+    }
+    lines
+}
+
+/// Text as it may stand inside a comment: printable ASCII without brackets and per cent signs.
+fn plain(text: &str) -> String {
+    let keep = |c: char| if c.is_ascii_graphic() && !matches!(c, '(' | ')' | '%') { c } else { ' ' };
+    text.chars().map(keep).collect::<String>().split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -1,0 +1,341 @@
+//! The seams of a machine: [`Machine`] is written once per machine, [`Prepared`] is a machine with its values on a control.
+//!
+//! A machine is prepared once per change of a value; design, program, plant, PLC, sheets, drawing and charts are asked of the prepared
+//! machine, and every answer is total.
+
+use core::fmt;
+use core::marker::PhantomData;
+use core::ops::Deref;
+
+use super::form::fill::{assumed, defaults, fill};
+use super::form::{Field, FieldInfo, Origins, Value, Values};
+use crate::controls::options::{CommonAtReset, SwitchChoice};
+use crate::controls::{Control, Dialect, Switches};
+use crate::math;
+use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot};
+use crate::msg;
+use crate::nc::{Deck, File};
+use crate::text::{Diagnostic, DiagnosticKind};
+use crate::view::{Chart, Explorer, Pose, Readout, Scene, Sheet};
+
+/// The control that a machine is on, with its open points as they are set.
+#[derive(Debug, Clone, Copy)]
+pub struct ControlContext<'a> {
+    /// The control.
+    pub control: &'static Control,
+    /// Settings of its open points.
+    pub switches: &'a Switches,
+}
+
+impl ControlContext<'_> {
+    /// The rows of the control under these settings.
+    pub fn dialect(&self) -> Dialect {
+        Dialect::resolve(self.control, self.switches)
+    }
+}
+
+/// Results of a machine's formulas, and findings about its values.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Design {
+    /// Results with verdicts, in the order they are shown.
+    pub readouts: Vec<Readout>,
+    /// Invalid fields (errors) and remarks.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// The program of a machine, before it is written.
+#[derive(Debug, Clone, Default)]
+pub struct MachineProgram {
+    /// Programs, one per file.
+    pub deck: Deck,
+    /// Program number that sets the project's values, run once before the first start; 0 where there is none.
+    pub setup: u32,
+    /// Program number that runs the machine.
+    pub main: u32,
+    /// Lines end in CR LF instead of LF.
+    pub crlf: bool,
+}
+
+/// Values and settings of a new project that differ from the defaults of form and control.
+#[derive(Debug, Clone, Default)]
+pub struct Defaults {
+    /// Values by field id.
+    pub values: Values,
+    /// Settings that the machine needs.
+    pub switches: Switches,
+}
+
+impl Defaults {
+    /// Block time and macro time (ms) and pre-read blocks of the control.
+    pub fn timing(control: &Control) -> Defaults {
+        let mut start = Defaults::default();
+        for (id, value) in [
+            ("block-time", control.timing.block * 1000.0),
+            ("macro-time", control.timing.macro_block * 1000.0),
+            ("preread", f64::from(control.timing.preread)),
+        ] {
+            start.number(id, value);
+        }
+        start
+    }
+
+    /// Sets a number of the form, rounded to thousandths.
+    pub fn number(&mut self, id: &str, value: f64) {
+        self.values.insert(id.to_owned(), Value::Number((value * 1000.0).round() / 1000.0));
+    }
+
+    /// Keeps common variables at reset: a second start needs the values that the first has set.
+    pub fn keep_common(&mut self, control: &Control) {
+        self.set(control, CommonAtReset::Kept);
+    }
+
+    /// Sets an open point of the control, where the setting is not its default.
+    pub fn set<C: SwitchChoice>(&mut self, control: &Control, choice: C) {
+        let setting = choice.option().id;
+        if let Some(row) = control.switch(C::SWITCH).filter(|row| row.takes(setting)) {
+            self.switches.set(row, setting);
+        }
+    }
+}
+
+/// A run as charts and poses sample it.
+pub trait Samples {
+    /// The machine at time `t`.
+    fn at(&self, t: f64) -> Snapshot;
+    /// Starts of the block with this sequence number (in the started program) up to time `t`, and whether it executes at `t`.
+    fn passes(&self, sequence: u32, t: f64) -> (u32, bool);
+    /// Excursions of an axis (by index) below 0 up to time `t`: when its command went below 0, and when it was lowest.
+    fn excursions(&self, axis: usize, t: f64) -> Vec<(f64, f64)>;
+}
+
+impl<P: RunningProgram> Samples for Planner<P> {
+    fn at(&self, t: f64) -> Snapshot {
+        self.timeline().at(t)
+    }
+
+    fn passes(&self, sequence: u32, t: f64) -> (u32, bool) {
+        let Some(place) = self.program().numbered(sequence) else { return (0, false) };
+        let timeline = self.timeline();
+        (timeline.times(place, t), timeline.block_at(t) == Some(place))
+    }
+
+    fn excursions(&self, axis: usize, t: f64) -> Vec<(f64, f64)> {
+        self.timeline().dips(axis, t)
+    }
+}
+
+/// The viewing conditions of a frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// Machine seconds between two frames: parts that turn far in them blur.
+    pub step: f64,
+    /// The drawing's own option is on; see [`Scene::option`].
+    pub option: bool,
+}
+
+impl Frame {
+    /// Visibility (0 to 1) of a part that turns `step` degrees per frame: 1 up to `limit`, falling linearly to 0 at `1.5 · limit`.
+    pub fn seen(step: f64, limit: f64) -> f64 {
+        math::clamp((1.5 * limit - step) / (0.5 * limit), 0.0, 1.0)
+    }
+}
+
+/// The operator's panel as a run finds it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PanelSetup {
+    /// Spindle override (%) at the start of a run; without one the knob is at 100 %.
+    pub spindle_override: Option<f64>,
+    /// Step (%) of the spindle override's knob.
+    pub override_step: f64,
+}
+
+impl Default for PanelSetup {
+    fn default() -> PanelSetup {
+        PanelSetup { spindle_override: None, override_step: 10.0 }
+    }
+}
+
+/// A machine with its values on a control. Everything is total.
+pub trait Prepared: Send + Sync {
+    /// Results with verdicts, and the machine's own findings.
+    fn results(&self) -> Design;
+    /// The program.
+    fn program(&self) -> MachineProgram;
+    /// The plant that runs it.
+    fn plant(&self) -> Plant;
+    /// The builder's PLC.
+    fn plc(&self) -> Box<dyn Plc>;
+    /// The operator's panel as a run finds it.
+    fn panel(&self) -> PanelSetup {
+        PanelSetup::default()
+    }
+    /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
+    fn variables(&self) -> Vec<(u32, &'static str, &'static str)>;
+    /// Parameter sheet, interface, ladder list.
+    fn sheets(&self) -> Vec<Sheet>;
+    /// Drawings that leave with an export.
+    fn drawings(&self) -> Vec<File> {
+        Vec::new()
+    }
+    /// Sliders with their drawing, to look for a shape; see [`Machine::EXPLORES`].
+    fn explorer(&self) -> Option<Explorer> {
+        None
+    }
+    /// The drawing at rest.
+    fn scene(&self) -> Scene;
+    /// The drawing at a moment.
+    fn pose(&self, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
+    /// Charts from `from` to `to` seconds with `points` points each.
+    fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
+}
+
+/// A machine: a form that fills `Params`, and what is [`Prepared`] from them.
+pub trait Machine: Prepared + Sized + 'static {
+    /// The values of the form as the formulas take them, all within their ranges.
+    type Params: Default;
+    /// Id, for instance `ribbon-line`.
+    const ID: &'static str;
+    /// Catalog id of the name.
+    const NAME: &'static str;
+    /// Ids of the controls it goes with; the first is the default.
+    const CONTROLS: &'static [&'static str];
+    /// The published listing of the machine's program, word for word as printed; empty where none is known.
+    const LISTING: &'static str = "";
+    /// Machine seconds per second at which the motion is visible: one of the speeds of the page.
+    const SPEED: f64;
+    /// Whether it has an [explorer](Prepared::explorer).
+    const EXPLORES: bool = false;
+    /// The form, in the order it is shown.
+    fn fields() -> &'static [Field<Self::Params>];
+    /// Values and settings that a new project on this control has instead of the defaults of the form: the control's own block times.
+    fn defaults(control: &Control) -> Defaults {
+        Defaults::timing(control)
+    }
+    /// Prepares the machine: everything that several answers need is computed here, once.
+    fn new(params: Self::Params, on: ControlContext) -> Self;
+}
+
+/// A machine of any parameters, as the list holds it.
+pub trait AnyMachine: Sync {
+    /// Id, for instance `ribbon-line`.
+    fn id(&self) -> &'static str;
+    /// Catalog id of the name.
+    fn name(&self) -> &'static str;
+    /// Ids of the controls it goes with; the first is the default.
+    fn controls(&self) -> &'static [&'static str];
+    /// The published listing of its program, word for word as printed.
+    fn listing(&self) -> &'static str;
+    /// Machine seconds per second at which the motion is visible.
+    fn speed(&self) -> f64;
+    /// Whether it has an explorer.
+    fn explores(&self) -> bool;
+    /// The form.
+    fn fields(&self) -> Vec<FieldInfo>;
+    /// Values and settings that a new project on this control has instead of the defaults of the form.
+    fn defaults(&self, control: &Control) -> Defaults;
+    /// The machine with these values on a control. Invalid values are reported by [`PreparedMachine::design`]; their defaults stand in.
+    fn prepare(&self, values: &Values, on: ControlContext) -> PreparedMachine;
+}
+
+/// A prepared machine, and what its form says about the values.
+pub struct PreparedMachine {
+    machine: Box<dyn Prepared>,
+    invalid: Vec<Diagnostic>,
+    hidden: Vec<&'static str>,
+    facts: Vec<&'static str>,
+}
+
+impl fmt::Debug for PreparedMachine {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_struct("PreparedMachine").field("invalid", &self.invalid).finish_non_exhaustive()
+    }
+}
+
+impl Deref for PreparedMachine {
+    type Target = dyn Prepared;
+
+    fn deref(&self) -> &(dyn Prepared + 'static) {
+        &*self.machine
+    }
+}
+
+impl PreparedMachine {
+    /// Fields without a meaning on this control with these values; their values stay.
+    pub fn hidden(&self) -> &[&'static str] {
+        &self.hidden
+    }
+
+    /// Results and verdicts; invalid fields as errors, facts that are only assumed as a remark.
+    pub fn design(&self, origins: &Origins) -> Design {
+        let mut design = self.machine.results();
+        design.diagnostics.splice(0..0, self.invalid.iter().cloned());
+        let assumed = assumed(&self.facts, origins);
+        if !assumed.is_empty() {
+            let message = msg!("form.assumed", assumed.len() as u32, assumed.join(", "));
+            design.diagnostics.push(Diagnostic::info(message).kind(DiagnosticKind::AssumedFacts));
+        }
+        design
+    }
+}
+
+/// A machine `M` as [`AnyMachine`].
+#[derive(Debug)]
+pub struct Erased<M>(PhantomData<fn() -> M>);
+
+impl<M: Machine> Erased<M> {
+    /// The machine as data.
+    pub const fn new() -> Erased<M> {
+        Erased(PhantomData)
+    }
+}
+
+impl<M: Machine> Default for Erased<M> {
+    fn default() -> Erased<M> {
+        Erased::new()
+    }
+}
+
+impl<M: Machine> AnyMachine for Erased<M> {
+    fn id(&self) -> &'static str {
+        M::ID
+    }
+
+    fn name(&self) -> &'static str {
+        M::NAME
+    }
+
+    fn controls(&self) -> &'static [&'static str] {
+        M::CONTROLS
+    }
+
+    fn listing(&self) -> &'static str {
+        M::LISTING
+    }
+
+    fn speed(&self) -> f64 {
+        M::SPEED
+    }
+
+    fn explores(&self) -> bool {
+        M::EXPLORES
+    }
+
+    fn fields(&self) -> Vec<FieldInfo> {
+        M::fields().iter().map(Field::info).collect()
+    }
+
+    fn defaults(&self, control: &Control) -> Defaults {
+        M::defaults(control)
+    }
+
+    fn prepare(&self, values: &Values, on: ControlContext) -> PreparedMachine {
+        let mut params = M::Params::default();
+        defaults(M::fields(), &mut params);
+        let invalid = fill(M::fields(), values, &mut params);
+        let (shown, hidden): (Vec<_>, Vec<_>) =
+            M::fields().iter().partition(|field| (field.shown)(&params, on.control));
+        let facts = shown.into_iter().filter(|field| field.fact).map(|field| field.id).collect();
+        let hidden = hidden.into_iter().map(|field| field.id).collect();
+        PreparedMachine { machine: Box::new(M::new(params, on)), invalid, hidden, facts }
+    }
+}
