@@ -20,7 +20,7 @@ use crate::text::{Diagnostic, DiagnosticKind, Place};
 impl RunState {
     /// Runs a block of words.
     pub(super) fn words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> Run<()> {
-        let surface = self.modal.surface.then(|| self.surface_zero(cx));
+        let surface = self.modal.spindle.surface.then(|| self.surface_zero(cx));
         let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
         let words = words.get(..codes.count).unwrap_or(words);
@@ -97,13 +97,13 @@ impl RunState {
         match (codes.flow, codes.call) {
             (_, Some(call)) => {
                 let program = f64::from(call.program);
-                self.call_sub(cx, Some(program), None, values.l, true)?;
+                self.call_sub(cx, Some(program), None, values.call.l, true)?;
             }
-            (Some(Code::SubCall), None) => self.call_sub(cx, values.p, values.h, values.l, false)?,
+            (Some(Code::SubCall), None) => self.call_sub(cx, values.call.p, values.call.h, values.call.l, false)?,
             (Some(Code::Return), None) if self.frames.is_empty() => {
                 return Err(Trap::alarm(Alarm::MainReturn, msg!("interp.main-return")));
             }
-            (Some(_), None) => self.end_sub(cx, at, values.p)?,
+            (Some(_), None) => self.end_sub(cx, at, values.call.p)?,
             (None, None) => {
                 if let (true, Some(call)) = (moved, self.modal_call.as_ref().map(Rc::clone)) {
                     let arguments = Rc::clone(&call.arguments);
@@ -177,7 +177,7 @@ impl RunState {
     #[cold]
     fn pass_contour(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word], values: &BlockWords) {
         let number = |value: Option<f64>| value.filter(|value| (1.0..1e9).contains(value)).map(|value| value as u32);
-        let (Some(first), Some(last)) = (number(values.p), number(values.q)) else { return };
+        let (Some(first), Some(last)) = (number(values.call.p), number(values.call.q)) else { return };
         let index = &cx.shared.index;
         let start = index.sequence(self.program, first, at.saturating_add(1)).filter(|&start| start > at);
         let end = start.and_then(|start| Some((start, index.sequence(self.program, last, start)?)));

@@ -107,7 +107,7 @@ impl RunState {
     /// The spindle that a word is for.
     #[inline]
     pub(super) fn spindle_of(&self, word: &Word) -> u8 {
-        word.index.unwrap_or(self.modal.master)
+        word.index.unwrap_or(self.modal.spindle.master)
     }
 
     /// Takes an M word of another spindle than the machine's own; whether it is that spindle's.
@@ -125,7 +125,7 @@ impl RunState {
             }
             _ => return Ok(word.index.is_some()),
         };
-        self.modal.other.1 = sign != 0;
+        self.modal.spindle.other.1 = sign != 0;
         self.queue.push(Canon::OtherSpindle { spindle: self.spindle_of(word), sign });
         Ok(true)
     }
@@ -160,7 +160,7 @@ impl RunState {
     fn named_code(&mut self, cx: &BlockContext, word: &Word, at: usize, codes: &mut BlockCodes) {
         match cx.codes().row_of(word) {
             Some(row) if row.code == Code::Return => codes.flow = Some(Code::Return),
-            Some(row) if row.code == Code::MasterSpindle => self.modal.master = word.index.unwrap_or(1),
+            Some(row) if row.code == Code::MasterSpindle => self.modal.spindle.master = word.index.unwrap_or(1),
             Some(row) => self.g_code(cx, row, at, codes),
             None => {}
         }

@@ -34,15 +34,20 @@ mod operators;
 mod system_variables;
 mod value;
 
+mod arc_motion;
 mod block;
 mod call;
 mod codes;
+mod coordinates;
+mod feed;
 mod function;
 mod jump;
 mod spindle;
 mod statement;
+mod thread;
 mod travel;
 mod words;
+mod working_area;
 
 mod run;
 

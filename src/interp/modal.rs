@@ -20,6 +20,32 @@ pub(super) enum Radii {
     All,
 }
 
+/// What stays in force for the spindle.
+#[derive(Debug, Clone)]
+pub(super) struct SpindleModal {
+    /// Constant surface speed is on.
+    pub(super) surface: bool,
+    /// The last surface speed as programmed, in m/min; `None` before the first.
+    pub(super) surface_speed: Option<f64>,
+    /// A code of feed has ended constant surface speed: the last S in r/min is in force again.
+    pub(super) surface_undone: bool,
+    /// The last S in r/min; `None` before the first.
+    pub(super) last_speed: Option<f64>,
+    /// The spindle that S and M words without a number are for.
+    pub(super) master: u8,
+    /// What is told another spindle: r/min, and whether it turns.
+    pub(super) other: (f64, bool),
+}
+
+/// The limits of the working area.
+#[derive(Debug, Clone, Default)]
+pub(super) struct WorkingArea {
+    /// Lower and upper limits of the working area in the machine frame, where a program has set some.
+    pub(super) limits: Option<[[i64; AXES]; 2]>,
+    /// They are switched off.
+    pub(super) off: bool,
+}
+
 /// Modal state at pre-read. Lengths in command increments.
 #[derive(Debug, Clone)]
 pub(super) struct Modal {
@@ -55,22 +81,8 @@ pub(super) struct Modal {
     pub(super) lead: Option<f64>,
     /// Words of the transverse axis that count radii.
     pub(super) radii: Radii,
-    /// Constant surface speed is on.
-    pub(super) surface: bool,
-    /// The last surface speed as programmed, in m/min; `None` before the first.
-    pub(super) surface_speed: Option<f64>,
-    /// A code of feed has ended constant surface speed: the last S in r/min is in force again.
-    pub(super) surface_undone: bool,
-    /// The last S in r/min; `None` before the first.
-    pub(super) last_speed: Option<f64>,
-    /// The spindle that S and M words without a number are for.
-    pub(super) master: u8,
-    /// What is told another spindle: r/min, and whether it turns.
-    pub(super) other: (f64, bool),
-    /// Lower and upper limits of the working area in the machine frame, where a program has set some.
-    pub(super) area: Option<[[i64; AXES]; 2]>,
-    /// They are switched off.
-    pub(super) area_off: bool,
+    pub(super) spindle: SpindleModal,
+    pub(super) area: WorkingArea,
     /// The last value of each address letter that modal variables show, by letter from A.
     pub(super) words: [f64; 26],
     /// The code in force, by group.
@@ -97,14 +109,15 @@ impl Modal {
             feed: None,
             lead: None,
             radii: Radii::No,
-            surface: false,
-            surface_speed: None,
-            surface_undone: false,
-            last_speed: None,
-            master: 1,
-            other: (0.0, false),
-            area: None,
-            area_off: false,
+            spindle: SpindleModal {
+                surface: false,
+                surface_speed: None,
+                surface_undone: false,
+                last_speed: None,
+                master: 1,
+                other: (0.0, false),
+            },
+            area: WorkingArea::default(),
             words: [f64::NAN; 26],
             codes: [CodeId::g(0); GROUPS],
         };
@@ -132,7 +145,7 @@ impl Modal {
             Rapid | Linear | ArcCw | ArcCcw | ArcThrough | ArcTangent | Thread => self.motion = row.code,
             NotSimulated | Tapping if row.group == Group::Motion => self.motion = row.code,
             NotSimulated | Cancel if row.group == Group::Cycle => self.cycle = row.code == NotSimulated,
-            WorkingArea(on) => self.area_off = !on,
+            WorkingArea(on) => self.area.off = !on,
             PlaneXy => self.plane = plane(b'X', b'Y', b'Z'),
             PlaneZx => self.plane = plane(b'Z', b'X', b'Y'),
             PlaneYz => self.plane = plane(b'Y', b'Z', b'X'),
@@ -144,8 +157,8 @@ impl Modal {
             }
             FeedPerMinute | FeedPerRevolution => {
                 self.count_feed(control, row.code == FeedPerRevolution);
-                if control.spindle.feed_ends_surface && self.surface {
-                    (self.surface, self.surface_undone) = (false, true);
+                if control.spindle.feed_ends_surface && self.spindle.surface {
+                    (self.spindle.surface, self.spindle.surface_undone) = (false, true);
                 }
             }
             Diameters => self.radii = Radii::No,
@@ -153,7 +166,7 @@ impl Modal {
             DiametersAbsolute => self.radii = Radii::Incremental,
             _ if row.group == Group::PathMode => self.exact = row.code == ExactStop,
             SurfaceSpeed | SurfaceSpeedOff => {
-                (self.surface, self.surface_undone) = (row.code == SurfaceSpeed, false);
+                (self.spindle.surface, self.spindle.surface_undone) = (row.code == SurfaceSpeed, false);
                 if control.spindle.surface_per_revolution {
                     self.count_feed(control, true);
                 }
@@ -176,7 +189,7 @@ impl Modal {
 
     /// G25 and G26: a limit of the working area of an axis in the machine frame.
     pub(super) fn limit_area(&mut self, upper: bool, axis: usize, at: i64) {
-        let area = self.area.get_or_insert([[i64::MIN; AXES], [i64::MAX; AXES]]);
+        let area = self.area.limits.get_or_insert([[i64::MIN; AXES], [i64::MAX; AXES]]);
         area[usize::from(upper)][axis] = at;
     }
 
@@ -223,7 +236,7 @@ impl Modal {
 
     /// Where work zeros and limits of the working area lie outlives a reset; G52 does not.
     pub(super) fn keep_zeros(&mut self, before: &Modal) {
-        (self.offsets, self.origin, self.area) = (before.offsets, before.origin, before.area);
+        (self.offsets, self.origin, self.area.limits) = (before.offsets, before.origin, before.area.limits);
         self.place_zero();
     }
 

@@ -77,7 +77,7 @@ fn key(modal: &Modal) -> ([bool; 5], u8) {
         _ => 3,
     };
     let leads = matches!(modal.motion, Code::Thread | Code::Tapping);
-    ([modal.inch, modal.inch_feed, modal.per_revolution, modal.surface, leads], words)
+    ([modal.inch, modal.inch_feed, modal.per_revolution, modal.spindle.surface, leads], words)
 }
 
 /// What a block of words does that can be known before, beyond its values.

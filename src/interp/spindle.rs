@@ -24,7 +24,7 @@ impl RunState {
         surface: Option<i64>,
     ) -> Run<()> {
         let speed = values.speed;
-        if speed.is_none() && surface.is_none() && !self.modal.surface {
+        if speed.is_none() && surface.is_none() && !self.modal.spindle.surface {
             return Ok(());
         }
         match (codes.special, speed) {
@@ -36,17 +36,18 @@ impl RunState {
             }
             (Some(Code::LowerLimits), Some(rpm)) => self.limit_speed(SpeedLimit::Lower, rpm),
             (Some(Code::UpperLimits), Some(rpm)) => self.limit_speed(SpeedLimit::Upper, rpm),
-            _ if self.modal.surface => return self.surface(cx, speed, surface),
+            _ if self.modal.spindle.surface => return self.surface(cx, speed, surface),
             _ => {
                 if surface.is_some() {
                     self.queue.push(Canon::ConstantSpeed);
                 }
                 // Where a code of feed has ended it, the last S in r/min is in force again.
-                let undone = surface.is_some() && self.modal.surface_undone && cx.shared.rules.spindle.last_speed_back;
-                let back = self.modal.last_speed.filter(|_| undone);
+                let undone =
+                    surface.is_some() && self.modal.spindle.surface_undone && cx.shared.rules.spindle.last_speed_back;
+                let back = self.modal.spindle.last_speed.filter(|_| undone);
                 if let Some(rpm) = speed {
                     self.modal.word(b'S', rpm);
-                    self.modal.last_speed = Some(rpm);
+                    self.modal.spindle.last_speed = Some(rpm);
                 }
                 if let Some(rpm) = speed.or(back) {
                     self.queue.push(Canon::SpindleSpeed { rpm });
@@ -58,13 +59,13 @@ impl RunState {
 
     /// Constant surface speed is on.
     fn surface(&mut self, cx: &BlockContext, speed: Option<f64>, before: Option<i64>) -> Run<()> {
-        if self.modal.master > 1 && before.is_none() {
+        if self.modal.spindle.master > 1 && before.is_none() {
             return Err(self.other_spindle_asked());
         }
         if let Some(speed) = speed {
             self.modal.word(b'S', speed);
-            self.modal.surface_speed = Some(speed);
-        } else if self.modal.surface_speed.is_none() && cx.control.raises(Alarm::NoSurfaceSpeed) {
+            self.modal.spindle.surface_speed = Some(speed);
+        } else if self.modal.spindle.surface_speed.is_none() && cx.control.raises(Alarm::NoSurfaceSpeed) {
             return Err(Trap::alarm(Alarm::NoSurfaceSpeed, msg!("interp.no-surface-speed")).behind(b"G"));
         }
         if speed.is_some() || before != Some(self.surface_zero(cx)) {
@@ -104,9 +105,9 @@ impl RunState {
 
     /// Says the surface speed, where it is on: it is new, or its zero has moved.
     pub(super) fn surface_speed(&mut self, cx: &BlockContext) {
-        if self.modal.surface {
+        if self.modal.spindle.surface {
             let (axis, zero) = (cx.shared.rules.surface_axis as u8, self.surface_zero(cx));
-            let speed = self.modal.surface_speed.unwrap_or(0.0);
+            let speed = self.modal.spindle.surface_speed.unwrap_or(0.0);
             self.queue.push(Canon::SurfaceSpeed { speed, axis, zero });
         }
     }

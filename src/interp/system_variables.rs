@@ -157,22 +157,7 @@ impl RunState {
                     self.vars.set_common(slot, value);
                 }
             }
-            VarKind::SuppressSingleBlock | VarKind::SuppressOverride => {
-                let whole = value.round();
-                if !(0.0..=255.0).contains(&whole) {
-                    return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, 0_u32, 255_u32)));
-                }
-                if let Some(slot) = slot {
-                    self.vars.set_common(slot, whole);
-                }
-                let on = |bit: u8| whole as u8 & bit != 0;
-                self.queue.push(if row.kind == VarKind::SuppressOverride {
-                    let feed_override = on(2) && cx.shared.rules.running.suppress_override;
-                    Canon::Suppress { hold: on(1), feed_override, exact: on(4) }
-                } else {
-                    Canon::SuppressWaits { single_block: on(1), fin: on(2) }
-                });
-            }
+            VarKind::SuppressSingleBlock | VarKind::SuppressOverride => self.suppress(cx, row.kind, slot, value)?,
             VarKind::AlarmMessage => return Err(user_alarm(cx, block, value.round())),
             VarKind::StopMessage => {
                 self.queue.push(Canon::Message { text: cx.deck.text(block.comment).to_owned() });
@@ -184,20 +169,7 @@ impl RunState {
             VarKind::RunTime(clock) => {
                 self.clock_zero[1] = finite_or_zero(cx.world.clock_ms(true)) - value * clock.milliseconds();
             }
-            VarKind::WorkOffset(system) => {
-                let units = &cx.shared.units;
-                let increments = (value * units.per_unit).round();
-                let axis = (number - row.first) as usize;
-                if increments.abs() > units.coordinate_max as f64 {
-                    let max = cx.control.limits.coordinate_max;
-                    return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, -max, max)));
-                }
-                if axis >= cx.control.axes.len().min(AXES) {
-                    return Err(no_such_variable(cx, number));
-                }
-                self.modal.set_offset(system, axis, increments as i64);
-                self.surface_speed(cx);
-            }
+            VarKind::WorkOffset(system) => self.write_offset(cx, row, system, number, value)?,
             VarKind::NotSimulated => return Err(not_simulated(cx, number, row)),
             VarKind::Vacant => {
                 let trap =
@@ -227,6 +199,42 @@ impl RunState {
 }
 
 impl RunState {
+    /// `#3003` and `#3004`: what they switch off, bit by bit.
+    fn suppress(&mut self, cx: &BlockContext, kind: VarKind, slot: Option<u16>, value: f64) -> Run<()> {
+        let whole = value.round();
+        if !(0.0..=255.0).contains(&whole) {
+            return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, 0_u32, 255_u32)));
+        }
+        if let Some(slot) = slot {
+            self.vars.set_common(slot, whole);
+        }
+        let on = |bit: u8| whole as u8 & bit != 0;
+        self.queue.push(if kind == VarKind::SuppressOverride {
+            let feed_override = on(2) && cx.shared.rules.running.suppress_override;
+            Canon::Suppress { hold: on(1), feed_override, exact: on(4) }
+        } else {
+            Canon::SuppressWaits { single_block: on(1), fin: on(2) }
+        });
+        Ok(())
+    }
+
+    /// Writes a work offset in millimetres.
+    fn write_offset(&mut self, cx: &BlockContext, row: &VarRange, system: u8, number: u32, value: f64) -> Run<()> {
+        let units = &cx.shared.units;
+        let increments = (value * units.per_unit).round();
+        let axis = (number - row.first) as usize;
+        if increments.abs() > units.coordinate_max as f64 {
+            let max = cx.control.limits.coordinate_max;
+            return Err(Trap::alarm(Alarm::OutOfRange, msg!("interp.value-range", value, -max, max)));
+        }
+        if axis >= cx.control.axes.len().min(AXES) {
+            return Err(no_such_variable(cx, number));
+        }
+        self.modal.set_offset(system, axis, increments as i64);
+        self.surface_speed(cx);
+        Ok(())
+    }
+
     /// A variable of the PLC is written beyond what it holds.
     #[cold]
     fn remark_output(&self, cx: &mut BlockContext, block: &Block, number: u32, written: f64, taken: f64) {

@@ -12,7 +12,7 @@ use crate::drives::Approach;
 use crate::msg;
 use crate::nc::{Block, Dimensioning, Word};
 
-/// BlockBit flags for words that only some codes use: I/J/K, R, P/L, and B/E/Q.
+/// Bit flags for words that only some codes use: I/J/K, R, P/L, and B/E/Q.
 const CENTRE: u8 = 1;
 
 const RADIUS: u8 = 2;
@@ -30,6 +30,15 @@ const fn class(letter: u8) -> u8 {
         b'B' | b'E' | b'Q' => OTHERS,
         _ => 0,
     }
+}
+
+/// The words of calls, returns and cycles: P, Q, H, L.
+#[derive(Default)]
+pub(super) struct CallWords {
+    pub(super) p: Option<f64>,
+    pub(super) q: Option<f64>,
+    pub(super) h: Option<f64>,
+    pub(super) l: Option<f64>,
 }
 
 /// The values of a block.
@@ -62,10 +71,7 @@ pub(super) struct BlockWords {
     pub(super) dwell: Option<f64>,
     /// Dwell in spindle revolutions.
     pub(super) dwell_turns: Option<f64>,
-    pub(super) p: Option<f64>,
-    pub(super) q: Option<f64>,
-    pub(super) h: Option<f64>,
-    pub(super) l: Option<f64>,
+    pub(super) call: CallWords,
     /// Flags of the programmed words that only some codes use.
     pub(super) rare: u8,
 }
@@ -82,79 +88,33 @@ impl RunState {
         values: &mut BlockWords,
     ) -> Run<()> {
         let inch = self.modal.inch;
-        let thread = matches!(self.modal.motion, Code::Thread | Code::Tapping);
+        let dwell = codes.special == Some(Code::Dwell);
         // Limits behind S, and the first S of a surface speed, are words of their own.
-        let surface = self.modal.surface && !codes.limits();
+        let surface = self.modal.spindle.surface && !codes.limits();
         for word in words {
             let letter = word.letter;
-            // BlockWords of another spindle, or of what is not simulated.
+            // Words of another spindle, or of what is not simulated.
             let spindles = matches!(letter, b'M' | b'S' | long::SPOS | long::LIMS);
-            // Whatever stands behind the axes that go to a point: X1=0.
+            // Any value behind the axes that go to a point: X1=0.
             if let (Some(Code::GoTo(_)), Some((axis, _))) = (codes.special, cx.shared.index.axis(letter)) {
                 values.mask |= 1 << axis;
                 continue;
             }
-            if spindles && self.spindle_of(word) > 1 && codes.special != Some(Code::Dwell)
-                || !spindles && word.index.is_some()
-            {
+            if spindles && self.spindle_of(word) > 1 && !dwell || !spindles && word.index.is_some() {
                 self.indexed_word(cx, block, word, values)?;
                 continue;
             }
-            if codes.special == Some(Code::Dwell) && cx.control.syntax.dwell_addresses.contains(&letter) {
+            if dwell && cx.control.syntax.dwell_addresses.contains(&letter) {
                 let value = self.dwell_word(cx, block, word)?;
                 *(if letter == b'S' { &mut values.dwell_turns } else { &mut values.dwell }) = value;
-            } else if let Some((axis, incremental)) = cx.shared.index.axis(letter) {
-                let inch = inch && !cx.control.axes[axis].rotary;
-                let bit = 1 << axis;
-                let yields = incremental && values.mask & bit != 0 && cx.control.syntax.absolute_holds;
-                if let (Some(value), false) = (self.dimension(cx, block, word, inch)?, yields) {
-                    values.axes[axis] = value;
-                    values.mask |= bit;
-                    let relative = incremental || word.form == Dimensioning::Incremental;
-                    if relative || values.incremental != 0 {
-                        values.incremental = values.incremental & !bit | u8::from(relative) << axis;
-                    }
-                    if !matches!(word.form, Dimensioning::Plain | Dimensioning::Incremental) {
-                        values.absolute |= bit;
-                        values.ways[axis] = word.form;
-                    }
-                }
+            } else if let Some(axis) = cx.shared.index.axis(letter) {
+                self.axis_word(cx, block, word, axis, values)?;
             } else {
                 match letter {
-                    b'F' if thread && !cx.control.syntax.lead_by_axis => {
-                        if let Some(lead) = self.lead_word(cx, block, word, inch)? {
-                            self.modal.lead = Some(lead);
-                            self.modal.word(b'F', lead);
-                        }
-                    }
-                    b'F' => {
-                        if let Some(feed) = self.feed_word(cx, block, word, self.modal.inch_feed)? {
-                            self.modal.feed = Some(feed);
-                            self.modal.word(b'F', feed);
-                        }
-                    }
+                    b'F' => self.f_word(cx, block, word)?,
                     b'S' => values.speed = self.speed_word(cx, block, word, surface)?,
-                    b'T' => {
-                        let tool = self.whole(cx, block, word)?;
-                        if let Some(tool) = tool {
-                            let most = f64::from(cx.control.limits.tool_max);
-                            if !(0.0..=most).contains(&tool) {
-                                return Err(self.out_of_range(cx, block, word, 0.0, most));
-                            }
-                            values.tool = Some(tool as u32);
-                        }
-                    }
-                    _ if thread && cx.control.syntax.threads_per_inch == Some(letter) => {
-                        let lead = match cx.shared.rules.numbers.fine_lead {
-                            true => self.lead_word(cx, block, word, inch)?,
-                            false => self.threads_word(cx, block, word)?,
-                        };
-                        self.modal.lead = lead.or(self.modal.lead);
-                    }
-                    b'I' | b'J' | b'K' if thread && cx.control.syntax.lead_by_axis => {
-                        self.modal.lead = self.lead_word(cx, block, word, inch)?.or(self.modal.lead);
-                        values.leads |= 1 << (letter - b'I');
-                    }
+                    b'T' => values.tool = self.tool_word(cx, block, word)?.or(values.tool),
+                    _ if self.cuts_threads() && self.thread_word(cx, block, word, values)? => {}
                     b'I' | b'J' | b'K' => {
                         values.center[(letter - b'I') as usize] = self.dimension(cx, block, word, inch)?;
                         values.rare |= CENTRE;
@@ -163,56 +123,143 @@ impl RunState {
                         values.radius = self.dimension(cx, block, word, inch)?;
                         values.rare |= RADIUS;
                     }
-                    long::AR => {
-                        values.turn = self.raw(cx, block, word)?;
-                        if let Some(turn) = values.turn.filter(|turn| !(*turn > 0.0 && *turn < 360.0)) {
-                            let trap = Trap::alarm(Alarm::Arc, msg!("interp.arc-angle", (turn, 9)));
-                            return Err(trap.within(word.span(block)));
-                        }
-                    }
-                    long::LIMS => values.speed_limit = self.speed_word(cx, block, word, false)?,
-                    long::SPOS => {
-                        let approach = match word.form {
-                            Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Shortest => Approach::Direct,
-                            Dimensioning::Positive => Approach::Clockwise,
-                            Dimensioning::Negative => Approach::CounterClockwise,
-                            Dimensioning::Incremental => Approach::Incremental,
-                        };
-                        values.orient = self.raw(cx, block, word)?.map(|angle| (angle, approach));
-                    }
-                    b'P' | b'L' => {
-                        let number = self.whole(cx, block, word)?;
-                        *(if letter == b'P' { &mut values.p } else { &mut values.l }) = number;
-                        values.rare |= CALLED;
-                    }
-                    b'Q' => {
-                        values.q = self.raw(cx, block, word)?;
-                        values.rare |= OTHERS;
-                    }
-                    b'D' | b'H' => {
-                        let number = self.whole(cx, block, word)?;
-                        if let Some(number) = number {
-                            let most = cx.control.limits.offset_max.filter(|_| letter == b'D').map(f64::from);
-                            if let Some(most) = most.filter(|most| !(0.0..=*most).contains(&number)) {
-                                return Err(self.out_of_range(cx, block, word, 0.0, most));
-                            }
-                            self.modal.word(letter, number);
-                        }
-                        if letter == b'H' {
-                            values.h = number;
-                        }
-                    }
-                    b'B' | b'E' => values.rare |= OTHERS,
-                    _ => {}
+                    _ => self.rare_word(cx, block, word, values)?,
                 }
             }
         }
         let idle = values.rare != 0 && values.rare & !self.uses(codes, values) != 0;
-        if idle || codes.special == Some(Code::Dwell) && values.mask != 0 {
+        if idle || dwell && values.mask != 0 {
             self.idle_words(cx, block, words, (codes, values))?;
         }
         if self.modal.radii != Radii::No {
             self.double(cx, values);
+        }
+        Ok(())
+    }
+
+    /// Whether the motion in force cuts threads, by a lead.
+    #[inline]
+    fn cuts_threads(&self) -> bool {
+        matches!(self.modal.motion, Code::Thread | Code::Tapping)
+    }
+
+    /// The word of an axis, or the one for its incremental words.
+    #[inline]
+    fn axis_word(
+        &self,
+        cx: &mut BlockContext,
+        block: &Block,
+        word: &Word,
+        (axis, incremental): (usize, bool),
+        values: &mut BlockWords,
+    ) -> Run<()> {
+        let inch = self.modal.inch && !cx.control.axes[axis].rotary;
+        let bit = 1 << axis;
+        let yields = incremental && values.mask & bit != 0 && cx.control.syntax.absolute_holds;
+        if let (Some(value), false) = (self.dimension(cx, block, word, inch)?, yields) {
+            values.axes[axis] = value;
+            values.mask |= bit;
+            let relative = incremental || word.form == Dimensioning::Incremental;
+            if relative || values.incremental != 0 {
+                values.incremental = values.incremental & !bit | u8::from(relative) << axis;
+            }
+            if !matches!(word.form, Dimensioning::Plain | Dimensioning::Incremental) {
+                values.absolute |= bit;
+                values.ways[axis] = word.form;
+            }
+        }
+        Ok(())
+    }
+
+    /// F: the feed, or the lead of a thread.
+    #[inline]
+    fn f_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<()> {
+        let lead = self.cuts_threads() && !cx.control.syntax.lead_by_axis;
+        let value = match lead {
+            true => self.lead_word(cx, block, word, self.modal.inch)?,
+            false => self.feed_word(cx, block, word, self.modal.inch_feed)?,
+        };
+        if let Some(value) = value {
+            *(if lead { &mut self.modal.lead } else { &mut self.modal.feed }) = Some(value);
+            self.modal.word(b'F', value);
+        }
+        Ok(())
+    }
+
+    /// T: a tool number within its range.
+    fn tool_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<u32>> {
+        let Some(tool) = self.whole(cx, block, word)? else { return Ok(None) };
+        let most = f64::from(cx.control.limits.tool_max);
+        if (0.0..=most).contains(&tool) {
+            Ok(Some(tool as u32))
+        } else {
+            Err(self.out_of_range(cx, block, word, 0.0, most))
+        }
+    }
+
+    /// The lead of a thread by I, J, K or by threads per inch; whether the word is one of these.
+    #[cold]
+    fn thread_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<bool> {
+        let inch = self.modal.inch;
+        let lead = match word.letter {
+            letter if cx.control.syntax.threads_per_inch == Some(letter) => match cx.shared.rules.numbers.fine_lead {
+                true => self.lead_word(cx, block, word, inch)?,
+                false => self.threads_word(cx, block, word)?,
+            },
+            b'I' | b'J' | b'K' if cx.control.syntax.lead_by_axis => {
+                values.leads |= 1 << (word.letter - b'I');
+                self.lead_word(cx, block, word, inch)?
+            }
+            _ => return Ok(false),
+        };
+        self.modal.lead = lead.or(self.modal.lead);
+        Ok(true)
+    }
+
+    /// A word that few blocks have: AR, LIMS, SPOS, P, L, Q, D, H, B, E.
+    fn rare_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<()> {
+        match word.letter {
+            long::AR => {
+                values.turn = self.raw(cx, block, word)?;
+                if let Some(turn) = values.turn.filter(|turn| !(*turn > 0.0 && *turn < 360.0)) {
+                    let trap = Trap::alarm(Alarm::Arc, msg!("interp.arc-angle", (turn, 9)));
+                    return Err(trap.within(word.span(block)));
+                }
+            }
+            long::LIMS => values.speed_limit = self.speed_word(cx, block, word, false)?,
+            long::SPOS => {
+                let approach = match word.form {
+                    Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Shortest => Approach::Direct,
+                    Dimensioning::Positive => Approach::Clockwise,
+                    Dimensioning::Negative => Approach::CounterClockwise,
+                    Dimensioning::Incremental => Approach::Incremental,
+                };
+                values.orient = self.raw(cx, block, word)?.map(|angle| (angle, approach));
+            }
+            b'P' | b'L' => {
+                let number = self.whole(cx, block, word)?;
+                *(if word.letter == b'P' { &mut values.call.p } else { &mut values.call.l }) = number;
+                values.rare |= CALLED;
+            }
+            b'Q' => {
+                values.call.q = self.raw(cx, block, word)?;
+                values.rare |= OTHERS;
+            }
+            b'D' | b'H' => {
+                let number = self.whole(cx, block, word)?;
+                if let Some(number) = number {
+                    let most = cx.control.limits.offset_max.filter(|_| word.letter == b'D').map(f64::from);
+                    if let Some(most) = most.filter(|most| !(0.0..=*most).contains(&number)) {
+                        return Err(self.out_of_range(cx, block, word, 0.0, most));
+                    }
+                    self.modal.word(word.letter, number);
+                }
+                if word.letter == b'H' {
+                    values.call.h = number;
+                }
+            }
+            b'B' | b'E' => values.rare |= OTHERS,
+            _ => {}
         }
         Ok(())
     }
@@ -222,7 +269,7 @@ impl RunState {
     fn indexed_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<()> {
         let at = usize::from(word.letter.wrapping_sub(b'I'));
         if word.letter == b'S' {
-            self.modal.other.0 = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.other.0);
+            self.modal.spindle.other.0 = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.spindle.other.0);
         } else if matches!(word.letter, long::SPOS | long::LIMS) {
             let spindle = u32::from(self.spindle_of(word));
             self.remark(cx, word.span(block), msg!("interp.other-spindle-word", spindle));

@@ -1,0 +1,125 @@
+//! The command for an arc: its centre by I J K, by its radius, by an intermediate point or by the tangent of the last motion.
+
+use super::arc::{Chord, Impossible, by_center, by_moved_center, by_point, by_radius, by_tangent};
+use super::canon::{AXES, Canon, Feed, Target};
+use super::context::BlockContext;
+use super::error::{Run, Trap};
+use super::state::{ArcGeometry, RunState};
+use super::words::BlockWords;
+use crate::controls::{Alarm, Code};
+use crate::math;
+use crate::msg;
+
+impl RunState {
+    pub(super) fn arc(
+        &self,
+        cx: &BlockContext,
+        values: &BlockWords,
+        mut to: Target,
+        feed: Feed,
+        exact: bool,
+    ) -> Run<Canon> {
+        let [first, second, _] = self.modal.plane;
+        let scale = |axis: u8| cx.shared.rules.moved(axis);
+        let delta = |axis: u8| {
+            let travel = to.position[axis as usize].saturating_sub(self.position[axis as usize]);
+            travel as f64 * scale(axis)
+        };
+        let motion = self.modal.motion;
+        let clockwise = motion == Code::ArcCw;
+        let chord = Chord { end: (delta(first), delta(second)), clockwise };
+        let units = &cx.shared.units;
+        let tolerance = cx.control.limits.arc_tolerance * units.per_unit;
+        let center = match (values.radius, values.turn) {
+            (Some(radius), _) => by_radius(chord, radius as f64, tolerance),
+            (None, Some(turn)) if values.center == [None; 3] => by_radius(chord, chord.radius(turn), tolerance),
+            (None, _) => {
+                let offsets = center_of(cx, values, (first, second));
+                if cx.control.limits.arc_centre_moves {
+                    by_moved_center(chord, offsets, tolerance)
+                } else {
+                    by_center(chord, offsets, tolerance)
+                }
+            }
+        };
+        let placed = match motion {
+            Code::ArcThrough => by_point(chord.end, (self.passed(cx, values, first), self.passed(cx, values, second))),
+            Code::ArcTangent => by_tangent(chord.end, self.heading(cx)),
+            _ => center.map(|center| Some((center, clockwise))),
+        };
+        let millimetres = |increments: f64| (increments / units.per_unit, 4);
+        let placed = placed.map_err(|why| match why {
+            Impossible::NoCenter if motion == Code::ArcThrough => Trap::alarm(Alarm::Arc, msg!("interp.arc-through")),
+            Impossible::NoCenter if motion == Code::ArcTangent => Trap::alarm(Alarm::Arc, msg!("interp.arc-tangent")),
+            Impossible::NoCenter => Trap::alarm(Alarm::Arc, msg!("interp.arc-no-center")),
+            Impossible::Deviation(start, end) => {
+                let tolerance = cx.control.limits.arc_tolerance;
+                let message = msg!("interp.arc-deviation", millimetres(start), millimetres(end), tolerance);
+                Trap::alarm(Alarm::Arc, message)
+            }
+            Impossible::Radius(radius, least) => {
+                let message = msg!("interp.arc-radius", millimetres(radius), millimetres(least));
+                Trap::alarm(Alarm::ArcRadius, message)
+            }
+        })?;
+        let Some(((x, y), clockwise)) = placed else { return Ok(Canon::Linear { to, feed, exact }) };
+        to.mask |= 1 << first | 1 << second;
+        let start = |axis: u8| self.position[axis as usize] as f64;
+        let center = (start(first) + x / scale(first), start(second) + y / scale(second));
+        Ok(Canon::Arc { to, plane: (first, second), center, clockwise, feed, exact })
+    }
+
+    /// The end of an arc by its centre and the degrees that it goes round.
+    #[cold]
+    pub(super) fn turn_to(&self, cx: &BlockContext, values: &BlockWords, turn: f64, to: &mut Target) {
+        let [first, second, _] = self.modal.plane;
+        let (x, y) = center_of(cx, values, (first, second));
+        let (sin, cos) = math::sin_cos(if self.modal.motion == Code::ArcCw { -turn } else { turn }.to_radians());
+        for (axis, by) in [(first, x - x * cos + y * sin), (second, y - x * sin - y * cos)] {
+            let scale = cx.shared.rules.moved(axis);
+            if let Some(place) = to.position.get_mut(usize::from(axis)) {
+                *place = place.saturating_add((by / scale).round() as i64);
+                to.mask |= 1 << axis;
+            }
+        }
+    }
+
+    /// How far the point that an arc passes lies from its start along an axis, in what the slide moves.
+    fn passed(&self, cx: &BlockContext, values: &BlockWords, axis: u8) -> f64 {
+        let at = usize::from(axis);
+        let letter = cx.control.axes.get(at).map_or(0, |axis| axis.letter);
+        let point = values.through.get(usize::from(letter.wrapping_sub(b'X'))).copied().flatten();
+        let (Some(value), Some(scale)) = (point, cx.shared.rules.moves.get(at)) else { return 0.0 };
+        let from = if self.modal.absolute { self.modal.zero[at].saturating_sub(self.position[at]) } else { 0 };
+        value.saturating_add(from) as f64 * scale
+    }
+
+    /// Direction in the plane in which the last motion came to its end.
+    fn heading(&self, cx: &BlockContext) -> (f64, f64) {
+        let [first, second, _] = self.modal.plane;
+        let part = |axis: u8, from: f64| {
+            let at = usize::from(axis).min(AXES - 1);
+            (self.position[at] as f64 - from) * cx.shared.rules.moves[at]
+        };
+        match self.came.arc {
+            Some(ArcGeometry { plane, center, clockwise }) if plane == (first, second) => {
+                let (x, y) = (part(first, center.0), part(second, center.1));
+                if clockwise { (y, -x) } else { (-y, x) }
+            }
+            _ => {
+                let from = |axis: u8| self.came.from[usize::from(axis).min(AXES - 1)] as f64;
+                (part(first, from(first)), part(second, from(second)))
+            }
+        }
+    }
+}
+
+/// I, J, K of the axes of a plane: how far the centre lies from the start, in what the slide moves.
+fn center_of(cx: &BlockContext, values: &BlockWords, (first, second): (u8, u8)) -> (f64, f64) {
+    let offset = |axis: u8| {
+        let letter = cx.control.axes.get(axis as usize).map_or(0, |axis| axis.letter);
+        let at = letter.wrapping_sub(b'X') as usize;
+        values.center.get(at).copied().flatten().unwrap_or(0) as f64
+    };
+    (offset(first), offset(second))
+}

@@ -1,0 +1,43 @@
+//! The lead of threads and taps, along the path.
+
+use super::canon::{AXES, Target};
+use super::context::BlockContext;
+use super::error::{Run, Trap};
+use super::feed::no_feed;
+use super::state::RunState;
+use super::words::BlockWords;
+use crate::controls::Alarm;
+use crate::msg;
+
+impl RunState {
+    /// The lead in force, along the path.
+    pub(super) fn lead(&self, cx: &BlockContext, values: &BlockWords, to: Target) -> Run<f64> {
+        let Some(lead) = self.modal.lead.filter(|lead| *lead != 0.0) else {
+            if cx.control.raises(Alarm::NoLead) {
+                return Err(Trap::alarm(Alarm::NoLead, msg!("interp.no-lead")));
+            }
+            return Err(no_feed(cx, self.modal.lead));
+        };
+        let (stretch, longest) = self.stretch(cx, to);
+        let letters =
+            || cx.control.axes.iter().zip(longest).filter(|row| row.1).map(|row| row.0.letter.wrapping_sub(b'X'));
+        // On a taper of 45° both ways are the longest.
+        let counting = letters().fold(0_u8, |bits, own| bits | 1 << (own & 7));
+        let own = letters().next().unwrap_or(2);
+        if values.leads & !counting != 0 && to.position != self.position {
+            let address = char::from(b'I'.wrapping_add(own)).to_string();
+            let trap = Trap::alarm(Alarm::LeadAxis, msg!("interp.lead-axis", address));
+            return Err(trap.behind(b"IJK"));
+        }
+        Ok(lead * stretch)
+    }
+
+    /// Length of a path per travel of the axis that goes farthest, along which a lead counts, and which axes go so far.
+    fn stretch(&self, cx: &BlockContext, to: Target) -> (f64, [bool; AXES]) {
+        let travel = |k: usize| to.position[k].saturating_sub(self.position[k]) as f64 * cx.shared.rules.moves[k];
+        let squares = (0..AXES).map(|k| travel(k) * travel(k));
+        let longest = squares.clone().fold(0.0, f64::max);
+        let far = core::array::from_fn(|k| travel(k) * travel(k) >= longest);
+        (if longest > 0.0 { (squares.sum::<f64>() / longest).sqrt() } else { 1.0 }, far)
+    }
+}
