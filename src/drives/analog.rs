@@ -3,7 +3,7 @@
 /// An output in steps, on a straight line through two points: standstill and rated speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Analog {
-    /// Speed in r/min that `rated_volts` stands for.
+    /// Speed (r/min) at `rated_volts`.
     pub rated_speed: f64,
     /// Volts at rated speed: the gain of the output.
     pub rated_volts: f64,

@@ -1,4 +1,4 @@
-//! Positioning a spindle: which way it turns to an angle, and how its speed runs on the way.
+//! Positioning a spindle: direction of travel to an angle, and the speed profile.
 
 /// How a spindle comes to an angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

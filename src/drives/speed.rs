@@ -1,4 +1,4 @@
-//! The speed of a spindle: constant surface speed, gear stages, and the limits that hold it, with the one that binds.
+//! The speed of a spindle: constant surface speed, gear stages, limits, and which limit binds.
 
 use crate::math::PI;
 

@@ -88,7 +88,7 @@ impl RunState {
         Ok(())
     }
 
-    /// A program by its number as it stands behind P.
+    /// A program by its number behind P.
     fn program_of(&self, cx: &BlockContext, number: f64) -> Run<u32> {
         let found = if (1.0..4e9).contains(&number) { cx.shared.index.program(number as u32) } else { None };
         let hint = msg!("interp.hint-program");
@@ -227,7 +227,7 @@ impl RunState {
         caller: Caller,
         call: CodeCall,
     ) -> Run<()> {
-        // Such a code stands alone where other codes are no arguments; behind it they are found among the arguments.
+        // Where codes are no arguments, a calling code is the only code of its block.
         let letter = caller.word.and_then(|at| words.get(at)).map(|word| word.letter);
         let first = words.iter().position(|word| Some(word.letter) == letter).filter(|at| caller.word != Some(*at));
         if let Some(word) = first.and_then(|at| words.get(at)).filter(|_| cx.control.raises(Alarm::ArgumentAddress)) {

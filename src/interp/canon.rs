@@ -70,12 +70,12 @@ pub enum Canon {
         /// Exact stop at the end.
         exact: bool,
     },
-    /// Axes stand still for a time in seconds.
+    /// Dwell for a time in seconds.
     Dwell {
         /// Seconds.
         seconds: f64,
     },
-    /// Axes stand still for so many turns of the spindle (G4 S).
+    /// Dwell for a number of spindle revolutions (G4 S).
     DwellTurns {
         /// Turns.
         turns: f64,

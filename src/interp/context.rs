@@ -1,4 +1,4 @@
-//! What a block may ask while it runs: the program, its control, and the machine.
+//! The context of a block while it runs: program, control, machine.
 
 use std::rc::Rc;
 

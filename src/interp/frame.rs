@@ -1,10 +1,10 @@
-//! What a call remembers of its caller, and the modal macro call in force.
+//! Call frames, and the modal macro call in force.
 
 use std::rc::Rc;
 
 use super::vars::Locals;
 
-/// What a call remembers of its caller.
+/// The caller of a program, for its return.
 #[derive(Debug, Clone)]
 pub(super) struct CallFrame {
     /// The caller's program.

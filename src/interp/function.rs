@@ -1,4 +1,4 @@
-//! `G65 Hnn P Q R`: calculations and jumps of controls that had no formulas once.
+//! `G65 Hnn P Q R`: calculations and jumps by function number.
 
 use super::context::BlockContext;
 use super::error::{Run, Trap};
@@ -11,7 +11,7 @@ use crate::msg;
 use crate::nc::{Block, Op, Word, WordValue};
 
 impl RunState {
-    /// Whether a G65 is a function: H stands in front of P, on a control that has functions.
+    /// Whether a G65 is a function: H comes before P, on a control that has functions.
     pub(super) fn is_function(&self, cx: &BlockContext, words: &[Word]) -> bool {
         let first = words.iter().find(|word| matches!(word.letter, b'H' | b'P'));
         !cx.control.macros.functions.is_empty() && first.is_some_and(|word| word.letter == b'H')

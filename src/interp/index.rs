@@ -1,4 +1,4 @@
-//! What a run looks up, made once per program: codes by number, variables by slot, sequence numbers, pairs of DO and END.
+//! Look-up tables of a run, made once per program: axes, variables, sequence numbers, pairs of DO and END.
 
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, Control, Dialect, VarKind, VarRange};

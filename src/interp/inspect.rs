@@ -1,4 +1,4 @@
-//! Looking at a run between two blocks without touching it: next block, levels, the value of an expression, what has changed.
+//! Inspection of a run between two blocks: next block, call levels, values of expressions, changes.
 
 use super::Interp;
 use super::context::BlockContext;
@@ -47,7 +47,7 @@ impl Level {
     }
 }
 
-/// What a change is about.
+/// The subject of a change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum What {
     /// A variable that all levels share, by number.
@@ -60,7 +60,7 @@ pub enum What {
     Feed,
 }
 
-/// What is other than it was; `None` is vacant, or nothing yet.
+/// A change of a value; `None` is vacant, or not yet set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
     /// What it is about.
@@ -71,7 +71,7 @@ pub struct Change {
     pub after: Option<f64>,
 }
 
-/// Where F stands among the words that stay in force.
+/// Index of F among the modal words.
 const FEED: usize = (b'F' - b'A') as usize;
 
 /// A value as people look at it: vacant is nothing.
@@ -99,7 +99,7 @@ impl Interp {
             let arguments = by.is_some_and(|frame| frame.arguments.is_some());
             level += usize::from(arguments);
             let (program, place) = match state.frames.get(at) {
-                // Behind the block that called stands the one that the return goes on with.
+                // The return goes on with the block behind the call.
                 Some(frame) => (frame.program, self.place_of(frame.program, frame.back.saturating_sub(1))),
                 None => (state.program, self.next_block().map_or(state.place, |(place, _)| place)),
             };

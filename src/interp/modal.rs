@@ -1,4 +1,4 @@
-//! What stays in force from block to block: one code per modal group, feed, and the words that variables can show.
+//! Modal state: one code per modal group, feed, work zeros, and the words that variables can show.
 
 use super::canon::AXES;
 use crate::controls::{Code, CodeDef, CodeId, Control, Group};
@@ -33,7 +33,7 @@ pub(super) struct SpindleModal {
     pub(super) last_speed: Option<f64>,
     /// The spindle that S and M words without a number are for.
     pub(super) master: u8,
-    /// What is told another spindle: r/min, and whether it turns.
+    /// Another spindle: commanded r/min, and whether it turns.
     pub(super) other: (f64, bool),
 }
 

@@ -135,7 +135,7 @@ impl World for Listener<'_> {
 
 struct Oracle<'a> {
     cx: BlockContext<'a>,
-    /// What was remarked since somebody looked.
+    /// Remarks since they were last taken.
     heard: &'a RefCell<Vec<Diagnostic>>,
     /// A run that does no more than read its blocks, in the order of the text.
     state: RunState,
@@ -286,7 +286,7 @@ impl<'a> Oracle<'a> {
         self.note(finding);
     }
 
-    /// One place is told of once.
+    /// Keeps one finding per place.
     fn note(&mut self, finding: Option<Diagnostic>) {
         self.told.extend(finding.filter(|finding| self.told.iter().all(|other| other.place != finding.place)));
     }
@@ -390,7 +390,7 @@ impl<'a> Oracle<'a> {
             codes &= !is_code(word);
             results &= word.letter == b'P';
         }
-        // Where a code is open, nobody knows what the other words mean.
+        // The meaning of the other words depends on the open code.
         if !codes {
             return;
         }

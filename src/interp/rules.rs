@@ -95,7 +95,7 @@ pub(super) struct Units {
     pub(super) per_feed: f64,
     /// Bit `letter & 31`: a word without a point counts increments.
     pub(super) increment_letters: u32,
-    /// Bit `letter & 31`: what stands behind the point is dropped.
+    /// Bit `letter & 31`: decimals are dropped.
     pub(super) integer_letters: u32,
 }
 

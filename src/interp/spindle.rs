@@ -1,4 +1,4 @@
-//! S, constant surface speed, limits of the speed, angles: what the words of a block command of the spindle.
+//! Spindle commands of a block: S, constant surface speed, speed limits, orientation.
 
 use super::canon::{AXES, Canon, Target};
 use super::codes::BlockCodes;

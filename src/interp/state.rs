@@ -16,7 +16,7 @@ use crate::msg;
 use crate::nc::Deck;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
 
-/// What an arc turns about.
+/// Plane, centre and direction of an arc.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcGeometry {
     pub(super) plane: (u8, u8),
@@ -25,12 +25,12 @@ pub(super) struct ArcGeometry {
     pub(super) clockwise: bool,
 }
 
-/// How the last motion came to its end.
+/// The last motion, for arcs that continue in its direction.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LastMotion {
     /// Where it began, in command increments, machine frame.
     pub(super) from: [i64; AXES],
-    /// Of an arc, what it turned about.
+    /// Its geometry if it was an arc.
     pub(super) arc: Option<ArcGeometry>,
 }
 

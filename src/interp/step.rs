@@ -1,9 +1,9 @@
-//! What a step of the interpreter comes to, how a run begins and why it ends.
+//! The outcome of a step, the start of a run and its end.
 
 use super::canon::Canon;
 use crate::text::{Diagnostic, Place};
 
-/// What one step of the interpreter came to.
+/// The outcome of one step of the interpreter.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Step {
     /// A command for the machine, from the block at the place.

@@ -1,4 +1,4 @@
-//! Reading and writing variables, those of the system among them.
+//! Reading and writing variables, system variables included.
 
 use super::canon::{AXES, Canon};
 use super::context::BlockContext;

@@ -23,14 +23,14 @@ fn shift(mantissa: i64, scale: i32) -> Option<i64> {
     Some(if rest.unsigned_abs() * 2 >= divisor as u64 { whole + mantissa.signum() } else { whole })
 }
 
-/// Without what stands behind the point.
+/// Truncated to a whole number, but for a rounding error.
 fn cut(value: f64) -> f64 {
     let nearest = value.round();
     if (value - nearest).abs() < WHOLE { nearest } else { value.trunc() }
 }
 
 impl RunState {
-    /// The value of a word as it stands, `None` where it is vacant and the word is left out; on some controls it is 0 instead.
+    /// The value of a word as written, `None` where it is vacant and the word is left out; on some controls it is 0 instead.
     pub(super) fn raw(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         if !cx.shared.rules.numbers.round_to_step {
             return self.as_written(cx, block, word);
@@ -93,7 +93,7 @@ impl RunState {
         }
     }
 
-    /// The value of a word as a whole number: what stands behind the point is dropped, or rounded where it was calculated and the control
+    /// The value of a word as a whole number: decimals are dropped, or rounded where it was calculated and the control
     /// does so.
     pub(super) fn whole(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         let value = self.raw(cx, block, word)?;

@@ -17,9 +17,9 @@ pub trait World {
     fn waiting(&mut self) -> Option<usize> {
         None
     }
-    /// A common variable has got another value (`None`: vacant) by the program. For whoever shows variables over time.
+    /// The program has changed a common variable (`None`: vacant). For displays of variables over time.
     fn changed(&mut self, _variable: u32, _value: Option<f64>) {}
-    /// Something of the block that is read does not do what it says, and the control raises no alarm, or none that is known.
+    /// A part of the block has no effect, or another than written, and the control raises no known alarm.
     fn remark(&mut self, _remark: Diagnostic) {}
 }
 

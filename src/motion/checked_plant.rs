@@ -1,4 +1,4 @@
-//! The plant as the planner uses it: sound numbers, one entry for each axis that a control can have.
+//! The plant with checked numbers: one entry for each axis that a control can have.
 
 use super::plant::{AxisPlant, Plant, SpindlePlant};
 use super::plc::WordPart;
@@ -8,7 +8,7 @@ use crate::drives::Positioning;
 use crate::drives::speed::STAGES;
 use crate::interp::canon::AXES;
 
-/// No axis stands further from its zero than this, in mm or °.
+/// Farthest home position of an axis from its zero, in mm or °.
 const HOME: f64 = 1e6;
 
 /// Every block takes some time, so that time passes in a loop that waits.

@@ -4,7 +4,7 @@ use super::exec::MEASURE;
 use super::program::RunningProgram;
 use super::sim::Sim;
 
-/// Turns that nobody misses.
+/// Tolerance in turns.
 const TURNED: f64 = 1e-9;
 
 impl<P: RunningProgram> Sim<'_, P> {

@@ -1,4 +1,4 @@
-//! What the executor is doing.
+//! The states of the executor: idle, moving, waiting, stopped, ended.
 
 use super::moves::{Move, Pace};
 use super::snapshot::Mode;
@@ -8,7 +8,7 @@ use crate::text::Diagnostic;
 /// Seconds between two measurements while spindle and axes follow one another and change.
 pub(super) const MEASURE: f64 = 0.01;
 
-/// What the executor is at.
+/// The state of the executor.
 #[derive(Debug, Clone)]
 pub(super) enum Exec {
     /// Takes the next command as soon as it is ready.

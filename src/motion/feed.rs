@@ -107,7 +107,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// Says once that a feed per revolution waits for a spindle that stands, or that nothing measures.
+    /// Warns once that a feed per revolution waits for a spindle at rest or without encoder.
     fn say_standing(&mut self) {
         if self.waits_for_spindle() {
             let (once, message) = match self.plant.spindle.encoder {
@@ -118,7 +118,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// Whether a feed per revolution stands still because the spindle does.
+    /// Whether a feed per revolution is at rest because the spindle is.
     pub(super) fn waits_for_spindle(&self) -> bool {
         let Exec::Moving(motion) = &self.s.exec else { return false };
         let by_turns = matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_)));

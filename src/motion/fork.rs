@@ -9,7 +9,7 @@ use super::records::Records;
 use super::setup::{Progress, Retention};
 use crate::interp::{Canon, World};
 
-/// Commands that are kept while somebody looks on, the newest.
+/// Newest commands that are kept for the debugger.
 const GIVEN: usize = 8;
 
 impl<P: RunningProgram> Planner<P> {

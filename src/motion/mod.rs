@@ -19,7 +19,7 @@
 //!   ramp, with slip. Override acts at once. Gears are the PLC's: it is told the wanted stage, and tells the engaged one. An angle is
 //!   approached beside the motion of its block, which ends when both are there. What a control does at M30, at reset, without M03, in
 //!   threads, before cuts, is in its [rules](crate::controls::SpindleRules).
-//! * **PLC.** Asked when something that it sees has changed and when it wishes; codes of one block are put out together and end with FIN.
+//! * **PLC.** Scanned when something that it sees has changed and when it wishes; codes of one block are put out together and end with FIN.
 //! * **PMC axes.** Axes that the PLC turns by itself: it gives them speeds, acceleration and lag are those of any axis. Neither hold nor the
 //!   program's clamps act on them; overrides, reset and emergency stop as far as the PLC lets them. A drive that
 //!   emergency stop switches off coasts where the PLC of the machine gives the speeds of that; else it stops over its time constant.

@@ -1,4 +1,4 @@
-//! What the operator's hand does to a run.
+//! Events of the operator panel: overrides, cycle start, hold, reset, forced inputs.
 
 use super::exec::Exec;
 use super::panel::Action;

@@ -1,4 +1,4 @@
-//! The operator's hand over time. A run is a pure function of the project and these events.
+//! Operator panel events over time. A run is a pure function of the project and these events.
 
 use crate::drives::speed::SpeedLimit;
 

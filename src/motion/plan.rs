@@ -153,7 +153,7 @@ impl<P: RunningProgram> Planner<P> {
         self.ended = Some(end);
     }
 
-    /// The operator does something at a time, be it in the part that is planned already: what was before stays, the rest is planned
+    /// Adds an event of the operator at any time, also in the planned part: the timeline before it stays, the rest is planned
     /// anew by further calls of [`advance`](Planner::advance), as if the event had been known from the beginning.
     pub fn event(&mut self, mut event: Event) {
         if self.keep == Retention::Log {

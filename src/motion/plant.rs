@@ -24,7 +24,7 @@ pub struct AxisPlant {
     pub time_constant: f64,
     /// Position gain in 1/s: the axis lags `speed / gain` behind its command.
     pub position_gain: f64,
-    /// Where it stands when the control is switched on, in mm or ° as it moves, machine frame.
+    /// Position at power-on, in mm or ° of the slide, machine frame.
     pub home: f64,
 }
 
@@ -71,9 +71,9 @@ pub struct SpindlePlant {
     pub encoder: bool,
     /// What positioning needs, where the spindle can be positioned.
     pub positioning: Option<Positioning>,
-    /// Seconds from a new speed until it is looked at whether it is reached, where cuts wait for that (No.072).
+    /// Delay (s) between a new speed command and the speed-reached check, where cuts wait for it (No.072).
     pub reached_delay: f64,
-    /// Where the turning centre lies on the axis that is square to it, in mm in the machine frame; `None` where nobody knows.
+    /// Where the turning centre lies on the axis that is square to it, in mm in the machine frame; `None` where it is unknown.
     pub centre: Option<f64>,
     /// A driven tool turns whenever something is cut at an angle.
     pub driven_tool: bool,
@@ -163,6 +163,6 @@ pub struct Plant {
     pub preread: u8,
     /// In-position width for exact stop in mm.
     pub in_position: f64,
-    /// Radius in mm of the round work behind Z0, which is not to be fed into while nothing turns; 0 where nobody knows.
+    /// Radius in mm of the round work behind Z0, into which no cut may feed while the spindle is at rest; 0 where it is unknown.
     pub stock: f64,
 }

@@ -1,4 +1,4 @@
-//! The machine builder's logic: reads what the control puts out, writes what the control reads, in the order of time.
+//! The machine builder's PLC: the interface to the control, gear shifting, FIN, and the PLC of the bench.
 
 use std::collections::BTreeMap;
 
@@ -128,9 +128,9 @@ pub struct GearShift {
     pub before: f64,
     /// Seconds until the new gear is in position.
     pub meshing: f64,
-    /// Seconds until the voltage of the speed stands.
+    /// Seconds until the voltage is that of the speed.
     pub after: f64,
-    /// Seconds that the new gear may take to be in position; `None` where nobody looks.
+    /// Seconds that the new gear may take to be in position; `None` without supervision.
     pub patience: Option<f64>,
 }
 

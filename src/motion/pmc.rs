@@ -1,4 +1,4 @@
-//! Axes that the PLC turns by itself (PMC axes): it gives them speeds, acceleration and servo do to them what they do to any axis.
+//! PMC axes, turned by the PLC: it commands their speeds; acceleration and servo lag are those of any axis.
 
 use super::path::Segment;
 use super::plant::{AxisPlant, PMC_AXES};

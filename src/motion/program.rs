@@ -1,4 +1,4 @@
-//! What the planner needs of a program that it runs; the interpreter is one, a script of steps in a test another.
+//! [`RunningProgram`]: what the planner pulls steps from; the interpreter, or a script in a test.
 
 use crate::interp::canon::AXES;
 use crate::interp::{Counts, Interp, Step, World};
@@ -10,10 +10,10 @@ pub trait RunningProgram: Clone {
     fn step(&mut self, world: &mut dyn World) -> Step;
     /// Blocks read so far; never falls.
     fn blocks(&self) -> Counts;
-    /// Back to the head of the start program with all modal states as after reset; the machine stands at this position, in command
+    /// Back to the head of the start program with all modal states as after reset; the machine is at this position, in command
     /// increments, machine frame. Common variables stay.
     fn restart(&mut self, position: [i64; AXES]);
-    /// The machine stands at this position when the run begins, in command increments, machine frame.
+    /// The machine is at this position when the run begins, in command increments, machine frame.
     fn stand(&mut self, _position: [i64; AXES]) {}
     /// Sets a variable as the control's screen does; whether there is such a variable.
     fn set_variable(&mut self, number: u32, value: Option<f64>) -> bool;

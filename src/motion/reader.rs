@@ -1,4 +1,4 @@
-//! Reads the program ahead of its execution, and lets act what acts when it is read.
+//! Pre-read: reads the program ahead of its execution; macro outputs and suppressions act when read.
 
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ enum Axes<'a> {
 }
 
 impl<P> SimState<P> {
-    /// Shows somebody the program, and the machine as the program sees it at `t`, but with the axes where they are.
+    /// Hands out the program, and the machine as the program sees it at `t`, with the axes on their path.
     pub(super) fn look<R>(&self, t: f64, path: &Timeline, look: impl FnOnce(&P, &mut dyn World) -> R) -> R {
         let mut eyes = ReaderWorld {
             inputs: &self.plc.io.inputs,

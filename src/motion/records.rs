@@ -1,4 +1,4 @@
-//! What a run leaves behind, and how long it was at a checkpoint.
+//! Timeline, log and diagnostics of a run, and their lengths at a checkpoint.
 
 use std::collections::VecDeque;
 
@@ -6,15 +6,15 @@ use super::timeline::{Timeline, TimelineLengths};
 use crate::interp::Canon;
 use crate::text::{Diagnostic, Place};
 
-/// What a run leaves behind; cut to [`RecordLengths`] when the past changes.
+/// Records of a run; cut to [`RecordLengths`] when the past changes.
 #[derive(Debug, Clone)]
 pub(super) struct Records {
     pub(super) timeline: Timeline,
     pub(super) log: VecDeque<(f64, Canon, Place)>,
-    /// Log entries that were taken away.
+    /// Log entries that were handed out.
     pub(super) taken: usize,
     pub(super) diagnostics: Vec<Diagnostic>,
-    /// Number of the first log entry that whoever looks on asks for.
+    /// Number of the first log entry that the debugger shows.
     pub(super) anew: usize,
 }
 

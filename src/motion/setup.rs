@@ -1,4 +1,4 @@
-//! What a run is a function of, and what it comes to.
+//! Inputs of a run (program, plant, PLC, panel, budgets), and how it ends.
 
 use super::panel::Panel;
 use super::plant::Plant;
@@ -51,7 +51,7 @@ pub enum RunEnd {
     /// M02, M30 or the end of the start program; the spindle is left as it is.
     ProgramEnd,
     /// It waits for the operator: M00, M01, a message, single block, hold or reset, and no event of the panel answers. Or it waits for
-    /// something that never comes (FIN, a feed above 0), of which a diagnostic tells.
+    /// something that never comes (FIN, a feed above 0); a diagnostic says which.
     Stop,
     /// An alarm, or emergency stop.
     Alarm(Box<Diagnostic>),

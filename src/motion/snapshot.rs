@@ -1,4 +1,4 @@
-//! The machine at one moment of a run, in what its axes move: half of what words of diameters count.
+//! The machine at one moment of a run; positions are those of the slides, not diameters.
 
 use super::plant::PMC_AXES;
 use crate::drives::Bound;
@@ -8,7 +8,7 @@ use crate::text::Place;
 /// An axis at one moment. TimelineLengths in mm (or degrees), speeds in mm/min (or °/min).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AxisState {
-    /// Commanded position behind acceleration: what the drive is told.
+    /// Commanded position behind acceleration, as the drive gets it.
     pub position: f64,
     /// Position of the axis itself, which lags its command by `speed / gain`.
     pub actual: f64,
@@ -39,7 +39,7 @@ pub struct SpindleState {
     pub stage: u8,
     /// What holds the command, where it is not what was asked for.
     pub bound: Bound,
-    /// Surface speed in m/min where the tool is told to be, where the machine has an axis square to the spindle.
+    /// Surface speed in m/min at the commanded tool position, where the machine has an axis square to the spindle.
     pub surface_speed: Option<f64>,
 }
 

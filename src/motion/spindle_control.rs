@@ -1,9 +1,9 @@
-//! What the control commands of the spindle: speed, direction, limits, constant surface speed, an angle.
+//! Commands of the control to the spindle: speed, direction, limits, constant surface speed, orientation.
 
 use crate::drives::orient::{Approach, Travel};
 use crate::drives::speed::SpeedLimit;
 
-/// Constant surface speed.
+/// Constant surface speed in force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Surface {
     /// m/min.
@@ -14,7 +14,7 @@ pub(super) struct Surface {
     pub(super) zero: f64,
     /// Until when the axis moves by a cut.
     pub(super) until: f64,
-    /// When the spindle is told the next speed.
+    /// When the next speed is commanded (s).
     pub(super) again: f64,
 }
 
@@ -47,7 +47,7 @@ impl Orienting {
     }
 }
 
-/// What is commanded of the spindle.
+/// Commands to the spindle.
 #[derive(Debug, Clone)]
 pub(super) struct SpindleControl {
     /// r/min before override and limits.

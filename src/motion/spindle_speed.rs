@@ -7,7 +7,7 @@ use super::spindle::{Ramp, SpeedCommand, SpindleMode};
 use crate::drives::{Bound, SpeedLimits};
 use crate::msg;
 
-/// A speed that stands for all that are too high for any spindle.
+/// Cap (r/min) for speeds beyond any spindle.
 pub(super) const FASTEST: f64 = 1e9;
 
 impl<P: RunningProgram> Sim<'_, P> {

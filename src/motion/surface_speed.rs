@@ -64,7 +64,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let until = before.map_or(f64::NEG_INFINITY, |before| before.until);
         self.s.spindle.surface = Some(Surface { speed, axis: at, zero, until, again: f64::INFINITY });
         self.s.spindle.square = Some((axis, zero));
-        // Where nobody knows the turning centre, the first work zero is taken for it.
+        // Without a known turning centre the first work zero is taken for it.
         let centre = *self.s.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));
         if (centre - zero).abs() > 1e-9 {
             let letter = char::from(self.plant.axes[at].letter).to_string();

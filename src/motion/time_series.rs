@@ -1,6 +1,6 @@
-//! Entries in the order of time: appended at the end, cut there by a changed past, forgotten at the beginning.
+//! Entries in time order: appended and truncated at the end, dropped at the beginning.
 
-/// Something that holds from a time on, until the next entry of its track.
+/// Something that holds from a time on, until the next entry of its series.
 pub(super) trait Timed {
     /// Seconds.
     fn t(&self) -> f64;

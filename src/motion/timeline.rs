@@ -1,4 +1,4 @@
-//! What happened when: answers any moment of a run, without running anything.
+//! [`Timeline`]: the machine at any moment of a run, without running it again.
 
 use core::cell::Cell;
 
@@ -68,7 +68,7 @@ pub struct Timeline {
     counted: [Cell<Counted>; 2],
 }
 
-/// How often the block at a place has begun in the first marks: whoever asks for every moment of a run counts only what is new.
+/// How often the block at a place has begun in the first marks: asking for every moment of a run counts only new marks.
 #[derive(Debug, Clone, Copy, Default)]
 struct Counted {
     place: Place,

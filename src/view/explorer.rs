@@ -1,4 +1,4 @@
-//! What a person drags to see at once what comes of it, before it is taken into the form.
+//! Explorer: values that follow a drag at once, before the form takes them.
 
 use super::{Chart, Scene};
 
@@ -11,7 +11,7 @@ pub struct Knob {
     pub range: (f64, f64),
     /// Between two values.
     pub step: f64,
-    /// Where it stands.
+    /// Present value.
     pub value: f64,
     /// What has to be set with it, so that it means anything: id of a field, and what is typed there.
     pub along: Vec<(&'static str, String)>,

@@ -1,4 +1,4 @@
-//! What a person sees, as plain data that is drawn last: readouts, charts, scenes, sheets. It knows no machine.
+//! Readouts, charts, scenes and sheets as plain data, drawn last. No view knows a machine.
 
 pub mod chart;
 

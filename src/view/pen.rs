@@ -1,4 +1,4 @@
-//! Drawing a scene: short words for its shapes.
+//! Builder for scenes: one method per shape.
 
 use super::{Node, Shape};
 use crate::math::{self, PI};

@@ -71,7 +71,7 @@ fn ends(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     (low <= high).then_some((low, high))
 }
 
-/// Room above and below the lines; what never falls below 0 stands on it where that costs little, and so does what never changes.
+/// Margin above and below the lines; the axis begins at 0 where the values never fall below it and that costs little room.
 fn room((low, high): (f64, f64)) -> (f64, f64) {
     let (low, high) =
         if high - low <= 1e-9 * high.abs().max(low.abs()) { (low.min(0.0), high.max(0.0)) } else { (low, high) };

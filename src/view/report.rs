@@ -1,4 +1,4 @@
-//! A report for people: inputs with their origin, results with formulas and verdicts, sheets, and all that is not certain.
+//! A report: inputs with their origin, results with formulas and verdicts, sheets, and open points.
 
 use core::fmt::Write;
 
@@ -6,7 +6,7 @@ use super::{Readout, Sheet, Verdict};
 use crate::text::catalog::{Language, number_text, sentence, words};
 use crate::text::{Diagnostic, Grade};
 
-/// An input as it stands in the report.
+/// An input of the report.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
     /// Catalog id of its group.
@@ -37,7 +37,7 @@ pub struct Open {
 pub struct Report {
     /// Machine, control, name of the project.
     pub title: String,
-    /// How the control writes a variable: what stands for `#`.
+    /// Prefix of the control's variables, for instance `#`.
     pub variable: char,
     /// Inputs by group.
     pub inputs: Vec<Input>,

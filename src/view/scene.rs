@@ -34,7 +34,7 @@ pub enum Shape {
         x: f64,
         /// Base line.
         y: f64,
-        /// Which end of the text stands at the point.
+        /// Which end of the text is at the point.
         anchor: &'static str,
         /// The words.
         text: String,
@@ -73,7 +73,7 @@ pub struct Scene {
     pub option: Option<&'static str>,
 }
 
-/// Where a group stands: rotated by `turn` degrees around (`cx`, `cy`), then shifted.
+/// Placement of a group: rotated by `turn` degrees around (`cx`, `cy`), then shifted.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Placement {
     /// Group.

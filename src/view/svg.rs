@@ -1,12 +1,12 @@
-//! A scene as a picture of its own: SVG text, for reports, exports and to look at.
+//! A scene as a standalone SVG picture, for reports and exports.
 //!
-//! In the page the classes get their colours from the style sheet (`f-steel`, `s-ribbon` …); a picture that stands alone brings them.
+//! In the page the classes get their colours from the style sheet (`f-steel`, `s-ribbon` …); a standalone picture brings its own.
 
 use core::fmt::Write;
 
 use super::scene::{Node, Pose, Scene, Shape};
 
-/// Light colours of the tokens, for a picture that stands alone.
+/// Light colours of the tokens, for a standalone picture.
 const STYLE: &str = "text{font:11px system-ui,sans-serif}.value{font:600 12px ui-monospace,monospace}.small{font-size:10px}\
 .f-none{fill:none}.f-steel{fill:#c3ccd6}.f-ribbon{fill:#d9a441}.f-accent{fill:#0b6bcb}.f-ink{fill:#17212b}.f-dim{fill:#5b6876}\
 .f-pane{fill:#fff}.f-bad{fill:#cf222e}.f-line{fill:#dde3e9}.s-steel{stroke:#c3ccd6}.s-ribbon{stroke:#d9a441}.s-accent{stroke:#0b6bcb}\
@@ -56,12 +56,12 @@ fn shape(out: &mut String, node: &Node, path: Option<String>, words: Option<Stri
     };
 }
 
-/// SVG that has its colours from the page, as a picture that stands alone.
+/// SVG that has its colours from the page, as a standalone picture.
 pub fn alone(svg: &str) -> String {
     svg.replacen('>', &["><style>", STYLE, "</style>"].concat(), 1)
 }
 
-/// Adds a text as it stands between tags or in quotes.
+/// Adds a text, escaped for tags and quotes.
 pub fn escape(out: &mut String, text: &str) {
     for c in text.chars() {
         match c {

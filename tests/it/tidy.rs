@@ -345,7 +345,7 @@ fn no_unfinished_code_or_ignored_tests() {
 }
 
 /// Rooms whose files import one another in one direction only; to grow to [`ORDER`].
-const WITHOUT_CIRCLES: [&str; 7] = ["math", "text", "drives", "interp", "motion", "view", "machines"];
+const WITHOUT_CIRCLES: [&str; 8] = ["math", "text", "drives", "controls", "interp", "motion", "view", "machines"];
 
 /// Rooms in which a `mod.rs` and the files below it may still take names from one another; to shrink to none.
 const WITH_FACES: [&str; 4] = ["controls", "nc", "project", "ui"];

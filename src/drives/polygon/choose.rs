@@ -1,4 +1,4 @@
-//! From the polygon to the cutter: which inserts, ratio and tip circle make it, how well, and which limit speaks against the others.
+//! From the polygon to the cutter: inserts, ratio and tip circle, their form error, and the limit that rules others out.
 
 use super::cut::{self, InsertLoad};
 use super::ratio::Ratio;

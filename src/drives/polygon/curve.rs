@@ -1,4 +1,4 @@
-//! What the tip of one insert draws on the work while it passes once: an exact curve about the normal of its side.
+//! The exact curve of one insert tip over the work in one pass, about the normal of its side.
 
 use crate::math::{self, PI};
 

@@ -20,7 +20,7 @@ pub struct Section {
 pub struct Side {
     /// Angle of its normal as it is meant to be.
     pub normal: f64,
-    /// By how much the deepest pass stands turned from it.
+    /// Angle of the deepest pass from it.
     pub turned: f64,
     /// Deviation on the normal.
     pub middle: f64,
@@ -280,7 +280,7 @@ const NOTHING: f64 = 1e-9;
 /// In how many steps an arc is searched for places where its deviation turns; it has one at most where the ratio is a usual one.
 const STEPS: u32 = 16;
 
-/// Least and greatest sum of what stands opposite each other.
+/// Least and greatest distance of opposite sides.
 fn across(radii: &[f64]) -> (f64, f64) {
     let half = if radii.len().is_multiple_of(2) { radii.len() / 2 } else { 0 };
     let sums = radii.iter().zip(radii.iter().cycle().skip(half)).map(|(one, other)| one + other);
