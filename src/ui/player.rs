@@ -10,6 +10,7 @@ use super::debug_session::Walk;
 use super::dom::{self, Frames};
 use super::local::Local;
 use super::scene_view::Stage;
+use crate::controls::Control;
 use crate::interp::inspect::What;
 use crate::machines::{Frame, PreparedMachine};
 use crate::math;
