@@ -1,10 +1,23 @@
 //! Breakpoints: where a walk through a program stops, and under which condition.
 
-use super::debug::Stop;
 use super::run::program_number;
 use crate::interp::{Interp, World};
+use crate::motion::RunEnd;
 use crate::nc::{self, Formula, Parsed};
 use crate::text::{Diagnostic, FileId, LineIndex, Place};
+
+/// Why the debugger has stopped.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Stop {
+    /// The goal is reached.
+    Reached,
+    /// A breakpoint, by its number.
+    Breakpoint(u32),
+    /// The condition of a breakpoint, by its number, has no value here.
+    Condition(u32, Box<Diagnostic>),
+    /// The run is over, or waits for the operator.
+    Ended(RunEnd),
+}
 
 /// A block as people name it.
 #[derive(Debug, Clone, PartialEq, Eq)]

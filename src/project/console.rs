@@ -9,7 +9,7 @@ use crate::controls::{Control, Dialect};
 use crate::interp::Counts;
 use crate::interp::inspect::{Change, Entered, Level, What};
 use crate::motion::{Action, Event, Panel, RunEnd};
-use crate::nc::{Files, Parsed};
+use crate::nc::Parsed;
 use crate::text::catalog::number_text;
 use crate::text::{Diagnostic, Place};
 
@@ -95,15 +95,15 @@ fn change_text(change: &Change, control: &Control) -> String {
 }
 
 impl<'f> Console<'f> {
-    /// A session that stands before the first block of a run; `files` are those of its program.
-    pub fn new(main: Run, files: &'f Files) -> Console<'f> {
+    /// A session before the first block of a run; `teller` knows the files of its program.
+    pub fn new(main: Run, teller: Teller<'f>) -> Console<'f> {
         let mut console = Console {
             debugger: Debugger::new(&main, 0.0, Goal::Into),
             main,
             points: Breakpoints::default(),
             watches: Vec::new(),
             watched: 0,
-            teller: Teller::new(files),
+            teller,
             diagnostics: Vec::new(),
             over: None,
         };

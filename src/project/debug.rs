@@ -4,10 +4,11 @@
 //! the run. It stops before a block is read; as the control reads ahead, the machine may be some blocks behind.
 
 use super::breakpoints::Breakpoints;
+pub use super::breakpoints::Stop;
 use super::run::Run;
 use crate::interp::inspect::{Change, Level};
 use crate::interp::{Interp, World};
-use crate::motion::{Event, Gate, RunEnd};
+use crate::motion::{Event, Gate};
 use crate::nc::{self, Stmt};
 use crate::text::{Diagnostic, Place};
 
@@ -26,19 +27,6 @@ pub enum Goal {
     Continue,
     /// To the block before which so many were read, past all breakpoints.
     Block(u64),
-}
-
-/// Why a walk is over.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Stop {
-    /// The goal is reached.
-    Reached,
-    /// A breakpoint, by its number.
-    Breakpoint(u32),
-    /// The condition of a breakpoint, by its number, has no value here.
-    Condition(u32, Box<Diagnostic>),
-    /// The run is over, or waits for the operator.
-    Ended(RunEnd),
 }
 
 /// So many blocks before the one that is searched, at least, the walk to it begins: nobody writes longer comments.

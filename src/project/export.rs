@@ -1,8 +1,11 @@
 //! What leaves the house: program files, sheets, report; nothing where the control would refuse or misread it.
 
+use std::collections::BTreeMap;
+
 use super::Project;
 use super::suppress::silence;
 use crate::machines::report::report;
+use crate::msg;
 use crate::nc::{File, Files};
 use crate::text::catalog::Language;
 use crate::text::{Diagnostic, Severity};
@@ -17,6 +20,20 @@ pub struct Export {
     pub diagnostics: Vec<Diagnostic>,
     /// The program files that places of diagnostics point into.
     pub about: Files,
+}
+
+/// An error for each file whose name an earlier one has; capitals, and points and blanks at the end, do not tell names apart on the cards
+/// that controls read.
+fn same_names(files: &[File]) -> Vec<Diagnostic> {
+    let mut known = BTreeMap::new();
+    let mut found = Vec::new();
+    for file in files {
+        let name = file.name.to_lowercase().trim_end_matches(['.', ' ']).to_owned();
+        if let Some(first) = known.insert(name, &file.name) {
+            found.push(Diagnostic::error(msg!("project.same-name", first.as_str(), file.name.as_str())));
+        }
+    }
+    found
 }
 
 impl Project {
@@ -53,6 +70,11 @@ impl Project {
             }
             files.extend(prepared.drawings());
             files.push(File { name: "project.json".to_owned(), text: self.to_json() });
+            let same = same_names(&files);
+            if !same.is_empty() {
+                files.clear();
+                diagnostics.extend(same);
+            }
         }
         Export { files, diagnostics, about: written.files }
     }

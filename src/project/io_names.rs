@@ -1,8 +1,6 @@
 //! Names of inputs as people write them, `R74` or `#1033`, made into what the planner knows.
 
-use super::run::Setting;
 use crate::controls::interface::SignalRole;
-use crate::controls::vars::is_fitted;
 use crate::controls::{Control, Dialect, VarKind};
 use crate::motion::{Action, Event, Panel};
 
@@ -34,25 +32,5 @@ fn input(name: &str, value: f64, control: &Control, dialect: &Dialect) -> Vec<Ac
         Some(SignalRole::MacroInputLow(variable)) => half(variable, "low"),
         Some(SignalRole::MacroInputHigh(variable)) => half(variable, "high"),
         _ => vec![Action::Input(name.to_owned(), value)],
-    }
-}
-
-impl Setting {
-    /// What the setting does at the start of a run: a variable set, or an input forced. `None` where the control has neither.
-    pub fn action(&self, control: &Control, dialect: &Dialect) -> Option<Action> {
-        let row = self.number(control).and_then(|number| Some((number, control.var(number)?.kind)));
-        let fitted = |&(number, kind): &(u32, VarKind)| !kind.common() || is_fitted(dialect.reading.fitted, number);
-        let kind = row.filter(fitted).map(|row| row.1);
-        let register = matches!(dialect.role(control, &self.name),
-            Some(role) if control.interface.iter().any(|row| row.role == role && row.plc_writes));
-        match kind {
-            Some(VarKind::Local | VarKind::Common | VarKind::Retained) => {
-                Some(Action::Variable(self.number(control)?, Some(self.value)))
-            }
-            Some(VarKind::InputBit | VarKind::InputWord(_) | VarKind::ExchangeWord) => {
-                Some(Action::Input(format!("#{}", self.number(control)?), self.value))
-            }
-            _ => register.then(|| Action::Input(self.name.clone(), self.value)),
-        }
     }
 }

@@ -2,6 +2,8 @@
 
 pub mod saved;
 
+pub mod decode;
+
 pub mod import;
 
 mod prepared;
@@ -11,6 +13,8 @@ pub mod program;
 mod io_names;
 
 pub mod check;
+
+pub mod setting;
 
 pub mod run;
 

@@ -2,27 +2,61 @@
 
 use serde_json::{Value as Json, json};
 
+use super::decode::{Decoded, Encoding};
 use crate::msg;
 use crate::nc::{self, Files};
 use crate::text::catalog::{Language, sentence};
-use crate::text::{Diagnostic, Fix, LineIndex, Place, Severity, Span};
+use crate::text::escape::{is_obeyed, terminal};
+use crate::text::{Diagnostic, FileId, Fix, LineIndex, Place, Severity, Span};
 
 /// Writes diagnostics about a set of files. It reads each file's lines once.
 pub struct Teller<'f> {
     files: &'f Files,
+    /// Names that are shown in place of the files' own.
+    names: &'f [String],
+    /// The files as they were read from a disk; files beyond these are UTF-8.
+    read: &'f [Decoded],
     indices: Vec<LineIndex>,
 }
 
 impl<'f> Teller<'f> {
     /// A teller for these files.
     pub fn new(files: &'f Files) -> Teller<'f> {
-        Teller { files, indices: files.0.iter().map(|file| LineIndex::new(&file.text)).collect() }
+        Teller::about(files, &[], &[])
+    }
+
+    /// A teller for files that were read from a disk: the names that tell them apart, and their encodings. Either list may be shorter
+    /// than the files.
+    pub fn about(files: &'f Files, names: &'f [String], read: &'f [Decoded]) -> Teller<'f> {
+        Teller { files, names, read, indices: files.0.iter().map(|file| LineIndex::new(&file.text)).collect() }
+    }
+
+    /// The name of a file as it is shown.
+    fn name(&self, id: FileId) -> Option<&str> {
+        let own = &self.files.get(id)?.name;
+        Some(self.names.get(usize::from(id.0)).unwrap_or(own))
+    }
+
+    /// The offset of a place in the file on the disk.
+    fn offset(&self, id: FileId, at: u32) -> Option<u32> {
+        self.read.get(usize::from(id.0)).map_or(Some(at), |file| file.offset(at))
+    }
+
+    /// The fixes that can be made in the files on the disk: their places are there, and they copy no byte that is no text.
+    fn fixes<'d>(&self, diagnostic: &'d Diagnostic) -> impl Iterator<Item = &'d Fix> {
+        let made = |(place, text): &(Place, String)| {
+            let ends = [place.span.start, place.span.end];
+            let plain = self.read.get(usize::from(place.file.0)).is_none_or(|file| file.encoding == Encoding::Utf8);
+            ends.iter().all(|end| self.offset(place.file, *end).is_some()) && (plain || text.is_ascii())
+        };
+        diagnostic.fixes.iter().filter(move |fix| fix.edits.iter().all(made))
     }
 
     /// Severity with the alarm, or with the id that silences it, and the sentence; then file:line:column, the line itself with the place
     /// marked, the hints, and the lines as each fix would have them.
     pub fn text(&self, diagnostic: &Diagnostic) -> String {
-        let mended: Vec<_> = diagnostic.fixes.iter().map(|fix| self.mended(fix)).collect();
+        let fixes: Vec<&Fix> = self.fixes(diagnostic).collect();
+        let mended: Vec<_> = fixes.iter().map(|fix| self.mended(fix)).collect();
         let place = diagnostic.place.and_then(|place| self.position(place));
         let last = mended.iter().flatten().map(|(first, lines)| first + lines.len() as u32 - 1);
         let width = last.chain(place.map(|(_, line, _)| line)).max().map_or(1, |line| line.to_string().len());
@@ -39,7 +73,7 @@ impl<'f> Teller<'f> {
         for hint in &diagnostic.hints {
             out += &format!("{:width$} = {}\n", "", sentence(Language::English, hint));
         }
-        for (fix, mended) in diagnostic.fixes.iter().zip(&mended) {
+        for (fix, mended) in fixes.iter().zip(&mended) {
             out += &format!("help: {}\n", sentence(Language::English, &fix.title));
             let Some((first, lines)) = mended else { continue };
             out += &format!("{:width$} |\n", "");
@@ -47,7 +81,7 @@ impl<'f> Teller<'f> {
                 out += &format!("{number:width$} + {}\n", Shown::new(line, 0, 0).text);
             }
         }
-        harmless(&out)
+        terminal(&out).into_owned()
     }
 
     /// File:line:column, then the line itself with the place marked.
@@ -94,22 +128,22 @@ impl<'f> Teller<'f> {
     pub fn block(&self, place: Place) -> String {
         let Some((file, line, _)) = self.position(place) else { return String::new() };
         let text = self.files.get(place.file).map_or("", |file| place.span.of(&file.text));
-        format!("{file}:{line}: {}", harmless(&Shown::new(text, 0, 0).text))
+        format!("{file}:{line}: {}", terminal(&Shown::new(text, 0, 0).text))
     }
 
     /// The diagnostic as an object with severity, alarm, its wording, id, message, file, line, column, field, hints and fixes, each a
-    /// title and its edits; what does not apply is null. An edit replaces the bytes of a file from start to end, counted in UTF-8.
+    /// title and its edits; what does not apply is null. An edit replaces the bytes of a file from start to end, counted in the file.
     pub fn json(&self, diagnostic: &Diagnostic) -> Json {
         let hints: Vec<String> = diagnostic.hints.iter().map(|hint| sentence(Language::English, hint)).collect();
         let edit = |(place, text): &(Place, String)| {
-            let file = self.files.get(place.file).map(|file| file.name.as_str());
-            json!({ "file": file, "start": place.span.start, "end": place.span.end, "text": text })
+            let [start, end] = [place.span.start, place.span.end].map(|at| self.offset(place.file, at));
+            json!({ "file": self.name(place.file), "start": start, "end": end, "text": text })
         };
         let fix = |fix: &Fix| {
             let edits: Vec<Json> = fix.edits.iter().map(edit).collect();
             json!({ "title": sentence(Language::English, &fix.title), "edits": edits })
         };
-        let fixes: Vec<Json> = diagnostic.fixes.iter().map(fix).collect();
+        let fixes: Vec<Json> = self.fixes(diagnostic).map(fix).collect();
         let place = diagnostic.place.and_then(|place| self.position(place));
         json!({
             "severity": word(diagnostic.severity),
@@ -129,7 +163,7 @@ impl<'f> Teller<'f> {
     fn position(&self, place: Place) -> Option<(&str, u32, u32)> {
         let file = self.files.get(place.file)?;
         let position = self.indices.get(place.file.0 as usize)?.position(&file.text, place.span.start);
-        Some((&file.name, position.line, position.column))
+        Some((self.name(place.file)?, position.line, position.column))
     }
 
     fn line_text(&self, place: Place, line: u32) -> &str {
@@ -148,11 +182,6 @@ pub fn headline(diagnostic: &Diagnostic) -> String {
         (_, None) => format!("[{}]", diagnostic.id()),
     };
     format!("{}{tag}: {}", word(diagnostic.severity), sentence(Language::English, &diagnostic.message))
-}
-
-/// A program may hold anything, and a terminal obeys control characters.
-fn harmless(text: &str) -> String {
-    text.replace(|c: char| c.is_control() && c != '\n', "\u{fffd}")
 }
 
 /// The severity as it is written.
@@ -215,6 +244,7 @@ impl Shown {
             }
             match c {
                 '\t' => shown.text.extend(core::iter::repeat_n(' ', wide)),
+                c if is_obeyed(c) => shown.text.push(char::REPLACEMENT_CHARACTER),
                 c => shown.text.push(c),
             }
         }
@@ -225,6 +255,7 @@ impl Shown {
 /// Columns of a character: 2 for those of East Asian width and pictures, 0 for marks on the one before.
 fn columns(c: char) -> usize {
     match c {
+        c if is_obeyed(c) => 1,
         '\u{300}'..='\u{36f}' | '\u{200b}'..='\u{200f}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}' => 0,
         '\u{1100}'..='\u{115f}'
         | '\u{2e80}'..='\u{a4cf}'

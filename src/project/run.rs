@@ -1,10 +1,12 @@
 //! A run from its beginning to its end: of a project, or of bare programs on the control's bench.
 
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use serde_json::{Map, Value as Json, json};
 
 use super::program::Written;
+pub use super::setting::Setting;
 use super::{Project, io_names};
 use crate::controls::bench::BenchShift;
 use crate::controls::{Control, Dialect, VarKind};
@@ -40,30 +42,6 @@ pub fn shown(run: &Run, control: &Control, number: u32, t: f64) -> Option<f64> {
         VarKind::InputWord(_) | VarKind::OutputWord(_) | VarKind::ExchangeWord => Some(0.0),
         _ => None,
     })
-}
-
-/// A variable set before the start.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Setting {
-    /// `#107`, or the name of a PLC input.
-    pub name: String,
-    /// Its value.
-    pub value: f64,
-}
-
-impl Setting {
-    /// Reads `#107=8`; `None` where it is no setting.
-    pub fn read(text: &str) -> Option<Setting> {
-        let (name, value) = text.split_once('=')?;
-        let value: f64 = value.trim().parse().ok()?;
-        let name = name.trim().to_ascii_uppercase();
-        (value.is_finite() && !name.is_empty()).then_some(Setting { name, value })
-    }
-
-    /// The variable's number, where it is one.
-    pub(super) fn number(&self, control: &Control) -> Option<u32> {
-        self.name.strip_prefix(control.syntax.variable).unwrap_or(&self.name).parse().ok()
-    }
 }
 
 /// Variables that the operator sets: before the start, and at the panel.
@@ -196,7 +174,7 @@ fn bench(control: &'static Control, dialect: &Dialect) -> (Plant, Box<dyn Plc>) 
 }
 
 /// How a run ended.
-pub struct Outcome {
+pub struct RunSummary {
     /// Why.
     pub ended: RunEnd,
     /// Blocks read.
@@ -214,7 +192,7 @@ pub struct Outcome {
 }
 
 /// Runs to the end and hands every command, as a line of the canonical log, to `log` as it begins. Fails only where `log` does.
-pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(Line) -> Result<(), E>) -> Result<Outcome, E> {
+pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(Line) -> Result<(), E>) -> Result<RunSummary, E> {
     let names = run.program().names();
     let ended = loop {
         let progress = run.advance(f64::INFINITY, SLICE);
@@ -234,7 +212,7 @@ pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(Line) -> Result<(), E>) -> R
         diagnostics.push((**alarm).clone());
     }
     let blocks = run.blocks();
-    Ok(Outcome {
+    Ok(RunSummary {
         ended,
         blocks: blocks.nc + blocks.macros,
         time,
@@ -245,7 +223,7 @@ pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(Line) -> Result<(), E>) -> R
     })
 }
 
-impl Outcome {
+impl RunSummary {
     /// The end as one word.
     pub fn word(&self) -> &'static str {
         match self.ended {
@@ -295,9 +273,12 @@ fn clean(value: f64) -> f64 {
 /// that it may.
 pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
     let mut seen: Vec<Diagnostic> = Vec::new();
+    // Remarks about the run as a whole are many where the operator does much, and only the same sentence repeats them.
+    let mut whole: BTreeSet<String> = BTreeSet::new();
     diagnostics.retain(|d| {
-        let new = !seen.iter().any(|s| repeats(d, s));
-        if new {
+        let of_run = d.place.is_none() && d.alarm.is_none();
+        let new = !seen.iter().any(|s| repeats(d, s)) && (!of_run || whole.insert(format!("{:?}", d.message)));
+        if new && !of_run {
             seen.push(d.clone());
         }
         new

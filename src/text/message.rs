@@ -5,40 +5,40 @@ use serde::Serialize;
 /// A value inside a sentence.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Value {
+pub enum MessageValue {
     /// A number and how many decimals are shown at most.
     Number(f64, u8),
     /// Text that stands in no language: a word of a program, a name, a unit.
     Text(String),
 }
 
-impl From<f64> for Value {
-    fn from(number: f64) -> Value {
-        Value::Number(number, 3)
+impl From<f64> for MessageValue {
+    fn from(number: f64) -> MessageValue {
+        MessageValue::Number(number, 3)
     }
 }
 
-impl From<(f64, u8)> for Value {
-    fn from((number, decimals): (f64, u8)) -> Value {
-        Value::Number(number, decimals)
+impl From<(f64, u8)> for MessageValue {
+    fn from((number, decimals): (f64, u8)) -> MessageValue {
+        MessageValue::Number(number, decimals)
     }
 }
 
-impl From<u32> for Value {
-    fn from(number: u32) -> Value {
-        Value::Number(f64::from(number), 0)
+impl From<u32> for MessageValue {
+    fn from(number: u32) -> MessageValue {
+        MessageValue::Number(f64::from(number), 0)
     }
 }
 
-impl From<&str> for Value {
-    fn from(text: &str) -> Value {
-        Value::Text(text.to_owned())
+impl From<&str> for MessageValue {
+    fn from(text: &str) -> MessageValue {
+        MessageValue::Text(text.to_owned())
     }
 }
 
-impl From<String> for Value {
-    fn from(text: String) -> Value {
-        Value::Text(text)
+impl From<String> for MessageValue {
+    fn from(text: String) -> MessageValue {
+        MessageValue::Text(text)
     }
 }
 
@@ -48,13 +48,13 @@ pub struct Message {
     /// Id in the catalog, `area.subject`, for instance `nc.unknown-code`.
     pub id: &'static str,
     /// What stands in the places of the sentence.
-    pub values: Vec<Value>,
+    pub values: Vec<MessageValue>,
 }
 
 impl Message {
     /// A sentence with its values; for `msg!`. A call at each of many places is less code than what it does.
     #[inline(never)]
-    pub fn new<const N: usize>(id: &'static str, values: [Value; N]) -> Message {
+    pub fn new<const N: usize>(id: &'static str, values: [MessageValue; N]) -> Message {
         Message { id, values: values.into() }
     }
 }
@@ -63,6 +63,6 @@ impl Message {
 #[macro_export]
 macro_rules! msg {
     ($id:literal $(, $value:expr)* $(,)?) => {
-        $crate::text::Message::new($id, [$($crate::text::Value::from($value)),*])
+        $crate::text::Message::new($id, [$($crate::text::MessageValue::from($value)),*])
     };
 }

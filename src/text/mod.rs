@@ -4,6 +4,8 @@ pub mod span;
 
 pub mod lines;
 
+pub mod escape;
+
 pub mod number;
 
 pub mod message;
@@ -17,5 +19,5 @@ pub mod diagnostic;
 pub use citation::{Citation, Grade};
 pub use diagnostic::{Diagnostic, DiagnosticKind, Fix, Severity};
 pub use lines::{LineIndex, Position};
-pub use message::{Message, Value};
+pub use message::{Message, MessageValue};
 pub use span::{FileId, Place, Span};

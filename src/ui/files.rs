@@ -18,6 +18,7 @@ use super::words::{say, t, tell, tone};
 use crate::msg;
 use crate::nc;
 use crate::project::Project;
+use crate::project::decode::Decoded;
 use crate::project::import::{MAX_PROGRAM, open, programs};
 use crate::project::saved::with_line;
 use crate::text::Severity;
@@ -57,7 +58,7 @@ fn take(model: Model, files: Vec<File>) {
         for file in files {
             let Ok(buffer) = JsFuture::from(file.array_buffer()).await else { continue };
             let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
-            texts.push(nc::File { name: file.name(), text: String::from_utf8_lossy(&bytes).into_owned() });
+            texts.push(nc::File { name: file.name(), text: Decoded::new(bytes).text });
         }
         if !texts.is_empty() {
             read(model, &texts);

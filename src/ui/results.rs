@@ -5,7 +5,7 @@ use super::el::{El, button, el};
 use super::files::go_to;
 use super::model::Model;
 use super::words::{figure, say, sign, t, tell, tone, written};
-use crate::text::{Diagnostic, DiagnosticKind, Message, Value};
+use crate::text::{Diagnostic, DiagnosticKind, Message, MessageValue};
 use crate::view::Readout;
 
 /// The results tab.
@@ -21,7 +21,7 @@ fn remark(model: Model, told: &Diagnostic) -> El {
     let tone = tone(told.severity);
     let row = el("li").at("class", tone);
     match &told.message.values[..] {
-        [Value::Number(..), Value::Text(ids)] if told.kind == DiagnosticKind::AssumedFacts => {
+        [MessageValue::Number(..), MessageValue::Text(ids)] if told.kind == DiagnosticKind::AssumedFacts => {
             row.add(&[assumed(model, mark_of(tone), told, ids)])
         }
         _ => row.add(&[mark_of(tone)]).text(" ").text(&tell(told)),

@@ -17,7 +17,7 @@ use crate::nc::{self, Files};
 use crate::project::suppress::silence;
 use crate::project::{Project, check};
 use crate::text::catalog::number_text;
-use crate::text::{Diagnostic, LineIndex, Message, Value};
+use crate::text::{Diagnostic, LineIndex, Message, MessageValue};
 
 /// Findings that are listed at most.
 const LISTED: usize = 200;
@@ -127,9 +127,9 @@ fn row(diagnostic: &Diagnostic) -> JsValue {
 
 /// The id of a sentence, and its values as they are shown.
 fn message(message: &Message) -> JsValue {
-    let value = |value: &Value| match value {
-        Value::Number(number, decimals) => JsValue::from(number_text(*number, *decimals)),
-        Value::Text(text) => text.as_str().into(),
+    let value = |value: &MessageValue| match value {
+        MessageValue::Number(number, decimals) => JsValue::from(number_text(*number, *decimals)),
+        MessageValue::Text(text) => text.as_str().into(),
     };
     [message.id.into()].into_iter().chain(message.values.iter().map(value)).collect::<js_sys::Array>().into()
 }

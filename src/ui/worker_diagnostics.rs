@@ -10,7 +10,7 @@ use leptos::wasm_bindgen::JsValue;
 use super::model::Model;
 use super::script::get;
 use crate::controls::Control;
-use crate::text::{Diagnostic, FileId, Fix, Message, Place, Span, Value, catalog};
+use crate::text::{Diagnostic, FileId, Fix, Message, MessageValue, Place, Span, catalog};
 
 /// Keeps the model's findings up with its program.
 pub(super) fn follow(model: Model) {
@@ -72,5 +72,5 @@ fn finding(row: &JsValue, control: &Control) -> Option<Diagnostic> {
 fn message(parts: &JsValue) -> Option<Message> {
     let mut parts = js_sys::Array::from(parts).into_iter().map(|part| part.as_string().unwrap_or_default());
     let id = catalog::id(&parts.next()?)?;
-    Some(Message { id, values: parts.map(Value::Text).collect() })
+    Some(Message { id, values: parts.map(MessageValue::Text).collect() })
 }

@@ -4,7 +4,7 @@ use core::fmt::Write;
 
 use super::{Readout, Sheet, Verdict};
 use crate::text::catalog::{Language, number_text, sentence, words};
-use crate::text::{Diagnostic, Grade};
+use crate::text::{Diagnostic, Grade, escape};
 
 /// An input of the report.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,7 +53,7 @@ pub struct Report {
 
 /// The report as Markdown, readable as plain text too.
 pub fn markdown(report: &Report, language: Language) -> String {
-    let mut out = format!("# {}\n", report.title);
+    let mut out = format!("# {}\n", escape::markdown(&report.title));
     let say = |id| words(language, id);
     section(&mut out, say("form.report.findings"));
     findings(&mut out, report, language);
@@ -67,7 +67,7 @@ pub fn markdown(report: &Report, language: Language) -> String {
     }
     section(&mut out, say("form.report.open"));
     for open in &report.open {
-        let _ = writeln!(out, "- {}: {}", say(open.kind), open.facts.join("; "));
+        let _ = writeln!(out, "- {}: {}", say(open.kind), escape::markdown(&open.facts.join("; ")));
     }
     out
 }
@@ -77,7 +77,7 @@ fn section(out: &mut String, title: &str) {
 }
 
 fn line(out: &mut String, cells: &[String]) {
-    let cells: Vec<_> = cells.iter().map(|cell| cell.replace('|', "\\|")).collect();
+    let cells: Vec<_> = cells.iter().map(|cell| escape::markdown(cell).replace('|', "\\|")).collect();
     let _ = writeln!(out, "| {} |", cells.join(" | "));
 }
 
@@ -89,15 +89,15 @@ fn head(out: &mut String, language: Language, ids: &[&'static str]) {
 /// Errors and remarks, then what the verdicts advise.
 fn findings(out: &mut String, report: &Report, language: Language) {
     for finding in &report.diagnostics {
-        let _ = writeln!(out, "- {}", sentence(language, &finding.message));
+        let _ = writeln!(out, "- {}", escape::markdown(&sentence(language, &finding.message)));
         for hint in &finding.hints {
-            let _ = writeln!(out, "  - {}", sentence(language, hint));
+            let _ = writeln!(out, "  - {}", escape::markdown(&sentence(language, hint)));
         }
     }
     for readout in report.readouts.iter().filter(|readout| readout.verdict >= Verdict::Warn) {
         let _ = writeln!(out, "- {}: {}", words(language, readout.label), verdict(readout.verdict, language));
         for advice in &readout.advice {
-            let _ = writeln!(out, "  - {}", sentence(language, advice));
+            let _ = writeln!(out, "  - {}", escape::markdown(&sentence(language, advice)));
         }
     }
 }

@@ -6,7 +6,7 @@ use macroline::machines::form::Value;
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::nc::{self, Files};
 use macroline::project::Project;
-use macroline::project::run::{self, Outcome, RunOptions};
+use macroline::project::run::{self, RunOptions, RunSummary};
 use proptest::prelude::*;
 
 fn controls() -> &'static [&'static str] {
@@ -31,7 +31,7 @@ fn choose(project: &mut Project, id: &str, option: &str) {
 
 /// Runs what the project exports, to its end.
 #[track_caller]
-fn run(project: &Project) -> Outcome {
+fn run(project: &Project) -> RunSummary {
     let written = project.written();
     let errors: Vec<_> =
         written.diagnostics.iter().filter(|d| d.severity == macroline::text::Severity::Error).collect();
@@ -42,7 +42,7 @@ fn run(project: &Project) -> Outcome {
     run::to_end(&mut planner, |_| Ok::<(), ()>(())).unwrap()
 }
 
-fn variable(outcome: &Outcome, name: &str) -> f64 {
+fn variable(outcome: &RunSummary, name: &str) -> f64 {
     outcome.variables.iter().find(|(key, _)| key[1..] == name[1..]).unwrap_or_else(|| panic!("no {name}")).1
 }
 

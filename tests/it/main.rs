@@ -5,6 +5,7 @@ mod cli;
 mod control_differences;
 mod controls;
 mod diagnostic_text;
+mod edges;
 mod figures;
 mod generated;
 mod language;

@@ -189,7 +189,7 @@ fn deserialize_is_only_in_project() {
     let broken = outside.flat_map(|source| source.find_words(&["Deserialize", "DeserializeOwned"])).collect();
     hold(
         "Deserialize stands only in src/project/.",
-        "saved shapes stand in src/project/saved.rs, apart from the types in use",
+        "saved shapes stand in src/project/saved/, apart from the types in use",
         broken,
     );
 }
@@ -345,10 +345,11 @@ fn no_unfinished_code_or_ignored_tests() {
 }
 
 /// Rooms whose files import one another in one direction only; to grow to [`ORDER`].
-const WITHOUT_CIRCLES: [&str; 8] = ["math", "text", "drives", "controls", "interp", "motion", "view", "machines"];
+const WITHOUT_CIRCLES: [&str; 9] =
+    ["math", "text", "drives", "controls", "interp", "motion", "view", "machines", "project"];
 
 /// Rooms in which a `mod.rs` and the files below it may still take names from one another; to shrink to none.
-const WITH_FACES: [&str; 4] = ["controls", "nc", "project", "ui"];
+const WITH_FACES: [&str; 3] = ["controls", "nc", "ui"];
 
 #[test]
 fn files_have_no_import_circle() {
@@ -362,7 +363,7 @@ fn files_have_no_import_circle() {
 }
 
 /// Names that two public types have today; to shrink to none.
-const TWICE: [&str; 3] = ["Formula", "Outcome", "Value"];
+const TWICE: [&str; 1] = ["Formula"];
 
 #[test]
 fn public_type_names_are_unique() {

@@ -19,7 +19,7 @@ use super::ast::{Deck, ExprId, Word, WordValue};
 use super::parsed::Parsed;
 use crate::controls::Control;
 use crate::controls::syntax::{RoundBrackets, letter_bits};
-use crate::text::{Diagnostic, LineIndex, Message, Place, Span, Value};
+use crate::text::{Diagnostic, LineIndex, Message, MessageValue, Place, Span};
 use flow::Flow;
 use roles::Roles;
 use vars::Vars;
@@ -102,7 +102,8 @@ impl Lint<'_> {
             return None;
         }
         let text = [text.trim_matches(['[', ']'])];
-        let message = |id| Message { id, values: text.iter().chain(more).map(|text| Value::from(*text)).collect() };
+        let message =
+            |id| Message { id, values: text.iter().chain(more).map(|text| MessageValue::from(*text)).collect() };
         let mut finding = Diagnostic::warning(message(id)).at(place);
         if !hint.is_empty() {
             finding.hints.push(message(hint));

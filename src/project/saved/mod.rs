@@ -7,6 +7,8 @@ mod json;
 
 mod findings;
 
+mod loaded;
+
 mod v1;
 
 mod panel;
@@ -20,6 +22,7 @@ use serde::de::IgnoredAny;
 
 use self::findings::Findings;
 use self::json::{Entries, Located};
+pub use self::loaded::{Loaded, MAX_BYTES, MAX_PROGRAM, MAX_PROGRAMS};
 use self::v1::{ProgramV1, ProjectV1};
 use super::Project;
 use crate::machines::form::Value;
@@ -31,29 +34,6 @@ use crate::text::{Diagnostic, LineIndex, Message};
 
 /// Version that is written.
 pub const VERSION: u32 = 1;
-
-/// Bytes of a project file at most. [`MAX_PROGRAM`] bytes of edited programs fit, with each byte escaped.
-pub const MAX_BYTES: usize = 16 << 20;
-
-/// Bytes of the edited programs of a project at most.
-pub const MAX_PROGRAM: usize = 2_000_000;
-
-/// Edited program files of a project at most.
-pub const MAX_PROGRAMS: usize = 64;
-
-/// A project file that was read.
-pub struct Loaded {
-    /// The project; `None` where the file describes none.
-    pub project: Option<Project>,
-    /// Findings about the file. Errors with a project: the project has its defaults there.
-    pub diagnostics: Vec<Diagnostic>,
-}
-
-impl Loaded {
-    fn refused(found: Findings) -> Loaded {
-        Loaded { project: None, diagnostics: found.into_diagnostics() }
-    }
-}
 
 /// The version of a project file, whatever else it holds.
 #[derive(Deserialize)]

@@ -4,9 +4,10 @@ use serde_json::Value as Json;
 
 use super::findings::{Findings, clip};
 use super::json::Entries;
+use super::loaded::{Loaded, MAX_PROGRAMS};
 use super::old_options::option_id;
+use super::panel;
 use super::v1::{ProgramV1, ProjectV1};
-use super::{Loaded, MAX_PROGRAMS, panel};
 use crate::controls::{self, Switches};
 use crate::machines::AnyMachine;
 use crate::machines::form::{KindInfo, Provenance, Value};

@@ -5,7 +5,7 @@
 
 use std::cmp::Ordering;
 
-use super::message::{Message, Value};
+use super::message::{Message, MessageValue};
 use super::number::Plain;
 
 /// A language of the sentences.
@@ -61,11 +61,11 @@ pub fn sentence(language: Language, message: &Message) -> String {
             .split_once('}')
             .and_then(|(at, behind)| Some((message.values.get(at.parse::<usize>().ok()?)?, behind)));
         rest = match value {
-            Some((Value::Number(number, decimals), behind)) => {
+            Some((MessageValue::Number(number, decimals), behind)) => {
                 out.push_str(&number_text(*number, *decimals));
                 behind
             }
-            Some((Value::Text(text), behind)) => {
+            Some((MessageValue::Text(text), behind)) => {
                 out.push_str(text);
                 behind
             }

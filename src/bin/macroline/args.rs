@@ -1,0 +1,112 @@
+//! The arguments of the command line.
+
+use std::path::PathBuf;
+
+use clap::{Parser, Subcommand};
+
+/// Sizes special CNC machines, writes their macro programs and runs that very text.
+#[derive(Parser)]
+#[command(name = "macroline", version)]
+pub(crate) struct Line {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Subcommand)]
+pub(crate) enum Command {
+    /// Machines, controls and which goes with which
+    List {
+        /// For programs
+        #[arg(long)]
+        json: bool,
+    },
+    /// Prints a default project as JSON
+    New {
+        /// Machine, for instance ribbon-line
+        machine: String,
+        /// Control; without it the machine's first
+        #[arg(long)]
+        control: Option<String>,
+    },
+    /// Results with verdicts, and what is wrong
+    Design {
+        /// Project file
+        project: PathBuf,
+        /// For programs
+        #[arg(long)]
+        json: bool,
+    },
+    /// Writes the files the control takes, parameter sheet and report; nothing when there is an error
+    Export {
+        /// Project file
+        project: PathBuf,
+        /// Folder, made where it is missing
+        #[arg(long)]
+        out: PathBuf,
+    },
+    /// Diagnostics of programs or of a project, nothing run
+    Check {
+        /// Program files with --control, or one project file
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+        /// Control that bare programs are for
+        #[arg(long)]
+        control: Option<String>,
+        /// Settles an open point of the control, see `list`; repeat as needed
+        #[arg(long = "switch", value_name = "ID=VALUE")]
+        switch: Vec<String>,
+        /// Leaves out a warning by its id, for instance lint.unreachable; repeat as needed
+        #[arg(long, value_name = "ID")]
+        silence: Vec<String>,
+        /// For programs
+        #[arg(long)]
+        json: bool,
+    },
+    /// Runs a project or programs and prints the canonical log
+    Run {
+        #[command(flatten)]
+        args: RunArgs,
+        /// Leaves the log out
+        #[arg(long)]
+        no_canon: bool,
+        /// One JSON object instead of the log
+        #[arg(long)]
+        json: bool,
+    },
+    /// Runs a project or programs block by block: commands from standard input, “help” lists them
+    Step(RunArgs),
+}
+
+#[derive(clap::Args)]
+pub(crate) struct RunArgs {
+    /// One project file, or program files with --control
+    #[arg(required = true)]
+    pub(crate) files: Vec<PathBuf>,
+    /// Control that bare programs are for
+    #[arg(long)]
+    pub(crate) control: Option<String>,
+    /// Program to start, for instance O9101
+    #[arg(long)]
+    pub(crate) start: Option<String>,
+    /// Sets a variable before the start, for instance '#107=8'; repeat as needed
+    #[arg(long = "set", value_name = "VAR=VALUE")]
+    pub(crate) set: Vec<String>,
+    /// Settles an open point of the control, see `list`; repeat as needed
+    #[arg(long = "switch", value_name = "ID=VALUE")]
+    pub(crate) switch: Vec<String>,
+    /// The operator's hand: JSON array of events
+    #[arg(long)]
+    pub(crate) panel: Option<PathBuf>,
+    /// Project whose plant runs bare programs, instead of the control's bench
+    #[arg(long)]
+    pub(crate) plant: Option<PathBuf>,
+    /// Ends the run after so many blocks
+    #[arg(long, default_value_t = 10_000_000)]
+    pub(crate) blocks: u64,
+    /// Ends the run after so many seconds of machine time
+    #[arg(long, default_value_t = 3600.0)]
+    pub(crate) seconds: f64,
+    /// Leaves out a warning by its id, for instance lint.unreachable; repeat as needed
+    #[arg(long, value_name = "ID")]
+    pub(crate) silence: Vec<String>,
+}

@@ -1,0 +1,162 @@
+//! The commands but for `run` and `step`.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::rc::Rc;
+
+use clap::Parser;
+use macroline::controls::{self, Control, Switches};
+use macroline::nc;
+use macroline::project::check::review;
+use macroline::project::render::summary;
+use macroline::project::suppress::silence;
+use macroline::project::{Project, list};
+use macroline::text::{Diagnostic, catalog};
+use serde_json::json;
+
+use crate::args::{Command, Line};
+use crate::input::{self, Sources};
+use crate::output::{self, Failure, Findings, list_json, print, print_json, refuse, say, tell, verdict};
+use crate::{export, run};
+
+pub(crate) fn main() -> ExitCode {
+    output::status(match Line::parse().command {
+        Command::List { json: true } => print_json(&list::json()),
+        Command::List { json: false } => print(&list::text()),
+        Command::New { machine, control } => new(&machine, control.as_deref()),
+        Command::Design { project, json } => design(&project, json),
+        Command::Export { project, out } => export(&project, &out),
+        Command::Check { files, control, switch, silence, json } => {
+            check(&files, control.as_deref(), &switch, &silence, json)
+        }
+        Command::Run { args, no_canon, json } => run::run(&args, !no_canon, json),
+        Command::Step(args) => run::step(&args),
+    })
+}
+
+pub(crate) fn control(id: &str) -> Result<&'static Control, Failure> {
+    controls::find(id).ok_or_else(|| {
+        let known = controls::ALL.iter().map(|c| c.id).collect::<Vec<_>>().join(", ");
+        Failure::Usage(format!("no control “{id}”; there are: {known}"))
+    })
+}
+
+/// Switches with some set anew, `ID=VALUE` each.
+pub(crate) fn switched(mut switches: Switches, settings: &[String], control: &Control) -> Result<Switches, Failure> {
+    for setting in settings {
+        let Some((id, value)) = setting.split_once('=') else {
+            return Err(Failure::Usage(format!("--switch takes ID=VALUE, not “{setting}”")));
+        };
+        let Some(row) = control.switch(id) else {
+            let known = control.switches.iter().map(|row| row.id()).collect::<Vec<_>>().join(", ");
+            let message = format!("--switch: the {} has no switch “{id}”; there are: {known}", control.name);
+            return Err(Failure::Usage(message));
+        };
+        if !row.takes(value) {
+            let values = list::switch_values(row);
+            return Err(Failure::Usage(format!("--switch: {id} cannot be “{value}”; it can be: {values}")));
+        }
+        switches.set(row, value);
+    }
+    Ok(switches)
+}
+
+/// Ids of warnings that there are.
+pub(crate) fn known(ids: &[String]) -> Result<Vec<String>, Failure> {
+    match ids.iter().find(|id| catalog::id(id).is_none()) {
+        Some(id) => Err(Failure::Usage(format!(
+            "--silence: there is no warning “{id}”; each shows its id in brackets, for instance lint.unreachable"
+        ))),
+        None => Ok(ids.to_vec()),
+    }
+}
+
+pub(crate) fn tell_silenced(count: usize) -> Result<(), Failure> {
+    if count > 0 { say(&format!("{count} silenced\n")) } else { Ok(()) }
+}
+
+/// The project file among arguments that name no control.
+pub(crate) fn only_project(paths: &[PathBuf]) -> Result<&Path, Failure> {
+    match paths {
+        [path] if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) => Ok(path),
+        _ => Err(Failure::Usage("bare program files need --control".to_owned())),
+    }
+}
+
+fn new(machine: &str, control: Option<&str>) -> Result<(), Failure> {
+    match Project::of(machine, control) {
+        Some(project) => output::print_data(&project.to_json()),
+        None => Err(Failure::Usage(format!("no such machine and control:\n{}", list::text()))),
+    }
+}
+
+fn design(path: &Path, json: bool) -> Result<(), Failure> {
+    let (project, file) = input::project(path)?;
+    let Some(project) = project else { return Err(refuse(&[file], json)) };
+    let design = project.design();
+    let all = [file, Findings { sources: Sources::default(), list: design.diagnostics.clone() }];
+    if json {
+        let readouts = list::readouts_json(&design.readouts);
+        print_json(&json!({ "readouts": readouts, "diagnostics": list_json(&all) }))?;
+    } else {
+        print(&list::readouts_text(&design.readouts))?;
+        tell(&all)?;
+    }
+    verdict(&all)
+}
+
+fn export(path: &Path, folder: &Path) -> Result<(), Failure> {
+    let (project, file) = input::project(path)?;
+    let Some(project) = project else { return Err(refuse(&[file], false)) };
+    let export = project.export_with(&project.advice(&project.written()));
+    let all = [file, Findings { sources: Sources::written(export.about), list: export.diagnostics }];
+    tell(&all)?;
+    verdict(&all)?;
+    export::write(folder, &export.files).map_err(Failure::Outside)?;
+    let paths = export.files.iter().map(|file| format!("{}\n", folder.join(&file.name).display()));
+    print(&paths.collect::<String>())
+}
+
+fn check(
+    paths: &[PathBuf],
+    id: Option<&str>,
+    settings: &[String],
+    silenced: &[String],
+    json: bool,
+) -> Result<(), Failure> {
+    let mut silenced = known(silenced)?;
+    let mut all = Vec::new();
+    match id {
+        Some(id) => {
+            let control = control(id)?;
+            let switches = switched(Switches::default(), settings, control)?;
+            let mut programs = input::programs(paths)?;
+            let parsed = Rc::new(nc::parse_with(&programs.sources.files, control, &switches));
+            programs.list.extend(review(&parsed, None, &[]));
+            all.push(programs);
+        }
+        None => {
+            let (project, file) = input::project(only_project(paths)?)?;
+            let Some(mut project) = project else { return Err(refuse(&[file], json)) };
+            project.switches = switched(project.switches, settings, project.control)?;
+            let mut list = project.design().diagnostics;
+            let written = project.written();
+            list.extend(project.advice(&written));
+            list.extend(written.diagnostics);
+            Diagnostic::in_order(&mut list);
+            silenced.extend(project.silenced);
+            all.extend([file, Findings { sources: Sources::written(written.files), list }]);
+        }
+    }
+    let count = all.last_mut().map_or(0, |findings| silence(&mut findings.list, &silenced));
+    if json {
+        print_json(&json!({ "diagnostics": list_json(&all) }))?;
+    } else {
+        tell(&all)?;
+        if all.iter().all(|findings| findings.list.is_empty()) {
+            say(&(summary(&[]) + "\n"))?;
+        }
+        tell_silenced(count)?;
+    }
+    verdict(&all)
+}

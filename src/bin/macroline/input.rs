@@ -1,0 +1,123 @@
+//! Files that the command line reads: projects, panels and programs.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use macroline::motion::Panel;
+use macroline::msg;
+use macroline::nc::{File, Files};
+use macroline::project::decode::{Decoded, Encoding};
+use macroline::project::render::Teller;
+use macroline::project::{Project, saved};
+use macroline::text::{Diagnostic, FileId, Place, Span};
+
+use crate::output::{Failure, Findings};
+
+/// Files that diagnostics are about.
+#[derive(Default)]
+pub(crate) struct Sources {
+    pub(crate) files: Files,
+    /// Names by which they are told apart; empty where the files' own names do.
+    names: Vec<String>,
+    /// The files as they were read; empty where they were not.
+    read: Vec<Decoded>,
+}
+
+impl Sources {
+    /// Files that were not read but written.
+    pub(crate) fn written(files: Files) -> Sources {
+        Sources { files, ..Sources::default() }
+    }
+
+    pub(crate) fn teller(&self) -> Teller<'_> {
+        Teller::about(&self.files, &self.names, &self.read)
+    }
+}
+
+fn read(path: &Path) -> Result<Decoded, Failure> {
+    let bytes = std::fs::read(path).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
+    if u32::try_from(bytes.len()).is_err() {
+        return Err(Failure::Usage(format!("{}: files of 4 GB and more are not read", path.display())));
+    }
+    Ok(Decoded::new(bytes))
+}
+
+fn name(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+}
+
+/// A JSON file, read by a function that returns its findings.
+fn json<T>(path: &Path, from: impl Fn(&str) -> (Option<T>, Vec<Diagnostic>)) -> Result<(Option<T>, Findings), Failure> {
+    let decoded = read(path)?;
+    let (made, list) = if decoded.encoding == Encoding::Unknown {
+        let at = decoded.text.find(char::REPLACEMENT_CHARACTER).unwrap_or(0) as u32;
+        let byte = decoded.offset(at).unwrap_or(at);
+        let place = Place { file: FileId::default(), span: Span::new(at, at + 3) };
+        (None, vec![Diagnostic::error(msg!("project.not-utf8", byte)).at(place)])
+    } else {
+        from(&decoded.text)
+    };
+    let files = Files::one(name(path), decoded.text.as_str());
+    Ok((made, Findings { sources: Sources { files, names: Vec::new(), read: vec![decoded] }, list }))
+}
+
+/// A project file; no project where its findings say why.
+pub(crate) fn project(path: &Path) -> Result<(Option<Project>, Findings), Failure> {
+    json(path, |text| {
+        let loaded = Project::from_json(text);
+        (loaded.project, loaded.diagnostics)
+    })
+}
+
+/// A panel file.
+pub(crate) fn panel(path: &Path) -> Result<(Panel, Findings), Failure> {
+    let (panel, findings) = json(path, |text| {
+        let (panel, found) = saved::panel_from_json(text);
+        (Some(panel), found)
+    })?;
+    Ok((panel.unwrap_or_default(), findings))
+}
+
+/// Program files, and an error for each that no control reads as it is.
+pub(crate) fn programs(paths: &[PathBuf]) -> Result<Findings, Failure> {
+    let most = usize::from(u16::MAX);
+    if paths.len() > most {
+        return Err(Failure::Usage(format!("{} files are given; at most {most} are read", paths.len())));
+    }
+    let (mut files, mut decoded, mut list) = (Vec::new(), Vec::new(), Vec::new());
+    for (path, id) in paths.iter().zip(0..) {
+        let file = read(path)?;
+        if file.encoding == Encoding::Utf16 {
+            let place = Place { file: FileId(id), span: Span::at(0) };
+            list.push(Diagnostic::error(msg!("project.utf16")).at(place));
+        }
+        files.push(File { name: name(path), text: file.text.clone() });
+        decoded.push(file);
+    }
+    Ok(Findings { sources: Sources { files: Files(files), names: told_apart(paths), read: decoded }, list })
+}
+
+/// Names of files with as many of their folders as tell them apart.
+fn told_apart(paths: &[PathBuf]) -> Vec<String> {
+    let parts: Vec<Vec<String>> = paths
+        .iter()
+        .map(|path| path.components().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect())
+        .collect();
+    let mut shown = vec![1_usize; parts.len()];
+    let label = |at: usize, shown: &[usize]| {
+        let parts = &parts[at];
+        parts[parts.len().saturating_sub(shown[at])..].join("/")
+    };
+    loop {
+        let mut same: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+        for at in 0..parts.len() {
+            same.entry(label(at, &shown)).or_default().push(at);
+        }
+        let short = |at: &usize| shown[*at] < parts[*at].len();
+        let longer: Vec<usize> = same.into_values().filter(|row| row.len() > 1).flatten().filter(short).collect();
+        if longer.is_empty() {
+            return (0..parts.len()).map(|at| label(at, &shown)).collect();
+        }
+        longer.into_iter().for_each(|at| shown[at] += 1);
+    }
+}

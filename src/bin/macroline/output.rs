@@ -1,0 +1,139 @@
+//! Everything that the command line prints: text without characters that a terminal obeys, JSON as data.
+
+use std::io::{self, BufWriter, StdoutLock, Write};
+use std::process::ExitCode;
+
+use macroline::project::render::{Teller, summary};
+use macroline::text::escape::terminal;
+use macroline::text::{Diagnostic, Severity};
+use serde_json::{Value as Json, json};
+
+use crate::input::Sources;
+
+/// Why a command ends before its end.
+pub(crate) enum Failure {
+    /// Wrong usage: exit 2.
+    Usage(String),
+    /// Something outside failed: exit 1.
+    Outside(String),
+    /// Errors have been printed: exit 1.
+    Told,
+    /// The reader of the output has gone away: a quiet end.
+    Closed,
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Failure {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Failure::Closed,
+            _ => Failure::Outside(error.to_string()),
+        }
+    }
+}
+
+/// The exit status of a command, after the reason for its failure is printed.
+pub(crate) fn status(done: Result<(), Failure>) -> ExitCode {
+    let (message, status) = match done {
+        Ok(()) | Err(Failure::Closed) => return ExitCode::SUCCESS,
+        Err(Failure::Told) => return ExitCode::from(1),
+        Err(Failure::Outside(message)) => (message, 1),
+        Err(Failure::Usage(message)) => (message, 2),
+    };
+    // Where standard error is closed the status is all that is left to say.
+    let _ = say(&format!("macroline: {message}\n"));
+    ExitCode::from(status)
+}
+
+/// Prints text to standard error.
+pub(crate) fn say(text: &str) -> Result<(), Failure> {
+    Ok(io::stderr().write_all(terminal(text).as_bytes())?)
+}
+
+/// Standard output. What is printed arrives when it is [flushed](Printer::flush).
+pub(crate) struct Printer(BufWriter<StdoutLock<'static>>);
+
+impl Printer {
+    pub(crate) fn new() -> Printer {
+        Printer(BufWriter::with_capacity(1 << 16, io::stdout().lock()))
+    }
+
+    /// Prints text.
+    pub(crate) fn text(&mut self, text: &str) -> Result<(), Failure> {
+        Ok(self.0.write_all(terminal(text).as_bytes())?)
+    }
+
+    /// Prints JSON.
+    pub(crate) fn json(&mut self, json: &Json) -> Result<(), Failure> {
+        Ok(writeln!(self.0, "{json:#}")?)
+    }
+
+    pub(crate) fn flush(&mut self) -> Result<(), Failure> {
+        Ok(self.0.flush()?)
+    }
+}
+
+/// Prints text to standard output.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    let mut out = Printer::new();
+    out.text(text)?;
+    out.flush()
+}
+
+/// Prints JSON to standard output.
+pub(crate) fn print_json(json: &Json) -> Result<(), Failure> {
+    let mut out = Printer::new();
+    out.json(json)?;
+    out.flush()
+}
+
+/// Diagnostics and the files that they are about.
+#[derive(Default)]
+pub(crate) struct Findings {
+    pub(crate) sources: Sources,
+    pub(crate) list: Vec<Diagnostic>,
+}
+
+/// Whether there is an error.
+pub(crate) fn has_errors(all: &[Findings]) -> bool {
+    all.iter().flat_map(|findings| &findings.list).any(|finding| finding.severity == Severity::Error)
+}
+
+/// Fails where there is an error.
+pub(crate) fn verdict(all: &[Findings]) -> Result<(), Failure> {
+    if has_errors(all) { Err(Failure::Told) } else { Ok(()) }
+}
+
+/// Prints diagnostics and their number to standard error; nothing where there are none.
+pub(crate) fn tell(all: &[Findings]) -> Result<(), Failure> {
+    let mut list = Vec::new();
+    for findings in all.iter().filter(|findings| !findings.list.is_empty()) {
+        let teller = findings.sources.teller();
+        for finding in &findings.list {
+            say(&(teller.text(finding) + "\n"))?;
+        }
+        list.extend(findings.list.iter().cloned());
+    }
+    if list.is_empty() { Ok(()) } else { say(&(summary(&list) + "\n")) }
+}
+
+/// Diagnostics as a list.
+pub(crate) fn list_json(all: &[Findings]) -> Json {
+    let list = |findings: &Findings| {
+        let teller: Teller = findings.sources.teller();
+        findings.list.iter().map(|finding| teller.json(finding)).collect::<Vec<_>>()
+    };
+    all.iter().flat_map(list).collect()
+}
+
+/// Prints the errors that keep a command from doing anything.
+pub(crate) fn refuse(all: &[Findings], json: bool) -> Failure {
+    let printed = if json { print_json(&json!({ "diagnostics": list_json(all) })) } else { tell(all) };
+    printed.err().unwrap_or(Failure::Told)
+}
+
+/// Prints a text that is JSON already.
+pub(crate) fn print_data(json: &str) -> Result<(), Failure> {
+    let mut out = Printer::new();
+    out.0.write_all(json.as_bytes())?;
+    out.flush()
+}

@@ -1,0 +1,203 @@
+//! Running and stepping: a project, or bare programs on the control's bench.
+
+use std::io::{self, IsTerminal};
+use std::rc::Rc;
+
+use macroline::controls::{Control, Dialect, Switches};
+use macroline::interp::StartProgram;
+use macroline::motion::{Budget, Panel, Retention};
+use macroline::nc;
+use macroline::project::check::review;
+use macroline::project::console::{Console, Outcome};
+use macroline::project::run::{self, Run, RunOptions, Setting};
+use macroline::project::suppress::silence;
+use macroline::text::Diagnostic;
+use serde_json::{Value as Json, json};
+
+use crate::args::RunArgs;
+use crate::commands::{control, known, only_project, switched, tell_silenced};
+use crate::input::{self, Sources};
+use crate::output::{Failure, Findings, Printer, list_json, refuse, say, tell, verdict};
+
+/// A run before its start.
+struct Prepared {
+    run: Run,
+    /// Findings about project and panel files.
+    files: Vec<Findings>,
+    /// Findings about the program.
+    program: Findings,
+    /// Ids of warnings that are left out.
+    silenced: Vec<String>,
+}
+
+/// Variables and inputs that can be set on this control.
+fn settable(settings: &[Setting], control: &Control, dialect: &Dialect) -> Result<(), Failure> {
+    match settings.iter().find(|setting| setting.action(control, dialect).is_none()) {
+        Some(setting) => {
+            let name = &setting.name;
+            Err(Failure::Usage(format!("--set: the control has no variable and no input “{name}” that can be set")))
+        }
+        None => Ok(()),
+    }
+}
+
+fn prepare(args: &RunArgs, keep: Retention, json: bool) -> Result<Prepared, Failure> {
+    if args.seconds.is_nan() || args.seconds < 0.0 {
+        return Err(Failure::Usage("--seconds takes 0 or more".to_owned()));
+    }
+    let mut silenced = known(&args.silence)?;
+    let mut files = Vec::new();
+    let panel = match &args.panel {
+        None => Panel::default(),
+        Some(path) => {
+            let (panel, findings) = input::panel(path)?;
+            files.push(findings);
+            panel
+        }
+    };
+    let settings = args.set.iter().map(|text| Setting::read(text)).collect::<Option<Vec<_>>>();
+    let Some(settings) = settings else {
+        return Err(Failure::Usage("--set takes a variable and a number, for instance --set '#107=8'".to_owned()));
+    };
+    let meant = |parsed: &nc::Parsed| match args.start.as_deref() {
+        None => Ok(None),
+        Some(name) => run::program_meant(name, parsed)
+            .map(Some)
+            .ok_or_else(|| Failure::Usage(format!("--start takes a program, for instance O9101, not “{name}”"))),
+    };
+    let limits = Budget { blocks: args.blocks, seconds: args.seconds };
+    let begin = |start: Option<StartProgram>| RunOptions { start, settings: &settings, limits, keep };
+    let Some(id) = &args.control else {
+        let (project, file) = input::project(only_project(&args.files)?)?;
+        files.push(file);
+        let Some(mut project) = project else { return Err(refuse(&files, json)) };
+        project.switches = switched(project.switches, &args.switch, project.control)?;
+        settable(&settings, project.control, &Dialect::resolve(project.control, &project.switches))?;
+        project.panel = Panel::new(project.panel.events().iter().chain(panel.events()).cloned());
+        let mut list = project.design().diagnostics;
+        let written = project.written();
+        list.extend(written.diagnostics.iter().cloned());
+        list.extend(project.advice(&written));
+        Diagnostic::in_order(&mut list);
+        silenced.extend(project.silenced.iter().cloned());
+        let run = run::of_project(&project, &written, &begin(meant(&written.parsed)?));
+        let program = Findings { sources: Sources::written(written.files.clone()), list };
+        return Ok(Prepared { run, files, program, silenced });
+    };
+    let control = control(id)?;
+    let plant = match &args.plant {
+        None => None,
+        Some(path) => {
+            let (project, file) = input::project(path)?;
+            files.push(file);
+            let Some(project) = project else { return Err(refuse(&files, json)) };
+            silenced.extend(project.silenced.iter().cloned());
+            Some(project)
+        }
+    };
+    let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
+    let switches = switched(switches, &args.switch, control)?;
+    let mut program = input::programs(&args.files)?;
+    let parsed = Rc::new(nc::parse_with(&program.sources.files, control, &switches));
+    settable(&settings, control, parsed.dialect())?;
+    let start = meant(&parsed)?;
+    let programs = &parsed.deck().programs;
+    let started = match start {
+        Some(StartProgram::Program(number)) => Some(number),
+        Some(StartProgram::Nth(at)) => programs.get(at as usize).map(|program| program.number),
+        _ => programs.first().map(|program| program.number),
+    };
+    let set = run::set_by_operator(&settings, &panel, control);
+    program.list.extend(review(&parsed, started, &set));
+    let run = run::of_programs(parsed, plant.as_ref(), panel, &begin(start));
+    Ok(Prepared { run, files, program, silenced })
+}
+
+/// Runs to the end; prints the log where it is `wanted`.
+pub(crate) fn run(args: &RunArgs, wanted: bool, json: bool) -> Result<(), Failure> {
+    let Prepared { run: mut planner, mut files, mut program, silenced, .. } = prepare(args, Retention::Log, json)?;
+    let mut out = Printer::new();
+    let mut canon: Vec<Json> = Vec::new();
+    let mut text = String::new();
+    let outcome = run::to_end(&mut planner, |line| {
+        if !wanted {
+            return Ok(());
+        }
+        text.clear();
+        // A text takes whatever is written.
+        let _ = line.write(&mut text);
+        if json {
+            canon.push(json!(text));
+            return Ok(());
+        }
+        text.push('\n');
+        out.text(&text)
+    })?;
+    program.list.extend(outcome.diagnostics.iter().cloned());
+    run::once_each(&mut program.list);
+    let count = silence(&mut program.list, &silenced);
+    files.push(program);
+    if json {
+        let mut object = outcome.json();
+        object["diagnostics"] = list_json(&files);
+        if wanted {
+            object["canon"] = Json::Array(canon);
+        }
+        out.json(&object)?;
+    }
+    out.flush()?;
+    if !json {
+        tell(&files)?;
+        tell_silenced(count)?;
+        say(&(outcome.text() + "\n"))?;
+    }
+    verdict(&files)
+}
+
+/// Steps from block to block. Wrong commands are told and end, after all others, in exit status 2.
+pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
+    let Prepared { run, mut files, mut program, silenced } = prepare(args, Retention::Both, false)?;
+    let count = silence(&mut program.list, &silenced);
+    files.push(program);
+    tell(&files)?;
+    tell_silenced(count)?;
+    let terminal = io::stdin().is_terminal();
+    let Some(program) = files.last() else { return Ok(()) };
+    let mut console = Console::new(run, program.sources.teller());
+    let mut out = Printer::new();
+    let mut wrong = 0;
+    let mut last = String::new();
+    out.text(&console.place())?;
+    out.flush()?;
+    for line in prompted(terminal) {
+        let line = line?;
+        // Return alone is the step before once more, for whoever sits at a terminal.
+        let line = if terminal && line.trim().is_empty() { last } else { line };
+        let (said, answer) = console.line(&line);
+        out.text(&answer)?;
+        out.flush()?;
+        match said {
+            Outcome::Quit => break,
+            Outcome::Wrong => wrong += 1,
+            Outcome::Done => {}
+        }
+        last = line;
+    }
+    let found = Findings { sources: Sources::default(), list: console.diagnostics().to_vec() };
+    if wrong > 0 && !terminal {
+        return Err(Failure::Usage(format!("{wrong} of the commands could not be carried out")));
+    }
+    files.push(found);
+    verdict(&files)
+}
+
+/// The lines of standard input, each asked for where a person types them.
+fn prompted(terminal: bool) -> impl Iterator<Item = io::Result<String>> {
+    let mut lines = io::stdin().lines();
+    std::iter::from_fn(move || {
+        if terminal {
+            let _ = say("> ");
+        }
+        lines.next()
+    })
+}

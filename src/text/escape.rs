@@ -1,0 +1,30 @@
+//! Text from outside as it leaves: without characters that a terminal or a document obeys.
+
+use std::borrow::Cow;
+
+/// Whether a terminal obeys a character instead of showing it: C0 and C1 controls and those of the writing direction.
+pub fn is_obeyed(c: char) -> bool {
+    c.is_control()
+        || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+}
+
+/// A text for a terminal: U+FFFD in place of the characters that it obeys, line feeds and tabs apart.
+pub fn terminal(text: &str) -> Cow<'_, str> {
+    let obeyed = |c: char| is_obeyed(c) && !matches!(c, '\n' | '\t');
+    if text.contains(obeyed) { Cow::Owned(text.replace(obeyed, "\u{fffd}")) } else { Cow::Borrowed(text) }
+}
+
+/// A text within a line of Markdown: no markup of HTML, no links or pictures, no line end.
+pub fn markdown(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '<' => out.push_str("&lt;"),
+            '(' if out.ends_with(']') => out.push_str("\\("),
+            '\n' | '\r' | '\t' | '\u{2028}' | '\u{2029}' => out.push(' '),
+            c if is_obeyed(c) => out.push('\u{fffd}'),
+            c => out.push(c),
+        }
+    }
+    out
+}

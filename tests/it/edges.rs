@@ -1,0 +1,400 @@
+//! Edges of files and output: exports that fail, outputs that are closed, files of other encodings, text that is hostile.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use serde_json::{Value as Json, json};
+
+const MACROLINE: &str = env!("CARGO_BIN_EXE_macroline");
+
+/// A folder of its own for one test, emptied first.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("edges").join(name);
+    let _ = fs::remove_dir_all(&path);
+    fs::create_dir_all(&path).unwrap();
+    path
+}
+
+fn macroline(args: &[&str]) -> Output {
+    Command::new(MACROLINE).args(args).output().unwrap()
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+/// Standard error as text.
+fn said(out: &Output) -> String {
+    String::from_utf8(out.stderr.clone()).unwrap()
+}
+
+/// The default project of the ribbon line, changed, as a file.
+fn project(folder: &Path, change: impl FnOnce(&mut Json)) -> PathBuf {
+    let mut project: Json = serde_json::from_slice(&macroline(&["new", "ribbon-line"]).stdout).unwrap();
+    change(&mut project);
+    let path = folder.join("project.json");
+    fs::write(&path, project.to_string()).unwrap();
+    path
+}
+
+/// Names and texts of a folder; of a symbolic link its target.
+fn contents(folder: &Path) -> Vec<(String, String)> {
+    let entry = |entry: std::io::Result<fs::DirEntry>| {
+        let path = entry.unwrap().path();
+        let text = match fs::read_link(&path) {
+            Ok(target) => format!("-> {}", target.display()),
+            Err(_) => fs::read_to_string(&path).unwrap_or_else(|_| "a folder".to_owned()),
+        };
+        (path.file_name().unwrap().to_str().unwrap().to_owned(), text)
+    };
+    let mut all: Vec<_> = fs::read_dir(folder).unwrap().map(entry).collect();
+    all.sort();
+    all
+}
+
+#[test]
+fn name_taken_by_a_folder_leaves_everything_as_it_was() {
+    let folder = folder("taken");
+    let project = project(&folder, |_| {});
+    let out = folder.join("out");
+    fs::create_dir_all(out.join("report.md")).unwrap();
+    fs::write(out.join("O9100.nc"), "kept").unwrap();
+    let before = contents(&out);
+    let done = macroline(&["export", text(&project), "--out", text(&out)]);
+    assert_eq!(done.status.code(), Some(1));
+    assert!(said(&done).contains("report.md: a folder has this name"), "{}", said(&done));
+    assert!(done.stdout.is_empty());
+    assert_eq!(contents(&out), before);
+}
+
+#[test]
+fn folder_that_cannot_be_made_leaves_nothing() {
+    let folder = folder("unmade");
+    let project = project(&folder, |_| {});
+    fs::write(folder.join("file"), "kept").unwrap();
+    let out = folder.join("file/deep/out");
+    let done = macroline(&["export", text(&project), "--out", text(&out)]);
+    assert_eq!(done.status.code(), Some(1), "{}", said(&done));
+    assert_eq!(contents(&folder).len(), 2);
+}
+
+/// A limit of file sizes ends the export behind its first files.
+#[cfg(unix)]
+#[test]
+fn failure_within_an_export_takes_all_of_it_back() {
+    let folder = folder("taken-back");
+    let project = project(&folder, |_| {});
+    let out = folder.join("out");
+    let export = format!("trap '' XFSZ; ulimit -f 4; \"$0\" export \"$1\" --out {}", text(&out));
+    let done = shell(&export, text(&project));
+    assert_eq!(done.status.code(), Some(1), "{}", said(&done));
+    assert!(!out.exists() && done.stdout.is_empty());
+    fs::create_dir(&out).unwrap();
+    fs::write(out.join("O9100.nc"), "kept").unwrap();
+    let before = contents(&out);
+    assert_eq!(shell(&export, text(&project)).status.code(), Some(1));
+    assert_eq!(contents(&out), before);
+}
+
+#[cfg(unix)]
+#[test]
+fn read_only_folder_stays_as_it_was() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = folder("read-only");
+    let project = project(&folder, |_| {});
+    let out = folder.join("out");
+    fs::create_dir(&out).unwrap();
+    fs::write(out.join("O9100.nc"), "kept").unwrap();
+    let before = contents(&out);
+    fs::set_permissions(&out, fs::Permissions::from_mode(0o555)).unwrap();
+    let done = macroline(&["export", text(&project), "--out", text(&out)]);
+    fs::set_permissions(&out, fs::Permissions::from_mode(0o755)).unwrap();
+    // Root writes into every folder.
+    if done.status.code() != Some(0) {
+        assert_eq!(done.status.code(), Some(1), "{}", said(&done));
+        assert_eq!(contents(&out), before);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn links_are_replaced_and_not_followed() {
+    let folder = folder("links");
+    let project = project(&folder, |_| {});
+    let out = folder.join("out");
+    fs::create_dir(&out).unwrap();
+    fs::write(folder.join("elsewhere"), "untouched").unwrap();
+    std::os::unix::fs::symlink(folder.join("elsewhere"), out.join("O9100.nc")).unwrap();
+    let done = macroline(&["export", text(&project), "--out", text(&out)]);
+    assert!(done.status.success(), "{}", said(&done));
+    assert_eq!(fs::read_to_string(folder.join("elsewhere")).unwrap(), "untouched");
+    assert!(fs::read_to_string(out.join("O9100.nc")).unwrap().contains("O9100"));
+    assert!(!fs::symlink_metadata(out.join("O9100.nc")).unwrap().is_symlink());
+}
+
+#[test]
+fn concurrent_exports_do_not_mix() {
+    let folder = folder("concurrent");
+    let out = folder.join("out");
+    let alone: Vec<_> = ["8", "12.5"]
+        .iter()
+        .map(|pitch| {
+            let own = folder.join(pitch);
+            fs::create_dir(&own).unwrap();
+            let project = project(&own, |project| project["values"]["pitch"] = serde_json::from_str(pitch).unwrap());
+            let done = macroline(&["export", text(&project), "--out", text(&own.join("out"))]);
+            assert!(done.status.success(), "{}", said(&done));
+            (project, contents(&own.join("out")))
+        })
+        .collect();
+    let start = |at: usize| {
+        let mut command = Command::new(MACROLINE);
+        command.args(["export", text(&alone[at % 2].0), "--out", text(&out)]);
+        command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+    };
+    let running: Vec<_> = (0..8).map(start).collect();
+    for mut child in running {
+        assert!(child.wait().unwrap().success());
+    }
+    let all = contents(&out);
+    assert!(alone.iter().any(|(_, own)| *own == all), "{:?}", all.iter().map(|(name, _)| name).collect::<Vec<_>>());
+}
+
+#[test]
+fn names_that_would_be_one_file_are_an_error() {
+    for (one, other) in [("O1.nc", "O1.nc"), ("O1.nc", "o1.NC"), ("O1.nc", "O1.nc."), ("Report.MD", "O2.nc")] {
+        let folder = folder("names");
+        let project = project(&folder, |project| {
+            let program = |name: &str, number: u32| json!({ "name": name, "text": format!("%\nO{number}\nM30\n%\n") });
+            project["edited"] = json!([program(one, 1), program(other, 2)]);
+        });
+        let out = folder.join("out");
+        let done = macroline(&["export", text(&project), "--out", text(&out)]);
+        assert_eq!(done.status.code(), Some(1), "{one} {other}");
+        assert!(said(&done).contains("would be one file"), "{}", said(&done));
+        assert!(!out.exists());
+    }
+}
+
+/// Runs a line of the shell; `$0` is macroline and `$1` the argument.
+#[cfg(unix)]
+fn shell(line: &str, argument: &str) -> Output {
+    Command::new("sh").args(["-c", line, MACROLINE, argument]).output().unwrap()
+}
+
+#[cfg(unix)]
+#[test]
+fn closed_and_full_outputs_end_without_a_panic() {
+    let folder = folder("outputs");
+    let project = project(&folder, |_| {});
+    let out = folder.join("out");
+    let export = format!("export \"$1\" --out {}", text(&out));
+    for command in ["list", "new ribbon-line", "design \"$1\"", "design \"$1\" --json", "run \"$1\"", &export] {
+        let full = shell(&format!("\"$0\" {command} > /dev/full"), text(&project));
+        assert_eq!(full.status.code(), Some(1), "{command}: {}", said(&full));
+        assert!(said(&full).contains("No space left"), "{command}: {}", said(&full));
+        let broken = shell(&format!("{{ \"$0\" {command}; echo $? >&2; }} | true"), text(&project));
+        assert!(!said(&broken).contains("panicked"), "{command}: {}", said(&broken));
+        assert!(said(&broken).ends_with("0\n"), "{command}: {}", said(&broken));
+        let closed = shell(&format!("\"$0\" {command} >&-"), text(&project));
+        assert_eq!(closed.status.code(), Some(0), "{command}: {}", said(&closed));
+        let silent = shell(&format!("\"$0\" {command} 2> /dev/full > /dev/null"), text(&project));
+        assert!(matches!(silent.status.code(), Some(0 | 1)), "{command}");
+    }
+    // The files of the export are whole, whatever became of their list.
+    assert!(contents(&out).iter().any(|(name, text)| name == "O9100.nc" && text.ends_with("%\n")));
+}
+
+#[test]
+fn wrong_shapes_are_refused_by_every_command() {
+    let folder = folder("shapes");
+    for (change, place) in [
+        (json!({ "values": [1] }), "project.json:1:"),
+        (json!({ "values": { "pitchh": 9 } }), "“pitchh”"),
+        (json!({ "valuess": {} }), "valuess"),
+        (json!({ "switches": { "moon": "full" } }), "“moon”"),
+    ] {
+        let path =
+            project(&folder, |project| project.as_object_mut().unwrap().extend(change.as_object().unwrap().clone()));
+        let out = folder.join("out");
+        let done = macroline(&["export", text(&path), "--out", text(&out)]);
+        assert_eq!(done.status.code(), Some(1), "{change}");
+        assert!(said(&done).contains(place) && said(&done).contains("--> project.json:1:"), "{}", said(&done));
+        assert!(!out.exists());
+        for command in ["design", "check", "run"] {
+            let done = macroline(&[command, text(&path), "--json"]);
+            assert_eq!(done.status.code(), Some(1), "{command} {change}");
+            let told: Json = serde_json::from_slice(&done.stdout).unwrap();
+            let first = &told["diagnostics"][0];
+            assert_eq!((&first["severity"], &first["file"]), (&json!("error"), &json!("project.json")), "{first}");
+            assert!(first["line"] == 1 && first["column"].as_u64().is_some_and(|at| at > 1), "{first}");
+        }
+    }
+}
+
+#[test]
+fn project_that_does_not_load_is_told_as_json() {
+    let folder = folder("unloaded");
+    let path = folder.join("project.json");
+    fs::write(&path, "{ \"version\": 1,").unwrap();
+    for command in ["design", "check", "run"] {
+        let done = macroline(&[command, text(&path), "--json"]);
+        assert_eq!(done.status.code(), Some(1));
+        let told: Json = serde_json::from_slice(&done.stdout).unwrap();
+        assert_eq!(told["diagnostics"][0]["id"], "project.not-json");
+        assert!(done.stderr.is_empty());
+    }
+}
+
+fn utf16(text: &str, little: bool) -> Vec<u8> {
+    let units = std::iter::once(0xfeff).chain(text.encode_utf16());
+    units.flat_map(|unit| if little { unit.to_le_bytes() } else { unit.to_be_bytes() }).collect()
+}
+
+#[test]
+fn encodings_are_read_or_named() {
+    let folder = folder("encodings");
+    let path = project(&folder, |_| {});
+    let plain = fs::read_to_string(&path).unwrap();
+    let design = macroline(&["design", text(&path)]);
+    for bytes in [utf16(&plain, true), utf16(&plain, false), format!("\u{feff}{plain}").into_bytes()] {
+        fs::write(&path, bytes).unwrap();
+        let same = macroline(&["design", text(&path)]);
+        assert_eq!((&same.stdout, same.status.code()), (&design.stdout, design.status.code()), "{}", said(&same));
+    }
+    // 主 in GBK.
+    let mut bytes = plain.replace("\"name\":\"\"", "\"name\":\"#\"").into_bytes();
+    let at = bytes.windows(3).position(|window| window == b"\"#\"").unwrap() + 1;
+    bytes.splice(at..=at, [0xd6, 0xf7]);
+    fs::write(&path, bytes).unwrap();
+    let refused = macroline(&["design", text(&path)]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(said(&refused).contains(&format!("Byte {at} of the file is not UTF-8")), "{}", said(&refused));
+    let program = folder.join("O1.nc");
+    for little in [true, false] {
+        fs::write(&program, utf16("%\nO1\nM30\n%\n", little)).unwrap();
+        let named = macroline(&["check", text(&program), "--control", "mitsubishi-e60"]);
+        assert_eq!(named.status.code(), Some(1));
+        assert!(said(&named).contains("UTF-16") && said(&named).ends_with("1 error\n"), "{}", said(&named));
+    }
+}
+
+#[test]
+fn fixes_count_the_bytes_of_the_file() {
+    let folder = folder("offsets");
+    let path = folder.join("O1.nc");
+    // A comment of eight characters in GBK, then a mistake that has a fix.
+    let mut bytes = b"%\nO1\n(".to_vec();
+    bytes.extend([0xd6, 0xf7, 0xd6, 0xe1, 0xd7, 0xaa, 0xcb, 0xd9]);
+    bytes.extend(b")\nIF[#1==0]GOTO1\nN1\nM30\n%\n");
+    fs::write(&path, &bytes).unwrap();
+    let done = macroline(&["check", text(&path), "--control", "mitsubishi-e60", "--json"]);
+    let told: Json = serde_json::from_slice(&done.stdout).unwrap();
+    let fixes = told["diagnostics"].as_array().unwrap().iter().flat_map(|d| d["fixes"].as_array().unwrap());
+    let edits: Vec<&Json> = fixes.flat_map(|fix| fix["edits"].as_array().unwrap()).collect();
+    let sign = bytes.windows(2).position(|pair| pair == b"==").unwrap();
+    assert!(edits.iter().any(|edit| edit["start"] == sign && edit["end"] == sign + 2), "{edits:?}");
+    for edit in edits {
+        let (start, end) = (edit["start"].as_u64().unwrap() as usize, edit["end"].as_u64().unwrap() as usize);
+        assert!(start <= end && end <= bytes.len() && edit["text"].as_str().unwrap().is_ascii(), "{edit}");
+    }
+}
+
+#[test]
+fn files_of_one_name_are_told_apart() {
+    let folder = folder("same-name");
+    let paths: Vec<PathBuf> = ["a/x/O1.nc", "b/x/O1.nc", "b/x/O2.nc"].iter().map(|path| folder.join(path)).collect();
+    for path in &paths {
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, "%\nO1\n#2000=1\nM30\n%\n").unwrap();
+    }
+    let mut args = vec!["check", "--control", "mitsubishi-e60", "--json"];
+    args.extend(paths.iter().map(|path| text(path)));
+    let told: Json = serde_json::from_slice(&macroline(&args).stdout).unwrap();
+    let found = told["diagnostics"].as_array().unwrap().iter().filter(|d| d["alarm"] == "P241");
+    let files: Vec<&str> = found.map(|d| d["file"].as_str().unwrap()).collect();
+    assert_eq!(files, ["a/x/O1.nc", "b/x/O1.nc", "O2.nc"]);
+}
+
+/// What a terminal or a document obeys: escape sequences, C1, the writing direction, markup, line ends.
+const HOSTILE: &str = "\u{1b}[31m\u{9b}2J\u{202e}<script>alert(1)</script>\u{2066}[x](http://x)";
+
+fn obeyed(text: &str) -> bool {
+    text.contains(|c: char| {
+        (c.is_control() && c != '\n') || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    })
+}
+
+#[test]
+fn hostile_text_is_escaped_wherever_it_leaves() {
+    let folder = folder("hostile");
+    let program = folder.join("O1.MPF");
+    fs::write(&program, format!("%_N_A_MPF\nMSG(\"{HOSTILE}\")\nG0 X1 ;{HOSTILE}\nG999 {HOSTILE}\nM30\n")).unwrap();
+    for command in ["check", "run"] {
+        let done = macroline(&[command, text(&program), "--control", "sinumerik-802d"]);
+        for stream in [&done.stdout, &done.stderr] {
+            let told = String::from_utf8(stream.clone()).unwrap();
+            assert!(!obeyed(&told), "{command}: {told:?}");
+        }
+    }
+    let path = project(&folder, |project| {
+        project["name"] = json!(format!("{HOSTILE}\n# heading"));
+        project["values"]["customer"] = json!(format!("{HOSTILE}\n# heading"));
+    });
+    let out = folder.join("out");
+    let done = macroline(&["export", text(&path), "--out", text(&out)]);
+    assert!(!obeyed(&said(&done)));
+    if done.status.success() {
+        let report = fs::read_to_string(out.join("report.md")).unwrap();
+        assert!(!report.contains("<script>") && !report.contains("](http") && !obeyed(&report), "{report}");
+        assert!(!report.lines().any(|line| line.starts_with("# heading")), "{report}");
+        let saved: Json = serde_json::from_str(&fs::read_to_string(out.join("project.json")).unwrap()).unwrap();
+        assert!(saved["values"]["customer"].as_str().unwrap().contains("<script>"), "JSON stays data");
+    } else {
+        assert!(said(&done).contains("customer"), "{}", said(&done));
+    }
+    let missing = macroline(&["check", "\u{1b}[31m\u{202e}.nc", "--control", "mitsubishi-e60"]);
+    assert!(missing.status.code() == Some(2) && !obeyed(&said(&missing)), "{:?}", said(&missing));
+}
+
+/// Processor time in seconds of a command in a shell, user and system.
+#[cfg(unix)]
+fn processor(path: &Path, command: &str) -> f64 {
+    let out = shell(&format!("\"$0\" {command} > /dev/null 2>&1; times"), text(path));
+    let times = String::from_utf8(out.stdout).unwrap();
+    let of_children = times.lines().nth(1).unwrap();
+    let seconds = |time: &str| {
+        let (minutes, seconds) = time.trim_end_matches('s').split_once('m').unwrap();
+        minutes.parse::<f64>().unwrap() * 60.0 + seconds.parse::<f64>().unwrap()
+    };
+    of_children.split_whitespace().map(seconds).sum()
+}
+
+/// Four times the size may take six times the processor, and what a start takes; a quadratic path takes sixteen times.
+#[cfg(unix)]
+#[test]
+fn large_projects_take_no_quadratic_time() {
+    let folder = folder("large");
+    let size = |count: usize, make: &dyn Fn(usize, &mut Json)| project(&folder, |project| make(count, project));
+    let keys = |count: usize, project: &mut Json| {
+        for key in 0..count {
+            project["values"][format!("unknown-{key}")] = json!(key);
+        }
+    };
+    let panel = |count: usize, project: &mut Json| {
+        let event = |at: usize| json!({ "t": (count - at) as f64 / 1e6, "spindle_override": 80 + at % 20 });
+        project["panel"] = (0..count).map(event).collect();
+    };
+    let inputs = |count: usize, project: &mut Json| {
+        let event = |at: usize| json!({ "t": (count - at) as f64 / 1e6, "input": { format!("R{}", 900 + at): 1 } });
+        project["panel"] = (0..count).map(event).collect();
+    };
+    for (name, make) in [("keys", &keys as &dyn Fn(usize, &mut Json)), ("panel", &panel), ("inputs", &inputs)] {
+        for command in ["design \"$1\" --json", "run \"$1\" --json --no-canon --seconds 1"] {
+            let small = processor(&size(10_000, make), command);
+            let large = processor(&size(40_000, make), command);
+            assert!(large <= 6.0 * small + 0.3, "{name}, {command}: {small} s for 10,000, {large} s for 40,000");
+        }
+    }
+}
