@@ -27,10 +27,11 @@ test: ## every test of every kind, with the time of each stage
 	@scripts/stages.sh setup fmt lint lint-web test-native test-parity test-web dist sizes test-e2e
 
 .PHONY: bench
-bench: ## benchmarks, native and in wasm; each ends in lines `summary: …`
-	@scripts/setup.sh target tools
+bench: dist ## benchmarks, native, in wasm and of the page; each ends in lines `summary: …`
+	@scripts/setup.sh browser
 	cargo bench --locked --bench interp --bench parse --bench plan --bench run --bench polygon
 	node scripts/both.mjs
+	node benches/page.mjs
 
 # How long each fuzz target runs.
 FUZZ_SECONDS ?= 900
@@ -48,7 +49,9 @@ FUZZ_FLAGS = -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -timeout=20 -dict=fuz
 .PHONY: dist
 dist: ## the static site in dist/
 	@scripts/setup.sh target tools node
+	@echo 'dist: sources of the packages'
 	@cargo fetch --locked --quiet
+	@echo 'dist: building the page (some minutes the first time)'
 	trunk build --release
 
 .PHONY: shots

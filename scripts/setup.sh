@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser] [fuzz]`.
 #
-# Every version stands once, where the tool that needs it reads it: Trunk's in Trunk.toml, wasm-bindgen's in Cargo.lock
-# (Trunk and the test runner refuse any other), the npm packages' in package-lock.json. Only cargo-fuzz has nobody who reads it but this.
+# Each version is in one place, where the tool that needs it reads it: Trunk's in Trunk.toml, wasm-bindgen's in Cargo.lock
+# (Trunk and the test runner refuse any other), the npm packages' in package-lock.json. Only the version of cargo-fuzz is here.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -16,11 +16,16 @@ fail() {
 wasm_bindgen_version() { awk '/^name = "wasm-bindgen"$/ { getline; gsub(/[^0-9.]/, ""); print }' Cargo.lock; }
 trunk_version() { sed -nE 's/^trunk-version *= *"=?([0-9.]+)"/\1/p' Trunk.toml; }
 
-# Puts TOOLS (the first is asked for its version) of CRATE into .tools/bin: a link where the right version is at hand
-# already, else a build.
+# The tools work for seconds and take minutes to build: without link-time optimisation, optimisation and debug information they are there
+# in a third of the time.
+export CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_OPT_LEVEL=0 CARGO_PROFILE_RELEASE_CODEGEN_UNITS=256
+export CARGO_PROFILE_RELEASE_DEBUG=false CARGO_PROFILE_RELEASE_STRIP=none
+
+# tool CRATE VERSION FLAGS TOOL …: puts the tools of a crate into .tools/bin. Where the right version is installed already, by a link;
+# the first tool is asked for its version. FLAGS are for cargo install.
 tool() {
-  local crate=$1 version=$2 dir first
-  shift 2
+  local crate=$1 version=$2 flags=$3 dir first
+  shift 3
   first=$1
   [ -n "$version" ] || fail "no version found for $crate"
   for dir in .tools/bin "$(dirname "$(command -v "$first" || echo .)")" "${CARGO_HOME:-$HOME/.cargo}/bin"; do
@@ -32,30 +37,35 @@ tool() {
     return
   done
   say "building $crate $version into .tools (once, some minutes)"
-  cargo install "$crate" --version "$version" --locked --force --root .tools
+  # shellcheck disable=SC2086
+  cargo install "$crate" --version "$version" --locked --force --root .tools $flags
 }
 
 lints() {
   cargo fmt --version >/dev/null 2>&1 && cargo clippy --version >/dev/null 2>&1 && return
   command -v rustup >/dev/null || fail "cargo fmt or cargo clippy is missing, and there is no rustup to add them"
+  say "rustup: rustfmt and clippy"
   rustup component add rustfmt clippy
 }
 
 target() {
   [ -d "$(rustc --print sysroot)/lib/rustlib/wasm32-unknown-unknown" ] && return
   command -v rustup >/dev/null || fail "the Rust target wasm32-unknown-unknown is missing, and there is no rustup to add it"
+  say "rustup: target wasm32-unknown-unknown"
   rustup target add wasm32-unknown-unknown
 }
 
 tools() {
-  tool trunk "$(trunk_version)" trunk
-  tool wasm-bindgen-cli "$(wasm_bindgen_version)" wasm-bindgen wasm-bindgen-test-runner
+  # Neither its check for updates nor OpenSSL.
+  tool trunk "$(trunk_version)" '--no-default-features --features rustls' trunk
+  tool wasm-bindgen-cli "$(wasm_bindgen_version)" '' wasm-bindgen wasm-bindgen-test-runner
 }
 
 node() {
   command -v npm >/dev/null || fail "Node 20 or newer with npm is missing"
   # npm writes this file last, so it is the time of the last complete installation.
   [ node_modules/.package-lock.json -nt package-lock.json ] && return
+  say "npm: packages of package-lock.json"
   npm ci --no-audit --no-fund
   touch node_modules/.package-lock.json
 }
@@ -63,7 +73,7 @@ node() {
 # libFuzzer is C++.
 fuzz() {
   packages c++:g++
-  tool cargo-fuzz 0.13.2 cargo-fuzz
+  tool cargo-fuzz 0.13.2 '' cargo-fuzz
 }
 
 # The fonts are for the screenshots and measures of Chinese text, which would be empty boxes without.
@@ -91,4 +101,7 @@ packages() {
 
 command -v cargo >/dev/null || fail "Rust is missing: https://rustup.rs"
 packages cc:gcc cc:libc6-dev
-for part in "$@"; do "$part"; done
+for part in "$@"; do
+  say "$part"
+  "$part"
+done

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Project;
+use super::program::Written;
 use super::suppress::silence;
 use crate::machines::report::report;
 use crate::msg;
@@ -36,17 +37,23 @@ fn same_names(files: &[File]) -> Vec<Diagnostic> {
     found
 }
 
+impl Export {
+    /// The files beside the programs: report, sheets, drawings, the project itself.
+    pub fn documents(&self) -> &[File] {
+        self.files.get(self.about.0.len()..).unwrap_or_default()
+    }
+}
+
 impl Project {
     /// The files that go to the machine. Verdicts are in the report and do not stand in the way; errors do.
     pub fn export(&self) -> Export {
-        self.export_with(&[])
+        self.export_with(&self.written(), &[])
     }
 
-    /// The same with [`advice`](Project::advice) about the program, which are told, and written in the report.
-    pub fn export_with(&self, advice: &[Diagnostic]) -> Export {
+    /// The same for a program that is written already: its very files leave. [`Project::advice`] about it goes into diagnostics and report.
+    pub fn export_with(&self, written: &Written, advice: &[Diagnostic]) -> Export {
         let (prepared, design) = (self.prepared(), self.design());
-        let written = self.written();
-        let mut found = written.diagnostics;
+        let mut found = written.diagnostics.clone();
         found.extend_from_slice(advice);
         Diagnostic::in_order(&mut found);
         silence(&mut found, &self.silenced);
@@ -76,6 +83,6 @@ impl Project {
                 diagnostics.extend(same);
             }
         }
-        Export { files, diagnostics, about: written.files }
+        Export { files, diagnostics, about: written.files.clone() }
     }
 }

@@ -54,7 +54,7 @@ pub(super) fn card(model: Model, readout: &Readout) -> El {
     let id = readout.id;
     let value = el("span.v").text(&figure(readout.value, readout.decimals)).add(&[el("small").text(readout.unit)]);
     let note = el("span.n").add(&[el("i").at("aria-hidden", "true").text(sign(tone)), words]);
-    let card = button("button.card", "", move || super::side::open_result(model, id));
+    let card = button("button.card", "", move || model.show_result(id));
     card.at("class", &format!("card {tone}")).at("title", &advice.unwrap_or_default()).add(&[
         el("span.k").text(t(readout.label)),
         value,

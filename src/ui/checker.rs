@@ -1,19 +1,19 @@
 //! Large programs: read and checked in a worker, so that the page never waits; shown by their first lines.
 
-use std::cell::RefCell;
 use std::rc::Rc;
 
-use leptos::wasm_bindgen::closure::Closure;
-use leptos::wasm_bindgen::{JsCast, JsValue};
-use web_sys::{Blob, File, HtmlDialogElement, MessageEvent, Worker};
+use leptos::wasm_bindgen::JsCast;
+use web_sys::{Blob, File, HtmlDialogElement};
 
-use super::aside::{question, worker};
 use super::dom;
 use super::el::{El, button, el, icon_button};
 use super::listing::SHOWN;
 use super::model::Model;
-use super::script::{get, rows, set, text};
+use super::state::Check;
 use super::words::{figure, t};
+use super::worker::client::Running;
+use super::worker::messages::{Question, Reply, Report, Request, Response};
+use crate::project::Project;
 use crate::text::catalog::number_text;
 
 /// A text that is too large for the page.
@@ -22,37 +22,6 @@ pub(super) enum Source {
     File(File),
     /// What was pasted.
     Text(String),
-}
-
-/// How far a check is.
-#[derive(Clone, Default)]
-pub(super) struct Check {
-    name: String,
-    /// Bytes read and in all; all are read when the check itself runs.
-    progress: (f64, f64),
-    report: Option<Report>,
-    _worker: Option<Rc<Job>>,
-}
-
-/// What the worker found.
-#[derive(Clone)]
-struct Report {
-    lines: f64,
-    counts: String,
-    head: String,
-    /// Class and sentence.
-    rows: Vec<[String; 2]>,
-}
-
-struct Job {
-    worker: Worker,
-    _listener: Closure<dyn FnMut(MessageEvent)>,
-}
-
-impl Drop for Job {
-    fn drop(&mut self) {
-        self.worker.terminate();
-    }
 }
 
 /// Checks a text in a worker; the dialog shows how far it is.
@@ -65,50 +34,32 @@ pub(super) fn check(model: Model, source: Source) {
             (t("page.pasted").to_owned(), blob)
         }
     };
-    let Some(worker) = worker() else {
+    let all = blob.size();
+    let project = model.project.with_untracked(Project::to_json);
+    let mut waiting = Some(Question { number: 0, project, request: Request::Check(blob) });
+    let heard = move |reply| match reply {
+        Reply::Ready => {
+            let question = waiting.take();
+            model.check.with_untracked(|check| {
+                question.iter().zip(check).for_each(|(question, check)| check.worker.send(question));
+            });
+        }
+        Reply::Progress(read) => model.check.update(|check| {
+            check.iter_mut().for_each(|check| check.progress.0 = read);
+        }),
+        Reply::Answer(_, Response::Check(report)) => model.check.update(|check| {
+            if let Some(check) = check {
+                check.progress.0 = check.progress.1;
+                check.report = Some(report);
+            }
+        }),
+        Reply::Answer(..) => {}
+    };
+    let Some(worker) = Running::start(heard, || {}) else {
         model.notify("fail", t("page.no-worker").to_owned());
         return;
     };
-    let all = blob.size();
-    let job = model.project.with_untracked(|project| question("check", project));
-    set(&job, "blob", &blob);
-    let waiting = RefCell::new(Some(job));
-    let asked = worker.clone();
-    let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
-        let data = event.data();
-        match get(&data, "kind").as_string().as_deref() {
-            // A message that is sent before the module runs would be lost.
-            Some("ready") => {
-                if let Some(job) = waiting.borrow_mut().take() {
-                    let _ = asked.post_message(&job);
-                }
-            }
-            Some("progress") => model.check.update(|check| {
-                if let Some(check) = check {
-                    check.progress.0 = get(&data, "read").as_f64().unwrap_or_default();
-                }
-            }),
-            Some("report") => model.check.update(|check| {
-                if let Some(check) = check {
-                    check.progress.0 = check.progress.1;
-                    check.report = Some(report(&data));
-                }
-            }),
-            _ => {}
-        }
-    });
-    worker.set_onmessage(Some(listener.as_ref().unchecked_ref()));
-    let job = Rc::new(Job { worker, _listener: listener });
-    model.check.set(Some(Check { name, progress: (0.0, all), report: None, _worker: Some(job) }));
-}
-
-fn report(data: &JsValue) -> Report {
-    Report {
-        lines: get(data, "lines").as_f64().unwrap_or_default(),
-        counts: text(data, "counts"),
-        head: text(data, "head"),
-        rows: rows(data, "rows"),
-    }
+    model.check.set(Some(Check { name, progress: (0.0, all), report: None, worker: Rc::new(worker) }));
 }
 
 /// The dialog of a check.
@@ -156,9 +107,9 @@ pub(super) fn check_dialog(model: Model) -> El {
 }
 
 fn shown(report: &Report) -> Vec<El> {
-    let rows: Vec<El> = report.rows.iter().map(|[tone, text]| el("li").at("class", tone).text(text)).collect();
-    let mut told = format!("{} {}  {}", figure(report.lines, 0), t("page.lines"), report.counts);
-    if report.lines > f64::from(SHOWN) {
+    let rows: Vec<El> = report.rows.iter().map(|(tone, text)| el("li").at("class", tone).text(text)).collect();
+    let mut told = format!("{} {}  {}", figure(report.lines.into(), 0), t("page.lines"), report.counts);
+    if report.lines > SHOWN {
         told.push_str(&format!("  {} {SHOWN}", t("page.first-lines")));
     }
     vec![

@@ -5,13 +5,12 @@ use std::fmt::Write;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
 
-use super::debug_session::Walk;
 use super::dom;
 use super::el::{El, el};
 use super::model::Model;
-use super::words::{clock, say, short, t, tell, tell_alarm, value_of, written};
+use super::walk::Walk;
+use super::words::{clock, say, short, t, tell, value_of};
 use crate::interp::inspect::What;
-use crate::motion::RunEnd;
 
 use crate::msg;
 use crate::project::breakpoints::Location;
@@ -109,7 +108,7 @@ pub(super) fn bar(model: Model) -> El {
     bar.dom().set_inner_html(&buttons);
     let words = move || {
         let signs = model.project.with_untracked(|project| project.control.syntax.comparison_signs);
-        say(&msg!("page.walk-condition", written(model, if signs { "#1<3" } else { "#1 LT 3" })))
+        say(&msg!("page.walk-condition", model.spelled(if signs { "#1<3" } else { "#1 LT 3" })))
     };
     bar.add(&[field(words, move |text| set_point(model, Some(&text)))])
 }
@@ -143,7 +142,7 @@ pub(super) fn seen(model: Model) -> El {
         host.set_inner_html(&html);
     };
     let watch = field(
-        move || say(&msg!("page.walk-watch", written(model, "#100*2"))),
+        move || say(&msg!("page.walk-watch", model.spelled("#100*2"))),
         move |text| {
             walk.update(|walk| walk.watches.push(text));
             true
@@ -153,16 +152,6 @@ pub(super) fn seen(model: Model) -> El {
         walk.with(|walk| !walk.stands && !walk.going && walk.watches.is_empty() && walk.points.list().is_empty())
     };
     el("div.seen").mark("gone", idle).add(&[el("p.here").at("role", "status").live(why), rows.run(show), watch])
-}
-
-/// Why a run is over.
-pub(super) fn end_words(end: &RunEnd) -> String {
-    match end {
-        RunEnd::ProgramEnd => t("page.end-program").to_owned(),
-        RunEnd::Stop => t("page.end-stop").to_owned(),
-        RunEnd::Alarm(alarm) => tell_alarm(alarm),
-        RunEnd::Blocks | RunEnd::Seconds => t("page.end-budget").to_owned(),
-    }
 }
 
 /// Rows: what has changed, the levels with their variables, watches with their values, breakpoints.

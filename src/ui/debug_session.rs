@@ -4,71 +4,17 @@ use std::time::Duration;
 
 use leptos::prelude::set_timeout;
 
-use super::debug::end_words;
-use super::dom;
 use super::player::Player;
-use super::words::{t, tell};
+use super::walk::Walk;
+use super::words::{end_words, t, tell};
 use crate::math;
-use crate::project::breakpoints::Breakpoints;
 use crate::project::debug::{Debugger, Goal, Stop};
-use crate::text::{FileId, Place};
 
 /// Milliseconds of walking in one slice.
 const SLICE: f64 = 8.0;
 
 /// Milliseconds of walking within a frame.
 const IN_FRAME: f64 = 3.0;
-
-/// Events of the machine between two looks at the clock.
-const STEPS: usize = 64;
-
-/// What the debugger of the page knows.
-#[derive(Default)]
-pub(super) struct Walk {
-    debugger: Option<Debugger>,
-    /// Whether it stands at the head.
-    pub stands: bool,
-    /// Why it stands, and before which block.
-    pub why: String,
-    /// Whether it is under way.
-    pub going: bool,
-    /// Whether the next slice of the way is asked for.
-    slicing: bool,
-    /// Breakpoints.
-    pub points: Breakpoints,
-    /// Expressions that are shown at every stop.
-    pub watches: Vec<String>,
-    /// The line that commands are about.
-    pub cursor: Option<(FileId, u32)>,
-}
-
-impl Walk {
-    /// The debugger where it stands.
-    pub(super) fn stands(&self) -> Option<&Debugger> {
-        self.debugger.as_ref().filter(|_| self.stands)
-    }
-
-    /// The block before which it stands.
-    pub(super) fn place(&self) -> Option<Place> {
-        self.stands()?.place()
-    }
-
-    /// Where it is, be it on its way.
-    pub(super) fn t(&self) -> f64 {
-        self.debugger.as_ref().map_or(0.0, Debugger::t)
-    }
-
-    fn advance(&mut self, until: f64, budget: f64) -> Option<Stop> {
-        let begun = dom::now();
-        let debugger = self.debugger.as_mut()?;
-        loop {
-            let stop = debugger.advance(&mut self.points, until, STEPS);
-            if stop.is_some() || debugger.t() >= until || dom::now() - begun > budget {
-                return stop;
-            }
-        }
-    }
-}
 
 impl Player {
     /// Forgets where the walk stands; whether it stood.

@@ -11,7 +11,6 @@ use super::dom;
 use super::el::{El, el};
 use super::listing::class;
 use super::model::Model;
-use super::program::mend;
 use super::script::{call, load, object, set, table};
 use super::words::{say, t, tone};
 use crate::nc::tokens;
@@ -123,7 +122,7 @@ pub(super) fn editor(model: Model) -> Vec<El> {
     let changed = Closure::<dyn Fn(JsValue)>::new(changed).into_js_value();
     let fix = Closure::<dyn Fn(JsValue, JsValue)>::new(move |diagnostic: JsValue, fix: JsValue| {
         if let (Some(diagnostic), Some(fix)) = (diagnostic.as_f64(), fix.as_f64()) {
-            mend(model, diagnostic as usize, fix as usize);
+            model.apply_fix(diagnostic as usize, fix as usize);
         }
     });
     let options = options(model, "page.listing");

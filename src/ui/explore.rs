@@ -95,7 +95,7 @@ pub(super) fn explore(model: Model) -> Vec<El> {
         .enumerate()
         .filter_map(|(at, knob)| Some(slider(model, draft, seen, at, knob.clone(), info(knob)?)))
         .collect();
-    let ways = sheets::sheets(model, "ways").on("click", move |event| {
+    let ways = sheets::sheets(model, |sheets| &sheets.ways).on("click", move |event| {
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let row = target.and_then(|target| target.closest("[data-sets]").ok().flatten());
         let Some(sets) = row.and_then(|row| row.get_attribute("data-sets")) else { return };

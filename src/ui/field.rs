@@ -9,7 +9,7 @@ use web_sys::{Event, KeyboardEvent};
 
 use super::el::{El, button, checked, el};
 use super::model::Model;
-use super::words::{t, tell, written};
+use super::words::{t, tell};
 use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
 use crate::math;
 use crate::text::Severity;
@@ -74,7 +74,7 @@ pub(super) fn field(model: Model, info: FieldInfo) -> El {
     let mut label = el("label").at("for", id).text(t(info.label)).text(" ");
     if !info.symbol.is_empty() {
         let symbol = info.symbol;
-        label = label.add(&[el("small").live(move || written(model, symbol))]);
+        label = label.add(&[el("small").live(move || model.spelled(symbol))]);
     }
     let control = control.at("id", id).at("aria-describedby", &note).state("aria-invalid", move || !wrong().is_empty());
     let unit = el("span.unit").text(unit);

@@ -3,7 +3,7 @@
 use super::el::{El, button, el};
 use super::field::shown;
 use super::model::Model;
-use super::words::{t, written};
+use super::words::t;
 use crate::machines::form::{FieldInfo, KindInfo, Provenance};
 use crate::text::catalog::number_text;
 
@@ -54,7 +54,7 @@ fn about(model: Model, info: FieldInfo) -> Vec<El> {
         model.set(id, default.clone());
         model.reread.update(|count| *count += 1);
     };
-    let title = el("h3").text(t(info.label)).text(" ").add(&[el("small").text(&written(model, info.symbol))]);
+    let title = el("h3").text(t(info.label)).text(" ").add(&[el("small").text(&model.spelled(info.symbol))]);
     let mut all = vec![title, el("p").text(t(info.help)), facts];
     if info.fact {
         all.push(sources(model, id));

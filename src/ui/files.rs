@@ -1,9 +1,10 @@
 //! Files in and out: open, drop and paste; save the project; export the program.
 
+use std::rc::Rc;
 use std::time::Duration;
 
 use leptos::prelude::*;
-use leptos::wasm_bindgen::{JsCast, JsValue};
+use leptos::wasm_bindgen::JsCast;
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{ClipboardEvent, DataTransfer, DragEvent, Element, File, HtmlDialogElement};
 
@@ -13,15 +14,15 @@ use super::el::{El, button, el};
 use super::help::dialog;
 use super::local::Local;
 use super::model::Model;
-use super::script::rows;
+use super::state::Tab;
 use super::words::{say, t, tell, tone};
+use super::worker::messages::{Remark, Request, Response};
 use crate::msg;
 use crate::nc;
 use crate::project::Project;
 use crate::project::decode::Decoded;
 use crate::project::import::{MAX_PROGRAM, open, programs};
 use crate::project::saved::with_line;
-use crate::text::Severity;
 
 /// Bytes above which a text is not taken into the page but read aside.
 const BIG: f64 = MAX_PROGRAM as f64;
@@ -86,7 +87,7 @@ fn read(model: Model, files: &[nc::File]) {
         model.notify("info", t("page.opened-program").to_owned());
     }
     model.file.set(0);
-    model.tab.set(super::side::Tab::Program);
+    model.tab.set(Tab::Program);
     model.replace(project);
     model.say(t("page.opened"));
 }
@@ -150,22 +151,22 @@ pub(super) fn open_button(model: Model) -> [El; 2] {
     [input.on("change", take), button]
 }
 
-/// What the worker wrote for the machine, and what is said of it.
+/// An export: the files that the page runs, and the worker's documents about them.
 struct Export {
-    /// Name and text.
-    files: Vec<[String; 2]>,
-    /// Class, alarm, sentence, field.
-    told: Vec<[String; 4]>,
+    /// Programs first.
+    files: Rc<[(String, String)]>,
+    /// Findings about fields and program.
+    remarks: Vec<Remark>,
 }
 
-/// Everything that keeps the program from being exported: alarm, sentence, field.
+/// The reasons that refuse the export: alarm, sentence, field.
 fn reasons(model: Model, export: &Export) -> Vec<[String; 3]> {
     let wrong =
         model.wrong_fields().into_iter().map(|d| [String::new(), tell(&d), d.field.unwrap_or_default().to_owned()]);
     let mut found: Vec<[String; 3]> = wrong.collect();
-    for [class, alarm, reason, field] in export.told.clone() {
-        let row = [alarm, reason, field];
-        if class == tone(Severity::Error) && !found.contains(&row) {
+    for Remark { alarm, text, field, .. } in export.remarks.iter().filter(|remark| remark.refuses).cloned() {
+        let row = [alarm, text, field];
+        if !found.contains(&row) {
             found.push(row);
         }
     }
@@ -176,18 +177,22 @@ fn reasons(model: Model, export: &Export) -> Vec<[String; 3]> {
 pub(super) fn export_dialog(model: Model) -> El {
     let asked = Local::new(false);
     let export = Local::new(None::<Export>);
-    let put = move |answer: Option<JsValue>| match answer {
-        Some(answer) => {
-            export.set(Some(Export { files: rows(&answer, "files"), told: rows(&answer, "told") }));
-            asked.set(true);
-        }
-        None => model.notify("fail", t("page.no-answer").to_owned()),
-    };
     let open = move || {
-        if model.exporting.get() {
-            model.exporting.set(false);
-            model.project.with_untracked(|project| model.aside.ask("export", project, put));
+        if !model.exporting.get() {
+            return;
         }
+        model.exporting.set(false);
+        // The programs of this moment, which are those that run; the documents are about the same project.
+        let written = model.written.get_untracked();
+        let put = move |response: Option<Response>| {
+            let Some(Response::Export(documents)) = response else {
+                return model.notify("fail", t("page.no-answer").to_owned());
+            };
+            let programs = written.files.0.iter().map(|file| (file.name.clone(), file.text.clone()));
+            export.set(Some(Export { files: programs.chain(documents.files).collect(), remarks: documents.remarks }));
+            asked.set(true);
+        };
+        model.project.with_untracked(|project| model.worker.ask(project, Request::Export, put));
     };
     let content = move || {
         export.with(|export| {
@@ -224,26 +229,26 @@ pub(super) fn go_to(field: &str) {
 }
 
 fn offered(export: &Export) -> Vec<El> {
-    let files = export.files.clone();
-    let rows: Vec<El> = files
-        .iter()
-        .cloned()
-        .map(|file| {
-            let [name, text] = &file;
+    let files = Rc::clone(&export.files);
+    let rows: Vec<El> = (0..files.len())
+        .map(|at| {
+            let (name, text) = &files[at];
             let size = say(&msg!("page.bytes", text.len() as f64));
             let head = el("th").at("scope", "row").text(name);
-            let save = button("button", t("page.save-file"), move || save_file(&file));
+            let files = Rc::clone(&files);
+            let save = button("button", t("page.save-file"), move || save_file(&files, at));
             el("tr").add(&[head, el("td").text(&size), el("td").add(&[save])])
         })
         .collect();
     // Browsers drop all but the first of several downloads that begin at the same moment.
     let all = move || {
-        for (at, file) in files.iter().cloned().enumerate() {
-            set_timeout(move || save_file(&file), Duration::from_millis(200 * at as u64));
+        for at in 0..files.len() {
+            let files = Rc::clone(&files);
+            set_timeout(move || save_file(&files, at), Duration::from_millis(200 * at as u64));
         }
     };
     let remarks: Vec<El> =
-        export.told.iter().map(|[class, _, text, _]| el("li").at("class", class).text(text)).collect();
+        export.remarks.iter().map(|remark| el("li").at("class", &remark.tone).text(&remark.text)).collect();
     vec![
         el("p").text(t("page.export-about")),
         el("table.exported").add(&[el("tbody").add(&rows)]),
@@ -252,6 +257,8 @@ fn offered(export: &Export) -> Vec<El> {
     ]
 }
 
-fn save_file([name, text]: &[String; 2]) {
-    dom::download(name, "text/plain", text.as_bytes());
+fn save_file(files: &[(String, String)], at: usize) {
+    if let Some((name, text)) = files.get(at) {
+        dom::download(name, "text/plain", text.as_bytes());
+    }
 }

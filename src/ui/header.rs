@@ -7,7 +7,7 @@ use super::el::{El, button, el, icon_button, value};
 use super::files;
 use super::local::Local;
 use super::model::Model;
-use super::store::Kept;
+use super::state::Kept;
 use super::words::t;
 use crate::controls;
 use crate::machines;

@@ -2,11 +2,11 @@
 
 mod field_help;
 
-mod aside;
-
 mod cards;
 
 mod charts;
+
+mod chart_pane;
 
 mod checker;
 
@@ -40,15 +40,11 @@ mod local;
 
 mod model;
 
-mod export;
-
 mod player;
 
 mod program;
 
 mod results;
-
-mod worker_diagnostics;
 
 mod script;
 
@@ -58,6 +54,8 @@ mod side;
 
 mod scene_view;
 
+mod state;
+
 mod store;
 
 mod transport;
@@ -66,15 +64,17 @@ mod variables;
 
 mod debug_session;
 
+mod walk;
+
 mod words;
 
-mod work;
+mod worker;
 
 use leptos::html;
 use leptos::prelude::*;
 
 use cards::cards;
-use charts::chart_pane;
+use chart_pane::chart_pane;
 use checker::check_dialog;
 use el::{El, button, check, el, icon_button};
 use field_help::about_popup;
@@ -82,17 +82,18 @@ use files::export_dialog;
 use form::form;
 use header::header;
 use help::help_dialog;
-use model::{Model, Notice};
+use model::Model;
 use operator_panel::hand;
 use scene_view::Stage;
 use side::side;
+use state::Notice;
 use transport::{mode_tone, mode_words, transport};
 use words::{sign, t, tell_alarm};
 
 use crate::motion::RunEnd;
 use crate::project::run::repeats;
 
-pub use work::work;
+pub use worker::server::work;
 
 /// Opens the page. A panic is reported in its place.
 pub fn open() {
@@ -119,6 +120,9 @@ pub fn App() -> impl IntoView {
 fn page() -> Option<El> {
     let (project, found) = store::load();
     let model = Model::new(project?, found);
+    debug::restore(model);
+    store::keep(model);
+    worker::diagnostics::follow(model);
     keys::listen(model);
     files::listen(model);
     model.player.settle();
@@ -173,7 +177,7 @@ fn why(model: Model) -> String {
         Some(RunEnd::Alarm(alarm)) => model
             .findings
             .with(|findings| tell_alarm(findings.iter().find(|told| repeats(&alarm, told)).unwrap_or(&alarm))),
-        end => end.map_or_else(String::new, |end| debug::end_words(&end)),
+        end => end.map_or_else(String::new, |end| words::end_words(&end)),
     }
 }
 

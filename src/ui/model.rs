@@ -4,18 +4,15 @@ use std::rc::Rc;
 
 use leptos::prelude::*;
 
-use super::aside::Aside;
-use super::checker::Check;
-use super::debug;
 use super::dom;
 use super::local::Local;
 use super::player::Player;
-use super::program::Shown;
-use super::side::Tab;
-use super::store::{self, Kept};
-use super::worker_diagnostics;
+use super::state::{Check, Kept, Notice, Shown, Tab};
+use super::words::t;
+use super::worker::client::Client;
 use crate::machines::Design;
 use crate::machines::form::{Provenance, Value};
+use crate::nc;
 use crate::project::Project;
 use crate::project::program::Written;
 use crate::project::run;
@@ -28,17 +25,6 @@ const STEPS: usize = 100;
 
 /// Milliseconds within which changes of one field are one step.
 const ONE_STEP: f64 = 1000.0;
-
-/// Something to tell the user until it is dismissed.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Notice {
-    /// Class: `info`, `warn`, `fail`.
-    pub tone: &'static str,
-    /// The sentence.
-    pub text: String,
-    /// A file that goes with it: name and content.
-    pub file: Option<(&'static str, String)>,
-}
 
 /// The state of the page. A handle: copies mean the same.
 #[derive(Clone, Copy)]
@@ -97,8 +83,8 @@ pub(super) struct Model {
     pub file: Local<usize>,
     /// What is shown of it.
     pub shown: Local<Shown>,
-    /// What answers questions in a worker.
-    pub aside: Aside,
+    /// The worker beside the page.
+    pub worker: Client,
     /// What was typed into the editor and is not read yet: the file and its text.
     pub typed: Local<Option<(usize, String)>>,
     /// The run.
@@ -153,14 +139,11 @@ impl Model {
             tab: Local::new(Tab::Program),
             file: Local::new(0),
             shown: Local::new(Shown::Listing),
-            aside: Aside::new(),
+            worker: Client::new(),
             typed: Local::new(None),
             player,
             history: Local::new(History::default()),
         };
-        debug::restore(model);
-        store::keep(model);
-        worker_diagnostics::follow(model);
         Effect::new(move |_| {
             let mut found = model.found();
             model.silenced.put(model.project.with(|project| silence(&mut found, &project.silenced)));
@@ -177,6 +160,12 @@ impl Model {
         // What reading has found already is not told again by the run that stops there.
         run::once_each(&mut found);
         found
+    }
+
+    /// A text about variables, `#101`, in the spelling of the present control.
+    pub(super) fn spelled(self, text: &str) -> String {
+        self.control.track();
+        self.project.with_untracked(|project| project.control.written(text))
     }
 
     /// Changes the project in a step of the history. Changes with the same key, if they have one, that follow at once are one step.
@@ -206,6 +195,33 @@ impl Model {
             history.future.clear();
         });
         self.follow(&before, after);
+    }
+
+    /// Applies a fix of a finding, both by number; the program is then an edited one.
+    pub(super) fn apply_fix(self, finding: usize, fix: usize) {
+        let mended = self.findings.with_untracked(|findings| {
+            // Marks in the editor may be those of the text before.
+            if self.pending.get_untracked() {
+                return None;
+            }
+            let fix = findings.get(finding)?.fixes.get(fix)?;
+            Some(self.written.with_untracked(|written| nc::fix(&written.files, fix)))
+        });
+        if let Some(files) = mended {
+            self.edit("", |project| project.edited = Some(files));
+            self.say(t("page.mended"));
+        }
+    }
+
+    /// Shows a result among all results.
+    pub(super) fn show_result(self, id: &'static str) {
+        self.tab.set(Tab::Results);
+        dom::soon(move || {
+            if let Some(row) = dom::by_id(&format!("result-{id}")) {
+                row.scroll_into_view();
+                let _ = row.focus();
+            }
+        });
     }
 
     /// Takes another project in place of this one; undo brings this one back.

@@ -6,10 +6,10 @@ use std::time::Duration;
 use leptos::prelude::*;
 
 use super::charts::Charts;
-use super::debug_session::Walk;
 use super::dom::{self, Frames};
 use super::local::Local;
 use super::scene_view::Stage;
+use super::walk::Walk;
 use crate::controls::Control;
 use crate::interp::inspect::What;
 use crate::machines::{Frame, PreparedMachine};

@@ -7,27 +7,16 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, Event, KeyboardEvent, MouseEvent};
 
 use super::debug;
-use super::debug_session::Walk;
 use super::dom;
 use super::editor::{difference, editor};
 use super::el::{El, button, check, el};
 use super::listing;
 use super::local::Local;
 use super::model::Model;
+use super::state::Shown;
+use super::walk::Walk;
 use super::words::{sign, t, tone};
-use crate::nc;
 use crate::text::{FileId, LineIndex, Place};
-
-/// What is shown of the program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shown {
-    /// Its lines.
-    Listing,
-    /// The editor.
-    Editor,
-    /// The lines beside those that the form writes.
-    Difference,
-}
 
 /// The program tab.
 pub(super) fn program(model: Model) -> Vec<El> {
@@ -187,7 +176,7 @@ fn press(model: Model, event: &Event) {
     let attribute = |name: &str| target.closest(&format!("[{name}]")).ok()??.get_attribute(name);
     let number = |name: &str| attribute(name)?.parse::<usize>().ok();
     if let (Some(diagnostic), Some(fix)) = (number("data-d"), number("data-fix")) {
-        mend(model, diagnostic, fix);
+        model.apply_fix(diagnostic, fix);
     } else if let Some(id) = attribute("data-silence") {
         model.edit("", |project| project.silenced.push(id));
     } else if let Some(key) = attribute("data-k") {
@@ -264,21 +253,5 @@ fn reveal(row: &Element) {
         list.set_scroll_top(list.scroll_top() - (area.top() + room - line.top()) as i32);
     } else if line.bottom() > area.bottom() - room {
         list.set_scroll_top(list.scroll_top() + (line.bottom() - area.bottom() + room) as i32);
-    }
-}
-
-/// Applies a fix, both by number; the program is then an edited one.
-pub(super) fn mend(model: Model, diagnostic: usize, fix: usize) {
-    let mended = model.findings.with_untracked(|findings| {
-        // Marks in the editor may be those of the text before.
-        if model.pending.get_untracked() {
-            return None;
-        }
-        let fix = findings.get(diagnostic)?.fixes.get(fix)?;
-        Some(model.written.with_untracked(|written| nc::fix(&written.files, fix)))
-    });
-    if let Some(files) = mended {
-        model.edit("", |project| project.edited = Some(files));
-        model.say(t("page.mended"));
     }
 }

@@ -4,7 +4,7 @@ use super::cards::{limit, verdict, verdict_words};
 use super::el::{El, button, el};
 use super::files::go_to;
 use super::model::Model;
-use super::words::{figure, say, sign, t, tell, tone, written};
+use super::words::{figure, say, sign, t, tell, tone};
 use crate::text::{Diagnostic, DiagnosticKind, Message, MessageValue};
 use crate::view::Readout;
 
@@ -51,7 +51,7 @@ fn result(model: Model, readout: &Readout) -> El {
     let mut parts = vec![title, value];
     parts.extend(limit(readout).map(|limit| el("p.limit").text(&limit)));
     if !readout.formula.is_empty() {
-        parts.push(el("p.formula").add(&[el("code").text(&written(model, readout.formula))]));
+        parts.push(el("p.formula").add(&[el("code").text(&model.spelled(readout.formula))]));
     }
     if !readout.advice.is_empty() {
         let rows: Vec<El> = readout.advice.iter().map(|advice| el("li").text(&say(advice))).collect();

@@ -1,4 +1,4 @@
-//! Calls into the modules of JavaScript that are loaded only when asked for.
+//! JavaScript values, and modules of JavaScript that the page loads late.
 
 use leptos::wasm_bindgen;
 use leptos::wasm_bindgen::prelude::wasm_bindgen;
@@ -6,13 +6,8 @@ use leptos::wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 
 /// A member of an object; `undefined` where there is none.
-pub(super) fn get(object: &JsValue, name: &str) -> JsValue {
+fn get(object: &JsValue, name: &str) -> JsValue {
     js_sys::Reflect::get(object, &name.into()).unwrap_or_default()
-}
-
-/// A member of an object that is a text.
-pub(super) fn text(object: &JsValue, name: &str) -> String {
-    get(object, name).as_string().unwrap_or_default()
 }
 
 /// Sets a member of an object.
@@ -27,16 +22,9 @@ pub(super) fn object<const N: usize>(members: [(&str, JsValue); N]) -> JsValue {
     object
 }
 
-/// Rows of texts as a member of an object.
+/// A list of rows.
 pub(super) fn table(rows: impl Iterator<Item = Vec<JsValue>>) -> JsValue {
     rows.map(|row| row.into_iter().collect::<js_sys::Array>()).collect::<js_sys::Array>().into()
-}
-
-/// Rows of so many texts, a member of an object.
-pub(super) fn rows<const N: usize>(object: &JsValue, name: &str) -> Vec<[String; N]> {
-    let text = |row: &js_sys::Array, at: usize| row.get(at as u32).as_string().unwrap_or_default();
-    let row = |row: JsValue| core::array::from_fn(|at| text(row.unchecked_ref(), at));
-    js_sys::Array::from(&get(object, name)).iter().map(row).collect()
 }
 
 /// Calls a method.
@@ -51,7 +39,7 @@ extern "C" {
     fn import_module(path: &str) -> js_sys::Promise;
 }
 
-/// Loads a module of JavaScript that the page does not load at its start.
+/// Loads a module of JavaScript that is no part of the first load.
 pub(super) async fn load(path: &str) -> Result<JsValue, JsValue> {
     JsFuture::from(import_module(path)).await
 }

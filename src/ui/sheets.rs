@@ -1,11 +1,9 @@
 //! Parameter sheet, interface and ladder, as tables with sources and grades.
 
-use leptos::wasm_bindgen::JsValue;
-
 use super::el::{El, el, value};
 use super::model::Model;
-use super::script::text;
 use super::words::{grade, t};
+use super::worker::messages::{Request, Response, Sheets};
 use crate::controls::Switch;
 use crate::controls::options::SwitchOption;
 use crate::text::Grade;
@@ -13,31 +11,31 @@ use crate::text::catalog::Language;
 
 /// The sheet of the control's parameters.
 pub(super) fn parameters(model: Model) -> Vec<El> {
-    vec![sheets(model, "parameters"), switches(model)]
+    vec![sheets(model, |sheets| &sheets.parameters), switches(model)]
 }
 
 /// Interface and ladder.
 pub(super) fn plc(model: Model) -> Vec<El> {
-    vec![sheets(model, "plc")]
+    vec![sheets(model, |sheets| &sheets.plc)]
 }
 
-/// Sheets as the worker makes them, anew with every change of the project.
-pub(super) fn sheets(model: Model, which: &'static str) -> El {
-    let host = el("div.sheets").at("data-of", which).add(&[el("p.lead").text(t("page.reading"))]);
+/// Sheets from the worker, made anew with every change of the project; `which` picks those to show.
+pub(super) fn sheets(model: Model, which: fn(&Sheets) -> &String) -> El {
+    let host = el("div.sheets").add(&[el("p.lead").text(t("page.reading"))]);
     let element = host.dom().clone();
     host.run(move || {
         let element = element.clone();
-        let show = move |answer: Option<JsValue>| match answer {
-            Some(answer) => {
-                let sheets = text(&answer, which);
-                element.set_inner_html(&sheets);
-                if sheets.is_empty() {
-                    let _ = element.append_child(el("p.lead").text(t("page.no-sheet")).dom());
-                }
+        let show = move |response: Option<Response>| {
+            let Some(Response::Sheets(sheets)) = response else {
+                return element.set_text_content(Some(t("page.no-answer")));
+            };
+            let html = which(&sheets);
+            element.set_inner_html(html);
+            if html.is_empty() {
+                let _ = element.append_child(el("p.lead").text(t("page.no-sheet")).dom());
             }
-            None => element.set_text_content(Some(t("page.no-answer"))),
         };
-        model.project.with(|project| model.aside.ask("sheets", project, show));
+        model.project.with(|project| model.worker.ask(project, Request::Sheets, show));
     })
 }
 

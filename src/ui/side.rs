@@ -11,25 +11,9 @@ use super::model::Model;
 use super::program::program;
 use super::results::results;
 use super::sheets::{parameters, plc};
+use super::state::Tab;
 use super::variables::variables;
 use super::words::t;
-
-/// A tab.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Tab {
-    /// The program files.
-    Program,
-    /// Every result.
-    Results,
-    /// What is dragged to look for a shape.
-    Explore,
-    /// The control's variables.
-    Variables,
-    /// Parameters of the control.
-    Parameters,
-    /// Interface and ladder.
-    Plc,
-}
 
 const TABS: [(Tab, &str, &str); 6] = [
     (Tab::Program, "tab-program", "page.program"),
@@ -39,17 +23,6 @@ const TABS: [(Tab, &str, &str); 6] = [
     (Tab::Parameters, "tab-parameters", "page.parameters"),
     (Tab::Plc, "tab-plc", "page.plc"),
 ];
-
-/// Shows a result among all results.
-pub(super) fn open_result(model: Model, id: &'static str) {
-    model.tab.set(Tab::Results);
-    dom::soon(move || {
-        if let Some(row) = dom::by_id(&format!("result-{id}")) {
-            row.scroll_into_view();
-            let _ = row.focus();
-        }
-    });
-}
 
 /// Whether the machine has something for a tab.
 fn is_there(model: Model, tab: Tab) -> bool {

@@ -8,7 +8,8 @@ use super::debug;
 use super::dom;
 use super::editor;
 use super::local::Local;
-use super::model::{Model, Notice};
+use super::model::Model;
+use super::state::{Kept, Notice};
 use super::words::t;
 use crate::machines;
 use crate::project::Project;
@@ -22,17 +23,6 @@ const ASIDE: &str = "macroline.set-aside";
 
 /// Name of the file in which a state that was set aside is handed out.
 pub(super) const ASIDE_FILE: &str = "macroline-set-aside.txt";
-
-/// How it stands with keeping.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kept {
-    /// What is shown is kept.
-    Yes,
-    /// It will be in a moment.
-    Soon,
-    /// The browser has no room or no store.
-    No,
-}
 
 /// The project of the last visit, or a fresh one, with notices about it. None only where no machine has a control.
 pub(super) fn load() -> (Option<Project>, Vec<Notice>) {

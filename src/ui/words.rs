@@ -1,7 +1,7 @@
 //! What the page says, in the language of the user.
 
-use super::model::Model;
 use crate::controls::Control;
+use crate::motion::RunEnd;
 use crate::text::catalog::{self, Language};
 use crate::text::number;
 use crate::text::{Diagnostic, Grade, Message, Severity};
@@ -63,10 +63,14 @@ pub(super) fn tell_alarm(diagnostic: &Diagnostic) -> String {
     alarm.map(|part| format!("{part} ")).collect::<String>() + &tell(diagnostic)
 }
 
-/// A text about variables as the present control writes them.
-pub(super) fn written(model: Model, text: &str) -> String {
-    model.control.track();
-    model.project.with_untracked(|project| project.control.written(text))
+/// Why a run is over.
+pub(super) fn end_words(end: &RunEnd) -> String {
+    match end {
+        RunEnd::ProgramEnd => t("page.end-program").to_owned(),
+        RunEnd::Stop => t("page.end-stop").to_owned(),
+        RunEnd::Alarm(alarm) => tell_alarm(alarm),
+        RunEnd::Blocks | RunEnd::Seconds => t("page.end-budget").to_owned(),
+    }
 }
 
 /// The value of a variable as the control shows it.

@@ -69,6 +69,14 @@ export async function ready(page) {
   assert.deepEqual(failed, [], 'the app did not start');
 }
 
+// Asks for the processor time, in seconds, that the page's own thread has spent so far: unlike time by the clock it does not depend on what
+// else the machine does.
+export async function processorTime(page) {
+  const devtools = await page.context().newCDPSession(page);
+  await devtools.send('Performance.enable', { timeDomain: 'threadTicks' });
+  return async () => (await devtools.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'TaskDuration').value;
+}
+
 // Holds that axe-core finds nothing in the page as it stands now (WCAG 2.2 A and AA, and axe's best practices).
 export async function accessible(page) {
   // Evaluated by the test and not by the page, so the page's content security policy stays in force.

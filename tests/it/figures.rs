@@ -165,6 +165,17 @@ fn dropped_edited_program_keeps_its_edit() {
 }
 
 #[test]
+fn the_written_programs_are_exported() {
+    let project = ribbon(&[]);
+    let mut written = project.written();
+    written.files.0[0].text.push_str("(THIS VERY TEXT)\n");
+    let export = project.export_with(&written, &[]);
+    let (programs, documents) = export.files.split_at(written.files.0.len());
+    assert_eq!(programs, written.files.0);
+    assert_eq!(documents, export.documents());
+}
+
+#[test]
 fn errors_refuse_export_and_failed_verdicts_allow_it() {
     assert!(!ribbon(&[]).export().files.is_empty(), "the paper's own example fails the slip rule and is exported");
     for (field, value) in

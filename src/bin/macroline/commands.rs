@@ -108,7 +108,8 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
 fn export(path: &Path, folder: &Path) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
-    let export = project.export_with(&project.advice(&project.written()));
+    let written = project.written();
+    let export = project.export_with(&written, &project.advice(&written));
     let all = [file, Findings { sources: Sources::written(export.about), list: export.diagnostics }];
     tell(&all)?;
     verdict(&all)?;

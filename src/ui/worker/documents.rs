@@ -1,28 +1,25 @@
-//! What leaves the page on paper, as the worker makes it: sheets as HTML, and the files of the export.
+//! Sheets as HTML for the page, and the documents of an export.
 
-use leptos::wasm_bindgen::JsValue;
-
-use super::script::{object, table};
-use super::words::{grade, t, tell, tone};
+use super::messages::{Documents, Remark, Sheets};
 use crate::project::Project;
-use crate::text::{Diagnostic, Grade};
+use crate::text::{Diagnostic, Grade, Severity};
+use crate::ui::words::{grade, t, tell, tone};
 use crate::view::Sheet;
 use crate::view::svg::escape;
 
-/// The sheets for the tab of the parameters, for the tab of the PLC, and those whose rows are ways that can be taken.
-pub(super) fn sheets(project: &Project) -> JsValue {
-    let sheets = project.prepared().sheets();
-    let (mut parameters, mut plc, mut ways) = (String::new(), String::new(), String::new());
-    for sheet in &sheets {
+/// The sheets of a project, by the tab that shows them.
+pub(super) fn sheets(project: &Project) -> Sheets {
+    let mut out = Sheets::default();
+    for sheet in &project.prepared().sheets() {
         let takes = sheet.rows.iter().any(|row| !row.sets.is_empty());
-        let out = match sheet.id {
-            _ if takes => &mut ways,
-            "parameters" => &mut parameters,
-            _ => &mut plc,
+        let tab = match sheet.id {
+            _ if takes => &mut out.ways,
+            "parameters" => &mut out.parameters,
+            _ => &mut out.plc,
         };
-        html(out, sheet);
+        html(tab, sheet);
     }
-    object([("parameters", parameters.into()), ("plc", plc.into()), ("ways", ways.into())])
+    out
 }
 
 /// Rows of a list that repeats a drawing above which it is folded.
@@ -103,13 +100,19 @@ fn tagged(out: &mut String, tag: &str, text: &str) {
     out.push_str(&format!("</{tag}>"));
 }
 
-/// The files of the export with name and text, and what is said of them: class, alarm, sentence, field.
-pub(super) fn export(project: &Project) -> JsValue {
-    let export = project.export_with(&project.advice(&project.written()));
-    let files = export.files.iter().map(|file| vec![file.name.as_str().into(), file.text.as_str().into()]);
-    let told = |found: &Diagnostic| {
-        let alarm = found.alarm.as_deref().unwrap_or_default();
-        vec![tone(found.severity).into(), alarm.into(), tell(found).into(), found.field.unwrap_or_default().into()]
+/// The documents of a project's export and the findings that refuse it or go with it.
+pub(super) fn documents(project: &Project) -> Documents {
+    let written = project.written();
+    let export = project.export_with(&written, &project.advice(&written));
+    let remark = |found: &Diagnostic| Remark {
+        refuses: found.severity == Severity::Error,
+        tone: tone(found.severity).to_owned(),
+        alarm: found.alarm.as_deref().unwrap_or_default().to_owned(),
+        text: tell(found),
+        field: found.field.unwrap_or_default().to_owned(),
     };
-    object([("files", table(files)), ("told", table(export.diagnostics.iter().map(told)))])
+    Documents {
+        files: export.documents().iter().map(|file| (file.name.clone(), file.text.clone())).collect(),
+        remarks: export.diagnostics.iter().map(remark).collect(),
+    }
 }

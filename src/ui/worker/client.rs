@@ -1,0 +1,129 @@
+//! The page's end of the line: starts the worker with the first request and passes on its responses.
+
+use std::cell::RefCell;
+
+use leptos::prelude::document;
+use leptos::wasm_bindgen::JsCast;
+use leptos::wasm_bindgen::closure::Closure;
+use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
+
+use super::messages::{Question, Reply, Request, Response};
+use crate::project::Project;
+
+/// A running worker. It ends when this is dropped.
+pub(in crate::ui) struct Running {
+    worker: Worker,
+    _heard: Closure<dyn FnMut(MessageEvent)>,
+    _failed: Closure<dyn FnMut()>,
+}
+
+impl Running {
+    /// Starts a worker; `None` where the browser has none. Its name is the page's own hash, for worker_boot.js.
+    pub(in crate::ui) fn start(
+        mut heard: impl FnMut(Reply) + 'static,
+        failed: impl FnMut() + 'static,
+    ) -> Option<Running> {
+        let script = document().query_selector("script[data-wasm]").ok().flatten()?;
+        let options = WorkerOptions::new();
+        options.set_type(WorkerType::Module);
+        options.set_name(&script.get_attribute("data-wasm")?);
+        let worker = Worker::new_with_options("worker_boot.js", &options).ok()?;
+        let heard = Closure::new(move |event: MessageEvent| {
+            if let Ok(reply) = serde_wasm_bindgen::from_value(event.data()) {
+                heard(reply);
+            }
+        });
+        let failed = Closure::new(failed);
+        worker.set_onmessage(Some(heard.as_ref().unchecked_ref()));
+        worker.set_onerror(Some(failed.as_ref().unchecked_ref()));
+        Some(Running { worker, _heard: heard, _failed: failed })
+    }
+
+    /// Sends a question. Before [`Reply::Ready`] it would be lost.
+    pub(in crate::ui) fn send(&self, question: &Question) {
+        if let Ok(question) = serde_wasm_bindgen::to_value(question) {
+            let _ = self.worker.post_message(&question);
+        }
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        self.worker.terminate();
+    }
+}
+
+/// The worker that answers the page. A handle: copies mean the same.
+#[derive(Clone, Copy)]
+pub(in crate::ui) struct Client(&'static RefCell<State>);
+
+#[derive(Default)]
+struct State {
+    worker: Option<Running>,
+    ready: bool,
+    /// Requests without a response yet.
+    waiting: Vec<Waiting>,
+    last: u32,
+}
+
+struct Waiting {
+    question: Question,
+    then: Box<dyn FnOnce(Option<Response>)>,
+}
+
+impl Client {
+    /// A client whose worker is not started yet.
+    pub(in crate::ui) fn new() -> Client {
+        Client(Box::leak(Box::default()))
+    }
+
+    /// Sends a request about a project; `then` gets the response, or `None` where no worker runs.
+    pub(in crate::ui) fn ask(self, project: &Project, request: Request, then: impl FnOnce(Option<Response>) + 'static) {
+        let mut state = self.0.borrow_mut();
+        state.last += 1;
+        let question = Question { number: state.last, project: project.to_json(), request };
+        if state.worker.is_none() {
+            state.worker = Running::start(move |reply| self.hear(reply), move || self.fail());
+        }
+        match &state.worker {
+            None => {
+                drop(state);
+                return then(None);
+            }
+            Some(running) if state.ready => running.send(&question),
+            Some(_) => {}
+        }
+        state.waiting.push(Waiting { question, then: Box::new(then) });
+    }
+
+    /// Gives up the worker; the next request starts another one.
+    fn fail(self) {
+        let lost = self.0.take();
+        // The listener that runs just now is not freed under itself.
+        if let Some(running) = lost.worker {
+            leptos::prelude::set_timeout(move || drop(running), std::time::Duration::ZERO);
+        }
+        lost.waiting.into_iter().for_each(|waiting| (waiting.then)(None));
+    }
+
+    fn hear(self, reply: Reply) {
+        let mut state = self.0.borrow_mut();
+        match reply {
+            Reply::Ready => {
+                state.ready = true;
+                if let Some(running) = &state.worker {
+                    state.waiting.iter().for_each(|waiting| running.send(&waiting.question));
+                }
+            }
+            Reply::Answer(number, response) => {
+                let at = state.waiting.iter().position(|waiting| waiting.question.number == number);
+                let waiting = at.map(|at| state.waiting.remove(at));
+                drop(state);
+                if let Some(waiting) = waiting {
+                    (waiting.then)(Some(response));
+                }
+            }
+            Reply::Progress(_) => {}
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! Messages between page and worker, sent as structured clones. Both ends are of one build, so the messages have no version.
+
+use serde::{Deserialize, Serialize};
+use web_sys::Blob;
+
+use crate::controls::Control;
+use crate::text::{Diagnostic, DiagnosticKind, FileId, Fix, Message, MessageValue, Place, Severity, Span, catalog};
+
+/// A request about a project, with the number that its answer carries.
+#[derive(Debug, Serialize, Deserialize)]
+pub(in crate::ui) struct Question {
+    /// Number of the request.
+    pub number: u32,
+    /// The project as the text of its file.
+    pub project: String,
+    /// The work to do.
+    pub request: Request,
+}
+
+/// Work of the worker.
+#[derive(Debug, Serialize, Deserialize)]
+pub(in crate::ui) enum Request {
+    /// Errors and warnings of the project's program.
+    Review,
+    /// Parameter sheet, interface and ladder.
+    Sheets,
+    /// Documents that leave with the programs.
+    Export,
+    /// Errors and warnings of a text that is too large for the page, on the project's control.
+    Check(#[serde(with = "serde_wasm_bindgen::preserve")] Blob),
+}
+
+/// A message from the worker.
+#[derive(Debug, Serialize, Deserialize)]
+pub(in crate::ui) enum Reply {
+    /// The worker listens. A question sent before would be lost.
+    Ready,
+    /// Bytes of the text read so far, of [`Request::Check`].
+    Progress(f64),
+    /// The answer to the question of this number.
+    Answer(u32, Response),
+}
+
+/// The result of a request.
+#[derive(Debug, Serialize, Deserialize)]
+pub(in crate::ui) enum Response {
+    /// Of [`Request::Review`].
+    Review(Vec<Finding>),
+    /// Of [`Request::Sheets`].
+    Sheets(Sheets),
+    /// Of [`Request::Export`].
+    Export(Documents),
+    /// Of [`Request::Check`].
+    Check(Report),
+}
+
+/// Sheets as HTML, by the tab that shows them.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(in crate::ui) struct Sheets {
+    /// Parameters of the control.
+    pub parameters: String,
+    /// Interface and ladder.
+    pub plc: String,
+    /// Sheets whose rows can be taken into the form.
+    pub ways: String,
+}
+
+/// The documents of an export. The programs are not among them: the page exports the very files that it runs.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(in crate::ui) struct Documents {
+    /// Name and text: report, sheets, drawings, the project itself.
+    pub files: Vec<(String, String)>,
+    /// Findings about fields and program.
+    pub remarks: Vec<Remark>,
+}
+
+/// A finding as the export dialog shows it.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(in crate::ui) struct Remark {
+    /// Whether it refuses the export.
+    pub refuses: bool,
+    /// Class: `info`, `warn`, `fail`.
+    pub tone: String,
+    /// Number of the alarm, or empty.
+    pub alarm: String,
+    /// The sentence.
+    pub text: String,
+    /// Id of the field, or empty.
+    pub field: String,
+}
+
+/// The findings of a large text.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(in crate::ui) struct Report {
+    /// Lines of the text.
+    pub lines: u32,
+    /// Count of findings by severity, as one line.
+    pub counts: String,
+    /// The first lines.
+    pub head: String,
+    /// Class and sentence of the first findings.
+    pub rows: Vec<(String, String)>,
+}
+
+/// A [`Diagnostic`] with its static texts as owned ones.
+#[derive(Debug, Serialize, Deserialize)]
+pub(in crate::ui) struct Finding {
+    message: Sentence,
+    #[serde(with = "SeverityName")]
+    severity: Severity,
+    #[serde(with = "KindName")]
+    kind: DiagnosticKind,
+    alarm: Option<String>,
+    wording: Option<String>,
+    place: Option<Range>,
+    hints: Vec<Sentence>,
+    fixes: Vec<(Sentence, Vec<(Range, String)>)>,
+}
+
+/// Id of a message and its values as they are shown.
+#[derive(Debug, Serialize, Deserialize)]
+struct Sentence(String, Vec<String>);
+
+/// File, start and end of a place.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+struct Range(u16, u32, u32);
+
+impl From<&Message> for Sentence {
+    fn from(message: &Message) -> Sentence {
+        let shown = |value: &MessageValue| match value {
+            MessageValue::Number(number, decimals) => catalog::number_text(*number, *decimals),
+            MessageValue::Text(text) => text.clone(),
+        };
+        Sentence(message.id.to_owned(), message.values.iter().map(shown).collect())
+    }
+}
+
+impl Sentence {
+    /// The message; `None` where the catalog lacks its id.
+    fn message(self) -> Option<Message> {
+        Some(Message { id: catalog::id(&self.0)?, values: self.1.into_iter().map(MessageValue::Text).collect() })
+    }
+}
+
+impl From<Place> for Range {
+    fn from(place: Place) -> Range {
+        Range(place.file.0, place.span.start, place.span.end)
+    }
+}
+
+impl From<Range> for Place {
+    fn from(Range(file, start, end): Range) -> Place {
+        Place { file: FileId(file), span: Span { start, end } }
+    }
+}
+
+/// The variants of [`Severity`].
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "Severity")]
+enum SeverityName {
+    Error,
+    Warning,
+    Info,
+}
+
+/// The variants of [`DiagnosticKind`].
+#[derive(Serialize, Deserialize)]
+#[serde(remote = "DiagnosticKind")]
+enum KindName {
+    Plain,
+    ByteOrderMark,
+    OpenComment,
+    EndsEarly,
+    Contour,
+    UnpairedLoop,
+    AuxiliaryInLoop,
+    SpindleInLoop,
+    ShortBlocks,
+    Starved,
+    AssumedFacts,
+}
+
+impl From<&Diagnostic> for Finding {
+    fn from(found: &Diagnostic) -> Finding {
+        let edits = |fix: &Fix| fix.edits.iter().map(|(place, text)| ((*place).into(), text.clone())).collect();
+        Finding {
+            message: (&found.message).into(),
+            severity: found.severity,
+            kind: found.kind,
+            alarm: found.alarm.as_deref().map(str::to_owned),
+            wording: found.wording.map(str::to_owned),
+            place: found.place.map(Range::from),
+            hints: found.hints.iter().map(Sentence::from).collect(),
+            fixes: found.fixes.iter().map(|fix| ((&fix.title).into(), edits(fix))).collect(),
+        }
+    }
+}
+
+impl Finding {
+    /// The diagnostic; its wording is that of the control's own row. `None` where the catalog lacks its sentence.
+    pub(super) fn diagnostic(self, control: &Control) -> Option<Diagnostic> {
+        let message = self.message.message()?;
+        let found = match self.severity {
+            Severity::Error => Diagnostic::error(message),
+            Severity::Warning => Diagnostic::warning(message),
+            Severity::Info => Diagnostic::info(message),
+        };
+        let mut found = found.kind(self.kind);
+        found.place = self.place.map(Place::from);
+        found.alarm = self.alarm.map(Into::into);
+        found.wording = control.alarms.iter().map(|row| row.text).find(|text| self.wording.as_deref() == Some(text));
+        found.hints.extend(self.hints.into_iter().filter_map(Sentence::message));
+        for (title, edits) in self.fixes {
+            let Some(title) = title.message() else { continue };
+            found.fixes.push(Fix { title, edits: edits.into_iter().map(|(at, text)| (at.into(), text)).collect() });
+        }
+        Some(found)
+    }
+}

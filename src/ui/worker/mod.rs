@@ -1,0 +1,11 @@
+//! The worker beside the page: messages and both ends of the line.
+
+pub(super) mod messages;
+
+pub(super) mod client;
+
+pub(super) mod diagnostics;
+
+mod documents;
+
+pub(super) mod server;

@@ -1,0 +1,104 @@
+//! The worker's end of the line: reviews programs, makes sheets and documents, checks large texts.
+
+use std::rc::Rc;
+
+use leptos::wasm_bindgen::closure::Closure;
+use leptos::wasm_bindgen::{JsCast, throw_str};
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
+
+use super::documents;
+use super::messages::{Finding, Question, Reply, Report, Request, Response};
+use crate::nc::{self, Files};
+use crate::project::Project;
+use crate::project::suppress::silence;
+use crate::text::{Diagnostic, LineIndex};
+use crate::ui::listing::{SHOWN, count};
+use crate::ui::words::{sign, t, tell, tone};
+
+/// Findings of a large text in its report at most.
+const ROWS: usize = 200;
+
+/// Bytes of a large text that are read between two reports of progress.
+const PIECE: f64 = 4_000_000.0;
+
+/// Answers the questions of the page as long as the worker lives.
+pub fn work() {
+    std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
+    let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
+    let page = scope.clone();
+    let listener = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
+        let Ok(Question { number, project, request }) = serde_wasm_bindgen::from_value(event.data()) else {
+            throw_str("a question of the page does not read")
+        };
+        let Some(project) = Project::from_json(&project).project else {
+            throw_str("the project of the page does not read")
+        };
+        let response = match request {
+            Request::Review => Response::Review(review(&project)),
+            Request::Sheets => Response::Sheets(documents::sheets(&project)),
+            Request::Export => Response::Export(documents::documents(&project)),
+            Request::Check(blob) => {
+                let page = page.clone();
+                // Not Leptos' own: that waits for a mounted page.
+                return wasm_bindgen_futures::spawn_local(async move {
+                    let text = read(&blob, &page).await;
+                    send(&page, &Reply::Answer(number, Response::Check(check(text, &project))));
+                });
+            }
+        };
+        send(&page, &Reply::Answer(number, response));
+    });
+    scope.set_onmessage(Some(listener.as_ref().unchecked_ref()));
+    listener.forget();
+    send(&scope, &Reply::Ready);
+}
+
+fn send(page: &DedicatedWorkerGlobalScope, reply: &Reply) {
+    if let Ok(reply) = serde_wasm_bindgen::to_value(reply) {
+        let _ = page.post_message(&reply);
+    }
+}
+
+/// The text of a blob, read in pieces, with its progress reported to the page.
+async fn read(blob: &Blob, page: &DedicatedWorkerGlobalScope) -> String {
+    let all = blob.size();
+    let mut bytes = Vec::with_capacity(all as usize);
+    let mut at = 0.0;
+    while at < all {
+        let Ok(piece) = blob.slice_with_f64_and_f64(at, at + PIECE) else { break };
+        let Ok(buffer) = JsFuture::from(piece.array_buffer()).await else { break };
+        bytes.extend(js_sys::Uint8Array::new(&buffer).to_vec());
+        at += PIECE;
+        send(page, &Reply::Progress(at.min(all)));
+    }
+    String::from_utf8(bytes).unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned())
+}
+
+/// The report of a large text on the project's control.
+fn check(text: String, project: &Project) -> Report {
+    let lines = LineIndex::new(&text);
+    let end = text.match_indices('\n').nth(SHOWN as usize - 1).map_or(text.len(), |(at, _)| at);
+    let head = text.get(..end).unwrap_or_default().to_owned();
+    let parsed = nc::parse_with(&Files::one("", text), project.control, &project.switches);
+    let mut found = crate::project::check::review(&Rc::new(parsed), None, &[]);
+    silence(&mut found, &project.silenced);
+    let row = |diagnostic: &Diagnostic| {
+        let line = diagnostic.place.map_or(0, |place| lines.line_of(place.span.start));
+        let alarm = diagnostic.alarm.as_deref().unwrap_or_default();
+        let text = format!("{} {line}: {alarm} {}", t("page.line"), tell(diagnostic));
+        (tone(diagnostic.severity).to_owned(), text)
+    };
+    Report {
+        lines: lines.count(),
+        counts: count(&found).map(|(severity, count)| format!("{} {count}", sign(tone(severity)))).join("  "),
+        head,
+        rows: found.iter().take(ROWS).map(row).collect(),
+    }
+}
+
+/// All diagnostics of the project's program.
+fn review(project: &Project) -> Vec<Finding> {
+    let written = project.written();
+    written.diagnostics.iter().chain(&project.advice(&written)).map(Finding::from).collect()
+}
