@@ -28,11 +28,8 @@ impl RunState {
                 self.go_to_point(cx, values, point);
                 return Ok(true);
             }
-            Some(code) => {
-                if self.coordinates(cx, code, values) {
-                    return Ok(false);
-                }
-            }
+            Some(code) if self.coordinates(cx, code, values) => return Ok(false),
+            Some(_) => {}
         }
         let code = match codes.special {
             Some(Code::MachineRapid) => Code::Rapid,

@@ -20,30 +20,17 @@ pub(in crate::nc) struct ExprSpan {
 /// Text that a control has read. The interpreter takes nothing else.
 #[derive(Debug, Clone)]
 pub struct Parsed {
-    files: Files,
-    deck: Deck,
-    diagnostics: Vec<Diagnostic>,
-    control: &'static Control,
-    switches: Switches,
-    dialect: Rc<Dialect>,
-    codes: Codes,
-    expr_spans: Vec<ExprSpan>,
+    pub(in crate::nc) files: Files,
+    pub(in crate::nc) deck: Deck,
+    pub(in crate::nc) diagnostics: Vec<Diagnostic>,
+    pub(in crate::nc) control: &'static Control,
+    pub(in crate::nc) switches: Switches,
+    pub(in crate::nc) dialect: Rc<Dialect>,
+    pub(in crate::nc) codes: Codes,
+    pub(in crate::nc) expr_spans: Vec<ExprSpan>,
 }
 
 impl Parsed {
-    pub(super) fn new(
-        files: Files,
-        deck: Deck,
-        diagnostics: Vec<Diagnostic>,
-        control: &'static Control,
-        switches: Switches,
-        dialect: Rc<Dialect>,
-        codes: Codes,
-        expr_spans: Vec<ExprSpan>,
-    ) -> Parsed {
-        Parsed { files, deck, diagnostics, control, switches, dialect, codes, expr_spans }
-    }
-
     /// The text.
     pub fn files(&self) -> &Files {
         &self.files

@@ -53,5 +53,14 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
     }
     deck.shrink();
     expr_spans.shrink_to_fit();
-    Parsed::new(files.clone(), deck, found, control, switches.clone(), dialect, codes, expr_spans)
+    Parsed {
+        files: files.clone(),
+        deck,
+        diagnostics: found,
+        control,
+        switches: switches.clone(),
+        dialect,
+        codes,
+        expr_spans,
+    }
 }

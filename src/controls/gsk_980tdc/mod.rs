@@ -95,7 +95,6 @@ pub static CONTROL: Control = Control {
         macro_block: 0.004,
         preread: 3,
         cite: Citation::new("assumed; measure with a counting loop and a clock", Grade::Open),
-        ..fanuc::TIMING
     },
     codes: codes::CODES,
     vars: vars::VARS,

@@ -131,10 +131,10 @@ impl Function<'_> {
             let place = lint.place(block, span);
             // A loop in a loop, or a program that two loops call, is looked at twice.
             let start = |place: Place| (place.file, place.span.start);
-            if lint.found.iter().all(|d| d.kind != kind || d.place.map(start) != Some(start(place))) {
-                if let Some(finding) = lint.say(block, span, id, &[], "") {
-                    finding.kind = kind;
-                }
+            if lint.found.iter().all(|d| d.kind != kind || d.place.map(start) != Some(start(place)))
+                && let Some(finding) = lint.say(block, span, id, &[], "")
+            {
+                finding.kind = kind;
             }
         }
     }

@@ -596,7 +596,7 @@ fn cut_section_never_grows_and_ends_exact() {
             left = now;
         }
         // The drawing has 74 units for the radius of the stock.
-        let stock = values(&[]).get("stock-diameter").is_none();
+        let stock = !values(&[]).contains_key("stock-diameter");
         let radius: f64 = changes
             .iter()
             .find(|(id, _)| *id == "stock-diameter")

@@ -355,7 +355,7 @@ fn dropped_program_restores_the_form() {
             assert_eq!(read.get(id), Some(value), "{id} of {}", file.name);
         }
         // What is not written has its default: the essential ones are written always.
-        assert_eq!(read.iter().count(), wanted.iter().count() + 3, "{read:?}");
+        assert_eq!(read.len(), wanted.len() + 3, "{read:?}");
     }
     assert_eq!(settings::read("O1(NOTHING)\nM30"), None);
     assert_eq!(settings::read("(MACROLINE NO-MACHINE 1)"), None);
