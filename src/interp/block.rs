@@ -32,7 +32,7 @@ impl RunState {
             let caller = Caller { word: None, all: true };
             let arguments = self.arguments(cx, block, words, caller)?;
             self.counts.macros += 1;
-            return self.call_modal(cx, &call, Rc::new(arguments.locals));
+            return self.call_modal(cx, &call, arguments.given());
         }
         if codes.special.is_some() || codes.call.is_some() {
             if let Some(kind) = macro_kind(&codes) {
@@ -106,7 +106,7 @@ impl RunState {
             (Some(_), None) => self.end_sub(cx, at, values.call.p)?,
             (None, None) => {
                 if let (true, Some(call)) = (moved, self.modal_call.as_ref().map(Rc::clone)) {
-                    let arguments = Rc::clone(&call.arguments);
+                    let arguments = call.arguments.clone();
                     self.call_modal(cx, &call, arguments)?;
                 }
             }

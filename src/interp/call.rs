@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::canon::Canon;
 use super::context::BlockContext;
 use super::error::{Run, Trap};
-use super::frame::{CallFrame, ModalCall};
+use super::frame::{CallFrame, Given, ModalCall};
 use super::state::RunState;
 use super::step::End;
 use super::vars::{LOCALS, Locals, VACANT};
@@ -30,7 +30,7 @@ struct Callee {
     /// Its first block to run.
     entry: u32,
     repeats: u32,
-    arguments: Option<Rc<Locals>>,
+    arguments: Option<Given>,
     modal_call: Option<Rc<ModalCall>>,
     by_code: bool,
 }
@@ -39,7 +39,15 @@ struct Callee {
 pub(super) struct Arguments {
     pub(super) program: Option<f64>,
     pub(super) repeats: Option<f64>,
-    pub(super) locals: Locals,
+    locals: Locals,
+    pointless: u64,
+}
+
+impl Arguments {
+    /// The arguments alone.
+    pub(super) fn given(self) -> Given {
+        Given { locals: Rc::new(self.locals), pointless: self.pointless }
+    }
 }
 
 /// Sets of I, J, K in argument specification II.
@@ -76,7 +84,7 @@ impl RunState {
         // A subprogram goes on with the modal call of its caller.
         let mut modal_call = None;
         if let Some(arguments) = &arguments {
-            self.vars.enter(arguments, cx.shared.rules.running.keep_locals);
+            self.vars.enter(&arguments.locals, cx.shared.rules.running.keep_locals);
             modal_call = core::mem::replace(&mut self.modal_call, callee.modal_call);
         }
         let back = self.at;
@@ -186,7 +194,7 @@ impl RunState {
         &mut self,
         cx: &BlockContext,
         (program, repeats): (u32, u32),
-        arguments: Rc<Locals>,
+        arguments: Given,
         modal_call: Option<Rc<ModalCall>>,
         by_code: bool,
     ) -> Run<()> {
@@ -196,7 +204,7 @@ impl RunState {
     }
 
     /// A call by a modal call in force.
-    pub(super) fn call_modal(&mut self, cx: &BlockContext, call: &ModalCall, arguments: Rc<Locals>) -> Run<()> {
+    pub(super) fn call_modal(&mut self, cx: &BlockContext, call: &ModalCall, arguments: Given) -> Run<()> {
         self.call_macro(cx, (call.program, call.repeats), arguments, call.outer.clone(), call.by_code)
     }
 
@@ -248,7 +256,7 @@ impl RunState {
         by_code: bool,
     ) -> Run<()> {
         let repeats = self.repeats(cx, arguments.repeats, b"L")?;
-        let arguments = Rc::new(arguments.locals);
+        let arguments = arguments.given();
         if matches!(kind, CallKind::Modal | CallKind::ModalBlock) {
             let (each_block, outer) = (kind == CallKind::ModalBlock, self.modal_call.take());
             self.modal_call = Some(Rc::new(ModalCall { program, repeats, arguments, each_block, by_code, outer }));
@@ -268,7 +276,7 @@ impl RunState {
         words: &[Word],
         caller: Caller,
     ) -> Run<Arguments> {
-        let mut found = Arguments { program: None, repeats: None, locals: [VACANT; LOCALS] };
+        let mut found = Arguments { program: None, repeats: None, locals: [VACANT; LOCALS], pointless: 0 };
         let all = caller.all;
         // Set of I, J, K that is being filled, and the last of its letters; or how many of each there were.
         let (mut set, mut last, mut counts) = (0, None, [0; 3]);
@@ -318,12 +326,22 @@ impl RunState {
             };
             if let Some(place) = variable.checked_sub(1).and_then(|at| found.locals.get_mut(at)) {
                 *place = value;
+                let bit = 1_u64 << (variable - 1);
+                let increments = self.counts_argument(cx, word);
+                found.pointless = if increments { found.pointless | bit } else { found.pointless & !bit };
             }
         }
         if let (true, Some(number)) = (all, block.number) {
             found.locals[13] = f64::from(number);
         }
         Ok(found)
+    }
+
+    /// Whether a local variable still has the value of an argument whose number had no decimal point, and counted command increments.
+    pub(super) fn came_without_point(&self, variable: u32, value: f64) -> bool {
+        let given = self.frames.iter().rev().find_map(|frame| frame.arguments.as_ref());
+        let at = (variable as usize).wrapping_sub(1);
+        given.is_some_and(|given| given.pointless >> at.min(63) & 1 == 1 && given.locals.get(at) == Some(&value))
     }
 
     /// `M99 P`: the end of a subprogram or macro, or once more from the head of the main program.
@@ -340,13 +358,13 @@ impl RunState {
             }
             None => {
                 self.at = self.first;
-                return p.map_or(Ok(()), |number| self.go_to_number(cx, at, number));
+                return p.map_or(Ok(()), |number| self.go_to_number(cx, at, number, Alarm::NoSequence));
             }
             Some(frame) if frame.again > 0 => {
                 frame.again -= 1;
                 self.at = frame.entry;
                 if let Some(arguments) = &frame.arguments {
-                    self.vars.arguments(arguments, keep);
+                    self.vars.arguments(&arguments.locals, keep);
                 }
                 return Ok(());
             }
@@ -359,6 +377,6 @@ impl RunState {
         }
         self.go_to_program(cx.deck, frame.program);
         self.at = frame.back;
-        p.map_or(Ok(()), |number| self.go_to_number(cx, frame.back.saturating_sub(1), number))
+        p.map_or(Ok(()), |number| self.go_to_number(cx, frame.back.saturating_sub(1), number, Alarm::NoSequence))
     }
 }

@@ -141,7 +141,11 @@ impl Fault {
         let mut diagnostic = Diagnostic::error(self.message).kind(self.kind).at(place).alarm(shown);
         if let Some(number) = self.number {
             // Its wording is the program's.
-            (diagnostic.alarm, diagnostic.wording) = (Some(number.to_string().into()), None);
+            let prefix = parsed.control().macros.user_alarm_prefix;
+            (diagnostic.alarm, diagnostic.wording) = (
+                Some(if prefix.is_empty() { number.to_string() } else { format!("{prefix}{number:04}") }.into()),
+                None,
+            );
         }
         diagnostic.hints = self.hints;
         diagnostic

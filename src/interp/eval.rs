@@ -4,6 +4,7 @@ use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::operators::{calculate, divides_not, function, or_zero, truth};
 use super::state::RunState;
+use crate::controls::syntax::Function;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
 use crate::nc::{Expr, ExprId, Op};
@@ -35,6 +36,11 @@ impl RunState {
             Expr::Negate(x) => {
                 // A vacant variable with a sign stays vacant: `X-#1` is dropped as `X#1` is.
                 Ok(-self.part(cx, x)?)
+            }
+            Expr::Call(Function::AddPoint, x) => {
+                let value = or_zero(self.part(cx, x)?);
+                let Expr::Var(number) = cx.deck.expr(x) else { return Ok(value) };
+                Ok(if self.came_without_point(number, value) { value * cx.shared.units.per_unit } else { value })
             }
             Expr::Call(name, x) => {
                 let x = self.part(cx, x)?;

@@ -18,9 +18,18 @@ pub(super) struct CallFrame {
     /// How often it runs again.
     pub(super) again: u32,
     /// Arguments of a macro; a subprogram has none and shares its caller's locals.
-    pub(super) arguments: Option<Rc<Locals>>,
+    pub(super) arguments: Option<Given>,
     /// A code called it: within it no code calls.
     pub(super) by_code: bool,
+}
+
+/// Arguments of a macro call.
+#[derive(Debug, Clone)]
+pub(super) struct Given {
+    /// By local variable; vacant where the call has none.
+    pub(super) locals: Rc<Locals>,
+    /// Local variables, bit 0 for `#1`, whose argument counted command increments because its number had no point.
+    pub(super) pointless: u64,
 }
 
 /// G66 or G66.1 in force.
@@ -31,7 +40,7 @@ pub(super) struct ModalCall {
     /// How often each call runs it.
     pub(super) repeats: u32,
     /// Arguments of each call; G66.1 takes those of the block instead.
-    pub(super) arguments: Rc<Locals>,
+    pub(super) arguments: Given,
     /// G66.1: each block is a call, and nothing but a call.
     pub(super) each_block: bool,
     /// A code put it in force.

@@ -62,7 +62,7 @@ impl RunState {
         }
         let p = or_zero(operand(b'P', true)?);
         match jump {
-            Some(true) => self.go_to_number(cx, at, p).map_err(|trap| trap.behind(b"P")),
+            Some(true) => self.go_to_number(cx, at, p, Alarm::NoSequence).map_err(|trap| trap.behind(b"P")),
             Some(false) => Ok(()),
             None => Err(user_alarm(cx, block, p.round()).behind(b"P")),
         }

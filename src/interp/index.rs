@@ -186,7 +186,7 @@ impl Index {
         let pairs = self.jumps.get(program as usize).map_or(&[][..], |jumps| &jumps.pairs);
         match pairs.binary_search_by_key(&block, |&(at, _)| at) {
             Ok(at) => pairs[at].1,
-            Err(_) => Partner::Fault(Alarm::DoPair),
+            Err(_) => Partner::Fault(Alarm::MissingEnd),
         }
     }
 
@@ -264,7 +264,11 @@ fn jumps(deck: &Deck, range: core::ops::Range<u32>, control: &Control) -> Jumps 
                     jumps.loops.push(Loop { start, end: at, parent: None });
                 }
                 // Without DO or crossing another loop. A DO that finds no END stays without a partner.
-                _ => jumps.pairs.push((at, Partner::Fault(Alarm::DoPair))),
+                _ => {
+                    let crosses = open.iter().any(|&(other, _)| other == label);
+                    let alarm = if crosses { Alarm::DoPair } else { Alarm::MissingDo };
+                    jumps.pairs.push((at, Partner::Fault(alarm)));
+                }
             },
             _ => {}
         }

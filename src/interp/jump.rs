@@ -35,11 +35,12 @@ impl RunState {
             return Ok(());
         }
         let number = self.number(cx, target)?;
-        self.go_to_number(cx, from, number).map_err(|trap| trap.part(target))
+        self.go_to_number(cx, from, number, Alarm::GotoTarget).map_err(|trap| trap.part(target))
     }
 
-    /// Goes on at a sequence number of the running program; `from` is the block that jumps.
-    pub(super) fn go_to_number(&mut self, cx: &BlockContext, from: u32, number: f64) -> Run<()> {
+    /// Goes on at a sequence number of the running program; `from` is the block that jumps, `missing` the alarm where no block has the
+    /// number.
+    pub(super) fn go_to_number(&mut self, cx: &BlockContext, from: u32, number: f64, missing: Alarm) -> Run<()> {
         // A calculated number may miss the whole one by a last digit; no block has a number with decimals.
         let whole = (number - number.round()).abs() < WHOLE;
         let number = if whole { number.round() } else { number };
@@ -48,7 +49,7 @@ impl RunState {
         }
         let found = || cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1));
         let Some(to) = whole.then(found).flatten() else {
-            return Err(Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 9))).behind(b"P"));
+            return Err(Trap::alarm(missing, msg!("interp.no-sequence", (number, 9))).behind(b"P"));
         };
         if cx.shared.index.enters_loop(self.program, from, to) {
             return Err(Trap::alarm(Alarm::IntoLoop, msg!("interp.into-loop", (number, 0))));

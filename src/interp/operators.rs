@@ -84,6 +84,8 @@ pub(super) fn function(cx: &BlockContext, function: Function, x: f64) -> Run<f64
         Function::Ln if x <= 0.0 => return outside(Alarm::Logarithm),
         Function::Ln => math::ln(x),
         Function::Exp => math::exp(x),
+        // Read as an operator of two numbers, and with the argument's point where it is evaluated.
+        Function::Power | Function::AddPoint => x,
     };
     in_range(cx, result)
 }
@@ -139,6 +141,10 @@ pub(super) fn calculate(cx: &BlockContext, op: Op, a: f64, b: f64) -> Run<f64> {
             let angle = math::atan2_degrees(a, b);
             Ok(if cx.shared.rules.numbers.atan_turn && angle < 0.0 { angle + 360.0 } else { angle })
         }
+        Op::Power if a < 0.0 && b != b.trunc() || a == 0.0 && b < 0.0 => {
+            Err(Trap::alarm(Alarm::Calculation, msg!("interp.no-power", (a, 9), (b, 9))))
+        }
+        Op::Power => in_range(cx, math::pow(a, b)),
         Op::And | Op::Or | Op::Xor if cx.control.macros.truths => truth(match op {
             Op::And => a != 0.0 && b != 0.0,
             Op::Or => a != 0.0 || b != 0.0,

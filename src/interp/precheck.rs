@@ -260,7 +260,11 @@ impl<'a> Oracle<'a> {
                     cond.into_iter().chain([target]).for_each(|id| self.formula(block, id));
                     if self.is_constant(target) {
                         let jumped = self.state.go_to(&mut self.cx, at, target);
-                        self.tell(block, jumped, &[Alarm::IntoLoop, Alarm::JumpNumber, Alarm::NoSequence]);
+                        self.tell(
+                            block,
+                            jumped,
+                            &[Alarm::IntoLoop, Alarm::JumpNumber, Alarm::GotoTarget, Alarm::NoSequence],
+                        );
                     }
                 }
             }

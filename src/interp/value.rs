@@ -70,17 +70,19 @@ impl RunState {
 
     /// The value of a word as an argument of a macro.
     pub(super) fn argument(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
-        let units = &cx.shared.units;
         match word.value {
-            WordValue::Number(dec)
-                if !dec.point
-                    && cx.shared.rules.numbers.argument_increments
-                    && units.increment_letters & 1 << (word.letter & 31) != 0 =>
-            {
-                Ok(Some(dec.to_f64() / units.per_unit))
+            WordValue::Number(dec) if self.counts_argument(cx, word) => {
+                Ok(Some(dec.to_f64() / cx.shared.units.per_unit))
             }
             _ => self.as_written(cx, block, word),
         }
+    }
+
+    /// Whether an argument of a macro is a number without a point that counts command increments.
+    pub(super) fn counts_argument(&self, cx: &BlockContext, word: &Word) -> bool {
+        let counts = cx.shared.rules.numbers.argument_increments
+            && cx.shared.units.increment_letters & 1 << (word.letter & 31) != 0;
+        counts && matches!(word.value, WordValue::Number(dec) if !dec.point)
     }
 
     /// The value of a word in the unit of its address: seconds, millimetres.

@@ -270,6 +270,8 @@ pub enum Op {
     And,
     /// `ATAN[left]/[right]`, in degrees.
     Atan,
+    /// `POW[left,right]`: left to the power of right.
+    Power,
     /// `OR`, bit by bit.
     Or,
     /// `XOR`, bit by bit.

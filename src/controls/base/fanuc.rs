@@ -3,7 +3,7 @@
 use crate::controls::bench::{Bench, BenchAxis, BenchShift};
 use crate::controls::macros::{ArgumentSets, VacantWord};
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
-use crate::controls::syntax::{Function, Percent, RoundBrackets};
+use crate::controls::syntax::{ArcTangent, Function, Percent, RoundBrackets};
 use crate::controls::{Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
@@ -51,7 +51,7 @@ pub const SYNTAX: Syntax = Syntax {
     modulo: true,
     comparison_signs: false,
     bare_functions: false,
-    atan_of_two: true,
+    atan: ArcTangent::OfTwo,
     double_hash: true,
     nine_hash: false,
     absolute_holds: false,
@@ -100,6 +100,7 @@ pub const MACROS: Macros = Macros {
     calls_override: true,
     user_alarms: (0, 200),
     user_alarm_base: Some(3000),
+    user_alarm_prefix: "",
     cite: CALLS,
 };
 

@@ -4,7 +4,7 @@ use crate::controls::CodeId;
 use crate::controls::bench::{Bench, BenchAxis, BenchShift};
 use crate::controls::macros::{ArgumentSets, VacantWord};
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
-use crate::controls::syntax::{Function, Names, Percent, RoundBrackets, long};
+use crate::controls::syntax::{ArcTangent, Function, Names, Percent, RoundBrackets, long};
 use crate::controls::{Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::Positioning;
 use crate::drives::speed::Steps;
@@ -66,7 +66,7 @@ pub const SYNTAX: Syntax = Syntax {
     modulo: true,
     comparison_signs: true,
     bare_functions: false,
-    atan_of_two: true,
+    atan: ArcTangent::OfTwo,
     double_hash: false,
     nine_hash: false,
     absolute_holds: false,
@@ -140,6 +140,7 @@ pub const MACROS: Macros = Macros {
     calls_override: false,
     user_alarms: (65_000, 65_999),
     user_alarm_base: Some(0),
+    user_alarm_prefix: "",
     cite: ARITHMETIC,
 };
 

@@ -13,7 +13,7 @@ use super::code::g_codes;
 use super::macros::CodeCalls;
 use super::schema::control::axis;
 use super::schema::table::joined;
-use super::syntax::Function;
+use super::syntax::{ArcTangent, Function};
 use super::{Control, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
@@ -32,7 +32,7 @@ pub static CONTROL: Control = Control {
         program_digits: 8,
         if_then: false,
         modulo: false,
-        atan_of_two: false,
+        atan: ArcTangent::OfOne,
         threads_per_inch: Some(b'E'),
         do_max: 127,
         do_depth: 27,

@@ -33,6 +33,8 @@ pub enum Alarm {
     SubNesting,
     /// A sequence number that is not in the program.
     NoSequence,
+    /// A GOTO to a sequence number that is not in the program.
+    GotoTarget,
     /// A jump to a number that no block can have.
     JumpNumber,
     /// A program that is not there.
@@ -73,6 +75,10 @@ pub enum Alarm {
     DoNesting,
     /// DO and END not paired, or crossing.
     DoPair,
+    /// A DO without its END.
+    MissingEnd,
+    /// An END without its DO.
+    MissingDo,
     /// The program runs and never ends (budget of the simulation, no alarm of a control).
     Budget,
     /// An axis beyond its soft limit.
@@ -225,6 +231,7 @@ impl Alarm {
         Alarm::Arc,
         Alarm::SubNesting,
         Alarm::NoSequence,
+        Alarm::GotoTarget,
         Alarm::JumpNumber,
         Alarm::NoProgram,
         Alarm::VariableRange,
@@ -245,6 +252,8 @@ impl Alarm {
         Alarm::WhileSentence,
         Alarm::DoNesting,
         Alarm::DoPair,
+        Alarm::MissingEnd,
+        Alarm::MissingDo,
         Alarm::Budget,
         Alarm::SoftLimit,
         Alarm::WorkingArea,
@@ -312,14 +321,14 @@ impl Alarm {
             WorkingArea => SoftLimit,
             RepeatRange | SpeedRange | SpeedLimitRange => OutOfRange,
             DoNumber => WhileSentence,
-            IntoLoop => DoPair,
+            IntoLoop | MissingEnd | MissingDo => DoPair,
             NoCallProgram => NoProgram,
             Digits | SequenceDigits | FeedRange | UserAlarmRange | SurfaceRange | SpindleAngle => OutOfRange,
             NoSurfaceSpeed => NoFeed,
             NoPositioning => UnknownCode,
             SpindleReversal | GearTimeout => EmergencyStop,
             BlockWords => BlockTooLong,
-            JumpNumber => NoSequence,
+            JumpNumber | GotoTarget => NoSequence,
             ReadOnly => VariableSide,
             VacantWritten | VacantValue => ReadOnly,
             OwnCall => SubNesting,

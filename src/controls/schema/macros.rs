@@ -128,6 +128,8 @@ pub struct Macros {
     pub user_alarms: (u32, u32),
     /// What is added to the number of a user alarm to give the number that is shown; `None` where one number is shown for all.
     pub user_alarm_base: Option<u32>,
+    /// Letters in front of the number of a user alarm: `MC` makes 3005 `MC3005`.
+    pub user_alarm_prefix: &'static str,
     /// Source and grade.
     pub cite: Citation,
 }

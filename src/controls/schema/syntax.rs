@@ -11,6 +11,29 @@ pub enum RoundBrackets {
     Group,
 }
 
+/// How many numbers the arc tangent takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ArcTangent {
+    /// One: `ATAN[y/x]`.
+    OfOne,
+    /// Two: `ATAN[y]/[x]`.
+    OfTwo,
+    /// One or two: `ATAN[y/x]`, `ATAN[y]/[x]`, `ATAN[y,x]`.
+    OfOneOrTwo,
+}
+
+impl ArcTangent {
+    /// Whether `ATAN[y/x]` exists.
+    pub fn takes_one(self) -> bool {
+        self != ArcTangent::OfTwo
+    }
+
+    /// Whether `ATAN[y]/[x]` exists.
+    pub fn takes_two(self) -> bool {
+        self != ArcTangent::OfOne
+    }
+}
+
 /// Where a file has its `%`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Percent {
@@ -134,8 +157,8 @@ pub struct Syntax {
     pub comparison_signs: bool,
     /// A function may do without brackets: `SIN30`, `SQRT#1`.
     pub bare_functions: bool,
-    /// The arc tangent is of two numbers: `ATAN[y]/[x]`; else of one.
-    pub atan_of_two: bool,
+    /// Numbers that the arc tangent takes.
+    pub atan: ArcTangent,
     /// `##5` is `#[#5]`.
     pub double_hash: bool,
     /// `#9nnn` is `#[#nnn]`.
@@ -189,6 +212,11 @@ impl Syntax {
         self.names.as_ref()
     }
 
+    /// Whether the macro language has a function.
+    pub fn has(&self, function: Function) -> bool {
+        self.functions.iter().any(|row| row.1 == function)
+    }
+
     /// The sequence numbers that a block can have.
     pub fn sequence_numbers(&self) -> core::ops::Range<f64> {
         1.0..f64::from(10_u32.pow(self.sequence_digits.min(9).into()))
@@ -230,6 +258,10 @@ pub enum Function {
     Ln,
     /// Exponential.
     Exp,
+    /// `POW[base,exponent]`; the tree has it as an operator of two numbers.
+    Power,
+    /// `ADP[#n]`: the argument in `#n` as its number was written, where it came without a decimal point.
+    AddPoint,
 }
 
 /// What a `G65 Hnn` does with its operands: P is the result, Q and R are what it is made of.

@@ -154,7 +154,7 @@ impl Check<'_> {
                         None if matches!(block.stmt, Stmt::Bad(_)) => {}
                         None => {
                             let span = self.keyword_span(block, "END");
-                            self.report(Alarm::DoPair, span, msg!("nc.end-without-do", u32::from(label)));
+                            self.report(Alarm::MissingDo, span, msg!("nc.end-without-do", u32::from(label)));
                             // Where the innermost loop has no end, this is meant to be it.
                             let meant = open.pop_if(|(inner, _)| *inner != ANY && !ends_in(rest, *inner));
                             if let (Some((inner, _)), Some(finding)) = (meant, self.found.last_mut()) {
@@ -178,7 +178,7 @@ impl Check<'_> {
     fn no_end_of_loop(&mut self, label: u16, head: &Block) {
         if !matches!(head.stmt, Stmt::Bad(_)) {
             let span = self.keyword_span(head, "DO");
-            self.report(Alarm::DoPair, span, msg!("nc.do-without-end", u32::from(label)));
+            self.report(Alarm::MissingEnd, span, msg!("nc.do-without-end", u32::from(label)));
         }
     }
 
@@ -213,7 +213,7 @@ impl Check<'_> {
                 let span = self.keyword_span(block, "GOTO");
                 let span = Span::new((span.start + 4).min(span.end), span.end);
                 let lead = span.of(self.text).len() - span.of(self.text).trim_start().len();
-                self.no_target(target, Span::new(span.start + lead as u32, span.end));
+                self.no_target(Alarm::GotoTarget, target, Span::new(span.start + lead as u32, span.end));
             }
         }
     }
@@ -230,11 +230,11 @@ impl Check<'_> {
         value.fract() == 0.0 && value >= 0.0 && numbers.binary_search(&(value as u32)).is_ok()
     }
 
-    fn no_target(&mut self, number: Dec, span: Span) {
+    fn no_target(&mut self, missing: Alarm, number: Dec, span: Span) {
         if self.found.len() <= 2 * FINDINGS {
             // Some numbers no block can have.
             let such = self.control.syntax.sequence_numbers().contains(&number.to_f64());
-            let alarm = if such { Alarm::NoSequence } else { Alarm::JumpNumber };
+            let alarm = if such { missing } else { Alarm::JumpNumber };
             self.report(alarm, span, msg!("nc.no-such-sequence", format!("N{number}")));
         }
     }
@@ -275,7 +275,7 @@ impl Check<'_> {
         };
         let row = self.control.macros.functions.iter().find(|row| f64::from(row.0) == function.0.to_f64());
         if row.is_some_and(|row| row.1.jumps()) && !self.has_number(number) {
-            self.no_target(number, span);
+            self.no_target(Alarm::NoSequence, number, span);
         }
     }
 

@@ -1,6 +1,7 @@
 //! Mistakes with one obvious correction: reported once with the fix, and read as corrected.
 
 use crate::controls::Alarm;
+use crate::controls::syntax::Function;
 use crate::msg;
 use crate::nc::ast::{Expr, ExprId, Op, fresh_numbers};
 use crate::nc::dec::{Dec, POW10};
@@ -193,7 +194,8 @@ impl Reader<'_> {
     pub(in crate::nc) fn odd_digit(&mut self) {
         self.zero_for_o();
         // In brackets a comma parts two numbers.
-        if self.cursor.peek() != b',' || self.names().is_some() && self.formulas.depth > 0 {
+        let parts = self.names().is_some() || self.control.syntax.has(Function::Power);
+        if self.cursor.peek() != b',' || parts && self.formulas.depth > 0 {
             return;
         }
         let at = self.cursor.at;

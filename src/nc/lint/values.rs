@@ -56,7 +56,7 @@ impl Vars<'_> {
             Expr::Indirect(_) | Expr::Label(_) => Kind::Entered,
             Expr::Negate(inner) | Expr::Call(Function::Abs, inner) => self.kind(group, inner),
             Expr::Call(function, _) if rounds(function) => Kind::Whole,
-            Expr::Call(..) | Expr::Binary(Op::Divide | Op::Atan, ..) => Kind::Calculated,
+            Expr::Call(..) | Expr::Binary(Op::Divide | Op::Atan | Op::Power, ..) => Kind::Calculated,
             Expr::Binary(Op::Add | Op::Subtract | Op::Multiply | Op::Modulo, left, right) => {
                 match self.kind(group, left).max(self.kind(group, right)) {
                     Kind::Decimals => Kind::Calculated,

@@ -152,9 +152,10 @@ fn other_forms(deck: &mut Deck, control: &Control) {
     let syntax = &control.syntax;
     let strange = |expr: &Expr| match expr {
         Expr::Binary(Op::Modulo, ..) => !syntax.modulo,
-        Expr::Binary(Op::Atan, ..) => !syntax.atan_of_two,
-        Expr::Call(Function::Atan, _) => syntax.atan_of_two,
-        Expr::Call(Function::Square, _) => !syntax.functions.iter().any(|row| row.1 == Function::Square),
+        Expr::Binary(Op::Atan, ..) => !syntax.atan.takes_two(),
+        Expr::Binary(Op::Power, ..) => !syntax.has(Function::Power),
+        Expr::Call(Function::Atan, _) => !syntax.atan.takes_one(),
+        Expr::Call(function @ (Function::Square | Function::AddPoint), _) => !syntax.has(*function),
         _ => false,
     };
     if !deck.exprs.iter().any(strange) {
@@ -177,6 +178,7 @@ fn other_forms(deck: &mut Deck, control: &Control) {
                 let inner = at(inner);
                 push(Expr::Binary(Op::Multiply, inner, inner))
             }
+            Expr::Call(Function::AddPoint, inner) if strange(expr) => at(inner),
             Expr::Call(_, inner) if strange(expr) => {
                 let one = push(Expr::Number(Dec::int(1)));
                 push(Expr::Binary(Op::Atan, at(inner), one))
@@ -188,6 +190,12 @@ fn other_forms(deck: &mut Deck, control: &Control) {
                 let whole = push(Expr::Call(Function::Fix, ratio));
                 let multiple = push(Expr::Binary(Op::Multiply, whole, right));
                 push(Expr::Binary(Op::Subtract, left, multiple))
+            }
+            Expr::Binary(Op::Power, base, exponent) if strange(expr) => {
+                let (base, exponent) = (at(base), at(exponent));
+                let logarithm = push(Expr::Call(Function::Ln, base));
+                let product = push(Expr::Binary(Op::Multiply, exponent, logarithm));
+                push(Expr::Call(Function::Exp, product))
             }
             Expr::Binary(Op::Atan, y, x) if strange(expr) => {
                 let (y, x) = (at(y), at(x));

@@ -1,6 +1,6 @@
 //! Expressions: in macro statements and behind addresses.
 
-use crate::controls::syntax::Function;
+use crate::controls::syntax::{ArcTangent, Function};
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
@@ -235,8 +235,9 @@ impl Reader<'_> {
             }
             None => self.misspelt_function()?,
         };
+        let atan = self.control.syntax.atan;
         if function == Function::Atan
-            && self.control.syntax.atan_of_two
+            && atan == ArcTangent::OfTwo
             && let Some(comma) = self.comma_within()
         {
             let message = msg!("nc.atan-alone", self.control.name);
@@ -246,16 +247,46 @@ impl Reader<'_> {
             return Err(failure);
         }
         let inner = match self.skip() {
-            b'(' if self.names().is_some() && function == Function::Atan => return self.two_arguments(start),
+            b'(' if self.names().is_some() && function == Function::Atan => {
+                return self.two_arguments(Op::Atan, b')', start);
+            }
             b'[' if self.names().is_some() => self.square_group()?,
+            b'[' if function == Function::Power => return self.two_arguments(Op::Power, b']', start),
+            b'[' if function == Function::Atan && self.comma_within().is_some() && atan.takes_two() => {
+                return self.two_arguments(Op::Atan, b']', start);
+            }
             b'[' => self.group(b']')?,
             b'(' if self.formulas.rounds => self.group(b')')?,
             _ => self.bare_argument(start, name)?,
         };
-        if function == Function::Atan && self.control.syntax.atan_of_two {
+        let second = atan == ArcTangent::OfTwo || atan.takes_two() && self.skip() == b'/' && self.bracket_behind();
+        if function == Function::Atan && second {
             return self.second_argument(inner, start);
         }
         self.part(Expr::Call(function, inner), start)
+    }
+
+    /// `[left,right]` behind the name of a function of two numbers; the reader is at the bracket, which `close` closes.
+    pub(in crate::nc) fn two_arguments(&mut self, op: Op, close: u8, start: usize) -> Read<ExprId> {
+        let name = String::from_utf8_lossy(self.cursor.line.get(start..self.cursor.at).unwrap_or_default())
+            .trim()
+            .to_ascii_uppercase();
+        let open = self.open_group(close)?;
+        let left = self.inner_formula()?;
+        if self.skip() != b',' {
+            return Err(self.failure(Alarm::AtanForm, start, self.cursor.at, msg!("nc.two-arguments", name), false));
+        }
+        self.cursor.at += 1;
+        let right = self.inner_formula()?;
+        self.close(open)?;
+        self.formulas.depth -= 1;
+        self.part(Expr::Binary(op, left, right), start)
+    }
+
+    /// Whether an opening bracket follows the byte at hand.
+    fn bracket_behind(&self) -> bool {
+        let rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
+        rest.trim_ascii_start().first() == Some(&b'[')
     }
 
     /// What a function's name with a slip in it was meant to be.
@@ -375,16 +406,27 @@ impl Reader<'_> {
 
     /// The bracketed expression at hand.
     pub(in crate::nc) fn group(&mut self, close: u8) -> Read<ExprId> {
+        let open = self.open_group(close)?;
+        let inner = self.inner_formula()?;
+        self.close(open)?;
+        self.formulas.depth -= 1;
+        Ok(inner)
+    }
+
+    /// Opens a bracket around a formula, one level deeper.
+    fn open_group(&mut self, close: u8) -> Read<Open> {
         self.deeper()?;
         let open = self.open(close);
         if self.formulas.depth == u32::from(self.control.syntax.bracket_depth) + 1 {
             let message = self.too_deep();
             self.report(Alarm::BracketDepth, open.at, open.at + 1, message);
         }
-        let inner = if self.names().is_some() { self.named_formula(false)? } else { self.formula(false)? };
-        self.close(open)?;
-        self.formulas.depth -= 1;
-        Ok(inner)
+        Ok(open)
+    }
+
+    /// A formula within brackets.
+    fn inner_formula(&mut self) -> Read<ExprId> {
+        if self.names().is_some() { self.named_formula(false) } else { self.formula(false) }
     }
 
     pub(in crate::nc) fn open(&mut self, close: u8) -> Open {

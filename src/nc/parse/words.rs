@@ -357,7 +357,7 @@ impl<'a> Reader<'a> {
     /// A formula behind an address, from `from` on, stands in brackets.
     #[cold]
     fn check_enclosed(&mut self, value: ExprId, from: usize) {
-        if !matches!(self.deck.expr(value), Expr::Binary(op, ..) if op != Op::Atan) {
+        if !matches!(self.deck.expr(value), Expr::Binary(op, ..) if !matches!(op, Op::Atan | Op::Power)) {
             return;
         }
         let text = self.cursor.line.get(from..self.cursor.at).unwrap_or_default().trim_ascii_end();

@@ -2,7 +2,7 @@
 
 mod symbolic;
 
-use crate::controls::syntax::{Function, RoundBrackets};
+use crate::controls::syntax::{ArcTangent, Function, RoundBrackets};
 use crate::controls::{Control, VarKind};
 use crate::nc::ast::{Block, Deck, Expr, ExprId, Op, Stmt, TextId, WordValue};
 use crate::nc::dec::Dec;
@@ -194,6 +194,22 @@ impl Writer<'_> {
                 self.text.push('/');
                 self.bracketed(right, depth);
             }
+            // `ATAN[a]/[b]` would be the angle of two numbers.
+            Expr::Binary(Op::Divide, left, right)
+                if level <= operator(Op::Divide).0 && self.ends_in_arc_tangent(left) =>
+            {
+                self.bracketed(left, depth);
+                self.text.push('/');
+                self.expr(right, operator(Op::Divide).0 + 1, false, depth + 1);
+            }
+            Expr::Binary(Op::Power, left, right) => {
+                self.function_name(Function::Power);
+                self.text.push('[');
+                self.expr(left, 0, true, depth + 1);
+                self.text.push(',');
+                self.expr(right, 0, true, depth + 1);
+                self.text.push(']');
+            }
             Expr::Binary(op, left, right) => {
                 let (own, sign) = if self.control.syntax.names().is_some() { named_operator(op) } else { operator(op) };
                 if own < level {
@@ -203,6 +219,16 @@ impl Writer<'_> {
                 self.text.push_str(sign);
                 self.expr(right, own + 1, false, depth + 1);
             }
+        }
+    }
+
+    /// Whether a formula ends in the arc tangent of one number, on a control that has that of two as well.
+    fn ends_in_arc_tangent(&self, id: ExprId) -> bool {
+        match self.deck.expr(id) {
+            Expr::Call(Function::Atan, _) => self.control.syntax.atan == ArcTangent::OfOneOrTwo,
+            Expr::Negate(inner) => self.ends_in_arc_tangent(inner),
+            Expr::Binary(op, _, right) => operator(op).0 == operator(Op::Divide).0 && self.ends_in_arc_tangent(right),
+            _ => false,
         }
     }
 }
@@ -215,7 +241,7 @@ fn operator(op: Op) -> (u8, &'static str) {
         Op::Or => (1, " OR "),
         Op::Xor => (1, " XOR "),
         Op::Multiply => (2, "*"),
-        Op::Divide | Op::Atan => (2, "/"),
+        Op::Divide | Op::Atan | Op::Power => (2, "/"),
         Op::And => (2, " AND "),
         Op::Modulo => (2, " MOD "),
         Op::Equal => (0, " EQ "),

@@ -135,7 +135,7 @@ pub(super) fn named_operator(op: Op) -> (u8, &'static str) {
         Op::Add => (4, "+"),
         Op::Subtract => (4, "-"),
         Op::Multiply => (5, "*"),
-        Op::Divide | Op::Atan => (5, "/"),
+        Op::Divide | Op::Atan | Op::Power => (5, "/"),
         Op::Modulo => (5, " MOD "),
     }
 }

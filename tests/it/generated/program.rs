@@ -357,7 +357,7 @@ impl<'a> Writer<'a> {
                 let a = self.formula(inner - 1);
                 format!("FIX[{a}] MOD 7")
             }
-            9 if self.control.syntax.atan_of_two => {
+            9 if self.control.syntax.atan.takes_two() => {
                 let (a, b) = (self.formula(inner), self.formula(inner));
                 format!("ATAN[{a}]/[{b}]")
             }
@@ -380,7 +380,9 @@ impl<'a> Writer<'a> {
                 format!("{name}[SIN[{inner}]*.9]")
             }
             Function::Bcd | Function::Bin => format!("{name}[8]"),
-            Function::Atan if self.control.syntax.atan_of_two => format!("{name}[1]/[2]"),
+            Function::Power => format!("{name}[ABS[{inner}]+1,.5]"),
+            Function::AddPoint => format!("{name}[#1]"),
+            Function::Atan if !self.control.syntax.atan.takes_one() => format!("{name}[1]/[2]"),
             Function::Sqrt | Function::Ln | Function::Exp | Function::Asin | Function::Acos | Function::Tan => {
                 format!("{name}[.5]")
             }

@@ -22,7 +22,7 @@ use crate::nc::lex::spelling::{meant, prose};
 use crate::nc::parse::failure::{Failure, Read};
 use crate::nc::parse::file::begins_character;
 use crate::nc::parse::reader::{BLOCK_BYTES, FINDINGS, Reader};
-use crate::text::{Message, Place, Span};
+use crate::text::{Place, Span};
 
 impl<'a> Reader<'a> {
     /// A line of a file: one block, `from < to`, without white space around it.
@@ -617,22 +617,6 @@ impl<'a> Reader<'a> {
             );
         }
         Some(op)
-    }
-
-    /// `ATAN2(y, x)`; the reader stands at the bracket.
-    pub(in crate::nc) fn two_arguments(&mut self, start: usize) -> Read<ExprId> {
-        self.deeper()?;
-        let open = self.open(b')');
-        let left = self.named_formula(false)?;
-        if self.skip() != b',' {
-            let message: Message = msg!("nc.two-arguments");
-            return Err(self.failure(Alarm::AtanForm, start, self.cursor.at, message, false));
-        }
-        self.cursor.at += 1;
-        let right = self.named_formula(false)?;
-        self.close(open)?;
-        self.formulas.depth -= 1;
-        self.part(Expr::Binary(Op::Atan, left, right), start)
     }
 
     /// `[ expr ]` for grouping, which other controls have; read as it was meant.
