@@ -12,6 +12,8 @@ pub mod gsk_980tdc;
 
 pub mod knd_k2000t;
 
+pub mod fanuc_0i_tf;
+
 pub mod sinumerik_802d;
 
 pub use schema::{
@@ -30,7 +32,7 @@ macro_rules! controls {
     };
 }
 
-controls![mitsubishi_e60, gsk_980tdc, knd_k2000t, sinumerik_802d];
+controls![mitsubishi_e60, gsk_980tdc, knd_k2000t, fanuc_0i_tf, sinumerik_802d];
 
 /// The control with this id.
 pub fn find(id: &str) -> Option<&'static Control> {

@@ -168,102 +168,102 @@ fn same_lines_on_each_control_match_the_table() {
         table.push('\n');
     }
     expect![[r#"
-                             | Mitsubishi E60                               | GSK 980TDc                                   | KND K2000T                             | SINUMERIK 802D
-        vacant in an address | rapid X1                                     | rapid X1 Y0                                  | rapid X1                               | rapid X1 Y0
-        vacant EQ 0          | #100=0                                       | -                                            | #100=0                                 | -
-        vacant NE 0          | -                                            | #100=0                                       | -                                      | R100=1
-        vacant GE 0          | -                                            | -                                            | -                                      | -
-        vacant GT 0          | #100=0                                       | #100=0                                       | #100=0                                 | R100=1
-        0 EQ #0              | #100=0                                       | -                                            | #100=0                                 |
-        vacant times 5       | #100=0                                       | #100=0                                       | #100=0                                 | R100=0
-        X#100+10             | rapid X11 #100=1                             | rapid X11 #100=1                             | rapid X11 #100=1                       |
-        X#100.               | alarm P33                                    | alarm 0101                                   | alarm 004                              |
-        X10.,Y5.             | alarm P32                                    | alarm 0003                                   | alarm 009                              |
-        X[12.3456]           | rapid X12.346                                | rapid X12.346                                | rapid X12.346                          | rapid X12.346
-        X[ROUND[12.3456]]    | rapid X12                                    | rapid X12                                    | rapid X12.346                          | rapid X12
-        F[ROUND[10.45]]      | linear X1 F10                                | linear X1 F10                                | linear X1 F10.45                       | linear X1 F10/rev exact
-        I[ROUND[12.3456]]    | #104=12                                      | #104=12                                      | #104=12                                |
-        X8                   | rapid X0.008                                 | rapid X8                                     | rapid X8                               | rapid X8
-        U8 W8.               | alarm P32                                    | rapid X8 Z8                                  | rapid X8 Z8                            | alarm 12550
-        X1. U5.              | alarm P32                                    | rapid X1                                     | rapid X5                               | alarm 12000
-        S[1000.5]            | spindle-speed 1000                           | spindle-speed 1001                           | spindle-speed 1001                     | spindle-speed 1000.5
-        S1000.5              | spindle-speed 1000 (interp.decimals-dropped) | spindle-speed 1001 (interp.decimals-dropped) | alarm 007                              | spindle-speed 1000.5
-        S1000.0              | spindle-speed 1000                           | spindle-speed 1000                           | alarm 007                              | spindle-speed 1000
-        G65 P3 I8            | #104=0.008                                   | #104=8                                       | #104=8                                 |
-        5.5 AND 3            | #100=2                                       | alarm 0127                                   | #100=2                                 | R100=1
-        7 MOD 3              | alarm P33                                    | alarm 0101                                   | #100=1                                 | R100=1
-        G65 H23 P#100 Q7 R3  | alarm P232                                   | #100=1                                       | alarm 076                              |
-        ATAN[1]              | #100=45                                      | alarm 0106                                   | alarm 114                              | alarm 12080
-        ATAN[1]/[1]          | #100=45                                      | #100=45                                      | #100=45                                | R100=45
-        ATAN[-1]/[-1]        | #100=45                                      | #100=225                                     | #100=225                               | R100=-135
-        ASIN[-0.5]           | #100=-30                                     | #100=-30                                     | #100=330                               | R100=-30
-        ASIN[1.5]            | alarm P282                                   | alarm 0110                                   | alarm 119                              | alarm 14051
-        TAN[90]              | alarm P282                                   | alarm 0109                                   | alarm 112                              | alarm 14051
-        SQRT[-1]             | alarm P282                                   | alarm 0108                                   | alarm 119                              | alarm 14051
-        LN[0]                | alarm P282                                   | alarm 0107                                   | alarm 119                              | alarm 14051
-        1/0                  | alarm P283                                   | alarm 0105                                   | alarm 112                              | alarm 14051
-        EXP[200]/EXP[200]    | #100=1                                       | #100=1                                       | alarm 111                              | R100=1
-        13 digits            | #100=1.23456789                              | #100=1.23456789                              | alarm 003                              | R100=1.23456789
-        RAND[5]              | alarm P33                                    | alarm BUDGET                                 | alarm 004                              |
-        12 characters        | rapid X-12345.679                            | alarm 0003                                   | rapid X-12345.679                      | rapid X-12345.679
-        SIN30                | alarm P33                                    | #100=0.5                                     | alarm 004                              | alarm 12080
-        2 > 1                | alarm P290                                   | -                                            | alarm 114                              | -
-        IF THEN              | alarm P290                                   | #100=1                                       | #100=1                                 |
-        X#9100               | alarm P241                                   | rapid X5 #100=105 #105=5                     | alarm 115                              |
-        X##100               | rapid X5 #100=105 #105=5                     | alarm 0101                                   | rapid X5 #100=105 #105=5               | rapid X5 R100=105 R105=5
-        six brackets         | alarm P280                                   | alarm 0104                                   | alarm 118                              | R100=1
-        DO4                  | #100=1                                       | alarm 0102                                   | alarm 126                              |
-        #0=1                 | alarm P243                                   | alarm 0117                                   | alarm 116                              |
-        #1000=1              | alarm P243                                   | alarm 0120                                   | alarm 116                              |
-        #200=1               | alarm P241                                   | alarm 0111                                   | alarm 115                              | R200=1
-        #2001=#0             | -                                            | alarm 0121                                   | -                                      |
-        #1100=2              | output #1100=1 (interp.output-range)         | output #1100=1 (interp.output-range)         | output #1100=1 (interp.output-range)   |
-        #5221 as it is read  | #100=1000 #101=1000                          | alarm 0120                                   | #100=1000 #101=1000                    |
-        #1133=-70000         | output #1133=-70000                          | output #1133=-32768 (interp.output-range)    | output #1133=-70000                    |
-        X1. X2.              | rapid X2                                     | alarm 0010                                   | rapid X2                               | alarm 12000
-        M98 P2 L2            | #102=2 #105=2                                | #102=2 #105=2                                | #102=2 #105=2                          | R102=2
-        M98 P2 H5            | #105=1                                       | rapid C5 #102=1 #105=1                       | rapid C5 #102=1 #105=1                 |
-        M98 P20002           | alarm P232                                   | #102=2 #105=2                                | #102=2 #105=2                          |
-        M98 P1 within O1     | alarm P230                                   | alarm 0097                                   | alarm 077                              | alarm 14012
-        I2. J3.              | #104=2 #105=3                                | #104=2 #105=3                                | #104=2 #105=3                          |
-        K1. I2. J3.          | #106=1 #107=2 #108=3                         | #104=2 #105=3 #106=1                         | #106=1 #107=2 #108=3                   |
-        I1. J2. I3. J4. K5.  | #104=1 #105=2 #107=3 #108=4 #109=5           | #104=1 #105=2 #106=5 #107=3 #108=4           | #104=1 #105=2 #107=3 #108=4 #109=5     |
-        G65 behind a word    | #102=1 #105=1                                | alarm 0114                                   | #102=1 #105=1                          |
-        G65 A1 P2            | #102=1 #105=1                                | alarm 0122                                   | #102=1 #105=1                          |
-        G65 while G66 is on  | rapid X1 #102=2 #105=2                       | rapid X1 #102=1 #105=1                       | rapid X1 #102=2 #105=2                 |
-        G67 alone            | alarm P276                                   | -                                            | -                                      |
-        G90 X1. F100         | linear X1 F100                               | -                                            | -                                      | linear X1 F100/rev exact
-        G50 X1. F100         | linear X1 F100                               | preset X1                                    | preset X1                              |
-        G50 S900             | spindle-speed 900                            | speed-limit 900 preset X0 Y0 Z0              | speed-limit 900                        | speed-limit 900
-        M42                  | auxiliary M42                                | gear 2                                       | gear 2                                 | gear 2
-        M3 M8                | spindle-cw auxiliary M8                      | alarm 0010                                   | auxiliary M8 (interp.m-code-dropped)   | spindle-cw auxiliary M8
-        M0 M1                | stop                                         | alarm 0010                                   | optional-stop (interp.m-code-dropped)  | alarm 14760
-        G04 P0.5             | dwell 0s (interp.decimals-dropped)           | dwell 0s (interp.decimals-dropped)           | alarm 007                              |
-        G00 X1. P5           | rapid X1 (interp.idle-word)                  | rapid X1 (interp.idle-word)                  | rapid X1 (interp.idle-word)            |
-        G31 X1. F100         | linear X1 F100 exact                         | linear X1 F100 exact                         | linear X1 F100 exact                   |
-        G71 P1 Q2            | alarm P34                                    | rapid X3 (interp.contour)                    | rapid X3 (interp.contour)              |
-        G33 Z1. E8           | thread Z1 F3.175/rev                         | -                                            | alarm 010                              |
-        G96 S100             | spindle-speed 100                            | surface-speed 100 X0                         | surface-speed 100 X0                   | surface-speed 100 X0
-        G98 within G96       | spindle-speed 400 spindle-speed 100          | spindle-speed 400 surface-speed 100 X0       | spindle-speed 400 surface-speed 100 X0 | spindle-speed 400 surface-speed 100 X0 constant-speed spindle-speed 400
-        G01 X1. F100 M05     | spindle-stop linear X1 F100                  | linear X1 F100 spindle-stop                  | spindle-stop linear X1 F100            | linear X1 F100/rev exact spindle-stop
-        G512 B2.             | alarm P34                                    | alarm 0002                                   | alarm 078                              | alarm 12470
-        G01 X1. without F    | alarm P62                                    | alarm 0023                                   | alarm 011                              | alarm 10860
-        GOTO[3/2]            | alarm P231                                   | alarm 0112                                   | alarm 078                              |
-        GOTO77               | alarm P231                                   | alarm 0112                                   | alarm 078                              | alarm 14080
-        #3000=5              | alarm P277                                   | alarm 5905                                   | alarm 3005                             |
-        #3000=150            | alarm P277                                   | alarm 0126                                   | alarm 3150                             |
-        0.1 + 0.2 == 0.3     | #100=1                                       | #100=1                                       | #100=1                                 | -
-        two jumps in a block |                                              |                                              |                                        | -
-        5 > 3 AND 1          |                                              |                                              |                                        | R100=1
-        two assignments      | alarm P33                                    | alarm 0101                                   | alarm 004                              | R100=1 R101=2
-        X10 G91 X=AC(3)      |                                              |                                              |                                        | rapid X10 rapid X3
-        X4 as radius         |                                              |                                              |                                        | rapid X8
-        G96 without S        | -                                            | surface-speed 0 X0                           | surface-speed 0 X0                     | alarm 10900
-        G25 S50              | alarm P34                                    | alarm 0002                                   | alarm 010                              | lower-speed-limit 50
-        G26 S3000            | alarm P34                                    | alarm 0002                                   | alarm 010                              | upper-speed-limit 3000
-        SPOS=DC(30) X1       |                                              |                                              |                                        | orient 30 rapid X1
-        SPOS=360             |                                              |                                              |                                        | alarm 16830
-        G4 S30               |                                              |                                              |                                        | dwell 30rev
-        end of the program   | endless                                      | endless                                      | endless                                | alarm 14091
+                             | Mitsubishi E60                               | GSK 980TDc                                   | KND K2000T                             | FANUC 0i-TF                            | SINUMERIK 802D
+        vacant in an address | rapid X1                                     | rapid X1 Y0                                  | rapid X1                               | rapid X1                               | rapid X1 Y0
+        vacant EQ 0          | #100=0                                       | -                                            | #100=0                                 | #100=0                                 | -
+        vacant NE 0          | -                                            | #100=0                                       | -                                      | -                                      | R100=1
+        vacant GE 0          | -                                            | -                                            | -                                      | -                                      | -
+        vacant GT 0          | #100=0                                       | #100=0                                       | #100=0                                 | #100=0                                 | R100=1
+        0 EQ #0              | #100=0                                       | -                                            | #100=0                                 | #100=0                                 |
+        vacant times 5       | #100=0                                       | #100=0                                       | #100=0                                 | #100=0                                 | R100=0
+        X#100+10             | rapid X11 #100=1                             | rapid X11 #100=1                             | rapid X11 #100=1                       | rapid X11 #100=1                       |
+        X#100.               | alarm P33                                    | alarm 0101                                   | alarm 004                              | alarm PS0004                           |
+        X10.,Y5.             | alarm P32                                    | alarm 0003                                   | alarm 009                              | alarm PS0009                           |
+        X[12.3456]           | rapid X12.346                                | rapid X12.346                                | rapid X12.346                          | rapid X12.346                          | rapid X12.346
+        X[ROUND[12.3456]]    | rapid X12                                    | rapid X12                                    | rapid X12.346                          | rapid X12.346                          | rapid X12
+        F[ROUND[10.45]]      | linear X1 F10                                | linear X1 F10                                | linear X1 F10.45                       | linear X1 F10.45/rev                   | linear X1 F10/rev exact
+        I[ROUND[12.3456]]    | #104=12                                      | #104=12                                      | #104=12                                | #104=12                                |
+        X8                   | rapid X0.008                                 | rapid X8                                     | rapid X8                               | rapid X0.008                           | rapid X8
+        U8 W8.               | alarm P32                                    | rapid X8 Z8                                  | rapid X8 Z8                            | rapid X0.008 Z8                        | alarm 12550
+        X1. U5.              | alarm P32                                    | rapid X1                                     | rapid X5                               | rapid X5                               | alarm 12000
+        S[1000.5]            | spindle-speed 1000                           | spindle-speed 1001                           | spindle-speed 1001                     | spindle-speed 1001                     | spindle-speed 1000.5
+        S1000.5              | spindle-speed 1000 (interp.decimals-dropped) | spindle-speed 1001 (interp.decimals-dropped) | alarm 007                              | alarm PS0007                           | spindle-speed 1000.5
+        S1000.0              | spindle-speed 1000                           | spindle-speed 1000                           | alarm 007                              | alarm PS0007                           | spindle-speed 1000
+        G65 P3 I8            | #104=0.008                                   | #104=8                                       | #104=8                                 | #104=0.008                             |
+        5.5 AND 3            | #100=2                                       | alarm 0127                                   | #100=2                                 | #100=2                                 | R100=1
+        7 MOD 3              | alarm P33                                    | alarm 0101                                   | #100=1                                 | #100=1                                 | R100=1
+        G65 H23 P#100 Q7 R3  | alarm P232                                   | #100=1                                       | alarm 076                              | alarm PS0076                           |
+        ATAN[1]              | #100=45                                      | alarm 0106                                   | alarm 114                              | #100=45                                | alarm 12080
+        ATAN[1]/[1]          | #100=45                                      | #100=45                                      | #100=45                                | #100=45                                | R100=45
+        ATAN[-1]/[-1]        | #100=45                                      | #100=225                                     | #100=225                               | #100=225                               | R100=-135
+        ASIN[-0.5]           | #100=-30                                     | #100=-30                                     | #100=330                               | #100=330                               | R100=-30
+        ASIN[1.5]            | alarm P282                                   | alarm 0110                                   | alarm 119                              | alarm PS0119                           | alarm 14051
+        TAN[90]              | alarm P282                                   | alarm 0109                                   | alarm 112                              | alarm PS0112                           | alarm 14051
+        SQRT[-1]             | alarm P282                                   | alarm 0108                                   | alarm 119                              | alarm PS0119                           | alarm 14051
+        LN[0]                | alarm P282                                   | alarm 0107                                   | alarm 119                              | alarm PS0119                           | alarm 14051
+        1/0                  | alarm P283                                   | alarm 0105                                   | alarm 112                              | alarm PS0112                           | alarm 14051
+        EXP[200]/EXP[200]    | #100=1                                       | #100=1                                       | alarm 111                              | alarm PS0111                           | R100=1
+        13 digits            | #100=1.23456789                              | #100=1.23456789                              | alarm 003                              | alarm PS0003                           | R100=1.23456789
+        RAND[5]              | alarm P33                                    | alarm BUDGET                                 | alarm 004                              | alarm PS0004                           |
+        12 characters        | rapid X-12345.679                            | alarm 0003                                   | rapid X-12345.679                      | rapid X-12345.679                      | rapid X-12345.679
+        SIN30                | alarm P33                                    | #100=0.5                                     | alarm 004                              | alarm PS0004                           | alarm 12080
+        2 > 1                | alarm P290                                   | -                                            | alarm 114                              | alarm PS1137                           | -
+        IF THEN              | alarm P290                                   | #100=1                                       | #100=1                                 | #100=1                                 |
+        X#9100               | alarm P241                                   | rapid X5 #100=105 #105=5                     | alarm 115                              | alarm PS0115                           |
+        X##100               | rapid X5 #100=105 #105=5                     | alarm 0101                                   | rapid X5 #100=105 #105=5               | rapid X5 #100=105 #105=5               | rapid X5 R100=105 R105=5
+        six brackets         | alarm P280                                   | alarm 0104                                   | alarm 118                              | alarm PS0118                           | R100=1
+        DO4                  | #100=1                                       | alarm 0102                                   | alarm 126                              | alarm PS0126                           |
+        #0=1                 | alarm P243                                   | alarm 0117                                   | alarm 116                              | alarm PS0116                           |
+        #1000=1              | alarm P243                                   | alarm 0120                                   | alarm 116                              | alarm PS0116                           |
+        #200=1               | alarm P241                                   | alarm 0111                                   | alarm 115                              | alarm PS0115                           | R200=1
+        #2001=#0             | -                                            | alarm 0121                                   | -                                      | -                                      |
+        #1100=2              | output #1100=1 (interp.output-range)         | output #1100=1 (interp.output-range)         | output #1100=1 (interp.output-range)   | output #1100=1 (interp.output-range)   |
+        #5221 as it is read  | #100=1000 #101=1000                          | alarm 0120                                   | #100=1000 #101=1000                    | #100=1000 #101=1000                    |
+        #1133=-70000         | output #1133=-70000                          | output #1133=-32768 (interp.output-range)    | output #1133=-70000                    | output #1133=-70000                    |
+        X1. X2.              | rapid X2                                     | alarm 0010                                   | rapid X2                               | rapid X2                               | alarm 12000
+        M98 P2 L2            | #102=2 #105=2                                | #102=2 #105=2                                | #102=2 #105=2                          | #102=2 #105=2                          | R102=2
+        M98 P2 H5            | #105=1                                       | rapid C5 #102=1 #105=1                       | rapid C5 #102=1 #105=1                 | rapid C0.005 #102=1 #105=1             |
+        M98 P20002           | alarm P232                                   | #102=2 #105=2                                | #102=2 #105=2                          | #102=2 #105=2                          |
+        M98 P1 within O1     | alarm P230                                   | alarm 0097                                   | alarm 077                              | alarm PS0077                           | alarm 14012
+        I2. J3.              | #104=2 #105=3                                | #104=2 #105=3                                | #104=2 #105=3                          | #104=2 #105=3                          |
+        K1. I2. J3.          | #106=1 #107=2 #108=3                         | #104=2 #105=3 #106=1                         | #106=1 #107=2 #108=3                   | #106=1 #107=2 #108=3                   |
+        I1. J2. I3. J4. K5.  | #104=1 #105=2 #107=3 #108=4 #109=5           | #104=1 #105=2 #106=5 #107=3 #108=4           | #104=1 #105=2 #107=3 #108=4 #109=5     | #104=1 #105=2 #107=3 #108=4 #109=5     |
+        G65 behind a word    | #102=1 #105=1                                | alarm 0114                                   | #102=1 #105=1                          | #102=1 #105=1                          |
+        G65 A1 P2            | #102=1 #105=1                                | alarm 0122                                   | #102=1 #105=1                          | #102=1 #105=1                          |
+        G65 while G66 is on  | rapid X1 #102=2 #105=2                       | rapid X1 #102=1 #105=1                       | rapid X1 #102=2 #105=2                 | rapid X1 #102=2 #105=2                 |
+        G67 alone            | alarm P276                                   | -                                            | -                                      | alarm PS1100                           |
+        G90 X1. F100         | linear X1 F100                               | -                                            | -                                      | -                                      | linear X1 F100/rev exact
+        G50 X1. F100         | linear X1 F100                               | preset X1                                    | preset X1                              | preset X1                              |
+        G50 S900             | spindle-speed 900                            | speed-limit 900 preset X0 Y0 Z0              | speed-limit 900                        | speed-limit 900                        | speed-limit 900
+        M42                  | auxiliary M42                                | gear 2                                       | gear 2                                 | gear 2                                 | gear 2
+        M3 M8                | spindle-cw auxiliary M8                      | alarm 0010                                   | auxiliary M8 (interp.m-code-dropped)   | auxiliary M8 (interp.m-code-dropped)   | spindle-cw auxiliary M8
+        M0 M1                | stop                                         | alarm 0010                                   | optional-stop (interp.m-code-dropped)  | optional-stop (interp.m-code-dropped)  | alarm 14760
+        G04 P0.5             | dwell 0s (interp.decimals-dropped)           | dwell 0s (interp.decimals-dropped)           | alarm 007                              | alarm PS0007                           |
+        G00 X1. P5           | rapid X1 (interp.idle-word)                  | rapid X1 (interp.idle-word)                  | rapid X1 (interp.idle-word)            | rapid X1 (interp.idle-word)            |
+        G31 X1. F100         | linear X1 F100 exact                         | linear X1 F100 exact                         | linear X1 F100 exact                   | linear X1 F100/rev exact               |
+        G71 P1 Q2            | alarm P34                                    | rapid X3 (interp.contour)                    | rapid X3 (interp.contour)              | rapid X3 (interp.contour)              |
+        G33 Z1. E8           | thread Z1 F3.175/rev                         | -                                            | alarm 010                              | alarm PS0010                           |
+        G96 S100             | spindle-speed 100                            | surface-speed 100 X0                         | surface-speed 100 X0                   | surface-speed 100 X0                   | surface-speed 100 X0
+        G98 within G96       | spindle-speed 400 spindle-speed 100          | spindle-speed 400 surface-speed 100 X0       | spindle-speed 400 surface-speed 100 X0 | spindle-speed 400 surface-speed 100 X0 | spindle-speed 400 surface-speed 100 X0 constant-speed spindle-speed 400
+        G01 X1. F100 M05     | spindle-stop linear X1 F100                  | linear X1 F100 spindle-stop                  | spindle-stop linear X1 F100            | spindle-stop linear X1 F100/rev        | linear X1 F100/rev exact spindle-stop
+        G512 B2.             | alarm P34                                    | alarm 0002                                   | alarm 078                              | alarm PS0010                           | alarm 12470
+        G01 X1. without F    | alarm P62                                    | alarm 0023                                   | alarm 011                              | alarm PS0011                           | alarm 10860
+        GOTO[3/2]            | alarm P231                                   | alarm 0112                                   | alarm 078                              | alarm PS0128                           |
+        GOTO77               | alarm P231                                   | alarm 0112                                   | alarm 078                              | alarm PS0128                           | alarm 14080
+        #3000=5              | alarm P277                                   | alarm 5905                                   | alarm 3005                             | alarm MC3005                           |
+        #3000=150            | alarm P277                                   | alarm 0126                                   | alarm 3150                             | alarm MC3150                           |
+        0.1 + 0.2 == 0.3     | #100=1                                       | #100=1                                       | #100=1                                 | #100=1                                 | -
+        two jumps in a block |                                              |                                              |                                        |                                        | -
+        5 > 3 AND 1          |                                              |                                              |                                        |                                        | R100=1
+        two assignments      | alarm P33                                    | alarm 0101                                   | alarm 004                              | alarm PS0004                           | R100=1 R101=2
+        X10 G91 X=AC(3)      |                                              |                                              |                                        |                                        | rapid X10 rapid X3
+        X4 as radius         |                                              |                                              |                                        |                                        | rapid X8
+        G96 without S        | -                                            | surface-speed 0 X0                           | surface-speed 0 X0                     | surface-speed 0 X0                     | alarm 10900
+        G25 S50              | alarm P34                                    | alarm 0002                                   | alarm 010                              | alarm PS0010                           | lower-speed-limit 50
+        G26 S3000            | alarm P34                                    | alarm 0002                                   | alarm 010                              | alarm PS0010                           | upper-speed-limit 3000
+        SPOS=DC(30) X1       |                                              |                                              |                                        |                                        | orient 30 rapid X1
+        SPOS=360             |                                              |                                              |                                        |                                        | alarm 16830
+        G4 S30               |                                              |                                              |                                        |                                        | dwell 30rev
+        end of the program   | endless                                      | endless                                      | endless                                | endless                                | alarm 14091
     "#]].assert_eq(&table);
 }

@@ -164,7 +164,7 @@ fn codes_have_their_usual_numbers_and_groups() {
 /// A text that a switch can be set to besides its default.
 fn other_text(row: &Switch) -> &'static str {
     match row.kind {
-        SwitchKind::CallParameters(_) => "4120=700 7201=700 7202=1 7203=9010 86=1 87=700 88=2000",
+        SwitchKind::CallParameters(_) => "4120=700 6050=700 7201=700 7202=1 7203=9010 86=1 87=700 88=2000",
         SwitchKind::RotaryAxes(_) => "X",
         SwitchKind::SpindleLock(_) | SwitchKind::DrivenTool(_) => "M81",
         _ => "X12",
@@ -270,7 +270,7 @@ const PARAMETERS: &[(&str, &str)] = &[
     ("decimal-point", "3401#0 #1078"),
     ("diameter", "1006#3 No.001#2 MD20100"),
     ("m-codes", "3404#7"),
-    ("startup-distance", "#1073"),
+    ("startup-distance", "3402#3 #1073"),
     ("startup-motion", "3402#0 #1075"),
     ("startup-feed", "3402#4 No.182#0"),
     ("angle-range", "6004#0 No.180#7"),
@@ -285,6 +285,7 @@ const PARAMETERS: &[(&str, &str)] = &[
     ("thread-e", "#8156"),
     ("common-at-reset", "6001#6 #1128"),
     ("locals-of-calls", "#1114"),
+    ("user-alarm-base", "6008#1"),
     ("spos-out-of-range", "MD30455"),
     ("r-parameters", "MD28050"),
     ("working-area", "SD43400, SD43410"),

@@ -1,11 +1,7 @@
 //! KND K2000T: rows only. Its manuals are not public: rows without a better source follow FANUC 0i-T, with whose codes it is compatible.
 
 mod alarms;
-mod codes;
-mod interface;
-mod params;
-mod switches;
-mod vars;
+mod rows;
 
 use super::base::fanuc;
 use super::base::fanuc::MEMORY;
@@ -23,7 +19,10 @@ const PAPER: Citation = Citation::new("polygon turning paper, K2000T", Grade::Ma
 pub static CONTROL: Control = Control {
     id: "knd-k2000t",
     name: "KND K2000T",
-    syntax: Syntax { functions: joined![(&str, Function): fanuc::FUNCTIONS, fanuc::SHORT_FUNCTIONS], ..fanuc::SYNTAX },
+    syntax: Syntax {
+        functions: joined![(&str, Function): &fanuc::FUNCTIONS, &fanuc::SHORT_FUNCTIONS],
+        ..fanuc::SYNTAX
+    },
     macros: Macros {
         code_calls: &[CodeCalls::Each { kind: CallKind::Macro, letter: b'G', first: 4120, count: 20, program: 9120 }],
         ..fanuc::MACROS
@@ -37,12 +36,12 @@ pub static CONTROL: Control = Control {
     startup: &g_codes([0, 18, 98, 21, 40, 54, 67, 80, 97]),
     limits: fanuc::LIMITS,
     timing: fanuc::TIMING,
-    codes: codes::CODES,
-    vars: vars::VARS,
+    codes: rows::CODES,
+    vars: rows::VARS,
     alarms: alarms::ALARMS,
-    params: params::PARAMS,
-    interface: interface::SIGNALS,
-    switches: switches::SWITCHES,
+    params: rows::PARAMS,
+    interface: rows::SIGNALS,
+    switches: rows::SWITCHES,
     spindle: SpindleRules { signed_output: true, ..fanuc::SPINDLE },
     bench: fanuc::BENCH,
 };

@@ -36,7 +36,7 @@ pub static CONTROL: Control = Control {
         threads_per_inch: Some(b'E'),
         do_max: 127,
         do_depth: 27,
-        functions: joined![(&str, Function): fanuc::FUNCTIONS, fanuc::SHORT_FUNCTIONS, [("ATN", Function::Atan)]],
+        functions: joined![(&str, Function): &fanuc::FUNCTIONS, &fanuc::SHORT_FUNCTIONS, &[("ATN", Function::Atan)]],
         addresses: b"BDEFGHIJKLMPQRST",
         integer_addresses: b"DGHLMNOST",
         point_alarm: false,

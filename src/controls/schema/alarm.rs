@@ -1,5 +1,6 @@
 //! The alarms that macroline can raise, and the number and wording each control has for them.
 
+use super::table::{Key, single};
 use crate::text::Citation;
 
 /// Why a control stops, independent of its numbers.
@@ -338,5 +339,15 @@ impl Alarm {
             | UnknownName | IdleAddress => Format,
             _ => return None,
         })
+    }
+}
+
+impl AlarmDef {
+    /// Whether its table is sorted, for searches by halves.
+    pub const SORTED: bool = false;
+
+    /// What the row is about, for tables that are made of a family's rows and a control's own.
+    pub const fn key(&self) -> Key {
+        single(self.kind as u64)
     }
 }

@@ -1,5 +1,6 @@
 //! G and M codes: what they mean to the interpreter, in which modal group they stand.
 
+use super::table::{Key, single};
 use core::fmt;
 
 use crate::text::Citation;
@@ -270,6 +271,15 @@ impl CodeId {
         CodeId::G(CodeNumber::dot(whole, tenth))
     }
 
+    /// The place among all codes, for tables that are sorted when the library is compiled.
+    pub(in crate::controls) const fn rank(self) -> u64 {
+        match self {
+            CodeId::G(number) => 10 * number.whole as u64 + number.tenth as u64,
+            CodeId::M(number) => 1 << 40 | number as u64,
+            CodeId::Named(place) => 2 << 40 | place as u64,
+        }
+    }
+
     /// The number; a name has none.
     pub fn number(self) -> Option<CodeNumber> {
         match self {
@@ -375,5 +385,15 @@ impl CodeDef {
     /// Whether its block holds nothing but its own values.
     pub fn stands_alone(&self) -> bool {
         matches!(self.code, Code::Dwell | Code::LowerLimits | Code::UpperLimits)
+    }
+}
+
+impl CodeDef {
+    /// Whether its table is sorted, for searches by halves.
+    pub const SORTED: bool = true;
+
+    /// What the row is about, for tables that are made of a family's rows and a control's own.
+    pub const fn key(&self) -> Key {
+        single(self.id.rank())
     }
 }

@@ -344,6 +344,8 @@ impl RunningRules {
             user_alarm_base: match set.user_alarm_base {
                 Some(UserAlarmBase::From5900) => Some(5900),
                 Some(UserAlarmBase::From500) => Some(500),
+                Some(UserAlarmBase::From3000) => Some(3000),
+                Some(UserAlarmBase::From0) => Some(0),
                 None => control.macros.user_alarm_base,
             },
         }

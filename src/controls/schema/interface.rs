@@ -1,5 +1,6 @@
 //! Registers and signals between the PLC and the control.
 
+use super::table::{Key, text_key};
 use crate::text::Citation;
 
 /// What a register is for, independent of its number.
@@ -64,4 +65,14 @@ pub(in crate::controls) const fn to_plc(
     cite: Citation,
 ) -> Signal {
     Signal { role, device, plc_writes: false, unit, text, cite }
+}
+
+impl Signal {
+    /// Whether its table is sorted, for searches by halves.
+    pub const SORTED: bool = false;
+
+    /// The device, for tables that are made of a family's rows and a control's own.
+    pub const fn key(&self) -> Key {
+        text_key(self.device)
+    }
 }

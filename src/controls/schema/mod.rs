@@ -1,6 +1,6 @@
 //! The types of the tables: what a control can state about itself, each row with source and grade.
 
-pub(in crate::controls) mod table;
+pub mod table;
 
 pub mod syntax;
 

@@ -83,7 +83,7 @@ macro_rules! switches {
 
         impl SwitchKind {
             /// Id of the switch.
-            pub fn id(&self) -> &'static str {
+            pub const fn id(&self) -> &'static str {
                 match self {
                     $( SwitchKind::$kind(_) => $id, )+
                     $( SwitchKind::$text(_) => $text_id, )+
@@ -216,7 +216,9 @@ switches! {
         /// `S` with decimals.
         spindle_word: SpindleWord = "spindle-word" { Round = "round", Truncate = "truncate" }
         /// Number shown for a user alarm n: this and n.
-        user_alarm_base: UserAlarmBase = "user-alarm-base" { From5900 = "5900", From500 = "500" }
+        user_alarm_base: UserAlarmBase = "user-alarm-base" {
+            From5900 = "5900", From500 = "500", From3000 = "3000", From0 = "0",
+        }
         /// Common variables (`#100` to `#199`) at reset.
         common_at_reset: CommonAtReset = "common-at-reset" { Kept = "kept", Vacant = "vacant" }
         /// Locals of a macro call without an argument.

@@ -1,5 +1,6 @@
 //! Parameters of a control that a machine has to set.
 
+use super::table::{Key, text_key};
 use crate::text::Citation;
 
 /// What a parameter is for, independent of its number.
@@ -149,4 +150,14 @@ pub(in crate::controls) const fn param(
     cite: Citation,
 ) -> ParamDef {
     ParamDef { role, number, name, unit, text, answers: ("1", "0"), diameter: false, cite }
+}
+
+impl ParamDef {
+    /// Whether its table is sorted, for searches by halves.
+    pub const SORTED: bool = false;
+
+    /// What the row is about, for tables that are made of a family's rows and a control's own.
+    pub const fn key(&self) -> Key {
+        text_key(self.number)
+    }
 }

@@ -1,6 +1,7 @@
 //! `Switch`: a point that the manuals leave open, its possible settings, its default, and the evidence for that.
 
 use super::options::{SwitchKind, SwitchOption};
+use super::table::{Key, text_key};
 use crate::text::Citation;
 use crate::text::catalog::{Language, words};
 
@@ -90,5 +91,15 @@ impl Switches {
         if setting != row.default() {
             self.0.push((row.id().to_owned(), setting.to_owned()));
         }
+    }
+}
+
+impl Switch {
+    /// Whether its table is sorted, for searches by halves.
+    pub const SORTED: bool = false;
+
+    /// The id, for tables that are made of a family's rows and a control's own.
+    pub const fn key(&self) -> Key {
+        text_key(self.kind.id())
     }
 }

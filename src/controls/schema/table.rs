@@ -1,7 +1,7 @@
 //! Tables made of parts when the library is compiled: the rows of a family, then those of a control.
 
 /// Number of rows of all parts together.
-pub(in crate::controls) const fn rows<T>(parts: &[&[T]]) -> usize {
+pub const fn rows<T>(parts: &[&[T]]) -> usize {
     let mut rows = 0;
     let mut part = 0;
     while part < parts.len() {
@@ -12,7 +12,7 @@ pub(in crate::controls) const fn rows<T>(parts: &[&[T]]) -> usize {
 }
 
 /// All rows of all parts, in their order. `N` is [`rows`]; the first part is not empty.
-pub(in crate::controls) const fn join<T: Copy, const N: usize>(parts: &[&[T]]) -> [T; N] {
+pub const fn join<T: Copy, const N: usize>(parts: &[&[T]]) -> [T; N] {
     let mut table = [parts[0][0]; N];
     let (mut part, mut row, mut at) = (0, 0, 0);
     while part < parts.len() {
@@ -31,10 +31,155 @@ pub(in crate::controls) const fn join<T: Copy, const N: usize>(parts: &[&[T]]) -
 /// A constant slice of the rows of several tables: `joined![Row: PART, PART]`.
 macro_rules! joined {
     ($row:ty: $($part:expr),+ $(,)?) => {{
-        const PARTS: &[&[$row]] = &[$(&$part),+];
+        const PARTS: &[&[$row]] = &[$($part),+];
         const ROWS: [$row; $crate::controls::schema::table::rows(PARTS)] = $crate::controls::schema::table::join(PARTS);
         &ROWS
     }};
 }
 
 pub(in crate::controls) use joined;
+
+/// What a row states something about, as a range of numbers: a code, numbers of variables, a text. Of two rows whose ranges meet the later
+/// one holds.
+pub type Key = (u64, u64);
+
+/// The key of a single thing.
+pub const fn single(number: u64) -> Key {
+    (number, number)
+}
+
+/// The key of a text, by its FNV-1a hash.
+pub const fn text_key(text: &str) -> Key {
+    let (bytes, mut hash, mut at) = (text.as_bytes(), 0xcbf2_9ce4_8422_2325_u64, 0);
+    while at < bytes.len() {
+        hash = (hash ^ bytes[at] as u64).wrapping_mul(0x0100_0000_01b3);
+        at += 1;
+    }
+    single(hash)
+}
+
+/// The first of the keys that meets one.
+const fn meets(keys: &[Key], key: Key) -> Option<usize> {
+    let mut at = 0;
+    while at < keys.len() {
+        if keys[at].0 <= key.1 && key.0 <= keys[at].1 {
+            return Some(at);
+        }
+        at += 1;
+    }
+    None
+}
+
+/// Number of rows of an extended table, by the keys of the family's rows and of the control's own.
+pub const fn extended_rows(family: &[Key], own: &[Key]) -> usize {
+    let (mut rows, mut at) = (own.len(), 0);
+    while at < family.len() {
+        rows += meets(own, family[at]).is_none() as usize;
+        at += 1;
+    }
+    rows
+}
+
+/// Order of an extended table: places in the family's rows followed by the control's own. Each own row has the place of the first row
+/// of the family that it replaces, further ones come last; `sorted` tables are in the order of their keys.
+pub const fn extended_order<const N: usize>(family: &[Key], own: &[Key], sorted: bool) -> [usize; N] {
+    let (mut order, mut len, mut at) = ([0; N], 0, 0);
+    while at < family.len() + own.len() {
+        let row = match at < family.len() {
+            true => match meets(own, family[at]) {
+                Some(row) => family.len() + row,
+                None => at,
+            },
+            false => at,
+        };
+        let mut known = 0;
+        while known < len && order[known] != row {
+            known += 1;
+        }
+        if known == len {
+            order[len] = row;
+            len += 1;
+        }
+        at += 1;
+    }
+    let mut next = 1;
+    while sorted && next < N {
+        let mut at = next;
+        while at > 0 && key_at(family, own, order[at]).0 < key_at(family, own, order[at - 1]).0 {
+            (order[at], order[at - 1]) = (order[at - 1], order[at]);
+            at -= 1;
+        }
+        next += 1;
+    }
+    order
+}
+
+const fn key_at(family: &[Key], own: &[Key], at: usize) -> Key {
+    if at < family.len() { family[at] } else { own[at - family.len()] }
+}
+
+/// The keys of rows.
+macro_rules! keys {
+    ($rows:ident) => {{
+        let mut keys = [(0, 0); $rows.len()];
+        let mut at = 0;
+        while at < $rows.len() {
+            keys[at] = $rows[at].key();
+            at += 1;
+        }
+        keys
+    }};
+}
+
+/// The rows of a family, extended and overridden by rows of a control: `extended![CodeDef: FAMILY, OWN]`.
+macro_rules! extended {
+    ($row:ty: $family:expr, $own:expr $(,)?) => {{
+        use $crate::controls::schema::table;
+        const FAMILY: &[$row] = $family;
+        const OWN: &[$row] = $own;
+        const FAMILY_KEYS: &[table::Key] = &table::keys!(FAMILY);
+        const OWN_KEYS: &[table::Key] = &table::keys!(OWN);
+        const N: usize = table::extended_rows(FAMILY_KEYS, OWN_KEYS);
+        const ORDER: [usize; N] = table::extended_order(FAMILY_KEYS, OWN_KEYS, <$row>::SORTED);
+        const ROWS: [$row; N] = {
+            let mut rows = [OWN[0]; N];
+            let mut at = 0;
+            while at < N {
+                let from = ORDER[at];
+                rows[at] = if from < FAMILY.len() { FAMILY[from] } else { OWN[from - FAMILY.len()] };
+                at += 1;
+            }
+            rows
+        };
+        &ROWS
+    }};
+}
+
+/// The rows of a family under the citation of the control that takes them, its own evidence: `cited![CodeDef: FAMILY, CITATION]`. With
+/// `Open` in front of the citation only the rows that the family has from memory; rows with a source keep it.
+macro_rules! cited {
+    ($row:ty: $family:expr, Open $cite:expr $(,)?) => {
+        $crate::controls::schema::table::cited!(@ $row, $family, $cite, true)
+    };
+    ($row:ty: $family:expr, $cite:expr $(,)?) => {
+        $crate::controls::schema::table::cited!(@ $row, $family, $cite, false)
+    };
+    (@ $row:ty, $family:expr, $cite:expr, $open:expr) => {{
+        const FAMILY: &[$row] = $family;
+        const ROWS: [$row; FAMILY.len()] = {
+            let mut rows = [FAMILY[0]; FAMILY.len()];
+            let mut at = 0;
+            while at < FAMILY.len() {
+                rows[at] = FAMILY[at];
+                if !$open || matches!(rows[at].cite.grade, $crate::text::Grade::Open) {
+                    rows[at].cite = $cite;
+                }
+                at += 1;
+            }
+            rows
+        };
+        &ROWS
+    }};
+}
+
+pub(in crate::controls) use {cited, extended, keys};

@@ -1,6 +1,7 @@
 //! Ranges of variables: what they hold, how long, and who may write them.
 
 use super::Group;
+use super::table::Key;
 use crate::text::Citation;
 
 /// What a range of variables is.
@@ -181,5 +182,15 @@ impl VarKind {
                 | VarKind::WorkPosition
                 | VarKind::SkipPosition
         )
+    }
+}
+
+impl VarRange {
+    /// Whether its table is sorted, for searches by halves.
+    pub const SORTED: bool = true;
+
+    /// What the row is about, for tables that are made of a family's rows and a control's own.
+    pub const fn key(&self) -> Key {
+        (self.first as u64, self.last as u64)
     }
 }

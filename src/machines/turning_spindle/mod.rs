@@ -41,7 +41,8 @@ impl Machine for TurningSpindle {
     type Params = Params;
     const ID: &'static str = "turning-spindle";
     const NAME: &'static str = "turning.name";
-    const CONTROLS: &'static [&'static str] = &["gsk-980tdc", "sinumerik-802d", "knd-k2000t", "mitsubishi-e60"];
+    const CONTROLS: &'static [&'static str] =
+        &["gsk-980tdc", "sinumerik-802d", "knd-k2000t", "fanuc-0i-tf", "mitsubishi-e60"];
     const SPEED: f64 = 1.0;
 
     fn fields() -> &'static [Field<Params>] {

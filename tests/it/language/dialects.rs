@@ -41,26 +41,33 @@ fn conditions_follow_each_controls_syntax() {
             if (Equal #1 0) then #2 = (Add #3 1) (NOTE)
             --- KND K2000T
             if (Equal #1 0) then #2 = (Add #3 1) (NOTE)
+            --- FANUC 0i-TF
+            if (Equal #1 0) then #2 = (Add #3 1) (NOTE)
         "#]],
     );
     check(
         "IF[#1<>0]GOTO30\nIF[#1>=#2]GOTO30\nN30",
         expect![[r#"
-        --- Mitsubishi E60
-        1:6 error P290 “<>” is no comparison of the Mitsubishi E60: write NE.
-            Write “NE”: 1:6 "<>"→" NE "
-        2:6 error P290 “>=” is no comparison of the Mitsubishi E60: write GE.
-            Write “GE”: 2:6 ">="→" GE "
-        --- GSK 980TDc
-        if (NotEqual #1 0) goto 30
-        if (GreaterEqual #1 #2) goto 30
-        N30 Empty
-        --- KND K2000T
-        1:6 error 114 “<>” is no comparison of the KND K2000T: write NE.
-            Write “NE”: 1:6 "<>"→" NE "
-        2:6 error 114 “>=” is no comparison of the KND K2000T: write GE.
-            Write “GE”: 2:6 ">="→" GE "
-    "#]],
+            --- Mitsubishi E60
+            1:6 error P290 “<>” is no comparison of the Mitsubishi E60: write NE.
+                Write “NE”: 1:6 "<>"→" NE "
+            2:6 error P290 “>=” is no comparison of the Mitsubishi E60: write GE.
+                Write “GE”: 2:6 ">="→" GE "
+            --- GSK 980TDc
+            if (NotEqual #1 0) goto 30
+            if (GreaterEqual #1 #2) goto 30
+            N30 Empty
+            --- KND K2000T
+            1:6 error 114 “<>” is no comparison of the KND K2000T: write NE.
+                Write “NE”: 1:6 "<>"→" NE "
+            2:6 error 114 “>=” is no comparison of the KND K2000T: write GE.
+                Write “GE”: 2:6 ">="→" GE "
+            --- FANUC 0i-TF
+            1:6 error PS1137 “<>” is no comparison of the FANUC 0i-TF: write NE.
+                Write “NE”: 1:6 "<>"→" NE "
+            2:6 error PS1137 “>=” is no comparison of the FANUC 0i-TF: write GE.
+                Write “GE”: 2:6 ">="→" GE "
+        "#]],
     );
 }
 
@@ -69,13 +76,15 @@ fn functions_follow_each_controls_syntax() {
     check(
         "#1=ATAN[#2]/[#3]*2",
         expect![[r#"
-        --- Mitsubishi E60
-        #1 = (Multiply (Divide (Atan #2) #3) 2)
-        --- GSK 980TDc
-        #1 = (Multiply (Atan #2 #3) 2)
-        --- KND K2000T
-        #1 = (Multiply (Atan #2 #3) 2)
-    "#]],
+            --- Mitsubishi E60
+            #1 = (Multiply (Divide (Atan #2) #3) 2)
+            --- GSK 980TDc
+            #1 = (Multiply (Atan #2 #3) 2)
+            --- KND K2000T
+            #1 = (Multiply (Atan #2 #3) 2)
+            --- FANUC 0i-TF
+            #1 = (Multiply (Atan #2 #3) 2)
+        "#]],
     );
     check(
         "#1=ATAN[#2]",
@@ -90,6 +99,8 @@ fn functions_follow_each_controls_syntax() {
             1:4 error 114 ATAN of the KND K2000T is of two numbers.
                 = ATAN[y]/[x] is the angle of the point x, y; of one number it is ATAN[a]/[1].
                 Insert “/[1]”: 1:12 ""→"/[1]"
+            --- FANUC 0i-TF
+            #1 = (Atan #2)
         "#]],
     );
     check(
@@ -103,24 +114,31 @@ fn functions_follow_each_controls_syntax() {
             --- KND K2000T
             1:13 error 114 The second number of ATAN stands in square brackets too.
                 Write square brackets: 1:13 ""→"[" 1:15 ""→"]"
+            --- FANUC 0i-TF
+            #1 = (Divide (Atan #2) #3)
         "#]],
     );
     check(
         "#1=SIN30+SQRT#2*2",
         expect![[r#"
-        --- Mitsubishi E60
-        1:4 error P33 SIN needs its argument in square brackets.
-            Write square brackets: 1:7 ""→"[" 1:9 ""→"]"
-        1:10 error P33 SQRT needs its argument in square brackets.
-            Write square brackets: 1:14 ""→"[" 1:16 ""→"]"
-        --- GSK 980TDc
-        #1 = (Add (Sin 30) (Multiply (Sqrt #2) 2))
-        --- KND K2000T
-        1:4 error 004 SIN needs its argument in square brackets.
-            Write square brackets: 1:7 ""→"[" 1:9 ""→"]"
-        1:10 error 004 SQRT needs its argument in square brackets.
-            Write square brackets: 1:14 ""→"[" 1:16 ""→"]"
-    "#]],
+            --- Mitsubishi E60
+            1:4 error P33 SIN needs its argument in square brackets.
+                Write square brackets: 1:7 ""→"[" 1:9 ""→"]"
+            1:10 error P33 SQRT needs its argument in square brackets.
+                Write square brackets: 1:14 ""→"[" 1:16 ""→"]"
+            --- GSK 980TDc
+            #1 = (Add (Sin 30) (Multiply (Sqrt #2) 2))
+            --- KND K2000T
+            1:4 error 004 SIN needs its argument in square brackets.
+                Write square brackets: 1:7 ""→"[" 1:9 ""→"]"
+            1:10 error 004 SQRT needs its argument in square brackets.
+                Write square brackets: 1:14 ""→"[" 1:16 ""→"]"
+            --- FANUC 0i-TF
+            1:4 error PS0004 SIN needs its argument in square brackets.
+                Write square brackets: 1:7 ""→"[" 1:9 ""→"]"
+            1:10 error PS0004 SQRT needs its argument in square brackets.
+                Write square brackets: 1:14 ""→"[" 1:16 ""→"]"
+        "#]],
     );
     check(
         "#1=#2 MOD 3",
@@ -135,6 +153,8 @@ fn functions_follow_each_controls_syntax() {
                 Write “[#2-FIX[#2/3]*3]”: 1:4 "#2 MOD 3"→"[#2-FIX[#2/3]*3]"
             --- KND K2000T
             #1 = (Modulo #2 3)
+            --- FANUC 0i-TF
+            #1 = (Modulo #2 3)
         "##]],
     );
 }
@@ -144,16 +164,18 @@ fn indirect_variables_follow_each_controls_syntax() {
     check(
         "##1=##2",
         expect![[r#"
-        --- Mitsubishi E60
-        #(#1) = #(#2)
-        --- GSK 980TDc
-        1:1 error 0101 The GSK 980TDc has no ##: brackets stand around the inner variable.
-            Write square brackets: 1:2 ""→"[" 1:4 ""→"]"
-        1:5 error 0101 The GSK 980TDc has no ##: brackets stand around the inner variable.
-            Write square brackets: 1:6 ""→"[" 1:8 ""→"]"
-        --- KND K2000T
-        #(#1) = #(#2)
-    "#]],
+            --- Mitsubishi E60
+            #(#1) = #(#2)
+            --- GSK 980TDc
+            1:1 error 0101 The GSK 980TDc has no ##: brackets stand around the inner variable.
+                Write square brackets: 1:2 ""→"[" 1:4 ""→"]"
+            1:5 error 0101 The GSK 980TDc has no ##: brackets stand around the inner variable.
+                Write square brackets: 1:6 ""→"[" 1:8 ""→"]"
+            --- KND K2000T
+            #(#1) = #(#2)
+            --- FANUC 0i-TF
+            #(#1) = #(#2)
+        "#]],
     );
     check(
         "X#9100",
@@ -165,6 +187,9 @@ fn indirect_variables_follow_each_controls_syntax() {
             X:#(#100)
             --- KND K2000T
             1:2 error 115 #9100 is no variable of the KND K2000T.
+                = Free to use are the common variables #100 to #199.
+            --- FANUC 0i-TF
+            1:2 error PS0115 #9100 is no variable of the FANUC 0i-TF.
                 = Free to use are the common variables #100 to #199.
         "#]],
     );
@@ -183,18 +208,25 @@ fn indirect_variables_follow_each_controls_syntax() {
                 = Free to use are the common variables #100 to #199.
             1:7 error 115 #9102 is no variable of the KND K2000T.
                 = Free to use are the common variables #100 to #199.
+            --- FANUC 0i-TF
+            1:1 error PS0115 #9101 is no variable of the FANUC 0i-TF.
+                = Free to use are the common variables #100 to #199.
+            1:7 error PS0115 #9102 is no variable of the FANUC 0i-TF.
+                = Free to use are the common variables #100 to #199.
         "#]],
     );
     check(
         "#0=1",
         expect![[r#"
-        --- Mitsubishi E60
-        1:1 error P243 #0 cannot be used on this side of an assignment: always vacant.
-        --- GSK 980TDc
-        1:1 error 0117 #0 cannot be used on this side of an assignment: always vacant.
-        --- KND K2000T
-        1:1 error 116 #0 cannot be used on this side of an assignment: always vacant.
-    "#]],
+            --- Mitsubishi E60
+            1:1 error P243 #0 cannot be used on this side of an assignment: always vacant.
+            --- GSK 980TDc
+            1:1 error 0117 #0 cannot be used on this side of an assignment: always vacant.
+            --- KND K2000T
+            1:1 error 116 #0 cannot be used on this side of an assignment: always vacant.
+            --- FANUC 0i-TF
+            1:1 error PS0116 #0 cannot be used on this side of an assignment: always vacant.
+        "#]],
     );
 }
 
@@ -203,38 +235,47 @@ fn words_follow_each_controls_syntax() {
     check(
         "G01 X1. Z2. X3. F100",
         expect![[r#"
-        --- Mitsubishi E60
-        G:1 X:1. Z:2. X:3. F:100
-        --- GSK 980TDc
-        1:13 error 0010 X stands twice in this block; the control takes each address once.
-        --- KND K2000T
-        G:1 X:1. Z:2. X:3. F:100
-    "#]],
+            --- Mitsubishi E60
+            G:1 X:1. Z:2. X:3. F:100
+            --- GSK 980TDc
+            1:13 error 0010 X stands twice in this block; the control takes each address once.
+            --- KND K2000T
+            G:1 X:1. Z:2. X:3. F:100
+            --- FANUC 0i-TF
+            G:1 X:1. Z:2. X:3. F:100
+        "#]],
     );
     check(
         "S1000. M3.",
         expect![[r#"
-        --- Mitsubishi E60
-        S:1000. M:3.
-        --- GSK 980TDc
-        S:1000. M:3.
-        --- KND K2000T
-        1:1 error 007 S takes a whole number, written without a point.
-            Drop “.”: 1:6 "."→""
-        1:8 error 007 M takes a whole number, written without a point.
-            Drop “.”: 1:10 "."→""
-    "#]],
+            --- Mitsubishi E60
+            S:1000. M:3.
+            --- GSK 980TDc
+            S:1000. M:3.
+            --- KND K2000T
+            1:1 error 007 S takes a whole number, written without a point.
+                Drop “.”: 1:6 "."→""
+            1:8 error 007 M takes a whole number, written without a point.
+                Drop “.”: 1:10 "."→""
+            --- FANUC 0i-TF
+            1:1 error PS0007 S takes a whole number, written without a point.
+                Drop “.”: 1:6 "."→""
+            1:8 error PS0007 M takes a whole number, written without a point.
+                Drop “.”: 1:10 "."→""
+        "#]],
     );
     check(
         "S1000.5",
         expect![[r#"
-        --- Mitsubishi E60
-        S:1000.5
-        --- GSK 980TDc
-        S:1000.5
-        --- KND K2000T
-        1:1 error 007 S takes a whole number, written without a point.
-    "#]],
+            --- Mitsubishi E60
+            S:1000.5
+            --- GSK 980TDc
+            S:1000.5
+            --- KND K2000T
+            1:1 error 007 S takes a whole number, written without a point.
+            --- FANUC 0i-TF
+            1:1 error PS0007 S takes a whole number, written without a point.
+        "#]],
     );
     check(
         "G00 U1. W-2. H90.",
@@ -246,64 +287,76 @@ fn words_follow_each_controls_syntax() {
             G:0 U:1. W:-2. H:90.
             --- KND K2000T
             G:0 U:1. W:-2. H:90.
+            --- FANUC 0i-TF
+            G:0 U:1. W:-2. H:90.
         "#]],
     );
     check(
         "G00 X1. / Z2.",
         expect![[r#"
-        --- Mitsubishi E60
-        G:0 X:1. /:1 Z:2.
-        --- GSK 980TDc
-        G:0 X:1. /:1 Z:2.
-        --- KND K2000T
-        G:0 X:1. /:1 Z:2.
-    "#]],
+            --- Mitsubishi E60
+            G:0 X:1. /:1 Z:2.
+            --- GSK 980TDc
+            G:0 X:1. /:1 Z:2.
+            --- KND K2000T
+            G:0 X:1. /:1 Z:2.
+            --- FANUC 0i-TF
+            G:0 X:1. /:1 Z:2.
+        "#]],
     );
     check(
         "/3 G00 X1. /Z2.",
         expect![[r#"
-        --- Mitsubishi E60
-        /3 G:0 X:1. /:1 Z:2.
-        --- GSK 980TDc
-        /3 G:0 X:1. /:1 Z:2.
-        --- KND K2000T
-        /3 G:0 X:1. /:1 Z:2.
-    "#]],
+            --- Mitsubishi E60
+            /3 G:0 X:1. /:1 Z:2.
+            --- GSK 980TDc
+            /3 G:0 X:1. /:1 Z:2.
+            --- KND K2000T
+            /3 G:0 X:1. /:1 Z:2.
+            --- FANUC 0i-TF
+            /3 G:0 X:1. /:1 Z:2.
+        "#]],
     );
     check(
         "G90 X10. Z-5.\nX9.\nG90 X1.",
         expect![[r#"
-        --- Mitsubishi E60
-        G:90 X:10. Z:-5.
-        X:9.
-        G:90 X:1.
-        --- GSK 980TDc
-        1:1 warning - G90 (axial cutting cycle) is read, but not simulated: the run here goes on without it.
-        --- KND K2000T
-        1:1 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
-    "#]],
+            --- Mitsubishi E60
+            G:90 X:10. Z:-5.
+            X:9.
+            G:90 X:1.
+            --- GSK 980TDc
+            1:1 warning - G90 (axial cutting cycle) is read, but not simulated: the run here goes on without it.
+            --- KND K2000T
+            1:1 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
+            --- FANUC 0i-TF
+            1:1 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
+        "#]],
     );
     check(
         "M98 P21000",
         expect![[r#"
-        --- Mitsubishi E60
-        M:98 P:21000
-        --- GSK 980TDc
-        M:98 P:21000
-        --- KND K2000T
-        M:98 P:21000
-    "#]],
+            --- Mitsubishi E60
+            M:98 P:21000
+            --- GSK 980TDc
+            M:98 P:21000
+            --- KND K2000T
+            M:98 P:21000
+            --- FANUC 0i-TF
+            M:98 P:21000
+        "#]],
     );
     check(
         "G54.1 P1",
         expect![[r#"
-        --- Mitsubishi E60
-        1:1 warning - G54.1 (extended work coordinate system) is read, but not simulated: the run here goes on without it.
-        --- GSK 980TDc
-        1:1 error 0002 G54.1 is no code of the GSK 980TDc.
-        --- KND K2000T
-        1:1 error 010 G54.1 is no code of the KND K2000T.
-    "#]],
+            --- Mitsubishi E60
+            1:1 warning - G54.1 (extended work coordinate system) is read, but not simulated: the run here goes on without it.
+            --- GSK 980TDc
+            1:1 error 0002 G54.1 is no code of the GSK 980TDc.
+            --- KND K2000T
+            1:1 error 010 G54.1 is no code of the KND K2000T.
+            --- FANUC 0i-TF
+            1:1 error PS0010 G54.1 is no code of the FANUC 0i-TF.
+        "#]],
     );
 }
 
@@ -318,6 +371,8 @@ fn block_length_limit_follows_the_control() {
             1:401 error 0011 This block is too long: at most 100 words are read.
             --- KND K2000T
             G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1
+            --- FANUC 0i-TF
+            1:105 error PS5006 This block is too long: at most 26 words are read.
         "#]],
     );
     check(
@@ -329,18 +384,22 @@ fn block_length_limit_follows_the_control() {
             1:257 error 0037 This block is too long: at most 256 characters are read.
             --- KND K2000T
             #1 = (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add 1 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1)
+            --- FANUC 0i-TF
+            #1 = (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add 1 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1)
         "#]],
     );
     check(
         &format!("(A{})", " COMMENT".repeat(40)),
         expect![[r#"
-        --- Mitsubishi E60
-        Empty (A COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT)
-        --- GSK 980TDc
-        Empty (A COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT)
-        --- KND K2000T
-        Empty (A COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT)
-    "#]],
+            --- Mitsubishi E60
+            Empty (A COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT)
+            --- GSK 980TDc
+            Empty (A COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT)
+            --- KND K2000T
+            Empty (A COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT)
+            --- FANUC 0i-TF
+            Empty (A COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT)
+        "#]],
     );
 }
 
@@ -349,48 +408,57 @@ fn loop_and_sequence_numbers_follow_the_control() {
     check(
         "DO4\nEND4",
         expect![[r#"
-        --- Mitsubishi E60
-        while true do 4
-        end 4
-        --- GSK 980TDc
-        1:3 error 0102 DO needs a loop number from 1 to 3.
-        2:4 error 0102 END needs a loop number from 1 to 3.
-        --- KND K2000T
-        1:3 error 126 DO needs a loop number from 1 to 3.
-        2:4 error 126 END needs a loop number from 1 to 3.
-    "#]],
+            --- Mitsubishi E60
+            while true do 4
+            end 4
+            --- GSK 980TDc
+            1:3 error 0102 DO needs a loop number from 1 to 3.
+            2:4 error 0102 END needs a loop number from 1 to 3.
+            --- KND K2000T
+            1:3 error 126 DO needs a loop number from 1 to 3.
+            2:4 error 126 END needs a loop number from 1 to 3.
+            --- FANUC 0i-TF
+            1:3 error PS0126 DO needs a loop number from 1 to 3.
+            2:4 error PS0126 END needs a loop number from 1 to 3.
+        "#]],
     );
     check(
         "DO1\nDO2\nDO3\nDO1\nEND1\nEND3\nEND2\nEND1",
         expect![[r#"
-        --- Mitsubishi E60
-        4:1 error P294 DO1 stands inside a loop of the same number.
-        --- GSK 980TDc
-        4:1 error 0103 Loops stand more than 3 deep.
-        --- KND K2000T
-        4:1 error 124 Loops stand more than 3 deep.
-    "#]],
+            --- Mitsubishi E60
+            4:1 error P294 DO1 stands inside a loop of the same number.
+            --- GSK 980TDc
+            4:1 error 0103 Loops stand more than 3 deep.
+            --- KND K2000T
+            4:1 error 124 Loops stand more than 3 deep.
+            --- FANUC 0i-TF
+            4:1 error PS0124 Loops stand more than 3 deep.
+        "#]],
     );
     check(
         "N99999",
         expect![[r#"
-        --- Mitsubishi E60
-        N99999 Empty
-        --- GSK 980TDc
-        N99999 Empty
-        --- KND K2000T
-        N99999 Empty
-    "#]],
+            --- Mitsubishi E60
+            N99999 Empty
+            --- GSK 980TDc
+            N99999 Empty
+            --- KND K2000T
+            N99999 Empty
+            --- FANUC 0i-TF
+            N99999 Empty
+        "#]],
     );
     check(
         "O12345",
         expect![[r#"
-        --- Mitsubishi E60
-        --- GSK 980TDc
-        1:1 error 0012 A program number has at most 4 digits.
-        --- KND K2000T
-        1:1 error 110 A program number has at most 4 digits.
-    "#]],
+            --- Mitsubishi E60
+            --- GSK 980TDc
+            1:1 error 0012 A program number has at most 4 digits.
+            --- KND K2000T
+            1:1 error 110 A program number has at most 4 digits.
+            --- FANUC 0i-TF
+            1:1 error PS0003 A program number has at most 4 digits.
+        "#]],
     );
 }
 
@@ -399,13 +467,15 @@ fn user_alarm_numbers_follow_the_control() {
     check(
         "#3000=150(TEXT)",
         expect![[r#"
-        --- Mitsubishi E60
-        #3000 = 150 (TEXT)
-        --- GSK 980TDc
-        1:1 error 0126 The number of a macro alarm is 0 to 99.
-        --- KND K2000T
-        #3000 = 150 (TEXT)
-    "#]],
+            --- Mitsubishi E60
+            #3000 = 150 (TEXT)
+            --- GSK 980TDc
+            1:1 error 0126 The number of a macro alarm is 0 to 99.
+            --- KND K2000T
+            #3000 = 150 (TEXT)
+            --- FANUC 0i-TF
+            #3000 = 150 (TEXT)
+        "#]],
     );
 }
 
@@ -463,37 +533,43 @@ fn faulty_macro_calls_are_errors() {
     check(
         "G65 P9010 A1. B2. I3. J4. I5.",
         expect![[r#"
-        --- Mitsubishi E60
-        G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
-        --- GSK 980TDc
-        G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
-        --- KND K2000T
-        G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
-    "#]],
+            --- Mitsubishi E60
+            G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
+            --- GSK 980TDc
+            G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
+            --- KND K2000T
+            G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
+            --- FANUC 0i-TF
+            G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
+        "#]],
     );
     check(
         "N10 G00 G65 P9010 A1.",
         expect![[r#"
-        --- Mitsubishi E60
-        N10 G:0 G:65 P:9010 A:1.
-        --- GSK 980TDc
-        1:9 error 0114 Nothing but a sequence number may stand in front of a macro call.
-            Give it a block of its own: 1:8 " "→"\n"
-        --- KND K2000T
-        N10 G:0 G:65 P:9010 A:1.
-    "#]],
+            --- Mitsubishi E60
+            N10 G:0 G:65 P:9010 A:1.
+            --- GSK 980TDc
+            1:9 error 0114 Nothing but a sequence number may stand in front of a macro call.
+                Give it a block of its own: 1:8 " "→"\n"
+            --- KND K2000T
+            N10 G:0 G:65 P:9010 A:1.
+            --- FANUC 0i-TF
+            N10 G:0 G:65 P:9010 A:1.
+        "#]],
     );
     check(
         "/2 G00 X1. G66 P9010",
         expect![[r#"
-        --- Mitsubishi E60
-        /2 G:0 X:1. G:66 P:9010
-        --- GSK 980TDc
-        1:12 error 0114 Nothing but a sequence number may stand in front of a macro call.
-            Give it a block of its own: 1:11 " "→"\n/2"
-        --- KND K2000T
-        /2 G:0 X:1. G:66 P:9010
-    "#]],
+            --- Mitsubishi E60
+            /2 G:0 X:1. G:66 P:9010
+            --- GSK 980TDc
+            1:12 error 0114 Nothing but a sequence number may stand in front of a macro call.
+                Give it a block of its own: 1:11 " "→"\n/2"
+            --- KND K2000T
+            /2 G:0 X:1. G:66 P:9010
+            --- FANUC 0i-TF
+            /2 G:0 X:1. G:66 P:9010
+        "#]],
     );
     check(
         "G65 A1.",
@@ -504,44 +580,54 @@ fn faulty_macro_calls_are_errors() {
             1:1 error 0122 The call does not say which program: add P and its number.
             --- KND K2000T
             1:1 error 076 The call does not say which program: add P and its number.
+            --- FANUC 0i-TF
+            1:1 error PS0076 The call does not say which program: add P and its number.
         "#]],
     );
     check(
         "G66 P9010 L2\nG67",
         expect![[r#"
-        --- Mitsubishi E60
-        G:66 P:9010 L:2
-        G:67
-        --- GSK 980TDc
-        G:66 P:9010 L:2
-        G:67
-        --- KND K2000T
-        G:66 P:9010 L:2
-        G:67
-    "#]],
+            --- Mitsubishi E60
+            G:66 P:9010 L:2
+            G:67
+            --- GSK 980TDc
+            G:66 P:9010 L:2
+            G:67
+            --- KND K2000T
+            G:66 P:9010 L:2
+            G:67
+            --- FANUC 0i-TF
+            G:66 P:9010 L:2
+            G:67
+        "#]],
     );
     check(
         "G65 P9010 N4 O5 G90",
         expect![[r#"
-        --- Mitsubishi E60
-        G:65 P:9010 N:4 O:5 G:90
-        --- GSK 980TDc
-        1:17 warning - G90 (axial cutting cycle) is read, but not simulated: the run here goes on without it.
-        --- KND K2000T
-        1:11 error 129 N is no address for an argument of a macro.
-        1:17 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
-    "#]],
+            --- Mitsubishi E60
+            G:65 P:9010 N:4 O:5 G:90
+            --- GSK 980TDc
+            1:17 warning - G90 (axial cutting cycle) is read, but not simulated: the run here goes on without it.
+            --- KND K2000T
+            1:11 error 129 N is no address for an argument of a macro.
+            1:17 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
+            --- FANUC 0i-TF
+            1:11 error PS0129 N is no address for an argument of a macro.
+            1:17 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
+        "#]],
     );
     check(
         "G65 P9010 M98",
         expect![[r#"
-        --- Mitsubishi E60
-        G:65 P:9010 M:98
-        --- GSK 980TDc
-        1:11 error 0116 A macro call cannot stand together with M00, M01, M02, M30, M98 or M99.
-        --- KND K2000T
-        G:65 P:9010 M:98
-    "#]],
+            --- Mitsubishi E60
+            G:65 P:9010 M:98
+            --- GSK 980TDc
+            1:11 error 0116 A macro call cannot stand together with M00, M01, M02, M30, M98 or M99.
+            --- KND K2000T
+            G:65 P:9010 M:98
+            --- FANUC 0i-TF
+            G:65 P:9010 M:98
+        "#]],
     );
 }
 
@@ -550,66 +636,80 @@ fn g65_h_functions_are_checked_on_reading() {
     check(
         "G65 H01 P#100 Q#101\nG65 H34 P#1 Q2 R3",
         expect![[r#"
-        --- Mitsubishi E60
-        G:65 H:1 P:#100 Q:#101
-        G:65 H:34 P:#1 Q:2 R:3
-        --- GSK 980TDc
-        G:65 H:1 P:#100 Q:#101
-        G:65 H:34 P:#1 Q:2 R:3
-        --- KND K2000T
-        G:65 H:1 P:#100 Q:#101
-        G:65 H:34 P:#1 Q:2 R:3
-    "#]],
+            --- Mitsubishi E60
+            G:65 H:1 P:#100 Q:#101
+            G:65 H:34 P:#1 Q:2 R:3
+            --- GSK 980TDc
+            G:65 H:1 P:#100 Q:#101
+            G:65 H:34 P:#1 Q:2 R:3
+            --- KND K2000T
+            G:65 H:1 P:#100 Q:#101
+            G:65 H:34 P:#1 Q:2 R:3
+            --- FANUC 0i-TF
+            G:65 H:1 P:#100 Q:#101
+            G:65 H:34 P:#1 Q:2 R:3
+        "#]],
     );
     check(
         "G65 H07 P#100 Q#101",
         expect![[r#"
-        --- Mitsubishi E60
-        G:65 H:7 P:#100 Q:#101
-        --- GSK 980TDc
-        1:5 error 0124 The control has no function H7 behind G65.
-        --- KND K2000T
-        G:65 H:7 P:#100 Q:#101
-    "#]],
+            --- Mitsubishi E60
+            G:65 H:7 P:#100 Q:#101
+            --- GSK 980TDc
+            1:5 error 0124 The control has no function H7 behind G65.
+            --- KND K2000T
+            G:65 H:7 P:#100 Q:#101
+            --- FANUC 0i-TF
+            G:65 H:7 P:#100 Q:#101
+        "#]],
     );
     check(
         "G65 H02 P#100 Q#101",
         expect![[r#"
-        --- Mitsubishi E60
-        G:65 H:2 P:#100 Q:#101
-        --- GSK 980TDc
-        1:5 error 0125 R is missing: the function H2 needs it.
-        --- KND K2000T
-        G:65 H:2 P:#100 Q:#101
-    "#]],
+            --- Mitsubishi E60
+            G:65 H:2 P:#100 Q:#101
+            --- GSK 980TDc
+            1:5 error 0125 R is missing: the function H2 needs it.
+            --- KND K2000T
+            G:65 H:2 P:#100 Q:#101
+            --- FANUC 0i-TF
+            G:65 H:2 P:#100 Q:#101
+        "#]],
     );
     check(
         "G65 H80 P10\nG65 H81 P20 Q#1 R0\nN10",
         expect![[r#"
-        --- Mitsubishi E60
-        G:65 H:80 P:10
-        G:65 H:81 P:20 Q:#1 R:0
-        N10 Empty
-        --- GSK 980TDc
-        2:9 error 0112 There is no block N20 in this program.
-        --- KND K2000T
-        G:65 H:80 P:10
-        G:65 H:81 P:20 Q:#1 R:0
-        N10 Empty
-    "#]],
+            --- Mitsubishi E60
+            G:65 H:80 P:10
+            G:65 H:81 P:20 Q:#1 R:0
+            N10 Empty
+            --- GSK 980TDc
+            2:9 error 0112 There is no block N20 in this program.
+            --- KND K2000T
+            G:65 H:80 P:10
+            G:65 H:81 P:20 Q:#1 R:0
+            N10 Empty
+            --- FANUC 0i-TF
+            G:65 H:80 P:10
+            G:65 H:81 P:20 Q:#1 R:0
+            N10 Empty
+        "#]],
     );
     check(
         "G65 H99 P5\nG65 H99 P100",
         expect![[r#"
-        --- Mitsubishi E60
-        G:65 H:99 P:5
-        G:65 H:99 P:100
-        --- GSK 980TDc
-        2:9 error 0126 The number of a macro alarm is 0 to 99.
-        --- KND K2000T
-        G:65 H:99 P:5
-        G:65 H:99 P:100
-    "#]],
+            --- Mitsubishi E60
+            G:65 H:99 P:5
+            G:65 H:99 P:100
+            --- GSK 980TDc
+            2:9 error 0126 The number of a macro alarm is 0 to 99.
+            --- KND K2000T
+            G:65 H:99 P:5
+            G:65 H:99 P:100
+            --- FANUC 0i-TF
+            G:65 H:99 P:5
+            G:65 H:99 P:100
+        "#]],
     );
 }
 
@@ -618,19 +718,24 @@ fn comma_corner_words_follow_each_controls_syntax() {
     check(
         "G01 X10 Z-5 L2 F100\nX20 D1\nM98 P2 L2\nG65 P2 L2 X1",
         expect![[r#"
-        --- Mitsubishi E60
-        G:1 X:10 Z:-5 L:2 F:100
-        X:20 D:1
-        M:98 P:2 L:2
-        G:65 P:2 L:2 X:1
-        --- GSK 980TDc
-        1:13 warning - L (chamfer) is read, but not simulated: the run here goes on without it.
-        2:5 warning - D (rounded corner) is read, but not simulated: the run here goes on without it.
-        --- KND K2000T
-        G:1 X:10 Z:-5 L:2 F:100
-        X:20 D:1
-        M:98 P:2 L:2
-        G:65 P:2 L:2 X:1
-    "#]],
+            --- Mitsubishi E60
+            G:1 X:10 Z:-5 L:2 F:100
+            X:20 D:1
+            M:98 P:2 L:2
+            G:65 P:2 L:2 X:1
+            --- GSK 980TDc
+            1:13 warning - L (chamfer) is read, but not simulated: the run here goes on without it.
+            2:5 warning - D (rounded corner) is read, but not simulated: the run here goes on without it.
+            --- KND K2000T
+            G:1 X:10 Z:-5 L:2 F:100
+            X:20 D:1
+            M:98 P:2 L:2
+            G:65 P:2 L:2 X:1
+            --- FANUC 0i-TF
+            G:1 X:10 Z:-5 L:2 F:100
+            X:20 D:1
+            M:98 P:2 L:2
+            G:65 P:2 L:2 X:1
+        "#]],
     );
 }

@@ -143,6 +143,12 @@ fn every_warning_appears_on_every_control() {
         knd-k2000t lint.feed-zero-rapid
         knd-k2000t lint.loose-comparison
         knd-k2000t lint.setting-unread
+        fanuc-0i-tf lint.calls-itself
+        fanuc-0i-tf lint.feed-per-minute
+        fanuc-0i-tf lint.feed-zero-digit
+        fanuc-0i-tf lint.feed-zero-rapid
+        fanuc-0i-tf lint.loose-comparison
+        fanuc-0i-tf lint.setting-unread
         sinumerik-802d lint.call-parameter
         sinumerik-802d lint.calls-itself
         sinumerik-802d lint.equal-decimals

@@ -1,0 +1,11 @@
+(SET diameter radius)
+%
+O0014
+G00 X20. Z5.
+U3.
+G01 X25. Z0 F100
+G03 U5. W-5. R5.
+M3 G96 S100
+G00 X50.
+M30
+%
