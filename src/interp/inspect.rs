@@ -7,7 +7,7 @@ use super::state::RunState;
 use super::vars::{LOCALS, Locals, VACANT};
 use super::world::World;
 use crate::controls::{CodeId, Group, VarKind};
-use crate::nc::{Block, Formula};
+use crate::nc::{Block, ParsedFormula};
 use crate::text::{Diagnostic, FileId, Place, Span};
 
 /// How a level was entered.
@@ -131,7 +131,7 @@ impl Interp {
 
     /// The value of an expression here and now, 1 or 0 for a condition; `None` is vacant. What waits for the machine at rest in a program
     /// is taken as the world has it.
-    pub fn evaluate(&self, formula: &Formula, world: &mut dyn World) -> Result<Option<f64>, Box<Diagnostic>> {
+    pub fn evaluate(&self, formula: &ParsedFormula, world: &mut dyn World) -> Result<Option<f64>, Box<Diagnostic>> {
         let control = self.shared.control;
         let mut cx = BlockContext { shared: &self.shared, control, deck: formula.deck(), world, parts: 1.0 };
         let value = match self.state.value(&mut cx, formula.root()) {

@@ -34,6 +34,6 @@ pub use fix::fix;
 pub use lex::tokens::{TokenKind, tokens};
 pub use lint::warnings;
 pub use lower::lower;
-pub use parse::expression::{Formula, formula};
+pub use parse::expression::{ParsedFormula, formula};
 pub use parsed::Parsed;
 pub use read::{parse, parse_with};

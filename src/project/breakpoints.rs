@@ -3,7 +3,7 @@
 use super::run::program_number;
 use crate::interp::{Interp, World};
 use crate::motion::RunEnd;
-use crate::nc::{self, Formula, Parsed};
+use crate::nc::{self, Parsed, ParsedFormula};
 use crate::text::{Diagnostic, FileId, LineIndex, Place};
 
 /// Why the debugger has stopped.
@@ -143,7 +143,7 @@ pub struct Breakpoint {
     pub place: Option<Place>,
     /// Its line, to find it again in another text.
     line: Option<Line>,
-    formula: Result<Option<Formula>, Box<Diagnostic>>,
+    formula: Result<Option<ParsedFormula>, Box<Diagnostic>>,
 }
 
 impl Breakpoint {
@@ -244,6 +244,6 @@ impl Breakpoints {
     }
 }
 
-fn condition_of(text: &str, parsed: &Parsed) -> Result<Option<Formula>, Box<Diagnostic>> {
+fn condition_of(text: &str, parsed: &Parsed) -> Result<Option<ParsedFormula>, Box<Diagnostic>> {
     if text.trim().is_empty() { Ok(None) } else { nc::formula(text.trim(), parsed.control()).map(Some) }
 }

@@ -32,9 +32,11 @@ pub mod suppress;
 
 pub mod list;
 
+use std::sync::Arc;
+
 use crate::controls::{self, Control, Switches};
 use crate::machines::form::{Origins, Values};
-use crate::machines::{self, AnyMachine, ControlContext, Defaults, Design};
+use crate::machines::{self, AnyMachine, ControlContext, Defaults, Design, PreparedMachine};
 use crate::motion::Panel;
 use crate::nc::Files;
 
@@ -127,6 +129,11 @@ impl Project {
     /// The published listing as printed, as a file.
     pub fn listing(&self) -> Files {
         Files::one("listing.nc", self.machine.listing())
+    }
+
+    /// The machine with the project's values on its control, prepared once per change.
+    pub fn prepared(&self) -> Arc<PreparedMachine> {
+        self.memo.prepared(self.machine, &self.values, self.on())
     }
 
     /// Results, verdicts and invalid fields.

@@ -2,10 +2,9 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::Project;
 use crate::controls::Switches;
-use crate::machines::PreparedMachine;
 use crate::machines::form::Values;
+use crate::machines::{AnyMachine, ControlContext, PreparedMachine};
 
 /// The machine that was prepared last, with everything that it was prepared from. A clone of a project shares it.
 #[derive(Debug, Default)]
@@ -26,24 +25,29 @@ impl Clone for Memo {
     }
 }
 
-impl Project {
-    /// The machine with the project's values on its control, prepared once per change.
-    pub fn prepared(&self) -> Arc<PreparedMachine> {
-        let mut memo = self.memo.0.lock().unwrap_or_else(PoisonError::into_inner);
+impl Memo {
+    /// The machine with these values on a control, prepared once per change.
+    pub(super) fn prepared(
+        &self,
+        machine: &dyn AnyMachine,
+        values: &Values,
+        on: ControlContext<'_>,
+    ) -> Arc<PreparedMachine> {
+        let mut memo = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(entry) = &*memo
-            && entry.machine == self.machine.id()
-            && entry.control == self.control.id
-            && entry.values == self.values
-            && entry.switches == self.switches
+            && entry.machine == machine.id()
+            && entry.control == on.control.id
+            && entry.values == *values
+            && entry.switches == *on.switches
         {
             return Arc::clone(&entry.prepared);
         }
-        let prepared = Arc::new(self.machine.prepare(&self.values, self.on()));
+        let prepared = Arc::new(machine.prepare(values, on));
         *memo = Some(Entry {
-            machine: self.machine.id(),
-            control: self.control.id,
-            values: self.values.clone(),
-            switches: self.switches.clone(),
+            machine: machine.id(),
+            control: on.control.id,
+            values: values.clone(),
+            switches: on.switches.clone(),
             prepared: Arc::clone(&prepared),
         });
         prepared

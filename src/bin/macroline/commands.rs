@@ -5,18 +5,20 @@ use std::process::ExitCode;
 use std::rc::Rc;
 
 use clap::Parser;
-use macroline::controls::{self, Control, Switches};
+use macroline::controls::Switches;
 use macroline::nc;
 use macroline::project::check::review;
 use macroline::project::render::summary;
 use macroline::project::suppress::silence;
 use macroline::project::{Project, list};
-use macroline::text::{Diagnostic, catalog};
+use macroline::text::Diagnostic;
 use serde_json::json;
 
 use crate::args::{Command, Line};
-use crate::input::{self, Sources};
-use crate::output::{self, Failure, Findings, list_json, print, print_json, refuse, say, tell, verdict};
+use crate::findings::{Findings, Sources, list_json};
+use crate::input;
+use crate::output::{self, Failure, print, print_json, refuse, say, tell, verdict};
+use crate::requested::{control, known, only_project, switched, tell_silenced};
 use crate::{export, run};
 
 pub(crate) fn main() -> ExitCode {
@@ -32,55 +34,6 @@ pub(crate) fn main() -> ExitCode {
         Command::Run { args, no_canon, json } => run::run(&args, !no_canon, json),
         Command::Step(args) => run::step(&args),
     })
-}
-
-pub(crate) fn control(id: &str) -> Result<&'static Control, Failure> {
-    controls::find(id).ok_or_else(|| {
-        let known = controls::ALL.iter().map(|c| c.id).collect::<Vec<_>>().join(", ");
-        Failure::Usage(format!("no control “{id}”; there are: {known}"))
-    })
-}
-
-/// Switches with some set anew, `ID=VALUE` each.
-pub(crate) fn switched(mut switches: Switches, settings: &[String], control: &Control) -> Result<Switches, Failure> {
-    for setting in settings {
-        let Some((id, value)) = setting.split_once('=') else {
-            return Err(Failure::Usage(format!("--switch takes ID=VALUE, not “{setting}”")));
-        };
-        let Some(row) = control.switch(id) else {
-            let known = control.switches.iter().map(|row| row.id()).collect::<Vec<_>>().join(", ");
-            let message = format!("--switch: the {} has no switch “{id}”; there are: {known}", control.name);
-            return Err(Failure::Usage(message));
-        };
-        if !row.takes(value) {
-            let values = list::switch_values(row);
-            return Err(Failure::Usage(format!("--switch: {id} cannot be “{value}”; it can be: {values}")));
-        }
-        switches.set(row, value);
-    }
-    Ok(switches)
-}
-
-/// Ids of warnings that there are.
-pub(crate) fn known(ids: &[String]) -> Result<Vec<String>, Failure> {
-    match ids.iter().find(|id| catalog::id(id).is_none()) {
-        Some(id) => Err(Failure::Usage(format!(
-            "--silence: there is no warning “{id}”; each shows its id in brackets, for instance lint.unreachable"
-        ))),
-        None => Ok(ids.to_vec()),
-    }
-}
-
-pub(crate) fn tell_silenced(count: usize) -> Result<(), Failure> {
-    if count > 0 { say(&format!("{count} silenced\n")) } else { Ok(()) }
-}
-
-/// The project file among arguments that name no control.
-pub(crate) fn only_project(paths: &[PathBuf]) -> Result<&Path, Failure> {
-    match paths {
-        [path] if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("json")) => Ok(path),
-        _ => Err(Failure::Usage("bare program files need --control".to_owned())),
-    }
 }
 
 fn new(machine: &str, control: Option<&str>) -> Result<(), Failure> {

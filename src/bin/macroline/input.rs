@@ -7,32 +7,11 @@ use macroline::motion::Panel;
 use macroline::msg;
 use macroline::nc::{File, Files};
 use macroline::project::decode::{Decoded, Encoding};
-use macroline::project::render::Teller;
 use macroline::project::{Project, saved};
 use macroline::text::{Diagnostic, FileId, Place, Span};
 
-use crate::output::{Failure, Findings};
-
-/// Files that diagnostics are about.
-#[derive(Default)]
-pub(crate) struct Sources {
-    pub(crate) files: Files,
-    /// Names by which they are told apart; empty where the files' own names do.
-    names: Vec<String>,
-    /// The files as they were read; empty where they were not.
-    read: Vec<Decoded>,
-}
-
-impl Sources {
-    /// Files that were not read but written.
-    pub(crate) fn written(files: Files) -> Sources {
-        Sources { files, ..Sources::default() }
-    }
-
-    pub(crate) fn teller(&self) -> Teller<'_> {
-        Teller::about(&self.files, &self.names, &self.read)
-    }
-}
+use crate::findings::{Findings, Sources};
+use crate::output::Failure;
 
 fn read(path: &Path) -> Result<Decoded, Failure> {
     let bytes = std::fs::read(path).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;

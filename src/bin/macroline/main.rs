@@ -3,6 +3,9 @@
 //! Exit status: 0, 1 when there is an error, 2 for wrong usage. Diagnostics go to standard error as text, or into the JSON.
 
 #[cfg(not(target_arch = "wasm32"))]
+mod findings;
+
+#[cfg(not(target_arch = "wasm32"))]
 mod output;
 
 #[cfg(not(target_arch = "wasm32"))]
@@ -10,6 +13,9 @@ mod input;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod args;
+
+#[cfg(not(target_arch = "wasm32"))]
+mod requested;
 
 #[cfg(not(target_arch = "wasm32"))]
 mod export;

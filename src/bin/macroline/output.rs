@@ -3,12 +3,11 @@
 use std::io::{self, BufWriter, StdoutLock, Write};
 use std::process::ExitCode;
 
-use macroline::project::render::{Teller, summary};
+use macroline::project::render::summary;
 use macroline::text::escape::terminal;
-use macroline::text::{Diagnostic, Severity};
 use serde_json::{Value as Json, json};
 
-use crate::input::Sources;
+use crate::findings::{Findings, has_errors, list_json};
 
 /// Why a command ends before its end.
 pub(crate) enum Failure {
@@ -86,18 +85,6 @@ pub(crate) fn print_json(json: &Json) -> Result<(), Failure> {
     out.flush()
 }
 
-/// Diagnostics and the files that they are about.
-#[derive(Default)]
-pub(crate) struct Findings {
-    pub(crate) sources: Sources,
-    pub(crate) list: Vec<Diagnostic>,
-}
-
-/// Whether there is an error.
-pub(crate) fn has_errors(all: &[Findings]) -> bool {
-    all.iter().flat_map(|findings| &findings.list).any(|finding| finding.severity == Severity::Error)
-}
-
 /// Fails where there is an error.
 pub(crate) fn verdict(all: &[Findings]) -> Result<(), Failure> {
     if has_errors(all) { Err(Failure::Told) } else { Ok(()) }
@@ -114,15 +101,6 @@ pub(crate) fn tell(all: &[Findings]) -> Result<(), Failure> {
         list.extend(findings.list.iter().cloned());
     }
     if list.is_empty() { Ok(()) } else { say(&(summary(&list) + "\n")) }
-}
-
-/// Diagnostics as a list.
-pub(crate) fn list_json(all: &[Findings]) -> Json {
-    let list = |findings: &Findings| {
-        let teller: Teller = findings.sources.teller();
-        findings.list.iter().map(|finding| teller.json(finding)).collect::<Vec<_>>()
-    };
-    all.iter().flat_map(list).collect()
 }
 
 /// Prints the errors that keep a command from doing anything.

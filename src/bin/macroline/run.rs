@@ -15,9 +15,10 @@ use macroline::text::Diagnostic;
 use serde_json::{Value as Json, json};
 
 use crate::args::RunArgs;
-use crate::commands::{control, known, only_project, switched, tell_silenced};
-use crate::input::{self, Sources};
-use crate::output::{Failure, Findings, Printer, list_json, refuse, say, tell, verdict};
+use crate::findings::{Findings, Sources, list_json};
+use crate::input;
+use crate::output::{Failure, Printer, refuse, say, tell, verdict};
+use crate::requested::{control, known, only_project, switched, tell_silenced};
 
 /// A run before its start.
 struct Prepared {

@@ -10,12 +10,12 @@ use crate::text::{Diagnostic, FileId};
 
 /// An expression (`#100*#1033/100`) or a condition (`#120 LE 3`) that a control has read; only [`formula`] makes one.
 #[derive(Debug, Clone)]
-pub struct Formula {
+pub struct ParsedFormula {
     deck: Deck,
     root: ExprId,
 }
 
-impl Formula {
+impl ParsedFormula {
     /// The tree that it stands in.
     pub fn deck(&self) -> &Deck {
         &self.deck
@@ -29,7 +29,7 @@ impl Formula {
 
 /// Reads one expression or condition as the control would read it in a block; a condition may stand in its brackets or without them.
 /// The place of what is wrong counts from the start of the text, in file 0.
-pub fn formula(text: &str, control: &'static Control) -> Result<Formula, Box<Diagnostic>> {
+pub fn formula(text: &str, control: &'static Control) -> Result<ParsedFormula, Box<Diagnostic>> {
     let dialect = Dialect::resolve(control, &Switches::default());
     let codes = Codes::new(control, &dialect);
     let tables = Tables::new(control, &dialect, &codes);
@@ -37,7 +37,7 @@ pub fn formula(text: &str, control: &'static Control) -> Result<Formula, Box<Dia
         let mut reader = Reader::new(control, &tables, FileId(0), text, Deck::default());
         reader.take_line(text.as_bytes(), 0);
         let mut wrong = match (reader.alone(bracketed), reader.findings.list.pop()) {
-            (Ok(root), None) => return Ok(Formula { deck: reader.deck, root }),
+            (Ok(root), None) => return Ok(ParsedFormula { deck: reader.deck, root }),
             (Ok(_), Some(found)) => found,
             (Err(failure), _) => failure.finding,
         };

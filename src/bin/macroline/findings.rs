@@ -1,0 +1,49 @@
+//! Diagnostics together with the files that they are about.
+
+use macroline::nc::Files;
+use macroline::project::decode::Decoded;
+use macroline::project::render::Teller;
+use macroline::text::{Diagnostic, Severity};
+use serde_json::Value as Json;
+
+/// Files that diagnostics are about.
+#[derive(Default)]
+pub(crate) struct Sources {
+    pub(crate) files: Files,
+    /// Names by which they are told apart; empty where the files' own names do.
+    pub(crate) names: Vec<String>,
+    /// The files as they were read; empty where they were not.
+    pub(crate) read: Vec<Decoded>,
+}
+
+impl Sources {
+    /// Files that were not read but written.
+    pub(crate) fn written(files: Files) -> Sources {
+        Sources { files, ..Sources::default() }
+    }
+
+    pub(crate) fn teller(&self) -> Teller<'_> {
+        Teller::about(&self.files, &self.names, &self.read)
+    }
+}
+
+/// Diagnostics and the files that they are about.
+#[derive(Default)]
+pub(crate) struct Findings {
+    pub(crate) sources: Sources,
+    pub(crate) list: Vec<Diagnostic>,
+}
+
+/// Whether there is an error.
+pub(crate) fn has_errors(all: &[Findings]) -> bool {
+    all.iter().flat_map(|findings| &findings.list).any(|finding| finding.severity == Severity::Error)
+}
+
+/// Diagnostics as a list.
+pub(crate) fn list_json(all: &[Findings]) -> Json {
+    let list = |findings: &Findings| {
+        let teller: Teller = findings.sources.teller();
+        findings.list.iter().map(|finding| teller.json(finding)).collect::<Vec<_>>()
+    };
+    all.iter().flat_map(list).collect()
+}
