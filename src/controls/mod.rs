@@ -16,9 +16,11 @@ pub mod fanuc_0i_tf;
 
 pub mod sinumerik_802d;
 
+pub use schema::address;
 pub use schema::{
-    Alarm, AlarmDef, AxisDef, Bench, Code, CodeDef, CodeId, CodeNumber, Control, Dialect, Group, Limits, Macros,
-    ParamDef, ParamRole, Point, Signal, SpindleRules, Switch, Switches, Syntax, Timing, VarKind, VarRange,
+    Address, AddressSet, Alarm, AlarmDef, AxisDef, Bench, Code, CodeDef, CodeId, CodeNumber, Control, Dialect, Group,
+    Limits, Macros, ParamDef, ParamRole, Point, Signal, SpindleRules, Switch, Switches, Syntax, Timing, VarKind,
+    VarRange,
 };
 pub use schema::{
     alarm, bench, code, dialect, interface, limits, macros, options, params, spindle, switch, syntax, vars,

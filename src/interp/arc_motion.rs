@@ -6,7 +6,7 @@ use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::state::{ArcGeometry, RunState};
 use super::words::BlockWords;
-use crate::controls::{Alarm, Code};
+use crate::controls::{Address, Alarm, Code};
 use crate::math;
 use crate::msg;
 
@@ -87,8 +87,8 @@ impl RunState {
     /// How far the point that an arc passes lies from its start along an axis, in what the slide moves.
     fn passed(&self, cx: &BlockContext, values: &BlockWords, axis: u8) -> f64 {
         let at = usize::from(axis);
-        let letter = cx.control.axes.get(at).map_or(0, |axis| axis.letter);
-        let point = values.through.get(usize::from(letter.wrapping_sub(b'X'))).copied().flatten();
+        let place = cx.control.axes.get(at).and_then(|axis| axis.letter.after(Address::X));
+        let point = place.and_then(|place| values.through.get(place).copied().flatten());
         let (Some(value), Some(scale)) = (point, cx.shared.rules.moves.get(at)) else { return 0.0 };
         let from = if self.modal.absolute { self.modal.zero[at].saturating_sub(self.position[at]) } else { 0 };
         value.saturating_add(from) as f64 * scale
@@ -117,9 +117,8 @@ impl RunState {
 /// I, J, K of the axes of a plane: how far the centre lies from the start, in what the slide moves.
 fn center_of(cx: &BlockContext, values: &BlockWords, (first, second): (u8, u8)) -> (f64, f64) {
     let offset = |axis: u8| {
-        let letter = cx.control.axes.get(axis as usize).map_or(0, |axis| axis.letter);
-        let at = letter.wrapping_sub(b'X') as usize;
-        values.center.get(at).copied().flatten().unwrap_or(0) as f64
+        let at = cx.control.axes.get(axis as usize).and_then(|axis| axis.letter.after(Address::X));
+        at.and_then(|at| values.center.get(at).copied().flatten()).unwrap_or(0) as f64
     };
     (offset(first), offset(second))
 }

@@ -1,5 +1,6 @@
 //! A block of NC words: codes first, then values, then commands in the order of the machine.
 
+use crate::controls::Address;
 use std::rc::Rc;
 
 use super::call::Caller;
@@ -66,7 +67,7 @@ impl RunState {
             self.queue.push(Canon::Auxiliary { code });
         }
         if let Some(code) = values.tool {
-            self.modal.word(b'T', f64::from(code));
+            self.modal.word(Address::T, f64::from(code));
             self.queue.push(Canon::Tool { code });
         }
         if codes.path {
@@ -156,7 +157,7 @@ impl RunState {
         }
         let caller = Caller { word: Some(codes.caller), all: false };
         if let (true, None, Some(word)) = (cx.control.macros.program_next, codes.call, words.get(codes.caller + 1))
-            && !matches!(word.letter, b'P' | b'H')
+            && !matches!(word.letter, Address::P | Address::H)
         {
             let trap = Trap::alarm(Alarm::NoCallProgram, msg!("interp.call-program-next"));
             return Err(trap.within(word.span(block)));
@@ -183,7 +184,7 @@ impl RunState {
         let end = start.and_then(|start| Some((start, index.sequence(self.program, last, start)?)));
         let Some((_, end)) = end.filter(|(start, end)| end >= start) else { return };
         self.at = end.saturating_add(1);
-        let word = words.iter().find(|word| word.letter == b'G');
+        let word = words.iter().find(|word| word.letter == Address::G);
         let span = word.map_or(block.span, |word| word.span(block));
         let remark = Diagnostic::warning(msg!("interp.contour", first, last)).kind(DiagnosticKind::Contour);
         cx.world.remark(remark.at(Place { file: self.file, span }));

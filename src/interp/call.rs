@@ -1,5 +1,6 @@
 //! Subprograms and macros: calls, arguments, returns.
 
+use crate::controls::Address;
 use std::rc::Rc;
 
 use super::canon::Canon;
@@ -100,11 +101,12 @@ impl RunState {
     fn program_of(&self, cx: &BlockContext, number: f64) -> Run<u32> {
         let found = if (1.0..4e9).contains(&number) { cx.shared.index.program(number as u32) } else { None };
         let hint = msg!("interp.hint-program");
-        let trap = || Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", (number, 0))).hint(hint).behind(b"P");
+        let trap =
+            || Trap::alarm(Alarm::NoProgram, msg!("interp.no-program", (number, 0))).hint(hint).behind(&[Address::P]);
         found.ok_or_else(trap)
     }
 
-    fn repeats(&self, cx: &BlockContext, repeats: Option<f64>, at: &'static [u8]) -> Run<u32> {
+    fn repeats(&self, cx: &BlockContext, repeats: Option<f64>, at: &'static [Address]) -> Run<u32> {
         let max = cx.control.limits.repeat_max;
         // Where there is an alarm for repeats, none at all is one, too.
         let min = u32::from(cx.control.raises(Alarm::RepeatRange));
@@ -128,7 +130,7 @@ impl RunState {
     ) -> Run<()> {
         let macros = &cx.control.macros;
         self.refuse_in_modal(cx)?;
-        let at: &[u8] = if l.is_some() { b"L" } else { b"P" };
+        let at: &'static [Address] = if l.is_some() { &[Address::L] } else { &[Address::P] };
         let (mut p, mut l) = (p, l);
         if let (Some(number), true, false) = (p, macros.repeats_in_p, by_code) {
             // In front of the digits of the program number.
@@ -150,7 +152,7 @@ impl RunState {
                 let wanted = if (1.0..4e9).contains(&number) { number as u32 } else { 0 };
                 let found = cx.shared.index.sequence(program, wanted, first);
                 found.ok_or_else(|| {
-                    Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 0))).behind(b"H")
+                    Trap::alarm(Alarm::NoSequence, msg!("interp.no-sequence", (number, 0))).behind(&[Address::H])
                 })?
             }
         };
@@ -239,7 +241,7 @@ impl RunState {
         let letter = caller.word.and_then(|at| words.get(at)).map(|word| word.letter);
         let first = words.iter().position(|word| Some(word.letter) == letter).filter(|at| caller.word != Some(*at));
         if let Some(word) = first.and_then(|at| words.get(at)).filter(|_| cx.control.raises(Alarm::ArgumentAddress)) {
-            let letter = char::from(word.letter).to_string();
+            let letter = word.letter.to_string();
             let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", letter));
             return Err(trap.within(word.span(block)));
         }
@@ -255,7 +257,7 @@ impl RunState {
         kind: CallKind,
         by_code: bool,
     ) -> Run<()> {
-        let repeats = self.repeats(cx, arguments.repeats, b"L")?;
+        let repeats = self.repeats(cx, arguments.repeats, &[Address::L])?;
         let arguments = arguments.given();
         if matches!(kind, CallKind::Modal | CallKind::ModalBlock) {
             let (each_block, outer) = (kind == CallKind::ModalBlock, self.modal_call.take());
@@ -285,9 +287,9 @@ impl RunState {
             if caller.word == Some(at) {
                 continue;
             }
-            if matches!(letter, b'G' | b'N' | b'O') && !all {
+            if matches!(letter, Address::G | Address::N | Address::O) && !all {
                 if caller.word.is_some_and(|caller| caller < at) && cx.control.raises(Alarm::ArgumentAddress) {
-                    let letter = char::from(letter).to_string();
+                    let letter = letter.to_string();
                     let trap = Trap::alarm(Alarm::ArgumentAddress, msg!("interp.argument-address", letter));
                     return Err(trap.within(word.span(block)));
                 }
@@ -295,16 +297,16 @@ impl RunState {
             }
             let Some(value) = self.argument(cx, block, word)? else { continue };
             let variable = match letter {
-                b'P' if !all => {
+                Address::P if !all => {
                     found.program = Some(value.round());
                     continue;
                 }
-                b'L' if !all => {
+                Address::L if !all => {
                     found.repeats = Some(value.round());
                     continue;
                 }
-                b'I' | b'J' | b'K' => {
-                    let at = usize::from(letter - b'I');
+                Address::I | Address::J | Address::K => {
+                    let at = letter.after(Address::I).unwrap_or(0);
                     let set = match cx.control.macros.argument_sets {
                         ArgumentSets::InOrder => {
                             set += usize::from(last.is_some_and(|last| letter <= last));
@@ -322,7 +324,7 @@ impl RunState {
                     }
                     3 * set + 4 + at
                 }
-                _ => ARGUMENT.get(letter.wrapping_sub(b'A') as usize).map_or(0, |&variable| variable as usize),
+                _ => ARGUMENT.get(letter as usize).map_or(0, |&variable| variable as usize),
             };
             if let Some(place) = variable.checked_sub(1).and_then(|at| found.locals.get_mut(at)) {
                 *place = value;

@@ -205,7 +205,7 @@ impl Target {
         for (k, axis) in names.axes.iter().enumerate().take(AXES) {
             if self.mask & (1 << k) != 0 {
                 f.write_char(' ')?;
-                f.write_char(axis.letter as char)?;
+                f.write_char(axis.letter.byte().into())?;
                 decimal(self.position[k] as f64 * names.increment).write(f)?;
             }
         }
@@ -290,7 +290,7 @@ impl Line<'_> {
                 f.write_str(if *clockwise { "arc-cw" } else { "arc-ccw" })?;
                 to.write(f, names)?;
                 for (axis, center) in [(plane.0, center.0), (plane.1, center.1)] {
-                    let letter = names.axes.get(axis as usize).map_or('?', |axis| axis.letter as char);
+                    let letter = names.axes.get(axis as usize).map_or('?', |axis| axis.letter.byte().into());
                     write!(f, " c{letter}{}", decimal(center * names.increment))?;
                 }
                 feed.write(f)?;
@@ -304,7 +304,7 @@ impl Line<'_> {
             }
             Canon::SpindleSpeed { rpm } => write!(f, "spindle-speed {}", decimal(*rpm)),
             Canon::SurfaceSpeed { speed, axis, zero } => {
-                let letter = names.axes.get(*axis as usize).map_or('?', |axis| axis.letter as char);
+                let letter = names.axes.get(*axis as usize).map_or('?', |axis| axis.letter.byte().into());
                 write!(f, "surface-speed {} {letter}{}", decimal(*speed), decimal(*zero as f64 * names.increment))
             }
             Canon::ConstantSpeed => f.write_str("constant-speed"),

@@ -5,8 +5,8 @@ use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::rules::M_CODES;
 use super::state::RunState;
+use crate::controls::Address;
 use crate::controls::macros::{CallKind, CodeCall};
-use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, CodeDef, CodeId, Group};
 use crate::drives::Approach;
 use crate::msg;
@@ -75,7 +75,7 @@ impl RunState {
     ) -> Run<()> {
         for (at, word) in words.iter().enumerate() {
             match word.letter {
-                b'G' => {
+                Address::G => {
                     let Some(number) = self.code_number(cx, block, word)? else { continue };
                     let id = CodeId::G(number);
                     if self.calls(cx, id, at, codes) {
@@ -89,12 +89,12 @@ impl RunState {
                     self.g_code(cx, row, at, codes);
                 }
                 // Behind a macro call it is an argument.
-                b'M' if codes.special.is_some() && macro_kind(codes).is_some() => codes.mixed |= mixes(cx, word),
-                b'M' if self.spindle_of(word) > 1 && self.other_spindle(cx, block, word)? => {}
-                b'M' if at + 1 < words.len() && self.is_overtaken(cx, block, words, at)? => {}
-                b'M' => self.m_word(cx, block, word, at, codes)?,
-                long::NAME => self.named_code(cx, word, at, codes),
-                b'/' if self.skips(cx, word) => {
+                Address::M if codes.special.is_some() && macro_kind(codes).is_some() => codes.mixed |= mixes(cx, word),
+                Address::M if self.spindle_of(word) > 1 && self.other_spindle(cx, block, word)? => {}
+                Address::M if at + 1 < words.len() && self.is_overtaken(cx, block, words, at)? => {}
+                Address::M => self.m_word(cx, block, word, at, codes)?,
+                Address::Name => self.named_code(cx, word, at, codes),
+                Address::Skip if self.skips(cx, word) => {
                     codes.count = at;
                     break;
                 }
@@ -136,8 +136,8 @@ impl RunState {
         let mut behind = 0;
         for word in words.get(at + 1..).unwrap_or_default() {
             match word.letter {
-                b'/' if self.skips(cx, word) => break,
-                b'M' if word.index.is_none_or(|spindle| spindle <= 1) && self.raw(cx, block, word)?.is_some() => {
+                Address::Skip if self.skips(cx, word) => break,
+                Address::M if word.index.is_none_or(|spindle| spindle <= 1) && self.raw(cx, block, word)?.is_some() => {
                     behind += 1;
                 }
                 _ => continue,
@@ -218,7 +218,7 @@ impl RunState {
             return Err(self.out_of_range(cx, block, word, 0.0, 99_999_999.0));
         }
         let number = number as u32;
-        self.modal.word(b'M', f64::from(number));
+        self.modal.word(Address::M, f64::from(number));
         let id = CodeId::M(number);
         if self.calls(cx, id, at, codes) {
             return Ok(());

@@ -1,5 +1,6 @@
 //! Errors raised while a block executes, before they are located and turned into a [`Diagnostic`].
 
+use crate::controls::Address;
 use crate::controls::Alarm;
 use crate::nc::{Block, Deck, ExprId, Parsed};
 use crate::text::{Diagnostic, DiagnosticKind, Message, Place, Span};
@@ -15,7 +16,7 @@ pub(super) struct Fault {
     /// The part of a formula that has no value.
     part: Option<ExprId>,
     /// Letters of the word that it is about.
-    letters: &'static [u8],
+    letters: &'static [Address],
     /// The number that is shown instead of that of the kind.
     number: Option<u32>,
 }
@@ -43,7 +44,7 @@ impl Trap {
             hints: Vec::new(),
             word: None,
             part: None,
-            letters: b"",
+            letters: &[],
             number: None,
         }))
     }
@@ -59,7 +60,7 @@ impl Trap {
             hints: finding.hints.clone(),
             word,
             part: None,
-            letters: b"",
+            letters: &[],
             number: None,
         }))
     }
@@ -102,7 +103,7 @@ impl Trap {
 
     /// The same in the first word of its block with one of these letters, if no narrower place is known.
     #[cold]
-    pub(super) fn behind(mut self, letters: &'static [u8]) -> Trap {
+    pub(super) fn behind(mut self, letters: &'static [Address]) -> Trap {
         if let Trap::Alarm(fault) = &mut self
             && fault.letters.is_empty()
         {

@@ -4,7 +4,7 @@ use super::canon::Feed;
 use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::state::RunState;
-use crate::controls::Alarm;
+use crate::controls::{Address, Alarm};
 use crate::msg;
 
 impl RunState {
@@ -39,6 +39,6 @@ pub(super) fn no_feed(cx: &BlockContext, feed: Option<f64>) -> Trap {
         None => Trap::alarm(Alarm::NoFeed, msg!("interp.no-feed")).hint(msg!("interp.hint-feed")),
         Some(_) => Trap::alarm(Alarm::FeedZero, msg!("interp.feed-zero"))
             .hint(msg!("interp.hint-feed-zero", cx.control.guard(&format!("{}…", cx.control.syntax.variable))))
-            .behind(b"F"),
+            .behind(&[Address::F]),
     }
 }

@@ -5,6 +5,7 @@ use super::error::{Run, Trap};
 use super::operators::{function, operate, or_zero};
 use super::state::RunState;
 use super::system_variables::user_alarm;
+use crate::controls::Address;
 use crate::controls::Alarm;
 use crate::controls::syntax::{Function, Operation};
 use crate::msg;
@@ -13,31 +14,32 @@ use crate::nc::{Block, Op, Word, WordValue};
 impl RunState {
     /// Whether a G65 is a function: H comes before P, on a control that has functions.
     pub(super) fn is_function(&self, cx: &BlockContext, words: &[Word]) -> bool {
-        let first = words.iter().find(|word| matches!(word.letter, b'H' | b'P'));
-        !cx.control.macros.functions.is_empty() && first.is_some_and(|word| word.letter == b'H')
+        let first = words.iter().find(|word| matches!(word.letter, Address::H | Address::P));
+        !cx.control.macros.functions.is_empty() && first.is_some_and(|word| word.letter == Address::H)
     }
 
     /// Does a function.
     pub(super) fn function_words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> Run<()> {
-        let word = |letter: u8| words.iter().rfind(|word| word.letter == letter);
-        let number = match word(b'H') {
+        let word = |letter: Address| words.iter().rfind(|word| word.letter == letter);
+        let number = match word(Address::H) {
             Some(word) => self.whole(cx, block, word)?.unwrap_or(0.0),
             None => 0.0,
         };
         let row = cx.control.macros.functions.iter().find(|row| f64::from(row.0) == number);
         let Some(&(_, operation)) = row else {
-            return Err(Trap::alarm(Alarm::CallFunction, msg!("interp.no-function", (number, 0))).behind(b"H"));
+            return Err(Trap::alarm(Alarm::CallFunction, msg!("interp.no-function", (number, 0))).behind(&[Address::H]));
         };
         let missing = |letter: &str| Trap::alarm(Alarm::CallOperands, msg!("interp.no-operand", letter, (number, 0)));
         // Constants count as they are written.
-        let mut operand = |letter: u8, needed: bool| match word(letter) {
+        let mut operand = |letter: Address, needed: bool| match word(letter) {
             Some(Word { value: WordValue::Number(dec), .. }) => Ok(dec.to_f64()),
             Some(Word { value: WordValue::Expr(id), .. }) => self.value(cx, *id),
-            None if needed => Err(missing(&(letter as char).to_string())),
+            None if needed => Err(missing(&letter.to_string())),
             None => Ok(0.0),
         };
         let needed = operation.operands();
-        let (q, r) = (operand(b'Q', needed.contains(&b'Q'))?, operand(b'R', needed.contains(&b'R'))?);
+        let (q, r) =
+            (operand(Address::Q, needed.contains(&Address::Q))?, operand(Address::R, needed.contains(&Address::R))?);
         let vacant_or = |x: f64| if operation == Operation::Assign { x } else { or_zero(x) };
         let (q, r) = (vacant_or(q), or_zero(r));
         let jump = match operation {
@@ -51,20 +53,20 @@ impl RunState {
             _ => None,
         };
         if jump.is_none() && operation != Operation::Alarm {
-            let Some(Word { value: WordValue::Expr(id), .. }) = word(b'P') else {
-                return Err(Trap::alarm(Alarm::CallOperands, msg!("interp.function-result")).behind(b"P"));
+            let Some(Word { value: WordValue::Expr(id), .. }) = word(Address::P) else {
+                return Err(Trap::alarm(Alarm::CallOperands, msg!("interp.function-result")).behind(&[Address::P]));
             };
             let target = self.variable_of(cx, *id)?;
             // Adding 0 makes -0 to 0.
-            let operand = if needed.contains(&b'R') { b"R" } else { b"Q" };
+            let operand: &'static [Address] = if needed.contains(&Address::R) { &[Address::R] } else { &[Address::Q] };
             let value = self.calculate(cx, operation, (q, r), target).map_err(|trap| trap.behind(operand))? + 0.0;
             return self.write(cx, block, target, value).map_err(|trap| trap.part(*id));
         }
-        let p = or_zero(operand(b'P', true)?);
+        let p = or_zero(operand(Address::P, true)?);
         match jump {
-            Some(true) => self.go_to_number(cx, at, p, Alarm::NoSequence).map_err(|trap| trap.behind(b"P")),
+            Some(true) => self.go_to_number(cx, at, p, Alarm::NoSequence).map_err(|trap| trap.behind(&[Address::P])),
             Some(false) => Ok(()),
-            None => Err(user_alarm(cx, block, p.round()).behind(b"P")),
+            None => Err(user_alarm(cx, block, p.round()).behind(&[Address::P])),
         }
     }
 

@@ -1,5 +1,6 @@
 //! Look-up tables of a run, made once per program: axes, variables, sequence numbers, pairs of DO and END.
 
+use crate::controls::Address;
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, Control, Dialect, VarKind, VarRange};
 use crate::nc::{Block, Deck, Expr, ExprId, JumpDirection, Program, Stmt};
@@ -56,8 +57,8 @@ struct Jumps {
 /// All look-up tables of a run.
 #[derive(Debug)]
 pub(super) struct Index {
-    /// Axis by `letter & 31`, with [`INCREMENTAL`]; [`u8::MAX`] for no axis.
-    axes: [u8; 32],
+    /// Axis by address, with [`INCREMENTAL`]; [`u8::MAX`] for no axis.
+    axes: [u8; 64],
     direct: Vec<Slot>,
     /// Start of each variable row in the store, or [`NOT_STORED`].
     bases: Vec<u32>,
@@ -83,11 +84,11 @@ fn is_stored(kind: VarKind) -> bool {
 impl Index {
     /// Reads a deck and a control once.
     pub(super) fn new(deck: &Deck, control: &Control, dialect: &Dialect) -> Index {
-        let mut axes = [u8::MAX; 32];
+        let mut axes = [u8::MAX; 64];
         for (k, axis) in control.axes.iter().enumerate().take(super::canon::AXES) {
-            axes[(axis.letter & 31) as usize] = k as u8;
+            axes[axis.letter as usize] = k as u8;
             if let Some(letter) = axis.incremental {
-                axes[(letter & 31) as usize] = k as u8 | INCREMENTAL;
+                axes[letter as usize] = k as u8 | INCREMENTAL;
             }
         }
         let (mut bases, mut stored) = (Vec::with_capacity(control.vars.len()), 0);
@@ -121,10 +122,10 @@ impl Index {
         index
     }
 
-    /// Index of the axis of a letter (upper case), and whether it is the one for incremental words.
+    /// Index of the axis of an address, and whether it is the one for incremental words.
     #[inline]
-    pub(super) fn axis(&self, letter: u8) -> Option<(usize, bool)> {
-        let axis = self.axes[(letter & 31) as usize];
+    pub(super) fn axis(&self, letter: Address) -> Option<(usize, bool)> {
+        let axis = self.axes[letter as usize & 63];
         (axis != u8::MAX).then_some(((axis & !INCREMENTAL) as usize, axis & INCREMENTAL != 0))
     }
 

@@ -5,6 +5,7 @@ use super::error::{Run, Trap};
 use super::index::Partner;
 use super::operators::WHOLE;
 use super::state::RunState;
+use crate::controls::Address;
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::ExprId;
@@ -45,11 +46,11 @@ impl RunState {
         let whole = (number - number.round()).abs() < WHOLE;
         let number = if whole { number.round() } else { number };
         if !cx.control.syntax.sequence_numbers().contains(&number) {
-            return Err(Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", (number, 9))).behind(b"P"));
+            return Err(Trap::alarm(Alarm::JumpNumber, msg!("interp.no-sequence", (number, 9))).behind(&[Address::P]));
         }
         let found = || cx.shared.index.sequence(self.program, number as u32, from.saturating_add(1));
         let Some(to) = whole.then(found).flatten() else {
-            return Err(Trap::alarm(missing, msg!("interp.no-sequence", (number, 9))).behind(b"P"));
+            return Err(Trap::alarm(missing, msg!("interp.no-sequence", (number, 9))).behind(&[Address::P]));
         };
         if cx.shared.index.enters_loop(self.program, from, to) {
             return Err(Trap::alarm(Alarm::IntoLoop, msg!("interp.into-loop", (number, 0))));

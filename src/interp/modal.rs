@@ -1,6 +1,7 @@
 //! Modal state: one code per modal group, feed, work zeros, and the words that variables can show.
 
 use super::canon::AXES;
+use crate::controls::Address;
 use crate::controls::{Code, CodeDef, CodeId, Control, Group};
 
 /// How many modal groups there are.
@@ -137,8 +138,8 @@ impl Modal {
         if row.group != Group::OneShot {
             self.codes[row.group as usize] = row.id;
         }
-        let plane = |first: u8, second: u8, third: u8| {
-            let axis = |letter| control.axis(letter).unwrap_or(0) as u8;
+        let plane = |first: Address, second: Address, third: Address| {
+            let axis = |letter: Address| control.axis(letter).unwrap_or(0) as u8;
             [axis(first), axis(second), axis(third)]
         };
         match row.code {
@@ -146,9 +147,9 @@ impl Modal {
             NotSimulated | Tapping if row.group == Group::Motion => self.motion = row.code,
             NotSimulated | Cancel if row.group == Group::Cycle => self.cycle = row.code == NotSimulated,
             WorkingArea(on) => self.area.off = !on,
-            PlaneXy => self.plane = plane(b'X', b'Y', b'Z'),
-            PlaneZx => self.plane = plane(b'Z', b'X', b'Y'),
-            PlaneYz => self.plane = plane(b'Y', b'Z', b'X'),
+            PlaneXy => self.plane = plane(Address::X, Address::Y, Address::Z),
+            PlaneZx => self.plane = plane(Address::Z, Address::X, Address::Y),
+            PlaneYz => self.plane = plane(Address::Y, Address::Z, Address::X),
             Absolute => self.absolute = true,
             Incremental => self.absolute = false,
             Inch | Metric => {
@@ -241,14 +242,14 @@ impl Modal {
     }
 
     /// The last word with a letter; vacant before the first.
-    pub(super) fn shown(&self, letter: u8) -> f64 {
-        self.words.get(letter.wrapping_sub(b'A') as usize).copied().unwrap_or(f64::NAN)
+    pub(super) fn shown(&self, letter: Address) -> f64 {
+        self.words.get(letter as usize).copied().unwrap_or(f64::NAN)
     }
 
     /// Remembers a word for the variables that show it.
     #[inline]
-    pub(super) fn word(&mut self, letter: u8, value: f64) {
-        if let Some(place) = self.words.get_mut(letter.wrapping_sub(b'A') as usize) {
+    pub(super) fn word(&mut self, letter: Address, value: f64) {
+        if let Some(place) = self.words.get_mut(letter as usize) {
             *place = value;
         }
     }

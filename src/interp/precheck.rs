@@ -1,5 +1,6 @@
 //! Static pre-check: interprets each block in isolation with constants only and reports the alarms that any run would raise.
 
+use crate::controls::Address;
 use std::cell::RefCell;
 use std::mem;
 use std::rc::Rc;
@@ -11,7 +12,6 @@ use super::state::RunState;
 use super::world::{Still, World};
 use super::{Interp, StartProgram};
 use crate::controls::macros::CallKind;
-use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, CodeDef, Group, VarKind};
 use crate::nc::{Block, Dec, Expr, ExprId, Parsed, Stmt, Word, WordValue};
 use crate::text::{Diagnostic, DiagnosticKind, Place, Severity};
@@ -372,7 +372,7 @@ impl<'a> Oracle<'a> {
             match self.clean.get_mut(at) {
                 Some(clean) => (clean.least, clean.most) = (clean.least.min(mantissa), clean.most.max(mantissa)),
                 None => {
-                    let ranges = matches!(word.letter, b'F' | b'I' | b'J' | b'K')
+                    let ranges = matches!(word.letter, Address::F | Address::I | Address::J | Address::K)
                         || self.cx.shared.index.axis(word.letter).is_some();
                     self.clean.push(Clean { word: *word, least: mantissa, most: mantissa, ranges });
                 }
@@ -392,7 +392,7 @@ impl<'a> Oracle<'a> {
         for word in open {
             all = false;
             codes &= !is_code(word);
-            results &= word.letter == b'P';
+            results &= word.letter == Address::P;
         }
         // The meaning of the other words depends on the open code.
         if !codes {
@@ -416,13 +416,13 @@ impl<'a> Oracle<'a> {
             Ok(None) => {}
             // P of a function names its result.
             Ok(Some(calls)) => {
-                if all && words.iter().any(|word| word.letter == b'Q') {
+                if all && words.iter().any(|word| word.letter == Address::Q) {
                     self.contour(at, block, words);
                 }
                 let function = !all && results && calls && self.state.is_function(&self.cx, words);
-                let spindle = || words.iter().any(|word| matches!(word.letter, b'S' | long::SPOS));
+                let spindle = || words.iter().any(|word| matches!(word.letter, Address::S | Address::Spos));
                 if function || all && (calls || spindle()) {
-                    let first = if !all { 2 } else { usize::from(words.iter().all(|word| word.letter != b'H')) };
+                    let first = if !all { 2 } else { usize::from(words.iter().all(|word| word.letter != Address::H)) };
                     let acts = ACTS.get(first..).unwrap_or_default();
                     let finding = self.always(block, acts, &mut |state, cx| state.words(cx, at, block, words));
                     self.note(finding);
@@ -494,5 +494,5 @@ impl<'a> Oracle<'a> {
 }
 
 fn is_code(word: &Word) -> bool {
-    matches!(word.letter, b'G' | long::NAME)
+    matches!(word.letter, Address::G | Address::Name)
 }

@@ -5,8 +5,7 @@ use std::rc::Rc;
 use super::canon::AXES;
 use crate::controls::dialect::{NumberRules, RunningRules};
 use crate::controls::macros::VacantWord;
-use crate::controls::syntax::letter_bits;
-use crate::controls::{Alarm, Code, Control, Dialect, Limits, Point, SpindleRules};
+use crate::controls::{Address, AddressSet, Alarm, Code, Control, Dialect, Limits, Point, SpindleRules};
 
 /// M codes of a block that act on any control.
 pub(super) const M_CODES: u8 = 8;
@@ -42,7 +41,7 @@ pub(super) struct Rules {
 impl Rules {
     pub(super) fn new(control: &Control, dialect: &Rc<Dialect>) -> Rules {
         let macros = &control.macros;
-        let square = control.axes.iter().position(|axis| axis.diameter).or(control.axis(b'X'));
+        let square = control.axes.iter().position(|axis| axis.diameter).or(control.axis(Address::X));
         let running = RunningRules { m_codes: dialect.running.m_codes.clamp(1, M_CODES), ..dialect.running };
         Rules {
             numbers: dialect.numbers,
@@ -93,10 +92,10 @@ pub(super) struct Units {
     pub(super) coordinate_max: u64,
     /// Feed increments per mm/min.
     pub(super) per_feed: f64,
-    /// Bit `letter & 31`: a word without a point counts increments.
-    pub(super) increment_letters: u32,
-    /// Bit `letter & 31`: decimals are dropped.
-    pub(super) integer_letters: u32,
+    /// Addresses whose words count increments without a point.
+    pub(super) increment_letters: AddressSet,
+    /// Addresses of whole numbers: decimals are dropped.
+    pub(super) integer_letters: AddressSet,
 }
 
 impl Units {
@@ -112,8 +111,8 @@ impl Units {
             per_unit,
             coordinate_max: (coordinate_max * per_unit).round() as u64,
             per_feed: (1.0 / feed_increment).round(),
-            increment_letters: letter_bits(control.syntax.increment_addresses.iter().copied()),
-            integer_letters: letter_bits(control.syntax.integer_addresses.iter().copied()),
+            increment_letters: control.syntax.increment_addresses,
+            integer_letters: control.syntax.integer_addresses,
         }
     }
 }

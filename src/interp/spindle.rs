@@ -6,6 +6,7 @@ use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::state::RunState;
 use super::words::BlockWords;
+use crate::controls::Address;
 use crate::controls::spindle::LimitPlace;
 use crate::controls::{Alarm, Code};
 use crate::drives::Approach;
@@ -46,7 +47,7 @@ impl RunState {
                     surface.is_some() && self.modal.spindle.surface_undone && cx.shared.rules.spindle.last_speed_back;
                 let back = self.modal.spindle.last_speed.filter(|_| undone);
                 if let Some(rpm) = speed {
-                    self.modal.word(b'S', rpm);
+                    self.modal.word(Address::S, rpm);
                     self.modal.spindle.last_speed = Some(rpm);
                 }
                 if let Some(rpm) = speed.or(back) {
@@ -63,10 +64,10 @@ impl RunState {
             return Err(self.other_spindle_asked());
         }
         if let Some(speed) = speed {
-            self.modal.word(b'S', speed);
+            self.modal.word(Address::S, speed);
             self.modal.spindle.surface_speed = Some(speed);
         } else if self.modal.spindle.surface_speed.is_none() && cx.control.raises(Alarm::NoSurfaceSpeed) {
-            return Err(Trap::alarm(Alarm::NoSurfaceSpeed, msg!("interp.no-surface-speed")).behind(b"G"));
+            return Err(Trap::alarm(Alarm::NoSurfaceSpeed, msg!("interp.no-surface-speed")).behind(&[Address::G]));
         }
         if speed.is_some() || before != Some(self.surface_zero(cx)) {
             self.surface_speed(cx);

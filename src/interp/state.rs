@@ -1,5 +1,6 @@
 //! The state of a run between two steps.
 
+use crate::controls::Address;
 use std::rc::Rc;
 
 use super::canon::AXES;
@@ -101,7 +102,7 @@ impl RunState {
         if let Some(row) = deck.programs.get(program as usize) {
             (self.program, self.file) = (program, row.file);
             (self.first, self.end, self.at) = (row.first, row.end, row.first);
-            self.modal.word(b'O', if row.number == 0 { VACANT } else { f64::from(row.number) });
+            self.modal.word(Address::O, if row.number == 0 { VACANT } else { f64::from(row.number) });
         }
     }
 }

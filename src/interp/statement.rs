@@ -4,6 +4,7 @@ use super::canon::Canon;
 use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::state::RunState;
+use crate::controls::Address;
 use crate::controls::Alarm;
 use crate::msg;
 use crate::nc::{Block, Stmt};
@@ -16,7 +17,7 @@ impl RunState {
             return Ok(());
         }
         if let Some(number) = block.number {
-            self.modal.word(b'N', f64::from(number));
+            self.modal.word(Address::N, f64::from(number));
         }
         if let Stmt::Words { .. } = block.stmt {
             return self.words(cx, at, block, cx.deck.words_of(block));

@@ -6,8 +6,11 @@ use super::error::{Run, Trap};
 use super::feed::no_feed;
 use super::state::RunState;
 use super::words::BlockWords;
-use crate::controls::Alarm;
+use crate::controls::{Address, Alarm};
 use crate::msg;
+
+/// Addresses of an arc's centre and of leads by axis.
+const CENTRES: [Address; 3] = [Address::I, Address::J, Address::K];
 
 impl RunState {
     /// The lead in force, along the path.
@@ -19,15 +22,17 @@ impl RunState {
             return Err(no_feed(cx, self.modal.lead));
         };
         let (stretch, longest) = self.stretch(cx, to);
-        let letters =
-            || cx.control.axes.iter().zip(longest).filter(|row| row.1).map(|row| row.0.letter.wrapping_sub(b'X'));
+        let places = || {
+            let axes = cx.control.axes.iter().zip(longest).filter(|row| row.1);
+            axes.filter_map(|row| row.0.letter.after(Address::X))
+        };
         // On a taper of 45° both ways are the longest.
-        let counting = letters().fold(0_u8, |bits, own| bits | 1 << (own & 7));
-        let own = letters().next().unwrap_or(2);
+        let counting = places().fold(0_u8, |bits, place| bits | 1 << place);
+        let own = places().next().unwrap_or(2);
         if values.leads & !counting != 0 && to.position != self.position {
-            let address = char::from(b'I'.wrapping_add(own)).to_string();
+            let address = CENTRES.get(own).unwrap_or(&Address::K).to_string();
             let trap = Trap::alarm(Alarm::LeadAxis, msg!("interp.lead-axis", address));
-            return Err(trap.behind(b"IJK"));
+            return Err(trap.behind(&CENTRES));
         }
         Ok(lead * stretch)
     }

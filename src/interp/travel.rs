@@ -6,8 +6,7 @@ use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::state::{ArcGeometry, LastMotion, RunState};
 use super::words::BlockWords;
-use crate::controls::syntax::long;
-use crate::controls::{Alarm, Code, Point};
+use crate::controls::{Address, Alarm, Code, Point};
 use crate::msg;
 use crate::nc::Dimensioning;
 
@@ -135,7 +134,7 @@ impl RunState {
                     Some(feed) if code == Code::Linear => Canon::Linear { to, feed, exact },
                     Some(feed) => self
                         .arc(cx, values, to, feed, exact)
-                        .map_err(|trap| trap.behind(&[b'I', b'J', b'K', b'R', long::CR]))?,
+                        .map_err(|trap| trap.behind(&[Address::I, Address::J, Address::K, Address::R, Address::Cr]))?,
                 }
             }
             Code::Thread if self.modal.spindle.master > 1 => return Err(self.other_spindle_asked()),

@@ -4,7 +4,7 @@ use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::operators::WHOLE;
 use super::state::RunState;
-use crate::controls::syntax::long;
+use crate::controls::Address;
 use crate::controls::{Alarm, Code, CodeNumber};
 use crate::msg;
 use crate::nc::dec::POW10;
@@ -37,8 +37,8 @@ impl RunState {
         }
         let units = &cx.shared.units;
         cx.parts = match word.letter {
-            letter if units.integer_letters & 1 << (letter & 31) != 0 => 1.0,
-            b'F' => units.per_feed,
+            letter if units.integer_letters.contains(letter) => 1.0,
+            Address::F => units.per_feed,
             // An increment in inches is 0.0001 inch where it is 0.001 mm.
             _ if self.modal.inch => units.per_unit * 10.0,
             _ => units.per_unit,
@@ -62,10 +62,8 @@ impl RunState {
 
     /// Whether a number without a point counts command increments behind this address.
     #[inline]
-    fn counts_increments(&self, cx: &BlockContext, letter: u8, dec: Dec) -> bool {
-        !dec.point
-            && !cx.shared.rules.numbers.whole_units
-            && cx.shared.units.increment_letters & 1 << (letter & 31) != 0
+    fn counts_increments(&self, cx: &BlockContext, letter: Address, dec: Dec) -> bool {
+        !dec.point && !cx.shared.rules.numbers.whole_units && cx.shared.units.increment_letters.contains(letter)
     }
 
     /// The value of a word as an argument of a macro.
@@ -80,8 +78,8 @@ impl RunState {
 
     /// Whether an argument of a macro is a number without a point that counts command increments.
     pub(super) fn counts_argument(&self, cx: &BlockContext, word: &Word) -> bool {
-        let counts = cx.shared.rules.numbers.argument_increments
-            && cx.shared.units.increment_letters & 1 << (word.letter & 31) != 0;
+        let counts =
+            cx.shared.rules.numbers.argument_increments && cx.shared.units.increment_letters.contains(word.letter);
         counts && matches!(word.value, WordValue::Number(dec) if !dec.point)
     }
 
@@ -110,7 +108,7 @@ impl RunState {
         if let WordValue::Number(dec @ Dec { scale: 1.., .. }) = word.value
             && dec.to_f64().fract() != 0.0
         {
-            let letter = char::from(word.letter).to_string();
+            let letter = word.letter.to_string();
             self.remark(cx, word.span(block), msg!("interp.decimals-dropped", letter));
         }
     }
@@ -180,7 +178,7 @@ impl RunState {
         let lead = if inch { value * INCH } else { value };
         let limits = &cx.control.limits;
         let (lead, max) = match word.letter {
-            b'F' => (lead, limits.revolution_feed_max),
+            Address::F => (lead, limits.revolution_feed_max),
             _ if self.modal.motion == Code::Tapping => (lead.abs(), limits.lead_max),
             _ => (lead, limits.lead_max),
         };
@@ -206,7 +204,7 @@ impl RunState {
         word: &Word,
         surface: bool,
     ) -> Run<Option<f64>> {
-        let whole = cx.shared.units.integer_letters & 1 << (word.letter & 31) != 0;
+        let whole = cx.shared.units.integer_letters.contains(word.letter);
         let speed = match self.raw(cx, block, word)? {
             None => return Ok(None),
             Some(value) if whole && cx.shared.rules.numbers.round_speed => value.round(),
@@ -218,7 +216,7 @@ impl RunState {
         }
         let limits = &cx.control.limits;
         let own = match word.letter {
-            long::LIMS => limits.speed_limit,
+            Address::Lims => limits.speed_limit,
             _ => cx.control.spindle.surface_range.filter(|_| surface),
         };
         let (min, max) = own.unwrap_or((0.0, limits.speed_max));
@@ -235,7 +233,7 @@ impl RunState {
     /// A dwell: P in whole milliseconds, S in turns of the spindle, the other addresses in seconds.
     pub(super) fn dwell_word(&self, cx: &mut BlockContext, block: &Block, word: &Word) -> Run<Option<f64>> {
         let seconds = match word.letter {
-            b'P' => self.whole(cx, block, word)?.map(|milliseconds| milliseconds / 1000.0),
+            Address::P => self.whole(cx, block, word)?.map(|milliseconds| milliseconds / 1000.0),
             _ => self.plain(cx, block, word)?,
         };
         let max = cx.control.limits.coordinate_max;
@@ -249,13 +247,13 @@ impl RunState {
     #[cold]
     pub(super) fn out_of_range(&self, cx: &mut BlockContext, block: &Block, word: &Word, min: f64, max: f64) -> Trap {
         let value = self.raw(cx, block, word).ok().flatten().unwrap_or(0.0);
-        let equals = if long::is(word.letter) { "=" } else { "" };
+        let equals = if word.letter.is_long() { "=" } else { "" };
         let address = cx.control.address(word.letter) + equals;
         let message = msg!("interp.word-range", address, (value, 9), min, max);
         let alarm = match word.letter {
-            b'F' => Alarm::FeedRange,
-            b'S' => Alarm::SpeedRange,
-            long::LIMS => Alarm::SpeedLimitRange,
+            Address::F => Alarm::FeedRange,
+            Address::S => Alarm::SpeedRange,
+            Address::Lims => Alarm::SpeedLimitRange,
             _ => Alarm::OutOfRange,
         };
         Trap::alarm(alarm, message).within(word.span(block))

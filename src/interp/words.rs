@@ -6,7 +6,7 @@ use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::modal::Radii;
 use super::state::RunState;
-use crate::controls::syntax::long;
+use crate::controls::Address;
 use crate::controls::{Alarm, Code};
 use crate::drives::Approach;
 use crate::msg;
@@ -22,12 +22,12 @@ const CALLED: u8 = 4;
 const OTHERS: u8 = 8;
 
 /// The flag of a letter; 0 for letters that every block may use.
-const fn class(letter: u8) -> u8 {
+const fn class(letter: Address) -> u8 {
     match letter {
-        b'I' | b'J' | b'K' => CENTRE,
-        b'R' | long::CR => RADIUS,
-        b'P' | b'L' => CALLED,
-        b'B' | b'E' | b'Q' => OTHERS,
+        Address::I | Address::J | Address::K => CENTRE,
+        Address::R | Address::Cr => RADIUS,
+        Address::P | Address::L => CALLED,
+        Address::B | Address::E | Address::Q => OTHERS,
         _ => 0,
     }
 }
@@ -94,7 +94,7 @@ impl RunState {
         for word in words {
             let letter = word.letter;
             // Words of another spindle, or of what is not simulated.
-            let spindles = matches!(letter, b'M' | b'S' | long::SPOS | long::LIMS);
+            let spindles = matches!(letter, Address::M | Address::S | Address::Spos | Address::Lims);
             // Any value behind the axes that go to a point: X1=0.
             if let (Some(Code::GoTo(_)), Some((axis, _))) = (codes.special, cx.shared.index.axis(letter)) {
                 values.mask |= 1 << axis;
@@ -104,22 +104,22 @@ impl RunState {
                 self.indexed_word(cx, block, word, values)?;
                 continue;
             }
-            if dwell && cx.control.syntax.dwell_addresses.contains(&letter) {
+            if dwell && cx.control.syntax.dwell_addresses.contains(letter) {
                 let value = self.dwell_word(cx, block, word)?;
-                *(if letter == b'S' { &mut values.dwell_turns } else { &mut values.dwell }) = value;
+                *(if letter == Address::S { &mut values.dwell_turns } else { &mut values.dwell }) = value;
             } else if let Some(axis) = cx.shared.index.axis(letter) {
                 self.axis_word(cx, block, word, axis, values)?;
             } else {
                 match letter {
-                    b'F' => self.f_word(cx, block, word)?,
-                    b'S' => values.speed = self.speed_word(cx, block, word, surface)?,
-                    b'T' => values.tool = self.tool_word(cx, block, word)?.or(values.tool),
+                    Address::F => self.f_word(cx, block, word)?,
+                    Address::S => values.speed = self.speed_word(cx, block, word, surface)?,
+                    Address::T => values.tool = self.tool_word(cx, block, word)?.or(values.tool),
                     _ if self.cuts_threads() && self.thread_word(cx, block, word, values)? => {}
-                    b'I' | b'J' | b'K' => {
-                        values.center[(letter - b'I') as usize] = self.dimension(cx, block, word, inch)?;
+                    Address::I | Address::J | Address::K => {
+                        values.center[letter.after(Address::I).unwrap_or(0)] = self.dimension(cx, block, word, inch)?;
                         values.rare |= CENTRE;
                     }
-                    b'R' | long::CR => {
+                    Address::R | Address::Cr => {
                         values.radius = self.dimension(cx, block, word, inch)?;
                         values.rare |= RADIUS;
                     }
@@ -181,7 +181,7 @@ impl RunState {
         };
         if let Some(value) = value {
             *(if lead { &mut self.modal.lead } else { &mut self.modal.feed }) = Some(value);
-            self.modal.word(b'F', value);
+            self.modal.word(Address::F, value);
         }
         Ok(())
     }
@@ -206,8 +206,8 @@ impl RunState {
                 true => self.lead_word(cx, block, word, inch)?,
                 false => self.threads_word(cx, block, word)?,
             },
-            b'I' | b'J' | b'K' if cx.control.syntax.lead_by_axis => {
-                values.leads |= 1 << (word.letter - b'I');
+            Address::I | Address::J | Address::K if cx.control.syntax.lead_by_axis => {
+                values.leads |= 1 << word.letter.after(Address::I).unwrap_or(0);
                 self.lead_word(cx, block, word, inch)?
             }
             _ => return Ok(false),
@@ -219,15 +219,15 @@ impl RunState {
     /// A word that few blocks have: AR, LIMS, SPOS, P, L, Q, D, H, B, E.
     fn rare_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<()> {
         match word.letter {
-            long::AR => {
+            Address::Ar => {
                 values.turn = self.raw(cx, block, word)?;
                 if let Some(turn) = values.turn.filter(|turn| !(*turn > 0.0 && *turn < 360.0)) {
                     let trap = Trap::alarm(Alarm::Arc, msg!("interp.arc-angle", (turn, 9)));
                     return Err(trap.within(word.span(block)));
                 }
             }
-            long::LIMS => values.speed_limit = self.speed_word(cx, block, word, false)?,
-            long::SPOS => {
+            Address::Lims => values.speed_limit = self.speed_word(cx, block, word, false)?,
+            Address::Spos => {
                 let approach = match word.form {
                     Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Shortest => Approach::Direct,
                     Dimensioning::Positive => Approach::Clockwise,
@@ -236,29 +236,29 @@ impl RunState {
                 };
                 values.orient = self.raw(cx, block, word)?.map(|angle| (angle, approach));
             }
-            b'P' | b'L' => {
+            Address::P | Address::L => {
                 let number = self.whole(cx, block, word)?;
-                *(if word.letter == b'P' { &mut values.call.p } else { &mut values.call.l }) = number;
+                *(if word.letter == Address::P { &mut values.call.p } else { &mut values.call.l }) = number;
                 values.rare |= CALLED;
             }
-            b'Q' => {
+            Address::Q => {
                 values.call.q = self.raw(cx, block, word)?;
                 values.rare |= OTHERS;
             }
-            b'D' | b'H' => {
+            Address::D | Address::H => {
                 let number = self.whole(cx, block, word)?;
                 if let Some(number) = number {
-                    let most = cx.control.limits.offset_max.filter(|_| word.letter == b'D').map(f64::from);
+                    let most = cx.control.limits.offset_max.filter(|_| word.letter == Address::D).map(f64::from);
                     if let Some(most) = most.filter(|most| !(0.0..=*most).contains(&number)) {
                         return Err(self.out_of_range(cx, block, word, 0.0, most));
                     }
                     self.modal.word(word.letter, number);
                 }
-                if word.letter == b'H' {
+                if word.letter == Address::H {
                     values.call.h = number;
                 }
             }
-            b'B' | b'E' => values.rare |= OTHERS,
+            Address::B | Address::E => values.rare |= OTHERS,
             _ => {}
         }
         Ok(())
@@ -267,10 +267,10 @@ impl RunState {
     /// A word of another spindle, or of a point on the way; all others with a number are of what is not simulated.
     #[cold]
     fn indexed_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<()> {
-        let at = usize::from(word.letter.wrapping_sub(b'I'));
-        if word.letter == b'S' {
+        let at = word.letter.after(Address::I).unwrap_or(usize::MAX);
+        if word.letter == Address::S {
             self.modal.spindle.other.0 = self.speed_word(cx, block, word, false)?.unwrap_or(self.modal.spindle.other.0);
-        } else if matches!(word.letter, long::SPOS | long::LIMS) {
+        } else if matches!(word.letter, Address::Spos | Address::Lims) {
             let spindle = u32::from(self.spindle_of(word));
             self.remark(cx, word.span(block), msg!("interp.other-spindle-word", spindle));
         } else if let (Code::ArcThrough, Some(1), Some(_)) = (self.modal.motion, word.index, values.through.get(at)) {
@@ -306,8 +306,8 @@ impl RunState {
         let (uses, dwell) = (self.uses(codes, values), codes.special == Some(Code::Dwell));
         for word in words {
             let class = match word.letter {
-                letter if dwell && cx.control.syntax.dwell_addresses.contains(&letter) => continue,
-                letter if letter.is_ascii_alphabetic() && cx.shared.index.axis(letter).is_some() => {
+                letter if dwell && cx.control.syntax.dwell_addresses.contains(letter) => continue,
+                letter if !letter.is_long() && cx.shared.index.axis(letter).is_some() => {
                     if !dwell {
                         continue;
                     }
@@ -338,9 +338,9 @@ impl RunState {
             if self.modal.radii == Radii::All || relative {
                 values.axes[k] = values.axes[k].saturating_mul(2);
             }
-            let letter = cx.control.axes.get(k).map_or(0, |axis| axis.letter);
+            let at = cx.control.axes.get(k).and_then(|axis| axis.letter.after(Address::X));
             if self.modal.radii == Radii::All || !self.modal.absolute {
-                let point = values.through.get_mut(usize::from(letter.wrapping_sub(b'X')));
+                let point = at.and_then(|at| values.through.get_mut(at));
                 point.into_iter().flatten().for_each(|value| *value = value.saturating_mul(2));
             }
         }

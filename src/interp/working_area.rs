@@ -5,9 +5,12 @@ use super::canon::{AXES, Target};
 use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::state::{ArcGeometry, RunState};
-use crate::controls::Alarm;
+use crate::controls::{Address, Alarm};
 use crate::math;
 use crate::msg;
+
+/// The linear axes that G25 and G26 limit.
+const LINEAR_AXES: [Address; 3] = [Address::X, Address::Y, Address::Z];
 
 impl RunState {
     /// The working area, where its limits are on.
@@ -24,11 +27,10 @@ impl RunState {
             if !(low[k]..=high[k]).contains(&at) {
                 let limit = if at < low[k] { low[k] } else { high[k] };
                 let [at, limit] = [at, limit].map(|place| place as f64 / cx.shared.units.per_unit);
-                let letter = char::from(axis.letter).to_string();
+                let letter = axis.letter.to_string();
                 let trap = Trap::alarm(Alarm::WorkingArea, msg!("interp.working-area", letter, (at, 4), (limit, 4)));
-                return Err(
-                    trap.behind(b"XYZ".chunks(1).nth(usize::from(axis.letter.wrapping_sub(b'X'))).unwrap_or(b"XYZ"))
-                );
+                let own = axis.letter.after(Address::X).and_then(|at| LINEAR_AXES.chunks(1).nth(at));
+                return Err(trap.behind(own.unwrap_or(&LINEAR_AXES)));
             }
         }
         Ok(())

@@ -2,7 +2,7 @@
 
 use super::header;
 use super::machine::Machine;
-use crate::controls::{Code, CodeId, Control, VarKind};
+use crate::controls::{Address, Code, CodeId, Control, VarKind};
 use crate::nc::build::{Builder, NewWord, g, m, real, v, word};
 
 /// Comments with the version of macroline and the settings of the form.
@@ -29,7 +29,7 @@ pub fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<N
 /// A dwell in seconds: with X where the control reads that, else with its first address for seconds.
 pub fn dwell(control: &Control, seconds: f64) -> [NewWord; 2] {
     let addresses = control.syntax.dwell_addresses;
-    let address = if addresses.contains(&b'X') { b'X' } else { addresses.first().copied().unwrap_or(b'X') };
+    let address = if addresses.contains(Address::X) { Address::X } else { addresses.first().unwrap_or(Address::X) };
     [g(4), word(address, real(seconds, 3))]
 }
 

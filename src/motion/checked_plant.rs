@@ -45,7 +45,7 @@ impl CheckedPlant {
         let positive = |x: f64, otherwise: f64| if x > 0.0 && x.is_finite() { x } else { otherwise };
         let mut fitted = 0;
         let axes: [AxisPlant; AXES] = core::array::from_fn(|k| {
-            let letter = control.axes.get(k).map_or(b'?', |axis| axis.letter);
+            let letter = control.axes.get(k).map_or(b'?', |axis| axis.letter.byte());
             // An axis that the machine lacks moves without inertia, so that the program can be watched; a diagnostic says so.
             let missing = AxisPlant {
                 letter,

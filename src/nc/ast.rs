@@ -2,6 +2,7 @@
 //!
 //! A parsed deck keeps the bytes of every block; a block that an edit or a rewrite touched loses them and is written anew.
 
+use crate::controls::Address;
 use core::num::NonZeroU32;
 
 use super::dec::Dec;
@@ -210,9 +211,8 @@ pub enum Dimensioning {
 /// An address and its value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Word {
-    /// Address letter, upper case; `/` with a number for an optional block skip from here to the end of the block; 128 and above for an
-    /// address or a code of several letters ([`long`](crate::controls::syntax::long)).
-    pub letter: u8,
+    /// The address.
+    pub letter: Address,
     /// Bytes of the word.
     pub len: u8,
     /// Where the word starts, in bytes behind the start of its block.
@@ -312,7 +312,7 @@ pub(super) fn fresh_numbers() -> impl Iterator<Item = u32> {
 
 impl Word {
     /// A word that was built, without a place.
-    pub const fn new(letter: u8, value: WordValue) -> Word {
+    pub const fn new(letter: Address, value: WordValue) -> Word {
         Word { letter, len: 0, offset: 0, index: None, form: Dimensioning::Plain, value }
     }
 

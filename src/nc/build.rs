@@ -15,6 +15,7 @@
 
 use super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
 use super::dec::Dec;
+use crate::controls::Address;
 use crate::controls::syntax::Function;
 use crate::text::{FileId, Span};
 
@@ -173,15 +174,15 @@ impl Formula {
 
 /// A word that is being built: letter and value.
 #[derive(Debug, Clone, PartialEq)]
-pub struct NewWord(u8, Formula);
+pub struct NewWord(Address, Formula);
 
-/// A word of any letter.
-pub fn word(letter: u8, value: impl Into<Formula>) -> NewWord {
-    NewWord(letter.to_ascii_uppercase(), value.into())
+/// A word of any address.
+pub fn word(letter: Address, value: impl Into<Formula>) -> NewWord {
+    NewWord(letter, value.into())
 }
 
 macro_rules! words {
-    ($($name:ident $letter:literal;)*) => {$(
+    ($($name:ident $letter:expr;)*) => {$(
         #[doc = concat!("The word `", stringify!($name), "` …, in capitals.")]
         pub fn $name(value: impl Into<Formula>) -> NewWord {
             NewWord($letter, value.into())
@@ -190,15 +191,15 @@ macro_rules! words {
 }
 
 words! {
-    f b'F';
-    g b'G';
-    l b'L';
-    m b'M';
-    p b'P';
-    s b'S';
-    x b'X';
-    y b'Y';
-    z b'Z';
+    f Address::F;
+    g Address::G;
+    l Address::L;
+    m Address::M;
+    p Address::P;
+    s Address::S;
+    x Address::X;
+    y Address::Y;
+    z Address::Z;
 }
 
 /// Collects blocks; see the [module](self).

@@ -2,8 +2,8 @@
 
 use super::ast::{Word, WordValue};
 use super::dec::Dec;
+use crate::controls::Address;
 use crate::controls::macros::CodeCall;
-use crate::controls::syntax::long;
 use crate::controls::{CodeDef, CodeId, CodeNumber, Control, Dialect};
 
 /// Table size for G codes: G0 to G99.9.
@@ -131,9 +131,9 @@ fn g_slot(number: CodeNumber) -> Option<usize> {
 pub(crate) fn code_of(word: &Word) -> Option<CodeId> {
     let WordValue::Number(number) = word.value else { return None };
     match word.letter {
-        b'G' => Some(CodeId::G(g_number(number)?)),
-        b'M' => m_number(number).map(CodeId::M),
-        long::NAME => Some(CodeId::Named(u16::try_from(number.mantissa).ok()?)),
+        Address::G => Some(CodeId::G(g_number(number)?)),
+        Address::M => m_number(number).map(CodeId::M),
+        Address::Name => Some(CodeId::Named(u16::try_from(number.mantissa).ok()?)),
         _ => None,
     }
 }

@@ -218,7 +218,7 @@ pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(Line) -> Result<(), E>) -> R
         time,
         diagnostics,
         variables: run.program().variables().collect(),
-        axes: names.axes.iter().zip(words).map(|(row, at)| (row.letter as char, at)).collect(),
+        axes: names.axes.iter().zip(words).map(|(row, at)| (row.letter.byte().into(), at)).collect(),
         spindle: last.spindle,
     })
 }

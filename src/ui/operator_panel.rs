@@ -90,7 +90,7 @@ fn watched(model: Model, t: f64) -> Vec<(String, String)> {
         }
         let now = planner.timeline().at(t);
         for (axis, state) in control.axes.iter().zip(&now.axes) {
-            out.push((format!("{} mm/min", char::from(axis.letter)), short(state.feed, 0)));
+            out.push((format!("{} mm/min", axis.letter), short(state.feed, 0)));
         }
         out.push((self::t("page.spindle-actual").to_owned(), short(now.spindle.command, 0)));
         out.push((self::t("page.volts").to_owned(), short(now.spindle.volts, 3)));

@@ -1,5 +1,6 @@
 //! The tables of every control: complete, in order, with sources; and the facts of the sheets, row by row.
 
+use macroline::controls::Address;
 use macroline::controls::macros::{ArgumentSets, CodeCall, VacantWord};
 use macroline::controls::syntax::Operation;
 use macroline::controls::vars::{Clock, Width};
@@ -28,7 +29,7 @@ fn citations(control: &'static Control) -> Vec<(String, Citation)> {
         ("limits".to_owned(), control.limits.cite),
         ("timing".to_owned(), control.timing.cite),
     ];
-    all.extend(control.axes.iter().map(|row| (format!("axis {}", row.letter as char), row.cite)));
+    all.extend(control.axes.iter().map(|row| (format!("axis {}", row.letter), row.cite)));
     all.extend(control.codes.iter().map(|row| (control.code_name(row.id), row.cite)));
     all.extend(control.vars.iter().map(|row| (format!("#{}", row.first), row.cite)));
     all.extend(control.alarms.iter().map(|row| (row.number.to_owned(), row.cite)));
@@ -143,7 +144,7 @@ fn e60_variables_match_the_fact_sheet() {
         (2000, None),
         (2001, Some(VarKind::Kept)),
         (3000, Some(VarKind::AlarmMessage)),
-        (4315, Some(VarKind::ExecutingWord(b'O'))),
+        (4315, Some(VarKind::ExecutingWord(Address::O))),
         (900_000, None),
         (u32::MAX, None),
     ] {
@@ -225,8 +226,8 @@ fn gsk_980tdc_variables_match_the_fact_sheet() {
     let devices = [1000, 1032, 1033, 1034, 1100, 1132, 1133, 1134].map(|number| gsk().var(number).unwrap().device);
     assert_eq!(devices, ["G54", "G54", "G56", "G58", "F54", "F54", "F56", "F58"]);
     // #5001 is X, #5002 is Y, #5003 is Z.
-    let axes: Vec<u8> = gsk().axes.iter().map(|axis| axis.letter).collect();
-    assert_eq!(axes, b"XYZC");
+    let axes: Vec<Address> = gsk().axes.iter().map(|axis| axis.letter).collect();
+    assert_eq!(axes, [Address::X, Address::Y, Address::Z, Address::C]);
 }
 
 #[test]
@@ -257,18 +258,18 @@ fn knd_k2000t_variables_match_the_fact_sheet() {
     }
     assert_eq!((width(1132), width(1000)), (Some(Width::Word), None));
     // As on a lathe with driven tools: X, Z, then the axes that turn tool and work piece.
-    let axes: Vec<u8> = knd().axes.iter().map(|axis| axis.letter).collect();
-    assert_eq!(axes, b"XZYC");
+    let axes: Vec<Address> = knd().axes.iter().map(|axis| axis.letter).collect();
+    assert_eq!(axes, [Address::X, Address::Z, Address::Y, Address::C]);
 }
 
 #[test]
 fn lathes_count_diameters_and_have_incremental_addresses() {
     for control in [gsk(), knd()] {
         for (letter, incremental, diameter, rotary) in [
-            (b'X', b'U', true, false),
-            (b'Y', b'V', false, false),
-            (b'Z', b'W', false, false),
-            (b'C', b'H', false, true),
+            (Address::X, Address::U, true, false),
+            (Address::Y, Address::V, false, false),
+            (Address::Z, Address::W, false, false),
+            (Address::C, Address::H, false, true),
         ] {
             let axis = &control.axes[control.axis(letter).unwrap()];
             assert_eq!((axis.incremental, axis.diameter, axis.rotary), (Some(incremental), diameter, rotary));

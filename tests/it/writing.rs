@@ -1,6 +1,7 @@
 //! Writing programs: what the builder makes, that it reads back the same, and that nothing makes reading or writing fail.
 
 use expect_test::{Expect, expect};
+use macroline::controls::Address;
 use macroline::controls::syntax::Function;
 use macroline::controls::{self, Alarm, Control, Switches, find};
 use macroline::nc::build::*;
@@ -96,7 +97,7 @@ fn brackets_are_emitted_only_where_needed() {
             b.assign(1, -(-v(1)));
             b.assign(1, -Formula::from(5));
             b.assign(1, (v(1) % v(2)).round());
-            b.words([f(v(1) + 10), word(b'S', v_at(v(2)))]);
+            b.words([f(v(1) + 10), word(Address::S, v_at(v(2)))]);
         },
         expect![[r#"
             --- PROGRAM.nc
@@ -157,7 +158,7 @@ fn missing_syntax_is_lowered_to_the_controls_forms() {
     b.if_then(v(1).lt(v(2)), 3, v(4));
     b.n(30).assign(3, Formula::Binary(Op::Atan, Box::new(v(4)), Box::new(v(5))));
     b.assign(3, v(4).apply(Function::Atan) + v(4) % 3);
-    b.words([word(b'S', real(100.0, 0)), m(3)]);
+    b.words([word(Address::S, real(100.0, 0)), m(3)]);
     b.n(9001).words([m(30)]);
     let deck = b.finish();
     let text = |id: &str| emit(&deck, find(id).unwrap()).files.0[0].text.clone();
@@ -413,7 +414,7 @@ fn deck(control: &'static Control) -> impl Strategy<Value = Deck> {
             match step {
                 Step::Program(..) => {}
                 Step::Words(code, words) => {
-                    let words = words.into_iter().map(|(letter, value)| word(letter, value));
+                    let words = words.into_iter().map(|(letter, value)| word(Address::of(letter).unwrap(), value));
                     b.words(core::iter::once(g(u32::from(code))).chain(words));
                 }
                 Step::Assign(to, value) => drop(b.assign(to, value)),

@@ -4,7 +4,8 @@ use crate::controls::CodeId;
 use crate::controls::bench::{Bench, BenchAxis, BenchShift};
 use crate::controls::macros::{ArgumentSets, VacantWord};
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
-use crate::controls::syntax::{ArcTangent, Function, Names, Percent, RoundBrackets, long};
+use crate::controls::syntax::{ArcTangent, Function, Names, Percent, RoundBrackets};
+use crate::controls::{Address, AddressSet};
 use crate::controls::{Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::Positioning;
 use crate::drives::speed::Steps;
@@ -18,25 +19,25 @@ pub const MEMORY: Citation = Citation::new("usage of Siemens controls, unverifie
 /// Words of several letters, names of programs and labels. A control adds the codes that are names.
 pub const NAMES: Names = Names {
     addresses: &[
-        ("ANG", long::ANG),
-        ("AP", long::AP),
-        ("AR", long::AR),
-        ("CHF", long::CHF),
-        ("CHR", long::CHR),
-        ("CR", long::CR),
-        ("FRC", long::FRC),
-        ("FRCM", long::FRCM),
-        ("LIMS", long::LIMS),
-        ("RND", long::RND),
-        ("RNDM", long::RNDM),
-        ("RP", long::RP),
-        ("RPL", long::RPL),
-        ("SF", long::SF),
-        ("SPOS", long::SPOS),
+        ("ANG", Address::Ang),
+        ("AP", Address::Ap),
+        ("AR", Address::Ar),
+        ("CHF", Address::Chf),
+        ("CHR", Address::Chr),
+        ("CR", Address::Cr),
+        ("FRC", Address::Frc),
+        ("FRCM", Address::Frcm),
+        ("LIMS", Address::Lims),
+        ("RND", Address::Rnd),
+        ("RNDM", Address::Rndm),
+        ("RP", Address::Rp),
+        ("RPL", Address::Rpl),
+        ("SF", Address::Sf),
+        ("SPOS", Address::Spos),
     ],
     codes: &[],
     cycle: "CYCLE",
-    extended: b"HIJKMSXYZ",
+    extended: AddressSet::letters("HIJKMSXYZ"),
     foreign: &[
         "CALL", "CASE", "COUPON", "DEF", "EGON", "ELSE", "ENDFOR", "ENDIF", "ENDLOOP", "ENDWHILE", "EXTERN", "FGROUP",
         "FOR", "GOTOC", "LOOP", "MCALL", "PCALL", "PROC", "REPEAT", "SETAL", "SPOSA", "TRAILON", "UNTIL", "WAITS",
@@ -72,7 +73,7 @@ pub const SYNTAX: Syntax = Syntax {
     absolute_holds: false,
     threads_per_inch: None,
     lead_by_axis: true,
-    dwell_addresses: b"FS",
+    dwell_addresses: AddressSet::letters("FS"),
     address_twice: true,
     block_read_chars: 200,
     block_words: 512,
@@ -95,23 +96,23 @@ pub const SYNTAX: Syntax = Syntax {
         ("LN", Function::Ln),
         ("EXP", Function::Exp),
     ],
-    addresses: b"DFGHIJKMST",
-    integer_addresses: b"DGMNPT",
+    addresses: AddressSet::letters("DFGHIJKMST"),
+    integer_addresses: AddressSet::letters("DGMNPT"),
     point_alarm: false,
-    increment_addresses: b"",
+    increment_addresses: AddressSet::letters(""),
     corners: &[
-        (long::CHF, "chamfer"),
-        (long::CHR, "chamfer"),
-        (long::RND, "rounded corner"),
-        (long::ANG, "angle of a contour"),
-        (long::FRC, "feed of corners"),
-        (long::RNDM, "rounded corners from here on"),
-        (long::FRCM, "feed of all corners"),
-        (long::AP, "polar angle"),
-        (long::RP, "polar radius"),
-        (long::SF, "start angle of a thread"),
+        (Address::Chf, "chamfer"),
+        (Address::Chr, "chamfer"),
+        (Address::Rnd, "rounded corner"),
+        (Address::Ang, "angle of a contour"),
+        (Address::Frc, "feed of corners"),
+        (Address::Rndm, "rounded corners from here on"),
+        (Address::Frcm, "feed of all corners"),
+        (Address::Ap, "polar angle"),
+        (Address::Rp, "polar radius"),
+        (Address::Sf, "start angle of a thread"),
     ],
-    comma_addresses: b"",
+    comma_addresses: AddressSet::letters(""),
     extension: "MPF",
     cite: MEMORY,
 };

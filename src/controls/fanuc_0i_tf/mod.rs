@@ -9,6 +9,7 @@ use super::macros::{CallKind, CodeCalls};
 use super::schema::table::joined;
 use super::syntax::{ArcTangent, Function};
 use super::{AxisDef, Control, Limits, Macros, SpindleRules, Syntax};
+use crate::controls::Address;
 
 /// The control.
 pub static CONTROL: Control = Control {
@@ -23,18 +24,18 @@ pub static CONTROL: Control = Control {
     },
     macros: Macros {
         code_calls: &[
-            CodeCalls::Each { kind: CallKind::Macro, letter: b'G', first: 6050, count: 10, program: 9010 },
-            CodeCalls::Each { kind: CallKind::Macro, letter: b'M', first: 6080, count: 10, program: 9020 },
-            CodeCalls::Each { kind: CallKind::Sub, letter: b'M', first: 6071, count: 9, program: 9001 },
+            CodeCalls::Each { kind: CallKind::Macro, letter: Address::G, first: 6050, count: 10, program: 9010 },
+            CodeCalls::Each { kind: CallKind::Macro, letter: Address::M, first: 6080, count: 10, program: 9020 },
+            CodeCalls::Each { kind: CallKind::Sub, letter: Address::M, first: 6071, count: 9, program: 9001 },
         ],
         user_alarm_prefix: "MC",
         ..fanuc::MACROS
     },
     axes: &[
-        AxisDef { letter: b'X', rotary: false, incremental: Some(b'U'), diameter: true, cite: MEMORY },
-        AxisDef { letter: b'Z', rotary: false, incremental: Some(b'W'), diameter: false, cite: MEMORY },
-        AxisDef { letter: b'Y', rotary: false, incremental: Some(b'V'), diameter: false, cite: MEMORY },
-        AxisDef { letter: b'C', rotary: true, incremental: Some(b'H'), diameter: false, cite: MEMORY },
+        AxisDef { letter: Address::X, rotary: false, incremental: Some(Address::U), diameter: true, cite: MEMORY },
+        AxisDef { letter: Address::Z, rotary: false, incremental: Some(Address::W), diameter: false, cite: MEMORY },
+        AxisDef { letter: Address::Y, rotary: false, incremental: Some(Address::V), diameter: false, cite: MEMORY },
+        AxisDef { letter: Address::C, rotary: true, incremental: Some(Address::H), diameter: false, cite: MEMORY },
     ],
     startup: &g_codes([0, 18, 99, 21, 40, 54, 67, 80, 97]),
     limits: Limits { coordinate_max: 999_999.999, sub_depth: 10, macro_depth: 5, ..fanuc::LIMITS },

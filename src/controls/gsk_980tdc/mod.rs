@@ -14,6 +14,7 @@ use super::code::g_codes;
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
 use super::syntax::Percent;
 use super::{AxisDef, Control, Limits, Macros, SpindleRules, Syntax, Timing};
+use crate::controls::Address;
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 
@@ -42,7 +43,7 @@ pub static CONTROL: Control = Control {
         double_hash: false,
         nine_hash: true,
         absolute_holds: true,
-        threads_per_inch: Some(b'I'),
+        threads_per_inch: Some(Address::I),
         address_twice: true,
         block_read_chars: 256,
         block_words: 100,
@@ -50,7 +51,7 @@ pub static CONTROL: Control = Control {
         random: &["RAND", "SRAND"],
         point_alarm: false,
         // GSK980TDi manual, 3.11.
-        corners: &[(b'L', "chamfer"), (b'D', "rounded corner")],
+        corners: &[(Address::L, "chamfer"), (Address::D, "rounded corner")],
         cite: Citation::new("GSK980TDi manual, 3.28 and 3.29; characters and alarms of the 980MDi", Grade::Sister),
         ..fanuc::SYNTAX
     },
@@ -66,8 +67,8 @@ pub static CONTROL: Control = Control {
         call_after_return: false,
         functions: functions::FUNCTIONS,
         code_calls: &[
-            CodeCalls::Range { kind: CallKind::Macro, letter: b'G', count: 86, code: 87, program: 88 },
-            CodeCalls::Range { kind: CallKind::Sub, letter: b'M', count: 91, code: 89, program: 90 },
+            CodeCalls::Range { kind: CallKind::Macro, letter: Address::G, count: 86, code: 87, program: 88 },
+            CodeCalls::Range { kind: CallKind::Sub, letter: Address::M, count: 91, code: 89, program: 90 },
         ],
         calls_override: false,
         user_alarms: (0, 99),
@@ -76,10 +77,10 @@ pub static CONTROL: Control = Control {
         ..fanuc::MACROS
     },
     axes: &[
-        AxisDef { letter: b'X', rotary: false, incremental: Some(b'U'), diameter: true, cite: PARAMETERS },
-        AxisDef { letter: b'Y', rotary: false, incremental: Some(b'V'), diameter: false, cite: AXES },
-        AxisDef { letter: b'Z', rotary: false, incremental: Some(b'W'), diameter: false, cite: AXES },
-        AxisDef { letter: b'C', rotary: true, incremental: Some(b'H'), diameter: false, cite: AXES },
+        AxisDef { letter: Address::X, rotary: false, incremental: Some(Address::U), diameter: true, cite: PARAMETERS },
+        AxisDef { letter: Address::Y, rotary: false, incremental: Some(Address::V), diameter: false, cite: AXES },
+        AxisDef { letter: Address::Z, rotary: false, incremental: Some(Address::W), diameter: false, cite: AXES },
+        AxisDef { letter: Address::C, rotary: true, incremental: Some(Address::H), diameter: false, cite: AXES },
     ],
     startup: &g_codes([0, 18, 98, 21, 40, 54, 67, 80, 97]),
     limits: Limits {

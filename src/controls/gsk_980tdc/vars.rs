@@ -1,6 +1,7 @@
 //! Variables of the 980TDc, in rising order.
 
 use super::MACRO;
+use crate::controls::Address;
 use crate::controls::VarKind::*;
 use crate::controls::vars::{Clock, Width, range};
 use crate::controls::{Group, VarRange};
@@ -42,12 +43,12 @@ pub(super) const VARS: &[VarRange] = &[
     range(4012, 4012, ModalCode(Group::MacroModal), "", "G66 or G67, group 12", MACRO),
     range(4014, 4014, ModalCode(Group::Coordinates), "", "G54 to G59, group 14", MACRO),
     range(4016, 4016, ModalCode(Group::Plane), "", "plane, group 16", MACRO),
-    range(4109, 4109, ModalWord(b'F'), "", "F", MACRO),
-    range(4113, 4113, ModalWord(b'M'), "", "M", MACRO),
-    range(4114, 4114, ModalWord(b'N'), "", "N", MACRO),
-    range(4115, 4115, ModalWord(b'O'), "", "program number", MACRO),
-    range(4119, 4119, ModalWord(b'S'), "", "S", MACRO),
-    range(4120, 4120, ModalWord(b'T'), "", "T", MACRO),
+    range(4109, 4109, ModalWord(Address::F), "", "F", MACRO),
+    range(4113, 4113, ModalWord(Address::M), "", "M", MACRO),
+    range(4114, 4114, ModalWord(Address::N), "", "N", MACRO),
+    range(4115, 4115, ModalWord(Address::O), "", "program number", MACRO),
+    range(4119, 4119, ModalWord(Address::S), "", "S", MACRO),
+    range(4120, 4120, ModalWord(Address::T), "", "T", MACRO),
     range(5001, 5004, BlockEnd, "", "end point of the block before: X, Y, Z, 4th", MACRO),
     range(5005, 5005, NotSimulated, "", "end point of the block before, 5th axis", MACRO),
     range(5021, 5024, MachinePosition, "", "machine position: X, Y, Z, 4th", MACRO),

@@ -10,6 +10,7 @@ use super::macros::{CallKind, CodeCalls};
 use super::schema::table::joined;
 use super::syntax::Function;
 use super::{AxisDef, Control, Macros, SpindleRules, Syntax};
+use crate::controls::Address;
 use crate::text::{Citation, Grade};
 
 /// The published paper about the polygon lathe, on this very control.
@@ -24,14 +25,20 @@ pub static CONTROL: Control = Control {
         ..fanuc::SYNTAX
     },
     macros: Macros {
-        code_calls: &[CodeCalls::Each { kind: CallKind::Macro, letter: b'G', first: 4120, count: 20, program: 9120 }],
+        code_calls: &[CodeCalls::Each {
+            kind: CallKind::Macro,
+            letter: Address::G,
+            first: 4120,
+            count: 20,
+            program: 9120,
+        }],
         ..fanuc::MACROS
     },
     axes: &[
-        AxisDef { letter: b'X', rotary: false, incremental: Some(b'U'), diameter: true, cite: PAPER },
-        AxisDef { letter: b'Z', rotary: false, incremental: Some(b'W'), diameter: false, cite: PAPER },
-        AxisDef { letter: b'Y', rotary: false, incremental: Some(b'V'), diameter: false, cite: MEMORY },
-        AxisDef { letter: b'C', rotary: true, incremental: Some(b'H'), diameter: false, cite: MEMORY },
+        AxisDef { letter: Address::X, rotary: false, incremental: Some(Address::U), diameter: true, cite: PAPER },
+        AxisDef { letter: Address::Z, rotary: false, incremental: Some(Address::W), diameter: false, cite: PAPER },
+        AxisDef { letter: Address::Y, rotary: false, incremental: Some(Address::V), diameter: false, cite: MEMORY },
+        AxisDef { letter: Address::C, rotary: true, incremental: Some(Address::H), diameter: false, cite: MEMORY },
     ],
     startup: &g_codes([0, 18, 98, 21, 40, 54, 67, 80, 97]),
     limits: fanuc::LIMITS,

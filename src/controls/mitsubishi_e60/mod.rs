@@ -15,6 +15,7 @@ use super::schema::control::axis;
 use super::schema::table::joined;
 use super::syntax::{ArcTangent, Function};
 use super::{Control, Limits, Macros, SpindleRules, Syntax, Timing};
+use crate::controls::{Address, AddressSet};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 
@@ -33,15 +34,15 @@ pub static CONTROL: Control = Control {
         if_then: false,
         modulo: false,
         atan: ArcTangent::OfOne,
-        threads_per_inch: Some(b'E'),
+        threads_per_inch: Some(Address::E),
         do_max: 127,
         do_depth: 27,
         functions: joined![(&str, Function): &fanuc::FUNCTIONS, &fanuc::SHORT_FUNCTIONS, &[("ATN", Function::Atan)]],
-        addresses: b"BDEFGHIJKLMPQRST",
-        integer_addresses: b"DGHLMNOST",
+        addresses: AddressSet::letters("BDEFGHIJKLMPQRST"),
+        integer_addresses: AddressSet::letters("DGHLMNOST"),
         point_alarm: false,
-        increment_addresses: b"ABCIJKRUVWXYZ",
-        comma_addresses: b"ACDFHIJKPQRST",
+        increment_addresses: AddressSet::letters("ABCIJKRUVWXYZ"),
+        comma_addresses: AddressSet::letters("ACDFHIJKPQRST"),
         cite: Citation::new("M700V/M70V programming manual, p.19, 23, 28, 40; macro text from memory", Grade::Sister),
         ..fanuc::SYNTAX
     },
@@ -52,8 +53,8 @@ pub static CONTROL: Control = Control {
         sub_sequence: true,
         common_kept: true,
         code_calls: &[
-            CodeCalls::Pairs { letter: b'G', code: 7201, kind: 7202, program: 7203, step: 10, count: 10 },
-            CodeCalls::Pairs { letter: b'M', code: 7001, kind: 7002, program: 7003, step: 10, count: 10 },
+            CodeCalls::Pairs { letter: Address::G, code: 7201, kind: 7202, program: 7203, step: 10, count: 10 },
+            CodeCalls::Pairs { letter: Address::M, code: 7001, kind: 7002, program: 7003, step: 10, count: 10 },
         ],
         user_alarms: (1, 9999),
         user_alarm_base: None,
@@ -63,7 +64,12 @@ pub static CONTROL: Control = Control {
         ),
         ..fanuc::MACROS
     },
-    axes: &[axis(b'X', false, PAPER), axis(b'Y', false, PAPER), axis(b'Z', false, MEMORY), axis(b'A', true, MEMORY)],
+    axes: &[
+        axis(Address::X, false, PAPER),
+        axis(Address::Y, false, PAPER),
+        axis(Address::Z, false, MEMORY),
+        axis(Address::A, true, MEMORY),
+    ],
     startup: &g_codes([1, 17, 21, 54, 64, 67, 80, 90, 94, 97]),
     limits: Limits {
         feed_max: 1_000_000.0,

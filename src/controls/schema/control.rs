@@ -2,8 +2,8 @@
 
 use super::options::SwitchKind;
 use super::{
-    Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, Limits, Macros, ParamDef, ParamRole, Signal, SpindleRules, Switch,
-    Syntax, Timing, VarKind, VarRange,
+    Address, Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, Limits, Macros, ParamDef, ParamRole, Signal, SpindleRules,
+    Switch, Syntax, Timing, VarKind, VarRange,
 };
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
@@ -49,11 +49,11 @@ pub struct Control {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisDef {
     /// Address letter.
-    pub letter: u8,
+    pub letter: Address,
     /// Whether it turns by default (degrees instead of millimetres).
     pub rotary: bool,
     /// Address of incremental words for this axis, where there is one beside the absolute: U for X on lathes.
-    pub incremental: Option<u8>,
+    pub incremental: Option<Address>,
     /// Words count diameters, twice what the slide moves, unless the switch `diameter` is set to `radius`.
     pub diameter: bool,
     /// Source and grade.
@@ -61,7 +61,7 @@ pub struct AxisDef {
 }
 
 /// A row of an axis whose words count what it moves.
-pub(in crate::controls) const fn axis(letter: u8, rotary: bool, cite: Citation) -> AxisDef {
+pub(in crate::controls) const fn axis(letter: Address, rotary: bool, cite: Citation) -> AxisDef {
     AxisDef { letter, rotary, incremental: None, diameter: false, cite }
 }
 
@@ -171,10 +171,10 @@ impl Control {
     }
 
     /// An address as it is written.
-    pub fn address(&self, letter: u8) -> String {
+    pub fn address(&self, letter: Address) -> String {
         let names = self.syntax.names().into_iter().flat_map(|names| names.addresses);
         let long = names.copied().find(|row| row.1 == letter).map(|row| row.0);
-        long.map_or_else(|| (letter as char).to_string(), str::to_owned)
+        long.map_or_else(|| letter.to_string(), str::to_owned)
     }
 
     /// A code as it is written: `G61.1`, `M3`, `DIAMON`.
@@ -203,12 +203,13 @@ impl Control {
     }
 
     /// Index of an axis letter in `axes`.
-    pub fn axis(&self, letter: u8) -> Option<usize> {
+    pub fn axis(&self, letter: impl TryInto<Address>) -> Option<usize> {
+        let letter = letter.try_into().ok()?;
         self.axes.iter().position(|axis| axis.letter == letter)
     }
 
     /// Address letters of axis words, absolute and incremental.
-    pub fn axis_letters(&self) -> impl Iterator<Item = u8> {
+    pub fn axis_letters(&self) -> impl Iterator<Item = Address> {
         self.axes.iter().flat_map(|axis| [Some(axis.letter), axis.incremental]).flatten()
     }
 

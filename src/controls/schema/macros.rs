@@ -1,5 +1,6 @@
 //! How a control's macro language counts and calls: what differs between dialects of one family, as rows.
 
+use super::address::Address;
 use super::code::CodeId;
 use super::syntax::Operation;
 use crate::text::Citation;
@@ -43,7 +44,7 @@ pub enum CodeCalls {
         /// How the codes call.
         kind: CallKind,
         /// `G` or `M`.
-        letter: u8,
+        letter: Address,
         /// Number of the first parameter.
         first: u32,
         /// How many there are.
@@ -56,7 +57,7 @@ pub enum CodeCalls {
         /// How the codes call.
         kind: CallKind,
         /// `G` or `M`.
-        letter: u8,
+        letter: Address,
         /// Number of the parameter that holds how many.
         count: u32,
         /// Number of the parameter that holds the first code.
@@ -67,7 +68,7 @@ pub enum CodeCalls {
     /// Pairs of parameters hold a code and its program; the k-th pair `step` numbers behind the first.
     Pairs {
         /// `G` or `M`.
-        letter: u8,
+        letter: Address,
         /// Number of the first parameter that holds a code.
         code: u32,
         /// Number of the first parameter that holds how the code calls: 0 subprogram, 1 macro, 2 modal, 3 modal at each block.
@@ -173,10 +174,10 @@ impl Macros {
     pub fn calls(&self, set: &[(u32, u32)]) -> Vec<CodeCall> {
         let value = |parameter: u32| set.iter().rev().find(|(number, _)| *number == parameter).map(|(_, value)| *value);
         let mut calls = Vec::new();
-        let mut bind = |letter: u8, code: Option<u32>, kind: CallKind, program: Option<u32>| {
+        let mut bind = |letter: Address, code: Option<u32>, kind: CallKind, program: Option<u32>| {
             // A code 0 is a parameter that is not set.
             if let (Some(code @ 1..), Some(program @ 1..)) = (code, program) {
-                let code = if letter == b'M' { CodeId::M(code) } else { CodeId::g(code) };
+                let code = if letter == Address::M { CodeId::M(code) } else { CodeId::g(code) };
                 calls.push(CodeCall { code, kind, program });
             }
         };

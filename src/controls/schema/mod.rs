@@ -2,6 +2,8 @@
 
 pub mod table;
 
+pub mod address;
+
 pub mod syntax;
 
 pub mod code;
@@ -30,6 +32,7 @@ pub mod control;
 
 pub mod dialect;
 
+pub use address::{Address, AddressSet};
 pub use alarm::{Alarm, AlarmDef};
 pub use bench::Bench;
 pub use code::{Code, CodeDef, CodeId, CodeNumber, Group, Point};

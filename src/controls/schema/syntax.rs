@@ -1,5 +1,6 @@
 //! How a program is written for a control.
 
+use super::address::{Address, AddressSet};
 use crate::text::Citation;
 
 /// What round brackets mean.
@@ -45,62 +46,17 @@ pub enum Percent {
     Head,
 }
 
-/// Codes of words that have several letters. Their five low bits are those of no letter, so that sets of letters do not know them.
-pub mod long {
-    const fn code(k: u8) -> u8 {
-        128 + 32 * (k / 6) + if k.is_multiple_of(6) { 0 } else { 26 + k % 6 }
-    }
-
-    /// A G code or a statement that is a name; the word's value is its place in [`Names::codes`](super::Names::codes).
-    pub const NAME: u8 = code(0);
-    /// Radius of an arc.
-    pub const CR: u8 = code(1);
-    /// Highest spindle speed under constant surface speed.
-    pub const LIMS: u8 = code(2);
-    /// Spindle position.
-    pub const SPOS: u8 = code(3);
-    /// Opening angle of an arc.
-    pub const AR: u8 = code(4);
-    /// Polar angle.
-    pub const AP: u8 = code(5);
-    /// Polar radius.
-    pub const RP: u8 = code(6);
-    /// Start angle of a thread.
-    pub const SF: u8 = code(7);
-    /// Chamfer.
-    pub const CHF: u8 = code(8);
-    /// Chamfer by the length of its legs.
-    pub const CHR: u8 = code(9);
-    /// Rounded corner.
-    pub const RND: u8 = code(10);
-    /// Angle of a contour.
-    pub const ANG: u8 = code(11);
-    /// Feed of chamfers and rounded corners.
-    pub const FRC: u8 = code(12);
-    /// Angle of a programmable rotation.
-    pub const RPL: u8 = code(13);
-    /// Rounded corners from here on.
-    pub const RNDM: u8 = code(14);
-    /// Feed of all chamfers and rounded corners.
-    pub const FRCM: u8 = code(15);
-
-    /// Whether a letter is such a code.
-    pub const fn is(letter: u8) -> bool {
-        letter >= 128
-    }
-}
-
 /// What a language has in which programs, labels, codes and addresses carry names.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Names {
     /// Addresses of several letters with their codes.
-    pub addresses: &'static [(&'static str, u8)],
+    pub addresses: &'static [(&'static str, Address)],
     /// Codes that are names, in the order of the numbers that stand for them.
     pub codes: &'static [&'static str],
     /// The one of them behind which stands a number: cycles.
     pub cycle: &'static str,
     /// Addresses that can be extended by a number: `S1=500`.
-    pub extended: &'static [u8],
+    pub extended: AddressSet,
     /// Statements of the maker's other controls.
     pub foreign: &'static [&'static str],
     /// What makes a name a subprogram's in its head, and a main program's: endings and directories.
@@ -166,11 +122,11 @@ pub struct Syntax {
     /// Where a block has the absolute and the incremental address of an axis, the absolute holds; else the later one.
     pub absolute_holds: bool,
     /// Address of the threads per inch of a thread, beside F for its lead.
-    pub threads_per_inch: Option<u8>,
+    pub threads_per_inch: Option<Address>,
     /// The lead of a thread stands behind the I, J, K of its axis; else behind F.
     pub lead_by_axis: bool,
     /// Addresses of a dwell: P in milliseconds, S in spindle revolutions, others in seconds.
-    pub dwell_addresses: &'static [u8],
+    pub dwell_addresses: AddressSet,
     /// The same address twice in a block is an alarm (G and M codes and macro arguments apart); else the last one holds.
     pub address_twice: bool,
     /// Characters of a block that the control reads, without comments.
@@ -188,17 +144,17 @@ pub struct Syntax {
     /// Function names: `(spelling, function)`; the first spelling of a function is the one that is written.
     pub functions: &'static [(&'static str, Function)],
     /// Address letters of words besides the axes; macro calls take every letter.
-    pub addresses: &'static [u8],
+    pub addresses: AddressSet,
     /// Addresses of whole numbers.
-    pub integer_addresses: &'static [u8],
+    pub integer_addresses: AddressSet,
     /// A decimal point behind the address of a whole number is an alarm; else what stands behind it is dropped.
     pub point_alarm: bool,
     /// Addresses whose words are read in the command unit where the point is missing.
-    pub increment_addresses: &'static [u8],
+    pub increment_addresses: AddressSet,
     /// Addresses that put a corner behind a straight line or an arc, with what they put there. They are not simulated.
-    pub corners: &'static [(u8, &'static str)],
+    pub corners: &'static [(Address, &'static str)],
     /// Addresses that may stand behind a comma; none of them is simulated.
-    pub comma_addresses: &'static [u8],
+    pub comma_addresses: AddressSet,
     /// Ending of a program file without the point.
     pub extension: &'static str,
     /// Source and grade.
@@ -325,12 +281,12 @@ pub enum Operation {
 
 impl Operation {
     /// The operands that it needs: P, Q, R.
-    pub fn operands(self) -> &'static [u8] {
+    pub fn operands(self) -> &'static [Address] {
         use Operation::*;
         match self {
-            Goto | Alarm => b"P",
-            Assign | Sqrt | Abs | Bin | Bcd => b"PQ",
-            _ => b"PQR",
+            Goto | Alarm => &[Address::P],
+            Assign | Sqrt | Abs | Bin | Bcd => &[Address::P, Address::Q],
+            _ => &[Address::P, Address::Q, Address::R],
         }
     }
 
@@ -339,9 +295,4 @@ impl Operation {
         use Operation::*;
         matches!(self, Goto | IfEqual | IfNotEqual | IfGreater | IfLess | IfGreaterEqual | IfLessEqual)
     }
-}
-
-/// Addresses as bits: bit `letter & 31`.
-pub fn letter_bits(letters: impl Iterator<Item = u8>) -> u32 {
-    letters.fold(0, |bits, letter| bits | 1 << (letter & 31))
 }

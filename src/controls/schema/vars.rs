@@ -1,7 +1,7 @@
 //! Ranges of variables: what they hold, how long, and who may write them.
 
-use super::Group;
 use super::table::Key;
+use super::{Address, Group};
 use crate::text::Citation;
 
 /// What a range of variables is.
@@ -49,11 +49,11 @@ pub enum VarKind {
     /// Code in force of a modal group, as read ahead.
     ModalCode(Group),
     /// Last word of an address letter, as read ahead.
-    ModalWord(u8),
+    ModalWord(Address),
     /// Code in force of a modal group in the executing block.
     ExecutingCode(Group),
     /// Last word of an address letter in the executing block.
-    ExecutingWord(u8),
+    ExecutingWord(Address),
     /// End point of the block before, work coordinates, axis by axis.
     BlockEnd,
     /// Machine position, axis by axis.

@@ -12,6 +12,7 @@ use super::base::sinumerik::MEMORY;
 use super::code::g_codes;
 use super::syntax::Names;
 use super::{AxisDef, Control, Limits, SpindleRules, Syntax};
+use crate::controls::Address;
 use crate::text::{Citation, Grade};
 
 /// The page about S, M3, G25, SPOS and G96 of this very control.
@@ -39,9 +40,9 @@ pub static CONTROL: Control = Control {
     },
     macros: sinumerik::MACROS,
     axes: &[
-        AxisDef { letter: b'X', rotary: false, incremental: None, diameter: true, cite: SPINDLE },
-        AxisDef { letter: b'Y', rotary: false, incremental: None, diameter: false, cite: MEMORY },
-        AxisDef { letter: b'Z', rotary: false, incremental: None, diameter: false, cite: SPINDLE },
+        AxisDef { letter: Address::X, rotary: false, incremental: None, diameter: true, cite: SPINDLE },
+        AxisDef { letter: Address::Y, rotary: false, incremental: None, diameter: false, cite: MEMORY },
+        AxisDef { letter: Address::Z, rotary: false, incremental: None, diameter: false, cite: SPINDLE },
     ],
     startup: &g_codes([1, 18, 40, 60, 71, 90, 95, 500]),
     limits: Limits { cite: RANGES, ..sinumerik::LIMITS },

@@ -2,7 +2,7 @@
 
 use super::program::PART;
 use super::resolved::PolygonLathe;
-use crate::controls::Code;
+use crate::controls::{Address, Code};
 use crate::machines::sheets::{row, say};
 use crate::machines::writing;
 use crate::math;
@@ -36,16 +36,16 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     let along = |length: f64| z(real(length, 3));
     let clear = p.stock_diameter + 2.0 * p.clearance;
     add(writing::codes(lathe.control, [Code::FeedPerMinute]), "polygon.other.per-minute");
-    add(vec![word(b'T', p.tool as u32 * 101)], "");
+    add(vec![word(Address::T, p.tool as u32 * 101)], "");
     add(vec![g(0), cross(clear), along(p.clearance)], "");
     // P above 0, Q with the sense of the tool.
-    let mut on = vec![word(b'G', real(51.2, 1)), p_word(ratio.work()), word(b'Q', ratio.tool())];
+    let mut on = vec![word(Address::G, real(51.2, 1)), p_word(ratio.work()), word(Address::Q, ratio.tool())];
     let offset = offset(lathe);
     if math::clamp(offset, 1e-6, 359.999_999) == offset {
-        on.push(word(b'R', real(offset, 3)));
+        on.push(word(Address::R, real(offset, 3)));
     }
     if p.lead != 0.0 {
-        on.push(word(b'A', real(p.lead, 3)));
+        on.push(word(Address::A, real(p.lead, 3)));
     }
     add(on, "polygon.other.on");
     add(vec![s(p.work_speed() as i32)], "polygon.other.speed");
@@ -59,7 +59,7 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     }
     add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
     add(vec![s(0)], "polygon.other.stop");
-    add(vec![word(b'G', real(50.2, 1))], "polygon.other.off");
+    add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
     add(vec![m(30)], "");
     Some((b.finish(), notes))
 }

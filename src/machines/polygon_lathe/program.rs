@@ -4,6 +4,7 @@
 //! them, and the bits to and from the PMC, is ours.
 
 use super::resolved::PolygonLathe;
+use crate::controls::Address;
 use crate::controls::Code;
 use crate::controls::CodeId;
 use crate::machines::writing;
@@ -106,14 +107,14 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     b.comment(&format!("X OFFSET OF THE CUTTER IS {offset}, X0 WITH THE TIPS AT THE CENTRE"));
     b.comment(&format!("THEN X{word_of_x} IS {across} MM ACROSS FLATS"));
     b.n(10).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
-    b.n(11).words([word(b'T', p.tool as u32 * 101)]);
+    b.n(11).words([word(Address::T, p.tool as u32 * 101)]);
     b.n(12).words(rapid([cross(lathe, clear), z(mm(p.clearance))]));
     let arguments = [
-        (b'B', real(p.speed, 0)),
-        (b'D', Formula::from(p.work_ratio as i32)),
-        (b'Q', Formula::from(p.tool_ratio as i32)),
-        (b'A', mm(p.work_start)),
-        (b'E', mm(p.tool_start)),
+        (Address::B, real(p.speed, 0)),
+        (Address::D, Formula::from(p.work_ratio as i32)),
+        (Address::Q, Formula::from(p.tool_ratio as i32)),
+        (Address::A, mm(p.work_start)),
+        (Address::E, mm(p.tool_start)),
     ];
     let call = [g(on)].into_iter().chain(arguments.map(|(letter, value)| word(letter, value)));
     b.n(20).words(call).note("POLYGON TURNING ON");

@@ -1,5 +1,6 @@
 //! The form of the ribbon line: every input with unit, range and default, and the parameters that it fills.
 
+use crate::controls::Address;
 use crate::controls::interface::SignalRole;
 use crate::controls::{Code, Control};
 use crate::machines::form::Field;
@@ -125,10 +126,15 @@ impl PrintAxis {
 
     /// Its address letter.
     pub(super) fn letter(self) -> u8 {
+        self.address().byte()
+    }
+
+    /// Its address.
+    pub(super) fn address(self) -> Address {
         match self {
-            PrintAxis::Y => b'Y',
-            PrintAxis::C => b'C',
-            PrintAxis::Z => b'Z',
+            PrintAxis::Y => Address::Y,
+            PrintAxis::C => Address::C,
+            PrintAxis::Z => Address::Z,
         }
     }
 }
@@ -215,7 +221,7 @@ pub(crate) struct Params {
 
 /// Axes that can carry the print roller: on a lathe, whose X counts diameters, Y, C or Z; else Y.
 fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
-    let lathe = control.axes.iter().any(|axis| axis.letter == PULL && axis.diameter);
+    let lathe = control.axes.iter().any(|axis| axis.letter.byte() == PULL && axis.diameter);
     let axes = [PrintAxis::Y, PrintAxis::C, PrintAxis::Z].into_iter().take(if lathe { 3 } else { 1 });
     axes.filter(|axis| control.axis(axis.letter()).is_some())
 }

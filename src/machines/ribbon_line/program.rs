@@ -5,6 +5,7 @@
 
 use super::params::{OverrideForm, PathMode, Variant, Wait};
 use super::resolved::RibbonLine;
+use crate::controls::Address;
 use crate::controls::{Code, VarKind};
 use crate::machines::writing::{self, Entry};
 use crate::nc::Deck;
@@ -105,7 +106,7 @@ fn codes(line: &RibbonLine, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWo
 /// A word that moves an axis by `by`: its incremental address, or its own under G91.
 fn travel(line: &RibbonLine, axis: usize, by: Formula) -> NewWord {
     let row = line.control.axes.get(axis);
-    let own = row.map_or(b'X', |row| row.letter);
+    let own = row.map_or(Address::X, |row| row.letter);
     let incremental = row.and_then(|row| row.incremental).filter(|_| !line.control.can(Code::Incremental));
     word(incremental.unwrap_or(own), by)
 }
@@ -162,7 +163,7 @@ fn preset(b: &mut Builder, line: &RibbonLine, number: u32) {
     }
     let zero = || real(0.0, 0);
     let mut words = codes(line, [Code::SetCoordinates]);
-    words.extend([x(zero()), word(line.p.print_axis.letter(), zero())]);
+    words.extend([x(zero()), word(line.p.print_axis.address(), zero())]);
     b.n(number).words(words);
 }
 

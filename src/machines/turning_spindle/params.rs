@@ -1,6 +1,6 @@
 //! The form of the turning spindle: every input with unit, range and default, and the parameters that it fills.
 
-use crate::controls::syntax::long;
+use crate::controls::Address;
 use crate::controls::{Alarm, Code, Control};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
@@ -120,7 +120,7 @@ pub(crate) struct Params {
 }
 
 /// The control has an address of several letters.
-pub(super) fn has_address(control: &Control, address: u8) -> bool {
+pub(super) fn has_address(control: &Control, address: Address) -> bool {
     control.syntax.names().is_some_and(|names| names.addresses.iter().any(|row| row.1 == address))
 }
 
@@ -152,7 +152,7 @@ impl Params {
 
     /// A word of the control positions the spindle.
     pub(super) fn can_position(&self, control: &Control) -> bool {
-        has_address(control, long::SPOS)
+        has_address(control, Address::Spos)
     }
 
     /// The spindle is positioned for a keyway.

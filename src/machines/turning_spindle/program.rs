@@ -5,8 +5,8 @@
 
 use super::params::{Direction, Path};
 use super::resolved::TurningSpindle;
+use crate::controls::Address;
 use crate::controls::Code;
-use crate::controls::syntax::long;
 use crate::machines::writing::{self, Entry};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, m, real, s, v, word, x, z};
@@ -128,7 +128,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
         b.n(52).words(block(lathe, Code::SurfaceSpeedOff, [s(v(SPEED))]));
     }
     if lathe.positions() {
-        b.n(53).words([word(long::SPOS, v(113))]).note("FOR THE KEYWAY");
+        b.n(53).words([word(Address::Spos, v(113))]).note("FOR THE KEYWAY");
         let lock = lathe.p.lock_code as u32;
         if lock > 0 {
             b.words([m(lock)]).note("LOCKS THE SPINDLE");

@@ -2,7 +2,7 @@
 
 use super::derive::Derived;
 use super::params::{self, Gear, Output, Params, SpeedMode};
-use crate::controls::syntax::long;
+use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
 use crate::drives::Stage;
 use crate::machines::machine::ControlContext;
@@ -42,7 +42,7 @@ impl TurningSpindle {
         }
         // The nearest position of the knob, and S as a whole number where the control reads it so.
         p.override_percent = dialect.spindle().knob.nearest(p.override_percent);
-        if control.syntax.integer_addresses.contains(&b'S') {
+        if control.syntax.integer_addresses.contains(Address::S) {
             let truncates = !dialect.numbers.round_speed;
             p.cutting_speed = if truncates { p.cutting_speed.floor() } else { p.cutting_speed.round() };
         }
@@ -72,8 +72,8 @@ impl TurningSpindle {
     }
 
     /// Address of the speed limit under constant surface speed, on controls with a word for it.
-    pub(super) fn limit_word(&self) -> Option<u8> {
-        params::has_address(self.control, long::LIMS).then_some(long::LIMS)
+    pub(super) fn limit_word(&self) -> Option<Address> {
+        params::has_address(self.control, Address::Lims).then_some(Address::Lims)
     }
 
     /// The spindle is positioned to an angle after the cut.

@@ -1,8 +1,8 @@
 //! Checks of whole programs: loops, jump targets, the last block.
 
+use crate::controls::Address;
 use std::collections::BTreeSet;
 
-use crate::controls::syntax::long;
 use crate::controls::{Alarm, Code, CodeId, Control};
 use crate::msg;
 use crate::nc::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
@@ -240,7 +240,7 @@ impl Check<'_> {
     }
 
     /// The word of a letter with a number, and its bytes.
-    fn number_word(&self, block: &Block, letter: u8) -> Option<(Dec, Span)> {
+    fn number_word(&self, block: &Block, letter: Address) -> Option<(Dec, Span)> {
         let word = self.deck.words_of(block).iter().rfind(|word| word.letter == letter)?;
         let start = block.span.start + u32::from(word.offset);
         match word.value {
@@ -251,13 +251,14 @@ impl Check<'_> {
 
     /// `M98 P21000` where repeats stand in L: it calls O21000, and there is none, but there is an O1000.
     fn sub_call(&mut self, block: &Block) {
-        let Some((number, span)) = self.number_word(block, b'P').filter(|_| !self.control.macros.repeats_in_p) else {
+        let Some((number, span)) = self.number_word(block, Address::P).filter(|_| !self.control.macros.repeats_in_p)
+        else {
             return;
         };
         let program = |number: i64| u32::try_from(number).is_ok_and(|number| self.deck.program(number).is_some());
         let (repeats, called) = (number.mantissa / 10_000, number.mantissa % 10_000);
-        let call = self.number_word(block, b'M').is_some_and(|(code, _)| self.is_code(code, Code::SubCall));
-        let told = self.number_word(block, b'L').is_some();
+        let call = self.number_word(block, Address::M).is_some_and(|(code, _)| self.is_code(code, Code::SubCall));
+        let told = self.number_word(block, Address::L).is_some();
         if !call || told || number.scale > 0 || repeats == 0 || program(number.mantissa) || !program(called) {
             return;
         }
@@ -270,7 +271,9 @@ impl Check<'_> {
 
     /// `G65 H80 P` and the like to a number that is not in the program.
     fn function_jump(&mut self, block: &Block) {
-        let Some((function, (number, span))) = self.number_word(block, b'H').zip(self.number_word(block, b'P')) else {
+        let Some((function, (number, span))) =
+            self.number_word(block, Address::H).zip(self.number_word(block, Address::P))
+        else {
             return;
         };
         let row = self.control.macros.functions.iter().find(|row| f64::from(row.0) == function.0.to_f64());
@@ -324,11 +327,11 @@ impl Check<'_> {
     fn falls_through(&self, blocks: &[Block], block: &Block) -> bool {
         match block.stmt {
             Stmt::Words { .. } => !self.deck.words_of(block).iter().any(|word| match word.value {
-                WordValue::Number(_) if word.letter == long::NAME => {
+                WordValue::Number(_) if word.letter == Address::Name => {
                     let row = code_of(word).and_then(|id| self.control.code(id));
                     row.is_some_and(|row| row.code == Code::Return)
                 }
-                WordValue::Number(number) if word.letter == b'M' => {
+                WordValue::Number(number) if word.letter == Address::M => {
                     [Code::End, Code::EndRewind, Code::SubEnd].iter().any(|end| self.is_code(number, *end))
                 }
                 _ => false,

@@ -4,6 +4,7 @@ use super::super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Stmt, WordValu
 use super::roles::{END, RETURN, Roles};
 use super::words::{Facts, whole};
 use super::{Lint, NONE};
+use crate::controls::Address;
 use crate::controls::{Control, VarKind};
 
 /// Sequence numbers of one program that are told to stand twice.
@@ -87,7 +88,11 @@ impl<'a> Flow<'a> {
             Stmt::Words { .. } => {
                 let words = self.deck.words_of(block);
                 // A `/` in the middle of a block makes what follows it optional.
-                (NONE, self.roles.block(words) & (END | RETURN) == 0 || words.iter().any(|word| word.letter == b'/'))
+                (
+                    NONE,
+                    self.roles.block(words) & (END | RETURN) == 0
+                        || words.iter().any(|word| word.letter == Address::Skip),
+                )
             }
             Stmt::If { cond, target, way } => match self.deck.holds(cond) {
                 Some(true) => (self.jump(target, at, way), false),

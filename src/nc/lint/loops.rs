@@ -6,6 +6,7 @@ use super::roles::{AUXILIARY, CALL, CURVED, LINEAR, RAPID, SPECIAL, SPINDLE, SPI
 use super::vars::visit;
 use super::words::Facts;
 use super::{Lint, NONE};
+use crate::controls::Address;
 use crate::text::{DiagnosticKind, Place, Span};
 
 /// Blocks that are looked at, for each block of the text: loops in loops are looked at again.
@@ -89,8 +90,8 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
         rests |= bits & SPINDLE_REST != 0;
         for word in words {
             moves |= flow.control.axis_letters().any(|letter| letter == word.letter);
-            let role = if word.letter == b'M' { flow.roles.word(word) } else { 0 };
-            let function = if word.letter == b'S' || role & SPINDLE != 0 {
+            let role = if word.letter == Address::M { flow.roles.word(word) } else { 0 };
+            let function = if word.letter == Address::S || role & SPINDLE != 0 {
                 &mut spindle
             } else if role & AUXILIARY != 0 {
                 &mut auxiliary

@@ -17,8 +17,8 @@ mod words;
 
 use super::ast::{Deck, ExprId, Word, WordValue};
 use super::parsed::Parsed;
-use crate::controls::Control;
-use crate::controls::syntax::{RoundBrackets, letter_bits};
+use crate::controls::syntax::RoundBrackets;
+use crate::controls::{AddressSet, Control};
 use crate::text::{Diagnostic, LineIndex, Message, MessageValue, Place, Span};
 use flow::Flow;
 use roles::Roles;
@@ -147,18 +147,18 @@ impl Lint<'_> {
         self.numbers.get(at).filter(|row| row.0 == u64::from(number)).map(|row| row.1 as u32)
     }
 
-    /// Bit `letter & 31`: a number without a point counts increments; for dimensions, and for arguments of macros.
-    fn increments(&self) -> [u32; 2] {
+    /// Addresses whose number counts increments without a point: for dimensions, and for arguments of macros.
+    fn increments(&self) -> [AddressSet; 2] {
         let numbers = &self.parsed.dialect().numbers;
-        let bits =
-            if numbers.whole_units { 0 } else { letter_bits(self.control.syntax.increment_addresses.iter().copied()) };
-        [bits, if numbers.argument_increments { bits } else { 0 }]
+        let none = AddressSet::EMPTY;
+        let counting = if numbers.whole_units { none } else { self.control.syntax.increment_addresses };
+        [counting, if numbers.argument_increments { counting } else { none }]
     }
 }
 
-/// The number of a word, `least` for each increment that it counts (bits of [`Lint::increments`]); `None` where it is calculated.
-fn measure(word: &Word, increments: u32, least: f64) -> Option<f64> {
+/// The number of a word, `least` for each increment that it counts ([`Lint::increments`]); `None` where it is calculated.
+fn measure(word: &Word, increments: AddressSet, least: f64) -> Option<f64> {
     let WordValue::Number(dec) = word.value else { return None };
-    let counts = !dec.point && increments & 1 << (word.letter & 31) != 0;
+    let counts = !dec.point && increments.contains(word.letter);
     Some(if counts { dec.to_f64() * least } else { dec.to_f64() })
 }

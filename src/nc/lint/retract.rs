@@ -3,6 +3,7 @@
 use super::super::ast::{Dimensioning, Stmt, Word};
 use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
 use super::{Lint, measure};
+use crate::controls::Address;
 
 /// Codes after which nothing is known of positions.
 const UNKNOWN: u32 = CALL | CURVED | INCH | RETURN | SPECIAL | SUB;
@@ -15,7 +16,7 @@ const NOWHERE: Place = [f64::NAN; 2];
 pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
     let (deck, axes) = (lint.deck, lint.control.axes);
     let across = axes.iter().find(|axis| axis.diameter);
-    let along = axes.iter().find(|axis| axis.letter == b'Z');
+    let along = axes.iter().find(|axis| axis.letter == Address::Z);
     let (Some(across), Some(along)) = (across, along) else { return };
     let axes = [across, along];
     let increments = lint.increments()[0];

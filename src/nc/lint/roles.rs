@@ -2,8 +2,8 @@
 
 use super::super::ast::{Word, WordValue};
 use super::super::codes::{Codes, code_of};
+use crate::controls::Address;
 use crate::controls::macros::CallKind;
-use crate::controls::syntax::long;
 use crate::controls::{Code, CodeDef, Control, Group};
 
 pub(super) const RAPID: u32 = 1;
@@ -96,7 +96,7 @@ impl<'a> Roles<'a> {
     #[inline]
     pub(super) fn word(&self, word: &Word) -> u32 {
         let WordValue::Number(_) = word.value else { return 0 };
-        let beyond = if word.letter == b'M' { AUXILIARY } else { 0 };
+        let beyond = if word.letter == Address::M { AUXILIARY } else { 0 };
         let Some(id) = code_of(word) else { return beyond };
         if let Some(call) = self.codes.call(id) {
             return match call.kind {
@@ -112,7 +112,7 @@ impl<'a> Roles<'a> {
     pub(super) fn block(&self, words: &[Word]) -> u32 {
         words
             .iter()
-            .filter(|word| matches!(word.letter, b'G' | b'M' | long::NAME))
+            .filter(|word| matches!(word.letter, Address::G | Address::M | Address::Name))
             .fold(0, |bits, word| bits | self.word(word))
     }
 

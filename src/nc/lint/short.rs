@@ -1,5 +1,7 @@
 //! Blocks with constant length and feed that end before the control has read the next block.
 
+use crate::controls::Address;
+use crate::controls::AddressSet;
 use std::rc::Rc;
 
 use super::super::ast::{Block, Stmt, Word};
@@ -22,7 +24,7 @@ const NEEDED: u32 = LINEAR | INCREMENTAL | PER_MINUTE | CUTTING;
 /// What is known of motion at a block.
 pub(super) struct Short {
     control: &'static Control,
-    increments: u32,
+    increments: AddressSet,
     /// Which axes count diameters.
     dialect: Rc<Dialect>,
     /// Of [`NEEDED`], what is in force.
@@ -40,7 +42,7 @@ pub(super) struct Short {
 }
 
 impl Short {
-    pub(super) fn new(lint: &Lint, increments: u32) -> Short {
+    pub(super) fn new(lint: &Lint, increments: AddressSet) -> Short {
         let fastest = lint.control.bench.axes.iter().fold(0.0, |fastest, axis| axis.clamp.max(fastest));
         let none = (0, Span::default(), 0.0);
         let (run, count, in_loop) = (0, 0, false);
@@ -99,7 +101,7 @@ impl Short {
         let (mut square, mut moves, mut certain) = (0.0, false, self.modes | INCREMENTAL == NEEDED);
         let axes = self.control.axes;
         for word in words {
-            if word.letter == b'F' {
+            if word.letter == Address::F {
                 // Millimetres = mm/min * s / 60.
                 let feed = self.value(word).map_or(0.0, |feed| feed.min(self.fastest));
                 self.limit = feed * self.control.timing.block / 60.0;

@@ -5,6 +5,8 @@ use super::super::dec::{Dec, POW10};
 use super::vars::{Kind, LOCALS, Site, Var, Vars, visit};
 use super::words::Facts;
 use super::{Lint, NONE};
+use crate::controls::Address;
+use crate::controls::address::LETTERS;
 use crate::controls::macros::{ARGUMENT, VacantWord};
 use crate::controls::syntax::Function;
 use crate::controls::{Alarm, Control, VarKind};
@@ -224,7 +226,7 @@ impl Vars<'_> {
         if var.sets == 0 && var.given == 0 && !var.vacancy {
             let (block, id) = var.read;
             let argument = ARGUMENT.iter().position(|&number| u32::from(number) == var.number);
-            let letter = b'A' + argument.unwrap_or(0) as u8;
+            let letter = LETTERS.get(argument.unwrap_or(0)).copied().unwrap_or(Address::A);
             // Words of a call that passes none.
             let lost = || {
                 let subs = facts.calls.iter().filter(|call| !call.with_locals);
@@ -239,7 +241,7 @@ impl Vars<'_> {
                 Some(_) if lost() => "lint.hint-sub-argument",
                 _ => "lint.hint-unset-local",
             };
-            let letter = char::from(letter).to_string();
+            let letter = letter.to_string();
             if block != NONE {
                 lint.say(block, lint.part(block, id), "lint.unset-local", &[&letter], hint);
             }

@@ -5,6 +5,8 @@ use super::super::codes::code_of;
 use super::faulty::variables;
 use super::words::{Call, Facts};
 use super::{Lint, NONE};
+use crate::controls::Address;
+use crate::controls::AddressSet;
 use crate::controls::macros::ARGUMENT;
 use crate::controls::{Code, Control, VarKind};
 use crate::text::Span;
@@ -213,18 +215,18 @@ impl<'a> Vars<'a> {
     }
 
     /// What the arguments of a macro call set.
-    fn arguments(&mut self, increments: u32, call: &Call) {
+    fn arguments(&mut self, increments: AddressSet, call: &Call) {
         let (from, to) = (self.group[call.from as usize], self.group[call.to as usize]);
         self.calls[to as usize] += 1;
         let mut mask = 0_u64;
         for word in self.deck.words_of(&self.deck.blocks[call.block as usize]) {
             let letter = word.letter;
-            let number = ARGUMENT.get(usize::from(letter.wrapping_sub(b'A'))).copied().unwrap_or(0);
-            if number == 0 || matches!(letter, b'G' | b'L' | b'N' | b'O' | b'P') {
+            let number = ARGUMENT.get(letter as usize).copied().unwrap_or(0);
+            if number == 0 || matches!(letter, Address::G | Address::L | Address::N | Address::O | Address::P) {
                 continue;
             }
             // A second I, J or K is one of many; which, is not needed.
-            if mask & 1 << number != 0 && matches!(letter, b'I'..=b'K') {
+            if mask & 1 << number != 0 && matches!(letter, Address::I | Address::J | Address::K) {
                 mask = u64::MAX;
                 break;
             }
@@ -232,7 +234,7 @@ impl<'a> Vars<'a> {
             let mut value = word.value;
             if let WordValue::Number(dec) = &mut value
                 && !dec.point
-                && increments & 1 << (letter & 31) != 0
+                && increments.contains(letter)
             {
                 // Increments: 1 is 0.001.
                 dec.scale = (dec.scale + 3).min(18);

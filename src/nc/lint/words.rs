@@ -7,7 +7,8 @@ use super::roles::{
 };
 use super::short::Short;
 use super::{Lint, NONE, messages};
-use crate::controls::syntax::{letter_bits, long};
+use crate::controls::Address;
+use crate::controls::AddressSet;
 use crate::controls::{Alarm, Code, ParamRole};
 use crate::msg;
 use crate::text::catalog::number_text;
@@ -98,7 +99,7 @@ pub(super) struct Facts {
 /// Numbers of one kind behind one letter that have no point.
 struct Pointless {
     kind: u32,
-    letter: u8,
+    letter: Address,
     count: usize,
     block: u32,
     words: Vec<(Span, Dec)>,
@@ -140,26 +141,24 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
             }
             let words = deck.words_of(block);
             let (mut bits, mut counts, mut feed) = (0, false, None);
-            let (mut letters, mut again) = (0_u32, false);
+            let (mut letters, mut again) = (AddressSet::EMPTY, false);
             for word in words {
-                let letter = 1 << (word.letter & 31);
-                again |= letters & letter & values != 0;
-                letters |= letter;
-                if matches!(word.letter, b'G' | b'M' | long::NAME) {
+                again |= !letters.insert(word.letter) && values.contains(word.letter);
+                if matches!(word.letter, Address::G | Address::M | Address::Name) {
                     bits |= roles.word(word);
                 } else if let WordValue::Number(dec) = word.value {
-                    counts |= !dec.point && dec.mantissa != 0 && increments[0] & 1 << (word.letter & 31) != 0;
-                    if word.letter == b'F' {
+                    counts |= !dec.point && dec.mantissa != 0 && increments[0].contains(word.letter);
+                    if word.letter == Address::F {
                         feed = Some((word, dec));
                     }
                 }
             }
-            cutting.feeds |= letters & 1 << (b'F' & 31) != 0;
+            cutting.feeds |= letters.contains(Address::F);
             if cutting.first.is_none() && bits & LINEAR != 0 && bits & CALL == 0 {
                 let moves = |word: &Word| lint.control.axis_letters().any(|letter| letter == word.letter);
                 let code = words
                     .iter()
-                    .find(|word| matches!(word.letter, b'G' | long::NAME) && roles.word(word) & LINEAR != 0);
+                    .find(|word| matches!(word.letter, Address::G | Address::Name) && roles.word(word) & LINEAR != 0);
                 cutting.first = code.filter(|_| words.iter().any(moves)).map(|word| (at, word.span(block)));
             }
             if again && bits & CALL == 0 {
@@ -225,12 +224,19 @@ struct Cutting {
 
 /// Notes the numbers without a point of a block; true where one shows that the program counts increments.
 #[cold]
-fn collect(rows: &mut Vec<Pointless>, at: u32, block: &Block, words: &[Word], kind: u32, increments: u32) -> bool {
+fn collect(
+    rows: &mut Vec<Pointless>,
+    at: u32,
+    block: &Block,
+    words: &[Word],
+    kind: u32,
+    increments: AddressSet,
+) -> bool {
     for word in words {
         let WordValue::Number(dec) = word.value else { continue };
         let letter = word.letter;
         let size = dec.mantissa.unsigned_abs();
-        if dec.point || size == 0 || increments & 1 << (letter & 31) == 0 || kind == DWELL && size >= DELIBERATE_DWELL {
+        if dec.point || size == 0 || !increments.contains(letter) || kind == DWELL && size >= DELIBERATE_DWELL {
             continue;
         }
         if size >= DELIBERATE {
@@ -253,20 +259,20 @@ fn collect(rows: &mut Vec<Pointless>, at: u32, block: &Block, words: &[Word], ki
 impl Facts {
     /// Notes calls, returns and ends of a block, both by index.
     fn note(&mut self, lint: &mut Lint, roles: &Roles, (program, block): (u32, u32), words: &[Word], bits: u32) {
-        let number = |letter: u8| words.iter().find(|word| word.letter == letter).map(|word| whole(word.value));
+        let number = |letter: Address| words.iter().find(|word| word.letter == letter).map(|word| whole(word.value));
         let Some(part) = self.parts.get_mut(program as usize) else { return };
         part.ends |= bits & END != 0;
         if bits & RETURN != 0 {
             part.returns += 1;
             part.return_at = block;
-            self.entry(NONE, number(b'P'));
+            self.entry(NONE, number(Address::P));
         }
         let macros = &lint.control.macros;
-        if bits & CALL != 0 && !macros.functions.is_empty() && number(b'H').is_some() {
+        if bits & CALL != 0 && !macros.functions.is_empty() && number(Address::H).is_some() {
             self.functions = true;
         } else if bits & (CALL | SUB) != 0 {
             let sub = bits & SUB != 0;
-            let to = match (roles.called(words), number(b'P')) {
+            let to = match (roles.called(words), number(Address::P)) {
                 (Some(number), _) => lint.program(number),
                 (None, Some(Some(number))) => {
                     let called = if sub && macros.repeats_in_p { number % 10_000 } else { number };
@@ -278,8 +284,8 @@ impl Facts {
                     to
                 }
                 (None, None) => {
-                    if sub && macros.sub_sequence && number(b'H').is_none() {
-                        lint.say_word(block, words, b'M', "lint.calls-itself", &[]);
+                    if sub && macros.sub_sequence && number(Address::H).is_none() {
+                        lint.say_word(block, words, Address::M, "lint.calls-itself", &[]);
                     }
                     sub.then_some(program)
                 }
@@ -289,7 +295,7 @@ impl Facts {
                 }
             };
             if sub && macros.sub_sequence {
-                self.entry(to.unwrap_or(NONE), number(b'H'));
+                self.entry(to.unwrap_or(NONE), number(Address::H));
             }
             if let Some(to) = to
                 && let Some(part) = self.parts.get_mut(to as usize)
@@ -306,7 +312,7 @@ impl Facts {
         if !self.missed.contains(&number) && self.missed.len() < MISSED {
             self.missed.push(number);
             let alarm = lint.control.alarm_number(Alarm::NoProgram).unwrap_or("");
-            lint.say_word(block, words, b'P', "lint.no-such-program", &[&format!("O{number}"), alarm]);
+            lint.say_word(block, words, Address::P, "lint.no-such-program", &[&format!("O{number}"), alarm]);
             if let Some(finding) = lint.found.last_mut().filter(|_| number >= STANDARD) {
                 finding.severity = Severity::Info;
             }
@@ -349,7 +355,7 @@ impl Facts {
             && !part.called
             && !part.ends
             && let Some(block) = lint.deck.blocks.get(part.return_at as usize)
-            && let Some(word) = lint.deck.words_of(block).iter().find(|word| word.letter == b'M')
+            && let Some(word) = lint.deck.words_of(block).iter().find(|word| word.letter == Address::M)
         {
             let span = word.span(block);
             let end = lint.control.code_name(end.id);
@@ -406,7 +412,7 @@ impl Pointless {
     fn tell(&self, lint: &mut Lint) {
         let Some(&(span, dec)) = self.words.first() else { return };
         let step = lint.control.limits.increment;
-        let letter = (self.letter as char).to_string();
+        let letter = self.letter.to_string();
         let rotary = lint.control.axis(self.letter).is_some_and(|axis| lint.control.axes[axis].rotary);
         let id = match self.kind {
             DWELL => "lint.no-point-dwell",
@@ -428,24 +434,24 @@ impl Pointless {
 }
 
 impl Lint<'_> {
-    /// Bit `letter & 31`: addresses whose values overwrite each other in a block, where that is no alarm.
-    fn values(&self) -> u32 {
+    /// Addresses whose values overwrite each other in a block, where that is no alarm.
+    fn values(&self) -> AddressSet {
         if self.control.syntax.address_twice || self.control.syntax.names().is_some() {
-            return 0;
+            return AddressSet::EMPTY;
         }
-        letter_bits(self.control.axis_letters().chain(*b"FST"))
+        self.control.axis_letters().chain([Address::F, Address::S, Address::T]).collect()
     }
 
     /// The second word of an address in a block.
     #[cold]
-    fn word_again(&mut self, at: u32, block: &Block, words: &[Word], values: u32) {
+    fn word_again(&mut self, at: u32, block: &Block, words: &[Word], values: AddressSet) {
         // In front of a skip in the middle of the block it may be meant.
-        if self.again >= AGAIN || words.iter().any(|word| word.letter == b'/') {
+        if self.again >= AGAIN || words.iter().any(|word| word.letter == Address::Skip) {
             return;
         }
         for (index, word) in words.iter().enumerate() {
             let earlier = words.iter().take(index).rfind(|other| other.letter == word.letter);
-            if let Some(earlier) = earlier.filter(|_| values & 1 << (word.letter & 31) != 0) {
+            if let Some(earlier) = earlier.filter(|_| values.contains(word.letter)) {
                 self.again += 1;
                 let place = self.place(at, earlier.span(block));
                 let text = self.parsed.text(place).to_owned();
@@ -455,7 +461,7 @@ impl Lint<'_> {
     }
 
     /// Says a sentence about the word with a letter in a block, or the block itself.
-    fn say_word(&mut self, block: u32, words: &[Word], letter: u8, id: &'static str, more: &[&str]) {
+    fn say_word(&mut self, block: u32, words: &[Word], letter: Address, id: &'static str, more: &[&str]) {
         let Some(row) = self.deck.blocks.get(block as usize) else { return };
         let span = words.iter().find(|word| word.letter == letter).map_or(row.span, |word| word.span(row));
         self.say(block, span, id, more, "");

@@ -14,6 +14,7 @@
 
 mod symbolic;
 
+use crate::controls::Address;
 use crate::controls::Control;
 use crate::controls::syntax::Function;
 use crate::nc::ast::{self, Block, Deck, Expr, ExprId, JumpDirection, Op, Stmt, TextId, WordValue};
@@ -89,9 +90,9 @@ fn whole_signs(deck: &mut Deck) {
 }
 
 fn no_points(deck: &mut Deck, control: &Control) {
-    for word in deck.words.iter_mut().filter(|word| word.letter != b'G') {
+    for word in deck.words.iter_mut().filter(|word| word.letter != Address::G) {
         if let WordValue::Number(number @ Dec { scale: 0, .. }) = &mut word.value {
-            number.point &= !control.syntax.integer_addresses.contains(&word.letter);
+            number.point &= !control.syntax.integer_addresses.contains(word.letter);
         }
     }
 }

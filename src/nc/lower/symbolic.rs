@@ -8,6 +8,7 @@
 //! | `jumps` | loops, jumps to block numbers | jumps to labels |
 //! | `no_names` | calls by name, messages, what has no form without names | `M98`, a comment |
 
+use crate::controls::Address;
 use crate::controls::syntax::Names;
 use crate::controls::{Alarm, Code, CodeId, Control};
 use crate::nc::ast::{Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
@@ -331,14 +332,14 @@ pub(super) fn no_names(deck: &mut Deck, control: &Control) {
                     Some((row, number)) => {
                         let first = deck.words.len() as u32;
                         let mut word = |letter, value| deck.words.push(Word::new(letter, value));
-                        word(b'M', WordValue::Number(Dec::int(row.into())));
-                        word(b'P', WordValue::Number(Dec::int(number.into())));
+                        word(Address::M, WordValue::Number(Dec::int(row.into())));
+                        word(Address::P, WordValue::Number(Dec::int(number.into())));
                         if let Some(repeats) = repeats {
                             let value = match deck.exprs.get(repeats.0 as usize) {
                                 Some(Expr::Number(number)) => WordValue::Number(*number),
                                 _ => WordValue::Expr(repeats),
                             };
-                            word(b'L', value);
+                            word(Address::L, value);
                         }
                         Stmt::Words { first, count: 2 + u16::from(repeats.is_some()) }
                     }

@@ -1,5 +1,7 @@
 //! Macro calls: checks of G65, G66 and codes that call macros, before they run.
 
+use crate::controls::Address;
+use crate::controls::AddressSet;
 use crate::controls::macros::CallKind;
 use crate::controls::syntax::Operation;
 use crate::controls::{Alarm, Code, CodeId};
@@ -29,25 +31,25 @@ impl Reader<'_> {
             return self.report_word(Alarm::CallMixed, word, msg!("interp.call-mixed"));
         }
         let functions = code == Some(Code::MacroCall) && !macros.functions.is_empty();
-        let leading = behind.iter().find(|word| matches!(word.letter, b'H' | b'P'));
-        if let Some(number) = leading.filter(|word| functions && word.letter == b'H') {
+        let leading = behind.iter().find(|word| matches!(word.letter, Address::H | Address::P));
+        if let Some(number) = leading.filter(|word| functions && word.letter == Address::H) {
             return self.check_function(number, behind);
         }
-        if code.is_some() && !words.iter().any(|word| word.letter == b'P') {
-            if let Some(word) = words.iter().find(|word| word.letter == b'O') {
+        if code.is_some() && !words.iter().any(|word| word.letter == Address::P) {
+            if let Some(word) = words.iter().find(|word| word.letter == Address::O) {
                 return self.named_by_letter(Alarm::NoCallProgram, word.offset as usize);
             }
             return self.report_word(Alarm::NoCallProgram, caller, msg!("interp.call-without-program"));
         }
         if let (true, Some(_), Some(word)) =
-            (macros.program_next, code, behind.first().filter(|word| word.letter != b'P'))
+            (macros.program_next, code, behind.first().filter(|word| word.letter != Address::P))
         {
             return self.report_word(Alarm::NoCallProgram, word, msg!("interp.call-program-next"));
         }
         if self.control.raises(Alarm::ArgumentAddress) {
-            let forbidden: &[u8] = if code.is_some() { b"GNO" } else { b"GNOP" };
-            if let Some(word) = behind.iter().find(|word| forbidden.contains(&word.letter)) {
-                let letter = (word.letter as char).to_string();
+            let forbidden = AddressSet::letters(if code.is_some() { "GNO" } else { "GNOP" });
+            if let Some(word) = behind.iter().find(|word| forbidden.contains(word.letter)) {
+                let letter = word.letter.to_string();
                 self.report_word(Alarm::ArgumentAddress, word, msg!("interp.argument-address", letter));
             }
         }
@@ -111,12 +113,12 @@ impl Reader<'_> {
         let Some(&(_, operation)) = row else {
             return self.report_word(Alarm::CallFunction, number, msg!("interp.no-function", (value, 0)));
         };
-        let operand = |letter: u8| words.iter().rfind(|word| word.letter == letter);
+        let operand = |letter: Address| words.iter().rfind(|word| word.letter == letter);
         if let Some(&letter) = operation.operands().iter().find(|&&letter| operand(letter).is_none()) {
-            let message = msg!("interp.no-operand", (letter as char).to_string(), (value, 0));
+            let message = msg!("interp.no-operand", letter.to_string(), (value, 0));
             return self.report_word(Alarm::CallOperands, number, message);
         }
-        let Some(result @ Word { value: WordValue::Number(dec), .. }) = operand(b'P') else { return };
+        let Some(result @ Word { value: WordValue::Number(dec), .. }) = operand(Address::P) else { return };
         let start = result.offset as usize;
         if operation.jumps() {
             return self.note_later();

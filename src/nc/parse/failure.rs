@@ -1,6 +1,6 @@
 //! Failures and findings of a block while it is read.
 
-use crate::controls::{Alarm, CodeId};
+use crate::controls::{Address, Alarm, CodeId};
 use crate::text::{Diagnostic, Span};
 
 /// A block that does not read, and why.
@@ -25,9 +25,9 @@ pub(in crate::nc) enum LeftOut {
     Variables(u32),
     /// An external input or output statement, by its index.
     Statement(usize),
-    Address(u8),
+    Address(Address),
     /// An address behind a comma.
-    Comma(u8),
+    Comma(Address),
 }
 
 #[derive(Debug)]

@@ -1,23 +1,25 @@
 //! Look-ups of one control for the reader, prepared once per read.
 
 use crate::controls::dialect::ReadingRules;
-use crate::controls::syntax::letter_bits;
-use crate::controls::{Control, Dialect};
+use crate::controls::{Address, AddressSet, Control, Dialect};
 use crate::nc::codes::Codes;
+
+/// Letters that may stand only once in a block, where a control has such a rule.
+const ONCE: AddressSet = AddressSet::letters("ABCDEFHIJKLNOPQRSTUVWXYZ");
 
 /// What is looked up for every word, in the order of its first byte.
 pub(in crate::nc) struct Tables<'a> {
     pub(in crate::nc) codes: &'a Codes,
-    /// Bit `letter & 31`: letters of words outside macro calls.
-    pub(in crate::nc) letters: u32,
-    /// Bit `letter & 31`: letters that may stand only once in a block.
-    pub(in crate::nc) once: u32,
-    /// Bit `letter & 31`: letters whose number must not have a point.
-    pub(in crate::nc) whole: u32,
-    /// Bit `letter & 31`: letters of rotary axes.
-    pub(in crate::nc) rotary: u32,
-    /// Bit `letter & 31`: letters that may put a corner behind a motion.
-    pub(in crate::nc) corners: u32,
+    /// Letters of words outside macro calls.
+    pub(in crate::nc) letters: AddressSet,
+    /// Letters that may stand only once in a block.
+    pub(in crate::nc) once: AddressSet,
+    /// Letters whose number must not have a point.
+    pub(in crate::nc) whole: AddressSet,
+    /// Letters of rotary axes.
+    pub(in crate::nc) rotary: AddressSet,
+    /// Letters that may put a corner behind a motion.
+    pub(in crate::nc) corners: AddressSet,
     /// Words of a block.
     pub(in crate::nc) most_words: usize,
     /// Characters of a word with a number.
@@ -31,19 +33,20 @@ impl<'a> Tables<'a> {
         let mut tables = Tables {
             rules: dialect.reading,
             codes,
-            letters: letter_bits(control.syntax.addresses.iter().copied().chain(control.axis_letters())),
-            once: if control.syntax.address_twice { !letter_bits(b"GM".iter().copied()) } else { 0 },
-            whole: 0,
-            rotary: letter_bits(
-                control.axes.iter().enumerate().filter(|(at, _)| dialect.is_rotary(*at)).map(|(_, row)| row.letter),
-            ),
-            corners: letter_bits(control.syntax.corners.iter().map(|corner| corner.0)),
+            letters: control.syntax.addresses.or(control.axis_letters().collect()),
+            once: if control.syntax.address_twice { ONCE } else { AddressSet::EMPTY },
+            whole: AddressSet::EMPTY,
+            rotary: (control.axes.iter().enumerate())
+                .filter(|(at, _)| dialect.is_rotary(*at))
+                .map(|(_, row)| row.letter)
+                .collect(),
+            corners: control.syntax.corners.iter().map(|corner| corner.0).collect(),
             word_chars: control.syntax.word_chars as usize,
             most_words: (control.syntax.block_words as usize).min(u16::MAX as usize),
         };
         if control.syntax.point_alarm {
             // The point of G54.1 is part of its number.
-            tables.whole = letter_bits(control.syntax.integer_addresses.iter().copied().filter(|&b| b != b'G'));
+            tables.whole = control.syntax.integer_addresses.without(Address::G);
         }
         tables
     }

@@ -1,5 +1,7 @@
 //! NC words: the fast path, taken by nearly every block.
 
+use crate::controls::Address;
+use crate::controls::AddressSet;
 use crate::controls::macros::CallKind;
 use crate::controls::{Alarm, Code, CodeDef, CodeId};
 use crate::msg;
@@ -114,8 +116,7 @@ impl<'a> Reader<'a> {
 
     fn words(&mut self) -> Read<Stmt> {
         let first = self.deck.words.len();
-        // Bits of the letters.
-        let mut seen = 0_u32;
+        let (mut seen, mut again) = (AddressSet::EMPTY, false);
         let mut calls = false;
         loop {
             let byte = self.skip();
@@ -127,16 +128,16 @@ impl<'a> Reader<'a> {
                 continue;
             }
             let start = self.cursor.at;
-            let letter = byte & 0xDF;
-            if byte != letter {
+            let Some(letter) = Address::of(byte) else { return Err(self.unexpected()) };
+            if byte.is_ascii_lowercase() {
                 self.note_case(start);
             }
             self.cursor.at += 1;
             let value = self.value(start, letter)?;
-            seen |= 1 << (letter & 31);
+            again |= !seen.insert(letter);
             match (letter, value) {
-                (b'G', WordValue::Number(number)) => calls |= self.g_code(number, start),
-                (b'M', WordValue::Number(number)) => calls |= self.m_code(number, start),
+                (Address::G, WordValue::Number(number)) => calls |= self.g_code(number, start),
+                (Address::M, WordValue::Number(number)) => calls |= self.m_code(number, start),
                 _ => {}
             }
             let len = (self.cursor.at - start).min(u8::MAX as usize) as u8;
@@ -144,10 +145,10 @@ impl<'a> Reader<'a> {
         }
         let count = self.deck.words.len() - first;
         let tables = self.tables;
-        let twice = tables.once != 0 && count > seen.count_ones() as usize;
+        let twice = again && !tables.once.is_empty();
         if calls {
             self.check_call(first);
-        } else if (seen & !tables.letters | seen & (tables.whole | tables.corners)) != 0 || twice {
+        } else if !seen.within(tables.letters) || !seen.and(tables.whole.or(tables.corners)).is_empty() || twice {
             self.check_words(first);
             self.corner(first);
         }
@@ -162,30 +163,28 @@ impl<'a> Reader<'a> {
     /// Reports the first word of each letter that is no address here, the second word of each letter that may stand only once, and
     /// the numbers that must not have a point.
     fn check_words(&mut self, first: usize) {
-        let (mut seen, mut twice) = (0_u32, 0_u32);
+        let (mut seen, mut twice) = (AddressSet::EMPTY, AddressSet::EMPTY);
         for at in first..self.deck.words.len() {
             let Some(word) = self.deck.words.get(at).copied() else { break };
-            let (bit, start) = (1 << (word.letter & 31), word.offset as usize);
+            let (letter, start) = (word.letter, word.offset as usize);
             let end = start + word.len as usize;
             // A skip in the middle of the block is no letter.
-            if word.letter == b'/' {
+            if word.letter == Address::Skip {
                 continue;
             }
-            if self.tables.letters & bit == 0 && seen & bit == 0 {
+            if !self.tables.letters.contains(letter) && !seen.contains(letter) {
                 match self.deck.words.get(first..at).unwrap_or_default().iter().any(|word| self.calls_sub(word)) {
-                    true if word.letter == b'O' => self.named_by_letter(Alarm::Format, start),
+                    true if word.letter == Address::O => self.named_by_letter(Alarm::Format, start),
                     _ => self.odd_letter(word.letter, start),
                 }
-            } else if self.tables.once & seen & bit & !twice != 0 {
-                twice |= bit;
-                let letter = (word.letter as char).to_string();
-                self.report(Alarm::AddressTwice, start, end, msg!("nc.address-twice", letter));
+            } else if self.tables.once.and(seen).contains(letter) && twice.insert(letter) {
+                self.report(Alarm::AddressTwice, start, end, msg!("nc.address-twice", letter.to_string()));
             } else if let WordValue::Number(number @ Dec { point: true, .. }) = word.value
-                && self.tables.whole & bit != 0
+                && self.tables.whole.contains(letter)
             {
                 self.needless_point(word.letter, number, start, end);
             }
-            seen |= bit;
+            seen = seen.with(letter);
         }
     }
 
@@ -195,7 +194,7 @@ impl<'a> Reader<'a> {
         let words = self.deck.words.get(first..).unwrap_or_default();
         // Cycles, threads and calls have other uses for these letters.
         let plain = |word: &Word| match (word.letter, word.value) {
-            (b'G' | b'M', WordValue::Number(_)) => {
+            (Address::G | Address::M, WordValue::Number(_)) => {
                 let row = code_of(word).and_then(|id| self.control.code(id));
                 !row.is_some_and(|row| {
                     matches!(row.code, Code::NotSimulated | Code::Roughing | Code::Thread | Code::SubCall)
@@ -209,7 +208,7 @@ impl<'a> Reader<'a> {
         let found =
             words.iter().find_map(|word| Some((*word, corners.iter().find(|corner| corner.0 == word.letter)?.1)));
         if let (true, Some((word, what))) = (motion, found) {
-            let (start, letter) = (word.offset as usize, word.letter as char);
+            let (start, letter) = (word.offset as usize, word.letter);
             self.not_simulated(
                 LeftOut::Address(word.letter),
                 start,
@@ -220,8 +219,8 @@ impl<'a> Reader<'a> {
     }
 
     /// A point in the number of an address of whole numbers.
-    fn needless_point(&mut self, letter: u8, number: Dec, start: usize, end: usize) {
-        let message = msg!("nc.point-not-allowed", (letter as char).to_string());
+    fn needless_point(&mut self, letter: Address, number: Dec, start: usize, end: usize) {
+        let message = msg!("nc.point-not-allowed", letter.to_string());
         let finding = self.finding(Alarm::PointNotAllowed, start, end, message);
         let text = self.cursor.line.get(start..end).unwrap_or_default();
         match text.iter().position(|&b| b == b'.') {
@@ -234,11 +233,11 @@ impl<'a> Reader<'a> {
     }
 
     /// A letter that is no address here.
-    fn odd_letter(&mut self, letter: u8, start: usize) {
+    fn odd_letter(&mut self, letter: Address, start: usize) {
         let (alarm, message) = match letter {
-            b'N' => (Alarm::SequencePlace, msg!("nc.number-not-first", "N")),
-            b'O' => (Alarm::Format, msg!("nc.number-not-first", "O")),
-            _ => (Alarm::IllegalAddress, msg!("nc.no-such-address", (letter as char).to_string(), self.control.name)),
+            Address::N => (Alarm::SequencePlace, msg!("nc.number-not-first", "N")),
+            Address::O => (Alarm::Format, msg!("nc.number-not-first", "O")),
+            _ => (Alarm::IllegalAddress, msg!("nc.no-such-address", letter.to_string(), self.control.name)),
         };
         self.report(alarm, start, start + 1, message);
     }
@@ -261,22 +260,19 @@ impl<'a> Reader<'a> {
                 };
                 let len = (self.cursor.at - start) as u8;
                 let value = WordValue::Number(Dec::int(switch.into()));
-                self.deck.words.push(Word { len, offset: start as u16, ..Word::new(b'/', value) });
+                self.deck.words.push(Word { len, offset: start as u16, ..Word::new(Address::Skip, value) });
             }
             b',' => {
                 self.cursor.at += 1;
-                let letter = self.skip();
-                if !letter.is_ascii_alphabetic() {
-                    return Err(self.unexpected());
-                }
-                if !self.control.syntax.comma_addresses.contains(&(letter & 0xDF)) {
+                let Some(letter) = Address::of(self.skip()) else { return Err(self.unexpected()) };
+                if !self.control.syntax.comma_addresses.contains(letter) {
                     // Words need nothing between them.
                     self.slip(Alarm::IllegalAddress, start, start + 1, msg!("nc.comma-between"), "");
                     return Ok(());
                 }
                 self.cursor.at += 1;
-                self.value(start, letter & 0xDF)?;
-                let name = format!(",{}", (letter & 0xDF) as char);
+                self.value(start, letter)?;
+                let name = format!(",{letter}");
                 self.not_simulated(LeftOut::Comma(letter), start, self.cursor.at, &name);
             }
             b'#' if self.deck.words.len() > first => {
@@ -292,7 +288,7 @@ impl<'a> Reader<'a> {
 
     /// The value behind an address letter.
     #[inline]
-    fn value(&mut self, start: usize, letter: u8) -> Read<WordValue> {
+    fn value(&mut self, start: usize, letter: Address) -> Read<WordValue> {
         let mut next = self.skip();
         let mut sign = 1;
         let value_at = self.cursor.at;
@@ -375,7 +371,7 @@ impl<'a> Reader<'a> {
 
     /// What stands behind an address letter and starts no value.
     #[cold]
-    fn no_value(&mut self, start: usize, letter: u8, next: u8) -> Read<WordValue> {
+    fn no_value(&mut self, start: usize, letter: Address, next: u8) -> Read<WordValue> {
         match next {
             b'=' => {
                 self.equals_in_word();
@@ -390,7 +386,7 @@ impl<'a> Reader<'a> {
         if self.keyword_ahead() {
             return Err(self.failure(Alarm::Mixed, start, self.cursor.line.len(), msg!("nc.mixed"), false));
         }
-        let message = msg!("nc.no-value", (letter as char).to_string());
+        let message = msg!("nc.no-value", letter.to_string());
         Err(self.failure(Alarm::NoNumber, start, start + 1, message, true))
     }
 

@@ -2,6 +2,7 @@
 
 mod symbolic;
 
+use crate::controls::Address;
 use crate::controls::syntax::{ArcTangent, Function, RoundBrackets};
 use crate::controls::{Control, VarKind};
 use crate::nc::ast::{Block, Deck, Expr, ExprId, Op, Stmt, TextId, WordValue};
@@ -124,12 +125,12 @@ impl Writer<'_> {
             if index > 0 {
                 self.text.push(' ');
             }
-            self.text.push(word.letter as char);
+            self.text.extend(word.letter.letter());
             match word.value {
                 // The first switch of a skip in the middle of a block goes without its number.
-                WordValue::Number(Dec { mantissa: 1, .. }) if word.letter == b'/' => {}
+                WordValue::Number(Dec { mantissa: 1, .. }) if word.letter == Address::Skip => {}
                 // G codes have two digits in every manual.
-                WordValue::Number(number @ Dec { mantissa: 0..10, scale: 0, .. }) if word.letter == b'G' => {
+                WordValue::Number(number @ Dec { mantissa: 0..10, scale: 0, .. }) if word.letter == Address::G => {
                     self.text.push_str(&format!("0{number}"));
                 }
                 WordValue::Number(number) => self.text.push_str(&number.to_string()),

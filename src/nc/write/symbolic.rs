@@ -1,8 +1,9 @@
 //! Tree to text in a language with names: heads, labels, `=` behind addresses, comparisons weakest.
 
 use super::Writer;
+use crate::controls::Address;
 use crate::controls::CodeId;
-use crate::controls::syntax::{Function, Names, long};
+use crate::controls::syntax::{Function, Names};
 use crate::nc::ast::{Block, Dimensioning, Expr, ExprId, JumpDirection, Op, Program, Stmt, Word, WordValue};
 
 impl Writer<'_> {
@@ -76,7 +77,7 @@ impl Writer<'_> {
     }
 
     fn named_word(&mut self, word: &Word) {
-        if let (long::NAME, WordValue::Number(place)) = (word.letter, word.value) {
+        if let (Address::Name, WordValue::Number(place)) = (word.letter, word.value) {
             let place = u16::try_from(place.mantissa).unwrap_or(u16::MAX);
             self.text.push_str(&self.control.code_name(CodeId::Named(place)));
             if let Some(index) = word.index {
@@ -86,10 +87,10 @@ impl Writer<'_> {
         }
         self.text.push_str(&self.control.address(word.letter));
         if let Some(index) = word.index {
-            let text = if long::is(word.letter) { format!("[{index}]") } else { index.to_string() };
+            let text = if word.letter.is_long() { format!("[{index}]") } else { index.to_string() };
             self.text.push_str(&text);
         }
-        let plain = word.index.is_none() && word.form == Dimensioning::Plain && !long::is(word.letter);
+        let plain = word.index.is_none() && word.form == Dimensioning::Plain && !word.letter.is_long();
         if !(plain && matches!(word.value, WordValue::Number(_))) {
             self.text.push('=');
         }

@@ -1,5 +1,6 @@
 //! A run written out: the blocks that it came to, as a program of plain blocks without variables, jumps and calls.
 
+use macroline::controls::Address;
 use std::cell::RefCell;
 use std::fmt::Write as _;
 use std::rc::Rc;
@@ -190,7 +191,7 @@ impl Writer {
             Canon::Preset { to } => {
                 let mut text = self.g(Code::SetCoordinates);
                 for (k, axis) in self.control.axes.iter().enumerate().filter(|(k, _)| to.mask & 1 << k != 0) {
-                    let _ = write!(text, " {}{}", axis.letter as char, self.millimetres(to.position[k]));
+                    let _ = write!(text, " {}{}", axis.letter, self.millimetres(to.position[k]));
                     self.zero[k] = self.position[k] - to.position[k];
                 }
                 text
@@ -265,7 +266,7 @@ impl Writer {
             let axis = &self.control.axes[k];
             let relative = if by_code { all } else { axis.incremental.is_some() && fits(k, wish) == wish };
             let letter = axis.incremental.filter(|_| relative && !by_code).unwrap_or(axis.letter);
-            let _ = write!(text, " {}{}", letter as char, self.millimetres(way(k, relative)));
+            let _ = write!(text, " {}{}", letter, self.millimetres(way(k, relative)));
         }
         self.position = to.position;
         text
@@ -278,8 +279,8 @@ impl Writer {
         let scale = axes.map(|k| if self.control.axes[k].diameter { 0.5 } else { 1.0 });
         let letters = axes.map(|k| self.control.axes[k].letter);
         let code = match letters {
-            [b'X', b'Y'] => Code::PlaneXy,
-            [b'Z', b'X'] => Code::PlaneZx,
+            [Address::X, Address::Y] => Code::PlaneXy,
+            [Address::Z, Address::X] => Code::PlaneZx,
             _ => Code::PlaneYz,
         };
         let way = self.g(if clockwise { Code::ArcCw } else { Code::ArcCcw });
@@ -288,7 +289,7 @@ impl Writer {
         let offsets = [0, 1].map(|at| ([center.0, center.1][at] - start[at]) * scale[at]);
         if offsets.iter().all(|offset| offset.fract() == 0.0) {
             for (letter, offset) in letters.iter().zip(offsets) {
-                let _ = write!(text, " {}{}", (letter - b'X' + b'I') as char, self.millimetres(offset as i64));
+                let _ = write!(text, " {}{}", (letter.byte() - b'X' + b'I') as char, self.millimetres(offset as i64));
             }
         } else {
             let chord = [0, 1].map(|at| (to.position[axes[at]] as f64 - start[at]) * scale[at]);

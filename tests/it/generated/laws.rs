@@ -1,5 +1,6 @@
 //! What holds for any text on any control. Shared with the fuzz targets: a law that is broken panics.
 
+use macroline::controls::Address;
 use std::rc::Rc;
 
 use macroline::controls::{Alarm, Control};
@@ -151,7 +152,7 @@ pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
         let place = alarm.place.expect("an alarm of a block has a place");
         let around = |block: &&Block| block.span.start <= place.span.start && place.span.end <= block.span.end;
         let block = parsed.deck().blocks.iter().find(around).expect("it lies in a block");
-        let skips = parsed.deck().words_of(block).iter().any(|word| word.letter == b'/');
+        let skips = parsed.deck().words_of(block).iter().any(|word| word.letter == Address::Skip);
         let certain = matches!(block.stmt, Stmt::Words { .. } | Stmt::Assign { .. } | Stmt::Goto { .. });
         doomed.extend((certain && block.skip == 0 && !skips).then_some(Place { span: block.span, ..place }));
     }

@@ -352,7 +352,7 @@ impl<'a> Writer<'a> {
 
     fn words(&mut self) -> String {
         let chosen = 1 + self.dice.below(7);
-        let letters: Vec<u8> = self.control.axes.iter().map(|axis| axis.letter).collect();
+        let letters: Vec<u8> = self.control.axes.iter().map(|axis| axis.letter.byte()).collect();
         letters.iter().enumerate().filter(|(k, _)| chosen & 1 << k != 0).map(|(_, letter)| self.word(*letter)).collect()
     }
 

@@ -2,6 +2,7 @@
 //!
 //! Most of them run to their end, some into an alarm; all of them end.
 
+use macroline::controls::Address;
 use std::fmt::Write as _;
 
 use macroline::controls::macros::VacantWord;
@@ -421,7 +422,7 @@ impl<'a> Writer<'a> {
         for (k, axis) in self.control.axes.iter().enumerate().filter(|(k, _)| chosen & 1 << k != 0) {
             let other = axis.incremental.filter(|_| incremental && self.dice.rarely(100));
             let value = self.value();
-            let _ = write!(text, " {}{value}", other.unwrap_or(axis.letter) as char);
+            let _ = write!(text, " {}{value}", other.unwrap_or(axis.letter));
             debug_assert!(k < 6);
         }
         text
@@ -461,7 +462,7 @@ impl<'a> Writer<'a> {
             let Some(axis) = self.control.axis(letter).map(|k| &self.control.axes[k]) else { continue };
             if way != 0 {
                 let way = if axis.diameter { 2 * way } else { way };
-                let _ = write!(text, " {}{way}.", axis.incremental.unwrap_or(axis.letter) as char);
+                let _ = write!(text, " {}{way}.", axis.incremental.unwrap_or(axis.letter));
             }
         }
         if arc.quarters != 0 && self.dice.rarely(90) {
@@ -483,9 +484,9 @@ impl<'a> Writer<'a> {
         };
         let minutes = g(self.control, Code::FeedPerMinute).unwrap_or_default();
         let incremental = g(self.control, Code::Incremental).unwrap_or_default();
-        let along = self.control.axis(b'Z').and_then(|k| self.control.axes[k].incremental).unwrap_or(b'Z');
+        let along = self.control.axis(b'Z').and_then(|k| self.control.axes[k].incremental).unwrap_or(Address::Z);
         self.line("S300 M03");
-        self.line(format!("{turns} {incremental} {thread} {}-5. F1.25", along as char).trim());
+        self.line(format!("{turns} {incremental} {thread} {}-5. F1.25", along).trim());
         self.line(&format!("{minutes} {} F800", g(self.control, Code::Linear).unwrap_or_default()));
     }
 

@@ -1,8 +1,8 @@
 //! What is read, as trees.
 
 use expect_test::{Expect, expect};
+use macroline::controls::Address;
 use macroline::controls::CodeId;
-use macroline::controls::syntax::long;
 use macroline::nc::{Deck, Dimensioning, Expr, ExprId, JumpDirection, Parsed, Stmt, WordValue};
 
 use super::{findings, read};
@@ -41,7 +41,7 @@ pub(super) fn tree(parsed: &Parsed) -> String {
                 let index = word.index.map_or(String::new(), |index| format!("[{index}]"));
                 let form = if word.form == Dimensioning::Plain { String::new() } else { format!("{:?} ", word.form) };
                 let value = match word.value {
-                    WordValue::Number(number) if word.letter == long::NAME => {
+                    WordValue::Number(number) if word.letter == Address::Name => {
                         return control.code_name(CodeId::Named(number.mantissa as u16));
                     }
                     WordValue::Number(number) => number.to_string(),

@@ -14,6 +14,7 @@ pub use params::{LATHE as LATHE_PARAMS, MILL as MILL_PARAMS};
 pub use switches::{LATHE as LATHE_SWITCHES, MILL as MILL_SWITCHES};
 pub use vars::{LATHE as LATHE_VARS, MILL as MILL_VARS};
 
+use crate::controls::AddressSet;
 use crate::controls::bench::{Bench, BenchAxis, BenchShift};
 use crate::controls::macros::{ArgumentSets, VacantWord};
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
@@ -93,7 +94,7 @@ pub const SYNTAX: Syntax = Syntax {
     absolute_holds: false,
     threads_per_inch: None,
     lead_by_axis: false,
-    dwell_addresses: b"PUX",
+    dwell_addresses: AddressSet::letters("PUX"),
     address_twice: false,
     block_read_chars: 60_000,
     block_words: 60_000,
@@ -102,12 +103,12 @@ pub const SYNTAX: Syntax = Syntax {
     do_depth: 3,
     random: &[],
     functions: &FUNCTIONS,
-    addresses: b"ABDEFGHIJKLMPQRSTUVW",
-    integer_addresses: b"GLMNOPST",
+    addresses: AddressSet::letters("ABDEFGHIJKLMPQRSTUVW"),
+    integer_addresses: AddressSet::letters("GLMNOPST"),
     point_alarm: true,
-    increment_addresses: b"ABCHIJKRUVWXYZ",
+    increment_addresses: AddressSet::letters("ABCHIJKRUVWXYZ"),
     corners: &[],
-    comma_addresses: b"ACR",
+    comma_addresses: AddressSet::letters("ACR"),
     extension: "nc",
     cite: Citation::new("FANUC Custom Macro B, sheet section 4; block length unknown", Grade::Open),
 };

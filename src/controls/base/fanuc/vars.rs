@@ -4,7 +4,7 @@ use super::{INPUTS, MEMORY, MODAL_LIST, WIKI};
 use crate::controls::VarKind::*;
 use crate::controls::schema::table::extended;
 use crate::controls::vars::{Clock, Width, range};
-use crate::controls::{Group, VarRange};
+use crate::controls::{Address, Group, VarRange};
 
 /// Ranges that lathes and mills have in common; a number in no range does not exist.
 const COMMON: &[VarRange] = &[
@@ -29,14 +29,14 @@ const COMMON: &[VarRange] = &[
     range(3100, 3100, Vacant, "", "always vacant", MEMORY),
     range(3901, 3902, Kept, "", "parts made and wanted", MEMORY),
     range(4101, 4108, NotSimulated, "", "further words", MEMORY),
-    range(4109, 4109, ModalWord(b'F'), "", "F", MEMORY),
+    range(4109, 4109, ModalWord(Address::F), "", "F", MEMORY),
     range(4110, 4112, NotSimulated, "", "further words", MEMORY),
-    range(4113, 4113, ModalWord(b'M'), "", "M", MEMORY),
-    range(4114, 4114, ModalWord(b'N'), "", "N", MEMORY),
-    range(4115, 4115, ModalWord(b'O'), "", "program number", MEMORY),
+    range(4113, 4113, ModalWord(Address::M), "", "M", MEMORY),
+    range(4114, 4114, ModalWord(Address::N), "", "N", MEMORY),
+    range(4115, 4115, ModalWord(Address::O), "", "program number", MEMORY),
     range(4116, 4118, NotSimulated, "", "further words", MEMORY),
-    range(4119, 4119, ModalWord(b'S'), "", "S", MEMORY),
-    range(4120, 4120, ModalWord(b'T'), "", "T", MEMORY),
+    range(4119, 4119, ModalWord(Address::S), "", "S", MEMORY),
+    range(4120, 4120, ModalWord(Address::T), "", "T", MEMORY),
     range(5001, 5004, BlockEnd, "", "end point of the block before, axis by axis", WIKI),
     range(5005, 5008, NotSimulated, "", "end point of the block before, further axes", MEMORY),
     range(5021, 5024, MachinePosition, "", "machine position, axis by axis", WIKI),

@@ -1,6 +1,7 @@
 //! NC words of a language with names: addresses of several letters, values behind `=`, codes with names.
 
-use crate::controls::syntax::long;
+use crate::controls::Address;
+use crate::controls::AddressSet;
 use crate::controls::{Alarm, Code, CodeDef, CodeId, Group};
 use crate::msg;
 use crate::nc::ast::{Dimensioning, Expr, Stmt, Word, WordValue};
@@ -22,8 +23,7 @@ const FORMS: [(&str, Dimensioning); 5] = [
 /// What a block has shown that has to be looked at when it is read: see [`Reader::check_named`].
 #[derive(Default)]
 struct Seen {
-    /// Bit `letter & 31`.
-    letters: u32,
+    letters: AddressSet,
     /// Bit of the group of each code.
     groups: u32,
     /// Codes that say what the words mean.
@@ -61,7 +61,7 @@ impl Reader<'_> {
                 continue;
             }
             let start = self.cursor.at;
-            let letter = byte & 0xDF;
+            let Some(letter) = Address::of(byte) else { return Err(self.unexpected()) };
             let second = self.cursor.byte(1);
             if second.is_ascii_alphabetic() || second == b'_' {
                 self.long_word(start, &mut seen)?;
@@ -72,32 +72,31 @@ impl Reader<'_> {
             if !matches!(form, Dimensioning::Plain | Dimensioning::Absolute | Dimensioning::Incremental) {
                 self.check_way(start, letter, form);
             }
-            let bit = 1 << (letter & 31);
             match (letter, value) {
-                (b'G', WordValue::Number(number)) => {
-                    self.named_code(b'G', number, start);
-                    if let Some(row) = self.row(b'G', number) {
+                (Address::G, WordValue::Number(number)) => {
+                    self.named_code(Address::G, number, start);
+                    if let Some(row) = self.row(Address::G, number) {
                         seen.code(row);
                     }
                 }
-                (b'M', WordValue::Number(number)) => {
-                    self.named_code(b'M', number, start);
+                (Address::M, WordValue::Number(number)) => {
+                    self.named_code(Address::M, number, start);
                     if number == Dec::int(99) {
                         self.foreign_return(start);
                     }
-                    if let Some(row) = self.row(b'M', number) {
+                    if let Some(row) = self.row(Address::M, number) {
                         seen.code(row);
                     }
                     // More of them are counted.
-                    seen.odd |= seen.letters & bit != 0;
+                    seen.odd |= seen.letters.contains(letter);
                 }
-                _ => seen.odd |= seen.letters & bit != 0,
+                _ => seen.odd |= seen.letters.contains(letter),
             }
-            seen.letters |= bit;
+            seen.letters = seen.letters.with(letter);
             let len = (self.cursor.at - start).min(u8::MAX as usize) as u8;
             self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
         }
-        if seen.odd || seen.letters & !self.tables.letters != 0 {
+        if seen.odd || !seen.letters.within(self.tables.letters) {
             self.check_named(first);
         }
         let count = self.deck.words.len() - first;
@@ -110,8 +109,8 @@ impl Reader<'_> {
 
     /// Looks a code up; one copy, as the words without names have their own.
     #[inline(never)]
-    fn named_code(&mut self, letter: u8, number: Dec, start: usize) {
-        if letter == b'G' {
+    fn named_code(&mut self, letter: Address, number: Dec, start: usize) {
+        if letter == Address::G {
             self.g_code(number, start)
         } else {
             self.m_code(number, start)
@@ -130,16 +129,16 @@ impl Reader<'_> {
 
     /// The row of a G or M code as it is written.
     #[inline]
-    fn row(&self, letter: u8, number: Dec) -> Option<&'static CodeDef> {
+    fn row(&self, letter: Address, number: Dec) -> Option<&'static CodeDef> {
         self.tables.codes.row(match letter {
-            b'G' => CodeId::G(g_number(number)?),
+            Address::G => CodeId::G(g_number(number)?),
             _ => CodeId::M(m_number(number)?),
         })
     }
 
     /// What stands behind a letter: a number, or behind `=` a formula.
     #[inline]
-    fn named_value(&mut self, start: usize, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn named_value(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let mut next = self.skip();
         let negative = next == b'-';
         if negative || next == b'+' {
@@ -196,7 +195,12 @@ impl Reader<'_> {
     }
 
     /// What stands behind the number of a word: mostly a blank, rarely what makes it another thing.
-    fn behind_number(&mut self, start: usize, letter: u8, number: Dec) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn behind_number(
+        &mut self,
+        start: usize,
+        letter: Address,
+        number: Dec,
+    ) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let end = self.cursor.at;
         let next = self.skip();
         if next == b'=' && self.cursor.byte(1) != b'=' {
@@ -215,11 +219,11 @@ impl Reader<'_> {
     }
 
     /// `S1=500`: the number belongs to the address.
-    fn extended(&mut self, start: usize, letter: u8, number: Dec) -> Read<(Option<u8>, Dimensioning, WordValue)> {
-        let known = self.names().is_some_and(|names| names.extended.contains(&letter));
+    fn extended(&mut self, start: usize, letter: Address, number: Dec) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+        let known = self.names().is_some_and(|names| names.extended.contains(letter));
         let index = u8::try_from(number.mantissa).ok().filter(|_| number.scale == 0 && !number.point && known);
         if index.is_none() {
-            let address = (letter as char).to_string();
+            let address = letter.to_string();
             self.report(Alarm::Format, start, self.cursor.at, msg!("nc.extended-address", address));
         }
         let (_, form, value) = self.equals(start, letter)?;
@@ -235,7 +239,7 @@ impl Reader<'_> {
     }
 
     /// `= value`, or the failure of an address without a value.
-    fn equals(&mut self, start: usize, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn equals(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         match self.skip() {
             b'=' => self.cursor.at += 1,
             b'[' if self.index_ahead().is_some() => {
@@ -254,8 +258,8 @@ impl Reader<'_> {
                 return Err(self.failure(Alarm::NoNumber, start, start + 1, message, true));
             }
         }
-        if matches!(letter, b'G' | b'N' | b'L') {
-            let message = msg!("nc.no-formula", (letter as char).to_string());
+        if matches!(letter, Address::G | Address::N | Address::L) {
+            let message = msg!("nc.no-formula", letter.to_string());
             return Err(self.failure(Alarm::Format, start, self.cursor.at, message, false));
         }
         let form = self.form();
@@ -298,7 +302,7 @@ impl Reader<'_> {
 
     /// A formula directly behind its address, as other controls have it; read as it was meant.
     #[cold]
-    fn insert_equals(&mut self, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn insert_equals(&mut self, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let from = self.cursor.at;
         let value = self.named_constant()?;
         let finding =
@@ -310,8 +314,8 @@ impl Reader<'_> {
     /// Whether a name is an address with a variable or a number that lacks its `=`: `XR1`, `LIMS3000`.
     pub(in crate::nc) fn missing_equals(&self, name: &str) -> bool {
         let variable = |rest: &str| rest.len() > 1 && rest.bytes().skip(1).all(|b| b.is_ascii_digit());
-        let letter = name.bytes().next().unwrap_or(0).to_ascii_uppercase();
-        let known = self.tables.letters & 1 << (letter & 31) != 0;
+        let known =
+            name.bytes().next().and_then(Address::of).is_some_and(|letter| self.tables.letters.contains(letter));
         known && name.get(1..).is_some_and(|rest| rest.starts_with(['R', 'r']) && variable(rest))
     }
 
@@ -353,7 +357,7 @@ impl Reader<'_> {
             let master = row.is_some_and(|row| row.code == Code::MasterSpindle);
             let index = if master { self.spindle_number(start)? } else { None };
             let value = WordValue::Number(Dec::int(place as i64));
-            return self.push_long(start, long::NAME, (index, Dimensioning::Plain, value));
+            return self.push_long(start, Address::Name, (index, Dimensioning::Plain, value));
         }
         let longest = names.addresses.iter().filter(|row| name.starts_with(row.0)).max_by_key(|row| row.0.len());
         if let Some(&(address, letter)) = longest {
@@ -378,7 +382,7 @@ impl Reader<'_> {
         }
         if self.missing_equals(written) {
             self.cursor.at += 1;
-            let letter = name.bytes().next().unwrap_or(0);
+            let Some(letter) = name.bytes().next().and_then(Address::of) else { return Err(self.unexpected()) };
             let value = self.insert_equals(letter)?;
             return self.push_long(start, letter, value);
         }
@@ -394,14 +398,14 @@ impl Reader<'_> {
 
     /// Reports a way to an angle, of an axis that does not turn.
     #[cold]
-    fn check_way(&mut self, start: usize, letter: u8, form: Dimensioning) {
+    fn check_way(&mut self, start: usize, letter: Address, form: Dimensioning) {
         let (alarm, name) = match form {
             Dimensioning::Positive => (Alarm::PositiveWay, "ACP"),
             Dimensioning::Negative => (Alarm::NegativeWay, "ACN"),
             _ => (Alarm::ShortestWay, "DC"),
         };
-        if self.control.axis(letter).is_some() && self.tables.rotary & 1 << (letter & 31) == 0 {
-            self.report(alarm, start, self.cursor.at, msg!("nc.way-of-angle", name, (letter as char).to_string()));
+        if self.control.axis(letter).is_some() && !self.tables.rotary.contains(letter) {
+            self.report(alarm, start, self.cursor.at, msg!("nc.way-of-angle", name, letter.to_string()));
         }
     }
 
@@ -420,7 +424,7 @@ impl Reader<'_> {
         }
     }
 
-    fn push_long(&mut self, start: usize, letter: u8, value: (Option<u8>, Dimensioning, WordValue)) -> Read<()> {
+    fn push_long(&mut self, start: usize, letter: Address, value: (Option<u8>, Dimensioning, WordValue)) -> Read<()> {
         let len = (self.cursor.at - start).min(u8::MAX as usize) as u8;
         let (index, form, value) = value;
         self.deck.words.push(Word { letter, len, offset: start as u16, index, form, value });
@@ -428,7 +432,12 @@ impl Reader<'_> {
     }
 
     /// What stands behind an address of several letters, with an index in brackets or without.
-    fn long_value(&mut self, start: usize, address: &str, letter: u8) -> Read<(Option<u8>, Dimensioning, WordValue)> {
+    fn long_value(
+        &mut self,
+        start: usize,
+        address: &str,
+        letter: Address,
+    ) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let mut index = None;
         if self.cursor.peek() == b'[' {
             self.cursor.at += 1;
@@ -507,13 +516,13 @@ impl Reader<'_> {
             let start = word.offset as usize;
             let before = words.get(..at).unwrap_or_default();
             let name = self.control.address(word.letter);
-            if !long::is(word.letter) && self.tables.letters & 1 << (word.letter & 31) == 0 {
+            if !word.letter.is_long() && !self.tables.letters.contains(word.letter) {
                 let (alarm, message) = match word.letter {
-                    b'N' => (Alarm::SequencePlace, msg!("nc.number-not-first", "N")),
-                    b'R' if words.len() == 1 => (Alarm::Format, msg!("nc.no-parameter-number")),
-                    b'R' => (Alarm::Mixed, msg!("nc.assignments-alone")),
-                    b'P' if words.iter().any(|other| other.letter == b'L') => continue,
-                    b'L' | b'P' => (Alarm::Format, msg!("nc.call-alone", name)),
+                    Address::N => (Alarm::SequencePlace, msg!("nc.number-not-first", "N")),
+                    Address::R if words.len() == 1 => (Alarm::Format, msg!("nc.no-parameter-number")),
+                    Address::R => (Alarm::Mixed, msg!("nc.assignments-alone")),
+                    Address::P if words.iter().any(|other| other.letter == Address::L) => continue,
+                    Address::L | Address::P => (Alarm::Format, msg!("nc.call-alone", name)),
                     _ => (Alarm::IllegalAddress, msg!("nc.no-such-address", name, self.control.name)),
                 };
                 self.report(alarm, start, end(word), message);
@@ -521,7 +530,7 @@ impl Reader<'_> {
             }
             let again = |other: &&Word| (other.letter, other.index) == (word.letter, word.index);
             let others = before.iter().filter(again).count();
-            if others > 0 && !matches!(word.letter, b'G' | b'M' | long::NAME) {
+            if others > 0 && !matches!(word.letter, Address::G | Address::M | Address::Name) {
                 // Once; and what stands twice is not too many besides.
                 if others == 1 {
                     self.report(Alarm::AddressTwice, start, end(word), msg!("nc.address-twice", name));
@@ -534,10 +543,10 @@ impl Reader<'_> {
                 return;
             }
             let kind = match word.letter {
-                b'M' => 0,
-                b'H' => 1,
-                b'D' => 2,
-                b'S' | b'T' => 3,
+                Address::M => 0,
+                Address::H => 1,
+                Address::D => 2,
+                Address::S | Address::T => 3,
                 _ => continue,
             };
             counts[kind] += 1;
@@ -552,16 +561,16 @@ impl Reader<'_> {
 
     /// `M98 P9100 L2`, which calls programs of other controls; whether it is that.
     fn foreign_call(&mut self, words: &[Word]) -> bool {
-        let value = |letter: u8| {
+        let value = |letter: Address| {
             let word = words.iter().find(|word| word.letter == letter)?;
             Some((word, if let WordValue::Number(number) = word.value { Some(number) } else { None }?))
         };
-        let (Some((call, number)), Some((_, program))) = (value(b'M'), value(b'P')) else { return false };
-        if number != Dec::int(98) || words.len() > 3 || words.len() == 3 && value(b'L').is_none() {
+        let (Some((call, number)), Some((_, program))) = (value(Address::M), value(Address::P)) else { return false };
+        if number != Dec::int(98) || words.len() > 3 || words.len() == 3 && value(Address::L).is_none() {
             return false;
         }
         let (start, end) = (call.offset as usize, self.cursor.line.len());
-        let repeats = value(b'L').map_or(String::new(), |(_, number)| format!(" P{number}"));
+        let repeats = value(Address::L).map_or(String::new(), |(_, number)| format!(" P{number}"));
         self.slip(Alarm::Format, start, end, msg!("nc.foreign-call"), &format!("L{program}{repeats}"));
         true
     }
@@ -570,7 +579,7 @@ impl Reader<'_> {
     fn row_of(&self, word: &Word) -> Option<&'static CodeDef> {
         let WordValue::Number(Dec { scale: 0, .. }) = word.value else { return None };
         // Of another spindle they are in groups of its own.
-        let own = word.letter != b'M' || word.index.is_none_or(|spindle| spindle <= 1);
+        let own = word.letter != Address::M || word.index.is_none_or(|spindle| spindle <= 1);
         if own { self.tables.codes.row_of(word) } else { None }
     }
 
@@ -581,8 +590,8 @@ impl Reader<'_> {
         let mut before = before.iter().flatten();
         if row.stands_alone() {
             let fits = |word: &Word| match row.code {
-                Code::Dwell => matches!(word.letter, b'F' | b'S'),
-                _ => word.letter == b'S' || self.control.axis(word.letter).is_some(),
+                Code::Dwell => matches!(word.letter, Address::F | Address::S),
+                _ => word.letter == Address::S || self.control.axis(word.letter).is_some(),
             };
             let words = self.deck.words.get(self.deck.words.len() - count..).unwrap_or_default();
             if count == 1 {
@@ -590,7 +599,7 @@ impl Reader<'_> {
                 self.warn(base + start, base + end, msg!("nc.no-values", name));
                 return true;
             }
-            let both = words.iter().any(|word| word.letter == b'S') && words.len() > 2;
+            let both = words.iter().any(|word| word.letter == Address::S) && words.len() > 2;
             if both || words.iter().filter(|other| other.offset != word.offset).any(|word| !fits(word)) {
                 self.report(Alarm::NotAlone, start, end, msg!("nc.stands-alone", name));
                 return true;
