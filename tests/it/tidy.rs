@@ -2,6 +2,7 @@
 
 mod citations;
 mod imports;
+mod links;
 mod source;
 mod test_names;
 
