@@ -14,6 +14,8 @@ pub mod knd_k2000t;
 
 pub mod fanuc_0i_tf;
 
+pub mod fanuc_0i_mf;
+
 pub mod sinumerik_802d;
 
 pub use schema::address;
@@ -34,7 +36,7 @@ macro_rules! controls {
     };
 }
 
-controls![mitsubishi_e60, gsk_980tdc, knd_k2000t, fanuc_0i_tf, sinumerik_802d];
+controls![mitsubishi_e60, gsk_980tdc, knd_k2000t, fanuc_0i_tf, fanuc_0i_mf, sinumerik_802d];
 
 /// The control with this id.
 pub fn find(id: &str) -> Option<&'static Control> {

@@ -1,4 +1,4 @@
-//! Reading the settings in the comments of a program; see [`header`](super::header). Programs are upper case, so texts come back in capitals.
+//! Reading the settings in the comments of a program; see [`super::header`]. Programs are upper case, so texts come back in capitals.
 
 use super::form::{FieldInfo, Values};
 use super::header::{CONTROL, MARK};

@@ -1,6 +1,7 @@
 //! Reading programs: what the control would say of a text, where, and how it is mended.
 
 mod dialects;
+mod dialects_calls;
 mod loops;
 mod names;
 mod quick_fixes;

@@ -1,14 +1,14 @@
 //! What differs between the controls: one text, read by each of them.
 
 use expect_test::{Expect, expect};
-use macroline::controls::{self, Switches, find};
-use macroline::nc::{self, Files, Parsed};
+use macroline::controls;
+use macroline::nc::Parsed;
 
 use super::trees::tree;
 use super::{findings, read_on};
 
 /// Blocks of a text, or its findings.
-fn reading(parsed: &Parsed) -> String {
+pub(super) fn reading(parsed: &Parsed) -> String {
     if parsed.diagnostics().iter().any(|d| d.severity != macroline::text::Severity::Info) {
         return findings(parsed);
     }
@@ -21,7 +21,7 @@ fn reading(parsed: &Parsed) -> String {
 
 /// The reading of a block by each control.
 #[track_caller]
-fn check(block: &str, expected: Expect) {
+pub(super) fn check(block: &str, expected: Expect) {
     let mut out = String::new();
     for control in controls::ALL.iter().filter(|control| control.syntax.names.is_none()) {
         out += &format!("--- {}\n{}", control.name, reading(&read_on(control, &format!("{block}\nM30\n%\n"))));
@@ -42,6 +42,8 @@ fn conditions_follow_each_controls_syntax() {
             --- KND K2000T
             if (Equal #1 0) then #2 = (Add #3 1) (NOTE)
             --- FANUC 0i-TF
+            if (Equal #1 0) then #2 = (Add #3 1) (NOTE)
+            --- FANUC 0i-MF
             if (Equal #1 0) then #2 = (Add #3 1) (NOTE)
         "#]],
     );
@@ -67,6 +69,11 @@ fn conditions_follow_each_controls_syntax() {
                 Write “NE”: 1:6 "<>"→" NE "
             2:6 error PS1137 “>=” is no comparison of the FANUC 0i-TF: write GE.
                 Write “GE”: 2:6 ">="→" GE "
+            --- FANUC 0i-MF
+            1:6 error PS1137 “<>” is no comparison of the FANUC 0i-MF: write NE.
+                Write “NE”: 1:6 "<>"→" NE "
+            2:6 error PS1137 “>=” is no comparison of the FANUC 0i-MF: write GE.
+                Write “GE”: 2:6 ">="→" GE "
         "#]],
     );
 }
@@ -83,6 +90,8 @@ fn functions_follow_each_controls_syntax() {
             --- KND K2000T
             #1 = (Multiply (Atan #2 #3) 2)
             --- FANUC 0i-TF
+            #1 = (Multiply (Atan #2 #3) 2)
+            --- FANUC 0i-MF
             #1 = (Multiply (Atan #2 #3) 2)
         "#]],
     );
@@ -101,6 +110,8 @@ fn functions_follow_each_controls_syntax() {
                 Insert “/[1]”: 1:12 ""→"/[1]"
             --- FANUC 0i-TF
             #1 = (Atan #2)
+            --- FANUC 0i-MF
+            #1 = (Atan #2)
         "#]],
     );
     check(
@@ -115,6 +126,8 @@ fn functions_follow_each_controls_syntax() {
             1:13 error 114 The second number of ATAN stands in square brackets too.
                 Write square brackets: 1:13 ""→"[" 1:15 ""→"]"
             --- FANUC 0i-TF
+            #1 = (Divide (Atan #2) #3)
+            --- FANUC 0i-MF
             #1 = (Divide (Atan #2) #3)
         "#]],
     );
@@ -138,6 +151,11 @@ fn functions_follow_each_controls_syntax() {
                 Write square brackets: 1:7 ""→"[" 1:9 ""→"]"
             1:10 error PS0004 SQRT needs its argument in square brackets.
                 Write square brackets: 1:14 ""→"[" 1:16 ""→"]"
+            --- FANUC 0i-MF
+            1:4 error PS0004 SIN needs its argument in square brackets.
+                Write square brackets: 1:7 ""→"[" 1:9 ""→"]"
+            1:10 error PS0004 SQRT needs its argument in square brackets.
+                Write square brackets: 1:14 ""→"[" 1:16 ""→"]"
         "#]],
     );
     check(
@@ -154,6 +172,8 @@ fn functions_follow_each_controls_syntax() {
             --- KND K2000T
             #1 = (Modulo #2 3)
             --- FANUC 0i-TF
+            #1 = (Modulo #2 3)
+            --- FANUC 0i-MF
             #1 = (Modulo #2 3)
         "##]],
     );
@@ -175,6 +195,8 @@ fn indirect_variables_follow_each_controls_syntax() {
             #(#1) = #(#2)
             --- FANUC 0i-TF
             #(#1) = #(#2)
+            --- FANUC 0i-MF
+            #(#1) = #(#2)
         "#]],
     );
     check(
@@ -190,6 +212,9 @@ fn indirect_variables_follow_each_controls_syntax() {
                 = Free to use are the common variables #100 to #199.
             --- FANUC 0i-TF
             1:2 error PS0115 #9100 is no variable of the FANUC 0i-TF.
+                = Free to use are the common variables #100 to #199.
+            --- FANUC 0i-MF
+            1:2 error PS0115 #9100 is no variable of the FANUC 0i-MF.
                 = Free to use are the common variables #100 to #199.
         "#]],
     );
@@ -213,6 +238,11 @@ fn indirect_variables_follow_each_controls_syntax() {
                 = Free to use are the common variables #100 to #199.
             1:7 error PS0115 #9102 is no variable of the FANUC 0i-TF.
                 = Free to use are the common variables #100 to #199.
+            --- FANUC 0i-MF
+            1:1 error PS0115 #9101 is no variable of the FANUC 0i-MF.
+                = Free to use are the common variables #100 to #199.
+            1:7 error PS0115 #9102 is no variable of the FANUC 0i-MF.
+                = Free to use are the common variables #100 to #199.
         "#]],
     );
     check(
@@ -225,6 +255,8 @@ fn indirect_variables_follow_each_controls_syntax() {
             --- KND K2000T
             1:1 error 116 #0 cannot be used on this side of an assignment: always vacant.
             --- FANUC 0i-TF
+            1:1 error PS0116 #0 cannot be used on this side of an assignment: always vacant.
+            --- FANUC 0i-MF
             1:1 error PS0116 #0 cannot be used on this side of an assignment: always vacant.
         "#]],
     );
@@ -242,6 +274,8 @@ fn words_follow_each_controls_syntax() {
             --- KND K2000T
             G:1 X:1. Z:2. X:3. F:100
             --- FANUC 0i-TF
+            G:1 X:1. Z:2. X:3. F:100
+            --- FANUC 0i-MF
             G:1 X:1. Z:2. X:3. F:100
         "#]],
     );
@@ -262,6 +296,11 @@ fn words_follow_each_controls_syntax() {
                 Drop “.”: 1:6 "."→""
             1:8 error PS0007 M takes a whole number, written without a point.
                 Drop “.”: 1:10 "."→""
+            --- FANUC 0i-MF
+            1:1 error PS0007 S takes a whole number, written without a point.
+                Drop “.”: 1:6 "."→""
+            1:8 error PS0007 M takes a whole number, written without a point.
+                Drop “.”: 1:10 "."→""
         "#]],
     );
     check(
@@ -274,6 +313,8 @@ fn words_follow_each_controls_syntax() {
             --- KND K2000T
             1:1 error 007 S takes a whole number, written without a point.
             --- FANUC 0i-TF
+            1:1 error PS0007 S takes a whole number, written without a point.
+            --- FANUC 0i-MF
             1:1 error PS0007 S takes a whole number, written without a point.
         "#]],
     );
@@ -289,6 +330,11 @@ fn words_follow_each_controls_syntax() {
             G:0 U:1. W:-2. H:90.
             --- FANUC 0i-TF
             G:0 U:1. W:-2. H:90.
+            --- FANUC 0i-MF
+            1:5 error PS0009 U is no address of the FANUC 0i-MF.
+            1:9 error PS0009 W is no address of the FANUC 0i-MF.
+            1:14 error PS0007 H takes a whole number, written without a point.
+                Drop “.”: 1:17 "."→""
         "#]],
     );
     check(
@@ -302,6 +348,8 @@ fn words_follow_each_controls_syntax() {
             G:0 X:1. /:1 Z:2.
             --- FANUC 0i-TF
             G:0 X:1. /:1 Z:2.
+            --- FANUC 0i-MF
+            G:0 X:1. /:1 Z:2.
         "#]],
     );
     check(
@@ -314,6 +362,8 @@ fn words_follow_each_controls_syntax() {
             --- KND K2000T
             /3 G:0 X:1. /:1 Z:2.
             --- FANUC 0i-TF
+            /3 G:0 X:1. /:1 Z:2.
+            --- FANUC 0i-MF
             /3 G:0 X:1. /:1 Z:2.
         "#]],
     );
@@ -330,6 +380,10 @@ fn words_follow_each_controls_syntax() {
             1:1 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
             --- FANUC 0i-TF
             1:1 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
+            --- FANUC 0i-MF
+            G:90 X:10. Z:-5.
+            X:9.
+            G:90 X:1.
         "#]],
     );
     check(
@@ -342,6 +396,8 @@ fn words_follow_each_controls_syntax() {
             --- KND K2000T
             M:98 P:21000
             --- FANUC 0i-TF
+            M:98 P:21000
+            --- FANUC 0i-MF
             M:98 P:21000
         "#]],
     );
@@ -356,6 +412,8 @@ fn words_follow_each_controls_syntax() {
             1:1 error 010 G54.1 is no code of the KND K2000T.
             --- FANUC 0i-TF
             1:1 error PS0010 G54.1 is no code of the FANUC 0i-TF.
+            --- FANUC 0i-MF
+            1:1 warning - G54.1 (additional work coordinate system) is read, but not simulated: the run here goes on without it.
         "#]],
     );
 }
@@ -373,6 +431,8 @@ fn block_length_limit_follows_the_control() {
             G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1 G:1
             --- FANUC 0i-TF
             1:105 error PS5006 This block is too long: at most 26 words are read.
+            --- FANUC 0i-MF
+            1:105 error PS5006 This block is too long: at most 26 words are read.
         "#]],
     );
     check(
@@ -386,6 +446,8 @@ fn block_length_limit_follows_the_control() {
             #1 = (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add 1 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1)
             --- FANUC 0i-TF
             #1 = (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add 1 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1)
+            --- FANUC 0i-MF
+            #1 = (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add (Add 1 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1) 1)
         "#]],
     );
     check(
@@ -398,6 +460,8 @@ fn block_length_limit_follows_the_control() {
             --- KND K2000T
             Empty (A COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT)
             --- FANUC 0i-TF
+            Empty (A COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT)
+            --- FANUC 0i-MF
             Empty (A COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT COMMENT)
         "#]],
     );
@@ -420,6 +484,9 @@ fn loop_and_sequence_numbers_follow_the_control() {
             --- FANUC 0i-TF
             1:3 error PS0126 DO needs a loop number from 1 to 3.
             2:4 error PS0126 END needs a loop number from 1 to 3.
+            --- FANUC 0i-MF
+            1:3 error PS0126 DO needs a loop number from 1 to 3.
+            2:4 error PS0126 END needs a loop number from 1 to 3.
         "#]],
     );
     check(
@@ -432,6 +499,8 @@ fn loop_and_sequence_numbers_follow_the_control() {
             --- KND K2000T
             4:1 error 124 Loops stand more than 3 deep.
             --- FANUC 0i-TF
+            4:1 error PS0124 Loops stand more than 3 deep.
+            --- FANUC 0i-MF
             4:1 error PS0124 Loops stand more than 3 deep.
         "#]],
     );
@@ -446,6 +515,8 @@ fn loop_and_sequence_numbers_follow_the_control() {
             N99999 Empty
             --- FANUC 0i-TF
             N99999 Empty
+            --- FANUC 0i-MF
+            N99999 Empty
         "#]],
     );
     check(
@@ -457,6 +528,8 @@ fn loop_and_sequence_numbers_follow_the_control() {
             --- KND K2000T
             1:1 error 110 A program number has at most 4 digits.
             --- FANUC 0i-TF
+            1:1 error PS0003 A program number has at most 4 digits.
+            --- FANUC 0i-MF
             1:1 error PS0003 A program number has at most 4 digits.
         "#]],
     );
@@ -475,240 +548,8 @@ fn user_alarm_numbers_follow_the_control() {
             #3000 = 150 (TEXT)
             --- FANUC 0i-TF
             #3000 = 150 (TEXT)
-        "#]],
-    );
-}
-
-#[test]
-fn codes_that_call_macros_accept_any_address() {
-    let check = |id: &str, setting: &str, text: &str, expected: Expect| {
-        let switches = Switches(vec![("call-parameters".to_owned(), setting.to_owned())]);
-        let parsed = nc::parse_with(&Files::one("O1.nc", text), find(id).unwrap(), &switches);
-        let bound = parsed.codes().calls().iter();
-        let calls = bound.map(|call| format!("{}→O{} ", parsed.control().code_name(call.code), call.program));
-        expected.assert_eq(&format!("{}\n{}", calls.collect::<String>(), reading(&parsed)));
-    };
-    check(
-        "knd-k2000t",
-        "",
-        "G512 B200 D1 Q2 A0. E0.\nM30\n%\n",
-        expect![[r#"
-
-        1:1 error 010 G512 is no code of the KND K2000T.
-    "#]],
-    );
-    check(
-        "knd-k2000t",
-        "4120=512 4121=502",
-        "G512 B200 D1 Q2 A0. E0.\nG502\nG503\nM30\n%\n",
-        expect![[r#"
-        G512→O9120 G502→O9121 
-        3:1 error 010 G503 is no code of the KND K2000T.
-    "#]],
-    );
-    check(
-        "gsk-980tdc",
-        "86=2 87=100 88=2000",
-        "G100 X1. A2. X3.\nG101 B1.\nG102\nM30\n%\n",
-        expect![[r#"
-            G100→O2000 G101→O2001 
-            3:1 error 0002 G102 is no code of the GSK 980TDc.
-        "#]],
-    );
-    check(
-        "gsk-980tdc",
-        "91=2 89=210 90=9000",
-        "M210\nM211 S100\nM212\nM30\n%\n",
-        expect![[r#"
-            M210→O9000 M211→O9001 
-            M:210
-            M:211 S:100
-            M:212
-        "#]],
-    );
-}
-
-#[test]
-fn faulty_macro_calls_are_errors() {
-    check(
-        "G65 P9010 A1. B2. I3. J4. I5.",
-        expect![[r#"
-            --- Mitsubishi E60
-            G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
-            --- GSK 980TDc
-            G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
-            --- KND K2000T
-            G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
-            --- FANUC 0i-TF
-            G:65 P:9010 A:1. B:2. I:3. J:4. I:5.
-        "#]],
-    );
-    check(
-        "N10 G00 G65 P9010 A1.",
-        expect![[r#"
-            --- Mitsubishi E60
-            N10 G:0 G:65 P:9010 A:1.
-            --- GSK 980TDc
-            1:9 error 0114 Nothing but a sequence number may stand in front of a macro call.
-                Give it a block of its own: 1:8 " "→"\n"
-            --- KND K2000T
-            N10 G:0 G:65 P:9010 A:1.
-            --- FANUC 0i-TF
-            N10 G:0 G:65 P:9010 A:1.
-        "#]],
-    );
-    check(
-        "/2 G00 X1. G66 P9010",
-        expect![[r#"
-            --- Mitsubishi E60
-            /2 G:0 X:1. G:66 P:9010
-            --- GSK 980TDc
-            1:12 error 0114 Nothing but a sequence number may stand in front of a macro call.
-                Give it a block of its own: 1:11 " "→"\n/2"
-            --- KND K2000T
-            /2 G:0 X:1. G:66 P:9010
-            --- FANUC 0i-TF
-            /2 G:0 X:1. G:66 P:9010
-        "#]],
-    );
-    check(
-        "G65 A1.",
-        expect![[r#"
-            --- Mitsubishi E60
-            1:1 error P232 The call does not say which program: add P and its number.
-            --- GSK 980TDc
-            1:1 error 0122 The call does not say which program: add P and its number.
-            --- KND K2000T
-            1:1 error 076 The call does not say which program: add P and its number.
-            --- FANUC 0i-TF
-            1:1 error PS0076 The call does not say which program: add P and its number.
-        "#]],
-    );
-    check(
-        "G66 P9010 L2\nG67",
-        expect![[r#"
-            --- Mitsubishi E60
-            G:66 P:9010 L:2
-            G:67
-            --- GSK 980TDc
-            G:66 P:9010 L:2
-            G:67
-            --- KND K2000T
-            G:66 P:9010 L:2
-            G:67
-            --- FANUC 0i-TF
-            G:66 P:9010 L:2
-            G:67
-        "#]],
-    );
-    check(
-        "G65 P9010 N4 O5 G90",
-        expect![[r#"
-            --- Mitsubishi E60
-            G:65 P:9010 N:4 O:5 G:90
-            --- GSK 980TDc
-            1:17 warning - G90 (axial cutting cycle) is read, but not simulated: the run here goes on without it.
-            --- KND K2000T
-            1:11 error 129 N is no address for an argument of a macro.
-            1:17 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
-            --- FANUC 0i-TF
-            1:11 error PS0129 N is no address for an argument of a macro.
-            1:17 warning - G90 (outer or inner diameter cutting cycle) is read, but not simulated: the run here goes on without it.
-        "#]],
-    );
-    check(
-        "G65 P9010 M98",
-        expect![[r#"
-            --- Mitsubishi E60
-            G:65 P:9010 M:98
-            --- GSK 980TDc
-            1:11 error 0116 A macro call cannot stand together with M00, M01, M02, M30, M98 or M99.
-            --- KND K2000T
-            G:65 P:9010 M:98
-            --- FANUC 0i-TF
-            G:65 P:9010 M:98
-        "#]],
-    );
-}
-
-#[test]
-fn g65_h_functions_are_checked_on_reading() {
-    check(
-        "G65 H01 P#100 Q#101\nG65 H34 P#1 Q2 R3",
-        expect![[r#"
-            --- Mitsubishi E60
-            G:65 H:1 P:#100 Q:#101
-            G:65 H:34 P:#1 Q:2 R:3
-            --- GSK 980TDc
-            G:65 H:1 P:#100 Q:#101
-            G:65 H:34 P:#1 Q:2 R:3
-            --- KND K2000T
-            G:65 H:1 P:#100 Q:#101
-            G:65 H:34 P:#1 Q:2 R:3
-            --- FANUC 0i-TF
-            G:65 H:1 P:#100 Q:#101
-            G:65 H:34 P:#1 Q:2 R:3
-        "#]],
-    );
-    check(
-        "G65 H07 P#100 Q#101",
-        expect![[r#"
-            --- Mitsubishi E60
-            G:65 H:7 P:#100 Q:#101
-            --- GSK 980TDc
-            1:5 error 0124 The control has no function H7 behind G65.
-            --- KND K2000T
-            G:65 H:7 P:#100 Q:#101
-            --- FANUC 0i-TF
-            G:65 H:7 P:#100 Q:#101
-        "#]],
-    );
-    check(
-        "G65 H02 P#100 Q#101",
-        expect![[r#"
-            --- Mitsubishi E60
-            G:65 H:2 P:#100 Q:#101
-            --- GSK 980TDc
-            1:5 error 0125 R is missing: the function H2 needs it.
-            --- KND K2000T
-            G:65 H:2 P:#100 Q:#101
-            --- FANUC 0i-TF
-            G:65 H:2 P:#100 Q:#101
-        "#]],
-    );
-    check(
-        "G65 H80 P10\nG65 H81 P20 Q#1 R0\nN10",
-        expect![[r#"
-            --- Mitsubishi E60
-            G:65 H:80 P:10
-            G:65 H:81 P:20 Q:#1 R:0
-            N10 Empty
-            --- GSK 980TDc
-            2:9 error 0112 There is no block N20 in this program.
-            --- KND K2000T
-            G:65 H:80 P:10
-            G:65 H:81 P:20 Q:#1 R:0
-            N10 Empty
-            --- FANUC 0i-TF
-            G:65 H:80 P:10
-            G:65 H:81 P:20 Q:#1 R:0
-            N10 Empty
-        "#]],
-    );
-    check(
-        "G65 H99 P5\nG65 H99 P100",
-        expect![[r#"
-            --- Mitsubishi E60
-            G:65 H:99 P:5
-            G:65 H:99 P:100
-            --- GSK 980TDc
-            2:9 error 0126 The number of a macro alarm is 0 to 99.
-            --- KND K2000T
-            G:65 H:99 P:5
-            G:65 H:99 P:100
-            --- FANUC 0i-TF
-            G:65 H:99 P:5
-            G:65 H:99 P:100
+            --- FANUC 0i-MF
+            #3000 = 150 (TEXT)
         "#]],
     );
 }
@@ -732,6 +573,11 @@ fn comma_corner_words_follow_each_controls_syntax() {
             M:98 P:2 L:2
             G:65 P:2 L:2 X:1
             --- FANUC 0i-TF
+            G:1 X:10 Z:-5 L:2 F:100
+            X:20 D:1
+            M:98 P:2 L:2
+            G:65 P:2 L:2 X:1
+            --- FANUC 0i-MF
             G:1 X:10 Z:-5 L:2 F:100
             X:20 D:1
             M:98 P:2 L:2

@@ -82,7 +82,7 @@ slips! {
             = IF[#1 NE 0]GOTO9001
               #2=1 (NOTE)
               N9001
-            --- gsk-980tdc, knd-k2000t, fanuc-0i-tf
+            --- gsk-980tdc, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
             right
         "#]];
         "/2 N5 IF[#1GE#2] THEN G00 X1." => expect![[r#"
@@ -92,8 +92,8 @@ slips! {
             = /2 N5 IF[#1 LT #2] GOTO9001
               /2G00 X1.
               N9001
-            --- gsk-980tdc, knd-k2000t, fanuc-0i-tf
-            1:18 error 0101|114|PS1137 Behind THEN stands one assignment, #… = …, and nothing else.
+            --- gsk-980tdc, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
+            1:18 error 0101|114|PS1137|PS1137 Behind THEN stands one assignment, #… = …, and nothing else.
                 Jump over it on the opposite condition: 1:12 "GE"→" LT " 1:18 "THEN "→"GOTO9001\n/2" 1:30 ""→"\nN9001"
             = /2 N5 IF[#1 LT #2] GOTO9001
               /2G00 X1.
@@ -106,44 +106,44 @@ slips! {
             = IF[#1 NE 0] GOTO9001
               #2=1
               N9001
-            --- gsk-980tdc, knd-k2000t, fanuc-0i-tf
-            1:13 error 0101|114|PS1137 THEN is missing between the condition and what depends on it.
+            --- gsk-980tdc, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
+            1:13 error 0101|114|PS1137|PS1137 THEN is missing between the condition and what depends on it.
                 Insert “THEN”: 1:13 ""→"THEN "
             = IF[#1 EQ 0] THEN #2=1
         "#]];
         "IF[#1 EQ 0]THEN GOTO5\nN5" => expect![[r#"
-            1:12 error P290|0101|114|PS1137 A jump follows its condition directly: IF [condition] GOTO n.
+            1:12 error P290|0101|114|PS1137|PS1137 A jump follows its condition directly: IF [condition] GOTO n.
                 Drop “THEN”: 1:12 "THEN"→""
             = IF[#1 EQ 0] GOTO5
               N5
         "#]];
         "IF[#1 EQ 0] GOTO N5\nN5" => expect![[r#"
-            1:18 error P290|0101|114|PS1137 Behind GOTO stands the number alone, without N.
+            1:18 error P290|0101|114|PS1137|PS1137 Behind GOTO stands the number alone, without N.
                 Drop “N”: 1:18 "N"→""
             = IF[#1 EQ 0] GOTO 5
               N5
         "#]];
         "IF #1 EQ 0 GOTO 5\nN5" => expect![[r#"
-            1:4 error P290|0101|114|PS1137 IF needs a condition in square brackets.
+            1:4 error P290|0101|114|PS1137|PS1137 IF needs a condition in square brackets.
                 Write square brackets: 1:4 ""→"[" 1:11 ""→"]"
             = IF [#1 EQ 0] GOTO 5
               N5
         "#]];
         "WHILE #1 LT 5 DO1\nEND1" => expect![[r#"
-            1:7 error P291|0103|114|PS1138 WHILE needs a condition in square brackets.
+            1:7 error P291|0103|114|PS1138|PS1138 WHILE needs a condition in square brackets.
                 Write square brackets: 1:7 ""→"[" 1:14 ""→"]"
             = WHILE [#1 LT 5] DO1
               END1
         "#]];
         "IF[#1 EQ 0 GOTO5\nN5" => expect![[r#"
-            1:3 error P281|0104|118|PS1132 This bracket is not closed: ] is missing.
+            1:3 error P281|0104|118|PS1132|PS1132 This bracket is not closed: ] is missing.
                 Insert “]”: 1:11 ""→"]"
             = IF[#1 EQ 0] GOTO5
               N5
         "#]];
         "IF[#1==0]GOTO5\nN5" => expect![[r#"
-            --- mitsubishi-e60, knd-k2000t, fanuc-0i-tf
-            1:6 error P290|114|PS1137 “==” is no comparison of the CONTROL: write EQ.
+            --- mitsubishi-e60, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
+            1:6 error P290|114|PS1137|PS1137 “==” is no comparison of the CONTROL: write EQ.
                 Write “EQ”: 1:6 "=="→" EQ "
             = IF[#1 EQ 0]GOTO5
               N5
@@ -151,25 +151,25 @@ slips! {
             right
         "#]];
         "IF[#1=0]GOTO5\nN5" => expect![[r#"
-            1:6 error P290|0101|114|PS1137 “=” is no comparison of the CONTROL: write EQ.
+            1:6 error P290|0101|114|PS1137|PS1137 “=” is no comparison of the CONTROL: write EQ.
                 Write “EQ”: 1:6 "="→" EQ "
             = IF[#1 EQ 0]GOTO5
               N5
         "#]];
         "IF[#1 => 0]GOTO5\nN5" => expect![[r#"
-            1:7 error P290|0101|114|PS1137 “=>” is no comparison of the CONTROL: write GE.
+            1:7 error P290|0101|114|PS1137|PS1137 “=>” is no comparison of the CONTROL: write GE.
                 Write “GE”: 1:7 "=>"→"GE"
             = IF[#1 GE 0]GOTO5
               N5
         "#]];
         "IF[#1≠0]GOTO5\nN5" => expect![[r#"
-            1:6 error P290|0101|114|PS1137 “≠” is no comparison of the CONTROL: write NE.
+            1:6 error P290|0101|114|PS1137|PS1137 “≠” is no comparison of the CONTROL: write NE.
                 Write “NE”: 1:6 "≠"→" NE "
             = IF[#1 NE 0]GOTO5
               N5
         "#]];
         "WHILE[#1 LT 5]\nWHILE[#2 LT 5]DO2\nEND2\nEND1" => expect![[r#"
-            1:1 error P291|0103|114|PS1138 WHILE [condition] must be followed by DO and a loop number.
+            1:1 error P291|0103|114|PS1138|PS1138 WHILE [condition] must be followed by DO and a loop number.
                 Insert “DO1”: 1:15 ""→"DO1"
             = WHILE[#1 LT 5]DO1
               WHILE[#2 LT 5]DO2
@@ -177,25 +177,25 @@ slips! {
               END1
         "#]];
         "WHILE[#1 LT 5]\n#1=#1+1" => expect![[r#"
-            1:1 error P291|0103|114|PS1138 WHILE [condition] must be followed by DO and a loop number.
+            1:1 error P291|0103|114|PS1138|PS1138 WHILE [condition] must be followed by DO and a loop number.
         "#]];
         "GO TO 5\nN5" => expect![[r#"
             right
         "#]];
         "GOTTO 5\nN5" => expect![[r#"
-            1:1 error P33|0101|004|PS0004 GOTTO is no word of the macro language.
+            1:1 error P33|0101|004|PS0004|PS0004 GOTTO is no word of the macro language.
                 Write “GOTO”: 1:1 "GOTTO"→"GOTO"
             = GOTO 5
               N5
         "#]];
         "WHIEL[#1 LT 5]DO1\nEND1" => expect![[r#"
-            1:1 error P33|0101|004|PS0004 WHIEL is no word of the macro language.
+            1:1 error P33|0101|004|PS0004|PS0004 WHIEL is no word of the macro language.
                 Write “WHILE”: 1:1 "WHIEL"→"WHILE"
             = WHILE[#1 LT 5]DO1
               END1
         "#]];
         "END OF PROGRAM" => expect![[r#"
-            1:1 error P291|0102|126|PS0126 “END OF PROGRAM” is a remark: the control takes remarks only in round brackets.
+            1:1 error P291|0102|126|PS0126|PS0126 “END OF PROGRAM” is a remark: the control takes remarks only in round brackets.
                 Make it a comment: 1:1 "END OF PROGRAM"→"(END OF PROGRAM)"
             = (END OF PROGRAM)
         "#]];
@@ -203,45 +203,45 @@ slips! {
 
     formulas {
         "#1=SQURT[2]" => expect![[r#"
-            1:4 error P33|0101|004|PS0004 SQURT is no function of the CONTROL.
+            1:4 error P33|0101|004|PS0004|PS0004 SQURT is no function of the CONTROL.
                 Write “SQRT”: 1:4 "SQURT"→"SQRT"
             = #1=SQRT[2]
         "#]];
         "#1=SNI[2]+CSO[3]" => expect![[r#"
-            1:4 error P33|0101|004|PS0004 SNI is no function of the CONTROL.
+            1:4 error P33|0101|004|PS0004|PS0004 SNI is no function of the CONTROL.
                 Write “SIN”: 1:4 "SNI"→"SIN"
-            1:11 error P33|0101|004|PS0004 CSO is no function of the CONTROL.
+            1:11 error P33|0101|004|PS0004|PS0004 CSO is no function of the CONTROL.
                 Write “COS”: 1:11 "CSO"→"COS"
             = #1=SIN[2]+COS[3]
         "#]];
         "#1=SIN 30" => expect![[r#"
-            --- mitsubishi-e60, knd-k2000t, fanuc-0i-tf
-            1:4 error P33|004|PS0004 SIN needs its argument in square brackets.
+            --- mitsubishi-e60, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
+            1:4 error P33|004|PS0004|PS0004 SIN needs its argument in square brackets.
                 Write square brackets: 1:8 ""→"[" 1:10 ""→"]"
             = #1=SIN [30]
             --- gsk-980tdc
             right
         "#]];
         "#1=#2**3" => expect![[r#"
-            1:6 error P33|0101|004|PS0004 There is no operator for powers.
+            1:6 error P33|0101|004|PS0004|PS0004 There is no operator for powers.
                 = Multiply as often as needed: a*a*a.
                 Write “*#2*#2”: 1:6 "**3"→"*#2*#2"
             = #1=#2*#2*#2
         "#]];
         "#1=#2**#3" => expect![[r#"
-            1:6 error P33|0101|004|PS0004 There is no operator for powers.
+            1:6 error P33|0101|004|PS0004|PS0004 There is no operator for powers.
                 = Multiply as often as needed: a*a*a.
         "#]];
         "#1==5" => expect![[r#"
-            1:4 error P33|0101|004|PS0004 An assignment has one “=”, and nothing in front of it.
+            1:4 error P33|0101|004|PS0004|PS0004 An assignment has one “=”, and nothing in front of it.
                 Drop “=”: 1:4 "="→""
             = #1=5
         "#]];
         "#1=[3.14*#2" => expect![[r#"
-            1:4 error P281|0104|118|PS1132 This bracket is not closed: ] is missing.
+            1:4 error P281|0104|118|PS1132|PS1132 This bracket is not closed: ] is missing.
         "#]];
         "#1=(#2+#3)*2" => expect![[r#"
-            1:4 error P33|0101|004|PS0004 On the CONTROL round brackets are comments; arithmetic groups with square brackets.
+            1:4 error P33|0101|004|PS0004|PS0004 On the CONTROL round brackets are comments; arithmetic groups with square brackets.
                 = Without the comment the block reads as if the brackets and all in them were not there.
                 Write square brackets: 1:4 "("→"[" 1:10 ")"→"]"
             = #1=[#2+#3]*2
@@ -252,27 +252,27 @@ slips! {
                 = a MOD b is a-FIX[a/b]*b.
                 Write “[#2*3-FIX[#2*3/7]*7]”: 1:4 "#2*3 MOD 7"→"[#2*3-FIX[#2*3/7]*7]"
             = #1=[#2*3-FIX[#2*3/7]*7]+1
-            --- knd-k2000t, fanuc-0i-tf
+            --- knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
             right
         "##]];
         "#SPEED=5" => expect![[r#"
-            1:1 error P33|0101|004|PS0004 Variables have numbers here; names of variables are not read.
+            1:1 error P33|0101|004|PS0004|PS0004 Variables have numbers here; names of variables are not read.
         "#]];
         "#1=SPEED*2" => expect![[r#"
-            1:4 error P33|0101|004|PS0004 “SPEED” stands where a value should.
+            1:4 error P33|0101|004|PS0004|PS0004 “SPEED” stands where a value should.
         "#]];
         "#1O0=5" => expect![[r#"
-            1:3 error P33|0101|004|PS0004 This is the letter O, not the digit 0.
+            1:3 error P33|0101|004|PS0004|PS0004 This is the letter O, not the digit 0.
                 Write “00”: 1:3 "O0"→"00"
             = #100=5
         "#]];
         "#100=1O.5" => expect![[r#"
-            1:7 error P33|0101|004|PS0004 This is the letter O, not the digit 0.
+            1:7 error P33|0101|004|PS0004|PS0004 This is the letter O, not the digit 0.
                 Write “0.5”: 1:7 "O.5"→"0.5"
             = #100=10.5
         "#]];
         "#1=2,5" => expect![[r#"
-            1:5 error P33|0101|004|PS0004 Decimals stand behind a point, not behind a comma.
+            1:5 error P33|0101|004|PS0004|PS0004 Decimals stand behind a point, not behind a comma.
                 Write “.”: 1:5 ","→"."
             = #1=2.5
         "#]];
@@ -280,49 +280,49 @@ slips! {
 
     words {
         "X#1." => expect![[r#"
-            1:4 error P33|0101|004|PS0004 “.” belongs to no number: a number has one point, variables and sequence numbers have none.
+            1:4 error P33|0101|004|PS0004|PS0004 “.” belongs to no number: a number has one point, variables and sequence numbers have none.
                 Drop “.”: 1:4 "."→""
             = X#1
         "#]];
         "G00 XO" => expect![[r#"
-            1:6 error P33|0101|004|PS0004 This is the letter O, not the digit 0.
+            1:6 error P33|0101|004|PS0004|PS0004 This is the letter O, not the digit 0.
                 Write “0”: 1:6 "O"→"0"
             = G00 X0
         "#]];
         "GO X5" => expect![[r#"
-            1:2 error P33|0101|004|PS0004 This is the letter O, not the digit 0.
+            1:2 error P33|0101|004|PS0004|PS0004 This is the letter O, not the digit 0.
                 Write “0”: 1:2 "O"→"0"
             = G0 X5
         "#]];
         "G00 X1O Z1.O5" => expect![[r#"
-            1:7 error P33|0101|004|PS0004 This is the letter O, not the digit 0.
+            1:7 error P33|0101|004|PS0004|PS0004 This is the letter O, not the digit 0.
                 Write “0”: 1:7 "O"→"0"
-            1:12 error P33|0101|004|PS0004 This is the letter O, not the digit 0.
+            1:12 error P33|0101|004|PS0004|PS0004 This is the letter O, not the digit 0.
                 Write “05”: 1:12 "O5"→"05"
             = G00 X10 Z1.05
         "#]];
         "G00 X1,5" => expect![[r#"
-            1:7 error P33|0101|004|PS0004 Decimals stand behind a point, not behind a comma.
+            1:7 error P33|0101|004|PS0004|PS0004 Decimals stand behind a point, not behind a comma.
                 Write “.”: 1:7 ","→"."
             = G00 X1.5
         "#]];
         "F1,000" => expect![[r#"
-            1:3 error P33|0101|004|PS0004 Decimals stand behind a point, not behind a comma.
+            1:3 error P33|0101|004|PS0004|PS0004 Decimals stand behind a point, not behind a comma.
                 Write “.”: 1:3 ","→"."
             = F1.000
         "#]];
         "G00 X=10." => expect![[r#"
-            1:6 error P33|0101|004|PS0004 The value stands directly behind its address, without “=”.
+            1:6 error P33|0101|004|PS0004|PS0004 The value stands directly behind its address, without “=”.
                 Drop “=”: 1:6 "="→""
             = G00 X10.
         "#]];
         "G00 X= = 10." => expect![[r#"
-            1:6 error P33|0101|004|PS0004 The value stands directly behind its address, without “=”.
+            1:6 error P33|0101|004|PS0004|PS0004 The value stands directly behind its address, without “=”.
                 Drop “= =”: 1:6 "= ="→""
             = G00 X 10.
         "#]];
         "G00 X 10. Z" => expect![[r#"
-            1:11 error P33|0003|005|PS0005 The address Z has no value.
+            1:11 error P33|0003|005|PS0005|PS0005 The address Z has no value.
         "#]];
         "g00 x10." => expect![[r#"
             right
@@ -331,50 +331,50 @@ slips! {
             right
         "#]];
         "Ｇ００ Ｘ１０． （ＡＢＣ）" => expect![[r#"
-            1:1 error P32|0003|009|PS0009 The control has no character “Ｇ”.
+            1:1 error P32|0003|009|PS0009|PS0009 The control has no character “Ｇ”.
                 Write the characters of the control: 1:1 "Ｇ００ Ｘ１０． （ＡＢＣ）"→"G00 X10. (ABC)"
             = G00 X10. (ABC)
         "#]];
         "G00 X−5." => expect![[r#"
-            1:6 error P32|0003|009|PS0009 The control has no character “−”.
+            1:6 error P32|0003|009|PS0009|PS0009 The control has no character “−”.
                 Write the characters of the control: 1:1 "G00 X−5."→"G00 X-5."
             = G00 X-5.
         "#]];
         "G00 X1. ; move to start" => expect![[r#"
-            1:11 error P33|0003|005|PS0005 “move to start” is a remark: the control takes remarks only in round brackets.
+            1:11 error P33|0003|005|PS0005|PS0005 “move to start” is a remark: the control takes remarks only in round brackets.
                 Make it a comment: 1:8 " ; move to start"→" (MOVE TO START)"
             = G00 X1. (MOVE TO START)
         "#]];
         "G00 X1. // move to start" => expect![[r#"
-            1:9 error P33|0101|004|PS0004 “move to start” is a remark: the control takes remarks only in round brackets.
+            1:9 error P33|0101|004|PS0004|PS0004 “move to start” is a remark: the control takes remarks only in round brackets.
                 Make it a comment: 1:8 " // move to start"→" (MOVE TO START)"
             = G00 X1. (MOVE TO START)
         "#]];
         "G00 X–5. Y—#1" => expect![[r#"
-            1:6 error P32|0003|009|PS0009 The control has no character “–”.
+            1:6 error P32|0003|009|PS0009|PS0009 The control has no character “–”.
                 Write the characters of the control: 1:1 "G00 X–5. Y—#1"→"G00 X-5. Y-#1"
             = G00 X-5. Y-#1
         "#]];
         "// move to start" => expect![[r#"
-            1:1 error P33|0101|004|PS0004 “move to start” is a remark: the control takes remarks only in round brackets.
+            1:1 error P33|0101|004|PS0004|PS0004 “move to start” is a remark: the control takes remarks only in round brackets.
                 Make it a comment: 1:1 "// move to start"→"(MOVE TO START)"
             = (MOVE TO START)
         "#]];
         "S1000." => expect![[r#"
             --- mitsubishi-e60, gsk-980tdc
             right
-            --- knd-k2000t, fanuc-0i-tf
-            1:1 error 007|PS0007 S takes a whole number, written without a point.
+            --- knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
+            1:1 error 007|PS0007|PS0007 S takes a whole number, written without a point.
                 Drop “.”: 1:6 "."→""
             = S1000
         "#]];
         "(OPEN" => expect![[r#"
-            1:1 error P33|0041|004|PS0004 The comment is not closed: ) is missing.
+            1:1 error P33|0041|004|PS0004|PS0004 The comment is not closed: ) is missing.
                 Insert “)”: 1:6 ""→")"
             = (OPEN)
         "#]];
         ":1000" => expect![[r#"
-            1:1 error P33|0101|004|PS0004 A program number starts with O.
+            1:1 error P33|0101|004|PS0004|PS0004 A program number starts with O.
                 Write “O”: 1:1 ":"→"O"
             = O1000
         "#]];
@@ -386,6 +386,8 @@ slips! {
             1:1 warning - G54.1 (extended work coordinate system) is read, but not simulated: the run here goes on without it.
             --- gsk-980tdc, knd-k2000t, fanuc-0i-tf
             1:1 error 0002|010|PS0010 G54.1 is no code of the CONTROL.
+            --- fanuc-0i-mf
+            1:1 warning - G54.1 (additional work coordinate system) is read, but not simulated: the run here goes on without it.
         "#]];
         "M98 P1000 L2" => expect![[r#"
             right
@@ -397,21 +399,21 @@ slips! {
             --- mitsubishi-e60
             1:5 warning - P21000 calls O21000, which is not here. Repeats stand in L: P1000 L2.
                 Write “P1000 L2”: 1:5 "P21000"→"P1000 L2"
-            --- gsk-980tdc, knd-k2000t, fanuc-0i-tf
+            --- gsk-980tdc, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
             right
         "#]];
         "N40/3 X8." => expect![[r#"
             right
         "#]];
         "IF[#1 EQ 1] M08" => expect![[r#"
-            1:1 error P290|0101|114|PS1137 IF [condition] must be followed by GOTO and a sequence number.
+            1:1 error P290|0101|114|PS1137|PS1137 IF [condition] must be followed by GOTO and a sequence number.
                 Jump over it on the opposite condition: 1:7 "EQ"→"NE" 1:13 ""→"GOTO9001\n" 1:16 ""→"\nN9001"
             = IF[#1 NE 1] GOTO9001
               M08
               N9001
         "#]];
         "M98 O1000\nM30\nO1000\nM99" => expect![[r#"
-            1:5 error P33|0101|004|PS0004 The call does not say which program: add P and its number.
+            1:5 error P33|0101|004|PS0004|PS0004 The call does not say which program: add P and its number.
                 = A program is named by O and its number; P only calls it.
                 Write “P”: 1:5 "O"→"P"
             = M98 P1000
@@ -420,7 +422,7 @@ slips! {
               M99
         "#]];
         "G65 O1000 A1.\nM30\nO1000\nM99" => expect![[r#"
-            1:5 error P232|0122|076|PS0076 The call does not say which program: add P and its number.
+            1:5 error P232|0122|076|PS0076|PS0076 The call does not say which program: add P and its number.
                 = A program is named by O and its number; P only calls it.
                 Write “P”: 1:5 "O"→"P"
             = G65 P1000 A1.
@@ -429,20 +431,20 @@ slips! {
               M99
         "#]];
         "G00 \u{425}1.\n\u{41c}08" => expect![[r#"
-            1:5 error P32|0003|009|PS0009 “Х” only looks like the letter X: it is one of another alphabet, and no character of the control.
+            1:5 error P32|0003|009|PS0009|PS0009 “Х” only looks like the letter X: it is one of another alphabet, and no character of the control.
                 Write the characters of the control: 1:1 "G00 Х1."→"G00 X1."
-            2:1 error P32|0003|009|PS0009 “М” only looks like the letter M: it is one of another alphabet, and no character of the control.
+            2:1 error P32|0003|009|PS0009|PS0009 “М” only looks like the letter M: it is one of another alphabet, and no character of the control.
                 Write the characters of the control: 2:1 "М08"→"M08"
             = G00 X1.
               M08
         "#]];
         "#\u{ff11}00=5" => expect![[r##"
-            1:2 error P32|0003|009|PS0009 The control has no character “１”.
+            1:2 error P32|0003|009|PS0009|PS0009 The control has no character “１”.
                 Write the characters of the control: 1:1 "#１00=5"→"#100=5"
             = #100=5
         "##]];
         "#1=TRUE" => expect![[r#"
-            1:4 error P33|0101|004|PS0004 “TRUE” stands where a value should.
+            1:4 error P33|0101|004|PS0004|PS0004 “TRUE” stands where a value should.
         "#]];
         "#1=ATAN[#2,#3]" => expect![[r#"
             --- mitsubishi-e60
@@ -452,11 +454,11 @@ slips! {
                 = ATAN[y]/[x] is the angle of the point x, y; of one number it is ATAN[a]/[1].
                 Write “]/[”: 1:11 ","→"]/["
             = #1=ATAN[#2]/[#3]
-            --- fanuc-0i-tf
+            --- fanuc-0i-tf, fanuc-0i-mf
             right
         "#]];
         "#1=INT[5.5]" => expect![[r#"
-            1:4 error P33|0101|004|PS0004 INT is no function of the CONTROL.
+            1:4 error P33|0101|004|PS0004|PS0004 INT is no function of the CONTROL.
                 Write “FIX”: 1:4 "INT"→"FIX"
             = #1=FIX[5.5]
         "#]];
@@ -464,23 +466,23 @@ slips! {
             --- mitsubishi-e60, gsk-980tdc
             1:4 error P33|0101 MOD is no word of the CONTROL.
                 = a MOD b is a-FIX[a/b]*b.
-            --- knd-k2000t, fanuc-0i-tf
-            1:4 error 004|PS0004 MOD is no function of the CONTROL.
+            --- knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
+            1:4 error 004|PS0004|PS0004 MOD is no function of the CONTROL.
         "#]];
         "#1=POW[2,3]" => expect![[r#"
             --- mitsubishi-e60, gsk-980tdc, knd-k2000t
             1:4 error P33|0101|004 POW is no word of the CONTROL.
                 = Multiply as often as needed: a*a*a.
-            --- fanuc-0i-tf
+            --- fanuc-0i-tf, fanuc-0i-mf
             right
         "#]];
         "#100.=5." => expect![[r#"
-            1:5 error P33|0101|004|PS0004 “.” belongs to no number: a number has one point, variables and sequence numbers have none.
+            1:5 error P33|0101|004|PS0004|PS0004 “.” belongs to no number: a number has one point, variables and sequence numbers have none.
                 Drop “.”: 1:5 "."→""
             = #100=5.
         "#]];
         "G00 G65 P1000\nM30\nO1000\nM99" => expect![[r#"
-            --- mitsubishi-e60, knd-k2000t, fanuc-0i-tf
+            --- mitsubishi-e60, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
             right
             --- gsk-980tdc
             1:5 error 0114 Nothing but a sequence number may stand in front of a macro call.
@@ -492,7 +494,7 @@ slips! {
               M99
         "#]];
         "G65 H02 P100 Q#101 R1" => expect![[r##"
-            --- mitsubishi-e60, knd-k2000t, fanuc-0i-tf
+            --- mitsubishi-e60, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
             right
             --- gsk-980tdc
             1:9 error 0125 P has to name the variable that takes the result, for instance P#100.
@@ -500,7 +502,7 @@ slips! {
             = G65 H02 P#100 Q#101 R1
         "##]];
         "#2000=1" => expect![[r##"
-            1:1 error P241|0111|115|PS0115 #2000 is no variable of the CONTROL.
+            1:1 error P241|0111|115|PS0115|PS0115 #2000 is no variable of the CONTROL.
                 Use #100 instead of #2000 everywhere: 1:1 "#2000"→"#100"
             = #100=1
         "##]];
@@ -510,28 +512,28 @@ slips! {
 slips! {
     words_of_other_languages {
         "IF[#100 EQ 2]GOTO10 ELSE GOTO20\nN10\nN20" => expect![[r#"
-            1:21 error P272|0101|127|PS0127 ELSE is no word of the CONTROL.
+            1:21 error P272|0101|127|PS0127|PS0127 ELSE is no word of the CONTROL.
                 = IF jumps by GOTO, or assigns by THEN where the control has it: jump over what the other case needs.
         "#]];
         "ENDIF" => expect![[r#"
-            1:1 error P291|0102|126|PS0126 ENDIF is no word of the CONTROL.
+            1:1 error P291|0102|126|PS0126|PS0126 ENDIF is no word of the CONTROL.
                 = IF jumps by GOTO, or assigns by THEN where the control has it: jump over what the other case needs.
         "#]];
         "N5 FOR #1=1 TO 5" => expect![[r#"
-            1:4 error P33|0003|005|PS0005 FOR is no word of the CONTROL.
+            1:4 error P33|0003|005|PS0005|PS0005 FOR is no word of the CONTROL.
                 = A loop is WHILE[condition]DO1 … END1; IF[condition]GOTO n leaves it.
         "#]];
         "NEXT" => expect![[r#"
-            1:1 error P33|0003|005|PS0005 NEXT is no word of the CONTROL.
+            1:1 error P33|0003|005|PS0005|PS0005 NEXT is no word of the CONTROL.
                 = A loop is WHILE[condition]DO1 … END1; IF[condition]GOTO n leaves it.
         "#]];
         "CALL P100" => expect![[r#"
-            1:1 error P33|0003|005|PS0005 CALL is no word of the CONTROL.
+            1:1 error P33|0003|005|PS0005|PS0005 CALL is no word of the CONTROL.
                 = M98 P calls a subprogram by its number, G65 P a macro; both return by M99.
         "#]];
         // What reads like a sentence is a remark.
         "RETURN TO START" => expect![[r#"
-            1:1 error P33|0003|005|PS0005 “RETURN TO START” is a remark: the control takes remarks only in round brackets.
+            1:1 error P33|0003|005|PS0005|PS0005 “RETURN TO START” is a remark: the control takes remarks only in round brackets.
                 Make it a comment: 1:1 "RETURN TO START"→"(RETURN TO START)"
             = (RETURN TO START)
         "#]];
@@ -539,37 +541,37 @@ slips! {
 
     forms_of_other_languages {
         "#100:=5" => expect![[r#"
-            1:5 error P242|0101|114|PS1133 An assignment has one “=”, and nothing in front of it.
+            1:5 error P242|0101|114|PS1133|PS1133 An assignment has one “=”, and nothing in front of it.
                 Drop “:”: 1:5 ":"→""
             = #100=5
         "#]];
         "100=5" => expect![[r##"
-            1:1 error P33|0101|004|PS0004 A number stands here without an address in front of it.
+            1:1 error P33|0101|004|PS0004|PS0004 A number stands here without an address in front of it.
                 Insert “#”: 1:1 ""→"#"
             = #100=5
         "##]];
         "#1=#2^2" => expect![[r#"
-            1:6 error P32|0003|009|PS0009 There is no operator for powers.
+            1:6 error P32|0003|009|PS0009|PS0009 There is no operator for powers.
                 = Multiply as often as needed: a*a*a.
         "#]];
         "#1=2#2" => expect![[r#"
-            1:5 error P33|0101|004|PS0004 Between two values stands an operator: + - * /.
+            1:5 error P33|0101|004|PS0004|PS0004 Between two values stands an operator: + - * /.
         "#]];
         "#1=5 5" => expect![[r#"
-            1:6 error P33|0101|004|PS0004 Between two values stands an operator: + - * /.
+            1:6 error P33|0101|004|PS0004|PS0004 Between two values stands an operator: + - * /.
         "#]];
         "#1=2*PI" => expect![[r#"
-            1:6 error P33|0101|004|PS0004 There is no name for π.
+            1:6 error P33|0101|004|PS0004|PS0004 There is no name for π.
                 Write “3.14159265”: 1:6 "PI"→"3.14159265"
             = #1=2*3.14159265
         "#]];
         "0001" => expect![[r#"
-            1:1 error P33|0101|004|PS0004 A number stands here without an address in front of it.
+            1:1 error P33|0101|004|PS0004|PS0004 A number stands here without an address in front of it.
                 Insert “O”: 1:1 ""→"O"
             = O0001
         "#]];
         "#1=5 ;start value" => expect![[r#"
-            1:7 error P33|0003|005|PS0005 “start value” is a remark: the control takes remarks only in round brackets.
+            1:7 error P33|0003|005|PS0005|PS0005 “start value” is a remark: the control takes remarks only in round brackets.
                 Make it a comment: 1:5 " ;start value"→" (START VALUE)"
             = #1=5 (START VALUE)
         "#]];
@@ -577,7 +579,7 @@ slips! {
 
     a_bracket_that_stays_open {
         "#1=#1+(1" => expect![[r#"
-            1:7 error P33|0041|004|PS0004 The comment is not closed: ) is missing.
+            1:7 error P33|0041|004|PS0004|PS0004 The comment is not closed: ) is missing.
                 Insert “)”: 1:9 ""→")"
             = #1=#1+[1]
         "#]];
@@ -585,13 +587,13 @@ slips! {
 
     conditions_with_a_part_missing {
         "IF[#1 EQ]GOTO5\nN5" => expect![[r#"
-            1:7 error P290|0101|114|PS1137 A comparison needs a value on both sides, for instance [#1 GT 0].
+            1:7 error P290|0101|114|PS1137|PS1137 A comparison needs a value on both sides, for instance [#1 GT 0].
         "#]];
         "IF[EQ 5]GOTO5\nN5" => expect![[r#"
-            1:4 error P290|0101|114|PS1137 A comparison needs a value on both sides, for instance [#1 GT 0].
+            1:4 error P290|0101|114|PS1137|PS1137 A comparison needs a value on both sides, for instance [#1 GT 0].
         "#]];
         "IF #1 EQ 5]GOTO5\nN5" => expect![[r#"
-            1:4 error P290|0101|114|PS1137 IF needs a condition in square brackets.
+            1:4 error P290|0101|114|PS1137|PS1137 IF needs a condition in square brackets.
                 Insert “[”: 1:4 ""→"["
             = IF [#1 EQ 5]GOTO5
               N5

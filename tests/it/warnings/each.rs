@@ -149,6 +149,13 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-tf lint.feed-zero-rapid
         fanuc-0i-tf lint.loose-comparison
         fanuc-0i-tf lint.setting-unread
+        fanuc-0i-mf lint.calls-itself
+        fanuc-0i-mf lint.feed-per-revolution
+        fanuc-0i-mf lint.feed-zero-digit
+        fanuc-0i-mf lint.feed-zero-rapid
+        fanuc-0i-mf lint.loose-comparison
+        fanuc-0i-mf lint.setting-unread
+        fanuc-0i-mf lint.slow-way-back
         sinumerik-802d lint.call-parameter
         sinumerik-802d lint.calls-itself
         sinumerik-802d lint.equal-decimals

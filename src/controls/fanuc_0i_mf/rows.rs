@@ -1,0 +1,40 @@
+//! Rows of the 0i-MF: those of FANUC mills, where memory is the only source under its own citation.
+
+use crate::controls::base::fanuc;
+use crate::controls::options::*;
+use crate::controls::schema::table::{cited, extended};
+use crate::controls::switch::switch;
+use crate::controls::{AlarmDef, CodeDef, ParamDef, Signal, Switch, VarRange};
+use crate::text::{Citation, Grade};
+
+/// Memory of FANUC mills without any document.
+pub(super) const MEMORY: Citation = Citation::new("FANUC 0i-M usage, unverified", Grade::Open);
+
+/// G and M codes. Codes of the user are parameters: see the switches.
+pub(super) const CODES: &[CodeDef] = cited![CodeDef: fanuc::MILL_CODES, Open MEMORY];
+
+/// Variables.
+pub(super) const VARS: &[VarRange] = cited![VarRange: fanuc::MILL_VARS, Open MEMORY];
+
+/// Parameters that a machine has to set.
+pub(super) const PARAMS: &[ParamDef] = cited![ParamDef: fanuc::MILL_PARAMS, Open MEMORY];
+
+/// Alarms.
+pub(super) const ALARMS: &[AlarmDef] = cited![AlarmDef: fanuc::ALARMS, Open MEMORY];
+
+/// Registers between PMC and control.
+pub(super) const SIGNALS: &[Signal] = cited![Signal: fanuc::SIGNALS, Open MEMORY];
+
+/// Points that no manual at hand settles, and parameters that change what a program means.
+pub(super) const SWITCHES: &[Switch] = extended![
+    Switch: cited![Switch: fanuc::MILL_SWITCHES, Open MEMORY],
+    &[
+        switch(CommonVariables::of(&[CommonVariables::Sets600, CommonVariables::Sets100]), MEMORY)
+            .label("switch.common-variables-fitted"),
+        switch(UserAlarmBase::of(&[UserAlarmBase::From3000, UserAlarmBase::From0]), MEMORY)
+            .label("switch.user-alarm-base-3000")
+            .parameter("6008#1"),
+        switch(StartupFeed::of(&[StartupFeed::G94, StartupFeed::G95]), MEMORY).parameter("3402#4"),
+        switch(StartupDistance::of(&[StartupDistance::G90, StartupDistance::G91]), MEMORY).parameter("3402#3"),
+    ],
+];

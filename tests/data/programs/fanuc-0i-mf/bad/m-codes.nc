@@ -1,0 +1,5 @@
+(PS0004 4:10)
+(SET m-codes alarm)
+O0053
+S500 M03 M08
+M30

@@ -1,0 +1,7 @@
+%
+O0052(THREE M CODES OF A BLOCK ACT)
+(SET m-codes last-three-act)
+S500 M03 M08 M10
+M11 M12 M13 M14
+M30
+%
