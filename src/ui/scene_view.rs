@@ -1,77 +1,29 @@
 //! The drawing in the page: its parts once, then only the attributes that change.
 
-use std::fmt::Write;
+use std::collections::BTreeMap;
 
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement, HtmlInputElement};
 
 use super::{dom, words};
-use crate::text::number::{fill, filled};
-use crate::view::svg::escape;
-use crate::view::{Node, Pose, Scene, Shape};
+use crate::text::number::filled;
+use crate::view::svg::{page, paint_name, transform};
+use crate::view::{Paint, Pose, Scene, SceneGroup};
 
 /// The scene as SVG. Words in it are escaped.
 pub(super) fn svg(scene: &Scene) -> String {
-    let mut out = filled("<svg class=\"scene\" viewBox=\"# # # #\" role=\"img\" aria-label=\"", &scene.view);
-    escape(&mut out, words::t(scene.alt));
-    out.push_str("\">");
-    let mut group = None;
-    for (at, node) in scene.nodes.iter().enumerate() {
-        if group != Some(node.group) {
-            if group.is_some() {
-                out.push_str("</g>");
-            }
-            let _ = write!(out, "<g data-g=\"{}\">", node.group);
-            group = Some(node.group);
-        }
-        shape(&mut out, at, node);
-    }
-    if group.is_some() {
-        out.push_str("</g>");
-    }
-    out.push_str("</svg>");
-    out
-}
-
-fn shape(out: &mut String, at: usize, node: &Node) {
-    match &node.shape {
-        Shape::Circle { x, y, r } => fill(out, "<circle cx=\"#\" cy=\"#\" r=\"#\"", &[*x, *y, *r]),
-        Shape::Rect { x, y, w, h } => {
-            fill(out, "<rect x=\"#\" y=\"#\" width=\"#\" height=\"#\"", &[*x, *y, *w, *h]);
-        }
-        Shape::Path { d } => {
-            out.push_str("<path d=\"");
-            escape(out, d);
-            out.push('"');
-        }
-        Shape::Text { x, y, anchor, .. } => {
-            fill(out, "<text x=\"#\" y=\"#\"", &[*x, *y]);
-            let _ = write!(out, " text-anchor=\"{anchor}\"");
-        }
-    }
-    let _ = write!(out, " data-n=\"{at}\" class=\"{}", node.class);
-    // Without a fill a shape is an outline; words are always filled.
-    let _ = write!(out, " f-{}", if node.fill.is_empty() { "none" } else { node.fill });
-    if !node.stroke.is_empty() {
-        let _ = write!(out, " s-{}", node.stroke);
-        fill(out, "\" stroke-width=\"#", &[node.width]);
-    }
-    out.push_str("\">");
-    if let Shape::Text { text, .. } = &node.shape {
-        escape(out, text);
-    }
-    out.push_str(match node.shape {
-        Shape::Circle { .. } => "</circle>",
-        Shape::Rect { .. } => "</rect>",
-        Shape::Path { .. } => "</path>",
-        Shape::Text { .. } => "</text>",
-    });
+    page(scene, words::t(scene.alt))
 }
 
 /// The parts of the page that move with the head.
 pub(super) struct Stage {
     groups: Vec<Group>,
-    nodes: Vec<Option<(Element, String)>>,
+    parts: BTreeMap<u16, Part>,
+    picture: Option<HtmlElement>,
+    view: [f64; 4],
+    unit: f64,
+    /// Start of the names of the scene's own gradients.
+    alt: &'static str,
     clock: Option<HtmlElement>,
     slider: Option<HtmlInputElement>,
     clock_text: String,
@@ -80,29 +32,62 @@ pub(super) struct Stage {
 
 struct Group {
     parts: Vec<Element>,
+    rest: SceneGroup,
     transform: String,
     opacity: f64,
+}
+
+/// A part that poses change by its number.
+struct Part {
+    element: Element,
+    /// Path or text at present.
+    text: String,
+    dash: f64,
+    fill: Option<Paint>,
 }
 
 impl Stage {
     /// Finds the parts of a drawing that stands in `host`, and the clock and slider of the page.
     pub(super) fn new(host: &Element, scene: &Scene) -> Stage {
-        let mut groups: Vec<Group> =
-            (0..=scene.groups).map(|_| Group { parts: Vec::new(), transform: String::new(), opacity: 1.0 }).collect();
+        let group =
+            |rest: &SceneGroup| Group { parts: Vec::new(), rest: rest.clone(), transform: String::new(), opacity: 1.0 };
+        let mut groups: Vec<Group> = scene.groups.iter().map(group).collect();
         for part in dom::all(host, "[data-g]") {
             let number = part.get_attribute("data-g").and_then(|n| n.parse::<usize>().ok());
             if let Some(group) = number.and_then(|n| groups.get_mut(n)) {
+                group.transform = part.get_attribute("transform").unwrap_or_default();
                 group.parts.push(part);
             }
         }
-        let nodes = dom::all(host, "[data-n]").into_iter().map(|node| Some((node, String::new()))).collect();
-        Stage {
+        let numbered = |element: Element| {
+            let number = element.get_attribute("data-n")?.parse().ok()?;
+            Some((number, Part { element, text: String::new(), dash: f64::NAN, fill: None }))
+        };
+        let parts = dom::all(host, "[data-n]").into_iter().filter_map(numbered).collect();
+        let stage = Stage {
             groups,
-            nodes,
+            parts,
+            picture: dom::all(host, ".scene").into_iter().next().map(JsCast::unchecked_into),
+            view: scene.view,
+            unit: scene.unit,
+            alt: scene.alt,
             clock: dom::by_id("clock"),
             slider: dom::by_id("head").and_then(|e| e.dyn_into().ok()),
             clock_text: String::new(),
             slider_at: (0, 0),
+        };
+        stage.fit();
+        stage
+    }
+
+    /// Keeps labels at their size in pixels, as far as they have room: `--u` is the number of drawing units per pixel.
+    pub(super) fn fit(&self) {
+        let Some(picture) = &self.picture else { return };
+        let (room, [_, _, width, height]) = (picture.get_bounding_client_rect(), self.view);
+        if room.width() > 0.0 && room.height() > 0.0 {
+            let unit = (width / room.width()).max(height / room.height());
+            let unit = if self.unit > 0.0 { unit.min(self.unit) } else { unit };
+            let _ = picture.style().set_property("--u", &format!("{unit:.4}"));
         }
     }
 
@@ -112,12 +97,7 @@ impl Stage {
         for place in &pose.placements {
             let Some(group) = self.groups.get_mut(place.group as usize) else { continue };
             text.clear();
-            if place.dx != 0.0 || place.dy != 0.0 {
-                fill(&mut text, "translate(# #)", &[place.dx, place.dy]);
-            }
-            if place.turn != 0.0 {
-                fill(&mut text, "rotate(# # #)", &[place.turn, place.cx, place.cy]);
-            }
+            transform(&mut text, &group.rest, place);
             if text != group.transform {
                 group.parts.iter().for_each(|part| dom::set(part, "transform", &text));
                 group.transform.clone_from(&text);
@@ -129,19 +109,27 @@ impl Stage {
             }
         }
         for (at, d) in &pose.paths {
-            if let Some(Some((node, last))) = self.nodes.get_mut(*at)
-                && last != d
-            {
-                dom::set(node, "d", d);
-                last.clone_from(d);
+            if let Some(part) = self.parts.get_mut(at).filter(|part| part.text != *d) {
+                dom::set(&part.element, "d", d);
+                part.text.clone_from(d);
             }
         }
         for (at, words) in &pose.texts {
-            if let Some(Some((node, last))) = self.nodes.get_mut(*at)
-                && last != words
-            {
-                node.set_text_content(Some(words));
-                last.clone_from(words);
+            if let Some(part) = self.parts.get_mut(at).filter(|part| part.text != *words) {
+                part.element.set_text_content(Some(words));
+                part.text.clone_from(words);
+            }
+        }
+        for (at, offset) in &pose.dashes {
+            if let Some(part) = self.parts.get_mut(at).filter(|part| part.dash != *offset) {
+                dom::set(&part.element, "stroke-dashoffset", &filled("#", &[*offset]));
+                part.dash = *offset;
+            }
+        }
+        for (at, paint) in &pose.fills {
+            if let Some(part) = self.parts.get_mut(at).filter(|part| part.fill != Some(*paint)) {
+                dom::set(&part.element, "fill", &paint_name(*paint, self.alt));
+                part.fill = Some(*paint);
             }
         }
     }

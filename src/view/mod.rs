@@ -4,7 +4,11 @@ pub mod chart;
 
 pub mod readout;
 
+pub mod look;
+
 pub mod scene;
+
+pub mod drawing;
 
 pub mod pen;
 
@@ -25,7 +29,10 @@ pub mod plot;
 pub mod report;
 
 pub use chart::{Chart, Series};
+pub use drawing::{Callout, Drawing};
 pub use explorer::{Explorer, Knob};
+pub use look::{Look, Paint};
 pub use readout::{Readout, Verdict};
-pub use scene::{Node, Pose, Scene, Shape};
+pub use scene::{Font, Node, Placement, Pose, Scene, SceneGroup, Shape};
 pub use sheet::{Row, Sheet};
+pub use svg::Theme;

@@ -1,6 +1,7 @@
-//! Builder for scenes: one method per shape.
+//! Builder for scenes whose colours are named by words. New drawings are made with `Drawing`.
 
-use super::{Node, Shape};
+use super::look::{Look, Paint};
+use super::scene::{Font, Node, SceneGroup, Shape};
 use crate::math::{self, PI};
 use crate::text::number::filled;
 
@@ -9,14 +10,34 @@ pub fn ray(x: f64, y: f64, (c, s): (f64, f64), from: f64, to: f64) -> String {
     filled("M# #L# #", &[x + from * c, y + from * s, x + to * c, y + to * s])
 }
 
-/// Collects the nodes of a drawing. Colours are names of the page's tokens, groups those that poses move (0: none).
+/// Collects the nodes of a drawing. Colours are words, groups those that poses move (0: none). The number of a node is its index.
 #[derive(Debug, Default)]
 pub struct Pen {
     /// What is drawn so far, in drawing order.
     pub nodes: Vec<Node>,
 }
 
+fn paint(name: &str) -> Paint {
+    match name {
+        "ink" => Paint::Ink,
+        "dim" => Paint::Dim,
+        "accent" => Paint::Accent,
+        "pane" => Paint::Page,
+        "bad" => Paint::Bad,
+        "ok" => Paint::Good,
+        "steel" => Paint::Steel,
+        "line" => Paint::SteelLight,
+        "ribbon" => Paint::Ribbon,
+        _ => Paint::Clear,
+    }
+}
+
 impl Pen {
+    /// Groups without nesting, 0 to `last`.
+    pub fn groups(last: u16) -> Vec<SceneGroup> {
+        vec![SceneGroup::default(); usize::from(last) + 1]
+    }
+
     /// A shape with its look.
     pub fn node(
         &mut self,
@@ -27,7 +48,16 @@ impl Pen {
         width: f64,
         class: &'static str,
     ) {
-        self.nodes.push(Node { group, shape, fill, stroke, width, class });
+        let look = Look::fill(paint(fill)).edge(paint(stroke), width);
+        let look = match class {
+            "dash" => look.dashed(4.0, 4.0),
+            "soft" | "winding" => look.faint(0.5),
+            "plate" => look.faint(0.55),
+            "wound" => look.faint(0.35),
+            _ => look,
+        };
+        let id = Some(self.nodes.len() as u16);
+        self.nodes.push(Node { id, group, shape, look, field: "" });
     }
 
     /// A path in SVG syntax.
@@ -67,7 +97,7 @@ impl Pen {
 
     /// A filled rectangle that never moves.
     pub fn rect(&mut self, x: f64, y: f64, w: f64, h: f64, fill: &'static str, class: &'static str) {
-        self.node(0, Shape::Rect { x, y, w, h }, fill, "", 0.0, class);
+        self.node(0, Shape::Rect { x, y, w, h, r: 0.0 }, fill, "", 0.0, class);
     }
 
     /// A line of text that never moves.
@@ -80,7 +110,8 @@ impl Pen {
         fill: &'static str,
         class: &'static str,
     ) {
-        self.node(0, Shape::Text { x, y, anchor, text }, fill, "", 0.0, class);
+        let font = if class == "value" { Font::Value } else { Font::Label };
+        self.node(0, Shape::Text { x, y, anchor, text, line: 0.0, font }, fill, "", 0.0, class);
     }
 
     /// A smooth roller with hub and `spokes` marks, all of one group; `blur` is the ring shown when it turns too fast to see.

@@ -1,9 +1,11 @@
 //! A drawing that moves: nodes drawn once, and poses that move them. Lengths are drawing units of the view box.
 
-/// A shape. Colours are names of the page's tokens (`steel`, `ribbon`, `accent`, `ink`, `dim`, `pane`, `bad` …), never colours.
+use super::look::{Gradient, Look, Paint};
+
+/// A shape, in the coordinates of its group.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// A circle around the node's origin offset.
+    /// A circle.
     Circle {
         /// Centre.
         x: f64,
@@ -11,6 +13,17 @@ pub enum Shape {
         y: f64,
         /// Radius.
         r: f64,
+    },
+    /// An ellipse with level axes.
+    Ellipse {
+        /// Centre.
+        x: f64,
+        /// Centre.
+        y: f64,
+        /// Half the width.
+        rx: f64,
+        /// Half the height.
+        ry: f64,
     },
     /// A path in SVG syntax.
     Path {
@@ -27,35 +40,74 @@ pub enum Shape {
         w: f64,
         /// Height.
         h: f64,
+        /// Radius of the corners.
+        r: f64,
     },
-    /// A line of text; `anchor` is `start`, `middle` or `end`.
+    /// A line of text.
     Text {
         /// Anchor point.
         x: f64,
-        /// Base line.
+        /// Base line of line 0.
         y: f64,
-        /// Which end of the text is at the point.
+        /// Which end of the text is at the point: `start`, `middle` or `end`.
         anchor: &'static str,
         /// The words.
         text: String,
+        /// Lines below `y`, each [`LINE`] times the size of the letters.
+        line: f64,
+        /// Type.
+        font: Font,
     },
+}
+
+/// Distance between lines of text, in sizes of the letters.
+pub const LINE: f64 = 1.4;
+/// Size of the letters of labels, pixels at any zoom.
+pub const LETTER: f64 = 13.0;
+
+/// Type and size of a text.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Font {
+    /// [`LETTER`] pixels at any zoom.
+    Label,
+    /// The same, bold figures of one width.
+    Value,
+    /// Letters on a part of the machine, as high as so many drawing units.
+    Engraved(f64),
 }
 
 /// A shape with its look, in a group that poses can move.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Node {
+    /// Number by which poses change it; none for most.
+    pub id: Option<u16>,
     /// Group that it moves with; 0 never moves. Groups are drawn in node order.
     pub group: u16,
     /// The shape.
     pub shape: Shape,
-    /// Token of the fill, or empty for none.
-    pub fill: &'static str,
-    /// Token of the stroke, or empty for none.
-    pub stroke: &'static str,
-    /// Stroke width.
-    pub width: f64,
-    /// CSS class for anything further (`blur`, `label`, `value`), or empty.
-    pub class: &'static str,
+    /// Fill and stroke.
+    pub look: Look,
+    /// Id of the form's field that the shape shows; empty for most.
+    pub field: &'static str,
+}
+
+/// A group: its place in its parent, and what of it is seen. Poses turn and shift it from there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneGroup {
+    /// The group that carries it; 0 is the drawing.
+    pub parent: u16,
+    /// Its origin in the parent.
+    pub at: (f64, f64),
+    /// Units of the parent per unit of the group.
+    pub scale: f64,
+    /// Only what is inside of this shape (circle, rectangle, path) is seen. The shape moves with the group.
+    pub clip: Option<Shape>,
+}
+
+impl Default for SceneGroup {
+    fn default() -> SceneGroup {
+        SceneGroup { parent: 0, at: (0.0, 0.0), scale: 1.0, clip: None }
+    }
 }
 
 /// A drawing.
@@ -63,18 +115,22 @@ pub struct Node {
 pub struct Scene {
     /// View box: left, top, width, height.
     pub view: [f64; 4],
+    /// Drawing units per pixel for which the labels are laid out: at more they could overlap. 0 where that does not matter.
+    pub unit: f64,
     /// Nodes in drawing order.
     pub nodes: Vec<Node>,
-    /// How many groups there are.
-    pub groups: u16,
+    /// The groups by number, with 0, the drawing.
+    pub groups: Vec<SceneGroup>,
+    /// Gradients of [`Paint::Own`].
+    pub gradients: Vec<Gradient>,
     /// What the drawing shows, for those who do not see it: catalog id.
     pub alt: &'static str,
     /// Catalog id of the drawing's own option, a check box below it; none for most.
     pub option: Option<&'static str>,
 }
 
-/// Placement of a group: rotated by `turn` degrees around (`cx`, `cy`), then shifted.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// Placement of a group: scaled, rotated by `turn` degrees around (`cx`, `cy`), then shifted from where it is at rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placement {
     /// Group.
     pub group: u16,
@@ -88,17 +144,43 @@ pub struct Placement {
     pub dx: f64,
     /// Shift down.
     pub dy: f64,
+    /// Size along x and y, relative to the size at rest.
+    pub size: (f64, f64),
     /// Opacity 0 to 1.
     pub opacity: f64,
 }
 
-/// A moment of a scene: only what may have moved.
+impl Default for Placement {
+    fn default() -> Placement {
+        Placement { group: 0, turn: 0.0, cx: 0.0, cy: 0.0, dx: 0.0, dy: 0.0, size: (1.0, 1.0), opacity: 1.0 }
+    }
+}
+
+impl Placement {
+    /// A group at rest.
+    pub fn of(group: u16) -> Placement {
+        Placement { group, ..Placement::default() }
+    }
+}
+
+/// A moment of a scene: only what may have moved. Nodes are meant by their [id](Node::id).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Pose {
-    /// Groups and where they stand.
+    /// Groups and where they are.
     pub placements: Vec<Placement>,
-    /// Nodes (by index) whose path changed.
-    pub paths: Vec<(usize, String)>,
-    /// Nodes (by index) whose text changed.
-    pub texts: Vec<(usize, String)>,
+    /// Nodes whose path changed.
+    pub paths: Vec<(u16, String)>,
+    /// Nodes whose text changed.
+    pub texts: Vec<(u16, String)>,
+    /// Offsets of dashes: how far a dashed stroke has moved back along its path.
+    pub dashes: Vec<(u16, f64)>,
+    /// Fills that changed: lamps, values beyond their limits.
+    pub fills: Vec<(u16, Paint)>,
+}
+
+impl Scene {
+    /// The node that poses change by this number.
+    pub fn node(&self, id: u16) -> Option<&Node> {
+        self.nodes.iter().find(|node| node.id == Some(id))
+    }
 }

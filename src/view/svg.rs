@@ -1,64 +1,99 @@
-//! A scene as a standalone SVG picture, for reports and exports.
-//!
-//! In the page the classes get their colours from the style sheet (`f-steel`, `s-ribbon` …); a standalone picture brings its own.
+//! A scene as SVG: for the page, with the tokens of its style sheet, or as a picture of its own, in a pose, with colours and fonts.
 
 use core::fmt::Write;
 
-use super::scene::{Node, Pose, Scene, Shape};
+use super::look::{Gradient, Look, Paint, Ramp, Substance};
+use super::scene::{Font, LETTER, LINE, Node, Placement, Pose, Scene, SceneGroup, Shape};
+use crate::text::number::{fill, filled};
 
-/// Light colours of the tokens, for a standalone picture.
-const STYLE: &str = "text{font:11px system-ui,sans-serif}.value{font:600 12px ui-monospace,monospace}.small{font-size:10px}\
-.f-none{fill:none}.f-steel{fill:#c3ccd6}.f-ribbon{fill:#d9a441}.f-accent{fill:#0b6bcb}.f-ink{fill:#17212b}.f-dim{fill:#5b6876}\
-.f-pane{fill:#fff}.f-bad{fill:#cf222e}.f-line{fill:#dde3e9}.s-steel{stroke:#c3ccd6}.s-ribbon{stroke:#d9a441}.s-accent{stroke:#0b6bcb}\
-.s-ink{stroke:#17212b}.s-dim{stroke:#5b6876}.s-pane{stroke:#fff}.s-bad{stroke:#cf222e}.s-line{stroke:#dde3e9}\
-.wound{opacity:.35}.plate{opacity:.55}.winding,.soft{opacity:.5}.dash{stroke-dasharray:4 4}.dot{stroke-linecap:round}";
+/// The style sheet of the drawings: its tokens are the colours and fonts of a picture.
+const SHEET: &str = include_str!("../../style/scene.css");
 
-/// The scene in a pose, with its own colours.
-pub fn picture(scene: &Scene, pose: &Pose) -> String {
-    let [x, y, w, h] = scene.view;
-    let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{x} {y} {w} {h}\" width=\"{w}\" height=\"{h}\"><style>{STYLE}</style>"
-    );
-    for (at, node) in scene.nodes.iter().enumerate() {
-        out.push_str("<g");
-        if let Some(place) = pose.placements.iter().find(|place| place.group == node.group && node.group != 0) {
-            let _ = write!(
-                out,
-                " transform=\"translate({:.2} {:.2}) rotate({:.2} {:.2} {:.2})\" opacity=\"{:.2}\"",
-                place.dx, place.dy, place.turn, place.cx, place.cy, place.opacity
-            );
-        }
-        out.push('>');
-        let changed = |list: &[(usize, String)]| list.iter().find(|(node, _)| *node == at).map(|(_, new)| new.clone());
-        shape(&mut out, node, changed(&pose.paths), changed(&pose.texts));
-        out.push_str("</g>");
+/// Colours of a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Theme {
+    /// Dark on light.
+    #[default]
+    Light,
+    /// Light on dark.
+    Dark,
+}
+
+/// Where an SVG is shown.
+#[derive(Clone, Copy, PartialEq)]
+enum Place {
+    /// In the page, which has the style sheet.
+    Page,
+    /// By itself, in the colours of a theme, with so many drawing units per pixel.
+    Alone(Theme, f64),
+}
+
+/// The value of a token of the style sheet in a theme; empty where there is none.
+fn token(name: &str, theme: Theme) -> &'static str {
+    let of = |line: &'static str| line.trim_start().strip_prefix("--")?.strip_prefix(name)?.strip_prefix(": ");
+    let value = SHEET.lines().find_map(of).unwrap_or_default().trim_end_matches(';');
+    let pair = value.strip_prefix("light-dark(").and_then(|pair| pair.strip_suffix(')')?.split_once(", "));
+    match (pair, theme) {
+        (None, _) => value,
+        (Some((light, _)), Theme::Light) => light,
+        (Some((_, dark)), Theme::Dark) => dark,
     }
+}
+
+/// The scene for the page: words are escaped, colours are tokens, and what poses change can be found by `data-g` and `data-n`.
+pub fn page(scene: &Scene, alt: &str) -> String {
+    let mut out = filled("<svg class=\"scene\" viewBox=\"# # # #\" role=\"img\" aria-label=\"", &scene.view);
+    escape(&mut out, alt);
+    out.push_str("\">");
+    Writer { out: &mut out, scene, pose: None, place: Place::Page }.write();
     out.push_str("</svg>");
     out
 }
 
-fn shape(out: &mut String, node: &Node, path: Option<String>, words: Option<String>) {
-    let fill = if node.fill.is_empty() { "none" } else { node.fill };
-    let mut look = format!("class=\"{} f-{fill}", node.class);
-    if !node.stroke.is_empty() {
-        let _ = write!(look, " s-{}\" stroke-width=\"{}", node.stroke, node.width);
-    }
-    look.push('"');
-    let _ = match &node.shape {
-        Shape::Circle { x, y, r } => write!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" {look}/>"),
-        Shape::Rect { x, y, w, h } => write!(out, "<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" {look}/>"),
-        Shape::Path { d } => write!(out, "<path d=\"{}\" {look}/>", path.as_ref().unwrap_or(d)),
-        Shape::Text { x, y, anchor, text } => {
-            let _ = write!(out, "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" {look}>");
-            escape(out, words.as_ref().unwrap_or(text));
-            write!(out, "</text>")
-        }
-    };
+/// The scene in a pose, as a picture `width` pixels wide in its own colours.
+pub fn picture(scene: &Scene, pose: &Pose, theme: Theme, width: f64) -> String {
+    let [x, y, w, h] = scene.view;
+    let unit = if width > 0.0 { w / width } else { 1.0 };
+    let mut out = filled(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"# # # #\" width=\"#\" height=\"#\">",
+        &[x, y, w, h, w / unit, h / unit],
+    );
+    let (label, figure) = (token("label", theme), token("figure", theme));
+    let size = filled("#px", &[LETTER * unit]);
+    let _ = write!(
+        out,
+        "<style>.label{{font:{size} {label}}}.value{{font:600 {size} {figure}}}.engraved{{font-family:{label};font-weight:600}}</style>"
+    );
+    Writer { out: &mut out, scene, pose: Some(pose), place: Place::Alone(theme, unit) }.write();
+    out.push_str("</svg>\n");
+    out
 }
 
-/// SVG that has its colours from the page, as a standalone picture.
-pub fn alone(svg: &str) -> String {
-    svg.replacen('>', &["><style>", STYLE, "</style>"].concat(), 1)
+/// The place of a group in its parent, as the value of the attribute `transform`; empty where it changes nothing.
+pub fn transform(out: &mut String, group: &SceneGroup, place: &Placement) {
+    let (dx, dy) = (group.at.0 + place.dx, group.at.1 + place.dy);
+    if dx != 0.0 || dy != 0.0 {
+        fill(out, "translate(# #)", &[dx, dy]);
+    }
+    if place.turn != 0.0 && (place.cx != 0.0 || place.cy != 0.0) {
+        fill(out, "rotate(# # #)", &[place.turn, place.cx, place.cy]);
+    } else if place.turn != 0.0 {
+        fill(out, "rotate(#)", &[place.turn]);
+    }
+    let (sx, sy) = (group.scale * place.size.0, group.scale * place.size.1);
+    if sx != 1.0 || sy != 1.0 {
+        let _ = write!(out, "scale({sx:.5} {sy:.5})");
+    }
+}
+
+/// The value of the attribute `fill` or `stroke` in the page, in the scene with this `alt`.
+pub fn paint_name(paint: Paint, alt: &str) -> String {
+    match (paint, paint.substance()) {
+        (_, Substance::Token(name)) => format!("var(--{name})"),
+        (_, Substance::Gradient(name, ..)) => format!("url(#{name})"),
+        (Paint::Own(at), _) => format!("url(#{alt}-{at})"),
+        _ => "none".to_owned(),
+    }
 }
 
 /// Adds a text, escaped for tags and quotes.
@@ -70,6 +105,248 @@ pub fn escape(out: &mut String, text: &str) {
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             c => out.push(c),
+        }
+    }
+}
+
+/// Tables and diagrams with the classes of the page (`s-ink`, `f-dim` …) as standalone pictures in light colours.
+pub fn alone(svg: &str) -> String {
+    let (label, figure) = (token("label", Theme::Light), token("figure", Theme::Light));
+    let mut out = format!(
+        "><style>text{{font:11px {label}}}.value{{font:600 12px {figure}}}.small{{font-size:10px}}.f-none{{fill:none}}"
+    );
+    for (class, name) in [("ink", "ink"), ("dim", "dim"), ("pane", "bg"), ("accent", "accent"), ("line", "steel")] {
+        let colour = token(name, Theme::Light);
+        let _ = write!(out, ".f-{class}{{fill:{colour}}}.s-{class}{{stroke:{colour}}}");
+    }
+    out.push_str("</style>");
+    svg.replacen('>', &out, 1)
+}
+
+/// Writes one scene.
+struct Writer<'a> {
+    out: &'a mut String,
+    scene: &'a Scene,
+    pose: Option<&'a Pose>,
+    place: Place,
+}
+
+impl Writer<'_> {
+    fn write(&mut self) {
+        self.definitions();
+        if let Place::Alone(..) = self.place {
+            let [x, y, w, h] = self.scene.view;
+            fill(self.out, "<rect x=\"#\" y=\"#\" width=\"#\" height=\"#\"", &[x, y, w, h]);
+            self.paint_of("fill", Paint::Sky);
+            self.out.push_str("/>");
+        }
+        let mut open: Vec<u16> = Vec::new();
+        for node in &self.scene.nodes {
+            let chain = self.chain(node.group);
+            let same = open.iter().zip(&chain).take_while(|(a, b)| a == b).count();
+            for _ in same..open.len() {
+                self.out.push_str("</g>");
+            }
+            chain[same..].iter().for_each(|group| self.open(*group));
+            open = chain;
+            self.node(node);
+        }
+        open.iter().for_each(|_| self.out.push_str("</g>"));
+    }
+
+    fn group(&self, group: u16) -> Option<&SceneGroup> {
+        self.scene.groups.get(usize::from(group))
+    }
+
+    /// A group behind those that carry it, the outermost first. A circle of groups ends.
+    fn chain(&self, group: u16) -> Vec<u16> {
+        let mut chain = Vec::new();
+        let mut at = group;
+        while at != 0 && !chain.contains(&at) {
+            chain.push(at);
+            at = self.group(at).map_or(0, |group| group.parent);
+        }
+        chain.reverse();
+        chain
+    }
+
+    fn open(&mut self, number: u16) {
+        let (scene, pose) = (self.scene, self.pose);
+        self.out.push_str("<g");
+        if self.place == Place::Page {
+            let _ = write!(self.out, " data-g=\"{number}\"");
+        }
+        let rest = SceneGroup::default();
+        let group = scene.groups.get(usize::from(number)).unwrap_or(&rest);
+        let moved = pose.and_then(|pose| pose.placements.iter().find(|place| place.group == number));
+        let place = moved.copied().unwrap_or_default();
+        let mut text = String::new();
+        transform(&mut text, group, &place);
+        if !text.is_empty() {
+            let _ = write!(self.out, " transform=\"{text}\"");
+        }
+        if place.opacity != 1.0 {
+            fill(self.out, " opacity=\"#\"", &[place.opacity]);
+        }
+        if group.clip.is_some() {
+            let _ = write!(self.out, " clip-path=\"url(#{}-c{number})\"", scene.alt);
+        }
+        self.out.push('>');
+    }
+
+    /// Gradients that are used, and the clips of groups.
+    fn definitions(&mut self) {
+        let scene = self.scene;
+        self.out.push_str("<defs>");
+        let posed = self.pose.into_iter().flat_map(|pose| pose.fills.iter().map(|(_, paint)| *paint));
+        let mut used: Vec<Paint> = scene.nodes.iter().flat_map(|node| [node.look.fill, node.look.stroke]).collect();
+        used.extend(posed.chain(matches!(self.place, Place::Alone(..)).then_some(Paint::Sky)));
+        let mut written: Vec<Paint> = Vec::new();
+        for paint in used {
+            if let Substance::Gradient(name, ramp, stops) = paint.substance()
+                && !written.contains(&paint)
+            {
+                written.push(paint);
+                self.gradient(name, ramp, stops);
+            }
+        }
+        for (at, Gradient { ramp, stops }) in scene.gradients.iter().enumerate() {
+            self.gradient(&format!("{}-{at}", scene.alt), *ramp, stops);
+        }
+        for (number, group) in scene.groups.iter().enumerate() {
+            if let Some(clip) = &group.clip {
+                let _ = write!(self.out, "<clipPath id=\"{}-c{number}\">", scene.alt);
+                self.shape(clip, None);
+                self.out.push_str("/></clipPath>");
+            }
+        }
+        self.out.push_str("</defs>");
+    }
+
+    fn gradient(&mut self, name: &str, ramp: Ramp, stops: &[(f64, Paint, f64)]) {
+        let radial = matches!(ramp, Ramp::Outward | Ramp::Rings(_));
+        let kind = if radial { "radialGradient" } else { "linearGradient" };
+        let _ = write!(self.out, "<{kind} id=\"{name}\"");
+        match ramp {
+            Ramp::Across(ends) => fill(self.out, " x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\">", &ends),
+            Ramp::Between(ends) => {
+                fill(self.out, " gradientUnits=\"userSpaceOnUse\" x1=\"#\" y1=\"#\" x2=\"#\" y2=\"#\">", &ends);
+            }
+            Ramp::Outward => self.out.push('>'),
+            Ramp::Rings(rings) => {
+                let form = " gradientUnits=\"userSpaceOnUse\" spreadMethod=\"repeat\" cx=\"#\" cy=\"#\" r=\"#\">";
+                fill(self.out, form, &rings);
+            }
+        }
+        for (at, paint, opacity) in stops {
+            fill(self.out, "<stop offset=\"#\"", &[*at]);
+            self.paint_of("stop-color", *paint);
+            if *opacity != 1.0 {
+                fill(self.out, " stop-opacity=\"#\"", &[*opacity]);
+            }
+            self.out.push_str("/>");
+        }
+        let _ = write!(self.out, "</{kind}>");
+    }
+
+    fn node(&mut self, node: &Node) {
+        let changed = |list: &[(u16, String)]| {
+            list.iter().find(|(id, _)| node.id == Some(*id)).map(|(_, new)| new.as_str().to_owned())
+        };
+        let (path, words) = self.pose.map_or((None, None), |pose| (changed(&pose.paths), changed(&pose.texts)));
+        self.shape(&node.shape, path.as_deref());
+        if let (Place::Page, Some(id)) = (self.place, node.id) {
+            let _ = write!(self.out, " data-n=\"{id}\"");
+        }
+        if !node.field.is_empty() {
+            let _ = write!(self.out, " data-field=\"{}\"", node.field);
+        }
+        self.look(node);
+        let Shape::Text { text, .. } = &node.shape else {
+            self.out.push_str("/>");
+            return;
+        };
+        self.out.push('>');
+        escape(self.out, words.as_ref().unwrap_or(text));
+        self.out.push_str("</text>");
+    }
+
+    /// A shape up to the end of its geometry; a path may have another `d`.
+    fn shape(&mut self, shape: &Shape, path: Option<&str>) {
+        match shape {
+            Shape::Circle { x, y, r } => fill(self.out, "<circle cx=\"#\" cy=\"#\" r=\"#\"", &[*x, *y, *r]),
+            Shape::Ellipse { x, y, rx, ry } => {
+                fill(self.out, "<ellipse cx=\"#\" cy=\"#\" rx=\"#\" ry=\"#\"", &[*x, *y, *rx, *ry]);
+            }
+            Shape::Rect { x, y, w, h, r } => {
+                fill(self.out, "<rect x=\"#\" y=\"#\" width=\"#\" height=\"#\"", &[*x, *y, *w, *h]);
+                if *r > 0.0 {
+                    fill(self.out, " rx=\"#\"", &[*r]);
+                }
+            }
+            Shape::Path { d } => {
+                self.out.push_str("<path d=\"");
+                escape(self.out, path.unwrap_or(d));
+                self.out.push('"');
+            }
+            Shape::Text { x, y, anchor, line, font, .. } => {
+                fill(self.out, "<text x=\"#\" y=\"#\"", &[*x, *y]);
+                if *line != 0.0 {
+                    fill(self.out, " dy=\"#em\"", &[line * LINE]);
+                }
+                let _ = write!(self.out, " text-anchor=\"{anchor}\" class=\"");
+                match font {
+                    Font::Label => self.out.push_str("label\""),
+                    Font::Value => self.out.push_str("value\""),
+                    Font::Engraved(size) => fill(self.out, "engraved\" font-size=\"#\"", &[*size]),
+                }
+            }
+        }
+    }
+
+    fn look(&mut self, node: &Node) {
+        let look: &Look = &node.look;
+        let pose = self.pose;
+        let filled = pose.and_then(|pose| pose.fills.iter().find(|(id, _)| node.id == Some(*id)));
+        self.paint_of("fill", filled.map_or(look.fill, |(_, paint)| *paint));
+        if look.stroke != Paint::Clear {
+            self.paint_of("stroke", look.stroke);
+            // A picture keeps its size: its thin strokes are as wide as on a screen.
+            let width = match self.place {
+                Place::Alone(_, unit) if look.is_thin => look.width * unit,
+                _ => look.width,
+            };
+            fill(self.out, " stroke-width=\"#\"", &[width]);
+            if look.is_thin && self.place == Place::Page {
+                self.out.push_str(" vector-effect=\"non-scaling-stroke\"");
+            }
+            if look.is_round {
+                self.out.push_str(" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
+            }
+            if look.dash.0 > 0.0 {
+                let scale = width / look.width.max(1e-9);
+                let _ = write!(self.out, " stroke-dasharray=\"{:.4} {:.4}\"", look.dash.0 * scale, look.dash.1 * scale);
+            }
+            let moved = pose.and_then(|pose| pose.dashes.iter().find(|(id, _)| node.id == Some(*id)));
+            if let Some((_, offset)) = moved {
+                fill(self.out, " stroke-dashoffset=\"#\"", &[*offset]);
+            }
+        }
+        if look.opacity != 1.0 {
+            fill(self.out, " opacity=\"#\"", &[look.opacity]);
+        }
+    }
+
+    fn paint_of(&mut self, attribute: &str, paint: Paint) {
+        let _ = write!(self.out, " {attribute}=\"");
+        self.paint(paint);
+        self.out.push('"');
+    }
+
+    fn paint(&mut self, paint: Paint) {
+        match (paint.substance(), self.place) {
+            (Substance::Token(name), Place::Alone(theme, _)) => self.out.push_str(token(name, theme)),
+            _ => self.out.push_str(&paint_name(paint, self.scene.alt)),
         }
     }
 }

@@ -182,6 +182,26 @@ fn wrong_usage_exits_2_and_error_diagnostics_exit_1() {
 }
 
 #[test]
+fn draw_writes_the_machine_at_a_moment_in_both_themes() {
+    let folder = folder("draw");
+    let path = project(&folder, json!({}));
+    let out = text(&folder.join("line.svg"));
+    let drawn = |more: &[&str]| {
+        let mut line = vec!["draw", &path, "--out", &out];
+        line.extend(more);
+        let done = macroline(&line);
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+        std::fs::read_to_string(&out).unwrap()
+    };
+    let (rest, later, dark) = (drawn(&[]), drawn(&["--at", "4"]), drawn(&["--at", "4", "--dark"]));
+    assert!(rest.starts_with("<svg xmlns=") && rest.contains(">0.0 r/min</text>"), "{rest}");
+    assert!(later.contains(">8.107 V</text>") && dark.contains(">8.107 V</text>"), "{later}");
+    assert!(later.contains("#15191e") && dark.contains("#e9ecef") && !dark.contains("#15191e"));
+    assert_eq!(macroline(&["draw", &path, "--out", &out, "--at", "-1"]).status.code(), Some(2));
+    assert_eq!(macroline(&["draw", &path, "--out", &text(&folder.join("none/line.svg"))]).status.code(), Some(1));
+}
+
+#[test]
 fn endless_program_ends_at_its_budget() {
     let folder = folder("endless");
     let path = folder.join("endless.nc");

@@ -44,6 +44,20 @@ pub(crate) enum Command {
         #[arg(long)]
         out: PathBuf,
     },
+    /// Draws the machine at a moment of its run, as SVG
+    Draw {
+        /// Project file
+        project: PathBuf,
+        /// Seconds from the start of the run; without it the machine before its start
+        #[arg(long, value_name = "SECONDS", default_value_t = 0.0)]
+        at: f64,
+        /// Dark instead of light
+        #[arg(long)]
+        dark: bool,
+        /// Picture file
+        #[arg(long)]
+        out: PathBuf,
+    },
     /// Diagnostics of programs or of a project, nothing run
     Check {
         /// Program files with --control, or one project file

@@ -6,12 +6,17 @@ use std::rc::Rc;
 
 use clap::Parser;
 use macroline::controls::Switches;
+use macroline::machines::Frame;
+use macroline::motion::{Budget, Retention};
 use macroline::nc;
 use macroline::project::check::review;
 use macroline::project::render::summary;
+use macroline::project::run::{RunOptions, of_project};
 use macroline::project::suppress::silence;
 use macroline::project::{Project, list};
 use macroline::text::Diagnostic;
+use macroline::view::Theme;
+use macroline::view::svg::picture;
 use serde_json::json;
 
 use crate::args::{Command, Line};
@@ -28,6 +33,7 @@ pub(crate) fn main() -> ExitCode {
         Command::New { machine, control } => new(&machine, control.as_deref()),
         Command::Design { project, json } => design(&project, json),
         Command::Export { project, out } => export(&project, &out),
+        Command::Draw { project, at, dark, out } => draw(&project, at, dark, &out),
         Command::Check { files, control, switch, silence, json } => {
             check(&files, control.as_deref(), &switch, &silence, json)
         }
@@ -69,6 +75,28 @@ fn export(path: &Path, folder: &Path) -> Result<(), Failure> {
     export::write(folder, &export.files).map_err(Failure::Outside)?;
     let paths = export.files.iter().map(|file| format!("{}\n", folder.join(&file.name).display()));
     print(&paths.collect::<String>())
+}
+
+/// Width of a picture in pixels.
+const WIDTH: f64 = 1200.0;
+
+fn draw(path: &Path, at: f64, dark: bool, out: &Path) -> Result<(), Failure> {
+    if at.is_nan() || at < 0.0 {
+        return Err(Failure::Usage("--at takes 0 or more".to_owned()));
+    }
+    let (project, file) = input::project(path)?;
+    let Some(project) = project else { return Err(refuse(&[file], false)) };
+    tell(&[file])?;
+    let limits = Budget { blocks: 10_000_000, seconds: at };
+    let options = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
+    let mut run = of_project(&project, &project.written(), &options);
+    run.advance(at, usize::MAX);
+    let now = run.timeline().at(at.min(run.timeline().end()));
+    let machine = project.prepared();
+    let pose = machine.pose(&run, &now, Frame { step: 0.0, option: false });
+    let theme = if dark { Theme::Dark } else { Theme::Light };
+    let failed = |error| Failure::Outside(format!("{}: {error}", out.display()));
+    std::fs::write(out, picture(&machine.scene(), &pose, theme, WIDTH)).map_err(failed)
 }
 
 fn check(

@@ -103,7 +103,9 @@ fn scene(lathe: &PolygonLathe) -> Scene {
     Scene {
         view: [0.0, 0.0, width, height + 18.0],
         nodes: pen.nodes,
-        groups: 0,
+        groups: Pen::groups(0),
+        unit: 0.0,
+        gradients: Vec::new(),
         alt: "polygon.explore.alt",
         option: None,
     }

@@ -24,7 +24,7 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
     let (across_flats, z) = lathe.slide(now);
     let mut pose = Pose::default();
     let mut place = |group: u16, turn: f64, (cx, cy): (f64, f64), (dx, dy): (f64, f64), opacity: f64| {
-        pose.placements.push(Placement { group, turn, cx, cy, dx, dy, opacity });
+        pose.placements.push(Placement { turn, cx, cy, dx, dy, opacity, ..Placement::of(group) });
     };
     // Counter-clockwise in millimetres is clockwise on the screen, less the sign.
     let [work, tool] = [WORK, TOOL].map(|axis| -now.pmc[axis].actual % 360.0);
@@ -76,7 +76,7 @@ fn pass(lathe: &PolygonLathe, progress: Progress) -> String {
     if planned { format!("{number} / {}", sizes.len()) } else { number.to_string() }
 }
 
-fn texts(lathe: &PolygonLathe, now: &Snapshot, progress: Progress, across_flats: f64) -> Vec<(usize, String)> {
+fn texts(lathe: &PolygonLathe, now: &Snapshot, progress: Progress, across_flats: f64) -> Vec<(u16, String)> {
     let speed = |axis: usize| format!("{} r/min", figure(now.pmc[axis].feed / 360.0, 1));
     let turns = now.pmc[TOOL].feed != 0.0;
     let state = match now.mode {

@@ -31,15 +31,15 @@ pub(super) const TIPS: u16 = 12;
 
 /// Nodes whose path or text poses change; they stand first.
 pub(super) mod node {
-    pub(in super::super) const SECTION: usize = 0;
-    pub(in super::super) const CLOSE: usize = 1;
-    pub(in super::super) const BAR: usize = 2;
-    pub(in super::super) const WORK_SPEED: usize = 3;
-    pub(in super::super) const TOOL_SPEED: usize = 4;
-    pub(in super::super) const SIZE: usize = 5;
-    pub(in super::super) const PASS: usize = 6;
-    pub(in super::super) const PHASE: usize = 7;
-    pub(in super::super) const STATE: usize = 8;
+    pub(in super::super) const SECTION: u16 = 0;
+    pub(in super::super) const CLOSE: u16 = 1;
+    pub(in super::super) const BAR: u16 = 2;
+    pub(in super::super) const WORK_SPEED: u16 = 3;
+    pub(in super::super) const TOOL_SPEED: u16 = 4;
+    pub(in super::super) const SIZE: u16 = 5;
+    pub(in super::super) const PASS: u16 = 6;
+    pub(in super::super) const PHASE: u16 = 7;
+    pub(in super::super) const STATE: u16 = 8;
 }
 
 /// Centre and radius that the section takes as the work sees it.
@@ -152,7 +152,9 @@ pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
     Scene {
         view: [0.0, 0.0, 760.0, 316.0],
         nodes: pen.nodes,
-        groups: group::TIPS + tips,
+        groups: Pen::groups(group::TIPS + tips),
+        unit: 0.0,
+        gradients: Vec::new(),
         alt: "polygon.scene.alt",
         option: None,
     }

@@ -65,7 +65,7 @@ pub(super) fn pose(line: &RibbonLine, now: &Snapshot, frame: Frame) -> Pose {
     let mut pose = Pose::default();
     let mut put = |group: u16, centre: (f64, f64, f64), turn: f64, opacity: f64| {
         let (cx, cy, _) = centre;
-        pose.placements.push(Placement { group, turn: turn % 360.0, cx, cy, dx: 0.0, dy: 0.0, opacity });
+        pose.placements.push(Placement { turn: turn % 360.0, cx, cy, opacity, ..Placement::of(group) });
     };
     // Rollers below the ribbon turn with the clock, those above against it.
     let length = state.unwinder_turns * p.press_roller_diameter;
@@ -120,7 +120,7 @@ fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose: &m
     pose.placements.push(Placement { group: group::DOTS_BLUR, opacity: streak, ..Placement::default() });
 }
 
-fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(usize, String)> {
+fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)> {
     let p = &line.p;
     let heads = p.heads.max(1.0);
     let met = (state.print_angle * heads / 360.0 + 1e-6).floor();

@@ -31,17 +31,17 @@ pub(super) mod group {
 /// Nodes whose path or text poses change; they follow the frame.
 pub(super) mod node {
     /// Plates, the reel's stand, the floor.
-    const FRAME: usize = 5;
-    pub(in super::super) const LOOP: usize = FRAME;
-    pub(in super::super) const UNWINDER_SPEED: usize = FRAME + 1;
-    pub(in super::super) const UNWINDER_VOLTS: usize = FRAME + 2;
-    pub(in super::super) const SLACK: usize = FRAME + 3;
-    pub(in super::super) const LOOP_STATE: usize = FRAME + 4;
-    pub(in super::super) const PULL_FEED: usize = FRAME + 5;
-    pub(in super::super) const PULL_POSITION: usize = FRAME + 6;
-    pub(in super::super) const PRINT_SPEED: usize = FRAME + 7;
-    pub(in super::super) const PRINT_HEAD: usize = FRAME + 8;
-    pub(in super::super) const DOT_COUNT: usize = FRAME + 9;
+    const FRAME: u16 = 5;
+    pub(in super::super) const LOOP: u16 = FRAME;
+    pub(in super::super) const UNWINDER_SPEED: u16 = FRAME + 1;
+    pub(in super::super) const UNWINDER_VOLTS: u16 = FRAME + 2;
+    pub(in super::super) const SLACK: u16 = FRAME + 3;
+    pub(in super::super) const LOOP_STATE: u16 = FRAME + 4;
+    pub(in super::super) const PULL_FEED: u16 = FRAME + 5;
+    pub(in super::super) const PULL_POSITION: u16 = FRAME + 6;
+    pub(in super::super) const PRINT_SPEED: u16 = FRAME + 7;
+    pub(in super::super) const PRINT_HEAD: u16 = FRAME + 8;
+    pub(in super::super) const DOT_COUNT: u16 = FRAME + 9;
 }
 
 /// Height of the ribbon's middle.
@@ -114,7 +114,9 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
     Scene {
         view: [0.0, 0.0, 760.0, 312.0],
         nodes: pen.nodes,
-        groups: group::DOTS + DOTS,
+        groups: Pen::groups(group::DOTS + DOTS),
+        unit: 0.0,
+        gradients: Vec::new(),
         alt: "ribbon.scene.alt",
         option: Some("ribbon.scene.strobe"),
     }

@@ -111,7 +111,7 @@ pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, fr
     let part = if p.output == Output::Bipolar { volts } else { 2.0 * volts - 1.0 };
     let (cx, cy, _) = scene::METER;
     let turn = math::clamp(part, -1.1, 1.1) * scene::SWEEP;
-    pose.placements.push(Placement { group: group::NEEDLE, turn, cx, cy, dx: 0.0, dy: 0.0, opacity: 1.0 });
+    pose.placements.push(Placement { turn, cx, cy, ..Placement::of(group::NEEDLE) });
     for jaw in 0..JAWS {
         let (s, c) = math::sin_cos(2.0 * PI * (turns % 1.0 + f64::from(jaw) / f64::from(JAWS)));
         let opacity = if c > -0.2 { seen } else { 0.25 * seen };
@@ -123,7 +123,7 @@ pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, fr
     pose
 }
 
-fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(usize, String)> {
+fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(u16, String)> {
     let p = &lathe.p;
     let say = |id| words(Language::English, id).to_owned();
     let spindle = &now.spindle;

@@ -26,15 +26,15 @@ pub(super) const JAWS: u16 = 3;
 /// Nodes whose path or text poses change; they follow the frame.
 pub(super) mod node {
     /// Headstock, chuck, stock, centre line, the voltmeter's face.
-    const FRAME: usize = 5;
-    pub(in super::super) const PART: usize = FRAME;
-    pub(in super::super) const SPEED: usize = FRAME + 1;
-    pub(in super::super) const SURFACE: usize = FRAME + 2;
-    pub(in super::super) const DIAMETER: usize = FRAME + 3;
-    pub(in super::super) const STAGE: usize = FRAME + 4;
-    pub(in super::super) const VOLTS: usize = FRAME + 5;
-    pub(in super::super) const PASS: usize = FRAME + 6;
-    pub(in super::super) const BOUND: usize = FRAME + 7;
+    const FRAME: u16 = 5;
+    pub(in super::super) const PART: u16 = FRAME;
+    pub(in super::super) const SPEED: u16 = FRAME + 1;
+    pub(in super::super) const SURFACE: u16 = FRAME + 2;
+    pub(in super::super) const DIAMETER: u16 = FRAME + 3;
+    pub(in super::super) const STAGE: u16 = FRAME + 4;
+    pub(in super::super) const VOLTS: u16 = FRAME + 5;
+    pub(in super::super) const PASS: u16 = FRAME + 6;
+    pub(in super::super) const BOUND: u16 = FRAME + 7;
 }
 
 /// Height of the turning centre.
@@ -110,7 +110,9 @@ pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
     Scene {
         view: [0.0, 0.0, 760.0, 312.0],
         nodes: pen.nodes,
-        groups: group::JAWS + JAWS,
+        groups: Pen::groups(group::JAWS + JAWS),
+        unit: 0.0,
+        gradients: Vec::new(),
         alt: "turning.scene.alt",
         option: None,
     }

@@ -8,7 +8,11 @@ use macroline::machines::form::{Origins, Provenance};
 use macroline::machines::{ControlContext, Frame, Samples, report};
 use macroline::motion::Snapshot;
 use macroline::text::catalog::Language;
-use macroline::view::{self, Chart, Pose, Series, Shape, csv, plot, svg};
+use macroline::view::look::{Gradient, Ramp};
+use macroline::view::{
+    self, Callout, Chart, Drawing, Look, Paint, Placement, Pose, Scene, SceneGroup, Series, Shape, Theme, csv, plot,
+    svg,
+};
 
 /// The line at full speed, `t` seconds after X has its speed.
 fn running(t: f64) -> Snapshot {
@@ -35,18 +39,18 @@ fn pose_moves_only_nodes_of_the_scene() {
         let scene = machine().prepare(&values, on()).scene();
         let pose = machine().prepare(&values, on()).pose(&Running, &running(3.0), Frame { step: 0.001, option: false });
         assert!(scene.nodes.len() < 250, "{heads} heads: {} nodes", scene.nodes.len());
-        assert!(scene.nodes.iter().all(|node| node.group <= scene.groups));
+        assert!(scene.nodes.iter().all(|node| usize::from(node.group) < scene.groups.len()));
         for (at, _) in &pose.texts {
-            assert!(matches!(scene.nodes[*at].shape, Shape::Text { .. }), "node {at} is no text");
+            assert!(matches!(scene.node(*at).unwrap().shape, Shape::Text { .. }), "node {at} is no text");
         }
         for (at, _) in &pose.paths {
-            assert!(matches!(scene.nodes[*at].shape, Shape::Path { .. }), "node {at} is no path");
+            assert!(matches!(scene.node(*at).unwrap().shape, Shape::Path { .. }), "node {at} is no path");
         }
         for place in &pose.placements {
             assert!(scene.nodes.iter().any(|node| node.group == place.group), "no group {}", place.group);
             assert!(place.turn.is_finite() && (0.0..=1.0).contains(&place.opacity));
         }
-        assert!(!svg::picture(&scene, &pose).contains("NaN"));
+        assert!(!svg::picture(&scene, &pose, Theme::Light, 800.0).contains("NaN"));
     }
 }
 
@@ -68,6 +72,72 @@ fn pose_figures_equal_the_snapshot() {
             "62 dots"
         ]
     );
+}
+
+/// A lamp in a group that a slide carries, behind a round window.
+fn nested() -> Scene {
+    let mut drawing = Drawing::new(1.0);
+    let window = Shape::Circle { x: 0.0, y: 0.0, r: 9.0 };
+    drawing.place(1, SceneGroup { at: (10.0, 20.0), scale: 5.0, clip: Some(window), ..SceneGroup::default() });
+    drawing.place(2, SceneGroup { parent: 1, ..SceneGroup::default() });
+    drawing.within(2, |drawing| {
+        drawing.showing("heads", |drawing| drawing.circle((0.0, 0.0, 4.0), Look::FACE).id = Some(7));
+        drawing.path("M0 0h8", Look::line(Paint::Black, 2.0).dashed(3.0, 5.0)).id = Some(8);
+    });
+    let own = drawing.gradient(Gradient { ramp: Ramp::Rings([0.0, 0.0, 6.0]), stops: vec![(0.5, Paint::Ribbon, 1.0)] });
+    drawing.circle((50.0, 50.0, 9.0), Look::fill(own));
+    let values = [(Some(9), "1 r/min")];
+    drawing.callout(&Callout {
+        at: (5.0, 90.0),
+        anchor: "start",
+        name: "A & B",
+        values: &values,
+        part: Some((9.0, 9.0)),
+    });
+    drawing.scene([0.0, 0.0, 100.0, 100.0], "any")
+}
+
+#[test]
+fn nested_groups_clips_and_fields_reach_the_page() {
+    let page = svg::page(&nested(), "alt");
+    for part in [
+        "<g data-g=\"1\" transform=\"translate(10 20)scale(5.00000 5.00000)\" clip-path=\"url(#any-c1)\"><g data-g=\"2\">",
+        "<clipPath id=\"any-c1\"><circle cx=\"0\" cy=\"0\" r=\"9\"/></clipPath>",
+        "data-n=\"7\" data-field=\"heads\" fill=\"url(#steel-face)\" stroke=\"var(--edge-line)\"",
+        "vector-effect=\"non-scaling-stroke\"",
+        "<stop offset=\"0.3\" stop-color=\"var(--steel)\"/>",
+        "<radialGradient id=\"any-0\" gradientUnits=\"userSpaceOnUse\" spreadMethod=\"repeat\"",
+        "fill=\"url(#any-0)\"",
+        "dy=\"1.4em\" text-anchor=\"start\" class=\"value\" data-n=\"9\"",
+        ">A &amp; B</text>",
+    ] {
+        assert!(page.contains(part), "no {part} in\n{page}");
+    }
+    assert_eq!(page.matches("<g").count() - page.matches("<gradient").count(), page.matches("</g>").count());
+    assert!(!page.contains("style="), "the page allows no styles in attributes");
+}
+
+#[test]
+fn picture_has_its_own_colours_and_the_pose() {
+    let mut pose = Pose { placements: vec![Placement { turn: 30.0, dx: 2.0, ..Placement::of(2) }], ..Pose::default() };
+    pose.dashes.push((8, 4.5));
+    pose.fills.push((7, Paint::Good));
+    pose.texts.push((9, "2 r/min".to_owned()));
+    let light = svg::picture(&nested(), &pose, Theme::Light, 200.0);
+    for part in [
+        "<g transform=\"translate(2 0)rotate(30)\">",
+        "stroke-dashoffset=\"4.5\"",
+        "fill=\"#18743a\" stroke=\"#5d6772\"",
+        ">2 r/min</text>",
+        // 13 px where a pixel is half a unit.
+        ".label{font:6.5px",
+        "width=\"200\"",
+    ] {
+        assert!(light.contains(part), "no {part} in\n{light}");
+    }
+    let dark = svg::picture(&nested(), &pose, Theme::Dark, 200.0);
+    assert!(dark.contains("fill=\"#52c27a\"") && !light.contains("var(") && !dark.contains("var("));
+    assert!(!dark.contains("=\"\""), "a paint without a colour in {dark}");
 }
 
 /// Opacity of the heads and of the ring that replaces them.

@@ -2,9 +2,7 @@
 
 use macroline::machines::chart_rows::{ChartLine, ChartRow};
 use macroline::motion::Snapshot;
-use macroline::view::pen::Pen;
-use macroline::view::scene::Placement;
-use macroline::view::{Pose, Scene};
+use macroline::view::{Drawing, Look, Paint, Placement, Pose, Scene};
 
 use super::resolved::CutToLength;
 
@@ -16,16 +14,18 @@ const SCALE: f64 = 0.5;
 
 /// The drawing at rest.
 pub(super) fn scene() -> Scene {
-    let mut pen = Pen::default();
-    pen.path(STRIP, "M-400 60h400v8h-400z".to_owned(), "steel", "dim", 1.0, "part");
-    pen.rect(0.0, 20.0, 6.0, 36.0, "ink", "");
-    Scene { view: [-100.0, 0.0, 400.0, 120.0], nodes: pen.nodes, groups: 2, alt: "toy.scene.alt", option: None }
+    let mut drawing = Drawing::new(0.5);
+    drawing.within(STRIP, |drawing| {
+        drawing.path("M-400 60h400v8h-400z", Look::fill(Paint::SteelBar).thin(Paint::Edge, 1.0));
+    });
+    drawing.rect([0.0, 20.0, 6.0, 36.0, 0.0], Look::fill(Paint::DarkFront));
+    drawing.scene([-100.0, 0.0, 400.0, 120.0], "toy.scene.alt")
 }
 
 /// The drawing at a moment: the strip since its last cut.
 pub(super) fn pose(feeder: &CutToLength, now: &Snapshot) -> Pose {
     let dx = position(feeder, now) % feeder.p.length * SCALE;
-    let placements = vec![Placement { group: STRIP, dx, opacity: 1.0, ..Placement::default() }];
+    let placements = vec![Placement { dx, ..Placement::of(STRIP) }];
     Pose { placements, ..Pose::default() }
 }
 
