@@ -6,7 +6,7 @@ mod summary;
 use std::rc::Rc;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group};
-use macroline::controls::{self, Control, Dialect, Switches};
+use macroline::controls::{self, Address, Control, Dialect, Switches};
 use macroline::drives::Analog;
 use macroline::interp::{Interp, StartProgram};
 use macroline::motion::{
@@ -24,7 +24,7 @@ fn control() -> &'static Control {
 
 fn plant() -> Plant {
     let axis = |letter| AxisPlant {
-        letter,
+        letter: Some(letter),
         rotary: false,
         diameter: false,
         rapid: 30e3,
@@ -36,7 +36,7 @@ fn plant() -> Plant {
     let rules = Dialect::resolve(control(), &Switches::default()).spindle();
     let spindle = SpindlePlant::new(Analog::unipolar(1480.0, 10.0), 1480.0, 2.0, rules);
     Plant {
-        axes: vec![axis(b'X'), axis(b'Y')],
+        axes: vec![axis(Address::X), axis(Address::Y)],
         pmc: Vec::new(),
         spindle,
         block_time: 0.0071,

@@ -45,7 +45,7 @@ impl CheckedPlant {
         let positive = |x: f64, otherwise: f64| if x > 0.0 && x.is_finite() { x } else { otherwise };
         let mut fitted = 0;
         let axes: [AxisPlant; AXES] = core::array::from_fn(|k| {
-            let letter = control.axes.get(k).map_or(b'?', |axis| axis.letter.byte());
+            let letter = control.axes.get(k).map(|axis| axis.letter);
             // An axis that the machine lacks moves without inertia, so that the program can be watched; a diagnostic says so.
             let missing = AxisPlant {
                 letter,
@@ -57,7 +57,7 @@ impl CheckedPlant {
                 position_gain: 0.0,
                 home: 0.0,
             };
-            let found = plant.axes.iter().find(|axis| axis.letter == letter).copied();
+            let found = plant.axes.iter().find(|axis| axis.letter.is_some() && axis.letter == letter).copied();
             fitted |= u8::from(found.is_some()) << k;
             let axis = found.unwrap_or(missing);
             AxisPlant {

@@ -164,8 +164,8 @@ impl<P: RunningProgram> Sim<'_, P> {
     fn goal(&mut self, to: &Target) -> [f64; AXES] {
         for k in 0..AXES {
             if to.mask & !self.plant.fitted & (1 << k) != 0 {
-                let letter = self.plant.axes[k].letter as char;
-                self.say(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", letter.to_string()));
+                let letter = self.plant.axes[k].name();
+                self.say(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", letter));
             }
         }
         let scale = &self.plant.scale;

@@ -5,6 +5,7 @@ use super::moves::{Move, Pace};
 use super::plc::percent;
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
+use crate::controls::Address;
 use crate::interp::Feed;
 use crate::msg;
 use crate::text::DiagnosticKind;
@@ -39,11 +40,11 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Whether a movement ends deeper in the work than it began while neither the spindle nor an axis of the PLC turns.
     fn feeds_into_standing_work(&self, motion: &Move) -> bool {
         let turns = self.s.spindle.direction != 0 || self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
-        let along = |letter: u8| {
-            let axis = self.plant.axes.iter().position(|axis| axis.letter == letter);
+        let along = |letter: Address| {
+            let axis = self.plant.axes.iter().position(|axis| axis.letter == Some(letter));
             axis.map_or((0.0, 0.0), |k| (motion.start[k], motion.end[k]))
         };
-        let (x, z) = (along(b'X'), along(b'Z'));
+        let (x, z) = (along(Address::X), along(Address::Z));
         !turns && x.1.abs() < self.plant.stock && z.1 < 0.0 && (x.1.abs() < x.0.abs() || z.1 < z.0)
     }
 
@@ -72,9 +73,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         let slowed = motion.limit * 60.0;
         if feed > slowed * (1.0 + 1e-9) {
             let axis = self.plant.axes[motion.limiting];
-            let letter = axis.letter as char;
             self.say(Once::Clamp as u32 + motion.limiting as u32, || {
-                msg!("motion.axis-clamp", letter.to_string(), axis.clamp, feed, slowed)
+                msg!("motion.axis-clamp", axis.name(), axis.clamp, feed, slowed)
             });
         }
     }

@@ -1,6 +1,6 @@
 //! The machine as motion sees it: axes with clamps and time constants, one spindle with gear stages, ramps and analog output.
 
-use crate::controls::{Code, Control, SpindleRules};
+use crate::controls::{Address, Code, Control, SpindleRules};
 use crate::drives::speed::STAGES;
 use crate::drives::{Analog, Positioning, Stage};
 
@@ -10,8 +10,8 @@ pub const PMC_AXES: usize = 2;
 /// An axis of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisPlant {
-    /// Address letter.
-    pub letter: u8,
+    /// Address letter; `None` for an axis that programs cannot name.
+    pub letter: Option<Address>,
     /// Turns: degrees instead of millimetres.
     pub rotary: bool,
     /// Words of this axis count diameters, twice what it moves. All else about it is what it moves.
@@ -31,7 +31,7 @@ pub struct AxisPlant {
 impl AxisPlant {
     /// An axis that the PLC turns, and that follows at once.
     pub const PMC: AxisPlant = AxisPlant {
-        letter: b'?',
+        letter: None,
         rotary: true,
         diameter: false,
         rapid: 0.0,
@@ -40,6 +40,11 @@ impl AxisPlant {
         position_gain: 0.0,
         home: 0.0,
     };
+
+    /// The letter in messages.
+    pub(super) fn name(&self) -> String {
+        self.letter.map_or_else(|| "?".to_owned(), |letter| letter.to_string())
+    }
 
     /// What words count for each millimetre that the axis moves.
     pub fn words_per_unit(&self) -> f64 {

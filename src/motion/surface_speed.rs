@@ -67,7 +67,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         // Without a known turning centre the first work zero is taken for it.
         let centre = *self.s.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));
         if (centre - zero).abs() > 1e-9 {
-            let letter = char::from(self.plant.axes[at].letter).to_string();
+            let letter = self.plant.axes[at].name();
             self.say(Once::OffCentre as u32, || msg!("motion.off-centre", letter, ((zero - centre).abs(), 4)));
         }
         if self.plant.spindle.rules.surface_at_once || before.is_some_and(|before| before.until.is_finite()) {

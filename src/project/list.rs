@@ -22,7 +22,7 @@ pub fn json() -> Json {
             .bench
             .axes
             .iter()
-            .map(|a| json!({ "axis": (a.letter as char).to_string(), "rotary": rotary(c, a.letter), "rapid": a.rapid, "clamp": a.clamp, "time_constant_s": a.time_constant, "position_gain": a.position_gain }))
+            .map(|a| json!({ "axis": a.letter.to_string(), "rotary": rotary(c, a.letter), "rapid": a.rapid, "clamp": a.clamp, "time_constant_s": a.time_constant, "position_gain": a.position_gain }))
             .collect();
         json!({ "id": c.id, "name": c.name, "bench": {
             "axes": axes, "speed_at_full": c.bench.gears.first(), "gears": c.bench.gears, "speed_clamp": c.bench.speed_clamp,
@@ -36,7 +36,7 @@ pub fn json() -> Json {
 }
 
 /// Whether an axis of the bench turns.
-fn rotary(control: &controls::Control, letter: u8) -> bool {
+fn rotary(control: &controls::Control, letter: controls::Address) -> bool {
     control.axis(letter).is_some_and(|at| control.axes[at].rotary)
 }
 
@@ -53,7 +53,7 @@ pub fn text() -> String {
         out += &format!("  {:<20} {}\n", control.id, control.name);
         let axes = bench.axes.iter().map(|a| {
             let unit = if rotary(control, a.letter) { "°/min" } else { "mm/min" };
-            format!("{} to {} {unit}", a.letter as char, number_text(a.clamp, 3))
+            format!("{} to {} {unit}", a.letter, number_text(a.clamp, 3))
         });
         out += &format!(
             "  {:<20} bench: {}; spindle {} r/min at {} V, ramp {} s\n",

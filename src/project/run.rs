@@ -148,7 +148,7 @@ fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
 fn bench(control: &'static Control, dialect: &Dialect) -> (Plant, Box<dyn Plc>) {
     let bench = &control.bench;
     let axes = bench.axes.iter().map(|axis| AxisPlant {
-        letter: axis.letter,
+        letter: Some(axis.letter),
         rotary: control.axis(axis.letter).is_some_and(|at| control.axes[at].rotary),
         diameter: control.axis(axis.letter).is_some_and(|at| dialect.counts_diameters(at)),
         rapid: axis.rapid,

@@ -119,7 +119,7 @@ fn startup_codes_are_modal_and_one_per_group() {
 fn the_bench_has_axes_of_the_control() {
     for control in ALL {
         for axis in control.bench.axes {
-            assert!(control.axis(axis.letter).is_some(), "{} {}", control.id, axis.letter as char);
+            assert!(control.axis(axis.letter).is_some(), "{} {}", control.id, axis.letter);
         }
         let Some(echo) = control.bench.override_echo.map(|number| control.var(number)) else { continue };
         assert_eq!(echo.map(|row| matches!(row.kind, VarKind::InputWord(_))), Some(true), "{}", control.id);

@@ -31,7 +31,7 @@ fn interp(control: &'static Control, text: &str) -> Interp {
 fn plant(control: &Control) -> Plant {
     let bench = &control.bench;
     let axes = bench.axes.iter().map(|axis| AxisPlant {
-        letter: axis.letter,
+        letter: Some(axis.letter),
         rotary: false,
         diameter: control.axis(axis.letter).is_some_and(|k| control.axes[k].diameter),
         rapid: axis.rapid,

@@ -16,7 +16,7 @@ mod sheets;
 mod spindle;
 mod turning;
 
-use macroline::controls::{self, Control, Dialect, Switches};
+use macroline::controls::{self, Address, Control, Dialect, Switches};
 use macroline::drives::Analog;
 use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Feed, Target};
@@ -30,9 +30,9 @@ use script::{Line, Script, place};
 const TAU: f64 = 0.1;
 const GAIN: f64 = 33.0;
 
-fn axis(letter: u8) -> AxisPlant {
+fn axis(letter: Address) -> AxisPlant {
     AxisPlant {
-        letter,
+        letter: Some(letter),
         rotary: false,
         diameter: false,
         rapid: 30e3,
@@ -47,7 +47,7 @@ fn plant() -> Plant {
     let rules = Dialect::resolve(control(), &Switches::default()).spindle();
     let spindle = SpindlePlant::new(Analog::unipolar(1480.0, 10.0), 1480.0, 2.0, rules);
     Plant {
-        axes: vec![axis(b'X'), axis(b'Y')],
+        axes: vec![axis(Address::X), axis(Address::Y)],
         pmc: Vec::new(),
         spindle,
         block_time: 0.0071,

@@ -212,9 +212,9 @@ pub const TIMING: Timing = Timing {
 /// A bench of a lathe: two slides, a third linear axis, a spindle without gears.
 pub const BENCH: Bench = Bench {
     axes: &[
-        BenchAxis { letter: b'X', rapid: 10_000.0, clamp: 10_000.0, time_constant: 0.1, position_gain: 16.7 },
-        BenchAxis { letter: b'Y', rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 16.7 },
-        BenchAxis { letter: b'Z', rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 16.7 },
+        BenchAxis { letter: Address::X, rapid: 10_000.0, clamp: 10_000.0, time_constant: 0.1, position_gain: 16.7 },
+        BenchAxis { letter: Address::Y, rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 16.7 },
+        BenchAxis { letter: Address::Z, rapid: 15_000.0, clamp: 15_000.0, time_constant: 0.1, position_gain: 16.7 },
     ],
     gears: &[3750.0],
     shift: BenchShift { volts: 0.0, before: 0.0, meshing: 0.5, after: 0.0 },

@@ -118,10 +118,10 @@ pub static CONTROL: Control = Control {
     },
     bench: Bench {
         axes: &[
-            fanuc::bench_axis(b'X', 7600.0, 8000.0),
-            fanuc::bench_axis(b'Y', 15_000.0, 15_000.0),
-            fanuc::bench_axis(b'Z', 15_000.0, 15_000.0),
-            fanuc::bench_axis(b'C', 15_000.0, 15_000.0),
+            fanuc::bench_axis(Address::X, 7600.0, 8000.0),
+            fanuc::bench_axis(Address::Y, 15_000.0, 15_000.0),
+            fanuc::bench_axis(Address::Z, 15_000.0, 15_000.0),
+            fanuc::bench_axis(Address::C, 15_000.0, 15_000.0),
         ],
         // Delays of 5 s are those of the standard ladder before anyone sets them.
         shift: BenchShift { volts: 0.1, before: 5.0, meshing: 0.5, after: 5.0 },

@@ -110,9 +110,9 @@ pub static CONTROL: Control = Control {
     },
     bench: Bench {
         axes: &[
-            fanuc::bench_axis(b'X', 240_000.0, 240_000.0),
-            fanuc::bench_axis(b'Y', 240_000.0, 240_000.0),
-            fanuc::bench_axis(b'Z', 30_000.0, 30_000.0),
+            fanuc::bench_axis(Address::X, 240_000.0, 240_000.0),
+            fanuc::bench_axis(Address::Y, 240_000.0, 240_000.0),
+            fanuc::bench_axis(Address::Z, 30_000.0, 30_000.0),
         ],
         gears: &[1480.0],
         shift: BenchShift { volts: 0.0, before: 0.0, meshing: 0.0, after: 0.0 },

@@ -140,15 +140,6 @@ impl Address {
     }
 }
 
-impl TryFrom<u8> for Address {
-    type Error = ();
-
-    /// The address of a letter.
-    fn try_from(byte: u8) -> Result<Address, ()> {
-        Address::of(byte).ok_or(())
-    }
-}
-
 impl fmt::Display for Address {
     /// As a program writes it: `X`, `/`, `CR`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -1,12 +1,13 @@
 //! The plant that a bare program runs on: axes, clamps and spindle of a test bench, with no builder's logic but an echo.
 
+use super::Address;
 use crate::drives::Positioning;
 
 /// An axis of the bench, in the control's axis order.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BenchAxis {
     /// Address letter.
-    pub letter: u8,
+    pub letter: Address,
     /// Rapid traverse in mm/min or °/min.
     pub rapid: f64,
     /// Cutting feed clamp in mm/min or °/min.

@@ -203,8 +203,7 @@ impl Control {
     }
 
     /// Index of an axis letter in `axes`.
-    pub fn axis(&self, letter: impl TryInto<Address>) -> Option<usize> {
-        let letter = letter.try_into().ok()?;
+    pub fn axis(&self, letter: Address) -> Option<usize> {
         self.axes.iter().position(|axis| axis.letter == letter)
     }
 

@@ -1,5 +1,6 @@
 //! `Dialect`: what a control's rows and the project's settings come to, resolved once and handed to parser, lint, interpreter, planner and machines.
 
+use super::address::Address;
 use super::code::{CodeId, Group};
 use super::control::Control;
 use super::interface::SignalRole;
@@ -504,7 +505,7 @@ fn m_code(id: &'static str, text: Option<&str>, unread: &mut Vec<(&'static str, 
 fn rotary_axes(control: &Control, text: &str, unread: &mut Vec<(&'static str, String)>) -> u32 {
     let mut turning = 0;
     for letter in text.chars().filter(|c| !c.is_whitespace() && !SEPARATORS.contains(c)) {
-        let axis = u8::try_from(letter).ok().and_then(|letter| control.axis(letter.to_ascii_uppercase()));
+        let axis = u8::try_from(letter).ok().and_then(Address::of).and_then(|letter| control.axis(letter));
         match axis {
             Some(axis) => turning |= bits((0..=axis).map(|at| at == axis)),
             None => unread.push((RotaryAxes::ID, letter.to_string())),
@@ -522,7 +523,7 @@ fn point(
 ) -> Vec<(usize, f64)> {
     let mut place = Vec::new();
     for word in words.split(SEPARATORS).filter(|word| !word.is_empty()) {
-        let axis = word.bytes().next().and_then(|letter| control.axis(letter.to_ascii_uppercase()));
+        let axis = word.bytes().next().and_then(Address::of).and_then(|letter| control.axis(letter));
         match axis.zip(word.get(1..).and_then(number::read)) {
             Some(word) => place.push(word),
             None => unread.push((id, word.to_owned())),

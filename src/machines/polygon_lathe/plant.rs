@@ -1,13 +1,14 @@
 //! The plant of the polygon lathe: two slides, and the axes of work and tool that the PMC turns.
 
 use super::resolved::{ALONG, CROSS, PolygonLathe};
+use crate::controls::Address;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
 /// The plant with the project's clamps and time constants.
 pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
     let p = &lathe.p;
-    let slide = |letter: u8, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
-        letter,
+    let slide = |letter: Address, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
+        letter: Some(letter),
         rotary: false,
         diameter,
         rapid,

@@ -2,14 +2,14 @@
 
 use super::derive::Derived;
 use super::params::{Params, Shape};
-use crate::controls::{Control, Dialect};
+use crate::controls::{Address, Control, Dialect};
 use crate::drives::polygon::Ratio;
 use crate::machines::machine::ControlContext;
 use crate::motion::Snapshot;
 
 /// The slide across the work, and the one along it.
-pub(super) const CROSS: u8 = b'X';
-pub(super) const ALONG: u8 = b'Z';
+pub(super) const CROSS: Address = Address::X;
+pub(super) const ALONG: Address = Address::Z;
 
 /// Index of the PMC axis of the work, and of the tool.
 pub(super) const WORK: usize = 0;

@@ -8,7 +8,7 @@ use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
 use crate::{member, options};
 
 /// The axis that pulls the ribbon.
-pub(super) const PULL: u8 = b'X';
+pub(super) const PULL: Address = Address::X;
 
 options! {
     /// Unit of the override in the macro input.
@@ -124,11 +124,6 @@ impl PrintAxis {
         }
     }
 
-    /// Its address letter.
-    pub(super) fn letter(self) -> u8 {
-        self.address().byte()
-    }
-
     /// Its address.
     pub(super) fn address(self) -> Address {
         match self {
@@ -221,9 +216,9 @@ pub(crate) struct Params {
 
 /// Axes that can carry the print roller: on a lathe, whose X counts diameters, Y, C or Z; else Y.
 fn print_axes(control: &Control) -> impl Iterator<Item = PrintAxis> {
-    let lathe = control.axes.iter().any(|axis| axis.letter.byte() == PULL && axis.diameter);
+    let lathe = control.axes.iter().any(|axis| axis.letter == PULL && axis.diameter);
     let axes = [PrintAxis::Y, PrintAxis::C, PrintAxis::Z].into_iter().take(if lathe { 3 } else { 1 });
-    axes.filter(|axis| control.axis(axis.letter()).is_some())
+    axes.filter(|axis| control.axis(axis.address()).is_some())
 }
 
 impl Params {

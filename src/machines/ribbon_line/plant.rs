@@ -10,7 +10,7 @@ use crate::motion::{AxisPlant, Plant, SpindlePlant};
 pub(super) fn plant(line: &RibbonLine) -> Plant {
     let p = &line.p;
     let x = AxisPlant {
-        letter: PULL,
+        letter: Some(PULL),
         rotary: false,
         diameter: line.pull_words() == 2,
         rapid: p.rapid_x,
@@ -20,7 +20,7 @@ pub(super) fn plant(line: &RibbonLine) -> Plant {
         home: 0.0,
     };
     let y = AxisPlant {
-        letter: p.print_axis.letter(),
+        letter: Some(p.print_axis.address()),
         rotary: line.degrees(),
         diameter: false,
         rapid: p.rapid_y,

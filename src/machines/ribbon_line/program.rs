@@ -111,13 +111,9 @@ fn travel(line: &RibbonLine, axis: usize, by: Formula) -> NewWord {
     word(incremental.unwrap_or(own), by)
 }
 
-fn print_letter(line: &RibbonLine) -> char {
-    line.p.print_axis.letter() as char
-}
-
 /// A note about the print roller's axis.
 fn about(line: &RibbonLine, what: &str) -> String {
-    format!("{} {what}", print_letter(line))
+    format!("{} {what}", line.p.print_axis.address())
 }
 
 /// Words of the pull axis for so many millimetres of ribbon.
@@ -247,7 +243,7 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     header(b, line);
     override_off(b, line, 1);
     b.n(2).assign(125, v(120)).note("PITCHES LEFT");
-    b.n(3).assign(122, 0).note(&format!("REMAINDER OF {}", print_letter(line)));
+    b.n(3).assign(122, 0).note(&format!("REMAINDER OF {}", line.p.print_axis.address()));
     b.n(4).assign(128, v(121)).note("PITCHES OF A BLOCK");
     b.n(5).call(COMPUTE, None);
     preset(b, line, 6);
@@ -355,7 +351,7 @@ fn run_published(b: &mut Builder, line: &RibbonLine) {
     writing::guards(b, &entries(line));
     override_off(b, line, 20);
     b.n(21).assign(125, v(120)).note("PITCHES LEFT");
-    b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", print_letter(line)));
+    b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", line.p.print_axis.address()));
     b.n(23).assign(127, 0).note("SPINDLE DOES NOT RUN YET");
     preset(b, line, 24);
     b.n(30).while_do(v(125).gt(0), 1);

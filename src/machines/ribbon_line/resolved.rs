@@ -50,7 +50,7 @@ impl RibbonLine {
 
     /// Index of the print roller's axis.
     pub(super) fn print(&self) -> usize {
-        self.control.axis(self.p.print_axis.letter()).unwrap_or(0)
+        self.control.axis(self.p.print_axis.address()).unwrap_or(0)
     }
 
     /// Units of X words per millimetre of ribbon: 2 where they are diameters.

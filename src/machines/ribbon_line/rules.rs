@@ -100,7 +100,7 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
 }
 
 fn letter(line: &RibbonLine) -> String {
-    (line.p.print_axis.letter() as char).to_string()
+    line.p.print_axis.address().to_string()
 }
 
 /// F in mm/min beyond the control's range: the finding, and the remedies.

@@ -107,7 +107,7 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
         let mut text = name(id);
         if id == "ribbon.scene.print" {
             text.push(' ');
-            text.push(p.print_axis.letter() as char);
+            text.push_str(&p.print_axis.address().to_string());
         }
         pen.text(x, y, anchor, text, "dim", "label");
     }

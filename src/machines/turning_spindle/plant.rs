@@ -1,7 +1,7 @@
 //! The plant of the turning spindle: two slides, the spindle with its gear stages, and the builder's logic between them.
 
 use super::resolved::{ALONG, CROSS, TurningSpindle};
-use crate::controls::SpindleRules;
+use crate::controls::{Address, SpindleRules};
 use crate::drives::Positioning;
 use crate::motion::{AxisPlant, BenchPlc, GearShift, Plant, SpindlePlant};
 
@@ -11,8 +11,8 @@ const FIN_DELAY: f64 = 0.05;
 /// The plant with the project's clamps, ramps and limits.
 pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
     let p = &lathe.p;
-    let slide = |letter: u8, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
-        letter,
+    let slide = |letter: Address, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
+        letter: Some(letter),
         rotary: false,
         diameter,
         rapid,

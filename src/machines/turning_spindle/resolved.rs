@@ -9,8 +9,8 @@ use crate::machines::machine::ControlContext;
 use crate::motion::Snapshot;
 
 /// The axis across the spindle, and the one along it.
-pub(super) const CROSS: u8 = b'X';
-pub(super) const ALONG: u8 = b'Z';
+pub(super) const CROSS: Address = Address::X;
+pub(super) const ALONG: Address = Address::Z;
 
 /// The turning spindle on a control.
 #[derive(Debug)]

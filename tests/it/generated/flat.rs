@@ -10,6 +10,7 @@ use macroline::interp::canon::AXES;
 use macroline::interp::{Canon, Counts, End, Feed, Interp, Step, Target, World};
 use macroline::motion::RunningProgram;
 
+use super::parts;
 use super::program::g;
 
 /// What one block came to.
@@ -289,7 +290,7 @@ impl Writer {
         let offsets = [0, 1].map(|at| ([center.0, center.1][at] - start[at]) * scale[at]);
         if offsets.iter().all(|offset| offset.fract() == 0.0) {
             for (letter, offset) in letters.iter().zip(offsets) {
-                let _ = write!(text, " {}{}", (letter.byte() - b'X' + b'I') as char, self.millimetres(offset as i64));
+                let _ = write!(text, " {}{}", parts::center(*letter), self.millimetres(offset as i64));
             }
         } else {
             let chord = [0, 1].map(|at| (to.position[axes[at]] as f64 - start[at]) * scale[at]);

@@ -3,10 +3,10 @@
 use std::fmt::Write as _;
 
 use macroline::controls::syntax::Function;
-use macroline::controls::{Code, CodeId, Control};
+use macroline::controls::{Address, Code, CodeId, Control};
 
 use super::dice::Dice;
-use super::parts::{Arc, PLANES, mode};
+use super::parts::{Arc, PLANES, center, mode};
 use super::program::g;
 
 /// Blocks that a program gets at most, subprograms included.
@@ -339,8 +339,7 @@ impl<'a> Writer<'a> {
     }
 
     /// An address with its value.
-    fn word(&mut self, letter: u8) -> String {
-        let letter = letter as char;
+    fn word(&mut self, letter: Address) -> String {
         match self.dice.below(8) {
             0..=3 => format!(" {letter}{}", self.small()),
             4 => format!(" {letter}={}", self.variable()),
@@ -352,7 +351,7 @@ impl<'a> Writer<'a> {
 
     fn words(&mut self) -> String {
         let chosen = 1 + self.dice.below(7);
-        let letters: Vec<u8> = self.control.axes.iter().map(|axis| axis.letter.byte()).collect();
+        let letters: Vec<Address> = self.control.axes.iter().map(|axis| axis.letter).collect();
         letters.iter().enumerate().filter(|(k, _)| chosen & 1 << k != 0).map(|(_, letter)| self.word(*letter)).collect()
     }
 
@@ -385,14 +384,14 @@ impl<'a> Writer<'a> {
         for (letter, way, _) in arc.axes {
             let Some(axis) = self.control.axis(letter).map(|k| &self.control.axes[k]) else { continue };
             if way != 0 {
-                let _ = write!(text, " {}{}", letter as char, if axis.diameter { 2 * way } else { way });
+                let _ = write!(text, " {}{}", letter, if axis.diameter { 2 * way } else { way });
             }
         }
         if arc.quarters != 0 && self.dice.rarely(90) {
             let _ = write!(text, " CR={}", arc.signed_radius());
         } else {
             for (letter, _, way) in arc.axes.into_iter().filter(|axis| axis.2 != 0) {
-                let _ = write!(text, " {}{way}", (letter - b'X' + b'I') as char);
+                let _ = write!(text, " {}{way}", center(letter));
             }
         }
         self.round = true;

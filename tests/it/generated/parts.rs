@@ -1,6 +1,6 @@
 //! What generated programs of every language are made of.
 
-use macroline::controls::Code;
+use macroline::controls::{Address, Code};
 
 use super::dice::Dice;
 
@@ -8,7 +8,7 @@ use super::dice::Dice;
 pub(crate) struct Arc {
     pub(crate) plane: Code,
     /// Letter, way to the end, way to the centre: of the first axis of the plane, and of the second.
-    pub(crate) axes: [(u8, i32, i32); 2],
+    pub(crate) axes: [(Address, i32, i32); 2],
     pub(crate) clockwise: bool,
     pub(crate) radius: i32,
     /// Quarters of the circle, 0 for all of it.
@@ -40,11 +40,23 @@ impl Arc {
 }
 
 /// A plane and its two axes.
-pub(crate) type Plane = (Code, u8, u8);
+pub(crate) type Plane = (Code, Address, Address);
 
 /// All planes.
-pub(crate) const PLANES: [Plane; 3] =
-    [(Code::PlaneXy, b'X', b'Y'), (Code::PlaneZx, b'Z', b'X'), (Code::PlaneYz, b'Y', b'Z')];
+pub(crate) const PLANES: [Plane; 3] = [
+    (Code::PlaneXy, Address::X, Address::Y),
+    (Code::PlaneZx, Address::Z, Address::X),
+    (Code::PlaneYz, Address::Y, Address::Z),
+];
+
+/// The address of the centre of an arc along an axis: I for X.
+pub(crate) fn center(axis: Address) -> Address {
+    match axis {
+        Address::X => Address::I,
+        Address::Y => Address::J,
+        _ => Address::K,
+    }
+}
 
 /// A modal code, with the feed that it asks for.
 pub(crate) fn mode(dice: &mut Dice) -> (Code, &'static str) {

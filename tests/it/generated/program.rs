@@ -11,7 +11,7 @@ use macroline::controls::{Code, CodeId, Control, VarKind};
 
 use super::dice::Dice;
 use super::named;
-use super::parts::{Arc, PLANES, mode};
+use super::parts::{Arc, PLANES, center, mode};
 
 /// Blocks that a program gets at most, subprograms included.
 const BLOCKS: usize = 120;
@@ -469,7 +469,7 @@ impl<'a> Writer<'a> {
             let _ = write!(text, " R{}.", arc.signed_radius());
         } else {
             for (letter, _, way) in arc.axes.into_iter().filter(|axis| axis.2 != 0) {
-                let _ = write!(text, " {}{way}.", (letter - b'X' + b'I') as char);
+                let _ = write!(text, " {}{way}.", center(letter));
             }
         }
         text += self.dice.pick(&["", " F300", " F222."]);
@@ -484,7 +484,7 @@ impl<'a> Writer<'a> {
         };
         let minutes = g(self.control, Code::FeedPerMinute).unwrap_or_default();
         let incremental = g(self.control, Code::Incremental).unwrap_or_default();
-        let along = self.control.axis(b'Z').and_then(|k| self.control.axes[k].incremental).unwrap_or(Address::Z);
+        let along = self.control.axis(Address::Z).and_then(|k| self.control.axes[k].incremental).unwrap_or(Address::Z);
         self.line("S300 M03");
         self.line(format!("{turns} {incremental} {thread} {}-5. F1.25", along).trim());
         self.line(&format!("{minutes} {} F800", g(self.control, Code::Linear).unwrap_or_default()));

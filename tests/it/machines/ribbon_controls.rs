@@ -1,6 +1,7 @@
 //! The ribbon line on every control: one motion, each control's own words.
 
 use expect_test::{Expect, expect};
+use macroline::controls::Address;
 use macroline::interp::Interp;
 use macroline::machines::ControlContext;
 use macroline::machines::form::{Origins, Values};
@@ -57,8 +58,8 @@ fn first_cut(project: &Project, planner: &Planner<Interp>) -> f64 {
 }
 
 /// Indices of the pull axis and the print roller's.
-fn axes(project: &Project, print: u8) -> [usize; 2] {
-    [project.control.axis(b'X').unwrap(), project.control.axis(print).unwrap()]
+fn axes(project: &Project, print: Address) -> [usize; 2] {
+    [project.control.axis(Address::X).unwrap(), project.control.axis(print).unwrap()]
 }
 
 fn said(found: &[Diagnostic]) -> Vec<String> {
@@ -71,13 +72,14 @@ fn case_that_all_controls_accept_moves_alike() {
     let same = [("block-time", "7.1"), ("macro-time", "3"), ("preread", "5"), ("spindle-speed", "100")];
     let changes: Vec<_> = same.into_iter().chain([("pitch-count", "20")]).collect();
     let degrees: Vec<_> = changes.iter().copied().chain([("print-axis", "c"), ("y-unit", "degrees")]).collect();
-    for (changes, print) in [(changes, b'Y'), (degrees, b'C')] {
+    for (changes, print) in [(changes, Address::Y), (degrees, Address::C)] {
         let mut moved: Vec<Vec<[f64; 2]>> = Vec::new();
         for control in controls() {
             let project = project(control.id, &changes);
             let planner = over_time(&project, vec![]);
             assert_eq!(planner.starved(), 0);
-            let letter = if control.axis(print).is_none() || control.id == "mitsubishi-e60" { b'Y' } else { print };
+            let letter =
+                if control.axis(print).is_none() || control.id == "mitsubishi-e60" { Address::Y } else { print };
             let axes = axes(&project, letter);
             let begin = first_cut(&project, &planner);
             let at = |t: f64| axes.map(|k| planner.timeline().at(begin + t).axes[k].position);

@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use super::ribbon_line::{at_defaults, control, controls, machine, on, values};
 use expect_test::expect_file;
+use macroline::controls::Address;
 use macroline::interp::canon::AXES;
 use macroline::interp::world::Still;
 use macroline::interp::{self, Canon, End, Feed, Interp, StartProgram};
@@ -187,13 +188,13 @@ fn travels(on: ControlContext, values: &Values) -> [f64; 2] {
 }
 
 /// The axis of the print roller: that of the form, where the control has a choice.
-fn print_letter(on: ControlContext, values: &Values) -> u8 {
+fn print_letter(on: ControlContext, values: &Values) -> Address {
     let hidden = machine().prepare(values, on).hidden().contains(&"print-axis");
     let letter = match values.get("print-axis") {
-        Some(Value::Text(letter)) if !hidden => letter.as_bytes()[0].to_ascii_uppercase(),
-        _ => b'Y',
+        Some(Value::Text(letter)) if !hidden => Address::of(letter.as_bytes()[0]).unwrap(),
+        _ => Address::Y,
     };
-    if on.control.axis(letter).is_some() { letter } else { b'Y' }
+    if on.control.axis(letter).is_some() { letter } else { Address::Y }
 }
 
 #[test]

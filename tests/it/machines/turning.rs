@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use expect_test::{expect, expect_file};
+use macroline::controls::Address;
 use macroline::drives::speed::surface_speed;
 use macroline::interp::Interp;
 use macroline::machines::form::{Origins, Values};
@@ -122,7 +123,7 @@ fn surface_speed_is_constant_where_no_limit_binds() {
         let project = ideal("gsk-980tdc", &[("path", path), ("depth", "7")]);
         let planner = over_time(&project);
         let limit = result(&project, "limit-diameter");
-        let x = project.control.axis(b'X').unwrap();
+        let x = project.control.axis(Address::X).unwrap();
         let mut seen = 0;
         for (from, to) in cuts(&project, &planner) {
             for at in 1..200 {
@@ -464,7 +465,7 @@ fn charts_and_results_show_the_same_speed() {
             let (from, to) = cuts(&project, &planner)[0];
             for t in [from + 1e-4, to - 1e-4] {
                 let now = planner.timeline().at(t);
-                let x = project.control.axis(b'X').unwrap();
+                let x = project.control.axis(Address::X).unwrap();
                 let diameter = 2.0 * now.axes[x].position;
                 let at = line.windows(2).find(|pair| (pair[0].0..=pair[1].0 + 1e-6).contains(&diameter)).unwrap();
                 let (low, high) = (at[0].1.min(at[1].1), at[0].1.max(at[1].1));

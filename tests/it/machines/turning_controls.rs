@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use expect_test::expect;
-use macroline::controls::{Code, Control};
+use macroline::controls::{Address, Code, Control};
 use macroline::interp::Interp;
 use macroline::motion::{Action, Event, Planner, RunEnd};
 
@@ -19,7 +19,7 @@ fn controls() -> impl Iterator<Item = &'static Control> {
 
 /// Slides and spindle over a cut: radius, Z, speed.
 fn moved(project: &Project, planner: &Planner<Interp>, from: f64, to: f64) -> Vec<[f64; 3]> {
-    let [x, z] = [b'X', b'Z'].map(|letter| project.control.axis(letter).unwrap());
+    let [x, z] = [Address::X, Address::Z].map(|letter| project.control.axis(letter).unwrap());
     let moments = (0..=200).map(|at| from + (to - from) * f64::from(at) / 200.0);
     let look = |t: f64| {
         let now = planner.timeline().at(t);
@@ -109,7 +109,7 @@ fn waits(control: &Control) -> String {
     let project = project(control.id, &[&TIMES[..], &[("stage-2", "0"), ("stage-1", "3000")]].concat());
     let planner = over_time(&project);
     let begin = cuts(&project, &planner)[0].0;
-    let x = project.control.axis(b'X').unwrap();
+    let x = project.control.axis(Address::X).unwrap();
     let mut t = begin;
     while planner.timeline().at(t).axes[x].feed == 0.0 {
         t += 1e-3;

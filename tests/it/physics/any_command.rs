@@ -63,8 +63,14 @@ fn canon() -> impl Strategy<Value = Canon> {
 fn any_plant() -> impl Strategy<Value = Plant> {
     (prop::array::uniform8(number()), any::<u8>(), 0usize..9).prop_map(|(n, small, axes)| {
         let diameter = small % 2 == 0;
-        let axis =
-            AxisPlant { diameter, rapid: n[0], clamp: n[1], time_constant: n[2], position_gain: n[3], ..axis(b'X') };
+        let axis = AxisPlant {
+            diameter,
+            rapid: n[0],
+            clamp: n[1],
+            time_constant: n[2],
+            position_gain: n[3],
+            ..axis(Address::X)
+        };
         let mut plant = plant();
         plant.axes = vec![axis; axes];
         plant.spindle.stages = [Stage { rated: n[4], range: (n[5], n[6]), automatic: (n[7], n[0]) }; 5];

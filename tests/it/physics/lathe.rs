@@ -8,8 +8,8 @@ use super::*;
 fn lathe() -> Plant {
     let mut plant = plant();
     plant.axes = vec![
-        AxisPlant { diameter: true, time_constant: 0.0, ..axis(b'X') },
-        AxisPlant { time_constant: 0.0, ..axis(b'Y') },
+        AxisPlant { diameter: true, time_constant: 0.0, ..axis(Address::X) },
+        AxisPlant { time_constant: 0.0, ..axis(Address::Y) },
     ];
     plant
 }

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use macroline::controls::{Dialect, Switches};
+use macroline::controls::{Address, Dialect, Switches};
 use macroline::interp::{Interp, StartProgram};
 use macroline::nc::{Files, parse, parse_with};
 
@@ -129,7 +129,7 @@ fn sample(switches: &[(&str, &str)], lines: &str) -> Planner<Interp> {
     let switches = Switches(switches.iter().map(|(id, set)| (id.to_string(), set.to_string())).collect());
     let parsed = parse_with(&Files::one("O1.nc", format!("O0001\n{lines}\nM30\n%\n")), control, &switches);
     let mut plant = plant();
-    plant.axes = vec![AxisPlant { diameter: true, ..axis(b'X') }, axis(b'Z')];
+    plant.axes = vec![AxisPlant { diameter: true, ..axis(Address::X) }, axis(Address::Z)];
     plant.spindle = SpindlePlant::bench(control, Dialect::resolve(control, &switches).spindle());
     let mut planner = Planner::new(Setup {
         program: Interp::new(Rc::new(parsed), StartProgram::First),

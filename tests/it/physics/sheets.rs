@@ -28,7 +28,10 @@ impl Lathe {
         let spindle = SpindlePlant::new(Analog::unipolar(3500.0, 10.0), 3500.0, 0.0, rules);
         let positioning = Some(Positioning { speed: 100.0, acceleration: 500.0, clockwise: true });
         let plant = Plant {
-            axes: vec![slide(b'X', Dialect::resolve(control, &switches).counts_diameters(0)), slide(b'Z', false)],
+            axes: vec![
+                slide(Address::X, Dialect::resolve(control, &switches).counts_diameters(0)),
+                slide(Address::Z, false),
+            ],
             spindle: SpindlePlant { positioning, centre: Some(0.0), ..spindle },
             ..plant()
         };

@@ -12,7 +12,7 @@ use super::*;
 /// A lathe whose spindle has no inertia, up to 3500 r/min.
 fn quick(tau: f64) -> Plant {
     let mut plant = plant();
-    plant.axes = vec![AxisPlant { diameter: true, time_constant: tau, ..axis(b'X') }, axis(b'Y')];
+    plant.axes = vec![AxisPlant { diameter: true, time_constant: tau, ..axis(Address::X) }, axis(Address::Y)];
     let analog = Analog::unipolar(3500.0, 10.0);
     plant.spindle = SpindlePlant::new(analog, 3500.0, 0.0, plant.spindle.rules);
     plant

@@ -14,11 +14,11 @@ pub use params::{LATHE as LATHE_PARAMS, MILL as MILL_PARAMS};
 pub use switches::{LATHE as LATHE_SWITCHES, MILL as MILL_SWITCHES};
 pub use vars::{LATHE as LATHE_VARS, MILL as MILL_VARS};
 
-use crate::controls::AddressSet;
 use crate::controls::bench::{Bench, BenchAxis, BenchShift};
 use crate::controls::macros::{ArgumentSets, VacantWord};
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
 use crate::controls::syntax::{ArcTangent, Function, Percent, RoundBrackets};
+use crate::controls::{Address, AddressSet};
 use crate::controls::{Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
@@ -205,17 +205,17 @@ pub const SPINDLE: SpindleRules = SpindleRules {
 };
 
 /// An axis of the bench with 0.1 s of acceleration and a position gain of 33/s.
-pub const fn bench_axis(letter: u8, rapid: f64, clamp: f64) -> BenchAxis {
+pub const fn bench_axis(letter: Address, rapid: f64, clamp: f64) -> BenchAxis {
     BenchAxis { letter, rapid, clamp, time_constant: 0.1, position_gain: 33.0 }
 }
 
 /// A bench of a lathe: two slides, a third linear and a rotary axis, four gears.
 pub const BENCH: Bench = Bench {
     axes: &[
-        bench_axis(b'X', 12_000.0, 12_000.0),
-        bench_axis(b'Z', 24_000.0, 24_000.0),
-        bench_axis(b'Y', 240_000.0, 240_000.0),
-        bench_axis(b'C', 240_000.0, 240_000.0),
+        bench_axis(Address::X, 12_000.0, 12_000.0),
+        bench_axis(Address::Z, 24_000.0, 24_000.0),
+        bench_axis(Address::Y, 240_000.0, 240_000.0),
+        bench_axis(Address::C, 240_000.0, 240_000.0),
     ],
     gears: &[3000.0, 2000.0, 1200.0, 600.0],
     shift: BenchShift { volts: 0.1, before: 1.0, meshing: 0.5, after: 1.0 },

@@ -10,7 +10,7 @@ use super::resolved::{CutToLength, FEED_AXIS};
 pub(super) fn plant(feeder: &CutToLength) -> Plant {
     let p = &feeder.p;
     let axis = AxisPlant {
-        letter: FEED_AXIS,
+        letter: Some(FEED_AXIS),
         rotary: false,
         diameter: false,
         rapid: p.clamp,

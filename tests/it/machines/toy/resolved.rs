@@ -2,14 +2,14 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use macroline::controls::{Control, Dialect};
+use macroline::controls::{Address, Control, Dialect};
 use macroline::machines::ControlContext;
 
 use super::derive::Derived;
 use super::params::Params;
 
 /// The axis that feeds.
-pub(super) const FEED_AXIS: u8 = b'Z';
+pub(super) const FEED_AXIS: Address = Address::Z;
 
 /// Machines prepared so far: the test counts them.
 pub(crate) static PREPARED: AtomicUsize = AtomicUsize::new(0);
