@@ -121,8 +121,13 @@ impl RunState {
 
     fn write_row(&mut self, cx: &mut BlockContext, block: &Block, at: u16, number: u32, value: f64) -> Run<()> {
         let Some(row) = cx.control.vars.get(at as usize) else { return Err(no_such_variable(cx, number)) };
+        if !row.kind.writable() {
+            let alarm = if row.kind == VarKind::Vacant { Alarm::VacantWritten } else { Alarm::ReadOnly };
+            let message = msg!("interp.read-only", cx.control.variable(number), row.text);
+            return Err(with_common(cx, Trap::alarm(alarm, message)));
+        }
         let slot = cx.shared.index.stored_at(row, at as usize, number);
-        if value.is_nan() && row.kind.writable() && cx.control.raises(Alarm::VacantValue) {
+        if value.is_nan() && cx.control.raises(Alarm::VacantValue) {
             return Err(Trap::alarm(Alarm::VacantValue, msg!("interp.vacant-value", cx.control.variable(number))));
         }
         let value = zero_if_vacant(value);
@@ -171,28 +176,8 @@ impl RunState {
             }
             VarKind::WorkOffset(system) => self.write_offset(cx, row, system, number, value)?,
             VarKind::NotSimulated => return Err(not_simulated(cx, number, row)),
-            VarKind::Vacant => {
-                let trap =
-                    Trap::alarm(Alarm::VacantWritten, msg!("interp.read-only", cx.control.variable(number), row.text));
-                return Err(with_common(cx, trap));
-            }
-            VarKind::Local | VarKind::Common | VarKind::Retained => {}
-            VarKind::InputBit
-            | VarKind::InputWord(_)
-            | VarKind::PartTime
-            | VarKind::WorkOffsetShown(_)
-            | VarKind::ModalCode(_)
-            | VarKind::ModalWord(_)
-            | VarKind::ExecutingCode(_)
-            | VarKind::ExecutingWord(_)
-            | VarKind::BlockEnd
-            | VarKind::MachinePosition
-            | VarKind::WorkPosition
-            | VarKind::SkipPosition => {
-                let trap =
-                    Trap::alarm(Alarm::ReadOnly, msg!("interp.read-only", cx.control.variable(number), row.text));
-                return Err(with_common(cx, trap));
-            }
+            // Locals and common variables have slots of their own; kinds that are not writable have returned above.
+            _ => {}
         }
         Ok(())
     }
