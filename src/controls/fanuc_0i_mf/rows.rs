@@ -27,13 +27,8 @@ pub(super) const SIGNALS: &[Signal] = cited![Signal: fanuc::SIGNALS, Open MEMORY
 
 /// Points that no manual at hand settles, and parameters that change what a program means.
 pub(super) const SWITCHES: &[Switch] = extended![
-    Switch: cited![Switch: fanuc::MILL_SWITCHES, Open MEMORY],
+    Switch: cited![Switch: fanuc::series_0i_f::MILL_SWITCHES, Open MEMORY],
     &[
-        switch(CommonVariables::of(&[CommonVariables::Sets600, CommonVariables::Sets100]), MEMORY)
-            .label("switch.common-variables-fitted"),
-        switch(UserAlarmBase::of(&[UserAlarmBase::From3000, UserAlarmBase::From0]), MEMORY)
-            .label("switch.user-alarm-base-3000")
-            .parameter("6008#1"),
         switch(StartupFeed::of(&[StartupFeed::G94, StartupFeed::G95]), MEMORY).parameter("3402#4"),
         switch(StartupDistance::of(&[StartupDistance::G90, StartupDistance::G91]), MEMORY).parameter("3402#3"),
     ],

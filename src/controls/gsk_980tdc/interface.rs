@@ -1,6 +1,6 @@
 //! Registers between PLC and 980TDc.
 
-use super::MACRO;
+use super::sources::MACRO;
 use crate::controls::Signal;
 use crate::controls::interface::SignalRole::*;
 use crate::controls::interface::{from_plc, to_plc};

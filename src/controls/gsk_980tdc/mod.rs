@@ -5,6 +5,7 @@ mod codes;
 mod functions;
 mod interface;
 mod params;
+mod sources;
 mod switches;
 mod vars;
 
@@ -17,19 +18,7 @@ use super::{AxisDef, Control, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::controls::Address;
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
-
-/// Nothing but memory of the 980T family.
-const MEMORY: Citation = Citation::new("GSK 980T usage, unverified", Grade::Open);
-/// Macro variables, G65, calls.
-const MACRO: Citation = Citation::new("GSK980TDi manual, 3.28", Grade::Sister);
-/// Macro statements.
-const STATEMENT: Citation = Citation::new("GSK980TDi manual, 3.29", Grade::Sister);
-/// Additional axes.
-const AXES: Citation = Citation::new("GSK980TDi manual, 3.27 and 3.28", Grade::Sister);
-/// The pages about S, G96, G97 and G50 S of this very control.
-const SPINDLE: Citation = Citation::new("GSK980TDc manual, 2.2.2 and 2.2.3", Grade::Manual);
-/// Parameter file.
-const PARAMETERS: Citation = Citation::new("GSK980TDi parameter list", Grade::Sister);
+use sources::{AXES, MACRO, PARAMETERS};
 
 /// The control.
 pub static CONTROL: Control = Control {

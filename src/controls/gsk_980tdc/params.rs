@@ -1,6 +1,6 @@
 //! Parameters of the 980TDc that a machine has to set.
 
-use super::{AXES, PARAMETERS, SPINDLE};
+use super::sources::{AXES, PARAMETERS, SPINDLE};
 use crate::controls::ParamDef;
 use crate::controls::ParamRole::*;
 use crate::controls::params::param;

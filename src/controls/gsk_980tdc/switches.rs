@@ -1,6 +1,6 @@
 //! Points of the 980TDc that no manual at hand settles, and parameters that change what a program means.
 
-use super::{MACRO, MEMORY, PARAMETERS, STATEMENT};
+use super::sources::{MACRO, MEMORY, PARAMETERS, STATEMENT};
 use crate::controls::Switch;
 use crate::controls::options::*;
 use crate::controls::switch::switch;

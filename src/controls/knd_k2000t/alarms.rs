@@ -1,9 +1,9 @@
 //! Alarms of the K2000T that macroline can raise, in the numbers of FANUC lathe controls.
 
-use super::MEMORY;
 use crate::controls::Alarm::*;
 use crate::controls::AlarmDef;
 use crate::controls::alarm::alarm;
+use crate::controls::base::fanuc::MEMORY;
 use crate::text::{Citation, Grade};
 
 /// The numbers that a second source has too.

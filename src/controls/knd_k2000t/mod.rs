@@ -2,6 +2,7 @@
 
 mod alarms;
 mod rows;
+mod sources;
 
 use super::base::fanuc;
 use super::base::fanuc::MEMORY;
@@ -11,10 +12,7 @@ use super::schema::table::joined;
 use super::syntax::Function;
 use super::{AxisDef, Control, Macros, SpindleRules, Syntax};
 use crate::controls::Address;
-use crate::text::{Citation, Grade};
-
-/// The published paper about the polygon lathe, on this very control.
-const PAPER: Citation = Citation::new("polygon turning paper, K2000T", Grade::Manual);
+use sources::PAPER;
 
 /// The control.
 pub static CONTROL: Control = Control {

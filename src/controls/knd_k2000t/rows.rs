@@ -1,6 +1,6 @@
 //! Rows of the K2000T: those of FANUC lathes, which nobody has confirmed on it, and what the polygon turning paper says.
 
-use super::PAPER;
+use super::sources::PAPER;
 use crate::controls::Code::*;
 use crate::controls::ParamRole::EditLock;
 use crate::controls::VarKind::*;

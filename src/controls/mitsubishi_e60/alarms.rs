@@ -1,6 +1,6 @@
 //! Alarms of the E60 that macroline can raise.
 
-use super::MEMORY;
+use super::sources::MEMORY;
 use crate::controls::Alarm::*;
 use crate::controls::AlarmDef;
 use crate::controls::alarm::alarm;

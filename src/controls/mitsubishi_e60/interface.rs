@@ -1,6 +1,6 @@
 //! Registers between PLC and E60.
 
-use super::MEMORY;
+use super::sources::MEMORY;
 use crate::controls::Signal;
 use crate::controls::interface::SignalRole::*;
 use crate::controls::interface::{from_plc, to_plc};

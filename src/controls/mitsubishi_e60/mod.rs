@@ -4,6 +4,7 @@ mod alarms;
 mod codes;
 mod interface;
 mod params;
+mod sources;
 mod switches;
 mod vars;
 
@@ -18,11 +19,7 @@ use super::{Control, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::controls::{Address, AddressSet};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
-
-/// Nothing but memory of the MELDAS manuals.
-const MEMORY: Citation = Citation::new("MELDAS M-type usage, unverified", Grade::Open);
-/// The published paper about the ribbon line, on this very control.
-const PAPER: Citation = Citation::new("ribbon dot-printing paper, E60", Grade::Manual);
+use sources::{MEMORY, PAPER};
 
 /// The control.
 pub static CONTROL: Control = Control {

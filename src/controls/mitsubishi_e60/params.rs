@@ -1,6 +1,6 @@
 //! Parameters of the E60 that a machine has to set.
 
-use super::MEMORY;
+use super::sources::MEMORY;
 use crate::controls::ParamDef;
 use crate::controls::ParamRole::*;
 use crate::controls::params::param;

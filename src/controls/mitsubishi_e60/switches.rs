@@ -1,6 +1,6 @@
 //! Points of the E60 that no manual at hand settles.
 
-use super::MEMORY;
+use super::sources::MEMORY;
 use crate::controls::Switch;
 use crate::controls::options::*;
 use crate::controls::switch::switch;

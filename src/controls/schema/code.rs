@@ -1,6 +1,6 @@
 //! G and M codes: what they mean to the interpreter, in which modal group they stand.
 
-use super::table::{Key, single};
+use super::table::{Key, digits, divided, range_ends, single};
 use core::fmt;
 
 use crate::text::Citation;
@@ -395,5 +395,23 @@ impl CodeDef {
     /// What the row is about, for tables that are made of a family's rows and a control's own.
     pub const fn key(&self) -> Key {
         single(self.id.rank())
+    }
+
+    /// The key of the rows that a list names: `G7.1`, `M30`, `G54-G59`.
+    pub const fn listed_key(word: &[u8]) -> Key {
+        let (first, last) = range_ends(word);
+        (listed_rank(first), listed_rank(last))
+    }
+}
+
+/// The place of a code among all codes, as a list names it.
+const fn listed_rank(word: &[u8]) -> u64 {
+    let (letter, number) = word.split_at(1);
+    let (whole, tenth) = divided(number, b'.');
+    let tenth = if tenth.is_empty() { 0 } else { digits(tenth) };
+    match letter[0] {
+        b'G' => CodeId::g_dot(digits(whole) as u32, tenth as u8).rank(),
+        b'M' => CodeId::M(digits(whole) as u32).rank(),
+        _ => panic!("a list names G and M codes"),
     }
 }

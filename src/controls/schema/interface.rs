@@ -73,6 +73,6 @@ impl Signal {
 
     /// The device, for tables that are made of a family's rows and a control's own.
     pub const fn key(&self) -> Key {
-        text_key(self.device)
+        text_key(self.device.as_bytes())
     }
 }

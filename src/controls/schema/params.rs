@@ -158,6 +158,11 @@ impl ParamDef {
 
     /// What the row is about, for tables that are made of a family's rows and a control's own.
     pub const fn key(&self) -> Key {
-        text_key(self.number)
+        text_key(self.number.as_bytes())
+    }
+
+    /// The key of the row that a list names by its number.
+    pub const fn listed_key(word: &[u8]) -> Key {
+        text_key(word)
     }
 }

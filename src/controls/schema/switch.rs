@@ -100,6 +100,11 @@ impl Switch {
 
     /// The id, for tables that are made of a family's rows and a control's own.
     pub const fn key(&self) -> Key {
-        text_key(self.kind.id())
+        text_key(self.kind.id().as_bytes())
+    }
+
+    /// The key of the row that a list names by its id.
+    pub const fn listed_key(word: &[u8]) -> Key {
+        text_key(word)
     }
 }

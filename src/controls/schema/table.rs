@@ -1,5 +1,7 @@
 //! Tables made of parts when the library is compiled: the rows of a family, then those of a control.
 
+use crate::text::Citation;
+
 /// Number of rows of all parts together.
 pub const fn rows<T>(parts: &[&[T]]) -> usize {
     let mut rows = 0;
@@ -49,8 +51,8 @@ pub const fn single(number: u64) -> Key {
 }
 
 /// The key of a text, by its FNV-1a hash.
-pub const fn text_key(text: &str) -> Key {
-    let (bytes, mut hash, mut at) = (text.as_bytes(), 0xcbf2_9ce4_8422_2325_u64, 0);
+pub const fn text_key(bytes: &[u8]) -> Key {
+    let (mut hash, mut at) = (0xcbf2_9ce4_8422_2325_u64, 0);
     while at < bytes.len() {
         hash = (hash ^ bytes[at] as u64).wrapping_mul(0x0100_0000_01b3);
         at += 1;
@@ -155,9 +157,160 @@ macro_rules! extended {
     }};
 }
 
-/// The rows of a family under the citation of the control that takes them, its own evidence: `cited![CodeDef: FAMILY, CITATION]`. With
-/// `Open` in front of the citation only the rows that the family has from memory; rows with a source keep it.
+/// Number of words in a list of rows, `"G0 G2-G4 M98"`; one blank between words.
+pub const fn words(list: &[u8]) -> usize {
+    let (mut words, mut at) = (1, 0);
+    while at < list.len() {
+        words += (list[at] == b' ') as usize;
+        at += 1;
+    }
+    words
+}
+
+/// The part of a text in front of a separator, and the part behind it; without a separator all of it, and nothing.
+pub const fn divided(text: &[u8], separator: u8) -> (&[u8], &[u8]) {
+    let mut at = 0;
+    while at < text.len() {
+        if text[at] == separator {
+            let (front, behind) = text.split_at(at);
+            return (front, behind.split_at(1).1);
+        }
+        at += 1;
+    }
+    (text, &[])
+}
+
+/// The ends of a range, `G2-G4`; those of a single word are the word itself.
+pub const fn range_ends(word: &[u8]) -> (&[u8], &[u8]) {
+    let (first, last) = divided(word, b'-');
+    if last.is_empty() { (first, first) } else { (first, last) }
+}
+
+/// The value of decimal digits.
+pub const fn digits(text: &[u8]) -> u64 {
+    assert!(!text.is_empty(), "a number has digits");
+    let (mut value, mut at) = (0, 0);
+    while at < text.len() {
+        assert!(text[at].is_ascii_digit(), "a number has digits alone");
+        value = 10 * value + (text[at] - b'0') as u64;
+        at += 1;
+    }
+    value
+}
+
+/// A citation, and the keys of the rows that it covers.
+pub type Cover = (Citation, &'static [Key]);
+
+/// The citation that covers a row; `None` where none does.
+pub const fn covering(row: Key, covers: &[Cover]) -> Option<Citation> {
+    let (mut found, mut cover) = (None, 0);
+    while cover < covers.len() {
+        let (mut at, keys) = (0, covers[cover].1);
+        while at < keys.len() {
+            if keys[at].0 <= row.0 && row.1 <= keys[at].1 {
+                assert!(found.is_none(), "a row has one citation");
+                found = Some(covers[cover].0);
+            }
+            at += 1;
+        }
+        cover += 1;
+    }
+    found
+}
+
+/// Number of covered rows. Each key covers at least one.
+pub const fn covered_rows(family: &[Key], covers: &[Cover]) -> usize {
+    let mut cover = 0;
+    while cover < covers.len() {
+        let (mut at, keys) = (0, covers[cover].1);
+        while at < keys.len() {
+            let mut row = 0;
+            while row < family.len() && !(keys[at].0 <= family[row].0 && family[row].1 <= keys[at].1) {
+                row += 1;
+            }
+            assert!(row < family.len(), "the family has each row that is named");
+            at += 1;
+        }
+        cover += 1;
+    }
+    let (mut rows, mut at) = (0, 0);
+    while at < family.len() {
+        rows += covering(family[at], covers).is_some() as usize;
+        at += 1;
+    }
+    rows
+}
+
+/// The keys of the rows that a list names.
+macro_rules! listed {
+    ($row:ty, $list:literal) => {{
+        const LIST: &[u8] = $list.as_bytes();
+        const KEYS: [$crate::controls::schema::table::Key; $crate::controls::schema::table::words(LIST)] = {
+            let mut keys = [(0, 0); $crate::controls::schema::table::words(LIST)];
+            let (mut rest, mut at) = (LIST, 0);
+            while at < keys.len() {
+                let (word, behind) = $crate::controls::schema::table::divided(rest, b' ');
+                keys[at] = <$row>::listed_key(word);
+                rest = behind;
+                at += 1;
+            }
+            keys
+        };
+        &KEYS
+    }};
+}
+
+/// The rows of a family that a control has as they are, each under the control's own citation:
+/// `taken![CodeDef: FAMILY, CITATION => "G0 G2-G4 M98", …]`.
+macro_rules! taken {
+    ($row:ty: $family:expr, $($cite:ident => $list:literal),+ $(,)?) => {{
+        use $crate::controls::schema::table;
+        const FAMILY: &[$row] = $family;
+        const FAMILY_KEYS: &[table::Key] = &table::keys!(FAMILY);
+        const COVERS: &[table::Cover] = &[$(($cite, table::listed!($row, $list))),+];
+        const ROWS: [$row; table::covered_rows(FAMILY_KEYS, COVERS)] = {
+            let mut rows = [FAMILY[0]; table::covered_rows(FAMILY_KEYS, COVERS)];
+            let (mut row, mut at) = (0, 0);
+            while at < FAMILY.len() {
+                if let Some(cite) = table::covering(FAMILY_KEYS[at], COVERS) {
+                    rows[row] = FAMILY[at];
+                    rows[row].cite = cite;
+                    row += 1;
+                }
+                at += 1;
+            }
+            rows
+        };
+        &ROWS
+    }};
+}
+
+/// All rows of a family under citations of the control that takes them, its own evidence:
+///
+/// * `cited![CodeDef: FAMILY, CITATION]`: each row.
+/// * `cited![CodeDef: FAMILY, Open CITATION]`: only rows that the family has from memory; rows with a source keep it.
+/// * `cited![CodeDef: FAMILY, CITATION => "G0 G2-G4 M98", …]`: only the rows of the lists; the others keep the family's.
 macro_rules! cited {
+    ($row:ty: $family:expr, $($cite:ident => $list:literal),+ $(,)?) => {{
+        use $crate::controls::schema::table;
+        const FAMILY: &[$row] = $family;
+        const FAMILY_KEYS: &[table::Key] = &table::keys!(FAMILY);
+        const COVERS: &[table::Cover] = &[$(($cite, table::listed!($row, $list))),+];
+        const _: () = assert!(table::covered_rows(FAMILY_KEYS, COVERS) > 0);
+        const ROWS: [$row; FAMILY.len()] = {
+            let mut rows = [FAMILY[0]; FAMILY.len()];
+            let mut at = 0;
+            while at < FAMILY.len() {
+                rows[at] = FAMILY[at];
+                if let Some(cite) = table::covering(FAMILY_KEYS[at], COVERS) {
+                    rows[at].cite = cite;
+                }
+                at += 1;
+            }
+            rows
+        };
+        &ROWS
+    }};
     ($row:ty: $family:expr, Open $cite:expr $(,)?) => {
         $crate::controls::schema::table::cited!(@ $row, $family, $cite, true)
     };
@@ -182,4 +335,4 @@ macro_rules! cited {
     }};
 }
 
-pub(in crate::controls) use {cited, extended, keys};
+pub(in crate::controls) use {cited, extended, keys, listed, taken};

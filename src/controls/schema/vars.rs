@@ -1,6 +1,6 @@
 //! Ranges of variables: what they hold, how long, and who may write them.
 
-use super::table::Key;
+use super::table::{Key, digits, range_ends};
 use super::{Address, Group};
 use crate::text::Citation;
 
@@ -192,5 +192,11 @@ impl VarRange {
     /// What the row is about, for tables that are made of a family's rows and a control's own.
     pub const fn key(&self) -> Key {
         (self.first as u64, self.last as u64)
+    }
+
+    /// The key of the rows that a list names: `100`, `1-33`.
+    pub const fn listed_key(word: &[u8]) -> Key {
+        let (first, last) = range_ends(word);
+        (digits(first), digits(last))
     }
 }

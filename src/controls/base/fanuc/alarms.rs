@@ -1,6 +1,6 @@
 //! Alarms of the 0i-F that macroline can raise, in the numbers and words of the alarm list of its sister, the 30i.
 
-use super::{ALARM_LIST, MEMORY};
+use super::sources::{ALARM_LIST, MEMORY};
 use crate::controls::Alarm::*;
 use crate::controls::AlarmDef;
 use crate::controls::alarm::alarm;

@@ -1,6 +1,6 @@
 //! G and M codes of the FANUC family: those of lathes (G code system A) and of mills. Codes of the user are parameters: see the switches.
 
-use super::{LATHE_LIST, MEMORY, MODAL_LIST};
+use super::sources::{LATHE_LIST, MEMORY, MODAL_LIST};
 use crate::controls::Code::*;
 use crate::controls::CodeDef;
 use crate::controls::code::{Group, g, g_dot, m};

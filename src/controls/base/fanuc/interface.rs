@@ -1,6 +1,6 @@
 //! Registers between PMC and control in the FANUC family.
 
-use super::{INPUTS, MEMORY};
+use super::sources::{INPUTS, MEMORY};
 use crate::controls::Signal;
 use crate::controls::interface::SignalRole::*;
 use crate::controls::interface::{from_plc, to_plc};

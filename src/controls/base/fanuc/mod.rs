@@ -4,6 +4,8 @@ mod alarms;
 mod codes;
 mod interface;
 mod params;
+pub mod series_0i_f;
+mod sources;
 mod switches;
 mod vars;
 
@@ -11,6 +13,7 @@ pub use alarms::ALARMS;
 pub use codes::{LATHE as LATHE_CODES, MILL as MILL_CODES};
 pub use interface::SIGNALS;
 pub use params::{LATHE as LATHE_PARAMS, MILL as MILL_PARAMS};
+pub use sources::*;
 pub use switches::{LATHE as LATHE_SWITCHES, MILL as MILL_SWITCHES};
 pub use vars::{LATHE as LATHE_VARS, MILL as MILL_VARS};
 
@@ -18,34 +21,9 @@ use crate::controls::bench::{Bench, BenchAxis, BenchShift};
 use crate::controls::macros::{ArgumentSets, VacantWord};
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
 use crate::controls::syntax::{ArcTangent, Function, Percent, RoundBrackets};
-use crate::controls::{Address, AddressSet};
-use crate::controls::{Limits, Macros, SpindleRules, Syntax, Timing};
+use crate::controls::{Address, AddressSet, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
-
-/// Memory of FANUC usage without any document.
-pub const MEMORY: Citation = Citation::new("FANUC 0i-T usage, unverified", Grade::Open);
-/// Custom macro B: calls and arguments.
-pub const CALLS: Citation = Citation::new("FANUC 16i/18i-PB manual B-63684EN, p.278", Grade::Inferred);
-
-/// Arguments without a decimal point.
-pub const ARGUMENTS: Citation = CALLS;
-/// G codes of lathes, by a secondary source.
-pub const LATHE_LIST: Citation = Citation::new("machinemfg.com, FANUC CNC lathe commands", Grade::Inferred);
-/// Alarms, positions and times as variables, by a secondary source.
-pub const WIKI: Citation = Citation::new("zappettiniconsulting.com, alarms and timers; position data", Grade::Inferred);
-/// Modal groups of mills, by a secondary source.
-pub const MODAL_LIST: Citation = Citation::new("zappettiniconsulting.com, modal group variables", Grade::Inferred);
-/// Signals of custom macros, bit by bit, by a secondary source.
-pub const INPUTS: Citation = Citation::new("industrialmonitordirect.com, UI and UO of custom macro", Grade::Inferred);
-/// The signal of reached speed.
-pub const SPEED_REACHED: Citation =
-    Citation::new("FANUC Power Mate connection manual B-63443EN/02, p.197", Grade::Sister);
-/// Speeds of gear stages.
-pub const COMMANDS: Citation =
-    Citation::new("FANUC Power Mate i-D/H parameter manual, p.107: 3741 to 3744", Grade::Sister);
-/// Alarms of the series 30i, whose numbers and texts the 0i-F shares.
-pub const ALARM_LIST: Citation = Citation::new("FANUC 30i PS alarm list, copy in a public repository", Grade::Inferred);
 
 /// Functions that every control of the family has, by their first spelling.
 pub const FUNCTIONS: [(&str, Function); 15] = [

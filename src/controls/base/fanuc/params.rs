@@ -1,6 +1,6 @@
 //! Parameters of the FANUC family that a machine has to set.
 
-use super::{COMMANDS, MEMORY, SPEED_REACHED};
+use super::sources::{COMMANDS, MEMORY, SPEED_REACHED};
 use crate::controls::ParamDef;
 use crate::controls::ParamRole::*;
 use crate::controls::params::param;

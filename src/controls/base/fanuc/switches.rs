@@ -1,6 +1,6 @@
 //! Points of the FANUC family that no manual at hand settles, and parameters that change what a program means.
 
-use super::{ARGUMENTS, MEMORY};
+use super::sources::{ARGUMENTS, MEMORY};
 use crate::controls::Switch;
 use crate::controls::options::*;
 use crate::controls::schema::table::joined;

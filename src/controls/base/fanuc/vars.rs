@@ -1,6 +1,6 @@
 //! Variables of the FANUC family, in rising order: those of lathes (G code system A) and of mills.
 
-use super::{INPUTS, MEMORY, MODAL_LIST, WIKI};
+use super::sources::{INPUTS, MEMORY, MODAL_LIST, WIKI};
 use crate::controls::VarKind::*;
 use crate::controls::schema::table::extended;
 use crate::controls::vars::{Clock, Width, range};

@@ -1,4 +1,4 @@
-//! Machine and setting data of the 802D that a machine has to set.
+//! Machine and setting data of the SINUMERIK family that a machine has to set.
 
 use crate::controls::ParamDef;
 use crate::controls::ParamRole::*;
@@ -14,11 +14,9 @@ const OUTPUT: Citation = Citation::new("start-up of Siemens controls, unverified
 const GEARS: Citation = Citation::new("802S start-up, p.4-48", Grade::Sister);
 const TOLERANCE: Citation = Citation::new("840D sl axes and spindles 06/2019, p.828", Grade::Sister);
 const ANGLE: Citation = Citation::new("840D sl axes and spindles 06/2019, p.754", Grade::Sister);
-const SETTING: Citation =
-    Citation::new("the page on 802D spindle commands: setting data; numbers unverified", Grade::Open);
 
 /// One row per parameter, by number.
-pub(super) const PARAMS: &[ParamDef] = &[
+pub const PARAMS: &[ParamDef] = &[
     param(AxisDiameter, "MD20100", "DIAMETER_AX_DEF", "", "transverse axis, for diameters and G96", TRANSVERSE)
         .answered("X", ""),
     param(SpindleConnection, "MD30130", "CTRLOUT_TYPE", "", "0 simulation, 1 output to the drive", OUTPUT),
@@ -60,14 +58,14 @@ pub(super) const PARAMS: &[ParamDef] = &[
     )
     .answered("3", "4"),
     param(SpindleReached, "MD35500", "SPIND_ON_SPEED_AT_IPO_START", "", "1: cuts wait for the speed", TOLERANCE),
-    param(SpindleLowerSet, "SD43210", "SPIND_MIN_VELO_G25", "r/min", "lower limit, overwritten by G25", SETTING),
-    param(SpindleUpperSet, "SD43220", "SPIND_MAX_VELO_G26", "r/min", "upper limit, overwritten by G26", SETTING),
+    param(SpindleLowerSet, "SD43210", "SPIND_MIN_VELO_G25", "r/min", "lower limit, overwritten by G25", OUTPUT),
+    param(SpindleUpperSet, "SD43220", "SPIND_MAX_VELO_G26", "r/min", "upper limit, overwritten by G26", OUTPUT),
     param(
         SpindleSurfaceLimit,
         "SD43230",
         "SPIND_MAX_VELO_LIMS",
         "r/min",
         "upper limit at G96, overwritten by LIMS",
-        SETTING,
+        OUTPUT,
     ),
 ];

@@ -1,5 +1,6 @@
-//! Alarms of the 802D that macroline can raise, in the numbers of its sister controls.
+//! Alarms of the SINUMERIK family that macroline can raise, in the numbers that its controls share.
 
+use super::sources::MEMORY;
 use crate::controls::Alarm::*;
 use crate::controls::AlarmDef;
 use crate::controls::alarm::alarm;
@@ -21,15 +22,10 @@ const IDLE: Citation = Citation::new(
 );
 
 /// One row per kind.
-pub(super) const ALARMS: &[AlarmDef] = &[
-    alarm(EmergencyStop, "3000", "Emergency stop", Citation::new("usage of Siemens controls, unverified", Grade::Open)),
+pub const ALARMS: &[AlarmDef] = &[
+    alarm(EmergencyStop, "3000", "Emergency stop", MEMORY),
     alarm(SoftLimit, "10720", "Programmed end point lies behind a software limit", NEAREST),
-    alarm(
-        WorkingArea,
-        "10730",
-        "Programmed end point lies behind a working area limit",
-        Citation::new("usage of Siemens controls, unverified", Grade::Open),
-    ),
+    alarm(WorkingArea, "10730", "Programmed end point lies behind a working area limit", MEMORY),
     alarm(NoFeed, "10860", "No feedrate programmed", LIST),
     alarm(NoSurfaceSpeed, "10900", "No S value programmed for constant cutting speed", LIST),
     alarm(AddressTwice, "12000", "Address programmed repeatedly", LIST),

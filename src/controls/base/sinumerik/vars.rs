@@ -1,4 +1,4 @@
-//! Variables of the 802D: its R parameters.
+//! Variables of the SINUMERIK family: its R parameters.
 
 use crate::controls::VarKind::Retained;
 use crate::controls::VarRange;
@@ -10,4 +10,4 @@ const RANGE: Citation =
     Citation::new("R0 to R299 by a secondary page on Siemens controls; see the switch", Grade::Open);
 
 /// Every range; a number in none of them does not exist.
-pub(super) const VARS: &[VarRange] = &[range(0, 299, Retained, "", "arithmetic parameters, kept, 0 until set", RANGE)];
+pub const VARS: &[VarRange] = &[range(0, 299, Retained, "", "arithmetic parameters, kept, 0 until set", RANGE)];

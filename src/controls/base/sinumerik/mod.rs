@@ -1,5 +1,19 @@
 //! SINUMERIK controls: R parameters, named addresses and codes, subprograms by name. Rows of the 840D and 808D, sisters of one language.
 
+mod alarms;
+mod codes;
+mod params;
+mod sources;
+mod switches;
+mod vars;
+
+pub use alarms::ALARMS;
+pub use codes::{CODES, NAMES as CODE_NAMES};
+pub use params::PARAMS;
+pub use sources::*;
+pub use switches::SWITCHES;
+pub use vars::VARS;
+
 use crate::controls::CodeId;
 use crate::controls::bench::{Bench, BenchAxis, BenchShift};
 use crate::controls::macros::{ArgumentSets, VacantWord};
@@ -11,12 +25,7 @@ use crate::drives::Positioning;
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
 
-/// Arithmetic: operators, their order, equality.
-pub const ARITHMETIC: Citation = Citation::new("840D sl NC programming 12/2019, p.392 and 444", Grade::Sister);
-/// Memory of Siemens controls without any document.
-pub const MEMORY: Citation = Citation::new("usage of Siemens controls, unverified", Grade::Open);
-
-/// Words of several letters, names of programs and labels. A control adds the codes that are names.
+/// Words of several letters, codes that are names, names of programs and labels.
 pub const NAMES: Names = Names {
     addresses: &[
         ("ANG", Address::Ang),
@@ -35,7 +44,7 @@ pub const NAMES: Names = Names {
         ("SF", Address::Sf),
         ("SPOS", Address::Spos),
     ],
-    codes: &[],
+    codes: CODE_NAMES,
     cycle: "CYCLE",
     extended: AddressSet::letters("HIJKMSXYZ"),
     foreign: &[

@@ -1,0 +1,49 @@
+//! The series FANUC 0i-F: changes of the family's rows that its lathes and mills have in common.
+
+use super::sources::MEMORY;
+use super::switches;
+use super::{FUNCTIONS, LATER_FUNCTIONS, SHORT_FUNCTIONS};
+use crate::controls::macros::{CallKind, CodeCalls};
+use crate::controls::options::*;
+use crate::controls::schema::table::{extended, joined};
+use crate::controls::switch::switch;
+use crate::controls::syntax::{ArcTangent, Function};
+use crate::controls::{Address, Limits, Macros, Switch, Syntax};
+
+/// Spelling, characters and file form.
+pub const SYNTAX: Syntax = Syntax {
+    sequence_digits: 8,
+    atan: ArcTangent::OfOneOrTwo,
+    functions: joined![(&str, Function): &FUNCTIONS, &SHORT_FUNCTIONS, &LATER_FUNCTIONS],
+    block_words: 26,
+    ..super::SYNTAX
+};
+
+/// Calls, arguments and values of macro programs.
+pub const MACROS: Macros = Macros {
+    code_calls: &[
+        CodeCalls::Each { kind: CallKind::Macro, letter: Address::G, first: 6050, count: 10, program: 9010 },
+        CodeCalls::Each { kind: CallKind::Macro, letter: Address::M, first: 6080, count: 10, program: 9020 },
+        CodeCalls::Each { kind: CallKind::Sub, letter: Address::M, first: 6071, count: 9, program: 9001 },
+    ],
+    user_alarm_prefix: "MC",
+    ..super::MACROS
+};
+
+/// Ranges of words and depths of calls.
+pub const LIMITS: Limits = Limits { coordinate_max: 999_999.999, sub_depth: 10, macro_depth: 5, ..super::LIMITS };
+
+/// Points of the series.
+const SWITCHES: &[Switch] = &[
+    switch(CommonVariables::of(&[CommonVariables::Sets600, CommonVariables::Sets100]), MEMORY)
+        .label("switch.common-variables-fitted"),
+    switch(UserAlarmBase::of(&[UserAlarmBase::From3000, UserAlarmBase::From0]), MEMORY)
+        .label("switch.user-alarm-base-3000")
+        .parameter("6008#1"),
+];
+
+/// Points of a lathe.
+pub const LATHE_SWITCHES: &[Switch] = extended![Switch: switches::LATHE, SWITCHES];
+
+/// Points of a mill.
+pub const MILL_SWITCHES: &[Switch] = extended![Switch: switches::MILL, SWITCHES];

@@ -1,0 +1,16 @@
+//! Sources that rows of the 980TDc share.
+
+use crate::text::{Citation, Grade};
+
+/// Nothing but memory of the 980T family.
+pub(super) const MEMORY: Citation = Citation::new("GSK 980T usage, unverified", Grade::Open);
+/// Macro variables, G65, calls.
+pub(super) const MACRO: Citation = Citation::new("GSK980TDi manual, 3.28", Grade::Sister);
+/// Macro statements.
+pub(super) const STATEMENT: Citation = Citation::new("GSK980TDi manual, 3.29", Grade::Sister);
+/// Additional axes.
+pub(super) const AXES: Citation = Citation::new("GSK980TDi manual, 3.27 and 3.28", Grade::Sister);
+/// The pages about S, G96, G97 and G50 S of this very control.
+pub(super) const SPINDLE: Citation = Citation::new("GSK980TDc manual, 2.2.2 and 2.2.3", Grade::Manual);
+/// Parameter file.
+pub(super) const PARAMETERS: Citation = Citation::new("GSK980TDi parameter list", Grade::Sister);
