@@ -245,5 +245,5 @@ impl Breakpoints {
 }
 
 fn condition_of(text: &str, parsed: &Parsed) -> Result<Option<ParsedFormula>, Box<Diagnostic>> {
-    if text.trim().is_empty() { Ok(None) } else { nc::formula(text.trim(), parsed.control()).map(Some) }
+    if text.trim().is_empty() { Ok(None) } else { nc::formula(text.trim(), parsed).map(Some) }
 }

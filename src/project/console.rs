@@ -339,7 +339,7 @@ impl<'f> Console<'f> {
     }
 
     fn watch(&mut self, text: &str) -> Result<String, String> {
-        crate::nc::formula(text, self.control()).map_err(|why| told_about(text, &why))?;
+        crate::nc::formula(text, self.parsed()).map_err(|why| told_about(text, &why))?;
         self.watched += 1;
         self.watches.push((self.watched, text.to_owned()));
         Ok(self.shown(&format!("watch {}: ", self.watched), text))

@@ -191,6 +191,6 @@ impl Debugger {
 
     /// The value of an expression or condition as the program would find it now; `None` is vacant.
     pub fn evaluate(&self, text: &str) -> Result<Option<f64>, Box<Diagnostic>> {
-        self.run.look(|interp, world| interp.evaluate(&nc::formula(text, interp.control())?, world))
+        self.run.look(|interp, world| interp.evaluate(&nc::formula(text, interp.parsed())?, world))
     }
 }

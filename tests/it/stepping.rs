@@ -6,7 +6,7 @@ mod walks;
 use std::rc::Rc;
 
 use expect_test::Expect;
-use macroline::controls::{Control, find};
+use macroline::controls::{Control, Switches, find};
 use macroline::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
 use macroline::nc::{self, Files};
 use macroline::project::breakpoints::{Breakpoints, Location};
@@ -25,8 +25,12 @@ fn e60() -> &'static Control {
 }
 
 fn bench(files: &Files, panel: Panel) -> Run {
+    bench_with(files, &Switches::default(), panel)
+}
+
+fn bench_with(files: &Files, switches: &Switches, panel: Panel) -> Run {
     let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Both };
-    run::of_programs(Rc::new(nc::parse(files, e60())), None, panel, &begin)
+    run::of_programs(Rc::new(nc::parse_with(files, e60(), switches)), None, panel, &begin)
 }
 
 /// What a script of commands is answered, each command behind a `>`.
@@ -42,8 +46,14 @@ fn talk(console: &mut Console, script: &str) -> String {
 
 #[track_caller]
 fn check(program: &str, script: &str, expected: Expect) {
+    check_with(&[], program, script, expected);
+}
+
+#[track_caller]
+fn check_with(switches: &[(&str, &str)], program: &str, script: &str, expected: Expect) {
     let files = Files::one("a.nc", program);
-    let mut console = Console::new(bench(&files, Panel::default()), Teller::new(&files));
+    let switches = Switches(switches.iter().map(|(id, value)| (id.to_string(), value.to_string())).collect());
+    let mut console = Console::new(bench_with(&files, &switches, Panel::default()), Teller::new(&files));
     expected.assert_eq(&talk(&mut console, script));
 }
 
@@ -211,7 +221,8 @@ proptest! {
     #[test]
     fn any_watch_expression_gets_an_answer(text in "\\PC{0,40}") {
         for control in macroline::controls::ALL {
-            if let Err(why) = nc::formula(&text, control) {
+            let program = nc::parse(&Files::one("a.nc", ""), control);
+            if let Err(why) = nc::formula(&text, &program) {
                 let place = why.place.unwrap().span;
                 prop_assert!(place.start <= place.end && place.end as usize <= text.len(), "{why:?}");
             }

@@ -65,7 +65,7 @@ impl Reader<'_> {
             return Some(self.mend(finding, Mend::Write(at, end, PI)));
         }
         let &(_, id) = WORDS.iter().find(|row| row.0.contains(&word.as_str()))?;
-        if word == "MOD" && self.control.syntax.modulo {
+        if word == "MOD" && self.tables.rules.modulo {
             return None;
         }
         let message = msg!("nc.foreign-word", word, self.control.name);

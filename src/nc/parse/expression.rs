@@ -1,14 +1,14 @@
 //! A single expression or condition, as typed into a breakpoint or a debugger.
 
-use crate::controls::{Alarm, Control, Dialect, Switches};
+use crate::controls::Alarm;
 use crate::nc::ast::{Deck, Expr, ExprId};
-use crate::nc::codes::Codes;
 use crate::nc::parse::failure::Read;
 use crate::nc::parse::reader::Reader;
 use crate::nc::parse::tables::Tables;
+use crate::nc::parsed::Parsed;
 use crate::text::{Diagnostic, FileId};
 
-/// An expression (`#100*#1033/100`) or a condition (`#120 LE 3`) that a control has read; only [`formula`] makes one.
+/// An expression (`#100*#1033/100`) or a condition (`#120 LE 3`), read without errors; only [`formula`] makes one.
 #[derive(Debug, Clone)]
 pub struct ParsedFormula {
     deck: Deck,
@@ -16,23 +16,22 @@ pub struct ParsedFormula {
 }
 
 impl ParsedFormula {
-    /// The tree that it stands in.
+    /// Deck that holds the expression tree.
     pub fn deck(&self) -> &Deck {
         &self.deck
     }
 
-    /// The whole of it.
+    /// Root of the expression tree.
     pub fn root(&self) -> ExprId {
         self.root
     }
 }
 
-/// Reads one expression or condition as the control would read it in a block; a condition may stand in its brackets or without them.
-/// The place of what is wrong counts from the start of the text, in file 0.
-pub fn formula(text: &str, control: &'static Control) -> Result<ParsedFormula, Box<Diagnostic>> {
-    let dialect = Dialect::resolve(control, &Switches::default());
-    let codes = Codes::new(control, &dialect);
-    let tables = Tables::new(control, &dialect, &codes);
+/// Reads one expression or condition as the control would read it in a block of `program`: on the same control with the same settings.
+/// A condition may be written with or without its brackets. The place of an error counts from the start of the text, in file 0.
+pub fn formula(text: &str, program: &Parsed) -> Result<ParsedFormula, Box<Diagnostic>> {
+    let control = program.control();
+    let tables = Tables::new(control, program.dialect(), program.codes());
     let read = |bracketed: bool| {
         let mut reader = Reader::new(control, &tables, FileId(0), text, Deck::default());
         reader.take_line(text.as_bytes(), 0);

@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use super::{CALLS, check};
+use super::{CALLS, check, check_with};
 
 #[test]
 fn breakpoint_stops_where_its_condition_holds() {
@@ -400,6 +400,47 @@ fn long_step_lists_its_last_commands() {
               | ^^^
               = O1, 0.489 s
               = executing: a.nc:5: G01 X#1 F6000
+        "#]],
+    );
+}
+
+#[test]
+fn expressions_are_read_with_the_programs_switches() {
+    let program = "O1\nN10 #100=7\nN20 M30\n%\n";
+    let script = "break N20 if #100 MOD 4 EQ 3\nwatch #100 MOD 4\nprint 7 MOD 4\nwatch #600";
+    check(
+        program,
+        script,
+        expect![[r#"
+            > ?break N20 if #100 MOD 4 EQ 3
+            #100 MOD 4 EQ 3
+                 ^^^
+            error[P33]: The Mitsubishi E60 has no MOD.
+            > ?watch #100 MOD 4
+            #100 MOD 4
+                 ^^^
+            error[P33]: The Mitsubishi E60 has no MOD.
+            > ?print 7 MOD 4
+            7 MOD 4
+              ^^^
+            error[P33]: The Mitsubishi E60 has no MOD.
+            > watch #600
+            watch 1: #600: error[P241]: #600 is an option that is not set to be fitted (common, kept at power-off, option: 300 sets and more). Where the control has it, set the switch common-variables.
+        "#]],
+    );
+    check_with(
+        &[("modulo", "read"), ("common-variables", "600-sets")],
+        program,
+        script,
+        expect![[r#"
+            > break N20 if #100 MOD 4 EQ 3
+            breakpoint 1: a.nc:3: N20 M30
+            > watch #100 MOD 4
+            watch 1: #100 MOD 4 = 0
+            > print 7 MOD 4
+            7 MOD 4 = 3
+            > watch #600
+            watch 2: #600 = vacant
         "#]],
     );
 }
