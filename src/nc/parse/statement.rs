@@ -330,6 +330,16 @@ impl Reader<'_> {
             self.slip(Alarm::NoEquals, self.cursor.at, self.cursor.at + 1, msg!("nc.double-equals"), "");
             self.cursor.at += 1;
         }
+        self.equals_sign(start, end)?;
+        let value = self.formula(false)?;
+        if let (Expr::Var(number), Expr::Number(value)) = (self.deck.expr(to), self.deck.expr(value)) {
+            self.user_alarm(number, value.to_f64(), start);
+        }
+        Ok((to, value))
+    }
+
+    /// Takes the `=` of an assignment to the variable from `start` to `end`; `==` is read as one with its fix.
+    pub(in crate::nc) fn equals_sign(&mut self, start: usize, end: usize) -> Read<()> {
         if self.skip() != b'=' {
             return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
         }
@@ -338,11 +348,7 @@ impl Reader<'_> {
             self.slip(Alarm::Format, self.cursor.at, self.cursor.at + 1, msg!("nc.double-equals"), "");
             self.cursor.at += 1;
         }
-        let value = self.formula(false)?;
-        if let (Expr::Var(number), Expr::Number(value)) = (self.deck.expr(to), self.deck.expr(value)) {
-            self.user_alarm(number, value.to_f64(), start);
-        }
-        Ok((to, value))
+        Ok(())
     }
 
     /// The number of a user alarm has a range.

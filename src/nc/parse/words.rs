@@ -68,17 +68,7 @@ impl<'a> Reader<'a> {
 
     /// A whole block: skip mark, sequence number, then macro text or words.
     pub(in crate::nc) fn statement(&mut self) -> Read<Stmt> {
-        let mut first = self.skip();
-        if first == b'/' {
-            self.cursor.at += 1;
-            self.block.skip_switch = 1;
-            first = self.skip();
-            if first.is_ascii_digit() {
-                self.cursor.at += 1;
-                self.block.skip_switch = (first - b'0').max(1);
-                first = self.skip();
-            }
-        }
+        let mut first = self.optional_skip();
         if first | 0x20 == b'n' {
             self.sequence_number()?;
             first = self.skip();
@@ -90,6 +80,23 @@ impl<'a> Reader<'a> {
             && self.cursor.line.get(self.cursor.at + 1).is_some_and(u8::is_ascii_alphabetic);
         let keyword = if letters { self.keyword()? } else { None };
         keyword.map_or_else(|| self.words(), Ok)
+    }
+
+    /// Takes the optional block skip, `/` or `/2`, where the block begins with it; the byte behind.
+    pub(in crate::nc) fn optional_skip(&mut self) -> u8 {
+        let first = self.skip();
+        if first != b'/' {
+            return first;
+        }
+        self.cursor.at += 1;
+        self.block.skip_switch = 1;
+        let switch = self.skip();
+        if !switch.is_ascii_digit() {
+            return switch;
+        }
+        self.cursor.at += 1;
+        self.block.skip_switch = (switch - b'0').max(1);
+        self.skip()
     }
 
     fn sequence_number(&mut self) -> Read<()> {

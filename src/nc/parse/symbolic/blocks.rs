@@ -91,17 +91,7 @@ impl<'a> Reader<'a> {
 
     /// Skip mark, block number and label, then what the block says.
     pub(in crate::nc) fn named_statement(&mut self) -> Read<Stmt> {
-        let mut first = self.skip();
-        if first == b'/' {
-            self.cursor.at += 1;
-            self.block.skip_switch = 1;
-            first = self.skip();
-            if first.is_ascii_digit() {
-                self.cursor.at += 1;
-                self.block.skip_switch = (first - b'0').max(1);
-                first = self.skip();
-            }
-        }
+        let mut first = self.optional_skip();
         let second = self.cursor.byte(1);
         if first == b':' || first | 0x20 == b'n' && (second.is_ascii_digit() || second == b' ') {
             self.block_number()?;
@@ -472,14 +462,7 @@ impl<'a> Reader<'a> {
             let start = self.cursor.at;
             let left = if self.cursor.peek() == b'#' { self.hash_variable(true)? } else { self.variable(true)? };
             let end = self.cursor.at;
-            if self.skip() != b'=' {
-                return Err(self.failure(Alarm::NoEquals, start, end, msg!("nc.no-equals"), true));
-            }
-            self.cursor.at += 1;
-            if self.skip() == b'=' {
-                self.slip(Alarm::Format, self.cursor.at, self.cursor.at + 1, msg!("nc.double-equals"), "");
-                self.cursor.at += 1;
-            }
+            self.equals_sign(start, end)?;
             let right = self.named_formula(false)?;
             self.deck.pairs.push(Pair { left, right, way: JumpDirection::Around });
             self.skip();
