@@ -1,9 +1,11 @@
 //! Look-up tables of a run, made once per program: axes, variables, sequence numbers, pairs of DO and END.
 
+use std::collections::BTreeMap;
+
 use crate::controls::Address;
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, Control, Dialect, VarKind, VarRange};
-use crate::nc::{Block, Deck, Expr, ExprId, JumpDirection, Program, Stmt};
+use crate::nc::{Deck, Expr, ExprId, JumpDirection, Program, Stmt};
 
 /// Where a variable lives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,7 +71,7 @@ pub(super) struct Index {
     jumps: Vec<Jumps>,
     /// (target of a jump, block that it leads to), sorted; for languages whose jumps say where they look.
     targets: Vec<(u32, u32)>,
-    /// Programs that have names.
+    /// (name, index of the program), sorted.
     names: Vec<(Box<str>, u32)>,
     /// Ranges of common variables that are fitted.
     fitted: &'static [(u32, u32)],
@@ -117,6 +119,7 @@ impl Index {
             index.targets.sort_by_key(|&(target, _)| target);
             let names = deck.programs.iter().zip(0..).filter(|(program, _)| program.name.is_some());
             index.names = names.map(|(program, at)| (deck.text(program.name).into(), at)).collect();
+            index.names.sort();
         }
         index.direct = (0..DIRECT).map(|number| index.find_slot(control, number)).collect();
         index
@@ -163,7 +166,8 @@ impl Index {
 
     /// Index of the first program with a name, in capitals.
     pub(super) fn named(&self, name: &str) -> Option<u32> {
-        self.names.iter().find(|row| *row.0 == *name).map(|row| row.1)
+        let at = self.names.partition_point(|row| *row.0 < *name);
+        self.names.get(at).filter(|row| *row.0 == *name).map(|row| row.1)
     }
 
     /// Index of the first program with a number.
@@ -209,32 +213,33 @@ impl Index {
 /// Where the jumps of a program lead that say where they look.
 fn targets(deck: &Deck, program: &Program) -> Vec<(u32, u32)> {
     let blocks = deck.blocks_of(program);
-    // (what is jumped to, block), so that each jump is one search.
-    let mut labels: Vec<(&str, usize)> = Vec::new();
-    labels.extend(blocks.iter().zip(0..).filter(|row| row.0.label.is_some()).map(|(b, at)| (deck.text(b.label), at)));
+    let mut labels: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    let mut numbers: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
+    for (at, block) in blocks.iter().enumerate() {
+        if block.label.is_some() {
+            labels.entry(deck.text(block.label)).or_default().push(at);
+        }
+        if let Some(number) = block.number {
+            numbers.entry(number.into()).or_default().push(at);
+        }
+    }
     let mut found = Vec::new();
     for (at, block) in blocks.iter().enumerate() {
         for (_, target, way) in deck.jumps_of(block.stmt) {
-            let on = |to: usize| match way {
-                JumpDirection::Around => true,
-                JumpDirection::Forward => to > at,
-                JumpDirection::Backward => to <= at,
+            let named = match deck.expr(target) {
+                Expr::Label(name) => labels.get(deck.text(Some(name))),
+                Expr::Number(number) => numbers.get(&number.mantissa),
+                _ => None,
             };
-            let mut named: Vec<usize> = match deck.expr(target) {
-                Expr::Label(name) => {
-                    let name = deck.text(Some(name));
-                    labels.iter().filter(|row| row.0 == name && on(row.1)).map(|row| row.1).collect()
-                }
-                Expr::Number(number) => {
-                    let such =
-                        |row: &(&Block, usize)| row.0.number.map(i64::from) == Some(number.mantissa) && on(row.1);
-                    blocks.iter().zip(0..).filter(such).map(|row| row.1).collect()
-                }
-                _ => Vec::new(),
-            };
+            let Some(named) = named else { continue };
             // The nearest on the way.
-            let to = if way == JumpDirection::Backward { named.pop() } else { named.first().copied() };
-            found.extend(to.map(|to| (target.0, program.first + to as u32)));
+            let behind = named.partition_point(|to| *to <= at);
+            let to = match way {
+                JumpDirection::Around => named.first(),
+                JumpDirection::Forward => named.get(behind),
+                JumpDirection::Backward => behind.checked_sub(1).and_then(|last| named.get(last)),
+            };
+            found.extend(to.map(|to| (target.0, program.first + *to as u32)));
         }
     }
     found

@@ -20,6 +20,7 @@ mod lint;
 mod lower;
 mod parse;
 mod parsed;
+mod program_names;
 mod read;
 mod write;
 

@@ -17,6 +17,15 @@ pub(in crate::nc) struct ExprSpan {
     pub(in crate::nc) len: u16,
 }
 
+impl ExprSpan {
+    /// The bytes of the expression in the text of its file, without the blanks around it.
+    pub(in crate::nc) fn trimmed(self, file: &str) -> Option<Span> {
+        let text = file.get(self.start as usize..self.start as usize + usize::from(self.len))?;
+        let start = self.start + (text.len() - text.trim_ascii_start().len()) as u32;
+        Some(Span::new(start, start + text.trim_ascii().len() as u32))
+    }
+}
+
 /// Text that a control has read. The interpreter takes nothing else.
 #[derive(Debug, Clone)]
 pub struct Parsed {
@@ -79,10 +88,7 @@ impl Parsed {
     /// The bytes of an expression in the block at a place; `None` where the expression is not part of that block.
     pub fn expr_span(&self, block: Place, expr: ExprId) -> Option<Span> {
         let raw = self.expr_spans.get(expr.0 as usize)?;
-        let text =
-            self.files.get(block.file)?.text.get(raw.start as usize..raw.start as usize + usize::from(raw.len))?;
-        let start = raw.start + (text.len() - text.trim_ascii_start().len()) as u32;
-        let span = Span::new(start, start + text.trim_ascii().len() as u32);
+        let span = raw.trimmed(&self.files.get(block.file)?.text)?;
         (block.span.start <= span.start && span.end <= block.span.end).then_some(span)
     }
 

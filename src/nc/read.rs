@@ -45,7 +45,7 @@ pub fn parse_with(files: &Files, control: &'static Control, switches: &Switches)
         found.append(&mut reader.findings.list);
         later.append(&mut reader.findings.later);
     }
-    programs(&deck, control, files, &later, &mut found);
+    programs((&deck, &expr_spans), control, files, &later, &mut found);
     Diagnostic::in_order(&mut found);
     if found.len() > FINDINGS {
         found.truncate(FINDINGS);

@@ -398,3 +398,40 @@ fn large_projects_take_no_quadratic_time() {
         }
     }
 }
+
+/// As for projects; each kind of block once needed a look at all others.
+#[cfg(unix)]
+#[test]
+fn large_faulty_programs_take_no_quadratic_time() {
+    let folder = folder("large-programs");
+    let unread = |at: usize| format!("N10A{at}: X=\nGOTOF B{at}\n");
+    let in_unread = |at: usize| format!("N10 X= A{at}X\nGOTOF A{at}X\n");
+    let numbers = |at: usize| format!("N{at} G4 F1\nGOTOF N{at}\n");
+    let labels = |at: usize| format!("A{at}X: G4 F1\nGOTOF A{at}X\n");
+    let calls = |at: usize| format!("A{at}X\n");
+    let programs = |at: usize| format!("%_N_A{at}X_SPF\nA{at}Y\nM17\n");
+    let if_then = |at: usize| format!("IF[#1EQ{at}]THEN G00X1.\n");
+    let loops = |at: usize| format!("WHILE[#1EQ{at}]DO1\nEND2\n");
+    let jumps = |at: usize| format!("N{at}GOTO{}\n", at + 1);
+    let cases: [(&str, &str, &str, &dyn Fn(usize) -> String); 9] = [
+        ("sinumerik-802d", "%_N_A_MPF\n", "unread labels", &unread),
+        ("sinumerik-802d", "%_N_A_MPF\n", "labels in unread blocks", &in_unread),
+        ("sinumerik-802d", "%_N_A_MPF\n", "block numbers", &numbers),
+        ("sinumerik-802d", "%_N_A_MPF\n", "labels", &labels),
+        ("sinumerik-802d", "%_N_A_MPF\n", "calls", &calls),
+        ("sinumerik-802d", "", "programs", &programs),
+        ("mitsubishi-e60", "O1\n", "IF THEN", &if_then),
+        ("mitsubishi-e60", "O1\n", "loops", &loops),
+        ("mitsubishi-e60", "O1\n", "jumps", &jumps),
+    ];
+    for (control, head, name, block) in cases {
+        let path = folder.join("large.nc");
+        let command = format!("check \"$1\" --control {control} --json");
+        let [small, large] = [10_000, 40_000].map(|count| {
+            let text: String = std::iter::once(head.to_owned()).chain((1..=count).map(block)).collect();
+            fs::write(&path, text + "M30\n").unwrap();
+            processor(&path, &command)
+        });
+        assert!(large <= 6.0 * small + 0.3, "{name}: {small} s for 10,000, {large} s for 40,000");
+    }
+}

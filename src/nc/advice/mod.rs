@@ -4,6 +4,8 @@ pub(super) mod programs;
 
 mod file_fixes;
 mod foreign_syntax;
+mod jump_targets;
+mod loops;
 mod quick_fixes;
 mod recover;
 mod symbolic;

@@ -1,42 +1,41 @@
-//! Checks of whole programs: loops, jump targets, the last block.
+//! Checks of whole programs: jump targets, calls, the last block, programs of one number.
 
-use crate::controls::Address;
 use std::collections::BTreeSet;
 
-use crate::controls::{Alarm, Code, CodeId, Control};
+use super::jump_targets::JumpTargets;
+use crate::controls::{Address, Alarm, Code, CodeId, Control, VarKind};
 use crate::msg;
-use crate::nc::ast::{Block, Deck, Expr, Program, Stmt, WordValue};
+use crate::nc::ast::{Block, Deck, Expr, ExprId, Program, Stmt, WordValue};
 use crate::nc::codes::{code_of, m_number};
 use crate::nc::dec::Dec;
 use crate::nc::files::Files;
 use crate::nc::parse::reader::FINDINGS;
+use crate::nc::parsed::ExprSpan;
+use crate::nc::program_names::ProgramNames;
 use crate::text::lines::line_end;
-use crate::text::{Diagnostic, Fix, Message, Place, Span};
+use crate::text::{Diagnostic, Message, Place, Span};
 
-/// Blocks that are searched for the end of a loop.
-const SEARCHED: usize = 10_000;
-
-/// Number of a loop that does not read.
-const ANY: u16 = 0;
-
-/// Checks every program; `later` are its blocks with calls and jumps in words.
+/// Checks every program. `spans` are the places of the deck's expressions, `later` its blocks with calls and jumps in words.
 pub(in crate::nc) fn programs(
-    deck: &Deck,
+    (deck, spans): (&Deck, &[ExprSpan]),
     control: &Control,
     files: &Files,
     later: &[u32],
     found: &mut Vec<Diagnostic>,
 ) {
+    let known = ProgramNames::new(deck);
     for (program, repeated) in deck.programs.iter().zip(repeated(deck)) {
         if found.len() > 2 * FINDINGS {
             return;
         }
         let text = files.get(program.file).map_or("", |file| file.text.as_str());
-        let mut check = Check { deck, control, program, text, numbers: None, found };
+        let blocks = deck.blocks_of(program);
+        let targets = JumpTargets::new(deck, blocks, text);
+        let mut check = Check { deck, spans, known: &known, control, program, blocks, text, targets, found };
         check.loops();
         match control.syntax.names() {
             Some(_) => check.named(),
-            None => check.targets(),
+            None => check.numbered_jumps(),
         }
         check.end();
         for block in later.iter().filter(|&&at| (program.first..program.end).contains(&at)) {
@@ -65,35 +64,36 @@ fn repeated(deck: &Deck) -> Vec<bool> {
     deck.programs.iter().map(repeats).collect()
 }
 
-/// Whether a loop that is open ends in these blocks, before another of its number begins.
-fn ends_in(blocks: &[Block], label: u16) -> bool {
-    let found = blocks.iter().take(SEARCHED).find_map(|block| match block.stmt {
-        Stmt::End { label: other } if other == label => Some(true),
-        Stmt::While { label: other, .. } if other == label => Some(false),
-        _ => None,
-    });
-    found == Some(true)
-}
-
+/// Checks of one program.
 pub(super) struct Check<'a> {
     pub(super) deck: &'a Deck,
+    spans: &'a [ExprSpan],
+    pub(super) known: &'a ProgramNames<'a>,
     pub(super) control: &'a Control,
     pub(super) program: &'a Program,
+    pub(super) blocks: &'a [Block],
+    /// The program's file.
     pub(super) text: &'a str,
-    /// Sequence numbers of the program in rising order, once asked for.
-    numbers: Option<Vec<u32>>,
+    pub(super) targets: JumpTargets<'a>,
     pub(super) found: &'a mut Vec<Diagnostic>,
 }
 
 impl Check<'_> {
-    pub(in crate::nc) fn report(&mut self, alarm: Alarm, span: Span, message: Message) {
+    /// The bytes of an expression of the block; the block where they are not known.
+    pub(super) fn expr_span(&self, block: &Block, expr: ExprId) -> Span {
+        let span = self.spans.get(expr.0 as usize).and_then(|span| span.trimmed(self.text));
+        span.unwrap_or(block.span)
+    }
+
+    /// Reports an alarm of the control.
+    pub(super) fn report(&mut self, alarm: Alarm, span: Span, message: Message) {
         let place = Place { file: self.program.file, span };
         let finding = Diagnostic::error(message).at(place).alarm(self.control.alarm_shown(alarm));
         self.found.push(finding);
     }
 
     /// The part of a block from a keyword on, for loops and jumps.
-    fn keyword_span(&self, block: &Block, keyword: &str) -> Span {
+    pub(super) fn keyword_span(&self, block: &Block, keyword: &str) -> Span {
         let upper = block.span.of(self.text).to_ascii_uppercase();
         let at = upper.rfind(keyword).unwrap_or(0) as u32;
         let tail = upper.get(at as usize..).unwrap_or("");
@@ -102,132 +102,15 @@ impl Check<'_> {
         Span::new(block.span.start + at, block.span.start + at + len)
     }
 
-    /// DO and END: paired, not crossing, not too deep.
-    fn loops(&mut self) {
-        let deck = self.deck;
-        let blocks = deck.blocks_of(self.program);
-        let deepest = self.control.syntax.do_depth as usize;
-        // Loops that are open; a head that does not read was reported, and its end is not to blame.
-        let mut open: Vec<(u16, &Block)> = Vec::new();
-        for (at, block) in blocks.iter().enumerate() {
-            let rest = blocks.get(at + 1..).unwrap_or_default();
-            let stmt = match block.stmt {
-                Stmt::Bad(_) => self.unread_loop(block),
-                stmt => stmt,
-            };
-            match stmt {
-                Stmt::While { label, .. } => {
-                    let span = self.keyword_span(block, "DO");
-                    if open.len() == deepest {
-                        if let Stmt::Bad(_) = block.stmt {
-                            return;
-                        }
-                        return self.report(Alarm::DoNesting, span, msg!("nc.do-nesting", deepest as u32));
-                    }
-                    if label != ANY && open.iter().any(|(other, _)| *other == label) {
-                        self.report(Alarm::DoPair, span, msg!("nc.do-within-itself", u32::from(label)));
-                    }
-                    open.push((label, block));
-                }
-                Stmt::End { label } => {
-                    match open.iter().rposition(|(other, _)| *other == label || label == ANY || *other == ANY) {
-                        Some(at) if at + 1 == open.len() => {
-                            open.pop();
-                        }
-                        Some(at) => {
-                            // Of a loop without an END its DO is told.
-                            for (inner, head) in open.split_off(at + 1) {
-                                if ends_in(rest, inner) {
-                                    open.push((inner, head));
-                                } else {
-                                    self.no_end_of_loop(inner, head);
-                                }
-                            }
-                            let inner = open.get(at + 1..).and_then(|inner| Some(u32::from(inner.last()?.0)));
-                            if let Some(inner) = inner.filter(|_| !matches!(block.stmt, Stmt::Bad(_))) {
-                                let span = self.keyword_span(block, "END");
-                                self.report(Alarm::DoPair, span, msg!("nc.do-crossing", u32::from(label), inner));
-                            }
-                            open.remove(at);
-                        }
-                        None if self.found.len() > 2 * FINDINGS => return,
-                        None if matches!(block.stmt, Stmt::Bad(_)) => {}
-                        None => {
-                            let span = self.keyword_span(block, "END");
-                            self.report(Alarm::MissingDo, span, msg!("nc.end-without-do", u32::from(label)));
-                            // Where the innermost loop has no end, this is meant to be it.
-                            let meant = open.pop_if(|(inner, _)| *inner != ANY && !ends_in(rest, *inner));
-                            if let (Some((inner, _)), Some(finding)) = (meant, self.found.last_mut()) {
-                                let (place, end) = (Place { file: self.program.file, span }, format!("END{inner}"));
-                                finding
-                                    .fixes
-                                    .push(Fix { title: msg!("nc.fix.write", end.as_str()), edits: vec![(place, end)] });
-                            }
-                        }
-                    }
-                }
-                _ => {}
-            }
-        }
-        for (label, block) in open {
-            self.no_end_of_loop(label, block);
-        }
-    }
-
-    /// A loop without an END; a head that does not read was reported.
-    fn no_end_of_loop(&mut self, label: u16, head: &Block) {
-        if !matches!(head.stmt, Stmt::Bad(_)) {
-            let span = self.keyword_span(head, "DO");
-            self.report(Alarm::MissingEnd, span, msg!("nc.do-without-end", u32::from(label)));
-        }
-    }
-
-    /// The loop that a block that does not read opens or ends, by what can be made out of it.
-    fn unread_loop(&self, block: &Block) -> Stmt {
-        let text = block.span.of(self.text).to_ascii_uppercase();
-        let text = text.split('(').next().unwrap_or("");
-        // With the number behind it, if one stands there.
-        let label = |keyword: &str| {
-            let behind = text.get(text.rfind(keyword)? + keyword.len()..).unwrap_or("").trim_start();
-            let digits = behind.bytes().take_while(u8::is_ascii_digit).count();
-            let label: Option<u16> = behind.get(..digits).and_then(|digits| digits.parse().ok());
-            Some(label.filter(|&label| (1..=self.control.syntax.do_max).contains(&label.into())).unwrap_or(ANY))
-        };
-        let head = label("DO").or_else(|| text.contains("WHILE").then_some(ANY));
-        // `ENDWHILE` and `ENDDO` are ends.
-        let end = text.contains("ENDW") || text.contains("ENDD");
-        match (head.filter(|_| !end), label("END")) {
-            (Some(label), _) => Stmt::While { cond: None, label },
-            (None, Some(label)) => Stmt::End { label },
-            (None, None) => block.stmt,
-        }
-    }
-
     /// Jumps to a constant number that is not in the program.
-    fn targets(&mut self) {
-        let deck = self.deck;
-        for block in deck.blocks_of(self.program) {
+    fn numbered_jumps(&mut self) {
+        for block in self.blocks {
             let (Stmt::If { target, .. } | Stmt::Goto { target, .. }) = block.stmt else { continue };
-            let Expr::Number(target) = deck.expr(target) else { continue };
-            if !self.has_number(target) {
-                let span = self.keyword_span(block, "GOTO");
-                let span = Span::new((span.start + 4).min(span.end), span.end);
-                let lead = span.of(self.text).len() - span.of(self.text).trim_start().len();
-                self.no_target(Alarm::GotoTarget, target, Span::new(span.start + lead as u32, span.end));
+            let Expr::Number(number) = self.deck.expr(target) else { continue };
+            if !self.targets.has_number(number) {
+                self.no_target(Alarm::GotoTarget, number, self.expr_span(block, target));
             }
         }
-    }
-
-    /// Whether a block of the program has this sequence number.
-    fn has_number(&mut self, number: Dec) -> bool {
-        let numbers = self.numbers.get_or_insert_with(|| {
-            let blocks = self.deck.blocks_of(self.program);
-            let mut all: Vec<u32> = blocks.iter().filter_map(|block| block.number).collect();
-            all.sort_unstable();
-            all
-        });
-        let value = number.to_f64();
-        value.fract() == 0.0 && value >= 0.0 && numbers.binary_search(&(value as u32)).is_ok()
     }
 
     fn no_target(&mut self, missing: Alarm, number: Dec, span: Span) {
@@ -255,7 +138,7 @@ impl Check<'_> {
         else {
             return;
         };
-        let program = |number: i64| u32::try_from(number).is_ok_and(|number| self.deck.program(number).is_some());
+        let program = |number: i64| u32::try_from(number).is_ok_and(|number| self.known.number(number).is_some());
         let (repeats, called) = (number.mantissa / 10_000, number.mantissa % 10_000);
         let call = self.number_word(block, Address::M).is_some_and(|(code, _)| self.is_code(code, Code::SubCall));
         let told = self.number_word(block, Address::L).is_some();
@@ -277,7 +160,7 @@ impl Check<'_> {
             return;
         };
         let row = self.control.macros.functions.iter().find(|row| f64::from(row.0) == function.0.to_f64());
-        if row.is_some_and(|row| row.1.jumps()) && !self.has_number(number) {
+        if row.is_some_and(|row| row.1.jumps()) && !self.targets.has_number(number) {
             self.no_target(Alarm::NoSequence, number, span);
         }
     }
@@ -290,8 +173,7 @@ impl Check<'_> {
 
     /// A program must not run out of blocks.
     fn end(&mut self) {
-        let deck = self.deck;
-        let blocks = deck.blocks_of(self.program);
+        let blocks = self.blocks;
         let remark = |block: &&Block| block.stmt == Stmt::Empty && block.number.is_none();
         let last = blocks.iter().rev().find(|block| !remark(block));
         if last.is_some_and(|block| !self.falls_through(blocks, block)) {
@@ -348,7 +230,7 @@ impl Check<'_> {
             Stmt::Assign { to, .. } => {
                 let Expr::Var(number) = self.deck.expr(to) else { return true };
                 let row = self.control.var(number);
-                row.is_none_or(|row| row.kind != crate::controls::VarKind::AlarmMessage)
+                row.is_none_or(|row| row.kind != VarKind::AlarmMessage)
             }
             Stmt::Bad(_) => {
                 // Letters O may be what is wrong with it.

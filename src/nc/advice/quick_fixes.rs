@@ -116,10 +116,10 @@ impl Reader<'_> {
             self.fresh.known = runs.filter_map(|run| run.parse().ok()).chain([0]).collect();
             self.fresh.known.sort_unstable();
         }
-        let free = |number: &u32| self.fresh.known.binary_search(number).is_err() && !self.fresh.taken.contains(number);
-        let number = fresh_numbers().find(free)?;
-        self.fresh.taken.push(number);
-        Some(number)
+        let mut candidates = (0..).zip(fresh_numbers()).skip(self.fresh.tried);
+        let found = candidates.find(|(_, number)| self.fresh.known.binary_search(number).is_err());
+        self.fresh.tried = found.map_or(usize::MAX, |(at, _)| at + 1);
+        found.map(|(_, number)| number)
     }
 
     /// `IF … THEN`, from `then` to `behind`, mended by a jump over what depends on the condition.

@@ -64,15 +64,14 @@ impl Reader<'_> {
         if !self.cursor.line.contains(&b'(') {
             return self.add_finding(failure.finding);
         }
-        self.rollback(mark);
+        let first = self.take_back(mark);
         self.formulas.rounds = true;
         let again = self.statement();
         self.formulas.rounds = false;
         let brackets = core::mem::take(&mut self.formulas.round_brackets);
         if again.is_err() || brackets.is_empty() {
             self.rollback(mark);
-            // For what it finds on the way to its failure.
-            let _ = self.statement();
+            self.put_back(first);
             return self.add_finding(failure.finding);
         }
         let from = brackets.iter().map(|pair| pair.0).min().unwrap_or(0);

@@ -1,74 +1,58 @@
 //! Checks of whole programs in a language with names: labels, jumps to them, messages.
 
-use std::collections::BTreeMap;
-
 use super::programs::Check;
 use crate::controls::Alarm;
 use crate::msg;
-use crate::nc::ast::{Block, Expr, JumpDirection, Stmt, TextId};
+use crate::nc::ast::{Block, Expr, ExprId, JumpDirection, Stmt, TextId};
 use crate::nc::lex::spelling::meant;
 use crate::nc::parse::reader::FINDINGS;
 use crate::text::{Diagnostic, Place, Span};
 
-impl<'a> Check<'a> {
-    /// Labels, the jumps to them, and messages.
-    pub(in crate::nc) fn named(&mut self) {
-        let deck = self.deck;
-        let blocks = deck.blocks_of(self.program);
-        // The blocks of each label.
-        let mut labels: BTreeMap<&'a str, Vec<usize>> = BTreeMap::new();
-        for (at, block) in blocks.iter().enumerate().filter(|(_, block)| block.label.is_some()) {
-            labels.entry(deck.text(block.label)).or_default().push(at);
-        }
+impl Check<'_> {
+    /// Labels, the jumps to them, calls and messages.
+    pub(super) fn named(&mut self) {
         if self.control.raises(Alarm::LabelTwice) {
-            for (name, places) in &labels {
-                for at in places.iter().skip(1) {
-                    let span = self.name_span(&blocks[*at], name);
-                    self.report(Alarm::LabelTwice, span, msg!("nc.label-twice", *name));
-                }
-            }
+            self.labels_twice();
         }
-        for (at, block) in blocks.iter().enumerate() {
+        for (at, block) in self.blocks.iter().enumerate() {
             if !matches!(block.stmt, Stmt::If { .. } | Stmt::Ifs { .. } | Stmt::Goto { .. }) {
                 continue;
             }
-            for (_, target, way) in deck.jumps_of(block.stmt) {
-                match deck.expr(target) {
-                    Expr::Label(label) => self.label(&labels, (at, block), label, way),
+            for (_, target, way) in self.deck.jumps_of(block.stmt) {
+                match self.deck.expr(target) {
+                    Expr::Label(label) => self.label((at, block), (target, label), way),
                     Expr::Number(number) => self.block_number((at, block), number.mantissa, way),
                     _ => {}
                 }
             }
         }
-        self.calls(blocks);
+        self.calls();
         if self.control.raises(Alarm::MessageBlocks) {
-            self.messages(blocks);
+            self.messages();
+        }
+    }
+
+    /// Labels in front of several blocks.
+    fn labels_twice(&mut self) {
+        let labels = self.targets.labels().iter();
+        let again: Vec<(&str, usize)> =
+            labels.flat_map(|(name, at)| at.iter().skip(1).map(|at| (*name, *at))).collect();
+        for (name, at) in again {
+            let span = self.name_span(&self.blocks[at], name);
+            self.report(Alarm::LabelTwice, span, msg!("nc.label-twice", name));
         }
     }
 
     /// A jump to a label, which has to lie on its way.
-    fn label(
-        &mut self,
-        labels: &BTreeMap<&str, Vec<usize>>,
-        (at, block): (usize, &Block),
-        label: TextId,
-        way: JumpDirection,
-    ) {
+    fn label(&mut self, (at, block): (usize, &Block), (target, label): (ExprId, TextId), way: JumpDirection) {
         let name = self.deck.text(Some(label));
-        let places = labels.get(name).map_or(&[][..], Vec::as_slice);
-        if places.iter().any(|&to| way.reaches(at, to)) || self.found.len() > 2 * FINDINGS {
+        let (exists, reached) = self.targets.label_on_way(name, at, way);
+        // The error of an unread block is reported, and the label may be in it.
+        if reached || self.found.len() > 2 * FINDINGS || !exists && self.targets.is_in_unread_block(name) {
             return;
         }
-        let span = self.jump_span(block, name);
-        let blocks = self.deck.blocks_of(self.program);
-        let unread = |row: &Block| {
-            matches!(row.stmt, Stmt::Bad(_)) && row.span.of(self.text).to_ascii_uppercase().contains(name)
-        };
-        if places.is_empty() && blocks.iter().any(unread) {
-            // Its block was reported.
-            return;
-        }
-        if places.is_empty() {
+        let span = self.expr_span(block, target);
+        if !exists {
             return self.report(Alarm::NoSequence, span, msg!("nc.no-such-label", name));
         }
         let (word, other) = if way == JumpDirection::Forward { ("GOTOF", "GOTOB") } else { ("GOTOB", "GOTOF") };
@@ -87,12 +71,12 @@ impl<'a> Check<'a> {
     }
 
     /// Calls of programs that are not here, where a code of nearly the same name is.
-    fn calls(&mut self, blocks: &[Block]) {
-        for block in blocks {
+    fn calls(&mut self) {
+        for block in self.blocks {
             let Stmt::Call { name, .. } = block.stmt else { continue };
             let name = self.deck.text(Some(name));
             let codes = self.control.syntax.names().map_or(&[][..], |names| names.codes);
-            if name.len() < 3 || self.deck.program_named(name).is_some() || self.found.len() > FINDINGS {
+            if name.len() < 3 || self.known.name(name).is_some() || self.found.len() > FINDINGS {
                 continue;
             }
             if let Some(code) = meant(name, codes.iter().copied()).and_then(|at| codes.get(at)) {
@@ -105,17 +89,15 @@ impl<'a> Check<'a> {
 
     /// A jump to a block number, where there are such.
     fn block_number(&mut self, (at, block): (usize, &Block), number: i64, way: JumpDirection) {
-        let blocks = self.deck.blocks_of(self.program);
-        let found = |(to, row): (usize, &Block)| row.number.map(i64::from) == Some(number) && way.reaches(at, to);
-        if !blocks.iter().enumerate().any(found) && self.found.len() <= 2 * FINDINGS {
+        if self.found.len() <= 2 * FINDINGS && !self.targets.number_on_way(number, at, way) {
             self.report(Alarm::NoSequence, block.span, msg!("nc.no-such-sequence", format!("N{number}")));
         }
     }
 
-    /// Two messages with nothing between them that is done.
-    fn messages(&mut self, blocks: &[Block]) {
+    /// Two messages without an executable block between them.
+    fn messages(&mut self) {
         let mut message = false;
-        for block in blocks {
+        for block in self.blocks {
             match block.stmt {
                 Stmt::Empty => {}
                 Stmt::Message(_) if message && block.label.is_none() => {
@@ -126,29 +108,10 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// Where a label stands in front of its block.
+    /// The bytes of a name at the head of its block: a label or a called program.
     fn name_span(&self, block: &Block, name: &str) -> Span {
         let text = block.span.of(self.text).to_ascii_uppercase();
         let at = text.as_bytes().windows(name.len().max(1)).position(|w| w == name.as_bytes()).unwrap_or(0) as u32;
         Span::new(block.span.start + at, (block.span.start + at + name.len() as u32).min(block.span.end))
-    }
-
-    /// Where a label stands behind a jump.
-    fn jump_span(&self, block: &Block, name: &str) -> Span {
-        let text = block.span.of(self.text).to_ascii_uppercase();
-        let mut from = 0;
-        let jump = |rest: &str| rest.as_bytes().windows(4).position(|word| word == b"GOTO");
-        while let Some(jump) = text.get(from..).and_then(jump) {
-            let behind = text.get(from + jump + 5..).unwrap_or("");
-            let gap = behind.len() - behind.trim_start().len();
-            let at = from + jump + 5 + gap;
-            let rest = text.get(at..).unwrap_or("");
-            let next = rest.get(name.len()..).and_then(|rest| rest.bytes().next());
-            if rest.starts_with(name) && !next.is_some_and(|b| b.is_ascii_alphanumeric() || b == b'_') {
-                return Span::new(block.span.start + at as u32, block.span.start + (at + name.len()) as u32);
-            }
-            from += jump + 4;
-        }
-        block.span
     }
 }

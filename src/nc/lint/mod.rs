@@ -17,6 +17,7 @@ mod words;
 
 use super::ast::{Deck, ExprId, Word, WordValue};
 use super::parsed::Parsed;
+use super::program_names::ProgramNames;
 use crate::controls::syntax::RoundBrackets;
 use crate::controls::{AddressSet, Control};
 use crate::text::{Diagnostic, LineIndex, Message, MessageValue, Place, Span};
@@ -36,8 +37,7 @@ struct Lint<'a> {
     control: &'static Control,
     start: Option<u32>,
     set: &'a [u32],
-    /// (program number, index of the program), sorted.
-    numbers: Vec<(u64, usize)>,
+    programs: ProgramNames<'a>,
     /// How many are listed at most.
     most: usize,
     /// Words that were told to overwrite others.
@@ -49,11 +49,10 @@ struct Lint<'a> {
 /// variables that the operator sets.
 pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
     let deck = parsed.deck();
-    let mut numbers: Vec<(u64, usize)> = deck.programs.iter().map(|row| row.number.into()).zip(0..).collect();
-    numbers.sort_unstable();
+    let programs = ProgramNames::new(deck);
     let most = FINDINGS.saturating_sub(parsed.diagnostics().len());
     let mut lint =
-        Lint { parsed, deck, control: parsed.control(), start, set, numbers, most, again: 0, found: Vec::new() };
+        Lint { parsed, deck, control: parsed.control(), start, set, programs, most, again: 0, found: Vec::new() };
     let roles = Roles::new(lint.control, parsed.codes());
     settings::idle_texts(&mut lint);
     let facts = words::survey(&mut lint, &roles);
@@ -139,12 +138,6 @@ impl Lint<'_> {
     fn part(&self, block: u32, part: ExprId) -> Span {
         let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
         self.parsed.expr_span(self.place(block, span), part).unwrap_or(span)
-    }
-
-    /// Index of the first program with a number.
-    fn program(&self, number: u32) -> Option<u32> {
-        let at = self.numbers.partition_point(|row| row.0 < u64::from(number));
-        self.numbers.get(at).filter(|row| row.0 == u64::from(number)).map(|row| row.1 as u32)
     }
 
     /// Addresses whose number counts increments without a point: for dimensions, and for arguments of macros.

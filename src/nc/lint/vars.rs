@@ -127,7 +127,7 @@ impl<'a> Vars<'a> {
             let (a, b) = (vars.root(call.from), vars.root(call.to));
             vars.group[a as usize] = b;
         }
-        let start = lint.start.and_then(|number| lint.program(number));
+        let start = lint.start.and_then(|number| lint.programs.number(number));
         for (index, part) in (0..).zip(&facts.parts) {
             let group = vars.root(index);
             vars.group[index as usize] = group;

@@ -131,7 +131,7 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
                 }
                 messages::length(lint, at, block);
                 if let Stmt::Call { name, .. } = block.stmt {
-                    match deck.program_named(deck.text(Some(name))) {
+                    match lint.programs.name(deck.text(Some(name))) {
                         Some(to) => facts.call(Call { block: at, from: index, to, with_locals: false }),
                         None => lint.missing_name(at, block, deck.text(Some(name))),
                     }
@@ -273,12 +273,12 @@ impl Facts {
         } else if bits & (CALL | SUB) != 0 {
             let sub = bits & SUB != 0;
             let to = match (roles.called(words), number(Address::P)) {
-                (Some(number), _) => lint.program(number),
+                (Some(number), _) => lint.programs.number(number),
                 (None, Some(Some(number))) => {
                     let called = if sub && macros.repeats_in_p { number % 10_000 } else { number };
-                    let to = lint.program(called);
+                    let to = lint.programs.number(called);
                     // Of repeats in P the reader tells.
-                    if to.is_none() && (called <= 9999 || lint.program(called % 10_000).is_none()) {
+                    if to.is_none() && (called <= 9999 || lint.programs.number(called % 10_000).is_none()) {
                         self.missing(lint, block, words, called);
                     }
                     to
@@ -344,7 +344,7 @@ impl Facts {
         }
         let ends = self.any_called || self.parts.iter().any(|part| part.ends);
         let main = match lint.start {
-            Some(number) => lint.program(number),
+            Some(number) => lint.programs.number(number),
             None => lint.deck.programs.first().filter(|row| row.number < STANDARD && !ends).map(|_| 0),
         };
         let end = lint.control.codes.iter().find(|row| row.code == Code::EndRewind);

@@ -32,6 +32,13 @@ pub(in crate::nc) struct Mark {
     pub(in crate::nc) small: Option<u32>,
 }
 
+/// Findings of one reading of a line.
+pub(in crate::nc) struct BlockFindings {
+    list: Vec<Diagnostic>,
+    misused: Vec<Misused>,
+    small: Option<u32>,
+}
+
 /// The file that is read.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::nc) struct SourceFile<'a> {
@@ -104,8 +111,8 @@ pub(in crate::nc) struct Formulas {
 pub(in crate::nc) struct FreshNumbers {
     /// Every number of the file in rising order, once a fix asks.
     pub(in crate::nc) known: Vec<u32>,
-    /// Numbers that fixes use.
-    pub(in crate::nc) taken: Vec<u32>,
+    /// How many candidates, in the order of [`fresh_numbers`](crate::nc::ast::fresh_numbers), are used or known.
+    pub(in crate::nc) tried: usize,
 }
 
 /// The parser: what it reads with, what it has read, and where it is.
@@ -213,6 +220,25 @@ impl<'a> Reader<'a> {
         self.notes.small = mark.small;
         self.formulas.round_brackets.clear();
         self.rewind();
+    }
+
+    /// The same, and hands out the findings since the mark.
+    pub(in crate::nc) fn take_back(&mut self, mark: &Mark) -> BlockFindings {
+        let Findings { list, misused, .. } = &mut self.findings;
+        let findings = BlockFindings {
+            list: list.split_off(mark.found.min(list.len())),
+            misused: misused.split_off(mark.variables.min(misused.len())),
+            small: self.notes.small,
+        };
+        self.rollback(mark);
+        findings
+    }
+
+    /// Restores the findings of a reading of the line.
+    pub(in crate::nc) fn put_back(&mut self, findings: BlockFindings) {
+        self.findings.list.extend(findings.list);
+        self.findings.misused.extend(findings.misused);
+        self.notes.small = findings.small;
     }
 
     /// Bytes of the line as a span of the file.

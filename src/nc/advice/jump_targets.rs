@@ -1,0 +1,86 @@
+//! Index of the blocks of one program that jumps can name: labels, block numbers, and names in blocks that do not parse.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::nc::ast::{Block, Deck, JumpDirection, Stmt};
+use crate::nc::dec::Dec;
+
+/// Each part is made when it is first asked for; a look-up takes logarithmic time.
+pub(super) struct JumpTargets<'a> {
+    deck: &'a Deck,
+    blocks: &'a [Block],
+    /// The program's file.
+    text: &'a str,
+    /// (block number, index of the block in the program), sorted.
+    numbers: Option<Vec<(u32, usize)>>,
+    labels: Option<BTreeMap<&'a str, Vec<usize>>>,
+    /// In capitals.
+    unread: Option<BTreeSet<String>>,
+}
+
+impl<'a> JumpTargets<'a> {
+    pub(super) fn new(deck: &'a Deck, blocks: &'a [Block], text: &'a str) -> JumpTargets<'a> {
+        JumpTargets { deck, blocks, text, numbers: None, labels: None, unread: None }
+    }
+
+    /// The blocks with a number.
+    fn numbered(&mut self, number: u32) -> &[(u32, usize)] {
+        let numbers = self.numbers.get_or_insert_with(|| {
+            let numbered = self.blocks.iter().zip(0..).filter_map(|(block, at)| Some((block.number?, at)));
+            let mut all: Vec<(u32, usize)> = numbered.collect();
+            all.sort_unstable();
+            all
+        });
+        let start = numbers.partition_point(|row| row.0 < number);
+        let end = numbers.partition_point(|row| row.0 <= number);
+        numbers.get(start..end).unwrap_or_default()
+    }
+
+    /// Whether a block of the program has this number.
+    pub(super) fn has_number(&mut self, number: Dec) -> bool {
+        let value = number.to_f64();
+        value.fract() == 0.0 && value >= 0.0 && !self.numbered(value as u32).is_empty()
+    }
+
+    /// Whether a jump in block `from` reaches a block with this number.
+    pub(super) fn number_on_way(&mut self, number: i64, from: usize, way: JumpDirection) -> bool {
+        let Ok(number) = u32::try_from(number) else { return false };
+        let ends = self.numbered(number);
+        ends.first().into_iter().chain(ends.last()).any(|row| way.reaches(from, row.1))
+    }
+
+    /// All labels, each with the blocks that it is written in front of.
+    pub(super) fn labels(&mut self) -> &BTreeMap<&'a str, Vec<usize>> {
+        self.labels.get_or_insert_with(|| {
+            let mut labels: BTreeMap<&'a str, Vec<usize>> = BTreeMap::new();
+            for (block, at) in self.blocks.iter().zip(0..).filter(|(block, _)| block.label.is_some()) {
+                labels.entry(self.deck.text(block.label)).or_default().push(at);
+            }
+            labels
+        })
+    }
+
+    /// Whether the program has a label, and whether a jump in block `from` reaches it.
+    pub(super) fn label_on_way(&mut self, name: &str, from: usize, way: JumpDirection) -> (bool, bool) {
+        let places = self.labels().get(name).map_or(&[][..], Vec::as_slice);
+        let reached = places.first().into_iter().chain(places.last()).any(|&to| way.reaches(from, to));
+        (!places.is_empty(), reached)
+    }
+
+    /// Whether a block that does not parse holds this name, in capitals.
+    pub(super) fn is_in_unread_block(&mut self, name: &str) -> bool {
+        let unread = self.unread.get_or_insert_with(|| {
+            let mut names = BTreeSet::new();
+            for block in self.blocks.iter().filter(|block| matches!(block.stmt, Stmt::Bad(_))) {
+                let text = block.span.of(self.text).to_ascii_uppercase();
+                for word in text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')) {
+                    // A block number may touch the name: `N10AGAIN:`.
+                    let behind = word.trim_start_matches('N').trim_start_matches(|c: char| c.is_ascii_digit());
+                    names.extend([word, behind].into_iter().filter(|name| !name.is_empty()).map(str::to_owned));
+                }
+            }
+            names
+        });
+        unread.contains(name)
+    }
+}
