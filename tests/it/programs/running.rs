@@ -3,10 +3,11 @@
 use std::fmt::Write as _;
 
 use expect_test::expect;
+use macroline::controls::find;
 use macroline::interp::world::Still;
 use macroline::interp::{self, End, Step};
 
-use super::{BUDGET, check, check_switched, log_of, start, world};
+use super::{BUDGET, check, check_switched, log_of, start, start_on, world};
 
 /// The sheet's list of texts that an E60 must refuse.
 #[test]
@@ -146,6 +147,35 @@ fn switches_change_what_a_program_does() {
         end
     "#]],
     );
+}
+
+#[test]
+fn thread_lead_counts_only_along_its_longest_axis() {
+    let control = find("sinumerik-802d").unwrap();
+    // X counts diameters: 40 of X are 20 mm of slide.
+    let cases = [
+        ("G33 Z-20 K2", "thread Z-20 F2/rev"),
+        ("G33 Z-20 I2", "16730"),
+        ("G33 Z-20 J2", "16730"),
+        ("G33 X30 I2", "thread X30 F2/rev"),
+        ("G33 X30 K2", "16730"),
+        ("G33 Y30 J2", "thread Y30 F2/rev"),
+        ("G33 Y30 K2", "16730"),
+        ("G33 X30 Z-20 K2", "thread X30 Z-20 F2.5/rev"),
+        ("G33 X30 Z-20 I2", "16730"),
+        ("G33 X50 Z-20 I2", "thread X50 Z-20 F"),
+        ("G33 X50 Z-20 K2", "16730"),
+        // On a taper of 45° both are the longest.
+        ("G33 X40 Z-20 I2", "thread X40 Z-20 F"),
+        ("G33 X40 Z-20 K2", "thread X40 Z-20 F"),
+        // Without travel there is no longest axis.
+        ("G33 Z0 I2", "thread Z0 F2/rev"),
+    ];
+    for (block, expected) in cases {
+        let log = log_of("", &mut start_on(control, &format!("G90 G0 X0 Y0 Z0 S100 M3\n{block}\nM30\n"), &[]));
+        assert!(log.contains(expected), "{block}: {log}");
+        assert_eq!(log.contains("16730"), expected == "16730", "{block}: {log}");
+    }
 }
 
 #[test]
