@@ -3,13 +3,14 @@
 use crate::controls::Address;
 use crate::controls::Alarm;
 use crate::nc::{Block, Deck, ExprId, Parsed};
-use crate::text::{Diagnostic, DiagnosticKind, Message, Place, Span};
+use crate::text::{Diagnostic, Message, Place, Span};
 
 /// An alarm in the making.
 #[derive(Debug)]
 pub(super) struct Fault {
     alarm: Alarm,
-    kind: DiagnosticKind,
+    /// What the reader has reported of the block: shown as it is, in place of the rest.
+    reported: Option<Diagnostic>,
     message: Message,
     hints: Vec<Message>,
     word: Option<Span>,
@@ -39,7 +40,7 @@ impl Trap {
     pub(super) fn alarm(alarm: Alarm, message: Message) -> Trap {
         Trap::Alarm(Box::new(Fault {
             alarm,
-            kind: DiagnosticKind::Plain,
+            reported: None,
             message,
             hints: Vec::new(),
             word: None,
@@ -49,27 +50,11 @@ impl Trap {
         }))
     }
 
-    /// An alarm that the parser has already found.
+    /// The same as the reader has reported it, where it has.
     #[cold]
-    pub(super) fn repeat(alarm: Alarm, finding: &Diagnostic) -> Trap {
-        let word = finding.place.map(|place| place.span);
-        Trap::Alarm(Box::new(Fault {
-            alarm,
-            kind: finding.kind,
-            message: finding.message.clone(),
-            hints: finding.hints.clone(),
-            word,
-            part: None,
-            letters: &[],
-            number: None,
-        }))
-    }
-
-    /// The same of a kind that code acts on.
-    #[cold]
-    pub(super) fn of_kind(mut self, kind: DiagnosticKind) -> Trap {
+    pub(super) fn reported_as(mut self, finding: Option<&Diagnostic>) -> Trap {
         if let Trap::Alarm(fault) = &mut self {
-            fault.kind = kind;
+            fault.reported = finding.cloned();
         }
         self
     }
@@ -136,10 +121,13 @@ impl Fault {
 
     /// The diagnostic in the control's numbers; `block` is its place where neither part nor word is known.
     pub(super) fn diagnostic(self, parsed: &Parsed, block: Place) -> Diagnostic {
+        if let Some(finding) = self.reported {
+            return finding;
+        }
         let part = self.part.and_then(|part| parsed.expr_span(block, part));
         let place = Place { file: block.file, span: part.or(self.word).unwrap_or(block.span) };
         let shown = parsed.control().alarm_shown(self.alarm);
-        let mut diagnostic = Diagnostic::error(self.message).kind(self.kind).at(place).alarm(shown);
+        let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(shown);
         if let Some(number) = self.number {
             // Its wording is the program's.
             let prefix = parsed.control().macros.user_alarm_prefix;

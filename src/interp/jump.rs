@@ -5,25 +5,38 @@ use super::error::{Run, Trap};
 use super::index::Partner;
 use super::operators::WHOLE;
 use super::state::RunState;
-use crate::controls::Address;
-use crate::controls::Alarm;
+use crate::controls::{Address, Alarm};
 use crate::msg;
-use crate::nc::ExprId;
-use crate::text::DiagnosticKind;
+use crate::nc::{Block, ExprId};
+use crate::text::{Diagnostic, DiagnosticKind, Place, Severity, Span};
 
 impl RunState {
     /// The END of the DO in a block, or the DO of its END.
-    pub(super) fn partner(&self, cx: &BlockContext, at: u32) -> Run<u32> {
+    pub(super) fn partner(&self, cx: &BlockContext, at: u32, block: &Block) -> Run<u32> {
         match cx.shared.index.partner(self.program, at) {
             Partner::Block(partner) => Ok(partner),
-            Partner::Fault(Alarm::DoNesting) => {
-                let depth = u32::from(cx.control.syntax.do_depth);
-                Err(Trap::alarm(Alarm::DoNesting, msg!("interp.do-nesting", depth)))
-            }
-            Partner::Fault(alarm) => {
-                Err(Trap::alarm(alarm, msg!("interp.do-pair")).of_kind(DiagnosticKind::UnpairedLoop))
-            }
+            Partner::Fault(alarm) => Err(self.faulty_loop(cx, block, alarm)),
         }
+    }
+
+    /// The alarm of a DO or END without a partner, as the reader has reported it: of this block; else of another loop of the program, which
+    /// crosses this one; else of a block that does not parse, which hides the partner.
+    #[cold]
+    fn faulty_loop(&self, cx: &BlockContext, block: &Block, alarm: Alarm) -> Trap {
+        let message = match alarm {
+            Alarm::DoNesting => msg!("interp.do-nesting", u32::from(cx.control.syntax.do_depth)),
+            _ => msg!("interp.do-pair"),
+        };
+        let place = |span: Span| Place { file: self.file, span };
+        let blocks = cx.deck.blocks.get(self.first as usize..self.end as usize).unwrap_or_default();
+        let program = blocks.first().zip(blocks.last()).map(|(first, last)| place(first.span.to(last.span)));
+        let errors = cx.shared.parsed.diagnostics().iter().filter(|finding| finding.severity == Severity::Error);
+        let within = |outer: Option<Place>| {
+            errors.clone().filter(move |error| outer.zip(error.place).is_some_and(|(outer, at)| outer.covers(at)))
+        };
+        let is_loop = |finding: &&Diagnostic| finding.kind == DiagnosticKind::UnpairedLoop;
+        let reported = within(Some(place(block.span))).chain(within(program)).find(is_loop);
+        Trap::alarm(alarm, message).reported_as(reported.or_else(|| within(program).next()))
     }
 
     pub(super) fn go_to(&mut self, cx: &mut BlockContext, from: u32, target: ExprId) -> Run<()> {

@@ -52,7 +52,7 @@ impl RunState {
             }
             Stmt::Goto { target, .. } => self.go_to(cx, at, target)?,
             Stmt::While { cond, .. } => {
-                let end = self.partner(cx, at)?;
+                let end = self.partner(cx, at, block)?;
                 let goes_on = match cond {
                     Some(cond) => self.number(cx, cond)? != 0.0,
                     None => true,
@@ -61,24 +61,22 @@ impl RunState {
                     self.at = end.saturating_add(1);
                 }
             }
-            Stmt::End { .. } => self.at = self.partner(cx, at)?,
+            Stmt::End { .. } => self.at = self.partner(cx, at, block)?,
             Stmt::Bad(alarm) => return Err(self.bad_block(cx, block, alarm)),
         }
         self.counts.macros += 1;
         Ok(())
     }
 
-    /// The alarm of a block that could not be read, in the words of who read it.
+    /// The alarm of a block that does not parse, as the reader has reported it.
     #[cold]
     fn bad_block(&self, cx: &BlockContext, block: &Block, alarm: Alarm) -> Trap {
-        let here = |place: Place| {
-            place.file == self.file && block.span.start <= place.span.start && place.span.end <= block.span.end
-        };
+        let here = Place { file: self.file, span: block.span };
         let number = cx.control.alarm_number(alarm);
-        let said = |finding: &&Diagnostic| finding.alarm.as_deref() == number && finding.place.is_some_and(here);
-        match cx.shared.parsed.diagnostics().iter().find(said) {
-            Some(finding) => Trap::repeat(alarm, finding),
-            None => Trap::alarm(alarm, msg!("interp.bad-block")),
-        }
+        let is_it = |finding: &&Diagnostic| {
+            finding.alarm.as_deref() == number && finding.place.is_some_and(|place| here.covers(place))
+        };
+        let reported = cx.shared.parsed.diagnostics().iter().find(is_it);
+        Trap::alarm(alarm, msg!("interp.bad-block")).reported_as(reported)
     }
 }

@@ -79,13 +79,11 @@ impl<P: RunningProgram> Sim<'_, P> {
         let Some(next) = self.s.reader.queue.front() else {
             self.s.exec = match self.s.reader.over.clone() {
                 Some(Over::Alarm(diagnostic)) => {
-                    self.out.diagnostics.push((*diagnostic).clone());
+                    self.out.report((*diagnostic).clone());
                     Exec::Alarm(diagnostic)
                 }
                 Some(Over::Blocks) => {
-                    self.out
-                        .diagnostics
-                        .push(Diagnostic::warning(msg!("motion.out-of-blocks", self.plant.limits.blocks as f64)));
+                    self.out.report(Diagnostic::warning(msg!("motion.out-of-blocks", self.plant.limits.blocks as f64)));
                     Exec::OutOfBlocks
                 }
                 Some(Over::Program) | None => Exec::Finished,

@@ -40,7 +40,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             Action::Reset => self.reset(t, Exec::Ready),
             Action::EmergencyStop => {
                 let diagnostic = Diagnostic::error(msg!("motion.emergency-stop")).alarm(self.plant.emergency);
-                self.out.diagnostics.push(diagnostic.clone());
+                self.out.report(diagnostic.clone());
                 self.reset(t, Exec::Emergency(Box::new(diagnostic)));
             }
             Action::SingleBlock(on) => self.s.operator.knobs.single_block = *on,
@@ -64,7 +64,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                     let taken = math::clamp(*value, least, most);
                     if taken != *value {
                         let message = msg!("interp.output-range", name.as_str(), (*value, 9), taken);
-                        self.out.diagnostics.push(Diagnostic::warning(message));
+                        self.out.report(Diagnostic::warning(message));
                     }
                     self.s.plc.io.forced.insert(key, taken);
                     self.scan(t);
@@ -86,7 +86,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     fn nothing_to_set(&mut self, name: &str) {
-        self.out.diagnostics.push(Diagnostic::warning(msg!("motion.nothing-to-set", name)));
+        self.out.report(Diagnostic::warning(msg!("motion.nothing-to-set", name)));
     }
 
     /// Cycle start: goes on after a stop or hold, begins anew after reset or program end.

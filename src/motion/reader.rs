@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::exec::Exec;
 use super::plant::AxisPlant;
 use super::program::RunningProgram;
+use super::records::REMARKS;
 use super::sim::Sim;
 use super::state::{Over, Queued, SimState};
 use super::timeline::{Timeline, VariableChange};
@@ -23,9 +24,6 @@ struct ReaderWorld<'a> {
     changes: Vec<(u32, Option<f64>)>,
     remarks: Vec<Diagnostic>,
 }
-
-/// Remarks of a run that are kept.
-const REMARKS: usize = 1000;
 
 /// Where the axes are.
 enum Axes<'a> {

@@ -4,7 +4,10 @@ use std::collections::VecDeque;
 
 use super::timeline::{Timeline, TimelineLengths};
 use crate::interp::Canon;
-use crate::text::{Diagnostic, Place};
+use crate::text::{Diagnostic, Place, Severity};
+
+/// Warnings of a run are kept up to so many findings.
+pub(super) const REMARKS: usize = 1000;
 
 /// Records of a run; cut to [`RecordLengths`] when the past changes.
 #[derive(Debug, Clone)]
@@ -34,6 +37,14 @@ impl RecordLengths {
 }
 
 impl Records {
+    /// Adds a finding of the run, once: a program that is started again meets the same alarms. Warnings beyond [`REMARKS`] are left out.
+    pub(super) fn report(&mut self, diagnostic: Diagnostic) {
+        let has_room = diagnostic.severity == Severity::Error || self.diagnostics.len() < REMARKS;
+        if has_room && !self.diagnostics.contains(&diagnostic) {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+
     pub(super) fn logged(&self) -> usize {
         self.taken + self.log.len()
     }

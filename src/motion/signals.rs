@@ -66,7 +66,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// An alarm at the block that is executing.
     pub(super) fn stop_with(&mut self, diagnostic: Diagnostic) {
         let diagnostic = Diagnostic { place: self.s.place, ..diagnostic };
-        self.out.diagnostics.push(diagnostic.clone());
+        self.out.report(diagnostic.clone());
         self.s.exec = Exec::Alarm(Box::new(diagnostic));
     }
 

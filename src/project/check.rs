@@ -6,7 +6,7 @@ use super::program::Written;
 use super::{Project, run};
 use crate::interp;
 use crate::nc::{self, Parsed};
-use crate::text::{Diagnostic, Severity};
+use crate::text::{Diagnostic, DiagnosticKind, Place, Severity};
 
 /// All of it, in the order of the text. `start` is the number of the program that is started, where somebody has said; `set` are variables
 /// that the operator sets.
@@ -28,6 +28,30 @@ fn beyond(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagnosti
     warnings.retain(|warning| warning.severity == Severity::Info || !said(warning));
     found.append(&mut warnings);
     found
+}
+
+/// The findings of reading a program and of its run as one list. Of the run those facts that reading has not reported; an alarm of the run
+/// stands for a warning of its block.
+pub fn with_run(mut read: Vec<Diagnostic>, run: &[Diagnostic]) -> Vec<Diagnostic> {
+    let new: Vec<&Diagnostic> = run.iter().filter(|found| reported(&read, found).is_none()).collect();
+    let alarms = run.iter().filter(|found| found.severity == Severity::Error).filter_map(|found| found.place);
+    let alarms: Vec<Place> = alarms.collect();
+    let foreseen = |warning: &Diagnostic| warning.place.is_some_and(|at| alarms.iter().any(|alarm| at.covers(*alarm)));
+    read.retain(|found| found.severity != Severity::Warning || !foreseen(found));
+    read.extend(new.into_iter().cloned());
+    read
+}
+
+/// The finding of reading that states the same fact as a finding of a run: the same alarm or remark at the same place, or short blocks where
+/// the run starves. Reader, static check and run raise an alarm by the same code, so its place is the same.
+pub fn reported<'a>(read: &'a [Diagnostic], run: &Diagnostic) -> Option<&'a Diagnostic> {
+    let file = |finding: &Diagnostic| finding.place.map(|place| place.file);
+    read.iter().find(|known| match (known.kind, run.kind) {
+        (DiagnosticKind::ShortBlocks, DiagnosticKind::Starved) => file(known) == file(run),
+        _ if run.place.is_none() || known.place != run.place || known.alarm != run.alarm => false,
+        // The values of a message may differ: they are those of one pass.
+        _ => run.severity == Severity::Error && run.alarm.is_some() || known.id() == run.id(),
+    })
 }
 
 impl Project {

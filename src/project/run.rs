@@ -1,6 +1,5 @@
 //! A run from its beginning to its end: of a project, or of bare programs on the control's bench.
 
-use std::collections::BTreeSet;
 use std::rc::Rc;
 
 use serde_json::{Map, Value as Json, json};
@@ -19,8 +18,8 @@ use crate::motion::{
     SpindlePlant,
 };
 use crate::nc::Parsed;
+use crate::text::Diagnostic;
 use crate::text::catalog::number_text;
-use crate::text::{Diagnostic, DiagnosticKind, Place, Severity};
 
 /// A planned run of the interpreter.
 pub type Run = Planner<Interp>;
@@ -205,18 +204,12 @@ pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(Line) -> Result<(), E>) -> R
     };
     let time = run.timeline().end();
     let (last, words) = (run.timeline().at(time), run.timeline().words_at(time));
-    let mut diagnostics = run.diagnostics().to_vec();
-    if let RunEnd::Alarm(alarm) = &ended
-        && !diagnostics.contains(alarm)
-    {
-        diagnostics.push((**alarm).clone());
-    }
     let blocks = run.blocks();
     Ok(RunSummary {
         ended,
         blocks: blocks.nc + blocks.macros,
         time,
-        diagnostics,
+        diagnostics: run.diagnostics().to_vec(),
         variables: run.program().variables().collect(),
         axes: names.axes.iter().zip(words).map(|(row, at)| (row.letter.byte().into(), at)).collect(),
         spindle: last.spindle,
@@ -266,46 +259,4 @@ impl RunSummary {
 /// Without the noise of the last bits: twelve decimals, and never `-0`, which adding 0 makes to 0.
 fn clean(value: f64) -> f64 {
     if value.abs() < 1e3 { (value * 1e12).round() / 1e12 + 0.0 } else { value }
-}
-
-/// Leaves out repetitions, in place; the order stays. The run repeats what the reader has found, about the whole block or about the
-/// other end of a loop, and tells again of axes that stop where the text has told it already. What stops a run stands for the warning
-/// that it may.
-pub fn once_each(diagnostics: &mut Vec<Diagnostic>) {
-    let mut seen: Vec<Diagnostic> = Vec::new();
-    // Remarks about the run as a whole are many where the operator does much, and only the same sentence repeats them.
-    let mut whole: BTreeSet<String> = BTreeSet::new();
-    diagnostics.retain(|d| {
-        let of_run = d.place.is_none() && d.alarm.is_none();
-        let new = !seen.iter().any(|s| repeats(d, s)) && (!of_run || whole.insert(format!("{:?}", d.message)));
-        if new && !of_run {
-            seen.push(d.clone());
-        }
-        new
-    });
-    seen.retain(|d| d.severity == Severity::Error && d.place.is_some());
-    diagnostics.retain(|d| d.severity != Severity::Warning || !seen.iter().any(|error| covers(d.place, error.place)));
-}
-
-/// Whether a finding of a run tells of what has been told already.
-pub fn repeats(d: &Diagnostic, told: &Diagnostic) -> bool {
-    covers(d.place, told.place)
-        && told.alarm == d.alarm
-        && (told.message == d.message || d.severity == Severity::Error && d.alarm.is_some())
-        // The reader has told of each loop that lacks its other end, or of the block that hides it.
-        || d.kind == DiagnosticKind::UnpairedLoop
-            && told.severity == Severity::Error
-            && d.place.map(|place| place.file) == told.place.map(|place| place.file)
-        || d.kind == DiagnosticKind::Starved
-            && told.kind == DiagnosticKind::ShortBlocks
-            && d.place.map(|place| place.file) == told.place.map(|place| place.file)
-}
-
-fn covers(outer: Option<Place>, inner: Option<Place>) -> bool {
-    match (outer, inner) {
-        (Some(outer), Some(inner)) => {
-            outer.file == inner.file && outer.span.start <= inner.span.start && inner.span.end <= outer.span.end
-        }
-        _ => outer == inner,
-    }
 }

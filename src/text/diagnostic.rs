@@ -42,7 +42,7 @@ pub enum DiagnosticKind {
     EndsEarly,
     /// The contour of a cycle is passed over.
     Contour,
-    /// A DO or END without its partner.
+    /// A DO or END without its partner, or too deep.
     UnpairedLoop,
     /// An auxiliary function is put out in each pass of a loop.
     AuxiliaryInLoop,

@@ -49,6 +49,11 @@ pub struct Place {
 }
 
 impl Place {
+    /// Whether the other one lies within this one.
+    pub fn covers(self, other: Place) -> bool {
+        self.file == other.file && self.span.start <= other.span.start && other.span.end <= self.span.end
+    }
+
     /// Whether both share a byte.
     pub fn meets(self, other: Place) -> bool {
         self.file == other.file && self.span.start < other.span.end && other.span.start < self.span.end

@@ -91,7 +91,7 @@ use transport::{mode_tone, mode_words, transport};
 use words::{sign, t, tell_alarm};
 
 use crate::motion::RunEnd;
-use crate::project::run::repeats;
+use crate::project::check::reported;
 
 pub use worker::server::work;
 
@@ -174,9 +174,9 @@ fn why(model: Model) -> String {
     let (at, (planned, _)) = (model.player.now.with(|now| now.t), model.player.planned.get());
     match model.player.ended.get().filter(|_| at >= planned) {
         // In the words that stand at its place in the program.
-        Some(RunEnd::Alarm(alarm)) => model
-            .findings
-            .with(|findings| tell_alarm(findings.iter().find(|told| repeats(&alarm, told)).unwrap_or(&alarm))),
+        Some(RunEnd::Alarm(alarm)) => {
+            model.findings.with(|findings| tell_alarm(reported(findings, &alarm).unwrap_or(&alarm)))
+        }
         end => end.map_or_else(String::new, |end| words::end_words(&end)),
     }
 }

@@ -14,8 +14,8 @@ use crate::machines::Design;
 use crate::machines::form::{Provenance, Value};
 use crate::nc;
 use crate::project::Project;
+use crate::project::check::with_run;
 use crate::project::program::Written;
-use crate::project::run;
 use crate::project::suppress::silence;
 use crate::text::{Diagnostic, Severity};
 use crate::view::Scene;
@@ -156,10 +156,7 @@ impl Model {
         let skimmed = self.written.with(|written| written.diagnostics.clone());
         let mut found = self.reviewed.get().unwrap_or(skimmed);
         Diagnostic::in_order(&mut found);
-        found.extend(self.player.findings());
-        // What reading has found already is not told again by the run that stops there.
-        run::once_each(&mut found);
-        found
+        with_run(found, &self.player.findings())
     }
 
     /// A text about variables, `#101`, in the spelling of the present control.

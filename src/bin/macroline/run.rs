@@ -7,7 +7,7 @@ use macroline::controls::{Control, Dialect, Switches};
 use macroline::interp::StartProgram;
 use macroline::motion::{Budget, Panel, Retention};
 use macroline::nc;
-use macroline::project::check::review;
+use macroline::project::check::{review, with_run};
 use macroline::project::console::{Console, Outcome};
 use macroline::project::run::{self, Run, RunOptions, Setting};
 use macroline::project::suppress::silence;
@@ -73,10 +73,10 @@ fn prepare(args: &RunArgs, keep: Retention, json: bool) -> Result<Prepared, Fail
         files.push(file);
         let Some(mut project) = project else { return Err(refuse(&files, json)) };
         project.switches = switched(project.switches, &args.switch, project.control)?;
-        settable(&settings, project.control, &Dialect::resolve(project.control, &project.switches))?;
         project.panel = Panel::new(project.panel.events().iter().chain(panel.events()).cloned());
         let mut list = project.design().diagnostics;
         let written = project.written();
+        settable(&settings, project.control, written.parsed.dialect())?;
         list.extend(written.diagnostics.iter().cloned());
         list.extend(project.advice(&written));
         Diagnostic::in_order(&mut list);
@@ -134,8 +134,7 @@ pub(crate) fn run(args: &RunArgs, wanted: bool, json: bool) -> Result<(), Failur
         text.push('\n');
         out.text(&text)
     })?;
-    program.list.extend(outcome.diagnostics.iter().cloned());
-    run::once_each(&mut program.list);
+    program.list = with_run(program.list, &outcome.diagnostics);
     let count = silence(&mut program.list, &silenced);
     files.push(program);
     if json {
