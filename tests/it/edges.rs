@@ -413,7 +413,8 @@ fn large_faulty_programs_take_no_quadratic_time() {
     let if_then = |at: usize| format!("IF[#1EQ{at}]THEN G00X1.\n");
     let loops = |at: usize| format!("WHILE[#1EQ{at}]DO1\nEND2\n");
     let jumps = |at: usize| format!("N{at}GOTO{}\n", at + 1);
-    let cases: [(&str, &str, &str, &dyn Fn(usize) -> String); 9] = [
+    type Lines<'a> = &'a dyn Fn(usize) -> String;
+    let cases: [(&str, &str, &str, Lines); 9] = [
         ("sinumerik-802d", "%_N_A_MPF\n", "unread labels", &unread),
         ("sinumerik-802d", "%_N_A_MPF\n", "labels in unread blocks", &in_unread),
         ("sinumerik-802d", "%_N_A_MPF\n", "block numbers", &numbers),
