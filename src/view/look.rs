@@ -30,6 +30,8 @@ pub enum Paint {
     Edge,
     /// Ink on the ribbon, displays, deep holes.
     Black,
+    /// Needle and limits of a gauge.
+    Needle,
     /// Soft shadow.
     Shade,
     /// Ground of a lens.
@@ -140,6 +142,7 @@ impl Paint {
             Rim => Token("rim"),
             Edge => Token("edge-line"),
             Black => Token("black"),
+            Needle => Token("needle"),
             Shade => Token("shade"),
             Glass => Token("glass"),
             GlassDeep => Token("glass-deep"),

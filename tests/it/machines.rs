@@ -1,6 +1,7 @@
 //! The machines: their numbers against the independent oracle (`sizing_check.py`), their verdicts, their programs.
 
 mod adding;
+mod drawn;
 mod look;
 mod polygon;
 mod polygon_sheets;
@@ -11,4 +12,5 @@ mod sweep;
 mod toy;
 mod turning;
 mod turning_controls;
+mod turning_drawing;
 mod written;

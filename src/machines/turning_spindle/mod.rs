@@ -18,6 +18,8 @@ mod scene;
 
 mod pose;
 
+mod progress;
+
 mod charts;
 
 mod sheets;

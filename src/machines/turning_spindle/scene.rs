@@ -1,182 +1,163 @@
-//! The drawing of the turning spindle: chuck, part, tool and voltmeter, seen from the operator's side.
+//! The drawing of the turning spindle, seen by the operator a little from the right: headstock with its instruments, chuck, part, turret.
 //!
-//! The part is to scale with its diameters and lengths; chuck, tool and voltmeter are not.
+//! Part, chuck jaws and ways of the tool are to one scale. Headstock, turret and tailstock take the room that there is: the form does not
+//! have their sizes.
 
-use super::params::{Output, Params, Path};
+mod chuck;
+
+mod frame;
+
+mod ids;
+
+mod instruments;
+
+mod layout;
+
+mod lens;
+
+mod solid;
+
+mod turret;
+
+mod work;
+
+use super::params::{Params, Path};
 use super::resolved::TurningSpindle;
-use crate::math::{self, PI};
+use crate::machines::sheets::say;
+use crate::math;
 use crate::text::catalog::number_text as show;
-use crate::text::catalog::{Language, words};
 use crate::text::number::filled;
 use crate::view::Scene;
-use crate::view::pen::{Pen, ray};
+use crate::view::drawing::{Callout, Drawing};
+use crate::view::look::{Look, Paint};
+use crate::view::scene::{Font, LETTER, SceneGroup};
+pub(super) use frame::{knob, lever};
+pub(super) use ids::{group, node};
+pub(super) use instruments::needles;
+pub(super) use layout::View;
+use layout::{UNIT, VIEW};
+use solid::AXIS;
+pub(super) use turret::pose_chips;
 
-/// Groups that poses move.
-pub(super) mod group {
-    pub(in super::super) const TOOL: u16 = 1;
-    pub(in super::super) const NEEDLE: u16 = 2;
-    pub(in super::super) const BLUR: u16 = 3;
-    /// First of the jaws.
-    pub(in super::super) const JAWS: u16 = 4;
-}
-
-/// Jaws of the chuck.
-pub(super) const JAWS: u16 = 3;
-
-/// Nodes whose path or text poses change; they follow the frame.
-pub(super) mod node {
-    /// Headstock, chuck, stock, centre line, the voltmeter's face.
-    const FRAME: u16 = 5;
-    pub(in super::super) const PART: u16 = FRAME;
-    pub(in super::super) const SPEED: u16 = FRAME + 1;
-    pub(in super::super) const SURFACE: u16 = FRAME + 2;
-    pub(in super::super) const DIAMETER: u16 = FRAME + 3;
-    pub(in super::super) const STAGE: u16 = FRAME + 4;
-    pub(in super::super) const VOLTS: u16 = FRAME + 5;
-    pub(in super::super) const PASS: u16 = FRAME + 6;
-    pub(in super::super) const BOUND: u16 = FRAME + 7;
-}
-
-/// Height of the turning centre.
-pub(super) const CENTRE: f64 = 168.0;
-/// The chuck's face, and half its height.
-const CHUCK: (f64, f64) = (150.0, 96.0);
-/// Centre and radius of the voltmeter.
-pub(super) const METER: (f64, f64, f64) = (660.0, 118.0, 74.0);
-/// Degrees of the needle from its middle to either end.
-pub(super) const SWEEP: f64 = 55.0;
-/// Width and half height that the part may take.
-const ROOM: (f64, f64) = (300.0, 104.0);
-
-/// How the part lies in the drawing.
-pub(super) struct View {
-    /// Units of the drawing per millimetre.
-    pub(super) scale: f64,
-    /// Position of the finished face.
-    pub(super) face: f64,
-    /// Length of the part between chuck and finished face, mm.
-    pub(super) behind: f64,
-}
-
-impl View {
-    pub(super) fn new(p: &Params) -> View {
-        let (behind, before) = match p.path {
-            Path::Facing => (0.4 * p.stock_diameter + p.allowance, p.allowance),
-            _ => (p.length + 0.15 * p.stock_diameter, 0.0),
-        };
-        let scale = (ROOM.0 / (behind + before)).min(ROOM.1 / (0.5 * p.stock_diameter));
-        View { scale, face: CHUCK.0 + behind * scale, behind }
-    }
-
-    /// A point of the part: mm from the finished face, diameter in mm.
-    pub(super) fn point(&self, z: f64, diameter: f64) -> (f64, f64) {
-        (self.face + z * self.scale, CENTRE - 0.5 * diameter * self.scale)
-    }
-}
+/// Paths of the part and of what the lens shows of it.
+pub(super) use {lens::pose as pose_lens, solid::arc, work::pose as pose_work, work::stretches};
 
 /// The drawing at rest.
 pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
     let p = &lathe.p;
-    let mut pen = Pen::default();
     let view = View::new(p);
-    let name = |id: &'static str| words(Language::English, id).to_owned();
-    frame(&mut pen, p, &view);
-    // Nodes that change, in the order of `node`.
-    pen.path(0, String::new(), "steel", "dim", 1.0, "part");
-    for (x, y, anchor, class) in [
-        (84.0, 300.0, "middle", "value"),
-        (560.0, 262.0, "start", "value"),
-        (560.0, 280.0, "start", "value"),
-        (84.0, 66.0, "middle", "value"),
-        (METER.0, METER.1 + 42.0, "middle", "value"),
-        (560.0, 298.0, "start", "value"),
-        (METER.0, 214.0, "middle", "small"),
-    ] {
-        pen.text(x, y, anchor, String::new(), "ink", class);
+    let mut d = Drawing::new(UNIT);
+    frame::draw_bed(&mut d);
+    turret::draw_column(&mut d);
+    frame::draw_tailstock(&mut d, &view);
+    view.chuck.draw_nose(&mut d);
+    frame::draw_headstock(&mut d, p);
+    view.chuck.draw_body(&mut d);
+    work::draw(&mut d, p, &view);
+    view.chuck.draw_near_jaws(&mut d);
+    d.path(String::new(), Look::POINTER).id = Some(node::ORIENTATION);
+    turret::draw_axis(&mut d);
+    turret::draw_way(&mut d, p, &view);
+    turret::draw(&mut d);
+    turret::draw_chips(&mut d);
+    for (group, at) in [group::SPEED, group::NEEDLE].into_iter().zip(instruments::PIVOTS) {
+        d.place(group, SceneGroup { at, ..SceneGroup::default() });
     }
-    jaws(&mut pen);
-    tool(&mut pen, &view);
-    meter(&mut pen, p);
-    for (x, y, anchor, id) in [
-        (84.0, 50.0, "middle", "turning.scene.gear"),
-        (84.0, 284.0, "middle", "turning.scene.spindle"),
-        (METER.0, 196.0, "middle", "turning.scene.output"),
-        (552.0, 262.0, "end", "turning.scene.surface"),
-        (552.0, 280.0, "end", "turning.scene.diameter"),
-        (552.0, 298.0, "end", "turning.scene.pass"),
-    ] {
-        pen.text(x, y, anchor, name(id), "dim", "label");
-    }
-    Scene {
-        view: [0.0, 0.0, 760.0, 312.0],
-        nodes: pen.nodes,
-        groups: Pen::groups(group::JAWS + JAWS),
-        unit: 0.0,
-        gradients: Vec::new(),
-        alt: "turning.scene.alt",
-        option: None,
-    }
+    instruments::draw(&mut d, lathe);
+    lens::draw(&mut d, p, &view);
+    labels(&mut d, lathe, &view);
+    d.scene(VIEW, "turning.scene.alt")
 }
 
-/// Headstock and chuck, the centre line, the stock as it was.
-fn frame(pen: &mut Pen, p: &Params, view: &View) {
-    let (face, half) = CHUCK;
-    pen.path(0, filled("M24 #H#V#H24Z", &[CENTRE - 78.0, face - 54.0, CENTRE + 84.0]), "line", "", 0.0, "plate");
-    pen.path(
-        0,
-        filled("M# #H#V#H#Z", &[face - 54.0, CENTRE - half, face - 14.0, CENTRE + half, face - 54.0]),
-        "steel",
-        "dim",
-        1.0,
-        "roller",
+/// Base line of the names in the row above the machine.
+const ROW: f64 = 46.0;
+
+/// Names, dimensions and live values; every one has its own place, whatever the sizes.
+fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
+    let p = &lathe.p;
+    let mm = |value: f64| format!("{} mm", show(value, 3));
+    let callout =
+        |d: &mut Drawing, field: &'static str, at, anchor, id: &'static str, values: &[(Option<u16>, &str)], part| {
+            d.showing(field, |d| d.callout(&Callout { at, anchor, name: &say(id), values, part }));
+        };
+    d.text((252.0, 18.0), "start", "", Font::Label, Paint::Dim).id = Some(node::BOUND);
+    let (left, radius) = view.side(-view.behind, p.stock_diameter);
+    let middle = 0.45 * (left.max(view.chuck.front()) + view.face) + 0.1 * view.face;
+    callout(
+        d,
+        "stock-diameter",
+        (252.0, ROW),
+        "start",
+        "turning.scene.stock",
+        &[(None, &mm(p.stock_diameter))],
+        Some((middle - 24.0, AXIS - radius)),
     );
-    let before = if p.path == Path::Facing { p.allowance } else { 0.0 };
-    let ((left, top), (right, _)) = (view.point(-view.behind, p.stock_diameter), view.point(before, 0.0));
-    pen.path(0, filled("M# #H#V#H#Z", &[left, top, right, 2.0 * CENTRE - top, left]), "", "dim", 1.0, "dash");
-    pen.path(0, filled("M14 #H540", &[CENTRE]), "", "dim", 0.8, "dash");
-    pen.rect(METER.0 - 92.0, 34.0, 184.0, 144.0, "line", "box");
-}
-
-/// The jaws; poses lift and lower them as the chuck turns.
-fn jaws(pen: &mut Pen) {
-    let (face, _) = CHUCK;
-    pen.rect(face - 14.0, CENTRE - 78.0, 14.0, 156.0, "line", "");
-    for jaw in 0..JAWS {
-        let d = filled("M# #h34v22h-34z", &[face - 20.0, CENTRE - 11.0]);
-        pen.path(group::JAWS + jaw, d, "ink", "pane", 1.0, "jaw");
+    let (from, to) = (mm(p.finished_diameter), mm(p.large_diameter));
+    let finished = [(None, from.as_str()), (None, to.as_str())];
+    let count = if p.path == Path::Taper { 2 } else { 1 };
+    let low = p.finished_diameter.min(p.stock_diameter);
+    let end = view.tip(0.5 * low, if p.path == Path::Facing { 0.0 } else { -0.2 * p.length });
+    callout(d, "finished-diameter", (376.0, ROW), "start", "turning.scene.finished", &finished[..count], Some(end));
+    d.path(String::new(), Look::LEAD).id = Some(node::TOOL_LEADER);
+    let tool = [(Some(node::SURFACE), ""), (Some(node::DIAMETER), "")];
+    callout(d, "cutting-speed", (TOOL, ROW), "start", "turning.scene.surface", &tool, None);
+    let allowance = if p.path == Path::Facing { "allowance" } else { "depth" };
+    callout(d, allowance, (664.0, ROW), "start", "turning.scene.left", &[(Some(node::LEFT), "")], None);
+    callout(d, "depth", (RIGHT, ROW), "end", "turning.scene.pass", &[(Some(node::PASS), "")], None);
+    let start = format!("X{} Z{}", show(p.start_x * if lathe.diameters() { 1.0 } else { 0.5 }, 3), show(p.start_z, 3));
+    callout(d, "start-x", (RIGHT, 186.0), "end", "turning.scene.start", &[(None, &start)], None);
+    let slides = [(Some(node::X), ""), (Some(node::Z), "")];
+    callout(d, "", (RIGHT, 238.0), "end", "turning.scene.slides", &slides, None);
+    if view.has_tailstock() {
+        d.text((RIGHT, 478.0), "end", &say("turning.scene.tailstock"), Font::Label, Paint::Dim);
     }
-    let blur = filled("M# #h34v156h-34z", &[face - 20.0, CENTRE - 78.0]);
-    pen.path(group::BLUR, blur, "ink", "", 0.0, "blur");
-}
-
-/// The tool with its tip at the finished face on the turning centre; poses shift it.
-fn tool(pen: &mut Pen, view: &View) {
-    let (x, y) = (view.face, CENTRE);
-    pen.path(group::TOOL, filled("M# #l7 -15l-14 -3z", &[x, y]), "accent", "pane", 0.6, "insert");
-    pen.path(group::TOOL, filled("M# #l16 3v-46h-20v38z", &[x - 8.0, y - 17.0]), "dim", "", 0.0, "holder");
-}
-
-/// The voltmeter: its arc with a mark at every fifth.
-fn meter(pen: &mut Pen, p: &Params) {
-    let (x, y, r) = METER;
-    let bipolar = p.output == Output::Bipolar;
-    for mark in 0..=10 {
-        let part = f64::from(mark) / 5.0 - 1.0;
-        let (s, c) = math::sin_cos((part * SWEEP - 90.0) / 180.0 * PI);
-        let long = mark % 5 == 0;
-        pen.path(
-            0,
-            ray(x, y, (c, s), if long { r - 12.0 } else { r - 7.0 }, r),
-            "",
-            "ink",
-            if long { 2.0 } else { 1.0 },
-            "",
-        );
-        if long {
-            let volts = if bipolar { 10.0 * part } else { 5.0 * (part + 1.0) };
-            pen.text(x + (r - 22.0) * c, y + (r - 22.0) * s + 4.0, "middle", show(volts, 0), "dim", "small");
-        }
+    d.text((4.0, 250.0), "start", &say("turning.scene.gear"), Font::Label, Paint::Rim);
+    d.text((4.0, 274.0), "start", "", Font::Value, Paint::Rim).id = Some(node::STAGE);
+    if lathe.positions() {
+        callout(d, "keyway-angle", (RIGHT, 112.0), "end", "turning.scene.angle", &[(Some(node::ANGLE), "")], None);
     }
-    pen.path(group::NEEDLE, ray(x, y, (0.0, -1.0), -12.0, r - 4.0), "", "bad", 2.0, "");
-    pen.disc(0, x, y, 5.0, "ink", "");
+    length(d, p, view);
+}
+
+/// Right end of labels, left end of the label at the tool.
+const RIGHT: f64 = 1008.0;
+const TOOL: f64 = 490.0;
+
+/// Leader of the label at the tool to its tip.
+pub(super) fn tool_leader((x, y): (f64, f64)) -> String {
+    filled("M# #L# #", &[math::clamp(x, TOOL, TOOL + 110.0), ROW + 58.0, x, y - 11.0])
+}
+
+/// The length of the cut along the part, or the allowance of a face.
+fn length(d: &mut Drawing, p: &Params, view: &View) {
+    let (field, id, from, to) = match p.path {
+        Path::Facing => ("allowance", "turning.scene.allowance", 0.0, p.allowance),
+        _ => ("length", "turning.scene.length", -p.length, 0.0),
+    };
+    let (y, top) = (476.0, AXIS + 0.5 * p.stock_diameter * view.scale);
+    let (left, right) = (view.face + from * view.scale, view.face + to * view.scale);
+    d.showing(field, |d| {
+        // Arrows between the lines, or from outside where there is no room.
+        let arrows = if right - left > 26.0 {
+            filled("M# #H#M# #l-8 4l8 4M# #l8 4l-8 4", &[left, y, right, left + 8.0, y - 4.0, right - 8.0, y - 4.0])
+        } else {
+            filled(
+                "M# #H#M# #H#M# #l8 4l-8 4M# #l-8 4l8 4",
+                &[left - 22.0, y, left, right, y, right + 22.0, left - 8.0, y - 4.0, right + 8.0, y - 4.0],
+            )
+        };
+        let ends = filled("M# #V#M# #V#", &[left, top + 4.0, y + 5.0, right, top + 4.0, y + 5.0]);
+        d.path([arrows, ends].concat(), Look::LEAD);
+        let text = format!("{} {} mm", say(id), show(to - from, 3));
+        let width = 0.6 * LETTER * UNIT * text.chars().count() as f64;
+        let room = lens::LENS.0 - lens::LENS.2 - right - 34.0;
+        let (at, anchor) = if right - left > width + 20.0 {
+            ((0.5 * (left + right), y - 6.0), "middle")
+        } else if room > width {
+            ((right + 30.0, y + 5.0), "start")
+        } else {
+            ((left - 30.0, y + 5.0), "end")
+        };
+        d.text(at, anchor, &text, Font::Label, Paint::Ink);
+    });
 }

@@ -73,7 +73,7 @@ fn ends(field: &FieldInfo) -> Vec<Value> {
 }
 
 /// Forms of a machine on a control: each field alone at each of its ends, then several at random.
-fn forms(machine: &dyn AnyMachine, control: &str) -> Vec<Project> {
+pub(super) fn forms(machine: &dyn AnyMachine, control: &str) -> Vec<Project> {
     let fields = machine.fields();
     let plain = Project::of(machine.id(), Some(control)).unwrap();
     let mut random = Random(7);
@@ -157,7 +157,7 @@ fn faults(project: &Project) -> Vec<String> {
 }
 
 /// What a form has other than a new one.
-fn changes(project: &Project) -> String {
+pub(super) fn changes(project: &Project) -> String {
     let plain = Project::of(project.machine.id(), Some(project.control.id)).unwrap();
     let differs = project.values.iter().filter(|(id, value)| plain.values.get(id.as_str()) != Some(value));
     differs.map(|(id, value)| format!(" {id}={value:?}")).collect()

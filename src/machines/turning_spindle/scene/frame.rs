@@ -1,0 +1,114 @@
+//! What does not move: floor, bed with its chip tray, headstock with the gate of the gear stages, tailstock.
+
+use super::ids::{group, node};
+use super::layout::{BED, TAIL, View};
+use super::solid::AXIS;
+use crate::machines::sheets::say;
+use crate::machines::turning_spindle::params::Params;
+use crate::text::number::filled;
+use crate::view::drawing::Drawing;
+use crate::view::look::{Look, Paint};
+use crate::view::scene::{Font, SceneGroup};
+
+/// Right end and top of the headstock.
+pub(super) const HEAD: (f64, f64) = (206.0, 222.0);
+/// Centre of the gate.
+const GATE: (f64, f64) = (100.0, 352.0);
+/// Columns and rows of the gate from its centre.
+const SLOTS: (f64, f64) = (28.0, 27.0);
+
+/// Floor and bed.
+pub(super) fn draw_bed(d: &mut Drawing) {
+    d.rect([-3000.0, 546.0, 7000.0, 900.0, 0.0], Look::fill(Paint::Floor));
+    d.ellipse((500.0, 596.0), (660.0, 20.0), Look::fill(Paint::GroundShade));
+    for x in [-70.0, 790.0] {
+        d.path(filled("M# #h310l-14 34h-282Z", &[x, BED + 62.0]), Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0));
+    }
+    // Tray between the feet.
+    d.path(filled("M244 #h540l-16 26h-508Z", &[BED + 40.0]), Look::fill(Paint::DarkShade));
+    d.rect([-400.0, BED + 28.0, 1800.0, 36.0, 0.0], Look::fill(Paint::SteelShade));
+    d.path(filled("M250 #h528l-18 24h-492Z", &[BED + 38.0]), Look::fill(Paint::DarkShade));
+    d.rect([-400.0, BED, 1800.0, 30.0, 0.0], Look::fill(Paint::SteelBar));
+    d.rect([-400.0, BED - 9.0, 1800.0, 10.0, 0.0], Look::fill(Paint::SteelLight));
+    d.path(filled("M-400 #H1400M-400 #H1400M-400 #H1400", &[BED + 1.0, BED + 29.0, BED + 64.0]), Look::HAIR.faint(0.5));
+}
+
+/// The tailstock, which this program does not use.
+pub(super) fn draw_tailstock(d: &mut Drawing, view: &View) {
+    if !view.has_tailstock() {
+        return;
+    }
+    let top = AXIS - 62.0;
+    d.path(
+        filled("M# #h38v44h-38l-22 -16v-12Z", &[TAIL.0 + 22.0, AXIS - 22.0]),
+        Look::fill(Paint::SteelBar).faint(0.45),
+    );
+    d.path(
+        filled("M# #h150V#H#V#q0 -14 14 -14Z", &[TAIL.1 + 14.0, top, BED - 9.0, TAIL.1, top + 14.0]),
+        Look::fill(Paint::CabinetFront).thin(Paint::Edge, 1.0).faint(0.45),
+    );
+    d.path(filled("M# #h90", &[TAIL.1, AXIS + 44.0]), Look::HAIR.faint(0.2));
+}
+
+/// Headstock with door, name plate and gate.
+pub(super) fn draw_headstock(d: &mut Drawing, p: &Params) {
+    let (right, top) = HEAD;
+    d.path(
+        filled("M-80 #H#q20 0 20 20V#H-80Z", &[top, right - 20.0, BED - 9.0]),
+        Look::fill(Paint::DarkFront).thin(Paint::Edge, 1.0),
+    );
+    d.path(filled("M-80 #H#q17 0 18 16", &[top + 1.5, right - 20.0]), Look::RIM.faint(0.7));
+    d.path(
+        filled("M# #V#h-12V#q0 -16 -8 -20q20 0 20 22Z", &[right, top + 22.0, BED - 9.0, top + 22.0]),
+        Look::fill(Paint::DarkShade),
+    );
+    // Door with hinges and a handle.
+    d.rect([-60.0, 424.0, 232.0, 58.0, 4.0], Look::fill(Paint::DarkFront).thin(Paint::DarkShade, 1.0));
+    d.path("M170 434v8M170 464v8", Look::line(Paint::DarkShade, 3.0));
+    d.rect([8.0, 438.0, 9.0, 30.0, 4.5], Look::fill(Paint::SteelBar).thin(Paint::Edge, 0.8));
+    d.rect([36.0, 442.0, 118.0, 22.0, 2.0], Look::fill(Paint::Steel).thin(Paint::Edge, 0.8));
+    d.text((95.0, 457.0), "middle", &say("turning.name"), Font::Engraved(11.5), Paint::Black);
+    gate(d, p);
+}
+
+/// Where the knob is in a gear stage (from 1), from the centre of the gate; in the middle while gears are shifted.
+pub(in super::super) fn knob(stage: u8, is_shifting: bool, stages: usize) -> (f64, f64) {
+    if stages < 2 {
+        return (0.0, 0.0);
+    }
+    let column = if stages == 2 { 0.0 } else { SLOTS.0 * if stage > 2 { 1.0 } else { -1.0 } };
+    (column, if is_shifting { 0.0 } else { SLOTS.1 * if stage % 2 == 1 { -1.0 } else { 1.0 } })
+}
+
+/// The gate: a slot and a figure for every stage, and the lever with its knob.
+fn gate(d: &mut Drawing, p: &Params) {
+    let (x, y) = GATE;
+    let fields = ["stage-1", "stage-2", "stage-3", "stage-4"];
+    let count = p.stages().count();
+    d.rect([x - 62.0, y - 55.0, 124.0, 110.0, 5.0], Look::fill(Paint::DarkShade).faint(0.6));
+    for (stage, field) in (1..=count as u8).zip(fields) {
+        let (dx, dy) = knob(stage, false, count);
+        d.showing(field, |d| {
+            d.path(filled("M# #V#", &[x + dx, y, y + dy]), Look::line(Paint::Black, 10.0).round());
+            let (aside, low) = if count == 1 { (-34.0, 5.0) } else { (if dx > 0.0 { 20.0 } else { -20.0 }, 5.0) };
+            let text = stage.to_string();
+            d.text((x + dx + aside, y + dy + low), "middle", &text, Font::Engraved(14.0), Paint::Rim);
+        });
+    }
+    if count > 2 {
+        let end = if count > 2 { SLOTS.0 } else { 0.0 };
+        d.path(filled("M# #H#", &[x - SLOTS.0, y, x + end]), Look::line(Paint::Black, 10.0).round());
+    }
+    d.circle((x, y, 9.0), Look::DARK_FACE);
+    d.path(String::new(), Look::line(Paint::SteelLight, 7.0).round()).id = Some(node::LEVER);
+    d.place(group::KNOB, SceneGroup { at: GATE, ..SceneGroup::default() });
+    d.within(group::KNOB, |d| {
+        d.circle((0.0, 0.0, 12.0), Look::fill(Paint::Black));
+        d.path("M-6 -5a8 8 0 0 1 6 -4", Look::RIM);
+    });
+}
+
+/// The lever from the middle of the gate to its knob.
+pub(in super::super) fn lever((dx, dy): (f64, f64)) -> String {
+    filled("M# #l# #", &[GATE.0, GATE.1, dx, dy])
+}

@@ -1,0 +1,52 @@
+//! Numbers of the groups and nodes that poses change.
+
+/// Groups that poses move.
+pub(in super::super) mod group {
+    /// The turret; its origin is the tip of the tool.
+    pub(in crate::machines::turning_spindle) const TURRET: u16 = 1;
+    /// Needles of the speed and of the voltage.
+    pub(in crate::machines::turning_spindle) const SPEED: u16 = 2;
+    pub(in crate::machines::turning_spindle) const NEEDLE: u16 = 3;
+    /// Jaws behind the part, before it, and the ring that they blur to.
+    pub(in crate::machines::turning_spindle) const JAWS_FAR: u16 = 4;
+    pub(in crate::machines::turning_spindle) const JAWS_NEAR: u16 = 5;
+    pub(in crate::machines::turning_spindle) const BLUR: u16 = 6;
+    /// Knob of the gear lever.
+    pub(in crate::machines::turning_spindle) const KNOB: u16 = 7;
+    /// The lens, and the chip in it.
+    pub(in crate::machines::turning_spindle) const LENS: u16 = 8;
+    pub(in crate::machines::turning_spindle) const LENS_CHIP: u16 = 9;
+    /// The column that carries the turret along the bed.
+    pub(in crate::machines::turning_spindle) const COLUMN: u16 = 10;
+    /// First of the chips.
+    pub(in crate::machines::turning_spindle) const CHIPS: u16 = 11;
+}
+
+/// Nodes that poses change.
+pub(in super::super) mod node {
+    pub(in crate::machines::turning_spindle) const PART: u16 = 0;
+    pub(in crate::machines::turning_spindle) const MARKS: u16 = 1;
+    pub(in crate::machines::turning_spindle) const SLOTS: u16 = 2;
+    pub(in crate::machines::turning_spindle) const KEYS: u16 = 3;
+    pub(in crate::machines::turning_spindle) const LEVER: u16 = 4;
+    pub(in crate::machines::turning_spindle) const PILE: u16 = 5;
+    pub(in crate::machines::turning_spindle) const LENS_PART: u16 = 6;
+    pub(in crate::machines::turning_spindle) const LEADER: u16 = 7;
+    pub(in crate::machines::turning_spindle) const TOOL_LEADER: u16 = 8;
+    pub(in crate::machines::turning_spindle) const ORIENTATION: u16 = 9;
+    pub(in crate::machines::turning_spindle) const SPEED: u16 = 10;
+    pub(in crate::machines::turning_spindle) const SURFACE: u16 = 11;
+    pub(in crate::machines::turning_spindle) const DIAMETER: u16 = 12;
+    pub(in crate::machines::turning_spindle) const STAGE: u16 = 13;
+    pub(in crate::machines::turning_spindle) const VOLTS: u16 = 14;
+    pub(in crate::machines::turning_spindle) const PASS: u16 = 15;
+    pub(in crate::machines::turning_spindle) const BOUND: u16 = 16;
+    pub(in crate::machines::turning_spindle) const LEFT: u16 = 17;
+    pub(in crate::machines::turning_spindle) const X: u16 = 18;
+    pub(in crate::machines::turning_spindle) const Z: u16 = 19;
+    pub(in crate::machines::turning_spindle) const ANGLE: u16 = 20;
+    /// First paths of the stretches of the part, and of the jaws.
+    pub(in crate::machines::turning_spindle) const STRETCHES: u16 = 30;
+    pub(in crate::machines::turning_spindle) const FAR: u16 = 50;
+    pub(in crate::machines::turning_spindle) const NEAR: u16 = 70;
+}

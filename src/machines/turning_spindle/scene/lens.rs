@@ -1,0 +1,118 @@
+//! The lens at the edge of the tool: depth of cut and chip, magnified.
+
+use super::ids::{group, node};
+use super::layout::View;
+use super::work::Stretch;
+use crate::machines::turning_spindle::params::{Params, Path};
+use crate::math;
+use crate::text::catalog::number_text as show;
+use crate::text::number::filled;
+use crate::view::drawing::{Drawing, polygon};
+use crate::view::look::{Look, Paint};
+use crate::view::scene::{Font, Placement, SceneGroup, Shape};
+
+/// Centre and radius.
+pub(super) const LENS: (f64, f64, f64) = (792.0, 410.0, 78.0);
+/// Length of the depth of cut in the lens, about.
+const DEPTH: f64 = 24.0;
+
+/// How many times the lens magnifies: 1, 2, 5, 10 … so that the depth of cut is seen.
+fn magnification(p: &Params, view: &View) -> f64 {
+    let wanted = DEPTH / (p.depth * view.scale);
+    let decade = math::pow(10.0, math::log10(wanted.max(1.0)).floor());
+    let times = [10.0, 5.0, 2.0, 1.0].into_iter().find(|times| times * decade <= 1.4 * wanted).unwrap_or(1.0);
+    times * decade
+}
+
+/// The lens with nodes for what is in it.
+pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
+    let (x, y, r) = LENS;
+    let depth = p.depth * view.scale * magnification(p, view);
+    d.path(String::new(), Look::POINTER.edge(Paint::Accent, 1.0)).id = Some(node::LEADER);
+    d.within(group::TURRET, |d| {
+        d.circle((0.0, 0.0, 10.0), Look::POINTER);
+    });
+    d.place(
+        group::LENS,
+        SceneGroup { at: (x, y), clip: Some(Shape::Circle { x: 0.0, y: 0.0, r }), ..SceneGroup::default() },
+    );
+    d.place(group::LENS_CHIP, SceneGroup { parent: group::LENS, ..SceneGroup::default() });
+    d.within(group::LENS, |d| {
+        d.circle((0.0, 0.0, r), Look::fill(Paint::Glass));
+        d.path(String::new(), Look::fill(Paint::SteelShade).thin(Paint::Edge, 1.2)).id = Some(node::LENS_PART);
+        d.path("M0 0L34 -84H150V-10L78 -6Z", Look::fill(Paint::Accent).faint(0.9));
+    });
+    d.within(group::LENS_CHIP, |d| {
+        let curl = "M3 -9c-14 -20 -2 -42 -14 -52s-26 4 -18 14";
+        d.path(curl, Look::line(Paint::DarkLight, 9.0).round());
+        d.path(curl, Look::line(Paint::Rim, 1.2).round().faint(0.7));
+    });
+    d.within(group::LENS, |d| {
+        d.showing("depth", |d| {
+            let line = if p.path == Path::Facing {
+                filled("M0 44v12M# 44v12M0 50h#", &[depth, depth])
+            } else {
+                filled("M-56 0h12M-56 #h12M-50 0v#", &[-depth, -depth])
+            };
+            d.path(line, Look::hair(Paint::Ink, 1.0));
+        });
+    });
+    d.circle((x, y, r), Look::line(Paint::Page, 5.0));
+    d.circle((x, y, r), Look::POINTER);
+    let times = format!("{} ×", show(magnification(p, view), 0));
+    d.text((x + 66.0, y + 28.0), "end", &times, Font::Label, Paint::Ink);
+    d.showing("depth", |d| {
+        d.text((x, y + 70.0), "middle", &format!("{} mm", show(p.depth, 3)), Font::Value, Paint::Ink);
+    });
+}
+
+/// Contents of the lens, and its leader, with the tool at a place (mm from the axis and from the finished face).
+pub(in super::super) fn pose(
+    p: &Params,
+    view: &View,
+    stretches: &[Stretch],
+    ((radius, z), cuts): ((f64, f64), bool),
+    placements: &mut Vec<Placement>,
+    paths: &mut Vec<(u16, String)>,
+) {
+    let scale = view.scale * magnification(p, view);
+    let profile = stretches.iter().flat_map(|stretch| &stretch.profile);
+    let place = |(at, diameter): &(f64, f64)| ((at - z) * scale, (radius - 0.5 * diameter) * scale);
+    let upper: Vec<(f64, f64)> = profile.map(place).collect();
+    let lower = radius * scale;
+    let ends = [upper.last(), upper.first()].map(|end| end.map_or((0.0, lower), |(x, _)| (*x, lower)));
+    let part: Vec<(f64, f64)> = upper.into_iter().chain(ends).collect();
+    paths.push((node::LENS_PART, polygon(&clipped(part, LENS.2 + 4.0))));
+    placements.push(Placement { opacity: if cuts { 1.0 } else { 0.0 }, ..Placement::of(group::LENS_CHIP) });
+    // From the ring at the tip to the edge of the lens.
+    let (tip, (x, y, r)) = (view.tip(radius, z), LENS);
+    let (dx, dy) = (x - tip.0, y - tip.1);
+    let length = math::hypot(dx, dy);
+    let line = (length > r + 14.0).then(|| {
+        let at = |from: f64| (tip.0 + dx * from / length, tip.1 + dy * from / length);
+        let (from, to) = (at(10.0), at(length - r));
+        filled("M# #L# #", &[from.0, from.1, to.0, to.1])
+    });
+    paths.push((node::LEADER, line.unwrap_or_default()));
+}
+
+/// The part of a polygon inside the square from `-half` to `half`: one edge of the square after the other.
+fn clipped(points: Vec<(f64, f64)>, half: f64) -> Vec<(f64, f64)> {
+    type Point = (f64, f64);
+    let inside: [fn(Point) -> f64; 4] = [|p| -p.0, |p| p.0, |p| -p.1, |p| p.1];
+    inside.into_iter().fold(points, |points, beyond| {
+        let next = points.iter().cycle().skip(1);
+        let mut kept = Vec::new();
+        for (&one, &other) in points.iter().zip(next) {
+            let (a, b) = (beyond(one) - half, beyond(other) - half);
+            if a <= 0.0 {
+                kept.push(one);
+            }
+            if (a <= 0.0) != (b <= 0.0) {
+                let part = a / (a - b);
+                kept.push((one.0 + part * (other.0 - one.0), one.1 + part * (other.1 - one.1)));
+            }
+        }
+        kept
+    })
+}

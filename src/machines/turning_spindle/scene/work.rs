@@ -1,0 +1,172 @@
+//! The part in the chuck: raw stock, turned surfaces, and the contour that the program turns.
+
+use super::ids::node;
+use super::layout::View;
+use super::solid::{self, AXIS, corner};
+use crate::machines::turning_spindle::params::{Params, Path};
+use crate::machines::turning_spindle::progress::{Progress, contour};
+use crate::machines::turning_spindle::resolved::TurningSpindle;
+use crate::math::{self, PI};
+use crate::text::number::{fill, filled};
+use crate::view::drawing::{Drawing, polygon};
+use crate::view::look::{Gradient, Look, Paint, Ramp};
+
+/// Points of a tapered surface.
+const POINTS: u32 = 48;
+
+/// A stretch of the part from its left end to the shoulder at its right.
+pub(in super::super) struct Stretch {
+    /// Z in mm from the finished face and diameter, from left to right.
+    pub(in super::super) profile: Vec<(f64, f64)>,
+    /// Its surface is turned.
+    is_turned: bool,
+    /// The shoulder at its right is turned.
+    is_faced: bool,
+}
+
+/// Stretches from the chuck to the right, each thinner than the one before.
+pub(in super::super) fn stretches(lathe: &TurningSpindle, view: &View, progress: Progress) -> Vec<Stretch> {
+    let p = &lathe.p;
+    let Progress { done, at } = progress;
+    let left = |pass: u32| p.left(f64::from(pass));
+    let stretch = |profile: Vec<(f64, f64)>, is_turned: bool, is_faced: bool| Stretch { profile, is_turned, is_faced };
+    let round = |from: f64, to: f64, diameter: f64| vec![(from, diameter), (to, diameter)];
+    let stock = p.stock_diameter;
+    let mut all = Vec::new();
+    if p.path == Path::Facing {
+        let (face, rest) = (left(done), p.finished_diameter);
+        match at.filter(|&d| d < stock) {
+            Some(d) => {
+                let cut = left(done + 1);
+                all.push(stretch(round(-view.behind, cut, stock), false, true));
+                all.push(stretch(round(cut, face, d.max(rest)), false, done > 0));
+            }
+            None => all.push(stretch(round(-view.behind, face, stock), false, done > 0)),
+        }
+        // The stub that remains where the cut ends short of the centre.
+        if done > 0 && rest > 0.0 {
+            all.push(stretch(round(face, p.allowance, rest), true, false));
+        }
+        return all;
+    }
+    let cut = at.map_or(0.0, |z| math::clamp(z, -p.length, 0.0));
+    let diameter = |z: f64, pass: u32| (contour(lathe, z) + left(pass)).min(stock);
+    let profile = |from: f64, to: f64, pass: u32| -> Vec<(f64, f64)> {
+        let places = (1..POINTS).map(|k| -p.length * (1.0 - f64::from(k) / f64::from(POINTS)));
+        let between = places.filter(|&z| p.path == Path::Taper && z > from && z < to);
+        core::iter::once(from).chain(between).chain([to]).map(|z| (z, diameter(z, pass))).collect()
+    };
+    all.push(stretch(round(-view.behind, -p.length, stock), false, done > 0));
+    if cut > -p.length {
+        all.push(stretch(profile(-p.length, cut, done), done > 0, at.is_some()));
+    }
+    if at.is_some() && cut < 0.0 {
+        all.push(stretch(profile(cut, 0.0, done + 1), true, false));
+    }
+    all
+}
+
+/// Nodes of the part, and the finished contour over it.
+pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
+    let stops = [
+        (0.0, Paint::DarkLight, 1.0),
+        (0.1, Paint::SteelShade, 1.0),
+        (0.24, Paint::Steel, 1.0),
+        (0.34, Paint::Steel, 1.0),
+        (0.62, Paint::SteelShade, 1.0),
+        (1.0, Paint::Dark, 1.0),
+    ];
+    let raw = d.gradient(Gradient { ramp: Ramp::Across([0.0, 0.0, 0.0, 1.0]), stops: stops.to_vec() });
+    d.showing("stock-diameter", |d| {
+        d.path(String::new(), Look::fill(raw).thin(Paint::Edge, 1.0)).id = Some(node::PART);
+    });
+    for at in 0..STRETCHES {
+        let first = node::STRETCHES + KINDS * at;
+        let looks = [
+            Look::fill(raw),
+            Look::fill(Paint::SteelBar),
+            Look::fill(Paint::SteelShade).thin(Paint::Edge, 0.8),
+            Look::FACE,
+        ];
+        for (number, look) in (first..).zip(looks) {
+            d.path(String::new(), look).id = Some(number);
+        }
+    }
+    d.path(String::new(), Look::hair(Paint::DarkLight, 1.2).faint(0.7)).id = Some(node::MARKS);
+    let field = if p.path == Path::Taper { "large-diameter" } else { "finished-diameter" };
+    d.showing(field, |d| {
+        d.path(finished(p, view), Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
+    });
+}
+
+/// Stretches that are drawn at most, and paths of each: raw and turned side, raw and turned shoulder.
+const STRETCHES: u16 = 3;
+const KINDS: u16 = 4;
+
+/// The contour that the program turns, as far as it lies within the stock.
+fn finished(p: &Params, view: &View) -> String {
+    let (stock, end) = (0.5 * p.stock_diameter, 0.5 * p.finished_diameter);
+    let (face, scale) = (view.face, view.scale);
+    match p.path {
+        Path::Facing => {
+            let mut d = String::new();
+            solid::arc(&mut d, face, stock * scale, -PI, 0.0);
+            solid::arc(&mut d, face, stock * scale, 0.0, PI);
+            d
+        }
+        _ => {
+            let far = if p.path == Path::Taper { 0.5 * p.large_diameter } else { end };
+            let (from, near, far) = (face - p.length * scale, end.min(stock) * scale, far.min(stock) * scale);
+            filled("M# #L# #M# #L# #", &[from, AXIS - far, face, AXIS - near, from, AXIS + far, face, AXIS + near])
+        }
+    }
+}
+
+/// Paths of the part at a moment; `turns` of the spindle move the marks on its face.
+pub(in super::super) fn pose(
+    lathe: &TurningSpindle,
+    view: &View,
+    progress: Progress,
+    turns: f64,
+    paths: &mut Vec<(u16, String)>,
+) {
+    let stretches = stretches(lathe, view, progress);
+    paths.push((node::PART, silhouette(view, &stretches)));
+    for at in 0..STRETCHES {
+        let first = node::STRETCHES + KINDS * at;
+        let mut kinds: [String; KINDS as usize] = Default::default();
+        if let Some(stretch) = stretches.get(usize::from(at)) {
+            let [raw, turned, rough, faced] = &mut kinds;
+            let profile: Vec<(f64, f64)> = stretch.profile.iter().map(|(z, d)| view.side(*z, *d)).collect();
+            *(if stretch.is_turned { turned } else { raw }) = solid::body(&profile);
+            if let Some((x, radius)) = profile.last() {
+                *(if stretch.is_faced { faced } else { rough }) = solid::circle(*x, *radius);
+            }
+        }
+        paths.extend((first..).zip(kinds));
+    }
+    let end = stretches.last().and_then(|stretch| stretch.profile.last());
+    let (x, radius) = end.map_or((view.face, 0.0), |(z, d)| view.side(*z, *d));
+    paths.push((node::MARKS, marks(x, radius, turns)));
+}
+
+/// The outline of the part, both sides.
+fn silhouette(view: &View, stretches: &[Stretch]) -> String {
+    let profile = stretches.iter().flat_map(|stretch| &stretch.profile);
+    let upper: Vec<(f64, f64)> = profile.map(|(z, diameter)| view.side(*z, *diameter)).collect();
+    let lower = upper.iter().rev().map(|(x, radius)| (*x, AXIS + radius));
+    let points: Vec<(f64, f64)> = upper.iter().map(|(x, radius)| (*x, AXIS - radius)).chain(lower).collect();
+    polygon(&points)
+}
+
+/// Turning marks on a face, which turn with the spindle, and the line of its zero angle.
+fn marks(x: f64, radius: f64, turns: f64) -> String {
+    let mut d = String::new();
+    let angle = 2.0 * PI * (turns - turns.floor());
+    for (ring, begin, length) in [(0.9, 0.4, 1.9), (0.72, 2.6, 2.4), (0.54, 4.4, 2.0), (0.36, 1.2, 2.6)] {
+        solid::arc(&mut d, x, ring * radius, angle + begin, angle + begin + length);
+    }
+    let (from, to) = (corner(x, 0.66 * radius, angle, 0.0), corner(x, 0.97 * radius, angle, 0.0));
+    fill(&mut d, "M# #L# #", &[from.0, from.1, to.0, to.1]);
+    d
+}

@@ -1,0 +1,152 @@
+//! Drawings for any form: labels beside each other and within the view, poses that name what the scene has.
+
+use std::collections::BTreeSet;
+
+use super::sweep::{changes, forms};
+use macroline::drives::Bound;
+use macroline::machines::{self, Frame, Samples};
+use macroline::motion::Snapshot;
+use macroline::view::scene::{LETTER, LINE};
+use macroline::view::{Font, Pose, Scene, Shape};
+
+/// A machine that stays as it is.
+pub(super) struct Still(pub(super) Snapshot);
+
+impl Samples for Still {
+    fn at(&self, _: f64) -> Snapshot {
+        self.0
+    }
+
+    fn passes(&self, _: u32, _: f64) -> (u32, bool) {
+        (0, false)
+    }
+
+    fn excursions(&self, _: usize, _: f64) -> Vec<(f64, f64)> {
+        Vec::new()
+    }
+}
+
+pub(super) const FRAME: Frame = Frame { step: 0.001, option: false };
+
+/// At rest, and with figures as long as they come.
+fn moments() -> [Snapshot; 2] {
+    let mut far = Snapshot { t: 3.3, ..Snapshot::default() };
+    for axis in &mut far.axes {
+        axis.actual = -2999.9996;
+    }
+    for axis in &mut far.pmc {
+        (axis.actual, axis.feed) = (123_456.789, -20_000.0 * 360.0);
+    }
+    far.spindle.actual = -60_000.0;
+    far.spindle.volts = -9.998;
+    far.spindle.angle = 359.9;
+    far.spindle.stage = 4;
+    far.spindle.held = true;
+    far.spindle.bound = Bound::GearLow;
+    [Snapshot::default(), far]
+}
+
+/// A text with the box that its letters take: left, top, right, bottom.
+type TextBox = (String, [f64; 4]);
+
+/// The texts of a drawing in a pose.
+fn texts(scene: &Scene, pose: &Pose) -> Vec<TextBox> {
+    let mut boxes = Vec::new();
+    for node in &scene.nodes {
+        let Shape::Text { x, y, anchor, text, line, font } = &node.shape else { continue };
+        let posed = pose.texts.iter().find(|(id, _)| Some(*id) == node.id).map(|(_, text)| text);
+        let text = posed.unwrap_or(text);
+        let size = if let Font::Engraved(size) = font { *size } else { LETTER * scene.unit };
+        let width = 0.6 * size * text.chars().count() as f64;
+        let (mut x, mut y) = (*x, y + line * LINE * size);
+        let mut group = node.group;
+        while group != 0 {
+            let (place, at) = (&scene.groups[usize::from(group)], pose.placements.iter().find(|p| p.group == group));
+            (x, y) = (x + place.at.0 + at.map_or(0.0, |p| p.dx), y + place.at.1 + at.map_or(0.0, |p| p.dy));
+            group = place.parent;
+        }
+        let left = x - width
+            * match *anchor {
+                "end" => 1.0,
+                "middle" => 0.5,
+                _ => 0.0,
+            };
+        if !text.is_empty() {
+            boxes.push((text.clone(), [left, y - 0.75 * size, left + width, y + 0.2 * size]));
+        }
+    }
+    boxes
+}
+
+/// Texts that lie on each other or leave the view.
+fn crowded(scene: &Scene, pose: &Pose) -> Vec<String> {
+    let texts = texts(scene, pose);
+    let [left, top, width, height] = scene.view;
+    let mut faults = Vec::new();
+    for (at, (text, a)) in texts.iter().enumerate() {
+        if a[0] < left || a[1] < top || a[2] > left + width || a[3] > top + height {
+            faults.push(format!("{text:?} leaves the view: {a:.0?}"));
+        }
+        for (other, b) in &texts[at + 1..] {
+            if a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3] {
+                faults.push(format!("{text:?} {a:.0?} lies on {other:?} {b:.0?}"));
+            }
+        }
+    }
+    faults
+}
+
+/// Numbers of a pose that the scene does not have, and paths that are none.
+fn lost(scene: &Scene, pose: &Pose) -> Vec<String> {
+    let mut faults = Vec::new();
+    let ids: Vec<u16> = scene.nodes.iter().filter_map(|node| node.id).collect();
+    if ids.iter().collect::<BTreeSet<_>>().len() != ids.len() {
+        faults.push("two nodes with one number".to_owned());
+    }
+    for (id, d) in &pose.paths {
+        if !scene.node(*id).is_some_and(|node| matches!(node.shape, Shape::Path { .. })) {
+            faults.push(format!("no path {id}"));
+        }
+        if ["NaN", "inf", "∞"].iter().any(|word| d.contains(word)) {
+            faults.push(format!("path {id} is {d}"));
+        }
+    }
+    for (id, _) in &pose.texts {
+        if !scene.node(*id).is_some_and(|node| matches!(node.shape, Shape::Text { .. })) {
+            faults.push(format!("no text {id}"));
+        }
+    }
+    for place in &pose.placements {
+        let numbers = [place.turn, place.dx, place.dy, place.size.0, place.size.1];
+        if !scene.nodes.iter().any(|node| node.group == place.group) && usize::from(place.group) >= scene.groups.len() {
+            faults.push(format!("no group {}", place.group));
+        }
+        if !numbers.iter().all(|number| number.is_finite()) || !(0.0..=1.0).contains(&place.opacity) {
+            faults.push(format!("{place:?}"));
+        }
+    }
+    faults
+}
+
+#[test]
+fn labels_never_overlap_and_poses_fit_any_form() {
+    let mut found: Vec<String> = Vec::new();
+    for machine in machines::ALL {
+        for control in machine.controls() {
+            for project in forms(*machine, control) {
+                let prepared = project.prepared();
+                let scene = prepared.scene();
+                for now in moments() {
+                    let pose = prepared.pose(&Still(now), &now, FRAME);
+                    let mut faults = lost(&scene, &pose);
+                    if scene.unit > 0.0 {
+                        faults.extend(crowded(&scene, &pose));
+                    }
+                    let about = || format!("{} on {control},{}", machine.id(), changes(&project));
+                    found.extend(faults.into_iter().map(|fault| format!("{fault}\n    {}", about())));
+                }
+            }
+        }
+    }
+    assert!(found.is_empty(), "{} faults:\n{}", found.len(), found[..found.len().min(30)].join("\n"));
+}
