@@ -1,6 +1,7 @@
 //! Programs run: canonical logs of the fixtures of every control, and alarms at their places.
 
 mod coverage;
+mod options_act;
 mod parameters;
 mod precheck;
 mod running;
@@ -37,13 +38,18 @@ fn comment(control: &Control, text: &str) -> String {
     if control.syntax.names.is_some() { format!(";{text}") } else { format!("({text})") }
 }
 
-/// A fixture, with the switches that its comments `SET id value` name.
-fn start_fixture(control: &'static Control, source: &str) -> Interp {
+/// The switches that comments `SET id value` of a fixture name.
+fn settings(source: &str) -> Vec<(&str, &str)> {
     let settings = source.lines().filter_map(|line| {
         let text = line.strip_prefix(';').or_else(|| line.strip_prefix('(')?.strip_suffix(')'))?;
         text.strip_prefix("SET ")?.split_once(' ')
     });
-    let settings: Vec<(&str, &str)> = settings.collect();
+    settings.collect()
+}
+
+/// A fixture, with the switches that it sets.
+fn start_fixture(control: &'static Control, source: &str) -> Interp {
+    let settings = settings(source);
     for (id, value) in &settings {
         let row = control.switch(id);
         assert!(row.is_some_and(|row| row.takes(value)), "{} has no switch {id} with {value}", control.id);

@@ -1,0 +1,204 @@
+//! Each option of a switch makes a difference that a person sees: in alarms, in the canonical log, or in a run.
+
+use std::rc::Rc;
+
+use macroline::controls::options::{StartupPath, SwitchKind};
+use macroline::controls::switch::switch;
+use macroline::controls::{ALL, Control, Switch, Switches};
+use macroline::motion::{Action, Budget, Event, Panel, Retention};
+use macroline::nc::{self, Files};
+use macroline::project::Project;
+use macroline::project::run::{self, Run, RunOptions};
+use macroline::text::{Citation, Grade};
+
+use super::{fixtures, log_of, settings, start_on};
+
+/// Switches that no program tells apart: control, switch, and why. An entry that a program does tell apart fails the test.
+const UNTOLD: &[(&str, &str, &str)] = &[
+    ("fanuc-0i-tf", "pmc-override", "no machine turns PMC axes on this control"),
+    ("fanuc-0i-mf", "pmc-override", "no machine turns PMC axes on this control"),
+];
+
+/// Programs beside the fixtures that set the switch: control or `any`, switch, text.
+const PROGRAMS: &[(&str, &str, &str)] = &[
+    ("mitsubishi-e60", "macro-input-base", "O1\n#100=#1032\n#101=#1033\nM30\n"),
+    ("mitsubishi-e60", "feed-zero", "O1\nG01 X5. F0\nM30\n"),
+    ("gsk-980tdc", "override-order", "O1\nM41\nG50 S500\nG96 S200 M03\nG00 X10.\nG04 X3.\nM30\n"),
+    ("gsk-980tdc", "volts-at-emergency-stop", "O1\nM41\nM03 S500\nG04 X5.\nM30\n"),
+    ("gsk-980tdc", "spindle-at-end", "O1\nM41\nM03 S500\nM30\n"),
+    ("any", "common-at-reset", "O1\n#101=#100\n#100=5\nG04 X3.\nM30\n"),
+    ("sinumerik-802d", "speed-reached", "S1000 M3\nG1 X10 F0.5\nM2\n"),
+    ("sinumerik-802d", "lims-in-g97", "LIMS=500\nG97 S1000 M3\nG4 F3\nM2\n"),
+    ("sinumerik-802d", "g96-apply-at-activation", "G0 X100\nG96 S100 M3\nG4 F3\nM2\n"),
+    ("sinumerik-802d", "spindle-knob", "S500 M3\nG4 F3\nM2\n"),
+    ("sinumerik-802d", "spindle-lock", "G94\nSPOS=90\nM55\nG1 X10 F100\nM2\n"),
+    ("sinumerik-802d", "driven-tool", "G94\nSPOS=90\nM81\nM24\nG1 X10 F100\nM2\n"),
+    ("sinumerik-802d", "block-length", LONG),
+];
+
+/// A block of more than 200 characters.
+const LONG: &str = concat!(
+    "R1=1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1",
+    "+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1+1",
+    "+1+1+1+1+1+1\nM2\n"
+);
+
+/// Programs on the plant of a machine: control, switch, machine, text; without a text the machine's own program.
+const ON_MACHINES: &[(&str, &str, &str, &str)] = &[
+    ("gsk-980tdc", "m03-m04", "turning-spindle", "O1\nM41\nM03 S300\nG04 X2.\nM04\nG04 X2.\nM30\n"),
+    ("knd-k2000t", "pmc-override", "polygon-lathe", ""),
+];
+
+/// The settings of a switch that are compared; of a text the default and that of a fixture.
+fn options<'a>(row: &Switch, source: &'a str) -> Vec<&'a str> {
+    if row.is_text() {
+        let set = settings(source).into_iter().find(|(id, _)| *id == row.id());
+        return vec![row.default(), set.map_or(other_text(row), |(_, value)| value)];
+    }
+    row.options().iter().map(|option| option.id).collect()
+}
+
+/// A text that a switch can be set to besides its default.
+fn other_text(row: &Switch) -> &'static str {
+    match row.kind {
+        SwitchKind::SpindleLock(_) => "M81",
+        SwitchKind::DrivenTool(_) => "M24",
+        _ => "X",
+    }
+}
+
+/// What a person does while the program runs.
+fn panels() -> Vec<Panel> {
+    let panel =
+        |events: &[(f64, Action)]| Panel::new(events.iter().map(|(t, action)| Event { t: *t, action: action.clone() }));
+    let registers = ["R72", "R172", "R24", "R124", "R6436"];
+    let inputs = registers.iter().zip([1.0, 2.0, 3.0, 4.0, 5.0]);
+    let inputs: Vec<_> = inputs.map(|(name, value)| (0.0, Action::Input((*name).to_owned(), value))).collect();
+    vec![
+        panel(&inputs),
+        panel(&[(0.0, Action::SpindleOverride(150.0)), (0.0, Action::FeedOverride(50.0))]),
+        panel(&[(1.0, Action::Reset), (2.0, Action::Start)]),
+        panel(&[(1.0, Action::EmergencyStop)]),
+    ]
+}
+
+const OPTIONS: RunOptions = RunOptions {
+    start: None,
+    settings: &[],
+    limits: Budget { blocks: 2000, seconds: 60.0 },
+    keep: Retention::Timeline,
+};
+
+/// What machine and variables are at some moments of a run.
+fn moments(mut run: Run) -> String {
+    let progress = run.advance(60.0, 100_000);
+    let mut text = format!("{progress:?} {} {:?}\n", run.timeline().end(), run.diagnostics());
+    for at in 0..80 {
+        let t = 0.15 * f64::from(at);
+        let now = run.timeline().at(t);
+        let variables: Vec<Option<f64>> = (100..104).map(|number| run.variable_at(number, t)).collect();
+        text += &format!(
+            "{:?} {:?} {:?} {:?} {variables:?}\n",
+            now.mode,
+            now.axes.map(|axis| axis.position),
+            now.pmc,
+            now.spindle
+        );
+    }
+    text
+}
+
+/// Runs on the bench, or on the plant of a project; without a text the project's own program.
+fn runs(control: &'static Control, plant: Option<&Project>, source: &str, switches: &Switches) -> String {
+    let run = |panel: Panel| match plant {
+        Some(project) if source.is_empty() => {
+            let mut project = project.clone();
+            project.switches = switches.clone();
+            project.panel = panel;
+            run::of_project(&project, &project.written(), &OPTIONS)
+        }
+        _ => {
+            let parsed = Rc::new(nc::parse_with(&Files::one("test.nc", source), control, switches));
+            run::of_programs(parsed, plant, panel, &OPTIONS)
+        }
+    };
+    panels().into_iter().map(|panel| moments(run(panel))).collect()
+}
+
+/// Which pairs of options a program tells apart.
+fn told_apart(control: &'static Control, row: &Switch, machine: &str, source: &str) -> Vec<bool> {
+    let options = options(row, source);
+    let others: Vec<(&str, &str)> = settings(source).into_iter().filter(|(id, _)| *id != row.id()).collect();
+    let set = |option| [&others[..], &[(row.id(), option)]].concat();
+    let mut outcomes: Vec<String> =
+        options.iter().map(|option| log_of(source, &mut start_on(control, source, &set(option)))).collect();
+    if !pairs(outcomes.len()).all(|(one, other)| outcomes[one] != outcomes[other]) {
+        let plant = Project::of(machine, Some(control.id));
+        for (option, outcome) in options.iter().zip(&mut outcomes) {
+            let switches = set(option).iter().map(|(id, value)| ((*id).to_owned(), (*value).to_owned())).collect();
+            *outcome += &runs(control, plant.as_ref(), source, &Switches(switches));
+        }
+    }
+    pairs(outcomes.len()).map(|(one, other)| outcomes[one] != outcomes[other]).collect()
+}
+
+fn pairs(count: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..count).flat_map(move |one| (one + 1..count).map(move |other| (one, other)))
+}
+
+/// The programs that set a switch, with the machine that each runs on; without one the bench.
+fn programs(control: &Control, row: &Switch, fixtures: &[String]) -> Vec<(&'static str, String)> {
+    let is = |id: &str, switch: &str| (id == control.id || id == "any") && switch == row.id();
+    let set = fixtures.iter().filter(|source| settings(source).iter().any(|(id, _)| *id == row.id()));
+    let own = PROGRAMS.iter().filter(|(id, switch, _)| is(id, switch)).map(|(_, _, text)| ("", (*text).to_owned()));
+    let machines = ON_MACHINES.iter().filter(|(id, switch, ..)| is(id, switch));
+    let machines = machines.map(|(_, _, machine, text)| (*machine, (*text).to_owned()));
+    own.chain(machines).chain(set.map(|source| ("", source.clone()))).collect()
+}
+
+/// The pairs of options of a switch that no program tells apart.
+fn alike(control: &'static Control, row: &Switch, fixtures: &[String]) -> Vec<String> {
+    let pairs: Vec<(usize, usize)> = pairs(options(row, "").len()).collect();
+    let mut told = vec![false; pairs.len()];
+    for (machine, source) in programs(control, row, fixtures) {
+        for (told, now) in told.iter_mut().zip(told_apart(control, row, machine, &source)) {
+            *told |= now;
+        }
+        if told.iter().all(|told| *told) {
+            break;
+        }
+    }
+    let options = options(row, "");
+    let alike = pairs.into_iter().zip(told).filter(|(_, told)| !told);
+    alike.map(|((one, other), _)| format!("{} = {}", options[one], options[other])).collect()
+}
+
+fn sources(control: &Control) -> Vec<String> {
+    ["ok", "bad"].iter().flat_map(|kind| fixtures(control, kind)).map(|(_, source)| source).collect()
+}
+
+#[test]
+fn each_option_changes_what_a_program_does() {
+    let mut idle = Vec::new();
+    for control in ALL {
+        let fixtures = sources(control);
+        for row in control.switches {
+            let known = UNTOLD.iter().any(|(id, switch, _)| *id == control.id && *switch == row.id());
+            let alike = alike(control, row, &fixtures);
+            if alike.is_empty() == known {
+                idle.push(format!("{} {}: {}", control.id, row.id(), alike.join(", ")));
+            }
+        }
+    }
+    let mend =
+        "add a program to PROGRAMS that tells them apart, or to UNTOLD why none can; take out what is told apart";
+    assert!(idle.is_empty(), "options that make no difference; {mend}:\n{}", idle.join("\n"));
+}
+
+#[test]
+fn option_without_effect_is_found() {
+    let control = ALL[0];
+    let planted = switch(StartupPath::of(&[StartupPath::G60, StartupPath::G64]), Citation::new("none", Grade::Open));
+    let programs = ["O1\nG61\nG01 X10. F100\nM30\n".to_owned(), "(SET startup-path G64)\nO1\nM30\n".to_owned()];
+    assert_eq!(alike(control, &planted, &programs), ["G60 = G64"]);
+}
