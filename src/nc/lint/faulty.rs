@@ -1,8 +1,8 @@
 //! Programs with errors: a block that does not parse may set, call or jump to anything that it names.
 
 use super::super::ast::Block;
-use super::Lint;
-use super::words::Facts;
+use super::context::Lint;
+use super::facts::Facts;
 use crate::text::{Place, Severity};
 
 impl Facts {

@@ -1,9 +1,9 @@
 //! Control flow: the successors of each block, and blocks that nothing leads to.
 
 use super::super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Stmt, WordValue};
+use super::context::{Lint, NONE, whole};
+use super::facts::Facts;
 use super::roles::{END, RETURN, Roles};
-use super::words::{Facts, whole};
-use super::{Lint, NONE};
 use crate::controls::Address;
 use crate::controls::{Control, VarKind};
 

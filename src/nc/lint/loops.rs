@@ -1,11 +1,11 @@
 //! Spindle and auxiliary functions in every pass of a loop: each waits for the PLC and stops the path.
 
-use super::super::ast::{Expr, Stmt, Word, WordValue};
+use super::super::ast::{Block, Expr, Stmt, Word, WordValue};
+use super::context::{Lint, NONE};
+use super::facts::Facts;
 use super::flow::{ANY, Flow};
 use super::roles::{AUXILIARY, CALL, CURVED, LINEAR, RAPID, SPECIAL, SPINDLE, SPINDLE_REST, SUB};
 use super::vars::visit;
-use super::words::Facts;
-use super::{Lint, NONE};
 use crate::controls::Address;
 use crate::text::{DiagnosticKind, Place, Span};
 
@@ -56,51 +56,68 @@ pub(super) fn loops(lint: &mut Lint, facts: &Facts, flows: &[Flow]) {
 /// Looks at one pass of a loop, or of a program that a loop calls: the blocks from `start` to `end`, and which of them no jump within
 /// the pass leaves out. Programs that every pass calls are added to `called`.
 fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), called: &mut Vec<u32>) {
-    let mut spindle = Function::default();
-    let mut auxiliary = Function::default();
+    let mut pass = Pass::default();
     // Blocks before this one are not in every pass.
     let mut certain = start;
-    let (mut rapid, mut moves, mut cuts, mut rests) = (false, false, false, false);
-    let mut assigned: Vec<u32> = Vec::new();
     for at in start..=end {
         let Some(block) = flow.blocks.get(at as usize) else { break };
         let always = at >= certain && block.skip == 0;
         let (jump, falls) = flow.step(at);
-        // What stands behind a block that never goes on is reached by a jump only.
+        // Blocks behind one that never goes on are reached by a jump only.
         if jump == ANY || !falls && at < end {
             certain = NONE;
         } else if jump > at && jump <= end && !flow.is_alarm_exit(jump) {
             certain = certain.max(jump);
         }
         if let Stmt::Assign { to, .. } | Stmt::IfThen { to, .. } = block.stmt {
-            assigned.push(if let Expr::Var(number) = flow.deck.expr(to) { number } else { NONE });
+            pass.assigned.push(if let Expr::Var(number) = flow.deck.expr(to) { number } else { NONE });
         }
-        let words = flow.deck.words_of(block);
-        let bits = flow.roles.block(words);
+        let bits = flow.roles.block(flow.deck.words_of(block));
         let here = at + flow.base;
         if bits & (CALL | SUB) != 0 && always {
             let call = facts.calls.partition_point(|call| call.block < here);
             called.extend(facts.calls.get(call).filter(|call| call.block == here).map(|call| call.to));
         }
-        if bits & (CALL | SPECIAL) != 0 {
-            continue;
+        if bits & (CALL | SPECIAL) == 0 {
+            pass.words(flow, (here, block), bits, always);
         }
-        rapid |= bits & RAPID != 0;
-        cuts |= bits & (LINEAR | CURVED) != 0;
-        rests |= bits & SPINDLE_REST != 0;
-        for word in words {
-            moves |= flow.control.axis_letters().any(|letter| letter == word.letter);
+    }
+    pass.tell(lint, flow);
+}
+
+/// What the blocks of a pass do.
+#[derive(Default)]
+struct Pass<'a> {
+    spindle: Function<'a>,
+    auxiliary: Function<'a>,
+    /// Variables that the pass assigns; [`NONE`] for a calculated number.
+    assigned: Vec<u32>,
+    /// A block moves in rapid traverse; axes move; a block cuts.
+    rapid: bool,
+    moves: bool,
+    cuts: bool,
+    /// The spindle stops, or is positioned.
+    rests: bool,
+}
+
+impl<'a> Pass<'a> {
+    /// Notes the words of a block; `always` where the block is in every pass.
+    fn words(&mut self, flow: &Flow<'a>, (here, block): (u32, &Block), bits: u32, always: bool) {
+        self.rapid |= bits & RAPID != 0;
+        self.cuts |= bits & (LINEAR | CURVED) != 0;
+        self.rests |= bits & SPINDLE_REST != 0;
+        for word in flow.deck.words_of(block) {
+            self.moves |= flow.control.axis_letters().any(|letter| letter == word.letter);
             let role = if word.letter == Address::M { flow.roles.word(word) } else { 0 };
             let function = if word.letter == Address::S || role & SPINDLE != 0 {
-                &mut spindle
+                &mut self.spindle
             } else if role & AUXILIARY != 0 {
-                &mut auxiliary
+                &mut self.auxiliary
             } else {
                 continue;
             };
-            if function.all.len() < KINDS
-                && function.all.iter().all(|row| (row.letter, row.value) != (word.letter, word.value))
-            {
+            let is_new = function.all.iter().all(|row| (row.letter, row.value) != (word.letter, word.value));
+            if function.all.len() < KINDS && is_new {
                 function.all.push(word);
             }
             if always && function.always.last().is_none_or(|row| row.0 != here) {
@@ -108,21 +125,30 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
             }
         }
     }
-    // M03 and M04, two speeds, a speed that the pass changes: it is meant.
-    for (at, word) in spindle.all.iter().enumerate() {
-        rests |= spindle.all[..at].iter().any(|other| other.letter == word.letter);
-        if let WordValue::Expr(id) = word.value {
+
+    /// Whether the pass means to command the spindle: it stops it, reverses it, or changes its speed.
+    fn controls_spindle(&self, flow: &Flow) -> bool {
+        let spindle = &self.spindle.all;
+        let twice = |(at, word): (usize, &&Word)| spindle[..at].iter().any(|other| other.letter == word.letter);
+        let changes = |word: &&Word| {
+            let WordValue::Expr(id) = word.value else { return false };
+            let mut changes = false;
             visit(flow.deck, id, &mut |_, expr| {
                 let number = if let Expr::Var(number) = expr { number } else { NONE };
-                rests |= assigned.iter().any(|&other| other == number || other == NONE);
+                changes |= self.assigned.iter().any(|&other| other == number || other == NONE);
             });
+            changes
+        };
+        self.rests || spindle.iter().enumerate().any(twice) || spindle.iter().any(changes)
+    }
+
+    fn tell(&self, lint: &mut Lint, flow: &Flow) {
+        if !self.controls_spindle(flow) {
+            self.spindle.tell(lint, "lint.spindle-in-loop", DiagnosticKind::SpindleInLoop);
         }
-    }
-    if !rests {
-        spindle.tell(lint, "lint.spindle-in-loop", DiagnosticKind::SpindleInLoop);
-    }
-    if auxiliary.all.len() == 1 && (cuts || moves && !rapid) {
-        auxiliary.tell(lint, "lint.auxiliary-in-loop", DiagnosticKind::AuxiliaryInLoop);
+        if self.auxiliary.all.len() == 1 && (self.cuts || self.moves && !self.rapid) {
+            self.auxiliary.tell(lint, "lint.auxiliary-in-loop", DiagnosticKind::AuxiliaryInLoop);
+        }
     }
 }
 

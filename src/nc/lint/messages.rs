@@ -1,7 +1,7 @@
 //! Operator messages that are longer than the control's display.
 
 use super::super::ast::{Block, Expr, Stmt};
-use super::Lint;
+use super::context::Lint;
 use crate::controls::VarKind;
 use crate::text::Span;
 

@@ -1,8 +1,8 @@
 //! Retractions at cutting feed on a lathe: out of the cut, and beyond the end of the preceding rapid.
 
 use super::super::ast::{Dimensioning, Stmt, Word};
+use super::context::{Lint, measure};
 use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
-use super::{Lint, measure};
 use crate::controls::Address;
 
 /// Codes after which nothing is known of positions.

@@ -1,6 +1,6 @@
 //! Settings of switches that are free text: parts of them without effect.
 
-use super::Lint;
+use super::context::Lint;
 use crate::controls::options::CallParameters;
 use crate::msg;
 use crate::text::Diagnostic;

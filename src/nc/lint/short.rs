@@ -5,7 +5,7 @@ use crate::controls::AddressSet;
 use std::rc::Rc;
 
 use super::super::ast::{Block, Stmt, Word};
-use super::Lint;
+use super::context::{Lint, measure};
 use super::roles::{
     ABSOLUTE, AUXILIARY, CALL, CURVED, CUTTING, DWELL, EXACT, INCREMENTAL, LINEAR, OTHER_FEED, PER_MINUTE, RAPID,
     RETURN, SPECIAL, SPINDLE, SPINDLE_REST, STOP, SUB,
@@ -63,7 +63,7 @@ impl Short {
     }
 
     fn value(&self, word: &Word) -> Option<f64> {
-        super::measure(word, self.increments, self.control.limits.increment)
+        measure(word, self.increments, self.control.limits.increment)
     }
 
     /// A block that only computes or jumps.

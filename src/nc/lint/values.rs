@@ -2,9 +2,9 @@
 
 use super::super::ast::{Expr, ExprId, Op, WordValue};
 use super::super::dec::{Dec, POW10};
+use super::context::{Lint, NONE};
+use super::facts::Facts;
 use super::vars::{Kind, LOCALS, Site, Var, Vars, visit};
-use super::words::Facts;
-use super::{Lint, NONE};
 use crate::controls::Address;
 use crate::controls::address::LETTERS;
 use crate::controls::macros::{ARGUMENT, VacantWord};
@@ -137,8 +137,23 @@ impl Vars<'_> {
         }
     }
 
-    /// Tells all that values give to tell.
+    /// Reports everything that the values show.
     pub(super) fn tell(&self, lint: &mut Lint, facts: &Facts) {
+        let divisors = self.divisors(lint);
+        self.comparisons(lint);
+        let unset = self.commons(lint, facts, &divisors);
+        self.entries(lint, unset);
+        for (group, &base) in self.locals.iter().enumerate() {
+            if base != NONE && !self.open[group] && !self.wild {
+                for var in self.list.iter().skip(base as usize).take(LOCALS as usize) {
+                    self.local(lint, facts, group, var);
+                }
+            }
+        }
+    }
+
+    /// Divisors that can be 0, each variable once a program; the variables that are reported.
+    fn divisors(&self, lint: &mut Lint) -> Vec<u32> {
         let alarm = self.control.alarm_number(Alarm::DivisionByZero).unwrap_or("");
         let mut divisors: Vec<(usize, u32)> = Vec::new();
         for site in &self.divisors {
@@ -156,6 +171,11 @@ impl Vars<'_> {
                 lint.say(site.block, span, "lint.zero-divisor", &[alarm], hint);
             }
         }
+        divisors.into_iter().map(|key| key.1).collect()
+    }
+
+    /// Comparisons without brackets around them, and decimals compared for equality.
+    fn comparisons(&self, lint: &mut Lint) {
         for site in &self.loose {
             let span = lint.part(site.block, site.id);
             lint.say(site.block, span, "lint.loose-comparison", &[], "");
@@ -165,6 +185,10 @@ impl Vars<'_> {
             let span = lint.part(site.block, site.id);
             lint.say(site.block, span, "lint.equal-decimals", &[], "lint.hint-equal");
         }
+    }
+
+    /// Variables that are not local; those that nothing sets and something reads, with their index in the list.
+    fn commons(&self, lint: &mut Lint, facts: &Facts, divisors: &[u32]) -> Vec<(u64, usize)> {
         let ends = facts.parts.iter().any(|part| part.ends);
         let mut unset: Vec<(u64, usize)> = Vec::new();
         for (slot, var) in self.list.iter().enumerate().filter(|row| row.1.number > self.local_count) {
@@ -177,7 +201,7 @@ impl Vars<'_> {
                     if var.read.0 != NONE {
                         unset.push((var.number.into(), slot));
                     }
-                    if var.compared.0 == NONE && divisors.iter().all(|key| key.1 != var.number) {
+                    if var.compared.0 == NONE && !divisors.contains(&var.number) {
                         self.vacant_word(lint, var);
                     }
                 }
@@ -191,14 +215,7 @@ impl Vars<'_> {
                 _ => {}
             }
         }
-        self.entries(lint, unset);
-        for (group, &base) in self.locals.iter().enumerate() {
-            if base != NONE && !self.open[group] && !self.wild {
-                for var in self.list.iter().skip(base as usize).take(LOCALS as usize) {
-                    self.local(lint, facts, group, var);
-                }
-            }
-        }
+        unset
     }
 
     /// Whether a test for equality may fail where it should not.

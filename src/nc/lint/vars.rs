@@ -2,9 +2,9 @@
 
 use super::super::ast::{Block, Deck, Expr, ExprId, Op, Stmt, Word, WordValue};
 use super::super::codes::code_of;
+use super::context::{Lint, NONE};
+use super::facts::{Call, Facts};
 use super::faulty::variables;
-use super::words::{Call, Facts};
-use super::{Lint, NONE};
 use crate::controls::Address;
 use crate::controls::AddressSet;
 use crate::controls::macros::ARGUMENT;

@@ -1,0 +1,151 @@
+//! [`Lint`]: the programs under check and the warnings so far.
+
+use super::super::ast::{Deck, ExprId, Word, WordValue};
+use super::super::dec::{Dec, POW10};
+use super::super::parsed::Parsed;
+use super::super::program_names::ProgramNames;
+use crate::controls::syntax::RoundBrackets;
+use crate::controls::{Address, AddressSet, Control};
+use crate::text::{Diagnostic, Fix, LineIndex, Message, MessageValue, Place, Span};
+
+/// No index, no number.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// Findings that are listed, those of the reader among them.
+const FINDINGS: usize = 1000;
+
+/// The programs under check and the warnings so far.
+pub(super) struct Lint<'a> {
+    pub(super) parsed: &'a Parsed,
+    pub(super) deck: &'a Deck,
+    pub(super) control: &'static Control,
+    /// Number of the program that is started, where it is known.
+    pub(super) start: Option<u32>,
+    /// Variables that the operator sets.
+    pub(super) set: &'a [u32],
+    pub(super) programs: ProgramNames<'a>,
+    /// Warnings that are listed at most.
+    most: usize,
+    /// Words that were reported to overwrite others.
+    pub(super) again: usize,
+    pub(super) found: Vec<Diagnostic>,
+}
+
+impl<'a> Lint<'a> {
+    /// No warnings yet.
+    pub(super) fn new(parsed: &'a Parsed, start: Option<u32>, set: &'a [u32]) -> Lint<'a> {
+        let deck = parsed.deck();
+        Lint {
+            parsed,
+            deck,
+            control: parsed.control(),
+            start,
+            set,
+            programs: ProgramNames::new(deck),
+            most: FINDINGS.saturating_sub(parsed.diagnostics().len()),
+            again: 0,
+            found: Vec::new(),
+        }
+    }
+}
+
+impl Lint<'_> {
+    /// Says a sentence about bytes of a block's file; the block is an index in the deck. {0} of the sentence is what stands there, {1}
+    /// and so on are `more`. `hint` is the id of another sentence with the same values, or empty.
+    pub(super) fn say(
+        &mut self,
+        block: u32,
+        span: Span,
+        id: &'static str,
+        more: &[&str],
+        hint: &'static str,
+    ) -> Option<&mut Diagnostic> {
+        let mut place = self.place(block, span);
+        // A formula may end in space.
+        let mut text = self.parsed.text(place);
+        if self.control.syntax.round == RoundBrackets::Comment {
+            text = text.split('(').next().unwrap_or(text);
+        }
+        let text = text.trim_end();
+        place.span.end = span.start + text.len() as u32;
+        if self.found.len() >= self.most {
+            return None;
+        }
+        let text = [text.trim_matches(['[', ']'])];
+        let message =
+            |id| Message { id, values: text.iter().chain(more).map(|text| MessageValue::from(*text)).collect() };
+        let mut finding = Diagnostic::warning(message(id)).at(place);
+        if !hint.is_empty() {
+            finding.hints.push(message(hint));
+        }
+        self.found.push(finding);
+        self.found.last_mut()
+    }
+
+    /// Says a sentence about the word with a letter in a block, or the block itself.
+    pub(super) fn say_word(&mut self, block: u32, words: &[Word], letter: Address, id: &'static str, more: &[&str]) {
+        let Some(row) = self.deck.blocks.get(block as usize) else { return };
+        let span = words.iter().find(|word| word.letter == letter).map_or(row.span, |word| word.span(row));
+        self.say(block, span, id, more, "");
+    }
+
+    /// Mends the last finding by another text for each of these words of its file.
+    pub(super) fn fix(&mut self, title: Message, words: &[(Span, Dec)], text: &dyn Fn(Dec) -> String) {
+        if let Some(finding) = self.found.last_mut()
+            && let Some(place) = finding.place
+        {
+            let edits = words.iter().map(|&(span, dec)| (Place { span, ..place }, text(dec))).collect();
+            finding.fixes.push(Fix { title, edits });
+        }
+    }
+    /// Bytes of the file of a block.
+    pub(super) fn place(&self, block: u32, span: Span) -> Place {
+        let program = self.deck.programs.partition_point(|program| program.end <= block);
+        Place { file: self.deck.programs.get(program).map_or_else(Default::default, |program| program.file), span }
+    }
+
+    /// The sequence number of a block, with its letter.
+    pub(super) fn number(&self, block: u32) -> Span {
+        let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
+        let text = self.parsed.text(self.place(block, span)).as_bytes();
+        let start = text.iter().position(|b| b | 0x20 == b'n').unwrap_or(0);
+        let behind = text.get(start + 1..).unwrap_or_default();
+        let len = behind.iter().take_while(|b| b.is_ascii_digit() || **b == b' ').count();
+        Span::new(span.start + start as u32, span.start + (start + 1 + len).min(text.len()) as u32)
+    }
+
+    /// The line that a block stands in, from 1.
+    pub(super) fn line(&self, block: u32) -> String {
+        let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
+        let file = self.parsed.files().get(self.place(block, span).file);
+        file.map_or(1, |file| LineIndex::new(&file.text).line_of(span.start)).to_string()
+    }
+
+    /// A part of a formula of a block; the block where it is not found again.
+    pub(super) fn part(&self, block: u32, part: ExprId) -> Span {
+        let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
+        self.parsed.expr_span(self.place(block, span), part).unwrap_or(span)
+    }
+
+    /// Addresses whose number counts increments without a point: for dimensions, and for arguments of macros.
+    pub(super) fn increments(&self) -> [AddressSet; 2] {
+        let numbers = &self.parsed.dialect().numbers;
+        let none = AddressSet::EMPTY;
+        let counting = if numbers.whole_units { none } else { self.control.syntax.increment_addresses };
+        [counting, if numbers.argument_increments { counting } else { none }]
+    }
+}
+
+/// The number of a word, `least` for each increment that it counts ([`Lint::increments`]); `None` where it is calculated.
+pub(super) fn measure(word: &Word, increments: AddressSet, least: f64) -> Option<f64> {
+    let WordValue::Number(dec) = word.value else { return None };
+    let counts = !dec.point && increments.contains(word.letter);
+    Some(if counts { dec.to_f64() * least } else { dec.to_f64() })
+}
+
+/// A whole number that is written as one.
+pub(super) fn whole(value: WordValue) -> Option<u32> {
+    let WordValue::Number(dec) = value else { return None };
+    let unit = POW10[dec.scale.min(18) as usize];
+    if dec.mantissa % unit == 0 { u32::try_from(dec.mantissa / unit).ok() } else { None }
+}

@@ -1,0 +1,190 @@
+//! Facts about all programs for the checks: which call, return and end, and which have errors.
+
+use super::super::ast::Word;
+use super::super::dec::Dec;
+use super::context::{Lint, NONE, whole};
+use super::roles::{CALL, EACH_BLOCK, END, RETURN, Roles, SUB};
+use crate::controls::{Address, Alarm, Code};
+use crate::msg;
+use crate::text::Severity;
+
+/// Programs from this number on are the builder's and the user's standard programs: they are on the machine, and they are called.
+const STANDARD: u32 = 8000;
+
+/// Missing programs that are reported.
+const MISSED: usize = 100;
+
+/// What a program is to the others.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Part {
+    /// It has a program end.
+    pub(super) ends: bool,
+    /// It is called in these files.
+    pub(super) called: bool,
+    /// The words of blocks are its arguments.
+    pub(super) each_block: bool,
+    /// A block in it may go elsewhere than to the next.
+    pub(super) bends: bool,
+    /// There is an error in it.
+    pub(super) faulty: bool,
+    /// Returns of it, `M99`, and the block of the last one.
+    returns: u32,
+    return_at: u32,
+}
+
+impl Part {
+    /// Whether it is worth while to follow its jumps, and they are known.
+    pub(super) fn follows(&self) -> bool {
+        self.bends && !self.faulty
+    }
+}
+
+/// A call of a program by its number.
+#[derive(Clone, Copy)]
+pub(super) struct Call {
+    pub(super) block: u32,
+    /// Indices of the programs.
+    pub(super) from: u32,
+    pub(super) to: u32,
+    /// With arguments, else as a subprogram that shares its caller's locals.
+    pub(super) with_locals: bool,
+}
+
+/// What one look at all words has told.
+#[derive(Default)]
+pub(super) struct Facts {
+    /// One for each program.
+    pub(super) parts: Vec<Part>,
+    /// In the order of the blocks.
+    pub(super) calls: Vec<Call>,
+    /// Programs are called by calculated numbers: any of them may be meant.
+    pub(super) any_called: bool,
+    /// Sequence numbers that calls and returns name, with the program or [`NONE`] for any.
+    pub(super) entries: Vec<(u32, u32)>,
+    /// Calls or returns go to calculated sequence numbers.
+    pub(super) any_entry: bool,
+    /// Numbers of programs that are called and not here.
+    pub(super) missed: Vec<u32>,
+    /// Blocks that do not read, with the indices of their programs.
+    pub(super) bad: Vec<(u32, u32)>,
+    /// Variables and jumps are written as `G65 H`, which nothing here follows.
+    pub(super) functions: bool,
+}
+
+impl Facts {
+    /// Notes calls, returns and ends of a block, both by index.
+    pub(super) fn note(
+        &mut self,
+        lint: &mut Lint,
+        roles: &Roles,
+        (program, block): (u32, u32),
+        words: &[Word],
+        bits: u32,
+    ) {
+        let number = |letter: Address| words.iter().find(|word| word.letter == letter).map(|word| whole(word.value));
+        let Some(part) = self.parts.get_mut(program as usize) else { return };
+        part.ends |= bits & END != 0;
+        if bits & RETURN != 0 {
+            part.returns += 1;
+            part.return_at = block;
+            self.entry(NONE, number(Address::P));
+        }
+        let macros = &lint.control.macros;
+        if bits & CALL != 0 && !macros.functions.is_empty() && number(Address::H).is_some() {
+            self.functions = true;
+        } else if bits & (CALL | SUB) != 0 {
+            let sub = bits & SUB != 0;
+            let to = match (roles.called(words), number(Address::P)) {
+                (Some(number), _) => lint.programs.number(number),
+                (None, Some(Some(number))) => {
+                    let called = if sub && macros.repeats_in_p { number % 10_000 } else { number };
+                    let to = lint.programs.number(called);
+                    // Of repeats in P the reader tells.
+                    if to.is_none() && (called <= 9999 || lint.programs.number(called % 10_000).is_none()) {
+                        self.missing(lint, block, words, called);
+                    }
+                    to
+                }
+                (None, None) => {
+                    if sub && macros.sub_sequence && number(Address::H).is_none() {
+                        lint.say_word(block, words, Address::M, "lint.calls-itself", &[]);
+                    }
+                    sub.then_some(program)
+                }
+                (None, Some(None)) => {
+                    self.any_called = true;
+                    None
+                }
+            };
+            if sub && macros.sub_sequence {
+                self.entry(to.unwrap_or(NONE), number(Address::H));
+            }
+            if let Some(to) = to
+                && let Some(part) = self.parts.get_mut(to as usize)
+            {
+                part.each_block |= bits & EACH_BLOCK != 0;
+                self.call(Call { block, from: program, to, with_locals: !sub });
+            }
+        }
+    }
+
+    /// A call of a program that is in none of the files, each such program once. Those from 8000 on are the builder's and the user's
+    /// standard programs: they are on the machine.
+    fn missing(&mut self, lint: &mut Lint, block: u32, words: &[Word], number: u32) {
+        if !self.missed.contains(&number) && self.missed.len() < MISSED {
+            self.missed.push(number);
+            let alarm = lint.control.alarm_number(Alarm::NoProgram).unwrap_or("");
+            lint.say_word(block, words, Address::P, "lint.no-such-program", &[&format!("O{number}"), alarm]);
+            if let Some(finding) = lint.found.last_mut().filter(|_| number >= STANDARD) {
+                finding.severity = Severity::Info;
+            }
+        }
+    }
+
+    pub(super) fn call(&mut self, call: Call) {
+        if let Some(part) = self.parts.get_mut(call.to as usize) {
+            // A program that calls itself has no other caller by that.
+            part.called |= call.to != call.from;
+            self.calls.push(call);
+        }
+    }
+
+    /// A sequence number behind P of a return or H of a call.
+    fn entry(&mut self, program: u32, number: Option<Option<u32>>) {
+        match number {
+            Some(Some(label)) => self.entries.push((program, label)),
+            Some(None) => self.any_entry = true,
+            None => {}
+        }
+    }
+
+    /// A main program that returns starts again for ever. Whether a program is one is known of the started program; of others only where
+    /// nothing here can be one.
+    pub(super) fn main_returns(&self, lint: &mut Lint) {
+        if lint.control.macros.main_ends {
+            return;
+        }
+        let ends = self.any_called || self.parts.iter().any(|part| part.ends);
+        let main = match lint.start {
+            Some(number) => lint.programs.number(number),
+            None => lint.deck.programs.first().filter(|row| row.number < STANDARD && !ends).map(|_| 0),
+        };
+        let end = lint.control.codes.iter().find(|row| row.code == Code::EndRewind);
+        if let (Some(main), Some(end)) = (main, end)
+            && let Some(part) = self.parts.get(main as usize)
+            && part.returns > 0
+            && !part.faulty
+            && !part.called
+            && !part.ends
+            && let Some(block) = lint.deck.blocks.get(part.return_at as usize)
+            && let Some(word) = lint.deck.words_of(block).iter().find(|word| word.letter == Address::M)
+        {
+            let span = word.span(block);
+            let end = lint.control.code_name(end.id);
+            lint.say(part.return_at, span, "lint.main-returns", &[&end], "");
+            if part.returns == 1 {
+                lint.fix(msg!("nc.fix.end-main", end.as_str()), &[(span, Dec::default())], &|_| end.clone());
+            }
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! Feeds: F0, cutting without any F, and feeds whose size does not fit their unit.
+
+use super::super::ast::{Block, Word};
+use super::super::dec::Dec;
+use super::context::Lint;
+use super::facts::Facts;
+use super::roles::{CALL, CURVED, DWELL, INCH, LINEAR, OTHER_FEED, PER_MINUTE, RAPID, Roles, SPECIAL};
+use crate::controls::{Address, AddressSet, Alarm, Code, ParamRole};
+use crate::msg;
+use crate::text::Span;
+use crate::text::catalog::number_text;
+
+/// Feeds that a fix reaches.
+const PLACES: usize = 1000;
+
+/// Feeds per minute below this are meant per revolution: nobody cuts two millimetres a minute.
+const SLOWEST: f64 = 2.0;
+
+/// Feeds per revolution above this are meant per minute.
+const COARSEST: f64 = 20.0;
+
+/// Feeds of all programs.
+#[derive(Default)]
+pub(super) struct Feeds {
+    /// A word F is there, or a block that does not parse may hold one.
+    any: bool,
+    /// The first code of a cutting motion, with its block.
+    first_cut: Option<(u32, Span)>,
+    /// A code says what F is per, or a block that does not parse may.
+    has_unit: bool,
+    /// Feeds of straight lines.
+    lines: Vec<(u32, Span, Dec)>,
+    /// The program at hand moves along straight lines.
+    linear: bool,
+    /// F0 of the program at hand is reported.
+    has_zero: bool,
+}
+
+impl Feeds {
+    /// A program begins.
+    pub(super) fn program(&mut self) {
+        (self.linear, self.has_zero) = (false, false);
+    }
+
+    /// A block that does not parse; `unit` where it may say what F is per.
+    pub(super) fn bad_block(&mut self, unit: bool) {
+        self.any = true;
+        self.has_unit |= unit;
+    }
+
+    /// A block of words, with the addresses and the number behind F in it.
+    #[inline]
+    pub(super) fn block(
+        &mut self,
+        lint: &mut Lint,
+        roles: &Roles,
+        (at, block): (u32, &Block),
+        (words, bits): (&[Word], u32),
+        (letters, feed): (AddressSet, Option<(&Word, Dec)>),
+    ) {
+        self.any |= letters.contains(Address::F);
+        if self.first_cut.is_none() && bits & LINEAR != 0 && bits & CALL == 0 {
+            let moves = |word: &Word| lint.control.axis_letters().any(|letter| letter == word.letter);
+            let is_code = |word: &&Word| matches!(word.letter, Address::G | Address::Name);
+            let code = words.iter().filter(is_code).find(|word| roles.word(word) & LINEAR != 0);
+            self.first_cut = code.filter(|_| words.iter().any(moves)).map(|word| (at, word.span(block)));
+        }
+        self.has_unit |= bits & (PER_MINUTE | OTHER_FEED | INCH) != 0;
+        if bits & (RAPID | LINEAR | CURVED) != 0 {
+            self.linear = bits & LINEAR != 0;
+        }
+        let Some((word, number)) = feed.filter(|_| bits & (CALL | DWELL) == 0) else { return };
+        if self.linear && bits & SPECIAL == 0 && self.lines.len() < PLACES {
+            self.lines.push((at, word.span(block), number));
+        }
+        if number.mantissa == 0 && !self.has_zero {
+            self.has_zero = true;
+            tell_zero(lint, at, word.span(block));
+        }
+    }
+
+    /// Reports what all programs together show.
+    pub(super) fn tell(&self, lint: &mut Lint, facts: &Facts) {
+        self.tell_unit(lint);
+        // A program that is called and not here may set a feed, and so may a caller.
+        let silent = self.any || !facts.missed.is_empty() || facts.any_called;
+        if let Some((at, span)) = self.first_cut.filter(|_| !silent && facts.parts.iter().any(|part| part.ends)) {
+            let alarm = lint.control.alarm_number(Alarm::NoFeed).unwrap_or("");
+            lint.say(at, span, "lint.no-feed", &[alarm], "");
+        }
+    }
+
+    /// Where nothing says what F is per, it is what it is after power-on: one look at its size shows whether that was meant.
+    fn tell_unit(&self, lint: &mut Lint) {
+        let mut startup = lint.parsed.dialect().startup.iter().filter_map(|id| lint.control.code(*id));
+        let revolution = startup.any(|row| row.code == Code::FeedPerRevolution);
+        let (id, other) = match revolution {
+            true => ("lint.feed-per-revolution", Code::FeedPerMinute),
+            false => ("lint.feed-per-minute", Code::FeedPerRevolution),
+        };
+        let strange = |dec: &Dec| {
+            let feed = dec.to_f64();
+            if revolution { feed > COARSEST } else { feed > 0.0 && feed < SLOWEST }
+        };
+        // One feed of a usual size, and the unit is meant.
+        if self.has_unit || self.lines.iter().any(|(_, _, dec)| !strange(dec)) {
+            return;
+        }
+        let row = lint.control.codes.iter().find(|row| row.code == other);
+        if let (Some(&(at, span, dec)), Some(row)) = (self.lines.first(), row) {
+            let code = lint.control.code_name(row.id);
+            let count = number_text(self.lines.len() as f64, 0);
+            lint.say(at, span, id, &[&number_text(dec.to_f64(), 6), &code, &count], "");
+            lint.fix(msg!("lint.fix.unit", code.as_str()), &[(span, dec)], &|dec| format!("{code} F{dec}"));
+        }
+    }
+}
+
+/// F0, which stops the axes, moves them in rapid traverse, or is a feed of a parameter.
+#[cold]
+fn tell_zero(lint: &mut Lint, at: u32, span: Span) {
+    let digit = lint.control.param(ParamRole::FeedOneDigit).map_or("", |row| row.number);
+    let id = match digit {
+        "" => "lint.feed-zero",
+        _ if lint.parsed.dialect().running.feed_zero_rapid => "lint.feed-zero-rapid",
+        _ => "lint.feed-zero-digit",
+    };
+    lint.say(at, span, id, &[digit], "");
+}

@@ -1,0 +1,124 @@
+//! Numbers without a point that count increments, in programs that do not show that they mean increments.
+
+use super::super::ast::{Block, Word, WordValue};
+use super::super::dec::Dec;
+use super::context::Lint;
+use super::roles::{CALL, DWELL, INCH, SPECIAL};
+use crate::controls::{Address, AddressSet};
+use crate::msg;
+use crate::text::Span;
+use crate::text::catalog::number_text;
+
+/// Places of one kind that a fix reaches.
+const PLACES: usize = 1000;
+
+/// Increments from which on a number without a point is meant as it is: in 0.001 mm, nobody who forgets points programs ten metres, and
+/// nobody who counts increments does without a centimetre.
+const DELIBERATE: u64 = 10_000;
+
+/// Increments of a dwell from which on it is meant as it is.
+const DELIBERATE_DWELL: u64 = 100;
+
+/// Numbers of one kind behind one letter that have no point.
+struct Pointless {
+    kind: u32,
+    letter: Address,
+    count: usize,
+    block: u32,
+    words: Vec<(Span, Dec)>,
+}
+
+/// Numbers without a point of one program.
+pub(super) struct Points {
+    /// Addresses that count increments: for dimensions, and for arguments of macros.
+    increments: [AddressSet; 2],
+    rows: Vec<Pointless>,
+    /// The program shows that it means increments, or it counts in inches, which is not checked.
+    deliberate: bool,
+}
+
+impl Points {
+    pub(super) fn new(increments: [AddressSet; 2]) -> Points {
+        Points { increments, rows: Vec::new(), deliberate: false }
+    }
+
+    /// Whether a number of a dimension has no point.
+    #[inline]
+    pub(super) fn counts(&self, letter: Address, number: Dec) -> bool {
+        !number.point && number.mantissa != 0 && self.increments[0].contains(letter)
+    }
+
+    /// Notes a block; `counts` where a number of a dimension has no point.
+    #[inline]
+    pub(super) fn block(&mut self, at: u32, block: &Block, words: &[Word], bits: u32, counts: bool) {
+        self.deliberate |= bits & INCH != 0;
+        if counts && !self.deliberate && bits & SPECIAL == 0 {
+            let increments = self.increments[usize::from(bits & CALL != 0)];
+            self.deliberate = collect(&mut self.rows, at, block, words, bits & (CALL | DWELL), increments);
+        }
+    }
+
+    /// Reports the numbers of the program, one warning for each address and kind.
+    pub(super) fn tell(&self, lint: &mut Lint) {
+        self.rows.iter().filter(|_| !self.deliberate).for_each(|row| row.tell(lint));
+    }
+}
+
+/// Notes the numbers without a point of a block; true where one shows that the program counts increments.
+#[cold]
+fn collect(
+    rows: &mut Vec<Pointless>,
+    at: u32,
+    block: &Block,
+    words: &[Word],
+    kind: u32,
+    increments: AddressSet,
+) -> bool {
+    for word in words {
+        let WordValue::Number(dec) = word.value else { continue };
+        let letter = word.letter;
+        let size = dec.mantissa.unsigned_abs();
+        if dec.point || size == 0 || !increments.contains(letter) || kind == DWELL && size >= DELIBERATE_DWELL {
+            continue;
+        }
+        if size >= DELIBERATE {
+            return true;
+        }
+        let known = rows.iter().position(|row| row.kind == kind && row.letter == letter);
+        if known.is_none() {
+            rows.push(Pointless { kind, letter, count: 0, block: at, words: Vec::new() });
+        }
+        if let Some(row) = known.map_or(rows.len().checked_sub(1), Some).and_then(|at| rows.get_mut(at)) {
+            row.count += 1;
+            if row.count <= PLACES {
+                row.words.push((word.span(block), dec));
+            }
+        }
+    }
+    false
+}
+
+impl Pointless {
+    fn tell(&self, lint: &mut Lint) {
+        let Some(&(span, dec)) = self.words.first() else { return };
+        let step = lint.control.limits.increment;
+        let letter = self.letter.to_string();
+        let rotary = lint.control.axis(self.letter).is_some_and(|axis| lint.control.axes[axis].rotary);
+        let id = match self.kind {
+            DWELL => "lint.no-point-dwell",
+            CALL => "lint.no-point-argument",
+            _ => "lint.no-point",
+        };
+        let value = number_text(dec.to_f64() * step, 6);
+        let unit = if rotary { "°" } else { "mm" };
+        let count = number_text(self.count as f64, 0);
+        lint.say(self.block, span, id, &[&value, unit, &count, &letter], "");
+        let meant = |dec: Dec| format!("{letter}{}", Dec { point: true, ..dec });
+        if self.count == self.words.len() {
+            lint.fix(msg!("lint.fix.point", meant(dec)), &self.words, &meant);
+            // As it is now: the control's increments are thousandths.
+            let present = |dec: Dec| format!("{letter}{}", number_text(dec.to_f64() * step, 9));
+            lint.fix(msg!("lint.fix.present", present(dec)), &self.words, &present);
+        }
+    }
+}
