@@ -347,7 +347,7 @@ fn no_unfinished_code_or_ignored_tests() {
 }
 
 /// Rooms in which a `mod.rs` and the files below it may still take names from one another; to shrink to none.
-const WITH_FACES: [&str; 2] = ["nc", "ui"];
+const WITH_FACES: [&str; 2] = ["controls", "ui"];
 
 #[test]
 fn files_have_no_import_circle() {
@@ -372,16 +372,20 @@ fn public_type_names_are_unique() {
     hold("A public type has a name of its own.", "name each after the trade's noun for it (WORDS.md)", broken);
 }
 
-/// Rooms whose functions and structs are short; to grow to all but the rows of `controls/`.
-const SHORT: [&str; 6] = ["math", "text", "drives", "interp", "motion", "view"];
+/// Rooms whose functions are not short yet; to shrink to none.
+const LONG_FUNCTIONS: [&str; 1] = ["ui"];
+
+/// Rooms with structs that are tables: a field of a machine's form, or a row of a control, is a field of the struct.
+const WIDE_STRUCTS: [&str; 3] = ["controls", "machines", "ui"];
 
 #[test]
 fn functions_and_structs_stay_within_their_size() {
     let mut broken = Vec::new();
-    for source in sources().filter(|source| source.room().is_some_and(|room| SHORT.contains(&room))) {
-        let long = source.functions.iter().filter(|function| function.size > 100);
+    for source in sources() {
+        let is_in = |rooms: &[&str]| source.room().is_some_and(|room| rooms.contains(&room));
+        let long = source.functions.iter().filter(|function| function.size > 100 && !is_in(&LONG_FUNCTIONS));
         broken.extend(long.map(|f| format!("{}: {} has {} lines", source.place(f.line), f.name, f.size)));
-        let wide = source.structs.iter().filter(|item| item.size > 20);
+        let wide = source.structs.iter().filter(|item| item.size > 20 && !is_in(&WIDE_STRUCTS));
         broken.extend(wide.map(|item| format!("{}: {} has {} fields", source.place(item.line), item.name, item.size)));
     }
     let mend = "divide a function into named steps, and a struct into parts by subject";

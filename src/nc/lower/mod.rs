@@ -12,15 +12,15 @@
 //! | … `ATAN` of one number | | `ATAN[a]/[1]` |
 //! | `short_texts` | long blocks and messages | comments clipped |
 
+mod other_forms;
 mod symbolic;
 
-use crate::controls::Address;
-use crate::controls::Control;
-use crate::controls::syntax::Function;
-use crate::nc::ast::{self, Block, Deck, Expr, ExprId, JumpDirection, Op, Stmt, TextId, WordValue};
+use crate::controls::{Address, Control};
+use crate::nc::ast::{self, Block, Deck, Expr, ExprId, JumpDirection, Stmt, TextId, WordValue};
 use crate::nc::dec::Dec;
 use crate::nc::write::{is_message, text_length};
 use crate::text::Span;
+use other_forms::other_forms;
 use symbolic::{no_names, with_names};
 
 /// The deck as the control can take it.
@@ -146,105 +146,6 @@ fn no_if_then(deck: &mut Deck) -> Vec<u32> {
     }
     deck.programs = programs;
     origins
-}
-
-/// Operators and functions in the forms that the control has.
-fn other_forms(deck: &mut Deck, control: &Control) {
-    let syntax = &control.syntax;
-    let strange = |expr: &Expr| match expr {
-        Expr::Binary(Op::Modulo, ..) => !syntax.modulo,
-        Expr::Binary(Op::Atan, ..) => !syntax.atan.takes_two(),
-        Expr::Binary(Op::Power, ..) => !syntax.has(Function::Power),
-        Expr::Call(Function::Atan, _) => !syntax.atan.takes_one(),
-        Expr::Call(function @ (Function::Square | Function::AddPoint), _) => !syntax.has(*function),
-        _ => false,
-    };
-    if !deck.exprs.iter().any(strange) {
-        return;
-    }
-    // The parts go in front of their parent, so every index moves.
-    let mut exprs: Vec<Expr> = Vec::with_capacity(deck.exprs.len() + 3);
-    let mut moved: Vec<ExprId> = Vec::with_capacity(deck.exprs.len());
-    for expr in &deck.exprs {
-        let at = |id: ExprId| moved.get(id.0 as usize).copied().unwrap_or(id);
-        let mut push = |expr: Expr| {
-            exprs.push(expr);
-            ExprId(exprs.len() as u32 - 1)
-        };
-        let id = match *expr {
-            Expr::Number(_) | Expr::Label(_) | Expr::Var(_) => push(*expr),
-            Expr::Indirect(inner) => push(Expr::Indirect(at(inner))),
-            Expr::Negate(inner) => push(Expr::Negate(at(inner))),
-            Expr::Call(Function::Square, inner) if strange(expr) => {
-                let inner = at(inner);
-                push(Expr::Binary(Op::Multiply, inner, inner))
-            }
-            Expr::Call(Function::AddPoint, inner) if strange(expr) => at(inner),
-            Expr::Call(_, inner) if strange(expr) => {
-                let one = push(Expr::Number(Dec::int(1)));
-                push(Expr::Binary(Op::Atan, at(inner), one))
-            }
-            Expr::Call(function, inner) => push(Expr::Call(function, at(inner))),
-            Expr::Binary(Op::Modulo, left, right) if strange(expr) => {
-                let (left, right) = (at(left), at(right));
-                let ratio = push(Expr::Binary(Op::Divide, left, right));
-                let whole = push(Expr::Call(Function::Fix, ratio));
-                let multiple = push(Expr::Binary(Op::Multiply, whole, right));
-                push(Expr::Binary(Op::Subtract, left, multiple))
-            }
-            Expr::Binary(Op::Power, base, exponent) if strange(expr) => {
-                let (base, exponent) = (at(base), at(exponent));
-                let logarithm = push(Expr::Call(Function::Ln, base));
-                let product = push(Expr::Binary(Op::Multiply, exponent, logarithm));
-                push(Expr::Call(Function::Exp, product))
-            }
-            Expr::Binary(Op::Atan, y, x) if strange(expr) => {
-                let (y, x) = (at(y), at(x));
-                let squares = [x, y].map(|side| push(Expr::Binary(Op::Multiply, side, side)));
-                let sum = push(Expr::Binary(Op::Add, squares[0], squares[1]));
-                let distance = push(Expr::Call(Function::Sqrt, sum));
-                let base = push(Expr::Binary(Op::Add, distance, x));
-                let ratio = push(Expr::Binary(Op::Divide, y, base));
-                let half = push(Expr::Call(Function::Atan, ratio));
-                let two = push(Expr::Number(Dec::int(2)));
-                push(Expr::Binary(Op::Multiply, two, half))
-            }
-            Expr::Binary(op, left, right) => push(Expr::Binary(op, at(left), at(right))),
-        };
-        moved.push(id);
-    }
-    let at = |id: &mut ExprId| *id = moved.get(id.0 as usize).copied().unwrap_or(*id);
-    for block in &mut deck.blocks {
-        match &mut block.stmt {
-            Stmt::Assign { to, value } => {
-                at(to);
-                at(value);
-            }
-            Stmt::IfThen { cond, to, value } => {
-                at(cond);
-                at(to);
-                at(value);
-            }
-            Stmt::If { cond, target, .. } => {
-                at(cond);
-                at(target);
-            }
-            Stmt::Goto { target, .. } => at(target),
-            Stmt::Call { repeats: Some(repeats), .. } => at(repeats),
-            Stmt::While { cond: Some(cond), .. } => at(cond),
-            _ => {}
-        }
-    }
-    for word in &mut deck.words {
-        if let WordValue::Expr(value) = &mut word.value {
-            at(value);
-        }
-    }
-    for pair in &mut deck.pairs {
-        at(&mut pair.left);
-        at(&mut pair.right);
-    }
-    deck.exprs = exprs;
 }
 
 /// Blocks stay below the control's length, messages within what its screen shows.

@@ -1,5 +1,6 @@
 //! Tree to text: one block at a time, brackets only where precedence needs them.
 
+mod operators;
 mod symbolic;
 
 use crate::controls::Address;
@@ -7,7 +8,7 @@ use crate::controls::syntax::{ArcTangent, Function, RoundBrackets};
 use crate::controls::{Control, VarKind};
 use crate::nc::ast::{Block, Deck, Expr, ExprId, Op, Stmt, TextId, WordValue};
 use crate::nc::dec::Dec;
-use symbolic::named_operator;
+use operators::{named_operator, operator};
 
 /// Trees deeper than this are no formulas; reading stops at as many parts.
 pub(in crate::nc) const DEPTH: u32 = 250;
@@ -231,25 +232,5 @@ impl Writer<'_> {
             Expr::Binary(op, _, right) => operator(op).0 == operator(Op::Divide).0 && self.ends_in_arc_tangent(right),
             _ => false,
         }
-    }
-}
-
-/// Level and spelling of an operator.
-fn operator(op: Op) -> (u8, &'static str) {
-    match op {
-        Op::Add => (1, "+"),
-        Op::Subtract => (1, "-"),
-        Op::Or => (1, " OR "),
-        Op::Xor => (1, " XOR "),
-        Op::Multiply => (2, "*"),
-        Op::Divide | Op::Atan | Op::Power => (2, "/"),
-        Op::And => (2, " AND "),
-        Op::Modulo => (2, " MOD "),
-        Op::Equal => (0, " EQ "),
-        Op::NotEqual => (0, " NE "),
-        Op::Greater => (0, " GT "),
-        Op::GreaterEqual => (0, " GE "),
-        Op::Less => (0, " LT "),
-        Op::LessEqual => (0, " LE "),
     }
 }

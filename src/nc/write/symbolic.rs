@@ -4,7 +4,7 @@ use super::Writer;
 use crate::controls::Address;
 use crate::controls::CodeId;
 use crate::controls::syntax::{Function, Names};
-use crate::nc::ast::{Block, Dimensioning, Expr, ExprId, JumpDirection, Op, Program, Stmt, Word, WordValue};
+use crate::nc::ast::{Block, Dimensioning, Expr, ExprId, JumpDirection, Program, Stmt, Word, WordValue};
 
 impl Writer<'_> {
     /// The lines in front of a program.
@@ -118,25 +118,5 @@ impl Writer<'_> {
         self.text.push(',');
         self.expr(right, 0, true, depth + 1);
         self.text.push(')');
-    }
-}
-
-/// Level and spelling of an operator.
-pub(super) fn named_operator(op: Op) -> (u8, &'static str) {
-    match op {
-        Op::Equal => (0, "=="),
-        Op::NotEqual => (0, "<>"),
-        Op::Greater => (0, ">"),
-        Op::GreaterEqual => (0, ">="),
-        Op::Less => (0, "<"),
-        Op::LessEqual => (0, "<="),
-        Op::Or => (1, " OR "),
-        Op::Xor => (2, " XOR "),
-        Op::And => (3, " AND "),
-        Op::Add => (4, "+"),
-        Op::Subtract => (4, "-"),
-        Op::Multiply => (5, "*"),
-        Op::Divide | Op::Atan | Op::Power => (5, "/"),
-        Op::Modulo => (5, " MOD "),
     }
 }

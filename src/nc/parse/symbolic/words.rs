@@ -326,58 +326,13 @@ impl Reader<'_> {
         let name = written.to_ascii_uppercase();
         let Some(names) = self.names() else { return Err(self.unexpected()) };
         if let Some(place) = names.code(&name) {
-            self.cursor.at += name.len();
-            let id = CodeId::Named(place as u16);
-            let row = self.tables.codes.row(id);
-            if let Some(row) = row {
-                seen.code(row);
-                if row.code == Code::NotSimulated {
-                    let what = format!("{name} ({})", row.text);
-                    let digits = name.bytes().filter(u8::is_ascii_digit);
-                    let cycle =
-                        digits.map(|b| u32::from(b - b'0')).reduce(|all, b| all.wrapping_mul(10).wrapping_add(b));
-                    self.not_simulated(cycle.map_or(LeftOut::Code(id), LeftOut::Cycle), start, self.cursor.at, &what);
-                    // Its arguments, for instance of TRACYL(40).
-                    if self.skip() == b'(' {
-                        let rest = self.cursor.rest();
-                        let Some(close) = rest.iter().position(|&b| b == b')') else {
-                            let message = msg!("nc.unclosed-group");
-                            return Err(self.failure(
-                                Alarm::BracketPair,
-                                self.cursor.at,
-                                self.cursor.at + 1,
-                                message,
-                                false,
-                            ));
-                        };
-                        self.cursor.at += close + 1;
-                    }
-                }
-            }
-            let master = row.is_some_and(|row| row.code == Code::MasterSpindle);
-            let index = if master { self.spindle_number(start)? } else { None };
-            let value = WordValue::Number(Dec::int(place as i64));
-            return self.push_long(start, Address::Name, (index, Dimensioning::Plain, value));
+            return self.long_code((start, &name), place, seen);
         }
         let longest = names.addresses.iter().filter(|row| name.starts_with(row.0)).max_by_key(|row| row.0.len());
         if let Some(&(address, letter)) = longest {
             let rest = name.get(address.len()..).unwrap_or("");
             if rest.is_empty() || rest.bytes().all(|b| b.is_ascii_digit()) || self.missing_equals(&format!("X{rest}")) {
-                self.cursor.at += address.len();
-                let value = self.long_value(start, address, letter)?;
-                if self.deck.words.iter().rev().take(64).any(|word| word.letter == letter && word.offset < start as u16)
-                {
-                    seen.odd = true;
-                }
-                if let Some(row) = self.control.syntax.corners.iter().find(|row| row.0 == letter) {
-                    self.not_simulated(
-                        LeftOut::Address(letter),
-                        start,
-                        self.cursor.at,
-                        &format!("{address} ({})", row.1),
-                    );
-                }
-                return self.push_long(start, letter, value);
+                return self.long_address((start, address), letter, seen);
             }
         }
         if self.missing_equals(written) {
@@ -394,6 +349,56 @@ impl Reader<'_> {
             return Err(self.failure(Alarm::Format, start, self.cursor.line.len(), msg!("nc.no-address", name), false));
         }
         Err(self.unknown_name(start, written))
+    }
+
+    /// A code with a name, by its place in the list of names: a G function, or SETMS with the number of a spindle.
+    fn long_code(&mut self, (start, name): (usize, &str), place: usize, seen: &mut Seen) -> Read<()> {
+        self.cursor.at += name.len();
+        let id = CodeId::Named(place as u16);
+        let row = self.tables.codes.row(id);
+        if let Some(row) = row {
+            seen.code(row);
+        }
+        let index = match row.map(|row| row.code) {
+            Some(Code::NotSimulated) => {
+                self.long_code_not_simulated((start, name), id, row)?;
+                None
+            }
+            Some(Code::MasterSpindle) => self.spindle_number(start)?,
+            _ => None,
+        };
+        let value = WordValue::Number(Dec::int(place as i64));
+        self.push_long(start, Address::Name, (index, Dimensioning::Plain, value))
+    }
+
+    /// Reports a code that is not simulated, each cycle once by the number in its name; skips arguments such as those of `TRACYL(40)`.
+    fn long_code_not_simulated(&mut self, (start, name): (usize, &str), id: CodeId, row: Option<&CodeDef>) -> Read<()> {
+        let what = format!("{name} ({})", row.map_or("", |row| row.text));
+        let digits = name.bytes().filter(u8::is_ascii_digit).map(|b| u32::from(b - b'0'));
+        let cycle = digits.reduce(|all, digit| all.wrapping_mul(10).wrapping_add(digit));
+        self.not_simulated(cycle.map_or(LeftOut::Code(id), LeftOut::Cycle), start, self.cursor.at, &what);
+        if self.skip() != b'(' {
+            return Ok(());
+        }
+        let open = self.cursor.at;
+        let Some(close) = self.cursor.rest().iter().position(|&b| b == b')') else {
+            return Err(self.failure(Alarm::BracketPair, open, open + 1, msg!("nc.unclosed-group"), false));
+        };
+        self.cursor.at += close + 1;
+        Ok(())
+    }
+
+    /// An address of several letters with its value.
+    fn long_address(&mut self, (start, address): (usize, &str), letter: Address, seen: &mut Seen) -> Read<()> {
+        self.cursor.at += address.len();
+        let value = self.long_value(start, address, letter)?;
+        let earlier = self.deck.words.iter().rev().take(64);
+        seen.odd |= earlier.clone().any(|word| word.letter == letter && word.offset < start as u16);
+        if let Some(row) = self.control.syntax.corners.iter().find(|row| row.0 == letter) {
+            let what = format!("{address} ({})", row.1);
+            self.not_simulated(LeftOut::Address(letter), start, self.cursor.at, &what);
+        }
+        self.push_long(start, letter, value)
     }
 
     /// Reports a way to an angle, of an axis that does not turn.
