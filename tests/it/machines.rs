@@ -4,6 +4,7 @@ mod adding;
 mod drawn;
 mod look;
 mod polygon;
+mod polygon_drawing;
 mod polygon_sheets;
 mod ribbon_controls;
 mod ribbon_line;

@@ -1,7 +1,7 @@
 //! The charts of the polygon lathe: speeds, phase and slide over time, the deviation of the sides over angle and tip radius.
 
+use super::outlines::deviations;
 use super::resolved::{PolygonLathe, TOOL, WORK};
-use super::scene::deviations;
 use crate::drives::polygon::{CutterSetup, Section};
 use crate::machines::chart_rows::{ChartLine, ChartRow};
 use crate::math::PI;

@@ -1,8 +1,8 @@
 //! Files beside programs and sheets: the section in true millimetres as SVG and DXF, and the part program in the native codes of other controls.
 
 use super::native_code;
+use super::outlines::ideal;
 use super::resolved::PolygonLathe;
-use super::scene::ideal;
 use crate::nc::File;
 use crate::view::outline::{Outline, OutlineShape};
 

@@ -1,18 +1,23 @@
 //! The explorer of the polygon lathe: inserts, ratio and tip radius are dragged, the section and its deviation follow.
 
 use super::charts;
+use super::outlines::{closed, ideal};
 use super::resolved::PolygonLathe;
-use super::scene::{closed, ideal};
+use super::scene::traces;
 use crate::machines::sheets::say;
-use crate::math;
 use crate::text::catalog::number_text as show;
-use crate::view::pen::Pen;
+use crate::view::drawing::{Drawing, polyline};
+use crate::view::look::{Look, Paint};
+use crate::view::scene::Font;
 use crate::view::{Explorer, Knob, Scene};
 
 /// Width and height of the drawing, and the radius that the stock takes in it.
 const ROOM: (f64, f64, f64) = (360.0, 240.0, 94.0);
 
-/// Steps along an arc of the section and along a path: no step is seen at this size.
+/// Drawing units per pixel.
+const UNIT: f64 = 0.9;
+
+/// Steps along an arc of the section: no step is seen at this size.
 const STEPS: u32 = 16;
 
 /// Points of the deviation.
@@ -68,45 +73,23 @@ fn knobs(lathe: &PolygonLathe) -> Vec<Knob> {
 /// The finished section, the stock, the polygon that is wanted, and the paths of the inserts as the work sees them.
 fn scene(lathe: &PolygonLathe) -> Scene {
     let p = &lathe.p;
-    let mut pen = Pen::default();
+    let mut d = Drawing::new(UNIT);
     let (width, height, r) = ROOM;
     let at = (0.5 * width, 0.5 * height);
     let scale = 2.0 * r / p.stock_diameter;
-    if let Some((section, setup)) = lathe.p.section().zip(lathe.p.setup(p.across_flats)) {
-        pen.path(0, closed(section.points(STEPS), at, scale), "steel", "ink", 1.2, "part");
+    if let Some(section) = lathe.p.section() {
+        d.path(closed(section.points(STEPS), at, scale), Look::fill(Paint::Steel).thin(Paint::Edge, 1.2));
         // A little further than the stock.
-        let beyond = 1.3 * section.stock();
-        for pass in setup.passes().take(PATHS) {
-            let Some(curve) = setup.curve(pass.insert) else { continue };
-            let edge = curve.sigma_at(beyond);
-            let points = (0..=2 * STEPS).map(|i| {
-                let sigma = edge * (f64::from(i) / f64::from(STEPS) - 1.0);
-                let (s, c) = math::sin_cos(pass.normal + curve.turn(sigma));
-                (curve.reach(sigma) * c, curve.reach(sigma) * s)
-            });
-            let line = closed(points, at, scale);
-            pen.path(0, line.trim_end_matches('Z').to_owned(), "", "accent", 0.5, "");
+        for trace in traces(lathe, 1.3).into_iter().take(PATHS) {
+            let points: Vec<(f64, f64)> = trace.iter().map(|(x, y)| (at.0 + x * scale, at.1 - y * scale)).collect();
+            d.path(polyline(&points), Look::hair(Paint::Accent, 0.7));
         }
         if p.sides > 2.0 {
-            pen.path(
-                0,
-                closed(ideal(p.sides as u32, 0.5 * p.across_flats, section.begin()), at, scale),
-                "",
-                "ok",
-                1.2,
-                "dash",
-            );
+            let wanted = ideal(p.sides as u32, 0.5 * p.across_flats, section.begin());
+            d.path(closed(wanted, at, scale), Look::hair(Paint::Good, 1.4).dashed(4.0, 4.0));
         }
     }
-    pen.ring(0, (at.0, at.1, r), "dim", 0.8, "dash");
-    pen.text(at.0, height + 12.0, "middle", say("polygon.explore.legend"), "dim", "label");
-    Scene {
-        view: [0.0, 0.0, width, height + 18.0],
-        nodes: pen.nodes,
-        groups: Pen::groups(0),
-        unit: 0.0,
-        gradients: Vec::new(),
-        alt: "polygon.explore.alt",
-        option: None,
-    }
+    d.circle((at.0, at.1, r), Look::LEAD.dashed(4.0, 4.0));
+    d.text((at.0, height + 12.0), "middle", &say("polygon.explore.legend"), Font::Label, Paint::Dim);
+    d.scene([0.0, 0.0, width, height + 18.0], "polygon.explore.alt")
 }

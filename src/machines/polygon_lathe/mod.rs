@@ -20,6 +20,8 @@ mod plc;
 
 mod scene;
 
+mod outlines;
+
 mod pose;
 
 mod progress;

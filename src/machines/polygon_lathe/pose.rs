@@ -1,13 +1,13 @@
 //! The drawing of the polygon lathe at a moment: section, positions of cutter and slide, figures.
 
+use super::outlines::closed;
 use super::progress::{self, GRID, Pass, Progress};
 use super::resolved::{PolygonLathe, TOOL, WORK};
-use super::scene::{self, CLOSE, TIPS, View, closed, group, node};
+use super::scene::{self, TIPS, View, group, node};
 use crate::machines::machine::{Frame, Samples};
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::motion::snapshot::Mode;
-use crate::text::catalog::number_text as show;
 use crate::text::catalog::{Language, words};
 use crate::text::number::figure;
 use crate::view::Pose;
@@ -15,33 +15,39 @@ use crate::view::scene::Placement;
 
 /// Degrees per frame beyond which a single insert blurs.
 const SEEN: f64 = 60.0;
+/// The same of the jaws of the chuck.
+const SEEN_JAWS: f64 = 40.0;
 
 /// Placements, paths and figures at a moment.
 pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
     let p = &lathe.p;
-    let view = View::new(lathe);
+    let view = View::new(p);
     let progress = progress::progress(lathe, run, now);
     let (across_flats, z) = lathe.slide(now);
     let mut pose = Pose::default();
-    let mut place = |group: u16, turn: f64, (cx, cy): (f64, f64), (dx, dy): (f64, f64), opacity: f64| {
-        pose.placements.push(Placement { turn, cx, cy, dx, dy, opacity, ..Placement::of(group) });
+    let mut place = |group: u16, turn: f64, (dx, dy): (f64, f64), opacity: f64| {
+        pose.placements.push(Placement { turn, dx, dy, opacity, ..Placement::of(group) });
     };
     // Counter-clockwise in millimetres is clockwise on the screen, less the sign.
     let [work, tool] = [WORK, TOOL].map(|axis| -now.pmc[axis].actual % 360.0);
-    let away = (0.5 * (across_flats - p.across_flats) * view.scale, 0.0);
-    let step = (now.pmc[TOOL].feed / 60.0 * frame.step).abs();
-    let seen = Frame::seen(step, SEEN / p.inserts.max(1.0));
-    place(group::WORK, work, view.work, (0.0, 0.0), 1.0);
-    place(group::DISC, 0.0, view.cutter, away, 1.0);
-    place(group::INSERTS, tool, view.cutter, away, seen);
-    place(group::BLUR, 0.0, view.cutter, away, 0.5 * (1.0 - seen));
-    let side = (z * view.side.0, -0.5 * (across_flats - p.across_flats) * view.side.0);
-    place(group::SIDE, 0.0, (0.0, 0.0), side, 1.0);
+    let away = 0.5 * (across_flats - p.across_flats);
+    let (aside, near) = (away * view.scale, (0.0, 0.0));
+    let turned = |axis: usize, limit: f64| Frame::seen((now.pmc[axis].feed / 60.0 * frame.step).abs(), limit);
+    let (seen, jaws) = (turned(TOOL, SEEN / p.inserts.max(1.0)), turned(WORK, SEEN_JAWS));
+    place(group::WORK, work, near, 1.0);
+    place(group::JAWS, 0.0, near, jaws);
+    place(group::JAWS_BLUR, 0.0, near, 0.6 * (1.0 - jaws));
+    place(group::EDGES, 0.0, near, turned(WORK, 0.5 * SEEN / p.sides.max(1.0)));
+    place(group::DISC, 0.0, (aside, 0.0), 1.0);
+    place(group::INSERTS, tool, near, seen);
+    place(group::BLUR, 0.0, near, 0.5 * (1.0 - seen));
+    place(group::DISTANCE, 0.0, (scene::figure_at(&view, aside), 0.0), 1.0);
+    place(group::SIDE, 0.0, (z * view.side, away * view.side), 1.0);
     if let Some((_, tips)) = progress::tips(lathe, now) {
         let near = 1.02 * 0.5 * p.stock_diameter;
         for (group, (x, y)) in (group::TIPS..group::TIPS + TIPS).zip(tips) {
             let opacity = f64::from(u8::from(math::hypot(x, y) <= near));
-            place(group, 0.0, (0.0, 0.0), (x * view.close, -y * view.close), opacity);
+            place(group, 0.0, (x * view.close, -y * view.close), opacity);
         }
     }
     let grid = progress::outline(lathe, progress, now);
@@ -51,12 +57,17 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
             (radius * c, radius * s)
         })
     };
+    let cut = progress.now.map_or((p.stock_diameter, 0.0), |pass| (pass.size, pass.behind));
+    let angle = now.pmc[WORK].actual / 180.0 * PI;
     pose.paths = vec![
-        (node::SECTION, closed(points(), view.work, view.scale)),
-        (node::CLOSE, closed(points(), (CLOSE.0, CLOSE.1), view.close)),
+        (node::SECTION, closed(points(), (0.0, 0.0), view.scale)),
+        (node::CLOSE, closed(points(), (0.0, 0.0), view.close)),
         (node::BAR, bar(lathe, &view, progress)),
+        (node::EDGES, scene::edges(lathe, &view, cut, angle)),
+        (node::DISTANCE, scene::distance(lathe, &view, aside)),
+        (node::LEADER, scene::leader(lathe, &view, aside)),
     ];
-    pose.texts = texts(lathe, now, progress, across_flats);
+    pose.texts = texts(lathe, now, progress, (across_flats, z));
     pose
 }
 
@@ -76,7 +87,12 @@ fn pass(lathe: &PolygonLathe, progress: Progress) -> String {
     if planned { format!("{number} / {}", sizes.len()) } else { number.to_string() }
 }
 
-fn texts(lathe: &PolygonLathe, now: &Snapshot, progress: Progress, across_flats: f64) -> Vec<(u16, String)> {
+fn texts(
+    lathe: &PolygonLathe,
+    now: &Snapshot,
+    progress: Progress,
+    (across_flats, z): (f64, f64),
+) -> Vec<(u16, String)> {
     let speed = |axis: usize| format!("{} r/min", figure(now.pmc[axis].feed / 360.0, 1));
     let turns = now.pmc[TOOL].feed != 0.0;
     let state = match now.mode {
@@ -88,9 +104,11 @@ fn texts(lathe: &PolygonLathe, now: &Snapshot, progress: Progress, across_flats:
     vec![
         (node::WORK_SPEED, speed(WORK)),
         (node::TOOL_SPEED, speed(TOOL)),
-        (node::SIZE, format!("X{}", show(across_flats * 0.5 * lathe.words(), 3))),
+        (node::SIZE, format!("X {}", figure(across_flats * 0.5 * lathe.words(), 3))),
         (node::PASS, pass(lathe, progress)),
         (node::PHASE, format!("{}°", figure(lathe.phase(now), 2))),
+        (node::APART, format!("{} mm", figure(0.5 * across_flats + lathe.p.tip_radius, 2))),
+        (node::ALONG, format!("Z {}", figure(z, 3))),
         (node::STATE, words(Language::English, state).to_owned()),
     ]
 }

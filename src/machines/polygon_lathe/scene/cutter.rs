@@ -1,0 +1,214 @@
+//! The cutter disc with its holders and inserts, on column and slide, and the distance of the axes.
+
+use super::front::AWAY;
+use super::ids::group;
+use super::layout::{AXIS, FLOOR, RIGHT, View};
+use crate::machines::polygon_lathe::resolved::PolygonLathe;
+use crate::math::{self, PI};
+use crate::text::number::{fill, filled};
+use crate::view::drawing::{Drawing, barrel, circle, polar};
+use crate::view::look::{Look, Paint};
+use crate::view::scene::SceneGroup;
+
+/// Radius of the disc over that of the tip circle.
+const DISC: f64 = 0.69;
+
+/// The ways of the slide on their base.
+pub(super) fn draw_base(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+    let reach = column(lathe, view);
+    let end = view.cutter.0 + (0.5 * (lathe.p.start_x - lathe.p.across_flats)).max(0.0) * view.scale;
+    let (from, to) = (view.cutter.0 - reach - 34.0, end.min(600.0) + reach + 26.0);
+    let to = to.max(from + 60.0);
+    let top = FLOOR - 38.0;
+    d.path(
+        filled("M# #l# #H#l# #Z", &[from, top, AWAY.0, AWAY.1, to + AWAY.0, -AWAY.0, -AWAY.1]),
+        Look::fill(Paint::SteelLight),
+    );
+    d.path(
+        filled("M# #l# #V#L# #Z", &[to, top, AWAY.0, AWAY.1, FLOOR + AWAY.1, to, FLOOR]),
+        Look::fill(Paint::SteelShade),
+    );
+    d.rect([from, top, to - from, FLOOR - top, 0.0], Look::fill(Paint::CabinetFront).thin(Paint::Edge, 0.8));
+    d.path(filled("M# #H#", &[from, top + 19.0, to]), Look::HAIR.faint(0.4));
+}
+
+/// Half the width of the column of the cutter.
+fn column(lathe: &PolygonLathe, view: &View) -> f64 {
+    math::clamp(0.34 * lathe.p.tip_radius * view.scale, 12.0, 54.0)
+}
+
+/// The cutter disc with column, holders and inserts.
+pub(super) fn draw_cutter(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+    let p = &lathe.p;
+    let (r, reach) = (p.tip_radius * view.scale, column(lathe, view));
+    let disc = DISC * r;
+    d.place(group::DISC, SceneGroup { at: view.cutter, ..SceneGroup::default() });
+    for group in [group::INSERTS, group::BLUR] {
+        d.place(group, SceneGroup { parent: group::DISC, ..SceneGroup::default() });
+    }
+    let low = FLOOR - 38.0 - AXIS;
+    d.within(group::DISC, |d| {
+        // Carriage and column behind the disc.
+        d.path(
+            filled("M# #l# #H#l# #Z", &[-reach - 24.0, low - 20.0, 14.0, -8.0, reach + 38.0, -14.0, 8.0]),
+            Look::fill(Paint::DarkLight),
+        );
+        d.path(filled("M# #l14 -8v20l-14 8Z", &[reach + 24.0, low - 20.0]), Look::fill(Paint::DarkShade));
+        d.rect(
+            [-reach - 24.0, low - 20.0, 2.0 * reach + 48.0, 20.0, 0.0],
+            Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8),
+        );
+        d.path(filled("M# 0l12 -7V#l-12 7Z", &[reach, low - 27.0]), Look::fill(Paint::DarkShade));
+        d.path(
+            filled("M# #V0A# # 0 0 1 # 0V#Z", &[-reach, low - 20.0, reach, reach, reach, low - 20.0]),
+            Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8),
+        );
+        d.path(filled("M# #V20", &[-reach + 3.0, low - 26.0]), Look::RIM.faint(0.4));
+        d.showing("tip-radius", |d| {
+            d.circle((0.0, 0.0, r), Look::LEAD.dashed(5.0, 4.0));
+        });
+        d.path(barrel((0.0, 0.0), disc, (0.10 * r, -0.06 * r)), Look::fill(Paint::Dark));
+    });
+    d.within(group::INSERTS, |d| holders(d, lathe, view));
+    d.within(group::DISC, |d| {
+        d.circle((0.0, 0.0, disc), Look::FACE);
+        d.circle((0.0, 0.0, 0.93 * disc), Look::HAIR.faint(0.35));
+    });
+    d.within(group::BLUR, |d| {
+        d.circle((0.0, 0.0, 0.5 * (disc + r)), Look::line(Paint::SteelShade, r - disc));
+        d.circle((0.0, 0.0, 0.97 * r), Look::line(Paint::Accent, 0.06 * r));
+    });
+    d.within(group::INSERTS, |d| face(d, lathe, disc));
+    d.within(group::DISC, |d| {
+        d.circle((0.0, 0.0, 0.36 * disc), Look::DARK_FACE);
+        d.circle((0.0, 0.0, 0.16 * disc), Look::FACE);
+    });
+    d.within(group::INSERTS, |d| {
+        for at in 0..4 {
+            let (x, y) = polar((0.0, 0.0), 90.0 * f64::from(at), 0.29 * disc);
+            d.circle((x, y, 0.035 * disc), Look::HOLE);
+        }
+        let key = 0.05 * disc;
+        d.rect([-key, -0.18 * disc, 2.0 * key, 0.08 * disc, 0.0], Look::fill(Paint::DarkShade));
+    });
+    d.within(group::DISC, |d| {
+        let (from, to) = (polar((0.0, 0.0), 205.0, 0.975 * disc), polar((0.0, 0.0), 265.0, 0.975 * disc));
+        d.path(filled("M# #A# # 0 0 1 # #", &[from.0, from.1, 0.975 * disc, 0.975 * disc, to.0, to.1]), Look::RIM);
+        let cross = 1.1 * r;
+        d.path(
+            filled("M# 0h#M0 #v#", &[-cross, 2.0 * cross, -cross, 2.0 * cross]),
+            Look::LEAD.dashed(14.0, 5.0).faint(0.6),
+        );
+    });
+}
+
+/// Places of the inserts on the disc in degrees, clockwise from the right as the drawing turns, and their tip radius in units.
+fn tips(lathe: &PolygonLathe, view: &View) -> Vec<(f64, f64)> {
+    let setup = lathe.p.setup(lathe.p.across_flats);
+    let tips = setup.map(|setup| setup.tips).unwrap_or_default();
+    // At 0 an insert points at the work, to the left.
+    tips.iter().map(|tip| (180.0 - tip.angle * 180.0 / PI, tip.radius * view.scale)).collect()
+}
+
+/// Half the width of a holder over the radius of the tip circle: it fits between its neighbours.
+fn width(count: usize) -> f64 {
+    (0.75 * PI * DISC / count.max(1) as f64).min(0.115)
+}
+
+/// Holders with their inserts.
+fn holders(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+    let r = lathe.p.tip_radius * view.scale;
+    let tips = tips(lathe, view);
+    let half = r * width(tips.len());
+    // Inserts face in the direction of a cutter that turns in the sense of the work, or against it. Positive turns are counter-clockwise.
+    let hand = if lathe.d.faces_forward == (lathe.p.work_speed() > 0.0) { 1.0 } else { -1.0 };
+    let (inner, outer) = (0.6 * r, 0.93 * r);
+    let (mut holders, mut rims, mut inserts, mut screws): (String, String, String, String) = Default::default();
+    for (degrees, tip) in tips {
+        let (s, c) = math::sin_cos(degrees * PI / 180.0);
+        let place = |out: &mut String, points: &[(f64, f64)]| {
+            for (at, (x, y)) in points.iter().enumerate() {
+                let at = if at == 0 { "M# #" } else { "L# #" };
+                fill(out, at, &[x * c - y * hand * s, x * s + y * hand * c]);
+            }
+        };
+        let (tail, seat) = (outer - 0.06 * r, tip - 0.085 * r);
+        let holder = [
+            (inner, -half),
+            (tail, -half),
+            (outer, -0.5 * half),
+            (outer, 0.35 * half),
+            (tail, 0.75 * half),
+            (inner, 0.75 * half),
+        ];
+        place(&mut holders, &holder);
+        holders.push('Z');
+        place(&mut rims, &[(inner, -0.8 * half), (tail, -0.8 * half)]);
+        place(
+            &mut inserts,
+            &[(tip, 0.0), (tip - 0.07 * r, 0.62 * half), (tip - 0.15 * r, 0.1 * half), (tip - 0.1 * r, -0.5 * half)],
+        );
+        inserts.push('Z');
+        screws += &circle(seat * c, seat * s, (0.014 * r).min(0.2 * half));
+    }
+    d.path(holders, Look::fill(Paint::DarkFace).thin(Paint::Edge, 0.8));
+    d.path(rims, Look::RIM.faint(0.5));
+    d.path(inserts, Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
+    d.path(screws, Look::fill(Paint::Black));
+}
+
+/// What is seen to turn on the face of the disc: clamps of the holders and holes.
+fn face(d: &mut Drawing, lathe: &PolygonLathe, disc: f64) {
+    let count = lathe.p.inserts.max(1.0);
+    let half = disc * width(count as usize) / DISC;
+    let tips = (0..count as u32).map(|at| 180.0 - 360.0 * f64::from(at) / count);
+    let (mut clamps, mut holes) = (String::new(), String::new());
+    for degrees in tips {
+        let (s, c) = math::sin_cos(degrees * PI / 180.0);
+        let place = |x: f64, y: f64| (x * c - y * s, x * s + y * c);
+        let (a, b, e, f) = (
+            place(0.985 * disc, -half),
+            place(0.66 * disc, -half),
+            place(0.66 * disc, half),
+            place(0.985 * disc, half),
+        );
+        fill(&mut clamps, "M# #L# #L# #L# #", &[a.0, a.1, b.0, b.1, e.0, e.1, f.0, f.1]);
+        if count < 25.0 {
+            for y in [-0.5 * half, 0.5 * half] {
+                let (x, y) = place(0.8 * disc, y);
+                holes += &circle(x, y, (0.07 * disc).min(0.36 * half));
+            }
+        }
+        if count < 9.0 {
+            let (x, y) = polar((0.0, 0.0), degrees + 180.0 / count, 0.62 * disc);
+            holes += &circle(x, y, 0.1 * disc);
+        }
+    }
+    d.path(clamps, Look::HAIR.faint(0.7));
+    d.path(holes, Look::HOLE);
+}
+
+/// Line of the distance between the axes, with the cutter `away` units from its last place.
+pub(in super::super) fn distance(lathe: &PolygonLathe, view: &View, away: f64) -> String {
+    let (left, right, y) = (view.work.0, view.cutter.0 + away, DISTANCE);
+    let (work, disc) = (0.5 * lathe.p.stock_diameter * view.scale, DISC * lathe.p.tip_radius * view.scale);
+    let mut d = filled(
+        "M# #V#M# #V#M# #H#",
+        &[left, AXIS + work + 12.0, y + 6.0, right, AXIS + disc + 4.0, y + 6.0, left, y, right],
+    );
+    if right - left > 24.0 {
+        fill(&mut d, "M# #l-8 4l8 4M# #l8 4l-8 4", &[left + 8.0, y - 4.0, right - 8.0, y - 4.0]);
+    }
+    d
+}
+
+/// Where the figure of the distance is from its last place: in the middle between the axes, and always within the drawing.
+pub(in super::super) fn figure_at(view: &View, away: f64) -> f64 {
+    let middle = 0.5 * (view.work.0 + view.cutter.0);
+    math::clamp(middle + 0.5 * away, FIGURE, RIGHT - FIGURE) - middle
+}
+
+/// Half the width of the figure's plate.
+pub(super) const FIGURE: f64 = 58.0;
+/// Height of the line of the distance.
+pub(super) const DISTANCE: f64 = 506.0;

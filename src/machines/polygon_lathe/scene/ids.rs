@@ -1,0 +1,50 @@
+//! Numbers of the groups and nodes that poses change.
+
+/// Groups that poses move.
+pub(in super::super) mod group {
+    /// Chuck and work; the origin is their axis.
+    pub(in crate::machines::polygon_lathe) const WORK: u16 = 1;
+    /// The cutter on its slide; the origin is its axis where it has finished.
+    pub(in crate::machines::polygon_lathe) const DISC: u16 = 2;
+    /// Its inserts, which also turn.
+    pub(in crate::machines::polygon_lathe) const INSERTS: u16 = 3;
+    /// The ring that replaces inserts at high speed.
+    pub(in crate::machines::polygon_lathe) const BLUR: u16 = 4;
+    /// The cutter from above; the origin is where it has finished.
+    pub(in crate::machines::polygon_lathe) const SIDE: u16 = 5;
+    /// The jaws of the chuck, and the ring that replaces them at high speed.
+    pub(in crate::machines::polygon_lathe) const JAWS: u16 = 6;
+    pub(in crate::machines::polygon_lathe) const JAWS_BLUR: u16 = 7;
+    /// The edges of the polygon from above.
+    pub(in crate::machines::polygon_lathe) const EDGES: u16 = 8;
+    /// The figure at the distance of the axes, which keeps to its middle.
+    pub(in crate::machines::polygon_lathe) const DISTANCE: u16 = 9;
+    /// The section as the work sees it.
+    pub(in crate::machines::polygon_lathe) const CLOSE: u16 = 10;
+    /// The lens.
+    pub(in crate::machines::polygon_lathe) const LENS: u16 = 11;
+    /// First of the tips as the work sees them.
+    pub(in crate::machines::polygon_lathe) const TIPS: u16 = 12;
+}
+
+/// Tips that are shown to the work.
+pub(in super::super) const TIPS: u16 = 12;
+
+/// Nodes that poses change.
+pub(in super::super) mod node {
+    pub(in crate::machines::polygon_lathe) const SECTION: u16 = 0;
+    pub(in crate::machines::polygon_lathe) const CLOSE: u16 = 1;
+    pub(in crate::machines::polygon_lathe) const BAR: u16 = 2;
+    pub(in crate::machines::polygon_lathe) const WORK_SPEED: u16 = 3;
+    pub(in crate::machines::polygon_lathe) const TOOL_SPEED: u16 = 4;
+    pub(in crate::machines::polygon_lathe) const SIZE: u16 = 5;
+    pub(in crate::machines::polygon_lathe) const PASS: u16 = 6;
+    pub(in crate::machines::polygon_lathe) const PHASE: u16 = 7;
+    pub(in crate::machines::polygon_lathe) const STATE: u16 = 8;
+    pub(in crate::machines::polygon_lathe) const APART: u16 = 9;
+    pub(in crate::machines::polygon_lathe) const ALONG: u16 = 10;
+    /// Leader of the cutter's label, line of the distance, edges of the polygon from above.
+    pub(in crate::machines::polygon_lathe) const LEADER: u16 = 11;
+    pub(in crate::machines::polygon_lathe) const DISTANCE: u16 = 12;
+    pub(in crate::machines::polygon_lathe) const EDGES: u16 = 13;
+}

@@ -1,0 +1,73 @@
+//! Where the parts are in the drawing, and its scales.
+
+use crate::machines::polygon_lathe::params::Params;
+use crate::math;
+
+/// Left, top, width and height of the drawing, and its units per pixel for which the labels are laid out.
+pub(super) const VIEW: [f64; 4] = [-14.0, 0.0, 1030.0, 630.0];
+pub(super) const UNIT: f64 = 1.3;
+/// Height of the axes of work and cutter.
+pub(super) const AXIS: f64 = 330.0;
+/// Height of the floor.
+pub(super) const FLOOR: f64 = 560.0;
+/// Right end of the room that the cutter may take.
+pub(super) const RIGHT: f64 = 622.0;
+/// Left end of the chuck.
+const LEFT: f64 = 22.0;
+/// Radii that cutter, work and chuck may take.
+const ROOM: (f64, f64) = (172.0, 92.0);
+const CHUCK: (f64, f64) = (74.0, 134.0);
+/// At most so much smaller for the start of the slide to be in the drawing.
+const SMALLER: f64 = 0.6;
+
+/// Centre of the section as the work sees it, radius of the stock in it, and of its glass.
+pub(in super::super) const CLOSE: (f64, f64, f64) = (918.0, 128.0, 74.0);
+pub(super) const GLASS: f64 = 86.0;
+
+/// From above: face of the chuck's jaws and height of the axis; room for the bar: length and half its width.
+pub(super) const SIDE: (f64, f64) = (690.0, 418.0);
+const BAR: (f64, f64) = (222.0, 34.0);
+/// Least length of the bar from above, in units.
+const FREE: f64 = 140.0;
+/// Room for the slide towards the operator.
+const TOWARDS: f64 = 44.0;
+
+/// How the parts lie in the drawing.
+pub(in super::super) struct View {
+    /// Units per mm on the machine.
+    pub(in super::super) scale: f64,
+    /// Centre of the work on the machine.
+    pub(in super::super) work: (f64, f64),
+    /// Radius of the chuck.
+    pub(super) chuck: f64,
+    /// Centre of the cutter on the machine where it has finished.
+    pub(in super::super) cutter: (f64, f64),
+    /// Units per mm as the work sees it.
+    pub(in super::super) close: f64,
+    /// Units per mm from above.
+    pub(in super::super) side: f64,
+    /// The face of the bar from above.
+    pub(in super::super) face: f64,
+}
+
+impl View {
+    pub(in super::super) fn new(p: &Params) -> View {
+        let (stock, r) = (0.5 * p.stock_diameter, p.tip_radius);
+        let across = RIGHT - LEFT - CHUCK.1;
+        let clear = (stock + p.clearance).max(0.5 * p.across_flats);
+        let part = (ROOM.0 / r).min(ROOM.1 / stock).min(across / (clear + 2.0 * r));
+        let whole = across / (clear.max(0.5 * p.start_x) + 2.0 * r);
+        let scale = part.min(whole.max(SMALLER * part));
+        let chuck = math::clamp(2.7 * stock * scale, CHUCK.0, CHUCK.1);
+        let work = (LEFT + chuck, AXIS);
+        let cutter = (work.0 + (0.5 * p.across_flats + r) * scale, AXIS);
+        let free = 1.3 * p.length + 0.4 * stock;
+        let bar = (BAR.0 / (free + p.clearance)).min(BAR.1 / stock);
+        let start = ((BAR.0 + 46.0) / (free + p.start_z))
+            .min((BAR.0 + 46.0 - FREE) / p.start_z)
+            .min(2.0 * TOWARDS / (p.start_x - p.across_flats).max(1e-3));
+        let side = bar.min(start.max(SMALLER * bar));
+        let face = SIDE.0 + (free * side).max(FREE);
+        View { scale, work, chuck, cutter, close: CLOSE.2 / stock, side, face }
+    }
+}

@@ -1,0 +1,147 @@
+//! The lens: every side of the finished section against its plane, with the deviation magnified; and the section as the work sees it.
+
+use super::ids::{TIPS, group, node};
+use super::layout::{CLOSE, GLASS, View};
+use crate::machines::polygon_lathe::outlines::{closed, ideal};
+use crate::machines::polygon_lathe::resolved::PolygonLathe;
+use crate::machines::sheets::say;
+use crate::math::{self, PI};
+use crate::text::catalog::number_text as show;
+use crate::text::number::{fill, filled};
+use crate::view::drawing::{Drawing, polyline};
+use crate::view::look::{Look, Paint};
+use crate::view::scene::{Font, SceneGroup, Shape};
+
+/// Centre and radius of the lens.
+const LENS: (f64, f64, f64) = (726.0, 128.0, 96.0);
+/// Height of the plane in it, half the length of a side, and the greatest height of a deviation.
+const PLANE: f64 = 8.0;
+const HALF: f64 = 76.0;
+const HIGH: f64 = 30.0;
+/// Sides that are shown at most, and points of each.
+const SIDES: u32 = 24;
+const POINTS: u32 = 48;
+/// Height at which the leader goes over the cutter.
+const OVER: f64 = 46.0;
+
+/// The nearest of 1, 2, 5, 10 … that is not more.
+fn round(value: f64) -> f64 {
+    let decade = math::pow(10.0, math::log10(value.max(1e-9)).floor());
+    decade * [5.0, 2.0].into_iter().find(|times| times * decade <= value).unwrap_or(1.0)
+}
+
+/// The lens with all sides over one plane.
+pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+    let (x, y, r) = LENS;
+    // From the upper side of the work over the cutter, which the leader does not cross.
+    let top = view.work.1 - 0.5 * lathe.p.across_flats.min(lathe.p.stock_diameter) * view.scale;
+    d.circle((view.work.0, top, 10.0), Look::POINTER);
+    let edge = x - (r * r - (y - OVER) * (y - OVER)).max(0.0).sqrt();
+    d.path(filled("M# #V#H#", &[view.work.0, top - 10.0, OVER, edge]), Look::POINTER.edge(Paint::Accent, 1.0));
+    d.place(
+        group::LENS,
+        SceneGroup { at: (x, y), clip: Some(Shape::Circle { x: 0.0, y: 0.0, r }), ..SceneGroup::default() },
+    );
+    d.within(group::LENS, |d| {
+        d.circle((0.0, 0.0, r), Look::fill(Paint::Glass));
+        sides(d, lathe, view);
+    });
+    d.circle((x, y, r), Look::line(Paint::Page, 5.0));
+    d.circle((x, y, r), Look::POINTER);
+    if lathe.d.cuts {
+        let name = if lathe.d.curvature >= 0.0 { "polygon.scene.crowned" } else { "polygon.scene.hollow" };
+        d.text((x, y + 46.0), "middle", &say(name), Font::Label, Paint::Dim);
+        let flatness = format!("{} mm", show(lathe.d.flatness, 4));
+        d.text((x, y + 70.0), "middle", &flatness, Font::Value, Paint::Ink);
+    }
+}
+
+/// Deviation of the sides from their planes along them, mm: none where stock is left.
+fn curves(lathe: &PolygonLathe) -> Vec<Vec<(f64, f64)>> {
+    let Some(section) = lathe.p.section().filter(|_| lathe.d.cuts) else { return Vec::new() };
+    let count = (lathe.d.sides as u32).max(1);
+    let (pitch, apothem) = (2.0 * PI / f64::from(count), 0.5 * lathe.p.across_flats);
+    let most = (0.5 * pitch).min(1.2);
+    let side = |at: u32| {
+        let normal = section.begin() + pitch * f64::from(at);
+        let cut = |off: f64| section.radius(normal + off) < section.stock() - 1e-9;
+        let sample = |i: u32| most * (2.0 * f64::from(i) / f64::from(POINTS) - 1.0);
+        let mut offs: Vec<f64> = (0..=POINTS).map(sample).filter(|off| cut(*off)).collect();
+        // To where the stock begins, between two samples.
+        for end in [offs.first().copied(), offs.last().copied()].into_iter().flatten() {
+            let (mut inside, mut beyond) = (end, end + (2.0 * most / f64::from(POINTS)).copysign(end));
+            for _ in 0..30 {
+                let middle = 0.5 * (inside + beyond);
+                *(if middle.abs() <= most && cut(middle) { &mut inside } else { &mut beyond }) = middle;
+            }
+            offs.push(inside);
+        }
+        offs.sort_by(f64::total_cmp);
+        let point = |off: f64| {
+            let (radius, (s, c)) = (section.radius(normal + off), math::sin_cos(off));
+            (radius * s, radius * c - apothem)
+        };
+        offs.into_iter().map(point).collect::<Vec<_>>()
+    };
+    (0..count.min(SIDES)).map(side).filter(|side| side.len() > 1).collect()
+}
+
+fn sides(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+    let curves = curves(lathe);
+    let all = || curves.iter().flatten();
+    let (length, high) = all().fold((0.0_f64, 0.0_f64), |(l, h), (x, y)| (l.max(x.abs()), h.max(y.abs())));
+    if length > 0.0 {
+        let along = HALF / length;
+        let times = round((HIGH / high.max(1e-9) / view.scale).min(1e6));
+        let up = times * view.scale;
+        let points = |side: &[(f64, f64)]| side.iter().map(|(x, y)| (x * along, PLANE - y * up)).collect::<Vec<_>>();
+        if let Some(first) = curves.first() {
+            let points = points(first);
+            let (left, right) = (points.first().map_or(0.0, |p| p.0), points.last().map_or(0.0, |p| p.0));
+            let mut ground = polyline(&points);
+            fill(&mut ground, "L# #L# #Z", &[right, LENS.2, left, LENS.2]);
+            d.path(ground, Look::fill(Paint::GlassDeep));
+        }
+        for (at, side) in curves.iter().enumerate().rev() {
+            let look = if at == 0 { Look::hair(Paint::Ink, 2.0) } else { Look::hair(Paint::Dim, 1.0) };
+            d.path(polyline(&points(side)), look);
+        }
+        // From the plane to where the first side is farthest from it.
+        let farthest = curves.first().and_then(|side| side.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())));
+        if let Some((x, y)) = farthest.filter(|(_, y)| (y * up).abs() > 5.0) {
+            let (x, from, to) = (x * along, PLANE, PLANE - y * up);
+            let barb = 4.0_f64.copysign(from - to);
+            d.path(filled("M# #V#M# #l-4 #M# #l4 #", &[x, from, to, x, to, barb, x, to, barb]), Look::POINTER);
+        }
+        let scales = format!("↕{}× ↔{}×", show(times, 0), show(along / view.scale, 1));
+        d.text((0.0, -62.0), "middle", &scales, Font::Label, Paint::Dim);
+    }
+    d.showing("flatness", |d| {
+        d.path(filled("M# #H#", &[-LENS.2, PLANE, LENS.2]), Look::LEAD.dashed(6.0, 4.0));
+    });
+}
+
+/// The section as the work sees it: stock, ideal polygon, tips.
+pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+    let p = &lathe.p;
+    let (x, y, r) = CLOSE;
+    let clip = Some(Shape::Circle { x: 0.0, y: 0.0, r: GLASS });
+    d.place(group::CLOSE, SceneGroup { at: (x, y), clip, ..SceneGroup::default() });
+    d.within(group::CLOSE, |d| {
+        d.circle((0.0, 0.0, GLASS), Look::fill(Paint::Glass));
+        d.path(String::new(), Look::fill(Paint::Steel).thin(Paint::Edge, 1.2)).id = Some(node::CLOSE);
+        d.circle((0.0, 0.0, r), Look::LEAD.dashed(4.0, 3.0));
+        if let Some(section) = p.section().filter(|_| p.sides > 2.0) {
+            let corners = closed(ideal(p.sides as u32, 0.5 * p.across_flats, section.begin()), (0.0, 0.0), view.close);
+            d.path(corners, Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
+        }
+    });
+    for tip in 0..(p.inserts as u16).min(TIPS) {
+        d.place(group::TIPS + tip, SceneGroup { parent: group::CLOSE, ..SceneGroup::default() });
+        d.within(group::TIPS + tip, |d| {
+            d.circle((0.0, 0.0, 4.0), Look::fill(Paint::Accent).thin(Paint::Page, 1.0));
+        });
+    }
+    d.circle((x, y, GLASS), Look::line(Paint::Page, 4.0));
+    d.circle((x, y, GLASS), Look::hair(Paint::Dim, 1.0));
+}

@@ -1,0 +1,160 @@
+//! The machine from above: chuck, bar with the polygon at its end, cutter edge-on, its slide.
+
+use super::ids::{group, node};
+use super::layout::{SIDE, UNIT, View};
+use crate::machines::polygon_lathe::outlines::closed;
+use crate::machines::polygon_lathe::resolved::PolygonLathe;
+use crate::machines::sheets::say;
+use crate::math::{self, PI};
+use crate::text::catalog::number_text as show;
+use crate::text::number::{fill, filled};
+use crate::view::drawing::Drawing;
+use crate::view::look::{Look, Paint};
+use crate::view::scene::{Font, LETTER, SceneGroup};
+
+/// Left end of the chuck.
+const LEFT: f64 = 636.0;
+/// Length of the cutter that is drawn, of which the rest is broken off.
+const CUTTER: f64 = 74.0;
+/// Turns of a twist that are drawn, and the steps along it.
+const MOST_TURNS: f64 = 8.0;
+const TWIST: u32 = 64;
+
+/// Everything from above.
+pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+    let p = &lathe.p;
+    let (front, axis) = SIDE;
+    let (scale, face) = (view.side, view.face);
+    let half = 0.5 * p.stock_diameter * scale;
+    // Chuck with its jaws.
+    let chuck = (1.5 * half).max(38.0);
+    d.rect([LEFT, axis - chuck, 30.0, 2.0 * chuck, 2.0], Look::fill(Paint::DarkBar).thin(Paint::Edge, 0.8));
+    d.rect(
+        [LEFT + 30.0, axis - 0.86 * chuck, 8.0, 1.72 * chuck, 0.0],
+        Look::fill(Paint::DarkBar).thin(Paint::Edge, 0.8),
+    );
+    for side in [-1.0, 1.0] {
+        let (near, far) = (axis + side * half, axis + side * (half + 0.32 * chuck).min(0.84 * chuck).max(half + 6.0));
+        let left = LEFT + 38.0;
+        d.path(filled("M# #H#V#H#Z", &[left, near, front, far, left]), Look::fill(Paint::Steel).thin(Paint::Edge, 0.8));
+    }
+    d.showing("length", |d| {
+        d.path(String::new(), Look::fill(Paint::SteelBar).thin(Paint::Edge, 1.0)).id = Some(node::BAR);
+    });
+    d.within(group::EDGES, |d| {
+        d.path(String::new(), Look::HAIR).id = Some(node::EDGES);
+    });
+    twist(d, lathe, view);
+    d.path(filled("M# #H#", &[LEFT - 10.0, axis, 1016.0]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
+    dimension(d, lathe, view, half);
+    let top = axis + 0.5 * p.across_flats * scale;
+    d.place(group::SIDE, SceneGroup { at: (face, top), ..SceneGroup::default() });
+    d.within(group::SIDE, |d| {
+        d.path(filled("M-34 #l12 -7h66l-12 7Z", &[CUTTER + 6.0]), Look::fill(Paint::DarkLight));
+        d.path(filled("M32 #l12 -7v18l-12 7Z", &[CUTTER + 6.0]), Look::fill(Paint::DarkShade));
+        d.rect([-34.0, CUTTER + 6.0, 66.0, 18.0, 0.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8));
+        // The disc is longer than what is drawn: a line of fracture.
+        d.path(filled("M-1 16h14V#l-5 4l-5 -7l-4 5Z", &[CUTTER]), Look::fill(Paint::SteelBody).thin(Paint::Edge, 0.8));
+        d.rect([-9.0, 40.0, 30.0, 17.0, 2.0], Look::FACE);
+        d.path("M0 0h7l5 17h-12Z", Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
+    });
+}
+
+/// The length of the polygon over the bar.
+fn dimension(d: &mut Drawing, lathe: &PolygonLathe, view: &View, half: f64) {
+    let (left, right, y) = (view.face - lathe.p.length * view.side, view.face, SIDE.1 - 46.0);
+    d.showing("length", |d| {
+        let ends = filled("M# #V#M# #V#", &[left, SIDE.1 - half - 3.0, y - 4.0, right, SIDE.1 - half - 3.0, y - 4.0]);
+        let arrows = if right - left > 26.0 {
+            filled("M# #H#M# #l-8 4l8 4M# #l8 4l-8 4", &[left, y, right, left + 8.0, y - 4.0, right - 8.0, y - 4.0])
+        } else {
+            filled(
+                "M# #H#M# #H#M# #l8 4l-8 4M# #l-8 4l8 4",
+                &[left - 22.0, y, left, right, y, right + 22.0, left - 8.0, y - 4.0, right + 8.0, y - 4.0],
+            )
+        };
+        d.path([ends, arrows].concat(), Look::LEAD);
+        let text = format!("{} {} mm", say("polygon.scene.length"), show(lathe.p.length, 3));
+        let half = 0.3 * LETTER * UNIT * text.chars().count() as f64;
+        let middle = math::clamp(0.5 * (left + right), LEFT + half, 1008.0 - half);
+        d.text((middle, y - 8.0), "middle", &text, Font::Label, Paint::Ink);
+    });
+}
+
+/// The corners of a twisted polygon as they would run; those on the near side of the part.
+fn twist(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+    let (p, derived) = (&lathe.p, &lathe.d);
+    let (scale, face) = (view.side, view.face);
+    let turns = p.length / p.lead;
+    if turns.abs() > MOST_TURNS || !derived.cuts || derived.sides <= 1.0 {
+        return;
+    }
+    let begin = p.section().map_or(0.0, |section| section.begin());
+    for corner in 0..derived.sides as u32 {
+        let angle = |part: f64| begin + 2.0 * PI * ((f64::from(corner) + 0.5) / derived.sides - turns * part);
+        let mut line = String::new();
+        let mut seen = false;
+        for i in 0..=TWIST {
+            let part = f64::from(i) / f64::from(TWIST);
+            let (sin, cos) = math::sin_cos(angle(part));
+            let at = [face - part * p.length * scale, SIDE.1 - derived.corner * scale * cos];
+            if sin >= 0.0 {
+                fill(&mut line, if seen { "L# #" } else { "M# #" }, &at);
+            }
+            seen = sin >= 0.0;
+        }
+        d.showing("lead", |d| {
+            d.path(line, Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
+        });
+    }
+}
+
+/// The bar from above: cut to half widths `done` as far as the length, and `deeper` as far as `behind`, in mm.
+pub(in super::super) fn bar(lathe: &PolygonLathe, view: &View, done: f64, deeper: Option<(f64, f64)>) -> String {
+    let p = &lathe.p;
+    let (scale, face) = (view.side, view.face);
+    let stock = 0.5 * p.stock_diameter;
+    let from = face - p.length * scale;
+    let mut upper = vec![(LEFT + 38.0, stock), (from, stock), (from, done)];
+    if let Some((behind, half)) = deeper {
+        let at = face - behind.min(p.length) * scale;
+        upper.extend([(at, done), (at, half), (face, half)]);
+    } else {
+        upper.push((face, done));
+    }
+    let lower = upper.iter().rev().map(|(x, half)| (*x, -half)).collect::<Vec<_>>();
+    let points = upper.into_iter().chain(lower).map(|(x, half)| (x, half * scale));
+    closed(points, (0.0, SIDE.1), 1.0)
+}
+
+/// Edges of a polygon from above, with the work turned by `angle` radians: of `size` across flats from the face to `behind` mm.
+pub(in super::super) fn edges(lathe: &PolygonLathe, view: &View, (size, behind): (f64, f64), angle: f64) -> String {
+    let (p, derived) = (&lathe.p, &lathe.d);
+    let mut d = String::new();
+    if p.lead != 0.0 || !derived.cuts || derived.sides < 2.0 || derived.sides > 24.0 || size >= p.stock_diameter {
+        return d;
+    }
+    let pitch = 2.0 * PI / derived.sides;
+    // Where the planes would meet, or the stock that is left between them.
+    let corner = (0.5 * size / math::cos(0.5 * pitch).max(1e-6)).min(0.5 * p.stock_diameter);
+    let wide =
+        if corner < 0.5 * p.stock_diameter { 0.0 } else { 0.5 * pitch - math::acos((0.5 * size / corner).min(1.0)) };
+    let begin = p.section().map_or(0.0, |section| section.begin()) + angle;
+    let (left, right) = (view.face - behind.min(p.length) * view.side, view.face);
+    for at in 0..derived.sides as u32 {
+        for off in [-wide, wide] {
+            let (sin, cos) = math::sin_cos(begin + pitch * (f64::from(at) + 0.5) + off);
+            // From above, with the cutter towards the operator.
+            if sin > 0.0 {
+                let y = SIDE.1 + corner * view.side * cos;
+                fill(&mut d, "M# #H#", &[left, y, right]);
+            }
+        }
+    }
+    d
+}
+
+/// Arrows at the figures of the slides.
+pub(super) fn draw_arrows(d: &mut Drawing, (x, y): (f64, f64)) {
+    d.path(filled("M# #v-16m-4 6l4 -6l4 6M# #h-16m6 -4l-6 4l6 4", &[x, y + 2.0, x + 8.0, y + 18.0]), Look::POINTER);
+}
