@@ -75,6 +75,12 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     callout(d, "across-flats", (RIGHT, LOW_ROW), "end", &say("polygon.scene.close"), &sizes, None);
     d.text((632.0, 318.0), "start", "", Font::Label, Paint::Ink).id = Some(node::STATE);
     d.text((632.0, 344.0), "start", &say("polygon.scene.above"), Font::Label, Paint::Dim);
+    let start = format!("X{} Z{}", mm(0.5 * p.start_x * lathe.words()), mm(p.start_z));
+    callout(d, "start-x", (RIGHT, 450.0), "end", &say("polygon.scene.start"), &[(None, &start)], None);
+    d.showing("clearance", |d| {
+        let text = format!("{} {} mm", say("polygon.clearance"), mm(p.clearance));
+        d.text((RIGHT, 500.0), "end", &text, Font::Label, Paint::Dim);
+    });
     side::draw_arrows(d, (646.0, 524.0));
     d.text((670.0, 524.0), "start", "", Font::Value, Paint::Ink).id = Some(node::SIZE);
     d.text((670.0, 550.0), "start", "", Font::Value, Paint::Ink).id = Some(node::ALONG);

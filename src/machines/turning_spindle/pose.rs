@@ -3,6 +3,7 @@
 use super::progress::{self, Progress};
 use super::resolved::TurningSpindle;
 use super::scene::{self, View, group, node};
+use crate::controls::{Code, CodeId};
 use crate::drives::Bound;
 use crate::drives::speed::surface_speed;
 use crate::machines::machine::{Frame, Samples};
@@ -64,6 +65,15 @@ fn orientation(lathe: &TurningSpindle, view: &View, now: &Snapshot) -> String {
     d
 }
 
+/// The code of a gear stage, or its number where the control has no codes for them.
+fn gear(lathe: &TurningSpindle, stage: u8) -> String {
+    let row = lathe.control.codes.iter().find(|row| row.code == Code::GearStage(stage));
+    match row.map(|row| row.id) {
+        Some(CodeId::M(number)) => format!("M{number}"),
+        _ => stage.to_string(),
+    }
+}
+
 fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(u16, String)> {
     let p = &lathe.p;
     let spindle = &now.spindle;
@@ -76,7 +86,7 @@ fn texts(lathe: &TurningSpindle, now: &Snapshot, progress: Progress) -> Vec<(u16
         (node::SPEED, format!("{} r/min", figure(spindle.actual, 0))),
         (node::SURFACE, format!("{} m/min", figure(surface_speed(spindle.actual, diameter), 1))),
         (node::DIAMETER, format!("Ø {} mm", figure(diameter, 2))),
-        (node::STAGE, format!("{} · {} r/min", spindle.stage, show(stage, 0))),
+        (node::STAGE, format!("{} · {} r/min", gear(lathe, spindle.stage), figure(stage, 0))),
         (node::VOLTS, format!("{} V", figure(spindle.volts, 3))),
         (node::PASS, format!("{pass} / {}", show(p.passes(), 0))),
         (node::BOUND, bound(spindle.bound).map(say).unwrap_or_default()),

@@ -105,9 +105,13 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
     callout(d, allowance, (664.0, ROW), "start", "turning.scene.left", &[(Some(node::LEFT), "")], None);
     callout(d, "depth", (RIGHT, ROW), "end", "turning.scene.pass", &[(Some(node::PASS), "")], None);
     let start = format!("X{} Z{}", show(p.start_x * if lathe.diameters() { 1.0 } else { 0.5 }, 3), show(p.start_z, 3));
-    callout(d, "start-x", (RIGHT, 186.0), "end", "turning.scene.start", &[(None, &start)], None);
+    callout(d, "start-x", (RIGHT, 176.0), "end", "turning.scene.start", &[(None, &start)], None);
+    d.showing("clearance", |d| {
+        let text = format!("{} {} mm", say("turning.clearance"), show(p.clearance, 3));
+        d.text((RIGHT, 226.0), "end", &text, Font::Label, Paint::Dim);
+    });
     let slides = [(Some(node::X), ""), (Some(node::Z), "")];
-    callout(d, "", (RIGHT, 238.0), "end", "turning.scene.slides", &slides, None);
+    callout(d, "", (RIGHT, 252.0), "end", "turning.scene.slides", &slides, None);
     if view.has_tailstock() {
         d.text((RIGHT, 478.0), "end", &say("turning.scene.tailstock"), Font::Label, Paint::Dim);
     }

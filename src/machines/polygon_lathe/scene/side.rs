@@ -47,6 +47,7 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     twist(d, lathe, view);
     d.path(filled("M# #H#", &[LEFT - 10.0, axis, 1016.0]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
     dimension(d, lathe, view, half);
+    way(d, lathe, view);
     let top = axis + 0.5 * p.across_flats * scale;
     d.place(group::SIDE, SceneGroup { at: (face, top), ..SceneGroup::default() });
     d.within(group::SIDE, |d| {
@@ -57,6 +58,19 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         d.path(filled("M-1 16h14V#l-5 4l-5 -7l-4 5Z", &[CUTTER]), Look::fill(Paint::SteelBody).thin(Paint::Edge, 0.8));
         d.rect([-9.0, 40.0, 30.0, 17.0, 2.0], Look::FACE);
         d.path("M0 0h7l5 17h-12Z", Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
+    });
+}
+
+/// The way of the slide from its start to the clearance.
+fn way(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
+    let p = &lathe.p;
+    let at = |across: f64, z: f64| (view.face + z * view.side, SIDE.1 + 0.5 * across * view.side);
+    let (start, near) = (at(p.start_x, p.start_z), at(p.stock_diameter + 2.0 * p.clearance, p.clearance));
+    d.showing("clearance", |d| {
+        d.path(filled("M# #L# #", &[start.0, start.1, near.0, near.1]), Look::LEAD.dashed(7.0, 4.0).faint(0.7));
+    });
+    d.showing("start-x", |d| {
+        d.path(filled("M# #h14M# #v14", &[start.0 - 7.0, start.1, start.0, start.1 - 7.0]), Look::LEAD);
     });
 }
 
