@@ -57,18 +57,30 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
             (radius * c, radius * s)
         })
     };
-    let cut = progress.now.map_or((p.stock_diameter, 0.0), |pass| (pass.size, pass.behind));
     let angle = now.pmc[WORK].actual / 180.0 * PI;
     pose.paths = vec![
         (node::SECTION, closed(points(), (0.0, 0.0), view.scale)),
         (node::CLOSE, closed(points(), (0.0, 0.0), view.close)),
         (node::BAR, bar(lathe, &view, progress)),
-        (node::EDGES, scene::edges(lathe, &view, cut, angle)),
+        (node::EDGES, edges(lathe, &view, progress, angle)),
         (node::DISTANCE, scene::distance(lathe, &view, aside)),
         (node::LEADER, scene::leader(lathe, &view, aside)),
     ];
     pose.texts = texts(lathe, now, progress, (across_flats, z));
     pose
+}
+
+/// The polygon from above: that of the deepest pass before, and that of the present one as far as it is.
+fn edges(lathe: &PolygonLathe, view: &View, progress: Progress, angle: f64) -> String {
+    let Some(now) = progress.now else { return String::new() };
+    let stock = lathe.p.stock_diameter;
+    let done = progress.done.map_or(stock, |pass| pass.size);
+    let present = now.size.min(done);
+    [
+        scene::edges(lathe, view, done, (now.behind, lathe.p.length), angle),
+        scene::edges(lathe, view, present, (0.0, now.behind), angle),
+    ]
+    .concat()
 }
 
 /// The bar from the side.

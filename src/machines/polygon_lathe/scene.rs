@@ -1,6 +1,6 @@
 //! The drawing of the polygon lathe: the machine from the front and from above, the sides against their planes, the section as the work sees it.
 //!
-//! Section and cutter are to one scale, the bar from above to another. The lens magnifies the deviation of the sides and says how much.
+//! Section and cutter are to one scale, the bar from above to another. The lens magnifies the deviation of the sides, with its factors in it.
 //! The sizes of chuck, headstock and slide are not in the form.
 
 mod cutter;

@@ -39,7 +39,7 @@ use layout::{UNIT, VIEW};
 use solid::AXIS;
 pub(super) use turret::pose_chips;
 
-/// Paths of the part and of what the lens shows of it.
+/// Paths of the part, and of its piece in the lens.
 pub(super) use {lens::pose as pose_lens, solid::arc, work::pose as pose_work, work::stretches};
 
 /// The drawing at rest.

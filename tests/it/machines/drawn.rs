@@ -1,4 +1,4 @@
-//! Drawings for any form: labels beside each other and within the view, poses that name what the scene has.
+//! Drawings for any form: labels beside each other and within the view, poses that change existing parts only.
 
 use std::collections::BTreeSet;
 

@@ -92,7 +92,7 @@ fn distances_on_the_machine_have_one_scale_at_any_size() {
         }
         let side = |at: (f64, f64)| placement(&posed(&project, &now(&project, at, (0.0, 0.0)), FRAME), SIDE);
         let (one, other) = (side((flats, 0.0)), side((flats + 4.0, 2.0)));
-        // From above, half of what the flats are apart is as far as the same length along.
+        // From above, half of the distance across flats has the scale of the length.
         assert!((one.dx, one.dy) == (0.0, 0.0) && (other.dx - other.dy).abs() < 1e-9, "{other:?}");
     }
 }

@@ -157,7 +157,7 @@ fn holders(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     d.path(screws, Look::fill(Paint::Black));
 }
 
-/// What is seen to turn on the face of the disc: clamps of the holders and holes.
+/// Marks of the turn on the face of the disc: clamps of the holders and holes.
 fn face(d: &mut Drawing, lathe: &PolygonLathe, disc: f64) {
     let count = lathe.p.inserts.max(1.0);
     let half = disc * width(count as usize) / DISC;

@@ -121,6 +121,20 @@ fn sides(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     });
 }
 
+/// Ticks along the normal of the first side: how far every pass cuts.
+fn passes(lathe: &PolygonLathe, view: &View) -> String {
+    let normal = lathe.p.section().map_or(0.0, |section| section.begin());
+    let (s, c) = math::sin_cos(normal);
+    let mut d = String::new();
+    for size in &lathe.sizes {
+        let (out, half) = (0.5 * size * view.close, if *size > lathe.p.across_flats { 5.0 } else { 9.0 });
+        let point = |aside: f64| (out * c - aside * s, -out * s - aside * c);
+        let (from, to) = (point(-half), point(half));
+        fill(&mut d, "M# #L# #", &[from.0, from.1, to.0, to.1]);
+    }
+    d
+}
+
 /// The section as the work sees it: stock, ideal polygon, tips.
 pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let p = &lathe.p;
@@ -135,6 +149,9 @@ pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
             let corners = closed(ideal(p.sides as u32, 0.5 * p.across_flats, section.begin()), (0.0, 0.0), view.close);
             d.path(corners, Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
         }
+        d.showing("depth", |d| {
+            d.path(passes(lathe, view), Look::hair(Paint::Ink, 1.0));
+        });
     });
     for tip in 0..(p.inserts as u16).min(TIPS) {
         d.place(group::TIPS + tip, SceneGroup { parent: group::CLOSE, ..SceneGroup::default() });

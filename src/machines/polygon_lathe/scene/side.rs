@@ -14,7 +14,7 @@ use crate::view::scene::{Font, LETTER, SceneGroup};
 
 /// Left end of the chuck.
 const LEFT: f64 = 636.0;
-/// Length of the cutter that is drawn, of which the rest is broken off.
+/// Drawn length of the cutter; the rest is broken off.
 const CUTTER: f64 = 74.0;
 /// Turns of a twist that are drawn, and the steps along it.
 const MOST_TURNS: f64 = 8.0;
@@ -42,7 +42,7 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         d.path(String::new(), Look::fill(Paint::SteelBar).thin(Paint::Edge, 1.0)).id = Some(node::BAR);
     });
     d.within(group::EDGES, |d| {
-        d.path(String::new(), Look::HAIR).id = Some(node::EDGES);
+        d.path(String::new(), Look::fill(Paint::SteelBar).thin(Paint::Edge, 1.0)).id = Some(node::EDGES);
     });
     twist(d, lathe, view);
     d.path(filled("M# #H#", &[LEFT - 10.0, axis, 1016.0]), Look::LEAD.dashed(14.0, 5.0).faint(0.6));
@@ -54,7 +54,7 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         d.path(filled("M-34 #l12 -7h66l-12 7Z", &[CUTTER + 6.0]), Look::fill(Paint::DarkLight));
         d.path(filled("M32 #l12 -7v18l-12 7Z", &[CUTTER + 6.0]), Look::fill(Paint::DarkShade));
         d.rect([-34.0, CUTTER + 6.0, 66.0, 18.0, 0.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.8));
-        // The disc is longer than what is drawn: a line of fracture.
+        // A line of fracture: the disc is longer than drawn.
         d.path(filled("M-1 16h14V#l-5 4l-5 -7l-4 5Z", &[CUTTER]), Look::fill(Paint::SteelBody).thin(Paint::Edge, 0.8));
         d.rect([-9.0, 40.0, 30.0, 17.0, 2.0], Look::FACE);
         d.path("M0 0h7l5 17h-12Z", Look::fill(Paint::Accent).thin(Paint::Edge, 0.8));
@@ -141,8 +141,15 @@ pub(in super::super) fn bar(lathe: &PolygonLathe, view: &View, done: f64, deeper
     closed(points, (0.0, SIDE.1), 1.0)
 }
 
-/// Edges of a polygon from above, with the work turned by `angle` radians: of `size` across flats from the face to `behind` mm.
-pub(in super::super) fn edges(lathe: &PolygonLathe, view: &View, (size, behind): (f64, f64), angle: f64) -> String {
+/// Outline and edges of a polygon from above, with the work turned by `angle` radians: of `size` across flats, between two depths behind
+/// the face in mm.
+pub(in super::super) fn edges(
+    lathe: &PolygonLathe,
+    view: &View,
+    size: f64,
+    (from, to): (f64, f64),
+    angle: f64,
+) -> String {
     let (p, derived) = (&lathe.p, &lathe.d);
     let mut d = String::new();
     if p.lead != 0.0 || !derived.cuts || derived.sides < 2.0 || derived.sides > 24.0 || size >= p.stock_diameter {
@@ -154,17 +161,21 @@ pub(in super::super) fn edges(lathe: &PolygonLathe, view: &View, (size, behind):
     let wide =
         if corner < 0.5 * p.stock_diameter { 0.0 } else { 0.5 * pitch - math::acos((0.5 * size / corner).min(1.0)) };
     let begin = p.section().map_or(0.0, |section| section.begin()) + angle;
-    let (left, right) = (view.face - behind.min(p.length) * view.side, view.face);
+    let at = |behind: f64| view.face - behind.min(p.length) * view.side;
+    let (left, right) = (at(to), at(from));
+    let (mut top, mut bottom) = (SIDE.1, SIDE.1);
     for at in 0..derived.sides as u32 {
         for off in [-wide, wide] {
             let (sin, cos) = math::sin_cos(begin + pitch * (f64::from(at) + 0.5) + off);
+            let y = SIDE.1 + corner * view.side * cos;
+            (top, bottom) = (top.min(y), bottom.max(y));
             // From above, with the cutter towards the operator.
             if sin > 0.0 {
-                let y = SIDE.1 + corner * view.side * cos;
                 fill(&mut d, "M# #H#", &[left, y, right]);
             }
         }
     }
+    fill(&mut d, "M# #H#V#H#Z", &[left, top, right, bottom, left]);
     d
 }
 

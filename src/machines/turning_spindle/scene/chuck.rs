@@ -11,7 +11,7 @@ use crate::view::look::{Look, Paint};
 pub(in super::super) const JAWS: u16 = 3;
 /// Paths of a jaw: sides and end of its base, sides and end of its step.
 const PARTS: u16 = 4;
-/// Left end and thickness of the body over its radius, and how far base and step of the jaws stand before its face.
+/// Left end of the body, and front ends of base and step of the jaws before its face.
 const LEFT: f64 = 236.0;
 const BASE: f64 = 18.0;
 const STEP: f64 = 42.0;

@@ -1,4 +1,4 @@
-//! What does not move: floor, bed with its chip tray, headstock with the gate of the gear stages, tailstock.
+//! Fixed parts: floor, bed with its chip tray, headstock with the gate of the gear stages, tailstock.
 
 use super::ids::{group, node};
 use super::layout::{BED, TAIL, View};

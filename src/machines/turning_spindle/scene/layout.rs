@@ -35,7 +35,7 @@ pub(in super::super) struct View {
 impl View {
     pub(in super::super) fn new(p: &Params) -> View {
         let stock = 0.5 * p.stock_diameter;
-        // Free length and what stands before the finished face.
+        // Free length, and stock before the finished face.
         let (free, before) = match p.path {
             Path::Facing => (1.6 * stock, p.allowance),
             _ => (p.length + 0.3 * stock, 0.0),

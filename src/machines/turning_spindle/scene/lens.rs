@@ -24,7 +24,7 @@ fn magnification(p: &Params, view: &View) -> f64 {
     times * decade
 }
 
-/// The lens with nodes for what is in it.
+/// The lens with nodes for its contents.
 pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
     let (x, y, r) = LENS;
     let depth = p.depth * view.scale * magnification(p, view);

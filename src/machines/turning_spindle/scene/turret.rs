@@ -9,7 +9,7 @@ use crate::view::drawing::Drawing;
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{Placement, SceneGroup};
 
-/// Opacity of the column, which labels stand over.
+/// Opacity of the column, so that labels over it can be read.
 const QUIET: f64 = 0.4;
 /// Chips in the air, and how long one falls, s.
 const CHIPS: u16 = 7;
