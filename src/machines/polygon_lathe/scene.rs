@@ -94,9 +94,12 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     });
 }
 
-/// Leader of the cutter's label to its disc, `away` units from its last place.
+/// Leader of the cutter's label to its disc, `away` units from its last place; none where the disc has left the drawing.
 pub(super) fn leader(lathe: &PolygonLathe, view: &View, away: f64) -> String {
     let r = 0.6 * lathe.p.tip_radius * view.scale;
     let (x, y) = (view.cutter.0 + away + 0.3 * r, view.cutter.1 - 0.95 * r);
+    if x > layout::RIGHT {
+        return String::new();
+    }
     filled("M# #L# #", &[CUTTER + 24.0, ROW + 58.0, x, y])
 }

@@ -127,8 +127,11 @@ fn labels(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
 const RIGHT: f64 = 1008.0;
 const TOOL: f64 = 490.0;
 
-/// Leader of the label at the tool to its tip.
+/// Leader of the label at the tool to its tip; none where the tip has left the drawing.
 pub(super) fn tool_leader((x, y): (f64, f64)) -> String {
+    if x > VIEW[0] + VIEW[2] || y < ROW + 58.0 {
+        return String::new();
+    }
     filled("M# #L# #", &[math::clamp(x, TOOL, TOOL + 110.0), ROW + 58.0, x, y - 11.0])
 }
 

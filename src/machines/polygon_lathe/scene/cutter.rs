@@ -8,7 +8,7 @@ use crate::math::{self, PI};
 use crate::text::number::{fill, filled};
 use crate::view::drawing::{Drawing, barrel, circle, polar};
 use crate::view::look::{Look, Paint};
-use crate::view::scene::SceneGroup;
+use crate::view::scene::{SceneGroup, Shape};
 
 /// Radius of the disc over that of the tip circle.
 const DISC: f64 = 0.69;
@@ -17,7 +17,7 @@ const DISC: f64 = 0.69;
 pub(super) fn draw_base(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let reach = column(lathe, view);
     let end = view.cutter.0 + (0.5 * (lathe.p.start_x - lathe.p.across_flats)).max(0.0) * view.scale;
-    let (from, to) = (view.cutter.0 - reach - 34.0, end.min(600.0) + reach + 26.0);
+    let (from, to) = (view.cutter.0 - reach - 34.0, (end + reach + 26.0).min(RIGHT - 16.0));
     let to = to.max(from + 60.0);
     let top = FLOOR - 38.0;
     d.path(
@@ -42,7 +42,9 @@ pub(super) fn draw_cutter(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let p = &lathe.p;
     let (r, reach) = (p.tip_radius * view.scale, column(lathe, view));
     let disc = DISC * r;
-    d.place(group::DISC, SceneGroup { at: view.cutter, ..SceneGroup::default() });
+    let window = Shape::Rect { x: -3000.0, y: 0.0, w: 3000.0 + RIGHT + 10.0, h: 630.0, r: 0.0 };
+    d.place(group::WINDOW, SceneGroup { clip: Some(window), ..SceneGroup::default() });
+    d.place(group::DISC, SceneGroup { parent: group::WINDOW, at: view.cutter, ..SceneGroup::default() });
     for group in [group::INSERTS, group::BLUR] {
         d.place(group, SceneGroup { parent: group::DISC, ..SceneGroup::default() });
     }
@@ -192,6 +194,9 @@ fn face(d: &mut Drawing, lathe: &PolygonLathe, disc: f64) {
 pub(in super::super) fn distance(lathe: &PolygonLathe, view: &View, away: f64) -> String {
     let (left, right, y) = (view.work.0, view.cutter.0 + away, DISTANCE);
     let (work, disc) = (0.5 * lathe.p.stock_diameter * view.scale, DISC * lathe.p.tip_radius * view.scale);
+    if right > RIGHT {
+        return filled("M# #V#M# #H#", &[left, AXIS + work + 12.0, y + 6.0, left, y, RIGHT]);
+    }
     let mut d = filled(
         "M# #V#M# #V#M# #H#",
         &[left, AXIS + work + 12.0, y + 6.0, right, AXIS + disc + 4.0, y + 6.0, left, y, right],

@@ -23,8 +23,10 @@ pub(in super::super) mod group {
     pub(in crate::machines::polygon_lathe) const CLOSE: u16 = 10;
     /// The lens.
     pub(in crate::machines::polygon_lathe) const LENS: u16 = 11;
+    /// The window of the cutter, which a slide far from the work leaves.
+    pub(in crate::machines::polygon_lathe) const WINDOW: u16 = 12;
     /// First of the tips as the work sees them.
-    pub(in crate::machines::polygon_lathe) const TIPS: u16 = 12;
+    pub(in crate::machines::polygon_lathe) const TIPS: u16 = 13;
 }
 
 /// Tips that are shown to the work.

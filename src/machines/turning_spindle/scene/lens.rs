@@ -1,7 +1,7 @@
 //! The lens at the edge of the tool: depth of cut and chip, magnified.
 
 use super::ids::{group, node};
-use super::layout::View;
+use super::layout::{VIEW, View};
 use super::work::Stretch;
 use crate::machines::turning_spindle::params::{Params, Path};
 use crate::math;
@@ -84,11 +84,12 @@ pub(in super::super) fn pose(
     let part: Vec<(f64, f64)> = upper.into_iter().chain(ends).collect();
     paths.push((node::LENS_PART, polygon(&clipped(part, LENS.2 + 4.0))));
     placements.push(Placement { opacity: if cuts { 1.0 } else { 0.0 }, ..Placement::of(group::LENS_CHIP) });
-    // From the ring at the tip to the edge of the lens.
+    // From the ring at the tip, where the drawing has it, to the edge of the lens.
     let (tip, (x, y, r)) = (view.tip(radius, z), LENS);
     let (dx, dy) = (x - tip.0, y - tip.1);
     let length = math::hypot(dx, dy);
-    let line = (length > r + 14.0).then(|| {
+    let is_seen = tip.0 < VIEW[0] + VIEW[2] && tip.1 > VIEW[1];
+    let line = (is_seen && length > r + 14.0).then(|| {
         let at = |from: f64| (tip.0 + dx * from / length, tip.1 + dy * from / length);
         let (from, to) = (at(10.0), at(length - r));
         filled("M# #L# #", &[from.0, from.1, to.0, to.1])
