@@ -30,7 +30,10 @@ impl Held {
 
     fn within(&self, rpm: f64) -> (f64, Bound) {
         let (rpm, bound) = self.limits.hold(rpm);
-        let rpm = rpm * self.behind;
+        let most = self.limits.machine;
+        // An override behind the limits passes all but that of the machine.
+        let bound = if bound == Bound::None && rpm * self.behind > most { Bound::Machine } else { bound };
+        let rpm = (rpm * self.behind).min(most);
         if rpm > self.top { (self.top, if bound == Bound::Gear { bound } else { Bound::Output }) } else { (rpm, bound) }
     }
 }
@@ -188,10 +191,11 @@ impl Derived {
         let (fixed_speed, fixed_bound) = constant.within(s * before);
         let speed = |diameter: f64| if fixed { fixed_speed } else { surface.at(diameter).0 };
         let high = machine.min(analog.top_speed());
+        let highest = (high * behind).min(p.chuck_limit);
         let limit = limit_diameter(v, high);
         let passes = p.passes();
         let all = || (1..=passes as u32).flat_map(|pass| p.cuts(f64::from(pass)));
-        let within = (p.lower_limit.min(high) * behind, (high * behind).min(analog.top_speed()));
+        let within = (p.lower_limit.min(high) * behind, highest.min(analog.top_speed()));
         let surface_time = all().map(|cut| cut.surface_time(v * behind, within)).sum::<f64>();
         let fixed_time = all().map(|cut| cut.time_at(fixed_speed)).sum::<f64>();
         let span = largest - smallest;
@@ -222,7 +226,7 @@ impl Derived {
             stage,
             stage_speed,
             stage_top: analog.top_speed(),
-            high: high * behind,
+            high: highest,
             volts_largest: analog.output(sign * speed(largest)),
             volts_smallest: analog.output(sign * speed(smallest)),
             analog_step: analog.speed(middle + volts / f64::from(analog.steps())) - analog.speed(middle),
