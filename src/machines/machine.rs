@@ -15,8 +15,8 @@ use crate::math;
 use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot};
 use crate::msg;
 use crate::nc::{Deck, File};
-use crate::text::{Diagnostic, DiagnosticKind};
-use crate::view::{Chart, Explorer, Pose, Readout, Scene, Sheet};
+use crate::text::{Diagnostic, DiagnosticKind, Severity};
+use crate::view::{Advice, Chart, Explorer, Pose, Readout, Scene, Sheet, Verdict};
 
 /// The control that a machine is on, with its open points as they are set.
 #[derive(Debug, Clone, Copy)]
@@ -243,6 +243,32 @@ pub struct PreparedMachine {
     invalid: Vec<Diagnostic>,
     hidden: Vec<&'static str>,
     facts: Vec<&'static str>,
+    trial: Trial,
+}
+
+/// The values that a machine was prepared from, to try others.
+struct Trial {
+    machine: &'static dyn AnyMachine,
+    values: Values,
+    control: &'static Control,
+    switches: Switches,
+}
+
+impl Trial {
+    /// Results and errors with other entries of the form; `None` where the form does not take one of them.
+    fn with(&self, sets: &[(&'static str, String)]) -> Option<(Vec<Readout>, usize)> {
+        let fields = self.machine.fields();
+        let mut values = self.values.clone();
+        for (id, typed) in sets {
+            let field = fields.iter().find(|field| field.id == *id)?;
+            values.insert((*id).to_owned(), field.read(typed).ok()?);
+        }
+        let prepared =
+            self.machine.prepare(&values, ControlContext { control: self.control, switches: &self.switches });
+        let results = prepared.results();
+        let errors = prepared.errors(&results);
+        Some((results.readouts, errors))
+    }
 }
 
 impl fmt::Debug for PreparedMachine {
@@ -265,9 +291,34 @@ impl PreparedMachine {
         &self.hidden
     }
 
+    fn errors(&self, results: &Design) -> usize {
+        let found = self.invalid.iter().chain(&results.diagnostics);
+        found.filter(|found| found.severity == Severity::Error).count()
+    }
+
+    /// Takes the remedy from each advice that does not improve the verdict of its result, or that would raise another error.
+    fn check_remedies(&self, design: &mut Design) {
+        let errors = self.errors(design);
+        for readout in &mut design.readouts {
+            let (id, verdict) = (readout.id, readout.verdict);
+            let mends = |sets: &[(&'static str, String)]| {
+                self.trial.with(sets).is_some_and(|(readouts, left)| {
+                    let after = readouts.iter().find(|readout| readout.id == id);
+                    left <= errors && after.map_or(Verdict::None, |readout| readout.verdict) < verdict
+                })
+            };
+            for advice in &mut readout.advice {
+                if !advice.sets.is_empty() && !mends(&advice.sets) {
+                    *advice = Advice::from(advice.message.clone());
+                }
+            }
+        }
+    }
+
     /// Results and verdicts; invalid fields as errors, facts that are only assumed as a remark.
     pub fn design(&self, origins: &Origins) -> Design {
         let mut design = self.machine.results();
+        self.check_remedies(&mut design);
         design.diagnostics.splice(0..0, self.invalid.iter().cloned());
         let assumed = assumed(&self.facts, origins);
         if !assumed.is_empty() {
@@ -336,6 +387,12 @@ impl<M: Machine> AnyMachine for Erased<M> {
             M::fields().iter().partition(|field| (field.shown)(&params, on.control));
         let facts = shown.into_iter().filter(|field| field.fact).map(|field| field.id).collect();
         let hidden = hidden.into_iter().map(|field| field.id).collect();
-        PreparedMachine { machine: Box::new(M::new(params, on)), invalid, hidden, facts }
+        let trial = Trial {
+            machine: const { &Erased::<M>::new() },
+            values: values.clone(),
+            control: on.control,
+            switches: on.switches.clone(),
+        };
+        PreparedMachine { machine: Box::new(M::new(params, on)), invalid, hidden, facts, trial }
     }
 }

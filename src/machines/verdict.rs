@@ -1,7 +1,9 @@
 //! Results as rows, and the rules that judge them.
 
-use crate::text::{Citation, Message};
-use crate::view::{Readout, Verdict};
+use super::form::{Field, Kind};
+use crate::text::Citation;
+use crate::text::catalog::number_text;
+use crate::view::{Advice, Limit, Readout, Verdict};
 
 /// A result of a machine `M` before it is judged.
 pub struct ReadoutRow<M> {
@@ -28,9 +30,9 @@ pub struct Judgement {
     /// Whether the result holds.
     pub verdict: Verdict,
     /// The limit that it was compared with.
-    pub limit: Option<f64>,
+    pub limit: Option<Limit>,
     /// Remedies, and facts to know.
-    pub advice: Vec<Message>,
+    pub advice: Vec<Advice>,
 }
 
 /// A rule about a result of a machine `M`.
@@ -51,18 +53,46 @@ impl<M> Rule<M> {
 }
 
 /// The result holds.
-pub fn ok(limit: impl Into<Option<f64>>) -> Option<Judgement> {
-    Some(Judgement { verdict: Verdict::Ok, limit: limit.into(), advice: Vec::new() })
+pub fn ok(limit: impl Into<Option<Limit>>) -> Option<Judgement> {
+    judgement(Verdict::Ok, limit, [])
 }
 
 /// The result deserves attention.
-pub fn warn(limit: impl Into<Option<f64>>, advice: impl Into<Vec<Message>>) -> Option<Judgement> {
-    Some(Judgement { verdict: Verdict::Warn, limit: limit.into(), advice: advice.into() })
+pub fn warn(limit: impl Into<Option<Limit>>, advice: impl Into<Vec<Advice>>) -> Option<Judgement> {
+    judgement(Verdict::Warn, limit, advice)
 }
 
 /// The result fails.
-pub fn fail(limit: impl Into<Option<f64>>, advice: impl Into<Vec<Message>>) -> Option<Judgement> {
-    Some(Judgement { verdict: Verdict::Fail, limit: limit.into(), advice: advice.into() })
+pub fn fail(limit: impl Into<Option<Limit>>, advice: impl Into<Vec<Advice>>) -> Option<Judgement> {
+    judgement(Verdict::Fail, limit, advice)
+}
+
+fn judgement(verdict: Verdict, limit: impl Into<Option<Limit>>, advice: impl Into<Vec<Advice>>) -> Option<Judgement> {
+    Some(Judgement { verdict, limit: limit.into(), advice: advice.into() })
+}
+
+/// The greatest entry of a number field that is not above `value`: its id and the text to be typed.
+pub fn down<P>(fields: &[Field<P>], id: &'static str, value: f64) -> (&'static str, String) {
+    entry(fields, id, value, f64::floor)
+}
+
+/// The least entry of a number field that is not below `value`.
+pub fn up<P>(fields: &[Field<P>], id: &'static str, value: f64) -> (&'static str, String) {
+    entry(fields, id, value, f64::ceil)
+}
+
+/// The entry of a number field that is nearest to `value`.
+pub fn near<P>(fields: &[Field<P>], id: &'static str, value: f64) -> (&'static str, String) {
+    entry(fields, id, value, f64::round)
+}
+
+fn entry<P>(fields: &[Field<P>], id: &'static str, value: f64, round: fn(f64) -> f64) -> (&'static str, String) {
+    let decimals = fields.iter().find(|field| field.id == id).map_or(0, |field| match field.kind {
+        Kind::Number { decimals, .. } => decimals,
+        _ => 0,
+    });
+    let unit = crate::nc::dec::POW10[usize::from(decimals.min(12))] as f64;
+    (id, number_text(round(value * unit) / unit, decimals))
 }
 
 /// A result with the judgement of every rule about it: the worst verdict, all advice. `unit` may differ from the row's.

@@ -7,7 +7,7 @@ use crate::controls::options::SwitchOption;
 use crate::machines;
 use crate::text::catalog::{Language, number_text, sentence, words};
 use crate::text::number::Fixed;
-use crate::view::{Readout, Verdict};
+use crate::view::{Limit, Readout, Verdict};
 
 /// Machines with their controls, controls with their bench plant and their open points, as an object.
 pub fn json() -> Json {
@@ -95,9 +95,10 @@ pub fn verdict_word(verdict: Verdict) -> &'static str {
 /// Results as a list of objects.
 pub fn readouts_json(readouts: &[Readout]) -> Json {
     let readout = |r: &Readout| {
-        let advice: Vec<String> = r.advice.iter().map(|m| sentence(Language::English, m)).collect();
+        let advice: Vec<String> = r.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect();
         json!({
-            "id": r.id, "value": r.value, "unit": r.unit, "limit": r.limit,
+            "id": r.id, "value": r.value, "unit": r.unit,
+            "limit": r.limit.map(Limit::value), "bound": r.limit.map(Limit::bound),
             "verdict": verdict_word(r.verdict), "formula": r.formula, "advice": advice,
         })
     };
@@ -110,8 +111,10 @@ pub fn readouts_text(readouts: &[Readout]) -> String {
     for r in readouts {
         let label = words(Language::English, r.label);
         let value = Fixed(r.value, r.decimals).to_string();
-        let limit =
-            r.limit.map_or(String::new(), |limit| format!("  (limit {})", number_text(limit, r.decimals.max(3))));
+        let limit = r.limit.map_or(String::new(), |limit| {
+            let shown = number_text(limit.value(), r.decimals.max(3));
+            format!("  ({})", sentence(Language::English, &limit.message(shown)))
+        });
         let sign = match r.verdict {
             Verdict::None => "   -",
             Verdict::Ok => "  ok",
@@ -120,7 +123,7 @@ pub fn readouts_text(readouts: &[Readout]) -> String {
         };
         out += &format!("{sign}  {label:<38} {value:>14} {}{limit}\n", r.unit);
         for advice in &r.advice {
-            out += &format!("        {}\n", sentence(Language::English, advice));
+            out += &format!("        {}\n", sentence(Language::English, &advice.message));
         }
     }
     out

@@ -27,7 +27,7 @@ pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
 
 /// Limit of a readout, as it stands below the value.
 pub(super) fn limit(readout: &Readout) -> Option<String> {
-    readout.limit.map(|limit| format!("{} {}", t("page.limit"), short(limit, readout.decimals)))
+    readout.limit.map(|limit| format!("{} {}", t("page.limit"), short(limit.value(), readout.decimals)))
 }
 
 /// The cards.
@@ -46,7 +46,7 @@ pub(super) fn cards(model: Model) -> El {
 /// One of them.
 pub(super) fn card(model: Model, readout: &Readout) -> El {
     let tone = verdict(readout.verdict);
-    let advice = readout.advice.first().map(say);
+    let advice = readout.advice.first().map(|advice| say(&advice.message));
     let holds = verdict_words(readout.verdict);
     let detail = advice.clone().or_else(|| limit(readout));
     // Beside a sentence or a limit the sign is enough for those who see it.

@@ -54,7 +54,7 @@ fn result(model: Model, readout: &Readout) -> El {
         parts.push(el("p.formula").add(&[el("code").text(&model.spelled(readout.formula))]));
     }
     if !readout.advice.is_empty() {
-        let rows: Vec<El> = readout.advice.iter().map(|advice| el("li").text(&say(advice))).collect();
+        let rows: Vec<El> = readout.advice.iter().map(|advice| el("li").text(&say(&advice.message))).collect();
         parts.push(el("ul").add(&rows));
     }
     parts.push(el("p.source").text(readout.cite.source));

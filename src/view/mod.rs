@@ -32,7 +32,7 @@ pub use chart::{Chart, Series};
 pub use drawing::{Callout, Drawing};
 pub use explorer::{Explorer, Knob};
 pub use look::{Look, Paint};
-pub use readout::{Readout, Verdict};
+pub use readout::{Advice, Limit, Readout, Verdict};
 pub use scene::{Font, Node, Placement, Pose, Scene, SceneGroup, Shape};
 pub use sheet::{Row, Sheet};
 pub use svg::Theme;

@@ -1,7 +1,8 @@
-//! A result with its unit, limit, verdict and formula.
+//! A result with its unit, limit, verdict, advice and formula.
 
 use serde::Serialize;
 
+use crate::msg;
 use crate::text::{Citation, Message};
 
 /// Engineering judgement of a result. It never keeps a program from being exported.
@@ -18,6 +19,82 @@ pub enum Verdict {
     Fail,
 }
 
+/// The limit that a result is judged by, in the unit of the result.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Limit {
+    /// Greatest value.
+    AtMost(f64),
+    /// Least value.
+    AtLeast(f64),
+    /// Greatest size of a value of either sign.
+    Within(f64),
+    /// The value to be met, within the tolerance of the rule.
+    Equal(f64),
+}
+
+impl Limit {
+    /// The number alone.
+    pub fn value(self) -> f64 {
+        match self {
+            Limit::AtMost(value) | Limit::AtLeast(value) | Limit::Within(value) | Limit::Equal(value) => value,
+        }
+    }
+
+    /// Whether a value keeps the limit.
+    pub fn holds(self, value: f64) -> bool {
+        match self {
+            Limit::AtMost(most) => value <= most,
+            Limit::AtLeast(least) => value >= least,
+            Limit::Within(most) => value.abs() <= most,
+            Limit::Equal(wanted) => value == wanted,
+        }
+    }
+
+    /// Id of the direction for programs: `most`, `least`, `within` or `equal`.
+    pub fn bound(self) -> &'static str {
+        match self {
+            Limit::AtMost(_) => "most",
+            Limit::AtLeast(_) => "least",
+            Limit::Within(_) => "within",
+            Limit::Equal(_) => "equal",
+        }
+    }
+
+    /// The limit as a phrase, `at most 20000`; `shown` is its number as text.
+    pub fn message(self, shown: String) -> Message {
+        match self {
+            Limit::AtMost(_) => msg!("readout.at-most", shown),
+            Limit::AtLeast(_) => msg!("readout.at-least", shown),
+            Limit::Within(_) => msg!("readout.within", shown),
+            Limit::Equal(_) => msg!("readout.exactly", shown),
+        }
+    }
+}
+
+/// A remedy or a fact about a result, and the entries of the form that carry the remedy out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Advice {
+    /// The sentence.
+    pub message: Message,
+    /// The remedy in a few words for a button; `None` where `sets` is empty.
+    pub button: Option<Message>,
+    /// Id of each field that the remedy changes, and the text to be typed there; empty where the form cannot carry it out.
+    pub sets: Vec<(&'static str, String)>,
+}
+
+impl Advice {
+    /// The advice with a remedy: words for a button, and the entries of the form.
+    pub fn setting(self, button: Message, sets: impl Into<Vec<(&'static str, String)>>) -> Advice {
+        Advice { button: Some(button), sets: sets.into(), ..self }
+    }
+}
+
+impl From<Message> for Advice {
+    fn from(message: Message) -> Advice {
+        Advice { message, button: None, sets: Vec::new() }
+    }
+}
+
 /// One result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Readout {
@@ -32,11 +109,11 @@ pub struct Readout {
     /// Decimals shown.
     pub decimals: u8,
     /// The limit it is judged by, in `unit`.
-    pub limit: Option<f64>,
+    pub limit: Option<Limit>,
     /// The judgement.
     pub verdict: Verdict,
-    /// What is wrong and what would mend it, in order of what is best.
-    pub advice: Vec<Message>,
+    /// Faults and remedies, the best first.
+    pub advice: Vec<Advice>,
     /// The formula with the form's symbols.
     pub formula: &'static str,
     /// Where formula and limit come from.

@@ -97,7 +97,7 @@ fn findings(out: &mut String, report: &Report, language: Language) {
     for readout in report.readouts.iter().filter(|readout| readout.verdict >= Verdict::Warn) {
         let _ = writeln!(out, "- {}: {}", words(language, readout.label), verdict(readout.verdict, language));
         for advice in &readout.advice {
-            let _ = writeln!(out, "  - {}", escape::markdown(&sentence(language, advice)));
+            let _ = writeln!(out, "  - {}", escape::markdown(&sentence(language, &advice.message)));
         }
     }
 }
@@ -127,7 +127,7 @@ fn results(out: &mut String, report: &Report, language: Language) {
         let cells = [
             words(language, readout.label).to_owned(),
             if readout.value.is_finite() { shown(readout.value) } else { "-".to_owned() },
-            readout.limit.map_or(String::new(), shown),
+            readout.limit.map_or(String::new(), |limit| sentence(language, &limit.message(shown(limit.value())))),
             verdict(readout.verdict, language).to_owned(),
             readout.formula.replace('#', report.variable.encode_utf8(&mut [0; 4])),
             readout.cite.source.to_owned(),

@@ -14,4 +14,5 @@ mod toy;
 mod turning;
 mod turning_controls;
 mod turning_drawing;
+mod verdicts;
 mod written;

@@ -1,14 +1,18 @@
 //! The rules of the polygon lathe, as rows: result, limit, remedy.
 
 use super::derive::{PASSES, ways_as_set};
+use super::explore;
 use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, errors};
+use super::params::FIELDS;
 use super::program;
 use super::resolved::PolygonLathe;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
-use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
+use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade, Message};
+use crate::view::Advice;
+use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
 
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<PolygonLathe>] = &[
@@ -40,17 +44,23 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
 ];
 
 /// The flattest cutter and ratio on this tip circle as advice, or that none is possible; nothing where the form has it already.
-fn better(lathe: &PolygonLathe) -> Option<Message> {
+fn better(lathe: &PolygonLathe) -> Option<Advice> {
     let ways = ways_as_set(&lathe.p, &lathe.sizes);
-    let Some(best) = ways.first() else { return Some(msg!("polygon.no-way", lathe.p.sides)) };
+    let Some(best) = ways.first() else { return Some(msg!("polygon.no-way", lathe.p.sides).into()) };
     if !best.limits.is_empty() {
-        return Some(msg!("polygon.no-better", (best.flatness(), 4)));
+        return Some(msg!("polygon.no-better", (best.flatness(), 4)).into());
     }
     let (inserts, ratio) = (best.cutter as u32 + 1, best.ratio);
     let same =
         Some(ratio) == lathe.p.ratio() && f64::from(inserts) == lathe.p.inserts && best.radius == lathe.p.tip_radius;
     let (work, tool) = (f64::from(ratio.work()), f64::from(ratio.tool()));
-    (!same).then(|| msg!("polygon.better", inserts, work, tool, (best.radius, 3), (best.flatness(), 4)))
+    if same {
+        return None;
+    }
+    let mut sets = explore::own(lathe.p.sides, f64::from(inserts), (tool, work));
+    sets.push(near(FIELDS, "tip-radius", best.radius));
+    let advice = msg!("polygon.better", inserts, work, tool, (best.radius, 3), (best.flatness(), 4));
+    Some(Advice::from(advice).setting(msg!("advice.set-cutter", inserts, work, tool), sets))
 }
 
 /// Deviation (mm) that counts as zero.
@@ -82,50 +92,64 @@ enum Fault {
 }
 
 /// The fact of a fault, with the remedy at the first fault: one choice of cutter mends them all.
-fn mended(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Message> {
+fn mended(lathe: &PolygonLathe, fault: Fault, fact: Message) -> Vec<Advice> {
     let PolygonLathe { p, d, .. } = lathe;
-    let mut advice = vec![fact];
+    let mut advice = vec![Advice::from(fact)];
     let faults = [other_sides(lathe), uneven(lathe), lacks_relief(lathe), is_hollow(lathe)];
     if faults.into_iter().take(fault as usize).any(|found| found) {
         return advice;
     }
     if !other_sides(lathe) && is_hollow(lathe) {
         if d.ratio < 0.0 {
-            advice.push(msg!("polygon.wrong-sense"));
+            advice.push(same_sense(lathe));
             return advice;
         }
-        advice.push(msg!("polygon.less-hollow", (flat_ratio(d.distance, p.tip_radius), 3)));
+        advice.push(msg!("polygon.less-hollow", (flat_ratio(d.distance, p.tip_radius), 3)).into());
     }
     if !other_sides(lathe) && uneven(lathe) && d.even && d.ratio == 2.0 && d.meets && p.sides >= 3.0 {
         let radius = ellipse::radius_for(0.5 * p.across_flats, p.sides as u32, p.flatness);
-        advice.push(msg!("polygon.larger-cutter", (radius, 1)));
+        let larger = Advice::from(msg!("polygon.larger-cutter", (radius, 1)));
+        let set = up(FIELDS, "tip-radius", radius);
+        let fits = radius <= p.greatest_radius;
+        advice.push(if fits { larger.setting(msg!("advice.set-tips", set.1.as_str()), [set]) } else { larger });
     }
     advice.extend(better(lathe));
     advice
 }
 
+/// Advice to turn the tool in the sense of the work.
+fn same_sense(lathe: &PolygonLathe) -> Advice {
+    let p = &lathe.p;
+    let set = near(FIELDS, "tool-ratio", p.tool_ratio.abs() * p.work_ratio.signum());
+    Advice::from(msg!("polygon.wrong-sense")).setting(msg!("advice.set-q", set.1.as_str()), [set])
+}
+
 fn sides(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
+    let limit = Equal(p.sides);
     if !other_sides(lathe) {
-        return ok(p.sides);
+        return ok(limit);
     }
-    fail(p.sides, mended(lathe, Fault::Sides, msg!("polygon.other-sides", d.sides, p.sides)))
+    fail(limit, mended(lathe, Fault::Sides, msg!("polygon.other-sides", d.sides, p.sides)))
 }
 
 fn flatness(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
+    let limit = AtMost(p.flatness);
     if !uneven(lathe) {
-        return ok(p.flatness);
+        return ok(limit);
     }
-    fail(p.flatness, mended(lathe, Fault::Flatness, msg!("polygon.not-flat", (d.flatness, 4), (p.flatness, 4))))
+    fail(limit, mended(lathe, Fault::Flatness, msg!("polygon.not-flat", (d.flatness, 4), (p.flatness, 4))))
 }
 
+/// Hollow sides. They can be crowned in their middle all the same: then the curvature is no reason.
 fn hollow(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
+    let limit = (d.curvature < 0.0).then_some(AtLeast(0.0));
     if is_hollow(lathe) {
-        return fail(0.0, mended(lathe, Fault::Hollow, msg!("polygon.hollow-sides", (d.hollow, 4))));
+        return fail(limit, mended(lathe, Fault::Hollow, msg!("polygon.hollow-sides", (d.hollow, 4))));
     }
-    if d.ratio < 0.0 && p.hollow { warn(0.0, [msg!("polygon.wrong-sense")]) } else { ok(None) }
+    if d.ratio < 0.0 && p.hollow { warn(limit, [same_sense(lathe)]) } else { ok(None) }
 }
 
 /// Stock is left between the sides.
@@ -134,38 +158,42 @@ fn corners(lathe: &PolygonLathe) -> Option<Judgement> {
     if d.meets || p.sides <= 2.0 {
         return ok(None);
     }
-    Some(Judgement { advice: vec![msg!("polygon.round-corners", (p.stock_diameter, 3))], ..ok(None)? })
+    Some(Judgement { advice: vec![msg!("polygon.round-corners", (p.stock_diameter, 3)).into()], ..ok(None)? })
 }
 
 fn relief(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     let size = p.size(d.relief_pass);
+    let limit = AtMost(p.relief);
     if lacks_relief(lathe) {
         let fact = match d.relief_needed >= 90.0 {
             true => msg!("polygon.cannot-cut", d.relief_pass, (size, 3)),
             false => msg!("polygon.little-relief", (d.relief_needed, 2), (p.relief, 1), d.relief_pass, (size, 3)),
         };
-        return fail(p.relief, mended(lathe, Fault::Relief, fact));
+        return fail(limit, mended(lathe, Fault::Relief, fact));
     }
     if !d.faces_forward {
-        return warn(p.relief, [msg!("polygon.faces-back")]);
+        return warn(limit, [msg!("polygon.faces-back").into()]);
     }
-    if d.relief_needed > p.relief - 2.0 { warn(p.relief, [msg!("polygon.scarce-relief")]) } else { ok(p.relief) }
+    if d.relief_needed > p.relief - 2.0 { warn(limit, [msg!("polygon.scarce-relief").into()]) } else { ok(limit) }
 }
 
 /// The greatest B that the form takes.
 const MOST_B: f64 = 10_000.0;
 
-/// Advice with a speed B, or that no B is a remedy.
-fn with_b(speed: f64, advice: impl Fn(f64) -> Message) -> Message {
-    if (1.0..=MOST_B).contains(&speed) { advice(speed) } else { msg!("polygon.no-b") }
+/// Advice with a speed B, a whole number, or that no B is a remedy.
+fn with_b(speed: f64, advice: impl Fn(f64) -> Message) -> Advice {
+    if !(1.0..=MOST_B).contains(&speed) {
+        return msg!("polygon.no-b").into();
+    }
+    Advice::from(advice(speed)).setting(msg!("advice.set-b", (speed, 0)), [near(FIELDS, "speed", speed)])
 }
 
 fn too_fast(speed: f64, limit: f64, term: f64, advice: impl Fn(f64) -> Message) -> Option<Judgement> {
     if speed.abs() <= limit {
-        return ok(limit);
+        return ok(Within(limit));
     }
-    fail(limit, [with_b((limit / term.abs()).floor(), advice)])
+    fail(Within(limit), [with_b((limit / term.abs()).floor(), advice)])
 }
 
 fn tool_speed(lathe: &PolygonLathe) -> Option<Judgement> {
@@ -184,29 +212,31 @@ fn work_speed(lathe: &PolygonLathe) -> Option<Judgement> {
 
 fn slowest(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
+    let limit = AtLeast(p.slowest_cut);
     if d.slowest_cut >= p.slowest_cut {
-        return ok(p.slowest_cut);
+        return ok(limit);
     }
     let speed = (p.speed * p.slowest_cut / d.slowest_cut).ceil();
-    warn(p.slowest_cut, [with_b(speed, |speed| msg!("polygon.cuts-slowly", (speed, 0)))])
+    warn(limit, [with_b(speed, |speed| msg!("polygon.cuts-slowly", (speed, 0)))])
 }
 
 fn fastest(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
+    let limit = AtMost(p.fastest_cut);
     if d.fastest_cut <= p.fastest_cut {
-        return ok(p.fastest_cut);
+        return ok(limit);
     }
     let speed = (p.speed * p.fastest_cut / d.fastest_cut).floor();
-    warn(p.fastest_cut, [with_b(speed, |speed| msg!("polygon.cuts-fast", (speed, 0)))])
+    warn(limit, [with_b(speed, |speed| msg!("polygon.cuts-fast", (speed, 0)))])
 }
 
 fn distance(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     let (low, high) = (p.least_distance, p.greatest_distance);
     if d.distance < low {
-        fail(low, [msg!("polygon.too-near", (low, 2))])
+        fail(AtLeast(low), [msg!("polygon.too-near", (low, 2)).into()])
     } else if d.distance > high {
-        fail(high, [msg!("polygon.too-far", (high, 2))])
+        fail(AtMost(high), [msg!("polygon.too-far", (high, 2)).into()])
     } else {
         ok(None)
     }
@@ -217,40 +247,55 @@ const SEEN: f64 = 0.05;
 
 fn orientation(lathe: &PolygonLathe) -> Option<Judgement> {
     let d = &lathe.d;
+    let limit = Within(SEEN);
     if d.orientation_error.abs() <= SEEN {
-        return ok(SEEN);
+        return ok(limit);
     }
     // The rule about the phase reports this; no start angle is a remedy at every speed.
     if (d.orientation_error - d.phase_on_work).abs() <= SEEN {
-        return warn(SEEN, []);
+        return warn(limit, []);
     }
-    warn(SEEN, [msg!("polygon.turned", (d.orientation_error, 3), (d.work_start, 3))])
+    let advice = Advice::from(msg!("polygon.turned", (d.orientation_error, 3), (d.work_start, 3)));
+    let set = near(FIELDS, "work-start", d.work_start);
+    warn(limit, [advice.setting(msg!("advice.set-a", (d.work_start, 3)), [set])])
 }
 
+/// Axes whose time constants or gains differ; both have the greater time constant and the lower gain as a remedy.
 fn phase(lathe: &PolygonLathe) -> Option<Judgement> {
-    let d = &lathe.d;
+    let PolygonLathe { p, d, .. } = lathe;
     if d.phase.abs() <= 1e-9 {
         return ok(None);
     }
-    warn(None, [msg!("polygon.out-of-phase", (d.phase, 3), (d.phase_on_work, 3))])
+    let (slow, soft) = (p.work_time_constant.max(p.tool_time_constant), p.work_gain.min(p.tool_gain));
+    let sets = [
+        near(FIELDS, "work-time-constant", slow),
+        near(FIELDS, "tool-time-constant", slow),
+        near(FIELDS, "work-gain", soft),
+        near(FIELDS, "tool-gain", soft),
+    ];
+    let advice = Advice::from(msg!("polygon.out-of-phase", (d.phase, 3), (d.phase_on_work, 3)));
+    warn(None, [advice.setting(msg!("advice.make-equal"), sets)])
 }
 
 fn coast(lathe: &PolygonLathe) -> Option<Judgement> {
-    warn(None, [msg!("polygon.coasts", (lathe.d.coast_phase, 0))])
+    let advice = Advice::from(msg!("polygon.coasts", (lathe.d.coast_phase, 0)));
+    warn(None, [advice.setting(msg!("advice.hold-drives"), [("emergency", "held".to_owned())])])
 }
 
 fn insert(lathe: &PolygonLathe) -> Option<Judgement> {
     let PolygonLathe { p, d, .. } = lathe;
     let (insert, depth) = d.insert_depth;
+    let limit = Within(p.flatness);
     if depth.abs() <= p.flatness {
-        return ok(p.flatness);
+        return ok(limit);
     }
-    warn(p.flatness, [msg!("polygon.insert-deep", insert, (depth, 4))])
+    warn(limit, [msg!("polygon.insert-deep", insert, (depth, 4)).into()])
 }
 
 fn insert_turn(lathe: &PolygonLathe) -> Option<Judgement> {
     let (insert, turn) = lathe.d.insert_turn;
-    if turn.abs() <= SEEN { ok(SEEN) } else { warn(SEEN, [msg!("polygon.insert-turned", insert, (turn, 3))]) }
+    let limit = Within(SEEN);
+    if turn.abs() <= SEEN { ok(limit) } else { warn(limit, [msg!("polygon.insert-turned", insert, (turn, 3)).into()]) }
 }
 
 /// The code has no word for a lead.
@@ -259,19 +304,27 @@ fn twist(lathe: &PolygonLathe) -> Option<Judgement> {
     if p.lead == 0.0 {
         return ok(None);
     }
-    fail(None, [msg!("polygon.no-twist", (d.twist_speed, 3))])
+    fail(None, [msg!("polygon.no-twist", (d.twist_speed, 3)).into()])
 }
 
-fn within_clamp(feed: f64, clamp: f64) -> Option<Judgement> {
-    if feed > clamp { fail(clamp, [msg!("polygon.above-clamp", (feed, 0), (clamp, 0))]) } else { ok(clamp) }
+/// The feed of a field in mm/min against the clamp of the slide.
+fn within_clamp(field: &'static str, per_turn: f64, feed: f64, clamp: f64) -> Option<Judgement> {
+    if feed <= clamp {
+        return ok(AtMost(clamp));
+    }
+    let set = down(FIELDS, field, per_turn * clamp / feed);
+    let advice = Advice::from(msg!("polygon.above-clamp", (feed, 0), (clamp, 0)));
+    fail(AtMost(clamp), [advice.setting(msg!("advice.set-feed", set.1.as_str()), [set])])
 }
 
 fn clamp(lathe: &PolygonLathe) -> Option<Judgement> {
-    within_clamp(lathe.d.feed, lathe.p.clamp_z)
+    let PolygonLathe { p, d, .. } = lathe;
+    within_clamp("feed", p.feed, d.feed, p.clamp_z)
 }
 
 fn finish_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
-    within_clamp(lathe.d.finish_feed, lathe.p.clamp_z)
+    let PolygonLathe { p, d, .. } = lathe;
+    within_clamp("finish-feed", p.finish_feed, d.finish_feed, p.clamp_z)
 }
 
 /// Errors that refuse the export, and notes for the operator.

@@ -46,6 +46,8 @@ pub(super) struct Derived {
     pub products_per_hour: f64,
     pub volts_command: f64,
     pub volts: f64,
+    /// Volts at the highest speed.
+    pub top_volts: f64,
     pub analog_step: f64,
     pub frequency: f64,
     pub override_step: f64,
@@ -205,6 +207,7 @@ impl Derived {
             products_per_hour: 3600.0 / timing.product,
             volts_command: analog.command(actual_speed),
             volts: analog.output(actual_speed),
+            top_volts: analog.output(top_speed),
             analog_step: p.speed_at_10v / f64::from(analog.steps()),
             frequency: p.frequency_at_10v * actual_speed / p.speed_at_10v,
             override_step: x_second * p.knob_step.percent() / 100.0,
@@ -284,7 +287,7 @@ impl Timing {
 }
 
 /// Time from M3 to the first pull, s: `t_FIN + t_dwell`, or `max(0.95 t_ramp, t_FIN)` where FIN waits for the speed; 0 at standstill.
-fn wait(p: &Params, moves: bool) -> f64 {
+pub(super) fn wait(p: &Params, moves: bool) -> f64 {
     match p.wait {
         _ if !moves => 0.0,
         Wait::Dwell => FIN_DELAY + p.dwell,

@@ -4,15 +4,17 @@
 //! kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
-use super::params::{PathMode, PiForm, Variant, Wait};
+use super::derive::{FIN_DELAY, wait};
+use super::params::{FIELDS, PathMode, PiForm, Variant, Wait};
 use super::program;
 use super::resolved::RibbonLine;
 use crate::controls::Code;
 use crate::drives::web;
-use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
+use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade, Message};
-use crate::view::Verdict;
+use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
+use crate::view::{Advice, Verdict};
 
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<RibbonLine>] = &[
@@ -70,11 +72,12 @@ pub(super) fn findings(line: &RibbonLine) -> Vec<Diagnostic> {
         let feed = followed(line, feed);
         if feed > clamp {
             let message = msg!("ribbon.above-clamp", axis, feed, clamp);
-            found.push(Diagnostic::error(message).about(field).hint(slower_advice(line)));
+            found.push(Diagnostic::error(message).about(field).hint(slower_advice(line).message));
         }
     }
     if let Some((message, advice)) = too_fast(line) {
-        found.push(advice.into_iter().fold(Diagnostic::warning(message).about("feed-limit"), Diagnostic::hint));
+        let hints = advice.into_iter().map(|advice| advice.message);
+        found.push(hints.fold(Diagnostic::warning(message).about("feed-limit"), Diagnostic::hint));
     }
     if line.in_step() && !p.spindle_encoder {
         found.push(Diagnostic::error(msg!("ribbon.no-encoder")).about("spindle-encoder"));
@@ -104,8 +107,8 @@ fn letter(line: &RibbonLine) -> String {
 }
 
 /// F in mm/min beyond the control's range: the finding, and the remedies.
-fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Message>)> {
-    let RibbonLine { d, .. } = line;
+fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
+    let RibbonLine { p, d, .. } = line;
     let limits = &line.control.limits;
     let max = line.feed_max();
     if line.in_step() || d.vector_feed <= max {
@@ -113,7 +116,9 @@ fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Message>)> {
     }
     let mut advice = vec![slower_advice(line)];
     if line.control.can(Code::FeedPerRevolution) && d.feed_per_revolution <= limits.revolution_feed_max {
-        advice.push(msg!("ribbon.per-revolution-instead", (d.feed_per_revolution, 3)));
+        let instead = Advice::from(msg!("ribbon.per-revolution-instead", (d.feed_per_revolution, 3)));
+        let set = [("feed-form", "per-revolution".to_owned())];
+        advice.push(if p.spindle_encoder { instead.setting(msg!("advice.per-revolution"), set) } else { instead });
     }
     Some((msg!("ribbon.feed-above-limit", d.vector_feed, max), advice))
 }
@@ -133,12 +138,17 @@ fn long_blocks(line: &RibbonLine) -> Option<Diagnostic> {
     })
 }
 
-/// A feed as it is driven, mm/min: a feed per revolution follows the measured speed of the unwinder.
-fn followed(line: &RibbonLine, feed: f64) -> f64 {
-    if line.in_step() { feed * (1.0 + line.d.speed_error) } else { feed }
+/// Driven speed over commanded speed: a feed per revolution follows the measured speed of the unwinder.
+fn following(line: &RibbonLine) -> f64 {
+    if line.in_step() { 1.0 + line.d.speed_error } else { 1.0 }
 }
 
-/// The highest whole S within all limits of rule 4.
+/// A feed as it is driven, mm/min.
+fn followed(line: &RibbonLine, feed: f64) -> f64 {
+    feed * following(line)
+}
+
+/// The highest whole speed of the unwinder within all limits of rule 4.
 fn fastest(line: &RibbonLine) -> f64 {
     let RibbonLine { p, d, .. } = line;
     let clamps = (p.clamp_x / followed(line, d.x_feed)).min(p.clamp_y / followed(line, d.y_feed));
@@ -146,35 +156,46 @@ fn fastest(line: &RibbonLine) -> f64 {
     (d.actual_speed * share).floor()
 }
 
-fn slower_advice(line: &RibbonLine) -> Message {
+/// An advice with the S that turns the unwinder at most at `speed` r/min.
+fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
+    let set = down(FIELDS, "spindle-speed", 100.0 * speed / line.p.override_stepped());
+    Advice::from(advice).setting(msg!("advice.set-speed", set.1.as_str()), [set])
+}
+
+fn slower_advice(line: &RibbonLine) -> Advice {
     match fastest(line) {
-        speed if speed >= 1.0 => msg!("ribbon.run-slower", (speed, 0)),
-        _ => msg!("ribbon.no-speed"),
+        speed if speed >= 1.0 => with_speed(line, speed, msg!("ribbon.run-slower", (speed, 0))),
+        _ => msg!("ribbon.no-speed").into(),
     }
 }
 
-fn within_or_error(value: f64, limit: f64, line: &RibbonLine) -> Option<Judgement> {
-    if value > limit { fail(limit, [slower_advice(line)]) } else { ok(limit) }
+/// A feed against the clamp of its axis. The driven feed is compared, so the limit of the commanded feed is lower where the unwinder is fast.
+fn within_or_error(feed: f64, clamp: f64, line: &RibbonLine) -> Option<Judgement> {
+    let limit = clamp / following(line);
+    if limit <= 0.0 || limit.is_infinite() {
+        return ok(None);
+    }
+    if feed > limit { fail(AtMost(limit), [slower_advice(line)]) } else { ok(AtMost(limit)) }
 }
 
 fn clamp_x(line: &RibbonLine) -> Option<Judgement> {
-    within_or_error(followed(line, line.d.x_feed), line.p.clamp_x, line)
+    within_or_error(line.d.x_feed, line.p.clamp_x, line)
 }
 
 fn clamp_y(line: &RibbonLine) -> Option<Judgement> {
-    within_or_error(followed(line, line.d.y_feed), line.p.clamp_y, line)
+    within_or_error(line.d.y_feed, line.p.clamp_y, line)
 }
 
 fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
-    let limit = (!line.in_step()).then(|| line.feed_max());
-    match too_fast(line) {
-        Some((message, mut advice)) => {
-            let short = msg!("ribbon.feed-above-range", line.feed_max(), (fastest(line), 0));
-            advice.splice(0..0, (fastest(line) >= 1.0).then_some(short).into_iter().chain([message]));
-            fail(limit, advice)
-        }
-        None => limit.and_then(ok),
+    if line.in_step() {
+        return None;
     }
+    let limit = AtMost(line.feed_max());
+    let Some((message, mut advice)) = too_fast(line) else { return ok(limit) };
+    let speed = fastest(line);
+    let short = with_speed(line, speed, msg!("ribbon.feed-above-range", limit.value(), (speed, 0)));
+    advice.splice(0..0, (speed >= 1.0).then_some(short).into_iter().chain([message.into()]));
+    fail(limit, advice)
 }
 
 /// The control reads F per revolution in steps, which makes X run a little faster or slower than the unwinder, and up to a limit.
@@ -186,13 +207,13 @@ fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
     }
     let (feed, limit, step) = (d.feed_per_revolution, line.feed_max(), limits.feed_increment);
     if feed > limit {
-        return fail(limit, [msg!("ribbon.revolution-feed-above-limit", (feed, 3), limit)]);
+        return fail(AtMost(limit), [msg!("ribbon.revolution-feed-above-limit", (feed, 3), limit).into()]);
     }
     let drift = (1.0 - (feed / step).round() * step / feed) * d.line_speed;
     if drift.abs() > 1.0 {
-        return warn(limit, [msg!("ribbon.feed-in-steps", step, (drift.abs(), 1))]);
+        return warn(AtMost(limit), [msg!("ribbon.feed-in-steps", step, (drift.abs(), 1)).into()]);
     }
-    ok(limit)
+    ok(AtMost(limit))
 }
 
 /// Green to the allowed smear, amber to four times it, red beyond.
@@ -215,144 +236,190 @@ fn ratio(line: &RibbonLine) -> Option<Judgement> {
     } else {
         let heads = d.matching_heads.round().max(1.0);
         let with_heads = d.matching_heads / heads;
+        let smear = web::smear(with_heads, p.contact_length);
+        let diameter = |advice: Message| {
+            let set = near(FIELDS, "print-roller-diameter", d.matching_diameter);
+            Advice::from(advice).setting(msg!("advice.set-diameter", (d.matching_diameter, 2)), [set])
+        };
+        let count = near(FIELDS, "heads", heads);
+        let pitch = near(FIELDS, "pitch", d.matching_pitch);
         vec![
-            msg!("ribbon.slips-short", (d.matching_diameter, 2), (heads, 0)),
-            msg!("ribbon.slips", (d.surface_ratio, 3), (d.smear, 3), (p.smear_limit, 3)),
-            msg!("ribbon.match-diameter", (d.matching_diameter, 2), (p.heads, 0)),
-            msg!("ribbon.match-heads", (heads, 0), (with_heads, 5), (web::smear(with_heads, p.contact_length), 3)),
-            msg!("ribbon.match-pitch", (d.matching_pitch, 3)),
-            msg!("ribbon.match-cam"),
+            diameter(msg!("ribbon.slips-short", (d.matching_diameter, 2), (heads, 0))),
+            msg!("ribbon.slips", (d.surface_ratio, 3), (d.smear, 3), (p.smear_limit, 3)).into(),
+            diameter(msg!("ribbon.match-diameter", (d.matching_diameter, 2), (p.heads, 0))),
+            Advice::from(msg!("ribbon.match-heads", (heads, 0), (with_heads, 5), (smear, 3)))
+                .setting(msg!("advice.set-heads", heads), [count]),
+            Advice::from(msg!("ribbon.match-pitch", (d.matching_pitch, 3)))
+                .setting(msg!("advice.set-pitch", pitch.1.as_str()), [pitch]),
+            msg!("ribbon.match-cam").into(),
         ]
     };
-    Some(Judgement { verdict, limit: Some(1.0), advice })
+    Some(Judgement { verdict, limit: Some(Equal(1.0)), advice })
 }
 
 fn smear(line: &RibbonLine) -> Option<Judgement> {
-    Some(Judgement { verdict: slip(line), limit: Some(line.p.smear_limit), advice: Vec::new() })
+    Some(Judgement { verdict: slip(line), limit: Some(AtMost(line.p.smear_limit)), advice: Vec::new() })
 }
 
-fn motor(speed: f64, rated: f64, max: f64) -> Option<Judgement> {
+fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f64) -> Option<Judgement> {
     if speed > max {
-        fail(max, [msg!("ribbon.motor-too-fast", (speed, 0), (max, 0))])
+        let slower = line.d.actual_speed * rated.min(max) / speed;
+        let advice = msg!("ribbon.motor-too-fast", (speed, 0), (max, 0));
+        fail(AtMost(max), [with_speed(line, slower, advice)])
     } else if speed > rated {
-        warn(rated, [msg!("ribbon.motor-above-rated", (speed, 0), (rated, 0))])
+        warn(AtMost(rated), [msg!("ribbon.motor-above-rated", (speed, 0), (rated, 0)).into()])
     } else {
-        ok(rated.min(max))
+        ok(AtMost(rated.min(max)))
     }
 }
 
 fn motor_x(line: &RibbonLine) -> Option<Judgement> {
-    motor(line.d.x_motor_speed, line.p.motor_rated_x, line.p.motor_max_x)
+    motor(line, line.d.x_motor_speed, line.p.motor_rated_x, line.p.motor_max_x)
 }
 
 fn motor_y(line: &RibbonLine) -> Option<Judgement> {
-    motor(line.d.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
+    motor(line, line.d.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
 }
 
+/// Time of a block against the time that the control needs for it. The driven block is compared, so the limit of the commanded one is
+/// longer where the unwinder is fast.
 fn block_time(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
     let needed = d.block_needed * 1000.0;
     if d.block_time.is_infinite() {
-        return warn(needed, [msg!("ribbon.stands")]);
+        return warn(AtLeast(needed), [msg!("ribbon.stands").into()]);
     }
     if line.in_step() && d.speed_error <= -1.0 {
-        return fail(needed, [msg!("ribbon.stalls")]);
+        return fail(None, [msg!("ribbon.stalls").into()]);
     }
-    let lasts = d.block_time * d.line_speed / followed(line, d.line_speed);
-    if lasts >= d.block_needed {
-        return ok(needed);
+    let lasts = d.block_time * 1000.0 / following(line);
+    let limit = AtLeast(needed * following(line));
+    if d.block_time * 1000.0 >= limit.value() {
+        return ok(limit);
     }
     let advice = match p.variant {
         Variant::ReadyMade => {
-            msg!("ribbon.more-pitches", (needed, 1), (lasts * 1000.0, 1), (d.blocks_for_control, 0))
+            let set = up(FIELDS, "pitches-per-block", p.block_pitches() * needed / lasts);
+            Advice::from(msg!("ribbon.more-pitches", (needed, 1), (lasts, 1), (d.blocks_for_control, 0)))
+                .setting(msg!("advice.set-pitches", set.1.as_str()), [set])
         }
-        Variant::Published => msg!("ribbon.published-too-slow", (needed, 1), (lasts * 1000.0, 1)),
+        Variant::Published => Advice::from(msg!("ribbon.published-too-slow", (needed, 1), (lasts, 1)))
+            .setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned())]),
     };
-    fail(needed, [advice])
+    fail(limit, [advice])
 }
 
 fn saturation(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
-    let limit = 10.0 * d.top_speed / p.speed_at_10v;
+    let limit = AtMost(d.top_volts);
     if d.asked_speed > d.top_speed {
-        return fail(limit, [msg!("ribbon.saturates", (d.asked_speed, 1), (d.top_speed, 1), (d.override_limit, 1))]);
+        let advice = msg!("ribbon.saturates", (d.asked_speed, 1), (d.top_speed, 1), (d.override_limit, 1));
+        return fail(limit, [with_speed(line, d.top_speed, advice)]);
     }
     if p.speed_clamp > p.speed_at_10v {
-        return warn(limit, [msg!("ribbon.clamp-above-output", (p.speed_clamp, 1), (p.speed_at_10v, 1))]);
+        return warn(limit, [msg!("ribbon.clamp-above-output", (p.speed_clamp, 1), (p.speed_at_10v, 1)).into()]);
     }
-    if d.volts_command < 0.5 && d.actual_speed > 0.0 {
-        return warn(limit, [msg!("ribbon.few-volts", (d.volts_command, 3))]);
+    if d.volts_command < FEW_VOLTS && d.actual_speed > 0.0 {
+        return warn(AtLeast(FEW_VOLTS), [msg!("ribbon.few-volts", (d.volts_command, 3)).into()]);
     }
     ok(limit)
 }
 
+/// Least voltage (V) at which an inverter's analog input is accurate.
+const FEW_VOLTS: f64 = 0.5;
+
 fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
     let d = &line.d;
     if d.frequency < 5.0 && d.actual_speed > 0.0 {
-        warn(5.0, [msg!("ribbon.low-frequency", (d.frequency, 2))])
+        warn(AtLeast(5.0), [msg!("ribbon.low-frequency", (d.frequency, 2)).into()])
     } else {
         ok(None)
     }
 }
 
+/// Both axes with the greater time constant and the lower gain.
 fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
-    let p = &line.p;
+    let RibbonLine { p, d, .. } = line;
+    let (slow, soft) = (p.time_constant_x.max(p.time_constant_y), p.position_gain_x.min(p.position_gain_y));
+    let mut sets = Vec::new();
+    for (id, value, same) in [
+        ("time-constant-x", p.time_constant_x, slow),
+        ("time-constant-y", p.time_constant_y, slow),
+        ("position-gain-x", p.position_gain_x, soft),
+        ("position-gain-y", p.position_gain_y, soft),
+    ] {
+        if value != same {
+            sets.push(near(FIELDS, id, same));
+        }
+    }
     let mut advice = Vec::new();
+    let mut say =
+        |message: Message| advice.push(Advice::from(message).setting(msg!("advice.make-equal"), sets.clone()));
     if p.time_constant_x != p.time_constant_y {
-        advice.push(msg!(
-            "ribbon.unequal-time-constants",
-            (p.time_constant_x, 1),
-            letter(line),
-            (p.time_constant_y, 1)
-        ));
+        say(msg!("ribbon.unequal-time-constants", (p.time_constant_x, 1), letter(line), (p.time_constant_y, 1)));
     }
     if p.position_gain_x != p.position_gain_y {
-        advice.push(msg!(
+        say(msg!(
             "ribbon.unequal-gains",
             (p.position_gain_x, 2),
             letter(line),
             (p.position_gain_y, 2),
-            (line.d.register_error, 3)
+            (d.register_error, 3)
         ));
     }
-    if advice.is_empty() { ok(0.0) } else { fail(0.0, advice) }
+    if advice.is_empty() {
+        return ok(Equal(0.0));
+    }
+    // At standstill, and where the differences cancel, there is no error yet.
+    fail((d.register_error != 0.0).then_some(Equal(0.0)), advice)
 }
 
 /// Slack of a start or stop against the capacity of the loop.
-fn loop_length(slack: f64, line: &RibbonLine, advice: Message) -> Option<Judgement> {
+fn loop_length(slack: f64, line: &RibbonLine, advice: Advice) -> Option<Judgement> {
     let capacity = line.p.loop_capacity;
     if slack.abs() > capacity {
-        fail(capacity, [advice])
+        fail(Within(capacity), [advice])
     } else if slack.abs() > 0.1 * capacity {
-        warn(capacity, [advice])
+        warn(Within(capacity), [advice])
     } else {
-        ok(capacity)
+        ok(Within(capacity))
     }
 }
 
+/// The dwell that leaves no slack after a start: a longer one lays `v` mm more for each second.
+fn matching_dwell(line: &RibbonLine, slack: f64) -> f64 {
+    let speed = line.d.line_speed / 60.0;
+    (wait(&line.p, true) - FIN_DELAY - slack / speed).max(0.0)
+}
+
 fn slack_start(line: &RibbonLine) -> Option<Judgement> {
-    let slack = line.d.slack_start;
-    let advice = if slack < 0.0 {
-        msg!("ribbon.tight-at-start", (-slack, 0), (line.p.loop_capacity, 0))
-    } else if line.in_step() && (line.p.wait == Wait::Fin || line.p.dwell > 0.0) {
-        msg!("ribbon.slack-of-the-wait", (slack, 0), (line.p.loop_capacity, 0))
+    let (p, slack) = (&line.p, line.d.slack_start);
+    let follows = line.in_step() && (p.wait == Wait::Fin || p.dwell > 0.0);
+    let message = if slack < 0.0 {
+        msg!("ribbon.tight-at-start", (-slack, 0), (p.loop_capacity, 0))
+    } else if follows {
+        msg!("ribbon.slack-of-the-wait", (slack, 0), (p.loop_capacity, 0))
     } else {
-        msg!("ribbon.slack-at-start", (slack, 0), (line.p.loop_capacity, 0))
+        msg!("ribbon.slack-at-start", (slack, 0), (p.loop_capacity, 0))
     };
+    let dwell = up(FIELDS, "dwell", if follows { 0.0 } else { matching_dwell(line, slack) });
+    let button = msg!("advice.set-dwell", dwell.1.as_str());
+    let advice = Advice::from(message).setting(button, [("wait", "dwell".to_owned()), dwell]);
     loop_length(slack, line, advice)
 }
 
 fn slack_stop(line: &RibbonLine) -> Option<Judgement> {
     let slack = line.d.slack_stop;
-    loop_length(slack, line, msg!("ribbon.slack-at-stop", (slack, 0), (line.p.loop_capacity, 0)))
+    loop_length(slack, line, msg!("ribbon.slack-at-stop", (slack, 0), (line.p.loop_capacity, 0)).into())
 }
 
 /// Slack rate (mm/min) that an operator can watch and correct by hand: 50. Engineering choice.
 const DRIFT: f64 = 50.0;
 
 fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
+    let limit = Within(DRIFT);
     if rate.abs() <= DRIFT {
-        return ok(DRIFT);
+        return ok(limit);
     }
     let lasts = line.p.loop_capacity / rate.abs() * 60.0;
     let advice = if rate > 0.0 {
@@ -360,7 +427,11 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
     } else {
         msg!("ribbon.loop-empties", (-rate, 0), (line.p.loop_capacity, 0), (lasts, 0))
     };
-    fail(DRIFT, [advice, msg!("ribbon.trim")])
+    fail(limit, [advice.into(), with_dancer(msg!("ribbon.trim"))])
+}
+
+fn with_dancer(advice: Message) -> Advice {
+    Advice::from(advice).setting(msg!("advice.add-dancer"), [("dancer", "true".to_owned())])
 }
 
 fn slack_rate(line: &RibbonLine) -> Option<Judgement> {
@@ -373,42 +444,60 @@ fn slack_rate_rated(line: &RibbonLine) -> Option<Judgement> {
 
 fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
     let d = &line.d;
+    let limit = AtMost(d.tension_limit);
     if d.tension > d.tension_limit {
-        fail(d.tension_limit, [msg!("ribbon.stiff-web", (d.tension, 0), (d.tension_limit, 0))])
+        fail(limit, [with_dancer(msg!("ribbon.stiff-web", (d.tension, 0), (d.tension_limit, 0)))])
     } else {
-        ok(d.tension_limit)
+        ok(limit)
     }
 }
 
 fn pi(line: &RibbonLine) -> Option<Judgement> {
     match line.p.pi {
         PiForm::Exact => ok(None),
-        PiForm::Short => warn(0.0, [msg!("ribbon.pi-short", (line.d.pi_drift, 2), (line.d.pi_drift * 60.0, 0))]),
+        PiForm::Short => {
+            let advice = msg!("ribbon.pi-short", (line.d.pi_drift, 2), (line.d.pi_drift * 60.0, 0));
+            let set = [("pi", "exact".to_owned())];
+            warn(Equal(0.0), [Advice::from(advice).setting(msg!("advice.exact-pi"), set)])
+        }
     }
 }
+
+/// Error of the ribbon's speed (%) that counts as none.
+const THICKNESS: f64 = 0.05;
 
 fn thickness(line: &RibbonLine) -> Option<Judgement> {
-    if line.d.thickness_error > 0.05 {
-        let p = &line.p;
-        warn(
-            0.05,
-            [msg!("ribbon.thickness", (line.d.thickness_error, 2), (p.press_roller_diameter + p.ribbon_thickness, 3))],
-        )
-    } else {
-        ok(0.05)
+    let RibbonLine { p, d, .. } = line;
+    let limit = AtMost(THICKNESS);
+    if d.thickness_error <= THICKNESS {
+        return ok(limit);
     }
+    let effective = p.press_roller_diameter + p.ribbon_thickness;
+    let set = near(FIELDS, "press-roller-diameter", effective);
+    let advice = Advice::from(msg!("ribbon.thickness", (d.thickness_error, 2), (effective, 3)));
+    let button = msg!("advice.set-diameter", (effective, 2));
+    warn(limit, [advice.setting(button, [set, ("effective-diameter", "true".to_owned())])])
 }
 
+/// More than 100 stops per minute; the result itself, the share of the speed that is left, has no limit.
 fn start_stop(line: &RibbonLine) -> Option<Judgement> {
     let RibbonLine { p, d, .. } = line;
-    (p.path_mode == PathMode::ExactStop && d.cycles_per_minute > 100.0)
-        .then(|| warn(100.0, [msg!("ribbon.start-stop", (d.cycles_per_minute, 0), (d.start_stop_speed, 0))]))
-        .flatten()
+    if p.path_mode != PathMode::ExactStop || d.cycles_per_minute <= 100.0 {
+        return None;
+    }
+    let advice = Advice::from(msg!("ribbon.start-stop", (d.cycles_per_minute, 0), (d.start_stop_speed, 0)));
+    warn(None, [advice.setting(msg!("advice.continuous"), [("path-mode", "continuous".to_owned())])])
 }
 
 fn resolution(micrometres: f64, line: &RibbonLine) -> Option<Judgement> {
-    let limit = line.p.dot_tolerance * 1000.0 / 10.0;
-    if micrometres > limit { warn(limit, [msg!("ribbon.coarse-encoder", (limit, 3))]) } else { ok(limit) }
+    let p = &line.p;
+    let limit = p.dot_tolerance * 1000.0 / 10.0;
+    if micrometres <= limit {
+        return ok(AtMost(limit));
+    }
+    let set = up(FIELDS, "encoder-resolution", p.encoder_resolution * micrometres / limit);
+    let advice = Advice::from(msg!("ribbon.coarse-encoder", (limit, 3)));
+    warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", set.1.as_str()), [set])])
 }
 
 fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
@@ -422,5 +511,5 @@ fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
 fn y_drift(line: &RibbonLine) -> Option<Judgement> {
     let unit = if line.degrees() { "°" } else { "mm" };
     let advice = msg!("ribbon.y-carried", letter(line), (line.d.y_drift, 3), unit);
-    Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice] })
+    Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] })
 }

@@ -1,15 +1,17 @@
 //! The rules of the turning spindle, as rows: result, limit, remedy.
 
-use super::params::Path;
+use super::params::{FIELDS, Gear, Path};
 use super::program;
 use super::resolved::TurningSpindle;
 use crate::controls::CodeId;
 use crate::drives::Bound;
-use crate::machines::verdict::{Judgement, Rule, fail, ok, warn};
+use crate::machines::verdict::{Judgement, Rule, down, fail, ok, warn};
 use crate::math;
 use crate::msg;
 use crate::text::catalog::number_text as show;
-use crate::text::{Citation, Diagnostic, Grade};
+use crate::text::{Citation, Diagnostic, Grade, Message};
+use crate::view::Advice;
+use crate::view::Limit::{AtLeast, AtMost};
 
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<TurningSpindle>] = &[
@@ -27,18 +29,21 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
 
 fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
+    let limit = AtMost(p.chuck_limit);
     if p.upper_limit > p.chuck_limit {
-        let advice = msg!("turning.limit-above-chuck", (p.upper_limit, 0), (p.chuck_limit, 0));
+        let set = down(FIELDS, "upper-limit", p.chuck_limit);
+        let advice = Advice::from(msg!("turning.limit-above-chuck", (p.upper_limit, 0), (p.chuck_limit, 0)))
+            .setting(msg!("advice.set-speed", set.1.as_str()), [set]);
         return if d.speed_smallest.max(d.speed_largest) >= p.chuck_limit {
-            fail(p.chuck_limit, [advice])
+            fail(limit, [advice])
         } else {
-            warn(p.chuck_limit, [advice])
+            warn(limit, [advice])
         };
     }
-    ok(p.chuck_limit)
+    ok(limit)
 }
 
-/// Below the diameter of the limit the surface speed falls with the diameter.
+/// Below the diameter of the limit the surface speed falls with the diameter: allowed over half of the diameters.
 fn limit(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { d, .. } = lathe;
     if !lathe.surface() || d.limited_share <= 0.0 {
@@ -51,22 +56,35 @@ fn limit(lathe: &TurningSpindle) -> Option<Judgement> {
         (d.limited_share * 100.0, 0),
         (d.high, 0)
     );
-    if d.limited_share > 0.5 {
-        warn(d.smallest, [advice])
-    } else {
-        Some(Judgement { advice: vec![advice], ..ok(d.smallest)? })
-    }
+    let middle = 0.5 * (d.smallest + d.largest);
+    let judgement = if d.limit_diameter > middle { warn(AtMost(middle), []) } else { ok(AtMost(middle)) };
+    Some(Judgement { advice: vec![advice.into()], ..judgement? })
 }
 
+/// Least voltage (V) at which offsets and noise of the analog output are small beside it.
+const FEW_VOLTS: f64 = 0.5;
+
 fn few(lathe: &TurningSpindle, volts: f64) -> Option<Judgement> {
-    if volts.abs() >= 0.5 {
+    if volts.abs() >= FEW_VOLTS {
         return ok(None);
     }
+    let limit = if volts < 0.0 { AtMost(-FEW_VOLTS) } else { AtLeast(FEW_VOLTS) };
     let several = lathe.p.stages().nth(1).is_some();
-    warn(
-        0.5,
-        [if several { msg!("turning.few-volts", (volts, 3)) } else { msg!("turning.few-volts-alone", (volts, 3)) }],
-    )
+    let advice = if several {
+        with_best_stage(lathe, msg!("turning.few-volts", (volts, 3)))
+    } else {
+        msg!("turning.few-volts-alone", (volts, 3)).into()
+    };
+    warn(limit, [advice])
+}
+
+/// An advice to let the program choose the gear stage, where the form has chosen one.
+fn with_best_stage(lathe: &TurningSpindle, message: Message) -> Advice {
+    let advice = Advice::from(message);
+    match lathe.p.gear {
+        Gear::Best => advice,
+        _ => advice.setting(msg!("advice.best-stage"), [("gear", "best".to_owned())]),
+    }
 }
 
 fn few_volts(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -81,13 +99,12 @@ fn stage(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { d, p, .. } = lathe;
     if d.bound == Bound::Output {
         let asked = if lathe.rules().low_always { d.asked.max(p.lower_limit) } else { d.asked };
-        return fail(None, [msg!("turning.output-full", f64::from(d.stage), (d.stage_top, 0), (asked, 0))]);
+        let advice = msg!("turning.output-full", f64::from(d.stage), (d.stage_top, 0), (asked, 0));
+        return fail(None, [with_best_stage(lathe, advice)]);
     }
     if d.bound == Bound::Gear && lathe.surface() && d.stage_top < p.upper_limit {
-        return warn(
-            d.speed_smallest,
-            [msg!("turning.stage-too-slow", f64::from(d.stage), (d.stage_top, 0), (p.upper_limit, 0))],
-        );
+        let advice = msg!("turning.stage-too-slow", f64::from(d.stage), (d.stage_top, 0), (p.upper_limit, 0));
+        return warn(AtLeast(p.upper_limit), [with_best_stage(lathe, advice)]);
     }
     ok(None)
 }
@@ -97,10 +114,21 @@ fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, .. } = lathe;
     let shift = super::plant::plc(lathe).shift;
     let patience = shift.patience.filter(|&patience| patience < shift.meshing)?;
-    fail(
-        None,
-        [msg!("turning.gear-too-late", (shift.meshing, 2), (patience, 2), (2.0 * patience, 2), (p.gear_time, 2))],
-    )
+    let set = down(FIELDS, "gear-time", 2.0 * patience);
+    let advice = Advice::from(msg!(
+        "turning.gear-too-late",
+        (shift.meshing, 2),
+        (patience, 2),
+        (2.0 * patience, 2),
+        (p.gear_time, 2)
+    ));
+    fail(None, [advice.setting(msg!("advice.set-gear-time", set.1.as_str()), [set])])
+}
+
+/// An advice with the feed that is `share` of the present one.
+fn with_feed(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
+    let set = down(FIELDS, "feed", lathe.p.feed * share);
+    Advice::from(message).setting(msg!("advice.set-feed", set.1.as_str()), [set])
 }
 
 fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -114,7 +142,11 @@ fn clamps(lathe: &TurningSpindle) -> Option<Judgement> {
             p.clamp_z.min(p.clamp_x * math::hypot(p.length, across) / across)
         }
     };
-    if d.feed_top > clamp { fail(clamp, [msg!("turning.above-clamp", (d.feed_top, 0), (clamp, 0))]) } else { ok(clamp) }
+    if d.feed_top <= clamp {
+        return ok(AtMost(clamp));
+    }
+    let advice = msg!("turning.above-clamp", (d.feed_top, 0), (clamp, 0));
+    fail(AtMost(clamp), [with_feed(lathe, clamp / d.feed_top, advice)])
 }
 
 /// Macro blocks between two passes.
@@ -124,16 +156,21 @@ const BETWEEN: f64 = 5.0;
 fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
     let (lasts, needed) = (1000.0 * d.cutting_time / d.passes.max(1.0), p.block_time + BETWEEN * p.macro_time);
-    (lasts < needed).then(|| warn(None, [msg!("turning.blocks-too-slow", (lasts, 0), (needed, 0))])).flatten()
+    if lasts >= needed {
+        return None;
+    }
+    let advice = msg!("turning.blocks-too-slow", (lasts, 0), (needed, 0));
+    warn(None, [with_feed(lathe, lasts / needed, advice)])
 }
 
 fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     let d = &lathe.d;
     if d.acceleration_needed > d.acceleration {
-        return warn(d.acceleration, [msg!("turning.spindle-lags", (d.acceleration_needed, 0), (d.acceleration, 0))]);
+        let advice = msg!("turning.spindle-lags", (d.acceleration_needed, 0), (d.acceleration, 0));
+        return warn(AtMost(d.acceleration), [with_feed(lathe, d.acceleration / d.acceleration_needed, advice)]);
     }
     // A spindle without a ramp has no limit.
-    ok(Some(d.acceleration).filter(|most| most.is_finite()))
+    ok(Some(AtMost(d.acceleration)).filter(|_| d.acceleration.is_finite()))
 }
 
 fn power(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -141,15 +178,20 @@ fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     if p.cutting_force <= 0.0 {
         return None;
     }
-    if d.power > d.power_available {
-        let slower = (p.cutting_speed * d.power_available / d.power).floor();
-        let advice = match slower >= 1.0 {
-            true => msg!("turning.too-little-power", (d.power, 2), (d.power_available, 2), (slower, 0)),
-            false => msg!("turning.far-too-little-power", (d.power, 2), (d.power_available, 2)),
-        };
-        return fail(d.power_available, [advice]);
+    let limit = AtMost(d.power_available);
+    if d.power <= d.power_available {
+        return ok(limit);
     }
-    ok(d.power_available)
+    let slower = (p.cutting_speed * d.power_available / d.power).floor();
+    let advice = match slower >= 1.0 {
+        true => {
+            let set = down(FIELDS, "cutting-speed", slower);
+            Advice::from(msg!("turning.too-little-power", (d.power, 2), (d.power_available, 2), (slower, 0)))
+                .setting(msg!("advice.set-cutting-speed", set.1.as_str()), [set])
+        }
+        false => msg!("turning.far-too-little-power", (d.power, 2), (d.power_available, 2)).into(),
+    };
+    fail(limit, [advice])
 }
 
 /// Travels of the slides: from the start of the tool to its last cut.

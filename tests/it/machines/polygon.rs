@@ -420,7 +420,7 @@ fn unequal_time_constants_fail_the_phase_verdict() {
     let project = project(&[("tool-time-constant", "500"), ("work-gain", "40")]);
     let design = project.design();
     let advice = design.readouts.iter().flat_map(|row| &row.advice);
-    assert_eq!(advice.filter(|told| told.id == "polygon.out-of-phase").count(), 1);
+    assert_eq!(advice.filter(|told| told.message.id == "polygon.out-of-phase").count(), 1);
     // Once: it is no finding too.
     assert!(design.diagnostics.iter().all(|told| told.message.id != "polygon.out-of-phase"));
     let planner = whole(&project);
@@ -450,7 +450,7 @@ fn design_readouts_match_their_golden() {
     let said = |changes: &[(&str, &str)]| {
         let design = machine().prepare(&values(changes), project(&[]).on()).design(&Origins::default());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
-            let advice: Vec<_> = row.advice.iter().map(|advice| sentence(Language::English, advice)).collect();
+            let advice: Vec<_> = row.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect();
             format!("{:?} {}: {}\n", row.verdict, row.id, advice.join(" "))
         });
         let errors = design.diagnostics.iter().filter(|d| d.severity != Severity::Info);

@@ -10,7 +10,7 @@ use macroline::project::run::{self, RunOptions};
 use macroline::project::{Project, import};
 use macroline::text::catalog::{Language, sentence};
 use macroline::text::{Diagnostic, Severity};
-use macroline::view::Verdict;
+use macroline::view::{Limit, Verdict};
 
 use super::ribbon_line::{at_defaults, controls, machine, values};
 
@@ -116,8 +116,8 @@ fn feed_above_control_range_names_the_possible_speed() {
     let fast = project("gsk-980tdc", &[]);
     let design = fast.design();
     let feed = design.readouts.iter().find(|row| row.id == "vector-feed").unwrap();
-    assert_eq!((feed.verdict, feed.limit), (Verdict::Fail, Some(15_000.0)));
-    let advice: Vec<_> = feed.advice.iter().map(|message| sentence(Language::English, message)).collect();
+    assert_eq!((feed.verdict, feed.limit), (Verdict::Fail, Some(Limit::AtMost(15_000.0))));
+    let advice: Vec<_> = feed.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect();
     assert_eq!(
         advice,
         [
@@ -155,11 +155,12 @@ fn f_range_on_the_802d_is_reported_with_its_numbers() {
             project("sinumerik-802d", &[("spindle-speed", rpm), ("pitch-count", "5"), ("spindle-encoder", "true")]);
         let design = project.design();
         let feed = design.readouts.iter().find(|row| row.id == "vector-feed").unwrap();
-        assert_eq!((feed.verdict == Verdict::Fail, feed.limit), (!fits, Some(99_999.999)), "{rpm}");
+        assert_eq!((feed.verdict == Verdict::Fail, feed.limit), (!fits, Some(Limit::AtMost(99_999.999))), "{rpm}");
         let mut planner = over_time(&project, vec![]);
         assert_eq!(ended(&mut planner) == RunEnd::ProgramEnd, fits, "{rpm}");
         if rpm == "1200" {
-            let advice: Vec<_> = feed.advice.iter().map(|message| sentence(Language::English, message)).collect();
+            let advice: Vec<_> =
+                feed.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect();
             expect![[r#"
                 the control takes 99999.999: at most 1005 r/min
                 The vector feed would be 119391.393 mm/min, the control takes 99999.999 at most.

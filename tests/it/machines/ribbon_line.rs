@@ -6,7 +6,7 @@ use macroline::machines::form::{Origins, Provenance, Value, Values};
 use macroline::machines::{self, AnyMachine, ControlContext, Design};
 use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence, words};
-use macroline::view::{Readout, Verdict};
+use macroline::view::{Limit, Readout, Verdict};
 
 pub(super) fn machine() -> &'static dyn AnyMachine {
     machines::find("ribbon-line").unwrap()
@@ -63,7 +63,7 @@ fn check(changes: &[(&str, &str)], tolerance: f64, expected: &[(&str, f64)]) {
 }
 
 fn advice(readout: &Readout) -> Vec<String> {
-    readout.advice.iter().map(|message| sentence(Language::English, message)).collect()
+    readout.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect()
 }
 
 #[test]
@@ -317,7 +317,7 @@ fn blocks_too_long_for_the_control_are_errors() {
     // The program stops by itself before anything moves: no error, but red.
     assert_eq!(errors(&fast), [""; 0]);
     let feed = readout(&design(&fast), "vector-feed");
-    assert_eq!((feed.verdict, feed.limit), (Verdict::Fail, Some(1e6)));
+    assert_eq!((feed.verdict, feed.limit), (Verdict::Fail, Some(Limit::AtMost(1e6))));
     assert_eq!(advice(&feed)[1], "The vector feed would be 1895024.044 mm/min, the control takes 1000000 at most.");
 }
 

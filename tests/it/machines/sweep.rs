@@ -115,7 +115,7 @@ fn is_absurd(text: &str) -> bool {
 fn unsound(row: &Readout) -> Option<String> {
     let endless = row.value == f64::INFINITY && matches!(row.unit, "s" | "ms");
     let plain = row.value.is_finite() && row.value.abs() < 1e15;
-    let sound = (endless || plain) && row.limit.is_none_or(f64::is_finite);
+    let sound = (endless || plain) && row.limit.is_none_or(|limit| limit.value().is_finite());
     (!sound).then(|| format!("{} is {}, limit {:?}", row.id, row.value, row.limit))
 }
 
@@ -123,7 +123,9 @@ fn unsound(row: &Readout) -> Option<String> {
 fn faults(project: &Project) -> Vec<String> {
     let design = project.design();
     let said = design.diagnostics.iter().flat_map(|found| [&found.message].into_iter().chain(&found.hints));
-    let said = design.readouts.iter().flat_map(|row| &row.advice).chain(said).map(english);
+    let advice = design.readouts.iter().flat_map(|row| &row.advice);
+    let advice = advice.flat_map(|advice| [&advice.message].into_iter().chain(&advice.button));
+    let said = advice.chain(said).map(english);
     let mut faults: Vec<String> = said.filter(|text| is_absurd(text)).collect();
     faults.extend(design.readouts.iter().filter_map(unsound));
     if design.diagnostics.iter().any(|found| found.severity == Severity::Error) {

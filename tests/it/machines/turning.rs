@@ -222,7 +222,7 @@ fn design_readouts_match_their_golden() {
     let said = |changes: &[(&str, &str)]| {
         let design = machine().prepare(&values(changes), project("gsk-980tdc", &[]).on()).design(&Origins::default());
         let verdicts = design.readouts.iter().filter(|row| row.verdict > Verdict::Ok).map(|row| {
-            let advice: Vec<_> = row.advice.iter().map(|advice| sentence(Language::English, advice)).collect();
+            let advice: Vec<_> = row.advice.iter().map(|advice| sentence(Language::English, &advice.message)).collect();
             format!("{:?} {}: {}\n", row.verdict, row.id, advice.join(" "))
         });
         let errors = design.diagnostics.iter().filter(|d| d.severity != Severity::Info);

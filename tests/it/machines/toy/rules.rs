@@ -3,6 +3,7 @@
 use macroline::machines::verdict::{Judgement, ReadoutRow, Rule, fail, ok};
 use macroline::msg;
 use macroline::text::{Citation, Diagnostic, Grade};
+use macroline::view::Limit;
 
 use super::params::Feed;
 use super::resolved::CutToLength;
@@ -33,7 +34,8 @@ pub(super) const RULES: &[Rule<CutToLength>] =
 /// The axis reaches the feed.
 fn within_clamp(feeder: &CutToLength) -> Option<Judgement> {
     let clamp = feeder.p.clamp;
-    if feeder.d.speed > clamp { fail(clamp, [msg!("toy.above-clamp", clamp)]) } else { ok(clamp) }
+    let limit = Limit::AtMost(clamp);
+    if feeder.d.speed > clamp { fail(limit, [msg!("toy.above-clamp", clamp).into()]) } else { ok(limit) }
 }
 
 /// Errors that keep the program from being exported.

@@ -1,0 +1,224 @@
+//! Limits and remedies of the verdicts, over the fields at their ends and over random forms.
+
+use macroline::controls::options::{OverrideOrder, SwitchChoice};
+use macroline::machines;
+use macroline::machines::form::Value;
+use macroline::project::{Project, list};
+use macroline::text::Severity;
+use macroline::text::catalog::{Language, sentence};
+use macroline::view::{Advice, Limit, Readout, Verdict};
+
+use super::sweep::{changes, forms};
+
+/// Results that a clamp holds at their limit, or that have to stay below it: they fail at the limit itself.
+const HELD: &[&str] = &["volts", "speed-smallest", "relief"];
+
+/// All forms of the sweep, with a description.
+fn all() -> impl Iterator<Item = (Project, String)> {
+    let on = machines::ALL.iter().flat_map(|machine| machine.controls().iter().map(move |id| (*machine, *id)));
+    on.flat_map(|(machine, control)| {
+        forms(machine, control).into_iter().map(move |project| {
+            let about = format!("{} on {control},{}", machine.id(), changes(&project));
+            (project, about)
+        })
+    })
+}
+
+fn number(project: &Project, id: &str) -> f64 {
+    match project.values.get(id) {
+        Some(Value::Number(number)) => *number,
+        other => panic!("{id}: {other:?}"),
+    }
+}
+
+/// Whether an accepted value keeps its limit. Of a ratio r the smear |1 - 1/r| · c is at most the allowed one.
+fn keeps(project: &Project, readout: &Readout, limit: Limit) -> bool {
+    match limit {
+        Limit::Equal(_) if readout.id == "surface-ratio" => {
+            let smear = (1.0 - 1.0 / readout.value).abs() * number(project, "contact-length");
+            smear <= number(project, "smear-limit") * (1.0 + 1e-9)
+        }
+        _ => limit.holds(readout.value),
+    }
+}
+
+/// A verdict that contradicts its limit.
+fn contradiction(project: &Project, readout: &Readout) -> Option<String> {
+    let limit = readout.limit?;
+    let right = match readout.verdict {
+        Verdict::Ok => keeps(project, readout, limit),
+        Verdict::Fail if HELD.contains(&readout.id) => !limit.holds(readout.value) || limit.value() == readout.value,
+        Verdict::Fail => !limit.holds(readout.value),
+        Verdict::None | Verdict::Warn => true,
+    };
+    (!right).then(|| format!("{} is {} with {:?}: {:?}", readout.id, readout.value, limit, readout.verdict))
+}
+
+#[track_caller]
+fn none(found: &[String]) {
+    assert!(found.is_empty(), "{} faults:\n{}", found.len(), found[..found.len().min(30)].join("\n"));
+}
+
+#[test]
+fn ok_keeps_the_limit_and_fail_violates_it() {
+    let mut found = Vec::new();
+    for (project, about) in all() {
+        let faults = project
+            .prepared()
+            .results()
+            .readouts
+            .iter()
+            .filter_map(|row| contradiction(&project, row))
+            .collect::<Vec<_>>();
+        found.extend(faults.into_iter().map(|fault| format!("{fault}\n    {about}")));
+    }
+    none(&found);
+}
+
+/// The project with the entries of an advice.
+fn taken(project: &Project, advice: &Advice) -> Project {
+    let mut after = project.clone();
+    let fields = project.machine.fields();
+    for (id, typed) in &advice.sets {
+        let field = fields.iter().find(|field| field.id == *id).unwrap_or_else(|| panic!("no field {id}"));
+        let value = field.read(typed).unwrap_or_else(|problem| panic!("{id}: {problem:?}"));
+        after.values.insert((*id).to_owned(), value);
+    }
+    after
+}
+
+fn errors(project: &Project) -> usize {
+    project.design().diagnostics.iter().filter(|found| found.severity == Severity::Error).count()
+}
+
+#[test]
+fn every_settable_advice_improves_its_verdict() {
+    let (mut found, mut tried) = (Vec::new(), std::collections::BTreeSet::new());
+    for (project, about) in all() {
+        for readout in project.design().readouts {
+            for advice in &readout.advice {
+                assert_eq!(advice.button.is_none(), advice.sets.is_empty(), "{}: {about}", readout.id);
+                if advice.sets.is_empty() {
+                    continue;
+                }
+                tried.insert(advice.message.id);
+                let after = taken(&project, advice);
+                let verdict = after
+                    .design()
+                    .readouts
+                    .iter()
+                    .find(|row| row.id == readout.id)
+                    .map_or(Verdict::None, |row| row.verdict);
+                if verdict >= readout.verdict || errors(&after) > errors(&project) {
+                    found.push(format!(
+                        "{}: {:?} to {verdict:?} by {:?}\n    {about}",
+                        readout.id, readout.verdict, advice.sets
+                    ));
+                }
+            }
+        }
+    }
+    none(&found);
+    assert!(tried.len() >= 40, "{tried:?}");
+}
+
+fn project(machine: &str, control: &str, entries: &[(&'static str, &str)]) -> Project {
+    let plain = Project::of(machine, Some(control)).unwrap();
+    let sets = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
+    taken(&plain, &Advice { sets, button: None, message: macroline::msg!("polygon.no-b") })
+}
+
+fn readout(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
+}
+
+/// Words of the buttons of a result, with their entries.
+fn buttons(project: &Project, id: &str) -> Vec<String> {
+    let written = |advice: &Advice| {
+        let button = sentence(Language::English, advice.button.as_ref()?);
+        let sets: Vec<_> = advice.sets.iter().map(|(id, typed)| format!("{id}={typed}")).collect();
+        Some(format!("{button}: {}", sets.join(" ")))
+    };
+    readout(project, id).advice.iter().filter_map(written).collect()
+}
+
+#[test]
+fn buttons_of_the_defaults_of_the_ribbon_line() {
+    let line = project("ribbon-line", "mitsubishi-e60", &[]);
+    assert_eq!(
+        buttons(&line, "surface-ratio"),
+        [
+            "Set Ø 15.28 mm: print-roller-diameter=15.2789",
+            "Set Ø 15.28 mm: print-roller-diameter=15.2789",
+            "Set 47 heads: heads=47",
+            "Set a pitch of 62.832 mm: pitch=62.832",
+        ]
+    );
+    assert_eq!(buttons(&line, "slack-rate"), ["Add a dancer: dancer=true"]);
+    // No slack: the wait is half of the spindle ramp, less half of the time constant, less the servo lag.
+    let (ramp, tau, gain): (f64, f64, f64) = (2.0 * 1200.0 / 1480.0, 0.1, 33.0);
+    let dwell = ramp / 2.0 - tau / 2.0 - 1.0 / gain - 0.05;
+    let dwell = (dwell * 1000.0).ceil() / 1000.0;
+    assert_eq!(buttons(&line, "slack-start"), [format!("Set a dwell of {dwell} s: wait=dwell dwell={dwell}")]);
+}
+
+#[test]
+fn slower_unwinder_counts_the_override() {
+    let line = project(
+        "ribbon-line",
+        "mitsubishi-e60",
+        &[("clamp-y", "100000"), ("override", "80"), ("spindle-speed", "1300")],
+    );
+    // 100000 / (1000 mm of print roller per 8 mm of ribbon …): 1013 r/min of the unwinder at 80 %.
+    assert_eq!(buttons(&line, "y-feed"), ["Set 1266 r/min: spindle-speed=1266"]);
+}
+
+#[test]
+fn buttons_of_the_turning_spindle() {
+    let lathe = project("turning-spindle", "gsk-980tdc", &[("upper-limit", "3200.0"), ("cutting-force", "4000")]);
+    assert_eq!(buttons(&lathe, "speed-smallest"), ["Set 3000 r/min: upper-limit=3000"]);
+    // F v / 60 000 = 12 kW; 6 kW reach the cut.
+    assert_eq!(buttons(&lathe, "power"), ["Set 90 m/min: cutting-speed=90"]);
+}
+
+#[test]
+fn button_takes_the_flattest_cutter() {
+    let lathe = project("polygon-lathe", "knd-k2000t", &[("shape", "own"), ("sides", "6"), ("flatness", "0.5")]);
+    assert_eq!(
+        buttons(&lathe, "sides"),
+        ["Set 3 inserts, D1 Q2: shape=own sides=6 inserts=3 work-ratio=1 tool-ratio=2 tip-radius=45"]
+    );
+}
+
+#[test]
+fn remedy_that_does_not_help_has_no_button() {
+    // Two faults of the feed: the other clamp holds the speed down, whatever the first asks for.
+    let line = project("ribbon-line", "mitsubishi-e60", &[("clamp-y", "1")]);
+    let feed = readout(&line, "y-feed");
+    assert_eq!((feed.verdict, buttons(&line, "y-feed").len()), (Verdict::Fail, 0));
+    assert!(!feed.advice.is_empty());
+}
+
+#[test]
+fn override_behind_the_limits_is_held_by_the_chuck() {
+    let limits = [("override", "120"), ("upper-limit", "3000"), ("chuck-limit", "3000"), ("stage-2", "6000")];
+    let mut lathe = project("turning-spindle", "gsk-980tdc", &limits);
+    let choice = OverrideOrder::BehindLimits;
+    let row = lathe.control.switch(OverrideOrder::SWITCH).unwrap();
+    lathe.switches.set(row, choice.option().id);
+    assert_eq!(readout(&lathe, "speed-smallest").value, 3000.0);
+}
+
+#[test]
+fn limits_are_written_with_their_direction() {
+    let line = project("ribbon-line", "mitsubishi-e60", &[]);
+    let text = list::readouts_text(&line.design().readouts);
+    for phrase in ["(at most 20000)", "(at least ", "(within ±50)", "(exactly 1)"] {
+        assert!(text.contains(phrase), "{phrase}:\n{text}");
+    }
+    let json = list::readouts_json(&line.design().readouts);
+    let of = |id: &str| json.as_array().unwrap().iter().find(|row| row["id"] == id).unwrap();
+    assert_eq!((of("x-feed")["limit"].as_f64(), of("x-feed")["bound"].as_str()), (Some(20000.0), Some("most")));
+    assert_eq!(of("slack-rate")["bound"].as_str(), Some("within"));
+    assert!(of("k")["limit"].is_null() && of("k")["bound"].is_null());
+}
