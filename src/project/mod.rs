@@ -32,6 +32,8 @@ pub mod suppress;
 
 pub mod list;
 
+pub mod sensitivity;
+
 use std::sync::Arc;
 
 use crate::controls::{self, Control, Switches};

@@ -557,3 +557,12 @@ fn axes_that_stop_between_short_blocks_are_one_finding() {
     std::fs::write(&path, format!("%\nO1\n#1=0.5\nG91 G64 G01 X10. F30000\n{}M30\n%\n", "X#1\n".repeat(40))).unwrap();
     assert_eq!(ids_told(&macroline(&args)).0, ["motion.starved"]);
 }
+
+#[test]
+fn design_json_lists_facts_to_measure_first() {
+    let path = project(&folder("measure-first"), json!({ "clamp-x": 16000 }));
+    let out = macroline(&["design", &path, "--json"]);
+    let design: Json = serde_json::from_slice(&out.stdout).unwrap();
+    let first = design["measure_first"].as_array().unwrap();
+    assert!(first.contains(&json!("clamp-x")) && !first.contains(&json!("spindle-speed")), "{first:?}");
+}

@@ -9,6 +9,7 @@ mod polygon_sheets;
 mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;
+mod sensitivity;
 mod sweep;
 mod toy;
 mod turning;

@@ -13,7 +13,7 @@ use macroline::project::check::review;
 use macroline::project::render::summary;
 use macroline::project::run::{RunOptions, of_project};
 use macroline::project::suppress::silence;
-use macroline::project::{Project, list};
+use macroline::project::{Project, list, sensitivity};
 use macroline::text::Diagnostic;
 use macroline::view::Theme;
 use macroline::view::svg::picture;
@@ -56,7 +56,8 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
     let all = [file, Findings { sources: Sources::default(), list: design.diagnostics.clone() }];
     if json {
         let readouts = list::readouts_json(&design.readouts);
-        print_json(&json!({ "readouts": readouts, "diagnostics": list_json(&all) }))?;
+        let first: Vec<&str> = sensitivity::flips(&project).iter().map(|flip| flip.field).collect();
+        print_json(&json!({ "readouts": readouts, "measure_first": first, "diagnostics": list_json(&all) }))?;
     } else {
         print(&list::readouts_text(&design.readouts))?;
         tell(&all)?;

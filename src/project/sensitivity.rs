@@ -1,0 +1,78 @@
+//! Assumed facts of a machine whose error by a tenth changes a verdict: the ones to measure first.
+
+use super::Project;
+use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
+use crate::math;
+use crate::text::catalog::number_text;
+use crate::view::{Readout, Verdict};
+
+/// Changes of a fact that are tried.
+const FACTORS: [f64; 2] = [0.9, 1.1];
+
+/// An assumed fact whose change by a tenth changes the verdict of a result.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Flip {
+    /// Id of the fact's field.
+    pub field: &'static str,
+    /// Id of the result whose verdict changes most for the worse.
+    pub readout: &'static str,
+    /// Verdict with the value of the form.
+    pub from: Verdict,
+    /// Verdict with the changed value.
+    pub to: Verdict,
+    /// The change: 0.9 or 1.1.
+    pub factor: f64,
+}
+
+/// The assumed facts that flip a verdict, those that lead to a failure first, then in the order of the form.
+///
+/// Each number that is shown on the control, is a fact and has no known origin is prepared with 0.9 and 1.1 of its value: within the range
+/// of the field, rounded to its decimals, a whole number at least one off.
+pub fn flips(project: &Project) -> Vec<Flip> {
+    let prepared = project.prepared();
+    let before = prepared.results().readouts;
+    let fields = project.machine.fields();
+    let assumed = |id: &str| project.provenance.get(id).is_none_or(|origin| *origin == Provenance::Assumed);
+    let facts = fields.iter().filter(|field| field.fact && assumed(field.id) && !prepared.hidden().contains(&field.id));
+    let mut found: Vec<Flip> = facts.filter_map(|field| flip(project, field, &before)).collect();
+    found.sort_by_key(|flip| core::cmp::Reverse(flip.to));
+    found
+}
+
+/// The worst change that a fact makes.
+fn flip(project: &Project, field: &FieldInfo, before: &[Readout]) -> Option<Flip> {
+    let mut worst: Option<Flip> = None;
+    for factor in FACTORS {
+        let Some(changed) = changed(project, field, factor) else { continue };
+        let mut values = project.values.clone();
+        values.insert(field.id.to_owned(), Value::Number(changed));
+        let after = project.machine.prepare(&values, project.on()).results().readouts;
+        let found = before.iter().filter_map(|old| {
+            let to = after.iter().find(|new| new.id == old.id)?.verdict;
+            // Some rules judge a result only where it does not hold: no verdict is as good as ok.
+            let flips = to.max(Verdict::Ok) != old.verdict.max(Verdict::Ok);
+            flips.then_some(Flip { field: field.id, readout: old.id, from: old.verdict, to, factor })
+        });
+        for flip in found {
+            if worst.as_ref().is_none_or(|worst| flip.to > worst.to) {
+                worst = Some(flip);
+            }
+        }
+    }
+    worst
+}
+
+/// The value of a number by a factor, as the field takes it; `None` where the field is no number, or its range or decimals leave no other value.
+fn changed(project: &Project, field: &FieldInfo, factor: f64) -> Option<f64> {
+    let KindInfo::Number { min, max, default, decimals, .. } = field.kind else { return None };
+    let value = match project.values.get(field.id) {
+        Some(value @ Value::Number(number)) if field.check(value).is_ok() => *number,
+        _ => default,
+    };
+    let rounded = |number: f64| number_text(math::clamp(number, min, max), decimals).parse::<f64>().ok();
+    let mut changed = rounded(value * factor)?;
+    if decimals == 0 && changed == value {
+        changed = rounded(value + (factor - 1.0).signum())?;
+    }
+    (changed != value).then_some(changed)
+}
