@@ -274,9 +274,10 @@ fn catalog_and_code_name_the_same_sentences() {
     hold("Every sentence stands once in the catalog, and is said.", mend, broken);
 }
 
-/// The numbers of the places `{0}`, `{1}` … of a sentence.
+/// The numbers of the places `{0}`, `{1}`, `{1|one|many}` … of a sentence.
 fn places(sentence: &str) -> BTreeSet<usize> {
-    sentence.split('{').skip(1).filter_map(|tail| tail.split_once('}')?.0.parse().ok()).collect()
+    let places = sentence.split('{').skip(1).filter_map(|tail| Some(tail.split_once('}')?.0));
+    places.filter_map(|place| place.split('|').next()?.parse().ok()).collect()
 }
 
 /// Every `msg!("id", value, …)`: its line, the id, and how many values.

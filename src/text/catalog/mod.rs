@@ -1,7 +1,7 @@
 //! The one place where kinds and values become sentences: a file of lines per language.
 //!
-//! A line is an id, a space and its sentence; `{0}`, `{1}` … are the places of the values. Another language is another file of the
-//! same ids.
+//! A line is an id, a space and its sentence; `{0}`, `{1}` … are the places of the values, `{0|head|heads}` is the word that goes with the
+//! number of a place: the first for one, the second for all others. Another language is another file of the same ids.
 
 use std::cmp::Ordering;
 
@@ -57,16 +57,10 @@ pub fn sentence(language: Language, message: &Message) -> String {
     let mut rest = words(language, message.id);
     while let Some((before, tail)) = rest.split_once('{') {
         out.push_str(before);
-        let value = tail
-            .split_once('}')
-            .and_then(|(at, behind)| Some((message.values.get(at.parse::<usize>().ok()?)?, behind)));
+        let value = tail.split_once('}').and_then(|(place, behind)| Some((fill(message, place)?, behind)));
         rest = match value {
-            Some((MessageValue::Number(number, decimals), behind)) => {
-                out.push_str(&number_text(*number, *decimals));
-                behind
-            }
-            Some((MessageValue::Text(text), behind)) => {
-                out.push_str(text);
+            Some((text, behind)) => {
+                out.push_str(&text);
                 behind
             }
             None => {
@@ -77,6 +71,18 @@ pub fn sentence(language: Language, message: &Message) -> String {
     }
     out.push_str(rest);
     out
+}
+
+/// The text of a place, `0` or `0|head|heads`.
+fn fill(message: &Message, place: &str) -> Option<String> {
+    let (at, forms) = place.split_once('|').map_or((place, None), |(at, forms)| (at, Some(forms)));
+    let value = match message.values.get(at.parse::<usize>().ok()?)? {
+        MessageValue::Number(number, decimals) => number_text(*number, *decimals),
+        MessageValue::Text(text) => text.clone(),
+    };
+    let Some(forms) = forms else { return Some(value) };
+    let (one, many) = forms.split_once('|')?;
+    Some(if value == "1" { one } else { many }.to_owned())
 }
 
 /// A number with at most `decimals` decimals as text; see [`Plain`].

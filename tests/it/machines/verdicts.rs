@@ -222,3 +222,9 @@ fn limits_are_written_with_their_direction() {
     assert_eq!(of("slack-rate")["bound"].as_str(), Some("within"));
     assert!(of("k")["limit"].is_null() && of("k")["bound"].is_null());
 }
+
+#[test]
+fn buttons_count_one_in_the_singular() {
+    let heads = |count: f64| sentence(Language::English, &macroline::msg!("advice.set-heads", count));
+    assert_eq!([1.0, 2.0, 0.0].map(heads), ["Set 1 head", "Set 2 heads", "Set 0 heads"]);
+}
