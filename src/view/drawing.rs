@@ -122,15 +122,17 @@ impl Drawing {
         let Callout { at, anchor, name, values, part } = *callout;
         let letter = LETTER * self.unit;
         if let Some((x, y)) = part {
-            // From the corner of the text that is nearest to the part.
-            let below = y > at.1;
-            let lines = if below { values.len() as f64 * LINE + 0.55 } else { -1.15 };
-            let aside = match anchor {
-                "end" => -1.5,
-                "middle" => 0.0,
-                _ => 1.5,
+            // From the edge of the text that is nearest to the part.
+            let below = if y > at.1 { values.len() as f64 * LINE + 0.5 } else { -1.1 };
+            let longest = values.iter().map(|(_, text)| text.chars().count()).chain([name.chars().count()]).max();
+            let wide = 0.45 * letter * longest.unwrap_or(0) as f64;
+            let (left, right) = match anchor {
+                "end" => (at.0 - wide, at.0 - 0.5 * letter),
+                "middle" => (at.0 - 0.5 * wide, at.0 + 0.5 * wide),
+                _ => (at.0 + 0.5 * letter, at.0 + wide),
             };
-            self.path(filled("M# #L# #", &[at.0 + aside * letter, at.1 + lines * letter, x, y]), Look::LEAD);
+            let from = (math::clamp(x, left, right), at.1 + below * letter);
+            self.path(filled("M# #L# #", &[from.0, from.1, x, y]), Look::LEAD);
         }
         self.line_of_text(at, anchor, name, Font::Label, Paint::Dim, 0);
         for (line, (id, text)) in values.iter().enumerate() {

@@ -45,15 +45,18 @@ pub fn page(scene: &Scene, alt: &str) -> String {
     let mut out = filled("<svg class=\"scene\" viewBox=\"# # # #\" role=\"img\" aria-label=\"", &scene.view);
     escape(&mut out, alt);
     out.push_str("\">");
-    Writer { out: &mut out, scene, pose: None, place: Place::Page }.write();
+    Writer { out: &mut out, scene, pose: None, place: Place::Page, scale: 1.0 }.write();
     out.push_str("</svg>");
     out
 }
 
-/// The scene in a pose, as a picture `width` pixels wide in its own colours.
-pub fn picture(scene: &Scene, pose: &Pose, theme: Theme, width: f64) -> String {
+/// Width in pixels of a picture whose labels have room at any size.
+const WIDTH: f64 = 1200.0;
+
+/// The scene in a pose, as a picture in its own colours, with the labels as large as they are laid out for.
+pub fn picture(scene: &Scene, pose: &Pose, theme: Theme) -> String {
     let [x, y, w, h] = scene.view;
-    let unit = if width > 0.0 { w / width } else { 1.0 };
+    let unit = if scene.unit > 0.0 { scene.unit } else { w / WIDTH };
     let mut out = filled(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"# # # #\" width=\"#\" height=\"#\">",
         &[x, y, w, h, w / unit, h / unit],
@@ -64,7 +67,7 @@ pub fn picture(scene: &Scene, pose: &Pose, theme: Theme, width: f64) -> String {
         out,
         "<style>.label{{font:{size} {label}}}.value{{font:600 {size} {figure}}}.engraved{{font-family:{label};font-weight:600}}</style>"
     );
-    Writer { out: &mut out, scene, pose: Some(pose), place: Place::Alone(theme, unit) }.write();
+    Writer { out: &mut out, scene, pose: Some(pose), place: Place::Alone(theme, unit), scale: 1.0 }.write();
     out.push_str("</svg>\n");
     out
 }
@@ -129,6 +132,8 @@ struct Writer<'a> {
     scene: &'a Scene,
     pose: Option<&'a Pose>,
     place: Place,
+    /// Drawing units per unit of the open groups.
+    scale: f64,
 }
 
 impl Writer<'_> {
@@ -149,6 +154,7 @@ impl Writer<'_> {
             }
             chain[same..].iter().for_each(|group| self.open(*group));
             open = chain;
+            self.scale = open.iter().filter_map(|group| self.group(*group)).map(|group| group.scale).product();
             self.node(node);
         }
         open.iter().for_each(|_| self.out.push_str("</g>"));
@@ -313,7 +319,7 @@ impl Writer<'_> {
             self.paint_of("stroke", look.stroke);
             // A picture keeps its size: its thin strokes are as wide as on a screen.
             let width = match self.place {
-                Place::Alone(_, unit) if look.is_thin => look.width * unit,
+                Place::Alone(_, unit) if look.is_thin => look.width * unit / self.scale.max(1e-9),
                 _ => look.width,
             };
             fill(self.out, " stroke-width=\"#\"", &[width]);

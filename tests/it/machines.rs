@@ -10,6 +10,7 @@ mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;
 mod sensitivity;
+mod scenes;
 mod sweep;
 mod toy;
 mod turning;

@@ -78,9 +78,6 @@ fn export(path: &Path, folder: &Path) -> Result<(), Failure> {
     print(&paths.collect::<String>())
 }
 
-/// Width of a picture in pixels.
-const WIDTH: f64 = 1200.0;
-
 fn draw(path: &Path, at: f64, dark: bool, out: &Path) -> Result<(), Failure> {
     if at.is_nan() || at < 0.0 {
         return Err(Failure::Usage("--at takes 0 or more".to_owned()));
@@ -97,7 +94,7 @@ fn draw(path: &Path, at: f64, dark: bool, out: &Path) -> Result<(), Failure> {
     let pose = machine.pose(&run, &now, Frame { step: 0.0, option: false });
     let theme = if dark { Theme::Dark } else { Theme::Light };
     let failed = |error| Failure::Outside(format!("{}: {error}", out.display()));
-    std::fs::write(out, picture(&machine.scene(), &pose, theme, WIDTH)).map_err(failed)
+    std::fs::write(out, picture(&machine.scene(), &pose, theme)).map_err(failed)
 }
 
 fn check(

@@ -1,18 +1,25 @@
-//! The drawing of the ribbon line at a moment: angles of the rollers, dots, depth of the loop, figures.
+//! The drawing of the ribbon line at a moment: angles of the rollers, ribbon and dots, depth of the loop, figures.
 
 use super::params::Params;
 use super::resolved::RibbonLine;
-use super::scene::{self, DOTS, PITCH, group, node};
+use super::scene::layout::Reel;
+use super::scene::lens::Lens;
+use super::scene::parts::group::{self, Station as Part};
+use super::scene::parts::node;
+use super::scene::{self, band};
 use crate::machines::machine::Frame;
+use crate::machines::sheets::say;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
 use crate::text::catalog::number_text as show;
 use crate::text::number::figure;
-use crate::view::Pose;
-use crate::view::scene::Placement;
+use crate::view::{Paint, Placement, Pose};
 
 /// Degrees per frame beyond which a roller is drawn as a blurred ring.
 const SEEN: f64 = 20.0;
+
+/// Slack, mm, below which the ribbon is tight: less than half a millimetre is no pull.
+const TIGHT: f64 = -0.5;
 
 /// The state of the line at a moment, in the units of the drawing's figures.
 pub(super) struct State {
@@ -24,6 +31,8 @@ pub(super) struct State {
     print_angle: f64,
     /// Ribbon pulled, mm.
     pub(super) pulled: f64,
+    /// Ribbon unwound, mm.
+    unwound: f64,
     /// Ribbon unwound less ribbon pulled, mm.
     pub(super) slack: f64,
     /// Degrees per second of the rollers.
@@ -37,13 +46,15 @@ impl State {
         // The axis itself, which lags its command.
         let pulled = x.actual;
         let turns = now.spindle.turns / p.reduction_ratio;
+        let unwound = turns * PI * p.press_roller_diameter;
         let degrees = if line.degrees() { 1.0 } else { 360.0 / (PI * p.print_roller_diameter) };
         State {
             unwinder_turns: turns,
             pull_turns: pulled / (PI * p.x_roller_diameter),
             print_angle: y.actual * degrees,
             pulled,
-            slack: turns * PI * p.press_roller_diameter - pulled,
+            unwound,
+            slack: unwound - pulled,
             speeds: [
                 now.spindle.actual / p.reduction_ratio * 6.0,
                 x.feed / (PI * p.x_roller_diameter) * 6.0,
@@ -56,68 +67,166 @@ impl State {
     pub(super) fn register(&self, p: &Params) -> f64 {
         self.print_angle * p.heads / 360.0 * p.pitch - self.pulled
     }
+
+    /// Share of a pitch that the newest dot has moved, and the number of dots before it.
+    fn passed(&self, p: &Params) -> (f64, f64) {
+        let passed = self.pulled / p.pitch + 1e-6;
+        (passed - passed.floor(), passed.floor())
+    }
+}
+
+/// A group turned about its own origin.
+fn turned(group: u16, turn: f64, opacity: f64) -> Placement {
+    Placement { turn: turn % 360.0, opacity, ..Placement::of(group) }
+}
+
+/// A group that is seen more or less.
+fn shown(group: u16, opacity: f64) -> Placement {
+    Placement { opacity, ..Placement::of(group) }
 }
 
 /// Placements, paths and figures at a moment.
 pub(super) fn pose(line: &RibbonLine, now: &Snapshot, frame: Frame) -> Pose {
-    let (p, state) = (&line.p, State::new(line, now));
-    let [unwinder, pull, print] = state.speeds.map(|speed| (speed * frame.step).abs());
+    let state = State::new(line, now);
     let mut pose = Pose::default();
-    let mut put = |group: u16, centre: (f64, f64, f64), turn: f64, opacity: f64| {
-        let (cx, cy, _) = centre;
-        pose.placements.push(Placement { turn: turn % 360.0, cx, cy, opacity, ..Placement::of(group) });
-    };
-    // Rollers below the ribbon turn with the clock, those above against it.
-    let length = state.unwinder_turns * p.press_roller_diameter;
-    let turn = 360.0 * state.unwinder_turns;
-    put(group::REEL, scene::REEL, 360.0 * length / (6.0 * p.press_roller_diameter), 1.0);
-    for (marks, blur, centre, turn, step) in [
-        (group::UNWINDER, group::UNWINDER_BLUR, scene::UNWINDER, turn, unwinder),
-        (group::PULL, group::PULL_BLUR, scene::PULL, 360.0 * state.pull_turns, pull),
-    ] {
-        put(marks, centre, turn, seen(step));
-        put(blur, centre, 0.0, 0.5 * (1.0 - seen(step)));
-    }
-    let smaller = scene::UNWINDER.2 / scene::UNWINDER_PRESS.2;
-    put(group::UNWINDER_PRESS, scene::UNWINDER_PRESS, -turn * smaller, seen(unwinder * smaller));
-    put(group::PULL_PRESS, scene::PULL_PRESS, -360.0 * state.pull_turns * smaller, seen(pull * smaller));
-    // The stroboscope flashes when a head meets the ribbon.
-    let head = 360.0 / p.heads;
-    let flash = |angle: f64| if frame.option { (angle / head).floor() * head } else { angle };
-    let print_seen = if frame.option { 1.0 } else { seen(print) };
-    put(group::PRINT, scene::PRINT, -flash(state.print_angle + 1e-6), print_seen);
-    put(group::PRINT_BLUR, scene::PRINT, 0.0, 0.45 * (1.0 - print_seen));
+    stations(line, now, frame, &state, &mut pose);
+    reels(line, &state, &mut pose);
+    print_roller(line, frame, &state, &mut pose);
     dots(line, now, frame, &state, &mut pose);
-    pose.paths = vec![(node::LOOP, scene::loop_path(state.slack, p.loop_capacity))];
+    slack_loop(line, &state, &mut pose);
+    lamps(now, &state, &mut pose);
     pose.texts = texts(line, now, &state);
     pose
 }
 
 /// 1 where single marks can be followed by the eye, 0 where they blur, and a little in between.
 fn seen(step: f64) -> f64 {
-    Frame::seen(step, SEEN)
+    Frame::seen(step.abs(), SEEN)
+}
+
+/// Rollers below the ribbon turn with the clock, those above against it; a motor turns as its gear says.
+fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
+    let p = &line.p;
+    let press = 1.0 / scene::layout::PRESS;
+    let motor = now.spindle.turns;
+    let rows = [
+        (group::UNWINDER, 360.0 * state.unwinder_turns, state.speeds[0], 360.0 * motor, now.spindle.actual * 6.0),
+        (
+            group::PULL,
+            360.0 * state.pull_turns,
+            state.speeds[1],
+            360.0 * state.pull_turns * p.gear_x,
+            state.speeds[1] * p.gear_x,
+        ),
+    ];
+    for ((first, turn, speed, motor, motor_speed), (belt, station)) in
+        rows.into_iter().zip(node::BELTS.into_iter().zip([&line.layout.unwinder, &line.layout.pull]))
+    {
+        let step = speed * frame.step;
+        pose.placements.extend([
+            turned(Part::Marks.of(first), turn, seen(step)),
+            shown(Part::Blur.of(first), 1.0 - seen(step)),
+            turned(Part::PressMarks.of(first), -turn * press, 0.25 + 0.75 * seen(step * press)),
+            turned(Part::Pulley.of(first), motor, 0.4 + 0.6 * seen(motor_speed * frame.step)),
+        ]);
+        // The belt runs on the hub of the roller.
+        let pitch = 6.0 * station.scale;
+        pose.dashes.push((belt, -(turn * PI / 180.0 * 0.44 * station.r) % pitch));
+    }
+    let (_, _, r) = line.layout.deflector;
+    pose.placements.push(turned(group::DEFLECTOR_MARKS, state.pulled / r * 180.0 / PI, 1.0));
+}
+
+/// Reels turn with the ribbon on their radius, and shrink and grow by its thickness.
+fn reels(line: &RibbonLine, state: &State, pose: &mut Pose) {
+    let (layout, t) = (&line.layout, line.p.ribbon_thickness);
+    let rows: [(&Reel, f64, [u16; 3]); 2] = [
+        (&layout.supply, -state.unwound.max(0.0), [group::REEL_BODY, group::REEL_FACE, group::REEL_HUB]),
+        (&layout.take_up, state.pulled.max(0.0), [group::TAKE_UP_BODY, group::TAKE_UP_FACE, group::TAKE_UP_HUB]),
+    ];
+    for (reel, length, [body, face, hub]) in rows {
+        let turn = 360.0 * reel.turns(t, length) % 360.0;
+        let size = reel.radius(t, length) / reel.r;
+        pose.placements.extend([
+            Placement { size: (size, size), ..Placement::of(body) },
+            Placement { turn, size: (size, size), ..Placement::of(face) },
+            Placement { turn, ..Placement::of(hub) },
+        ]);
+    }
+    let supply = layout.supply_web(layout.supply.radius(t, -state.unwound.max(0.0)));
+    let take_up = layout.take_up_web(layout.take_up.radius(t, state.pulled.max(0.0)));
+    pose.paths.extend(node::SUPPLY.into_iter().zip(band(layout, &supply)));
+    pose.paths.extend(node::TAKE_UP.into_iter().zip(band(layout, &take_up)));
+}
+
+/// The print roller with its heads, also in the lens. The stroboscope flashes when a head meets the ribbon.
+fn print_roller(line: &RibbonLine, frame: Frame, state: &State, pose: &mut Pose) {
+    let head = 360.0 / line.p.heads;
+    let angle = state.print_angle + 1e-6;
+    let flash = if frame.option { (angle / head).floor() * head } else { angle };
+    let heads_seen = if frame.option { 1.0 } else { seen(state.speeds[2] * frame.step) };
+    for layer in 0..group::LAYERS {
+        pose.placements.push(turned(group::PRINT_LAYERS + 2 * layer + 1, -flash, heads_seen));
+    }
+    pose.placements.push(turned(group::PRINT, -flash, heads_seen));
+    pose.placements.push(shown(group::PRINT_BLUR, 0.6 * (1.0 - heads_seen)));
+    let lens = Lens::new(&line.layout, &line.p, line.d.smear);
+    let (cy, turn) = (lens.centre(), -(flash - (flash / head).floor() * head));
+    pose.placements.push(Placement { turn, cy, opacity: 0.25 + 0.75 * heads_seen, ..Placement::of(group::LENS_HEADS) });
 }
 
 /// The dots move with X; the newest was printed where the last head met the ribbon.
 fn dots(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
-    let p = &line.p;
-    let passed = state.pulled / p.pitch + 1e-6;
-    let printed = passed.floor();
-    let part = if frame.option { 0.0 } else { passed - printed };
-    let step = now.axes[line.pull()].feed / 60.0 * frame.step / p.pitch;
+    let (p, layout) = (&line.p, &line.layout);
+    let (part, _) = state.passed(p);
+    let part = if frame.option { 0.0 } else { part };
+    let step = (now.axes[line.pull()].feed / 60.0 * frame.step / p.pitch).abs();
     // Beyond a third of a pitch a frame the eye joins wrong dots.
     let clear = if frame.option { 1.0 } else { math::clamp((0.45 - step) / 0.15, 0.0, 1.0) };
-    for dot in 0..DOTS {
-        let there = f64::from(dot) <= printed;
-        pose.placements.push(Placement {
-            group: group::DOTS + dot,
-            dx: (f64::from(dot) + part) * PITCH,
-            opacity: if there { clear } else { 0.0 },
-            ..Placement::default()
-        });
+    let any = if state.pulled > 0.0 { 1.0 } else { 0.0 };
+    let [_, middle, _] = scene::lanes(layout);
+    let radius = layout.take_up.radius(p.ribbon_thickness, state.pulled.max(0.0));
+    let (long, _) = scene::dot(line);
+    let row = layout.printed_web(radius).path(middle, state.pulled.max(0.0) + 0.5 * long);
+    pose.paths.push((node::DOTS, row.clone()));
+    pose.paths.push((node::STREAK, row));
+    pose.dashes.push((node::DOTS, 0.5 * long - part * p.pitch));
+    pose.placements.push(shown(group::DOTS, clear * any));
+    pose.placements.push(shown(group::DOTS_BLUR, 0.7 * (1.0 - clear) * any));
+    let lens = Lens::new(layout, p, line.d.smear);
+    for id in [node::LENS_DOTS, node::LENS_SMEAR] {
+        pose.dashes.push((id, -part * lens.pitch));
+        pose.paths.push((id, lens.row(state.pulled.max(0.0))));
     }
-    let streak = if printed >= f64::from(DOTS) { 0.35 * (1.0 - clear) } else { 0.0 };
-    pose.placements.push(Placement { group: group::DOTS_BLUR, opacity: streak, ..Placement::default() });
+    pose.placements.push(shown(group::LENS_DOTS, (0.3 + 0.7 * clear) * any));
+}
+
+/// Whether the loop holds: neither tight nor beyond its capacity.
+fn holds(line: &RibbonLine, state: &State) -> bool {
+    state.slack >= TIGHT && (state.slack <= line.p.loop_capacity || line.p.loop_capacity <= 0.0)
+}
+
+/// The loop hangs as deep as its slack, at most on the floor.
+fn slack_loop(line: &RibbonLine, state: &State, pose: &mut Pose) {
+    let layout = &line.layout;
+    let room = layout.floor - 8.0 * layout.scale;
+    // A loop on the floor keeps its shape.
+    let mut slack = state.slack.min(1e9);
+    while slack > 0.0 && layout.slack.depth(slack) > room {
+        slack *= 0.97;
+    }
+    pose.paths.extend(node::LOOP.into_iter().zip(band(layout, &layout.slack.web(layout.unwinder.x, slack))));
+    let depth = layout.slack.depth(slack);
+    pose.placements.push(Placement { dy: depth, ..Placement::of(group::POINTER) });
+    let paint = if holds(line, state) { Paint::Ink } else { Paint::Bad };
+    pose.fills.extend([(node::SLACK, paint), (node::LOOP_STATE, paint)]);
+}
+
+/// A lamp is on while its drive turns.
+fn lamps(now: &Snapshot, state: &State, pose: &mut Pose) {
+    for (lamp, speed) in node::LAMPS.into_iter().zip([now.spindle.actual, state.speeds[1]]) {
+        pose.fills.push((lamp, if speed.abs() > 1e-6 { Paint::Good } else { Paint::DarkShade }));
+    }
 }
 
 fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)> {
@@ -125,13 +234,14 @@ fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)>
     let heads = p.heads.max(1.0);
     let met = (state.print_angle * heads / 360.0 + 1e-6).floor();
     let head = met - (met / heads).floor() * heads + 1.0;
-    let state_of_loop = if p.loop_capacity > 0.0 && state.slack.abs() > p.loop_capacity {
-        if state.slack > 0.0 { "ribbon.scene.full" } else { "ribbon.scene.empty" }
-    } else {
-        "ribbon.scene.holds"
+    let state_of_loop = match holds(line, state) {
+        true => "ribbon.scene.holds",
+        false if state.slack > 0.0 => "ribbon.scene.full",
+        false => "ribbon.scene.empty",
     };
-    let say = |id| crate::text::catalog::words(crate::text::catalog::Language::English, id).to_owned();
+    let (_, printed) = state.passed(p);
     vec![
+        (node::UNWOUND, format!("{} mm", figure(state.unwound, 1))),
         (node::UNWINDER_SPEED, format!("{} r/min", figure(now.spindle.actual, 1))),
         (node::UNWINDER_VOLTS, format!("{} V", figure(now.spindle.volts, 3))),
         (node::SLACK, format!("{}{} mm", if state.slack >= 0.05 { "+" } else { "" }, figure(state.slack, 1))),
@@ -140,6 +250,6 @@ fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)>
         (node::PULL_POSITION, format!("{} mm", figure(state.pulled, 1))),
         (node::PRINT_SPEED, format!("{} r/min", figure(state.speeds[2] / 6.0, 1))),
         (node::PRINT_HEAD, format!("{} {} / {}", say("ribbon.scene.head"), show(head, 0), show(heads, 0))),
-        (node::DOT_COUNT, format!("{} {}", show((state.pulled / p.pitch + 1e-6).floor(), 0), say("ribbon.scene.dots"))),
+        (node::DOT_COUNT, format!("{} {}", show(printed, 0), say("ribbon.scene.dots"))),
     ]
 }

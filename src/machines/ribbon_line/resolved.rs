@@ -2,6 +2,8 @@
 
 use super::derive::Derived;
 use super::params::{FeedForm, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit};
+use super::scene::labels::names;
+use super::scene::layout::Layout;
 use crate::controls::vars::Width;
 use crate::controls::{Control, Dialect, VarKind};
 use crate::machines::machine::ControlContext;
@@ -20,6 +22,8 @@ pub(crate) struct RibbonLine {
     pub(super) d: Derived,
     pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
+    /// Where everything is in the drawing.
+    pub(super) layout: Layout,
 }
 
 impl RibbonLine {
@@ -40,7 +44,9 @@ impl RibbonLine {
             p.path_mode = PathMode::Continuous;
         }
         let d = Derived::new(&p, control.bench.output_bits);
-        RibbonLine { form, p, d, control, dialect }
+        let letters = names(&p).map(|name| name.chars().count());
+        let layout = Layout::new(&p, letters);
+        RibbonLine { form, p, d, control, dialect, layout }
     }
 
     /// Index of the axis that pulls, in the control's order.

@@ -6,6 +6,7 @@ use macroline::controls::interface::SignalRole;
 use macroline::controls::{Dialect, Switches};
 use macroline::machines::form::{Origins, Provenance};
 use macroline::machines::{ControlContext, Frame, Samples, report};
+use macroline::math;
 use macroline::motion::Snapshot;
 use macroline::text::catalog::Language;
 use macroline::view::look::{Gradient, Ramp};
@@ -33,34 +34,13 @@ fn pose(t: f64, step: f64, strobe: bool) -> Pose {
 }
 
 #[test]
-fn pose_moves_only_nodes_of_the_scene() {
-    for heads in ["1", "6", "60", "1000"] {
-        let values = values(&[("heads", heads)]);
-        let scene = machine().prepare(&values, on()).scene();
-        let pose = machine().prepare(&values, on()).pose(&Running, &running(3.0), Frame { step: 0.001, option: false });
-        assert!(scene.nodes.len() < 250, "{heads} heads: {} nodes", scene.nodes.len());
-        assert!(scene.nodes.iter().all(|node| usize::from(node.group) < scene.groups.len()));
-        for (at, _) in &pose.texts {
-            assert!(matches!(scene.node(*at).unwrap().shape, Shape::Text { .. }), "node {at} is no text");
-        }
-        for (at, _) in &pose.paths {
-            assert!(matches!(scene.node(*at).unwrap().shape, Shape::Path { .. }), "node {at} is no path");
-        }
-        for place in &pose.placements {
-            assert!(scene.nodes.iter().any(|node| node.group == place.group), "no group {}", place.group);
-            assert!(place.turn.is_finite() && (0.0..=1.0).contains(&place.opacity));
-        }
-        assert!(!svg::picture(&scene, &pose, Theme::Light, 800.0).contains("NaN"));
-    }
-}
-
-#[test]
 fn pose_figures_equal_the_snapshot() {
     let pose = pose(2.0, 0.001, false);
     let texts: Vec<&str> = pose.texts.iter().map(|(_, text)| text.as_str()).collect();
     assert_eq!(
         texts,
         [
+            "508.8 mm",
             "1\u{202F}214.6 r/min",
             "8.107 V",
             "+6.1 mm",
@@ -76,7 +56,7 @@ fn pose_figures_equal_the_snapshot() {
 
 /// A lamp in a group that a slide carries, behind a round window.
 fn nested() -> Scene {
-    let mut drawing = Drawing::new(1.0);
+    let mut drawing = Drawing::new(0.5);
     let window = Shape::Circle { x: 0.0, y: 0.0, r: 9.0 };
     drawing.place(1, SceneGroup { at: (10.0, 20.0), scale: 5.0, clip: Some(window), ..SceneGroup::default() });
     drawing.place(2, SceneGroup { parent: 1, ..SceneGroup::default() });
@@ -123,7 +103,7 @@ fn picture_has_its_own_colours_and_the_pose() {
     pose.dashes.push((8, 4.5));
     pose.fills.push((7, Paint::Good));
     pose.texts.push((9, "2 r/min".to_owned()));
-    let light = svg::picture(&nested(), &pose, Theme::Light, 200.0);
+    let light = svg::picture(&nested(), &pose, Theme::Light);
     for part in [
         "<g transform=\"translate(2 0)rotate(30)\">",
         "stroke-dashoffset=\"4.5\"",
@@ -135,15 +115,19 @@ fn picture_has_its_own_colours_and_the_pose() {
     ] {
         assert!(light.contains(part), "no {part} in\n{light}");
     }
-    let dark = svg::picture(&nested(), &pose, Theme::Dark, 200.0);
+    let dark = svg::picture(&nested(), &pose, Theme::Dark);
     assert!(dark.contains("fill=\"#52c27a\"") && !light.contains("var(") && !dark.contains("var("));
     assert!(!dark.contains("=\"\""), "a paint without a colour in {dark}");
 }
 
+/// Groups of the print roller: its front, and the ring that replaces its heads.
+const PRINT: u16 = 60;
+const PRINT_BLUR: u16 = 61;
+
 /// Opacity of the heads and of the ring that replaces them.
 fn heads_and_ring(pose: &Pose) -> (f64, f64) {
     let opacity = |group| pose.placements.iter().find(|place| place.group == group).unwrap().opacity;
-    (opacity(6), opacity(7))
+    (opacity(PRINT), opacity(PRINT_BLUR))
 }
 
 #[test]
@@ -156,9 +140,103 @@ fn fast_roller_blurs_and_strobe_freezes_it() {
     for t in [2.0, 2.013, 2.3] {
         let flash = pose(t, 0.020, true);
         assert_eq!(heads_and_ring(&flash).0, 1.0);
-        let turn = flash.placements.iter().find(|place| place.group == 6).unwrap().turn;
+        let turn = flash.placements.iter().find(|place| place.group == PRINT).unwrap().turn;
         assert!((turn / 60.0 - (turn / 60.0).round()).abs() < 1e-9, "{turn}");
     }
+}
+
+/// Length of a path of lines and arcs, and its lowest point at the end of a line or an arc.
+fn measured(d: &str) -> (f64, f64) {
+    let (mut length, mut low, mut at) = (0.0, f64::NEG_INFINITY, (0.0, 0.0));
+    let mut rest = d;
+    while let Some(letter) = rest.chars().next() {
+        let end = rest[1..].find(['M', 'L', 'A']).map_or(rest.len(), |end| end + 1);
+        let numbers: Vec<f64> = rest[1..end].split_whitespace().map(|number| number.parse().unwrap()).collect();
+        let to = (numbers[numbers.len() - 2], numbers[numbers.len() - 1]);
+        let chord = math::hypot(to.0 - at.0, to.1 - at.1);
+        length += match letter {
+            'M' => 0.0,
+            'L' => chord,
+            _ => 2.0 * numbers[0] * math::asin((0.5 * chord / numbers[0]).min(1.0)),
+        };
+        low = f64::max(low, to.1);
+        (at, rest) = (to, &rest[end..]);
+    }
+    (length, low)
+}
+
+/// Nodes of the near edge of the loop and of the ribbon on the supply reel, and the ruler's pointer.
+const LOOP_EDGE: u16 = 4;
+const POINTER: u16 = 67;
+
+#[test]
+fn loop_is_as_long_as_distance_and_slack() {
+    // Rollers of one size and of two, shallow and deep.
+    for (press, pull) in [("100", "100"), ("40", "160"), ("160", "40"), ("1000", "50")] {
+        let values = values(&[("press-roller-diameter", press), ("x-roller-diameter", pull), ("loop-capacity", "500")]);
+        let machine = machine().prepare(&values, on());
+        let at_slack = |slack: f64| {
+            let mut now = Snapshot::default();
+            now.spindle.turns = slack * 25.0 / (std::f64::consts::PI * press.parse::<f64>().unwrap());
+            let pose = machine.pose(&Running, &now, Frame { step: 0.0, option: false });
+            let edge = pose.paths.iter().find(|(id, _)| *id == LOOP_EDGE).unwrap().1.clone();
+            let pointer = pose.placements.iter().find(|place| place.group == POINTER).unwrap().dy;
+            (measured(&edge), pointer)
+        };
+        let ((straight, _), rest) = at_slack(0.0);
+        assert_eq!(rest, 0.0, "no slack, no depth");
+        let mut depth = 0.0;
+        for slack in [1.0, 20.0, 90.0, 148.0, 355.0, 480.0] {
+            let ((length, _), pointer) = at_slack(slack);
+            // Two decimals of the ends of half a circle leave this much of its length open.
+            assert!(
+                (length - straight - slack).abs() < 0.6,
+                "Ø {press} and Ø {pull}: {length} - {straight}, slack {slack}"
+            );
+            assert!(pointer > depth, "a longer loop hangs deeper");
+            depth = pointer;
+        }
+    }
+}
+
+#[test]
+fn rollers_and_reels_turn_as_the_ribbon_runs() {
+    let pose = pose(2.0, 0.0, false);
+    let turn = |group: u16| pose.placements.iter().find(|place| place.group == group).unwrap().turn;
+    let same = |group: u16, turns: f64| {
+        let wanted = turns * 360.0 % 360.0;
+        assert!((turn(group) - wanted).abs() < 1e-6, "group {group}: {} and not {wanted}", turn(group));
+    };
+    let pi = std::f64::consts::PI;
+    let (unwound, pulled) = (2.0 * 20.24360 / 25.0 * pi * 100.0, 2.0 * 251.327412);
+    // Marks of unwinder and pull rollers, their press rollers, the motor of the unwinder.
+    same(13, 2.0 * 20.24360 / 25.0);
+    same(23, pulled / (pi * 100.0));
+    same(16, -2.0 * 20.24360 / 25.0 / 0.6);
+    same(18, 2.0 * 20.24360);
+    // The reels: a spiral of 0.5 mm on radii of 112 and 66 mm, π (R0² - R²) = 0.5 L.
+    let supply = (112.0 * 112.0 - 0.5 * unwound / pi).sqrt();
+    same(4, (112.0 - supply) / 0.5);
+    let take_up = (66.0 * 66.0 + 0.5 * pulled / pi).sqrt();
+    same(8, (take_up - 66.0) / 0.5);
+    let size = pose.placements.iter().find(|place| place.group == 3).unwrap().size.0;
+    assert!((size - supply / 112.0).abs() < 1e-9);
+}
+
+#[test]
+fn dots_move_with_the_ribbon() {
+    let offset = |t: f64| pose(t, 0.0, false).dashes.iter().find(|(id, _)| *id == 7).unwrap().1;
+    // A hundredth of a second is 2.513 mm of ribbon, less than a pitch.
+    let (early, late) = (offset(2.0), offset(2.01));
+    assert!(
+        (early - late - 2.51327412).abs() < 1e-6 || (early - late + 8.0 - 2.51327412).abs() < 1e-6,
+        "{early} {late}"
+    );
+    // Nothing is printed ahead of the ribbon: the row of dots is as long as the ribbon that was pulled.
+    let row = |t: f64| measured(&pose(t, 0.0, false).paths.iter().find(|(id, _)| *id == 7).unwrap().1).0;
+    let half = 0.5 * (2.0 + 1.745);
+    assert!((row(0.2) - (0.2 * 251.327412 + half)).abs() < 0.02, "{}", row(0.2));
+    assert!(row(3.0) < 600.0, "the row ends on the take-up reel");
 }
 
 struct Running;

@@ -589,7 +589,7 @@ fn cut_section_never_grows_and_ends_exact() {
         for at in 0..=400 {
             let now = Samples::at(&planner, end * f64::from(at) / 400.0);
             let pose = project.prepared().pose(&planner, &now, frame);
-            let picture = svg::picture(&scene, &pose, Theme::Light, 800.0);
+            let picture = svg::picture(&scene, &pose, Theme::Light);
             assert!(!picture.contains("NaN") && !picture.contains("inf") && !picture.contains('∞'), "{changes:?}");
             let now = area(&pose.paths[1].1);
             assert!(now < left * 1.002, "{changes:?}: {left} to {now} at {at}");

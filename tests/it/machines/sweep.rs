@@ -62,7 +62,7 @@ impl Random {
 }
 
 /// Least, greatest and default number; each choice; both ways of a check mark; no text, the longest, and one that a program cannot hold.
-fn ends(field: &FieldInfo) -> Vec<Value> {
+pub(super) fn ends(field: &FieldInfo) -> Vec<Value> {
     let text = |text: &str| Value::Text(text.to_owned());
     match field.kind {
         KindInfo::Number { min, max, default, .. } => [min, max, default].map(Value::Number).to_vec(),

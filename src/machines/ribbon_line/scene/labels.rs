@@ -1,0 +1,152 @@
+//! Names and live values of the ribbon line, the ruler of the loop, and the figures of the lens.
+
+use super::layout::{Layout, Station, round_step};
+use super::parts::{group, node};
+use crate::machines::ribbon_line::params::Params;
+use crate::machines::ribbon_line::resolved::RibbonLine;
+use crate::machines::sheets::say;
+use crate::text::catalog::number_text as show;
+use crate::text::number::{figure, filled};
+use crate::view::scene::{LETTER, LINE};
+use crate::view::{Callout, Drawing, Font, Look, Paint, SceneGroup};
+
+/// Names above unwinder, pull rollers and print roller, with their diameters.
+pub(crate) fn names(p: &Params) -> [String; 3] {
+    let name = |id: &'static str, axis: &str, diameter: f64| format!("{}{axis}, Ø {}", say(id), show(diameter, 1));
+    let print = format!(" {}", p.print_axis.address());
+    [
+        name("ribbon.scene.unwinder", "", p.press_roller_diameter),
+        name("ribbon.scene.pull", "", p.x_roller_diameter),
+        name("ribbon.scene.print", &print, p.print_roller_diameter),
+    ]
+}
+
+/// A smear as the lens shows it, mm.
+pub(crate) fn smear_text(smear: f64) -> String {
+    const MOST: f64 = 999.0;
+    if smear > MOST { format!("> {} mm", show(MOST, 0)) } else { format!("{} mm", figure(smear, 3)) }
+}
+
+/// A magnification: `5 ×`, `1/20 ×`.
+fn times(magnified: f64) -> String {
+    if magnified < 1.0 {
+        format!("1/{} ×", figure(1.0 / magnified, 0))
+    } else {
+        format!("{} ×", figure(magnified, 0))
+    }
+}
+
+/// Names with values and leaders.
+pub(crate) fn callouts(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
+    let (p, unit) = (&line.p, layout.unit);
+    let (lefts, base) = layout.names;
+    let nip = |station: &Station| (station.x - 0.3 * station.r, -0.9 * station.r);
+    let contact = (layout.print.x - 0.45 * layout.print.r, -1.5 * layout.print.r);
+    let values = [
+        [node::UNWINDER_SPEED, node::UNWINDER_VOLTS],
+        [node::PULL_FEED, node::PULL_POSITION],
+        [node::PRINT_SPEED, node::PRINT_HEAD],
+    ];
+    let parts = [nip(&layout.unwinder), nip(&layout.pull), contact];
+    for (((name, left), [first, second]), part) in names(p).iter().zip(lefts).zip(values).zip(parts) {
+        let values = [(Some(first), ""), (Some(second), "")];
+        drawing.callout(&Callout { at: (left, base), anchor: "start", name, values: &values, part: Some(part) });
+    }
+    let reel = &layout.supply;
+    let ribbon = format!("{} × {} mm", show(p.ribbon_thickness, 3), show(p.ribbon_width, 1));
+    let line_height = LINE * LETTER * unit;
+    drawing.callout(&Callout {
+        at: (layout.view[0] + 12.0 * unit, reel.y - reel.r - 26.0 * unit - 2.0 * line_height),
+        anchor: "start",
+        name: &say("ribbon.scene.reel"),
+        values: &[(None, &ribbon), (Some(node::UNWOUND), "")],
+        part: Some((reel.x - 0.35 * reel.r, reel.y - 0.9 * reel.r)),
+    });
+    let apart = format!("{} mm", show(p.pitch, 3));
+    drawing.showing("pitch", |drawing| {
+        drawing.callout(&Callout {
+            at: layout.take_up_text,
+            anchor: "start",
+            name: &say("ribbon.scene.take-up"),
+            values: &[(Some(node::DOT_COUNT), ""), (None, &format!("{} {apart}", say("ribbon.scene.every")))],
+            part: None,
+        });
+    });
+    drives(drawing, layout);
+}
+
+/// Names of the amplifiers below their cabinets.
+fn drives(drawing: &mut Drawing, layout: &Layout) {
+    let y = layout.floor + 18.0 * layout.unit;
+    for (station, id) in [(&layout.unwinder, "ribbon.scene.inverter"), (&layout.pull, "ribbon.scene.servo")] {
+        drawing.text((station.x - 3.0 * station.scale, y), "middle", &say(id), Font::Label, Paint::Dim);
+    }
+}
+
+/// Limits of the loop, ruler and pointer, and the slack below.
+pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
+    let (p, unit) = (&line.p, layout.unit);
+    let (left, right) = (layout.unwinder.x + layout.unwinder.r, layout.pull.x - layout.pull.r);
+    let x = left + 0.36 * (right - left);
+    let low = layout.full;
+    drawing.place(group::POINTER, SceneGroup { at: (x, 0.0), ..SceneGroup::default() });
+    drawing.path(filled("M# #H#", &[left + 4.0 * unit, low, right - 4.0 * unit]), Look::LEAD.dashed(5.0, 4.0));
+    let step = round_step(p.loop_capacity / 8.0);
+    let mut d = filled("M# 0V#", &[x, low]);
+    let mut mark = 0.0;
+    let mut count = 0;
+    while p.loop_capacity > 0.0 && mark <= p.loop_capacity * 1.000001 && count < 200 {
+        let long = if count % 5 == 0 { 10.0 } else { 5.0 };
+        d += &filled("M# #h#", &[x, layout.slack.depth(mark), long * unit]);
+        mark += step;
+        count += 1;
+    }
+    drawing.path(d, Look::LEAD);
+    drawing.within(group::POINTER, |drawing| {
+        let (a, b) = (9.0 * unit, 4.5 * unit);
+        drawing.path(filled("M0 0L# #V#z", &[-a, -b, b]), Look::fill(Paint::Accent));
+    });
+    let plates = (layout.unwinder.x + 66.0 * layout.unwinder.scale, layout.pull.x - 52.0 * layout.pull.scale);
+    let middle = 0.5 * (plates.0 + plates.1);
+    drawing.text((x - 4.0 * unit, -8.0 * unit), "end", "0", Font::Label, Paint::Dim);
+    let mut limit = format!("{} mm", show(p.loop_capacity, 1));
+    if layout.slack.share < 1.0 {
+        limit += &format!(", 1:{}", show(1.0 / layout.slack.share, 1));
+    }
+    drawing.text((x, low + 15.0 * unit), "middle", &limit, Font::Label, Paint::Dim);
+    drawing.callout(&Callout {
+        at: (middle, -26.0 * unit - 2.0 * LINE * LETTER * unit),
+        anchor: "middle",
+        name: &say("ribbon.scene.loop"),
+        values: &[(Some(node::SLACK), ""), (Some(node::LOOP_STATE), "")],
+        part: None,
+    });
+}
+
+/// Magnification, smear, and what the drawing exaggerates.
+pub(crate) fn lens(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
+    let (x, y, r) = layout.lens;
+    let bad = line.d.smear > line.p.smear_limit;
+    let letter = LETTER * layout.unit;
+    let (low, name) = (y + 0.52 * r, format!("{}, {}", say("ribbon.scene.smear"), times(layout.magnified)));
+    drawing.text((x, low), "middle", &name, Font::Label, Paint::Dim);
+    let paint = if bad { Paint::Bad } else { Paint::Ink };
+    drawing.text((x, low + 1.3 * letter), "middle", &smear_text(line.d.smear), Font::Value, paint);
+    let thick = layout.thickness / line.p.ribbon_thickness;
+    let note = format!("{} {}", say("ribbon.scene.thickness"), times_of(thick));
+    let [left, _, width, _] = layout.view;
+    let at = (left + width - 12.0 * layout.unit, layout.floor + 18.0 * layout.unit);
+    drawing.text(at, "end", &note, Font::Label, Paint::Dim);
+}
+
+/// A factor with two digits.
+fn times_of(factor: f64) -> String {
+    let decimals = if factor < 0.1 {
+        3
+    } else if factor < 10.0 {
+        1
+    } else {
+        0
+    };
+    format!("{} ×", show(factor, decimals))
+}
