@@ -209,12 +209,7 @@ fn holds(line: &RibbonLine, state: &State) -> bool {
 /// The loop hangs as deep as its slack, at most on the floor.
 fn slack_loop(line: &RibbonLine, state: &State, pose: &mut Pose) {
     let layout = &line.layout;
-    let room = layout.floor - 8.0 * layout.scale;
-    // A loop on the floor keeps its shape.
-    let mut slack = state.slack.min(1e9);
-    while slack > 0.0 && layout.slack.depth(slack) > room {
-        slack *= 0.97;
-    }
+    let slack = state.slack.min(layout.on_floor);
     pose.paths.extend(node::LOOP.into_iter().zip(band(layout, &layout.slack.web(layout.unwinder.x, slack))));
     let depth = layout.slack.depth(slack);
     pose.placements.push(Placement { dy: depth, ..Placement::of(group::POINTER) });
@@ -241,7 +236,7 @@ fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)>
     };
     let (_, printed) = state.passed(p);
     vec![
-        (node::UNWOUND, format!("{} mm", figure(state.unwound, 1))),
+        (node::UNWOUND, format!("{} {} mm", say("ribbon.scene.unwound"), figure(state.unwound, 0))),
         (node::UNWINDER_SPEED, format!("{} r/min", figure(now.spindle.actual, 1))),
         (node::UNWINDER_VOLTS, format!("{} V", figure(now.spindle.volts, 3))),
         (node::SLACK, format!("{}{} mm", if state.slack >= 0.05 { "+" } else { "" }, figure(state.slack, 1))),

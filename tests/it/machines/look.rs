@@ -40,7 +40,7 @@ fn pose_figures_equal_the_snapshot() {
     assert_eq!(
         texts,
         [
-            "508.8 mm",
+            "unwound 509 mm",
             "1\u{202F}214.6 r/min",
             "8.107 V",
             "+6.1 mm",

@@ -72,14 +72,33 @@ pub(crate) fn callouts(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout
             part: None,
         });
     });
-    drives(drawing, layout);
+    drives(drawing, p, layout);
+    length_scale(drawing, layout);
 }
 
-/// Names of the amplifiers below their cabinets.
-fn drives(drawing: &mut Drawing, layout: &Layout) {
+/// A bar of a round length on the floor: one unit is one millimetre.
+fn length_scale(drawing: &mut Drawing, layout: &Layout) {
+    let unit = layout.unit;
+    let long = round_step(45.0 * unit);
+    let (x, y) = (layout.view[0] + 12.0 * unit, layout.floor + 14.0 * unit);
+    let (top, bottom) = (y - 4.0 * unit, y + 4.0 * unit);
+    drawing.path(filled("M# #V#M# #H#M# #V#", &[x, top, bottom, x, y, x + long, x + long, top, bottom]), Look::LEAD);
+    let text = format!("{} mm", show(long, 3));
+    drawing.text((x + long + 6.0 * unit, y + 4.0 * unit), "start", &text, Font::Label, Paint::Dim);
+}
+
+/// Names of the drives below their cabinets, with their gear ratios.
+fn drives(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     let y = layout.floor + 18.0 * layout.unit;
-    for (station, id) in [(&layout.unwinder, "ribbon.scene.inverter"), (&layout.pull, "ribbon.scene.servo")] {
-        drawing.text((station.x - 3.0 * station.scale, y), "middle", &say(id), Font::Label, Paint::Dim);
+    for (station, id, field, ratio) in [
+        (&layout.unwinder, "ribbon.scene.inverter", "reduction-ratio", p.reduction_ratio),
+        (&layout.pull, "ribbon.scene.servo", "gear-x", p.gear_x),
+    ] {
+        let text = format!("{}, {} : 1", say(id), show(ratio, 2));
+        let at = (station.x - 3.0 * station.scale, y);
+        drawing.showing(field, |drawing| {
+            drawing.text(at, "middle", &text, Font::Label, Paint::Dim);
+        });
     }
 }
 

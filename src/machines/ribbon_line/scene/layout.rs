@@ -91,6 +91,8 @@ pub(crate) struct Layout {
     pub(crate) slack: SlackLoop,
     /// Depth of the full loop, as drawn.
     pub(crate) full: f64,
+    /// Slack of a loop that lies on the floor, mm.
+    pub(crate) on_floor: f64,
     pub(crate) floor: f64,
     /// From the near edge to the far edge of a roller.
     pub(crate) depth: (f64, f64),
@@ -212,6 +214,7 @@ impl Layout {
             take_up,
             slack,
             full,
+            on_floor: slack.slack_at_depth(floor - 8.0 * s),
             floor,
             depth,
             thickness,

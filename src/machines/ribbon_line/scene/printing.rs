@@ -122,14 +122,14 @@ pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, p: &Params) {
         drawing.within(group::PRINT_FRAME, |drawing| {
             drawing.circle((0.0, 0.0, BODY), Look::FACE);
             drawing.circle((0.0, 0.0, 38.0), Look::HAIR.faint(0.35));
+            drawing.circle((0.0, 0.0, 30.0), Look::line(Paint::DarkLight, 1.0));
+            drawing.circle((0.0, 0.0, 11.0), Look::DARK_FACE);
         });
         drawing.within(group::PRINT, |drawing| {
-            drawing.circle((0.0, 0.0, 30.0), Look::line(Paint::DarkLight, 1.0));
             for hole in 0..3 {
                 let (x, y) = polar((0.0, 0.0), 120.0 * f64::from(hole) - 90.0, 22.0);
                 drawing.circle((x, y, 5.0), Look::HOLE);
             }
-            drawing.circle((0.0, 0.0, 11.0), Look::DARK_FACE);
             drawing.path("M0 -10v6", Look::line(Paint::Rim, 1.8).round());
             drawing.text((0.0, 38.0), "middle", "1", Font::Engraved(9.0), Paint::Dark);
         });

@@ -39,32 +39,35 @@ impl SlackLoop {
         let uneven = (r1 - r2) / distance;
         let k = UPRIGHT.min((1.0 - uneven * uneven).max(0.0).sqrt());
         let rho = (0.5 * (k * distance - r1 - r2)).max(0.0);
-        let mut lower = SlackLoop { distance, radii: (r1, r2), k, rho, share: 1.0 };
-        if capacity > 0.0 && lower.depth(capacity) > room {
-            // The slack that hangs as deep as there is room, by halving.
-            let (mut low, mut high) = (0.0, capacity);
-            for _ in 0..50 {
-                let middle = 0.5 * (low + high);
-                if lower.depth(middle) > room { high = middle } else { low = middle }
-            }
-            lower.share = low / capacity;
-        }
-        lower
+        let whole = SlackLoop { distance, radii: (r1, r2), k, rho, share: 1.0 };
+        let most = whole.slack_at_depth(room);
+        SlackLoop { share: if capacity > most { most / capacity } else { 1.0 }, ..whole }
     }
 
-    /// θ of a drawn slack, rad; 0 for a tight ribbon.
-    fn angle(&self, slack: f64) -> f64 {
-        let wanted = slack * self.share / self.distance;
-        if wanted <= 0.0 {
-            return 0.0;
-        }
+    /// The angle at which something that rises with it exceeds a limit, rad, by halving.
+    fn angle_where(exceeds: impl Fn(f64) -> bool) -> f64 {
         let (mut low, mut high) = (0.0, 0.5 * PI);
         for _ in 0..48 {
             let middle = 0.5 * (low + high);
-            let (s, c) = math::sin_cos(middle);
-            if self.k * middle + (1.0 - self.k * s) / c - 1.0 > wanted { high = middle } else { low = middle }
+            if exceeds(middle) {
+                high = middle;
+            } else {
+                low = middle;
+            }
         }
         low
+    }
+
+    /// s(θ) over d.
+    fn relative_slack(&self, angle: f64) -> f64 {
+        let (s, c) = math::sin_cos(angle);
+        self.k * angle + (1.0 - self.k * s) / c - 1.0
+    }
+
+    /// θ of a slack, rad; 0 for a tight ribbon.
+    fn angle(&self, slack: f64) -> f64 {
+        let wanted = slack * self.share / self.distance;
+        if wanted <= 0.0 { 0.0 } else { SlackLoop::angle_where(|angle| self.relative_slack(angle) > wanted) }
     }
 
     /// Straight parts at θ.
@@ -75,11 +78,21 @@ impl SlackLoop {
         (0.5 * (both + apart), 0.5 * (both - apart))
     }
 
-    /// Depth of the loop below the nips at a slack, mm of the drawing.
-    pub(crate) fn depth(&self, slack: f64) -> f64 {
-        let angle = self.angle(slack);
+    /// h(θ).
+    fn depth_at(&self, angle: f64) -> f64 {
         let (s, c) = math::sin_cos(angle);
         (self.radii.0 + self.rho) * (1.0 - c) + self.straights(angle).0 * s
+    }
+
+    /// Depth of the loop below the nips at a slack, mm of the drawing.
+    pub(crate) fn depth(&self, slack: f64) -> f64 {
+        self.depth_at(self.angle(slack))
+    }
+
+    /// The slack that hangs as deep as this, mm.
+    pub(crate) fn slack_at_depth(&self, depth: f64) -> f64 {
+        let angle = SlackLoop::angle_where(|angle| self.depth_at(angle) > depth);
+        self.relative_slack(angle) * self.distance / self.share
     }
 
     /// The ribbon from nip to nip, the first at (`x`, 0).
