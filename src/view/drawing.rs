@@ -43,7 +43,7 @@ impl Drawing {
         Drawing { groups: vec![SceneGroup::default()], unit, ..Drawing::default() }
     }
 
-    /// Says where a group is. Groups that are not named are at the origin of the drawing.
+    /// Places a group. Groups without a place are at the origin of the drawing.
     pub fn place(&mut self, group: u16, place: SceneGroup) {
         let at = usize::from(group);
         if self.groups.len() <= at {
@@ -59,7 +59,7 @@ impl Drawing {
         self.group = before;
     }
 
-    /// Draws what shows a field of the form, then goes back to the field before.
+    /// Draws parts that show a field of the form, then goes back to the field before.
     pub fn showing(&mut self, field: &'static str, draw: impl FnOnce(&mut Drawing)) {
         let before = core::mem::replace(&mut self.field, field);
         draw(self);

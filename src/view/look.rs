@@ -108,7 +108,7 @@ pub struct Gradient {
     pub stops: Vec<(f64, Paint, f64)>,
 }
 
-/// What a flat paint or a gradient is made of.
+/// Composition of a paint.
 pub(super) enum Substance {
     /// Token of the style sheet.
     Token(&'static str),

@@ -91,7 +91,7 @@ pub struct Node {
     pub field: &'static str,
 }
 
-/// A group: its place in its parent, and what of it is seen. Poses turn and shift it from there.
+/// A group: its place in its parent, and its window. Poses turn and shift it from there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneGroup {
     /// The group that carries it; 0 is the drawing.
@@ -100,7 +100,7 @@ pub struct SceneGroup {
     pub at: (f64, f64),
     /// Units of the parent per unit of the group.
     pub scale: f64,
-    /// Only what is inside of this shape (circle, rectangle, path) is seen. The shape moves with the group.
+    /// Window of the group: a circle, a rectangle or a path, outside of which nothing of the group is visible. It moves with the group.
     pub clip: Option<Shape>,
 }
 
@@ -123,7 +123,7 @@ pub struct Scene {
     pub groups: Vec<SceneGroup>,
     /// Gradients of [`Paint::Own`].
     pub gradients: Vec<Gradient>,
-    /// What the drawing shows, for those who do not see it: catalog id.
+    /// Description of the drawing for readers who do not see it: catalog id.
     pub alt: &'static str,
     /// Catalog id of the drawing's own option, a check box below it; none for most.
     pub option: Option<&'static str>,
@@ -163,7 +163,7 @@ impl Placement {
     }
 }
 
-/// A moment of a scene: only what may have moved. Nodes are meant by their [id](Node::id).
+/// A moment of a scene: the changes from rest. Nodes are named by their [id](Node::id).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Pose {
     /// Groups and where they are.

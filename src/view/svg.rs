@@ -40,7 +40,7 @@ fn token(name: &str, theme: Theme) -> &'static str {
     }
 }
 
-/// The scene for the page: words are escaped, colours are tokens, and what poses change can be found by `data-g` and `data-n`.
+/// The scene for the page: words are escaped, colours are tokens, groups carry `data-g` and nodes that poses change `data-n`.
 pub fn page(scene: &Scene, alt: &str) -> String {
     let mut out = filled("<svg class=\"scene\" viewBox=\"# # # #\" role=\"img\" aria-label=\"", &scene.view);
     escape(&mut out, alt);

@@ -22,7 +22,7 @@ pub(crate) struct RibbonLine {
     pub(super) d: Derived,
     pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
-    /// Where everything is in the drawing.
+    /// Positions and sizes in the drawing.
     pub(super) layout: Layout,
 }
 

@@ -1,6 +1,6 @@
 //! The drawing of the ribbon line: reels, unwinder, slack loop, pull rollers, print roller with its heads, dots, and a lens at their contact.
 //!
-//! One unit is one millimetre. Only the thickness of the ribbon and what the lens shows are magnified, and the drawing says by how much.
+//! One unit is one millimetre. Only the thickness of the ribbon and the lens are magnified, each with its factor in the drawing.
 
 pub(super) mod parts;
 

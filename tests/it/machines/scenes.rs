@@ -1,4 +1,4 @@
-//! The drawings of all machines, at any values of their forms: labels have room, and poses move what there is.
+//! The drawings of all machines, at any values of their forms: labels have room, poses move existing parts only.
 
 use macroline::machines::form::Value;
 use macroline::machines::{self, AnyMachine, Frame, Samples};
@@ -16,7 +16,7 @@ const OPTIONS: RunOptions =
 /// Width of a letter over its height, on the safe side for letters that are no figures.
 const WIDTH: f64 = 0.6;
 
-/// A label: what it says, and its box.
+/// A label with its box.
 struct Label {
     text: String,
     left: f64,
@@ -58,7 +58,7 @@ fn label(scene: &Scene, pose: &Pose, node: &Node) -> Option<Label> {
     (!label.text.is_empty()).then_some(label)
 }
 
-/// What is wrong with the labels of a scene in a pose: two in one place, or one that is cut off.
+/// Faults of the labels of a scene in a pose: two in one place, or one that is cut off.
 fn crowded(scene: &Scene, pose: &Pose) -> Vec<String> {
     let labels: Vec<Label> = scene.nodes.iter().filter_map(|node| label(scene, pose, node)).collect();
     let [left, top, width, height] = scene.view;
@@ -76,7 +76,7 @@ fn crowded(scene: &Scene, pose: &Pose) -> Vec<String> {
     found
 }
 
-/// What is wrong with a pose: groups, nodes or numbers that are none.
+/// Faults of a pose: groups and nodes that the scene lacks, numbers that are not finite.
 fn lost(scene: &Scene, pose: &Pose) -> Vec<String> {
     let mut found = Vec::new();
     for place in &pose.placements {
@@ -100,7 +100,7 @@ fn lost(scene: &Scene, pose: &Pose) -> Vec<String> {
     found
 }
 
-/// What is wrong with the drawing of a project, at the start of its run and later.
+/// Faults of the drawing of a project, at the start of its run and later.
 fn faults(project: &Project) -> Vec<String> {
     let machine = project.prepared();
     let scene = machine.scene();

@@ -142,7 +142,7 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     });
 }
 
-/// Magnification, smear, and what the drawing exaggerates.
+/// Figures of the lens (smear, magnification), and the factor of the drawn thickness.
 pub(crate) fn lens(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let (x, y, r) = layout.lens;
     let bad = line.d.smear > line.p.smear_limit;

@@ -1,4 +1,4 @@
-//! Where everything of the ribbon line is, in mm from the nip of the unwinder: x to the right, y down, the ribbon at height 0.
+//! Positions and sizes in the drawing of the ribbon line, in mm from the nip of the unwinder: x to the right, y down, the ribbon at height 0.
 //!
 //! Rollers, pitch and loop are in true proportion. Plates, cabinets and reels are no inputs of the form: they follow the rollers.
 
@@ -71,7 +71,7 @@ impl Reel {
     }
 }
 
-/// Where everything is.
+/// Positions and sizes, mm.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Layout {
     /// View box.

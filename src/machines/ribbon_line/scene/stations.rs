@@ -1,4 +1,4 @@
-//! Unwinder and pull rollers: plate, cabinet, driven roller with press roller, motor with belt, and what is in the cabinet.
+//! Unwinder and pull rollers: plate, cabinet, driven roller with press roller, motor with belt, amplifier.
 
 use super::layout::{Layout, PRESS, ROLLER, Station};
 use super::parts::group::Station as Part;
