@@ -10,8 +10,6 @@ pub mod scene;
 
 pub mod drawing;
 
-pub mod pen;
-
 pub mod ladder;
 
 pub mod sheet;

@@ -2,7 +2,7 @@
 
 use super::derive::Derived;
 use super::params::{FeedForm, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit};
-use super::scene::labels::names;
+use super::scene::labels::{distance, names};
 use super::scene::layout::Layout;
 use crate::controls::vars::Width;
 use crate::controls::{Control, Dialect, VarKind};
@@ -44,7 +44,8 @@ impl RibbonLine {
             p.path_mode = PathMode::Continuous;
         }
         let d = Derived::new(&p, control.bench.output_bits);
-        let letters = names(&p).map(|name| name.chars().count());
+        let [unwinder, pull, print] = names(&p).map(|name| name.chars().count());
+        let letters = [unwinder, pull, print, distance(&p).chars().count()];
         let layout = Layout::new(&p, letters);
         RibbonLine { form, p, d, control, dialect, layout }
     }

@@ -5,100 +5,13 @@ use macroline::machines::{self, AnyMachine, Frame, Samples};
 use macroline::motion::{Budget, Retention};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
-use macroline::view::scene::{LETTER, LINE};
-use macroline::view::{Font, Node, Pose, Scene, Shape, Theme, svg};
+use macroline::view::{Theme, svg};
 
+use super::drawn::{crowded, lost};
 use super::sweep::ends;
 
 const OPTIONS: RunOptions =
     RunOptions { start: None, settings: &[], limits: Budget { blocks: 400, seconds: 12.0 }, keep: Retention::Timeline };
-
-/// Width of a letter over its height, on the safe side for letters that are no figures.
-const WIDTH: f64 = 0.6;
-
-/// A label with its box.
-struct Label {
-    text: String,
-    left: f64,
-    right: f64,
-    top: f64,
-    bottom: f64,
-}
-
-/// Origin and scale of a group in the drawing, at rest.
-fn origin(scene: &Scene, group: u16) -> ((f64, f64), f64) {
-    if group == 0 {
-        return ((0.0, 0.0), 1.0);
-    }
-    let own = &scene.groups[usize::from(group)];
-    let ((x, y), scale) = origin(scene, own.parent);
-    ((x + own.at.0 * scale, y + own.at.1 * scale), scale * own.scale)
-}
-
-/// The label that a node is in a pose.
-fn label(scene: &Scene, pose: &Pose, node: &Node) -> Option<Label> {
-    let Shape::Text { x, y, anchor, text, line, font } = &node.shape else { return None };
-    if matches!(font, Font::Engraved(_)) {
-        return None;
-    }
-    let posed = pose.texts.iter().find(|(id, _)| node.id == Some(*id)).map(|(_, text)| text);
-    let text = posed.unwrap_or(text).clone();
-    let ((gx, gy), scale) = origin(scene, node.group);
-    assert_eq!(scale, 1.0, "“{text}” is in a scaled group, which would scale its letters");
-    let letter = LETTER * scene.unit;
-    let wide = WIDTH * letter * text.chars().count() as f64;
-    let left = gx + x
-        - match *anchor {
-            "end" => wide,
-            "middle" => 0.5 * wide,
-            _ => 0.0,
-        };
-    let base = gy + y + line * LINE * letter;
-    let label = Label { text, left, right: left + wide, top: base - 0.8 * letter, bottom: base + 0.2 * letter };
-    (!label.text.is_empty()).then_some(label)
-}
-
-/// Faults of the labels of a scene in a pose: two in one place, or one that is cut off.
-fn crowded(scene: &Scene, pose: &Pose) -> Vec<String> {
-    let labels: Vec<Label> = scene.nodes.iter().filter_map(|node| label(scene, pose, node)).collect();
-    let [left, top, width, height] = scene.view;
-    let mut found = Vec::new();
-    for (at, a) in labels.iter().enumerate() {
-        if a.left < left || a.top < top || a.right > left + width || a.bottom > top + height {
-            found.push(format!("“{}” is cut off", a.text));
-        }
-        for b in &labels[at + 1..] {
-            if a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom {
-                found.push(format!("“{}” over “{}”", a.text, b.text));
-            }
-        }
-    }
-    found
-}
-
-/// Faults of a pose: groups and nodes that the scene lacks, numbers that are not finite.
-fn lost(scene: &Scene, pose: &Pose) -> Vec<String> {
-    let mut found = Vec::new();
-    for place in &pose.placements {
-        let there = scene.groups.get(usize::from(place.group)).is_some();
-        let numbers = [place.turn, place.cx, place.cy, place.dx, place.dy, place.size.0, place.size.1];
-        if !there || numbers.iter().any(|number| !number.is_finite()) || !(0.0..=1.0).contains(&place.opacity) {
-            found.push(format!("{place:?}"));
-        }
-    }
-    let is = |id: u16, kind: fn(&Shape) -> bool| scene.node(id).is_some_and(|node| kind(&node.shape));
-    // A machine whose lens has no smear has no node for it.
-    let path = |shape: &Shape| matches!(shape, Shape::Path { .. });
-    found.extend(
-        pose.paths
-            .iter()
-            .filter(|(id, _)| scene.node(*id).is_some() && !is(*id, path))
-            .map(|(id, _)| format!("{id} is no path")),
-    );
-    let text = |shape: &Shape| matches!(shape, Shape::Text { .. });
-    found.extend(pose.texts.iter().filter(|(id, _)| !is(*id, text)).map(|(id, _)| format!("{id} is no text")));
-    found
-}
 
 /// Faults of the drawing of a project, at the start of its run and later.
 fn faults(project: &Project) -> Vec<String> {

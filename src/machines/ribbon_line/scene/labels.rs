@@ -1,6 +1,6 @@
 //! Names and live values of the ribbon line, the ruler of the loop, and the figures of the lens.
 
-use super::layout::{Layout, Station, round_step};
+use super::layout::{LETTER_WIDTH, Layout, Station, round_step};
 use super::parts::{group, node};
 use crate::machines::ribbon_line::params::Params;
 use crate::machines::ribbon_line::resolved::RibbonLine;
@@ -19,6 +19,11 @@ pub(crate) fn names(p: &Params) -> [String; 3] {
         name("ribbon.scene.pull", "", p.x_roller_diameter),
         name("ribbon.scene.print", &print, p.print_roller_diameter),
     ]
+}
+
+/// Distance of two dots.
+pub(crate) fn distance(p: &Params) -> String {
+    format!("{} {} mm", say("ribbon.scene.every"), show(p.pitch, 3))
 }
 
 /// A smear as the lens shows it, mm.
@@ -62,44 +67,47 @@ pub(crate) fn callouts(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout
         values: &[(None, &ribbon), (Some(node::UNWOUND), "")],
         part: Some((reel.x - 0.35 * reel.r, reel.y - 0.9 * reel.r)),
     });
-    let apart = format!("{} mm", show(p.pitch, 3));
     drawing.showing("pitch", |drawing| {
         drawing.callout(&Callout {
             at: layout.take_up_text,
             anchor: "start",
             name: &say("ribbon.scene.take-up"),
-            values: &[(Some(node::DOT_COUNT), ""), (None, &format!("{} {apart}", say("ribbon.scene.every")))],
+            values: &[(Some(node::DOT_COUNT), ""), (None, &distance(p))],
             part: None,
         });
     });
-    drives(drawing, p, layout);
-    length_scale(drawing, layout);
+    foot(drawing, p, layout);
 }
 
-/// A bar of a round length on the floor: one unit is one millimetre.
-fn length_scale(drawing: &mut Drawing, layout: &Layout) {
+/// The row below the floor: a bar of a round length, the drives with their gear ratios, the factor of the drawn thickness.
+fn foot(drawing: &mut Drawing, p: &Params, layout: &Layout) {
     let unit = layout.unit;
+    let [left, _, width, _] = layout.view;
+    let (y, gap) = (layout.floor + 18.0 * unit, 8.0 * unit);
+    let wide = |text: &str| LETTER_WIDTH * LETTER * unit * text.chars().count() as f64;
     let long = round_step(45.0 * unit);
-    let (x, y) = (layout.view[0] + 12.0 * unit, layout.floor + 14.0 * unit);
-    let (top, bottom) = (y - 4.0 * unit, y + 4.0 * unit);
-    drawing.path(filled("M# #V#M# #H#M# #V#", &[x, top, bottom, x, y, x + long, x + long, top, bottom]), Look::LEAD);
+    let (x, bar) = (left + 12.0 * unit, y - 4.0 * unit);
+    let (top, bottom) = (bar - 4.0 * unit, bar + 4.0 * unit);
+    drawing.path(filled("M# #V#M# #H#M# #V#", &[x, top, bottom, x, bar, x + long, x + long, top, bottom]), Look::LEAD);
     let text = format!("{} mm", show(long, 3));
-    drawing.text((x + long + 6.0 * unit, y + 4.0 * unit), "start", &text, Font::Label, Paint::Dim);
-}
-
-/// Names of the drives below their cabinets, with their gear ratios.
-fn drives(drawing: &mut Drawing, p: &Params, layout: &Layout) {
-    let y = layout.floor + 18.0 * layout.unit;
+    let mut end = x + long + 6.0 * unit;
+    drawing.text((end, y), "start", &text, Font::Label, Paint::Dim);
+    end += wide(&text) + gap;
     for (station, id, field, ratio) in [
         (&layout.unwinder, "ribbon.scene.inverter", "reduction-ratio", p.reduction_ratio),
         (&layout.pull, "ribbon.scene.servo", "gear-x", p.gear_x),
     ] {
         let text = format!("{}, {} : 1", say(id), show(ratio, 2));
-        let at = (station.x - 3.0 * station.scale, y);
+        // Below the cabinet, or beside the text before.
+        let at = (station.x - 3.0 * station.scale - 0.5 * wide(&text)).max(end);
         drawing.showing(field, |drawing| {
-            drawing.text(at, "middle", &text, Font::Label, Paint::Dim);
+            drawing.text((at, y), "start", &text, Font::Label, Paint::Dim);
         });
+        end = at + wide(&text) + gap;
     }
+    let note = format!("{} {}", say("ribbon.scene.thickness"), factor(layout.thickness / p.ribbon_thickness));
+    let at = (left + width - 12.0 * unit - wide(&note)).max(end);
+    drawing.text((at, y), "start", &note, Font::Label, Paint::Dim);
 }
 
 /// Limits of the loop, ruler and pointer, and the slack below.
@@ -130,9 +138,10 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     drawing.text((x - 4.0 * unit, -8.0 * unit), "end", "0", Font::Label, Paint::Dim);
     let mut limit = format!("{} mm", show(p.loop_capacity, 1));
     if layout.slack.share < 1.0 {
-        limit += &format!(", 1:{}", show(1.0 / layout.slack.share, 1));
+        let factor = 1.0 / layout.slack.share;
+        limit += &format!(", 1:{}", show(factor, u8::from(factor < 10.0)));
     }
-    drawing.text((x, low + 15.0 * unit), "middle", &limit, Font::Label, Paint::Dim);
+    drawing.text((0.5 * (left + right), low + 15.0 * unit), "middle", &limit, Font::Label, Paint::Dim);
     drawing.callout(&Callout {
         at: (middle, -26.0 * unit - 2.0 * LINE * LETTER * unit),
         anchor: "middle",
@@ -142,7 +151,7 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     });
 }
 
-/// Figures of the lens (smear, magnification), and the factor of the drawn thickness.
+/// Figures of the lens: smear and magnification.
 pub(crate) fn lens(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let (x, y, r) = layout.lens;
     let bad = line.d.smear > line.p.smear_limit;
@@ -151,15 +160,10 @@ pub(crate) fn lens(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     drawing.text((x, low), "middle", &name, Font::Label, Paint::Dim);
     let paint = if bad { Paint::Bad } else { Paint::Ink };
     drawing.text((x, low + 1.3 * letter), "middle", &smear_text(line.d.smear), Font::Value, paint);
-    let thick = layout.thickness / line.p.ribbon_thickness;
-    let note = format!("{} {}", say("ribbon.scene.thickness"), times_of(thick));
-    let [left, _, width, _] = layout.view;
-    let at = (left + width - 12.0 * layout.unit, layout.floor + 18.0 * layout.unit);
-    drawing.text(at, "end", &note, Font::Label, Paint::Dim);
 }
 
 /// A factor with two digits.
-fn times_of(factor: f64) -> String {
+fn factor(factor: f64) -> String {
     let decimals = if factor < 0.1 {
         3
     } else if factor < 10.0 {

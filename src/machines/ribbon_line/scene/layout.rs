@@ -30,7 +30,7 @@ const ON_REEL: f64 = 0.9;
 /// Pixels of the stage for which the labels are laid out.
 const STAGE: (f64, f64) = (770.0, 480.0);
 /// Width of a letter over its height.
-const LETTER_WIDTH: f64 = 0.6;
+pub(crate) const LETTER_WIDTH: f64 = 0.6;
 /// Widest value below a name, in letters.
 const VALUE: usize = 16;
 
@@ -126,8 +126,8 @@ pub(crate) fn round_step(number: f64) -> f64 {
 }
 
 impl Layout {
-    /// The layout for names of so many letters above unwinder, pull rollers and print roller.
-    pub(crate) fn new(p: &Params, letters: [usize; 3]) -> Layout {
+    /// The layout for names of so many letters above unwinder, pull rollers and print roller, and beside the take-up reel.
+    pub(crate) fn new(p: &Params, letters: [usize; 4]) -> Layout {
         let (r1, r2, r3) = (0.5 * p.press_roller_diameter, 0.5 * p.x_roller_diameter, 0.5 * p.print_roller_diameter);
         let scale = (r1.max(r2) / ROLLER).max(r3 / PRINT_ROLLER);
         // Labels have their size in pixels, and the view grows with the room that they take.
@@ -143,7 +143,7 @@ impl Layout {
         (self.view[2] / STAGE.0).max(self.view[3] / STAGE.1)
     }
 
-    fn with(p: &Params, letters: [usize; 3], s: f64, unit: f64) -> Layout {
+    fn with(p: &Params, letters: [usize; 4], s: f64, unit: f64) -> Layout {
         let station = |x: f64, r: f64| {
             let scale = (r / ROLLER).max(0.45 * s);
             Station { x, r, scale, cabinet: 2.0 * r + 18.0 * scale }
@@ -179,13 +179,14 @@ impl Layout {
         // Names above the machine; those of the reels are beside them.
         let top = |station: &Station| -2.0 * PRESS * station.r - 42.0 * station.scale;
         let plates = top(&unwinder).min(top(&pull)).min(-2.0 * print.r - 16.0 * print.scale);
-        let reel_name = -6.0 * s - 14.0 * unit - 3.0 * line;
+        let reel_name = -6.0 * s - 44.0 * unit - 2.0 * line;
         let base = (plates - 14.0 * unit).min(reel_name - 8.0 * unit) - 2.0 * line;
         let left = supply.x - supply.r - 16.0 * s;
         let rho = (LENS * s).max(72.0 * unit);
         let lens_y = -rho - 24.0 * s;
         let lens_x = print.x + print.r.max(50.0 * print.scale) + depth.0 + 30.0 * s + rho;
-        let wide = letters.map(|letters| letters.max(VALUE) as f64 * LETTER_WIDTH * LETTER * unit);
+        let [w1, w2, w3, w4] = letters.map(|letters| letters.max(VALUE) as f64 * LETTER_WIDTH * LETTER * unit);
+        let wide = [w1, w2, w3];
         let names = in_row([unwinder.x, pull.x, print.x], wide, (left + 8.0 * unit, lens_x - rho), 10.0 * unit);
         let lens_x = lens_x.max(names[2] + wide[2] + 10.0 * unit + rho);
 
@@ -195,7 +196,7 @@ impl Layout {
         let right = [
             lens_x + rho + 10.0 * unit,
             take_up.x + take_up.range.1 + 8.0 * s + depth.0 + 8.0 * unit,
-            text_x + VALUE as f64 * LETTER_WIDTH * LETTER * unit + 4.0 * unit,
+            text_x + w4 + 4.0 * unit,
         ];
         let right = right.into_iter().fold(0.0, f64::max);
         let top = (base - 12.0 * unit).min(lens_y - rho) - 8.0 * unit;

@@ -116,7 +116,8 @@ fn inside(drawing: &mut Drawing, own: &Lens, p: &Params) {
             let turn = -2.0 * PI * f64::from(head) / p.heads.max(1.0);
             let (s, c) = math::sin_cos(turn);
             let at = |aside: f64, up: f64| {
-                let along = own.roller - up;
+                // A holder ends short of the centre of a small roller.
+                let along = own.roller - up.min(0.85 * own.roller);
                 (along * s + aside * c, along * c - aside * s - own.roller + ROW)
             };
             let (tip, wide) = (0.5 * own.dot.max(7.0), own.dot.max(7.0) + 10.0);

@@ -30,8 +30,8 @@ pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, letter: &str) {
         drawing.rect([-31.0, 96.0, 66.0, h - 18.0, 2.0], joint);
         drawing.path(filled("M-31 #h66", &[88.0 + 0.45 * h]), joint);
         drawing.rect([26.0, 88.0 + 0.52 * h, 4.0, 24.0, 2.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.5));
-        drawing.rect([-27.0, 58.0 + h, 24.0, 13.0, 1.5], Look::fill(Paint::SteelLight).thin(Paint::Edge, 0.5));
-        drawing.text((-15.0, 68.2 + h), "middle", letter, Font::Engraved(10.0), Paint::Dark);
+        drawing.rect([-27.0, 102.0, 24.0, 13.0, 1.5], Look::fill(Paint::SteelLight).thin(Paint::Edge, 0.5));
+        drawing.text((-15.0, 112.2), "middle", letter, Font::Engraved(10.0), Paint::Dark);
         drawing.rect([-39.0, 84.0 + h, 82.0, 4.0, 0.0], Look::fill(Paint::DarkShade));
         // Back-up below the contact.
         cabinet(drawing, [-12.0, 16.0, 24.0, 72.0], Paint::DarkFront, Paint::DarkLight, Paint::DarkShade);

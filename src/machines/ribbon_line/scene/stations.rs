@@ -32,8 +32,8 @@ pub(crate) fn door(drawing: &mut Drawing, h: f64, letter: &str) {
     drawing.rect([-34.0, 8.0, 62.0, h - 18.0, 2.0], joint);
     drawing.path(filled("M-34 #h62", &[0.55 * h]), joint);
     drawing.rect([19.0, 0.6 * h, 4.0, 24.0, 2.0], Look::fill(Paint::DarkFront).thin(Paint::Edge, 0.5));
-    drawing.rect([-30.0, h - 30.0, 24.0, 13.0, 1.5], Look::fill(Paint::SteelLight).thin(Paint::Edge, 0.5));
-    drawing.text((-18.0, h - 19.8), "middle", letter, Font::Engraved(10.0), Paint::Dark);
+    drawing.rect([-30.0, 107.0, 24.0, 13.0, 1.5], Look::fill(Paint::SteelLight).thin(Paint::Edge, 0.5));
+    drawing.text((-18.0, 117.2), "middle", letter, Font::Engraved(10.0), Paint::Dark);
     drawing.rect([-42.0, h - 4.0, 78.0, 4.0, 0.0], Look::fill(Paint::DarkShade));
 }
 
