@@ -288,7 +288,7 @@ macro_rules! taken {
 /// All rows of a family under citations of the control that takes them, its own evidence:
 ///
 /// * `cited![CodeDef: FAMILY, CITATION]`: each row.
-/// * `cited![CodeDef: FAMILY, Open CITATION]`: only rows that the family has from memory; rows with a source keep it.
+/// * `cited![CodeDef: FAMILY, Open CITATION]`: only rows of that grade, here those that the family has from memory; others keep their source.
 /// * `cited![CodeDef: FAMILY, CITATION => "G0 G2-G4 M98", …]`: only the rows of the lists; the others keep the family's.
 macro_rules! cited {
     ($row:ty: $family:expr, $($cite:ident => $list:literal),+ $(,)?) => {{
@@ -311,20 +311,20 @@ macro_rules! cited {
         };
         &ROWS
     }};
-    ($row:ty: $family:expr, Open $cite:expr $(,)?) => {
-        $crate::controls::schema::table::cited!(@ $row, $family, $cite, true)
-    };
     ($row:ty: $family:expr, $cite:expr $(,)?) => {
-        $crate::controls::schema::table::cited!(@ $row, $family, $cite, false)
+        $crate::controls::schema::table::cited!(@ $row, $family, $cite, _)
     };
-    (@ $row:ty, $family:expr, $cite:expr, $open:expr) => {{
+    ($row:ty: $family:expr, $grade:ident $cite:expr $(,)?) => {
+        $crate::controls::schema::table::cited!(@ $row, $family, $cite, $crate::text::Grade::$grade)
+    };
+    (@ $row:ty, $family:expr, $cite:expr, $grade:pat) => {{
         const FAMILY: &[$row] = $family;
         const ROWS: [$row; FAMILY.len()] = {
             let mut rows = [FAMILY[0]; FAMILY.len()];
             let mut at = 0;
             while at < FAMILY.len() {
                 rows[at] = FAMILY[at];
-                if !$open || matches!(rows[at].cite.grade, $crate::text::Grade::Open) {
+                if matches!(rows[at].cite.grade, $grade) {
                     rows[at].cite = $cite;
                 }
                 at += 1;
