@@ -18,6 +18,8 @@ pub mod fanuc_0i_mf;
 
 pub mod sinumerik_802d;
 
+pub mod sinumerik_808d;
+
 pub use schema::address;
 pub use schema::{
     Address, AddressSet, Alarm, AlarmDef, AxisDef, Bench, Code, CodeDef, CodeId, CodeNumber, Control, Dialect, Group,
@@ -36,7 +38,7 @@ macro_rules! controls {
     };
 }
 
-controls![mitsubishi_e60, gsk_980tdc, knd_k2000t, fanuc_0i_tf, fanuc_0i_mf, sinumerik_802d];
+controls![mitsubishi_e60, gsk_980tdc, knd_k2000t, fanuc_0i_tf, fanuc_0i_mf, sinumerik_802d, sinumerik_808d];
 
 /// The control with this id.
 pub fn find(id: &str) -> Option<&'static Control> {

@@ -86,7 +86,7 @@ fn file_that_is_no_project_is_an_error() {
     check(
         r#"{ "version": 1, "machine": "ribbon-line", "control": "abacus" }"#,
         expect![[r#"
-            error: The file names no control that this machine goes with. Possible: mitsubishi-e60, gsk-980tdc, sinumerik-802d, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf.
+            error: The file names no control that this machine goes with. Possible: mitsubishi-e60, gsk-980tdc, sinumerik-802d, sinumerik-808d, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf.
              --> project.json:1:54
               |
             1 | { "version": 1, "machine": "ribbon-line", "control": "abacus" }

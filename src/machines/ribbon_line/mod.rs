@@ -44,8 +44,15 @@ impl Machine for RibbonLine {
     type Params = Params;
     const ID: &'static str = "ribbon-line";
     const NAME: &'static str = "ribbon.name";
-    const CONTROLS: &'static [&'static str] =
-        &["mitsubishi-e60", "gsk-980tdc", "sinumerik-802d", "knd-k2000t", "fanuc-0i-tf", "fanuc-0i-mf"];
+    const CONTROLS: &'static [&'static str] = &[
+        "mitsubishi-e60",
+        "gsk-980tdc",
+        "sinumerik-802d",
+        "sinumerik-808d",
+        "knd-k2000t",
+        "fanuc-0i-tf",
+        "fanuc-0i-mf",
+    ];
     const LISTING: &'static str = include_str!("listing.nc");
     const SPEED: f64 = 0.05;
 

@@ -44,7 +44,7 @@ impl Machine for TurningSpindle {
     const ID: &'static str = "turning-spindle";
     const NAME: &'static str = "turning.name";
     const CONTROLS: &'static [&'static str] =
-        &["gsk-980tdc", "sinumerik-802d", "knd-k2000t", "fanuc-0i-tf", "mitsubishi-e60"];
+        &["gsk-980tdc", "sinumerik-802d", "sinumerik-808d", "knd-k2000t", "fanuc-0i-tf", "mitsubishi-e60"];
     const SPEED: f64 = 1.0;
 
     fn fields() -> &'static [Field<Params>] {

@@ -182,120 +182,140 @@ fn differences_between_controls_match_the_table() {
         surface speed
             gsk-980tdc      N27 G96 S#100 M3
             sinumerik-802d  N27 LB27: G96 S=R100 LIMS=R107 M3
+            sinumerik-808d  N27 LB27: G96 S=R100 LIMS=R107 M3
             knd-k2000t      N27 G96 S#100 M3
             fanuc-0i-tf     N27 G96 S#100 M3
             mitsubishi-e60  N27 G97 S#109 M3
         fixed speed
             gsk-980tdc      N27 G97 S#109 M3
             sinumerik-802d  N27 LB27: G97 S=R109 M3
+            sinumerik-808d  N27 LB27: G97 S=R109 M3
             knd-k2000t      N27 G97 S#109 M3
             fanuc-0i-tf     N27 G97 S#109 M3
             mitsubishi-e60  N27 G97 S#109 M3
         limit
             gsk-980tdc      N20 G50 X#111 Z#112 S#107 (TOOL STANDS AT THE START)
             sinumerik-802d  -
+            sinumerik-808d  -
             knd-k2000t      N20 G50 X#111 Z#112 S#107 (TOOL STANDS AT THE START)
             fanuc-0i-tf     N20 G50 X#111 Z#112 S#107 (TOOL STANDS AT THE START)
             mitsubishi-e60  N20 G92 X[#111/2] Z#112 (TOOL STANDS AT THE START)
         feed and path
             gsk-980tdc      N21 G99
             sinumerik-802d  N21 G90 G95 G64
+            sinumerik-808d  N21 G90 G95 G64
             knd-k2000t      N21 G99
             fanuc-0i-tf     N21 G99
             mitsubishi-e60  N21 G90 G95 G64
         gear
             gsk-980tdc      N22 M42
             sinumerik-802d  N22 M42
+            sinumerik-808d  N22 M42
             knd-k2000t      N22 M42
             fanuc-0i-tf     N22 M42
             mitsubishi-e60  -
         angle
             gsk-980tdc      -
             sinumerik-802d  N53 SPOS=R113 ;FOR THE KEYWAY
+            sinumerik-808d  N53 SPOS=R113 ;FOR THE KEYWAY
             knd-k2000t      -
             fanuc-0i-tf     -
             mitsubishi-e60  -
         X of a face
             gsk-980tdc      N36 G01 X#103 F#101
             sinumerik-802d  N36 G1 X=R103 F=R101
+            sinumerik-808d  N36 G1 X=R103 F=R101
             knd-k2000t      N36 G01 X#103 F#101
             fanuc-0i-tf     N36 G01 X#103 F#101
             mitsubishi-e60  N36 G01 X[#103/2] F#101
         jump of the loop
             gsk-980tdc      N31 WHILE[#110 GT 0]DO1
             sinumerik-802d  N31 LB31: IF R110<=0 GOTOF LB50
+            sinumerik-808d  N31 LB31: IF R110<=0 GOTOF LB50
             knd-k2000t      N31 WHILE[#110 GT 0]DO1
             fanuc-0i-tf     N31 WHILE[#110 GT 0]DO1
             mitsubishi-e60  N31 WHILE[#110 GT 0]DO1
         entry of 0
             gsk-980tdc      alarm 5902
             sinumerik-802d  message, stop
+            sinumerik-808d  message, stop
             knd-k2000t      alarm 3002
             fanuc-0i-tf     alarm MC3002
             mitsubishi-e60  alarm P277
         cutting speed 95.5
             gsk-980tdc      96
             sinumerik-802d  95.5
+            sinumerik-808d  95.5
             knd-k2000t      96
             fanuc-0i-tf     96
             mitsubishi-e60  95.49
         knob at 133 %
             gsk-980tdc      272.84
             sinumerik-802d  302.39
+            sinumerik-808d  302.39
             knd-k2000t      302.39
             fanuc-0i-tf     302.39
             mitsubishi-e60  316.54
         rpm before cut 1
             gsk-980tdc      682.09
             sinumerik-802d  682.09
+            sinumerik-808d  682.09
             knd-k2000t      682.09
             fanuc-0i-tf     682.09
             mitsubishi-e60  716
         rpm behind cut 1
             gsk-980tdc      682.09
             sinumerik-802d  2500
+            sinumerik-808d  2500
             knd-k2000t      682.09
             fanuc-0i-tf     682.09
             mitsubishi-e60  716
         rpm before cut 2
             gsk-980tdc      682.09
             sinumerik-802d  682.09
+            sinumerik-808d  682.09
             knd-k2000t      682.09
             fanuc-0i-tf     682.09
             mitsubishi-e60  716
         fixed, low 900
             gsk-980tdc      716
             sinumerik-802d  900
+            sinumerik-808d  900
             knd-k2000t      716
             fanuc-0i-tf     716
             mitsubishi-e60  716
         speed reached
             gsk-980tdc      begins at once
             sinumerik-802d  waits for the speed
+            sinumerik-808d  waits for the speed
             knd-k2000t      begins at once
             fanuc-0i-tf     begins at once
             mitsubishi-e60  begins at once
         volts at the end
             gsk-980tdc      2.39
             sinumerik-802d  0
+            sinumerik-808d  0
             knd-k2000t      0
             fanuc-0i-tf     0
             mitsubishi-e60  0
         volts at reset
             gsk-980tdc      2.3
             sinumerik-802d  0
+            sinumerik-808d  0
             knd-k2000t      0
             fanuc-0i-tf     0
             mitsubishi-e60  0
         volts at stop
             gsk-980tdc      2.3
             sinumerik-802d  0
+            sinumerik-808d  0
             knd-k2000t      0
             fanuc-0i-tf     0
             mitsubishi-e60  0
         M04, -10 to 10 V
             gsk-980tdc      7.16
             sinumerik-802d  -7.16
+            sinumerik-808d  -7.16
             knd-k2000t      -7.16
             fanuc-0i-tf     -7.16
             mitsubishi-e60  7.16

@@ -19,21 +19,21 @@ const UNTOLD: &[(&str, &str, &str)] = &[
     ("fanuc-0i-mf", "pmc-override", "no machine turns PMC axes on this control"),
 ];
 
-/// Programs beside the fixtures that set the switch: control or `any`, switch, text.
+/// Programs beside the fixtures that set the switch: control, maker or nothing for all, switch, text.
 const PROGRAMS: &[(&str, &str, &str)] = &[
     ("mitsubishi-e60", "macro-input-base", "O1\n#100=#1032\n#101=#1033\nM30\n"),
     ("mitsubishi-e60", "feed-zero", "O1\nG01 X5. F0\nM30\n"),
     ("gsk-980tdc", "override-order", "O1\nM41\nG50 S500\nG96 S200 M03\nG00 X10.\nG04 X3.\nM30\n"),
     ("gsk-980tdc", "volts-at-emergency-stop", "O1\nM41\nM03 S500\nG04 X5.\nM30\n"),
     ("gsk-980tdc", "spindle-at-end", "O1\nM41\nM03 S500\nM30\n"),
-    ("any", "common-at-reset", "O1\n#101=#100\n#100=5\nG04 X3.\nM30\n"),
-    ("sinumerik-802d", "speed-reached", "S1000 M3\nG1 X10 F0.5\nM2\n"),
-    ("sinumerik-802d", "lims-in-g97", "LIMS=500\nG97 S1000 M3\nG4 F3\nM2\n"),
-    ("sinumerik-802d", "g96-apply-at-activation", "G0 X100\nG96 S100 M3\nG4 F3\nM2\n"),
-    ("sinumerik-802d", "spindle-knob", "S500 M3\nG4 F3\nM2\n"),
-    ("sinumerik-802d", "spindle-lock", "G94\nSPOS=90\nM55\nG1 X10 F100\nM2\n"),
-    ("sinumerik-802d", "driven-tool", "G94\nSPOS=90\nM81\nM24\nG1 X10 F100\nM2\n"),
-    ("sinumerik-802d", "block-length", LONG),
+    ("", "common-at-reset", "O1\n#101=#100\n#100=5\nG04 X3.\nM30\n"),
+    ("sinumerik", "speed-reached", "S1000 M3\nG1 X10 F0.5\nM2\n"),
+    ("sinumerik", "lims-in-g97", "LIMS=500\nG97 S1000 M3\nG4 F3\nM2\n"),
+    ("sinumerik", "g96-apply-at-activation", "G0 X100\nG96 S100 M3\nG4 F3\nM2\n"),
+    ("sinumerik", "spindle-knob", "S500 M3\nG4 F3\nM2\n"),
+    ("sinumerik", "spindle-lock", "G94\nSPOS=90\nM55\nG1 X10 F100\nM2\n"),
+    ("sinumerik", "driven-tool", "G94\nSPOS=90\nM81\nM24\nG1 X10 F100\nM2\n"),
+    ("sinumerik", "block-length", LONG),
 ];
 
 /// A block of more than 200 characters.
@@ -148,7 +148,7 @@ fn pairs(count: usize) -> impl Iterator<Item = (usize, usize)> {
 
 /// The programs that set a switch, with the machine that each runs on; without one the bench.
 fn programs(control: &Control, row: &Switch, fixtures: &[String]) -> Vec<(&'static str, String)> {
-    let is = |id: &str, switch: &str| (id == control.id || id == "any") && switch == row.id();
+    let is = |id: &str, switch: &str| control.id.starts_with(id) && switch == row.id();
     let set = fixtures.iter().filter(|source| settings(source).iter().any(|(id, _)| *id == row.id()));
     let own = PROGRAMS.iter().filter(|(id, switch, _)| is(id, switch)).map(|(_, _, text)| ("", (*text).to_owned()));
     let machines = ON_MACHINES.iter().filter(|(id, switch, ..)| is(id, switch));

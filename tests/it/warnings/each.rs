@@ -171,6 +171,22 @@ fn every_warning_appears_on_every_control() {
         sinumerik-802d lint.suppression-stays
         sinumerik-802d lint.unset-local
         sinumerik-802d lint.vacant-word
-        sinumerik-802d lint.word-again"#]]
+        sinumerik-802d lint.word-again
+        sinumerik-808d lint.call-parameter
+        sinumerik-808d lint.calls-itself
+        sinumerik-808d lint.equal-decimals
+        sinumerik-808d lint.feed-per-minute
+        sinumerik-808d lint.feed-zero-digit
+        sinumerik-808d lint.feed-zero-rapid
+        sinumerik-808d lint.kept-as-scratch
+        sinumerik-808d lint.main-returns
+        sinumerik-808d lint.no-point
+        sinumerik-808d lint.no-point-argument
+        sinumerik-808d lint.no-point-dwell
+        sinumerik-808d lint.number-twice
+        sinumerik-808d lint.suppression-stays
+        sinumerik-808d lint.unset-local
+        sinumerik-808d lint.vacant-word
+        sinumerik-808d lint.word-again"#]]
     .assert_eq(&missing.join("\n"));
 }

@@ -1,0 +1,34 @@
+//! SINUMERIK 808D, turning: rows only. Its diagnostics, function and parameter manuals are known by single pages; the language by its sisters.
+
+mod rows;
+mod sources;
+
+use super::base::sinumerik;
+use super::base::sinumerik::MEMORY;
+use super::code::g_codes;
+use super::{Address, AxisDef, Control, Limits};
+use sources::RANGES;
+
+/// The control.
+pub static CONTROL: Control = Control {
+    id: "sinumerik-808d",
+    name: "SINUMERIK 808D",
+    syntax: sinumerik::SYNTAX,
+    macros: sinumerik::MACROS,
+    axes: &[
+        AxisDef { letter: Address::X, rotary: false, incremental: None, diameter: true, cite: MEMORY },
+        AxisDef { letter: Address::Y, rotary: false, incremental: None, diameter: false, cite: MEMORY },
+        AxisDef { letter: Address::Z, rotary: false, incremental: None, diameter: false, cite: MEMORY },
+    ],
+    startup: &g_codes([1, 18, 40, 60, 71, 90, 95, 500]),
+    limits: Limits { feed_max: 999_999.999, revolution_feed_max: 999_999.999, cite: RANGES, ..sinumerik::LIMITS },
+    spindle: sinumerik::SPINDLE,
+    timing: sinumerik::TIMING,
+    codes: rows::CODES,
+    vars: sinumerik::VARS,
+    alarms: rows::ALARMS,
+    params: rows::PARAMS,
+    interface: &[],
+    switches: rows::SWITCHES,
+    bench: sinumerik::BENCH,
+};

@@ -1,0 +1,9 @@
+//! Sources that rows of the 808D share.
+
+use crate::text::{Citation, Grade};
+
+/// The list of alarms.
+pub(super) const DIAGNOSTICS: Citation = Citation::new("808D diagnostics 07/2018", Grade::Manual);
+/// Ranges of F, surface speed and LIMS, depth of calls; of S, T and leads only memory knows.
+pub(super) const RANGES: Citation =
+    Citation::new("808D diagnostics, p.175, 216 and 217 (depth, F, S, LIMS); S, T and leads unverified", Grade::Manual);

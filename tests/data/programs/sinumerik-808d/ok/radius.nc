@@ -1,0 +1,7 @@
+%_N_RADIUS_MPF
+;SET diameter radius
+G90 G94 F100 S100 M3
+G1 X10 Z10
+DIAMOF
+X5
+M30
