@@ -26,7 +26,7 @@ impl RunState {
             (rpm, true) if rpm > 0.0 => Ok(rpm),
             _ => Err(Trap::alarm(
                 Alarm::Budget,
-                msg!("interp.other-spindle-stands", u32::from(self.modal.spindle.master)),
+                msg!("interp.other-spindle-at-rest", u32::from(self.modal.spindle.master)),
             )),
         }
     }

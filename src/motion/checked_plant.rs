@@ -14,7 +14,7 @@ const HOME: f64 = 1e6;
 /// Every block takes some time, so that time passes in a loop that waits.
 const LEAST_BLOCK_TIME: f64 = 1e-4;
 
-/// What stays the same during a run.
+/// Constants of a run.
 #[derive(Debug, Clone)]
 pub(super) struct CheckedPlant {
     pub(super) axes: [AxisPlant; AXES],
@@ -40,7 +40,7 @@ pub(super) struct CheckedPlant {
 }
 
 impl CheckedPlant {
-    /// Values that are no number or make no sense become harmless ones: no run ever fails over its plant.
+    /// Replaces NaN and values out of range: no plant stops a run.
     pub(super) fn new(control: &Control, plant: &Plant, limits: Budget, log: bool) -> CheckedPlant {
         let positive = |x: f64, otherwise: f64| if x > 0.0 && x.is_finite() { x } else { otherwise };
         let mut fitted = 0;
@@ -112,7 +112,7 @@ impl CheckedPlant {
         self.axes.iter().position(|axis| axis.diameter).map(|at| at as u8)
     }
 
-    /// Least and largest value of an input, or of half of it, which may be told signed or not.
+    /// Least and largest value of an input, or of half of it, which may be signed or unsigned.
     pub(super) fn input_range(&self, number: u32, part: WordPart) -> (f64, f64) {
         let row = self.vars.iter().find(|row| (row.first..=row.last).contains(&number));
         match (part, row.map(|row| (row.kind, row.width(number)))) {

@@ -19,7 +19,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if left > TURNED { left } else { 0.0 }
     }
 
-    /// When a dwell may have had its turns; looked at again while the spindle changes its speed.
+    /// Earliest end (s) of a dwell in turns; computed again while the spindle changes its speed.
     pub(super) fn turns_time(&self, from: f64, turns: f64) -> f64 {
         let t = self.s.now;
         let (left, rpm) = (self.turns_left(t, from, turns), self.measured(t));

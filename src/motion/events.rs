@@ -11,7 +11,7 @@ use super::timeline::Activity;
 use crate::msg;
 use crate::text::Diagnostic;
 
-/// Who acts next; in this order where times are equal.
+/// Source of the next event; in this order at equal times.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum EventSource {
     PowerOn,
@@ -23,7 +23,7 @@ pub(super) enum EventSource {
 }
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// The earliest event: its time and whose it is; infinite where nothing will happen by itself.
+    /// Time (s) and source of the earliest event; infinite if nothing happens without the operator.
     pub(super) fn next(&self) -> (f64, EventSource) {
         if !self.s.started {
             return (0.0, EventSource::PowerOn);
@@ -31,7 +31,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let operator = self.panel.events().get(self.s.operator.events_done);
         let operator_at = operator.map_or(f64::INFINITY, |event| event.t);
         let mut next = (f64::INFINITY, EventSource::Operator);
-        // Cycle start finds what has happened until then: pressed at the very moment of a stop, it answers the stop.
+        // Cycle start at the very moment of a stop answers that stop.
         let start = operator.is_some_and(|event| event.action == Action::Start);
         let first = if start { f64::INFINITY } else { operator_at };
         for (t, who) in [
@@ -49,7 +49,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         next
     }
 
-    /// Lets one event happen.
+    /// Carries out one event.
     pub(super) fn happen(&mut self, t: f64, who: EventSource) {
         self.s.now = t;
         match who {
@@ -64,7 +64,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.mark(t);
     }
 
-    /// Whether the run is over unless the operator does something: then how.
+    /// The end of the run, if only the operator can continue it.
     pub(super) fn end(&self) -> Option<RunEnd> {
         if self.s.operator.events_done < self.panel.events().len() || !self.s.started {
             return None;
@@ -72,7 +72,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         match &self.s.exec {
             Exec::Stopped | Exec::Ready => Some(RunEnd::Stop),
             Exec::Finished => Some(RunEnd::ProgramEnd),
-            // What the PLC lets coast, it follows to its rest.
+            // Axes that coast are followed to standstill.
             Exec::Emergency(_)
                 if self.s.plc.next_scan.is_finite() && self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0) =>
             {
@@ -85,11 +85,11 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// Why nothing will ever happen again although the program is not over, where that has not been said.
+    /// The reason why a program that has not ended waits for ever, unless it is reported already.
     pub(super) fn stuck(&self) -> Option<Diagnostic> {
         let message = match &self.s.exec {
             Exec::Fin => msg!("motion.no-fin"),
-            Exec::Counting(..) => msg!("motion.spindle-stands"),
+            Exec::Counting(..) => msg!("motion.spindle-at-rest"),
             _ if self.waits_for_spindle() => return None,
             _ => msg!("motion.no-feed"),
         };
@@ -105,7 +105,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.scan(0.0);
     }
 
-    /// Notes what the control does and in which block, where that changed.
+    /// Records a change of the control's mode or of the executing block.
     fn mark(&mut self, t: f64) {
         let mode = self.s.exec.mode(self.holding());
         let runs = self.s.exec.runs() && mode != Mode::Hold;

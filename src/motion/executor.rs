@@ -18,7 +18,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.s.operator.held && !self.s.suppressed.hold && self.s.exec.runs() && !self.s.exec.threads()
     }
 
-    /// When the axes stand.
+    /// Time (s) at which the axes are at rest.
     pub(super) fn rest_time(&self) -> f64 {
         self.s.path.rest_since + self.plant.standstill
     }
@@ -217,7 +217,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.s.exec = Exec::Settling(until);
     }
 
-    /// Breaks off what the program does: the path ends here.
+    /// Breaks off motion and waits: the path ends here.
     pub(super) fn break_off(&mut self, t: f64) {
         if let Exec::Moving(motion) = &mut self.s.exec {
             motion.set_speed(t, 0.0);

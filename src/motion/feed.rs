@@ -1,4 +1,4 @@
-//! How a movement begins, and how fast it runs: clamps, overrides, hold, and the spindle that a feed follows.
+//! Start and speed of movements: clamps, overrides, hold, and feeds that follow the spindle.
 
 use super::exec::{Exec, MEASURE};
 use super::moves::{Move, Pace};
@@ -11,7 +11,7 @@ use crate::msg;
 use crate::text::DiagnosticKind;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// A cut begins, or waits for the spindle's speed, where the control does so.
+    /// Begins a cut, or waits for the spindle's speed on controls that do so.
     pub(super) fn cut(&mut self, t: f64, motion: Move) {
         let turning = &self.s.spindle;
         if turning.orienting.is_some() && motion.length > 0.0 {
@@ -23,8 +23,8 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.say(Once::NoDrivenTool as u32, || msg!("motion.no-driven-tool"));
             }
         }
-        if self.feeds_into_standing_work(&motion) {
-            self.say(Once::Standing as u32, || msg!("motion.standing-work"));
+        if self.feeds_without_rotation(&motion) {
+            self.say(Once::FeedWithoutRotation as u32, || msg!("motion.feed-without-rotation"));
         }
         if self.plant.spindle.rules.reached.is_some() {
             self.aim_at_cut(t);
@@ -38,7 +38,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// Whether a movement ends deeper in the work than it began while neither the spindle nor an axis of the PLC turns.
-    fn feeds_into_standing_work(&self, motion: &Move) -> bool {
+    fn feeds_without_rotation(&self, motion: &Move) -> bool {
         let turns = self.s.spindle.direction != 0 || self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
         let along = |letter: Address| {
             let axis = self.plant.axes.iter().position(|axis| axis.letter == Some(letter));
@@ -68,7 +68,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.follow(t);
     }
 
-    /// Says once an axis that it is too slow for a feed in mm/min.
+    /// Warns once that an axis is too slow for a feed in mm/min.
     fn say_clamped(&mut self, motion: &Move, feed: f64) {
         let slowed = motion.limit * 60.0;
         if feed > slowed * (1.0 + 1e-9) {
@@ -79,13 +79,13 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// Gives a movement the speed that it may have now, where that has changed.
+    /// Updates the speed of the movement.
     pub(super) fn pace(&mut self, t: f64) {
         let asked = self.asked_speed(t);
         let Exec::Moving(motion) = &mut self.s.exec else { return };
         if asked.0.min(motion.limit) == motion.speed {
             motion.again = asked.1;
-            self.say_standing();
+            self.say_at_rest();
         } else {
             self.put_segment(t);
         }
@@ -103,22 +103,22 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.watch(t);
         if matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_))) {
             self.say_clamped(&motion, asked * 60.0);
-            self.say_standing();
+            self.say_at_rest();
         }
     }
 
     /// Warns once that a feed per revolution waits for a spindle at rest or without encoder.
-    fn say_standing(&mut self) {
+    fn say_at_rest(&mut self) {
         if self.waits_for_spindle() {
             let (once, message) = match self.plant.spindle.encoder {
-                true => (Once::SpindleStands, msg!("motion.spindle-stands")),
+                true => (Once::SpindleAtRest, msg!("motion.spindle-at-rest")),
                 false => (Once::NoEncoder, msg!("motion.no-encoder")),
             };
             self.say(once as u32, || message);
         }
     }
 
-    /// Whether a feed per revolution is at rest because the spindle is.
+    /// A feed per revolution waits because the spindle is at rest.
     pub(super) fn waits_for_spindle(&self) -> bool {
         let Exec::Moving(motion) = &self.s.exec else { return false };
         let by_turns = matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_)));
@@ -126,7 +126,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         by_turns && stands && motion.speed == 0.0 && !motion.again.is_finite() && !self.holding()
     }
 
-    /// Path speed in mm/s that override, spindle and hold ask for at `t`, clamps apart, and when to ask again.
+    /// Path speed (mm/s) from override, spindle and hold at `t`, before clamps, and the time (s) of the next computation.
     fn asked_speed(&self, t: f64) -> (f64, f64) {
         let Exec::Moving(motion) = &self.s.exec else { return (0.0, f64::INFINITY) };
         if self.holding() {
@@ -157,7 +157,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         ramp.map_or(0.0, |ramp| ramp.actual(plant, t).abs())
     }
 
-    /// When the spindle is fast enough for a cut.
+    /// Time (s) at which the spindle is fast enough for a cut.
     pub(super) fn speed_time(&self) -> f64 {
         let plant = &self.plant.spindle;
         let (Some(part), Some(ramp)) = (plant.rules.reached, self.out.timeline.ramps.last()) else { return self.s.now };

@@ -1,4 +1,4 @@
-//! A second run from a checkpoint of the first, for debuggers: it stops before a block, and shows what the program sees.
+//! A second run from a checkpoint of the first, for debuggers: stops before a block and shows variables and inputs as the program reads them.
 
 use std::collections::VecDeque;
 
@@ -13,27 +13,27 @@ use crate::interp::{Canon, World};
 const GIVEN: usize = 8;
 
 impl<P: RunningProgram> Planner<P> {
-    /// As [`advance`](Planner::advance), but only until the gate is shut; whether it is. Of the log the newest commands stay.
+    /// As [`advance`](Planner::advance), but stops when the gate shuts, and returns whether it did. The log keeps the newest commands.
     pub fn advance_to(&mut self, until: f64, budget: usize, gate: Gatekeeper<P>) -> (Progress, bool) {
         let answer = self.plan(until, budget, Some(gate));
         self.records.forget_log(GIVEN);
         answer
     }
 
-    /// Shows the program at the end of what is planned, and the machine as it would see it, but with the axes where they are.
+    /// The program at the end of the planned part, with the machine as it reads it, but with the present positions of the axes.
     pub fn look<R>(&self, look: impl FnOnce(&P, &mut dyn World) -> R) -> R {
         let t = self.records.timeline.end();
         self.state.look(t, &self.records.timeline, look)
     }
 
-    /// The newest commands that the program has given since the gate began anew, where the run has a log, and how many came before.
+    /// The newest commands since [`Gate::Anew`], if the run has a log, and the number of earlier ones.
     pub fn given(&self) -> (usize, impl Iterator<Item = &Canon>) {
         let log = &self.records.log;
         (self.records.taken.saturating_sub(self.records.anew), log.iter().map(|(_, canon, _)| canon))
     }
 
-    /// A run of its own from the last checkpoint not after `t` at which at most so many blocks were read, or from the first: it comes to
-    /// the same timeline. It keeps only the newest moments.
+    /// A run from the last checkpoint not after `t` (s) with at most `blocks` blocks read, or from the first; its timeline is the same. It
+    /// keeps only the newest part.
     pub fn fork(&self, t: f64, blocks: u64) -> Planner<P> {
         let fits = |point: &&Checkpoint<P>| {
             let read = point.state.program.blocks();

@@ -2,16 +2,16 @@
 
 use crate::interp::World;
 
-/// What happens to a step of the program that is about to be read.
+/// Answer of the gate before a step of the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Gate {
-    /// It is read.
+    /// The step is read.
     Open,
-    /// It is read, and [`Planner::given`] begins anew with it.
+    /// The step is read, and [`Planner::given`] starts with it.
     Anew,
-    /// The run stops before it.
+    /// The run stops before the step.
     Shut,
 }
 
-/// Asked before each step of the program: at its time, with the program and the machine as the program would see it.
+/// Called before each step of the program, with its time (s), the program, and the machine as the program reads it.
 pub type Gatekeeper<'a, P> = &'a mut dyn FnMut(f64, &P, &mut dyn World) -> Gate;

@@ -1,4 +1,4 @@
-//! From commands to time: the planner pulls the interpreter, the timeline answers any moment.
+//! From commands to time: the planner steps the interpreter, the timeline gives the machine at any moment.
 //!
 //! # What is simulated, and how far
 //!
@@ -10,15 +10,15 @@
 //!   before ends; G61 and G09 wait until the command rests and the axes are in position; a rapid waits until the command rests.
 //!   Dwell and S, M and T codes wait until the command rests. A block that is not ready in time lets the axes stop.
 //! * **Diameters.** Words of an axis may count diameters. What goes in and out at the program's side (targets, centres of arcs, positions
-//!   that it reads) counts them; plant, feeds, clamps, timeline and snapshots are what the slide moves.
+//!   that it reads) counts them; plant, feeds, clamps, timeline and snapshots are travels of the slide.
 //! * **In step with the spindle.** Feed per revolution and threads take the actual speed, in steps of 10 ms while it changes; at
 //!   standstill they wait. A thread knows no override and no hold. Under constant surface speed the spindle follows the diameter of a cut
-//!   where the axis is told to be behind acceleration: its command is looked at every 10 ms, more often where the diameter changes fast or
+//!   at its commanded position behind acceleration: its command is computed every 10 ms, more often where the diameter changes fast or
 //!   a limit begins, and runs straight from one to the next. In a rapid it has the speed of the rapid's end, or waits for the next cut.
-//! * **Spindle.** S times override within its limits, of which the snapshot tells the one that binds; the inverter follows in a straight
-//!   ramp, with slip. Override acts at once. Gears are the PLC's: it is told the wanted stage, and tells the engaged one. An angle is
-//!   approached beside the motion of its block, which ends when both are there. What a control does at M30, at reset, without M03, in
-//!   threads, before cuts, is in its [rules](crate::controls::SpindleRules).
+//! * **Spindle.** S times override within its limits, of which the snapshot shows the active one; the inverter follows in a straight
+//!   ramp, with slip. Override acts at once. Gears are the PLC's: it receives the wanted stage and reports the engaged one. An angle is
+//!   approached beside the motion of its block, which ends when both are there. The [rules](crate::controls::SpindleRules) of a
+//!   control hold its behaviour at M30, at reset, without M03, in threads and before cuts.
 //! * **PLC.** Scanned when something that it sees has changed and when it wishes; codes of one block are put out together and end with FIN.
 //! * **PMC axes.** Axes that the PLC turns by itself: it gives them speeds, acceleration and lag are those of any axis. Neither hold nor the
 //!   program's clamps act on them; overrides, reset and emergency stop as far as the PLC lets them. A drive that

@@ -1,4 +1,4 @@
-//! One movement: its geometry, how fast it may run, and the segment that it leaves on the path.
+//! One movement: its geometry, its speed limit and its segment of the path.
 
 use super::path::{Circle, Segment};
 use super::plant::AxisPlant;
@@ -6,7 +6,7 @@ use crate::interp::Feed;
 use crate::interp::canon::AXES;
 use crate::math;
 
-/// What sets the speed of a movement.
+/// Source of a movement's speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Pace {
     /// Rapid traverse.
@@ -31,7 +31,7 @@ struct ArcMove {
 pub(super) struct Move {
     /// Where it began.
     pub(super) start: [f64; AXES],
-    /// What is added in proportion to the path: all of a line; on an arc, the other axes and what rounding leaves in the plane.
+    /// Travel added in proportion to the path: the whole line; on an arc, that of the other axes and the rounding error in the plane.
     line: [f64; AXES],
     bow: Option<ArcMove>,
     /// Where it ends.
@@ -51,7 +51,7 @@ pub(super) struct Move {
     done: f64,
     /// When the present speed began.
     pub(super) since: f64,
-    /// When speeds are to be measured again: of a changing spindle that the feed follows, of an axis that the spindle follows.
+    /// Time (s) of the next measurement of the speed that the feed or the spindle follows.
     pub(super) again: f64,
 }
 
@@ -146,7 +146,7 @@ impl Move {
         }
     }
 
-    /// Where the axes are when a part of the path is covered.
+    /// Positions of the axes after a length of the path (mm).
     fn place(&self, part: f64) -> [f64; AXES] {
         let mut place = core::array::from_fn(|k| self.start[k] + self.line[k] * part);
         if let Some(bow) = self.bow {

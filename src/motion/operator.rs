@@ -114,7 +114,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     fn reset(&mut self, t: f64, then: Exec) {
         self.break_off(t);
         if self.plant.log {
-            // What was read and not begun has not happened.
+            // Commands that were read and not begun are removed from the log.
             if let Some(next) = self.s.reader.queue.front() {
                 self.out.log.truncate(next.logged.saturating_sub(self.out.taken));
             }

@@ -10,12 +10,12 @@ use crate::msg;
 use crate::text::Diagnostic;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Whether the spindle is on its way to an angle.
+    /// Whether the spindle turns to an angle.
     pub(super) fn orients(&self) -> bool {
         self.s.spindle.orienting.is_some_and(|orienting| !orienting.is_held())
     }
 
-    /// Begins to bring the spindle to an angle.
+    /// Starts the travel of the spindle to an angle.
     pub(super) fn orient(&mut self, t: f64, target: f64, approach: Approach) {
         let plant = &self.plant.spindle;
         if plant.positioning.is_none() || !plant.encoder {
@@ -30,7 +30,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.set_off(t, if target.is_finite() { target } else { 0.0 }, approach);
     }
 
-    /// Sets off to an angle, or turns back first.
+    /// Starts towards the angle, or turns back first.
     fn set_off(&mut self, t: f64, target: f64, approach: Approach) {
         let plant = &self.plant.spindle;
         let Some(positioning) = plant.positioning else { return };
@@ -71,7 +71,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.part(t, rpm, travel.peak * f64::from(way), first, travel.to_peak);
     }
 
-    /// A part of the way is over.
+    /// Ends a part of the travel.
     pub(super) fn travel_on(&mut self, t: f64) {
         let Some(orienting) = &mut self.s.spindle.orienting else { return };
         let (peak, travel) = (orienting.travel.peak * f64::from(orienting.way), orienting.travel);
@@ -106,7 +106,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// Puts a part of the way, signed speeds, that takes some seconds; one that takes none is over at once.
+    /// Records a part of the travel with signed speeds (r/min) and its duration (s); a part without duration ends at once.
     fn part(&mut self, t: f64, start: f64, target: f64, rate: f64, seconds: f64) {
         let last = self.out.timeline.ramps.last().copied().unwrap_or_default();
         let turns = last.turns(&self.plant.spindle, t);

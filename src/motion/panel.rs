@@ -2,7 +2,7 @@
 
 use crate::drives::speed::SpeedLimit;
 
-/// What the operator does.
+/// Action of the operator.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Action {
     /// Spindle override in percent.
@@ -38,14 +38,14 @@ pub enum Action {
 /// An action at a time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Event {
-    /// CheckedPlant time in seconds.
+    /// Machine time (s).
     pub t: f64,
-    /// What is done.
+    /// The action.
     pub action: Action,
 }
 
 impl Event {
-    /// The event at a time from 0 to the largest number.
+    /// The event with its time limited to 0 and the largest number.
     fn in_range(self) -> Event {
         Event { t: if self.t > 0.0 { self.t.min(f64::MAX) } else { 0.0 }, ..self }
     }

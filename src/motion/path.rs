@@ -15,7 +15,7 @@
 //!                                     H(s) = (1 - exp(-K τ)) / (K τ) · exp(-K (s - τ))   s ≥ τ
 //! ```
 //!
-//! Written with speeds, each is a sum over the segments of the window, and an axis at rest is exactly where it was told to be. The
+//! Written with speeds, each is a sum over the segments of the window, and an axis at rest is exactly at its commanded position. The
 //! last integral is cut off `TAIL / K` behind `τ`, where exp(-TAIL) = 2e-9 of what happened before is neglected.
 
 use super::plant::AxisPlant;

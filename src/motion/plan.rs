@@ -1,7 +1,7 @@
 //! The planner: runs a program over time in slices, and again from a checkpoint when the operator changes the past.
 //!
 //! A discrete-event simulation: the earliest event happens first, in a fixed order where times are equal, so that a run is a pure
-//! function of program, plant, PLC and panel. No event knows of a later one: what was planned up to a moment stays true when
+//! function of program, plant, PLC and panel. No event knows of a later one: the plan up to a moment stays valid when
 //! something is added after it.
 
 use std::collections::VecDeque;
@@ -176,12 +176,12 @@ impl<P: RunningProgram> Planner<P> {
         }
     }
 
-    /// What happened when.
+    /// The machine over time.
     pub fn timeline(&self) -> &Timeline {
         &self.records.timeline
     }
 
-    /// The operator's hand, with all events that were added.
+    /// Events of the operator panel, with all that were added.
     pub fn panel(&self) -> &Panel {
         &self.panel
     }
@@ -196,12 +196,12 @@ impl<P: RunningProgram> Planner<P> {
         self.state.starved
     }
 
-    /// The program as it is at the end of what is planned.
+    /// The program at the end of the planned part.
     pub fn program(&self) -> &P {
         &self.state.program
     }
 
-    /// Alarms and what else is to be said of the planned part.
+    /// Alarms and warnings of the planned part.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.records.diagnostics
     }

@@ -14,7 +14,7 @@ pub struct AxisPlant {
     pub letter: Option<Address>,
     /// Turns: degrees instead of millimetres.
     pub rotary: bool,
-    /// Words of this axis count diameters, twice what it moves. All else about it is what it moves.
+    /// Words of this axis are diameters, twice its travel. All other values are its travel.
     pub diameter: bool,
     /// Rapid traverse in mm/min or °/min.
     pub rapid: f64,
@@ -82,7 +82,7 @@ pub struct SpindlePlant {
     pub centre: Option<f64>,
     /// A driven tool turns whenever something is cut at an angle.
     pub driven_tool: bool,
-    /// What the control does with it.
+    /// Rules of the control for the spindle.
     pub rules: SpindleRules,
 }
 

@@ -40,11 +40,11 @@ pub struct Io {
     pub reset: bool,
     /// It was emergency stop.
     pub emergency: bool,
-    /// Macro inputs, by variable number: what the program reads as `#1033` ….
+    /// Macro inputs by variable number, read by the program as `#1033` ….
     pub inputs: BTreeMap<u32, f64>,
     /// Macro outputs, by variable number, as the program wrote them.
     pub outputs: BTreeMap<u32, f64>,
-    /// Inputs that the operator has forced: `inputs` obeys them whatever the PLC writes.
+    /// Inputs forced by the operator; they replace the values of the PLC in `inputs`.
     pub forced: BTreeMap<(u32, WordPart), f64>,
     /// M code that waits for FIN.
     pub m_strobe: Option<u32>,
@@ -58,9 +58,9 @@ pub struct Io {
     pub fin: bool,
     /// Percent that the PLC gives to the control as spindle override (register method).
     pub spindle_override_out: f64,
-    /// Gear stage that is engaged, from 1, as the PLC tells the control.
+    /// Gear stage that is engaged, from 1, as the PLC reports it to the control.
     pub gear: u8,
-    /// An alarm that the PLC raises: the program stops, and what it waits for is off.
+    /// Alarm of the PLC: stops the program and clears the codes that wait for FIN.
     pub alarm: Option<Alarm>,
     /// Volts that the PLC puts out to the spindle instead of those of the speed, while it shifts gears.
     pub gear_volts: Option<f64>,
@@ -70,7 +70,7 @@ pub struct Io {
     pub spindle_actual: f64,
     /// Speeds in r/min, signed, at which the PLC turns its own axes.
     pub pmc_speed: [f64; PMC_AXES],
-    /// Turns that it has told them since the run began, before acceleration.
+    /// Commanded turns since the run began, before acceleration.
     pub pmc_turns: [f64; PMC_AXES],
 }
 
@@ -183,7 +183,7 @@ pub struct BenchPlc {
     /// M03 and M04 need M05 between them.
     pub stop_between: bool,
     strobes: Strobes,
-    /// What it puts out: M03 (1), M04 (-1) or neither.
+    /// Output: M03 (1), M04 (-1) or neither (0).
     turns: i8,
 }
 

@@ -11,7 +11,7 @@ use crate::interp::canon::AXES;
 const DEGREES: f64 = 6.0;
 
 impl Timeline {
-    /// Degrees to which the PLC has told its axes to turn until `t`, before acceleration.
+    /// Commanded angles (°) of the PLC's axes at `t`, before acceleration.
     fn pmc_told(&self, t: f64) -> [f64; AXES] {
         self.pmc
             .segments
@@ -21,7 +21,7 @@ impl Timeline {
 }
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Shows the PLC how far it has told its axes to turn.
+    /// Hands the PLC the commanded angles of its axes.
     pub(super) fn show_pmc(&mut self, t: f64) {
         let told = self.out.timeline.pmc_told(t);
         self.s.plc.io.pmc_turns = core::array::from_fn(|k| told[k] / 360.0);

@@ -1,4 +1,4 @@
-//! [`RunningProgram`]: what the planner pulls steps from; the interpreter, or a script in a test.
+//! [`RunningProgram`]: source of the planner's steps; the interpreter, or a script in a test.
 
 use crate::interp::canon::AXES;
 use crate::interp::{Counts, Interp, Step, World};

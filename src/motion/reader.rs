@@ -13,7 +13,7 @@ use crate::interp::canon::AXES;
 use crate::interp::{Canon, Step, World};
 use crate::text::Diagnostic;
 
-/// What a program sees of the machine when one of its blocks is read.
+/// The machine as a program reads it in a block.
 struct ReaderWorld<'a> {
     inputs: &'a BTreeMap<u32, f64>,
     position: Axes<'a>,
@@ -112,7 +112,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.out.timeline.changes.push(VariableChange { t, number, value: value.unwrap_or(f64::NAN) });
         }
         for remark in eyes.remarks {
-            // A block in a loop says it once, whatever its values are.
+            // One remark for each block, also in a loop with changing values.
             let told = |d: &Diagnostic| (d.place, d.id()) == (remark.place, remark.id());
             let said = &mut self.out.diagnostics;
             if said.len() < REMARKS && !said.iter().any(told) {

@@ -21,7 +21,7 @@ pub(super) struct Records {
     pub(super) anew: usize,
 }
 
-/// TimelineLengths of the records at a checkpoint.
+/// Lengths of the records at a checkpoint.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct RecordLengths {
     pub(super) timeline: TimelineLengths,

@@ -15,7 +15,7 @@ pub struct Budget {
     pub seconds: f64,
 }
 
-/// What a run leaves behind.
+/// Records that a run keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Retention {
     /// The whole timeline and a checkpoint for every second: any moment can be shown, any event added.
@@ -41,7 +41,7 @@ pub struct Setup<'a, P> {
     pub panel: Panel,
     /// Budgets.
     pub limits: Budget,
-    /// What is kept.
+    /// Records that are kept.
     pub keep: Retention,
 }
 
@@ -64,7 +64,7 @@ pub enum RunEnd {
 /// How far a run is planned.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Progress {
-    /// CheckedPlant time up to which all is known.
+    /// Machine time (s) up to which the run is planned.
     pub planned_to: f64,
     /// Set when the run is over at that time.
     pub ended: Option<RunEnd>,

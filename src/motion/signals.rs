@@ -51,7 +51,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     fn plc_alarm(&mut self, t: f64, alarm: Alarm) {
         let reversal = alarm == Alarm::SpindleReversal;
         if reversal {
-            // What was put out before stays out.
+            // The earlier code stays active.
             self.s.spindle.direction = -self.s.spindle.direction;
         }
         let (shown, message) = match reversal {

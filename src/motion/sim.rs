@@ -1,4 +1,4 @@
-//! The simulation that events act on: its state, the plant, the panel, and what is recorded.
+//! The simulation that events act on: state, plant, panel and records.
 
 use super::checked_plant::CheckedPlant;
 use super::panel::Panel;
@@ -12,7 +12,7 @@ use crate::text::{Diagnostic, DiagnosticKind, Message};
 pub(super) enum Once {
     Starved,
     SpindleClamp,
-    SpindleStands,
+    SpindleAtRest,
     OffCentre,
     NoStage,
     NoEncoder,
@@ -20,10 +20,10 @@ pub(super) enum Once {
     NoDrivenTool,
     Clamp = 8,
     Missing = 16,
-    Standing = 24,
+    FeedWithoutRotation = 24,
 }
 
-/// A state with all that its events touch.
+/// A state with everything that its events read and write.
 pub(super) struct Sim<'a, P> {
     pub(super) s: &'a mut SimState<P>,
     pub(super) plant: &'a CheckedPlant,
@@ -32,7 +32,7 @@ pub(super) struct Sim<'a, P> {
 }
 
 impl<P> Sim<'_, P> {
-    /// Says something once a run.
+    /// Adds a warning once a run.
     pub(super) fn say(&mut self, bit: u32, message: impl FnOnce() -> Message) {
         self.say_kind(bit, DiagnosticKind::Plain, message);
     }

@@ -5,7 +5,7 @@ use crate::drives::Bound;
 use crate::interp::canon::AXES;
 use crate::text::Place;
 
-/// An axis at one moment. TimelineLengths in mm (or degrees), speeds in mm/min (or °/min).
+/// An axis at one moment. Lengths in mm (or degrees), speeds in mm/min (or °/min).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AxisState {
     /// Commanded position behind acceleration, as the drive gets it.
@@ -21,7 +21,7 @@ pub struct AxisState {
 /// The spindle at one moment.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpindleState {
-    /// Speed told by S and override, after clamps, signed, r/min.
+    /// Commanded speed from S and override, after clamps, signed, r/min.
     pub command: f64,
     /// Speed of the motor behind ramp and slip, signed, r/min.
     pub actual: f64,
@@ -37,13 +37,13 @@ pub struct SpindleState {
     pub held: bool,
     /// Gear stage that is engaged, from 1.
     pub stage: u8,
-    /// What holds the command, where it is not what was asked for.
+    /// Limit that acts on the command.
     pub bound: Bound,
     /// Surface speed in m/min at the commanded tool position, where the machine has an axis square to the spindle.
     pub surface_speed: Option<f64>,
 }
 
-/// What the control is doing.
+/// Mode of the control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Mode {
     /// Runs the program.
@@ -68,7 +68,7 @@ pub enum Mode {
 /// Everything at one moment.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Snapshot {
-    /// CheckedPlant time in seconds.
+    /// Machine time (s).
     pub t: f64,
     /// Axes in the control's order.
     pub axes: [AxisState; AXES],
@@ -76,7 +76,7 @@ pub struct Snapshot {
     pub pmc: [AxisState; PMC_AXES],
     /// The spindle.
     pub spindle: SpindleState,
-    /// What the control does.
+    /// Mode of the control.
     pub mode: Mode,
     /// The block that is executing.
     pub block: Option<Place>,

@@ -18,7 +18,7 @@ pub(super) struct SpeedCommand {
     pub(super) sign: i8,
     /// Gear stage, from 1.
     pub(super) stage: u8,
-    /// What holds the speed.
+    /// Limit that acts on the speed.
     pub(super) bound: Bound,
 }
 
@@ -50,7 +50,7 @@ pub(super) struct Ramp {
     /// The command that the ramp follows.
     pub(super) command: SpeedCommand,
     pub(super) control: SpindleMode,
-    /// The axis that is square to the spindle, and its place in mm where the diameter is 0.
+    /// The axis square to the spindle, and its position in mm at diameter 0.
     pub(super) square: Option<(u8, f64)>,
 }
 
@@ -60,8 +60,8 @@ impl Timed for Ramp {
     }
 }
 
-/// How an inverter turns a speed into that of its motor: `gain · n`, less `lost` toward standstill. A motor that is driven along (less
-/// than nothing lost) runs at most twice as fast as without, so that it starts from 0 without a jump.
+/// Motor speed behind an inverter: `gain · n`, reduced by `lost` toward standstill. With negative `lost` (a motor driven by its load) the
+/// speed is at most doubled, so that it starts from 0 without a step.
 #[derive(Clone, Copy)]
 struct Slip {
     gain: f64,
@@ -107,7 +107,7 @@ impl Ramp {
 
     /// Speed behind the ramp, before slip, signed.
     pub(super) fn speed(&self, t: f64) -> f64 {
-        // Compared as sums are: what is asked when the ramp is over gets its end, and not what rounding leaves of it.
+        // The same sum as the ramp's end, so that at that very time the end speed is exact.
         let whole = self.whole();
         if t < self.t + whole {
             self.start + (self.target - self.start) * ((t - self.t) / whole).min(1.0)
@@ -116,7 +116,7 @@ impl Ramp {
         }
     }
 
-    /// When the speed is within a part of what it will be.
+    /// Time (s) at which the speed is within a fraction of its target.
     pub(super) fn within(&self, part: f64) -> f64 {
         let left = (self.target - self.start).abs() - part * self.target.abs();
         if left > 0.0 && self.rate > 0.0 { self.t + left / self.rate } else { self.t }
@@ -156,7 +156,7 @@ impl Ramp {
         if t < self.t + span { from + (to - from) * ((t - self.t) / span) } else { to }
     }
 
-    /// The spindle at `t`; `place` tells where an axis is.
+    /// The spindle at `t` (s); `place` gives the position of an axis.
     pub(super) fn state(&self, plant: &SpindlePlant, t: f64, place: impl Fn(usize) -> f64) -> SpindleState {
         let (analog, speed) = (plant.analog(self.command.stage), self.commanded(t));
         let command = speed * f64::from(self.command.sign);

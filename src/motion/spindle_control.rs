@@ -10,18 +10,18 @@ pub(super) struct Surface {
     pub(super) speed: f64,
     /// The axis that measures the radius.
     pub(super) axis: usize,
-    /// Its place in mm where the radius is 0.
+    /// Its position in mm at radius 0.
     pub(super) zero: f64,
-    /// Until when the axis moves by a cut.
+    /// End (s) of the cut that moves the axis.
     pub(super) until: f64,
     /// When the next speed is commanded (s).
     pub(super) again: f64,
 }
 
-/// The way of the spindle to an angle.
+/// Travel of the spindle to an angle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Orienting {
-    /// Where it ends, in turns since the run began; where it has to turn back first, that comes later.
+    /// Target in turns since the run began; a turn back to it comes first.
     pub(super) goal: f64,
     /// Direction.
     pub(super) way: i8,
@@ -41,7 +41,7 @@ pub(super) enum TravelPart {
 }
 
 impl Orienting {
-    /// Whether it is there.
+    /// The spindle is at its angle.
     pub(super) fn is_held(&self) -> bool {
         self.part == TravelPart::Held
     }
@@ -58,15 +58,15 @@ pub(super) struct SpindleControl {
     pub(super) set: (f64, f64),
     /// Highest speed under constant surface speed in r/min.
     pub(super) surface_high: f64,
-    /// Where the turning centre lies on the axis square to the spindle, in mm.
+    /// Position of the turning centre on the axis square to the spindle, mm.
     pub(super) centre: Option<f64>,
     /// Gear stages are selected by S.
     pub(super) automatic: bool,
-    /// The axis that is square to the spindle, and its place in mm where the diameter is 0.
+    /// The axis square to the spindle, and its position in mm at diameter 0.
     pub(super) square: Option<(u8, f64)>,
     /// End of the ramp, or of a part of a travel to an angle.
     pub(super) reached_at: f64,
-    /// The way to an angle.
+    /// Travel to an angle.
     pub(super) orienting: Option<Orienting>,
     /// The zero mark of the encoder was seen.
     pub(super) synced: bool,
@@ -96,7 +96,7 @@ impl SpindleControl {
         }
     }
 
-    /// Sets a limit in r/min; what is no number is none.
+    /// Sets a limit in r/min; NaN removes it.
     pub(super) fn limit(&mut self, limit: SpeedLimit, rpm: f64) {
         let rpm = if rpm > 0.0 { rpm } else { 0.0 };
         match limit {
@@ -106,7 +106,7 @@ impl SpindleControl {
         }
     }
 
-    /// When the spindle does something by itself.
+    /// Time (s) of the spindle's next own event.
     pub(super) fn next(&self) -> f64 {
         self.surface.map_or(self.reached_at, |surface| surface.again.min(self.reached_at))
     }

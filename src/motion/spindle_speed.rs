@@ -11,7 +11,7 @@ use crate::msg;
 pub(super) const FASTEST: f64 = 1e9;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Something of the spindle's own was due.
+    /// Carries out the spindle's own event.
     pub(super) fn spindle(&mut self, t: f64) {
         if self.s.spindle.reached_at <= t {
             self.s.spindle.reached_at = f64::INFINITY;
@@ -71,7 +71,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         true
     }
 
-    /// The gear stage that the PLC reports; the first where there is none such.
+    /// The gear stage that the PLC reports; 1 if the spindle lacks it.
     fn gear(&self) -> u8 {
         let gear = self.s.plc.io.gear;
         if gear <= self.plant.spindle.stage_count { gear.max(1) } else { 1 }
@@ -83,7 +83,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if whole { 1.0 } else { percent(self.s.plc.io.spindle_override_out) / 100.0 }
     }
 
-    /// A speed in r/min behind override and limits, and what holds it.
+    /// Speed (r/min) after override and limits, and the limit that acts.
     pub(super) fn held(&self, rpm: f64) -> (f64, Bound) {
         let (plant, turning) = (&self.plant.spindle, &self.s.spindle);
         let (stage, analog) = (plant.stage(self.gear()), plant.analog(self.gear()));
@@ -109,7 +109,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         } else {
             limits.hold(rpm * share)
         };
-        // The output ends at full voltage, whatever is commanded.
+        // The output is limited to full voltage.
         let top = analog.top_speed();
         if rpm > top { (top, Bound::Output) } else { (rpm, bound) }
     }
@@ -134,7 +134,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.put(ramp);
     }
 
-    /// Records a ramp; its end is something that happens.
+    /// Records a ramp; its end is an event.
     pub(super) fn put(&mut self, ramp: Ramp) {
         let reached = ramp.reached();
         self.s.spindle.reached_at = if reached > ramp.t { reached } else { f64::INFINITY };

@@ -10,12 +10,12 @@ use crate::interp::canon::AXES;
 use crate::interp::{Canon, End};
 use crate::text::{Diagnostic, Place};
 
-/// A command that was read and not yet begun.
+/// A command that is read and not yet begun.
 #[derive(Debug, Clone)]
 pub(super) struct Queued {
     pub(super) canon: Canon,
     pub(super) place: Place,
-    /// When it is read to the end.
+    /// Time (s) at which its block is read.
     pub(super) ready: f64,
     /// First command of its block.
     pub(super) first: bool,
@@ -23,7 +23,7 @@ pub(super) struct Queued {
     pub(super) logged: usize,
 }
 
-/// Why nothing more is read.
+/// Reason why reading has ended.
 #[derive(Debug, Clone)]
 pub(super) enum Over {
     /// The program has ended.
@@ -43,7 +43,7 @@ impl From<End> for Over {
     }
 }
 
-/// The reader: what is read and not yet begun, and when it goes on.
+/// The reader: commands read and not yet begun, and its next step.
 #[derive(Debug, Clone, Default)]
 pub(super) struct ReaderState {
     /// When the reader takes the next step (s).
@@ -137,7 +137,7 @@ pub(super) struct RunClock {
     pub(super) total: f64,
 }
 
-/// The whole state; a clone goes on exactly as the original would.
+/// State of the simulation; a clone continues exactly like the original.
 #[derive(Debug, Clone)]
 pub(super) struct SimState<P> {
     /// Time of the newest event (s).

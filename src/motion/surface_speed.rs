@@ -11,20 +11,20 @@ use crate::drives::Bound;
 use crate::drives::speed::{limit_diameter, surface_rpm};
 use crate::msg;
 
-/// A step of constant surface speed changes the diameter by this part at most.
+/// Largest relative change of the diameter in a step of constant surface speed.
 const PART: f64 = 0.05;
 
 /// Shortest step in seconds.
 const LEAST: f64 = 1e-4;
 
 impl<P: RunningProgram> Sim<'_, P> {
-    /// Speed for where the axis of constant surface speed is, before override and limits.
+    /// Speed (r/min) at the position of the axis of constant surface speed, before override and limits.
     fn surface_rpm(&self, place: f64) -> Option<f64> {
         let surface = self.s.spindle.surface?;
         Some(surface_rpm(surface.speed, 2.0 * (place - surface.zero)).min(FASTEST))
     }
 
-    /// While a cut moves the axis of constant surface speed: the speed now, a little later, and how much later.
+    /// While a cut moves the axis of constant surface speed: speed now and after a step, and the step (s).
     pub(super) fn following(&self, t: f64) -> Option<(f64, f64, f64)> {
         let surface = self.s.spindle.surface.filter(|surface| t < surface.until)?;
         let plant = self.plant.axes.get(surface.axis)?;
@@ -56,7 +56,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         Some((rpm(here), rpm(there), span))
     }
 
-    /// Constant surface speed from now on.
+    /// Starts constant surface speed.
     pub(super) fn begin_surface(&mut self, t: f64, speed: f64, axis: u8, zero: i64) {
         let (Some(scale), at) = (self.plant.scale.get(usize::from(axis)), usize::from(axis)) else { return };
         let zero = zero as f64 * scale;
@@ -76,7 +76,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.follow(t);
     }
 
-    /// Constant surface speed is over: the spindle keeps the speed that it has.
+    /// Ends constant surface speed: the spindle keeps its speed.
     pub(super) fn end_surface(&mut self, t: f64) {
         let (held, share) = (self.held(self.s.spindle.speed).0, self.override_share());
         if self.s.spindle.surface.take().is_some() && share > 0.0 {
@@ -90,7 +90,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.s.spindle.speed = self.surface_rpm(place).unwrap_or(self.s.spindle.speed);
     }
 
-    /// A cut is about to begin: constant surface speed is that of where it begins.
+    /// Before a cut: takes the surface speed at its start.
     pub(super) fn aim_at_cut(&mut self, t: f64) {
         if let Some(surface) = self.s.spindle.surface
             && t >= surface.until
@@ -100,7 +100,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// A block is read while a rapid runs: if it cuts, the rapid has the speed of its end from now on.
+    /// A block is read during a rapid: if it cuts, the spindle gets the speed of the rapid's end.
     pub(super) fn aim_ahead(&mut self, t: f64) {
         let rapid = || matches!(&self.s.exec, Exec::Moving(motion) if motion.pace == Pace::Rapid);
         if self.s.spindle.surface.is_some()
@@ -113,7 +113,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// A motion begins: constant surface speed looks at its axis.
+    /// A motion begins: constant surface speed follows its axis.
     pub(super) fn aim_at_motion(&mut self, t: f64) {
         let (Exec::Moving(motion), Some(surface)) = (&self.s.exec, self.s.spindle.surface) else { return };
         if motion.pace != Pace::Rapid {
@@ -137,7 +137,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
     }
 
-    /// A new part of the path begins: until when does a cut move the axis of constant surface speed?
+    /// A new segment of the path begins: notes until when a cut moves the axis of constant surface speed.
     pub(super) fn watch(&mut self, t: f64) {
         let Some(surface) = &mut self.s.spindle.surface else { return };
         let settles = t + self.plant.axes.get(surface.axis).map_or(0.0, |axis| axis.time_constant);

@@ -1,6 +1,6 @@
 //! Entries in time order: appended and truncated at the end, dropped at the beginning.
 
-/// Something that holds from a time on, until the next entry of its series.
+/// An entry that is valid from a time until the next entry of its series.
 pub(super) trait Timed {
     /// Seconds.
     fn t(&self) -> f64;
@@ -19,7 +19,7 @@ impl<T> Default for TimeSeries<T> {
     }
 }
 
-/// So many old entries are forgotten at once.
+/// Old entries that are dropped together.
 const SLAB: usize = 4096;
 
 impl<T: Timed> TimeSeries<T> {

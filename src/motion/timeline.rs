@@ -10,7 +10,7 @@ use super::time_series::{TimeSeries, Timed};
 use crate::interp::canon::AXES;
 use crate::text::Place;
 
-/// From `t` on the control does this, in this block.
+/// Mode of the control and executing block from `t` on.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Activity {
     pub(super) t: f64,
@@ -40,7 +40,7 @@ impl Timed for VariableChange {
     }
 }
 
-/// How long the tracks were at a checkpoint.
+/// Lengths of the series at a checkpoint.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct TimelineLengths {
     segments: usize,
@@ -58,7 +58,7 @@ pub struct Timeline {
     pub(super) pmc_axes: [AxisPlant; PMC_AXES],
     pub(super) spindle: SpindlePlant,
     pub(super) path: Path,
-    /// What the PLC tells its own axes, in °.
+    /// Commanded angles of the PLC's axes, °.
     pub(super) pmc: Path,
     pub(super) ramps: TimeSeries<Ramp>,
     pub(super) marks: TimeSeries<Activity>,
@@ -147,7 +147,7 @@ impl Timeline {
         times + count(sure, marks.len())
     }
 
-    /// When an axis was told below 0 until time `t`, and when it was lowest since then; what arcs add is left out.
+    /// Times (s) up to `t` at which the command of an axis fell below 0 and was lowest since; deviations of arcs are left out.
     pub fn dips(&self, axis: usize, t: f64) -> Vec<(f64, f64)> {
         let segments = self.path.segments.until(t);
         let (mut dips, mut lowest): (Vec<(f64, f64)>, f64) = (Vec::new(), 0.0);
@@ -165,7 +165,7 @@ impl Timeline {
         dips
     }
 
-    /// When the first block begins that begins after time `t`; `None` where none is planned.
+    /// Start (s) of the first block that begins after `t`; `None` if none is planned.
     pub fn next_block(&self, t: f64) -> Option<f64> {
         let marks = self.marks.until(f64::INFINITY);
         let here = self.block_at(t);
@@ -173,7 +173,7 @@ impl Timeline {
         later.iter().find(|mark| mark.begun && Some(mark.place) != here).map(|mark| mark.t)
     }
 
-    /// When the block began that executes at time `t`, or the one before where `t` is that very moment; 0 before the first.
+    /// Start (s) of the block that executes at `t`, or of the one before if it starts at `t`; 0 before the first.
     pub fn block_before(&self, t: f64) -> f64 {
         let marks = self.marks.until(t);
         let earlier = &marks[..marks.partition_point(|mark| mark.t < t)];
@@ -227,7 +227,7 @@ impl Timeline {
         self.axes.iter().chain(&self.pmc_axes).map(Path::memory).fold(0.0, f64::max)
     }
 
-    /// What acts at `t`, up to a state.
+    /// Segments that act at `t`, up to a state.
     pub(super) fn up_to(&self, lengths: &TimelineLengths, t: f64) -> Timeline {
         let old = t - self.memory();
         Timeline {
@@ -248,7 +248,7 @@ impl Timeline {
         }
     }
 
-    /// Forgets what no longer acts at `t`.
+    /// Drops entries that no longer act at `t`.
     pub(super) fn forget(&mut self, t: f64) {
         let memory = self.memory();
         self.path.segments.forget(t - memory);

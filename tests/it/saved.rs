@@ -4,7 +4,7 @@ use expect_test::{Expect, expect};
 use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, Panel};
 use macroline::nc::{File, Files};
-use macroline::project::render::Teller;
+use macroline::project::render::Renderer;
 use macroline::project::saved::{MAX_PROGRAM, panel_from_json};
 use macroline::project::{Project, import};
 use macroline::text::Severity;
@@ -20,8 +20,8 @@ fn ribbon() -> Project {
 fn check(text: &str, expect: Expect) {
     let loaded = Project::from_json(text);
     let files = Files::one("project.json", text);
-    let teller = Teller::new(&files);
-    let mut out: String = loaded.diagnostics.iter().map(|d| teller.text(d)).collect();
+    let renderer = Renderer::new(&files);
+    let mut out: String = loaded.diagnostics.iter().map(|d| renderer.text(d)).collect();
     out += if loaded.project.is_some() { "a project" } else { "no project" };
     expect.assert_eq(&out);
 }
@@ -449,5 +449,24 @@ fn old_sentences_of_settings_are_upgraded() {
     // Every option that is not called as it was has its old sentence here.
     for (id, _, option) in old {
         assert!(offered.contains(&(id, option)), "no control offers {option} of {id}");
+    }
+}
+
+#[test]
+fn old_ids_of_suppressed_warnings_are_upgraded() {
+    let old = [
+        ("interp.other-spindle-stands", "interp.other-spindle-at-rest"),
+        ("lint.slow-way-back", "lint.slow-retract"),
+        ("motion.spindle-stands", "motion.spindle-at-rest"),
+        ("motion.standing-work", "motion.feed-without-rotation"),
+        ("nc.stands-alone", "nc.not-alone"),
+    ];
+    for (saved, present) in old {
+        let text = format!(
+            r#"{{ "version": 1, "machine": "ribbon-line", "control": "mitsubishi-e60", "values": {{}}, "silenced": ["{saved}", "lint.unreachable"] }}"#
+        );
+        let project = Project::from_json(&text).project.unwrap();
+        assert_eq!(project.silenced, [present, "lint.unreachable"]);
+        assert_eq!(macroline::text::catalog::id(present), Some(present));
     }
 }

@@ -739,7 +739,7 @@ fn calls_of_missing_programs_are_a_warning() {
 #[test]
 fn retract_at_cutting_feed_is_a_warning() {
     KND.check("O3000\nG0 X22.Z2\nG01 X20.Z0.0 F200.\nZ-15.\nX25\nZ20.\nM30", expect![[r#"
-        7:1 “Z20.” warning lint.slow-way-back
+        7:1 “Z20.” warning lint.slow-retract
             Z20. goes back at cutting feed, out of the cut and further than the rapid in front of it: G01 is still in force, with its F. G00 is quicker.
     "#]]);
     for quiet in [

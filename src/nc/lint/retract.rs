@@ -62,7 +62,7 @@ pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
             if !cuts {
                 free = to;
             } else if out && at[1] < free[1] && to[1] > free[1] {
-                lint.say(index, last.span(block), "lint.slow-way-back", &[], "");
+                lint.say(index, last.span(block), "lint.slow-retract", &[], "");
                 break;
             }
             at = to;

@@ -12,7 +12,7 @@ const LISTED: usize = 100;
 /// Characters of a key or name that are repeated in a sentence at most.
 const CLIPPED: usize = 60;
 
-/// What is wrong with a project file.
+/// Findings about a project file.
 pub(super) struct Findings<'t> {
     text: &'t str,
     list: Vec<Diagnostic>,

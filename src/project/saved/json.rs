@@ -103,7 +103,7 @@ impl Serialize for Entries<'_> {
 
 /// A number as JSON: whole numbers without a point; `null` for infinity and NaN, which JSON does not have.
 pub(super) fn number(value: f64) -> Value {
-    /// Below this a double tells each whole number from the next.
+    /// Whole numbers below this are exact as doubles.
     const EXACT: f64 = 9_007_199_254_740_992.0;
     if value.fract() == 0.0 && value.abs() < EXACT { Value::from(value as i64) } else { Value::from(value) }
 }

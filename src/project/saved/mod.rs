@@ -13,6 +13,7 @@ mod v1;
 
 mod panel;
 
+mod old_ids;
 mod old_options;
 
 mod resolve;
@@ -35,7 +36,7 @@ use crate::text::{Diagnostic, LineIndex, Message};
 /// Version that is written.
 pub const VERSION: u32 = 1;
 
-/// The version of a project file, whatever else it holds.
+/// Version of a project file; other contents are not checked.
 #[derive(Deserialize)]
 struct Head<'t> {
     #[serde(borrow)]
@@ -67,7 +68,7 @@ impl Project {
         serde_json::to_string_pretty(&saved).unwrap_or_default() + "\n"
     }
 
-    /// Reads a project file. Total: any text gives a project or errors that name what is wrong with it, and where.
+    /// Reads a project file. Total: any text gives a project, or errors with their places.
     pub fn from_json(text: &str) -> Loaded {
         Project::from_json_among(machines::ALL, text)
     }

@@ -1,6 +1,6 @@
 //! Settings of switches as files had them until November 2026, in English sentences, and the ids that they have now.
 
-/// Switch id, old sentence, id of the option. What is not here was called by its id before.
+/// Switch id, old sentence, id of the option. Other options had their ids already.
 const OLD: &[(&str, &str, &str)] = &[
     ("angle-range", "ATAN -180 to 180, ASIN -90 to 90", "atan-minus-180-to-180-asin-minus-90-to-90"),
     ("angle-range", "ATAN -180 to 180, ASIN 90 to 270", "atan-minus-180-to-180-asin-90-to-270"),
@@ -38,7 +38,7 @@ const OLD: &[(&str, &str, &str)] = &[
     ("working-area", "limit not", "no-limit"),
 ];
 
-/// The id of the option that an old sentence names; any other setting is what it was.
+/// The id of the option that an old sentence names; other settings stay.
 pub(super) fn option_id<'a>(switch: &str, setting: &'a str) -> &'a str {
     OLD.iter().find(|row| (row.0, row.1) == (switch, setting)).map_or(setting, |row| row.2)
 }

@@ -5,6 +5,7 @@ use serde_json::Value as Json;
 use super::findings::{Findings, clip};
 use super::json::Entries;
 use super::loaded::{Loaded, MAX_PROGRAMS};
+use super::old_ids::warning_id;
 use super::old_options::option_id;
 use super::panel;
 use super::v1::{ProgramV1, ProjectV1};
@@ -51,13 +52,13 @@ pub(super) fn project<'t>(
     values(saved_values, machine, &mut project, &mut found);
     origins(&saved.provenance, machine, &mut project, &mut found);
     project.switches = switches(&saved.switches, control, &mut found);
-    project.silenced = saved.silenced.iter().map(|id| clip(id)).collect();
+    project.silenced = saved.silenced.iter().map(|id| clip(&warning_id(id))).collect();
     project.panel = panel::read(&saved.panel, &mut found);
     project.edited = saved.edited.filter(|files| !files.is_empty()).map(edited);
     Loaded { project: Some(project), diagnostics: found.into_diagnostics() }
 }
 
-/// The form's values. One out of range stays: the field tells what is allowed, and nothing that was typed is lost.
+/// The form's values. A value out of range is kept: the field shows its range, and no input is lost.
 fn values<'t>(saved: &Entries<'t>, machine: &'static dyn AnyMachine, project: &mut Project, found: &mut Findings<'t>) {
     found.repeated(saved);
     let fields = machine.fields();
@@ -151,7 +152,7 @@ fn provenance_of(word: &str) -> Option<Provenance> {
     [Provenance::Measured, Provenance::DataSheet, Provenance::Assumed].into_iter().find(|p| provenance_word(*p) == word)
 }
 
-/// The bare name of a program file: an export writes it into a folder, whatever a project file says.
+/// The bare name of a program file: an export writes it into a folder, so paths in a project file are cut off.
 fn file_name(text: &str) -> String {
     let name = clip(text.rsplit(['/', '\\', ':']).next().unwrap_or_default());
     let bare = name.trim_start_matches('.');

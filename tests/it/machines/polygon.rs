@@ -100,7 +100,7 @@ fn paper_example_turns_work_at_200_and_tool_at_400() {
     // Its retract stays at F200.
     let said = edited(&[], PAPER);
     let said: Vec<_> = said.advice(&said.written()).iter().map(|d| d.message.id).collect();
-    assert_eq!(said, ["lint.slow-way-back"]);
+    assert_eq!(said, ["lint.slow-retract"]);
     let timeline = planner.timeline();
     // While Z cuts at X20.
     let cutting = (0..6000).map(|i| timeline.at(f64::from(i) * 0.01)).filter(|now| {
@@ -329,7 +329,7 @@ fn drives_off_at_emergency_stop_lose_the_ratio() {
 fn feed_into_standing_work_is_one_finding_at_its_block() {
     let said = |text: &str| {
         let planner = planned(&edited(&[], &format!("O3000\nT0101\nG98G0X29.Z2.\n{text}M30\n")));
-        let standing = planner.diagnostics().iter().filter(|d| d.message.id == "motion.standing-work");
+        let standing = planner.diagnostics().iter().filter(|d| d.message.id == "motion.feed-without-rotation");
         standing.map(|d| d.place.unwrap().span.start).collect::<Vec<_>>()
     };
     let begin = "O3000\nT0101\nG98G0X29.Z2.\n".len() as u32;
@@ -356,7 +356,7 @@ fn feed_into_standing_work_is_one_finding_at_its_block() {
     }
     // Generated programs, and the paper's.
     for project in [project(&[]), project(&STAR), edited(&[], PAPER)] {
-        assert!(whole(&project).diagnostics().iter().all(|d| d.message.id != "motion.standing-work"));
+        assert!(whole(&project).diagnostics().iter().all(|d| d.message.id != "motion.feed-without-rotation"));
     }
 }
 

@@ -381,7 +381,7 @@ fn dwell_counts_spindle_turns() {
     // The cut waits for a spindle at rest.
     let mut planner = planner(&plant(), vec![], vec![turns(5.0)]);
     assert_eq!(finish(&mut planner).1, RunEnd::Stop);
-    assert_eq!(planner.diagnostics()[0].message.id, "motion.spindle-stands");
+    assert_eq!(planner.diagnostics()[0].message.id, "motion.spindle-at-rest");
     planner.event(at(5.0, Action::ManualSpeed(600.0)));
     assert_eq!(finish(&mut planner).1, RunEnd::ProgramEnd);
     close(planner.timeline().at(planner.timeline().end()).spindle.turns, 5.0, 1e-9);
@@ -399,7 +399,7 @@ fn feed_per_revolution_after_early_stop_rests_with_a_finding() {
         ];
         let planner = run(lines);
         let said: Vec<&str> = planner.diagnostics().iter().map(|said| said.message.id).collect();
-        assert_eq!(said, ["motion.spindle-stands"], "{ms} ms");
+        assert_eq!(said, ["motion.spindle-at-rest"], "{ms} ms");
         assert_eq!(planner.timeline().at(planner.timeline().end()).spindle.actual, 0.0);
     }
 }

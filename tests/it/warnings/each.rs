@@ -67,7 +67,7 @@ const ROWS: &[Row] = &[
     Row { id: "lint.setting-unread", program: "", named: "G0 X1", switches: &[("rotary-axes", "Q")] },
     row("lint.short-blocks", "", ""),
     row(
-        "lint.slow-way-back",
+        "lint.slow-retract",
         "G00 X22. Z2.\nG01 X20. Z0 F200\nZ-15.\nX25.\nZ20.",
         "G0 X22 Z2\nG1 X20 Z0 F.2\nZ-15\nX25\nZ20",
     ),
@@ -129,7 +129,7 @@ fn every_warning_appears_on_every_control() {
         mitsubishi-e60 lint.feed-zero
         mitsubishi-e60 lint.loose-comparison
         mitsubishi-e60 lint.setting-unread
-        mitsubishi-e60 lint.slow-way-back
+        mitsubishi-e60 lint.slow-retract
         gsk-980tdc lint.calls-itself
         gsk-980tdc lint.feed-zero-digit
         gsk-980tdc lint.feed-zero-rapid
@@ -155,7 +155,7 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-mf lint.feed-zero-rapid
         fanuc-0i-mf lint.loose-comparison
         fanuc-0i-mf lint.setting-unread
-        fanuc-0i-mf lint.slow-way-back
+        fanuc-0i-mf lint.slow-retract
         sinumerik-802d lint.call-parameter
         sinumerik-802d lint.calls-itself
         sinumerik-802d lint.equal-decimals

@@ -450,7 +450,7 @@ impl<'a> Reader<'a> {
         self.skip();
         if !self.cursor.ended() {
             let end = self.cursor.line.len();
-            self.report(Alarm::NotAlone, start, end, msg!("nc.stands-alone", "MSG"));
+            self.report(Alarm::NotAlone, start, end, msg!("nc.not-alone", "MSG"));
         }
         Ok(Stmt::Message(text))
     }

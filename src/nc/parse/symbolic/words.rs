@@ -606,7 +606,7 @@ impl Reader<'_> {
             }
             let both = words.iter().any(|word| word.letter == Address::S) && words.len() > 2;
             if both || words.iter().filter(|other| other.offset != word.offset).any(|word| !fits(word)) {
-                self.report(Alarm::NotAlone, start, end, msg!("nc.stands-alone", name));
+                self.report(Alarm::NotAlone, start, end, msg!("nc.not-alone", name));
                 return true;
             }
         } else if row.defines_syntax() {

@@ -1,0 +1,17 @@
+//! Ids of warnings as project files had them until November 2026, and the ids that they have now.
+
+/// Area, and the old and the present subject in it.
+const OLD: &[(&str, &str, &str)] = &[
+    ("interp", "other-spindle-stands", "other-spindle-at-rest"),
+    ("lint", "slow-way-back", "slow-retract"),
+    ("motion", "spindle-stands", "spindle-at-rest"),
+    ("motion", "standing-work", "feed-without-rotation"),
+    ("nc", "stands-alone", "not-alone"),
+];
+
+/// The present id of a warning; other ids stay.
+pub(super) fn warning_id(saved: &str) -> String {
+    let (area, subject) = saved.split_once('.').unwrap_or_default();
+    let row = OLD.iter().find(|row| (row.0, row.1) == (area, subject));
+    row.map_or_else(|| saved.to_owned(), |row| format!("{area}.{}", row.2))
+}
