@@ -1,4 +1,4 @@
-//! Breakpoints: where a walk through a program stops, and under which condition.
+//! Breakpoints: places where stepping stops, with optional conditions.
 
 use super::run::program_number;
 use crate::interp::{Interp, World};
@@ -6,20 +6,20 @@ use crate::motion::RunEnd;
 use crate::nc::{self, Parsed, ParsedFormula};
 use crate::text::{Diagnostic, FileId, LineIndex, Place};
 
-/// Why the debugger has stopped.
+/// Reason of a stop of the debugger.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Stop {
     /// The goal is reached.
     Reached,
     /// A breakpoint, by its number.
     Breakpoint(u32),
-    /// The condition of a breakpoint, by its number, has no value here.
+    /// The condition of a breakpoint, by its number, cannot be evaluated here.
     Condition(u32, Box<Diagnostic>),
     /// The run is over, or waits for the operator.
     Ended(RunEnd),
 }
 
-/// A block as people name it.
+/// A block, by line or by program and sequence number.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Location {
     /// The first block in a line or below it.
@@ -39,8 +39,7 @@ pub enum Location {
 }
 
 impl Location {
-    /// Reads `12`, `O9101.nc:12`, `N30`, `O9101 N30` or `O9101`; `here` is a block of the file and program that are meant where none is
-    /// named.
+    /// Reads `12`, `O9101.nc:12`, `N30`, `O9101 N30` or `O9101`; without file or program, those of the block `here`.
     pub fn read(text: &str, parsed: &Parsed, here: Place) -> Option<Location> {
         let text = text.trim();
         if text.as_bytes().contains(&b':') {
@@ -90,7 +89,7 @@ impl Location {
     }
 }
 
-/// The number of the program that a block stands in.
+/// Number of the program that contains a block.
 pub fn program_at(parsed: &Parsed, place: Place) -> Option<u32> {
     let deck = parsed.deck();
     let holds = |blocks: &[nc::Block]| blocks.iter().any(|block| block.span == place.span);
@@ -98,7 +97,7 @@ pub fn program_at(parsed: &Parsed, place: Place) -> Option<u32> {
     programs.find(|program| holds(deck.blocks_of(program))).map(|program| program.number)
 }
 
-/// A line of a file as it was when it was last found.
+/// Name, text and number of a breakpoint's line when it was last found.
 #[derive(Debug, Clone)]
 struct Line {
     name: String,
@@ -107,8 +106,8 @@ struct Line {
 }
 
 impl Line {
-    fn of(spot: &Location, parsed: &Parsed) -> Option<Line> {
-        let Location::Line { file, line: number } = *spot else { return None };
+    fn of(location: &Location, parsed: &Parsed) -> Option<Line> {
+        let Location::Line { file, line: number } = *location else { return None };
         let file = parsed.files().get(file)?;
         let text = LineIndex::new(&file.text).line(&file.text, number).to_owned();
         Some(Line { name: file.name.clone(), text, number })
@@ -126,34 +125,34 @@ impl Line {
     }
 }
 
-/// A place to stop at.
+/// A breakpoint.
 #[derive(Debug, Clone)]
 pub struct Breakpoint {
-    /// Its number, from 1; never given twice.
+    /// Number, from 1; never reused.
     pub number: u32,
-    /// Where.
-    pub spot: Location,
-    /// It stops only where this is so; empty is always.
+    /// Its place as it was set.
+    pub location: Location,
+    /// Condition for a stop; empty for none.
     pub condition: String,
-    /// Whether it stops at all.
+    /// Switched on.
     pub on: bool,
-    /// How often it has stopped a walk.
+    /// Number of stops.
     pub hits: u32,
-    /// The block, where the program has it.
+    /// The block, if the program has it.
     pub place: Option<Place>,
-    /// Its line, to find it again in another text.
+    /// Its line, to find it again in a changed text.
     line: Option<Line>,
     formula: Result<Option<ParsedFormula>, Box<Diagnostic>>,
 }
 
 impl Breakpoint {
-    /// File and line as last found, where it is set on a line.
+    /// File and line as last found, for a breakpoint on a line.
     pub fn name(&self) -> String {
         self.line.as_ref().map_or_else(String::new, |line| format!("{}:{}", line.name, line.number))
     }
 }
 
-/// All breakpoints, in the order in which they were set.
+/// All breakpoints, in the order of their numbers.
 #[derive(Debug, Clone, Default)]
 pub struct Breakpoints {
     list: Vec<Breakpoint>,
@@ -161,27 +160,27 @@ pub struct Breakpoints {
 }
 
 impl Breakpoints {
-    /// Sets one and gives its number; fails where the condition does not read.
-    pub fn add(&mut self, spot: Location, condition: &str, parsed: &Parsed) -> Result<u32, Box<Diagnostic>> {
+    /// Sets a breakpoint and returns its number; fails if the condition does not parse.
+    pub fn add(&mut self, location: Location, condition: &str, parsed: &Parsed) -> Result<u32, Box<Diagnostic>> {
         let condition = condition.trim().to_owned();
         let formula = Ok(condition_of(&condition, parsed)?);
         self.set += 1;
-        let (place, line) = (spot.place(parsed), Line::of(&spot, parsed));
-        self.list.push(Breakpoint { number: self.set, spot, condition, on: true, hits: 0, place, line, formula });
+        let (place, line) = (location.place(parsed), Line::of(&location, parsed));
+        self.list.push(Breakpoint { number: self.set, location, condition, on: true, hits: 0, place, line, formula });
         Ok(self.set)
     }
 
-    /// Removes the one before a block, or sets one there. With a condition that one is set, in place of another.
+    /// Removes the breakpoint at a block, or sets one there. With a condition, sets or replaces it.
     pub fn turn(
         &mut self,
-        spot: Location,
+        location: Location,
         place: Place,
         condition: Option<&str>,
         parsed: &Parsed,
     ) -> Result<(), Box<Diagnostic>> {
         let known = self.list.iter().position(|point| point.place == Some(place));
         if condition.is_some() || known.is_none() {
-            self.add(spot, condition.unwrap_or_default(), parsed)?;
+            self.add(location, condition.unwrap_or_default(), parsed)?;
         }
         if let Some(known) = known {
             self.list.remove(known);
@@ -189,39 +188,39 @@ impl Breakpoints {
         Ok(())
     }
 
-    /// Finds the blocks again in another text: what is set on a line goes with that line. Where a condition does not read any more, its
-    /// breakpoint stops and tells it.
+    /// Finds the blocks again in a changed text: a breakpoint on a line follows that line. A condition that no longer parses stops the run
+    /// with its error.
     pub fn resolve(&mut self, parsed: &Parsed) {
         for point in &mut self.list {
             let found = match &point.line {
                 Some(line) => line.find(parsed),
-                None => Some(point.spot.clone()),
+                None => Some(point.location.clone()),
             };
-            point.place = found.as_ref().and_then(|spot| spot.place(parsed));
-            if let Some(spot) = found {
-                point.line = Line::of(&spot, parsed);
-                point.spot = spot;
+            point.place = found.as_ref().and_then(|location| location.place(parsed));
+            if let Some(location) = found {
+                point.line = Line::of(&location, parsed);
+                point.location = location;
             }
             point.formula = condition_of(&point.condition, parsed);
         }
     }
 
-    /// All of them.
+    /// The breakpoints.
     pub fn list(&self) -> &[Breakpoint] {
         &self.list
     }
 
-    /// One of them, by its number.
+    /// A breakpoint by its number.
     pub fn get_mut(&mut self, number: u32) -> Option<&mut Breakpoint> {
         self.list.iter_mut().find(|point| point.number == number)
     }
 
-    /// Keeps those that fit.
+    /// Keeps the breakpoints that fulfil a condition.
     pub fn retain(&mut self, fits: impl FnMut(&Breakpoint) -> bool) {
         self.list.retain(fits);
     }
 
-    /// Whether one of them stops before a block.
+    /// Whether a breakpoint stops the run before a block.
     pub(super) fn stop(&mut self, place: Place, interp: &Interp, world: &mut dyn World) -> Option<Stop> {
         for point in self.list.iter_mut().filter(|point| point.on && point.place == Some(place)) {
             let holds = match &point.formula {

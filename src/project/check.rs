@@ -1,4 +1,4 @@
-//! Everything that is said of a program before it runs: what its reader finds, alarms that are certain, and warnings.
+//! Findings about a program: of its reader, certain alarms, warnings, and what a run adds.
 
 use std::rc::Rc;
 
@@ -8,8 +8,8 @@ use crate::interp;
 use crate::nc::{self, Parsed};
 use crate::text::{Diagnostic, DiagnosticKind, Place, Severity};
 
-/// All of it, in the order of the text. `start` is the number of the program that is started, where somebody has said; `set` are variables
-/// that the operator sets.
+/// All findings before a run, in the order of the text. `start` is the number of the started program, if known; `set` are variables that
+/// the operator sets.
 pub fn review(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
     let mut found = parsed.diagnostics().to_vec();
     found.extend(beyond(parsed, start, set));
@@ -17,11 +17,11 @@ pub fn review(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagn
     found
 }
 
-/// What the reader does not say.
+/// Certain alarms and warnings, beyond the findings of the reader.
 fn beyond(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
     let mut found = interp::precheck(parsed);
     let mut warnings = nc::warnings(parsed, start, set);
-    // One mistake is said once.
+    // One mistake, one finding.
     let said = |warning: &Diagnostic| {
         found.iter().any(|alarm| warning.place.zip(alarm.place).is_some_and(|(a, b)| a.meets(b)))
     };
@@ -31,7 +31,7 @@ fn beyond(parsed: &Rc<Parsed>, start: Option<u32>, set: &[u32]) -> Vec<Diagnosti
 }
 
 /// The findings of reading a program and of its run as one list. Of the run those facts that reading has not reported; an alarm of the run
-/// stands for a warning of its block.
+/// replaces a warning about its block.
 pub fn with_run(mut read: Vec<Diagnostic>, run: &[Diagnostic]) -> Vec<Diagnostic> {
     let new: Vec<&Diagnostic> = run.iter().filter(|found| reported(&read, found).is_none()).collect();
     let alarms = run.iter().filter(|found| found.severity == Severity::Error).filter_map(|found| found.place);
@@ -55,8 +55,7 @@ pub fn reported<'a>(read: &'a [Diagnostic], run: &Diagnostic) -> Option<&'a Diag
 }
 
 impl Project {
-    /// What is said of the program beyond what its reader finds: alarms that are certain, and what a senior programmer would say. What is
-    /// silenced too.
+    /// Certain alarms and warnings of the project's program, beyond the findings of its reader; suppressed ones too.
     pub fn advice(&self, written: &Written) -> Vec<Diagnostic> {
         beyond(&written.parsed, Some(written.main), &run::set_by_operator(&[], &self.panel, self.control))
     }

@@ -3,7 +3,7 @@
 use super::breakpoints::{Breakpoints, Location};
 use super::debug::{Debugger, Goal, Stop};
 use super::io_names;
-use super::render::{Teller, headline};
+use super::render::{Renderer, headline};
 use super::run::{Run, Setting};
 use crate::controls::{Control, Dialect};
 use crate::interp::Counts;
@@ -13,11 +13,11 @@ use crate::nc::Parsed;
 use crate::text::catalog::number_text;
 use crate::text::{Diagnostic, Place};
 
-/// What the commands are; an abbreviation stands behind its command.
+/// The text of `help`: each command with its abbreviation.
 const HELP: &str = "\
-into, i             to the next block, be it in what this one calls
-over, o             to the next block, with all that this one calls
-out                 behind the block that called
+into, i             to the next block, into calls
+over, o             to the next block, over calls
+out                 to the block after the call
 to PLACE            to a block
 continue, c         to a breakpoint or the end
 back                to the block before
@@ -30,45 +30,45 @@ watch EXPRESSION    shows a value at every stop: #115, #100*#1033/100, #[#100+1]
 watches             all watches
 unwatch [N]         removes a watch, or all
 print, p EXPRESSION a value now
-where, w            the block that is next, and the one that executes
-stack               what called what, with the local variables of each level
+where, w            the next block, and the executing one
+stack               call stack, with the local variables of each level
 locals              the local variables of the present level
-changed             what is other than before the last step
+changed             values and codes that the last step changed
 set VAR=VALUE       sets a variable or an input, as the operator does
 start               cycle start, after a stop
 quit, q             ends
 ";
 
-/// Events of the machine between two looks at whether the goal is reached.
+/// Events of the machine that are planned before the goal is checked again.
 const SLICE: usize = 4096;
 
 /// Decimals of values.
 const DECIMALS: u8 = 9;
 
-/// What became of a command.
+/// Result of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// It was done.
+    /// Carried out.
     Done,
-    /// It was no command, or not a right one.
+    /// Unknown command, or wrong arguments.
     Wrong,
-    /// It was the last.
+    /// `quit`.
     Quit,
 }
 
 /// A session of the debugger on the command line.
 pub struct Console<'f> {
-    /// The run that walks begin from.
+    /// The run that stepping starts from, in front of the stepped one.
     main: Run,
     debugger: Debugger,
     points: Breakpoints,
-    /// Expressions that are shown at every stop, with their numbers.
+    /// Watches: numbers and expressions, shown at every stop.
     watches: Vec<(u32, String)>,
-    /// The number of the last watch.
+    /// Number of the last watch.
     watched: u32,
-    teller: Teller<'f>,
+    renderer: Renderer<'f>,
     diagnostics: Vec<Diagnostic>,
-    /// Where the run was over, and after how many blocks: nothing has happened since if it still is.
+    /// Time and block counts at the last end of the run, to detect that a command changed nothing.
     over: Option<(f64, Counts)>,
 }
 
@@ -95,15 +95,15 @@ fn change_text(change: &Change, control: &Control) -> String {
 }
 
 impl<'f> Console<'f> {
-    /// A session before the first block of a run; `teller` knows the files of its program.
-    pub fn new(main: Run, teller: Teller<'f>) -> Console<'f> {
+    /// A session before the first block of a run; `renderer` knows the files of its program.
+    pub fn new(main: Run, renderer: Renderer<'f>) -> Console<'f> {
         let mut console = Console {
             debugger: Debugger::new(&main, 0.0, Goal::Into),
             main,
             points: Breakpoints::default(),
             watches: Vec::new(),
             watched: 0,
-            teller,
+            renderer,
             diagnostics: Vec::new(),
             over: None,
         };
@@ -111,7 +111,7 @@ impl<'f> Console<'f> {
         console
     }
 
-    /// Alarms and remarks of the run so far.
+    /// Alarms and warnings of the run so far.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
     }
@@ -128,7 +128,7 @@ impl<'f> Console<'f> {
         self.main.program().parsed()
     }
 
-    /// Does what a line says.
+    /// Carries out a line and returns its answer.
     pub fn line(&mut self, line: &str) -> (Outcome, String) {
         let line = line.trim();
         let (command, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
@@ -138,7 +138,7 @@ impl<'f> Console<'f> {
             "over" | "o" => Ok(self.go(Goal::Over)),
             "out" => Ok(self.go(Goal::Out)),
             "continue" | "c" => Ok(self.go(Goal::Continue)),
-            "to" => self.spot(rest).map(|(_, place)| self.go(Goal::To(place))),
+            "to" => self.location(rest).map(|(_, place)| self.go(Goal::To(place))),
             "back" => self.back(),
             "break" | "b" => self.set_break(rest),
             "breaks" => Ok(self.breaks()),
@@ -161,7 +161,7 @@ impl<'f> Console<'f> {
             "help" | "h" | "?" => Ok(HELP.to_owned()),
             "quit" | "q" => return (Outcome::Quit, String::new()),
             "" => Ok(String::new()),
-            _ => Err(format!("There is no command “{command}”; “help” tells them all.\n")),
+            _ => Err(format!("There is no command “{command}”; “help” lists them.\n")),
         };
         match answer {
             Ok(text) => (Outcome::Done, text),
@@ -169,19 +169,19 @@ impl<'f> Console<'f> {
         }
     }
 
-    /// Where the session stands: the block that is next, and the one that executes.
+    /// The next block and the executing block, with machine time.
     pub fn place(&self) -> String {
         let levels = self.debugger.levels();
         let Some(now) = levels.first() else { return String::new() };
-        let mut out = self.teller.excerpt(now.place).unwrap_or_default();
+        let mut out = self.renderer.excerpt(now.place).unwrap_or_default();
         out += &format!("  = {}, {} s\n", self.level(now), number_text(self.debugger.t(), 4));
         if let Some(place) = self.debugger.executing().filter(|place| *place != now.place) {
-            out += &format!("  = executing: {}\n", self.teller.block(place));
+            out += &format!("  = executing: {}\n", self.renderer.block(place));
         }
         out
     }
 
-    /// What a program is called.
+    /// Name of a program by its number.
     fn program(&self, number: u32) -> String {
         let letter = self.control().syntax.program_letters.first().copied().map_or('O', char::from);
         if number == 0 { "program without number".to_owned() } else { format!("{letter}{number}") }
@@ -204,7 +204,7 @@ impl<'f> Console<'f> {
         self.walk()
     }
 
-    /// Walks to the goal.
+    /// Steps to the goal.
     fn reach(&mut self) -> Stop {
         loop {
             if let Some(stop) = self.debugger.advance(&mut self.points, f64::INFINITY, SLICE) {
@@ -213,7 +213,7 @@ impl<'f> Console<'f> {
         }
     }
 
-    /// Walks to the goal and tells where that is.
+    /// Steps to the goal and describes the stop.
     fn walk(&mut self) -> String {
         let stop = self.reach();
         let over = matches!(stop, Stop::Ended(_)).then(|| (self.debugger.t(), self.debugger.run().blocks()));
@@ -223,7 +223,7 @@ impl<'f> Console<'f> {
             Stop::Reached => String::new(),
             Stop::Breakpoint(number) => format!("breakpoint {number}\n"),
             Stop::Condition(number, why) => {
-                format!("breakpoint {number}: its condition has no value here\n{}", self.teller.text(why))
+                format!("breakpoint {number}: its condition has no value here\n{}", self.renderer.text(why))
             }
             Stop::Ended(RunEnd::ProgramEnd) => "the program is over\n".to_owned(),
             Stop::Ended(RunEnd::Stop) => "the control waits for the operator: “start” goes on\n".to_owned(),
@@ -239,7 +239,7 @@ impl<'f> Console<'f> {
         }
         for diagnostic in said {
             if !self.diagnostics.contains(&diagnostic) {
-                out += &self.teller.text(&diagnostic);
+                out += &self.renderer.text(&diagnostic);
                 self.diagnostics.push(diagnostic);
             }
         }
@@ -249,7 +249,7 @@ impl<'f> Console<'f> {
         out + &self.watches()
     }
 
-    /// An expression with its value, or why it has none.
+    /// An expression with its value, or the reason why it has none.
     fn shown(&self, lead: &str, text: &str) -> String {
         match self.debugger.evaluate(text) {
             Ok(value) => format!("{lead}{text} = {}\n", value_text(value, self.control())),
@@ -274,7 +274,7 @@ impl<'f> Console<'f> {
     fn stack(&self) -> String {
         let mut out = String::new();
         for (at, level) in self.debugger.levels().iter().enumerate() {
-            out += &format!("{at}  {}  {}\n", self.level(level), self.teller.block(level.place));
+            out += &format!("{at}  {}  {}\n", self.level(level), self.renderer.block(level.place));
             let locals = locals_text(level);
             if !locals.is_empty() {
                 out += &format!("   {locals}\n");
@@ -285,7 +285,7 @@ impl<'f> Console<'f> {
 
     fn locals(&self) -> String {
         let levels = self.debugger.levels();
-        // A subprogram has those of the level that called it.
+        // A subprogram shares the local variables of its caller.
         let Some(level) = levels.iter().find(|level| level.entered != Entered::Subprogram) else {
             return String::new();
         };
@@ -293,10 +293,10 @@ impl<'f> Console<'f> {
         format!("level {}:{}\n", level.level, if locals.is_empty() { " all vacant" } else { &locals })
     }
 
-    fn spot(&self, text: &str) -> Result<(Location, Place), String> {
+    fn location(&self, text: &str) -> Result<(Location, Place), String> {
         let here = self.debugger.place().unwrap_or_default();
-        let spot = Location::read(text, self.parsed(), here);
-        let found = spot.and_then(|spot| spot.place(self.parsed()).map(|place| (spot, place)));
+        let location = Location::read(text, self.parsed(), here);
+        let found = location.and_then(|location| location.place(self.parsed()).map(|place| (location, place)));
         found.ok_or_else(|| {
             format!("There is no block “{text}”; a place is N40, O9101, O9101 N40, 12 (line) or O9101.nc:12.\n")
         })
@@ -308,17 +308,17 @@ impl<'f> Console<'f> {
             Some(at) => (rest.get(..at).unwrap_or(rest), rest.get(at + 3..).unwrap_or("")),
             None => (rest, ""),
         };
-        let (spot, at) = self.spot(place)?;
-        let added = self.points.add(spot, condition, self.main.program().parsed());
-        let number = added.map_err(|why| told_about(condition.trim(), &why))?;
-        Ok(format!("breakpoint {number}: {}\n", self.teller.block(at)))
+        let (location, at) = self.location(place)?;
+        let added = self.points.add(location, condition, self.main.program().parsed());
+        let number = added.map_err(|why| expression_error(condition.trim(), &why))?;
+        Ok(format!("breakpoint {number}: {}\n", self.renderer.block(at)))
     }
 
     fn breaks(&self) -> String {
         let mut out = String::new();
         for point in self.points.list() {
             let condition = if point.condition.is_empty() { String::new() } else { format!(" if {}", point.condition) };
-            let block = point.place.map_or_else(String::new, |place| self.teller.block(place));
+            let block = point.place.map_or_else(String::new, |place| self.renderer.block(place));
             let off = if point.on { "" } else { ", off" };
             out += &format!("{}  {block}{condition}, hit {}{off}\n", point.number, point.hits);
         }
@@ -339,7 +339,7 @@ impl<'f> Console<'f> {
     }
 
     fn watch(&mut self, text: &str) -> Result<String, String> {
-        crate::nc::formula(text, self.parsed()).map_err(|why| told_about(text, &why))?;
+        crate::nc::formula(text, self.parsed()).map_err(|why| expression_error(text, &why))?;
         self.watched += 1;
         self.watches.push((self.watched, text.to_owned()));
         Ok(self.shown(&format!("watch {}: ", self.watched), text))
@@ -358,7 +358,7 @@ impl<'f> Console<'f> {
     fn print(&self, text: &str) -> Result<String, String> {
         match self.debugger.evaluate(text) {
             Ok(value) => Ok(format!("{text} = {}\n", value_text(value, self.control()))),
-            Err(why) => Err(told_about(text, &why)),
+            Err(why) => Err(expression_error(text, &why)),
         }
     }
 
@@ -389,7 +389,7 @@ impl<'f> Console<'f> {
         Ok(String::new())
     }
 
-    /// Does what the operator does, in both runs.
+    /// Applies an operator's action to both runs.
     fn act(&mut self, event: Event) {
         self.main.event(event.clone());
         self.debugger.act(event);
@@ -401,15 +401,15 @@ fn number(text: &str) -> Option<u32> {
 }
 
 fn no_such(number: &str, list: &str) -> String {
-    format!("There is no number {number}; “{list}” tells them all.\n")
+    format!("There is no number {number}; “{list}” lists them.\n")
 }
 
 fn locals_text(level: &Level) -> String {
     level.locals().map(|(number, value)| format!("  #{number}={}", number_text(value, DECIMALS))).collect()
 }
 
-/// What is wrong with an expression, with its place marked.
-fn told_about(text: &str, why: &Diagnostic) -> String {
+/// The error of an expression, with its place marked below the text.
+fn expression_error(text: &str, why: &Diagnostic) -> String {
     let mut out = headline(why);
     if let Some(place) = why.place {
         let before = text.get(..place.span.start as usize).unwrap_or("").chars().count();

@@ -1,7 +1,7 @@
-//! Stepping: a second run beside the one that is shown, walked from block to block. The same behind page and command line.
+//! Stepping: a second run, forked from a checkpoint of the main run, that stops before chosen blocks. Used by page and command line.
 //!
-//! It comes from a checkpoint of the run that is shown and is a run like any other, so inputs, positions, overrides and time are those of
-//! the run. It stops before a block is read; as the control reads ahead, the machine may be some blocks behind.
+//! Inputs, positions, overrides and time are those of the main run. The run stops before a block is read; as the control reads ahead, the
+//! machine may still execute an earlier block.
 
 use super::breakpoints::Breakpoints;
 pub use super::breakpoints::Stop;
@@ -12,53 +12,54 @@ use crate::motion::{Event, Gate};
 use crate::nc::{self, Stmt};
 use crate::text::{Diagnostic, Place};
 
-/// How far to go.
+/// Goal of a step command.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Goal {
-    /// To the next block, be it in what this one calls.
+    /// The next block, also inside a called program.
     Into,
-    /// To the next block, with all that this one calls and repeats.
+    /// The next block of this program or of a caller, after all calls and repeats of this block.
     Over,
-    /// Behind the block that called; from the start program to its end.
+    /// The block after the call of this program; in the start program, its end.
     Out,
-    /// To this block.
+    /// A block by its place.
     To(Place),
-    /// To a breakpoint or the end.
+    /// A breakpoint or the end.
     Continue,
-    /// To the block before which so many were read, past all breakpoints.
+    /// The block with this number of blocks read before it; breakpoints are ignored.
     Block(u64),
 }
 
-/// So many blocks before the one that is searched, at least, the walk to it begins: nobody writes longer comments.
+/// A fork starts at least this many blocks before its target, so that `back` finds the block before, over comments too.
 const LEAD: u64 = 200;
 
-/// A walk through a run.
+/// Steps through a run.
 pub struct Debugger {
     run: Run,
     walk: Walk,
 }
 
-/// A block that is about to be read.
+/// A block in front of the reader.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Here {
-    /// Blocks that were read before it.
+    /// Number of blocks read before it.
     number: u64,
     place: Place,
 }
 
+/// Decides before each block whether the run stops.
 struct Walk {
     goal: Goal,
-    /// Blocks that are read before this time are none to stop at.
+    /// Earliest time (s) for a stop.
     from: f64,
-    /// Calls that were open at the first block that was.
+    /// Call depth at the first block behind `from`.
     depth: Option<usize>,
-    /// The block that the walk stands before.
+    /// The block in front of which the run has stopped.
     here: Option<Here>,
-    /// The block that it is about to leave: no reason to stop.
+    /// The block that the next step executes: no stop there.
     leaving: Option<Here>,
-    /// Number of the block that was read last.
+    /// Number of the block read last.
     last: Option<u64>,
-    /// The program before what changes are told against.
+    /// State of the program that changes are compared with.
     before: Option<Interp>,
     stop: Option<Stop>,
 }
@@ -75,11 +76,11 @@ impl Walk {
 
     fn gate(&mut self, points: &mut Breakpoints, t: f64, interp: &Interp, world: &mut dyn World) -> Gate {
         let Some((place, block)) = interp.next_block() else { return Gate::Open };
-        // Nobody steps through comments.
+        // Comments are no steps.
         let idle = block.stmt == Stmt::Empty && block.number.is_none();
         let here = Here { number: number(interp), place };
         let leaves = self.leaving.take() == Some(here);
-        // The way to where the walk begins.
+        // Before the start of the walk.
         let early = t < self.from || matches!(self.goal, Goal::Block(to) if here.number < to);
         if !leaves && !early {
             let depth = *self.depth.get_or_insert(interp.depth());
@@ -120,23 +121,23 @@ impl Walk {
 }
 
 impl Debugger {
-    /// A walk to a goal from the first block on that `main` reads at time `t` or later; that block itself may be the goal. What `main` has
-    /// planned already is a short way.
+    /// Steps to a goal from the first block that `main` reads at time `t` or later; that block itself may be the goal. The fork starts at a
+    /// checkpoint of `main`, so planned parts take little time.
     pub fn new(main: &Run, t: f64, goal: Goal) -> Debugger {
-        // The block before it has to be on the way, for `back` and for what it changed.
+        // The block before must be executed too: `back` and `changes` need it.
         let read = number(main.fork(t, u64::MAX).program());
         let run = main.fork(t, read.saturating_sub(LEAD));
         Debugger { run, walk: Walk::new(goal, t) }
     }
 
-    /// Sets a goal from the present block on.
+    /// Sets a goal, counted from the present block.
     pub fn go(&mut self, goal: Goal) {
         self.walk.goal = goal;
         self.walk.depth = Some(self.run.program().depth());
         self.walk.leaving = self.walk.here.take();
     }
 
-    /// Goes back to the block that was read before. Whether there is one.
+    /// Goes back to the block read before; false where there is none.
     pub fn back(&mut self, main: &Run) -> bool {
         let Some(to) = self.walk.last else { return false };
         self.run = main.fork(f64::INFINITY, to.saturating_sub(LEAD));
@@ -144,13 +145,13 @@ impl Debugger {
         true
     }
 
-    /// The operator does something now; the goal is the present block, or the next one if the run waited.
+    /// Applies an operator's action now; the goal is the present block, or the next one if the run waited.
     pub fn act(&mut self, event: Event) {
         self.run.event(event);
         self.walk.goal = Goal::Block(number(self.run.program()));
     }
 
-    /// Walks on, at most to machine time `until` and for `budget` events of the machine; why the walk is over, if it is.
+    /// Runs on, at most to machine time `until` (s) and for `budget` events of the machine; the reason of the stop, if there is one.
     pub fn advance(&mut self, points: &mut Breakpoints, until: f64, budget: usize) -> Option<Stop> {
         let walk = &mut self.walk;
         let gate = &mut |t: f64, interp: &Interp, world: &mut dyn World| walk.gate(points, t, interp, world);
@@ -168,7 +169,7 @@ impl Debugger {
         &self.run
     }
 
-    /// The block that is about to be read; after an alarm or the end the one that was read last.
+    /// The next block; after an alarm or the end the last one.
     pub fn place(&self) -> Option<Place> {
         self.levels().first().map(|level| level.place)
     }
@@ -178,18 +179,18 @@ impl Debugger {
         self.run.timeline().block_at(self.t())
     }
 
-    /// What runs, the innermost first.
+    /// The call stack, innermost first.
     pub fn levels(&self) -> Vec<Level> {
         self.run.program().levels()
     }
 
-    /// What is other than before the last goal was set; after a search, what the last block changed.
+    /// Changes since the last goal was set; after a search, changes by the last block.
     pub fn changes(&self) -> Vec<Change> {
         let Some(before) = &self.walk.before else { return Vec::new() };
         self.run.look(|interp, world| interp.changes_since(before, world))
     }
 
-    /// The value of an expression or condition as the program would find it now; `None` is vacant.
+    /// Value of an expression or condition in the present state of the program; `None` is vacant.
     pub fn evaluate(&self, text: &str) -> Result<Option<f64>, Box<Diagnostic>> {
         self.run.look(|interp, world| interp.evaluate(&nc::formula(text, interp.parsed())?, world))
     }

@@ -1,4 +1,4 @@
-//! What leaves the house: program files, sheets, report; nothing where the control would refuse or misread it.
+//! Export: program files, sheets and report; nothing if the control would refuse or misread a program.
 
 use std::collections::BTreeMap;
 
@@ -17,13 +17,13 @@ use crate::view;
 pub struct Export {
     /// Files by name; empty where a diagnostic is an error.
     pub files: Vec<File>,
-    /// Invalid fields and what the control says of the program.
+    /// Invalid fields and findings about the program.
     pub diagnostics: Vec<Diagnostic>,
     /// The program files that places of diagnostics point into.
     pub about: Files,
 }
 
-/// An error for each file whose name an earlier one has; capitals, and points and blanks at the end, do not tell names apart on the cards
+/// An error for each file with the name of an earlier one; capitals, and points and blanks at the end, do not distinguish names on the cards
 /// that controls read.
 fn same_names(files: &[File]) -> Vec<Diagnostic> {
     let mut known = BTreeMap::new();
@@ -45,7 +45,7 @@ impl Export {
 }
 
 impl Project {
-    /// The files that go to the machine. Verdicts are in the report and do not stand in the way; errors do.
+    /// The files for the machine. Errors refuse the export; verdicts are in the report and do not.
     pub fn export(&self) -> Export {
         self.export_with(&self.written(), &[])
     }

@@ -1,4 +1,4 @@
-//! What a dropped, pasted or opened text is: a project, a program that macroline wrote, or any other program.
+//! Recognises a dropped, pasted or opened text: a project, a program that macroline wrote, or any other program.
 
 use super::Project;
 use crate::controls;
@@ -9,11 +9,11 @@ use crate::text::Diagnostic;
 
 pub use super::saved::{MAX_PROGRAM, MAX_PROGRAMS};
 
-/// What a text came to.
+/// Result of an import.
 pub struct Opened {
     /// The project to go on with; `None` where nothing could be made of the text.
     pub project: Option<Project>,
-    /// Why, or what was left out.
+    /// Reasons of a refusal, and parts that were left out.
     pub diagnostics: Vec<Diagnostic>,
 }
 
@@ -67,7 +67,7 @@ pub fn programs(files: &[File]) -> Result<Files, Diagnostic> {
     Ok(Files(files.to_vec()))
 }
 
-/// The project's files with this text in its place, where somebody has edited it since macroline wrote it; else `None`.
+/// The project's files with this text in its place, if the text was edited since macroline wrote it; else `None`.
 fn differing(project: &Project, name: &str, text: &str) -> Option<Files> {
     let mut files = project.written().files;
     let number = |text: &str| {
@@ -79,7 +79,7 @@ fn differing(project: &Project, name: &str, text: &str) -> Option<Files> {
     };
     let own = number(text);
     let slot = files.0.iter().position(|file| number(&file.text) == own);
-    // Line ends and the version of macroline are not what a person edits.
+    // Line ends and the version of macroline are no edits.
     let lines = |text: &str| -> Vec<String> {
         text.lines()
             .filter(|line| !line.contains("WRITTEN BY MACROLINE"))

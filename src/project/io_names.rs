@@ -1,11 +1,11 @@
-//! Names of inputs as people write them, `R74` or `#1033`, made into what the planner knows.
+//! Names of inputs as people write them, `R74` or `#1033`, converted to the planner's variables.
 
 use crate::controls::interface::SignalRole;
 use crate::controls::{Control, Dialect, VarKind};
 use crate::motion::{Action, Event, Panel};
 
-/// What the operator's hand does on this control. Forcing the register of an override turns its knob; forcing a word of a macro input
-/// forces that half of its variable, and the bits that stand for it.
+/// The operator's actions with inputs named as on this control. Forcing the register of an override turns its knob; forcing a word of a macro input
+/// forces that half of its variable, and its bits.
 pub(super) fn panel(panel: &Panel, control: &Control, dialect: &Dialect) -> Panel {
     Panel::new(panel.events().iter().flat_map(|event| {
         let actions = match &event.action {

@@ -45,21 +45,21 @@ use crate::nc::Files;
 /// Everything that a run depends on, and exactly what is saved.
 #[derive(Clone)]
 pub struct Project {
-    /// What the user calls it; may be empty.
+    /// Name given by the user; may be empty.
     pub name: String,
     /// The machine.
     pub machine: &'static dyn AnyMachine,
     /// The control.
     pub control: &'static Control,
-    /// Values of the form by field id; what is missing has its default.
+    /// Values of the form by field id; a missing field has its default.
     pub values: Values,
-    /// Where values come from; what is missing is assumed.
+    /// Origins of values by field id; a missing field is assumed.
     pub provenance: Origins,
     /// Settings of the control's open points.
     pub switches: Switches,
-    /// Message ids of warnings that the user does not want to see.
+    /// Message ids of suppressed warnings.
     pub silenced: Vec<String>,
-    /// The operator's hand.
+    /// Events of the operator panel.
     pub panel: Panel,
     /// The program files, where the user has edited them: detached from the form.
     pub edited: Option<Files>,

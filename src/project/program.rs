@@ -6,14 +6,14 @@ use super::Project;
 use crate::nc::{self, Files, Newline, Parsed};
 use crate::text::Diagnostic;
 
-/// The program files of a project, and what the control makes of them.
+/// The program files of a project, and the programs as the control reads them.
 #[derive(Debug, Clone)]
 pub struct Written {
     /// The text, as it is exported.
     pub files: Files,
     /// The same text read again; everything that runs comes from here.
     pub parsed: Rc<Parsed>,
-    /// What was wrong with writing and reading it.
+    /// Findings of writing and reading it.
     pub diagnostics: Vec<Diagnostic>,
     /// Whether the text is the user's own and no longer follows the form.
     pub edited: bool,

@@ -1,4 +1,4 @@
-//! Diagnostics as they leave: for a terminal, with the line and the place marked, and for programs.
+//! Renders diagnostics: as text with the marked line, and as JSON.
 
 use serde_json::{Value as Json, json};
 
@@ -10,7 +10,7 @@ use crate::text::escape::{is_obeyed, terminal};
 use crate::text::{Diagnostic, FileId, Fix, LineIndex, Place, Severity, Span};
 
 /// Writes diagnostics about a set of files. It reads each file's lines once.
-pub struct Teller<'f> {
+pub struct Renderer<'f> {
     files: &'f Files,
     /// Names that are shown in place of the files' own.
     names: &'f [String],
@@ -19,16 +19,16 @@ pub struct Teller<'f> {
     indices: Vec<LineIndex>,
 }
 
-impl<'f> Teller<'f> {
-    /// A teller for these files.
-    pub fn new(files: &'f Files) -> Teller<'f> {
-        Teller::about(files, &[], &[])
+impl<'f> Renderer<'f> {
+    /// Renders diagnostics of these files.
+    pub fn new(files: &'f Files) -> Renderer<'f> {
+        Renderer::about(files, &[], &[])
     }
 
-    /// A teller for files that were read from a disk: the names that tell them apart, and their encodings. Either list may be shorter
+    /// Renders diagnostics of files from a disk, with names that distinguish them and their encodings. Either list may be shorter
     /// than the files.
-    pub fn about(files: &'f Files, names: &'f [String], read: &'f [Decoded]) -> Teller<'f> {
-        Teller { files, names, read, indices: files.0.iter().map(|file| LineIndex::new(&file.text)).collect() }
+    pub fn about(files: &'f Files, names: &'f [String], read: &'f [Decoded]) -> Renderer<'f> {
+        Renderer { files, names, read, indices: files.0.iter().map(|file| LineIndex::new(&file.text)).collect() }
     }
 
     /// The name of a file as it is shown.

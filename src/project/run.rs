@@ -27,11 +27,11 @@ pub type Run = Planner<Interp>;
 /// Steps that the program which sets the project's values may take.
 const SETUP_STEPS: usize = 100_000;
 
-/// Events that are planned between two looks at the log.
+/// Events that are planned before the log is taken.
 const SLICE: usize = 4096;
 
-/// A variable as the control's screen shows it at a time; `None` is vacant. Of the PLC a bit is that of its word, and what nobody has
-/// written is 0.
+/// A variable as the control's screen shows it at time `t` (s); `None` is vacant. A bit of the PLC interface is taken from its word; words
+/// that were never written are 0.
 pub fn shown(run: &Run, control: &Control, number: u32, t: f64) -> Option<f64> {
     run.variable_at(number, t).or_else(|| match control.var(number)?.kind {
         VarKind::InputBit | VarKind::OutputBit => {
@@ -58,7 +58,7 @@ pub fn program_number(name: &str) -> Option<u32> {
     stem.trim_start_matches(['O', 'o', 'L', 'l']).parse().ok()
 }
 
-/// The program that somebody means: `O9101`, or by its name where programs have names.
+/// The program that a text names: `O9101`, or a name where programs have names.
 pub fn program_meant(name: &str, parsed: &Parsed) -> Option<StartProgram> {
     match parsed.control().syntax.names() {
         Some(_) => parsed.deck().program_named(name.split('.').next()?).map(StartProgram::Nth),
@@ -66,15 +66,15 @@ pub fn program_meant(name: &str, parsed: &Parsed) -> Option<StartProgram> {
     }
 }
 
-/// What a run starts from.
+/// Options of a run.
 pub struct RunOptions<'a> {
     /// Program to start; without it the main program, or the first program of the first file.
     pub start: Option<StartProgram>,
-    /// Variables and inputs set before; those that the control does not have are left out ([`Setting::action`]).
+    /// Variables and inputs set before the start; those that the control lacks are left out ([`Setting::action`]).
     pub settings: &'a [Setting],
     /// Budgets.
     pub limits: Budget,
-    /// What is kept.
+    /// Parts of the run that are kept.
     pub keep: Retention,
 }
 
@@ -84,7 +84,7 @@ pub fn of_project(project: &Project, written: &Written, begin: &RunOptions) -> R
     let mut interp = Interp::new(Rc::clone(&written.parsed), start);
     set_up(&mut interp, project, written);
     let machine = project.prepared();
-    // The knob is where the form sets it until the operator turns it.
+    // The form sets the knob; the operator may turn it later.
     let knob =
         machine.panel().spindle_override.map(|percent| Event { t: 0.0, action: Action::SpindleOverride(percent) });
     let panel = Panel::new(knob.into_iter().chain(project.panel.events().iter().cloned()));
@@ -113,7 +113,7 @@ fn started(mut interp: Interp, plant: &Plant, plc: Box<dyn Plc>, mut panel: Pane
     for setting in begin.settings {
         match setting.action(control, &dialect) {
             Some(Action::Variable(number, value)) => drop(interp.set_variable(number, value)),
-            // What the PLC writes is forced from the beginning.
+            // Inputs are written by the PLC, so they are forced from the start.
             Some(action) => panel.add(Event { t: 0.0, action }),
             None => {}
         }
@@ -122,7 +122,7 @@ fn started(mut interp: Interp, plant: &Plant, plc: Box<dyn Plc>, mut panel: Pane
     Planner::new(Setup { program: interp, control, plant, plc, panel, limits: begin.limits, keep: begin.keep })
 }
 
-/// Sets the variables that the project's setup program leaves, run on a machine that stands still.
+/// Sets the variables as the project's setup program leaves them, run on a machine at rest.
 fn set_up(interp: &mut Interp, project: &Project, written: &Written) {
     if written.setup == 0 {
         return;
@@ -172,9 +172,9 @@ fn bench(control: &'static Control, dialect: &Dialect) -> (Plant, Box<dyn Plc>) 
     (plant, Box::new(plc))
 }
 
-/// How a run ended.
+/// End of a run and its results.
 pub struct RunSummary {
-    /// Why.
+    /// Reason of the end.
     pub ended: RunEnd,
     /// Blocks read.
     pub blocks: u64,
@@ -217,7 +217,7 @@ pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(Line) -> Result<(), E>) -> R
 }
 
 impl RunSummary {
-    /// The end as one word.
+    /// Reason of the end as one word.
     pub fn word(&self) -> &'static str {
         match self.ended {
             RunEnd::ProgramEnd => "program-end",
@@ -256,7 +256,7 @@ impl RunSummary {
     }
 }
 
-/// Without the noise of the last bits: twelve decimals, and never `-0`, which adding 0 makes to 0.
+/// Rounds to twelve decimals; `-0` becomes 0.
 fn clean(value: f64) -> f64 {
     if value.abs() < 1e3 { (value * 1e12).round() / 1e12 + 0.0 } else { value }
 }

@@ -27,7 +27,7 @@ impl Setting {
         self.name.strip_prefix(control.syntax.variable).unwrap_or(&self.name).parse().ok()
     }
 
-    /// What the setting does at the start of a run: a variable set, or an input forced. `None` where the control has neither.
+    /// Action at the start of a run: sets a variable or forces an input. `None` if the control has neither.
     pub fn action(&self, control: &Control, dialect: &Dialect) -> Option<Action> {
         let row = self.number(control).and_then(|number| Some((number, control.var(number)?.kind)));
         let fitted = |&(number, kind): &(u32, VarKind)| !kind.common() || is_fitted(dialect.reading.fitted, number);

@@ -1,10 +1,10 @@
-//! Warnings that the user does not want to see: left out by their stable id.
+//! Warnings that the user suppresses by their stable ids.
 
 use std::collections::BTreeSet;
 
 use crate::text::{Diagnostic, Severity};
 
-/// Leaves out what is silenced, in place; how many it were. Errors are never silenced.
+/// Removes suppressed warnings, in place, and returns their number. Errors are never suppressed.
 pub fn silence(found: &mut Vec<Diagnostic>, silenced: &[String]) -> usize {
     let before = found.len();
     if !silenced.is_empty() {

@@ -1,4 +1,4 @@
-//! Where a fact comes from and how far it may be trusted.
+//! Sources of facts, with their grade of evidence.
 
 use serde::Serialize;
 

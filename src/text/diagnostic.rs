@@ -1,4 +1,4 @@
-//! What is wrong, where, which alarm the control would show, and how to mend it.
+//! Diagnostics: message, place, the control's alarm, hints and fixes.
 
 use std::borrow::Cow;
 
@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::{Message, Place};
 
-/// How bad it is. Only an error keeps a program from being exported.
+/// Severity. Only an error keeps a program from being exported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
@@ -21,9 +21,9 @@ pub enum Severity {
 /// A change of text that mends a diagnostic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Fix {
-    /// What the change does, for its button.
+    /// Label of its button.
     pub title: Message,
-    /// What is replaced by what; the places do not overlap.
+    /// Places and their new texts; the places do not overlap.
     pub edits: Vec<(Place, String)>,
 }
 
@@ -34,7 +34,7 @@ pub enum DiagnosticKind {
     /// No code acts on it.
     #[default]
     Plain,
-    /// A file begins with a byte order mark: true of the file whatever is wrong with its lines.
+    /// A file begins with a byte order mark: a fact about the file, independent of errors in its lines.
     ByteOrderMark,
     /// A comment without its end hides the rest of the line.
     OpenComment,
@@ -59,24 +59,24 @@ pub enum DiagnosticKind {
 /// One finding.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Diagnostic {
-    /// How bad it is.
+    /// Severity.
     pub severity: Severity,
-    /// What it is, where code acts on it.
+    /// Kind, for diagnostics that code acts on.
     #[serde(skip)]
     pub kind: DiagnosticKind,
-    /// What is wrong.
+    /// Message.
     pub message: Message,
-    /// Where; `None` for the project as a whole.
+    /// Place; `None` for the project as a whole.
     pub place: Option<Place>,
     /// The number that this control would show, for instance `P283`.
     pub alarm: Option<Cow<'static, str>>,
-    /// What the control says beside it, in its own words.
+    /// The control's text of the alarm.
     pub wording: Option<&'static str>,
-    /// The form field that it is about, by id.
+    /// Id of the form field concerned.
     pub field: Option<&'static str>,
-    /// How to mend it, in words.
+    /// Advice in words.
     pub hints: Vec<Message>,
-    /// How to mend it, by itself.
+    /// Changes of the text that mend it.
     pub fixes: Vec<Fix>,
 }
 
@@ -115,7 +115,7 @@ impl Diagnostic {
         found.sort_by_key(|d| d.place.map(|place| (place.file, place.span.start)));
     }
 
-    /// Stable id: of warnings that are silenced, in JSON, and where a remark is made once whatever its values are.
+    /// Stable id: suppresses warnings, appears in JSON, and identifies remarks that differ only in their values.
     pub fn id(&self) -> &'static str {
         self.message.id
     }

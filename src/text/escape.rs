@@ -1,4 +1,4 @@
-//! Text from outside as it leaves: without characters that a terminal or a document obeys.
+//! Escapes characters that a terminal or a document would interpret, in texts from outside.
 
 use std::borrow::Cow;
 

@@ -1,4 +1,4 @@
-//! Lines and columns, computed only when somebody asks for them.
+//! Lines and columns of byte offsets.
 
 /// The line end of a text: CR LF if its first line ends so, else LF.
 pub fn line_end(text: &str) -> &'static str {

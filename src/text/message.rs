@@ -1,4 +1,4 @@
-//! A thing to say: the id of a sentence and the values in it. It becomes words only in `catalog`.
+//! A message: the id of a sentence and its values. `catalog` turns it into text.
 
 use serde::Serialize;
 
@@ -8,7 +8,7 @@ use serde::Serialize;
 pub enum MessageValue {
     /// A number and how many decimals are shown at most.
     Number(f64, u8),
-    /// Text that stands in no language: a word of a program, a name, a unit.
+    /// Text that is the same in every language: a word of a program, a name, a unit.
     Text(String),
 }
 
@@ -47,12 +47,12 @@ impl From<String> for MessageValue {
 pub struct Message {
     /// Id in the catalog, `area.subject`, for instance `nc.unknown-code`.
     pub id: &'static str,
-    /// What stands in the places of the sentence.
+    /// Values for the placeholders of the sentence.
     pub values: Vec<MessageValue>,
 }
 
 impl Message {
-    /// A sentence with its values; for `msg!`. A call at each of many places is less code than what it does.
+    /// A sentence with its values; for `msg!`. A function, because a call takes less code at each use than its body.
     #[inline(never)]
     pub fn new<const N: usize>(id: &'static str, values: [MessageValue; N]) -> Message {
         Message { id, values: values.into() }

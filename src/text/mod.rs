@@ -1,4 +1,4 @@
-//! Text and what is said about it: places, lines, messages, diagnostics, citations.
+//! Text and findings about it: places, lines, messages, diagnostics, citations.
 
 pub mod span;
 

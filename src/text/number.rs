@@ -25,7 +25,7 @@ pub fn read(text: &str) -> Option<f64> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plain(pub f64, pub u8);
 
-/// Below this a double tells each whole number from the next.
+/// Whole numbers below this are exact as doubles.
 const EXACT: f64 = 9_007_199_254_740_992.0;
 
 /// Powers of ten by which numbers are scaled to be written.
@@ -135,7 +135,7 @@ pub fn figure(number: f64, decimals: u8) -> String {
     out
 }
 
-/// A text with numbers in the places of its `#`, with two decimals at most: what a drawing is written with.
+/// A text with numbers in the places of its `#`, with two decimals at most, for drawings.
 pub fn fill(out: &mut String, form: &str, numbers: &[f64]) {
     let mut numbers = numbers.iter();
     for (at, part) in form.split('#').enumerate() {

@@ -3,13 +3,13 @@
 use expect_test::{Expect, expect};
 use macroline::controls;
 use macroline::nc::{Files, parse};
-use macroline::project::render::{Teller, summary};
+use macroline::project::render::{Renderer, summary};
 
 #[track_caller]
 fn check(id: &str, text: &str, expected: Expect) {
     let parsed = parse(&Files::one("O1.nc", text), controls::find(id).unwrap());
-    let teller = Teller::new(parsed.files());
-    let told: String = parsed.diagnostics().iter().map(|d| teller.text(d) + "\n").collect();
+    let renderer = Renderer::new(parsed.files());
+    let told: String = parsed.diagnostics().iter().map(|d| renderer.text(d) + "\n").collect();
     expected.assert_eq(&(told + &summary(parsed.diagnostics()) + "\n"));
 }
 

@@ -12,7 +12,7 @@ use macroline::nc::{self, Files};
 use macroline::project::breakpoints::{Breakpoints, Location};
 use macroline::project::console::{Console, Outcome};
 use macroline::project::debug::{Debugger, Goal, Stop};
-use macroline::project::render::Teller;
+use macroline::project::render::Renderer;
 use macroline::project::run::{self, Run, RunOptions};
 use macroline::project::{Project, render};
 use macroline::text::FileId;
@@ -53,7 +53,7 @@ fn check(program: &str, script: &str, expected: Expect) {
 fn check_with(switches: &[(&str, &str)], program: &str, script: &str, expected: Expect) {
     let files = Files::one("a.nc", program);
     let switches = Switches(switches.iter().map(|(id, value)| (id.to_string(), value.to_string())).collect());
-    let mut console = Console::new(bench_with(&files, &switches, Panel::default()), Teller::new(&files));
+    let mut console = Console::new(bench_with(&files, &switches, Panel::default()), Renderer::new(&files));
     expected.assert_eq(&talk(&mut console, script));
 }
 
@@ -78,7 +78,7 @@ N30 M99
 #[test]
 fn help_lists_every_command() {
     let files = Files::one("a.nc", CALLS);
-    let mut console = Console::new(bench(&files, Panel::default()), Teller::new(&files));
+    let mut console = Console::new(bench(&files, Panel::default()), Renderer::new(&files));
     let (_, help) = console.line("help");
     for line in help.lines().filter(|line| !line.starts_with(' ')) {
         let command = line.split([' ', ',']).next().unwrap();
@@ -213,7 +213,7 @@ proptest! {
     #[test]
     fn any_console_line_gets_an_answer(lines in prop::collection::vec("(into|over|out|to|break|watch|print|set|back|start|c|clear|on)?[ #\\[\\]NOI0-9A-Z+*/.=-]{0,12}", 1..20)) {
         let files = Files::one("a.nc", CALLS);
-        let mut console = Console::new(bench(&files, Panel::default()), Teller::new(&files));
+        let mut console = Console::new(bench(&files, Panel::default()), Renderer::new(&files));
         talk(&mut console, &lines.join("\n"));
     }
 

@@ -28,7 +28,7 @@ pub(crate) enum Command {
         #[arg(long)]
         control: Option<String>,
     },
-    /// Results with verdicts, and what is wrong
+    /// Results with verdicts, and findings
     Design {
         /// Project file
         project: PathBuf,

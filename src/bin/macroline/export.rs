@@ -1,7 +1,7 @@
 //! Writing the files of an export into a folder: all of them or none.
 //!
-//! Every file is written under a temporary name in the folder, then renamed; what was there before is kept under another temporary
-//! name until all are in their places. A symbolic link is replaced by the file, and what it points to stays as it is.
+//! Every file is written under a temporary name in the folder, then renamed; an existing file is kept under another temporary
+//! name until all are in their places. A symbolic link is replaced by the file, and its target stays as it is.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -140,7 +140,7 @@ impl Change<'_> {
 
 /// Writes a file under a temporary name, down to the disk.
 fn write_new(path: &Path, text: &str) -> io::Result<()> {
-    // The folder is locked, so what has this name was left by a process that was killed.
+    // The folder is locked, so a file of this name was left by a killed process.
     let _ = fs::remove_file(path);
     let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
     file.write_all(text.as_bytes())?;

@@ -2,7 +2,7 @@
 
 use macroline::nc::Files;
 use macroline::project::decode::Decoded;
-use macroline::project::render::Teller;
+use macroline::project::render::Renderer;
 use macroline::text::{Diagnostic, Severity};
 use serde_json::Value as Json;
 
@@ -10,7 +10,7 @@ use serde_json::Value as Json;
 #[derive(Default)]
 pub(crate) struct Sources {
     pub(crate) files: Files,
-    /// Names by which they are told apart; empty where the files' own names do.
+    /// Names that distinguish them; empty where the files' own names do.
     pub(crate) names: Vec<String>,
     /// The files as they were read; empty where they were not.
     pub(crate) read: Vec<Decoded>,
@@ -22,8 +22,8 @@ impl Sources {
         Sources { files, ..Sources::default() }
     }
 
-    pub(crate) fn teller(&self) -> Teller<'_> {
-        Teller::about(&self.files, &self.names, &self.read)
+    pub(crate) fn renderer(&self) -> Renderer<'_> {
+        Renderer::about(&self.files, &self.names, &self.read)
     }
 }
 
@@ -42,8 +42,8 @@ pub(crate) fn has_errors(all: &[Findings]) -> bool {
 /// Diagnostics as a list.
 pub(crate) fn list_json(all: &[Findings]) -> Json {
     let list = |findings: &Findings| {
-        let teller: Teller = findings.sources.teller();
-        findings.list.iter().map(|finding| teller.json(finding)).collect::<Vec<_>>()
+        let renderer: Renderer = findings.sources.renderer();
+        findings.list.iter().map(|finding| renderer.json(finding)).collect::<Vec<_>>()
     };
     all.iter().flat_map(list).collect()
 }

@@ -76,7 +76,7 @@ pub(crate) fn programs(paths: &[PathBuf]) -> Result<Findings, Failure> {
     Ok(Findings { sources: Sources { files: Files(files), names: told_apart(paths), read: decoded }, list })
 }
 
-/// Names of files with as many of their folders as tell them apart.
+/// Names of files, each with as many folders as distinguish it from the others.
 fn told_apart(paths: &[PathBuf]) -> Vec<String> {
     let parts: Vec<Vec<String>> = paths
         .iter()

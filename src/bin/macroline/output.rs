@@ -48,7 +48,7 @@ pub(crate) fn say(text: &str) -> Result<(), Failure> {
     Ok(io::stderr().write_all(terminal(text).as_bytes())?)
 }
 
-/// Standard output. What is printed arrives when it is [flushed](Printer::flush).
+/// Standard output, buffered until [`Printer::flush`].
 pub(crate) struct Printer(BufWriter<StdoutLock<'static>>);
 
 impl Printer {
@@ -94,9 +94,9 @@ pub(crate) fn verdict(all: &[Findings]) -> Result<(), Failure> {
 pub(crate) fn tell(all: &[Findings]) -> Result<(), Failure> {
     let mut list = Vec::new();
     for findings in all.iter().filter(|findings| !findings.list.is_empty()) {
-        let teller = findings.sources.teller();
+        let renderer = findings.sources.renderer();
         for finding in &findings.list {
-            say(&(teller.text(finding) + "\n"))?;
+            say(&(renderer.text(finding) + "\n"))?;
         }
         list.extend(findings.list.iter().cloned());
     }

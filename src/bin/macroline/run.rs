@@ -125,7 +125,7 @@ pub(crate) fn run(args: &RunArgs, wanted: bool, json: bool) -> Result<(), Failur
             return Ok(());
         }
         text.clear();
-        // A text takes whatever is written.
+        // Writing to a string never fails.
         let _ = line.write(&mut text);
         if json {
             canon.push(json!(text));
@@ -154,7 +154,7 @@ pub(crate) fn run(args: &RunArgs, wanted: bool, json: bool) -> Result<(), Failur
     verdict(&files)
 }
 
-/// Steps from block to block. Wrong commands are told and end, after all others, in exit status 2.
+/// Steps from block to block. Wrong commands are reported and make the exit status 2.
 pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
     let Prepared { run, mut files, mut program, silenced } = prepare(args, Retention::Both, false)?;
     let count = silence(&mut program.list, &silenced);
@@ -163,7 +163,7 @@ pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
     tell_silenced(count)?;
     let terminal = io::stdin().is_terminal();
     let Some(program) = files.last() else { return Ok(()) };
-    let mut console = Console::new(run, program.sources.teller());
+    let mut console = Console::new(run, program.sources.renderer());
     let mut out = Printer::new();
     let mut wrong = 0;
     let mut last = String::new();
@@ -171,7 +171,7 @@ pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
     out.flush()?;
     for line in prompted(terminal) {
         let line = line?;
-        // Return alone is the step before once more, for whoever sits at a terminal.
+        // On a terminal an empty line repeats the last command.
         let line = if terminal && line.trim().is_empty() { last } else { line };
         let (said, answer) = console.line(&line);
         out.text(&answer)?;

@@ -1,4 +1,4 @@
-//! The one place where kinds and values become sentences: a file of lines per language.
+//! Catalog of sentences, one file per language: turns message ids and values into text.
 //!
 //! A line is an id, a space and its sentence; `{0}`, `{1}` … are the places of the values, `{0|head|heads}` is the word that goes with the
 //! number of a place: the first for one, the second for all others. Another language is another file of the same ids.

@@ -9,7 +9,7 @@ use macroline::interp::{Interp, StartProgram, Step, World, precheck};
 use macroline::motion::{Budget, Panel, Retention};
 use macroline::nc::{self, Block, Files, Parsed, Stmt};
 use macroline::project::check::review;
-use macroline::project::render::Teller;
+use macroline::project::render::Renderer;
 use macroline::project::run::{RunOptions, of_programs, to_end};
 use macroline::text::{Diagnostic, Place, Severity, Span};
 
@@ -47,11 +47,11 @@ pub(crate) fn reading(control: &'static Control, text: &str) {
 
 /// Findings have places in the text, sentences without gaps, and fixes that fit.
 fn told(parsed: &Parsed, findings: &[Diagnostic], text: &str) {
-    let teller = Teller::new(parsed.files());
+    let renderer = Renderer::new(parsed.files());
     for finding in findings {
         let place = finding.place.expect("a finding about a program has a place");
         assert!(text.get(place.span.start as usize..place.span.end as usize).is_some(), "{finding:?}");
-        assert!(!teller.text(finding).contains('\u{0}'));
+        assert!(!renderer.text(finding).contains('\u{0}'));
         for fix in &finding.fixes {
             let mended = nc::fix(parsed.files(), fix);
             assert_ne!(&mended, parsed.files(), "a fix changes something: {fix:?}");

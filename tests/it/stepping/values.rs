@@ -12,52 +12,52 @@ fn breakpoint_stops_where_its_condition_holds() {
         CALLS,
         script,
         expect![[r#"
-        > break O2000 N20 if #102 EQ 2
-        breakpoint 1: a.nc:9: N20 #101=#3
-        > break 13
-        breakpoint 2: a.nc:13: N20 G65 P2000 A#102
-        > breaks
-        1  a.nc:9: N20 #101=#3 if #102 EQ 2, hit 0
-        2  a.nc:13: N20 G65 P2000 A#102, hit 0
-        > c
-        breakpoint 2
-          #100 vacant -> 3
-          #101 vacant -> 3
-          #102 vacant -> 1
-          --> a.nc:13:1
-           |
-        13 | N20 G65 P2000 A#102
-           | ^^^^^^^^^^^^^^^^^^^
-          = O3000, subprogram, 1 more to run, 0.021 s
-        > stack
-        0  O3000, subprogram, 1 more to run  a.nc:13: N20 G65 P2000 A#102
-        1  O1000  a.nc:4: N30 M98 P3000 L2
-        > off 1
-        > c
-        breakpoint 2
-          #101 3 -> 1
-          #102 1 -> 2
-          --> a.nc:13:1
-           |
-        13 | N20 G65 P2000 A#102
-           | ^^^^^^^^^^^^^^^^^^^
-          = O3000, subprogram, 0.039 s
-        > on 1
-        > clear 2
-        > ?clear 2
-        There is no number 2; “breaks” tells them all.
-        > breaks
-        1  a.nc:9: N20 #101=#3 if #102 EQ 2, hit 0
-        > c
-        breakpoint 1
-          #1 vacant -> 2
-          #3 vacant -> 2
-         --> a.nc:9:1
-          |
-        9 | N20 #101=#3
-          | ^^^^^^^^^^^
-          = O2000, macro at level 1, 0.045 s
-    "#]],
+            > break O2000 N20 if #102 EQ 2
+            breakpoint 1: a.nc:9: N20 #101=#3
+            > break 13
+            breakpoint 2: a.nc:13: N20 G65 P2000 A#102
+            > breaks
+            1  a.nc:9: N20 #101=#3 if #102 EQ 2, hit 0
+            2  a.nc:13: N20 G65 P2000 A#102, hit 0
+            > c
+            breakpoint 2
+              #100 vacant -> 3
+              #101 vacant -> 3
+              #102 vacant -> 1
+              --> a.nc:13:1
+               |
+            13 | N20 G65 P2000 A#102
+               | ^^^^^^^^^^^^^^^^^^^
+              = O3000, subprogram, 1 more to run, 0.021 s
+            > stack
+            0  O3000, subprogram, 1 more to run  a.nc:13: N20 G65 P2000 A#102
+            1  O1000  a.nc:4: N30 M98 P3000 L2
+            > off 1
+            > c
+            breakpoint 2
+              #101 3 -> 1
+              #102 1 -> 2
+              --> a.nc:13:1
+               |
+            13 | N20 G65 P2000 A#102
+               | ^^^^^^^^^^^^^^^^^^^
+              = O3000, subprogram, 0.039 s
+            > on 1
+            > clear 2
+            > ?clear 2
+            There is no number 2; “breaks” lists them.
+            > breaks
+            1  a.nc:9: N20 #101=#3 if #102 EQ 2, hit 0
+            > c
+            breakpoint 1
+              #1 vacant -> 2
+              #3 vacant -> 2
+             --> a.nc:9:1
+              |
+            9 | N20 #101=#3
+              | ^^^^^^^^^^^
+              = O2000, macro at level 1, 0.045 s
+        "#]],
     );
 }
 
