@@ -84,7 +84,7 @@ impl RunState {
         }
     }
 
-    /// How far the point that an arc passes lies from its start along an axis, in what the slide moves.
+    /// Distance along an axis from the start of an arc to its intermediate point, as travel of the slide.
     fn passed(&self, cx: &BlockContext, values: &BlockWords, axis: u8) -> f64 {
         let at = usize::from(axis);
         let place = cx.control.axes.get(at).and_then(|axis| axis.letter.after(Address::X));
@@ -114,7 +114,7 @@ impl RunState {
     }
 }
 
-/// I, J, K of the axes of a plane: how far the centre lies from the start, in what the slide moves.
+/// I, J, K of the axes of a plane: distance from the start to the centre, as travel of the slide.
 fn center_of(cx: &BlockContext, values: &BlockWords, (first, second): (u8, u8)) -> (f64, f64) {
     let offset = |axis: u8| {
         let at = cx.control.axes.get(axis as usize).and_then(|axis| axis.letter.after(Address::X));

@@ -90,7 +90,7 @@ impl RunState {
             self.queue.push(Canon::End);
             self.ended = Some(End::Program);
         }
-        // What comes behind a skipped motion may ask where it ended.
+        // A program may read the end point of a skipped motion.
         self.pause = codes.stops != 0 || codes.special == Some(Code::Skip);
         if codes.contour {
             self.pass_contour(cx, at, block, words, &values);
@@ -121,8 +121,8 @@ impl RunState {
         Ok(())
     }
 
-    /// Reads codes and values of a block, and does nothing of what they command. Whether the block calls or returns; `None` where that
-    /// depends on who has called.
+    /// Reads codes and values of a block without executing their commands. Returns whether the block calls or returns; `None` if that depends
+    /// on the calling program.
     pub(super) fn read_words(&mut self, cx: &mut BlockContext, block: &Block, words: &[Word]) -> Run<Option<bool>> {
         let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;

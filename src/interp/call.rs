@@ -25,7 +25,7 @@ pub(super) struct Caller {
     pub(super) all: bool,
 }
 
-/// What is called, and how.
+/// A call: program, kind and repeats.
 struct Callee {
     program: u32,
     /// Its first block to run.
@@ -183,7 +183,7 @@ impl RunState {
         self.enter(cx, Callee { program, entry, repeats, arguments: None, modal_call: None, by_code: false })
     }
 
-    /// The alarm of a call or jump while a modal macro call is on, where that is one.
+    /// The alarm of a call or jump during a modal macro call, on controls that have one.
     fn refuse_in_modal(&self, cx: &BlockContext) -> Run<()> {
         if self.modal_call.is_some() && cx.control.raises(Alarm::ReturnInModal) {
             return Err(Trap::alarm(Alarm::ReturnInModal, msg!("interp.call-in-modal")));

@@ -175,12 +175,12 @@ pub enum Canon {
     },
     /// Stop with a message on the screen (`#3006`); cycle start goes on.
     Message {
-        /// What the operator reads.
+        /// Text for the operator.
         text: String,
     },
     /// Message on the screen while the program goes on; an empty one takes the last away (MSG).
     Show {
-        /// What the operator reads.
+        /// Text for the operator.
         text: String,
     },
     /// M00: waits for cycle start.
@@ -237,7 +237,7 @@ impl Canon {
         matches!(self, Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. })
     }
 
-    /// Whether a motion cuts; `None` for what is no motion.
+    /// Whether a motion cuts; `None` for other commands.
     pub fn is_cut(&self) -> Option<bool> {
         match self {
             Canon::Rapid { .. } => Some(false),

@@ -1,4 +1,4 @@
-//! The G and M codes of a block: which are put in force, and what they make of its other words.
+//! G and M codes of a block: modal codes, and the meaning that codes give to the other words.
 
 use super::canon::Canon;
 use super::context::BlockContext;
@@ -48,7 +48,7 @@ pub(super) struct BlockCodes {
     pub(super) flow: Option<Code>,
     /// A code that calls a program by parameter.
     pub(super) call: Option<CodeCall>,
-    /// An argument is the number of an M code that cannot stand beside a call.
+    /// Checks for an argument that is an M code which excludes a call in its block.
     pub(super) mixed: bool,
     /// Index of the word that calls a macro.
     pub(super) caller: usize,
@@ -260,7 +260,7 @@ pub(super) fn macro_kind(codes: &BlockCodes) -> Option<CallKind> {
     }
 }
 
-/// Whether an M word in a macro call is one that stops, ends, calls or returns.
+/// Whether an M word in a macro call stops, ends, calls or returns.
 #[cold]
 fn mixes(cx: &BlockContext, word: &Word) -> bool {
     use Code::{End, EndRewind, OptionalStop, Stop, SubCall, SubEnd};

@@ -22,7 +22,7 @@ pub(super) struct Shared {
     pub(super) executing: bool,
 }
 
-/// What a block may ask while it runs.
+/// Data that a block reads while it executes.
 pub(super) struct BlockContext<'a> {
     pub(super) shared: &'a Shared,
     pub(super) control: &'static Control,

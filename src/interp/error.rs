@@ -5,24 +5,24 @@ use crate::controls::Alarm;
 use crate::nc::{Block, Deck, ExprId, Parsed};
 use crate::text::{Diagnostic, Message, Place, Span};
 
-/// An alarm in the making.
+/// An alarm before it is located.
 #[derive(Debug)]
 pub(super) struct Fault {
     alarm: Alarm,
-    /// What the reader has reported of the block: shown as it is, in place of the rest.
+    /// The reader's finding about the block; replaces the other fields.
     reported: Option<Diagnostic>,
     message: Message,
     hints: Vec<Message>,
     word: Option<Span>,
-    /// The part of a formula that has no value.
+    /// Part of a formula without a value.
     part: Option<ExprId>,
-    /// Letters of the word that it is about.
+    /// Letters of the word concerned.
     letters: &'static [Address],
-    /// The number that is shown instead of that of the kind.
+    /// Number shown in place of the alarm's own.
     number: Option<u32>,
 }
 
-/// What ends a block early.
+/// Reasons that end a block early.
 #[derive(Debug)]
 pub(super) enum Trap {
     /// The machine has to come to rest first.
@@ -35,7 +35,7 @@ pub(super) enum Trap {
 pub(super) type Run<T> = Result<T, Trap>;
 
 impl Trap {
-    /// An alarm with what is wrong.
+    /// An alarm with its message.
     #[cold]
     pub(super) fn alarm(alarm: Alarm, message: Message) -> Trap {
         Trap::Alarm(Box::new(Fault {

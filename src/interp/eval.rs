@@ -49,7 +49,7 @@ impl RunState {
         }
     }
 
-    /// Finds the smallest part without a value: what it is made of has one.
+    /// Finds the smallest part without a value, whose operands have values.
     #[cold]
     fn blame(&self, cx: &mut BlockContext, mut id: ExprId, trap: Trap) -> Trap {
         loop {
@@ -93,7 +93,7 @@ impl RunState {
         let tells = || left.is_nan() != right.is_nan() && !cx.shared.rules.vacant_equals_zero;
         match op {
             Op::Divide | Op::Modulo if divides_not(cx, op, b) => Err(self.division_by_zero(cx, divisor)),
-            // EQ and NE alone tell vacant from 0.
+            // Only EQ and NE distinguish vacant from 0.
             Op::Equal if tells() => truth(false),
             Op::NotEqual if tells() => truth(true),
             op => calculate(cx, op, a, b),

@@ -36,12 +36,12 @@ struct Loop {
     parent: Option<u32>,
 }
 
-/// What DO or END leads to.
+/// The partner of a DO or END.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Partner {
     /// The other one, as block index.
     Block(u32),
-    /// There is none that fits.
+    /// No partner.
     Fault(Alarm),
 }
 
@@ -69,7 +69,7 @@ pub(super) struct Index {
     /// (program number, index of its first program), sorted.
     numbers: Vec<(u32, u32)>,
     jumps: Vec<Jumps>,
-    /// (target of a jump, block that it leads to), sorted; for languages whose jumps say where they look.
+    /// (target of a jump, its block), sorted; for languages with jump directions.
     targets: Vec<(u32, u32)>,
     /// (name, index of the program), sorted.
     names: Vec<(Box<str>, u32)>,
@@ -144,7 +144,7 @@ impl Index {
         }
     }
 
-    /// Where a variable lives.
+    /// Storage of a variable.
     pub(super) fn slot(&self, control: &Control, number: u32) -> Slot {
         match self.direct.get(number as usize) {
             Some(&slot) => slot,
@@ -152,13 +152,13 @@ impl Index {
         }
     }
 
-    /// The place in the store of a variable of a row.
+    /// Index in the store of a variable of a row.
     pub(super) fn stored_at(&self, row: &VarRange, at: usize, number: u32) -> Option<u16> {
         let base = self.bases.get(at).copied().filter(|&base| base != NOT_STORED)?;
         u16::try_from(base + number.checked_sub(row.first)?).ok()
     }
 
-    /// The block that a jump leads to.
+    /// The target block of a jump.
     pub(super) fn target(&self, target: ExprId) -> Option<u32> {
         let at = self.targets.binary_search_by_key(&target.0, |row| row.0).ok()?;
         self.targets.get(at).map(|row| row.1)
@@ -186,7 +186,7 @@ impl Index {
         first_from(from).or_else(|| first_from(0))
     }
 
-    /// What belongs to the DO or END in a block.
+    /// The partner of the DO or END in a block.
     pub(super) fn partner(&self, program: u32, block: u32) -> Partner {
         let pairs = self.jumps.get(program as usize).map_or(&[][..], |jumps| &jumps.pairs);
         match pairs.binary_search_by_key(&block, |&(at, _)| at) {
@@ -210,7 +210,7 @@ impl Index {
     }
 }
 
-/// Where the jumps of a program lead that say where they look.
+/// Targets of the jumps of a program, in a language with jump directions.
 fn targets(deck: &Deck, program: &Program) -> Vec<(u32, u32)> {
     let blocks = deck.blocks_of(program);
     let mut labels: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
@@ -232,7 +232,7 @@ fn targets(deck: &Deck, program: &Program) -> Vec<(u32, u32)> {
                 _ => None,
             };
             let Some(named) = named else { continue };
-            // The nearest on the way.
+            // The nearest in the direction.
             let behind = named.partition_point(|to| *to <= at);
             let to = match way {
                 JumpDirection::Around => named.first(),

@@ -21,7 +21,7 @@ pub enum Entered {
     Macro,
 }
 
-/// A program that runs, or waits for what it called.
+/// A level of the call stack.
 #[derive(Debug, Clone)]
 pub struct Level {
     /// Number of the program; 0 where it has none.
@@ -40,7 +40,7 @@ pub struct Level {
 }
 
 impl Level {
-    /// The local variables in force that are not vacant, by number; those of a subprogram are told with its caller.
+    /// Local variables that are not vacant, by number; a subprogram shares those of its caller, where they are listed.
     pub fn locals(&self) -> impl Iterator<Item = (u32, f64)> + '_ {
         let own = self.entered != Entered::Subprogram;
         (1..).zip(self.values).filter(move |(_, value)| own && !value.is_nan())
@@ -63,7 +63,7 @@ pub enum What {
 /// A change of a value; `None` is vacant, or not yet set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
-    /// What it is about.
+    /// Variable, code or feed.
     pub what: What,
     /// As it was.
     pub before: Option<f64>,
@@ -74,7 +74,7 @@ pub struct Change {
 /// Index of F among the modal words.
 const FEED: usize = (b'F' - b'A') as usize;
 
-/// A value as people look at it: vacant is nothing.
+/// A value for display: `None` is vacant.
 fn shown(value: f64) -> Option<f64> {
     (!value.is_nan()).then_some(value)
 }
@@ -129,8 +129,8 @@ impl Interp {
         Place { file, span }
     }
 
-    /// The value of an expression here and now, 1 or 0 for a condition; `None` is vacant. What waits for the machine at rest in a program
-    /// is taken as the world has it.
+    /// Value of an expression in the present state, 1 or 0 for a condition; `None` is vacant. Values that wait for standstill in a program are
+    /// read at once.
     pub fn evaluate(&self, formula: &ParsedFormula, world: &mut dyn World) -> Result<Option<f64>, Box<Diagnostic>> {
         let control = self.shared.control;
         let mut cx = BlockContext { shared: &self.shared, control, deck: formula.deck(), world, parts: 1.0 };
@@ -150,7 +150,7 @@ impl Interp {
         }
     }
 
-    /// What is other than it was in an earlier state of the same run: variables in the order of their numbers, then codes and words.
+    /// Differences from an earlier state of the same run: variables in the order of their numbers, then codes and words.
     pub fn changes_since(&self, earlier: &Interp, world: &mut dyn World) -> Vec<Change> {
         let (now, then, index) = (&self.state, &earlier.state, &self.shared.index);
         let (shared, control, deck) = (&*self.shared, self.shared.control, self.shared.parsed.deck());
@@ -163,7 +163,7 @@ impl Interp {
             }
         };
         let level = now.vars.level();
-        // What a new level was given is new.
+        // On a new level all locals are changes.
         let (values, vacant) = (now.vars.locals_of(level), [VACANT; LOCALS]);
         let given = if level <= then.vars.level() { then.vars.locals_of(level) } else { vacant };
         for (number, (&then, &now)) in (1..).zip(given.iter().zip(&values)) {
@@ -192,7 +192,7 @@ impl Interp {
             let code = |code: CodeId| if code.to_f64() == 0.0 { none } else { code.to_f64() };
             compare(What::Code, code(then), code(now));
         }
-        // S, M and T are told by the commands that they give.
+        // S, M and T show in their commands.
         compare(What::Feed, then.modal.words[FEED], now.modal.words[FEED]);
         changes
     }

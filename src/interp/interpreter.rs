@@ -59,7 +59,7 @@ impl Interp {
         self.shared.control
     }
 
-    /// What canonical lines of this run are written with.
+    /// Names for canonical lines of this run.
     pub fn names(&self) -> CanonNames<'static> {
         CanonNames { axes: self.shared.control.axes, increment: self.shared.control.limits.increment }
     }
@@ -72,7 +72,7 @@ impl Interp {
         Some(Place { file: program.file, span: block.span })
     }
 
-    /// A variable: `None` where it is vacant or nothing that the interpreter keeps.
+    /// A variable; `None` if it is vacant or not kept by the interpreter.
     pub fn variable(&self, number: u32) -> Option<f64> {
         let value = match self.shared.index.slot(self.shared.control, number) {
             Slot::Local(index) => self.state.vars.local(index),
@@ -101,12 +101,12 @@ impl Interp {
         numbers.filter_map(|number| Some((self.shared.control.variable(number), self.variable(number)?)))
     }
 
-    /// Where the axes are when everything read so far is done, in command increments of the machine frame.
+    /// Positions of the axes after everything read so far, in command increments of the machine frame.
     pub fn position(&self) -> [i64; AXES] {
         self.state.position
     }
 
-    /// Tells where the axes are, for instance after a reset in the middle of a motion.
+    /// Sets the positions of the axes, for instance after a reset during a motion.
     pub fn set_position(&mut self, position: [i64; AXES]) {
         self.state.position = position;
     }

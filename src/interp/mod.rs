@@ -1,6 +1,6 @@
 //! Running a program: timeless, pulled step by step, never longer than its caller's patience.
 //!
-//! The interpreter knows no time, moving axes or operators; it asks the [`World`] for what it needs of them.
+//! The interpreter knows no time, moving axes or operators; it reads them through the [`World`].
 //!
 //! # Order of a block
 //!

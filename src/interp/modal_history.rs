@@ -8,7 +8,7 @@ use super::modal::Modal;
 use crate::controls::{Control, VarKind};
 use crate::nc::{Deck, Expr};
 
-/// Commands that are remembered: more than a control holds of what it has read ahead.
+/// Commands that are kept: more than a control reads ahead.
 const COMMANDS: usize = 256;
 
 /// The modal data of the newest commands, in their order.
@@ -16,7 +16,7 @@ const COMMANDS: usize = 256;
 pub(super) struct Given(VecDeque<Rc<Modal>>);
 
 impl Given {
-    /// Notes what is in force with a command that is handed out.
+    /// Records the modal state of a command that is handed out.
     pub(super) fn note(&mut self, canon: &Canon, modal: &Modal) {
         if canon.acts_when_read() {
             return;
@@ -27,7 +27,7 @@ impl Given {
         self.0.push_back(Rc::new(modal.clone()));
     }
 
-    /// What is in force where so many of the commands wait behind it; of what is forgotten, the oldest that is not.
+    /// Modal state of the command with this many commands waiting behind it; the oldest kept if that one is dropped.
     pub(super) fn behind(&self, waiting: usize) -> Option<&Modal> {
         let at = self.0.len().checked_sub(1)?.saturating_sub(waiting);
         self.0.get(at).map(Rc::as_ref)

@@ -34,7 +34,7 @@ pub(super) struct Rules {
     pub(super) points: [[i64; AXES]; 2],
     /// The axis that is square to the spindle, for constant surface speed.
     pub(super) surface_axis: usize,
-    /// What the control does with its spindle.
+    /// Rules of the control for its spindle.
     pub(super) spindle: SpindleRules,
 }
 

@@ -80,7 +80,7 @@ impl RunState {
         self.queue.push(Canon::SpeedLimit { limit, rpm });
     }
 
-    /// What a limit of the speed makes of the present position.
+    /// Effect of a speed limit on the present position.
     fn limit_place(&mut self, cx: &BlockContext) {
         let place = cx.shared.rules.spindle.limit_place;
         if place == LimitPlace::Nothing {

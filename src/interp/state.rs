@@ -42,12 +42,12 @@ pub(super) struct RunState {
     pub(super) modal: Modal,
     /// Commanded position in command increments, machine frame.
     pub(super) position: [i64; AXES],
-    /// The last motion, where the next one may go on in its direction.
+    /// The last motion, for a next one that continues in its direction.
     pub(super) came: LastMotion,
-    /// Where the last motion that a signal may skip came to its end, machine frame.
+    /// End of the last motion with skip signal, machine frame.
     pub(super) skip: [i64; AXES],
     pub(super) queue: CommandQueue,
-    /// What was in force with the commands handed out, where a program may ask for it.
+    /// Modal states of the commands that were handed out, if a program may read them.
     pub(super) given: Given,
     pub(super) frames: Vec<CallFrame>,
     pub(super) modal_call: Option<Rc<ModalCall>>,
@@ -123,7 +123,7 @@ impl RunState {
         }
     }
 
-    /// What the reset key does: modal codes as after power-on, locals vacant, common variables as the control's parameter says.
+    /// Reset key: modal codes as after power-on, locals vacant, common variables by the control's parameter.
     pub(super) fn reset(&mut self, shared: &Shared) {
         let (position, counts, clock_zero, modal) = (self.position, self.counts, self.clock_zero, self.modal.clone());
         let vars = core::mem::replace(&mut self.vars, Vars::new(shared.index.stored));
@@ -152,13 +152,13 @@ impl RunState {
         }
     }
 
-    /// Says something about bytes of the block at hand that is no alarm.
+    /// Adds a remark about bytes of the present block.
     #[cold]
     pub(super) fn remark(&self, cx: &mut BlockContext, span: Span, message: Message) {
         cx.world.remark(Diagnostic::warning(message).at(Place { file: self.file, span }));
     }
 
-    /// What is in force in the block that the machine executes; at rest all that was read is.
+    /// Modal state of the block that the machine executes; at rest that of the last block read.
     pub(super) fn executing(&self, cx: &mut BlockContext) -> &Modal {
         cx.world.waiting().and_then(|waiting| self.given.behind(waiting)).unwrap_or(&self.modal)
     }

@@ -184,7 +184,7 @@ impl RunState {
 }
 
 impl RunState {
-    /// `#3003` and `#3004`: what they switch off, bit by bit.
+    /// `#3003` and `#3004`: bits that switch functions off.
     fn suppress(&mut self, cx: &BlockContext, kind: VarKind, slot: Option<u16>, value: f64) -> Run<()> {
         let whole = value.round();
         if !(0.0..=255.0).contains(&whole) {
@@ -220,7 +220,7 @@ impl RunState {
         Ok(())
     }
 
-    /// A variable of the PLC is written beyond what it holds.
+    /// A value beyond the range of a PLC variable is written.
     #[cold]
     fn remark_output(&self, cx: &mut BlockContext, block: &Block, number: u32, written: f64, taken: f64) {
         let message = msg!("interp.output-range", cx.control.variable(number), (written, 9), taken);
@@ -242,12 +242,12 @@ fn zero_if_vacant(x: f64) -> f64 {
     if x.is_nan() { 0.0 } else { x }
 }
 
-/// What comes from outside may be anything.
+/// Replaces NaN and infinite values from outside.
 fn finite_or_zero(x: f64) -> f64 {
     if x.is_finite() { x } else { 0.0 }
 }
 
-/// What a word of the PLC can hold of a value.
+/// Limits a value to the range of a PLC word.
 fn fit(width: Option<Width>, x: f64) -> f64 {
     let (least, most) = width.unwrap_or(Width::Long).range();
     math::clamp(x, least, most)

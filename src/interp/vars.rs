@@ -72,7 +72,7 @@ impl Vars {
         self.levels.get(level).map_or([VACANT; LOCALS], |locals| **locals)
     }
 
-    /// Enters a macro level with its arguments. With `keep`, a local without argument keeps what it had when the level was left.
+    /// Enters a macro level with its arguments. With `keep`, a local without argument keeps its last value of this level.
     pub(super) fn enter(&mut self, arguments: &Rc<Locals>, keep: bool) {
         self.level += 1;
         self.arguments(arguments, keep);

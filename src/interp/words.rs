@@ -49,7 +49,7 @@ pub(super) struct BlockWords {
     pub(super) mask: u8,
     /// Bit `k`: by its incremental address, or as an incremental value.
     pub(super) incremental: u8,
-    /// Bit `k`: as an absolute value, whatever is in force.
+    /// Bit `k`: as an absolute value, by the word itself.
     pub(super) absolute: u8,
     /// Bit 0 to 2: the lead along X, Y, Z is programmed.
     pub(super) leads: u8,
@@ -93,7 +93,7 @@ impl RunState {
         let surface = self.modal.spindle.surface && !codes.limits();
         for word in words {
             let letter = word.letter;
-            // Words of another spindle, or of what is not simulated.
+            // Words of another spindle, and words that are not simulated.
             let spindles = matches!(letter, Address::M | Address::S | Address::Spos | Address::Lims);
             // Any value behind the axes that go to a point: X1=0.
             if let (Some(Code::GoTo(_)), Some((axis, _))) = (codes.special, cx.shared.index.axis(letter)) {
@@ -264,7 +264,7 @@ impl RunState {
         Ok(())
     }
 
-    /// A word of another spindle, or of a point on the way; all others with a number are of what is not simulated.
+    /// A word of another spindle, or of an intermediate point; other words with an index are not simulated.
     #[cold]
     fn indexed_word(&mut self, cx: &mut BlockContext, block: &Block, word: &Word, values: &mut BlockWords) -> Run<()> {
         let at = word.letter.after(Address::I).unwrap_or(usize::MAX);

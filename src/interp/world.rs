@@ -32,7 +32,7 @@ pub struct Still {
     pub positions: [f64; super::canon::AXES],
     /// Optional block skip.
     pub block_skip: bool,
-    /// What was remarked, in the order of the run, each time.
+    /// Remarks in the order of the run, with repetitions.
     pub remarks: Vec<Diagnostic>,
 }
 

@@ -1,0 +1,135 @@
+//! [`Precheck`]: state of the check, and findings that are the same in every modal state.
+
+use std::cell::RefCell;
+
+use super::super::context::BlockContext;
+use super::super::error::{Run, Trap};
+use super::super::modal::Modal;
+use super::super::state::RunState;
+use super::super::world::{Still, World};
+use super::clean::Clean;
+use crate::controls::{Alarm, VarKind};
+use crate::nc::{Block, Expr, ExprId, Word, WordValue};
+use crate::text::{Diagnostic, Place};
+
+/// A machine at rest that records remarks.
+pub(super) struct Listener<'a> {
+    pub(super) still: Still,
+    pub(super) heard: &'a RefCell<Vec<Diagnostic>>,
+}
+
+impl World for Listener<'_> {
+    fn input(&mut self, variable: u32) -> f64 {
+        self.still.input(variable)
+    }
+
+    fn clock_ms(&mut self, run: bool) -> f64 {
+        self.still.clock_ms(run)
+    }
+
+    fn position(&mut self, axis: usize) -> f64 {
+        self.still.position(axis)
+    }
+
+    fn block_skip(&mut self, number: u8) -> bool {
+        self.still.block_skip(number)
+    }
+
+    fn remark(&mut self, remark: Diagnostic) {
+        self.heard.borrow_mut().push(remark);
+    }
+}
+
+/// The check of one block after the other.
+pub(super) struct Precheck<'a> {
+    pub(super) cx: BlockContext<'a>,
+    /// Remarks since they were last taken.
+    pub(super) heard: &'a RefCell<Vec<Diagnostic>>,
+    /// State of a run that only reads its blocks, in the order of the text.
+    pub(super) state: RunState,
+    /// For each expression: it has the same value in every run.
+    pub(super) constant: Vec<bool>,
+    /// The modal states that blocks can meet, as far as they matter.
+    pub(super) modals: Vec<Modal>,
+    /// No modal call takes the words of blocks for its arguments.
+    pub(super) words: bool,
+    /// Findings about the present block.
+    pub(super) found: Vec<Diagnostic>,
+    /// Cache: the block of words before, if it had no findings.
+    pub(super) clean: Vec<Clean>,
+}
+
+impl<'a> Precheck<'a> {
+    pub(super) fn new(cx: BlockContext<'a>, state: RunState, heard: &'a RefCell<Vec<Diagnostic>>) -> Precheck<'a> {
+        let mut constant: Vec<bool> = Vec::with_capacity(cx.deck.exprs.len());
+        for expr in &cx.deck.exprs {
+            let known = |id: &ExprId| constant.get(id.0 as usize).copied().unwrap_or(false);
+            constant.push(match expr {
+                Expr::Number(_) => true,
+                Expr::Var(number) => cx.control.var(*number).is_some_and(|row| row.kind == VarKind::Vacant),
+                Expr::Label(_) | Expr::Indirect(_) => false,
+                Expr::Negate(x) | Expr::Call(_, x) => known(x),
+                Expr::Binary(_, left, right) => known(left) && known(right),
+            });
+        }
+        let modals = vec![state.modal.clone()];
+        let mut oracle =
+            Precheck { cx, heard, state, constant, modals, words: true, found: Vec::new(), clean: Vec::new() };
+        oracle.note_codes();
+        oracle
+    }
+
+    pub(super) fn is_constant(&self, id: ExprId) -> bool {
+        self.constant.get(id.0 as usize).copied().unwrap_or(false)
+    }
+
+    pub(super) fn is_known(&self, word: &Word) -> bool {
+        match word.value {
+            WordValue::Number(_) => true,
+            WordValue::Expr(id) => self.is_constant(id),
+        }
+    }
+
+    /// The finding of a run that ends in one of these alarms; any alarm if the list is empty.
+    pub(super) fn finding(&self, block: &Block, outcome: Run<()>, alarms: &[Alarm]) -> Option<Diagnostic> {
+        let Err(Trap::Alarm(mut fault)) = outcome else { return None };
+        if !alarms.is_empty() && !alarms.contains(&fault.kind()) {
+            return None;
+        }
+        fault.locate(self.cx.deck, block);
+        Some(fault.diagnostic(&self.cx.shared.parsed, Place { file: self.state.file, span: block.span }))
+    }
+
+    pub(super) fn tell(&mut self, block: &Block, outcome: Run<()>, alarms: &[Alarm]) {
+        let finding = self.finding(block, outcome, alarms);
+        self.note(finding);
+    }
+
+    /// Keeps one finding per place.
+    pub(super) fn note(&mut self, finding: Option<Diagnostic>) {
+        self.found.extend(finding.filter(|finding| self.found.iter().all(|other| other.place != finding.place)));
+    }
+
+    /// The finding that every modal state gives, the one in the order of the text first; `None` if they differ.
+    pub(super) fn always(
+        &mut self,
+        block: &Block,
+        alarms: &[Alarm],
+        run: &mut dyn FnMut(&mut RunState, &mut BlockContext) -> Run<()>,
+    ) -> Option<Diagnostic> {
+        let mut common: Option<Diagnostic> = None;
+        for at in 0..=self.modals.len() {
+            let mut state = self.state.clone();
+            if let Some(modal) = at.checked_sub(1).and_then(|at| self.modals.get(at)) {
+                state.modal.clone_from(modal);
+            }
+            let outcome = run(&mut state, &mut self.cx);
+            let finding = self.finding(block, outcome, alarms)?;
+            if common.as_ref().is_some_and(|common| (&common.alarm, common.place) != (&finding.alarm, finding.place)) {
+                return None;
+            }
+            common.get_or_insert(finding);
+        }
+        common
+    }
+}
