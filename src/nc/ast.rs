@@ -1,6 +1,6 @@
-//! The tree of a program: what was written, not what the machine would do. Small rows in four arenas.
+//! Syntax tree of programs as written, in small rows in arenas.
 //!
-//! A parsed deck keeps the bytes of every block; a block that an edit or a rewrite touched loses them and is written anew.
+//! A parsed deck keeps the bytes of every block; a block changed by an edit or a rewrite loses them and is written again.
 
 use crate::controls::Address;
 use core::num::NonZeroU32;
@@ -26,7 +26,7 @@ pub struct Deck {
     pub blocks: Vec<Block>,
     /// Words of all blocks, a block's words side by side.
     pub words: Vec<Word>,
-    /// Expressions; children stand before their parents.
+    /// Expressions; children come before their parents.
     pub exprs: Vec<Expr>,
     /// Assignments and jumps of blocks that have several of them, a block's side by side.
     pub pairs: Vec<Pair>,
@@ -37,9 +37,9 @@ pub struct Deck {
 /// One program.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Program {
-    /// File that it stands in.
+    /// File that contains it.
     pub file: FileId,
-    /// Number behind `O`, or in a name such as `L9100`; 0 where there is none.
+    /// Number behind `O`, or in a name such as `L9100`; 0 for none.
     pub number: u32,
     /// Name, where programs have names.
     pub name: Option<TextId>,
@@ -62,7 +62,7 @@ pub struct Block {
     pub span: Span,
     /// Sequence number.
     pub number: Option<u32>,
-    /// What it says.
+    /// Statement.
     pub stmt: Stmt,
     /// First comment in the block.
     pub comment: Option<TextId>,
@@ -70,11 +70,11 @@ pub struct Block {
     pub label: Option<TextId>,
     /// Optional block skip: 0 none, 1 `/` or `/1`, 2 `/2` ….
     pub skip: u8,
-    /// A main block, where a language has such: its number stands behind `:` and not behind N.
+    /// Main block: its number is written behind `:` instead of N.
     pub main: bool,
 }
 
-/// What a block says.
+/// Statement of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stmt {
     /// Nothing but a number or a comment.
@@ -143,7 +143,7 @@ pub enum Stmt {
     Message(Option<TextId>),
     /// `WHILE [cond] DO label`, or `DO label` without a condition.
     While {
-        /// The condition; `None` is for ever.
+        /// The condition; `None` loops without end.
         cond: Option<ExprId>,
         /// Number of the loop.
         label: u16,
@@ -221,11 +221,11 @@ pub struct Word {
     pub index: Option<u8>,
     /// How the value counts.
     pub form: Dimensioning,
-    /// What stands behind the letter.
+    /// Value behind the letter.
     pub value: WordValue,
 }
 
-/// What stands behind an address letter.
+/// Value behind an address letter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum WordValue {
     /// A number.
@@ -389,7 +389,7 @@ impl Deck {
         self.pairs.get(first as usize..first as usize + count as usize).unwrap_or_default()
     }
 
-    /// Where a block jumps, each with its condition; none where it does not.
+    /// Jumps of a block: condition, target and direction.
     pub fn jumps_of(&self, stmt: Stmt) -> impl Iterator<Item = (Option<ExprId>, ExprId, JumpDirection)> {
         let one = match stmt {
             Stmt::If { cond, target, way } => Some((Some(cond), target, way)),
@@ -403,7 +403,7 @@ impl Deck {
         one.into_iter().chain(several.iter().map(|pair| (Some(pair.left), pair.right, pair.way)))
     }
 
-    /// What a block assigns, each variable with its value; none where it does not, or under a condition.
+    /// Unconditional assignments of a block, each variable with its value.
     pub fn assigned_in(&self, stmt: Stmt) -> impl Iterator<Item = (ExprId, ExprId)> {
         let one = match stmt {
             Stmt::Assign { to, value } => Some((to, value)),

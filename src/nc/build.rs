@@ -293,7 +293,7 @@ impl Builder {
         self.push(Stmt::While { cond, label })
     }
 
-    /// `DO label`: for ever.
+    /// `DO label`: a loop without condition.
     pub fn do_forever(&mut self, label: u16) -> &mut Builder {
         self.push(Stmt::While { cond: None, label })
     }

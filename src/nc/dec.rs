@@ -9,7 +9,7 @@ pub struct Dec {
     pub mantissa: i64,
     /// Decimals behind the point, 0 to 18.
     pub scale: u8,
-    /// Whether the point stands in the text.
+    /// The point is written.
     pub point: bool,
 }
 

@@ -36,13 +36,13 @@ impl Newline {
 pub struct Emitted {
     /// One file per program.
     pub files: Files,
-    /// Where each block of the deck stands.
+    /// Place of each block of the deck.
     pub places: Vec<Place>,
     /// What could not be written as it was meant.
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Writes a deck with LF line ends. What the control lacks is rewritten first, see [`lower`](super::lower()). Total.
+/// Writes a deck with LF line ends. Forms that the control lacks are rewritten first, see [`lower`](super::lower()). Total.
 pub fn emit(deck: &Deck, control: &Control) -> Emitted {
     emit_with(deck, control, Newline::Lf)
 }

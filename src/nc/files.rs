@@ -5,7 +5,7 @@
 pub struct File {
     /// Name, for instance `O9100.nc`.
     pub name: String,
-    /// The bytes, as text; what was no UTF-8 has become U+FFFD and is an illegal character.
+    /// Text; bytes that are no UTF-8 are U+FFFD, an illegal character.
     pub text: String,
 }
 

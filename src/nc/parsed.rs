@@ -26,7 +26,7 @@ impl ExprSpan {
     }
 }
 
-/// Text that a control has read. The interpreter takes nothing else.
+/// Programs that a control has read; the only input of the interpreter.
 #[derive(Debug, Clone)]
 pub struct Parsed {
     pub(in crate::nc) files: Files,
@@ -50,7 +50,7 @@ impl Parsed {
         &self.deck
     }
 
-    /// What the control would say, and remarks, in the order of the text.
+    /// Alarms of the control and remarks, in the order of the text.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         &self.diagnostics
     }

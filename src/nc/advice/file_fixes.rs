@@ -12,7 +12,7 @@ use crate::text::{Diagnostic, DiagnosticKind, Span};
 const WHOLE: usize = 1 << 20;
 
 impl Reader<'_> {
-    /// What can be said only when the file is read: `%`, small letters, variables that do not exist.
+    /// Findings about the whole file: `%`, small letters, variables that do not exist.
     pub(in crate::nc) fn mend_file(&mut self, opened: bool, closed: bool) {
         if self.foreign_bytes() {
             return;
@@ -65,7 +65,7 @@ impl Reader<'_> {
                 let all = self.place(Span::new(0, self.file.text.len() as u32));
                 finding = finding.fix(msg!("nc.fix.line-ends"), vec![(all, self.file.text.replace('\r', "\n"))]);
             }
-            // What was said of the text as one line.
+            // Removes findings about the text as one line.
             self.findings.list.retain(|finding| finding.kind == DiagnosticKind::ByteOrderMark);
             self.findings.list.push(finding);
             return true;
@@ -148,7 +148,7 @@ impl Reader<'_> {
         let mut taken = Vec::new();
         for row in &misused {
             let mut finding = self.misuse(row);
-            // What the PLC, the clock or the screen have on another control is no scratch variable, nor is what is only read.
+            // Variables of the PLC, clock or screen of another control are no scratch variables, nor are those only read.
             let written = |span: &Span| {
                 let behind = self.file.text.get(span.end as usize..).unwrap_or("");
                 // Functions by number name their result behind P.
@@ -213,7 +213,7 @@ fn variables_of(text: &str) -> Vec<(u32, Span)> {
     found
 }
 
-/// Whether what follows a round bracket is arithmetic, so that its variables count.
+/// Whether a round bracket holds arithmetic, so that its variables count.
 fn arithmetic(inner: &[u8]) -> bool {
     let inner = inner.iter().take_while(|b| !matches!(b, b')' | b'\n'));
     !inner.clone().any(u8::is_ascii_alphabetic)

@@ -22,8 +22,8 @@ const WORDS: [(&[&str], &str); 5] = [
 const PI: &str = "3.14159265";
 
 impl Reader<'_> {
-    /// What is said instead of a failure where a habit explains it; the alarm stays.
-    pub(in crate::nc) fn habit(&self, failure: &Failure) -> Option<Diagnostic> {
+    /// The finding that replaces a failure which foreign syntax explains; the alarm stays.
+    pub(in crate::nc) fn foreign_syntax(&self, failure: &Failure) -> Option<Diagnostic> {
         if self.names().is_some() {
             return None;
         }
@@ -46,7 +46,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The letters that stand at a byte of the line, as capitals.
+    /// Letters from a byte of the line on, as capitals.
     fn letters_at(&self, at: usize) -> String {
         let rest = self.cursor.line.get(at..).unwrap_or_default();
         let letters = rest.iter().take_while(|b| b.is_ascii_alphabetic()).count();
@@ -72,7 +72,7 @@ impl Reader<'_> {
         Some(self.finding(failure.alarm, at, end, message).hint(Message { id, values: Vec::new() }))
     }
 
-    /// A sign or a number that cannot stand where it does.
+    /// A sign or a number at an impossible position.
     fn foreign_form(&self, failure: &Failure, at: usize) -> Option<Diagnostic> {
         let byte = *self.cursor.line.get(at)?;
         let before = self.cursor.line.get(..at).unwrap_or_default().trim_ascii_end();

@@ -1,4 +1,4 @@
-//! Advice on mistakes: known shapes of mistakes, what was meant, and the fix.
+//! Advice on mistakes: known patterns of mistakes, with their fixes.
 
 pub(super) mod programs;
 

@@ -132,7 +132,7 @@ impl Check<'_> {
         }
     }
 
-    /// `M98 P21000` where repeats stand in L: it calls O21000, and there is none, but there is an O1000.
+    /// `M98 P21000` on a control with repeats in L calls O21000; reported if only O1000 exists.
     fn sub_call(&mut self, block: &Block) {
         let Some((number, span)) = self.number_word(block, Address::P).filter(|_| !self.control.macros.repeats_in_p)
         else {
@@ -233,7 +233,7 @@ impl Check<'_> {
                 row.is_none_or(|row| row.kind != VarKind::AlarmMessage)
             }
             Stmt::Bad(_) => {
-                // Letters O may be what is wrong with it.
+                // Letters O in place of zeros may be the error.
                 let text = block.span.of(self.text).to_ascii_uppercase().replace('O', "0");
                 !["M99", "M30", "M2", "M02", "M17", "RET"].iter().any(|end| text.contains(end))
             }

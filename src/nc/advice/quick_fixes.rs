@@ -12,7 +12,7 @@ use crate::nc::parse::reader::Reader;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Message};
 
-/// Files longer than this get no fix that needs numbers which stand nowhere in them.
+/// Longer files get no fixes that need unused sequence numbers.
 const NUMBERED: usize = 1 << 20;
 
 /// Lines that are searched for the other end of a loop.
@@ -79,12 +79,12 @@ impl Reader<'_> {
         }
     }
 
-    /// Where what was read ends, without the blanks that were skipped behind it.
+    /// End of the text read so far, without the blanks behind it.
     pub(in crate::nc) fn ended_at(&self) -> usize {
         self.cursor.line.get(..self.cursor.at).unwrap_or_default().trim_ascii_end().len()
     }
 
-    /// A word in place of what stands here, with spaces where there are none.
+    /// A word with spaces around it where the text has none.
     pub(in crate::nc) fn spaced(&self, from: usize, to: usize, word: &str) -> String {
         let blank =
             |at: Option<usize>| at.and_then(|at| self.cursor.line.get(at)).is_some_and(|b| matches!(b, b' ' | b'\t'));
@@ -106,7 +106,7 @@ impl Reader<'_> {
         }
     }
 
-    /// A sequence number that stands nowhere in the file and was not given out before.
+    /// A sequence number that is neither in the file nor in another fix.
     fn fresh_number(&mut self) -> Option<u32> {
         if self.file.text.len() > NUMBERED {
             return None;
@@ -181,7 +181,7 @@ impl Reader<'_> {
         self.slip(Alarm::Format, at, to, msg!("nc.equals-in-word"), "");
     }
 
-    /// Whether a letter O directly behind an address stands for 0, which it is read as.
+    /// Whether a letter O directly behind an address is meant as 0; it is read so.
     pub(in crate::nc) fn zero_behind_letter(&mut self, start: usize) -> bool {
         let at = core::mem::replace(&mut self.cursor.at, start);
         let other = self.keyword_ahead() || prose(self.cursor.line.get(start..).unwrap_or_default());
@@ -207,7 +207,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `EX-3` behind a number that starts at `start`, if it stands there: a power of ten, which 18 digits have to hold.
+    /// Reads `EX-3` behind a number that starts at `start`, if present: a power of ten; the result has at most 18 digits.
     #[cold]
     pub(in crate::nc) fn exponent(&mut self, number: Dec, start: usize) -> Dec {
         if !self.cursor.ahead("EX") {
@@ -235,7 +235,7 @@ impl Reader<'_> {
         Dec { point: true, ..raised.unwrap_or_default() }
     }
 
-    /// Letters O that stand in a number for zeros, with the digits behind them; whether there are any.
+    /// Skips letters O in place of zeros in a number, with the digits behind them; returns whether there were any.
     #[cold]
     pub(in crate::nc) fn zero_for_o(&mut self) -> bool {
         let from = self.cursor.at;

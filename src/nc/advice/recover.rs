@@ -1,7 +1,7 @@
 //! Blocks that do not parse: mistakes of known shapes, each reported once with its fix.
 //!
 //! Tried in this order: a comment with brackets in it; a remark without brackets or behind `//`, in front of which a block may stand; round brackets used for arithmetic; else the
-//! failure as the control would meet it. Whatever is found, the block is bad: the control would stop there.
+//! failure as the control would meet it. In each case the block is bad: the control would stop there.
 
 use crate::controls::Alarm;
 use crate::msg;
@@ -11,14 +11,14 @@ use crate::nc::parse::reader::Mark;
 use crate::nc::parse::reader::{FINDINGS, Reader};
 use crate::text::{DiagnosticKind, Place};
 
-/// Words that stand in arithmetic besides functions.
+/// Words in arithmetic besides functions.
 const OPERATORS: [&[u8]; 10] = [b"AND", b"OR", b"XOR", b"MOD", b"EQ", b"NE", b"GT", b"GE", b"LT", b"LE"];
 
 /// Longer lines get their failure and no more: looking for shapes is not free.
 const LOOKED_AT: usize = 1000;
 
 impl Reader<'_> {
-    /// Reports why the line at hand does not read.
+    /// Reports why the present line does not parse.
     pub(in crate::nc) fn recover(&mut self, mark: Mark, first: Box<Failure>) {
         let (alarm, whole) = (first.alarm, self.cursor.line);
         if whole.len() > LOOKED_AT || self.findings.list.len() > FINDINGS {
@@ -32,7 +32,7 @@ impl Reader<'_> {
             self.rollback(&mark);
             return self.report_nested(alarm, open, &inner, close);
         }
-        if let Some(finding) = self.habit(&first) {
+        if let Some(finding) = self.foreign_syntax(&first) {
             self.rollback(&mark);
             return self.add_finding(finding);
         }
@@ -48,7 +48,7 @@ impl Reader<'_> {
         self.cursor.line = head;
         self.rewind();
         match self.statement() {
-            // What looks like a remark stands where a value should.
+            // The apparent remark is in place of a value.
             Err(failure) if failure.finding.kind == DiagnosticKind::EndsEarly => {
                 self.rollback(&before);
                 self.add_finding(first.finding);
@@ -84,7 +84,7 @@ impl Reader<'_> {
         self.add_finding(finding.hint(msg!("nc.hint.round-brackets")).fix(msg!("nc.fix.square"), edits));
     }
 
-    /// Where a remark without brackets starts: at a run of dashes, or at prose where a word should stand.
+    /// Start of a remark without brackets: a run of dashes, or prose in place of a word.
     fn remark(&self, failure: &Failure) -> Option<usize> {
         let mut at = 0;
         let mut comment = false;
@@ -109,7 +109,7 @@ impl Reader<'_> {
         (failure.at_word && !condition && prose(rest)).then_some(failure.from)
     }
 
-    /// Reports a remark from `from`, and how to put it in brackets; what is kept of the block ends at `cut`.
+    /// Reports a remark from `from` on, with the fix that puts it in brackets; the kept part of the block ends at `cut`.
     fn report_remark(&mut self, alarm: Alarm, cut: usize, from: usize) {
         let end = self.cursor.line.len();
         let start = self.cursor.base as usize;
@@ -221,7 +221,7 @@ fn is_dash(c: char) -> bool {
     matches!(c, '-' | '\u{2010}'..='\u{2015}' | '\u{2500}')
 }
 
-/// Bytes of the run of dashes at `at`, 0 where none stands there.
+/// Bytes of the run of dashes at `at`; 0 for none.
 fn dashes(line: &[u8], at: usize) -> usize {
     let rest = line.get(at..).unwrap_or_default();
     let ascii = rest.iter().take_while(|b| **b == b'-').count();
@@ -241,7 +241,7 @@ fn is_remark(line: &[u8], at: usize, run: usize) -> bool {
     run > 0 && (wide && !sign || run >= 2 && letter)
 }
 
-/// Where the variable starts that stands alone in front of a remark, behind no more than a sequence number.
+/// Start of a variable that is alone in front of a remark, behind at most a sequence number.
 fn variable_alone(head: &[u8]) -> Option<usize> {
     let at = head.iter().position(|&b| b == b'#')?;
     let (number, variable) = head.split_at_checked(at)?;

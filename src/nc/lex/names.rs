@@ -2,14 +2,14 @@
 
 use crate::controls::syntax::Names;
 
-/// The number in a name that is one: 9100 in `L9100`; 0 where it has none. Leading zeros make another name.
+/// The number in a numbered name: 9100 in `L9100`; 0 for none. Leading zeros make another name.
 pub(in crate::nc) fn number_in(names: &Names, name: &str) -> u32 {
     let digits = names.numbered.iter().find_map(|letters| name.strip_prefix(letters));
     let digits = digits.filter(|digits| !digits.starts_with('0') && digits.bytes().all(|b| b.is_ascii_digit()));
     digits.and_then(|digits| digits.parse().ok()).unwrap_or(0)
 }
 
-/// Whether a name is one of those that stand for a number, with leading zeros too.
+/// Whether a name is a numbered one, also with leading zeros.
 pub(in crate::nc) fn is_numbered(names: &Names, name: &str) -> bool {
     let digits = |digits: &str| !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
     names.numbered.iter().any(|letters| name.strip_prefix(letters).is_some_and(digits))

@@ -6,7 +6,7 @@ use crate::controls::Control;
 use crate::controls::syntax::Names;
 use crate::text::Span;
 
-/// What a piece is.
+/// Kind of a piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum TokenKind {
     /// `( … )`.

@@ -50,7 +50,7 @@ impl<'a> Lint<'a> {
 }
 
 impl Lint<'_> {
-    /// Says a sentence about bytes of a block's file; the block is an index in the deck. {0} of the sentence is what stands there, {1}
+    /// Adds a warning about bytes of a block; the block is an index in the deck. {0} of the sentence is the text of the bytes, {1}
     /// and so on are `more`. `hint` is the id of another sentence with the same values, or empty.
     pub(super) fn say(
         &mut self,
@@ -82,7 +82,7 @@ impl Lint<'_> {
         self.found.last_mut()
     }
 
-    /// Says a sentence about the word with a letter in a block, or the block itself.
+    /// Adds a warning about the word with a letter in a block, or about the block.
     pub(super) fn say_word(&mut self, block: u32, words: &[Word], letter: Address, id: &'static str, more: &[&str]) {
         let Some(row) = self.deck.blocks.get(block as usize) else { return };
         let span = words.iter().find(|word| word.letter == letter).map_or(row.span, |word| word.span(row));
@@ -114,14 +114,14 @@ impl Lint<'_> {
         Span::new(span.start + start as u32, span.start + (start + 1 + len).min(text.len()) as u32)
     }
 
-    /// The line that a block stands in, from 1.
+    /// Line of a block, from 1.
     pub(super) fn line(&self, block: u32) -> String {
         let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
         let file = self.parsed.files().get(self.place(block, span).file);
         file.map_or(1, |file| LineIndex::new(&file.text).line_of(span.start)).to_string()
     }
 
-    /// A part of a formula of a block; the block where it is not found again.
+    /// Bytes of a part of a formula; those of the block if they are not known.
     pub(super) fn part(&self, block: u32, part: ExprId) -> Span {
         let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
         self.parsed.expr_span(self.place(block, span), part).unwrap_or(span)

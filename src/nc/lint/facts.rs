@@ -14,7 +14,7 @@ const STANDARD: u32 = 8000;
 /// Missing programs that are reported.
 const MISSED: usize = 100;
 
-/// What a program is to the others.
+/// Facts about one program.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Part {
     /// It has a program end.
@@ -23,7 +23,7 @@ pub(super) struct Part {
     pub(super) called: bool,
     /// The words of blocks are its arguments.
     pub(super) each_block: bool,
-    /// A block in it may go elsewhere than to the next.
+    /// A block may continue elsewhere than at the next.
     pub(super) bends: bool,
     /// There is an error in it.
     pub(super) faulty: bool,
@@ -33,7 +33,7 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// Whether it is worth while to follow its jumps, and they are known.
+    /// Whether its jumps are followed: it has some, and no errors.
     pub(super) fn follows(&self) -> bool {
         self.bends && !self.faulty
     }
@@ -50,14 +50,14 @@ pub(super) struct Call {
     pub(super) with_locals: bool,
 }
 
-/// What one look at all words has told.
+/// Facts from one pass over all words.
 #[derive(Default)]
 pub(super) struct Facts {
     /// One for each program.
     pub(super) parts: Vec<Part>,
     /// In the order of the blocks.
     pub(super) calls: Vec<Call>,
-    /// Programs are called by calculated numbers: any of them may be meant.
+    /// Programs are called by calculated numbers, so any may be called.
     pub(super) any_called: bool,
     /// Sequence numbers that calls and returns name, with the program or [`NONE`] for any.
     pub(super) entries: Vec<(u32, u32)>,
@@ -67,7 +67,7 @@ pub(super) struct Facts {
     pub(super) missed: Vec<u32>,
     /// Blocks that do not read, with the indices of their programs.
     pub(super) bad: Vec<(u32, u32)>,
-    /// Variables and jumps are written as `G65 H`, which nothing here follows.
+    /// Variables and jumps are written as `G65 H`, which these checks do not follow.
     pub(super) functions: bool,
 }
 
@@ -99,7 +99,7 @@ impl Facts {
                 (None, Some(Some(number))) => {
                     let called = if sub && macros.repeats_in_p { number % 10_000 } else { number };
                     let to = lint.programs.number(called);
-                    // Of repeats in P the reader tells.
+                    // Repeats in P are reported by the reader.
                     if to.is_none() && (called <= 9999 || lint.programs.number(called % 10_000).is_none()) {
                         self.missing(lint, block, words, called);
                     }
@@ -158,7 +158,7 @@ impl Facts {
         }
     }
 
-    /// A main program that returns starts again for ever. Whether a program is one is known of the started program; of others only where
+    /// A main program that returns starts again without end. Only the started program is known to be a main program; others only where
     /// nothing here can be one.
     pub(super) fn main_returns(&self, lint: &mut Lint) {
         if lint.control.macros.main_ends {

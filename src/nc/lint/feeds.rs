@@ -13,7 +13,7 @@ use crate::text::catalog::number_text;
 /// Feeds that a fix reaches.
 const PLACES: usize = 1000;
 
-/// Feeds per minute below this are meant per revolution: nobody cuts two millimetres a minute.
+/// Feeds per minute below this are meant per revolution: cuts of two millimetres a minute do not occur.
 const SLOWEST: f64 = 2.0;
 
 /// Feeds per revolution above this are meant per minute.
@@ -26,7 +26,7 @@ pub(super) struct Feeds {
     any: bool,
     /// The first code of a cutting motion, with its block.
     first_cut: Option<(u32, Span)>,
-    /// A code says what F is per, or a block that does not parse may.
+    /// A code sets the unit of F, or a block that does not parse may.
     has_unit: bool,
     /// Feeds of straight lines.
     lines: Vec<(u32, Span, Dec)>,
@@ -42,7 +42,7 @@ impl Feeds {
         (self.linear, self.has_zero) = (false, false);
     }
 
-    /// A block that does not parse; `unit` where it may say what F is per.
+    /// A block that does not parse; `unit` if it may set the unit of F.
     pub(super) fn bad_block(&mut self, unit: bool) {
         self.any = true;
         self.has_unit |= unit;
@@ -90,7 +90,7 @@ impl Feeds {
         }
     }
 
-    /// Where nothing says what F is per, it is what it is after power-on: one look at its size shows whether that was meant.
+    /// Without a code for the unit, F has that of power-on; its size shows whether that is meant.
     fn tell_unit(&self, lint: &mut Lint) {
         let mut startup = lint.parsed.dialect().startup.iter().filter_map(|id| lint.control.code(*id));
         let revolution = startup.any(|row| row.code == Code::FeedPerRevolution);

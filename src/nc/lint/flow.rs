@@ -7,7 +7,7 @@ use super::roles::{END, RETURN, Roles};
 use crate::controls::Address;
 use crate::controls::{Control, VarKind};
 
-/// Sequence numbers of one program that are told to stand twice.
+/// Repeated sequence numbers that are reported for a program.
 const TWICE: usize = 20;
 
 /// A jump to a calculated sequence number: to any.
@@ -43,7 +43,7 @@ impl<'a> Flow<'a> {
             match block.stmt {
                 Stmt::While { label, .. } => open.push((label.into(), at)),
                 Stmt::End { .. } => {
-                    // Loops that do not match have been told as errors.
+                    // Loops that do not match are errors of the reader.
                     if let Some((_, start)) = open.pop() {
                         partner.resize(blocks.len(), NONE);
                         partner[start] = at as u32;
@@ -119,7 +119,7 @@ impl<'a> Flow<'a> {
         self.control.var(number).is_some_and(|row| row.kind == VarKind::AlarmMessage)
     }
 
-    /// Whether a block ends in an alarm before it goes anywhere else: what jumps there has something wrong to tell.
+    /// Whether a block leads to an alarm before anything else: jumps there handle errors.
     pub(super) fn is_alarm_exit(&self, from: u32) -> bool {
         let mut at = from;
         while at < from + 20 && self.step(at) == (NONE, true) {
@@ -128,7 +128,7 @@ impl<'a> Flow<'a> {
         matches!(self.blocks.get(at as usize), Some(Block { stmt: Stmt::Assign { to, .. }, .. }) if self.is_alarm(*to))
     }
 
-    /// Tells sequence numbers that stand twice, where something jumps to them.
+    /// Reports repeated sequence numbers that are jumped to.
     pub(super) fn twice(&self, lint: &mut Lint, facts: &Facts) {
         if self.control.syntax.names().is_some() {
             // Jumps there say where they look.
@@ -154,7 +154,7 @@ impl<'a> Flow<'a> {
         }
     }
 
-    /// Tells blocks that nothing leads to, each row of them once.
+    /// Reports unreachable blocks, each run of them once.
     pub(super) fn unreachable(&self, lint: &mut Lint, facts: &Facts) {
         let part = facts.parts[self.program as usize];
         let mut seen = vec![false; self.blocks.len()];
@@ -188,7 +188,7 @@ impl<'a> Flow<'a> {
                 at += 1;
             }
         }
-        // Behind the last block stands one that was seen, so that each row ends.
+        // A reachable block behind the last one ends each run.
         seen.push(true);
         let (mut first, mut count) = (0, 0_u32);
         for (at, seen) in seen.into_iter().enumerate() {

@@ -9,13 +9,13 @@ use super::vars::visit;
 use crate::controls::Address;
 use crate::text::{DiagnosticKind, Place, Span};
 
-/// Blocks that are looked at, for each block of the text: loops in loops are looked at again.
+/// Visits of blocks per block of the text: inner loops are visited again.
 const BUDGET: usize = 8;
 
 /// Programs that loops call.
 const CALLED: usize = 1000;
 
-/// Different words of one kind that are told apart.
+/// Different words of one kind that are kept.
 const KINDS: usize = 4;
 
 /// Words of one kind in a pass.
@@ -85,7 +85,7 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
     pass.tell(lint, flow);
 }
 
-/// What the blocks of a pass do.
+/// Actions of the blocks of a pass.
 #[derive(Default)]
 struct Pass<'a> {
     spindle: Function<'a>,
@@ -156,7 +156,7 @@ impl Function<'_> {
     fn tell(&self, lint: &mut Lint, id: &'static str, kind: DiagnosticKind) {
         for &(block, span) in &self.always {
             let place = lint.place(block, span);
-            // A loop in a loop, or a program that two loops call, is looked at twice.
+            // An inner loop, or a program that two loops call, is visited twice.
             let start = |place: Place| (place.file, place.span.start);
             if lint.found.iter().all(|d| d.kind != kind || d.place.map(start) != Some(start(place)))
                 && let Some(finding) = lint.say(block, span, id, &[], "")

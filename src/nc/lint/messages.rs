@@ -5,7 +5,7 @@ use super::context::Lint;
 use crate::controls::VarKind;
 use crate::text::Span;
 
-/// Tells a message that is too long, at what is cut off.
+/// Reports a message that is too long, at the part that the display cuts off.
 pub(super) fn length(lint: &mut Lint, at: u32, block: &Block) {
     let text = match block.stmt {
         Stmt::Assign { to, .. } | Stmt::IfThen { to, .. } => {

@@ -1,7 +1,7 @@
 //! Warnings about programs that parse: blocks that do something other than intended.
 //!
-//! A few linear looks at the tree, each with a budget. Jumps are not followed in programs with errors, and of variables that stand in blocks
-//! that do not read nothing is known. Each warning is meant to be right; where the text leaves a doubt, nothing is said.
+//! A few linear passes over the tree, each with a budget. Jumps are not followed in programs with errors, and variables named in blocks that
+//! do not parse are not checked. In doubt there is no warning.
 
 mod context;
 mod facts;
@@ -26,8 +26,8 @@ use flow::Flow;
 use roles::Roles;
 use vars::Vars;
 
-/// The warnings, in the order of the text. `start` is the number of the program that is started, where somebody has said; `set` are
-/// variables that the operator sets.
+/// The warnings, in the order of the text. `start` is the number of the started program, if known; `set` are variables that
+/// the operator sets.
 pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnostic> {
     let deck = parsed.deck();
     let mut lint = Lint::new(parsed, start, set);

@@ -12,11 +12,11 @@ use crate::text::catalog::number_text;
 /// Places of one kind that a fix reaches.
 const PLACES: usize = 1000;
 
-/// Increments from which on a number without a point is meant as it is: in 0.001 mm, nobody who forgets points programs ten metres, and
-/// nobody who counts increments does without a centimetre.
+/// From this size (increments of 0.001 mm) a number without a point is meant: a forgotten point would make it ten metres, and programs in
+/// increments have lengths of a centimetre.
 const DELIBERATE: u64 = 10_000;
 
-/// Increments of a dwell from which on it is meant as it is.
+/// From this size (increments) a dwell without a point is meant.
 const DELIBERATE_DWELL: u64 = 100;
 
 /// Numbers of one kind behind one letter that have no point.

@@ -8,11 +8,11 @@ use crate::controls::Address;
 /// Codes after which nothing is known of positions.
 const UNKNOWN: u32 = CALL | CURVED | INCH | RETURN | SPECIAL | SUB;
 
-/// A place across and along the spindle, as words count it; what is not known is NaN, which no comparison holds for.
+/// A position across and along the spindle, as words count it; unknown is NaN, for which no comparison holds.
 type Place = [f64; 2];
 const NOWHERE: Place = [f64::NAN; 2];
 
-/// Tells the first such block of every program.
+/// Reports the first such block of every program.
 pub(super) fn retracts(lint: &mut Lint, roles: &Roles) {
     let (deck, axes) = (lint.deck, lint.control.axes);
     let across = axes.iter().find(|axis| axis.diameter);

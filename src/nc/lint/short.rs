@@ -21,13 +21,13 @@ const BREAKS: u32 =
 /// Codes in force that short blocks need.
 const NEEDED: u32 = LINEAR | INCREMENTAL | PER_MINUTE | CUTTING;
 
-/// What is known of motion at a block.
+/// Motion state at a block.
 pub(super) struct Short {
     control: &'static Control,
     increments: AddressSet,
     /// Which axes count diameters.
     dialect: Rc<Dialect>,
-    /// Of [`NEEDED`], what is in force.
+    /// Codes of [`NEEDED`] in force.
     modes: u32,
     /// Millimetres that a block needs at the feed in force, and the fastest feed of any axis.
     limit: f64,
@@ -35,7 +35,7 @@ pub(super) struct Short {
     /// Short blocks in a row; since the DO before, nothing else has moved.
     run: u32,
     in_loop: bool,
-    /// First of the row and its seconds; and of the first row that is told.
+    /// First block of the row with its seconds; the same of the first row that is reported.
     first: (u32, Span, f64),
     told: (u32, Span, f64),
     count: u32,
@@ -79,7 +79,7 @@ impl Short {
         }
     }
 
-    /// The blocks in a row end here: they are told where a loop repeats them, or where they have used up what was read in advance.
+    /// Ends a row of short blocks: counted if a loop repeats them, or if they are more than the control reads ahead.
     fn end_run(&mut self, repeated: bool) {
         if self.run > u32::from(self.control.timing.preread) || repeated && self.run > 0 {
             if self.count == 0 {

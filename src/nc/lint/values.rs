@@ -12,7 +12,7 @@ use crate::controls::syntax::Function;
 use crate::controls::{Alarm, Control, VarKind};
 use crate::text::Severity;
 
-/// Rounds in which assignments may hand their kinds on; each round is one look at every assignment.
+/// Rounds of propagating kinds through assignments; each round visits every assignment.
 const ROUNDS: usize = 8;
 
 /// Variables that one remark names.
@@ -69,7 +69,7 @@ impl Vars<'_> {
         }
     }
 
-    /// Whether a value cannot be 0. In a block, what was compared before it counts as guarded; without one, what is compared anywhere.
+    /// Whether a value cannot be 0. Variables compared before `block` count as guarded; without a block, variables compared anywhere.
     fn nonzero(&self, group: u32, id: ExprId, block: Option<u32>) -> bool {
         match self.deck.expr(id) {
             Expr::Number(number) => number.mantissa != 0,
@@ -103,7 +103,7 @@ impl Vars<'_> {
     /// The part of a divisor that can be 0: a variable or a difference that nothing has compared before.
     fn can_be_zero(&self, site: Site) -> Option<ExprId> {
         match self.deck.expr(site.id) {
-            // What is never set is told of as such.
+            // Variables that nothing sets have a warning of their own.
             Expr::Var(number) => (!self.nonzero(site.group, site.id, Some(site.block))
                 && !self.unset(site.group, number))
             .then_some(site.id),
@@ -224,7 +224,7 @@ impl Vars<'_> {
         // Where something is rounded, the comparison asks whether it is whole.
         let mut whole = false;
         visit(self.deck, site.id, &mut |_, expr| whole |= matches!(expr, Expr::Call(function, _) if rounds(function)));
-        // Against its own copy a value tells whether it has changed.
+        // A comparison with its own copy detects a change.
         let slot = |id| match self.deck.expr(id) {
             Expr::Var(number) => self.slot(site.group, number),
             _ => None,

@@ -25,7 +25,7 @@ const MANY: u32 = NONE - 1;
 pub(super) enum Kind {
     /// Whole numbers.
     Whole,
-    /// What somebody enters: nobody knows.
+    /// Entered by a person: unknown.
     Entered,
     /// Decimals, but as they were written or entered.
     Decimals,
@@ -68,7 +68,7 @@ pub(super) struct Set {
     pub(super) value: WordValue,
 }
 
-/// A part of a formula that is looked at when everything is known.
+/// A part of a formula, checked when all programs are read.
 #[derive(Clone, Copy)]
 pub(super) struct Site {
     pub(super) block: u32,
@@ -148,7 +148,7 @@ impl<'a> Vars<'a> {
         vars
     }
 
-    /// What a block names that does not read, it may set and test: nothing is said of it.
+    /// Excludes variables named in blocks that do not parse: such a block may set and test them.
     fn unread(&mut self, lint: &Lint, program: u32, at: u32) {
         let span = self.deck.blocks.get(at as usize).map_or_else(Span::default, |block| block.span);
         let text = lint.parsed.text(lint.place(at, span));
@@ -171,7 +171,7 @@ impl<'a> Vars<'a> {
         at
     }
 
-    /// The place of a variable in the list; `None` for what is not followed.
+    /// Index of a variable in the list; `None` if it is not followed.
     pub(super) fn slot(&self, group: u32, number: u32) -> Option<usize> {
         let slot = match number.wrapping_sub(1) {
             local if local < self.local_count => self.locals.get(group as usize).map(|base| base.saturating_add(local)),
@@ -214,7 +214,7 @@ impl<'a> Vars<'a> {
         self.list.get_mut(slot)
     }
 
-    /// What the arguments of a macro call set.
+    /// Notes the variables that the arguments of a macro call set.
     fn arguments(&mut self, increments: AddressSet, call: &Call) {
         let (from, to) = (self.group[call.from as usize], self.group[call.to as usize]);
         self.calls[to as usize] += 1;
@@ -332,7 +332,7 @@ impl<'a> Vars<'a> {
             return self.read(site, id, NONE);
         };
         self.read(site, id, number);
-        // What is measured belongs where it is kept; only what programs compute of their own variables is scratch.
+        // Measured values belong into kept variables; values computed from other variables are scratch.
         let mut scratch = !matches!(self.deck.expr(id), Expr::Number(_));
         visit(self.deck, id, &mut |_, expr| {
             if let Expr::Var(other) = expr {

@@ -1,4 +1,4 @@
-//! One pass over all words: what single blocks show, and the facts that the other checks need.
+//! One pass over all words: warnings about single blocks, and facts for the other checks.
 
 use super::super::ast::{Block, Program, Stmt, Word, WordValue};
 use super::context::Lint;
@@ -14,7 +14,7 @@ use crate::text::Span;
 /// Words that are reported to overwrite others.
 const AGAIN: usize = 20;
 
-/// Looks at every word once.
+/// Visits every word once.
 pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
     let programs = lint.deck.programs.len();
     let facts = Facts { parts: vec![Part::default(); programs], ..Facts::default() };
@@ -33,7 +33,7 @@ pub(super) fn survey(lint: &mut Lint, roles: &Roles) -> Facts {
     survey.facts
 }
 
-/// What the pass knows so far.
+/// State of the pass.
 struct Survey<'a> {
     roles: &'a Roles<'a>,
     /// Addresses that count increments: for dimensions, and for arguments of macros.
@@ -44,7 +44,7 @@ struct Survey<'a> {
     feeds: Feeds,
 }
 
-/// What is noted of one program.
+/// State of the pass in one program.
 struct InProgram {
     index: u32,
     points: Points,

@@ -1,4 +1,4 @@
-//! Rewrites of what a control lacks, each by name; applying them twice changes nothing more.
+//! Named rewrites of forms that a control lacks; applying them twice changes nothing more.
 //!
 //! | rewrite | where the control lacks | becomes |
 //! |---|---|---|
@@ -73,7 +73,7 @@ fn whole_signs(deck: &mut Deck) {
     for at in 0..deck.exprs.len() {
         let rewritten = match deck.exprs[at] {
             Expr::Number(number) => Expr::Number(whole(number)),
-            // Children stand before their parents: the inner sign is settled.
+            // Children come before their parents: the inner sign is rewritten already.
             Expr::Negate(inner) => match deck.expr(inner) {
                 Expr::Number(number) => Expr::Number(Dec { mantissa: number.mantissa.saturating_neg(), ..number }),
                 _ => continue,

@@ -5,7 +5,7 @@ use crate::controls::syntax::{Function, Syntax};
 use crate::nc::ast::{Deck, Expr, ExprId, Op, Stmt, WordValue};
 use crate::nc::dec::Dec;
 
-/// Rewrites what the control lacks.
+/// Rewrites operators and functions that the control lacks.
 pub(super) fn other_forms(deck: &mut Deck, control: &Control) {
     let syntax = &control.syntax;
     if !deck.exprs.iter().any(|expr| lacks(syntax, expr)) {

@@ -6,7 +6,7 @@
 //! | `programs` | a program without a name; the comment behind its number | `L9100`, `MPF1`; a comment of its own |
 //! | `points` | the point of a whole number | the number without it |
 //! | `jumps` | loops, jumps to block numbers | jumps to labels |
-//! | `no_names` | calls by name, messages, what has no form without names | `M98`, a comment |
+//! | `no_names` | calls by name, messages, statements without a form there | `M98`, a comment |
 
 use crate::controls::Address;
 use crate::controls::syntax::Names;
@@ -53,7 +53,7 @@ fn texts(deck: &mut Deck) {
     }
 }
 
-/// Every program has a name; its number is what stands in it.
+/// Gives every program a name, with its number in it.
 fn programs(deck: &mut Deck, control: &Control, names: &Names) {
     for at in 0..deck.programs.len() {
         let program = deck.programs[at].clone();
@@ -110,7 +110,7 @@ fn points(deck: &mut Deck, names: &Names) {
     }
 }
 
-/// What is not a jump to a label becomes one.
+/// Rewrites loops and jumps to numbers as jumps to labels.
 fn jumps(deck: &mut Deck, origins: &mut Vec<u32>) {
     let round = |way: JumpDirection| way == JumpDirection::Around;
     let strange = |block: &Block| match block.stmt {
@@ -135,11 +135,11 @@ fn jumps(deck: &mut Deck, origins: &mut Vec<u32>) {
     deck.programs = programs;
 }
 
-/// Where the jumps of a program lead, and the labels that stand there.
+/// Targets of the jumps of a program, and their labels.
 struct Labels {
     /// Label in front of each block, and behind the last.
     before: Vec<Option<TextId>>,
-    /// The block in front of which the label of each jump stands; behind an END it is the one after.
+    /// Target block of each jump; for the exit of a loop the block after its END.
     to: Vec<Option<usize>>,
 }
 

@@ -13,7 +13,7 @@ use crate::nc::parse::reader::Reader;
 use crate::text::Message;
 
 impl Reader<'_> {
-    /// Reports what is wrong with a macro call, which the words from `first` on are.
+    /// Reports errors of a macro call, the words from `first` on.
     #[cold]
     pub(in crate::nc) fn check_call(&mut self, first: usize) {
         let words = self.deck.words.get(first..).unwrap_or_default().to_vec();

@@ -9,7 +9,7 @@ pub(in crate::nc) struct Failure {
     /// Where it shows, in bytes behind the start of the block.
     pub(in crate::nc) from: usize,
     pub(in crate::nc) finding: Diagnostic,
-    /// The reader stood at a word: what follows may be a remark without brackets.
+    /// The error is at the start of a word, so the rest may be an unbracketed comment.
     pub(in crate::nc) at_word: bool,
 }
 
@@ -38,7 +38,7 @@ pub(in crate::nc) struct Misused {
     pub(in crate::nc) span: Span,
 }
 
-/// What mends a mistake in a line.
+/// Fix of a mistake in a line.
 pub(in crate::nc) enum Mend<'t> {
     /// Other text in place of some bytes.
     Write(usize, usize, &'t str),

@@ -7,13 +7,13 @@ use crate::msg;
 use crate::nc::ast::{Block, Program, Stmt};
 use crate::text::{Diagnostic, Span};
 
-/// How many bytes are such, in pieces whose numbers fit a byte: many are counted at once.
+/// Number of bytes that fulfil a condition, in pieces whose counts fit a byte, so that the compiler counts many at once.
 fn count(bytes: &[u8], such: impl Fn(u8) -> bool) -> usize {
     bytes.chunks(255).map(|piece| usize::from(piece.iter().map(|&b| u8::from(such(b))).sum::<u8>())).sum()
 }
 
 impl<'a> Reader<'a> {
-    /// Makes room once: growing by doubling would copy, and hold three times what is needed.
+    /// Reserves memory once; growth by doubling would copy and hold three times as much.
     pub(in crate::nc) fn reserve(&mut self) {
         let bytes = self.file.text.as_bytes();
         let lines = count(bytes, |b| b == b'\n') + 1;
@@ -24,7 +24,7 @@ impl<'a> Reader<'a> {
 
     pub(in crate::nc) fn file(&mut self) {
         let bytes = self.file.text.as_bytes();
-        // A byte order mark is not part of the program; `mend_file` tells of it.
+        // A byte order mark is not part of the program; `mend_file` reports it.
         let mut at = if self.file.text.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len_utf8() } else { 0 };
         // Whether a `%` would open the record (nothing but comments so far) or close it.
         let mut opened = false;
@@ -52,7 +52,7 @@ impl<'a> Reader<'a> {
                     self.behind_percent(from + 1, to);
                 }
                 _ => {
-                    // Only what begins a program is worth reading behind the end of the record.
+                    // Behind the end of the record only programs are read.
                     let begins = closed.is_some() && self.begins_program(from);
                     if let Some(percent) = closed.filter(|_| !told) {
                         let said = if begins { msg!("nc.next-record") } else { msg!("nc.behind-end") };
@@ -75,7 +75,7 @@ impl<'a> Reader<'a> {
         self.mend_file(opened, closed.is_some());
     }
 
-    /// Where a line begins with a program number, or with a comment, which may stand in front of one.
+    /// Whether a line begins with a program number, or with a comment, which may precede one.
     pub(in crate::nc) fn begins_program(&self, at: usize) -> bool {
         let line = self.file.text.as_bytes().get(at..).unwrap_or_default();
         match line {
@@ -85,7 +85,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Where the record begins, if something that is neither comment nor program stands in front of its `%`: leader of a tape.
+    /// Start of the record, if other text than comments and programs precedes its `%`: the leader of a tape.
     pub(in crate::nc) fn leader(&self, from: usize) -> Option<usize> {
         if self.control.syntax.percent != Percent::Both {
             return None;
@@ -99,7 +99,7 @@ impl<'a> Reader<'a> {
                 Some(b'%') => return stray.then_some(at),
                 Some(b'(') | None => {}
                 Some(byte) => {
-                    // A digit tells a block; tapes carry names.
+                    // Digits show a block; the leaders of tapes are names.
                     let digits =
                         self.file.text.get(begin..end).is_some_and(|text| text.bytes().any(|b| b.is_ascii_digit()));
                     if digits || *byte == b'#' || *byte == b'/' {
@@ -113,7 +113,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    /// What stands behind a `%` in its line is skipped by the control.
+    /// Warns about text behind a `%` in its line, which the control skips.
     pub(in crate::nc) fn behind_percent(&mut self, from: usize, to: usize) {
         let (from, to) = self.trimmed(from, to);
         if from < to && self.file.text.as_bytes().get(from) != Some(&b'(') {
@@ -187,7 +187,7 @@ impl<'a> Reader<'a> {
         let stmt = match self.statement() {
             Ok(stmt) => stmt,
             Err(failure) => {
-                // Whatever the block was meant to be, the control stops where it first does not read.
+                // The control stops at the first error, whatever the block was meant to be.
                 let (number, skip_switch, bad) =
                     (self.block.number, self.block.skip_switch, self.block.bad.or(Some(failure.alarm)));
                 self.recover(mark, failure);

@@ -13,10 +13,10 @@ use crate::nc::parse::reader::Reader;
 use crate::nc::parsed::ExprSpan;
 use crate::text::{Message, Severity};
 
-/// Parts of the formulas of one block: bounds the depth of every tree, for whoever walks it.
+/// Parts of the formulas of one block: bounds the depth of every tree.
 const PARTS: u32 = 250;
 
-/// Brackets and signs inside one another, far beyond what a control takes.
+/// Nesting of brackets and signs, far beyond that of any control.
 const DEPTH: u32 = 40;
 
 /// An opened bracket: where, and which byte closes it.
@@ -37,7 +37,7 @@ const OTHER_NAMES: [(&str, &str); 7] = [
 ];
 
 impl Reader<'_> {
-    /// Takes this word if it stands here.
+    /// Takes this word if it follows.
     pub(in crate::nc) fn take(&mut self, word: &str) -> bool {
         let ahead = self.cursor.ahead(word);
         if ahead {
@@ -121,12 +121,12 @@ impl Reader<'_> {
         self.replace(Alarm::Format, finding, start, self.cursor.at, &format!("[{left}-FIX[{left}/{right}]*{right}]"));
     }
 
-    /// Whether an operator stands here, seen from behind the value of a word.
+    /// Whether an operator follows the value of a word.
     pub(in crate::nc) fn operator_ahead(&self) -> bool {
         match self.cursor.peek() {
             b'+' | b'-' | b'*' => true,
             b'/' => !self.skip_mark_ahead(),
-            // Mostly the next word stands here, a letter with its number.
+            // Mostly the next word follows, a letter with its number.
             _ => {
                 let letters = self.cursor.line.get(self.cursor.at + 1).is_some_and(u8::is_ascii_alphabetic);
                 letters && OPERATORS.iter().any(|(word, _)| self.cursor.ahead(word))
@@ -134,7 +134,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the `/` at hand stands before a word: a block skip in the middle of a block.
+    /// Whether the `/` at hand precedes a word: a block skip inside a block.
     pub(in crate::nc) fn skip_mark_ahead(&self) -> bool {
         let mut rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
         // `/2 Z1.` behind a blank: the second switch.
@@ -157,7 +157,7 @@ impl Reader<'_> {
             b'/' if multiplicative && !(word && self.skip_mark_ahead()) => Op::Divide,
             byte if byte.is_ascii_alphabetic() => {
                 let (name, op) = OPERATORS.iter().find(|(name, _)| self.cursor.ahead(name))?;
-                // Where comparisons come last, the others stand between them and sums.
+                // In a language with comparisons last, logic operators bind between them and sums.
                 if self.names().is_some() && *op != Op::Modulo {
                     return None;
                 }
@@ -225,7 +225,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `FUNCTION[expr]`, or what else starts with letters where a value should stand.
+    /// `FUNCTION[expr]`, or other letters in place of a value.
     fn function(&mut self) -> Read<ExprId> {
         let start = self.cursor.at;
         let (name, function) = match self.function_here() {
@@ -289,7 +289,7 @@ impl Reader<'_> {
         rest.trim_ascii_start().first() == Some(&b'[')
     }
 
-    /// What a function's name with a slip in it was meant to be.
+    /// The function that a misspelt name means.
     fn misspelt_function(&mut self) -> Read<(&'static str, Function)> {
         let start = self.cursor.at;
         let rest = self.cursor.line.get(start..).unwrap_or_default();
@@ -347,7 +347,7 @@ impl Reader<'_> {
         Ok(argument)
     }
 
-    /// Where a comma parts what stands in the brackets that open here.
+    /// Position of the comma between the two arguments in the brackets that open here.
     fn comma_within(&mut self) -> Option<usize> {
         if self.skip() != b'[' {
             return None;
@@ -392,7 +392,7 @@ impl Reader<'_> {
         self.cursor.longest(self.control.syntax.functions)
     }
 
-    /// Whether a function stands here, with its argument.
+    /// Whether a function with its argument follows.
     pub(in crate::nc) fn function_ahead(&self) -> bool {
         self.function_here().is_some_and(|(name, _)| {
             let rest = self.cursor.line.get(self.cursor.at + name.len()..).unwrap_or_default();
@@ -456,7 +456,7 @@ impl Reader<'_> {
         Err(failure)
     }
 
-    /// `#n`, `#[expr]`, `##n` or `#9nnn`; the reader stands at the `#`.
+    /// `#n`, `#[expr]`, `##n` or `#9nnn`, from the `#` on.
     pub(in crate::nc) fn variable(&mut self, written: bool) -> Read<ExprId> {
         let start = self.cursor.at;
         self.cursor.at += 1;
@@ -466,7 +466,7 @@ impl Reader<'_> {
                 let mut number = 0_u32;
                 for &byte in self.cursor.line.get(from..).unwrap_or_default().iter().take_while(|b| b.is_ascii_digit())
                 {
-                    // What is too large stays too large.
+                    // A number that is too large stays so.
                     number = number.saturating_mul(10).saturating_add(u32::from(byte - b'0'));
                     self.cursor.at += 1;
                 }
@@ -514,7 +514,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether a variable exists and can stand on this side.
+    /// Checks that a variable exists and may be on this side.
     #[inline]
     fn check_variable(&mut self, number: u32, start: usize, written: bool) {
         if !self.formulas.plain.contains(&number) {

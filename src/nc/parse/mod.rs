@@ -1,8 +1,8 @@
 //! Text to tree, as the control would read it: one pass over the bytes, never an `Err`, never a panic.
 //!
 //! ```text
-//! file   := [lead] '%' EOB { program } '%'        lead and what stands behind a '%' up to its EOB is skipped
-//! program:= [ O uint [comment] ] { block EOB }    several programs may stand in one file
+//! file   := [lead] '%' EOB { program } '%'        lead, and text behind a '%' up to its EOB, is skipped
+//! program:= [ O uint [comment] ] { block EOB }    a file may hold several programs
 //! block  := [ '/' [digit] ] [ N uint ] ( macro | words )
 //! macro  := var '=' expr
 //!         | IF '[' cond ']' GOTO expr | IF '[' cond ']' THEN var '=' expr | GOTO expr
@@ -15,10 +15,10 @@
 //! cond   := expr ( EQ | NE | GT | GE | LT | LE ) expr
 //! ```
 //!
-//! Which of it a control has, and what it has besides (`==`, `SIN30`, `#9100`), its rows say. Where programs, labels and codes have
+//! The rows of a control state which of these forms it has, and further ones (`==`, `SIN30`, `#9100`). Where programs, labels and codes have
 //! names, blocks are those of `symbolic`.
 //!
-//! Spaces mean nothing; `( … )` up to the first `)` is a comment and may stand anywhere; EOB is a line end or `;`. Small letters
+//! Spaces mean nothing; `( … )` up to the first `)` is a comment, allowed anywhere; EOB is a line end or `;`. Small letters
 //! are read as capitals. A block that does not read becomes [`Stmt::Bad`] and is reported once, at the place of the mistake, with
 //! the control's alarm number. Where the mistake has a known shape, a fix comes with it (`nc/advice`).
 

@@ -12,7 +12,7 @@ use crate::text::{Diagnostic, FileId, Message, Place, Span};
 /// Findings that are listed; a file of garbage has millions.
 pub(in crate::nc) const FINDINGS: usize = 1000;
 
-/// Blocks that are read: five times what the largest programs have.
+/// Blocks that are read at most: five times those of the largest programs.
 pub(in crate::nc) const BLOCKS: usize = 5_000_000;
 
 /// Bytes of a block: a word's offset has 16 bits, and no control takes a tenth of that.
@@ -47,7 +47,7 @@ pub(in crate::nc) struct SourceFile<'a> {
     pub(in crate::nc) text: &'a str,
 }
 
-/// Findings so far, and what is checked when everything is read.
+/// Findings so far, and notes for checks at the end.
 #[derive(Debug, Default)]
 pub(in crate::nc) struct Findings {
     pub(in crate::nc) list: Vec<Diagnostic>,
@@ -115,7 +115,7 @@ pub(in crate::nc) struct FreshNumbers {
     pub(in crate::nc) tried: usize,
 }
 
-/// The parser: what it reads with, what it has read, and where it is.
+/// The parser: tables, results and position.
 pub(in crate::nc) struct Reader<'a> {
     pub(in crate::nc) control: &'static Control,
     pub(in crate::nc) tables: &'a Tables<'a>,
@@ -134,7 +134,7 @@ pub(in crate::nc) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// What has names, where the language has such.
+    /// Names of a language with names.
     #[inline]
     pub(in crate::nc) fn names(&self) -> Option<&'static Names> {
         self.control.syntax.names()
@@ -255,7 +255,7 @@ impl<'a> Reader<'a> {
         Diagnostic::error(message).at(self.place(self.span(from, to))).alarm(self.control.alarm_shown(alarm))
     }
 
-    /// Has the block looked at when all is read.
+    /// Marks the block for a check when all files are read.
     pub(in crate::nc) fn note_later(&mut self) {
         if self.findings.later.len() < FINDINGS {
             self.findings.later.push(self.deck.blocks.len() as u32);

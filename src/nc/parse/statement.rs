@@ -8,7 +8,7 @@ use crate::nc::lex::spelling::meant;
 use crate::nc::parse::failure::{Failure, LeftOut, Read};
 use crate::nc::parse::reader::Reader;
 
-/// What would join conditions.
+/// Words and signs that join conditions in other languages.
 const JOINTS: [&str; 5] = ["AND", "OR", "XOR", "&&", "||"];
 
 impl Reader<'_> {
@@ -33,7 +33,7 @@ impl Reader<'_> {
         KEYWORDS.iter().any(|word| self.cursor.ahead(word)) || self.cursor.ahead("THEN")
     }
 
-    /// A statement that starts with a keyword, `None` where none stands here.
+    /// A statement that starts with a keyword; `None` without one.
     pub(in crate::nc) fn keyword(&mut self) -> Read<Option<Stmt>> {
         let start = self.cursor.at;
         let word = KEYWORDS.into_iter().find(|word| self.take(word)).or_else(|| self.take_goto().then_some("GOTO"));
@@ -80,7 +80,7 @@ impl Reader<'_> {
         Some(word)
     }
 
-    /// What stands behind `IF`.
+    /// The rest of a statement behind `IF`.
     fn if_statement(&mut self, start: usize) -> Read<Stmt> {
         let cond = self.condition(Alarm::IfSentence, "IF")?;
         self.no_other_condition(Alarm::IfSentence)?;
@@ -266,7 +266,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The failure of a comparison where none, or no other, can stand; `len` bytes ahead show it.
+    /// The failure of a comparison in a wrong place or a second one; its operator is the next `len` bytes.
     fn one_comparison(&self, alarm: Alarm, len: usize) -> Box<Failure> {
         let condition = matches!(alarm, Alarm::IfSentence | Alarm::WhileSentence);
         let message = if condition { msg!("nc.two-comparisons") } else { msg!("nc.lost-comparison") };
@@ -361,7 +361,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether `#n =` stands here.
+    /// Whether `#n =` follows.
     fn assigns_ahead(&self) -> bool {
         let rest = self.cursor.line.get(self.cursor.at + 1..).unwrap_or_default();
         rest.iter().find(|b| !b.is_ascii_digit() && **b != b' ') == Some(&b'=') || rest.first() == Some(&b'[')

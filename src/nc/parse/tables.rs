@@ -4,15 +4,15 @@ use crate::controls::dialect::ReadingRules;
 use crate::controls::{Address, AddressSet, Control, Dialect};
 use crate::nc::codes::Codes;
 
-/// Letters that may stand only once in a block, where a control has such a rule.
+/// Letters allowed once in a block, on controls with such a rule.
 const ONCE: AddressSet = AddressSet::letters("ABCDEFHIJKLNOPQRSTUVWXYZ");
 
-/// What is looked up for every word, in the order of its first byte.
+/// Look-ups for every word.
 pub(in crate::nc) struct Tables<'a> {
     pub(in crate::nc) codes: &'a Codes,
     /// Letters of words outside macro calls.
     pub(in crate::nc) letters: AddressSet,
-    /// Letters that may stand only once in a block.
+    /// Letters allowed once in a block.
     pub(in crate::nc) once: AddressSet,
     /// Letters whose number must not have a point.
     pub(in crate::nc) whole: AddressSet,

@@ -167,7 +167,7 @@ impl<'a> Reader<'a> {
         Ok(if count == 0 { Stmt::Empty } else { Stmt::Words { first: first as u32, count: count as u16 } })
     }
 
-    /// Reports the first word of each letter that is no address here, the second word of each letter that may stand only once, and
+    /// Reports the first word of each letter that is no address here, the second word of each letter allowed once, and
     /// the numbers that must not have a point.
     fn check_words(&mut self, first: usize) {
         let (mut seen, mut twice) = (AddressSet::EMPTY, AddressSet::EMPTY);
@@ -195,7 +195,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A corner that a block with motion puts behind itself is said to be left out.
+    /// Reports that a chamfer or rounding behind a motion is left out.
     #[cold]
     fn corner(&mut self, first: usize) {
         let words = self.deck.words.get(first..).unwrap_or_default();
@@ -234,7 +234,7 @@ impl<'a> Reader<'a> {
             Some(point) if number.to_f64().fract() == 0.0 => {
                 self.replace(Alarm::PointNotAllowed, finding, start + point, end, "");
             }
-            // What stands behind the point cannot be dropped without a change of meaning.
+            // Decimals cannot be dropped without a change of meaning.
             _ => self.report_as(Alarm::PointNotAllowed, finding),
         }
     }
@@ -249,7 +249,7 @@ impl<'a> Reader<'a> {
         self.report(alarm, start, start + 1, message);
     }
 
-    /// What is neither a word nor white space.
+    /// Text between words that is no white space.
     fn between_words(&mut self, byte: u8, first: usize) -> Read<()> {
         let start = self.cursor.at;
         match byte {
@@ -357,7 +357,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A formula behind an address, from `from` on, stands in brackets.
+    /// Checks that a formula behind an address, from `from` on, is in brackets.
     #[cold]
     fn check_enclosed(&mut self, value: ExprId, from: usize) {
         if !matches!(self.deck.expr(value), Expr::Binary(op, ..) if !matches!(op, Op::Atan | Op::Power)) {
@@ -376,7 +376,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// What stands behind an address letter and starts no value.
+    /// Text behind an address letter that starts no value.
     #[cold]
     fn no_value(&mut self, start: usize, letter: Address, next: u8) -> Read<WordValue> {
         match next {
@@ -397,7 +397,7 @@ impl<'a> Reader<'a> {
         Err(self.failure(Alarm::NoNumber, start, start + 1, message, true))
     }
 
-    /// An unsigned number; the reader stands at a digit or a point.
+    /// An unsigned number, from a digit or a point on.
     #[inline]
     pub(in crate::nc) fn digits(&mut self) -> Read<Dec> {
         let start = self.cursor.at;
@@ -476,12 +476,12 @@ impl<'a> Reader<'a> {
         false
     }
 
-    /// Says once per kind that the control has it and the simulation does not act on it.
+    /// Reports once per kind a feature of the control that is not simulated.
     pub(in crate::nc) fn not_simulated(&mut self, key: LeftOut, from: usize, to: usize, name: &str) {
         self.say_once(key, from, to, msg!("nc.not-simulated", name));
     }
 
-    /// Says something once per kind.
+    /// Adds a warning once per kind.
     pub(in crate::nc) fn say_once(&mut self, key: LeftOut, from: usize, to: usize, message: Message) {
         if !self.findings.left_out.contains(&key) {
             self.findings.left_out.push(key);
@@ -516,7 +516,7 @@ impl<'a> Reader<'a> {
         self.slip(Alarm::BracketPair, start, self.cursor.at, msg!("nc.unopened-square"), "");
     }
 
-    /// The failure of a byte that cannot stand at this place.
+    /// The failure of an unexpected byte.
     pub(in crate::nc) fn unexpected(&self) -> Box<Failure> {
         let start = self.cursor.at;
         if self.cursor.ended() {

@@ -13,13 +13,13 @@ use operators::{named_operator, operator};
 /// Trees deeper than this are no formulas; reading stops at as many parts.
 pub(in crate::nc) const DEPTH: u32 = 250;
 
-/// The level at which no operator stands bare.
+/// Binding level at which every operator needs brackets.
 pub(in crate::nc) const FACTOR: u8 = 6;
 
 /// Longest text of a block that is still written out.
 const BLOCK_TEXT: usize = 10_000;
 
-/// Whether the comment of a block is what the operator reads: `#3000=1(…)`.
+/// Whether the comment of a block is a message to the operator: `#3000=1(…)`.
 pub(in crate::nc) fn is_message(deck: &Deck, control: &Control, block: &Block) -> bool {
     let (Stmt::Assign { to, .. } | Stmt::IfThen { to, .. }) = block.stmt else { return false };
     let Expr::Var(number) = deck.expr(to) else { return false };
@@ -62,7 +62,7 @@ impl Writer<'_> {
             return self.named_block(block);
         }
         match block.stmt {
-            // What has no form here is left out by `lower`.
+            // `lower` has left these out.
             Stmt::Empty | Stmt::Bad(_) | Stmt::Ifs { .. } => {}
             Stmt::Assigns { first, count } => {
                 for (at, pair) in self.deck.pairs_of(first, count).iter().enumerate() {
@@ -156,7 +156,7 @@ impl Writer<'_> {
         self.text.push(if round { ')' } else { ']' });
     }
 
-    /// Writes an expression where operators of at least `level` may stand bare, from comparisons at 0 to none at [`FACTOR`]; a sign
+    /// Writes an expression where operators of at least `level` need no brackets, from comparisons at 0 to none at [`FACTOR`]; a sign
     /// only at the head of a bracket or block (`lead`).
     pub(in crate::nc) fn expr(&mut self, id: ExprId, level: u8, lead: bool, depth: u32) {
         if depth > DEPTH || self.text.len() - self.start > BLOCK_TEXT {

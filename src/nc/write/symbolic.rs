@@ -23,7 +23,7 @@ impl Writer<'_> {
             }
         }
         match block.stmt {
-            // What has no form here is rewritten by `lower`.
+            // `lower` has rewritten these.
             Stmt::Empty | Stmt::Bad(_) | Stmt::IfThen { .. } | Stmt::While { .. } | Stmt::End { .. } => {}
             Stmt::Words { .. } => {
                 for (at, word) in self.deck.words_of(block).iter().enumerate() {

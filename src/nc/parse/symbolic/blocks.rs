@@ -89,7 +89,7 @@ impl<'a> Reader<'a> {
         Stmt::Bad(alarm)
     }
 
-    /// Skip mark, block number and label, then what the block says.
+    /// Block skip, block number and label, then the statement.
     pub(in crate::nc) fn named_statement(&mut self) -> Read<Stmt> {
         let mut first = self.optional_skip();
         let second = self.cursor.byte(1);
@@ -120,14 +120,14 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether a name stands here that is more than a letter, or a letter that is meant as a label.
+    /// Whether a name of several letters follows, or a letter that is a label.
     #[inline]
     fn named_ahead(&self) -> bool {
         let name = |b: u8| b.is_ascii_alphabetic() || b == b'_';
         name(self.cursor.peek()) && (name(self.cursor.byte(1)) || self.cursor.byte(1) == b':')
     }
 
-    /// Whether nothing but a name, and how often it runs, stands from here on.
+    /// Whether only a name and a number of repeats follow.
     fn lone_name(&self) -> bool {
         let mut words = self.cursor.rest().split(|b| *b == b' ').filter(|word| !word.is_empty());
         let digits = |word: &[u8]| word.get(1..).unwrap_or_default().iter().all(u8::is_ascii_digit);
@@ -157,7 +157,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// What begins with a name: a label, which is noted, or a statement. `None` where a code or an address stands here.
+    /// Reads a label, which is noted, or a statement that begins with a name; `None` for a label, a code or an address.
     fn name_first(&mut self) -> Read<Option<Stmt>> {
         let start = self.cursor.at;
         let written = self.cursor.name();
@@ -261,7 +261,7 @@ impl<'a> Reader<'a> {
         self.unknown_name(start, name)
     }
 
-    /// The failure of a name that nothing has, with what was meant where one letter is wrong.
+    /// The failure of an unknown name, with a fix if one letter is wrong.
     pub(in crate::nc) fn unknown_name(&self, start: usize, name: &str) -> Box<Failure> {
         let end = start + name.len();
         let message = msg!("nc.unknown-name", name, self.control.name);
@@ -391,7 +391,7 @@ impl<'a> Reader<'a> {
         ahead
     }
 
-    /// `GOTOF label`; the reader stands at the word.
+    /// `GOTOF label`, from the start of the word.
     fn jump(&mut self) -> Read<(ExprId, JumpDirection)> {
         let word = self.cursor.at;
         let way = if self.cursor.byte(4) | 0x20 == b'f' { JumpDirection::Forward } else { JumpDirection::Backward };
@@ -415,7 +415,7 @@ impl<'a> Reader<'a> {
                 self.cursor.line.get(word..word + 5).and_then(|text| core::str::from_utf8(text).ok()).unwrap_or("");
             return Err(self.failure(Alarm::IfSentence, word, word + 5, msg!("nc.no-label", text), false));
         }
-        // What is wrong with the name is said where the label stands.
+        // Errors of the name are reported at the label.
         self.cursor.at += name.len();
         let label = self.deck.add_text(name.to_ascii_uppercase());
         Ok((self.part(Expr::Label(label), start)?, way))
@@ -502,7 +502,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Whether a variable stands here: its letter with a number or an index.
+    /// Whether a variable follows: its letter with a number or an index.
     #[inline]
     pub(in crate::nc) fn parameter_ahead(&self) -> bool {
         self.names().is_some()
@@ -546,7 +546,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// `NOT value`: what is told apart from 0 by being 0.
+    /// `NOT value`, read as `value == 0`.
     fn negation(&mut self) -> Read<Option<ExprId>> {
         let byte = self.skip();
         if byte | 0x20 != b'n' || !self.cursor.name().eq_ignore_ascii_case("NOT") {
@@ -614,7 +614,7 @@ impl<'a> Reader<'a> {
         Ok(inner)
     }
 
-    /// `#1`, as other controls write variables; told once for the file.
+    /// `#1`, as other controls write variables; reported once a file.
     #[cold]
     pub(in crate::nc) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
         self.notes.hash.get_or_insert(self.cursor.base + self.cursor.at as u32);

@@ -6,7 +6,7 @@ use crate::nc::ast::{Program, TextId};
 use crate::nc::lex::names::{begins_as_name, is_numbered, number_in};
 use crate::nc::parse::reader::Reader;
 
-/// Between the `%` of a head and the name, and what the line behind it begins with.
+/// Text between the `%` of a header and the name, and the beginning of the line behind it.
 const LEAD: &str = "_N_";
 const PATH: &[u8] = b";$PATH=";
 
@@ -31,7 +31,7 @@ impl Reader<'_> {
             Some(at) => upper.get(..upper.len() - names.endings[at].len() - 1).unwrap_or(""),
             None => upper.as_str(),
         };
-        // Without an ending, its own letters say what it is.
+        // Without an ending, the letters of the name show its kind.
         let sub = match ending {
             Some(at) => at == 1,
             None => bare.starts_with(names.endings[1]) || bare.starts_with('L') && is_numbered(names, bare),
@@ -57,7 +57,7 @@ impl Reader<'_> {
         self.deck.programs.push(program);
     }
 
-    /// Whether a line is the one that tells the directory of the program that the line before names.
+    /// Whether a line names the directory of the program in the header before it.
     pub(in crate::nc) fn path(&mut self, line: &[u8]) -> bool {
         core::mem::take(&mut self.notes.headed)
             && line.get(..PATH.len()).is_some_and(|lead| lead.eq_ignore_ascii_case(PATH))

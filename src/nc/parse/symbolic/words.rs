@@ -11,7 +11,7 @@ use crate::nc::parse::failure::{LeftOut, Read};
 use crate::nc::parse::reader::Reader;
 use crate::text::Diagnostic;
 
-/// How a value says that it counts.
+/// Dimensioning of a value by its own notation.
 const FORMS: [(&str, Dimensioning); 5] = [
     ("AC", Dimensioning::Absolute),
     ("IC", Dimensioning::Incremental),
@@ -20,15 +20,15 @@ const FORMS: [(&str, Dimensioning); 5] = [
     ("ACN", Dimensioning::Negative),
 ];
 
-/// What a block has shown that has to be looked at when it is read: see [`Reader::check_named`].
+/// Facts about the words of a block that decide whether [`Reader::check_named`] is needed.
 #[derive(Default)]
 struct Seen {
     letters: AddressSet,
     /// Bit of the group of each code.
     groups: u32,
-    /// Codes that say what the words mean.
+    /// Number of codes that define the meaning of the words.
     syntax: u32,
-    /// Something has to be looked at.
+    /// The words need a check.
     odd: bool,
 }
 
@@ -136,7 +136,7 @@ impl Reader<'_> {
         })
     }
 
-    /// What stands behind a letter: a number, or behind `=` a formula.
+    /// The value behind a letter: a number, or a formula behind `=`.
     #[inline]
     fn named_value(&mut self, start: usize, letter: Address) -> Read<(Option<u8>, Dimensioning, WordValue)> {
         let mut next = self.skip();
@@ -194,7 +194,7 @@ impl Reader<'_> {
         }
     }
 
-    /// What stands behind the number of a word: mostly a blank, rarely what makes it another thing.
+    /// Reads on behind the number of a word: mostly a blank, rarely the rest of an extended address or of a formula.
     fn behind_number(
         &mut self,
         start: usize,
@@ -436,7 +436,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// What stands behind an address of several letters, with an index in brackets or without.
+    /// The value behind an address of several letters, with or without an index in brackets.
     fn long_value(
         &mut self,
         start: usize,
@@ -471,7 +471,7 @@ impl Reader<'_> {
         Ok((index, Dimensioning::Plain, value))
     }
 
-    /// What is neither a word nor white space.
+    /// Text between words that is no white space.
     #[cold]
     fn between_names(&mut self, byte: u8) -> Read<()> {
         match byte {
@@ -486,7 +486,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `( remark )` of other controls, at hand; told with its fix, and skipped.
+    /// `( remark )` of other controls: reported with its fix, and skipped.
     #[cold]
     pub(in crate::nc) fn foreign_comment(&mut self) -> bool {
         let start = self.cursor.at;
@@ -507,7 +507,7 @@ impl Reader<'_> {
         true
     }
 
-    /// Reports words that cannot stand together.
+    /// Reports words that exclude each other.
     #[cold]
     fn check_named(&mut self, first: usize) {
         let words = self.deck.words.get(first..).unwrap_or_default().to_vec();
@@ -536,7 +536,7 @@ impl Reader<'_> {
             let again = |other: &&Word| (other.letter, other.index) == (word.letter, word.index);
             let others = before.iter().filter(again).count();
             if others > 0 && !matches!(word.letter, Address::G | Address::M | Address::Name) {
-                // Once; and what stands twice is not too many besides.
+                // Once; a repeated word is not counted as too many.
                 if others == 1 {
                     self.report(Alarm::AddressTwice, start, end(word), msg!("nc.address-twice", name));
                 }
@@ -588,7 +588,7 @@ impl Reader<'_> {
         if own { self.tables.codes.row_of(word) } else { None }
     }
 
-    /// Reports a code that cannot stand behind those before it, or not with other words; whether the block has to be taken apart.
+    /// Reports a code that excludes earlier codes or other words; returns whether the block has to be divided.
     fn check_code(&mut self, row: &CodeDef, word: &Word, before: &[Option<&CodeDef>], count: usize) -> bool {
         let (start, end) = (word.offset as usize, word.offset as usize + word.len as usize);
         let name = self.control.code_name(row.id);
