@@ -42,11 +42,89 @@ fn settable(settings: &[Setting], control: &Control, dialect: &Dialect) -> Resul
     }
 }
 
+/// Arguments of a run, read and checked as far as no program is needed.
+struct Request<'a> {
+    args: &'a RunArgs,
+    panel: Panel,
+    settings: Vec<Setting>,
+    keep: Retention,
+    json: bool,
+}
+
+impl Request<'_> {
+    /// The program of `--start`, if it is given.
+    fn start(&self, parsed: &nc::Parsed) -> Result<Option<StartProgram>, Failure> {
+        let Some(name) = self.args.start.as_deref() else { return Ok(None) };
+        let meant = run::program_meant(name, parsed);
+        let usage = || Failure::Usage(format!("--start takes a program, for instance O9101, not “{name}”"));
+        meant.map(Some).ok_or_else(usage)
+    }
+
+    fn options(&self, start: Option<StartProgram>) -> RunOptions<'_> {
+        let limits = Budget { blocks: self.args.blocks, seconds: self.args.seconds };
+        RunOptions { start, settings: &self.settings, limits, keep: self.keep }
+    }
+
+    /// The run of a project file; `files` are findings about earlier files, `silenced` the suppressed ids.
+    fn project(&self, mut files: Vec<Findings>, mut silenced: Vec<String>) -> Result<Prepared, Failure> {
+        let (project, file) = input::project(only_project(&self.args.files)?)?;
+        files.push(file);
+        let Some(mut project) = project else { return Err(refuse(&files, self.json)) };
+        project.switches = switched(project.switches, &self.args.switch, project.control)?;
+        project.panel = Panel::new(project.panel.events().iter().chain(self.panel.events()).cloned());
+        let mut list = project.design().diagnostics;
+        let written = project.written();
+        settable(&self.settings, project.control, written.parsed.dialect())?;
+        list.extend(written.diagnostics.iter().cloned());
+        list.extend(project.advice(&written));
+        Diagnostic::in_order(&mut list);
+        silenced.extend(project.silenced.iter().cloned());
+        let run = run::of_project(&project, &written, &self.options(self.start(&written.parsed)?));
+        let program = Findings { sources: Sources::written(written.files.clone()), list };
+        Ok(Prepared { run, files, program, silenced })
+    }
+
+    /// The run of bare programs on a control: on its bench, or on the plant of a project.
+    fn programs(
+        &self,
+        control: &'static Control,
+        mut files: Vec<Findings>,
+        mut silenced: Vec<String>,
+    ) -> Result<Prepared, Failure> {
+        let plant = match &self.args.plant {
+            None => None,
+            Some(path) => {
+                let (project, file) = input::project(path)?;
+                files.push(file);
+                let Some(project) = project else { return Err(refuse(&files, self.json)) };
+                silenced.extend(project.silenced.iter().cloned());
+                Some(project)
+            }
+        };
+        let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
+        let switches = switched(switches, &self.args.switch, control)?;
+        let mut program = input::programs(&self.args.files)?;
+        let parsed = Rc::new(nc::parse_with(&program.sources.files, control, &switches));
+        settable(&self.settings, control, parsed.dialect())?;
+        let start = self.start(&parsed)?;
+        let programs = &parsed.deck().programs;
+        let started = match start {
+            Some(StartProgram::Program(number)) => Some(number),
+            Some(StartProgram::Nth(at)) => programs.get(at as usize).map(|program| program.number),
+            _ => programs.first().map(|program| program.number),
+        };
+        let set = run::set_by_operator(&self.settings, &self.panel, control);
+        program.list.extend(review(&parsed, started, &set));
+        let run = run::of_programs(parsed, plant.as_ref(), self.panel.clone(), &self.options(start));
+        Ok(Prepared { run, files, program, silenced })
+    }
+}
+
 fn prepare(args: &RunArgs, keep: Retention, json: bool) -> Result<Prepared, Failure> {
     if args.seconds.is_nan() || args.seconds < 0.0 {
         return Err(Failure::Usage("--seconds takes 0 or more".to_owned()));
     }
-    let mut silenced = known(&args.silence)?;
+    let silenced = known(&args.silence)?;
     let mut files = Vec::new();
     let panel = match &args.panel {
         None => Panel::default(),
@@ -60,58 +138,11 @@ fn prepare(args: &RunArgs, keep: Retention, json: bool) -> Result<Prepared, Fail
     let Some(settings) = settings else {
         return Err(Failure::Usage("--set takes a variable and a number, for instance --set '#107=8'".to_owned()));
     };
-    let meant = |parsed: &nc::Parsed| match args.start.as_deref() {
-        None => Ok(None),
-        Some(name) => run::program_meant(name, parsed)
-            .map(Some)
-            .ok_or_else(|| Failure::Usage(format!("--start takes a program, for instance O9101, not “{name}”"))),
-    };
-    let limits = Budget { blocks: args.blocks, seconds: args.seconds };
-    let begin = |start: Option<StartProgram>| RunOptions { start, settings: &settings, limits, keep };
-    let Some(id) = &args.control else {
-        let (project, file) = input::project(only_project(&args.files)?)?;
-        files.push(file);
-        let Some(mut project) = project else { return Err(refuse(&files, json)) };
-        project.switches = switched(project.switches, &args.switch, project.control)?;
-        project.panel = Panel::new(project.panel.events().iter().chain(panel.events()).cloned());
-        let mut list = project.design().diagnostics;
-        let written = project.written();
-        settable(&settings, project.control, written.parsed.dialect())?;
-        list.extend(written.diagnostics.iter().cloned());
-        list.extend(project.advice(&written));
-        Diagnostic::in_order(&mut list);
-        silenced.extend(project.silenced.iter().cloned());
-        let run = run::of_project(&project, &written, &begin(meant(&written.parsed)?));
-        let program = Findings { sources: Sources::written(written.files.clone()), list };
-        return Ok(Prepared { run, files, program, silenced });
-    };
-    let control = control(id)?;
-    let plant = match &args.plant {
-        None => None,
-        Some(path) => {
-            let (project, file) = input::project(path)?;
-            files.push(file);
-            let Some(project) = project else { return Err(refuse(&files, json)) };
-            silenced.extend(project.silenced.iter().cloned());
-            Some(project)
-        }
-    };
-    let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
-    let switches = switched(switches, &args.switch, control)?;
-    let mut program = input::programs(&args.files)?;
-    let parsed = Rc::new(nc::parse_with(&program.sources.files, control, &switches));
-    settable(&settings, control, parsed.dialect())?;
-    let start = meant(&parsed)?;
-    let programs = &parsed.deck().programs;
-    let started = match start {
-        Some(StartProgram::Program(number)) => Some(number),
-        Some(StartProgram::Nth(at)) => programs.get(at as usize).map(|program| program.number),
-        _ => programs.first().map(|program| program.number),
-    };
-    let set = run::set_by_operator(&settings, &panel, control);
-    program.list.extend(review(&parsed, started, &set));
-    let run = run::of_programs(parsed, plant.as_ref(), panel, &begin(start));
-    Ok(Prepared { run, files, program, silenced })
+    let request = Request { args, panel, settings, keep, json };
+    match &args.control {
+        None => request.project(files, silenced),
+        Some(id) => request.programs(control(id)?, files, silenced),
+    }
 }
 
 /// Runs to the end; prints the log where it is `wanted`.

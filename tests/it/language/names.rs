@@ -43,7 +43,7 @@ fn check(block: &str, expected: Expect) {
 }
 
 #[test]
-fn blocks_as_trees() {
+fn named_blocks_parse_to_their_trees() {
     check_tree(
         "; above\n%_N_RIBBON_MPF\n;$PATH=/_N_MPF_DIR\nN10 G91G1X8Y-.5F=R115\n/g0 x+1 y=-r1 ;fast\n: 20 X=R1+10 Z=R[R2]\n\
          R104=R100*R103/100 R[105]=1\nSTROKE: MSG(\"a; b\")\nN30 AB: L9100 P3\nKEYWAY\nRET\n%_N_L9100_SPF\nM17\n",

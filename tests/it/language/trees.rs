@@ -93,7 +93,7 @@ fn check_tree(text: &str, expected: Expect) {
 }
 
 #[test]
-fn blocks_as_trees() {
+fn blocks_parse_to_their_trees() {
     check_tree(
         "%\nO9100 (RIBBON)\n/N10 G91G1X8.Y-.5F#115\n/3 g 0 x + 1 y - #1 (fast)\nX#1+10Z[#2]A123+0\n\
          N11(SPEED)#104=#100*#1033/100\n#3000=1(STOP)\nM99\n%\n",

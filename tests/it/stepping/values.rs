@@ -106,7 +106,7 @@ fn breakpoint_condition_without_value_stops_with_reason() {
 }
 
 #[test]
-fn watches_follow_the_controls_arithmetic() {
+fn watches_show_values_and_errors_at_every_stop() {
     let script = "\
 watch #100*2
 watch #[#100+98]
