@@ -19,12 +19,42 @@ use crate::nc::{Block, Word};
 use crate::text::{Diagnostic, DiagnosticKind, Place};
 
 impl RunState {
-    /// Runs a block of words.
+    /// Executes a block of words.
     pub(super) fn words(&mut self, cx: &mut BlockContext, at: u32, block: &Block, words: &[Word]) -> Run<()> {
         let surface = self.modal.spindle.surface.then(|| self.surface_zero(cx));
         let mut codes = BlockCodes { count: words.len(), ..BlockCodes::default() };
         self.codes(cx, block, words, &mut codes)?;
         let words = words.get(..codes.count).unwrap_or(words);
+        if self.macro_call(cx, at, block, words, &codes)? {
+            return Ok(());
+        }
+        let mut values = BlockWords::default();
+        self.values(cx, block, words, &codes, &mut values)?;
+        let moved = self.commands(cx, &codes, &values, surface)?;
+        let commands = !self.queue.is_empty();
+        self.stops(&codes);
+        if codes.contour {
+            self.pass_contour(cx, at, block, words, &values);
+        }
+        self.flow(cx, at, &codes, &values, moved)?;
+        // A call or return alone is over when it is read.
+        if (codes.flow.is_some() || codes.call.is_some()) && !commands {
+            self.counts.macros += 1;
+        } else {
+            self.counts.nc += 1;
+        }
+        Ok(())
+    }
+
+    /// Calls the macro whose arguments the words are, or ends a modal call; returns whether it called.
+    fn macro_call(
+        &mut self,
+        cx: &mut BlockContext,
+        at: u32,
+        block: &Block,
+        words: &[Word],
+        codes: &BlockCodes,
+    ) -> Run<bool> {
         if let Some(call) = self.modal_call.as_ref().filter(|call| call.each_block).map(Rc::clone)
             && codes.special != Some(Code::MacroModalEnd)
             && codes.flow.is_none()
@@ -33,32 +63,43 @@ impl RunState {
             let caller = Caller { word: None, all: true };
             let arguments = self.arguments(cx, block, words, caller)?;
             self.counts.macros += 1;
-            return self.call_modal(cx, &call, arguments.given());
+            return self.call_modal(cx, &call, arguments.given()).map(|()| true);
         }
-        if codes.special.is_some() || codes.call.is_some() {
-            if let Some(kind) = macro_kind(&codes) {
-                self.counts.macros += 1;
-                return self.call_words(cx, at, block, words, &codes, kind);
-            }
-            if codes.special == Some(Code::MacroModalEnd) {
-                match self.modal_call.take() {
-                    Some(call) => self.modal_call.clone_from(&call.outer),
-                    None if cx.control.raises(Alarm::NoModalCall) => {
-                        return Err(Trap::alarm(Alarm::NoModalCall, msg!("interp.no-modal-call")));
-                    }
-                    None => {}
+        if codes.special.is_none() && codes.call.is_none() {
+            return Ok(false);
+        }
+        if let Some(kind) = macro_kind(codes) {
+            self.counts.macros += 1;
+            return self.call_words(cx, at, block, words, codes, kind).map(|()| true);
+        }
+        if codes.special == Some(Code::MacroModalEnd) {
+            match self.modal_call.take() {
+                Some(call) => self.modal_call.clone_from(&call.outer),
+                None if cx.control.raises(Alarm::NoModalCall) => {
+                    return Err(Trap::alarm(Alarm::NoModalCall, msg!("interp.no-modal-call")));
                 }
+                None => {}
             }
         }
-        let mut values = BlockWords::default();
-        self.values(cx, block, words, &codes, &mut values)?;
+        Ok(false)
+    }
+
+    /// Queues the commands of a block in the order of the machine, without stops; returns whether it moves. `surface` is the work zero for
+    /// constant surface speed before the block.
+    fn commands(
+        &mut self,
+        cx: &mut BlockContext,
+        codes: &BlockCodes,
+        values: &BlockWords,
+        surface: Option<i64>,
+    ) -> Run<bool> {
         if let Some(stage) = codes.gear {
             self.queue.push(Canon::Gear { stage });
         }
         if let Some(rpm) = values.speed_limit {
             self.limit_speed(SpeedLimit::Surface, rpm);
         }
-        self.speed(cx, &codes, &values, surface)?;
+        self.speed(cx, codes, values, surface)?;
         let stops_last = codes.spindle == Some(0) && cx.shared.rules.spindle.stop_last;
         if let Some(sign) = codes.spindle.filter(|_| !stops_last) {
             self.queue.push(Canon::SpindleDirection { sign });
@@ -76,11 +117,15 @@ impl RunState {
         if let Some((angle, approach)) = values.orient.or(codes.orient) {
             self.orient(cx, angle, approach)?;
         }
-        let moved = self.motion(cx, &codes, &values)?;
+        let moved = self.motion(cx, codes, values)?;
         if stops_last {
             self.queue.push(Canon::SpindleDirection { sign: 0 });
         }
-        let commands = !self.queue.is_empty();
+        Ok(moved)
+    }
+
+    /// Queues stops and the program end.
+    fn stops(&mut self, codes: &BlockCodes) {
         if codes.stops & STOP != 0 {
             self.queue.push(Canon::Stop);
         } else if codes.stops & OPTIONAL_STOP != 0 {
@@ -92,33 +137,35 @@ impl RunState {
         }
         // A program may read the end point of a skipped motion.
         self.pause = codes.stops != 0 || codes.special == Some(Code::Skip);
-        if codes.contour {
-            self.pass_contour(cx, at, block, words, &values);
-        }
+    }
+
+    /// Calls or returns; behind a motion calls the modal macro.
+    fn flow(
+        &mut self,
+        cx: &mut BlockContext,
+        at: u32,
+        codes: &BlockCodes,
+        values: &BlockWords,
+        moved: bool,
+    ) -> Run<()> {
         match (codes.flow, codes.call) {
             (_, Some(call)) => {
                 let program = f64::from(call.program);
-                self.call_sub(cx, Some(program), None, values.call.l, true)?;
+                self.call_sub(cx, Some(program), None, values.call.l, true)
             }
-            (Some(Code::SubCall), None) => self.call_sub(cx, values.call.p, values.call.h, values.call.l, false)?,
+            (Some(Code::SubCall), None) => self.call_sub(cx, values.call.p, values.call.h, values.call.l, false),
             (Some(Code::Return), None) if self.frames.is_empty() => {
-                return Err(Trap::alarm(Alarm::MainReturn, msg!("interp.main-return")));
+                Err(Trap::alarm(Alarm::MainReturn, msg!("interp.main-return")))
             }
-            (Some(_), None) => self.end_sub(cx, at, values.call.p)?,
-            (None, None) => {
-                if let (true, Some(call)) = (moved, self.modal_call.as_ref().map(Rc::clone)) {
+            (Some(_), None) => self.end_sub(cx, at, values.call.p),
+            (None, None) => match self.modal_call.as_ref().filter(|_| moved).map(Rc::clone) {
+                Some(call) => {
                     let arguments = call.arguments.clone();
-                    self.call_modal(cx, &call, arguments)?;
+                    self.call_modal(cx, &call, arguments)
                 }
-            }
+                None => Ok(()),
+            },
         }
-        // A call or return alone is over when it is read.
-        if (codes.flow.is_some() || codes.call.is_some()) && !commands {
-            self.counts.macros += 1;
-        } else {
-            self.counts.nc += 1;
-        }
-        Ok(())
     }
 
     /// Reads codes and values of a block without executing their commands. Returns whether the block calls or returns; `None` if that depends
