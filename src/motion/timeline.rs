@@ -147,6 +147,18 @@ impl Timeline {
         times + count(sure, marks.len())
     }
 
+    /// The first time after `t` at which a block within a place begins; `None` where none is planned.
+    pub fn begins_after(&self, place: Place, t: f64) -> Option<f64> {
+        let marks = self.marks.until(f64::INFINITY);
+        let span = place.span.start..place.span.end;
+        let there =
+            |mark: &Activity| mark.begun && mark.place.file == place.file && span.contains(&mark.place.span.start);
+        // A block may have several marks: it waits, then moves.
+        let begins = |at: &usize| there(&marks[*at]) && (*at == 0 || !there(&marks[at - 1]));
+        let later = marks.partition_point(|mark| mark.t <= t)..marks.len();
+        later.into_iter().find(begins).map(|at| marks[at].t)
+    }
+
     /// Times (s) up to `t` at which the command of an axis fell below 0 and was lowest since; deviations of arcs are left out.
     pub fn dips(&self, axis: usize, t: f64) -> Vec<(f64, f64)> {
         let segments = self.path.segments.until(t);

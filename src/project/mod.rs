@@ -39,7 +39,7 @@ use std::sync::Arc;
 use crate::controls::{self, Control, Switches};
 use crate::machines::form::{Origins, Values};
 use crate::machines::{self, AnyMachine, ControlContext, Defaults, Design, PreparedMachine};
-use crate::motion::Panel;
+use crate::motion::{Action, Event, Panel};
 use crate::nc::Files;
 
 /// Everything that a run depends on, and exactly what is saved.
@@ -64,6 +64,16 @@ pub struct Project {
     /// The program files, where the user has edited them: detached from the form.
     pub edited: Option<Files>,
     memo: prepared::Memo,
+}
+
+impl Project {
+    /// A name for a file about the project, made of the project's own: plain letters, digits and dashes.
+    pub fn file_name(&self, ending: &str) -> String {
+        let name = self.name.trim().to_ascii_lowercase();
+        let plain: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+        let plain = plain.trim_matches('-');
+        format!("{}.{ending}", if plain.is_empty() { "macroline" } else { plain })
+    }
 }
 
 impl PartialEq for Project {
@@ -125,6 +135,19 @@ impl Project {
                 self.switches.0.push((id, setting));
             }
         }
+        // What the operator pressed and set belongs to the run of the other program; how the knobs and switches stand stays.
+        let stays = |event: &&Event| {
+            matches!(
+                event.action,
+                Action::SpindleOverride(_)
+                    | Action::FeedOverride(_)
+                    | Action::RapidOverride(_)
+                    | Action::SingleBlock(_)
+                    | Action::OptionalStop(_)
+                    | Action::BlockSkip(_)
+            )
+        };
+        self.panel = Panel::new(self.panel.events().iter().filter(stays).cloned());
         self.control = control;
     }
 

@@ -1,23 +1,24 @@
 //! What the page says, in the language of the user.
 
 use crate::controls::Control;
-use crate::motion::RunEnd;
+use crate::motion::{Mode, RunEnd};
 use crate::text::catalog::{self, Language};
 use crate::text::number;
 use crate::text::{Diagnostic, Grade, Message, Severity};
+use crate::view::{Readout, Verdict};
 
 /// The words of a catalog id.
-pub(super) fn t(id: &'static str) -> &'static str {
+pub(crate) fn t(id: &'static str) -> &'static str {
     catalog::words(Language::English, id)
 }
 
 /// A message as a sentence.
-pub(super) fn say(message: &Message) -> String {
+pub(crate) fn say(message: &Message) -> String {
     catalog::sentence(Language::English, message)
 }
 
 /// What is wrong and what is allowed, in one line.
-pub(super) fn tell(diagnostic: &Diagnostic) -> String {
+pub(crate) fn tell(diagnostic: &Diagnostic) -> String {
     let mut text = say(&diagnostic.message);
     for hint in &diagnostic.hints {
         text.push(' ');
@@ -27,7 +28,7 @@ pub(super) fn tell(diagnostic: &Diagnostic) -> String {
 }
 
 /// The class of a severity.
-pub(super) fn tone(severity: Severity) -> &'static str {
+pub(crate) fn tone(severity: Severity) -> &'static str {
     match severity {
         Severity::Error => "fail",
         Severity::Warning => "warn",
@@ -36,7 +37,7 @@ pub(super) fn tone(severity: Severity) -> &'static str {
 }
 
 /// How well a fact is known.
-pub(super) fn grade(grade: Grade) -> &'static str {
+pub(crate) fn grade(grade: Grade) -> &'static str {
     match grade {
         Grade::Manual => t("page.grade-manual"),
         Grade::Sister => t("page.grade-sister"),
@@ -47,7 +48,7 @@ pub(super) fn grade(grade: Grade) -> &'static str {
 }
 
 /// The sign of a class, so that nothing is said by colour alone.
-pub(super) fn sign(tone: &str) -> &'static str {
+pub(crate) fn sign(tone: &str) -> &'static str {
     match tone {
         "ok" => "✓",
         "warn" => "▲",
@@ -58,13 +59,13 @@ pub(super) fn sign(tone: &str) -> &'static str {
 }
 
 /// The same behind the alarm that the control shows.
-pub(super) fn tell_alarm(diagnostic: &Diagnostic) -> String {
+pub(crate) fn tell_alarm(diagnostic: &Diagnostic) -> String {
     let alarm = diagnostic.alarm.iter().map(|number| number.as_ref()).chain(diagnostic.wording);
     alarm.map(|part| format!("{part} ")).collect::<String>() + &tell(diagnostic)
 }
 
 /// Why a run is over.
-pub(super) fn end_words(end: &RunEnd) -> String {
+pub(crate) fn end_words(end: &RunEnd) -> String {
     match end {
         RunEnd::ProgramEnd => t("page.end-program").to_owned(),
         RunEnd::Stop => t("page.end-stop").to_owned(),
@@ -74,7 +75,7 @@ pub(super) fn end_words(end: &RunEnd) -> String {
 }
 
 /// The value of a variable as the control shows it.
-pub(super) fn value_of(control: &Control, value: Option<f64>, decimals: u8) -> String {
+pub(crate) fn value_of(control: &Control, value: Option<f64>, decimals: u8) -> String {
     match value {
         None if control.has_vacant() => t("page.vacant").to_owned(),
         value => short(value.unwrap_or_default(), decimals),
@@ -82,7 +83,7 @@ pub(super) fn value_of(control: &Control, value: Option<f64>, decimals: u8) -> S
 }
 
 /// A number with a fixed count of decimals and thin spaces between thousands.
-pub(super) fn figure(number: f64, decimals: u8) -> String {
+pub(crate) fn figure(number: f64, decimals: u8) -> String {
     if !number.is_finite() {
         return "–".to_owned();
     }
@@ -90,14 +91,86 @@ pub(super) fn figure(number: f64, decimals: u8) -> String {
 }
 
 /// A number with at most so many decimals.
-pub(super) fn short(number: f64, decimals: u8) -> String {
+pub(crate) fn short(number: f64, decimals: u8) -> String {
     let text = figure(number, decimals);
     if text.as_bytes().contains(&b'.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 
 /// A machine time as minutes, seconds and tenths of milliseconds.
-pub(super) fn clock(seconds: f64) -> String {
+pub(crate) fn clock(seconds: f64) -> String {
     let ticks = (seconds.max(0.0) * 1e4) as u64;
     let (minutes, rest) = (ticks / 600_000, ticks % 600_000);
     format!("{minutes:02}:{:02}.{:04}", rest / 10_000, rest % 10_000)
+}
+
+/// A speed of the film as people say it: `1/20 ×`, `2 ×`.
+pub(crate) fn speed_text(speed: f64) -> String {
+    if speed < 1.0 { number::filled("1/# ×", &[1.0 / speed]) } else { number::filled("# ×", &[speed]) }
+}
+
+/// Counts of errors, warnings and remarks.
+pub(crate) fn counts(diagnostics: &[Diagnostic]) -> [(Severity, usize); 3] {
+    [Severity::Error, Severity::Warning, Severity::Info]
+        .map(|severity| (severity, diagnostics.iter().filter(|d| d.severity == severity).count()))
+}
+
+/// The class of a verdict.
+pub(crate) fn verdict_tone(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::None => "none",
+        Verdict::Ok => "ok",
+        Verdict::Warn => "warn",
+        Verdict::Fail => "fail",
+    }
+}
+
+/// The words of a verdict, for those who do not see the sign.
+pub(crate) fn verdict_words(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::None => "",
+        Verdict::Ok => t("page.verdict-ok"),
+        Verdict::Warn => t("page.verdict-warn"),
+        Verdict::Fail => t("page.verdict-fail"),
+    }
+}
+
+/// What the control does, in words.
+pub(crate) fn mode_words(mode: Mode) -> &'static str {
+    match mode {
+        Mode::Running => t("page.mode-running"),
+        Mode::Hold => t("page.mode-hold"),
+        Mode::Stopped => t("page.mode-stopped"),
+        Mode::WaitFin => t("page.mode-wait-fin"),
+        Mode::Dwell => t("page.mode-dwell"),
+        Mode::Ended => t("page.mode-ended"),
+        Mode::Alarm => t("page.mode-alarm"),
+        Mode::EmergencyStop => t("page.mode-estop"),
+    }
+}
+
+/// The class of a mode.
+pub(crate) fn mode_tone(mode: Mode) -> &'static str {
+    match mode {
+        Mode::Running => "ok",
+        Mode::Alarm | Mode::EmergencyStop => "fail",
+        Mode::Hold | Mode::Stopped => "warn",
+        _ => "info",
+    }
+}
+
+/// A number with four significant digits where its row has as many; small ones with the decimals of the row.
+pub(crate) fn four_digits(number: f64, decimals: u8) -> String {
+    let most = match number.abs() {
+        n if n >= 1000.0 => 0,
+        n if n >= 100.0 => 1,
+        n if n >= 10.0 => 2,
+        n if n >= 1.0 => 3,
+        _ => decimals,
+    };
+    figure(number, decimals.min(most))
+}
+
+/// The limit of a result, as it is shown beside the value.
+pub(crate) fn limit_text(readout: &Readout) -> Option<String> {
+    readout.limit.map(|limit| say(&limit.message(short(limit.value(), readout.decimals))))
 }

@@ -151,10 +151,12 @@ impl Drawing {
     }
 }
 
-/// A path through points, closed.
+/// A path through points, closed; empty without points.
 pub fn polygon(points: &[(f64, f64)]) -> String {
     let mut d = polyline(points);
-    d.push('Z');
+    if !points.is_empty() {
+        d.push('Z');
+    }
     d
 }
 

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { accessible, ready, start, withPage } from './page.mjs';
+import { accessible, openPanel, ready, showSteps, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -64,6 +64,7 @@ test('the 802D runs, takes variables and settings, and is exported', () =>
     await choose(page);
     await goTo(page, 4);
     await page.locator('[aria-current="step"]', { hasText: 'G1' }).waitFor();
+    await openPanel(page);
     await page.locator('#spindle-knob').press('ArrowLeft');
     await page.waitForFunction(() => /Spindle override 99 %/.test(document.querySelector('#changed').textContent));
     await page.click('#tab-variables');
@@ -91,6 +92,7 @@ test('the 802D is debugged and edited in its own words', () =>
     await choose(page);
     await line(page, 'G96 S=R100 LIMS=R107 M3').waitFor();
     await page.locator('.listing li', { hasText: 'LB31: IF' }).click();
+    await showSteps(page);
     await page.getByPlaceholder('Break if R1<3').fill('R110<2');
     await page.getByPlaceholder('Break if R1<3').press('Enter');
     await page.locator('.listing li.stop').waitFor();

@@ -30,7 +30,7 @@ export async function start() {
 // Opens the page in a fresh profile and waits until the app is there, gives it to `act`, and then holds that the browser
 // had nothing to complain about: `withPage(app, { viewport: … }, async ({ page, requests }) => …)`.
 export async function withPage(app, options, act) {
-  const context = await app.browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, ...options });
+  const context = await app.browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, reducedMotion: 'reduce', ...options });
   const complaints = [];
   const requests = [];
   try {
@@ -85,3 +85,14 @@ export async function accessible(page) {
   const told = violations.map(({ id, help, nodes }) => `${id}: ${help}\n    ${nodes.map((node) => node.html).join('\n    ')}`);
   assert.deepEqual(told, [], `not accessible:\n  ${told.join('\n  ')}\n`);
 }
+
+// Unfolds the operator's panel.
+export async function openPanel(page) {
+  if ((await page.locator('#panel-fold').getAttribute('aria-expanded')) === 'false') await page.click('#panel-fold');
+}
+
+// Shows the commands that step through the program.
+export const showSteps = (page) => page.getByRole('button', { name: 'Step', exact: true }).click();
+
+// Unfolds all groups of the form.
+export const openGroups = (page) => page.evaluate(() => document.querySelectorAll('details').forEach((group) => (group.open = true)));

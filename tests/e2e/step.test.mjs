@@ -1,7 +1,7 @@
 // Stepping through the program on the page: breakpoints, levels, watches, what changed.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, ready, start, withPage } from './page.mjs';
+import { accessible, ready, showSteps, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -54,6 +54,7 @@ test('a click on a line number is a breakpoint; stepping goes into calls, over t
 
 test('a condition decides where it stops, and what it stops on is seen: changes, watches, variables', () =>
   withPage(app, {}, async ({ page }) => {
+    await showSteps(page);
     await enter(page, 'Break if', '#125 EQ 490');
     await page.getByText('First choose a line').first().waitFor();
     await file(page, 'O9101.nc');
@@ -82,7 +83,7 @@ test('a condition decides where it stops, and what it stops on is seen: changes,
     await row.locator('input').fill('1');
     await row.locator('input').press('Enter');
     await page.locator('#tab-program').click();
-    await page.waitForFunction(() => /#125\*2\s+2\s/.test(document.querySelector('.seen').innerText));
+    await page.waitForFunction(() => /#125\*2\s+2(\s|$)/.test(document.querySelector('.seen').innerText));
     await next(page, 'N37');
     // Letters in a field are text.
     await page.getByLabel('Watch').pressSequentially('bitcoxur');
@@ -126,7 +127,7 @@ test('breakpoints go with their lines; another program, machine or undo leaves n
     await page.locator('.listing').press('i');
     await next(page, 'N1 #3004');
     // An edit from outside: the same program with a line more.
-    await press(page, 'Paper’s listing as printed');
+    await press(page, 'Paper’s listing');
     assert.equal(await page.locator('.listing li.next').count(), 0, 'the walk is over with the run');
     await page.getByText('not in this program').waitFor();
     await page.keyboard.press('Control+z');
@@ -154,6 +155,7 @@ test('a walk without end leaves the page at work and is stopped by a key', () =>
     const text = 'O9101\nN1 #100=0\nN2 #100=#100+1\nGOTO2\nM30\n';
     await page.setInputFiles('#open', { name: 'O9101.nc', mimeType: 'text/plain', buffer: Buffer.from(text) });
     await line(page, 'N2 #100').click();
+    await showSteps(page);
     await enter(page, 'Break if', '#100 LT 0');
     await page.locator('.listing').press('c');
     await why(page).getByText('Runs to the next stop').waitFor();

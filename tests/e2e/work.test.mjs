@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { after, before, test } from 'node:test';
-import { accessible, processorTime, ready, start, withPage } from './page.mjs';
+import { accessible, openGroups, openPanel, processorTime, ready, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -20,7 +20,6 @@ const goTo = async (page, t) => {
   await page.press('#go-to', 'Enter');
 };
 const field = (page, id) => page.locator(`#${id}`);
-const openGroups = (page) => page.evaluate(() => document.querySelectorAll('details').forEach((group) => (group.open = true)));
 
 test('what is typed stays as it is typed, and counts as it reads', () =>
   withPage(app, {}, async ({ page }) => {
@@ -78,8 +77,8 @@ test('arrow keys step a field, undo and redo bring values back, reset takes the 
 test('the paper’s example shows its figures and says in words why it slips', () =>
   withPage(app, {}, async ({ page }) => {
     const plain = (text) => text.replace(/\s/g, '');
-    assert.match(plain(await card(page, 'Line speed').textContent()), /^15079\.64/);
-    assert.match(plain(await card(page, 'Vector feed').textContent()), /^119391\.39/);
+    assert.match(plain(await card(page, 'Line speed').textContent()), /^15080/);
+    assert.match(plain(await card(page, 'Vector feed').textContent()), /^119391/);
     assert.match(plain(await card(page, 'Analog output').textContent()), /^8\.107/);
     assert.match(plain(await card(page, 'Roller').textContent()), /^7\.854/);
     await page.locator('.card', { hasText: 'Roller' }).click();
@@ -145,6 +144,7 @@ test('it plays, steps block by block, and marks the block that runs', () =>
 test('the operator’s hand acts at the play head and is told what it changed', () =>
   withPage(app, {}, async ({ page }) => {
     await goTo(page, 4);
+    await openPanel(page);
     await page.locator('#spindle-knob').focus();
     await page.locator('#spindle-knob').press('ArrowLeft');
     await page.waitForFunction(() => /Spindle override 99 %.*#104 1.200 → 1.188/.test(document.querySelector('#changed').textContent));
@@ -155,7 +155,7 @@ test('the operator’s hand acts at the play head and is told what it changed', 
     await page.getByRole('button', { name: 'Cycle start' }).click();
     await goTo(page, 6);
     await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Running');
-    await page.getByRole('button', { name: 'E-stop' }).click();
+    await page.getByRole('button', { name: 'Emergency stop' }).click();
     await goTo(page, 7);
     await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Emergency stop');
   }));
@@ -227,7 +227,7 @@ test('a reload keeps everything; a broken stored state is set aside and handed o
 
 test('the paper’s listing shows what is wrong with it, and a fix mends it', () =>
   withPage(app, {}, async ({ page }) => {
-    await page.getByRole('button', { name: 'Paper’s listing as printed' }).click();
+    await page.getByRole('button', { name: 'Paper’s listing' }).click();
     await page.getByText('Edited program.').waitFor();
     await page.locator('.listing[aria-busy=false]').waitFor();
     const findings = page.locator('.says');

@@ -72,6 +72,40 @@ fn modules_name_only_earlier_modules() {
     hold(&format!("The order of modules is {}.", ORDER.join(", ")), mend, broken);
 }
 
+/// The folders of the page, in the order of its flow: each names only itself and those before it. The features are one step, and name
+/// each other no more than what comes later.
+const PAGE: [&[&str]; 7] = [
+    &["words"],
+    &["dom"],
+    &["state"],
+    &["worker"],
+    &["parts"],
+    &["form", "machine", "program", "results", "files", "help"],
+    &["app"],
+];
+
+#[test]
+fn folders_of_the_page_name_only_earlier_ones() {
+    let folder = |source: &Source| match source.modules()[..] {
+        ["ui", folder, ..] => PAGE.iter().position(|step| step.contains(&folder)).map(|rank| (rank, folder.to_owned())),
+        _ => None,
+    };
+    let all = Imports::new(sources().collect());
+    let unknown = sources()
+        .filter(|source| source.modules().len() > 1 && source.room() == Some("ui") && folder(source).is_none());
+    let mut broken: Vec<String> =
+        unknown.map(|source| format!("{}: the folder has no place in PAGE (tests/it/tidy.rs)", source.path)).collect();
+    for (from, to, names) in all.between() {
+        let (Some((rank, own)), Some((named_rank, named))) = (folder(from), folder(to)) else { continue };
+        if named_rank > rank || named_rank == rank && own != named {
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
+            broken.push(format!("{} names {} of {}", from.path, names.join(", "), to.path));
+        }
+    }
+    let mend = "move what two features share to parts/ or state/, and put features together in app.rs";
+    hold("The order of the page is words, dom, state, worker, parts, features, app.", mend, broken);
+}
+
 #[test]
 fn library_declares_its_modules_in_order() {
     let library = sources().find(|source| source.path == "src/lib.rs").unwrap();

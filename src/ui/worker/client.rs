@@ -1,8 +1,9 @@
 //! The page's end of the line: starts the worker with the first request and passes on its responses.
 
 use std::cell::RefCell;
+use std::rc::Rc;
 
-use leptos::prelude::document;
+use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use leptos::wasm_bindgen::closure::Closure;
 use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
@@ -11,7 +12,7 @@ use super::messages::{Question, Reply, Request, Response};
 use crate::project::Project;
 
 /// A running worker. It ends when this is dropped.
-pub(in crate::ui) struct Running {
+pub(crate) struct Running {
     worker: Worker,
     _heard: Closure<dyn FnMut(MessageEvent)>,
     _failed: Closure<dyn FnMut()>,
@@ -19,10 +20,7 @@ pub(in crate::ui) struct Running {
 
 impl Running {
     /// Starts a worker; `None` where the browser has none. Its name is the page's own hash, for worker_boot.js.
-    pub(in crate::ui) fn start(
-        mut heard: impl FnMut(Reply) + 'static,
-        failed: impl FnMut() + 'static,
-    ) -> Option<Running> {
+    pub(crate) fn start(mut heard: impl FnMut(Reply) + 'static, failed: impl FnMut() + 'static) -> Option<Running> {
         let script = document().query_selector("script[data-wasm]").ok().flatten()?;
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
@@ -40,7 +38,7 @@ impl Running {
     }
 
     /// Sends a question. Before [`Reply::Ready`] it would be lost.
-    pub(in crate::ui) fn send(&self, question: &Question) {
+    pub(crate) fn send(&self, question: &Question) {
         if let Ok(question) = serde_wasm_bindgen::to_value(question) {
             let _ = self.worker.post_message(&question);
         }
@@ -55,7 +53,7 @@ impl Drop for Running {
 
 /// The worker that answers the page. A handle: copies mean the same.
 #[derive(Clone, Copy)]
-pub(in crate::ui) struct Client(&'static RefCell<State>);
+pub(crate) struct Client(StoredValue<Rc<RefCell<State>>, LocalStorage>);
 
 #[derive(Default)]
 struct State {
@@ -72,14 +70,22 @@ struct Waiting {
 }
 
 impl Client {
-    /// A client whose worker is not started yet.
-    pub(in crate::ui) fn new() -> Client {
-        Client(Box::leak(Box::default()))
+    /// Hands a client to every component below. Its worker starts with the first request.
+    pub(crate) fn provide() -> Client {
+        let client = Client(StoredValue::new_local(Rc::default()));
+        provide_context(client);
+        client
+    }
+
+    /// The client of the page that a component is in.
+    pub(crate) fn here() -> Client {
+        expect_context()
     }
 
     /// Sends a request about a project; `then` gets the response, or `None` where no worker runs.
-    pub(in crate::ui) fn ask(self, project: &Project, request: Request, then: impl FnOnce(Option<Response>) + 'static) {
-        let mut state = self.0.borrow_mut();
+    pub(crate) fn ask(self, project: &Project, request: Request, then: impl FnOnce(Option<Response>) + 'static) {
+        let Some(state) = self.0.try_get_value() else { return };
+        let mut state = state.borrow_mut();
         state.last += 1;
         let question = Question { number: state.last, project: project.to_json(), request };
         if state.worker.is_none() {
@@ -98,16 +104,18 @@ impl Client {
 
     /// Gives up the worker; the next request starts another one.
     fn fail(self) {
-        let lost = self.0.take();
+        let Some(state) = self.0.try_get_value() else { return };
+        let lost = state.take();
         // The listener that runs just now is not freed under itself.
         if let Some(running) = lost.worker {
-            leptos::prelude::set_timeout(move || drop(running), std::time::Duration::ZERO);
+            set_timeout(move || drop(running), std::time::Duration::ZERO);
         }
         lost.waiting.into_iter().for_each(|waiting| (waiting.then)(None));
     }
 
     fn hear(self, reply: Reply) {
-        let mut state = self.0.borrow_mut();
+        let Some(state) = self.0.try_get_value() else { return };
+        let mut state = state.borrow_mut();
         match reply {
             Reply::Ready => {
                 state.ready = true;

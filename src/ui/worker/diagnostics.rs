@@ -5,34 +5,37 @@ use std::rc::Rc;
 
 use leptos::prelude::*;
 
+use super::client::Client;
 use super::messages::{Request, Response};
-use crate::ui::model::Model;
+use crate::ui::state::{Page, put};
 
-/// Keeps the model's diagnostics up with its program. A generated program that reads without an error needs no review.
-pub(in crate::ui) fn follow(model: Model) {
+/// Keeps the page's diagnostics up with its program. A generated program that reads without an error needs no review.
+pub(crate) fn follow(page: Page, worker: Client) {
     let last = Rc::new(Cell::new(0));
     Effect::new(move |_| {
         // Only the response to the last request counts.
         let number = last.get() + 1;
         last.set(number);
-        let (doubtful, control) =
-            model.written.with(|written| (written.edited || !written.diagnostics.is_empty(), written.parsed.control()));
-        model.pending.put(doubtful);
-        model.reviewed.put(None);
+        let program = page.program;
+        let (doubtful, control) = program
+            .written
+            .with(|written| (written.edited || !written.diagnostics.is_empty(), written.parsed.control()));
+        put(program.pending, doubtful);
+        put(program.reviewed, None);
         if !doubtful {
             return;
         }
         let last = Rc::clone(&last);
-        let put = move |response: Option<Response>| {
+        let take = move |response: Option<Response>| {
             if last.get() != number {
                 return;
             }
             if let Some(Response::Review(findings)) = response {
                 let found = findings.into_iter().filter_map(|finding| finding.diagnostic(control)).collect();
-                model.reviewed.put(Some(found));
+                put(program.reviewed, Some(found));
             }
-            model.pending.put(false);
+            put(program.pending, false);
         };
-        model.project.with_untracked(|project| model.worker.ask(project, Request::Review, put));
+        page.project.with_untracked(|project| worker.ask(project, Request::Review, take));
     });
 }

@@ -6,9 +6,12 @@ use web_sys::Blob;
 use crate::controls::Control;
 use crate::text::{Diagnostic, DiagnosticKind, FileId, Fix, Message, MessageValue, Place, Severity, Span, catalog};
 
+/// Lines of a program that are shown at most.
+pub(crate) const SHOWN: u32 = 5000;
+
 /// A request about a project, with the number that its answer carries.
 #[derive(Debug, Serialize, Deserialize)]
-pub(in crate::ui) struct Question {
+pub(crate) struct Question {
     /// Number of the request.
     pub number: u32,
     /// The project as the text of its file.
@@ -19,11 +22,13 @@ pub(in crate::ui) struct Question {
 
 /// Work of the worker.
 #[derive(Debug, Serialize, Deserialize)]
-pub(in crate::ui) enum Request {
+pub(crate) enum Request {
     /// Errors and warnings of the project's program.
     Review,
     /// Parameter sheet, interface and ladder.
     Sheets,
+    /// Facts of the form that are only assumed and whose change by a tenth flips a verdict.
+    Flips,
     /// Documents that leave with the programs.
     Export,
     /// Errors and warnings of a text that is too large for the page, on the project's control.
@@ -32,7 +37,7 @@ pub(in crate::ui) enum Request {
 
 /// A message from the worker.
 #[derive(Debug, Serialize, Deserialize)]
-pub(in crate::ui) enum Reply {
+pub(crate) enum Reply {
     /// The worker listens. A question sent before would be lost.
     Ready,
     /// Bytes of the text read so far, of [`Request::Check`].
@@ -43,11 +48,13 @@ pub(in crate::ui) enum Reply {
 
 /// The result of a request.
 #[derive(Debug, Serialize, Deserialize)]
-pub(in crate::ui) enum Response {
+pub(crate) enum Response {
     /// Of [`Request::Review`].
     Review(Vec<Finding>),
     /// Of [`Request::Sheets`].
     Sheets(Sheets),
+    /// Of [`Request::Flips`]: ids of the fields, the worst first.
+    Flips(Vec<String>),
     /// Of [`Request::Export`].
     Export(Documents),
     /// Of [`Request::Check`].
@@ -56,7 +63,7 @@ pub(in crate::ui) enum Response {
 
 /// Sheets as HTML, by the tab that shows them.
 #[derive(Debug, Default, Serialize, Deserialize)]
-pub(in crate::ui) struct Sheets {
+pub(crate) struct Sheets {
     /// Parameters of the control.
     pub parameters: String,
     /// Interface and ladder.
@@ -67,7 +74,7 @@ pub(in crate::ui) struct Sheets {
 
 /// The documents of an export. The programs are not among them: the page exports the very files that it runs.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(in crate::ui) struct Documents {
+pub(crate) struct Documents {
     /// Name and text: report, sheets, drawings, the project itself.
     pub files: Vec<(String, String)>,
     /// Findings about fields and program.
@@ -76,7 +83,7 @@ pub(in crate::ui) struct Documents {
 
 /// A finding as the export dialog shows it.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(in crate::ui) struct Remark {
+pub(crate) struct Remark {
     /// Whether it refuses the export.
     pub refuses: bool,
     /// Class: `info`, `warn`, `fail`.
@@ -91,7 +98,7 @@ pub(in crate::ui) struct Remark {
 
 /// The findings of a large text.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(in crate::ui) struct Report {
+pub(crate) struct Report {
     /// Lines of the text.
     pub lines: u32,
     /// Count of findings by severity, as one line.
@@ -104,7 +111,7 @@ pub(in crate::ui) struct Report {
 
 /// A [`Diagnostic`] with its static texts as owned ones.
 #[derive(Debug, Serialize, Deserialize)]
-pub(in crate::ui) struct Finding {
+pub(crate) struct Finding {
     message: Sentence,
     #[serde(with = "SeverityName")]
     severity: Severity,

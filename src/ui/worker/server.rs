@@ -8,13 +8,13 @@ use wasm_bindgen_futures::JsFuture;
 use web_sys::{Blob, DedicatedWorkerGlobalScope, MessageEvent};
 
 use super::documents;
-use super::messages::{Finding, Question, Reply, Report, Request, Response};
+use super::messages::{Finding, Question, Reply, Report, Request, Response, SHOWN};
 use crate::nc::{self, Files};
 use crate::project::Project;
+use crate::project::sensitivity::flips;
 use crate::project::suppress::silence;
 use crate::text::{Diagnostic, LineIndex};
-use crate::ui::listing::{SHOWN, count};
-use crate::ui::words::{sign, t, tell, tone};
+use crate::ui::words::{counts, sign, t, tell, tone};
 
 /// Findings of a large text in its report at most.
 const ROWS: usize = 200;
@@ -37,6 +37,7 @@ pub fn work() {
         let response = match request {
             Request::Review => Response::Review(review(&project)),
             Request::Sheets => Response::Sheets(documents::sheets(&project)),
+            Request::Flips => Response::Flips(flips(&project).into_iter().map(|flip| flip.field.to_owned()).collect()),
             Request::Export => Response::Export(documents::documents(&project)),
             Request::Check(blob) => {
                 let page = page.clone();
@@ -91,7 +92,7 @@ fn check(text: String, project: &Project) -> Report {
     };
     Report {
         lines: lines.count(),
-        counts: count(&found).map(|(severity, count)| format!("{} {count}", sign(tone(severity)))).join("  "),
+        counts: counts(&found).map(|(severity, count)| format!("{} {count}", sign(tone(severity)))).join("  "),
         head,
         rows: found.iter().take(ROWS).map(row).collect(),
     }

@@ -5,7 +5,7 @@ use macroline::controls::Address;
 use macroline::interp::Interp;
 use macroline::machines::ControlContext;
 use macroline::machines::form::{Origins, Values};
-use macroline::motion::{Action, Budget, Event, Planner, Retention, RunEnd};
+use macroline::motion::{Action, Budget, Event, Panel, Planner, Retention, RunEnd};
 use macroline::project::run::{self, RunOptions};
 use macroline::project::{Project, import};
 use macroline::text::catalog::{Language, sentence};
@@ -304,6 +304,22 @@ fn change_of_control_keeps_the_values() {
         let back = Project::from_json(&project.to_json());
         assert!(back.diagnostics.is_empty() && back.project.unwrap() == project);
     }
+}
+
+#[test]
+fn change_of_control_keeps_knobs_and_drops_actions_of_the_run() {
+    let mut project = project("mitsubishi-e60", &[]);
+    let event = |t, action| Event { t, action };
+    project.panel = Panel::new([
+        event(0.0, Action::SpindleOverride(80.0)),
+        event(1.0, Action::Hold),
+        event(2.0, Action::EmergencyStop),
+        event(3.0, Action::Variable(107, Some(9.0))),
+        event(4.0, Action::SingleBlock(true)),
+    ]);
+    project.move_to(macroline::controls::find("sinumerik-802d").unwrap());
+    let kept = [event(0.0, Action::SpindleOverride(80.0)), event(4.0, Action::SingleBlock(true))];
+    assert_eq!(project.panel.events(), kept);
 }
 
 #[test]

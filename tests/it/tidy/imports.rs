@@ -100,6 +100,11 @@ impl<'a> Imports<'a> {
         self
     }
 
+    /// Every import between two files: importing file, defining file, the names.
+    pub(super) fn between(&self) -> impl Iterator<Item = (&'a Source, &'a Source, &BTreeSet<String>)> {
+        self.ties.iter().map(|((from, to), names)| (self.files[*from], self.files[*to], names))
+    }
+
     /// Files that import one another in a circle, each circle with its imports as lines of text.
     pub(super) fn circles(&self) -> Vec<String> {
         let count = self.files.len();

@@ -1,0 +1,175 @@
+//! The browser: time, frames, storage, files, elements.
+
+pub(crate) mod script;
+
+use leptos::prelude::*;
+use leptos::wasm_bindgen::{JsCast, JsValue, closure::Closure};
+use web_sys::{
+    Blob, BlobPropertyBag, Element, Event, HtmlAnchorElement, HtmlDialogElement, HtmlElement, Performance, Storage, Url,
+};
+
+/// Milliseconds since the page began.
+pub(crate) fn now() -> f64 {
+    performance().map_or(0.0, |p| p.now())
+}
+
+fn performance() -> Option<Performance> {
+    web_sys::window()?.performance()
+}
+
+/// A moment of the browser's performance record.
+pub(crate) fn mark(name: &str) {
+    if let Some(performance) = performance() {
+        let _ = performance.mark(name);
+    }
+}
+
+/// The time between two moments. Only the last few hundred are kept, as the page may run for days.
+pub(crate) fn measure(name: &str, from: &str, to: &str) {
+    let Some(performance) = performance() else { return };
+    let _ = performance.measure_with_start_mark_and_end_mark(name, from, to);
+    performance.clear_marks_with_mark_name(from);
+    performance.clear_marks_with_mark_name(to);
+    if performance.get_entries_by_name(name).length() > 400 {
+        performance.clear_measures_with_measure_name(name);
+    }
+}
+
+/// Calls `tick` with the time of each frame that [`frame`] asks for.
+pub(crate) struct Frames(Closure<dyn FnMut(f64)>);
+
+impl Frames {
+    pub(crate) fn new(tick: impl FnMut(f64) + 'static) -> Frames {
+        Frames(Closure::new(tick))
+    }
+
+    /// Asks for one frame.
+    pub(crate) fn ask(&self) {
+        if let Some(window) = web_sys::window() {
+            let _ = window.request_animation_frame(self.0.as_ref().unchecked_ref());
+        }
+    }
+}
+
+/// Does something after the effects of what has just changed.
+pub(crate) fn soon(act: impl FnOnce() + 'static) {
+    let act: Box<dyn FnOnce()> = Box::new(act);
+    wasm_bindgen_futures::spawn_local(async move {
+        leptos::task::tick().await;
+        act();
+    });
+}
+
+/// The page's own store in this browser.
+pub(crate) fn storage() -> Option<Storage> {
+    web_sys::window()?.local_storage().ok().flatten()
+}
+
+/// A text of the store.
+pub(crate) fn stored(key: &str) -> Option<String> {
+    storage()?.get_item(key).ok().flatten()
+}
+
+/// Keeps a text in the store; false where there is no room or no store.
+pub(crate) fn store(key: &str, text: &str) -> bool {
+    storage().is_some_and(|storage| storage.set_item(key, text).is_ok())
+}
+
+/// Drops a text of the store.
+pub(crate) fn forget(key: &str) {
+    if let Some(storage) = storage() {
+        let _ = storage.remove_item(key);
+    }
+}
+
+/// Hands a file to the user.
+pub(crate) fn download(name: &str, kind: &str, bytes: &[u8]) {
+    let parts = js_sys::Array::of1(&js_sys::Uint8Array::from(bytes));
+    let bag = BlobPropertyBag::new();
+    bag.set_type(kind);
+    let Ok(blob) = Blob::new_with_u8_array_sequence_and_options(&parts, &bag) else { return };
+    let Ok(url) = Url::create_object_url_with_blob(&blob) else { return };
+    if let Ok(anchor) = document().create_element("a").map(JsCast::unchecked_into::<HtmlAnchorElement>) {
+        anchor.set_href(&url);
+        anchor.set_download(name);
+        anchor.click();
+    }
+    // The browser needs the address until it has read the file.
+    set_timeout(move || drop(Url::revoke_object_url(&url)), std::time::Duration::from_secs(20));
+}
+
+/// Puts a text on the clipboard.
+pub(crate) fn copy(text: &str) {
+    let promise = window().navigator().clipboard().write_text(text);
+    wasm_bindgen_futures::spawn_local(async move {
+        let _ = wasm_bindgen_futures::JsFuture::from(promise).await;
+    });
+}
+
+/// Whether a media query holds.
+pub(crate) fn prefers(query: &str) -> bool {
+    window().match_media(query).ok().flatten().is_some_and(|list| list.matches())
+}
+
+/// Sets an attribute; there is nothing to be done where the browser refuses.
+pub(crate) fn set(element: &Element, name: &str, value: &str) {
+    let _ = element.set_attribute(name, value);
+}
+
+/// Shows and focuses a field of the form: leaves an open dialog, opens the groups around the field.
+pub(crate) fn go_to_field(id: &str) {
+    if let Ok(Some(open)) = document().query_selector("dialog[open]") {
+        open.unchecked_into::<HtmlDialogElement>().close();
+    }
+    let Some(input) = by_id(id) else { return };
+    let mut inside = input.closest("details").ok().flatten();
+    while let Some(group) = inside {
+        set(&group, "open", "");
+        inside = group.parent_element().and_then(|outer| outer.closest("details").ok().flatten());
+    }
+    input.scroll_into_view();
+    let _ = input.focus();
+}
+
+/// Shows an element on the whole screen, or ends that.
+pub(crate) fn full_screen(element: &Element) {
+    if document().fullscreen_element().is_some() {
+        document().exit_fullscreen();
+    } else {
+        let _ = element.request_fullscreen();
+    }
+}
+
+/// Elements below `root` that a selector finds.
+pub(crate) fn all(root: &Element, selector: &str) -> Vec<Element> {
+    let Ok(list) = root.query_selector_all(selector) else { return Vec::new() };
+    (0..list.length()).filter_map(|at| list.get(at)?.dyn_into().ok()).collect()
+}
+
+/// The element with an id.
+pub(crate) fn by_id(id: &str) -> Option<HtmlElement> {
+    document().get_element_by_id(id)?.dyn_into().ok()
+}
+
+/// Acts at each event of a kind, anywhere on the page. A paste is heard before the element that it goes to.
+pub(crate) fn hear(event: &str, act: impl Fn(Event) + 'static) {
+    let act = Closure::<dyn Fn(Event)>::new(act).into_js_value();
+    let _ = window().add_event_listener_with_callback_and_bool(event, act.unchecked_ref(), event == "paste");
+}
+
+/// Whether keys pressed in this element are text.
+pub(crate) fn takes_text(element: &Element) -> bool {
+    let kind = element.get_attribute("type").unwrap_or_default();
+    match element.tag_name().as_str() {
+        "INPUT" => !matches!(kind.as_str(), "range" | "checkbox" | "radio" | "button" | "file"),
+        "TEXTAREA" | "SELECT" => true,
+        _ => element.closest("[contenteditable],.editor").ok().flatten().is_some(),
+    }
+}
+
+/// A text of a JavaScript error.
+pub(crate) fn told(error: &JsValue) -> String {
+    error.as_string().unwrap_or_else(|| {
+        js_sys::Reflect::get(error, &"message".into()).ok().and_then(|m| m.as_string()).unwrap_or_default()
+    })
+}

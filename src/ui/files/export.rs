@@ -1,0 +1,150 @@
+//! The export: the files that the page runs, and the worker's documents about them.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use leptos::prelude::*;
+
+use crate::ui::dom::{self, go_to_field};
+use crate::ui::parts::Dialog;
+use crate::ui::state::Page;
+use crate::ui::words::{say, t, tell};
+use crate::ui::worker::client::Client;
+use crate::ui::worker::messages::{Remark, Request, Response};
+
+/// Name and text of a file.
+type NamedText = (String, String);
+
+/// An export that is offered.
+#[derive(Clone)]
+struct Export {
+    /// Programs first.
+    files: Arc<[NamedText]>,
+    /// Findings about fields and program.
+    remarks: Vec<Remark>,
+}
+
+/// A reason that refuses the export.
+#[derive(Clone, PartialEq)]
+struct Reason {
+    alarm: String,
+    text: String,
+    /// Id of the field, or empty.
+    field: String,
+}
+
+fn reasons(page: Page, export: &Export) -> Vec<Reason> {
+    let wrong = page.wrong_fields().into_iter().map(|found| Reason {
+        alarm: String::new(),
+        text: tell(&found),
+        field: found.field.unwrap_or_default().to_owned(),
+    });
+    let mut found: Vec<Reason> = wrong.collect();
+    for Remark { alarm, text, field, .. } in export.remarks.iter().filter(|remark| remark.refuses).cloned() {
+        let reason = Reason { alarm, text, field };
+        if !found.contains(&reason) {
+            found.push(reason);
+        }
+    }
+    found
+}
+
+/// The dialog of the export: the files, or why nothing is exported.
+#[component]
+pub(crate) fn ExportDialog() -> impl IntoView {
+    let (page, worker) = (Page::here(), Client::here());
+    let open = RwSignal::new(false);
+    let export = RwSignal::new(None::<Export>);
+    Effect::new(move |_| {
+        if !page.view.exporting.get() {
+            return;
+        }
+        page.view.exporting.set(false);
+        // The programs of this moment, which are those that run; the documents are about the same project.
+        let written = page.program.written.get_untracked();
+        let take = move |response: Option<Response>| {
+            let Some(Response::Export(documents)) = response else {
+                return page.notices.notify("fail", t("page.no-answer").to_owned());
+            };
+            let programs = written.files.0.iter().map(|file| (file.name.clone(), file.text.clone()));
+            export.set(Some(Export { files: programs.chain(documents.files).collect(), remarks: documents.remarks }));
+            open.set(true);
+        };
+        page.project.with_untracked(|project| worker.ask(project, Request::Export, take));
+    });
+    let content = move || {
+        let export = export.get()?;
+        let reasons = untrack(|| reasons(page, &export));
+        Some(if reasons.is_empty() {
+            view! { <Offered export=export /> }.into_any()
+        } else {
+            view! { <Refused reasons=reasons /> }.into_any()
+        })
+    };
+    view! {
+        <Dialog id="export-title" title=t("page.export") open=open>
+            <div class="body-of">{content}</div>
+        </Dialog>
+    }
+}
+
+/// Why nothing is exported.
+#[component]
+fn Refused(
+    /// The reasons.
+    reasons: Vec<Reason>,
+) -> impl IntoView {
+    let row = |Reason { alarm, text, field }: Reason| {
+        let link = (!field.is_empty()).then(|| {
+            view! { <button type="button" class="link" on:click=move |_| go_to_field(&field)>{t("page.go-to-field")}</button> }
+        });
+        view! { <li class="fail"><i aria-hidden="true">"✕ "</i><b>{alarm}</b> " " {text} " " {link}</li> }
+    };
+    view! {
+        <p>{t("page.refused")}</p>
+        <ul class="remarks">{reasons.into_iter().map(row).collect_view()}</ul>
+    }
+}
+
+/// The files.
+#[component]
+fn Offered(
+    /// The export.
+    export: Export,
+) -> impl IntoView {
+    let files = Arc::clone(&export.files);
+    let row = move |at: usize| {
+        let files = Arc::clone(&files);
+        let (name, text) = files.get(at)?.clone();
+        let size = say(&crate::msg!("page.bytes", text.len() as f64));
+        Some(view! {
+            <tr>
+                <th scope="row">{name}</th>
+                <td>{size}</td>
+                <td><button type="button" on:click=move |_| save(&files, at)>{t("page.save-file")}</button></td>
+            </tr>
+        })
+    };
+    let rows = (0..export.files.len()).map(row).collect_view();
+    // Browsers drop all but the first of several downloads that begin at the same moment.
+    let all = move |_| {
+        for at in 0..export.files.len() {
+            let files = Arc::clone(&export.files);
+            set_timeout(move || save(&files, at), Duration::from_millis(200 * at as u64));
+        }
+    };
+    let remarks =
+        export.remarks.iter().map(|remark| view! { <li class=remark.tone.clone()>{remark.text.clone()}</li> });
+    view! {
+        <p>{t("page.export-about")}</p>
+        <table class="exported"><tbody>{rows}</tbody></table>
+        <ul class="remarks">{remarks.collect_view()}</ul>
+        <footer><button type="button" class="primary" id="save-all" on:click=all>{t("page.save-all")}</button></footer>
+    }
+}
+
+fn save(files: &[NamedText], at: usize) {
+    if let Some((name, text)) = files.get(at) {
+        dom::download(name, "text/plain", text.as_bytes());
+    }
+}

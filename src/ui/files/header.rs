@@ -1,0 +1,161 @@
+//! The header: machine and control, the project, and what can be done with it.
+
+use leptos::prelude::*;
+
+use super::open::OpenButton;
+use super::store;
+use crate::controls;
+use crate::machines;
+use crate::project::Project;
+use crate::ui::dom;
+use crate::ui::parts::input::Choice;
+use crate::ui::parts::{Glyph, Icon, IconButton};
+use crate::ui::state::Page;
+use crate::ui::state::view::Kept;
+use crate::ui::words::t;
+
+/// Where the choice of light and dark is kept.
+const THEME: &str = "macroline.theme";
+
+/// Themes in the order in which the button goes through them, with their words.
+const THEMES: [(&str, &str); 3] =
+    [("", "page.theme-system"), ("light", "page.theme-light"), ("dark", "page.theme-dark")];
+
+/// The header.
+#[component]
+pub(crate) fn Header() -> impl IntoView {
+    let page = Page::here();
+    let fresh = move |_| {
+        let (machine, control) = page.project.with_untracked(|project| (project.machine, project.control));
+        page.replace(Project::new(machine, control));
+        page.notices.say(t("page.fresh"));
+    };
+    let save = move |_| {
+        let (name, text) = page.project.with_untracked(|project| (project.file_name("json"), project.to_json()));
+        dom::download(&name, "application/json", text.as_bytes());
+    };
+    view! {
+        <header class="top">
+            <h1><Logo /> <span>"macro"<i>"line"</i></span></h1>
+            <MachinePicker />
+            <ControlPicker />
+            <ProjectName />
+            <div class="doing">
+                <IconButton glyph=Glyph::Undo label=t("page.undo") title=t("page.undo-key") disabled=Signal::derive(move || !page.can.get().0) press=move || page.undo() />
+                <IconButton glyph=Glyph::Redo label=t("page.redo") title=t("page.redo-key") disabled=Signal::derive(move || !page.can.get().1) press=move || page.redo() />
+                <button type="button" class="quiet" on:click=fresh>{t("page.new")}</button>
+                <OpenButton />
+                <button type="button" class="quiet" title=t("page.save-about") on:click=save>{t("page.save")}</button>
+                <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>
+                <ThemeButton />
+                <IconButton glyph=Glyph::Help label=t("page.help") press=move || page.view.helping.set(true) />
+            </div>
+        </header>
+    }
+}
+
+/// A roller on a web.
+#[component]
+fn Logo() -> impl IntoView {
+    view! {
+        <svg class="logo" viewBox="0 0 24 24" aria-hidden="true">
+            <path d="M2 19h20" class="web" />
+            <circle cx="12" cy="11" r="7" />
+            <path d="M12 11v7" class="web" />
+        </svg>
+    }
+}
+
+/// The machines.
+#[component]
+fn MachinePicker() -> impl IntoView {
+    let page = Page::here();
+    let button = |machine: &&'static dyn machines::AnyMachine| {
+        let machine = *machine;
+        let chosen = move || page.machine.get() == machine.id();
+        let choose = move |_| {
+            if !untrack(chosen) {
+                page.change_machine(machine.id());
+            }
+        };
+        view! { <button type="button" aria-pressed=move || chosen().to_string() on:click=choose>{t(machine.name())}</button> }
+    };
+    let buttons = machines::ALL.iter().map(button).collect_view();
+    view! { <div class="segments" role="group" aria-label=t("page.machine")>{buttons}</div> }
+}
+
+/// The controls that the machine goes with.
+#[component]
+fn ControlPicker() -> impl IntoView {
+    let page = Page::here();
+    let options = move || {
+        page.machine.track();
+        let ids = page.project.with_untracked(|project| project.machine.controls());
+        let found = ids.iter().filter_map(|id| controls::find(id));
+        found.map(|control| (control.id.to_owned(), control.name.to_owned())).collect::<Vec<_>>()
+    };
+    let choose = move |id: String| {
+        if let Some(control) = controls::find(&id) {
+            page.edit("", |project| project.move_to(control));
+        }
+    };
+    view! {
+        <Choice
+            attr:class="control" attr:aria-label=t("page.control")
+            options=Signal::derive(options) chosen=Signal::derive(move || page.control.get().to_owned()) choose=choose
+        />
+    }
+}
+
+/// The name of the project, and whether it is kept.
+#[component]
+fn ProjectName() -> impl IntoView {
+    let page = Page::here();
+    let take = move |event| {
+        let name: String = event_target_value(&event).chars().filter(|c| !c.is_control()).take(120).collect();
+        page.edit("name", |project| project.name = name);
+    };
+    let kept = move || match page.view.kept.get() {
+        Kept::Yes => t("page.kept"),
+        Kept::Soon => t("page.kept-soon"),
+        Kept::No => t("page.kept-not"),
+        Kept::Elsewhere => "",
+    };
+    view! {
+        <div class="project">
+            <input
+                class="name" type="text" maxlength="120" placeholder=t("page.untitled") aria-label=t("page.name")
+                prop:value=move || page.project.with(|project| project.name.clone())
+                on:input=take
+            />
+            <Show when=move || page.view.kept.get() == Kept::Elsewhere>
+                <button type="button" class="link" title=t("page.other-tab") on:click=move |_| store::take_over(page)>
+                    {t("page.store-here")}
+                </button>
+            </Show>
+            <span class="kept" class:warn=move || page.view.kept.get() == Kept::No>{kept}</span>
+        </div>
+    }
+}
+
+/// Light, dark, or as the system.
+#[component]
+fn ThemeButton() -> impl IntoView {
+    let stored = dom::stored(THEME).unwrap_or_default();
+    let at = RwSignal::new(THEMES.iter().position(|(id, _)| *id == stored).unwrap_or(0));
+    let theme = move || THEMES.get(at.get()).copied().unwrap_or(THEMES[0]);
+    Effect::new(move |_| {
+        if let Some(root) = document().document_element() {
+            dom::set(&root, "data-theme", theme().0);
+        }
+    });
+    let next = move |_| {
+        at.update(|at| *at = (*at + 1) % THEMES.len());
+        dom::store(THEME, untrack(theme).0);
+    };
+    view! {
+        <button type="button" class="icon theme" aria-label=move || t(theme().1) title=move || t(theme().1) on:click=next>
+            <Icon glyph=Glyph::Theme />
+        </button>
+    }
+}

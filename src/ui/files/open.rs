@@ -1,0 +1,137 @@
+//! Opening projects and programs: chosen, dropped or pasted.
+
+use leptos::html;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{ClipboardEvent, DataTransfer, DragEvent, Element, File, FileList};
+
+use super::large::{LargeFile, Source, check};
+use crate::nc;
+use crate::project::decode::Decoded;
+use crate::project::import::{MAX_PROGRAM, open, programs};
+use crate::project::saved::with_line;
+use crate::ui::dom;
+use crate::ui::state::Page;
+use crate::ui::state::view::Tab;
+use crate::ui::words::{t, tell, tone};
+
+/// Bytes above which a text is not taken into the page but read aside.
+const BIG: f64 = MAX_PROGRAM as f64;
+
+/// Bytes of the largest project that is read: [`MAX_PROGRAM`] as JSON with every character escaped, and room for the form.
+const PROJECT: f64 = 8.0 * BIG;
+
+/// Takes files that a person opened, dropped or pasted.
+fn take(page: Page, large: LargeFile, files: Vec<File>) {
+    // A project may be larger than a program: what macroline saved it opens.
+    let is_project = |file: &File| file.name().to_ascii_lowercase().ends_with(".json") && file.size() <= PROJECT;
+    if let Some(big) = files.iter().find(|file| file.size() > BIG && !is_project(file)) {
+        check(page, large, Source::File(big.clone()));
+        return;
+    }
+    wasm_bindgen_futures::spawn_local(async move {
+        let mut texts = Vec::new();
+        for file in files {
+            let Ok(buffer) = JsFuture::from(file.array_buffer()).await else { continue };
+            let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
+            texts.push(nc::File { name: file.name(), text: Decoded::new(bytes).text });
+        }
+        if !texts.is_empty() {
+            read(page, &texts);
+        }
+    });
+}
+
+/// Reads texts: a project, a program that carries its settings, or any other programs.
+fn read(page: Page, files: &[nc::File]) {
+    let Some(first) = files.first() else { return };
+    let text = first.text.trim_start_matches('\u{feff}');
+    let opened = page.project.with_untracked(|project| open(project, &first.name, text));
+    for told in &opened.diagnostics {
+        page.notices.notify(tone(told.severity), with_line(told, text));
+    }
+    let Some(mut project) = opened.project else { return };
+    if project.edited.is_some() && !text.starts_with('{') {
+        match programs(files) {
+            Ok(files) => project.edited = Some(files),
+            Err(finding) => {
+                page.notices.notify("fail", tell(&finding));
+                return;
+            }
+        }
+        page.notices.notify("info", t("page.opened-program").to_owned());
+    }
+    page.view.file.set(0);
+    page.view.tab.set(Tab::Program);
+    page.replace(project);
+    page.notices.say(t("page.opened"));
+}
+
+fn files_of(list: Option<FileList>) -> Vec<File> {
+    list.map(|list| (0..list.length()).filter_map(|at| list.get(at)).collect()).unwrap_or_default()
+}
+
+/// Takes what was dropped or pasted; whether there was something to take.
+fn transferred(page: Page, large: LargeFile, data: &DataTransfer) -> bool {
+    let list = files_of(data.files());
+    if !list.is_empty() {
+        take(page, large, list);
+        return true;
+    }
+    let text = data.get_data("text").unwrap_or_default();
+    if text.len() as f64 > BIG {
+        check(page, large, Source::Text(text));
+    } else if text.trim().is_empty() {
+        return false;
+    } else {
+        read(page, &[nc::File { name: t("page.pasted").to_owned(), text }]);
+    }
+    true
+}
+
+/// Listens for files that are dropped or pasted anywhere on the page.
+pub(crate) fn listen(page: Page, large: LargeFile) {
+    dom::hear("dragover", |event| event.prevent_default());
+    dom::hear("drop", move |event| {
+        event.prevent_default();
+        if let Some(data) = event.unchecked_ref::<DragEvent>().data_transfer() {
+            transferred(page, large, &data);
+        }
+    });
+    // Before any text field gets it: a paste of many megabytes must not go into one.
+    dom::hear("paste", move |event| {
+        let Some(data) = event.unchecked_ref::<ClipboardEvent>().clipboard_data() else { return };
+        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let in_text = target.is_some_and(|target| dom::takes_text(&target));
+        if in_text && (data.get_data("text").map_or(0, |text| text.len()) as f64) < BIG {
+            return;
+        }
+        if transferred(page, large, &data) {
+            event.prevent_default();
+            event.stop_propagation();
+        }
+    });
+}
+
+/// The button that opens files.
+#[component]
+pub(super) fn OpenButton() -> impl IntoView {
+    let (page, large) = (Page::here(), LargeFile::here());
+    let input: NodeRef<html::Input> = NodeRef::new();
+    let chosen = move |_| {
+        let Some(input) = input.get() else { return };
+        take(page, large, files_of(input.files()));
+        // The same file may be opened twice in a row.
+        input.set_value("");
+    };
+    let press = move |_| {
+        if let Some(input) = input.get() {
+            input.click();
+        }
+    };
+    view! {
+        <input node_ref=input id="open" class="hidden" type="file" multiple tabindex="-1" aria-label=t("page.open") on:change=chosen />
+        <button type="button" class="quiet" title=t("page.open-about") on:click=press>{t("page.open")}</button>
+    }
+}

@@ -1,0 +1,104 @@
+//! The project in this browser's store: kept while one works, set aside when it cannot be read.
+
+use std::time::Duration;
+
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::StorageEvent;
+
+use crate::machines;
+use crate::project::Project;
+use crate::project::saved::with_line;
+use crate::ui::dom;
+use crate::ui::state::notices::Notice;
+use crate::ui::state::view::Kept;
+use crate::ui::state::{Page, stepping};
+use crate::ui::words::t;
+
+/// Where the project is kept.
+const KEY: &str = "macroline.project";
+
+/// Where a state goes that could not be read.
+const ASIDE: &str = "macroline.set-aside";
+
+/// Name of the file in which a state that was set aside is handed out.
+pub(crate) const ASIDE_FILE: &str = "macroline-set-aside.txt";
+
+/// The project of the last visit, or a fresh one, with notices about it. None only where no machine has a control.
+pub(crate) fn load() -> (Option<Project>, Vec<Notice>) {
+    let fresh = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
+    let mut notices = Vec::new();
+    let Some(text) = dom::stored(KEY) else { return (fresh(), notices) };
+    let loaded = Project::from_json(&text);
+    if let Some(project) = loaded.project {
+        notices.extend(loaded.diagnostics.iter().map(|d| Notice {
+            tone: "warn",
+            text: with_line(d, &text),
+            file: None,
+        }));
+        return (Some(project), notices);
+    }
+    // The text is kept under another name before anything new is written over it.
+    if dom::store(ASIDE, &text) {
+        dom::forget(KEY);
+    }
+    let reason = loaded.diagnostics.first().map(|d| with_line(d, &text)).unwrap_or_default();
+    let said = format!("{} {reason}", t("page.set-aside"));
+    notices.push(Notice { tone: "warn", text: said, file: Some((ASIDE_FILE, text)) });
+    (fresh(), notices)
+}
+
+/// Stores the project of this tab, whatever another tab has stored.
+pub(crate) fn take_over(page: Page) {
+    let text = page.project.with_untracked(Project::to_json);
+    page.view.kept.set(if dom::store(KEY, &text) { Kept::Yes } else { Kept::No });
+    page.notices.dismiss(t("page.other-tab"));
+}
+
+/// Keeps the project from now on, shortly after each change.
+pub(crate) fn keep(page: Page) {
+    let timer = StoredValue::new(None::<TimeoutHandle>);
+    let save = move || {
+        if page.view.kept.get_untracked() == Kept::Elsewhere {
+            return;
+        }
+        let text = page.project.with_untracked(Project::to_json);
+        page.view.kept.set(if dom::store(KEY, &text) { Kept::Yes } else { Kept::No });
+        timer.set_value(None);
+    };
+    Effect::new(move |first: Option<()>| {
+        page.project.track();
+        if first.is_none() {
+            return;
+        }
+        if page.view.kept.get_untracked() == Kept::Elsewhere {
+            return;
+        }
+        page.view.kept.set(Kept::Soon);
+        if let Some(timer) = timer.get_value() {
+            timer.clear();
+        }
+        let next = set_timeout_with_handle(save, Duration::from_millis(300)).ok();
+        timer.set_value(next);
+    });
+    dom::hear("storage", move |event| {
+        let event: &StorageEvent = event.unchecked_ref();
+        if event.key().as_deref() == Some(KEY) && event.new_value().is_some() {
+            page.view.kept.set(Kept::Elsewhere);
+            page.notices.notify("warn", t("page.other-tab").to_owned());
+        }
+    });
+    // Whoever closes the page in that moment loses nothing either.
+    let hide = move || {
+        stepping::keep(page);
+        let typed = page.program.typed.with_value(Option::is_some);
+        page.take_typed();
+        let waiting = timer.get_value();
+        if typed || waiting.is_some() {
+            waiting.iter().for_each(TimeoutHandle::clear);
+            save();
+        }
+    };
+    dom::hear("pagehide", move |_| hide());
+    dom::hear("visibilitychange", move |_| hide());
+}

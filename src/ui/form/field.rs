@@ -1,0 +1,181 @@
+//! One field of the form: typed text stays as it is typed, and the project gets it when it reads as a value.
+
+use std::sync::Arc;
+
+use leptos::ev::KeyboardEvent;
+use leptos::html;
+use leptos::prelude::*;
+
+use super::slider::Slider;
+use super::value::{shown, value_of};
+use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
+use crate::math;
+use crate::text::Severity;
+use crate::ui::dom;
+use crate::ui::parts::input::Choice;
+use crate::ui::state::Page;
+use crate::ui::words::{t, tell};
+
+/// A field with label, unit, error, help and the origin of its value; a product field also with a slider.
+#[component]
+pub(super) fn FormField(
+    /// Its row in the form.
+    info: FieldInfo,
+) -> impl IntoView {
+    let page = Page::here();
+    let id = info.id;
+    let wrong = Memo::new(move |_| {
+        if let Some(problem) = page.entries.refused(id) {
+            return tell(&problem);
+        }
+        page.results.design.with(|design| {
+            let errors = design.diagnostics.iter().filter(|d| d.severity == Severity::Error && d.field == Some(id));
+            errors.map(tell).next().unwrap_or_default()
+        })
+    });
+    let is_wrong = Signal::derive(move || !wrong.with(String::is_empty));
+    let (unit, class) = match &info.kind {
+        KindInfo::Number { unit, .. } => (*unit, "field"),
+        KindInfo::Flag(_) => ("", "field flag"),
+        KindInfo::Choice(_) | KindInfo::Text(_) => ("", "field wide"),
+    };
+    let from = move || match page.project.with(|project| project.provenance.get(id).copied()) {
+        Some(Provenance::Measured) => "measured",
+        Some(Provenance::DataSheet) => "data-sheet",
+        _ => "",
+    };
+    let info = Arc::new(info);
+    let slides = info.essential && matches!(info.kind, KindInfo::Number { .. });
+    let slider = slides.then(|| view! { <Slider info=Arc::clone(&info) /> });
+    let symbol = info.symbol;
+    view! {
+        <div
+            class=class
+            class:slides=slides
+            class:absent=move || page.results.hidden.with(|hidden| hidden.contains(&id))
+            class:wrong=is_wrong
+        >
+            <label for=id>
+                {t(info.label)} " "
+                {(!symbol.is_empty()).then(|| view! { <small>{move || page.spelled(symbol)}</small> })}
+            </label>
+            {slider}
+            <Input info=Arc::clone(&info) wrong=is_wrong />
+            <span class="unit">{unit}</span>
+            <button
+                type="button"
+                class="about"
+                popovertarget="about"
+                tabindex="-1"
+                aria-label=format!("{}: {}", t("page.about"), t(info.label))
+                data-from=from
+                on:click=move |_| page.view.about.set(Some(id))
+            >
+                "?"
+            </button>
+            <p class="note" id=format!("{id}-note")>{wrong}</p>
+        </div>
+    }
+}
+
+/// The input of a field, by its kind.
+#[component]
+fn Input(
+    /// The field's row.
+    info: Arc<FieldInfo>,
+    /// Whether the entry is wrong.
+    wrong: Signal<bool>,
+) -> impl IntoView {
+    let page = Page::here();
+    let id = info.id;
+    let note = format!("{id}-note");
+    let invalid = move || wrong.get().to_string();
+    match &info.kind {
+        KindInfo::Number { .. } | KindInfo::Text(_) => view! { <TypedInput info=info wrong=wrong /> }.into_any(),
+        KindInfo::Flag(_) => {
+            let on = move || value_of(page, &info) == Value::Flag(true);
+            view! {
+                <input
+                    id=id type="checkbox" class="switch" aria-describedby=note aria-invalid=invalid
+                    prop:checked=on
+                    on:change=move |event| page.set(id, Value::Flag(event_target_checked(&event)))
+                />
+            }
+            .into_any()
+        }
+        KindInfo::Choice(options) => {
+            let options: Vec<_> = options.iter().map(|(one, label)| ((*one).to_owned(), t(label).to_owned())).collect();
+            let chosen = move || if let Value::Text(text) = value_of(page, &info) { text } else { String::new() };
+            view! {
+                <Choice
+                    attr:id=id attr:aria-describedby=note attr:aria-invalid=invalid
+                    options=Signal::stored(options) chosen=Signal::derive(chosen)
+                    choose=move |value| page.set(id, Value::Text(value))
+                />
+            }
+            .into_any()
+        }
+    }
+}
+
+/// A text that is read while it is typed, and never rewritten while it means the value of the project.
+#[component]
+fn TypedInput(
+    /// The field's row.
+    info: Arc<FieldInfo>,
+    /// Whether the entry is wrong.
+    wrong: Signal<bool>,
+) -> impl IntoView {
+    let page = Page::here();
+    let id = info.id;
+    let numeric = matches!(info.kind, KindInfo::Number { .. });
+    let input: NodeRef<html::Input> = NodeRef::new();
+    let row = Arc::clone(&info);
+    Effect::new(move |last: Option<u32>| {
+        let (value, reread) = (value_of(page, &row), page.entries.reread.get());
+        let Some(input) = input.get() else { return reread };
+        // The text stays where it means the value already: `1,5` is not rewritten into 1.5.
+        let same = row.read(&input.value()).is_ok_and(|typed| typed == value);
+        let forced = last != Some(reread);
+        let kept = untrack(|| page.entries.refused(id)).is_some() && !forced;
+        if !same && !kept {
+            input.set_value(&shown(&row, &value));
+        }
+        reread
+    });
+    let reader = Arc::clone(&info);
+    let take = move |typed: &str| {
+        dom::mark("input");
+        match reader.read(typed) {
+            Ok(value) => page.set(id, value),
+            Err(problem) => page.entries.refuse(id, *problem),
+        }
+    };
+    let taken = take.clone();
+    let step = move |event: KeyboardEvent| {
+        let direction = match event.key().as_str() {
+            "ArrowUp" => 1.0,
+            "ArrowDown" => -1.0,
+            _ => return,
+        };
+        let (KindInfo::Number { step, min, max, .. }, Some(input)) = (&info.kind, input.get()) else { return };
+        event.prevent_default();
+        let scale = if event.shift_key() { 10.0 } else { 1.0 };
+        let present = info.read(&input.value()).unwrap_or_else(|_| untrack(|| value_of(page, &info)));
+        let Value::Number(from) = present else { return };
+        let text = shown(&info, &Value::Number(math::clamp(from + direction * scale * step, *min, *max)));
+        input.set_value(&text);
+        take(&text);
+    };
+    view! {
+        <input
+            node_ref=input id=id type="text" autocomplete="off" spellcheck="false"
+            class=if numeric { "number" } else { "" }
+            inputmode=if numeric { "decimal" } else { "text" }
+            aria-describedby=format!("{id}-note")
+            aria-invalid=move || wrong.get().to_string()
+            on:input=move |event| taken(&event_target_value(&event))
+            on:keydown=step
+        />
+    }
+}

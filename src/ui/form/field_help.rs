@@ -1,0 +1,104 @@
+//! The help of one field: meaning, range, default, and where its value comes from.
+
+use leptos::prelude::*;
+
+use super::value::{shown, value_of};
+use crate::machines::form::{FieldInfo, KindInfo, Provenance};
+use crate::text::catalog::number_text;
+use crate::ui::state::Page;
+use crate::ui::words::t;
+
+/// Where values may come from, as they are listed.
+const SOURCES: [(Provenance, &str); 3] = [
+    (Provenance::Assumed, "page.assumed"),
+    (Provenance::DataSheet, "page.data-sheet"),
+    (Provenance::Measured, "page.measured"),
+];
+
+/// The one popover of the form; the button of a field opens it and names the field.
+#[component]
+pub(crate) fn FieldHelp() -> impl IntoView {
+    let page = Page::here();
+    let content = move || {
+        let id = page.view.about.get()?;
+        let fields = page.project.with_untracked(|project| project.machine.fields());
+        let info = fields.into_iter().find(|field| field.id == id)?;
+        Some(view! { <Content info=info /> })
+    };
+    view! { <div class="popup" id="about" popover="auto">{content}</div> }
+}
+
+fn range(kind: &KindInfo) -> Option<String> {
+    match kind {
+        KindInfo::Number { unit, min, max, .. } => {
+            Some(format!("{} … {} {unit}", number_text(*min, 6), number_text(*max, 6)))
+        }
+        KindInfo::Text(max) => Some(format!("{max} {}", t("page.characters"))),
+        _ => None,
+    }
+}
+
+fn default_text(info: &FieldInfo) -> String {
+    match &info.kind {
+        KindInfo::Number { unit, .. } => format!("{} {unit}", shown(info, &info.default())),
+        KindInfo::Choice(options) => options.first().map_or("", |(_, label)| t(label)).to_owned(),
+        KindInfo::Flag(on) => t(if *on { "page.on" } else { "page.off" }).to_owned(),
+        KindInfo::Text(_) => t("page.empty").to_owned(),
+    }
+}
+
+#[component]
+fn Content(
+    /// The field's row.
+    info: FieldInfo,
+) -> impl IntoView {
+    let page = Page::here();
+    let id = info.id;
+    let (default, row) = (info.default(), info.clone());
+    let present = default.clone();
+    let changed = move || value_of(page, &row) != present || page.entries.refused(id).is_some();
+    let reset = move |_| {
+        page.set(id, default.clone());
+        page.entries.show_again();
+    };
+    let range = range(&info.kind).map(|range| view! { <dt>{t("page.range")}</dt><dd>{range}</dd> });
+    view! {
+        <h3>{t(info.label)} " " <small>{page.spelled(info.symbol)}</small></h3>
+        <p>{t(info.help)}</p>
+        <dl>
+            {range}
+            <dt>{t("page.default")}</dt>
+            <dd>{default_text(&info)}</dd>
+        </dl>
+        {info.fact.then(|| view! { <Origin id=id /> })}
+        <button type="button" disabled=move || !changed() on:click=reset>{t("page.reset-field")}</button>
+    }
+}
+
+/// Where the value of a fact comes from.
+#[component]
+fn Origin(
+    /// The field.
+    id: &'static str,
+) -> impl IntoView {
+    let page = Page::here();
+    let from = move || page.project.with(|project| project.provenance.get(id).copied().unwrap_or_default());
+    let choice = |(source, label): (Provenance, &'static str)| {
+        view! {
+            <label class="radio">
+                <input
+                    type="radio" name="from"
+                    prop:checked=move || from() == source
+                    on:change=move |_| page.set_provenance(id, source)
+                />
+                {t(label)}
+            </label>
+        }
+    };
+    view! {
+        <fieldset>
+            <legend>{t("page.from")}</legend>
+            {SOURCES.into_iter().map(choice).collect_view()}
+        </fieldset>
+    }
+}

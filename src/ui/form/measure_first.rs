@@ -1,0 +1,81 @@
+//! Assumed facts that are worth measuring first: a tenth more or less of them flips a verdict.
+
+use leptos::prelude::*;
+
+use super::value::{shown, value_of};
+use crate::machines::form::{FieldInfo, KindInfo};
+use crate::ui::dom::go_to_field;
+use crate::ui::state::{Page, put};
+use crate::ui::words::t;
+use crate::ui::worker::client::Client;
+use crate::ui::worker::messages::{Request, Response};
+
+/// Facts that are listed at most.
+const MOST: usize = 5;
+
+/// The facts; each leads to its field.
+#[component]
+pub(super) fn MeasureFirst() -> impl IntoView {
+    let (page, worker) = (Page::here(), Client::here());
+    let found = RwSignal::new(Vec::<String>::new());
+    // Of one project at a time, and of the last one at the end.
+    let asked = StoredValue::new(false);
+    Effect::new(move |_| {
+        page.project.track();
+        if !asked.get_value() {
+            asked.set_value(true);
+            ask(page, worker, found, asked);
+        }
+    });
+    let rows = move || {
+        let fields = page.project.with_untracked(|project| project.machine.fields());
+        let ids = found.get();
+        let facts = ids.iter().take(MOST).filter_map(|id| fields.iter().find(|field| field.id == *id).cloned());
+        facts.map(|info| view! { <Fact info=info /> }).collect_view()
+    };
+    view! {
+        <Show when=move || !found.with(Vec::is_empty)>
+            <div class="measure-first">
+                <p>{t("page.measure-first")}</p>
+                {rows}
+            </div>
+        </Show>
+    }
+}
+
+fn ask(page: Page, worker: Client, found: RwSignal<Vec<String>>, asked: StoredValue<bool>) {
+    let sent = page.project.get_untracked();
+    let about = sent.clone();
+    worker.ask(&sent, Request::Flips, move |response| {
+        if let Some(Response::Flips(ids)) = response
+            && !found.is_disposed()
+        {
+            put(found, ids);
+            let present = page.project.get_untracked();
+            let same = present.values == about.values && present.provenance == about.provenance;
+            if same && present.control.id == about.control.id {
+                asked.set_value(false);
+            } else {
+                ask(page, worker, found, asked);
+            }
+        }
+    });
+}
+
+/// A fact with its present value.
+#[component]
+fn Fact(
+    /// The row of its field.
+    info: FieldInfo,
+) -> impl IntoView {
+    let page = Page::here();
+    let unit = if let KindInfo::Number { unit, .. } = info.kind { unit } else { "" };
+    let (id, label) = (info.id, t(info.label));
+    let value = move || format!("{} {unit}", shown(&info, &value_of(page, &info)));
+    view! {
+        <button type="button" on:click=move |_| go_to_field(id)>
+            <span>{label}</span>
+            <code>{value}</code>
+        </button>
+    }
+}

@@ -1,0 +1,141 @@
+//! The form: product fields in front, the machine's data folded behind them in groups.
+
+mod field;
+
+pub(crate) mod field_help;
+
+mod measure_first;
+
+mod slider;
+
+mod value;
+
+use leptos::prelude::*;
+
+use crate::machines::form::{FieldInfo, Provenance};
+use crate::text::number::filled;
+use crate::ui::state::Page;
+use crate::ui::words::{say, t};
+use field::FormField;
+use measure_first::MeasureFirst;
+
+/// Name and fields of each group that is folded, in the order of the form.
+fn groups(fields: &[FieldInfo]) -> Vec<(&'static str, Vec<FieldInfo>)> {
+    let mut groups: Vec<(&'static str, Vec<FieldInfo>)> = Vec::new();
+    for field in fields.iter().filter(|field| !field.essential) {
+        match groups.iter_mut().find(|(title, _)| *title == field.group) {
+            Some((_, list)) => list.push(field.clone()),
+            None => groups.push((field.group, vec![field.clone()])),
+        }
+    }
+    groups
+}
+
+/// All fields of the machine.
+#[component]
+pub(crate) fn Form() -> impl IntoView {
+    let page = Page::here();
+    let rows = move || {
+        // Another machine is another form; values of the same machine are not.
+        page.machine.track();
+        let fields = page.project.with_untracked(|project| project.machine.fields());
+        let product = fields.iter().filter(|field| field.essential).cloned();
+        view! {
+            <fieldset class="product">
+                <legend>{t("page.essentials")}</legend>
+                {product.map(|info| view! { <FormField info=info /> }).collect_view()}
+            </fieldset>
+            <MachineData fields=fields />
+        }
+    };
+    view! {
+        <section class="pane form" id="form" aria-label=t("page.inputs")>
+            <form autocomplete="off" on:submit=|event| event.prevent_default()>{rows}</form>
+            <WrongFields />
+        </section>
+    }
+}
+
+/// Everything else about the machine, folded, with the count of facts that are only assumed.
+#[component]
+fn MachineData(
+    /// Fields of the form.
+    fields: Vec<FieldInfo>,
+) -> impl IntoView {
+    let page = Page::here();
+    let facts: Vec<&'static str> = fields.iter().filter(|field| field.fact).map(|field| field.id).collect();
+    let count = Memo::new(move |_| {
+        let here: Vec<_> =
+            page.results.hidden.with(|hidden| facts.iter().copied().filter(|id| !hidden.contains(id)).collect());
+        let assumed = page.project.with(|project| {
+            let origin = |id: &&str| project.provenance.get(*id).copied().unwrap_or_default() == Provenance::Assumed;
+            here.iter().filter(|id| origin(id)).count()
+        });
+        (assumed, here.len())
+    });
+    let known = move || {
+        let (assumed, all) = count.get();
+        filled("#%", &[100.0 * (all - assumed) as f64 / all.max(1) as f64])
+    };
+    let groups = groups(&fields);
+    let open = RwSignal::new(false);
+    view! {
+        <details class="data" on:toggle=move |event| open.set(event_target::<web_sys::HtmlDetailsElement>(&event).open())>
+            <summary>
+                <b>{t("page.machine-data")}</b>
+                <span class="count">{move || say(&crate::msg!("page.assumed-of", count.get().0 as f64, count.get().1 as f64))}</span>
+            </summary>
+            <div class="known" style:--part=known></div>
+            <Show when=move || open.get()><MeasureFirst /></Show>
+            {groups.into_iter().map(|(title, fields)| view! { <Group title=title fields=fields /> }).collect_view()}
+        </details>
+    }
+}
+
+/// A group of fields; it opens where one of them is wrong.
+#[component]
+fn Group(
+    /// Catalog id of its name.
+    title: &'static str,
+    /// The fields.
+    fields: Vec<FieldInfo>,
+) -> impl IntoView {
+    let page = Page::here();
+    let ids: Vec<&'static str> = fields.iter().map(|field| field.id).collect();
+    let all = ids.clone();
+    let shown = move || page.results.hidden.with(|hidden| all.iter().filter(|id| !hidden.contains(id)).count());
+    let wrong = move || page.wrong_fields().iter().any(|d| d.field.is_some_and(|field| ids.contains(&field)));
+    let wrong = Memo::new(move |_| wrong());
+    view! {
+        <details class="group" class:wrong=wrong>
+            <summary>{t(title)}<span class="count">{shown}</span></summary>
+            {fields.into_iter().map(|info| view! { <FormField info=info /> }).collect_view()}
+        </details>
+    }
+}
+
+/// Wrong entries, counted where they may be out of sight; each leads to its field.
+#[component]
+fn WrongFields() -> impl IntoView {
+    let page = Page::here();
+    let first = move || page.wrong_fields().iter().find_map(|d| d.field);
+    let count = move || page.wrong_fields().iter().filter(|d| d.field.is_some()).count();
+    view! {
+        <p class="stale" class:shown=move || page.is_stale()>
+            {t("page.stale")} " "
+            <button
+                type="button"
+                class="link"
+                class:gone=move || first().is_none()
+                on:click=move |_| {
+                    if let Some(field) = untrack(first) {
+                        crate::ui::dom::go_to_field(field);
+                    }
+                }
+            >
+                {t("page.go-to-field")}
+                {move || if count() > 1 { format!(" (1/{})", count()) } else { String::new() }}
+            </button>
+        </p>
+    }
+}

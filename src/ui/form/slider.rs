@@ -1,0 +1,74 @@
+//! The slider of a product field.
+
+use std::sync::Arc;
+
+use leptos::prelude::*;
+
+use super::value::value_of;
+use crate::machines::form::{FieldInfo, KindInfo, Value};
+use crate::math;
+use crate::text::catalog::number_text;
+use crate::ui::dom;
+use crate::ui::parts::input::{filled_part, number};
+use crate::ui::state::Page;
+use crate::ui::words::t;
+
+/// Positions of a slider.
+const POSITIONS: f64 = 400.0;
+
+/// The range that a slider reaches around the default: from a quarter of it to four times, within the limits of the field.
+fn reach(info: &FieldInfo) -> Option<(f64, f64, f64, u8)> {
+    let KindInfo::Number { min, max, default, step, decimals, .. } = info.kind else { return None };
+    let (low, high) = (default / 4.0, default * 4.0);
+    Some((math::clamp(low, min, max), math::clamp(high, min, max), step, decimals))
+}
+
+/// The value at a position: logarithmic, so that halving and doubling are equally far.
+fn at(position: f64, low: f64, high: f64, step: f64) -> f64 {
+    let part = position / POSITIONS;
+    let value = if low > 0.0 { low * math::exp(part * math::ln(high / low)) } else { low + part * (high - low) };
+    math::clamp((value / step).round() * step, low, high)
+}
+
+/// The position of a value.
+fn position(value: f64, low: f64, high: f64) -> f64 {
+    let value = math::clamp(value, low, high);
+    let part = if low > 0.0 { math::ln(value / low) / math::ln(high / low) } else { (value - low) / (high - low) };
+    (part * POSITIONS).round()
+}
+
+/// The slider; the field beside it takes any value, the slider the usual ones.
+#[component]
+pub(super) fn Slider(
+    /// The field's row.
+    info: Arc<FieldInfo>,
+) -> impl IntoView {
+    let page = Page::here();
+    let (low, high, step, decimals) = reach(&info)?;
+    if low >= high {
+        return None;
+    }
+    let label = t(info.label);
+    let id = info.id;
+    let place = Memo::new(move |_| match value_of(page, &info) {
+        Value::Number(value) => position(value, low, high),
+        _ => 0.0,
+    });
+    let slide = move |event: web_sys::Event| {
+        let Some(position) = number(&event) else { return };
+        dom::mark("input");
+        let text = number_text(at(position, low, high, step), decimals);
+        if let Some(value) = crate::text::number::read(&text) {
+            page.set(id, Value::Number(value));
+            page.entries.show_again();
+        }
+    };
+    Some(view! {
+        <input
+            type="range" class="slide" min="0" max="400" tabindex="-1" aria-label=label
+            prop:value=move || place.get().to_string()
+            style:--part=move || filled_part(place.get(), (0.0, POSITIONS))
+            on:input=slide
+        />
+    })
+}

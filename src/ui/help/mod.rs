@@ -1,0 +1,49 @@
+//! Help: the keys, and what the page is.
+
+pub(crate) mod keys;
+
+use leptos::prelude::*;
+
+use crate::ui::parts::Dialog;
+use crate::ui::parts::input::CheckMark;
+use crate::ui::state::Page;
+use crate::ui::state::stepping::COMMANDS;
+use crate::ui::words::t;
+
+/// Keys and their effects.
+const KEYS: [(&str, &str); 8] = [
+    ("Space", "page.key-play"),
+    (", .", "page.key-step"),
+    ("Home", "page.key-start"),
+    ("← →", "page.key-arrows"),
+    ("↑ ↓", "page.key-fields"),
+    ("Ctrl Z", "page.key-undo"),
+    ("Ctrl Shift Z", "page.key-redo"),
+    ("?", "page.key-help"),
+];
+
+/// The dialog of help.
+#[component]
+pub(crate) fn HelpDialog() -> impl IntoView {
+    let page = Page::here();
+    let row = |(key, what): (&'static str, &'static str)| {
+        view! { <tr><th scope="row"><kbd>{key}</kbd></th><td>{t(what)}</td></tr> }
+    };
+    let rows = KEYS.into_iter().chain(COMMANDS.into_iter().map(|(key, _, what)| (key, what))).map(row).collect_view();
+    let keys_on = RwSignal::new(keys::on());
+    let turn = move |on| {
+        keys::turn(on);
+        keys_on.set(on);
+    };
+    view! {
+        <Dialog id="help-title" title=t("page.help") open=page.view.helping>
+            <p>{t("page.help-about")}</p>
+            <p>{t("page.help-program")}</p>
+            <p>{t("page.help-hand")}</p>
+            <p>{t("page.help-walk")}</p>
+            <h3>{t("page.keys")}</h3>
+            <table class="shortcuts"><tbody>{rows}</tbody></table>
+            <CheckMark label=t("page.keys-on") on=keys_on set=turn />
+        </Dialog>
+    }
+}

@@ -1,0 +1,113 @@
+//! The chart below the film: drawn once per change of plan or axis, with a cursor that moves above it.
+
+use leptos::wasm_bindgen::JsCast;
+use web_sys::{Element, HtmlElement};
+
+use crate::math;
+use crate::text::number::filled;
+use crate::ui::dom;
+use crate::ui::parts::chart_figure;
+use crate::ui::state::player::Moment;
+use crate::ui::words::{figure, t};
+use crate::view::{Chart, Series};
+
+/// Points of a line.
+const POINTS: usize = 360;
+
+/// The charts of the machine, one of them in the page.
+#[derive(Default)]
+pub(super) struct Charts {
+    charts: Vec<Chart>,
+    chosen: usize,
+    cursors: Vec<HtmlElement>,
+    values: Vec<(Element, bool)>,
+    axis: (f64, f64),
+    plans: Option<u32>,
+}
+
+impl Charts {
+    /// Catalog ids of the titles.
+    pub(super) fn titles(&self) -> Vec<&'static str> {
+        self.charts.iter().map(|chart| chart.title).collect()
+    }
+
+    /// Shows a moment: draws where plan, axis or choice have changed, moves the cursor, writes the values.
+    pub(super) fn frame(&mut self, host: &Element, moment: &Moment, chosen: usize) {
+        let changed = self.axis != moment.axis || self.plans != Some(moment.plans);
+        if changed {
+            (self.axis, self.plans) = (moment.axis, Some(moment.plans));
+            self.charts = moment.machine.charts(moment.run, moment.axis.0, moment.axis.1, POINTS);
+        }
+        if changed || self.chosen != chosen {
+            self.chosen = chosen;
+            self.draw(host);
+        }
+        self.move_cursor(moment.now.t);
+        if moment.slow {
+            self.write_values(moment.now.t);
+        }
+    }
+
+    fn draw(&mut self, host: &Element) {
+        let mut out = String::with_capacity(16 << 10);
+        if let Some(chart) = self.chart() {
+            chart_figure::html(&mut out, chart);
+        }
+        host.set_inner_html(&out);
+        self.cursors = dom::all(host, ".cursor").into_iter().filter_map(|e| e.dyn_into().ok()).collect();
+        let whole: Vec<bool> =
+            self.lines().iter().map(|line| line.points.iter().all(|point| point.1.fract() == 0.0)).collect();
+        self.values = dom::all(host, ".legend b").into_iter().zip(whole).collect();
+    }
+
+    fn chart(&self) -> Option<&Chart> {
+        self.charts.get(self.chosen).or(self.charts.first())
+    }
+
+    /// The lines over time.
+    fn lines(&self) -> &[Series] {
+        self.chart().filter(|chart| chart.over_time()).map_or(&[], |chart| &chart.series)
+    }
+
+    fn move_cursor(&self, head: f64) {
+        let (from, to) = self.axis;
+        let part = math::clamp((head - from) / (to - from), 0.0, 1.0) * 100.0;
+        let at = filled("translateX(#%)", &[part]);
+        for cursor in &self.cursors {
+            let _ = cursor.style().set_property("transform", &at);
+        }
+    }
+
+    /// The values of the lines at a time, with their names.
+    pub(super) fn values_at(&self, seconds: f64) -> Vec<String> {
+        let text = |line: &Series| {
+            let (_, value) = point_at(line, seconds)?;
+            Some(format!("{} {}", t(line.label), figure(value, digits(value))))
+        };
+        self.lines().iter().filter_map(text).collect()
+    }
+
+    /// Writes the values at the head; those of a line that only counts have no decimals.
+    fn write_values(&self, head: f64) {
+        for (line, (place, whole)) in self.lines().iter().zip(&self.values) {
+            let digits = |value: f64| if *whole { 0 } else { digits(value) };
+            let text = point_at(line, head).map_or(String::new(), |point| figure(point.1, digits(point.1)));
+            place.set_text_content(Some(&text));
+        }
+    }
+}
+
+/// The first point of a line at a time or after it; the last point behind its end.
+fn point_at(line: &Series, seconds: f64) -> Option<(f64, f64)> {
+    let at = line.points.partition_point(|point| point.0 < seconds).min(line.points.len().saturating_sub(1));
+    line.points.get(at).copied()
+}
+
+/// Decimals that show a value to about five figures.
+fn digits(value: f64) -> u8 {
+    match value.abs() {
+        v if v >= 1000.0 => 0,
+        v if v >= 10.0 => 2,
+        _ => 3,
+    }
+}

@@ -1,0 +1,175 @@
+//! The operator's panel: knobs, lamp buttons and emergency stop, acting at the play head. Folded to one bar until it is wanted.
+
+use leptos::prelude::*;
+
+use crate::math;
+use crate::motion::{Action, Mode, Panel};
+use crate::text::catalog::number_text;
+use crate::ui::parts::input::{filled_part, number};
+use crate::ui::parts::{Glyph, Icon, IconButton};
+use crate::ui::state::Page;
+use crate::ui::state::operator::{act, standing};
+use crate::ui::words::{mode_tone, t};
+
+/// Percent that the knobs reach.
+const FULL: f64 = 200.0;
+
+/// Degrees from the first to the last mark of a knob.
+const TURN: f64 = 270.0;
+
+/// A percentage at the head: the last setting before it.
+fn setting(page: Page, first: impl Fn() -> f64 + Send + Sync + 'static, of: fn(&Action) -> Option<f64>) -> Memo<f64> {
+    Memo::new(move |_| {
+        let head = page.player.now.with(|now| now.t);
+        page.project.with(|project| standing(project.panel.events(), head, first(), of))
+    })
+}
+
+/// The panel.
+#[component]
+pub(crate) fn OperatorPanel() -> impl IntoView {
+    let page = Page::here();
+    let player = page.player;
+    let open = page.view.panel;
+    let first = move || page.project.with(|project| project.prepared().panel().spindle_override.unwrap_or(100.0));
+    let spindle = setting(page, first, |action| match action {
+        Action::SpindleOverride(percent) => Some(*percent),
+        _ => None,
+    });
+    let feed = setting(
+        page,
+        || 100.0,
+        |action| match action {
+            Action::FeedOverride(percent) => Some(*percent),
+            _ => None,
+        },
+    );
+    let step = Memo::new(move |_| page.project.with(|project| project.prepared().panel().override_step));
+    let lamp = move || format!("lamp {}", player.now.with(|now| mode_tone(now.mode)));
+    let percents = move || format!("S {} %  F {} %", number_text(spindle.get(), 1), number_text(feed.get(), 1));
+    view! {
+        <section class="panel" class:open=open aria-label=t("page.hand")>
+            <div class="fold">
+                <button
+                    type="button" id="panel-fold" aria-controls="panel-body"
+                    aria-expanded=move || open.get().to_string()
+                    on:click=move |_| open.update(|open| *open = !*open)
+                >
+                    <i class=lamp aria-hidden="true"></i>
+                    <b>{t("page.hand")}</b>
+                    <span class="percents">{percents}</span>
+                    <span class="space"></span>
+                    <Icon glyph=Glyph::Up />
+                </button>
+                <button type="button" class="mushroom" aria-label=t("page.estop") title=t("page.estop-about") on:click=move |_| act(page, Action::EmergencyStop)>
+                    <i></i>
+                </button>
+            </div>
+            <div class="plate" id="panel-body" inert=move || !open.get()>
+                <Knob id="spindle-knob" label="page.spindle-override" value=spindle step=step action=Action::SpindleOverride />
+                <Knob id="feed-knob" label="page.feed-override" value=feed step=Signal::stored(10.0) action=Action::FeedOverride />
+                <Presses />
+                <Told />
+            </div>
+        </section>
+    }
+}
+
+/// A knob: drag, wheel, arrow keys, or the buttons beside it.
+#[component]
+fn Knob(
+    /// Id of its slider.
+    id: &'static str,
+    /// Catalog id of its name.
+    label: &'static str,
+    /// Percent that it stands at.
+    value: Memo<f64>,
+    /// Percent of a step.
+    #[prop(into)]
+    step: Signal<f64>,
+    /// The action of turning it.
+    action: fn(f64) -> Action,
+) -> impl IntoView {
+    let page = Page::here();
+    let turn = move |percent: f64| {
+        let percent = math::clamp(percent, 0.0, FULL);
+        if percent != value.get_untracked() {
+            act(page, action(percent));
+        }
+    };
+    let by = move |sign: f64| turn(value.get_untracked() + sign * step.get_untracked());
+    let plain = move |number: f64| number_text(number, 6);
+    let pointer = move || format!("rotate({}deg)", plain(value.get() / FULL * TURN - TURN / 2.0));
+    view! {
+        <div class="knob">
+            <label for=id>{t(label)}</label>
+            <span class="dial" style:--part=move || filled_part(value.get(), (0.0, FULL))>
+                <i style:transform=pointer aria-hidden="true"></i>
+                <input
+                    type="range" id=id min="0" max="200"
+                    step=move || plain(step.get())
+                    prop:value=move || plain(value.get())
+                    on:input=move |event| if let Some(percent) = number(&event) { turn(percent) }
+                />
+            </span>
+            <span class="by">
+                <IconButton glyph=Glyph::Less label=format!("{} −", t(label)) press=move || by(-1.0) />
+                <output for=id>{move || format!("{} %", plain(value.get()))}</output>
+                <IconButton glyph=Glyph::More label=format!("{} +", t(label)) press=move || by(1.0) />
+            </span>
+        </div>
+    }
+}
+
+/// The lamp buttons.
+#[component]
+fn Presses() -> impl IntoView {
+    let page = Page::here();
+    let waits = move || matches!(page.player.now.with(|now| now.mode), Mode::Hold | Mode::Stopped);
+    let runs = move || page.player.now.with(|now| now.mode) == Mode::Running;
+    let holds = move || page.player.now.with(|now| now.mode) == Mode::Hold;
+    let single = setting(
+        page,
+        || 0.0,
+        |action| match action {
+            Action::SingleBlock(on) => Some(f64::from(*on)),
+            _ => None,
+        },
+    );
+    let is_single = move || single.get() != 0.0;
+    view! {
+        <div class="presses">
+            <button type="button" class="lit start" class:due=waits class:on=runs on:click=move |_| act(page, Action::Start)>
+                {t("page.start")}
+            </button>
+            <button type="button" class="lit hold" class:on=holds on:click=move |_| act(page, Action::Hold)>{t("page.hold")}</button>
+            <button
+                type="button" class="lit" class:on=is_single aria-pressed=move || is_single().to_string()
+                on:click=move |_| act(page, Action::SingleBlock(!is_single()))
+            >
+                {t("page.single-block")}
+            </button>
+            <button type="button" class="lit" on:click=move |_| act(page, Action::Reset)>{t("page.reset")}</button>
+        </div>
+    }
+}
+
+/// The effect of the last action, and the way to forget all of them.
+#[component]
+fn Told() -> impl IntoView {
+    let page = Page::here();
+    let told = move || match page.player.changed.get() {
+        told if told.is_empty() => t("page.hand-hint").to_owned(),
+        told => told,
+    };
+    let count = move || page.project.with(|project| project.panel.events().len());
+    let clear = move |_| page.edit("", |project| project.panel = Panel::default());
+    view! {
+        <p class="changed">
+            <span id="changed" role="status">{told}</span>
+            <button type="button" class="link" class:gone=move || count() == 0 on:click=clear>
+                {t("page.clear-hand")} {move || format!(" ({})", count())}
+            </button>
+        </p>
+    }
+}

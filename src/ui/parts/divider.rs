@@ -1,0 +1,89 @@
+//! A divider between two columns: dragged or moved by arrow keys, and remembered.
+
+use leptos::ev::{KeyboardEvent, PointerEvent};
+use leptos::html;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::HtmlElement;
+
+use crate::math;
+use crate::text::number::filled;
+use crate::ui::dom;
+use crate::ui::words::t;
+
+/// Least and greatest width of a column, in pixels.
+const WIDTHS: (f64, f64) = (220.0, 640.0);
+
+/// Pixels of an arrow key.
+const STEP: f64 = 16.0;
+
+fn set_width(property: &str, width: f64) {
+    let root = document().document_element().and_then(|root| root.dyn_into::<HtmlElement>().ok());
+    if let Some(root) = root {
+        let _ = root.style().set_property(property, &filled("#px", &[width]));
+    }
+}
+
+/// The divider at the edge of a column whose width is a property of the style sheet.
+#[component]
+pub(crate) fn Divider(
+    /// The property with the width of the column.
+    property: &'static str,
+    /// Catalog id of its name.
+    label: &'static str,
+    /// 1 where the column grows to the right, −1 where it grows to the left.
+    grows: f64,
+) -> impl IntoView {
+    let key = format!("macroline.width{property}");
+    let kept = dom::stored(&key).and_then(|text| text.parse::<f64>().ok()).filter(|width| width.is_finite());
+    let width = RwSignal::new(kept.map(|width| math::clamp(width, WIDTHS.0, WIDTHS.1)));
+    Effect::new(move |_| {
+        if let Some(width) = width.get() {
+            set_width(property, width);
+        }
+    });
+    let handle: NodeRef<html::Div> = NodeRef::new();
+    // The column is the neighbour of its divider.
+    let present = move || {
+        let handle = handle.get_untracked()?;
+        let column = if grows > 0.0 { handle.previous_element_sibling() } else { handle.next_element_sibling() };
+        Some(column?.get_bounding_client_rect().width())
+    };
+    let take = move |new: f64| {
+        let new = math::clamp(new, WIDTHS.0, WIDTHS.1).round();
+        width.set(Some(new));
+        dom::store(&key, &new.to_string());
+    };
+    let begun = StoredValue::new(None::<(f64, f64)>);
+    let (dragged, pressed) = (take.clone(), take);
+    let down = move |event: PointerEvent| {
+        if let (Some(handle), Some(width)) = (handle.get_untracked(), present()) {
+            let _ = handle.set_pointer_capture(event.pointer_id());
+            begun.set_value(Some((f64::from(event.client_x()), width)));
+        }
+    };
+    let drag = move |event: PointerEvent| {
+        if let Some((x, width)) = begun.get_value() {
+            dragged(width + grows * (f64::from(event.client_x()) - x));
+        }
+    };
+    let press = move |event: KeyboardEvent| {
+        let by = match event.key().as_str() {
+            "ArrowRight" => STEP,
+            "ArrowLeft" => -STEP,
+            _ => return,
+        };
+        event.prevent_default();
+        if let Some(width) = present() {
+            pressed(width + grows * by);
+        }
+    };
+    let now = move || width.get().unwrap_or(272.0).to_string();
+    view! {
+        <div
+            class="divider" role="separator" aria-orientation="vertical" tabindex="0" node_ref=handle
+            aria-label=t(label) aria-valuenow=now aria-valuemin=WIDTHS.0.to_string() aria-valuemax=WIDTHS.1.to_string()
+            on:pointerdown=down on:pointermove=drag on:pointerup=move |_| begun.set_value(None) on:keydown=press
+        ></div>
+    }
+}

@@ -1,0 +1,113 @@
+//! Signs that look the same with every font.
+
+use leptos::prelude::*;
+
+/// A sign, as the path of a 16 × 16 drawing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Glyph {
+    /// Back to the start.
+    ToStart,
+    /// One block back.
+    Back,
+    /// One block forth.
+    Forth,
+    /// Play.
+    Play,
+    /// Pause.
+    Pause,
+    /// Begin anew at the end.
+    Repeat,
+    /// Undo.
+    Undo,
+    /// Redo.
+    Redo,
+    /// Close.
+    Close,
+    /// Unfold upwards.
+    Up,
+    /// Whole screen.
+    Full,
+    /// One flash per head.
+    Strobe,
+    /// Save a picture.
+    Picture,
+    /// Help.
+    Help,
+    /// Light, dark, or as the system.
+    Theme,
+    /// Step through the program.
+    Step,
+    /// Plus.
+    More,
+    /// Minus.
+    Less,
+}
+
+impl Glyph {
+    /// The path, drawn as a line.
+    fn path(self) -> &'static str {
+        match self {
+            Glyph::ToStart => "M3 3v10M13 3.5v9L6 8z",
+            Glyph::Back => "M12.500 3v10M9.500 3.500v9L3 8z",
+            Glyph::Forth => "M3.500 3v10M6.500 3.500v9L13 8z",
+            Glyph::Play => "M4.500 2.800v10.400L13 8z",
+            Glyph::Pause => "M5 3v10M11 3v10",
+            Glyph::Repeat => "M3 7a4 4 0 0 1 4-4h5M10 1l2 2-2 2M13 9a4 4 0 0 1-4 4H4M6 15l-2-2 2-2",
+            Glyph::Undo => "M3 6h6.500a3.500 3.500 0 0 1 0 7H6M6 3 3 6l3 3",
+            Glyph::Redo => "M13 6H6.500a3.500 3.500 0 0 0 0 7H10M10 3l3 3-3 3",
+            Glyph::Close => "m4 4 8 8M12 4l-8 8",
+            Glyph::Up => "m4 10 4-4 4 4",
+            Glyph::Full => "M3 6V3h3M10 3h3v3M13 10v3h-3M6 13H3v-3",
+            Glyph::Strobe => "M9 1.500 3.500 9H8l-1 5.500L12.500 7H8z",
+            Glyph::Picture => "M8 2v8M5 7l3 3 3-3M3 13h10",
+            Glyph::Help => "M5.800 6a2.200 2.200 0 1 1 3.200 2c-.7.4-1 .8-1 1.500M8 12.200v.1",
+            Glyph::Theme => "M8 2a6 6 0 1 0 0 12zM8 2a6 6 0 0 1 0 12",
+            Glyph::Step => "M3 4h6M3 8h4M3 12h6M12 5v6M9.800 9 12 11.200 14.200 9",
+            Glyph::More => "M8 3.500v9M3.500 8h9",
+            Glyph::Less => "M3.500 8h9",
+        }
+    }
+}
+
+/// A sign. It says nothing to screen readers.
+#[component]
+pub(crate) fn Icon(
+    /// Which one.
+    #[prop(into)]
+    glyph: Signal<Glyph>,
+) -> impl IntoView {
+    view! {
+        <svg class="sign" viewBox="0 0 16 16" aria-hidden="true">
+            <path d=move || glyph.get().path() />
+        </svg>
+    }
+}
+
+/// A button with a sign, and words for those who do not see it.
+#[component]
+pub(crate) fn IconButton(
+    /// The sign.
+    #[prop(into)]
+    glyph: Signal<Glyph>,
+    /// What the button does.
+    #[prop(into)]
+    label: Signal<String>,
+    /// Words shown when the pointer rests on it; the label where there are none.
+    #[prop(optional, into)]
+    title: Option<String>,
+    /// Further classes.
+    #[prop(optional)]
+    class: &'static str,
+    /// Whether it can be pressed.
+    #[prop(optional, into)]
+    disabled: Signal<bool>,
+    /// What it does.
+    press: impl Fn() + 'static,
+) -> impl IntoView {
+    let title = move || title.clone().unwrap_or_else(|| label.get());
+    view! {
+        <button type="button" class=format!("icon {class}") aria-label=label title=title disabled=disabled on:click=move |_| press()>
+            <Icon glyph=glyph />
+        </button>
+    }
+}

@@ -1,0 +1,145 @@
+//! A program as lines of HTML: coloured words, line numbers, and what is wrong below the line it is wrong in.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use crate::controls::Control;
+use crate::nc::{File, TokenKind, tokens};
+use crate::text::{Diagnostic, FileId, LineIndex, Severity};
+use crate::ui::words::{say, sign, t, tone};
+use crate::ui::worker::messages::SHOWN;
+use crate::view::svg::escape;
+
+/// Bytes of a line that are coloured at most, and bytes that are shown.
+const COLOURED: usize = 2_000;
+const LONGEST: usize = 10_000;
+
+/// Findings below one line that are shown at most.
+const FINDINGS: usize = 20;
+
+/// A finding with its number among all.
+type Numbered<'d> = (usize, &'d Diagnostic);
+
+/// The lines of a file; `diagnostics` are those of all files. Lines carry their number, fixes the numbers of diagnostic and fix.
+pub(crate) fn html(file: &File, id: FileId, control: &Control, diagnostics: &[Diagnostic]) -> String {
+    let lines = LineIndex::new(&file.text);
+    let by_line = by_line(diagnostics, id, &lines);
+    let mut out = String::with_capacity(file.text.len() * 4);
+    let mut number = 0;
+    let mut start = 0;
+    for line in file.text.split('\n').take(SHOWN as usize) {
+        number += 1;
+        let text = line.strip_suffix('\r').unwrap_or(line);
+        let found = by_line.get(&number).map_or(&[][..], Vec::as_slice);
+        if !(number == lines.count() && text.is_empty()) {
+            let _ = write!(out, "<li data-l=\"{number}\"><code>");
+            words(&mut out, text, start, control, found);
+            out.push_str("</code></li>");
+        }
+        found.iter().take(FINDINGS).for_each(|(at, diagnostic)| finding(&mut out, *at, diagnostic));
+        if found.len() > FINDINGS {
+            let more = say(&crate::msg!("page.more-findings", (found.len() - FINDINGS) as f64));
+            let _ = write!(out, "<li class=\"says info\">{more}</li>");
+        }
+        start += line.len() + 1;
+    }
+    if lines.count() > SHOWN {
+        let _ = write!(out, "<li class=\"says info\">{} {SHOWN} / {}</li>", t("page.first-lines"), lines.count());
+    }
+    out
+}
+
+/// The findings of a file by the line that they begin in.
+fn by_line<'d>(diagnostics: &'d [Diagnostic], id: FileId, lines: &LineIndex) -> BTreeMap<u32, Vec<Numbered<'d>>> {
+    let mut found: BTreeMap<u32, Vec<Numbered>> = BTreeMap::new();
+    for (at, diagnostic) in diagnostics.iter().enumerate() {
+        if let Some(place) = diagnostic.place.filter(|place| place.file == id) {
+            found.entry(lines.line_of(place.span.start)).or_default().push((at, diagnostic));
+        }
+    }
+    found
+}
+
+/// The part of a text before a byte, at a character.
+fn before(text: &str, byte: usize) -> &str {
+    let end = (0..=byte.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+    text.get(..end).unwrap_or_default()
+}
+
+/// The words of a line, coloured and marked; a line that is too long to be read is cut.
+fn words(out: &mut String, text: &str, start: usize, control: &Control, found: &[Numbered]) {
+    if text.is_empty() {
+        out.push(' ');
+    }
+    let coloured = before(text, COLOURED);
+    let mut done = 0;
+    for (span, kind) in tokens(coloured, control) {
+        // Space between the pieces.
+        escape(out, coloured.get(done..span.start as usize).unwrap_or(""));
+        done = span.end as usize;
+        let (from, to) = (start as u32 + span.start, start as u32 + span.end);
+        let bad = found.iter().take(FINDINGS).find(|(_, d)| {
+            d.place.is_some_and(|place| place.span.start < to && from < place.span.end.max(place.span.start + 1))
+        });
+        let class = class(kind);
+        let _ = match bad {
+            Some((_, d)) => write!(out, "<span class=\"{class} bad-{}\">", tone(d.severity)),
+            None if class.is_empty() => Ok(()),
+            None => write!(out, "<span class=\"{class}\">"),
+        };
+        escape(out, span.of(coloured));
+        if bad.is_some() || !class.is_empty() {
+            out.push_str("</span>");
+        }
+    }
+    let shown = before(text, LONGEST);
+    escape(out, shown.get(coloured.len()..).unwrap_or(""));
+    if shown.len() < text.len() {
+        let _ = write!(out, " … {}", say(&crate::msg!("page.bytes", (text.len() - shown.len()) as f64)));
+    }
+}
+
+/// The class of a piece of text.
+pub(crate) fn class(kind: TokenKind) -> &'static str {
+    match kind {
+        TokenKind::Comment | TokenKind::Percent => "t-c",
+        TokenKind::Code => "t-g",
+        TokenKind::Sequence => "t-n",
+        TokenKind::Variable => "t-v",
+        TokenKind::Number => "t-d",
+        TokenKind::Keyword => "t-k",
+        TokenKind::Error => "bad-fail",
+        TokenKind::Address | TokenKind::Operator => "",
+    }
+}
+
+/// What is wrong, how to mend it, and buttons that do.
+fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
+    let class = tone(diagnostic.severity);
+    let _ = write!(out, "<li class=\"says {class}\"><p><i aria-hidden=\"true\">{}</i> ", sign(class));
+    if let Some(alarm) = &diagnostic.alarm {
+        let _ = write!(out, "<b>{alarm}</b> ");
+        if let Some(wording) = diagnostic.wording {
+            out.push_str("<q>");
+            escape(out, wording);
+            out.push_str("</q> ");
+        }
+    }
+    escape(out, &say(&diagnostic.message));
+    for hint in &diagnostic.hints {
+        out.push_str(" <em>");
+        escape(out, &say(hint));
+        out.push_str("</em>");
+    }
+    out.push_str("</p>");
+    for (fix, row) in diagnostic.fixes.iter().enumerate() {
+        let _ = write!(out, "<button type=\"button\" data-d=\"{at}\" data-fix=\"{fix}\">");
+        escape(out, &say(&row.title));
+        out.push_str("</button>");
+    }
+    if diagnostic.severity != Severity::Error {
+        let (id, words) = (diagnostic.id(), t("page.silence"));
+        let _ = write!(out, "<button type=\"button\" class=\"quiet\" data-silence=\"{id}\">{words}</button>");
+    }
+    out.push_str("</li>");
+}

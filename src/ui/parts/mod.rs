@@ -1,0 +1,22 @@
+//! Components that several features use.
+
+pub(crate) mod chart_figure;
+
+pub(crate) mod dialog;
+
+pub(crate) mod divider;
+
+pub(crate) mod icon;
+
+pub(crate) mod input;
+
+pub(crate) mod listing;
+
+pub(crate) mod scene;
+
+pub(crate) mod sheet_view;
+
+pub(crate) mod verdict;
+
+pub(crate) use dialog::Dialog;
+pub(crate) use icon::{Glyph, Icon, IconButton};

@@ -1,0 +1,31 @@
+//! Sheets that the worker writes: made anew with every change of the project.
+
+use leptos::prelude::*;
+
+use crate::ui::state::Page;
+use crate::ui::words::t;
+use crate::ui::worker::client::Client;
+use crate::ui::worker::messages::{Request, Response, Sheets};
+
+/// Sheets of one kind.
+#[component]
+pub(crate) fn SheetView(
+    /// Picks those to show.
+    which: fn(Sheets) -> String,
+) -> impl IntoView {
+    let (page, worker) = (Page::here(), Client::here());
+    let shown = RwSignal::new(format!("<p class=\"lead\">{}</p>", t("page.reading")));
+    Effect::new(move |_| {
+        let show = move |response: Option<Response>| {
+            let html = match response {
+                Some(Response::Sheets(sheets)) => which(sheets),
+                _ => format!("<p class=\"lead\">{}</p>", t("page.no-answer")),
+            };
+            let html = if html.is_empty() { format!("<p class=\"lead\">{}</p>", t("page.no-sheet")) } else { html };
+            // The tab may have been left.
+            let _ = shown.try_set(html);
+        };
+        page.project.with(|project| worker.ask(project, Request::Sheets, show));
+    });
+    view! { <div class="sheets" inner_html=move || shown.get()></div> }
+}

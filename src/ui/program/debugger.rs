@@ -1,0 +1,204 @@
+//! The debugger: its commands above the listing, and below it the state at the stop.
+
+use leptos::prelude::*;
+
+use crate::controls::Control;
+use crate::interp::inspect::What;
+use crate::project::program::Written;
+use crate::text::LineIndex;
+use crate::ui::parts::input::EntryField;
+use crate::ui::parts::{Glyph, IconButton};
+use crate::ui::state::Page;
+use crate::ui::state::stepping::{COMMANDS, press, set_point};
+use crate::ui::state::walk::Walk;
+use crate::ui::words::{clock, say, short, t, tell, value_of};
+
+/// Whether something is stepped, watched or waited for.
+fn is_used(walk: &Walk) -> bool {
+    walk.at_stop || walk.going || !walk.watches.is_empty() || !walk.points.list().is_empty()
+}
+
+/// The commands as buttons, and a field for the condition of the breakpoint at the cursor; shown while one steps.
+#[component]
+pub(super) fn DebuggerBar() -> impl IntoView {
+    let page = Page::here();
+    let condition = Signal::derive(move || {
+        let signs = page.project.with_untracked(|project| project.control.syntax.comparison_signs);
+        say(&crate::msg!("page.walk-condition", page.spelled(if signs { "#1<3" } else { "#1 LT 3" })))
+    });
+    let button = move |(key, sign, words): (&'static str, &'static str, &'static str)| {
+        let words = t(words);
+        view! {
+            <button
+                type="button" class="icon" title=format!("{words} ({key})") aria-label=words
+                on:click=move |_| {
+                    press(page, key);
+                }
+            >
+                {sign}
+            </button>
+        }
+    };
+    let buttons = move || COMMANDS.into_iter().map(button).collect_view();
+    view! {
+        <Show when=move || page.view.stepping.get() || page.player.walk.with(is_used)>
+            <div class="bar tools walk" role="group" aria-label=t("page.walk")>
+                {buttons}
+                <EntryField words=condition take=move |text| set_point(page, Some(&text)) />
+            </div>
+        </Show>
+    }
+}
+
+/// A row about the stop: a name, lines about it.
+type Row = (String, String);
+
+/// The state at the stop, as rows.
+#[derive(Clone, Default, PartialEq)]
+struct State {
+    under_way: Option<String>,
+    changed: Option<Vec<Row>>,
+    levels: Vec<Row>,
+    points: Vec<(u32, Row)>,
+    watches: Vec<Row>,
+}
+
+impl State {
+    fn of(walk: &Walk, written: &Written) -> State {
+        let control = written.parsed.control();
+        let stop = walk.stopped();
+        let watch = |text: &String| {
+            let value = stop.map_or_else(String::new, |debugger| {
+                debugger.evaluate(text).map_or_else(|why| tell(&why), |value| value_of(control, value, 6))
+            });
+            (text.clone(), value)
+        };
+        State {
+            under_way: walk.going.then(|| format!("{} s", clock(walk.t()))),
+            changed: stop.map(|_| changes(walk, control)),
+            levels: levels(walk, written),
+            points: points(walk, written),
+            watches: walk.watches.iter().map(watch).collect(),
+        }
+    }
+}
+
+/// Variables and codes that the last step has changed.
+fn changes(walk: &Walk, control: &Control) -> Vec<Row> {
+    let Some(debugger) = walk.stopped() else { return Vec::new() };
+    let shown = |value| value_of(control, value, 6);
+    let row = |change: crate::interp::inspect::Change| {
+        let name = match change.what {
+            What::Variable(number) | What::Local(number) => control.variable(number),
+            What::Code => "G".to_owned(),
+            What::Feed => "F".to_owned(),
+        };
+        (name, format!("{} → {}", shown(change.before), shown(change.after)))
+    };
+    debugger.changes().into_iter().map(row).collect()
+}
+
+/// The call levels with their local variables.
+fn levels(walk: &Walk, written: &Written) -> Vec<Row> {
+    let (files, control) = (&written.files, written.parsed.control());
+    let Some(debugger) = walk.stopped() else { return Vec::new() };
+    let mut rows = Vec::new();
+    for level in debugger.levels() {
+        let Some(file) = files.get(level.place.file) else { continue };
+        let line = LineIndex::new(&file.text).line_of(level.place.span.start);
+        let mut text = level.place.span.of(&file.text).to_owned();
+        let locals: Vec<String> = level
+            .locals()
+            .map(|(number, value)| format!("{} = {}", control.variable(number), short(value, 6)))
+            .collect();
+        if !locals.is_empty() {
+            text = format!("{text}\n{}", locals.join(" "));
+        }
+        rows.push((format!("{}:{line}", file.name), text));
+    }
+    rows
+}
+
+/// The breakpoints with their numbers.
+fn points(walk: &Walk, written: &Written) -> Vec<(u32, Row)> {
+    let row = |point: &crate::project::breakpoints::Breakpoint| {
+        let mut text = match point.place {
+            Some(place) => written.files.get(place.file).map_or("", |file| place.span.of(&file.text)),
+            None => t("page.walk-absent"),
+        }
+        .to_owned();
+        if !point.condition.is_empty() {
+            text = format!("{text}\nIF {}", point.condition);
+        }
+        if point.hits > 0 {
+            text = format!("{text} · {} ×", point.hits);
+        }
+        (point.number, (point.name(), text))
+    };
+    walk.points.list().iter().map(row).collect()
+}
+
+/// The state at the stop: why it has stopped, changes, call levels, breakpoints, watches.
+#[component]
+pub(super) fn Seen() -> impl IntoView {
+    let page = Page::here();
+    let walk = page.player.walk;
+    let why = move || {
+        walk.with(|walk| match (walk.going, walk.at_stop) {
+            (true, _) => t("page.walk-going").to_owned(),
+            (_, true) => walk.why.clone(),
+            _ => String::new(),
+        })
+    };
+    let state =
+        Memo::new(move |_| walk.with(|walk| page.program.written.with_untracked(|written| State::of(walk, written))));
+    let watch = Signal::derive(move || say(&crate::msg!("page.walk-watch", page.spelled("#100*2"))));
+    let add = move |text| {
+        walk.update(|walk| walk.watches.push(text));
+        true
+    };
+    view! {
+        <div class="seen" class:gone=move || !page.view.stepping.get() && !walk.with(is_used)>
+            <p class="here" role="status">{why}</p>
+            {move || state.with(|state| rows(page, state))}
+            <EntryField words=watch take=add />
+        </div>
+    }
+}
+
+fn rows(page: Page, state: &State) -> impl IntoView + use<> {
+    let walk = page.player.walk;
+    let plain = |class: &'static str, row: &Row| view! { <p class=class><i>{row.0.clone()}</i> " " <span>{row.1.clone()}</span></p> };
+    let removable = |row: &Row, remove: Box<dyn Fn()>| {
+        view! {
+            <p>
+                <i>{row.0.clone()}</i> " " <span>{row.1.clone()}</span>
+                <IconButton class="quiet" glyph=Glyph::Close label=format!("{} {}", t("page.walk-remove"), row.0) press=remove />
+            </p>
+        }
+    };
+    let changed = state.changed.as_ref().map(|rows| {
+        let none = rows.is_empty().then_some("–");
+        view! { <h3>{t("page.walk-changed")}</h3> {none} {rows.iter().map(|row| plain("c", row)).collect_view()} }
+    });
+    let levels = state.changed.is_some().then(|| {
+        view! { <h3>{t("page.walk-stack")}</h3> {state.levels.iter().map(|row| plain("", row)).collect_view()} }
+    });
+    let point = |(number, row): &(u32, Row)| {
+        let number = *number;
+        removable(row, Box::new(move || walk.update(|walk| walk.points.retain(|point| point.number != number))))
+    };
+    let points = (!state.points.is_empty()).then(|| {
+        view! { <h3>{t("page.walk-points")}</h3> {state.points.iter().map(point).collect_view()} }
+    });
+    let watch =
+        |(at, row): (usize, &Row)| removable(row, Box::new(move || walk.update(|walk| drop(walk.watches.remove(at)))));
+    view! {
+        {state.under_way.clone().map(|time| view! { <p>{time}</p> })}
+        {changed}
+        {levels}
+        {points}
+        <h3>{t("page.walk-watches")}</h3>
+        {state.watches.iter().enumerate().map(watch).collect_view()}
+    }
+}

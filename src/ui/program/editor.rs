@@ -1,0 +1,164 @@
+//! The editor of a program file and its difference to what the form writes, both loaded when first asked for.
+
+use std::cell::Cell;
+use std::time::Duration;
+
+use leptos::html;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsValue;
+use leptos::wasm_bindgen::closure::Closure;
+
+use crate::nc::tokens;
+use crate::text::{FileId, Span};
+use crate::ui::dom::{
+    self,
+    script::{call, load, object, set, table},
+};
+use crate::ui::parts::listing::class;
+use crate::ui::state::Page;
+use crate::ui::words::{say, t, tell_alarm, tone};
+
+/// The bundle of the editor.
+const MODULE: &str = "editor.js";
+
+/// Milliseconds after which what was typed is read.
+const PAUSE: Duration = Duration::from_millis(150);
+
+type Handle = StoredValue<Option<JsValue>, LocalStorage>;
+
+/// Where a byte of a text is in JavaScript's count of UTF-16 units.
+fn units(text: &str, byte: u32) -> f64 {
+    let before = text.get(..byte as usize).unwrap_or(text);
+    if before.is_ascii() { before.len() as f64 } else { before.encode_utf16().count() as f64 }
+}
+
+/// What both the editor and the difference are told: their name, and how the words of the control are coloured.
+fn options(page: Page, label: &'static str) -> JsValue {
+    let pieces = move |line: JsValue| {
+        let line = line.as_string().unwrap_or_default();
+        let control = page.project.with_untracked(|project| project.control);
+        let coloured =
+            tokens(&line, control).into_iter().map(|(span, kind)| (span, class(kind))).filter(|row| !row.1.is_empty());
+        table(coloured.map(|(Span { start, end }, class)| {
+            vec![units(&line, start).into(), units(&line, end).into(), class.into()]
+        }))
+    };
+    let pieces = Closure::<dyn Fn(JsValue) -> JsValue>::new(pieces).into_js_value();
+    object([("label", t(label).into()), ("pieces", pieces)])
+}
+
+/// The findings of a file as the editor takes them.
+fn findings(page: Page, at: usize) -> JsValue {
+    let list = js_sys::Array::new();
+    page.program.written.with_untracked(|written| {
+        let Some(file) = written.files.0.get(at) else { return };
+        for (number, diagnostic) in page.program.findings.get_untracked().iter().enumerate() {
+            let Some(place) = diagnostic.place.filter(|place| place.file == FileId(at as u16)) else { continue };
+            let Span { start, end } = place.span;
+            let text = tell_alarm(diagnostic);
+            let fixes: js_sys::Array = diagnostic.fixes.iter().map(|fix| JsValue::from(say(&fix.title))).collect();
+            list.push(&object([
+                ("from", units(&file.text, start).into()),
+                ("to", units(&file.text, end).into()),
+                ("tone", tone(diagnostic.severity).into()),
+                ("text", text.into()),
+                ("number", (number as u32).into()),
+                ("fixes", fixes.into()),
+            ]));
+        }
+    });
+    list.into()
+}
+
+/// The element of the bundle: opens it with `begin`, closes it when the element goes.
+#[component]
+fn Bundle(
+    /// What the bundle has opened.
+    handle: Handle,
+    /// Opens it: the bundle and the element.
+    begin: impl Fn(&JsValue, &JsValue) -> Result<JsValue, JsValue> + 'static,
+) -> impl IntoView {
+    let host: NodeRef<html::Div> = NodeRef::new();
+    let failed = RwSignal::new(String::new());
+    host.on_load(move |host| {
+        wasm_bindgen_futures::spawn_local(async move {
+            match load(MODULE).await.and_then(|module| begin(&module, &host)) {
+                Ok(editor) => drop(handle.try_set_value(Some(editor))),
+                Err(error) => drop(failed.try_set(format!("{} {}", t("page.editor-failed"), dom::told(&error)))),
+            }
+        });
+    });
+    on_cleanup(move || {
+        if let Some(Some(editor)) = handle.try_get_value() {
+            let _ = call(&editor, "close", &[]);
+        }
+    });
+    view! { <div class="editor" node_ref=host></div><p class="note">{failed}</p> }
+}
+
+/// The editor of the chosen file.
+#[component]
+pub(super) fn Editor() -> impl IntoView {
+    let page = Page::here();
+    let handle: Handle = StoredValue::new_local(None);
+    let timer = Cell::new(None::<TimeoutHandle>);
+    let changed = move |text: JsValue| {
+        let Some(text) = text.as_string() else { return };
+        if let Some(timer) = timer.take() {
+            timer.clear();
+        }
+        page.program.typed.set_value(Some((page.view.file.get_untracked(), text)));
+        timer.set(set_timeout_with_handle(move || page.take_typed(), PAUSE).ok());
+    };
+    let changed = Closure::<dyn Fn(JsValue)>::new(changed).into_js_value();
+    let fix = Closure::<dyn Fn(JsValue, JsValue)>::new(move |diagnostic: JsValue, fix: JsValue| {
+        if let (Some(diagnostic), Some(fix)) = (diagnostic.as_f64(), fix.as_f64()) {
+            page.apply_fix(diagnostic as usize, fix as usize);
+        }
+    });
+    let options = options(page, "page.listing");
+    set(&options, "changed", &changed);
+    set(&options, "fix", &fix.into_js_value());
+    let begin = move |module: &JsValue, host: &JsValue| {
+        let at = page.view.file.get_untracked();
+        let editor = call(module, "open", &[host, &page.program.text(at).into(), &options])?;
+        call(&editor, "mark", &[&findings(page, at)])?;
+        Ok(editor)
+    };
+    Effect::new(move |_| {
+        let at = page.view.file.get();
+        page.program.findings.track();
+        page.program.written.track();
+        let pending = page.program.pending.get();
+        // Typed text that is not read yet is newer than the findings; this runs again once it is read.
+        let typing = page.program.typed.with_value(|typed| typed.as_ref().is_some_and(|(of, _)| *of == at));
+        if let Some(Some(editor)) = handle.try_get_value().filter(|_| !typing) {
+            let _ = call(&editor, "set", &[&page.program.text(at).into()]);
+            // Until the review of a text is there, the marks of the text before it stay.
+            if !pending {
+                let _ = call(&editor, "mark", &[&findings(page, at)]);
+            }
+        }
+    });
+    view! { <Bundle handle=handle begin=begin /> }
+}
+
+/// The difference between the program that the form writes and the edited one.
+#[component]
+pub(super) fn Difference() -> impl IntoView {
+    let page = Page::here();
+    move || {
+        let at = page.view.file.get();
+        let begin = move |module: &JsValue, host: &JsValue| {
+            let edited = page.program.text(at);
+            let name = page.program.written.with_untracked(|w| w.files.0.get(at).map(|file| file.name.clone()));
+            let mut generated = page.project.get_untracked();
+            generated.edited = None;
+            let files = generated.written().files.0;
+            let same = files.iter().find(|file| Some(&file.name) == name.as_ref()).or(files.first());
+            let before = same.map(|file| file.text.clone()).unwrap_or_default();
+            call(module, "difference", &[host, &before.into(), &edited.into(), &options(page, "page.difference")])
+        };
+        view! { <Bundle handle=StoredValue::new_local(None) begin=begin /> }
+    }
+}

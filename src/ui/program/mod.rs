@@ -1,0 +1,224 @@
+//! The program files: running block marked, findings at their place, and the ways to change the text.
+
+mod debugger;
+
+mod editor;
+
+mod listing_view;
+
+mod now;
+
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::{Element, MouseEvent};
+
+use crate::text::{FileId, LineIndex, Place, Span};
+use crate::ui::dom;
+use crate::ui::parts::input::CheckMark;
+use crate::ui::parts::{Glyph, Icon};
+use crate::ui::state::stepping;
+use crate::ui::state::view::ProgramView;
+use crate::ui::state::walk::Walk;
+use crate::ui::state::{Page, put};
+use crate::ui::words::{counts, sign, t, tone};
+use debugger::{DebuggerBar, Seen};
+use editor::{Difference, Editor};
+use listing_view::Listing;
+use now::Now;
+
+/// Pixels at the left of a line that are its number.
+const NUMBER: f64 = 46.0;
+
+/// The program tab.
+#[component]
+pub(crate) fn ProgramTab() -> impl IntoView {
+    let page = Page::here();
+    let follow = RwSignal::new(true);
+    // The file that runs is shown while one follows the run; at a stop of the debugger the file of the next block.
+    Effect::new(move |_| {
+        let next = page.player.walk.with(Walk::place);
+        if let Some(place) = next.or(page.player.running.get())
+            && follow.get()
+            && page.view.program.get_untracked() == ProgramView::Listing
+        {
+            put(page.view.file, place.file.0 as usize);
+        }
+    });
+    let body = move || match page.view.program.get() {
+        ProgramView::Listing => view! { <Listing follow=follow /> }.into_any(),
+        ProgramView::Editor => view! { <Editor /> }.into_any(),
+        ProgramView::Difference => view! { <Difference /> }.into_any(),
+    };
+    view! {
+        <FileChips />
+        <Tools follow=follow />
+        <Show when=move || page.program.edited.get()><Detached /></Show>
+        <Silenced />
+        <div class="fill" on:click=move |event| press(page, &event) on:dblclick=move |event| seek_line(page, &event)>
+            <Show when=move || page.view.program.get() == ProgramView::Listing><DebuggerBar /></Show>
+            {body}
+            <Show when=move || page.view.program.get() == ProgramView::Listing><Seen /></Show>
+            <Now />
+        </div>
+    }
+}
+
+/// The files as chips, and the count of findings.
+#[component]
+fn FileChips() -> impl IntoView {
+    let page = Page::here();
+    let names = move || {
+        page.program
+            .written
+            .with(|written| written.files.0.iter().map(|file| file.name.clone()).enumerate().collect::<Vec<_>>())
+    };
+    let counts = move || {
+        let rows = page.program.findings.with(|findings| counts(findings));
+        rows.into_iter()
+            .filter(|(_, count)| *count > 0)
+            .map(|(severity, count)| view! { <span class=tone(severity)>{format!("{} {count}", sign(tone(severity)))}</span> })
+            .collect_view()
+    };
+    view! {
+        <div class="bar">
+            <div class="chips" role="group" aria-label=t("page.files")>
+                <For each=names key=|row| row.clone() let:row>
+                    <button
+                        type="button" class="chip"
+                        aria-pressed=move || (page.view.file.get() == row.0).to_string()
+                        on:click=move |_| page.view.file.set(row.0)
+                    >
+                        {row.1.clone()}
+                    </button>
+                </For>
+            </div>
+            <span class="counts">{counts}</span>
+        </div>
+    }
+}
+
+/// Edit, copy, follow, step, the paper's listing.
+#[component]
+fn Tools(
+    /// Whether the listing follows the run.
+    follow: RwSignal<bool>,
+) -> impl IntoView {
+    let page = Page::here();
+    let copy = move |_| {
+        dom::copy(&page.program.text(page.view.file.get_untracked()));
+        page.notices.say(t("page.copied"));
+    };
+    let paper = move |_| {
+        page.edit("", |project| project.edited = Some(project.listing()));
+        page.view.file.set(0);
+        page.view.program.set(ProgramView::Listing);
+    };
+    let unpublished = move || {
+        page.machine.track();
+        page.project.with_untracked(|project| project.machine.listing().is_empty())
+    };
+    view! {
+        <div class="bar tools">
+            <ViewToggle shows=ProgramView::Editor label="page.edit" />
+            <button type="button" class="quiet" on:click=copy>{t("page.copy")}</button>
+            <button
+                type="button" class="quiet" aria-pressed=move || page.view.stepping.get().to_string()
+                title=t("page.walk") on:click=move |_| page.view.stepping.update(|on| *on = !*on)
+            >
+                <Icon glyph=Glyph::Step /> {t("page.walk-short")}
+            </button>
+            <CheckMark label=t("page.follow") on=follow set=move |on| follow.set(on) />
+            <button type="button" class="quiet end" class:gone=unpublished on:click=paper>{t("page.paper")}</button>
+        </div>
+    }
+}
+
+/// A button that shows something in place of the listing, and the listing again.
+#[component]
+fn ViewToggle(
+    /// The view.
+    shows: ProgramView,
+    /// Catalog id of the button's words.
+    label: &'static str,
+) -> impl IntoView {
+    let present = Page::here().view.program;
+    let press = move |_| present.update(|view| *view = if *view == shows { ProgramView::Listing } else { shows });
+    view! {
+        <button type="button" class="quiet" aria-pressed=move || (present.get() == shows).to_string() on:click=press>
+            {t(label)}
+        </button>
+    }
+}
+
+/// The bar of a program that the form does not write any more.
+#[component]
+fn Detached() -> impl IntoView {
+    let page = Page::here();
+    let small = RwSignal::new(false);
+    let again = move |_| {
+        page.edit("", |project| project.edited = None);
+        page.view.file.set(0);
+        page.view.program.set(ProgramView::Listing);
+    };
+    view! {
+        <div class="detached" class:small=small>
+            <p><b>{t("page.detached")}</b> " " <span>{t("page.detached-why")}</span></p>
+            <ViewToggle shows=ProgramView::Difference label="page.difference" />
+            <button type="button" on:click=again>{t("page.write-again")}</button>
+            <button type="button" class="keep" on:click=move |_| small.set(true)>{t("page.keep")}</button>
+        </div>
+    }
+}
+
+/// The count of silenced findings, and the way back.
+#[component]
+fn Silenced() -> impl IntoView {
+    let page = Page::here();
+    let count = page.program.silenced;
+    let again = move |_| page.edit("", |project| project.silenced.clear());
+    view! {
+        <Show when=move || { count.get() > 0 }>
+            <p class="silenced">
+                {move || format!("{} {} ", count.get(), t("page.silenced"))}
+                <button type="button" class="link" on:click=again>{t("page.show-again")}</button>
+            </p>
+        </Show>
+    }
+}
+
+/// A double click on a line: the machine at the next time at which its block begins.
+fn seek_line(page: Page, event: &MouseEvent) {
+    let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    let row = target.and_then(|target| target.closest("[data-l]").ok().flatten());
+    let line = row.and_then(|row| row.get_attribute("data-l")?.parse().ok());
+    let Some(line) = line else { return };
+    let file = FileId(page.view.file.get_untracked() as u16);
+    let place = page.program.written.with_untracked(|written| {
+        let text = &written.files.get(file)?.text;
+        let lines = LineIndex::new(text);
+        let start = lines.start(line);
+        Some(Place { file, span: Span { start, end: start + lines.line(text, line).len() as u32 } })
+    });
+    if let Some(place) = place {
+        page.player.seek_block(place);
+    }
+}
+
+/// A press in the listing or around it: a fix, a command or a watch of the debugger; a line sets the cursor, its number a breakpoint.
+fn press(page: Page, event: &MouseEvent) {
+    let Some(target) = event.target().and_then(|target| target.dyn_into::<Element>().ok()) else { return };
+    let attribute = |name: &str| target.closest(&format!("[{name}]")).ok()??.get_attribute(name);
+    let number = |name: &str| attribute(name)?.parse::<usize>().ok();
+    if let (Some(diagnostic), Some(fix)) = (number("data-d"), number("data-fix")) {
+        page.apply_fix(diagnostic, fix);
+    } else if let Some(id) = attribute("data-silence") {
+        page.edit("", |project| project.silenced.push(id));
+    } else if let Some(line) = number("data-l") {
+        let file = FileId(page.view.file.get_untracked() as u16);
+        page.player.walk.update(|walk| walk.cursor = Some((file, line as u32)));
+        let left = f64::from(event.client_x()) - target.get_bounding_client_rect().left();
+        if target.tag_name() == "LI" && left < NUMBER {
+            stepping::set_point(page, None);
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! The explorer: a dragged value shows its consequences at once, and the form takes it at the end of the drag; a click on a listed way takes that way.
+
+use std::sync::Arc;
+
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::Element;
+
+use crate::machines::PreparedMachine;
+use crate::machines::form::{FieldInfo, KindInfo, Values};
+use crate::project::Project;
+use crate::text::catalog::number_text;
+use crate::ui::parts::input::{filled_part, number};
+use crate::ui::parts::sheet_view::SheetView;
+use crate::ui::parts::verdict::VerdictLine;
+use crate::ui::parts::{chart_figure, scene};
+use crate::ui::state::Page;
+use crate::ui::words::t;
+use crate::view::{Explorer, Knob, Readout};
+
+/// The machine with dragged values, or with those of the form.
+fn prepared(project: &Project, draft: Option<&Values>) -> Arc<PreparedMachine> {
+    match draft {
+        Some(values) => Arc::new(project.machine.prepare(values, project.on())),
+        None => project.prepared(),
+    }
+}
+
+/// Sets fields from their texts.
+fn set<'t>(project: &Project, values: &mut Values, sets: impl IntoIterator<Item = (&'t str, &'t str)>) {
+    let fields = project.machine.fields();
+    for (id, text) in sets {
+        if let Some(value) = fields.iter().find(|field| field.id == id).and_then(|field| field.read(text).ok()) {
+            values.insert(id.to_owned(), value);
+        }
+    }
+}
+
+/// Takes values into the form: a step of the history, one with those of the same key that follow at once.
+fn take(page: Page, key: &str, values: Values) {
+    // Wrong entries of these fields give way.
+    let changed: Vec<FieldInfo> = page.project.with_untracked(|project| {
+        let changed = |field: &FieldInfo| values.get(field.id) != project.values.get(field.id);
+        project.machine.fields().into_iter().filter(changed).collect()
+    });
+    changed.iter().for_each(|field| page.entries.accept(field.id));
+    page.edit(key, |project| project.values = values);
+    page.notices.say(t("page.taken"));
+}
+
+/// Sliders, their consequences, and the listed ways.
+#[component]
+pub(crate) fn ExploreTab() -> impl IntoView {
+    let page = Page::here();
+    // Dragged and not yet in the form.
+    let draft = RwSignal::new_local(None::<Values>);
+    let seen = RwSignal::new_local(Explorer::default());
+    let readouts = RwSignal::new_local(Vec::<Readout>::new());
+    let (shape, plots) = (RwSignal::new(String::new()), RwSignal::new(String::new()));
+    Effect::new(move |_| {
+        let (machine, design) = page.project.with(|project| {
+            let machine = draft.with(|draft| prepared(project, draft.as_ref()));
+            let design = machine.design(&project.provenance);
+            (machine, design)
+        });
+        let found = machine.explorer().unwrap_or_default();
+        readouts.set(design.readouts);
+        shape.set(scene::svg(&found.scene));
+        let mut out = String::new();
+        found.charts.iter().for_each(|chart| chart_figure::html(&mut out, chart));
+        plots.set(out);
+        seen.set(found);
+    });
+    let results = move || {
+        let headline = readouts.get().into_iter().filter(|readout| readout.headline);
+        let line = |readout: Readout| {
+            let id = readout.id;
+            view! { <VerdictLine readout=readout open=move || page.show_result(id) /> }
+        };
+        headline.map(line).collect_view()
+    };
+    let (fields, first) = page
+        .project
+        .with_untracked(|project| (project.machine.fields(), project.prepared().explorer().unwrap_or_default().knobs));
+    let knobs = first.into_iter().enumerate().filter_map(|(at, knob)| {
+        let info = fields.iter().find(|field| field.id == knob.field)?.clone();
+        Some(view! { <Slider draft=draft seen=seen at=at first=knob info=info /> })
+    });
+    let choose = move |event: leptos::ev::MouseEvent| {
+        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let row = target.and_then(|target| target.closest("[data-sets]").ok().flatten());
+        let Some(sets) = row.and_then(|row| row.get_attribute("data-sets")) else { return };
+        let mut values = page.project.with_untracked(|project| project.values.clone());
+        let sets = sets.split(';').filter_map(|set| set.split_once('='));
+        page.project.with_untracked(|project| set(project, &mut values, sets));
+        draft.set(None);
+        take(page, "", values);
+    };
+    view! {
+        <p class="lead">{t("page.explore-lead")}</p>
+        <div class="shape" inner_html=move || shape.get()></div>
+        <div class="knobs">{knobs.collect_view()}</div>
+        <div class="row">{results}</div>
+        <div class="ways" on:click=choose><SheetView which=|sheets| sheets.ways /></div>
+        <div class="plots" inner_html=move || plots.get()></div>
+    }
+}
+
+/// A value of the form as a slider.
+#[component]
+fn Slider(
+    /// Values that are dragged.
+    draft: RwSignal<Option<Values>, LocalStorage>,
+    /// The consequences, with the present sliders.
+    seen: RwSignal<Explorer, LocalStorage>,
+    /// Its place among the sliders.
+    at: usize,
+    /// The slider at first.
+    first: Knob,
+    /// The row of its field.
+    info: FieldInfo,
+) -> impl IntoView {
+    let page = Page::here();
+    let field = first.field;
+    let knob = Memo::new(move |_| seen.with(|seen| seen.knobs.get(at).cloned()).unwrap_or_else(|| first.clone()));
+    let plain = |number: f64| number_text(number, 6);
+    let id = format!("explore-{field}");
+    let drag = move |event| {
+        let Some(number) = number(&event) else { return };
+        let along = knob.with_untracked(|knob| knob.along.clone());
+        let mut values = draft.get_untracked().unwrap_or_else(|| page.project.with_untracked(|p| p.values.clone()));
+        let text = plain(number);
+        let along = along.iter().map(|(id, text)| (*id, text.as_str())).chain([(field, text.as_str())]);
+        page.project.with_untracked(|project| set(project, &mut values, along));
+        draft.set(Some(values));
+    };
+    let drop = move |_| {
+        if let Some(values) = draft.get_untracked() {
+            draft.set(None);
+            take(page, field, values);
+        }
+    };
+    let unit = if let KindInfo::Number { unit, .. } = &info.kind { *unit } else { "" };
+    view! {
+        <div class="slider">
+            <label for=id.clone()>{t(info.label)}</label>
+            <input
+                type="range" id=id.clone()
+                min=move || plain(knob.get().range.0)
+                max=move || plain(knob.get().range.1)
+                step=move || plain(knob.get().step)
+                prop:value=move || plain(knob.get().value)
+                style:--part=move || filled_part(knob.get().value, knob.get().range)
+                on:input=drag
+                on:change=drop
+            />
+            <output for=id>{move || format!("{} {unit}", plain(knob.get().value))}</output>
+        </div>
+    }
+}

@@ -1,0 +1,14 @@
+//! Everything that follows from the project, as tabs: results, explorer, variables, parameters, PLC.
+
+mod explore;
+
+mod parameters;
+
+mod readouts;
+
+mod variables;
+
+pub(crate) use explore::ExploreTab;
+pub(crate) use parameters::{ParametersTab, PlcTab};
+pub(crate) use readouts::ResultsTab;
+pub(crate) use variables::VariablesTab;

@@ -1,0 +1,96 @@
+//! Every result with limit, formula, source and advice.
+
+use leptos::prelude::*;
+
+use crate::text::{Diagnostic, DiagnosticKind, Message, MessageValue};
+use crate::ui::dom::go_to_field;
+use crate::ui::state::Page;
+use crate::ui::words::{figure, limit_text, say, sign, t, tell, tone, verdict_tone, verdict_words};
+use crate::view::Readout;
+
+/// The results tab.
+#[component]
+pub(crate) fn ResultsTab() -> impl IntoView {
+    let page = Page::here();
+    let design = page.results.design;
+    let remarks = move || {
+        let design = design.get();
+        design.diagnostics.iter().map(|told| view! { <Remark told=told.clone() /> }).collect_view()
+    };
+    let rows = move || {
+        let design = design.get();
+        design.readouts.iter().map(|readout| view! { <Row readout=readout.clone() /> }).collect_view()
+    };
+    view! {
+        <ul class="remarks">{remarks}</ul>
+        <div class="results" class:old=move || page.is_stale()>{rows}</div>
+    }
+}
+
+/// A remark about the machine's values.
+#[component]
+fn Remark(
+    /// The remark.
+    told: Diagnostic,
+) -> impl IntoView {
+    let tone = tone(told.severity);
+    let mark = view! { <i aria-hidden="true">{sign(tone)}</i> };
+    let body = match &told.message.values[..] {
+        [MessageValue::Number(..), MessageValue::Text(ids)] if told.kind == DiagnosticKind::AssumedFacts => {
+            let message = Message { id: "page.assumed-facts", values: told.message.values.clone() };
+            view! {
+                <details>
+                    <summary>{mark}<span>{say(&message)}</span></summary>
+                    <AssumedFields ids=ids.clone() />
+                </details>
+            }
+            .into_any()
+        }
+        _ => view! { {mark} " " {tell(&told)} }.into_any(),
+    };
+    view! { <li class=tone>{body}</li> }
+}
+
+/// Facts that are only assumed; each leads to its field.
+#[component]
+fn AssumedFields(
+    /// Ids of the fields, separated by commas.
+    ids: String,
+) -> impl IntoView {
+    let fields = Page::here().project.with_untracked(|project| project.machine.fields());
+    let named = fields.into_iter().filter(|field| ids.split([',', ' ']).any(|id| id == field.id));
+    let link = |field: crate::machines::form::FieldInfo| {
+        view! { <button type="button" class="link" on:click=move |_| go_to_field(field.id)>{t(field.label)}</button> }
+    };
+    view! { <div class="chips">{named.map(link).collect_view()}</div> }
+}
+
+/// A result.
+#[component]
+fn Row(
+    /// The result.
+    readout: Readout,
+) -> impl IntoView {
+    let page = Page::here();
+    let tone = verdict_tone(readout.verdict);
+    let limit = limit_text(&readout).map(|limit| view! { <p class="limit">{limit}</p> });
+    let formula = (!readout.formula.is_empty())
+        .then(|| view! { <p class="formula"><code>{page.spelled(readout.formula)}</code></p> });
+    let advice = (!readout.advice.is_empty()).then(|| {
+        let rows = readout.advice.iter().map(|advice| view! { <li>{say(&advice.message)}</li> });
+        view! { <ul>{rows.collect_view()}</ul> }
+    });
+    view! {
+        <article class=format!("result {tone}") id=format!("result-{}", readout.id) tabindex="-1">
+            <h3>
+                <i aria-hidden="true">{sign(tone)}</i> " " {t(readout.label)}
+                <span class="hidden">" " {verdict_words(readout.verdict)}</span>
+            </h3>
+            <p class="v">{figure(readout.value, readout.decimals)} " " <small>{readout.unit}</small></p>
+            {limit}
+            {formula}
+            {advice}
+            <p class="source">{readout.cite.source}</p>
+        </article>
+    }
+}

@@ -1,0 +1,84 @@
+//! The control's variables at the play head, to be set as on its screen.
+
+use leptos::html;
+use leptos::prelude::*;
+
+use crate::motion::Action;
+use crate::ui::parts::input::number as read_number;
+use crate::ui::state::Page;
+use crate::ui::state::operator::act;
+use crate::ui::words::{t, value_of};
+
+/// The variables tab.
+#[component]
+pub(crate) fn VariablesTab() -> impl IntoView {
+    let page = Page::here();
+    let heads = ["page.variable", "page.value", "page.unit", "page.meaning"];
+    let heads = heads.map(|id| view! { <th scope="col">{t(id)}</th> }).into_iter().collect_view();
+    view! {
+        <p class="lead">{t("page.variables-lead")}</p>
+        <table class="variables">
+            <thead><tr>{heads}</tr></thead>
+            <tbody>
+                <For
+                    each=move || {
+                        page.control.track();
+                        page.results.variables.get()
+                    }
+                    key=move |row| (*row, page.control.get_untracked())
+                    let:row
+                >
+                    <Row number=row.0 meaning=row.1 unit=row.2 />
+                </For>
+            </tbody>
+        </table>
+    }
+}
+
+/// A variable.
+#[component]
+fn Row(
+    /// Its number.
+    number: u32,
+    /// Catalog id of its meaning.
+    meaning: &'static str,
+    /// Its unit.
+    unit: &'static str,
+) -> impl IntoView {
+    let page = Page::here();
+    let control = page.project.with_untracked(|project| project.control);
+    let name = control.variable(number);
+    let input: NodeRef<html::Input> = NodeRef::new();
+    let shown = Memo::new(move |_| page.player.variable(control, number));
+    // Two animations by turns make the row flash at each change but the first.
+    let flash = RwSignal::new("");
+    Effect::new(move |last: Option<Option<f64>>| {
+        let (value, _) = shown.get();
+        if let Some(input) = input.get().filter(|_| last != Some(value)) {
+            input.set_value(&value_of(control, value, 6));
+            if last.is_some() {
+                flash.update(|flash| *flash = if *flash == "flash-a" { "flash-b" } else { "flash-a" });
+            }
+        }
+        value
+    });
+    let set = move |event: web_sys::Event| {
+        let typed = event_target_value(&event);
+        match read_number(&event) {
+            None if !typed.trim().is_empty() => page.notices.notify("warn", t("page.not-a-value").to_owned()),
+            None if !control.has_vacant() => act(page, Action::Variable(number, Some(0.0))),
+            set => act(page, Action::Variable(number, set)),
+        }
+    };
+    let changed = move || shown.get().1.then_some("");
+    view! {
+        <tr class=flash data-changed=changed>
+            <th scope="row">{name.clone()}</th>
+            <td>
+                <input node_ref=input type="text" inputmode="decimal" autocomplete="off" aria-label=name on:change=set />
+            </td>
+            <td>{unit}</td>
+            <td>{t(meaning)}</td>
+        </tr>
+    }
+}

@@ -1,0 +1,51 @@
+//! Entries of the form that do not read as values.
+
+use leptos::prelude::*;
+
+use crate::text::Diagnostic;
+
+/// What is typed and wrong. The project keeps the last good value. A handle: copies mean the same.
+#[derive(Clone, Copy)]
+pub(crate) struct Entries {
+    /// Fields whose text is wrong, with the reason.
+    pub invalid: RwSignal<Vec<Diagnostic>, LocalStorage>,
+    /// Counts the times that every field has to show its value again.
+    pub reread: RwSignal<u32>,
+}
+
+impl Entries {
+    /// Nothing wrong.
+    pub(crate) fn new() -> Entries {
+        Entries { invalid: RwSignal::new_local(Vec::new()), reread: RwSignal::new(0) }
+    }
+
+    /// Notes that the text of a field is wrong.
+    pub(crate) fn refuse(self, id: &'static str, problem: Diagnostic) {
+        self.invalid.update(|invalid| {
+            invalid.retain(|other| other.field != Some(id));
+            invalid.push(problem.about(id));
+        });
+    }
+
+    /// Notes that the text of a field is right.
+    pub(crate) fn accept(self, id: &'static str) {
+        if self.invalid.with_untracked(|invalid| of_field(invalid, id).is_some()) {
+            self.invalid.update(|invalid| invalid.retain(|other| other.field != Some(id)));
+        }
+    }
+
+    /// The reason why the text of a field is wrong.
+    pub(crate) fn refused(self, id: &str) -> Option<Diagnostic> {
+        self.invalid.with(|invalid| of_field(invalid, id).cloned())
+    }
+
+    /// Every field shows its value again.
+    pub(crate) fn show_again(self) {
+        self.reread.update(|count| *count += 1);
+    }
+}
+
+/// The diagnostic about a field.
+pub(crate) fn of_field<'d>(diagnostics: &'d [Diagnostic], field: &str) -> Option<&'d Diagnostic> {
+    diagnostics.iter().find(|d| d.field == Some(field))
+}

@@ -1,0 +1,94 @@
+//! Actions of the operator at the play head, and the sentence about their effect.
+
+use leptos::prelude::*;
+
+use super::Page;
+use crate::controls::Control;
+use crate::drives::speed::SpeedLimit;
+use crate::motion::{Action, Event};
+use crate::project::run;
+use crate::text::catalog::number_text;
+use crate::ui::dom;
+use crate::ui::words::{clock, short, t, value_of};
+
+/// Machine seconds after an action at which its effect is told.
+const EFFECT: f64 = 1.0;
+
+/// Does an action at the head and tells what it changes: the run a little later, with and without it.
+pub(crate) fn act(page: Page, action: Action) {
+    dom::mark("knob-turned");
+    let player = page.player;
+    let later = player.head() + EFFECT;
+    player.plan_to(later);
+    let without = watched(page, later);
+    let event = player.act(action);
+    page.note(event.clone());
+    dom::soon(move || {
+        player.plan_to(later);
+        let mut changes: Vec<String> = Vec::new();
+        for ((name, old), (_, new)) in without.into_iter().zip(watched(page, later)) {
+            if old != new {
+                changes.push(format!("{name} {old} → {new}"));
+            }
+        }
+        let effect = if changes.is_empty() { t("page.no-change").to_owned() } else { changes.join(", ") };
+        let done = page.project.with_untracked(|project| name(&event.action, project.control));
+        player.changed.set(format!("{} s: {done} · {effect}", clock(event.t)));
+        dom::mark("knob-answered");
+        dom::measure("knob", "knob-turned", "knob-answered");
+    });
+}
+
+/// The position of a switch or knob at a time.
+pub(crate) fn standing<T: Copy>(events: &[Event], at: f64, first: T, of: impl Fn(&Action) -> Option<T>) -> T {
+    events.iter().rev().filter(|event| event.t <= at).find_map(|event| of(&event.action)).unwrap_or(first)
+}
+
+/// Names and values that an action may change, at a time: variables, feeds, spindle.
+fn watched(page: Page, t: f64) -> Vec<(String, String)> {
+    let (rows, control) =
+        (page.results.variables.get_untracked(), page.project.with_untracked(|project| project.control));
+    let mut out = Vec::with_capacity(rows.len() + 4);
+    page.player.ask_planner(|planner| {
+        for (number, _, _) in &rows {
+            out.push((control.variable(*number), value_of(control, run::shown(planner, control, *number, t), 3)));
+        }
+        let now = planner.timeline().at(t);
+        for (axis, state) in control.axes.iter().zip(&now.axes) {
+            out.push((format!("{} mm/min", axis.letter), short(state.feed, 0)));
+        }
+        out.push((self::t("page.spindle-actual").to_owned(), short(now.spindle.command, 0)));
+        out.push((self::t("page.volts").to_owned(), short(now.spindle.volts, 3)));
+    });
+    out
+}
+
+/// The name of an action.
+pub(crate) fn name(action: &Action, control: &Control) -> String {
+    let plain = |number: f64| number_text(number, 6);
+    let on = |id: &'static str, on: bool| format!("{} {}", t(id), t(if on { "page.on" } else { "page.off" }));
+    let share = |id: &'static str, percent: f64| format!("{} {} %", t(id), plain(percent));
+    match action {
+        Action::SpindleOverride(percent) => share("page.spindle-override", *percent),
+        Action::FeedOverride(percent) => share("page.feed-override", *percent),
+        Action::RapidOverride(percent) => share("page.rapid-override", *percent),
+        Action::Start => t("page.start").to_owned(),
+        Action::Hold => t("page.hold").to_owned(),
+        Action::Reset => t("page.reset").to_owned(),
+        Action::EmergencyStop => t("page.estop").to_owned(),
+        Action::SingleBlock(state) => on("page.single-block", *state),
+        Action::OptionalStop(state) => on("page.optional-stop", *state),
+        Action::BlockSkip(state) => on("page.block-skip", *state),
+        Action::ManualSpeed(rpm) => format!("S {}", plain(*rpm)),
+        Action::SpeedLimit(limit, rpm) => {
+            let id = match limit {
+                SpeedLimit::Lower => "page.lower-speed-limit",
+                SpeedLimit::Upper => "page.upper-speed-limit",
+                SpeedLimit::Surface => "page.surface-speed-limit",
+            };
+            format!("{} {}", t(id), plain(*rpm))
+        }
+        Action::Input(name, value) => format!("{name} = {}", plain(*value)),
+        Action::Variable(number, value) => format!("{} = {}", control.variable(*number), value_of(control, *value, 6)),
+    }
+}

@@ -1,0 +1,306 @@
+//! [`Page`]: one project with its history, and everything that follows from it.
+
+use std::rc::Rc;
+
+use leptos::prelude::*;
+
+use super::entries::{Entries, of_field};
+use super::history::History;
+use super::notices::{Notice, Notices};
+use super::player::Player;
+use super::program::Program;
+use super::put;
+use super::view::{Tab, View};
+use crate::machines::Design;
+use crate::machines::form::{Provenance, Value};
+use crate::motion::Event;
+use crate::nc;
+use crate::project::Project;
+use crate::project::check::with_run;
+use crate::project::suppress::silence;
+use crate::text::{Diagnostic, Severity};
+use crate::ui::dom;
+use crate::ui::words::t;
+use crate::view::Scene;
+
+/// What the machine's formulas come to.
+#[derive(Clone, Copy)]
+pub(crate) struct Results {
+    /// Results with verdicts, and remarks.
+    pub design: RwSignal<Rc<Design>, LocalStorage>,
+    /// Fields without a meaning on this control with these values.
+    pub hidden: RwSignal<Vec<&'static str>>,
+    /// Variables that the operator reads and sets: number, catalog id of the meaning, unit.
+    pub variables: RwSignal<Vec<(u32, &'static str, &'static str)>>,
+    /// The drawing.
+    pub scene: RwSignal<Rc<Scene>, LocalStorage>,
+}
+
+/// The state of the page. A handle: copies mean the same.
+#[derive(Clone, Copy)]
+pub(crate) struct Page {
+    /// The project as it was last valid.
+    pub project: RwSignal<Project, LocalStorage>,
+    /// Id of its machine.
+    pub machine: RwSignal<&'static str>,
+    /// Id of its control.
+    pub control: RwSignal<&'static str>,
+    /// Whether undo and redo have something to do.
+    pub can: RwSignal<(bool, bool)>,
+    /// What the machine's formulas come to.
+    pub results: Results,
+    /// The program.
+    pub program: Program,
+    /// Entries of the form that do not read as values.
+    pub entries: Entries,
+    /// The run.
+    pub player: Player,
+    /// What is shown.
+    pub view: View,
+    /// Messages.
+    pub notices: Notices,
+    history: StoredValue<History, LocalStorage>,
+    /// The last project of each machine that was left for another.
+    left: StoredValue<Vec<Project>, LocalStorage>,
+}
+
+impl Page {
+    /// Begins with a project, and hands the state to every component below.
+    pub(crate) fn provide(project: Project, notices: Vec<Notice>) -> Page {
+        let written = Rc::new(project.written());
+        let prepared = project.prepared();
+        let player = Player::new();
+        player.load(&project, &written);
+        let page = Page {
+            machine: RwSignal::new(project.machine.id()),
+            control: RwSignal::new(project.control.id),
+            can: RwSignal::new((false, false)),
+            results: Results {
+                design: RwSignal::new_local(Rc::new(project.design())),
+                hidden: RwSignal::new(prepared.hidden().to_vec()),
+                variables: RwSignal::new(prepared.variables()),
+                scene: RwSignal::new_local(Rc::new(prepared.scene())),
+            },
+            program: Program::new(written),
+            entries: Entries::new(),
+            player,
+            view: View::new(),
+            notices: Notices::new(notices),
+            history: StoredValue::new_local(History::default()),
+            left: StoredValue::new_local(Vec::new()),
+            project: RwSignal::new_local(project),
+        };
+        Effect::new(move |_| {
+            let mut found = page.found();
+            put(page.program.silenced, page.project.with(|project| silence(&mut found, &project.silenced)));
+            put(page.program.findings, found);
+        });
+        provide_context(page);
+        page
+    }
+
+    /// The state of the page that a component is in.
+    pub(crate) fn here() -> Page {
+        expect_context()
+    }
+
+    fn found(self) -> Vec<Diagnostic> {
+        let skimmed = self.program.written.with(|written| written.diagnostics.clone());
+        let mut found = self.program.reviewed.get().unwrap_or(skimmed);
+        Diagnostic::in_order(&mut found);
+        with_run(found, &self.player.findings())
+    }
+
+    /// A text about variables, `#101`, in the spelling of the present control.
+    pub(crate) fn spelled(self, text: &str) -> String {
+        self.control.track();
+        self.project.with_untracked(|project| project.control.written(text))
+    }
+
+    /// Changes the project in a step of the history. Changes with the same key, if they have one, that follow at once are one step.
+    pub(crate) fn edit(self, key: &str, change: impl FnOnce(&mut Project)) {
+        let mut after = self.project.get_untracked();
+        change(&mut after);
+        let before = self.project.get_untracked();
+        if after != before {
+            self.history.update_value(|history| history.note(&before, key, dom::now()));
+            self.follow(&before, after);
+        }
+    }
+
+    /// Applies a fix of a finding, both by number; the program is then an edited one.
+    pub(crate) fn apply_fix(self, finding: usize, fix: usize) {
+        let mended = self.program.findings.with_untracked(|findings| {
+            // Marks in the editor may be those of the text before.
+            if self.program.pending.get_untracked() {
+                return None;
+            }
+            let fix = findings.get(finding)?.fixes.get(fix)?;
+            Some(self.program.written.with_untracked(|written| nc::fix(&written.files, fix)))
+        });
+        if let Some(files) = mended {
+            self.edit("", |project| project.edited = Some(files));
+            self.notices.say(t("page.mended"));
+        }
+    }
+
+    /// Takes the last text out of the editor into the project, which is detached from its form by that.
+    pub(crate) fn take_typed(self) {
+        let Some((at, text)) = self.program.typed.try_update_value(Option::take).flatten() else { return };
+        if text == self.program.text(at) {
+            return;
+        }
+        let files = self.program.written.with_untracked(|written| written.files.clone());
+        self.edit("text", |project| {
+            let edited = project.edited.get_or_insert(files);
+            if let Some(file) = edited.0.get_mut(at) {
+                file.text = text;
+            }
+            // A character that is typed and deleted again is no edit.
+            let mut generated = project.clone();
+            generated.edited = None;
+            if project.edited == Some(generated.written().files.clone()) {
+                project.edited = None;
+            }
+        });
+    }
+
+    /// Shows a result among all results.
+    pub(crate) fn show_result(self, id: &'static str) {
+        self.view.tab.set(Tab::Results);
+        dom::soon(move || {
+            if let Some(row) = dom::by_id(&format!("result-{id}")) {
+                row.scroll_into_view();
+                let _ = row.focus();
+            }
+        });
+    }
+
+    /// Takes another machine: as it was left on this page, or fresh. Undo brings this one back.
+    pub(crate) fn change_machine(self, id: &'static str) {
+        let present = self.project.get_untracked();
+        let left = self.left.try_update_value(|left| {
+            left.retain(|project| project.machine.id() != present.machine.id());
+            left.push(present);
+            left.iter().find(|project| project.machine.id() == id).cloned()
+        });
+        if let Some(project) = left.flatten().or_else(|| Project::of(id, None)) {
+            self.replace(project);
+        }
+    }
+
+    /// Takes another project in place of this one; undo brings this one back.
+    pub(crate) fn replace(self, project: Project) {
+        self.entries.invalid.set(Vec::new());
+        self.edit("", |present| *present = project);
+        self.entries.show_again();
+    }
+
+    /// Goes back one step.
+    pub(crate) fn undo(self) {
+        self.travel(History::back);
+    }
+
+    /// Goes forth one step again.
+    pub(crate) fn redo(self) {
+        self.travel(History::forth);
+    }
+
+    fn travel(self, step: fn(&mut History, Project) -> Option<Project>) {
+        let before = self.project.get_untracked();
+        let after = self.history.try_update_value(|history| step(history, before.clone())).flatten();
+        if let Some(after) = after {
+            self.entries.invalid.set(Vec::new());
+            self.follow(&before, after);
+            self.entries.show_again();
+        }
+    }
+
+    /// Sets what follows from a project, as far as what it depends on has changed.
+    fn follow(self, before: &Project, after: Project) {
+        let machine = before.machine.id() != after.machine.id() || before.control.id != after.control.id;
+        let values = machine || before.values != after.values || before.provenance != after.provenance;
+        let program = values || before.switches != after.switches || before.edited != after.edited;
+        if values {
+            self.results.design.set(Rc::new(after.design()));
+            let prepared = after.prepared();
+            put(self.results.hidden, prepared.hidden().to_vec());
+            put(self.results.variables, prepared.variables());
+            put(self.results.scene, Rc::new(prepared.scene()));
+        }
+        if program {
+            let written = after.written();
+            put(self.program.edited, written.edited);
+            self.program.written.set(Rc::new(written));
+        }
+        if program || before.panel != after.panel {
+            self.program.written.with_untracked(|written| self.player.load(&after, written));
+        }
+        put(self.machine, after.machine.id());
+        put(self.control, after.control.id);
+        self.project.set(after);
+        self.can.set(self.history.with_value(History::can));
+        self.player.settle();
+    }
+
+    /// Notes an action of the operator in the project, as a step of the history. The player has it already.
+    pub(crate) fn note(self, event: Event) {
+        let before = self.project.get_untracked();
+        self.history.update_value(|history| history.note(&before, "", dom::now()));
+        self.can.set(self.history.with_value(History::can));
+        self.project.update(|project| project.panel.add(event));
+    }
+
+    /// Sets a field of the form.
+    pub(crate) fn set(self, id: &'static str, value: Value) {
+        self.entries.accept(id);
+        self.edit(id, |project| {
+            project.values.insert(id.to_owned(), value);
+        });
+    }
+
+    /// Takes entries of the form as they would be typed, in one step: id of each field and its text.
+    pub(crate) fn take_entries(self, entries: &[(&'static str, String)]) {
+        self.edit("", |project| {
+            let fields = project.machine.fields();
+            for (id, text) in entries {
+                let field = fields.iter().find(|field| field.id == *id);
+                if let Some(value) = field.and_then(|field| field.read(text).ok()) {
+                    project.values.insert((*id).to_owned(), value);
+                }
+            }
+        });
+        entries.iter().for_each(|(id, _)| self.entries.accept(id));
+        self.entries.show_again();
+        self.notices.say(t("page.taken"));
+    }
+
+    /// Notes where the value of a field comes from.
+    pub(crate) fn set_provenance(self, id: &'static str, from: Provenance) {
+        self.edit(id, |project| {
+            if from == Provenance::default() {
+                project.provenance.remove(id);
+            } else {
+                project.provenance.insert(id.to_owned(), from);
+            }
+        });
+    }
+
+    /// Fields that are wrong, from typing or from a file; results shown meanwhile are those before.
+    pub(crate) fn wrong_fields(self) -> Vec<Diagnostic> {
+        let mut found = self.entries.invalid.get();
+        self.results.design.with(|design| {
+            for error in design.diagnostics.iter().filter(|d| d.severity == Severity::Error) {
+                if error.field.is_none_or(|field| of_field(&found, field).is_none()) {
+                    found.push(error.clone());
+                }
+            }
+        });
+        found
+    }
+
+    /// Whether the results are those before a wrong entry.
+    pub(crate) fn is_stale(self) -> bool {
+        !self.wrong_fields().is_empty()
+    }
+}

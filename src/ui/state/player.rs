@@ -1,0 +1,474 @@
+//! The run: a planner ahead of the play head, and the head itself. Not reactive, but for the few signals at its edge.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use leptos::prelude::*;
+
+use super::put;
+use super::walk::Walk;
+use crate::controls::Control;
+use crate::interp::inspect::What;
+use crate::machines::{Frame, PreparedMachine};
+use crate::math;
+use crate::motion::{Action, Budget, Event, Mode, Retention, RunEnd, Snapshot};
+use crate::project::Project;
+use crate::project::debug::{Debugger, Goal};
+use crate::project::program::Written;
+use crate::project::run::{self, Run, RunOptions};
+use crate::text::{Diagnostic, Place};
+use crate::ui::dom::{self, Frames};
+use crate::view::Chart;
+use crate::view::svg::{Theme, picture};
+
+/// Machine seconds per second that can be chosen.
+pub(crate) const SPEEDS: [f64; 10] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
+
+/// Machine seconds per second while the machine only waits, at automatic speed.
+const WAITING: f64 = 2.0;
+
+/// Milliseconds of planning in one slice.
+const SLICE: f64 = 6.0;
+
+/// Milliseconds of planning within a frame, when the head has caught up with the plan.
+const IN_FRAME: f64 = 2.0;
+
+/// Machine seconds that are planned ahead of the head, at least.
+const AHEAD: f64 = 1.0;
+
+/// Machine seconds that are planned in the background, whatever is shown.
+const HORIZON: f64 = 60.0;
+
+/// Where a run is given up: nobody watches ten hours, and they fit the memory.
+const LIMITS: Budget = Budget { blocks: 1_000_000_000, seconds: 36_000.0 };
+
+/// Steps of the planner between two looks at the clock.
+const STEPS: usize = 64;
+
+/// Milliseconds between two values of the slow signals.
+const SLOW: f64 = 100.0;
+
+/// The run at the play head, as painters get it in each frame.
+pub(crate) struct Moment<'a> {
+    /// The planned run.
+    pub run: &'a Run,
+    /// The machine.
+    pub machine: &'a PreparedMachine,
+    /// The machine at the head.
+    pub now: &'a Snapshot,
+    /// Ends of the shown time, in seconds.
+    pub axis: (f64, f64),
+    /// Viewing conditions of the frame.
+    pub frame: Frame,
+    /// Whether this frame also writes figures that only change some times a second.
+    pub slow: bool,
+    /// Counts the changes of the plan.
+    pub plans: u32,
+}
+
+/// Writes the moment into the page, past the signals: there are 60 a second.
+type Painter = Box<dyn FnMut(&Moment)>;
+
+/// The run of the page. A handle: copies mean the same.
+#[derive(Clone, Copy)]
+pub(crate) struct Player {
+    state: StoredValue<State, LocalStorage>,
+    painters: StoredValue<Vec<Painter>, LocalStorage>,
+    frames: StoredValue<Option<Frames>, LocalStorage>,
+    /// Whether the head moves by itself.
+    pub playing: RwSignal<bool>,
+    /// Machine seconds per second; 0 is automatic.
+    pub speed: RwSignal<f64>,
+    /// Whether the run begins anew at its end.
+    pub repeat: RwSignal<bool>,
+    /// Whether rollers are shown once per head.
+    pub option: RwSignal<bool>,
+    /// The machine at the head, some times a second.
+    pub now: RwSignal<Snapshot>,
+    /// The block that runs at the head.
+    pub running: RwSignal<Option<Place>>,
+    /// Seconds that are planned, and whether the run is over there.
+    pub planned: RwSignal<(f64, bool)>,
+    /// Why the run is over, where the plan has reached its end.
+    pub ended: RwSignal<Option<RunEnd>, LocalStorage>,
+    /// Seconds shown by film and charts; 0 is the whole plan.
+    pub window: RwSignal<f64>,
+    /// Counts the plans, for what asks the planner itself.
+    pub plans: RwSignal<u32>,
+    /// The effect of the last action of the operator, as a sentence.
+    pub changed: RwSignal<String>,
+    /// The debugger.
+    pub walk: RwSignal<Walk, LocalStorage>,
+}
+
+struct State {
+    planner: Option<Run>,
+    id: &'static str,
+    machine: Option<Arc<PreparedMachine>>,
+    /// Machine seconds per second at which the machine's motion is visible.
+    visible: f64,
+    head: f64,
+    stamp: Option<f64>,
+    slow_at: f64,
+    slicing: bool,
+    asked: bool,
+}
+
+impl Player {
+    /// A player without a run.
+    pub(crate) fn new() -> Player {
+        let state = State {
+            planner: None,
+            id: "",
+            machine: None,
+            visible: 1.0,
+            head: 0.0,
+            stamp: None,
+            slow_at: 0.0,
+            slicing: false,
+            asked: false,
+        };
+        let player = Player {
+            state: StoredValue::new_local(state),
+            painters: StoredValue::new_local(Vec::new()),
+            frames: StoredValue::new_local(None),
+            playing: RwSignal::new(false),
+            speed: RwSignal::new(0.0),
+            repeat: RwSignal::new(false),
+            option: RwSignal::new(false),
+            now: RwSignal::new(Snapshot::default()),
+            running: RwSignal::new(None),
+            planned: RwSignal::new((0.0, false)),
+            ended: RwSignal::new_local(None),
+            window: RwSignal::new(0.0),
+            plans: RwSignal::new(0),
+            changed: RwSignal::new(String::new()),
+            walk: RwSignal::new_local(Walk::default()),
+        };
+        player.frames.set_value(Some(Frames::new(move |stamp| player.frame(stamp))));
+        player
+    }
+
+    /// Takes another run; the head stays at its time.
+    pub(crate) fn load(self, project: &Project, written: &Written) {
+        let id = project.machine.id();
+        if self.state.with_value(|state| state.id != id) {
+            self.speed.set(0.0);
+        }
+        self.state.update_value(|state| {
+            let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
+            state.planner = Some(run::of_project(project, written, &begin));
+            state.id = id;
+            state.machine = Some(project.prepared());
+            state.visible = project.machine.speed();
+        });
+        self.walk_away();
+        self.walk.update(|walk| walk.points.resolve(&written.parsed));
+    }
+
+    /// Shows the run as it now is: after the effects of a change.
+    pub(crate) fn settle(self) {
+        dom::soon(move || {
+            self.plan(self.soon(), SLICE);
+            self.show();
+            dom::mark("rendered");
+            dom::measure("edit", "input", "rendered");
+            self.plan_on();
+        });
+    }
+
+    /// Adds a painter: it gets every frame from now on.
+    pub(crate) fn paint(self, painter: impl FnMut(&Moment) + 'static) {
+        self.painters.update_value(|painters| painters.push(Box::new(painter)));
+        self.ask();
+    }
+
+    /// Plays or pauses. At the end of the run it begins anew.
+    pub(crate) fn toggle(self) {
+        let playing = !self.playing.get_untracked();
+        if playing && self.at_end() {
+            self.seek(0.0);
+        }
+        self.state.update_value(|state| state.stamp = None);
+        self.playing.set(playing);
+        self.ask();
+    }
+
+    /// Sets the head, away from where the debugger may have stopped.
+    pub(crate) fn seek(self, t: f64) {
+        self.walk_away();
+        self.set_head(t);
+    }
+
+    /// Sets the head.
+    pub(crate) fn set_head(self, t: f64) {
+        self.state.update_value(|state| {
+            state.head = if t > 0.0 { t } else { 0.0 };
+            state.slow_at = 0.0;
+        });
+        self.ask();
+        self.plan_on();
+    }
+
+    /// Seconds of the head.
+    pub(crate) fn head(self) -> f64 {
+        self.state.with_value(|state| state.head)
+    }
+
+    /// Whether the head stands at the end of a run that is over.
+    pub(crate) fn at_end(self) -> bool {
+        let (planned, ended) = self.planned.get_untracked();
+        ended && self.head() >= planned
+    }
+
+    /// Goes to the next time at which a block within a place begins; from the end of the run to the first one.
+    pub(crate) fn seek_block(self, place: Place) {
+        let to = self.state.with_value(|state| {
+            let timeline = state.planner.as_ref()?.timeline();
+            timeline.begins_after(place, state.head).or_else(|| timeline.begins_after(place, -1.0))
+        });
+        if let Some(t) = to {
+            self.playing.set(false);
+            self.seek(t);
+        }
+    }
+
+    /// Pauses at the begin of the next block, or of the one before.
+    pub(crate) fn step(self, forth: bool) {
+        self.playing.set(false);
+        let to = self.state.with_value(|state| {
+            let timeline = state.planner.as_ref()?.timeline();
+            if forth { timeline.next_block(state.head) } else { Some(timeline.block_before(state.head)) }
+        });
+        if let Some(t) = to {
+            self.seek(t);
+        }
+    }
+
+    /// Does what the operator does, at the head.
+    pub(crate) fn act(self, action: Action) -> Event {
+        let event = Event { t: self.head(), action };
+        self.state.update_value(|state| {
+            if let Some(planner) = &mut state.planner {
+                planner.event(event.clone());
+            }
+        });
+        self.plans.update(|count| *count += 1);
+        // The run has become another; it stands before the same block of it, or before the first one that is read at last.
+        if self.walk_away() {
+            self.walk_to(Goal::Block(0));
+        }
+        self.settle();
+        event
+    }
+
+    /// A variable as the control's screen shows it now, and whether it has changed since the last stop of the debugger.
+    pub(crate) fn variable(self, control: &Control, number: u32) -> (Option<f64>, bool) {
+        self.plans.track();
+        let t = self.now.with(|now| now.t);
+        // At a stop the block that is read at this very time is not read yet.
+        let stopped = self.walk.with(|walk| {
+            let debugger = walk.stopped()?;
+            let changed = debugger.changes().iter().any(|change| change.what == What::Variable(number));
+            Some((run::shown(debugger.run(), control, number, f64::INFINITY), changed))
+        });
+        stopped
+            .unwrap_or_else(|| (self.ask_planner(|planner| run::shown(planner, control, number, t)).flatten(), false))
+    }
+
+    /// Asks the planner something.
+    pub(crate) fn ask_planner<T>(self, question: impl FnOnce(&Run) -> T) -> Option<T> {
+        self.state.with_value(|state| state.planner.as_ref().map(question))
+    }
+
+    /// Findings of the run, as far as it is planned.
+    pub(crate) fn findings(self) -> Vec<Diagnostic> {
+        self.plans.track();
+        self.ask_planner(|planner| planner.diagnostics().to_vec()).unwrap_or_default()
+    }
+
+    /// The charts of the whole plan, for a file.
+    pub(crate) fn all_charts(self, points: usize) -> Vec<Chart> {
+        let end = self.planned.get_untracked().0;
+        self.state.with_value(|state| match (&state.planner, &state.machine) {
+            (Some(planner), Some(machine)) => machine.charts(planner, 0.0, end, points),
+            _ => Vec::new(),
+        })
+    }
+
+    /// The drawing at the head, as a picture of its own.
+    pub(crate) fn picture(self, theme: Theme) -> Option<String> {
+        let frame = Frame { step: 0.0, option: self.option.get_untracked() };
+        self.state.with_value(|state| {
+            let (run, machine) = (state.planner.as_ref()?, state.machine.as_deref()?);
+            let timeline = run.timeline();
+            let pose = machine.pose(run, &timeline.at(state.head.min(timeline.end())), frame);
+            Some(picture(&machine.scene(), &pose, theme))
+        })
+    }
+
+    /// Plans now, up to a time, for no longer than a slice.
+    pub(crate) fn plan_to(self, t: f64) {
+        self.plan(t, SLICE);
+    }
+
+    /// Ends of the time that film and charts show, when the head stands at `head`.
+    pub(crate) fn axis(self, head: f64, planned: f64) -> (f64, f64) {
+        let window = self.window.get_untracked();
+        if window > 0.0 {
+            let begin = (head / window).floor() * window;
+            (begin, begin + window)
+        } else {
+            (0.0, planned.max(0.001))
+        }
+    }
+
+    /// Plans up to a time, but only for some milliseconds; says whether there is more to plan.
+    fn plan(self, until: f64, budget: f64) -> bool {
+        let begun = dom::now();
+        let more = self.state.try_update_value(|state| {
+            let planner = state.planner.as_mut()?;
+            loop {
+                let progress = planner.advance(until, STEPS);
+                let done = progress.ended.is_some() || progress.planned_to >= until;
+                if done || dom::now() - begun > budget {
+                    return Some((progress.planned_to, progress.ended, !done));
+                }
+            }
+        });
+        let Some(Some((planned, ended, more))) = more else { return false };
+        let over = ended.is_some();
+        put(self.ended, ended);
+        if self.planned.get_untracked() != (planned, over) {
+            self.planned.set((planned, over));
+            self.plans.update(|count| *count += 1);
+        }
+        more
+    }
+
+    /// Plans on in slices between the frames, until the plan is far enough.
+    fn plan_on(self) {
+        let slicing = self.state.try_update_value(|state| core::mem::replace(&mut state.slicing, true));
+        if slicing != Some(false) {
+            return;
+        }
+        let slice = move || {
+            // The page may be gone.
+            if self.state.try_update_value(|state| state.slicing = false).is_none() {
+                return;
+            }
+            let more = self.plan(self.soon().max(HORIZON), SLICE);
+            self.ask();
+            if more {
+                self.plan_on();
+            }
+        };
+        set_timeout(slice, Duration::ZERO);
+    }
+
+    /// Seconds up to which the plan is needed now: what the charts show, and a little ahead of the head.
+    fn soon(self) -> f64 {
+        let head = self.head();
+        self.axis(head, 0.0).1.max(head + AHEAD)
+    }
+
+    /// Asks for a frame.
+    pub(crate) fn ask(self) {
+        if self.state.try_update_value(|state| core::mem::replace(&mut state.asked, true)) == Some(false) {
+            self.frames.with_value(|frames| {
+                if let Some(frames) = frames {
+                    frames.ask();
+                }
+            });
+        }
+    }
+
+    fn frame(self, stamp: f64) {
+        if self.state.try_update_value(|state| state.asked = false).is_none() {
+            return;
+        }
+        dom::mark("frame-begins");
+        if self.playing.get_untracked() {
+            let ahead = self.advance(stamp);
+            if ahead < AHEAD / 2.0 {
+                self.plan_on();
+            }
+            if self.at_end() {
+                if self.repeat.get_untracked() && self.planned.get_untracked().0 > 0.0 {
+                    self.seek(0.0);
+                } else {
+                    self.playing.set(false);
+                }
+            }
+        }
+        self.show();
+        dom::mark("frame-ends");
+        dom::measure("frame", "frame-begins", "frame-ends");
+        if self.playing.get_untracked() {
+            self.ask();
+        }
+    }
+
+    /// Machine seconds per second at the head. Automatic: as slow as the motion is visible, and fast while the machine only waits.
+    fn speed_now(self) -> f64 {
+        let chosen = self.speed.get_untracked();
+        if chosen > 0.0 {
+            return chosen;
+        }
+        let waits = self.now.with_untracked(|now| now.mode != Mode::Running);
+        self.state.with_value(|state| if waits { WAITING.max(state.visible) } else { state.visible })
+    }
+
+    /// Moves the head by the time since the last frame; says how many seconds are planned ahead of it.
+    fn advance(self, stamp: f64) -> f64 {
+        let speed = self.speed_now();
+        let from = self.head();
+        let passed = self.state.try_update_value(|state| {
+            // A tab that was hidden does not jump.
+            let passed = state.stamp.map_or(0.0, |last| math::clamp(stamp - last, 0.0, 100.0));
+            state.stamp = Some(stamp);
+            passed
+        });
+        let head = self.play_to(from, from + passed.unwrap_or_default() / 1000.0 * speed);
+        if head > self.planned.get_untracked().0 {
+            self.plan(self.soon(), IN_FRAME);
+        }
+        let (planned, ended) = self.planned.get_untracked();
+        // At a breakpoint the head may be ahead of the plan.
+        let most = if self.playing.get_untracked() { planned.max(from) } else { head };
+        self.state.update_value(|state| state.head = head.min(most));
+        if ended { f64::INFINITY } else { planned - head }
+    }
+
+    /// Writes the moment at the head into the page.
+    fn show(self) {
+        let time = dom::now();
+        let (planned, _) = self.planned.get_untracked();
+        let playing = self.playing.get_untracked();
+        let frame = Frame { step: self.speed_now() / 60.0, option: self.option.get_untracked() };
+        let plans = self.plans.get_untracked();
+        let shown = self.state.try_update_value(|state| {
+            let slow = !playing || time - state.slow_at >= SLOW;
+            if slow {
+                state.slow_at = time;
+            }
+            let (run, machine) = (state.planner.as_ref()?, state.machine.as_deref()?);
+            // The debugger may stand where nothing is planned yet.
+            let now = self.walk.with_untracked(|walk| {
+                let stop = walk.stopped().filter(|debugger| debugger.t() > planned);
+                let timeline = stop.map_or(run, Debugger::run).timeline();
+                timeline.at(state.head.min(timeline.end()))
+            });
+            let axis = self.axis(now.t, planned);
+            let moment = Moment { run, machine, now: &now, axis, frame, slow, plans };
+            self.painters.update_value(|painters| painters.iter_mut().for_each(|paint| paint(&moment)));
+            Some((now, slow))
+        });
+        let Some(Some((now, slow))) = shown else { return };
+        let block = now.block;
+        if slow {
+            put(self.now, now);
+        }
+        put(self.running, block);
+    }
+}

@@ -1,0 +1,227 @@
+//! The debugger of the page: walks beside the run, in slices, and sets the head where the walk stops.
+
+use std::fmt::Write;
+use std::time::Duration;
+
+use leptos::prelude::*;
+
+use super::player::Player;
+use super::walk::Walk;
+use super::{Page, put};
+use crate::math;
+use crate::project::breakpoints::Location;
+use crate::project::debug::{Debugger, Goal, Stop};
+use crate::text::Place;
+use crate::ui::dom;
+use crate::ui::words::{end_words, t, tell};
+
+/// Milliseconds of walking in one slice.
+const SLICE: f64 = 8.0;
+
+/// Milliseconds of walking within a frame.
+const IN_FRAME: f64 = 3.0;
+
+impl Player {
+    /// Forgets where the walk stands; whether it stood.
+    pub(crate) fn walk_away(self) -> bool {
+        let stood = self.walk.update_untracked(|walk| {
+            walk.debugger = None;
+            core::mem::take(&mut walk.at_stop) | core::mem::take(&mut walk.going)
+        });
+        if stood {
+            self.walk.update(|_| {});
+        }
+        stood
+    }
+
+    /// Walks to a goal: from where the walk stands, or from the head.
+    pub(crate) fn walk_to(self, goal: Goal) {
+        self.playing.set(false);
+        self.set_goal(self.head(), goal);
+        self.walk_on();
+    }
+
+    fn set_goal(self, t: f64, goal: Goal) {
+        self.walk.update_untracked(|walk| match &mut walk.debugger {
+            Some(debugger) if walk.at_stop || walk.going => debugger.go(goal),
+            debugger => *debugger = self.ask_planner(|main| Debugger::new(main, t, goal)),
+        });
+    }
+
+    /// Walks back by a block. Every key of the debugger is one that is known: true.
+    pub(crate) fn walk_back(self) -> bool {
+        let back = self.walk.update_untracked(|walk| {
+            let debugger = walk.debugger.as_mut().filter(|_| walk.at_stop)?;
+            self.ask_planner(|main| debugger.back(main))
+        });
+        if back == Some(true) {
+            self.walk_on();
+        }
+        true
+    }
+
+    /// Stops where it is on its way; leaves the walk where it stands.
+    pub(crate) fn walk_stop(self) -> bool {
+        if self.walk.with_untracked(|walk| walk.going) {
+            self.arrive(Stop::Reached);
+        } else {
+            self.walk_away();
+        }
+        true
+    }
+
+    fn walk_on(self) {
+        if let Some(stop) = self.walk.update_untracked(|walk| walk.advance(f64::INFINITY, SLICE)) {
+            return self.arrive(stop);
+        }
+        self.walk.update(|walk| (walk.going, walk.at_stop) = (true, false));
+        let on = move || {
+            self.walk.update_untracked(|walk| walk.slicing = false);
+            if self.walk.with_untracked(|walk| walk.going) {
+                self.walk_on();
+            }
+        };
+        if !self.walk.update_untracked(|walk| core::mem::replace(&mut walk.slicing, true)) {
+            set_timeout(on, Duration::ZERO);
+        }
+    }
+
+    /// The head goes where the walk has stopped.
+    fn arrive(self, stop: Stop) {
+        put(self.playing, false);
+        self.walk.update(|walk| {
+            (walk.going, walk.at_stop) = (false, true);
+            let next = walk.stopped().map_or_else(String::new, |debugger| {
+                debugger.run().program().parsed().text(debugger.place().unwrap_or_default()).to_owned()
+            });
+            let words = |id: &'static str, what: String| format!("{}: {what}", t(id));
+            walk.why = match stop {
+                Stop::Reached => words("page.walk-next", next),
+                Stop::Breakpoint(_) => words("page.walk-breakpoint", next),
+                Stop::Condition(_, why) => words("page.walk-breakpoint", tell(&why)),
+                Stop::Ended(end) => end_words(&end),
+            };
+        });
+        self.set_head(self.walk.with_untracked(Walk::t));
+    }
+
+    /// How far the head may go on its way while it plays: to the next breakpoint.
+    pub(crate) fn play_to(self, from: f64, to: f64) -> f64 {
+        let (idle, going) = self.walk.with_untracked(|walk| (walk.points.list().is_empty(), walk.going));
+        if idle || going {
+            self.walk_away();
+        }
+        if idle {
+            return to;
+        }
+        if self.walk.with_untracked(|walk| walk.at_stop || walk.debugger.is_none()) {
+            self.set_goal(from, Goal::Continue);
+            self.walk.update(|walk| walk.at_stop = false);
+        }
+        match self.walk.update_untracked(|walk| walk.advance(to, IN_FRAME)) {
+            None => math::clamp(self.walk.with_untracked(Walk::t), from, to),
+            Some(Stop::Ended(_)) => to,
+            Some(stop) => {
+                self.arrive(stop);
+                self.head()
+            }
+        }
+    }
+}
+
+/// Where breakpoints and watches are kept.
+const KEPT: &str = "macroline.walk";
+
+/// Key, sign and words of each command.
+pub(crate) const COMMANDS: [(&str, &str, &str); 8] = [
+    ("i", "↓", "page.walk-into"),
+    ("o", "↷", "page.walk-over"),
+    ("u", "↑", "page.walk-out"),
+    ("r", "←", "page.walk-back"),
+    ("t", "⇥", "page.walk-to"),
+    ("c", "▶", "page.walk-go"),
+    ("x", "■", "page.walk-stop"),
+    ("b", "●", "page.walk-point"),
+];
+
+/// Does the command of a key; whether the key has one.
+pub(crate) fn press(page: Page, key: &str) -> bool {
+    let player = page.player;
+    let goal = match key {
+        "i" => Goal::Into,
+        "o" => Goal::Over,
+        "u" => Goal::Out,
+        "c" => Goal::Continue,
+        "t" => match cursor(page) {
+            Some((_, place)) => Goal::To(place),
+            None => return true,
+        },
+        "r" => return player.walk_back(),
+        "x" => return player.walk_stop(),
+        "b" => {
+            set_point(page, None);
+            return true;
+        }
+        _ => return false,
+    };
+    player.walk_to(goal);
+    true
+}
+
+/// The block at the cursor; without one the user is asked for it.
+fn cursor(page: Page) -> Option<(Location, Place)> {
+    let at = page.player.walk.with_untracked(|walk| walk.cursor);
+    let found = at.and_then(|(file, line)| {
+        let spot = Location::Line { file, line };
+        let place = page.program.written.with_untracked(|written| spot.place(&written.parsed))?;
+        Some((spot, place))
+    });
+    if found.is_none() {
+        page.notices.notify("info", t("page.walk-cursor").to_owned());
+    }
+    found
+}
+
+/// Sets a breakpoint at the cursor or removes it; with a condition it gets that condition. Whether it could be done.
+pub(crate) fn set_point(page: Page, condition: Option<&str>) -> bool {
+    let Some((spot, place)) = cursor(page) else { return false };
+    let parsed = page.program.written.with_untracked(|written| written.parsed.clone());
+    let mut done = Ok(());
+    page.player.walk.update(|walk| done = walk.points.turn(spot, place, condition, &parsed));
+    if let Err(why) = &done {
+        page.notices.notify("warn", tell(why));
+    }
+    done.is_ok()
+}
+
+/// Keeps breakpoints and watches in this browser, a line each.
+pub(crate) fn keep(page: Page) {
+    let mut out = String::new();
+    page.player.walk.with_untracked(|walk| {
+        for watch in &walk.watches {
+            let _ = writeln!(out, "{watch}");
+        }
+        for point in walk.points.list() {
+            let _ = writeln!(out, "{}\t{}", point.name(), point.condition);
+        }
+    });
+    dom::store(KEPT, &out);
+}
+
+/// Takes the kept breakpoints and watches, as far as the program has their lines.
+pub(crate) fn restore(page: Page) {
+    let Some(text) = dom::stored(KEPT) else { return };
+    let parsed = page.program.written.with_untracked(|written| written.parsed.clone());
+    page.player.walk.update_untracked(|walk| {
+        for line in text.lines() {
+            match line.split_once('\t') {
+                None => walk.watches.push(line.to_owned()),
+                Some((name, condition)) => {
+                    if let Some(spot) = Location::read_line(name, &parsed) {
+                        let _ = walk.points.add(spot, condition, &parsed);
+                    }
+                }
+            }
+        }
+    });
+}

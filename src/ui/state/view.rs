@@ -1,0 +1,84 @@
+//! What is shown: tab, dialogs, folds.
+
+use leptos::prelude::*;
+
+/// A tab at the right.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Tab {
+    /// The program files.
+    Program,
+    /// Every result.
+    Results,
+    /// Sliders that look for a shape.
+    Explore,
+    /// The control's variables.
+    Variables,
+    /// Parameters of the control.
+    Parameters,
+    /// Interface and ladder.
+    Plc,
+}
+
+/// A view of the program file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum ProgramView {
+    /// Its lines.
+    Listing,
+    /// The editor.
+    Editor,
+    /// The lines beside those that the form writes.
+    Difference,
+}
+
+/// Whether the browser's store has the project.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kept {
+    /// The store has it.
+    Yes,
+    /// It is about to be stored.
+    Soon,
+    /// The browser has no room or no store.
+    No,
+    /// Another tab has stored its own state since: nothing is stored from here until the user asks for it.
+    Elsewhere,
+}
+
+/// What is shown. A handle: copies mean the same.
+#[derive(Clone, Copy)]
+pub(crate) struct View {
+    /// The tab at the right.
+    pub tab: RwSignal<Tab>,
+    /// The program file, by its place in the list.
+    pub file: RwSignal<usize>,
+    /// How the program file is shown.
+    pub program: RwSignal<ProgramView>,
+    /// Whether the commands for stepping through the program are shown although nothing is stepped.
+    pub stepping: RwSignal<bool>,
+    /// Whether the operator's panel is open.
+    pub panel: RwSignal<bool>,
+    /// The field that the help is about.
+    pub about: RwSignal<Option<&'static str>>,
+    /// Asks for the dialog of the export.
+    pub exporting: RwSignal<bool>,
+    /// Asks for the dialog of help.
+    pub helping: RwSignal<bool>,
+    /// Whether the store of this browser has the project.
+    pub kept: RwSignal<Kept>,
+}
+
+impl View {
+    /// The program's first file, nothing opened.
+    pub(crate) fn new() -> View {
+        View {
+            tab: RwSignal::new(Tab::Program),
+            file: RwSignal::new(0),
+            program: RwSignal::new(ProgramView::Listing),
+            stepping: RwSignal::new(false),
+            panel: RwSignal::new(false),
+            about: RwSignal::new(None),
+            exporting: RwSignal::new(false),
+            helping: RwSignal::new(false),
+            kept: RwSignal::new(Kept::Yes),
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! The debugger of the page as data: where it is, breakpoints, watches.
+
+use crate::project::breakpoints::Breakpoints;
+use crate::project::debug::{Debugger, Stop};
+use crate::text::{FileId, Place};
+use crate::ui::dom;
+
+/// Events of the machine between two looks at the clock.
+const STEPS: usize = 64;
+
+/// The debugger of the page.
+#[derive(Default)]
+pub(crate) struct Walk {
+    /// The second run, beside the one that is shown.
+    pub debugger: Option<Debugger>,
+    /// Whether it has stopped at the head.
+    pub at_stop: bool,
+    /// Why it has stopped, and before which block.
+    pub why: String,
+    /// Whether it is under way.
+    pub going: bool,
+    /// Whether the next slice is scheduled.
+    pub slicing: bool,
+    /// Breakpoints.
+    pub points: Breakpoints,
+    /// Expressions shown at every stop.
+    pub watches: Vec<String>,
+    /// The line of the commands.
+    pub cursor: Option<(FileId, u32)>,
+}
+
+impl Walk {
+    /// The debugger, where it has stopped.
+    pub(crate) fn stopped(&self) -> Option<&Debugger> {
+        self.debugger.as_ref().filter(|_| self.at_stop)
+    }
+
+    /// The block before which it has stopped.
+    pub(crate) fn place(&self) -> Option<Place> {
+        self.stopped()?.place()
+    }
+
+    /// Its time, under way too.
+    pub(crate) fn t(&self) -> f64 {
+        self.debugger.as_ref().map_or(0.0, Debugger::t)
+    }
+
+    /// Walks up to `until` seconds for at most `budget` milliseconds; the reason where it stops before.
+    pub(crate) fn advance(&mut self, until: f64, budget: f64) -> Option<Stop> {
+        let begun = dom::now();
+        let debugger = self.debugger.as_mut()?;
+        loop {
+            let stop = debugger.advance(&mut self.points, until, STEPS);
+            if stop.is_some() || debugger.t() >= until || dom::now() - begun > budget {
+                return stop;
+            }
+        }
+    }
+}

@@ -1,0 +1,91 @@
+// The one screen: machine, play and emergency stop at every size; nothing that is said moves a control; it moves at first sight.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { openPanel, ready, start, withPage } from './page.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app?.close());
+
+const clock = (page) => page.locator('#clock').textContent();
+const box = (page, selector) => page.locator(selector).boundingBox();
+
+for (const [width, height] of [[1366, 768], [1920, 1080], [1440, 900], [1024, 768], [390, 844]]) {
+  test(`machine, play and emergency stop are on the first screen (${width} × ${height})`, () =>
+    withPage(app, { viewport: { width, height } }, async ({ page }) => {
+      for (const selector of ['#machine', '#play', '.mushroom']) {
+        const { x, y, width: w, height: h } = await box(page, selector);
+        assert.ok(x >= 0 && y >= 0 && x + w <= width && y + h <= height, `${selector}: ${JSON.stringify({ x, y, w, h })}`);
+      }
+      if (width > 760) {
+        const [stage, centre] = [await box(page, '#machine'), await box(page, '.centre')];
+        assert.ok(stage.height >= 0.5 * centre.height, `${stage.height} of ${centre.height}`);
+      }
+    }));
+}
+
+test('it moves at first sight, from the start again at the end, and stands for those who asked for stillness', async () => {
+  await withPage(app, { reducedMotion: 'no-preference' }, async ({ page }) => {
+    await page.waitForFunction(() => document.querySelector('#clock').textContent > '00:00.0500');
+    assert.equal(await page.locator('#play').getAttribute('aria-label'), 'Pause');
+    assert.equal(await page.locator('.repeat').getAttribute('aria-pressed'), 'true');
+  });
+  await withPage(app, {}, async ({ page }) => {
+    await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
+    assert.equal(await clock(page), '00:00.0000');
+    assert.equal(await page.locator('.mode').textContent(), 'Ready');
+  });
+});
+
+test('nothing that is said moves a control', () =>
+  withPage(app, {}, async ({ page }) => {
+    await openPanel(page);
+    const controls = ['#play', '#spindle-knob', '.lit.start', '.lit.hold', '#export', '#spindle-speed', '.chart-bar .chip'];
+    const boxes = () => Promise.all(controls.map((selector) => page.locator(selector).first().boundingBox()));
+    await page.locator('.panel').evaluate((panel) => Promise.all(panel.getAnimations().map((animation) => animation.finished)));
+    const before = await boxes();
+    for (const name of ['Spindle override −', 'Spindle override −', 'Feed override +', 'Feed hold']) {
+      await page.getByRole('button', { name }).click();
+      assert.deepEqual(await boxes(), before, name);
+    }
+    await page.fill('#spindle-speed', 'fast');
+    await page.setInputFiles('#open', { name: 'a.json', mimeType: 'text/plain', buffer: Buffer.from('{"version":1,') });
+    await page.locator('.notice').first().waitFor();
+    const after = await boxes();
+    // The field that is wrong tells why below itself; the other controls stay.
+    assert.deepEqual(after.filter((_, at) => at !== 5), before.filter((_, at) => at !== 5));
+  }));
+
+test('a double click on a block shows the machine when it runs next', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.getByRole('button', { name: 'O9101.nc' }).click();
+    await page.locator('.listing li[data-l]', { hasText: 'N35 G01' }).dblclick();
+    await page.locator('.listing li[aria-current="step"]', { hasText: 'N35 G01' }).waitFor();
+    const first = await clock(page);
+    assert.ok(first > '00:02', first);
+    await page.locator('.listing li[data-l]', { hasText: 'N35 G01' }).dblclick();
+    await page.waitForFunction((first) => document.querySelector('#clock').textContent > first, first);
+  }));
+
+test('a divider is moved by its keys and remembered', () =>
+  withPage(app, {}, async ({ page }) => {
+    const width = async () => Math.round((await box(page, '#form')).width);
+    const before = await width();
+    const divider = page.getByRole('separator', { name: 'Width of the form' });
+    for (const _ of [1, 2, 3]) await divider.press('ArrowRight');
+    assert.equal(await width(), before + 48);
+    await page.reload();
+    await ready(page);
+    assert.equal(await width(), before + 48);
+  }));
+
+test('the chart reads out the values under the pointer, and a press sets the play head', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.locator('.plot .over').waitFor();
+    const { x, y, width } = await box(page, '.plot');
+    await page.mouse.move(x + width / 2, y + 30);
+    assert.match(await page.locator('.pointed').textContent(), /^9\.\d+ s {2}X 15.080 {2}Y 1\d\d.\d{3}$/);
+    await page.mouse.down();
+    await page.mouse.up();
+    await page.waitForFunction(() => document.querySelector('#clock').textContent.startsWith('00:09.1'));
+  }));
