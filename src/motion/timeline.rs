@@ -147,7 +147,7 @@ impl Timeline {
         times + count(sure, marks.len())
     }
 
-    /// The first time after `t` at which a block within a place begins; `None` where none is planned.
+    /// The first time after `t` at which a block within a place begins after another block; `None` where none is planned.
     pub fn begins_after(&self, place: Place, t: f64) -> Option<f64> {
         let marks = self.marks.until(f64::INFINITY);
         let span = place.span.start..place.span.end;

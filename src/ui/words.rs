@@ -5,7 +5,7 @@ use crate::motion::{Mode, RunEnd};
 use crate::text::catalog::{self, Language};
 use crate::text::number;
 use crate::text::{Diagnostic, Grade, Message, Severity};
-use crate::view::{Readout, Verdict};
+use crate::view::{Limit, Readout, Verdict};
 
 /// The words of a catalog id.
 pub(crate) fn t(id: &'static str) -> &'static str {
@@ -168,6 +168,19 @@ pub(crate) fn four_digits(number: f64, decimals: u8) -> String {
         _ => decimals,
     };
     figure(number, decimals.min(most))
+}
+
+/// The limit of a result in its shortest form: `≤ 20 000`.
+pub(crate) fn limit_sign(readout: &Readout) -> Option<String> {
+    readout.limit.map(|limit| {
+        let sign = match limit {
+            Limit::AtMost(_) => "≤",
+            Limit::AtLeast(_) => "≥",
+            Limit::Within(_) => "±",
+            Limit::Equal(_) => "=",
+        };
+        format!("{sign} {}", short(limit.value(), readout.decimals))
+    })
 }
 
 /// The limit of a result, as it is shown beside the value.

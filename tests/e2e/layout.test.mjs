@@ -63,7 +63,7 @@ test('a double click on a block shows the machine when it runs next', () =>
     await page.locator('.listing li[aria-current="step"]', { hasText: 'N35 G01' }).waitFor();
     const first = await clock(page);
     assert.ok(first > '00:02', first);
-    await page.locator('.listing li[data-l]', { hasText: 'N35 G01' }).dblclick();
+    await page.locator('.listing li[data-l]', { hasText: 'N50 M5' }).dblclick();
     await page.waitForFunction((first) => document.querySelector('#clock').textContent > first, first);
   }));
 

@@ -4,7 +4,7 @@ use leptos::prelude::*;
 
 use crate::text::number::filled;
 use crate::ui::state::Page;
-use crate::ui::words::{figure, four_digits, limit_text, say, sign, t, verdict_tone, verdict_words};
+use crate::ui::words::{figure, four_digits, limit_sign, limit_text, say, sign, t, verdict_tone, verdict_words};
 use crate::view::Readout;
 
 /// The bar of a result: filled part and place of the limit, both in percent of the line.
@@ -37,11 +37,12 @@ pub(crate) fn VerdictLine(
     let percent = |share: f64| filled("#%", &[share]);
     view! {
         <div class=format!("card {tone}") class:plain=bar.is_none() style:--part=percent(part) style:--limit=percent(limit)>
-            <button type="button" class="open" title=title on:click=move |_| open()>
+            <button type="button" class="to-result" title=title on:click=move |_| open()>
                 <i class="s" aria-hidden="true">{sign(tone)}</i>
                 <span class="k">{t(readout.label)}</span>
                 <span class="v">{four_digits(readout.value, readout.decimals)}" "<small>{readout.unit}</small></span>
-                <span class="n"><span class="hidden">{verdict_words(readout.verdict)}" "</span>{limit_text(&readout)}</span>
+                <span class="hidden">{verdict_words(readout.verdict)} " " {limit_text(&readout)}</span>
+                <span class="n" aria-hidden="true">{limit_sign(&readout)}</span>
             </button>
             {repair}
         </div>

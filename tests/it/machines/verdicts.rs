@@ -1,8 +1,8 @@
 //! Limits and remedies of the verdicts, over the fields at their ends and over random forms.
 
 use macroline::controls::options::{OverrideOrder, SwitchChoice};
-use macroline::machines::{self, Design};
 use macroline::machines::form::Value;
+use macroline::machines::{self, Design};
 use macroline::project::{Project, list};
 use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence};
