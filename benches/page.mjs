@@ -1,5 +1,5 @@
 // Speed of the page in Chromium, medians of 50: `node benches/page.mjs` on the dist/ that is there. Each figure is a line `summary: …`.
-import { processorTime, start, withPage } from '../tests/e2e/page.mjs';
+import { openPanel, processorTime, start, withPage } from '../tests/e2e/page.mjs';
 
 const app = await start();
 const field = (page, id) => page.locator(`#${id}`);
@@ -34,6 +34,7 @@ await withPage(app, {}, async ({ page }) => {
   await page.fill('#go-to', '3600');
   await page.press('#go-to', 'Enter');
   await page.waitForFunction(() => document.querySelector('#clock').textContent.startsWith('60:00'), null, { timeout: 300_000 });
+  await openPanel(page);
   for (let at = 0; at < 50; at++) {
     await page.locator('#spindle-knob').press(at % 2 ? 'ArrowLeft' : 'ArrowRight');
     await page.waitForTimeout(20);

@@ -134,17 +134,17 @@ pub(crate) fn verdict_words(verdict: Verdict) -> &'static str {
     }
 }
 
-/// What the control does, in words.
+/// Catalog id of the words for what the control does.
 pub(crate) fn mode_words(mode: Mode) -> &'static str {
     match mode {
-        Mode::Running => t("page.mode-running"),
-        Mode::Hold => t("page.mode-hold"),
-        Mode::Stopped => t("page.mode-stopped"),
-        Mode::WaitFin => t("page.mode-wait-fin"),
-        Mode::Dwell => t("page.mode-dwell"),
-        Mode::Ended => t("page.mode-ended"),
-        Mode::Alarm => t("page.mode-alarm"),
-        Mode::EmergencyStop => t("page.mode-estop"),
+        Mode::Running => "page.mode-running",
+        Mode::Hold => "page.mode-hold",
+        Mode::Stopped => "page.mode-stopped",
+        Mode::WaitFin => "page.mode-wait-fin",
+        Mode::Dwell => "page.mode-dwell",
+        Mode::Ended => "page.mode-ended",
+        Mode::Alarm => "page.mode-alarm",
+        Mode::EmergencyStop => "page.mode-estop",
     }
 }
 

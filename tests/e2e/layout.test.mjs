@@ -1,5 +1,6 @@
 // The one screen: machine, play and emergency stop at every size; nothing that is said moves a control; it moves at first sight.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { openPanel, ready, start, withPage } from './page.mjs';
 
@@ -88,4 +89,22 @@ test('the chart reads out the values under the pointer, and a press sets the pla
     await page.mouse.down();
     await page.mouse.up();
     await page.waitForFunction(() => document.querySelector('#clock').textContent.startsWith('00:09.1'));
+  }));
+
+test('the drawing is saved as SVG and as PNG', () =>
+  withPage(app, {}, async ({ page }) => {
+    for (const [kind, begins] of [['SVG', '<svg xmlns'], ['PNG', '\x89PNG']]) {
+      await page.getByRole('button', { name: 'Save the drawing' }).click();
+      const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: kind, exact: true }).click()]);
+      assert.ok((await readFile(await download.path(), 'latin1')).startsWith(begins), kind);
+      await page.keyboard.press('Escape');
+    }
+  }));
+
+test('a part of the drawing leads to its field', () =>
+  withPage(app, {}, async ({ page }) => {
+    const part = page.locator('.stage [data-field]').first();
+    const field = await part.getAttribute('data-field');
+    await part.dispatchEvent('click');
+    assert.equal(await page.evaluate(() => document.activeElement.id), field);
   }));

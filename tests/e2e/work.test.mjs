@@ -154,7 +154,7 @@ test('the operator’s hand acts at the play head and is told what it changed', 
     await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Feed hold');
     await page.getByRole('button', { name: 'Cycle start' }).click();
     await goTo(page, 6);
-    await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Running');
+    await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Paused');
     await page.getByRole('button', { name: 'Emergency stop' }).click();
     await goTo(page, 7);
     await page.waitForFunction(() => document.querySelector('.drawing .mode').textContent === 'Emergency stop');

@@ -7,9 +7,9 @@ use leptos::wasm_bindgen::JsCast;
 use web_sys::Element;
 
 use super::notices::NoticeBand;
-use super::pictures;
+use super::pictures::SavePicture;
 use super::scene_view::Drawn;
-use crate::motion::RunEnd;
+use crate::motion::{Mode, RunEnd};
 use crate::project::check::reported;
 use crate::ui::dom;
 use crate::ui::parts::scene::svg;
@@ -51,16 +51,16 @@ pub(crate) fn Stage() -> impl IntoView {
         player.option.update(|on| *on = !*on);
         player.ask();
     };
-    let mode = Memo::new(move |_| {
-        let mode = player.now.with(|now| now.mode);
-        let begun = player.playing.get() || player.now.with(|now| now.t > 0.0);
-        (mode, begun)
+    // Words and class of the state: the machine's, as long as the film shows it in motion.
+    let state = Memo::new(move |_| {
+        let (mode, begun) = player.now.with(|now| (now.mode, now.t > 0.0));
+        let moves = matches!(mode, Mode::Running | Mode::Dwell | Mode::WaitFin);
+        match player.playing.get() {
+            false if moves && begun => ("page.mode-paused", "info"),
+            false if !begun => ("page.mode-ready", "info"),
+            _ => (mode_words(mode), mode_tone(mode)),
+        }
     });
-    let state = move || match mode.get() {
-        (_, false) => t("page.mode-ready"),
-        (mode, true) => mode_words(mode),
-    };
-    let tone = move || format!("mode {}", if mode.get().1 { mode_tone(mode.get().0) } else { "info" });
     let open_field = move |event: MouseEvent| {
         let part = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let part = part.and_then(|part| part.closest("[data-field]").ok().flatten());
@@ -76,7 +76,7 @@ pub(crate) fn Stage() -> impl IntoView {
     view! {
         <section class="pane drawing" id="machine" aria-label=t("page.drawing") node_ref=section>
             <div class="stage" role="group" aria-label=t("page.drawing") node_ref=host on:click=open_field></div>
-            <span class=tone>{state}</span>
+            <span class=move || format!("mode {}", state.get().1)>{move || t(state.get().0)}</span>
             <div class="band">
                 <p class="why" role="status">{move || why(page)}</p>
                 <NoticeBand />
@@ -92,7 +92,7 @@ pub(crate) fn Stage() -> impl IntoView {
                         <crate::ui::parts::Icon glyph=Glyph::Strobe />
                     </button>
                 </Show>
-                <IconButton glyph=Glyph::Picture label=t("page.save-picture") press=move || pictures::save_svg(page) />
+                <SavePicture />
                 <IconButton glyph=Glyph::Full label=t("page.full-screen") press=full />
             </div>
         </section>
