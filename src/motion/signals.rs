@@ -65,6 +65,7 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// An alarm at the block that is executing.
     pub(super) fn stop_with(&mut self, diagnostic: Diagnostic) {
+        self.break_off(self.s.now);
         let diagnostic = Diagnostic { place: self.s.place, ..diagnostic };
         self.out.report(diagnostic.clone());
         self.s.exec = Exec::Alarm(Box::new(diagnostic));
