@@ -187,7 +187,7 @@ fn fixture_programs_run_to_the_golden_bits() {
             let text = host::read(&format!("{folder}/{name}"));
             let parsed = Rc::new(nc::parse(&Files::one(name.clone(), text), control));
             let mut planner = run::of_programs(parsed, None, Panel::default(), &OPTIONS);
-            let progress = planner.advance(f64::INFINITY, usize::MAX);
+            planner.advance(f64::INFINITY, usize::MAX);
             let mut sum = Sum::new();
             let mut variables = 0;
             for (variable, value) in planner.program().variables() {
@@ -195,7 +195,7 @@ fn fixture_programs_run_to_the_golden_bits() {
                 sum.number(value);
                 variables += 1;
             }
-            let now = planner.timeline().at(progress.planned_to);
+            let now = planner.timeline().at(planner.ended_at().unwrap_or(OPTIONS.limits.seconds));
             sum.snapshot(&now);
             let blocks = planner.blocks();
             let _ = writeln!(
@@ -249,7 +249,8 @@ fn machine_on_control(project: &Project) -> String {
         let _ = writeln!(out, "{}: {} bytes; sum {}", file.name, file.text.len(), sum.0);
     }
     let mut planner = run::of_project(project, &written, &OPTIONS);
-    let end = planner.advance(f64::INFINITY, usize::MAX).planned_to;
+    planner.advance(f64::INFINITY, usize::MAX);
+    let end = planner.ended_at().unwrap_or(OPTIONS.limits.seconds);
     let mut sum = Sum::new();
     for k in 0..=100 {
         let now = planner.timeline().at(end * f64::from(k) / 100.0);

@@ -64,30 +64,19 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.mark(t);
     }
 
-    /// The end of the run, if only the operator can continue it.
-    pub(super) fn end(&self) -> Option<RunEnd> {
+    /// The end of the run, if only the operator can continue it; `t` is the time of the next event.
+    pub(super) fn end(&self, t: f64) -> Option<RunEnd> {
         if self.s.operator.events_done < self.panel.events().len() || !self.s.started {
             return None;
         }
-        match &self.s.exec {
-            Exec::Stopped | Exec::Ready => Some(RunEnd::Stop),
-            Exec::Finished => Some(RunEnd::ProgramEnd),
-            // Axes that coast are followed to standstill.
-            Exec::Emergency(_)
-                if self.s.plc.next_scan.is_finite() && self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0) =>
-            {
-                None
-            }
-            Exec::Alarm(diagnostic) | Exec::Emergency(diagnostic) => Some(RunEnd::Alarm(diagnostic.clone())),
-            Exec::OutOfBlocks => Some(RunEnd::Blocks),
-            Exec::Moving(_) | Exec::Spinning(_) | Exec::Idle if self.holding() => Some(RunEnd::Stop),
-            _ => None,
-        }
+        let nothing_follows = (t == f64::INFINITY).then_some(RunEnd::Stop);
+        self.s.exec.end(self.holding()).or(nothing_follows)
     }
 
     /// The reason why a program that has not ended waits for ever, unless it is reported already.
     pub(super) fn stuck(&self) -> Option<Diagnostic> {
         let message = match &self.s.exec {
+            exec if exec.end(self.holding()).is_some() => return None,
             Exec::Fin => msg!("motion.no-fin"),
             Exec::Counting(..) => msg!("motion.spindle-at-rest"),
             _ if self.waits_for_spindle() => return None,

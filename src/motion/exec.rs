@@ -1,6 +1,7 @@
 //! The states of the executor: idle, moving, waiting, stopped, ended.
 
 use super::moves::{Move, Pace};
+use super::setup::RunEnd;
 use super::snapshot::Mode;
 use crate::interp::Canon;
 use crate::text::Diagnostic;
@@ -51,6 +52,18 @@ impl Exec {
     /// Whether a thread is being cut, which no hold interrupts.
     pub(super) fn threads(&self) -> bool {
         matches!(self, Exec::Moving(motion) if matches!(motion.pace, Pace::Thread(_)))
+    }
+
+    /// The end of the run, if only the operator can continue it.
+    pub(super) fn end(&self, holding: bool) -> Option<RunEnd> {
+        match self {
+            Exec::Stopped | Exec::Ready => Some(RunEnd::Stop),
+            Exec::Finished => Some(RunEnd::ProgramEnd),
+            Exec::Alarm(diagnostic) | Exec::Emergency(diagnostic) => Some(RunEnd::Alarm(diagnostic.clone())),
+            Exec::OutOfBlocks => Some(RunEnd::Blocks),
+            Exec::Moving(_) | Exec::Spinning(_) | Exec::Idle if holding => Some(RunEnd::Stop),
+            _ => None,
+        }
     }
 
     pub(super) fn mode(&self, holding: bool) -> Mode {

@@ -23,6 +23,8 @@
 //! * **PMC axes.** Axes that the PLC turns by itself: it gives them speeds, acceleration and lag are those of any axis. Neither hold nor the
 //!   program's clamps act on them; overrides, reset and emergency stop as far as the PLC lets them. A drive that
 //!   emergency stop switches off coasts where the PLC of the machine gives the speeds of that; else it stops over its time constant.
+//! * **End.** When the program ends or stops, at an alarm, hold, reset or emergency stop, the timeline goes on until axes and spindle have
+//!   settled; where the spindle goes on turning, at its speed.
 //! * **Operator.** Feed hold lets dwell and codes run to their end. Reset breaks off: the axes stop over their time constants. Cycle
 //!   start at the very moment of a stop answers that stop; other actions come before what the machine does at the same moment.
 
@@ -60,6 +62,7 @@ mod pmc;
 mod reader;
 mod signals;
 mod spindle_speed;
+mod standstill;
 mod strobe;
 mod surface_speed;
 

@@ -72,7 +72,7 @@ impl<P: RunningProgram> Planner<P> {
         }
     }
 
-    /// Plans on until machine time `until`, the end of the run, or `budget` events: whichever is first.
+    /// Plans on until machine time `until`, standstill after the end of the run, or `budget` events: whichever is first.
     pub fn advance(&mut self, until: f64, budget: usize) -> Progress {
         self.plan(until, budget, None).0
     }
@@ -85,19 +85,20 @@ impl<P: RunningProgram> Planner<P> {
             if self.ended.is_some() {
                 break;
             }
-            let sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
-            if let Some(end) = sim.end() {
-                self.finish(end);
-                break;
-            }
+            let mut sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
             let (t, who) = sim.next();
-            if t > until || t == f64::INFINITY {
-                if t == f64::INFINITY && sim.panel.events().len() == sim.s.operator.events_done {
-                    if let Some(why) = sim.stuck() {
-                        self.last_word(why);
+            match sim.end(t) {
+                None => sim.s.ended_at = None,
+                Some(end) => {
+                    let still = sim.standstill().min(self.plant.limits.seconds);
+                    if t > still && still <= until {
+                        self.finish(end, still);
+                        break;
                     }
-                    self.finish(RunEnd::Stop);
-                } else if until >= self.plant.limits.seconds {
+                }
+            }
+            if t > until || t == f64::INFINITY {
+                if until >= self.plant.limits.seconds {
                     self.records.timeline.end = until;
                     self.last_word(Diagnostic::info(msg!("motion.out-of-seconds", self.plant.limits.seconds)));
                     self.ended = Some(RunEnd::Seconds);
@@ -148,11 +149,6 @@ impl<P: RunningProgram> Planner<P> {
         self.has_last_word = true;
     }
 
-    fn finish(&mut self, end: RunEnd) {
-        self.records.timeline.end = self.records.timeline.end.max(self.state.now);
-        self.ended = Some(end);
-    }
-
     /// Adds an event of the operator at any time, also in the planned part: the timeline before it stays, the rest is planned
     /// anew by further calls of [`advance`](Planner::advance), as if the event had been known from the beginning.
     pub fn event(&mut self, mut event: Event) {
@@ -173,6 +169,25 @@ impl<P: RunningProgram> Planner<P> {
             self.state = last.state;
             self.due = last.t;
             self.records.timeline.end = last.t.min(t);
+        }
+    }
+
+    /// Ends the plan at `still`, where axes and spindle have settled after the end of the run.
+    fn finish(&mut self, end: RunEnd, still: f64) {
+        let sim = Sim { s: &mut self.state, plant: &self.plant, out: &mut self.records, panel: &self.panel };
+        if let Some(why) = sim.stuck() {
+            self.last_word(why);
+        }
+        self.records.timeline.end = still.max(self.records.timeline.end);
+        self.ended = Some(end);
+    }
+
+    /// Time (s) at which the program ended or stopped, once the run is planned to its end. Axes and spindle settle between that
+    /// time and [`Timeline::end`].
+    pub fn ended_at(&self) -> Option<f64> {
+        match self.ended.as_ref()? {
+            RunEnd::Seconds => Some(self.records.timeline.end),
+            _ => self.state.ended_at,
         }
     }
 

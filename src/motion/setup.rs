@@ -66,6 +66,6 @@ pub enum RunEnd {
 pub struct Progress {
     /// Machine time (s) up to which the run is planned.
     pub planned_to: f64,
-    /// Set when the run is over at that time.
+    /// Set when the run is over, and axes and spindle have settled at that time.
     pub ended: Option<RunEnd>,
 }

@@ -143,6 +143,8 @@ pub(super) struct SimState<P> {
     /// Time of the newest event (s).
     pub(super) now: f64,
     pub(super) started: bool,
+    /// Time (s) of the end of the run, if only the operator can continue it; axes and spindle settle after it.
+    pub(super) ended_at: Option<f64>,
     pub(super) program: P,
     pub(super) reader: ReaderState,
     pub(super) exec: Exec,
@@ -167,6 +169,7 @@ impl<P> SimState<P> {
         SimState {
             now: 0.0,
             started: false,
+            ended_at: None,
             program,
             reader: ReaderState::default(),
             exec: Exec::Idle,

@@ -178,15 +178,17 @@ pub struct RunSummary {
     pub ended: RunEnd,
     /// Blocks read.
     pub blocks: u64,
-    /// Machine time in seconds.
+    /// Machine time in seconds at which the program ended or stopped.
     pub time: f64,
+    /// Machine time in seconds at which axes and spindle had settled after `time`.
+    pub standstill: f64,
     /// Alarms and remarks of the run.
     pub diagnostics: Vec<Diagnostic>,
     /// Variables that are set, by the control's names, in the order of their numbers.
     pub variables: Vec<(String, f64)>,
-    /// Commanded positions at the end as words count them, by axis letter, mm or degrees.
+    /// Commanded positions at standstill as words count them, by axis letter, mm or degrees.
     pub axes: Vec<(char, f64)>,
-    /// The spindle at the end.
+    /// The spindle at standstill.
     pub spindle: crate::motion::SpindleState,
 }
 
@@ -202,13 +204,14 @@ pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(Line) -> Result<(), E>) -> R
             break ended;
         }
     };
-    let time = run.timeline().end();
-    let (last, words) = (run.timeline().at(time), run.timeline().words_at(time));
+    let standstill = run.timeline().end();
+    let (last, words) = (run.timeline().at(standstill), run.timeline().words_at(standstill));
     let blocks = run.blocks();
     Ok(RunSummary {
         ended,
         blocks: blocks.nc + blocks.macros,
-        time,
+        time: run.ended_at().unwrap_or(standstill),
+        standstill,
         diagnostics: run.diagnostics().to_vec(),
         variables: run.program().variables().collect(),
         axes: names.axes.iter().zip(words).map(|(row, at)| (row.letter.byte().into(), at)).collect(),
@@ -238,6 +241,7 @@ impl RunSummary {
             "ended": self.word(),
             "blocks": self.blocks,
             "time_s": clean(self.time),
+            "standstill_s": clean(self.standstill),
             "diagnostics": [],
             "variables": variables,
             "axes": axes,

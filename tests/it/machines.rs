@@ -11,6 +11,7 @@ mod ribbon_line;
 mod ribbon_program;
 mod scenes;
 mod sensitivity;
+mod standstill;
 mod sweep;
 mod toy;
 mod turning;

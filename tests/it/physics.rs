@@ -14,6 +14,7 @@ mod replanning;
 mod script;
 mod sheets;
 mod spindle;
+mod standstill;
 mod turning;
 
 use macroline::controls::{self, Address, Control, Dialect, Switches};
@@ -109,11 +110,17 @@ fn planner_with(plc: Box<dyn Plc>, plant: &Plant, events: Vec<Event>, lines: Vec
     })
 }
 
-/// Plans to the end of the run.
+/// Plans to standstill; the time and kind of the end of the run.
 #[track_caller]
 fn finish(planner: &mut Planner<Script>) -> (f64, RunEnd) {
-    let progress = planner.advance(f64::INFINITY, 10_000_000);
-    (progress.planned_to, progress.ended.expect("the run ends"))
+    let end = planner.advance(f64::INFINITY, 10_000_000).ended.expect("the run ends");
+    (ended_at(planner), end)
+}
+
+/// Time at which the program ended or stopped.
+#[track_caller]
+fn ended_at(planner: &Planner<Script>) -> f64 {
+    planner.ended_at().expect("the run ends")
 }
 
 fn run(lines: Vec<Line>) -> Planner<Script> {

@@ -190,7 +190,7 @@ fn feed_per_revolution_follows_the_unwinder_everywhere() {
         }
         // In ramps, too: the loop never takes more than what X lags at 110 %, half its time constant and its gain, and what the unwinder
         // turns before the program has read its first block.
-        let end = planner.timeline().end() - 0.5;
+        let end = planner.ended_at().unwrap() - 0.5;
         let charts = project.prepared().charts(&planner, 0.0, end, 2000);
         let slack = &charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points;
         let lag = 280.0 * (0.05 + 1.0 / 33.0) + 4.0;
@@ -232,7 +232,7 @@ fn feed_per_revolution_design_equals_its_run() {
         let slack = charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points[1000].1;
         // A scan of the PLC and the steps of F.
         assert!((slack - result("slack-start")).abs() < 1.0, "{dwell} {ramp}: {slack} {}", result("slack-start"));
-        let end = planner.timeline().end();
+        let end = planner.ended_at().unwrap();
         // FIN of S, M3 and M5, the ramp's remainder, and the program's own blocks.
         assert!((end - result("product-time")).abs() < 0.3, "{dwell} {ramp}: {end} {}", result("product-time"));
     }

@@ -31,7 +31,7 @@ pub(super) fn begins(planner: &Planner<Script>, line: usize) -> f64 {
 fn diameter_words_move_half_and_feed_is_the_true_path() {
     // 60 of diameter are 30 mm; with 40 mm that is a path of 50 mm.
     let planner = on_lathe(vec![], vec![linear(60.0, 40.0, 6000.0)]);
-    let (begin, end) = (begins(&planner, 0), planner.timeline().end());
+    let (begin, end) = (begins(&planner, 0), ended_at(&planner));
     close(end - begin, 0.5, 1e-9);
     let half = planner.timeline().at(begin + 0.25).axes;
     close(half[0].position, 15.0, 1e-6);
@@ -49,7 +49,7 @@ fn clamps_and_rapids_limit_the_slide_not_the_diameter() {
     assert_eq!(planner.diagnostics()[0].message.id, "motion.axis-clamp");
     let cut = begins(&planner, 1) - begins(&planner, 0);
     close(cut, 30.0 / 1000.0 * 60.0, 1e-6);
-    close(planner.timeline().end() - begins(&planner, 1), 30.0 / 30e3 * 60.0, 1e-6);
+    close(ended_at(&planner) - begins(&planner, 1), 30.0 / 30e3 * 60.0, 1e-6);
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn arc_in_diameter_words_is_a_circle_of_the_slide() {
         exact: false,
     };
     let planner = on_lathe(vec![], vec![one(arc)]);
-    let (begin, end) = (begins(&planner, 0), planner.timeline().end());
+    let (begin, end) = (begins(&planner, 0), ended_at(&planner));
     close(end - begin, 0.5 * math::PI, 1e-9);
     for i in 0..=100 {
         let [x, y, ..] = planner.timeline().at(begin + (end - begin) * f64::from(i) / 100.0).axes.map(|a| a.position);
@@ -122,7 +122,7 @@ fn feed_per_revolution_without_spindle_waits_with_one_finding() {
     // It goes on as soon as the spindle turns: 100 turns.
     planner.event(at(5.0, Action::ManualSpeed(600.0)));
     assert_eq!(finish(&mut planner).1, RunEnd::ProgramEnd);
-    close(planner.timeline().at(planner.timeline().end()).spindle.turns, 100.0, 1e-9);
+    close(planner.timeline().at(ended_at(&planner)).spindle.turns, 100.0, 1e-9);
     assert_eq!(planner.diagnostics().len(), 1);
 }
 
@@ -174,7 +174,7 @@ fn surface_speed_300_gives_the_manuals_values() {
     for (diameter, rpm) in [(100.0, 955.0), (80.0, 1194.0)] {
         let lines = vec![turn(100.0, 1), rapid(diameter, 0.0), surface(300.0, 0.0), one(Canon::Dwell { seconds: 2.0 })];
         let planner = on_lathe(vec![], lines);
-        let command = planner.timeline().at(planner.timeline().end()).spindle.command;
+        let command = planner.timeline().at(ended_at(&planner)).spindle.command;
         assert_eq!(command.round(), rpm);
     }
 }
@@ -203,7 +203,7 @@ fn limit_holds_at_centre_and_g97_keeps_the_last_speed() {
     // Without a limit the clamp of the spindle is one, and nothing is said of it.
     for (limit, wanted) in [(Some(900.0), 900.0), (None, 1480.0), (Some(0.0), 0.0)] {
         let planner = on_lathe(vec![], lines(limit));
-        let end = planner.timeline().end();
+        let end = ended_at(&planner);
         assert_eq!(planner.timeline().at(end).spindle.command, wanted, "{limit:?}");
         assert!(planner.diagnostics().is_empty());
     }
@@ -212,7 +212,7 @@ fn limit_holds_at_centre_and_g97_keeps_the_last_speed() {
         let mut plant = lathe();
         plant.spindle.rules.override_last = override_last;
         let planner = run_on(&plant, vec![at(0.0, Action::SpindleOverride(50.0))], lines(Some(900.0)));
-        assert_eq!(planner.timeline().at(planner.timeline().end()).spindle.command, wanted);
+        assert_eq!(planner.timeline().at(ended_at(&planner)).spindle.command, wanted);
     }
 }
 
@@ -224,7 +224,7 @@ fn constant_diameter_commands_the_spindle_once() {
     let planner = on_lathe(vec![], lines);
     let begin = begins(&planner, 4);
     let rpm = 120e3 / (math::PI * 100.0);
-    close(planner.timeline().end() - begin, 50.0 / (0.1 * rpm) * 60.0, 1e-7);
+    close(ended_at(&planner) - begin, 50.0 / (0.1 * rpm) * 60.0, 1e-7);
 }
 
 #[test]
@@ -233,7 +233,7 @@ fn chip_thickness_is_constant_under_surface_speed() {
     let face = one(Canon::Linear { to: target(20.0, 0.0), feed, exact: false });
     let lines = vec![turn(100.0, 1), rapid(100.0, 0.0), surface(60.0, 0.0), one(Canon::Dwell { seconds: 2.0 }), face];
     let planner = on_lathe(vec![], lines);
-    let (begin, end, timeline) = (begins(&planner, 4), planner.timeline().end(), planner.timeline());
+    let (begin, end, timeline) = (begins(&planner, 4), ended_at(&planner), planner.timeline());
     close(0.1 * (timeline.at(end).spindle.turns - timeline.at(begin).spindle.turns), 40.0, 1e-6);
     // dr/dturns = f and n = v/(2πr): the time is π (r₁² - r₂²)/(f v).
     close(end - begin, math::PI * (50.0 * 50.0 - 10.0 * 10.0) / (0.1 * 60e3) * 60.0, 2e-4);
@@ -251,7 +251,7 @@ fn waits_switched_off_by_the_program_do_not_happen() {
     close(begins(&goes_on, 2), 3.0 * plant().block_time, 1e-6);
     // The last one is waited for, which is longer than the block before it takes to come to rest.
     let end = begins(&goes_on, 4);
-    close(goes_on.timeline().end() - end, 0.05 + TAU, 1e-6);
+    close(ended_at(&goes_on) - end, 0.05 + TAU, 1e-6);
     // Single block: three blocks without a stop between them, then one.
     let lines = vec![
         off(true, false),

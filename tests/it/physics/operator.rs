@@ -14,7 +14,7 @@ fn unanswered_stop_ends_the_run_with_spindle_unchanged() {
     // Answered at that very moment it goes on.
     planner.event(at(t, Action::Start));
     assert_eq!(finish(&mut planner).1, RunEnd::ProgramEnd);
-    assert_eq!(planner.timeline().at(planner.timeline().end()).axes[0].position, 20.0);
+    assert_eq!(planner.timeline().at(ended_at(&planner)).axes[0].position, 20.0);
 }
 
 #[test]

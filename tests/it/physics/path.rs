@@ -33,7 +33,7 @@ fn speed_and_acceleration_are_derivatives_of_position() {
     let timeline = planner.timeline();
     let h = 1e-5;
     let (mut fastest, mut t) = (0.0f64, 0.0);
-    while t < timeline.end() {
+    while t < ended_at(&planner) {
         let (low, here, high) = (timeline.at(t - h), timeline.at(t), timeline.at(t + h));
         for k in 0..2 {
             let speed = (high.axes[k].position - low.axes[k].position) / (2.0 * h);
@@ -52,11 +52,11 @@ fn speed_and_acceleration_are_derivatives_of_position() {
 #[test]
 fn path_ends_at_its_target() {
     let planner = mixed();
-    let end = planner.timeline().at(planner.timeline().end() + 2.0);
+    let end = planner.timeline().at(ended_at(&planner) + 2.0);
     assert_eq!((end.axes[0].position, end.axes[1].position), (-20.0, 7.0));
     assert_eq!((end.axes[0].actual, end.axes[1].actual), (-20.0, 7.0));
     assert_eq!((end.axes[0].feed, end.axes[0].acceleration), (0.0, 0.0));
-    close(travelled(&planner, 0, 0.0, planner.timeline().end()), -20.0, 1e-5);
+    close(travelled(&planner, 0, 0.0, ended_at(&planner)), -20.0, 1e-5);
 }
 
 #[test]
@@ -81,7 +81,7 @@ fn arc_stays_on_its_circle() {
     }
     // Clockwise from the left: up first.
     assert!(planner.timeline().at(begin + whole / 4.0).axes[1].position > 19.99);
-    close(planner.timeline().end(), begin + whole, 1e-9);
+    close(ended_at(&planner), begin + whole, 1e-9);
 }
 
 #[test]
@@ -122,9 +122,9 @@ fn isolated_block_takes_its_time_plus_time_constant() {
         }
         close(peak, feed * (whole / TAU).min(1.0), 1e-4);
         close(steepest, feed / 60.0 / TAU, 1e-9);
-        close(planner.timeline().end(), begin + whole + TAU, 1e-9);
+        close(ended_at(&planner), begin + whole + TAU, 1e-9);
         assert_eq!(planner.timeline().at(begin - 1e-9).axes[0].feed, 0.0);
-        let end = planner.timeline().end();
+        let end = ended_at(&planner);
         assert!(planner.timeline().at(end - 1e-4).axes[0].position < length);
         close(planner.timeline().at(end).axes[0].position, length, 1e-12);
     }
@@ -221,8 +221,8 @@ fn hold_and_start_keep_the_path() {
     assert_eq!(planner.timeline().at(0.4).mode, Mode::Running);
     close(held.axes[1].position / held.axes[0].position, 0.4, 1e-12);
     let length = math::hypot(200.0, 80.0);
-    close(planner.timeline().end(), plant().block_time + length / 100.0 + 1.0 + TAU, 1e-9);
-    assert_eq!(planner.timeline().at(planner.timeline().end()).axes[0].position, 200.0);
+    close(ended_at(&planner), plant().block_time + length / 100.0 + 1.0 + TAU, 1e-9);
+    assert_eq!(planner.timeline().at(ended_at(&planner)).axes[0].position, 200.0);
 }
 
 #[test]
@@ -230,7 +230,7 @@ fn program_switches_hold_and_feed_override_off() {
     let suppress = Canon::Suppress { hold: true, feed_override: true, exact: false };
     let events = vec![at(0.2, Action::Hold), at(0.3, Action::FeedOverride(10.0))];
     let planner = run_on(&plant(), events, vec![one(suppress), linear(100.0, 0.0, 6000.0)]);
-    close(planner.timeline().end(), 2.0 * plant().block_time + 1.0 + TAU, 1e-9);
+    close(ended_at(&planner), 2.0 * plant().block_time + 1.0 + TAU, 1e-9);
 }
 
 #[test]
@@ -238,7 +238,7 @@ fn feed_override_acts_at_once_and_0_waits() {
     let events = vec![at(0.5, Action::FeedOverride(0.0)), at(1.0, Action::FeedOverride(50.0))];
     let planner = run_on(&plant(), events, vec![linear(100.0, 0.0, 6000.0)]);
     let begin = plant().block_time;
-    close(planner.timeline().end(), 1.0 + (100.0 - (0.5 - begin) * 100.0) / 50.0 + TAU, 1e-9);
+    close(ended_at(&planner), 1.0 + (100.0 - (0.5 - begin) * 100.0) / 50.0 + TAU, 1e-9);
     let mut stuck = planner_for_ever();
     assert_eq!(finish(&mut stuck).1, RunEnd::Stop);
     assert_eq!(stuck.diagnostics()[0].message.id, "motion.no-feed");
@@ -266,5 +266,5 @@ fn feed_per_revolution_follows_the_spindle() {
     let whole = 60.0 / 0.25;
     let reached = first(&planner, 0.0, |now| now.spindle.actual >= 1200.0 - 1e-6);
     let end = reached + (whole - (turns(reached) - turns(begin))) / 20.0;
-    close(planner.timeline().end(), end + TAU, 1e-5);
+    close(ended_at(&planner), end + TAU, 1e-5);
 }

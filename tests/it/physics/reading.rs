@@ -12,8 +12,8 @@ fn dwell_and_m_codes_wait_for_standstill() {
     let fin = first(&planner, 0.0, |now| now.mode == Mode::WaitFin);
     close(fin, dwell + 0.3, 1e-6);
     // S and M3 of one block share one FIN.
-    close(planner.timeline().end(), fin + 0.05, 1e-6);
-    assert_eq!(planner.timeline().at(planner.timeline().end()).mode, Mode::Ended);
+    close(ended_at(&planner), fin + 0.05, 1e-6);
+    assert_eq!(planner.timeline().at(ended_at(&planner)).mode, Mode::Ended);
 }
 
 #[test]

@@ -109,7 +109,7 @@ fn surface_speed_holds_despite_servo_lag() {
         one(Canon::End),
     ];
     let planner = run_on(&quick(0.1), vec![], lines);
-    let (begin, end) = (begins(&planner, 4), planner.timeline().end());
+    let (begin, end) = (begins(&planner, 4), ended_at(&planner));
     for i in 0..=2000 {
         let now = planner.timeline().at(begin + (end - begin) * f64::from(i) / 2000.0);
         close(surface_rpm(180.0, 2.0 * now.axes[0].position), now.spindle.actual, 1e-3);
@@ -149,7 +149,7 @@ fn rapid_before_a_cut_sets_the_spindle_speed() {
         for line in [7, 8, 10] {
             close(at(line), 2500.0, 1e-9);
         }
-        close(spindle(&planner, planner.timeline().end()).command, 300.0, 1e-9);
+        close(spindle(&planner, ended_at(&planner)).command, 300.0, 1e-9);
     }
 }
 
@@ -186,7 +186,7 @@ fn volts_of_s_exist_without_m03_and_survive_reset() {
         assert_eq!(spindle(&planner, 9.0).actual, 0.0);
         // S0.
         let planner = run_on(&plant, vec![], lines());
-        assert_eq!(spindle(&planner, planner.timeline().end()).volts_command, 0.0);
+        assert_eq!(spindle(&planner, ended_at(&planner)).volts_command, 0.0);
     }
 }
 
@@ -200,7 +200,7 @@ fn spindle_survives_reset_but_not_emergency_stop() {
     }
     plant.spindle.rules.end_stops = true;
     let planner = run_on(&plant, vec![], vec![turn(1000.0, 1), dwell(3.0), one(Canon::End)]);
-    assert_eq!(spindle(&planner, planner.timeline().end() + 5.0).actual, 0.0);
+    assert_eq!(spindle(&planner, ended_at(&planner) + 5.0).actual, 0.0);
 }
 
 #[test]
@@ -261,7 +261,7 @@ fn surface_speed_limit_binds_g97_by_the_control() {
 fn g97_keeps_the_speed_reached_under_g96() {
     let lines = vec![turn(100.0, 1), rapid(60.0, 0.0), surface(100.0, 0.0), one(Canon::ConstantSpeed), dwell(1.0)];
     let planner = run_on(&quick(0.0), vec![at(0.0, Action::SpindleOverride(70.0))], lines);
-    close(spindle(&planner, planner.timeline().end()).command, 0.7 * surface_rpm(100.0, 60.0), 1e-12);
+    close(spindle(&planner, ended_at(&planner)).command, 0.7 * surface_rpm(100.0, 60.0), 1e-12);
 }
 
 #[test]
@@ -273,7 +273,7 @@ fn knob_is_ignored_in_threads_by_the_control() {
         let events = vec![at(0.0, Action::SpindleOverride(50.0))];
         let planner = run_on(&plant, events, vec![turn(600.0, 1), thread(), dwell(1.0)]);
         close(spindle(&planner, begins(&planner, 1) + 0.5).command, rpm, 1e-12);
-        close(spindle(&planner, planner.timeline().end()).command, 300.0, 1e-12);
+        close(spindle(&planner, ended_at(&planner)).command, 300.0, 1e-12);
     }
 }
 
@@ -305,7 +305,7 @@ fn gear_shift_follows_the_ladder_sequence() {
     close(spindle(&planner, begins(&planner, 4) - 0.01).actual, 600.0, 1e-9);
     // The same stage again: answered at once. One that is not there is said.
     close(begins(&planner, 5) - begins(&planner, 4), 0.05, 1e-6);
-    assert_eq!(spindle(&planner, planner.timeline().end()).stage, 2);
+    assert_eq!(spindle(&planner, ended_at(&planner)).stage, 2);
     let said: Vec<_> = planner.diagnostics().iter().map(|found| found.message.id).collect();
     assert_eq!(said, ["motion.no-stage"]);
 }
@@ -341,7 +341,7 @@ fn output_saturates_in_its_gear_and_gear_limits_g96() {
     let said: Vec<_> = planner.diagnostics().iter().map(|found| found.message.id).collect();
     assert_eq!(said, ["motion.output-full"]);
     let planner = run_on(&plant, vec![], vec![turn(100.0, 1), rapid(10.0, 0.0), surface(100.0, 0.0), dwell(1.0)]);
-    let now = spindle(&planner, planner.timeline().end());
+    let now = spindle(&planner, ended_at(&planner));
     assert_eq!((now.command, now.actual, now.bound), (1000.0, 1000.0, Bound::Gear));
 }
 
@@ -357,7 +357,7 @@ fn cut_waits_for_speed_reached_by_the_control() {
         let moves = first(&planner, begins(&planner, 2), |now| now.axes[0].feed > 0.0);
         close(moves - plant.block_time, spun.max(delay), 1e-3);
         // The second cut follows the first.
-        close(planner.timeline().end() - moves, 2.0 + TAU, 1e-2);
+        close(ended_at(&planner) - moves, 2.0 + TAU, 1e-2);
     }
     // A knob that makes it slower is waited for no longer than that.
     let mut plant = plant();
@@ -384,7 +384,7 @@ fn dwell_counts_spindle_turns() {
     assert_eq!(planner.diagnostics()[0].message.id, "motion.spindle-at-rest");
     planner.event(at(5.0, Action::ManualSpeed(600.0)));
     assert_eq!(finish(&mut planner).1, RunEnd::ProgramEnd);
-    close(planner.timeline().at(planner.timeline().end()).spindle.turns, 5.0, 1e-9);
+    close(planner.timeline().at(ended_at(&planner)).spindle.turns, 5.0, 1e-9);
 }
 
 #[test]
@@ -400,7 +400,7 @@ fn feed_per_revolution_after_early_stop_rests_with_a_finding() {
         let planner = run(lines);
         let said: Vec<&str> = planner.diagnostics().iter().map(|said| said.message.id).collect();
         assert_eq!(said, ["motion.spindle-at-rest"], "{ms} ms");
-        assert_eq!(planner.timeline().at(planner.timeline().end()).spindle.actual, 0.0);
+        assert_eq!(planner.timeline().at(ended_at(&planner)).spindle.actual, 0.0);
     }
 }
 

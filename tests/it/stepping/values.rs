@@ -100,7 +100,7 @@ fn breakpoint_condition_without_value_stops_with_reason() {
               |
             6 | N50 M30
               | ^^^^^^^
-              = O1000, 0.7611 s
+              = O1000, 1.052 s
         "#]],
     );
 }

@@ -102,13 +102,13 @@ fn step_out_of_the_main_program_ends_it() {
           |
         6 | N50 M30
           | ^^^^^^^
-          = O1000, 0.7611 s
+          = O1000, 1.052 s
         > where
          --> a.nc:6:1
           |
         6 | N50 M30
           | ^^^^^^^
-          = O1000, 0.7611 s
+          = O1000, 1.052 s
     "#]],
     );
 }
@@ -150,14 +150,14 @@ fn run_to_reaches_a_line_or_sequence_number() {
           |
         6 | N50 M30
           | ^^^^^^^
-          = O1000, 0.7611 s
+          = O1000, 1.052 s
         > to 2
         the program is over
          --> a.nc:6:1
           |
         6 | N50 M30
           | ^^^^^^^
-          = O1000, 0.7611 s
+          = O1000, 1.052 s
         > ?to O77
         There is no block “O77”; a place is N40, O9101, O9101 N40, 12 (line) or O9101.nc:12.
         > ?to 99
@@ -168,7 +168,7 @@ fn run_to_reaches_a_line_or_sequence_number() {
           |
         6 | N50 M30
           | ^^^^^^^
-          = O1000, 0.7611 s
+          = O1000, 1.052 s
     "#]],
     );
 }
@@ -363,21 +363,21 @@ fn stepping_waits_at_m00_and_shows_machine_positions() {
           |
         3 | M00
           | ^^^
-          = O1, 0.2071 s
+          = O1, 0.5511 s
         > into
         the control waits for the operator: “start” goes on
          --> a.nc:3:1
           |
         3 | M00
           | ^^^
-          = O1, 0.2071 s
+          = O1, 0.5511 s
         > start
           gives stop
          --> a.nc:4:1
           |
         4 | #100=#5021
           | ^^^^^^^^^^
-          = O1, 0.2071 s
+          = O1, 0.5511 s
           = executing: a.nc:3: M00
         > into
           #100 vacant -> 10
@@ -385,7 +385,7 @@ fn stepping_waits_at_m00_and_shows_machine_positions() {
           |
         5 | #101=#100*2
           | ^^^^^^^^^^^
-          = O1, 0.2101 s
+          = O1, 0.5541 s
           = executing: a.nc:3: M00
         > into
           #101 vacant -> 20
@@ -393,7 +393,7 @@ fn stepping_waits_at_m00_and_shows_machine_positions() {
           |
         6 | M30
           | ^^^
-          = O1, 0.2131 s
+          = O1, 0.5571 s
           = executing: a.nc:3: M00
         > print #5021
         #5021 = 10
@@ -404,14 +404,14 @@ fn stepping_waits_at_m00_and_shows_machine_positions() {
           |
         6 | M30
           | ^^^
-          = O1, 0.2202 s
+          = O1, 0.5642 s
         > continue
         the program is over
          --> a.nc:6:1
           |
         6 | M30
           | ^^^
-          = O1, 0.2202 s
+          = O1, 0.5642 s
     "#]],
     );
 }
