@@ -11,7 +11,8 @@ use crate::machines::machine::Frame;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
 use crate::motion::Snapshot;
-use crate::text::catalog::number_text as show;
+use crate::msg;
+use crate::text::catalog::{Language, number_text as show, sentence};
 use crate::text::number::figure;
 use crate::view::{Paint, Placement, Pose};
 
@@ -20,6 +21,9 @@ const SEEN: f64 = 20.0;
 
 /// Slack, mm, below which the ribbon is tight: less than half a millimetre is no pull.
 const TIGHT: f64 = -0.5;
+
+/// Lag of the pull roller, mm, within which a dot counts as printed.
+const AT_DOT: f64 = 1e-4;
 
 /// The state of the line at a moment, in the units of the drawing's figures.
 pub(super) struct State {
@@ -70,7 +74,7 @@ impl State {
 
     /// Share of a pitch that the newest dot has moved, and the number of dots before it.
     fn passed(&self, p: &Params) -> (f64, f64) {
-        let passed = self.pulled / p.pitch + 1e-6;
+        let passed = (self.pulled + AT_DOT) / p.pitch;
         (passed - passed.floor(), passed.floor())
     }
 }
@@ -245,6 +249,6 @@ fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)>
         (node::PULL_POSITION, format!("{} mm", figure(state.pulled, 1))),
         (node::PRINT_SPEED, format!("{} r/min", figure(state.speeds[2] / 6.0, 1))),
         (node::PRINT_HEAD, format!("{} {} / {}", say("ribbon.scene.head"), show(head, 0), show(heads, 0))),
-        (node::DOT_COUNT, format!("{} {}", show(printed, 0), say("ribbon.scene.dots"))),
+        (node::DOT_COUNT, sentence(Language::English, &msg!("ribbon.scene.dots", printed))),
     ]
 }
