@@ -22,6 +22,8 @@ pub struct ChartRow<M: 'static> {
     pub title: &'static str,
     /// Unit of its values.
     pub unit: &'static str,
+    /// Least span of its axis: a signal that changes by less is drawn flat.
+    pub least_span: f64,
     /// Its lines.
     pub lines: &'static [ChartLine<M>],
 }
@@ -47,6 +49,7 @@ pub fn charts<M>(
         id: row.id,
         title: row.title,
         unit: row.unit,
+        least_span: row.least_span,
         x_unit: "s",
         series: row.lines.iter().map(drawn).collect(),
     };

@@ -20,6 +20,8 @@ pub struct Chart {
     pub title: &'static str,
     /// Unit of y.
     pub unit: &'static str,
+    /// Least span of the y axis: a signal that changes by less is drawn flat.
+    pub least_span: f64,
     /// Unit of x.
     pub x_unit: &'static str,
     /// The lines.

@@ -49,7 +49,7 @@ pub fn svg(chart: &Chart) -> String {
 pub fn draw(chart: &Chart) -> Plot {
     let points = || chart.series.iter().flat_map(|line| &line.points).filter(|(x, y)| x.is_finite() && y.is_finite());
     let x = ends(points().map(|point| point.0)).filter(|(from, to)| from < to).unwrap_or((0.0, 1.0));
-    let y = room(ends(points().map(|point| point.1)).unwrap_or((0.0, 1.0)));
+    let y = room(ends(points().map(|point| point.1)).unwrap_or((0.0, 1.0)), chart.least_span);
     let mut lines = String::with_capacity(16 * points().count() + 1024);
     // The backend cannot fail; an empty frame is what would be left.
     let _ = frame(&mut lines, chart, x, y);
@@ -72,12 +72,20 @@ fn ends(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 }
 
 /// Margin above and below the lines; the axis begins at 0 where the values never fall below it and that costs little room.
-fn room((low, high): (f64, f64)) -> (f64, f64) {
+fn room((low, high): (f64, f64), least: f64) -> (f64, f64) {
     let (low, high) =
         if high - low <= 1e-9 * high.abs().max(low.abs()) { (low.min(0.0), high.max(0.0)) } else { (low, high) };
+    let (low, high) = if high - low < least { around(low, high, least) } else { (low, high) };
     let span = if high > low { high - low } else { 1.0 };
     let bottom = if low >= 0.0 && low <= span { 0.0 } else { low - 0.08 * span };
     (bottom, high + 0.12 * span)
+}
+
+/// The least span around two values, from 0 up where they are above 0 and near it.
+fn around(low: f64, high: f64, least: f64) -> (f64, f64) {
+    let from = 0.5 * (low + high) - 0.5 * least;
+    let from = if low >= 0.0 { from.max(0.0) } else { from };
+    (from, from + least)
 }
 
 /// Grid and lines.

@@ -10,17 +10,17 @@ use crate::view::{Chart, Series};
 /// Charts over time, from top to bottom.
 #[rustfmt::skip]
 pub(super) const ROWS: &[ChartRow<PolygonLathe>] = &[
-    ChartRow { id: "speeds", title: "polygon.chart.speeds", unit: "r/min", lines: &[
+    ChartRow { id: "speeds", title: "polygon.chart.speeds", unit: "r/min", least_span: 1.0, lines: &[
         ChartLine { label: |_| "polygon.chart.work", tone: 0, value: |_, now| now.pmc[WORK].feed / 360.0 },
         ChartLine { label: |_| "polygon.chart.tool", tone: 1, value: |_, now| now.pmc[TOOL].feed / 360.0 },
     ] },
-    ChartRow { id: "phase", title: "polygon.chart.phase", unit: "°", lines: &[
+    ChartRow { id: "phase", title: "polygon.chart.phase", unit: "°", least_span: 0.01, lines: &[
         ChartLine { label: |_| "polygon.chart.ahead", tone: 3, value: |lathe, now| lathe.phase(now) },
     ] },
-    ChartRow { id: "size", title: "polygon.chart.size", unit: "mm", lines: &[
+    ChartRow { id: "size", title: "polygon.chart.size", unit: "mm", least_span: 0.01, lines: &[
         ChartLine { label: |_| "polygon.chart.across", tone: 2, value: |lathe, now| lathe.slide(now).0 },
     ] },
-    ChartRow { id: "along", title: "polygon.chart.along", unit: "mm", lines: &[
+    ChartRow { id: "along", title: "polygon.chart.along", unit: "mm", least_span: 0.01, lines: &[
         ChartLine { label: |_| "polygon.chart.z", tone: 0, value: |lathe, now| lathe.slide(now).1 },
     ] },
 ];
@@ -38,6 +38,7 @@ pub(super) fn deviation(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
         id: "deviation",
         title: "polygon.chart.deviation",
         unit: "µm",
+        least_span: 0.0,
         x_unit: "°",
         series: vec![Series { label: "polygon.chart.off", tone: 1, points }],
     })
@@ -67,6 +68,7 @@ pub(super) fn over_radius(lathe: &PolygonLathe, points: usize) -> Option<Chart> 
         id: "radius",
         title: "polygon.chart.radius",
         unit: "µm",
+        least_span: 0.0,
         x_unit: "mm",
         series: vec![line("polygon.chart.lowest", 0, |side| side.1), line("polygon.chart.highest", 1, |side| side.2)],
     })

@@ -8,20 +8,20 @@ use crate::view::{Chart, Series};
 /// Charts over time, from top to bottom.
 #[rustfmt::skip]
 pub(super) const ROWS: &[ChartRow<TurningSpindle>] = &[
-    ChartRow { id: "speed", title: "turning.chart.speed", unit: "r/min", lines: &[
+    ChartRow { id: "speed", title: "turning.chart.speed", unit: "r/min", least_span: 1.0, lines: &[
         ChartLine { label: |_| "turning.chart.command", tone: 0, value: |_, now| now.spindle.command },
         ChartLine { label: |_| "turning.chart.actual", tone: 1, value: |_, now| now.spindle.actual },
     ] },
-    ChartRow { id: "surface", title: "turning.chart.surface", unit: "m/min", lines: &[
+    ChartRow { id: "surface", title: "turning.chart.surface", unit: "m/min", least_span: 0.1, lines: &[
         ChartLine { label: |_| "turning.chart.at-tool", tone: 2, value: |lathe, now| surface_speed(now.spindle.actual, lathe.diameter(now)) },
     ] },
-    ChartRow { id: "volts", title: "turning.chart.volts", unit: "V", lines: &[
+    ChartRow { id: "volts", title: "turning.chart.volts", unit: "V", least_span: 0.01, lines: &[
         ChartLine { label: |_| "turning.chart.output", tone: 3, value: |_, now| now.spindle.volts },
     ] },
-    ChartRow { id: "stage", title: "turning.chart.stage", unit: "", lines: &[
+    ChartRow { id: "stage", title: "turning.chart.stage", unit: "", least_span: 1.0, lines: &[
         ChartLine { label: |_| "turning.chart.engaged", tone: 4, value: |_, now| f64::from(now.spindle.stage) },
     ] },
-    ChartRow { id: "diameter", title: "turning.chart.diameter", unit: "mm", lines: &[
+    ChartRow { id: "diameter", title: "turning.chart.diameter", unit: "mm", least_span: 0.01, lines: &[
         ChartLine { label: |_| "turning.chart.tool", tone: 0, value: |lathe, now| lathe.diameter(now) },
     ] },
 ];
@@ -41,6 +41,7 @@ pub(super) fn over_diameter(lathe: &TurningSpindle, points: usize) -> Vec<Chart>
         id,
         title,
         unit,
+        least_span: 0.0,
         x_unit: "mm",
         series,
     };

@@ -270,7 +270,7 @@ fn chart_points_equal_the_timeline() {
 
 fn chart(points: Vec<(f64, f64)>) -> Chart {
     let series = vec![Series { label: "ribbon.chart.x", tone: 1, points }];
-    Chart { id: "any", title: "ribbon.chart.feeds", unit: "mm/min", x_unit: "s", series }
+    Chart { id: "any", title: "ribbon.chart.feeds", unit: "mm/min", least_span: 0.5, x_unit: "s", series }
 }
 
 #[test]
@@ -281,6 +281,15 @@ fn chart_svg_has_lines_grid_and_figures_with_classes() {
     assert!(drawn.svg.contains("class=\"grid\"") && drawn.svg.contains(">50</text>"), "{}", drawn.svg);
     for forbidden in ["style=", "fill=", "stroke=", "rgb", "NaN", "inf", "∞"] {
         assert!(!drawn.svg.contains(forbidden), "{forbidden} in {}", drawn.svg);
+    }
+}
+
+#[test]
+fn signals_below_the_least_span_are_drawn_flat() {
+    for (low, high, axis) in [(-1e-3, 1e-3, (-0.25, 0.25)), (0.1, 0.2, (0.0, 0.5)), (99.9, 100.1, (99.75, 100.25))] {
+        let (bottom, top) = plot::draw(&chart(vec![(0.0, low), (1.0, high)])).y;
+        let near = |found: f64, wanted: f64| (found - wanted).abs() <= 0.07;
+        assert!(near(bottom, axis.0) && near(top, axis.1), "{low} to {high}: {bottom} to {top}");
     }
 }
 

@@ -39,12 +39,14 @@ pub(super) const CHARTS: &[ChartRow<CutToLength>] = &[
         id: "position",
         title: "toy.chart.position",
         unit: "mm",
+        least_span: 0.01,
         lines: &[ChartLine { label: |_| "toy.chart.strip", tone: 0, value: position }],
     },
     ChartRow {
         id: "feed",
         title: "toy.chart.feed",
         unit: "mm/min",
+        least_span: 1.0,
         lines: &[ChartLine {
             label: |_| "toy.chart.strip",
             tone: 1,
