@@ -7,6 +7,7 @@ use web_sys::{Element, HtmlElement};
 
 use crate::text::number::filled;
 use crate::ui::dom;
+use crate::ui::parts::scene::fit;
 use crate::view::svg::{paint_name, transform};
 use crate::view::{Paint, Pose, Scene, SceneGroup};
 
@@ -67,14 +68,10 @@ impl Drawn {
         drawn
     }
 
-    /// Keeps labels at their size in pixels, as far as they have room: `--u` is the number of drawing units per pixel.
+    /// Keeps labels at their size in pixels, as far as they have room.
     pub(super) fn fit(&self) {
-        let Some(picture) = &self.picture else { return };
-        let (room, [_, _, width, height]) = (picture.get_bounding_client_rect(), self.view);
-        if room.width() > 0.0 && room.height() > 0.0 {
-            let unit = (width / room.width()).max(height / room.height());
-            let unit = if self.unit > 0.0 { unit.min(self.unit) } else { unit };
-            let _ = picture.style().set_property("--u", &format!("{unit:.4}"));
+        if let Some(picture) = &self.picture {
+            fit(picture, self.view, self.unit);
         }
     }
 

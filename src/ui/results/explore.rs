@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::Element;
@@ -10,6 +11,7 @@ use crate::machines::PreparedMachine;
 use crate::machines::form::{FieldInfo, KindInfo, Values};
 use crate::project::Project;
 use crate::text::catalog::number_text;
+use crate::ui::dom;
 use crate::ui::parts::input::{filled_part, number};
 use crate::ui::parts::sheet_view::SheetView;
 use crate::ui::parts::verdict::VerdictLine;
@@ -56,6 +58,7 @@ pub(crate) fn ExploreTab() -> impl IntoView {
     let draft = RwSignal::new_local(None::<Values>);
     let seen = RwSignal::new_local(Explorer::default());
     let readouts = RwSignal::new_local(Vec::<Readout>::new());
+    let shape_host: NodeRef<html::Div> = NodeRef::new();
     let (shape, plots) = (RwSignal::new(String::new()), RwSignal::new(String::new()));
     Effect::new(move |_| {
         let (machine, design) = page.project.with(|project| {
@@ -66,6 +69,13 @@ pub(crate) fn ExploreTab() -> impl IntoView {
         let found = machine.explorer().unwrap_or_default();
         readouts.set(design.readouts);
         shape.set(scene::svg(&found.scene));
+        let (view, most) = (found.scene.view, found.scene.unit);
+        dom::soon(move || {
+            let picture = shape_host.get_untracked().and_then(|host| dom::all(&host, ".scene").into_iter().next());
+            if let Some(picture) = picture {
+                scene::fit(picture.unchecked_ref(), view, most);
+            }
+        });
         let mut out = String::new();
         found.charts.iter().for_each(|chart| chart_figure::html(&mut out, chart));
         plots.set(out);
@@ -98,7 +108,7 @@ pub(crate) fn ExploreTab() -> impl IntoView {
     };
     view! {
         <p class="lead">{t("page.explore-lead")}</p>
-        <div class="shape" inner_html=move || shape.get()></div>
+        <div class="shape" node_ref=shape_host inner_html=move || shape.get()></div>
         <div class="knobs">{knobs.collect_view()}</div>
         <div class="row">{results}</div>
         <div class="ways" on:click=choose><SheetView which=|sheets| sheets.ways /></div>
