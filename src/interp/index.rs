@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::controls::Address;
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, Control, Dialect, VarKind, VarRange};
-use crate::nc::{Deck, Expr, ExprId, JumpDirection, Program, Stmt};
+use crate::nc::{Deck, Expr, ExprId, Program, Stmt};
 
 /// Where a variable lives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -232,14 +232,7 @@ fn targets(deck: &Deck, program: &Program) -> Vec<(u32, u32)> {
                 _ => None,
             };
             let Some(named) = named else { continue };
-            // The nearest in the direction.
-            let behind = named.partition_point(|to| *to <= at);
-            let to = match way {
-                JumpDirection::Around => named.first(),
-                JumpDirection::Forward => named.get(behind),
-                JumpDirection::Backward => behind.checked_sub(1).and_then(|last| named.get(last)),
-            };
-            found.extend(to.map(|to| (target.0, program.first + *to as u32)));
+            found.extend(way.nearest(at, named).map(|to| (target.0, program.first + to as u32)));
         }
     }
     found

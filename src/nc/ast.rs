@@ -177,6 +177,17 @@ impl JumpDirection {
             JumpDirection::Backward => to <= from,
         }
     }
+
+    /// Where a jump in block `from` goes, of the blocks `places` of one name in rising order: the nearest one in its direction.
+    pub(crate) fn nearest(self, from: usize, places: &[usize]) -> Option<usize> {
+        let behind = places.partition_point(|to| *to <= from);
+        let at = match self {
+            JumpDirection::Around => 0,
+            JumpDirection::Forward => behind,
+            JumpDirection::Backward => behind.checked_sub(1)?,
+        };
+        places.get(at).copied()
+    }
 }
 
 /// One of several assignments or jumps of a block.

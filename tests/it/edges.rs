@@ -399,6 +399,21 @@ fn large_projects_take_no_quadratic_time() {
     }
 }
 
+/// Checks the processor time of commands on a program of so many blocks and of four times as many.
+#[cfg(unix)]
+fn assert_no_quadratic_time(path: &Path, name: &str, commands: &[&str], program: &dyn Fn(usize) -> String) {
+    for command in commands {
+        let [small, large] = [10_000, 40_000].map(|count| {
+            fs::write(path, program(count)).unwrap();
+            processor(path, command)
+        });
+        assert!(large <= 6.0 * small + 0.3, "{name}, {command}: {small} s for 10,000, {large} s for 40,000");
+    }
+}
+
+/// Makes the lines of a program that belong to a number.
+type Lines<'a> = &'a dyn Fn(usize) -> String;
+
 /// As for projects; each kind of block once needed a look at all others.
 #[cfg(unix)]
 #[test]
@@ -413,8 +428,9 @@ fn large_faulty_programs_take_no_quadratic_time() {
     let if_then = |at: usize| format!("IF[#1EQ{at}]THEN G00X1.\n");
     let loops = |at: usize| format!("WHILE[#1EQ{at}]DO1\nEND2\n");
     let jumps = |at: usize| format!("N{at}GOTO{}\n", at + 1);
-    type Lines<'a> = &'a dyn Fn(usize) -> String;
-    let cases: [(&str, &str, &str, Lines); 9] = [
+    let one_label = |at: usize| format!("AGAIN: R1={at}\nIF R1==R2 GOTOB AGAIN\n");
+    let records = |at: usize| format!("(PART {at})\n%\n");
+    let cases: [(&str, &str, &str, Lines); 11] = [
         ("sinumerik-802d", "%_N_A_MPF\n", "unread labels", &unread),
         ("sinumerik-802d", "%_N_A_MPF\n", "labels in unread blocks", &in_unread),
         ("sinumerik-802d", "%_N_A_MPF\n", "block numbers", &numbers),
@@ -424,15 +440,61 @@ fn large_faulty_programs_take_no_quadratic_time() {
         ("mitsubishi-e60", "O1\n", "IF THEN", &if_then),
         ("mitsubishi-e60", "O1\n", "loops", &loops),
         ("mitsubishi-e60", "O1\n", "jumps", &jumps),
+        ("sinumerik-802d", "%_N_A_MPF\n", "one label", &one_label),
+        ("mitsubishi-e60", "", "comments between %", &records),
     ];
     for (control, head, name, block) in cases {
-        let path = folder.join("large.nc");
+        let program = |count: usize| head.to_owned() + &(1..=count).map(block).collect::<String>() + "M30\n";
         let command = format!("check \"$1\" --control {control} --json");
-        let [small, large] = [10_000, 40_000].map(|count| {
-            let text: String = std::iter::once(head.to_owned()).chain((1..=count).map(block)).collect();
-            fs::write(&path, text + "M30\n").unwrap();
-            processor(&path, &command)
-        });
-        assert!(large <= 6.0 * small + 0.3, "{name}: {small} s for 10,000, {large} s for 40,000");
+        assert_no_quadratic_time(&folder.join("large.nc"), name, &[&command], &program);
+    }
+}
+
+/// Programs without errors: warnings follow jumps, calls and variables, and a run executes every block.
+#[cfg(unix)]
+#[test]
+fn large_good_programs_take_no_quadratic_time() {
+    let folder = folder("large-good-programs");
+    // Four digits of a block number: it begins again from 1.
+    let number = |at: usize| at % 9999 + 1;
+    let assigned = |at: usize| format!("N{}#100=#101+{at}\n", number(at));
+    let jumps = |at: usize| format!("N{}IF[#100EQ{at}]GOTO{}\n", number(at), number(at));
+    let moves = |at: usize| format!("N{}G91G01X{}.F100.\n", number(at), at % 7);
+    let loops = |at: usize| format!("#1=0\nWHILE[#1LT1]DO1\n#1=#1+1\nS{}M03\nEND1\n", at % 5000 + 1);
+    let divisors = |at: usize| format!("#{}=1/[#1-#{}]\n", at % 49 + 100, at % 49 + 101);
+    let subs = |at: usize| format!("M98P2H{}\n", at % 900 + 1);
+    let sub = "M30\nO2\n".to_owned() + &(1..=900).map(|at| format!("N{at}#100=#100+1\n")).collect::<String>() + "M99\n";
+    let twice = |at: usize| format!("O{at}\nN1IF[#1EQ1]GOTO1\nN1M99P{at}\n");
+    let programs = |at: usize| format!("O{at}\nM98P{}\n#100=1/#500\nM99\n", at + 1);
+    let functions = |at: usize| format!("N{} G65 H81 P{} Q#100 R{at}\n", number(at), number(at));
+    let r_parameters = |at: usize| format!("N{} R{}=R2+{at}/R{}\n", number(at), at % 250, at % 249);
+    let labels = |at: usize| format!("AB{at}: R1=R2+{at}\nIF R1=={at} GOTOB AB{at}\nGOTOF CD{at}\nCD{at}: R3=1\n");
+    let names = |at: usize| format!("G1 X=IC(R{}) Y=AC({}) F=R2+100\nMSG(\"PART {at}\")\n", at % 250, at % 7);
+    let called = |at: usize| format!("%_N_SUB{at}_SPF\nSUB{}\nM17\n", at + 1);
+    type Case<'a> = (&'a str, &'a str, &'a str, Lines<'a>, &'a str);
+    let cases: [Case; 13] = [
+        ("mitsubishi-e60", "assignments", "O1\n", &assigned, "M30\n"),
+        ("mitsubishi-e60", "jumps", "O1\n", &jumps, "M30\n"),
+        ("mitsubishi-e60", "moves", "O1\n", &moves, "M30\n"),
+        ("mitsubishi-e60", "loops", "O1\n", &loops, "M30\n"),
+        ("mitsubishi-e60", "divisors", "O1\n", &divisors, "M30\n"),
+        ("mitsubishi-e60", "calls with H", "O1\n", &subs, &sub),
+        ("mitsubishi-e60", "programs with jumps", "", &twice, ""),
+        ("mitsubishi-e60", "programs that call the next", "", &programs, ""),
+        ("gsk-980tdc", "G65 H", "O1\n", &functions, "M30\n"),
+        ("sinumerik-802d", "R parameters", "%_N_MAIN_MPF\n", &r_parameters, "M2\n"),
+        ("sinumerik-802d", "labels", "%_N_MAIN_MPF\n", &labels, "M2\n"),
+        ("sinumerik-802d", "names", "%_N_MAIN_MPF\nF100\n", &names, "M2\n"),
+        ("sinumerik-802d", "programs that call the next", "", &called, ""),
+    ];
+    for (control, name, head, block, tail) in cases {
+        let program = |count: usize| head.to_owned() + &(1..=count).map(block).collect::<String>() + tail;
+        let commands = ["check", "run"].map(|command| format!("{command} \"$1\" --control {control} --json"));
+        let commands = commands.each_ref().map(String::as_str);
+        let path = folder.join("large.nc");
+        fs::write(&path, program(1000)).unwrap();
+        let checked = macroline(&["check", text(&path), "--control", control]);
+        assert!(checked.status.success(), "{name}: {}", said(&checked));
+        assert_no_quadratic_time(&path, name, &commands, &program);
     }
 }

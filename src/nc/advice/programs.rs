@@ -38,7 +38,8 @@ pub(in crate::nc) fn programs(
             None => check.numbered_jumps(),
         }
         check.end();
-        for block in later.iter().filter(|&&at| (program.first..program.end).contains(&at)) {
+        let behind = later.get(later.partition_point(|&at| at < program.first)..).unwrap_or_default();
+        for block in behind.iter().take_while(|&&at| at < program.end) {
             if let Some(block) = deck.blocks.get(*block as usize) {
                 check.sub_call(block);
                 check.function_jump(block);

@@ -6,7 +6,7 @@ use super::super::parsed::Parsed;
 use super::super::program_names::ProgramNames;
 use crate::controls::syntax::RoundBrackets;
 use crate::controls::{Address, AddressSet, Control};
-use crate::text::{Diagnostic, Fix, LineIndex, Message, MessageValue, Place, Span};
+use crate::text::{Diagnostic, FileId, Fix, LineIndex, Message, MessageValue, Place, Span};
 
 /// No index, no number.
 pub(super) const NONE: u32 = u32::MAX;
@@ -29,6 +29,8 @@ pub(super) struct Lint<'a> {
     /// Words that were reported to overwrite others.
     pub(super) again: usize,
     pub(super) found: Vec<Diagnostic>,
+    /// Cache: the lines of the file that was asked for last.
+    lines: Option<(FileId, LineIndex)>,
 }
 
 impl<'a> Lint<'a> {
@@ -45,11 +47,17 @@ impl<'a> Lint<'a> {
             most: FINDINGS.saturating_sub(parsed.diagnostics().len()),
             again: 0,
             found: Vec::new(),
+            lines: None,
         }
     }
 }
 
 impl Lint<'_> {
+    /// Whether no more warnings are listed.
+    pub(super) fn is_full(&self) -> bool {
+        self.found.len() >= self.most
+    }
+
     /// Adds a warning about bytes of a block; the block is an index in the deck. {0} of the sentence is the text of the bytes, {1}
     /// and so on are `more`. `hint` is the id of another sentence with the same values, or empty.
     pub(super) fn say(
@@ -68,7 +76,7 @@ impl Lint<'_> {
         }
         let text = text.trim_end();
         place.span.end = span.start + text.len() as u32;
-        if self.found.len() >= self.most {
+        if self.is_full() {
             return None;
         }
         let text = [text.trim_matches(['[', ']'])];
@@ -115,10 +123,13 @@ impl Lint<'_> {
     }
 
     /// Line of a block, from 1.
-    pub(super) fn line(&self, block: u32) -> String {
+    pub(super) fn line(&mut self, block: u32) -> String {
         let span = self.deck.blocks.get(block as usize).map_or_else(Span::default, |block| block.span);
-        let file = self.parsed.files().get(self.place(block, span).file);
-        file.map_or(1, |file| LineIndex::new(&file.text).line_of(span.start)).to_string()
+        let id = self.place(block, span).file;
+        let known = self.lines.take().filter(|known| known.0 == id);
+        let text = || self.parsed.files().get(id).map_or("", |file| file.text.as_str());
+        let (_, lines) = self.lines.insert(known.unwrap_or_else(|| (id, LineIndex::new(text()))));
+        lines.line_of(span.start).to_string()
     }
 
     /// Bytes of a part of a formula; those of the block if they are not known.

@@ -1,5 +1,7 @@
 //! Facts about all programs for the checks: which call, return and end, and which have errors.
 
+use std::collections::BTreeSet;
+
 use super::super::ast::Word;
 use super::super::dec::Dec;
 use super::context::{Lint, NONE, whole};
@@ -60,7 +62,7 @@ pub(super) struct Facts {
     /// Programs are called by calculated numbers, so any may be called.
     pub(super) any_called: bool,
     /// Sequence numbers that calls and returns name, with the program or [`NONE`] for any.
-    pub(super) entries: Vec<(u32, u32)>,
+    pub(super) entries: BTreeSet<(u32, u32)>,
     /// Calls or returns go to calculated sequence numbers.
     pub(super) any_entry: bool,
     /// Numbers of programs that are called and not here.
@@ -152,10 +154,16 @@ impl Facts {
     /// A sequence number behind P of a return or H of a call.
     fn entry(&mut self, program: u32, number: Option<Option<u32>>) {
         match number {
-            Some(Some(label)) => self.entries.push((program, label)),
+            Some(Some(label)) => drop(self.entries.insert((program, label))),
             Some(None) => self.any_entry = true,
             None => {}
         }
+    }
+
+    /// Whether a call or return goes to a sequence number of a program.
+    pub(super) fn enters(&self, program: u32, number: u64) -> bool {
+        let named = |number| [program, NONE].iter().any(|&program| self.entries.contains(&(program, number)));
+        self.any_entry || u32::try_from(number).is_ok_and(named)
     }
 
     /// A main program that returns starts again without end. Only the started program is known to be a main program; others only where

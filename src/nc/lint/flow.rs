@@ -1,5 +1,7 @@
 //! Control flow: the successors of each block, and blocks that nothing leads to.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::super::ast::{Block, Deck, Expr, ExprId, JumpDirection, Stmt, WordValue};
 use super::context::{Lint, NONE, whole};
 use super::facts::Facts;
@@ -25,6 +27,8 @@ pub(super) struct Flow<'a> {
     pub(super) base: u32,
     /// (sequence number, block), sorted.
     numbers: Vec<(u64, usize)>,
+    /// Blocks of each label, rising.
+    labels: BTreeMap<&'a str, Vec<usize>>,
     /// END of a DO and DO of an END; empty without loops.
     partner: Vec<u32>,
 }
@@ -34,11 +38,15 @@ impl<'a> Flow<'a> {
         let row = &deck.programs[program];
         let blocks = deck.blocks_of(row);
         let mut numbers = Vec::new();
+        let mut labels: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
         let mut partner = Vec::new();
         let mut open: Vec<(u64, usize)> = Vec::new();
         for (at, block) in blocks.iter().enumerate() {
             if let Some(number) = block.number {
                 numbers.push((number.into(), at));
+            }
+            if block.label.is_some() {
+                labels.entry(deck.text(block.label)).or_default().push(at);
             }
             match block.stmt {
                 Stmt::While { label, .. } => open.push((label.into(), at)),
@@ -54,7 +62,7 @@ impl<'a> Flow<'a> {
             }
         }
         numbers.sort_unstable();
-        Flow { deck, control, roles, program: program as u32, blocks, base: row.first, numbers, partner }
+        Flow { deck, control, roles, program: program as u32, blocks, base: row.first, numbers, labels, partner }
     }
 
     /// The block with a sequence number: searched from a block on to the end, then from the head.
@@ -70,10 +78,8 @@ impl<'a> Flow<'a> {
     fn jump(&self, target: ExprId, from: u32, way: JumpDirection) -> u32 {
         match self.deck.expr(target) {
             Expr::Label(label) => {
-                let label = self.deck.text(Some(label));
-                let lies = |row: &(usize, &Block)| row.1.label.is_some() && self.deck.text(row.1.label) == label;
-                let mut found = self.blocks.iter().enumerate().filter(lies).map(|row| row.0);
-                found.find(|&to| way.reaches(from as usize, to)).map_or(NONE, |to| to as u32)
+                let places = self.labels.get(self.deck.text(Some(label))).map_or(&[][..], Vec::as_slice);
+                way.nearest(from as usize, places).map_or(NONE, |to| to as u32)
             }
             Expr::Number(number) => whole(WordValue::Number(number)).map_or(NONE, |number| self.target(number, from)),
             _ => ANY,
@@ -134,24 +140,30 @@ impl<'a> Flow<'a> {
             // Jumps there say where they look.
             return;
         }
-        let mut told = 0;
-        for pair in self.numbers.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
-            let number = pair[0].0;
-            let to = |target: ExprId| match self.deck.expr(target) {
-                Expr::Number(target) => whole(WordValue::Number(target)).map(u64::from) == Some(number),
-                _ => true,
-            };
-            let entered =
-                facts.entries.iter().any(|row| (row.0 == NONE || row.0 == self.program) && u64::from(row.1) == number);
-            let jumped = || self.blocks.iter().any(|block| self.deck.jumps_of(block.stmt).any(|jump| to(jump.1)));
-            if told < TWICE && (entered || facts.any_entry || jumped()) {
-                told += 1;
-                let [first, second] = [pair[0], pair[1]].map(|row| self.base + row.1 as u32);
-                let span = lint.number(second);
-                let line = lint.line(first);
-                lint.say(second, span, "lint.number-twice", &[&line], "");
+        let twice = || self.numbers.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+        if twice().next().is_none() || lint.is_full() {
+            return;
+        }
+        let (jumped, any) = self.jumped();
+        let entered = |number| any || facts.enters(self.program, number) || jumped.contains(&number);
+        for pair in twice().filter(|pair| entered(pair[0].0)).take(TWICE) {
+            let [first, second] = [pair[0], pair[1]].map(|row| self.base + row.1 as u32);
+            let span = lint.number(second);
+            let line = lint.line(first);
+            lint.say(second, span, "lint.number-twice", &[&line], "");
+        }
+    }
+
+    /// The sequence numbers that the program jumps to, and whether it jumps to calculated ones.
+    fn jumped(&self) -> (BTreeSet<u64>, bool) {
+        let (mut numbers, mut any) = (BTreeSet::new(), false);
+        for (_, target, _) in self.blocks.iter().flat_map(|block| self.deck.jumps_of(block.stmt)) {
+            match self.deck.expr(target) {
+                Expr::Number(target) => numbers.extend(whole(WordValue::Number(target)).map(u64::from)),
+                _ => any = true,
             }
         }
+        (numbers, any)
     }
 
     /// Reports unreachable blocks, each run of them once.
@@ -159,11 +171,8 @@ impl<'a> Flow<'a> {
         let part = facts.parts[self.program as usize];
         let mut seen = vec![false; self.blocks.len()];
         let mut open = vec![0];
-        for &(to, number) in &facts.entries {
-            if to == NONE || to == self.program {
-                open.push(self.target(number, 0));
-            }
-        }
+        let firsts = self.numbers.chunk_by(|a, b| a.0 == b.0).filter_map(<[_]>::first);
+        open.extend(firsts.filter(|row| facts.enters(self.program, row.0)).map(|row| row.1 as u32));
         // Of a subprogram whose callers are not here, any number may be an entry.
         if !part.called && !part.ends || facts.any_entry {
             open.push(ANY);

@@ -1,5 +1,7 @@
 //! Spindle and auxiliary functions in every pass of a loop: each waits for the PLC and stops the path.
 
+use std::collections::BTreeSet;
+
 use super::super::ast::{Block, Expr, Stmt, Word, WordValue};
 use super::context::{Lint, NONE};
 use super::facts::Facts;
@@ -70,7 +72,7 @@ fn pass(lint: &mut Lint, flow: &Flow, facts: &Facts, (start, end): (u32, u32), c
             certain = certain.max(jump);
         }
         if let Stmt::Assign { to, .. } | Stmt::IfThen { to, .. } = block.stmt {
-            pass.assigned.push(if let Expr::Var(number) = flow.deck.expr(to) { number } else { NONE });
+            pass.assigned.insert(if let Expr::Var(number) = flow.deck.expr(to) { number } else { NONE });
         }
         let bits = flow.roles.block(flow.deck.words_of(block));
         let here = at + flow.base;
@@ -91,7 +93,7 @@ struct Pass<'a> {
     spindle: Function<'a>,
     auxiliary: Function<'a>,
     /// Variables that the pass assigns; [`NONE`] for a calculated number.
-    assigned: Vec<u32>,
+    assigned: BTreeSet<u32>,
     /// A block moves in rapid traverse; axes move; a block cuts.
     rapid: bool,
     moves: bool,
@@ -135,7 +137,7 @@ impl<'a> Pass<'a> {
             let mut changes = false;
             visit(flow.deck, id, &mut |_, expr| {
                 let number = if let Expr::Var(number) = expr { number } else { NONE };
-                changes |= self.assigned.iter().any(|&other| other == number || other == NONE);
+                changes |= [number, NONE].iter().any(|number| self.assigned.contains(number));
             });
             changes
         };
@@ -155,6 +157,9 @@ impl<'a> Pass<'a> {
 impl Function<'_> {
     fn tell(&self, lint: &mut Lint, id: &'static str, kind: DiagnosticKind) {
         for &(block, span) in &self.always {
+            if lint.is_full() {
+                return;
+            }
             let place = lint.place(block, span);
             // An inner loop, or a program that two loops call, is visited twice.
             let start = |place: Place| (place.file, place.span.start);

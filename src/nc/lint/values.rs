@@ -1,5 +1,7 @@
 //! Values that are known without a run: decimals compared for equality, division by zero, variables that nothing sets.
 
+use std::collections::BTreeSet;
+
 use super::super::ast::{Expr, ExprId, Op, WordValue};
 use super::super::dec::{Dec, POW10};
 use super::context::{Lint, NONE};
@@ -153,9 +155,9 @@ impl Vars<'_> {
     }
 
     /// Divisors that can be 0, each variable once a program; the variables that are reported.
-    fn divisors(&self, lint: &mut Lint) -> Vec<u32> {
+    fn divisors(&self, lint: &mut Lint) -> BTreeSet<u32> {
         let alarm = self.control.alarm_number(Alarm::DivisionByZero).unwrap_or("");
-        let mut divisors: Vec<(usize, u32)> = Vec::new();
+        let mut told: BTreeSet<(usize, u32)> = BTreeSet::new();
         for site in &self.divisors {
             let Some(id) = self.can_be_zero(*site) else { continue };
             let (number, hint) = match (self.deck.expr(id), self.control.syntax.names()) {
@@ -165,13 +167,12 @@ impl Vars<'_> {
                 (_, Some(_)) => (NONE, "lint.hint-difference-named"),
             };
             let key = (self.deck.programs.partition_point(|program| program.end <= site.block), number);
-            if number == NONE || !divisors.contains(&key) {
-                divisors.push(key);
+            if told.insert(key) || number == NONE {
                 let span = lint.part(site.block, id);
                 lint.say(site.block, span, "lint.zero-divisor", &[alarm], hint);
             }
         }
-        divisors.into_iter().map(|key| key.1).collect()
+        told.into_iter().map(|key| key.1).collect()
     }
 
     /// Comparisons without brackets around them, and decimals compared for equality.
@@ -188,7 +189,7 @@ impl Vars<'_> {
     }
 
     /// Variables that are not local; those that nothing sets and something reads, with their index in the list.
-    fn commons(&self, lint: &mut Lint, facts: &Facts, divisors: &[u32]) -> Vec<(u64, usize)> {
+    fn commons(&self, lint: &mut Lint, facts: &Facts, divisors: &BTreeSet<u32>) -> Vec<(u64, usize)> {
         let ends = facts.parts.iter().any(|part| part.ends);
         let mut unset: Vec<(u64, usize)> = Vec::new();
         for (slot, var) in self.list.iter().enumerate().filter(|row| row.1.number > self.local_count) {

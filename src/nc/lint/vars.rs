@@ -163,10 +163,13 @@ impl<'a> Vars<'a> {
         }
     }
 
-    fn root(&self, program: u32) -> u32 {
+    /// Root of a program's group in the union-find forest of `group`; halves the path to it.
+    fn root(&mut self, program: u32) -> u32 {
         let mut at = program;
         while self.group[at as usize] != at {
-            at = self.group[at as usize];
+            let next = self.group[self.group[at as usize] as usize];
+            self.group[at as usize] = next;
+            at = next;
         }
         at
     }

@@ -149,7 +149,9 @@ impl Lint<'_> {
     /// A call by a name that no program here has, unless the reader has reported the block.
     fn missing_name(&mut self, at: u32, block: &Block, name: &str) {
         let place = self.place(at, block.span);
-        if self.parsed.diagnostics().iter().filter_map(|finding| finding.place).any(|other| place.covers(other)) {
+        if self.is_full()
+            || self.parsed.diagnostics().iter().filter_map(|finding| finding.place).any(|other| place.covers(other))
+        {
             return;
         }
         let text = self.parsed.text(place).to_ascii_uppercase();

@@ -128,9 +128,18 @@ impl<'a> Reader<'a> {
             Some(program) => {
                 program.number == 0
                     && program.span == Span::default()
-                    && self.deck.blocks_of(program).iter().all(|b| b.stmt == Stmt::Empty && b.number.is_none())
+                    && self.comments_behind(program.first) >= program.end
             }
         }
+    }
+
+    /// Index of the first block from `first` on that is more than a comment, or the number of blocks. Continues where the last search ended.
+    fn comments_behind(&self, first: u32) -> u32 {
+        let from = self.comments.get().max(first);
+        let blocks = self.deck.blocks.get(from as usize..).unwrap_or_default();
+        let comments = blocks.iter().take_while(|b| b.stmt == Stmt::Empty && b.number.is_none()).count();
+        self.comments.set(from + comments as u32);
+        from + comments as u32
     }
 
     /// The blocks of a line: one, or several with `;` between them.

@@ -1,5 +1,7 @@
 //! [`Reader`]: the state of the parser.
 
+use core::cell::Cell;
+
 use super::failure::{LeftOut, Misused};
 use super::tables::Tables;
 use crate::controls::syntax::{Names, RoundBrackets};
@@ -123,6 +125,8 @@ pub(in crate::nc) struct Reader<'a> {
     pub(in crate::nc) deck: Deck,
     /// Places of the expressions of the deck.
     pub(in crate::nc) expr_spans: Vec<ExprSpan>,
+    /// Cache: blocks of the program at hand before this index are comments.
+    pub(in crate::nc) comments: Cell<u32>,
     /// Index of the program that blocks go to.
     pub(in crate::nc) program: Option<usize>,
     pub(in crate::nc) findings: Findings,
@@ -153,6 +157,7 @@ impl<'a> Reader<'a> {
             file: SourceFile { id, name: "", text },
             deck,
             expr_spans: Vec::new(),
+            comments: Cell::new(0),
             program: None,
             findings: Findings::default(),
             notes: FileNotes::default(),
