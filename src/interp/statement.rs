@@ -5,10 +5,9 @@ use super::context::BlockContext;
 use super::error::{Run, Trap};
 use super::state::RunState;
 use crate::controls::Address;
-use crate::controls::Alarm;
 use crate::msg;
-use crate::nc::{Block, Stmt};
-use crate::text::{Diagnostic, Place};
+use crate::nc::{BadBlock, Block, Stmt};
+use crate::text::{Diagnostic, Place, Severity};
 
 impl RunState {
     pub(super) fn block(&mut self, cx: &mut BlockContext, at: u32, block: &Block) -> Run<()> {
@@ -62,7 +61,7 @@ impl RunState {
                 }
             }
             Stmt::End { .. } => self.at = self.partner(cx, at, block)?,
-            Stmt::Bad(alarm) => return Err(self.bad_block(cx, block, alarm)),
+            Stmt::Bad(bad) => return Err(self.bad_block(cx, bad)),
         }
         self.counts.macros += 1;
         Ok(())
@@ -70,13 +69,10 @@ impl RunState {
 
     /// The alarm of a block that does not parse, as the reader has reported it.
     #[cold]
-    fn bad_block(&self, cx: &BlockContext, block: &Block, alarm: Alarm) -> Trap {
-        let here = Place { file: self.file, span: block.span };
-        let number = cx.control.alarm_number(alarm);
-        let is_it = |finding: &&Diagnostic| {
-            finding.alarm.as_deref() == number && finding.place.is_some_and(|place| here.covers(place))
-        };
+    fn bad_block(&self, cx: &BlockContext, bad: BadBlock) -> Trap {
+        let place = Place { file: self.file, span: bad.finding };
+        let is_it = |finding: &&Diagnostic| finding.severity == Severity::Error && finding.place == Some(place);
         let reported = cx.shared.parsed.diagnostics().iter().find(is_it);
-        Trap::alarm(alarm, msg!("interp.bad-block")).reported_as(reported)
+        Trap::alarm(bad.alarm, msg!("interp.bad-block")).reported_as(reported)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! A parsed deck keeps the bytes of every block; a block changed by an edit or a rewrite loses them and is written again.
 
-use crate::controls::Address;
+use crate::controls::{Address, Alarm};
 use core::num::NonZeroU32;
 
 use super::dec::Dec;
@@ -153,8 +153,24 @@ pub enum Stmt {
         /// Number of the loop.
         label: u16,
     },
-    /// A block with an error, already reported; running into it is its alarm.
-    Bad(crate::controls::Alarm),
+    /// A block with an error; running into it is its alarm.
+    Bad(BadBlock),
+}
+
+/// The first error of a block that does not parse.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BadBlock {
+    /// Its alarm.
+    pub alarm: Alarm,
+    /// Bytes of the file that the reader's finding of it is about; empty for a block that was built.
+    pub finding: Span,
+}
+
+impl BadBlock {
+    /// An error of a block that was built: no finding reports it.
+    pub(super) fn built(alarm: Alarm) -> BadBlock {
+        BadBlock { alarm, finding: Span::default() }
+    }
 }
 
 /// Where a jump looks for its target.

@@ -77,7 +77,7 @@ impl Deck {
                     }
             }
             (Stmt::End { label }, Stmt::End { label: label2 }) => label == label2,
-            (Stmt::Bad(a), Stmt::Bad(b)) => a == b,
+            (Stmt::Bad(a), Stmt::Bad(b)) => a.alarm == b.alarm,
             _ => false,
         };
         let texts = x.comment.map(|_| self.text(x.comment)) == y.comment.map(|_| other.text(y.comment));

@@ -25,7 +25,7 @@ mod read;
 mod write;
 
 pub use ast::{
-    Block, Deck, Dimensioning, Expr, ExprId, JumpDirection, Op, Pair, Program, Stmt, TextId, Word, WordValue,
+    BadBlock, Block, Deck, Dimensioning, Expr, ExprId, JumpDirection, Op, Pair, Program, Stmt, TextId, Word, WordValue,
 };
 pub use codes::Codes;
 pub use dec::Dec;

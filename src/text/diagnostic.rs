@@ -120,6 +120,11 @@ impl Diagnostic {
         self.message.id
     }
 
+    /// Whether both show the same alarm of one control, or none.
+    pub fn shows_alarm_of(&self, other: &Diagnostic) -> bool {
+        self.alarm == other.alarm
+    }
+
     /// The same of a kind that code acts on.
     pub fn kind(mut self, kind: DiagnosticKind) -> Diagnostic {
         self.kind = kind;

@@ -219,6 +219,27 @@ fn core_has_no_panicking_calls() {
 }
 
 #[test]
+fn code_acts_on_alarm_kinds_and_not_on_numbers() {
+    // Of the rooms that come after the tables of the controls; warnings show numbers in their sentences.
+    let others = core().filter(|source| !matches!(source.room(), Some("controls" | "text")));
+    let mut broken = Vec::new();
+    for source in others {
+        if !source.path.starts_with("src/nc/lint/") {
+            broken.extend(source.find_words(&["alarm_number"]));
+        }
+        if source.room() != Some("nc") {
+            let compared = [". alarm = =", ". alarm ! =", ". alarm . as_deref ( ) = =", ". alarm . as_deref ( ) ! ="];
+            broken.extend(source.find_code(&compared));
+        }
+    }
+    hold(
+        "Code acts on the kind of an alarm; its number is for people.",
+        "compare `Alarm` or `DiagnosticKind`; whether two findings show one alarm: `Diagnostic::shows_alarm_of`",
+        broken,
+    );
+}
+
+#[test]
 fn deserialize_is_only_in_project() {
     let outside = core().filter(|source| source.room() != Some("project"));
     let broken = outside.flat_map(|source| source.find_words(&["Deserialize", "DeserializeOwned"])).collect();

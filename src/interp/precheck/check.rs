@@ -90,19 +90,21 @@ impl<'a> Precheck<'a> {
         }
     }
 
-    /// The finding of a run that ends in one of these alarms; any alarm if the list is empty.
-    pub(super) fn finding(&self, block: &Block, outcome: Run<()>, alarms: &[Alarm]) -> Option<Diagnostic> {
+    /// Alarm and finding of a run that ends in one of these alarms; any alarm if the list is empty.
+    pub(super) fn finding(&self, block: &Block, outcome: Run<()>, alarms: &[Alarm]) -> Option<(Alarm, Diagnostic)> {
         let Err(Trap::Alarm(mut fault)) = outcome else { return None };
-        if !alarms.is_empty() && !alarms.contains(&fault.kind()) {
+        let kind = fault.kind();
+        if !alarms.is_empty() && !alarms.contains(&kind) {
             return None;
         }
         fault.locate(self.cx.deck, block);
-        Some(fault.diagnostic(&self.cx.shared.parsed, Place { file: self.state.file, span: block.span }))
+        let here = Place { file: self.state.file, span: block.span };
+        Some((kind, fault.diagnostic(&self.cx.shared.parsed, here)))
     }
 
     pub(super) fn tell(&mut self, block: &Block, outcome: Run<()>, alarms: &[Alarm]) {
         let finding = self.finding(block, outcome, alarms);
-        self.note(finding);
+        self.note(finding.map(|(_, finding)| finding));
     }
 
     /// Keeps one finding per place.
@@ -117,7 +119,7 @@ impl<'a> Precheck<'a> {
         alarms: &[Alarm],
         run: &mut dyn FnMut(&mut RunState, &mut BlockContext) -> Run<()>,
     ) -> Option<Diagnostic> {
-        let mut common: Option<Diagnostic> = None;
+        let mut common: Option<(Alarm, Diagnostic)> = None;
         for at in 0..=self.modals.len() {
             let mut state = self.state.clone();
             if let Some(modal) = at.checked_sub(1).and_then(|at| self.modals.get(at)) {
@@ -125,11 +127,12 @@ impl<'a> Precheck<'a> {
             }
             let outcome = run(&mut state, &mut self.cx);
             let finding = self.finding(block, outcome, alarms)?;
-            if common.as_ref().is_some_and(|common| (&common.alarm, common.place) != (&finding.alarm, finding.place)) {
+            let fact = |(kind, finding): &(Alarm, Diagnostic)| (*kind, finding.place);
+            if common.as_ref().is_some_and(|common| fact(common) != fact(&finding)) {
                 return None;
             }
             common.get_or_insert(finding);
         }
-        common
+        common.map(|(_, finding)| finding)
     }
 }

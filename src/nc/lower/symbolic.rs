@@ -11,7 +11,7 @@
 use crate::controls::Address;
 use crate::controls::syntax::Names;
 use crate::controls::{Alarm, Code, CodeId, Control};
-use crate::nc::ast::{Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
+use crate::nc::ast::{BadBlock, Block, Deck, Expr, ExprId, JumpDirection, Op, Program, Stmt, TextId, Word, WordValue};
 use crate::nc::codes::code_of;
 use crate::nc::dec::Dec;
 use crate::nc::lex::names::number_in;
@@ -250,7 +250,7 @@ impl Labels {
                 // A number that is not there: the control will say so of its label. One that is calculated has none.
                 let number = match deck.expr(target) {
                     Expr::Number(Dec { mantissa: number @ 0..=999_999, scale: 0, .. }) => number,
-                    _ => return Stmt::Bad(Alarm::NoSequence),
+                    _ => return Stmt::Bad(BadBlock::built(Alarm::NoSequence)),
                 };
                 let label = deck.add_text(format!("LB{number}"));
                 deck.exprs.push(Expr::Label(label));
@@ -261,7 +261,7 @@ impl Labels {
                 }
             }
             // A loop without its other end.
-            (Stmt::While { .. } | Stmt::End { .. }, None) => Stmt::Bad(Alarm::DoPair),
+            (Stmt::While { .. } | Stmt::End { .. }, None) => Stmt::Bad(BadBlock::built(Alarm::DoPair)),
             (stmt, _) => stmt,
         }
     }
@@ -343,10 +343,10 @@ pub(super) fn no_names(deck: &mut Deck, control: &Control) {
                         }
                         Stmt::Words { first, count: 2 + u16::from(repeats.is_some()) }
                     }
-                    None => Stmt::Bad(Alarm::NoProgram),
+                    None => Stmt::Bad(BadBlock::built(Alarm::NoProgram)),
                 }
             }
-            Stmt::Ifs { .. } => Stmt::Bad(Alarm::Format),
+            Stmt::Ifs { .. } => Stmt::Bad(BadBlock::built(Alarm::Format)),
             stmt => stmt,
         };
         deck.blocks[at].stmt = stmt;

@@ -4,8 +4,8 @@ use super::reader::{BLOCK_BYTES, BLOCKS, BYTE_ORDER_MARK, Reader};
 use crate::controls::Alarm;
 use crate::controls::syntax::Percent;
 use crate::msg;
-use crate::nc::ast::{Block, Program, Stmt};
-use crate::text::{Diagnostic, Span};
+use crate::nc::ast::{BadBlock, Block, Program, Stmt};
+use crate::text::{Diagnostic, Severity, Span};
 
 /// Number of bytes that fulfil a condition, in pieces whose counts fit a byte, so that the compiler counts many at once.
 fn count(bytes: &[u8], such: impl Fn(u8) -> bool) -> usize {
@@ -133,7 +133,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Index of the first block from `first` on that is more than a comment, or the number of blocks. Continues where the last search ended.
+    /// Index of the first block from `first` on that is more than a comment, or the number of blocks. Continues the last search.
     fn comments_behind(&self, first: u32) -> u32 {
         let from = self.comments.get().max(first);
         let blocks = self.deck.blocks.get(from as usize..).unwrap_or_default();
@@ -197,11 +197,14 @@ impl<'a> Reader<'a> {
             Ok(stmt) => stmt,
             Err(failure) => {
                 // The control stops at the first error, whatever the block was meant to be.
-                let (number, skip_switch, bad) =
-                    (self.block.number, self.block.skip_switch, self.block.bad.or(Some(failure.alarm)));
+                let (number, skip_switch, first) = (self.block.number, self.block.skip_switch, self.block.bad);
+                let place = failure.finding.place.map_or_else(Span::default, |place| place.span);
+                let first = first.unwrap_or(BadBlock { alarm: failure.alarm, finding: place });
+                let (found, variables) = (mark.found, mark.variables);
                 self.recover(mark, failure);
-                (self.block.number, self.block.skip_switch, self.block.bad, self.block.comment) =
-                    (number, skip_switch, bad, None);
+                let finding = self.reported_since(found, variables, first.finding);
+                (self.block.number, self.block.skip_switch, self.block.comment) = (number, skip_switch, None);
+                self.block.bad = Some(BadBlock { finding, ..first });
                 Stmt::Empty
             }
         };
@@ -209,6 +212,16 @@ impl<'a> Reader<'a> {
             self.check_length();
         }
         self.push(stmt);
+    }
+
+    /// The place of the finding for a block that does not read: `first` where it is reported later with the variables of the file, else the
+    /// first error since the block began. `found` and `variables` are the numbers of findings before the block.
+    fn reported_since(&self, found: usize, variables: usize, first: Span) -> Span {
+        if self.findings.misused.iter().skip(variables).any(|row| row.span == first) {
+            return first;
+        }
+        let error = self.findings.list.iter().skip(found).find(|finding| finding.severity == Severity::Error);
+        error.and_then(|error| error.place).map_or(first, |place| place.span)
     }
 
     /// A block has so many characters at most; comments do not count.

@@ -4,7 +4,7 @@ use crate::controls::syntax::{ArcTangent, Function};
 use crate::controls::vars::is_fitted;
 use crate::controls::{Alarm, VarKind};
 use crate::msg;
-use crate::nc::ast::{Expr, ExprId, Op};
+use crate::nc::ast::{BadBlock, Expr, ExprId, Op};
 use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::OPERATORS;
 use crate::nc::lex::spelling::meant;
@@ -543,10 +543,11 @@ impl Reader<'_> {
             },
         };
         // Reported once per number, with the file read, when a free variable is known.
-        self.block.bad.get_or_insert(alarm);
+        let span = self.span(start, self.cursor.at);
+        self.block.bad.get_or_insert(BadBlock { alarm, finding: span });
         let known = self.findings.misused.iter().any(|m| m.number == number && m.alarm == alarm);
         if !known && self.findings.misused.len() < 100 {
-            self.findings.misused.push(Misused { number, alarm, span: self.span(start, self.cursor.at) });
+            self.findings.misused.push(Misused { number, alarm, span });
         }
     }
 }

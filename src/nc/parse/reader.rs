@@ -6,7 +6,7 @@ use super::failure::{LeftOut, Misused};
 use super::tables::Tables;
 use crate::controls::syntax::{Names, RoundBrackets};
 use crate::controls::{Alarm, Control};
-use crate::nc::ast::{Deck, Op, TextId};
+use crate::nc::ast::{BadBlock, Deck, Op, TextId};
 use crate::nc::lex::cursor::Cursor;
 use crate::nc::parsed::ExprSpan;
 use crate::text::{Diagnostic, FileId, Message, Place, Span};
@@ -86,7 +86,7 @@ pub(in crate::nc) struct BlockParts {
     pub(in crate::nc) comment: Option<TextId>,
     pub(in crate::nc) label: Option<TextId>,
     /// The first alarm of the block.
-    pub(in crate::nc) bad: Option<Alarm>,
+    pub(in crate::nc) bad: Option<BadBlock>,
 }
 
 /// State of the formulas of a block.
@@ -280,8 +280,9 @@ impl<'a> Reader<'a> {
     }
 
     pub(in crate::nc) fn report_as(&mut self, alarm: Alarm, finding: Diagnostic) {
+        let span = finding.place.map_or_else(Span::default, |place| place.span);
         self.add_finding(finding);
-        self.block.bad.get_or_insert(alarm);
+        self.block.bad.get_or_insert(BadBlock { alarm, finding: span });
     }
 
     /// A warning at bytes of the file.

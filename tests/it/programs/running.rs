@@ -1,6 +1,7 @@
 //! How a run goes on, stops and begins again: ways out of alarms, switches, steps, resets, copies, and the paper's formulas.
 
 use std::fmt::Write as _;
+use std::rc::Rc;
 
 use expect_test::expect;
 use macroline::controls::find;
@@ -26,6 +27,19 @@ fn faulty_programs_raise_their_alarms() {
     }
     let log = log_of("", &mut start("%\nO1\nG00X1.\n%\n", &[]));
     assert!(log.contains("= P36 "), "{log}");
+}
+
+/// The last block has a second finding, the missing end of the program; the second reading of `#1]01` raises another alarm.
+#[test]
+fn run_into_unread_block_shows_the_finding_of_the_reader() {
+    for block in ["#100=#1]01+1.5", "N5 G01X=", "#2000=1", "#105=(3.14*#102)/#101", "#1=[[[[[[1]]]]]]", "#100=POW[2"] {
+        let mut interp = start(&format!("O1\n{block}"), &[]);
+        let parsed = Rc::clone(interp.parsed());
+        let Some(End::Alarm(alarm)) = interp::run(&mut interp, &mut world(), BUDGET, |_, _| {}) else {
+            panic!("{block}: no alarm");
+        };
+        assert!(parsed.diagnostics().contains(&alarm) && alarm.id() != "nc.no-program-end", "{block}: {alarm:?}");
+    }
 }
 
 #[test]

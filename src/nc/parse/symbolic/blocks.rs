@@ -13,7 +13,7 @@
 
 use crate::controls::Alarm;
 use crate::msg;
-use crate::nc::ast::{Expr, ExprId, JumpDirection, Op, Pair, Stmt};
+use crate::nc::ast::{BadBlock, Expr, ExprId, JumpDirection, Op, Pair, Stmt};
 use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::{COMPARISONS, SIGNS};
 use crate::nc::lex::keywords::{FOREIGN_STATEMENTS, LOGIC, NAMED_STATEMENTS};
@@ -44,7 +44,8 @@ impl<'a> Reader<'a> {
             Err(failure) => {
                 self.deck.words.truncate(mark.words);
                 self.deck.pairs.truncate(mark.pairs);
-                self.named_failure(*failure)
+                self.named_failure(*failure);
+                Stmt::Empty
             }
         };
         let most = self.tables.rules.block_chars as usize;
@@ -77,7 +78,7 @@ impl<'a> Reader<'a> {
 
     /// Reports why a block does not read.
     #[cold]
-    fn named_failure(&mut self, failure: Failure) -> Stmt {
+    fn named_failure(&mut self, failure: Failure) {
         let rest = self.cursor.line.get(failure.from..).unwrap_or_default();
         let remark = failure.at_word && prose(rest) && self.block.comment.is_none();
         let Failure { alarm, mut finding, from, .. } = failure;
@@ -86,7 +87,6 @@ impl<'a> Reader<'a> {
             finding = finding.fix(msg!("nc.fix.comment"), vec![(place, ";".to_owned())]);
         }
         self.report_as(alarm, finding);
-        Stmt::Bad(alarm)
     }
 
     /// Block skip, block number and label, then the statement.
@@ -617,8 +617,9 @@ impl<'a> Reader<'a> {
     /// `#1`, as other controls write variables; reported once a file.
     #[cold]
     pub(in crate::nc) fn hash_variable(&mut self, written: bool) -> Read<ExprId> {
-        self.notes.hash.get_or_insert(self.cursor.base + self.cursor.at as u32);
-        self.block.bad.get_or_insert(Alarm::Format);
+        let finding = self.span(self.cursor.at, self.cursor.at + 1);
+        self.notes.hash.get_or_insert(finding.start);
+        self.block.bad.get_or_insert(BadBlock { alarm: Alarm::Format, finding });
         self.variable(written)
     }
 
