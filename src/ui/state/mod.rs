@@ -14,6 +14,8 @@ pub(crate) mod player;
 
 pub(crate) mod program;
 
+mod put;
+
 pub(crate) mod stepping;
 
 pub(crate) mod view;
@@ -21,20 +23,4 @@ pub(crate) mod view;
 pub(crate) mod walk;
 
 pub(crate) use page::Page;
-
-use leptos::prelude::*;
-
-/// Sets a signal; nothing that follows it runs where the value is the same.
-pub(crate) fn put<S>(signal: S, value: S::Value)
-where
-    S: Update,
-    S::Value: PartialEq,
-{
-    signal.maybe_update(|present| {
-        let differs = *present != value;
-        if differs {
-            *present = value;
-        }
-        differs
-    });
-}
+pub(crate) use put::put;

@@ -9,7 +9,7 @@ use super::history::History;
 use super::notices::{Notice, Notices};
 use super::player::Player;
 use super::program::Program;
-use super::put;
+use super::put::put;
 use super::view::{Tab, View};
 use crate::machines::Design;
 use crate::machines::form::{Provenance, Value};

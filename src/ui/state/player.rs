@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use leptos::prelude::*;
 
-use super::put;
+use super::put::put;
 use super::walk::Walk;
 use crate::controls::Control;
 use crate::interp::inspect::What;

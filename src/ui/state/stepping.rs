@@ -5,9 +5,10 @@ use std::time::Duration;
 
 use leptos::prelude::*;
 
+use super::Page;
 use super::player::Player;
+use super::put::put;
 use super::walk::Walk;
-use super::{Page, put};
 use crate::math;
 use crate::project::breakpoints::Location;
 use crate::project::debug::{Debugger, Goal, Stop};

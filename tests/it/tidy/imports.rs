@@ -89,17 +89,6 @@ impl<'a> Imports<'a> {
         through.into_iter().next().or((!module.is_empty()).then_some(at))
     }
 
-    /// Leaves out what a `mod.rs` and the files below it take from one another, in some rooms.
-    pub(super) fn without_faces(mut self, rooms: &[&str]) -> Imports<'a> {
-        let face = |upper: usize, lower: usize| {
-            let (upper, lower) = (self.files[upper].modules(), self.files[lower].modules());
-            lower.len() > upper.len() && lower.starts_with(&upper) && rooms.contains(&upper[0])
-        };
-        let ties = std::mem::take(&mut self.ties);
-        self.ties = ties.into_iter().filter(|((from, to), _)| !face(*from, *to) && !face(*to, *from)).collect();
-        self
-    }
-
     /// Every import between two files: importing file, defining file, the names.
     pub(super) fn between(&self) -> impl Iterator<Item = (&'a Source, &'a Source, &BTreeSet<String>)> {
         self.ties.iter().map(|((from, to), names)| (self.files[*from], self.files[*to], names))
