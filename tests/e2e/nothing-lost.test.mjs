@@ -1,0 +1,87 @@
+// Nothing is lost and nothing is done twice: machines and tabs that are left, actions that are undone, edits that are none, remedies by one click.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { openPanel, processorTime, ready, start, withPage } from './page.mjs';
+
+let app;
+before(async () => (app = await start()));
+after(() => app?.close());
+
+const field = (page, id) => page.locator(`#${id}`);
+const machine = (page, name) => page.locator('.segments button', { hasText: name });
+
+test('a machine that was left comes back as it was', () =>
+  withPage(app, {}, async ({ page }) => {
+    await field(page, 'pitch').fill('9.5');
+    await machine(page, 'Turning spindle').click();
+    await field(page, 'cutting-speed').waitFor();
+    await machine(page, 'Ribbon line').click();
+    await field(page, 'pitch').waitFor();
+    assert.equal(await field(page, 'pitch').inputValue(), '9.5');
+  }));
+
+test('an action of the operator is undone', () =>
+  withPage(app, {}, async ({ page }) => {
+    await openPanel(page);
+    await page.getByRole('button', { name: 'Spindle override −' }).click();
+    await page.locator('output[for=spindle-knob]', { hasText: '99 %' }).waitFor();
+    await page.getByRole('button', { name: 'Undo' }).click();
+    await page.locator('output[for=spindle-knob]', { hasText: '100 %' }).waitFor();
+  }));
+
+test('a character that is typed and deleted is no edit', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.getByRole('button', { name: 'Edit', exact: true }).click();
+    const editor = page.locator('.editor .cm-content');
+    await editor.waitFor();
+    await editor.press('Control+Home');
+    await page.keyboard.type('X');
+    await page.getByText('Edited program.').waitFor();
+    await page.keyboard.press('Backspace');
+    await page.getByText('Edited program.').waitFor({ state: 'detached' });
+  }));
+
+test('a second tab is told and stores nothing until it is asked to', () =>
+  withPage(app, {}, async ({ page, context }) => {
+    const other = await context.newPage();
+    await other.goto(app.url);
+    await ready(other);
+    await field(other, 'pitch').fill('7.5');
+    await page.getByText('Another tab of this browser has stored a newer state').first().waitFor();
+    await field(page, 'pitch').fill('6.5');
+    await page.waitForTimeout(500);
+    const stored = () => page.evaluate(() => JSON.parse(localStorage.getItem('macroline.project')).values.pitch);
+    assert.equal(await stored(), 7.5);
+    await page.getByRole('button', { name: 'Store this tab' }).click();
+    assert.equal(await stored(), 6.5);
+    await other.getByText('Another tab of this browser has stored a newer state').first().waitFor();
+  }));
+
+test('a remedy is carried out by one click, and undone', () =>
+  withPage(app, {}, async ({ page }) => {
+    const ratio = page.locator('.card', { hasText: 'Roller : ribbon' });
+    await ratio.getByRole('button', { name: 'Set Ø 15.28 mm' }).click();
+    assert.match(await field(page, 'print-roller-diameter').inputValue(), /^15\.2/);
+    await page.locator('.card.ok', { hasText: 'Roller : ribbon' }).waitFor();
+    await page.locator('h1').click();
+    await page.keyboard.press('Control+z');
+    assert.equal(await field(page, 'print-roller-diameter').inputValue(), '120');
+  }));
+
+test('the machine data names the facts to measure first, and each leads to its field', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.getByText('41 of 41 assumed').click();
+    const fact = page.locator('.measure-first button', { hasText: 'Speed at 10 V' });
+    await fact.click();
+    assert.ok(await page.evaluate(() => document.activeElement.closest('.field')?.textContent.includes('Speed at 10 V')));
+  }));
+
+test('a line of a hundred thousand characters is shown by its begin, in little time', () =>
+  withPage(app, {}, async ({ page }) => {
+    const spent = await processorTime(page);
+    const begin = await spent();
+    await page.setInputFiles('#open', { name: 'O1.nc', mimeType: 'text/plain', buffer: Buffer.from(`%\nO1\n${'X1.'.repeat(33_000)}\nM30\n%\n`) });
+    await page.locator('.listing li[data-l="3"]', { hasText: '…' }).waitFor();
+    await page.locator('.listing[aria-busy=false]').waitFor({ timeout: 60_000 });
+    assert.ok((await spent()) - begin < 10, 'the page works for seconds on one line');
+  }));
