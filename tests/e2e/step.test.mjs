@@ -60,7 +60,7 @@ test('a condition decides where it stops, and what it stops on is seen: changes,
     await file(page, 'O9101.nc');
     await line(page, 'N36 #125').click();
     await enter(page, 'Break if', '#125 EQ');
-    await page.getByText('ends where a value should stand').first().waitFor();
+    await page.getByText('ends where a value is expected').first().waitFor();
     assert.equal(await page.getByLabel('Break if').inputValue(), '#125 EQ', 'it is there to be mended');
     await enter(page, 'Break if', '#125 EQ 490');
     await page.locator('.listing li.stop[data-if="#125 EQ 490"]').waitFor();
@@ -68,7 +68,7 @@ test('a condition decides where it stops, and what it stops on is seen: changes,
     await next(page, 'N36');
     for (const text of ['#125*2', '#1 +']) await enter(page, 'Watch', text);
     assert.match(await seen(page), /#125\*2\s+980/);
-    assert.match(await seen(page), /#1 \+\s.*value should stand/);
+    assert.match(await seen(page), /#1 \+\s.*value is expected/);
     await page.locator('h1').click();
     await page.keyboard.press('i');
     await next(page, 'N37');

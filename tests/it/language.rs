@@ -202,7 +202,7 @@ fn lines_that_are_no_blocks_are_errors() {
     check_block(
         "X1 2",
         expect![[r#"
-        1:4 error P33 A number stands here without an address in front of it.
+        1:4 error P33 This number has no address in front of it.
     "#]],
     );
     check_block(
@@ -316,7 +316,7 @@ fn lines_that_are_no_blocks_are_errors() {
     check_block(
         "X1=5",
         expect![[r#"
-        1:3 error P33 “=” cannot stand here.
+        1:3 error P33 “=” is not allowed here.
     "#]],
     );
     check_block(
@@ -385,19 +385,19 @@ fn faulty_formulas_are_errors_at_their_place() {
     check_block(
         "#1=",
         expect![[r#"
-        1:3 error P33 The block ends where a value should stand.
+        1:3 error P33 The block ends where a value is expected.
     "#]],
     );
     check_block(
         "#1=*2",
         expect![[r#"
-        1:4 error P33 “*” cannot stand here.
+        1:4 error P33 “*” is not allowed here.
     "#]],
     );
     check_block(
         "#1=2*",
         expect![[r#"
-        1:5 error P33 The block ends where a value should stand.
+        1:5 error P33 The block ends where a value is expected.
     "#]],
     );
     check_block(

@@ -120,10 +120,10 @@ fn functions_follow_each_controls_syntax() {
             --- Mitsubishi E60
             #1 = (Divide (Atan #2) #3)
             --- GSK 980TDc
-            1:13 error 0106 The second number of ATAN stands in square brackets too.
+            1:13 error 0106 The second number of ATAN needs square brackets too.
                 Write square brackets: 1:13 ""→"[" 1:15 ""→"]"
             --- KND K2000T
-            1:13 error 114 The second number of ATAN stands in square brackets too.
+            1:13 error 114 The second number of ATAN needs square brackets too.
                 Write square brackets: 1:13 ""→"[" 1:15 ""→"]"
             --- FANUC 0i-TF
             #1 = (Divide (Atan #2) #3)
@@ -270,7 +270,7 @@ fn words_follow_each_controls_syntax() {
             --- Mitsubishi E60
             G:1 X:1. Z:2. X:3. F:100
             --- GSK 980TDc
-            1:13 error 0010 X stands twice in this block; the control takes each address once.
+            1:13 error 0010 X appears twice in this block; the control takes each address once.
             --- KND K2000T
             G:1 X:1. Z:2. X:3. F:100
             --- FANUC 0i-TF

@@ -293,7 +293,7 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "R1=5 G0 X1",
         expect![[r#"
-        1:6 error 12080 Assignments stand in a block of their own.
+        1:6 error 12080 Assignments need a block of their own.
             Give it a block of its own: 1:6 ""→"\n"
         = R1=5 
           G0 X1
@@ -317,7 +317,7 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "A1: R1=1",
         expect![[r#"
-        1:3 error 12080 “:” cannot stand here.
+        1:3 error 12080 “:” is not allowed here.
     "#]],
     );
     check(
@@ -330,7 +330,7 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "G0 X1,5",
         expect![[r#"
-        1:6 error 12080 Decimals stand behind a point, not behind a comma.
+        1:6 error 12080 The decimal separator is a point, not a comma.
             Write “.”: 1:6 ","→"."
         = G0 X1.5
     "#]],
@@ -377,13 +377,13 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "G4 G1 F1",
         expect![[r#"
-        1:1 error 12120 G4 stands in a block of its own.
+        1:1 error 12120 G4 needs a block of its own.
     "#]],
     );
     check(
         "G26 S3000 G25 S50",
         expect![[r#"
-        1:1 error 12120 G26 stands in a block of its own.
+        1:1 error 12120 G26 needs a block of its own.
     "#]],
     );
     check(

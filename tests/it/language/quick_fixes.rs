@@ -93,7 +93,7 @@ slips! {
               /2G00 X1.
               N9001
             --- gsk-980tdc, knd-k2000t, fanuc-0i-tf, fanuc-0i-mf
-            1:18 error 0101|114|PS1137|PS1137 Behind THEN stands one assignment, #… = …, and nothing else.
+            1:18 error 0101|114|PS1137|PS1137 THEN takes one assignment, #… = …, and nothing else.
                 Jump over it on the opposite condition: 1:12 "GE"→" LT " 1:18 "THEN "→"GOTO9001\n/2" 1:30 ""→"\nN9001"
             = /2 N5 IF[#1 LT #2] GOTO9001
               /2G00 X1.
@@ -118,7 +118,7 @@ slips! {
               N5
         "#]];
         "IF[#1 EQ 0] GOTO N5\nN5" => expect![[r#"
-            1:18 error P290|0101|114|PS1137|PS1137 Behind GOTO stands the number alone, without N.
+            1:18 error P290|0101|114|PS1137|PS1137 GOTO takes the number alone, without N.
                 Drop “N”: 1:18 "N"→""
             = IF[#1 EQ 0] GOTO 5
               N5
@@ -259,7 +259,7 @@ slips! {
             1:1 error P33|0101|004|PS0004|PS0004 Variables have numbers here; names of variables are not read.
         "#]];
         "#1=SPEED*2" => expect![[r#"
-            1:4 error P33|0101|004|PS0004|PS0004 “SPEED” stands where a value should.
+            1:4 error P33|0101|004|PS0004|PS0004 “SPEED” is found where a value is expected.
         "#]];
         "#1O0=5" => expect![[r#"
             1:3 error P33|0101|004|PS0004|PS0004 This is the letter O, not the digit 0.
@@ -272,7 +272,7 @@ slips! {
             = #100=10.5
         "#]];
         "#1=2,5" => expect![[r#"
-            1:5 error P33|0101|004|PS0004|PS0004 Decimals stand behind a point, not behind a comma.
+            1:5 error P33|0101|004|PS0004|PS0004 The decimal separator is a point, not a comma.
                 Write “.”: 1:5 ","→"."
             = #1=2.5
         "#]];
@@ -302,22 +302,22 @@ slips! {
             = G00 X10 Z1.05
         "#]];
         "G00 X1,5" => expect![[r#"
-            1:7 error P33|0101|004|PS0004|PS0004 Decimals stand behind a point, not behind a comma.
+            1:7 error P33|0101|004|PS0004|PS0004 The decimal separator is a point, not a comma.
                 Write “.”: 1:7 ","→"."
             = G00 X1.5
         "#]];
         "F1,000" => expect![[r#"
-            1:3 error P33|0101|004|PS0004|PS0004 Decimals stand behind a point, not behind a comma.
+            1:3 error P33|0101|004|PS0004|PS0004 The decimal separator is a point, not a comma.
                 Write “.”: 1:3 ","→"."
             = F1.000
         "#]];
         "G00 X=10." => expect![[r#"
-            1:6 error P33|0101|004|PS0004|PS0004 The value stands directly behind its address, without “=”.
+            1:6 error P33|0101|004|PS0004|PS0004 Write the value directly behind its address, without “=”.
                 Drop “=”: 1:6 "="→""
             = G00 X10.
         "#]];
         "G00 X= = 10." => expect![[r#"
-            1:6 error P33|0101|004|PS0004|PS0004 The value stands directly behind its address, without “=”.
+            1:6 error P33|0101|004|PS0004|PS0004 Write the value directly behind its address, without “=”.
                 Drop “= =”: 1:6 "= ="→""
             = G00 X 10.
         "#]];
@@ -444,11 +444,11 @@ slips! {
             = #100=5
         "##]];
         "#1=TRUE" => expect![[r#"
-            1:4 error P33|0101|004|PS0004|PS0004 “TRUE” stands where a value should.
+            1:4 error P33|0101|004|PS0004|PS0004 “TRUE” is found where a value is expected.
         "#]];
         "#1=ATAN[#2,#3]" => expect![[r#"
             --- mitsubishi-e60
-            1:11 error P33 “,” cannot stand here.
+            1:11 error P33 “,” is not allowed here.
             --- gsk-980tdc, knd-k2000t
             1:4 error 0106|114 ATAN of the CONTROL is of two numbers.
                 = ATAN[y]/[x] is the angle of the point x, y; of one number it is ATAN[a]/[1].
@@ -546,7 +546,7 @@ slips! {
             = #100=5
         "#]];
         "100=5" => expect![[r##"
-            1:1 error P33|0101|004|PS0004|PS0004 A number stands here without an address in front of it.
+            1:1 error P33|0101|004|PS0004|PS0004 This number has no address in front of it.
                 Insert “#”: 1:1 ""→"#"
             = #100=5
         "##]];
@@ -555,10 +555,10 @@ slips! {
                 = Multiply as often as needed: a*a*a.
         "#]];
         "#1=2#2" => expect![[r#"
-            1:5 error P33|0101|004|PS0004|PS0004 Between two values stands an operator: + - * /.
+            1:5 error P33|0101|004|PS0004|PS0004 An operator is missing between two values: + - * /.
         "#]];
         "#1=5 5" => expect![[r#"
-            1:6 error P33|0101|004|PS0004|PS0004 Between two values stands an operator: + - * /.
+            1:6 error P33|0101|004|PS0004|PS0004 An operator is missing between two values: + - * /.
         "#]];
         "#1=2*PI" => expect![[r#"
             1:6 error P33|0101|004|PS0004|PS0004 There is no name for π.
@@ -566,7 +566,7 @@ slips! {
             = #1=2*3.14159265
         "#]];
         "0001" => expect![[r#"
-            1:1 error P33|0101|004|PS0004|PS0004 A number stands here without an address in front of it.
+            1:1 error P33|0101|004|PS0004|PS0004 This number has no address in front of it.
                 Insert “O”: 1:1 ""→"O"
             = O0001
         "#]];

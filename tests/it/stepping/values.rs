@@ -84,7 +84,7 @@ fn breakpoint_condition_without_value_stops_with_reason() {
             > ?break N40 if #1 GT
             #1 GT
                 ^
-            error[P33]: The block ends where a value should stand.
+            error[P33]: The block ends where a value is expected.
             > ?break N40 if #1=2
             #1=2
               ^
@@ -198,7 +198,7 @@ fn unreadable_expression_is_an_error_with_its_place() {
         > ?print #1+
         #1+
           ^
-        error[P33]: The block ends where a value should stand.
+        error[P33]: The block ends where a value is expected.
         > ?print 2*FOO[3]
         2*FOO[3]
           ^^^
@@ -210,15 +210,15 @@ fn unreadable_expression_is_an_error_with_its_place() {
         > ?print (1+2)
         (1+2)
             ^
-        error[P33]: The block ends where a value should stand.
+        error[P33]: The block ends where a value is expected.
         > ?print 1 2
         1 2
           ^
-        error[P33]: A number stands here without an address in front of it.
+        error[P33]: This number has no address in front of it.
         > ?print #1 EQ 1 EQ 2
         #1 EQ 1 EQ 2
                 ^
-        error[P33]: “E” cannot stand here.
+        error[P33]: “E” is not allowed here.
         > ?print #99999
         error[P241]: The control has no variable #99999.
         > ?print 1/0
