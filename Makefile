@@ -85,7 +85,8 @@ lint:
 
 .PHONY: lint-web
 lint-web:
-	cargo clippy --locked $(WEB) --lib --bin app --bin worker --test web --test parity -- -D warnings
+	cargo clippy --locked $(WEB) --lib --bin app --bin worker --test parity -- -D warnings
+	cargo clippy --locked $(WEB) --lib --profile test -- -D warnings
 
 .PHONY: test-native
 test-native: ## native tests
@@ -97,7 +98,7 @@ test-parity: ## the goldens again, in wasm under Node
 
 .PHONY: test-web
 test-web: ## components in headless Chromium
-	cargo test --locked $(WEB) --test web
+	cargo test --locked $(WEB) --lib
 
 .PHONY: sizes
 sizes: ## what the browser loads (of the dist/ that is there), against its limits

@@ -136,3 +136,101 @@ fn Tabs() -> impl IntoView {
     };
     view! { <div class="tabs" role="tablist" on:keydown=keys>{TABS.map(button).into_iter().collect_view()}</div> }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount, mount_project, project, settled};
+
+    async fn app() -> Bench {
+        let bench = mount(|| view! { <App /> }).await;
+        settled().await;
+        bench
+    }
+
+    #[wasm_bindgen_test]
+    async fn page_has_form_machine_and_side() {
+        let bench = app().await;
+        assert_eq!(bench.text("h1"), "macroline");
+        for part in ["#form", ".centre", "#side", ".panel"] {
+            assert!(bench.has(part), "{part}");
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn undo_restores_the_shown_field() {
+        let bench = app().await;
+        bench.type_into("#pitch", "9.5").await;
+        bench.press_button(t("page.undo")).await;
+        assert_eq!(bench.value("#pitch"), "8");
+    }
+
+    #[wasm_bindgen_test]
+    async fn field_change_reaches_the_program() {
+        let bench = app().await;
+        bench.type_into("#pitch", "7,25").await;
+        let mut found = false;
+        for at in 1..=bench.all("#side-body .chip").len() {
+            bench.press(&format!("#side-body .chip:nth-of-type({at})")).await;
+            found |= bench.text(".listing").contains("#107=7.25");
+        }
+        assert!(found, "no file sets #107 to 7.25");
+    }
+
+    #[wasm_bindgen_test]
+    async fn change_of_control_rewrites_program_and_form() {
+        let bench = app().await;
+        let control = crate::controls::find(crate::machines::ALL[0].controls()[2]).unwrap();
+        let before = bench.text(".listing");
+        bench.choose("select.control", control.id).await;
+        assert_ne!(bench.text(".listing"), before);
+        assert!(bench.text("#form").contains(&control.variable(107)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn broken_stored_state_is_set_aside() {
+        dom::storage().unwrap().clear().unwrap();
+        dom::store("macroline.project", "{ not a project");
+        let bench = mount_project(project(), || view! { <App /> }).await;
+        assert!(bench.text(".notice").contains(t("page.set-aside")));
+        assert_eq!(dom::stored("macroline.set-aside").as_deref(), Some("{ not a project"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn arrow_keys_go_round_the_tabs() {
+        let bench = app().await;
+        let chosen = || bench.attribute("[role=tab][aria-selected=true]", "id");
+        let mut seen = vec![chosen()];
+        for _ in 0..5 {
+            bench.key("[role=tablist]", "ArrowRight", false).await;
+            seen.push(chosen());
+        }
+        assert_eq!(seen, ["tab-program", "tab-results", "tab-variables", "tab-parameters", "tab-plc", "tab-program"]);
+        assert_eq!(document().active_element().unwrap().id(), "tab-program");
+        assert_eq!(bench.attribute("#side-body", "aria-labelledby"), "tab-program");
+        assert_eq!(bench.all("[role=tab][tabindex='0']").len(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn machine_without_an_explorer_leaves_its_tab() {
+        let bench = app().await;
+        assert!(bench.has("#tab-explore.gone"));
+        let at = crate::machines::ALL.iter().position(|machine| machine.explores()).unwrap() + 1;
+        bench.press(&format!(".segments button:nth-child({at})")).await;
+        bench.press("#tab-explore").await;
+        assert_eq!(bench.attribute("#tab-explore", "aria-selected"), "true");
+        bench.press(".segments button:nth-child(1)").await;
+        assert_eq!(bench.attribute("#tab-program", "aria-selected"), "true");
+    }
+
+    #[wasm_bindgen_test]
+    async fn verdict_leads_to_its_result() {
+        let bench = app().await;
+        bench.press(".cards .to-result").await;
+        settled().await;
+        assert_eq!(bench.attribute("#tab-results", "aria-selected"), "true");
+        assert!(document().active_element().unwrap().id().starts_with("result-"));
+    }
+}

@@ -49,3 +49,6 @@ fn broken(reason: &str) {
     told.set_text_content(Some(&words::say(&crate::msg!("page.broken", reason))));
     let _ = body.prepend_with_node_1(&told);
 }
+
+#[cfg(test)]
+mod testing;

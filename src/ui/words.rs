@@ -187,3 +187,61 @@ pub(crate) fn limit_sign(readout: &Readout) -> Option<String> {
 pub(crate) fn limit_text(readout: &Readout) -> Option<String> {
     readout.limit.map(|limit| say(&limit.message(short(limit.value(), readout.decimals))))
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+
+    /// Thin spaces as plain ones.
+    fn plain(text: &str) -> String {
+        text.replace('\u{202f}', " ")
+    }
+
+    #[wasm_bindgen_test]
+    fn four_digits_drops_decimals_of_large_numbers() {
+        let shown = [(15079.645, 3), (480.04, 1), (31.831, 3), (8.1074, 3)].map(|(n, d)| plain(&four_digits(n, d)));
+        assert_eq!(shown, ["15 080", "480.0", "31.83", "8.107"]);
+    }
+
+    #[wasm_bindgen_test]
+    fn four_digits_keeps_the_decimals_of_small_numbers() {
+        assert_eq!((four_digits(0.05, 3), four_digits(6.0, 0)), ("0.050".to_owned(), "6".to_owned()));
+    }
+
+    #[wasm_bindgen_test]
+    fn clock_has_minutes_and_four_decimals() {
+        assert_eq!([0.0, 61.5, 3599.99995].map(clock), ["00:00.0000", "01:01.5000", "59:59.9999"]);
+        assert_eq!(clock(-1.0), "00:00.0000");
+    }
+
+    #[wasm_bindgen_test]
+    fn slow_speed_is_written_as_a_fraction() {
+        assert_eq!([0.05, 0.5, 1.0, 10.0].map(speed_text), ["1/20 ×", "1/2 ×", "1 ×", "10 ×"]);
+    }
+
+    #[wasm_bindgen_test]
+    fn short_drops_only_zeros_behind_the_point() {
+        assert_eq!([short(2.50, 3), short(100.0, 0), short(100.0, 2)], ["2.5", "100", "100"]);
+    }
+
+    #[wasm_bindgen_test]
+    fn number_without_a_value_is_a_dash() {
+        assert_eq!(figure(f64::NAN, 3), "–");
+        assert_eq!(figure(f64::INFINITY, 3), "–");
+    }
+
+    #[wasm_bindgen_test]
+    fn every_tone_has_a_sign_of_its_own() {
+        let signs: std::collections::BTreeSet<_> = ["ok", "warn", "fail", "info"].map(sign).into();
+        assert_eq!(signs.len(), 4);
+        assert!(!signs.contains(""));
+    }
+
+    #[wasm_bindgen_test]
+    fn findings_are_counted_by_severity() {
+        let found = [Diagnostic::error(crate::msg!("page.broken")), Diagnostic::info(crate::msg!("page.broken"))];
+        assert_eq!(counts(&found).map(|row| row.1), [1, 0, 1]);
+    }
+}

@@ -173,3 +173,36 @@ pub(crate) fn told(error: &JsValue) -> String {
         js_sys::Reflect::get(error, &"message".into()).ok().and_then(|m| m.as_string()).unwrap_or_default()
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::mount;
+
+    #[wasm_bindgen_test]
+    async fn only_text_fields_and_lists_take_text() {
+        let view = || view! { <input type="text" /> <input type="range" /> <input type="checkbox" /> <select></select> <button></button> };
+        let bench = mount(view).await;
+        let takes = bench.all("*").iter().map(takes_text).collect::<Vec<_>>();
+        assert_eq!(takes, [true, false, false, true, false]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn going_to_a_field_opens_the_groups_around_it() {
+        let view = || view! { <details><summary></summary><details><summary></summary><input id="deep" /></details></details> };
+        let bench = mount(view).await;
+        go_to_field("deep");
+        assert_eq!(bench.all("details[open]").len(), 2);
+        assert_eq!(document().active_element().unwrap().id(), "deep");
+    }
+
+    #[wasm_bindgen_test]
+    fn forgotten_text_is_no_longer_stored() {
+        assert!(store("macroline.some", "text"));
+        assert_eq!(stored("macroline.some").as_deref(), Some("text"));
+        forget("macroline.some");
+        assert_eq!(stored("macroline.some"), None);
+    }
+}

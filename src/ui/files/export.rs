@@ -148,3 +148,78 @@ fn save(files: &[NamedText], at: usize) {
         dom::download(name, "text/plain", text.as_bytes());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, field, mount, settled};
+    use crate::ui::worker::messages::Documents;
+
+    fn documents(_: &crate::project::Project, _: Request) -> Option<Response> {
+        Some(Response::Export(Documents {
+            files: vec![("report.html".to_owned(), "<p>".to_owned())],
+            remarks: Vec::new(),
+        }))
+    }
+
+    async fn asked(bench: &Bench) {
+        bench.page.view.exporting.set(true);
+        settled().await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn export_offers_programs_and_documents() {
+        let bench = mount(|| view! { <ExportDialog /> }).await;
+        assert!(!bench.has("dialog[open]"));
+        bench.worker.answer_here(documents);
+        asked(&bench).await;
+        let programs = bench.page.program.written.with_untracked(|written| written.files.0.len());
+        assert!(bench.has("dialog[open] #save-all"));
+        assert_eq!(bench.all(".exported tr").len(), programs + 1);
+        assert_eq!(bench.text(".exported tr:last-child th"), "report.html");
+    }
+
+    #[wasm_bindgen_test]
+    async fn wrong_entry_refuses_the_export_and_leads_to_its_field() {
+        let bench = mount(|| view! { <ExportDialog /> <input id="pitch" /> }).await;
+        bench.worker.answer_here(documents);
+        let wrong = *field("pitch").read("x").unwrap_err();
+        bench.page.entries.refuse("pitch", wrong.clone());
+        asked(&bench).await;
+        assert!(!bench.has("#save-all"));
+        assert!(bench.text(".remarks .fail").contains(&tell(&wrong)));
+        bench.press_button(t("page.go-to-field")).await;
+        assert!(!bench.has("dialog[open]"));
+        assert_eq!(document().active_element().unwrap().id(), "pitch");
+    }
+
+    #[wasm_bindgen_test]
+    async fn finding_that_refuses_is_told_with_its_alarm() {
+        let bench = mount(|| view! { <ExportDialog /> }).await;
+        bench.worker.answer_here(|_, _| {
+            let remark = |refuses, text: &str| Remark {
+                refuses,
+                tone: "fail".to_owned(),
+                alarm: "P1".to_owned(),
+                text: text.to_owned(),
+                field: String::new(),
+            };
+            let remarks = vec![remark(true, "refuses"), remark(false, "remarks")];
+            Some(Response::Export(Documents { files: Vec::new(), remarks }))
+        });
+        asked(&bench).await;
+        assert_eq!(bench.all(".remarks li").len(), 1);
+        assert_eq!((bench.text(".remarks b").as_str(), bench.has(".link")), ("P1", false));
+        assert!(bench.text(".remarks li").contains("refuses"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn export_without_a_worker_is_a_notice() {
+        let bench = mount(|| view! { <ExportDialog /> }).await;
+        asked(&bench).await;
+        assert_eq!(bench.notices(), [t("page.no-answer")]);
+        assert!(!bench.has("dialog[open]"));
+    }
+}

@@ -159,3 +159,124 @@ fn ThemeButton() -> impl IntoView {
         </button>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount, mount_project, project, settled};
+
+    async fn header() -> Bench {
+        mount(|| view! { <Header /> }).await
+    }
+
+    #[wasm_bindgen_test]
+    async fn pressed_machine_is_taken() {
+        let bench = header().await;
+        assert_eq!(bench.all(".segments button").len(), machines::ALL.len());
+        assert_eq!(bench.attribute(".segments button:nth-child(1)", "aria-pressed"), "true");
+        bench.press(".segments button:nth-child(2)").await;
+        assert_eq!(bench.page.machine.get_untracked(), machines::ALL[1].id());
+        assert_eq!(bench.all(".segments [aria-pressed=true]").len(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn controls_are_those_of_the_machine() {
+        let bench = header().await;
+        for machine in machines::ALL {
+            bench.page.change_machine(machine.id());
+            settled().await;
+            assert_eq!(bench.all(".control option").len(), machine.controls().len());
+            assert_eq!(bench.value(".control"), bench.page.control.get_untracked());
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn chosen_control_is_taken_and_undone() {
+        let bench = header().await;
+        let controls = machines::ALL[0].controls();
+        bench.choose(".control", controls[2]).await;
+        assert_eq!(bench.page.control.get_untracked(), controls[2]);
+        bench.press_button(t("page.undo")).await;
+        assert_eq!(bench.value(".control"), controls[0]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn undo_and_redo_are_disabled_without_a_step() {
+        let bench = header().await;
+        let disabled = |words| bench.has(&format!("[aria-label={}][disabled]", t(words)));
+        assert!(disabled("page.undo") && disabled("page.redo"));
+        bench.type_into(".name", "Order 7").await;
+        assert!(!disabled("page.undo") && disabled("page.redo"));
+        bench.press_button(t("page.undo")).await;
+        assert!(disabled("page.undo") && !disabled("page.redo"));
+        assert_eq!(bench.value(".name"), "");
+    }
+
+    #[wasm_bindgen_test]
+    async fn name_of_the_project_has_no_control_characters() {
+        let bench = header().await;
+        bench.type_into(".name", "Order\u{7} 7").await;
+        assert_eq!(bench.page.project.with_untracked(|project| project.name.clone()), "Order 7");
+    }
+
+    #[wasm_bindgen_test]
+    async fn theme_goes_round_and_is_remembered() {
+        let bench = header().await;
+        let shown = || document().document_element().unwrap().get_attribute("data-theme").unwrap();
+        let mut seen = Vec::new();
+        for _ in 0..3 {
+            bench.press(".theme").await;
+            seen.push((shown(), bench.attribute(".theme", "aria-label")));
+        }
+        let themes = [THEMES[1], THEMES[2], THEMES[0]].map(|(id, words)| (id.to_owned(), t(words).to_owned()));
+        assert_eq!(seen, themes);
+        bench.press(".theme").await;
+        drop(bench);
+        let bench = mount_project(project(), || view! { <Header /> }).await;
+        assert_eq!(
+            (shown().as_str(), bench.attribute(".theme", "aria-label").as_str()),
+            ("light", t("page.theme-light"))
+        );
+    }
+
+    #[wasm_bindgen_test]
+    async fn state_of_the_store_is_said() {
+        let bench = header().await;
+        for (kept, words) in [(Kept::Yes, "page.kept"), (Kept::Soon, "page.kept-soon"), (Kept::No, "page.kept-not")] {
+            bench.page.view.kept.set(kept);
+            settled().await;
+            assert_eq!(bench.text(".kept"), t(words));
+        }
+        assert!(bench.has(".kept.warn"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn project_of_another_tab_is_overwritten_only_when_asked() {
+        let bench = header().await;
+        bench.page.view.kept.set(Kept::Elsewhere);
+        settled().await;
+        bench.press_button(t("page.store-here")).await;
+        assert_eq!(bench.page.view.kept.get_untracked(), Kept::Yes);
+        assert!(dom::stored("macroline.project").is_some());
+    }
+
+    #[wasm_bindgen_test]
+    async fn new_project_can_be_undone() {
+        let bench = header().await;
+        bench.page.set("pitch", crate::machines::form::Value::Number(9.0));
+        bench.press_button(t("page.new")).await;
+        assert_eq!(bench.setting("pitch"), Some(crate::machines::form::Value::Number(8.0)));
+        bench.press_button(t("page.undo")).await;
+        assert_eq!(bench.setting("pitch"), Some(crate::machines::form::Value::Number(9.0)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn export_and_help_are_asked_for() {
+        let bench = header().await;
+        bench.press("#export").await;
+        bench.press_button(t("page.help")).await;
+        assert!(bench.page.view.exporting.get_untracked() && bench.page.view.helping.get_untracked());
+    }
+}

@@ -156,3 +156,33 @@ fn Findings(
         <pre class="raw" tabindex="0" aria-label=t("page.listing")>{report.head}</pre>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::mount;
+
+    #[wasm_bindgen_test]
+    async fn report_counts_lines_and_lists_findings() {
+        let report = Report {
+            lines: SHOWN + 1,
+            counts: "✕ 1".to_owned(),
+            head: "G01\n".to_owned(),
+            rows: vec![("fail".to_owned(), "Line 1".to_owned())],
+        };
+        let bench = mount(move || view! { <Findings report=report /> }).await;
+        assert!(bench.text("p").contains(t("page.first-lines")));
+        assert_eq!((bench.text(".remarks .fail").as_str(), bench.text("pre").as_str()), ("Line 1", "G01"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn large_text_without_a_worker_is_a_notice() {
+        let bench = mount(|| view! { <LargeFileDialog /> }).await;
+        let large = LargeFile(RwSignal::new_local(None));
+        check(bench.page, large, Source::Text("G01\n".to_owned()));
+        assert_eq!(bench.notices(), [t("page.no-worker")]);
+        assert!(!bench.has("dialog[open]"));
+    }
+}

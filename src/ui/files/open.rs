@@ -135,3 +135,65 @@ pub(super) fn OpenButton() -> impl IntoView {
         <button type="button" class="quiet" title=t("page.open-about") on:click=press>{t("page.open")}</button>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::project::Project;
+    use crate::ui::testing::{Bench, mount, project, settled};
+
+    async fn opened(name: &str, text: &str) -> Bench {
+        let bench = mount(|| view! { <OpenButton /> }).await;
+        read(bench.page, &[nc::File { name: name.to_owned(), text: text.to_owned() }]);
+        settled().await;
+        bench
+    }
+
+    #[wasm_bindgen_test]
+    async fn opened_project_replaces_the_present_one() {
+        let mut project = Project::of(crate::machines::ALL[1].id(), None).unwrap();
+        project.name = "Order 7".to_owned();
+        let bench = opened("order.json", &project.to_json()).await;
+        assert!(bench.page.project.get_untracked() == project);
+        bench.page.undo();
+        assert_eq!(bench.page.machine.get_untracked(), crate::machines::ALL[0].id());
+    }
+
+    #[wasm_bindgen_test]
+    async fn opened_program_is_an_edited_one() {
+        let bench = opened("O1.nc", "%\nO1\nG01 X1. F100\nM30\n%\n").await;
+        assert!(bench.page.program.edited.get_untracked());
+        assert!(bench.page.program.text(0).contains("G01 X1."));
+        assert!(bench.notices().contains(&t("page.opened-program").to_owned()));
+        assert_eq!(bench.page.notices.said.get_untracked(), t("page.opened"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn broken_project_changes_nothing_and_is_told() {
+        let bench = opened("order.json", "{ not a project").await;
+        assert!(bench.page.project.get_untracked() == project());
+        assert_eq!(bench.notices().len(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn pasted_text_is_read_and_an_empty_one_is_left() {
+        let bench = mount(|| view! { <OpenButton /> }).await;
+        let data = DataTransfer::new().unwrap();
+        assert!(!transferred(bench.page, LargeFile::provide(), &data));
+        data.set_data("text", "G01 X1.\nM30\n").unwrap();
+        assert!(transferred(bench.page, LargeFile::provide(), &data));
+        settled().await;
+        assert!(bench.page.program.text(0).contains("G01 X1."));
+    }
+
+    #[wasm_bindgen_test]
+    async fn file_input_is_behind_the_button() {
+        let bench = mount(|| view! { <OpenButton /> }).await;
+        assert_eq!(
+            (bench.attribute("input", "tabindex"), bench.attribute("input", "aria-label")),
+            ("-1".to_owned(), t("page.open").to_owned())
+        );
+    }
+}

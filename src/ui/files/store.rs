@@ -59,7 +59,8 @@ pub(crate) fn take_over(page: Page) {
 pub(crate) fn keep(page: Page) {
     let timer = StoredValue::new(None::<TimeoutHandle>);
     let save = move || {
-        if page.view.kept.get_untracked() == Kept::Elsewhere {
+        // The page may be gone.
+        if page.view.kept.is_disposed() || page.view.kept.get_untracked() == Kept::Elsewhere {
             return;
         }
         let text = page.project.with_untracked(Project::to_json);
@@ -101,4 +102,38 @@ pub(crate) fn keep(page: Page) {
     };
     dom::hear("pagehide", move |_| hide());
     dom::hear("visibilitychange", move |_| hide());
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, project, until};
+
+    #[wasm_bindgen_test]
+    async fn project_is_stored_shortly_after_a_change() {
+        let bench = mount(|| ()).await;
+        keep(bench.page);
+        crate::ui::testing::settled().await;
+        assert!(dom::stored(KEY).is_none());
+        bench.page.set("pitch", crate::machines::form::Value::Number(9.0));
+        crate::ui::testing::settled().await;
+        assert_eq!(bench.page.view.kept.get_untracked(), Kept::Soon);
+        let page = bench.page;
+        until(move || page.view.kept.get_untracked() == Kept::Yes).await;
+        let (loaded, notices) = load();
+        assert!(loaded == Some(page.project.get_untracked()) && notices.is_empty());
+    }
+
+    #[wasm_bindgen_test]
+    async fn state_that_does_not_read_is_set_aside() {
+        let _bench = mount(|| ()).await;
+        dom::store(KEY, "{ not a project");
+        let (loaded, notices) = load();
+        assert!(loaded == Some(project()));
+        assert!(notices[0].text.contains(t("page.set-aside")));
+        assert_eq!(notices[0].file, Some((ASIDE_FILE, "{ not a project".to_owned())));
+        assert_eq!((dom::stored(KEY), dom::stored(ASIDE).as_deref()), (None, Some("{ not a project")));
+    }
 }

@@ -179,3 +179,146 @@ fn TypedInput(
         />
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, field, mount, settled};
+
+    async fn mounted(id: &'static str) -> Bench {
+        mount(move || view! { <FormField info=field(id) /> }).await
+    }
+
+    #[wasm_bindgen_test]
+    async fn typed_text_stays_as_it_was_typed() {
+        let bench = mounted("pitch").await;
+        for (typed, value) in [("1,5", 1.5), ("1.50", 1.5), ("007", 7.0), ("9.", 9.0)] {
+            bench.type_into("#pitch", typed).await;
+            assert_eq!((bench.value("#pitch").as_str(), bench.setting("pitch")), (typed, Some(Value::Number(value))));
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn wrong_entry_is_marked_and_names_the_range() {
+        let bench = mounted("pitch").await;
+        for typed in ["-1.50", "", "1e400", "x"] {
+            bench.type_into("#pitch", typed).await;
+            assert_eq!(bench.attribute("#pitch", "aria-invalid"), "true", "{typed}");
+            assert!(bench.has(".field.wrong"), "{typed}");
+            assert!(bench.text("#pitch-note").contains("Allowed"), "{typed}");
+            assert_eq!((bench.value("#pitch").as_str(), bench.setting("pitch")), (typed, Some(Value::Number(8.0))));
+        }
+        bench.type_into("#pitch", "7").await;
+        assert_eq!(
+            (bench.attribute("#pitch", "aria-invalid").as_str(), bench.text("#pitch-note").as_str()),
+            ("false", "")
+        );
+    }
+
+    #[wasm_bindgen_test]
+    async fn field_has_label_symbol_unit_and_note() {
+        let bench = mounted("pitch").await;
+        assert_eq!(bench.attribute("label", "for"), "pitch");
+        assert!(bench.text("label").starts_with(t(field("pitch").label)));
+        assert_eq!((bench.text("label small").as_str(), bench.text(".unit").as_str()), ("#107", "mm"));
+        assert_eq!(bench.attribute("#pitch", "aria-describedby"), "pitch-note");
+    }
+
+    #[wasm_bindgen_test]
+    async fn symbol_is_spelled_as_the_control_spells_it() {
+        let bench = mounted("pitch").await;
+        let control = crate::controls::find(crate::machines::ALL[0].controls()[2]).unwrap();
+        bench.page.edit("", |project| project.move_to(control));
+        settled().await;
+        assert_eq!(bench.text("label small"), control.variable(107));
+    }
+
+    #[wasm_bindgen_test]
+    async fn arrow_keys_step_the_number() {
+        let bench = mounted("pitch").await;
+        for (key, shift, shown) in [("ArrowUp", false, "8.1"), ("ArrowUp", true, "9.1"), ("ArrowDown", false, "9")] {
+            bench.key("#pitch", key, shift).await;
+            assert_eq!(bench.value("#pitch"), shown);
+        }
+        assert_eq!(bench.setting("pitch"), Some(Value::Number(9.0)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn arrow_key_stops_at_the_limit_of_the_field() {
+        let bench = mounted("heads").await;
+        bench.type_into("#heads", "1").await;
+        bench.key("#heads", "ArrowDown", true).await;
+        assert_eq!(bench.value("#heads"), "1");
+    }
+
+    #[wasm_bindgen_test]
+    async fn undo_shows_the_value_before() {
+        let bench = mounted("pitch").await;
+        bench.type_into("#pitch", "9.5").await;
+        bench.type_into("#pitch", "wrong").await;
+        bench.page.undo();
+        settled().await;
+        assert_eq!(
+            (bench.value("#pitch").as_str(), bench.attribute("#pitch", "aria-invalid").as_str()),
+            ("8", "false")
+        );
+    }
+
+    #[wasm_bindgen_test]
+    async fn choice_of_a_field_reaches_the_project() {
+        let bench = mounted("job").await;
+        let KindInfo::Choice(options) = field("job").kind else { panic!("a choice") };
+        assert_eq!(bench.value("#job"), options[0].0);
+        bench.choose("#job", options[1].0).await;
+        assert_eq!(bench.setting("job"), Some(Value::Text(options[1].0.to_owned())));
+    }
+
+    #[wasm_bindgen_test]
+    async fn flag_of_a_field_reaches_the_project() {
+        let bench = mounted("dancer").await;
+        assert!(!bench.checked("#dancer"));
+        bench.press("#dancer").await;
+        assert_eq!(bench.setting("dancer"), Some(Value::Flag(true)));
+        bench.page.undo();
+        settled().await;
+        assert!(!bench.checked("#dancer"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn text_longer_than_its_field_is_wrong() {
+        let bench = mounted("customer").await;
+        bench.type_into("#customer", "A name of 22 letters .").await;
+        assert_eq!(bench.attribute("#customer", "aria-invalid"), "false");
+        bench.type_into("#customer", "A name of 23 letters ..").await;
+        assert_eq!(bench.attribute("#customer", "aria-invalid"), "true");
+    }
+
+    #[wasm_bindgen_test]
+    async fn field_without_a_meaning_is_absent() {
+        let bench = mounted("pitch").await;
+        assert!(!bench.has(".field.absent"));
+        bench.page.results.hidden.set(vec!["pitch"]);
+        settled().await;
+        assert!(bench.has(".field.absent"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn help_button_shows_the_origin_of_the_value() {
+        let bench = mounted("heads").await;
+        assert_eq!(bench.attribute(".about", "data-from"), "");
+        bench.page.set_provenance("heads", Provenance::Measured);
+        settled().await;
+        assert_eq!(bench.attribute(".about", "data-from"), "measured");
+        bench.press(".about").await;
+        assert_eq!(bench.page.view.about.get_untracked(), Some("heads"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn only_numbers_of_the_product_have_sliders() {
+        for (id, slides) in [("pitch", true), ("clamp-x", false), ("job", false)] {
+            assert_eq!(mounted(id).await.has("input[type=range]"), slides, "{id}");
+        }
+    }
+}

@@ -102,3 +102,63 @@ fn Origin(
         </fieldset>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::machines::form::Value;
+    use crate::ui::testing::{Bench, field, mount, settled};
+
+    async fn about(id: &'static str) -> Bench {
+        let bench = mount(|| view! { <FieldHelp /> }).await;
+        assert!(bench.text("#about").is_empty());
+        bench.page.view.about.set(Some(id));
+        settled().await;
+        bench
+    }
+
+    #[wasm_bindgen_test]
+    async fn help_says_label_purpose_range_and_default() {
+        let bench = about("pitch").await;
+        let said = bench.text("#about");
+        for part in [t(field("pitch").label), t(field("pitch").help), "0.01 … 10000 mm", "8 mm"] {
+            assert!(said.contains(part), "{part}: {said}");
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn reset_is_offered_only_for_another_value() {
+        let bench = about("pitch").await;
+        assert!(bench.has("button[disabled]"));
+        bench.page.set("pitch", Value::Number(9.0));
+        settled().await;
+        bench.press_button(t("page.reset-field")).await;
+        assert_eq!(bench.setting("pitch"), Some(Value::Number(8.0)));
+        assert!(bench.has("button[disabled]"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn reset_takes_a_wrong_entry_away() {
+        let bench = about("pitch").await;
+        bench.page.entries.refuse("pitch", *field("pitch").read("x").unwrap_err());
+        settled().await;
+        bench.press_button(t("page.reset-field")).await;
+        assert!(!bench.page.is_stale());
+    }
+
+    #[wasm_bindgen_test]
+    async fn origin_of_a_fact_is_chosen_in_its_help() {
+        let bench = about("heads").await;
+        assert!(bench.checked("label:nth-of-type(1) input"));
+        bench.press("label:nth-of-type(3) input").await;
+        let from = bench.page.project.with_untracked(|project| project.provenance.get("heads").copied());
+        assert_eq!(from, Some(Provenance::Measured));
+    }
+
+    #[wasm_bindgen_test]
+    async fn choice_of_the_engineer_has_no_origin() {
+        assert!(!about("job").await.has("fieldset"));
+    }
+}

@@ -79,3 +79,45 @@ fn Fact(
         </button>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, field, mount};
+
+    async fn mounted(answer: fn(&crate::project::Project, Request) -> Option<Response>) -> Bench {
+        mount(move || {
+            Client::here().answer_here(answer);
+            view! { <MeasureFirst /> <input id="heads" /> }
+        })
+        .await
+    }
+
+    #[wasm_bindgen_test]
+    async fn fact_that_flips_a_verdict_leads_to_its_field() {
+        let bench = mounted(|_, _| Some(Response::Flips(vec!["heads".to_owned()]))).await;
+        assert_eq!(
+            (bench.text("button span"), bench.text("button code")),
+            (t(field("heads").label).to_owned(), "6".to_owned())
+        );
+        bench.press("button").await;
+        assert_eq!(document().active_element().unwrap().id(), "heads");
+    }
+
+    #[wasm_bindgen_test]
+    async fn at_most_five_facts_are_listed() {
+        let many = |_: &crate::project::Project, _| {
+            let facts = crate::ui::testing::project().machine.fields().into_iter().filter(|field| field.fact);
+            Some(Response::Flips(facts.map(|field| field.id.to_owned()).collect()))
+        };
+        assert_eq!(mounted(many).await.all("button").len(), MOST);
+    }
+
+    #[wasm_bindgen_test]
+    async fn nothing_is_listed_where_no_fact_flips_a_verdict() {
+        assert!(!mounted(|_, _| Some(Response::Flips(Vec::new()))).await.has(".measure-first"));
+        assert!(!mounted(|_, _| None).await.has(".measure-first"));
+    }
+}

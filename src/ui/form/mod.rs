@@ -139,3 +139,73 @@ fn WrongFields() -> impl IntoView {
         </p>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount, settled};
+
+    async fn form() -> Bench {
+        mount(|| view! { <Form /> }).await
+    }
+
+    #[wasm_bindgen_test]
+    async fn product_fields_stand_before_the_folded_groups() {
+        let bench = form().await;
+        let fields = crate::ui::testing::project().machine.fields();
+        let essential = fields.iter().filter(|field| field.essential).count();
+        assert_eq!(bench.all(".product .field").len(), essential);
+        assert_eq!(bench.all(".data .field").len(), fields.len() - essential);
+        assert_eq!(bench.all("details.group").len(), groups(&fields).len());
+        assert!(!bench.has("details[open]"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn assumed_facts_are_counted() {
+        let bench = form().await;
+        let fields = crate::ui::testing::project().machine.fields();
+        let hidden = bench.page.results.hidden.get_untracked();
+        let all = fields.iter().filter(|field| field.fact && !hidden.contains(&field.id)).count() as f64;
+        let count = |assumed: f64| say(&crate::msg!("page.assumed-of", assumed, all));
+        assert_eq!(
+            (bench.text(".data > summary .count"), bench.style(".known", "--part")),
+            (count(all), "0%".to_owned())
+        );
+        bench.page.set_provenance("heads", Provenance::Measured);
+        settled().await;
+        assert_eq!(bench.text(".data > summary .count"), count(all - 1.0));
+        assert_ne!(bench.style(".known", "--part"), "0%");
+    }
+
+    #[wasm_bindgen_test]
+    async fn wrong_field_in_a_folded_group_is_pointed_at() {
+        let bench = form().await;
+        assert!(!bench.has(".stale.shown") && !bench.has(".group.wrong"));
+        bench.type_into("#clamp-x", "x").await;
+        assert!(bench.has(".stale.shown"));
+        assert_eq!(bench.all(".group.wrong").len(), 1);
+        bench.press(".stale .link").await;
+        assert_eq!(document().active_element().unwrap().id(), "clamp-x");
+        assert!(bench.has(".group.wrong[open]"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn several_wrong_fields_are_counted() {
+        let bench = form().await;
+        bench.type_into("#clamp-x", "x").await;
+        assert!(!bench.text(".stale").contains("(1/"));
+        bench.type_into("#pitch", "x").await;
+        assert!(bench.text(".stale").contains("(1/2)"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn another_machine_has_another_form() {
+        let bench = form().await;
+        bench.page.change_machine(crate::machines::ALL[1].id());
+        settled().await;
+        assert!(!bench.has("#pitch"));
+        assert!(!bench.all(".product .field").is_empty());
+    }
+}

@@ -72,3 +72,72 @@ pub(super) fn Slider(
         />
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, field, mount, settled};
+
+    async fn mounted() -> Bench {
+        mount(|| view! { <Slider info=Arc::new(field("pitch")) /> }).await
+    }
+
+    #[wasm_bindgen_test]
+    fn halving_and_doubling_are_equally_far() {
+        let [half, one, double] = [4.0, 8.0, 16.0].map(|value| position(value, 2.0, 32.0));
+        assert_eq!([half, one, double], [100.0, 200.0, 300.0]);
+    }
+
+    #[wasm_bindgen_test]
+    fn position_and_value_agree_at_every_step() {
+        for place in 0..=400 {
+            let value = at(f64::from(place), 2.0, 32.0, 0.001);
+            assert_eq!(position(value, 2.0, 32.0), f64::from(place));
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn default_is_in_the_middle_of_the_slider() {
+        let bench = mounted().await;
+        assert_eq!((bench.value("input").as_str(), bench.style("input", "--part").as_str()), ("200", "50%"));
+        assert_eq!(bench.attribute("input", "aria-label"), t(field("pitch").label));
+    }
+
+    #[wasm_bindgen_test]
+    async fn slider_sets_its_field() {
+        let bench = mounted().await;
+        bench.type_into("input", "300").await;
+        assert_eq!(bench.setting("pitch"), Some(Value::Number(16.0)));
+        bench.page.undo();
+        settled().await;
+        assert_eq!(bench.value("input"), "200");
+    }
+
+    #[wasm_bindgen_test]
+    async fn slider_shows_a_value_beyond_its_range_at_its_end() {
+        let bench = mounted().await;
+        bench.page.set("pitch", Value::Number(500.0));
+        settled().await;
+        assert_eq!((bench.value("input").as_str(), bench.setting("pitch")), ("400", Some(Value::Number(500.0))));
+    }
+
+    #[wasm_bindgen_test]
+    fn slider_keeps_the_limits_of_its_field() {
+        let mut info = field("pitch");
+        if let KindInfo::Number { min, max, .. } = &mut info.kind {
+            (*min, *max) = (5.0, 10.0);
+        }
+        let (low, high, ..) = reach(&info).unwrap();
+        assert_eq!((low, high), (5.0, 10.0));
+    }
+
+    #[wasm_bindgen_test]
+    async fn sliding_mends_a_wrong_entry() {
+        let bench = mounted().await;
+        bench.page.entries.refuse("pitch", field("pitch").read("x").map(|_| ()).unwrap_err().as_ref().clone());
+        bench.type_into("input", "300").await;
+        assert!(bench.page.entries.refused("pitch").is_none());
+    }
+}

@@ -65,3 +65,54 @@ fn press(page: Page, event: &KeyboardEvent) -> bool {
     }
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{event, mount};
+
+    fn key(key: &str) -> KeyboardEvent {
+        event("KeyboardEvent", "keydown", &[("key", key.into())]).unchecked_into()
+    }
+
+    fn control_key(key: &str, shift: bool) -> KeyboardEvent {
+        let members = [("key", key.into()), ("ctrlKey", true.into()), ("shiftKey", shift.into())];
+        event("KeyboardEvent", "keydown", &members).unchecked_into()
+    }
+
+    #[wasm_bindgen_test]
+    async fn single_keys_play_go_home_and_ask_for_help() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        assert!(press(page, &key(" ")) && page.player.playing.get_untracked());
+        page.player.seek(1.0);
+        assert!(press(page, &key("Home")) && page.player.head() == 0.0);
+        assert!(press(page, &key("?")) && page.view.helping.get_untracked());
+        assert!(!press(page, &key("q")));
+        page.player.playing.set(false);
+        crate::ui::testing::settled().await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn keys_that_are_off_do_nothing_but_undo() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        turn(false);
+        page.set("pitch", crate::machines::form::Value::Number(9.0));
+        assert!(!press(page, &key("?")) && !page.view.helping.get_untracked());
+        assert!(press(page, &control_key("z", false)));
+        assert_eq!(page.can.get_untracked(), (false, true));
+        assert!(press(page, &control_key("Z", true)));
+        assert_eq!(page.can.get_untracked(), (true, false));
+        crate::ui::testing::settled().await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn open_dialog_keeps_its_keys() {
+        let bench = mount(|| leptos::html::dialog().attr("open", "")).await;
+        assert!(bench.has("dialog[open]"));
+        assert!(!press(bench.page, &key("?")));
+    }
+}

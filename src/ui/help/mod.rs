@@ -47,3 +47,36 @@ pub(crate) fn HelpDialog() -> impl IntoView {
         </Dialog>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, mount_project, project, settled};
+
+    #[wasm_bindgen_test]
+    async fn help_opens_when_asked_and_lists_every_key() {
+        let bench = mount(|| view! { <HelpDialog /> }).await;
+        assert!(!bench.has("dialog[open]"));
+        bench.page.view.helping.set(true);
+        settled().await;
+        assert!(bench.has("dialog[open]"));
+        assert_eq!(bench.all(".shortcuts tr").len(), KEYS.len() + COMMANDS.len());
+        bench.press_button(t("page.close")).await;
+        assert!(!bench.page.view.helping.get_untracked());
+    }
+
+    #[wasm_bindgen_test]
+    async fn single_keys_are_turned_off_and_that_is_remembered() {
+        let bench = mount(|| view! { <HelpDialog /> }).await;
+        assert!(bench.checked(".check input") && keys::on());
+        bench.press(".check input").await;
+        assert!(!keys::on());
+        drop(bench);
+        let bench = mount_project(project(), || view! { <HelpDialog /> }).await;
+        assert!(!bench.checked(".check input"));
+        bench.press(".check input").await;
+        assert!(keys::on());
+    }
+}

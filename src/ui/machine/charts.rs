@@ -111,3 +111,15 @@ fn digits(value: f64) -> u8 {
         _ => 3,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+
+    #[wasm_bindgen_test]
+    fn values_have_about_five_figures() {
+        assert_eq!([15079.0, 480.0, 8.1, -1200.0].map(digits), [0, 2, 3, 0]);
+    }
+}

@@ -164,3 +164,79 @@ fn Scrubber() -> impl IntoView {
     };
     view! { <input node_ref=slider class="scrub" id="head" type="range" min="0" max="1" aria-label=t("page.head") on:input=scrub /> }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount, until};
+
+    async fn film() -> Bench {
+        let bench = mount(|| view! { <Film /> }).await;
+        bench.run().await;
+        bench
+    }
+
+    #[wasm_bindgen_test]
+    async fn every_chart_has_a_chip() {
+        let bench = film().await;
+        let titles: Vec<&str> = bench.page.player.all_charts(10).iter().map(|chart| t(chart.title)).collect();
+        let chips: Vec<String> = bench.all(".chip").iter().filter_map(|chip| chip.text_content()).collect();
+        assert_eq!(chips, titles);
+        assert!(bench.text("figcaption").starts_with(titles[0]));
+    }
+
+    #[wasm_bindgen_test]
+    async fn chosen_chart_is_drawn() {
+        let bench = film().await;
+        bench.press(".chip:nth-of-type(2)").await;
+        bench.drawn().await;
+        let title = bench.text(".chip:nth-of-type(2)");
+        assert!(bench.text("figcaption").starts_with(&title));
+        assert_eq!(bench.attribute(".chip:nth-of-type(2)", "aria-pressed"), "true");
+        assert_eq!(bench.all(".chip[aria-pressed=true]").len(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn another_machine_begins_with_its_first_chart() {
+        let bench = film().await;
+        bench.press(".chip:nth-of-type(2)").await;
+        bench.page.change_machine(crate::machines::ALL[1].id());
+        bench.run().await;
+        assert_eq!(bench.attribute(".chip:nth-of-type(1)", "aria-pressed"), "true");
+    }
+
+    #[wasm_bindgen_test]
+    async fn window_cuts_the_axis_to_its_seconds() {
+        let bench = film().await;
+        assert_eq!(bench.value(".window"), "0");
+        bench.choose(".window", "2").await;
+        bench.seek(3.0).await;
+        assert_eq!(
+            (bench.attribute("#head", "min").as_str(), bench.attribute("#head", "max").as_str()),
+            ("2000", "4000")
+        );
+        assert_eq!(bench.style("#head", "--part"), "50%");
+    }
+
+    #[wasm_bindgen_test]
+    async fn scrubber_moves_the_head_and_says_the_time() {
+        let bench = film().await;
+        bench.page.player.playing.set(true);
+        bench.type_into("#head", "1500").await;
+        let player = bench.page.player;
+        until(move || player.now.with_untracked(|now| now.t) == 1.5).await;
+        assert!(!player.playing.get_untracked());
+        assert_eq!(bench.attribute("#head", "aria-valuetext"), "00:01.5000");
+    }
+
+    #[wasm_bindgen_test]
+    async fn cursor_of_the_chart_follows_the_head() {
+        let bench = film().await;
+        bench.choose(".window", "2").await;
+        bench.seek(1.0).await;
+        assert_eq!(bench.style(".cursor", "transform"), "translateX(50%)");
+        assert!(!bench.text(".legend b").is_empty());
+    }
+}

@@ -42,3 +42,42 @@ pub(super) fn Marks(
     };
     view! { <div class="marks">{actions}{end}</div> }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::motion::{Action, Event};
+    use crate::ui::testing::{Bench, mount, settled};
+
+    async fn marks() -> (Bench, RwSignal<(f64, f64)>) {
+        let axis = RwSignal::new((0.0, 10.0));
+        (mount(move || view! { <Marks axis=axis /> }).await, axis)
+    }
+
+    #[wasm_bindgen_test]
+    async fn action_of_the_operator_is_marked_and_leads_to_its_time() {
+        let (bench, axis) = marks().await;
+        bench.page.note(Event { t: 2.5, action: Action::Hold });
+        settled().await;
+        assert_eq!(bench.style("button.mark", "left"), "25%");
+        assert!(bench.attribute("button.mark", "aria-label").contains(t("page.hold")));
+        bench.press("button.mark").await;
+        assert_eq!(bench.page.player.head(), 2.5);
+        axis.set((5.0, 10.0));
+        settled().await;
+        assert!(!bench.has("button.mark"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn end_is_marked_only_when_the_run_is_over() {
+        let (bench, _) = marks().await;
+        bench.page.player.planned.set((8.0, false));
+        settled().await;
+        assert!(!bench.has(".mark.end"));
+        bench.page.player.planned.set((8.0, true));
+        settled().await;
+        assert_eq!(bench.style(".mark.end", "left"), "80%");
+    }
+}

@@ -37,3 +37,19 @@ pub(crate) fn Machine() -> impl IntoView {
         </div>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::mount;
+
+    #[wasm_bindgen_test]
+    async fn verdicts_drawing_and_film_are_from_top_to_bottom() {
+        let bench = mount(|| view! { <Machine /> }).await;
+        let sections: Vec<String> = bench.all(".centre > section").iter().map(|section| section.class_name()).collect();
+        assert_eq!(sections, ["cards", "pane drawing", "film"]);
+        assert!(bench.all(".centre > section").iter().all(|section| section.has_attribute("aria-label")));
+    }
+}

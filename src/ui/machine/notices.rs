@@ -27,3 +27,40 @@ pub(crate) fn NoticeBand() -> impl IntoView {
         </div>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::state::notices::Notice;
+    use crate::ui::testing::{mount, settled};
+
+    #[wasm_bindgen_test]
+    async fn notice_stays_until_it_is_dismissed() {
+        let bench = mount(|| view! { <NoticeBand /> }).await;
+        bench.page.notices.notify("warn", "Set aside.".to_owned());
+        bench.page.notices.notify("info", "Opened.".to_owned());
+        settled().await;
+        assert_eq!(bench.all(".notice").len(), 2);
+        assert_eq!(bench.text(".notice.warn p"), "▲ Set aside.");
+        bench.press(&format!(".notice.warn [aria-label={}]", t("page.dismiss"))).await;
+        assert_eq!((bench.all(".notice").len(), bench.text(".notice p").as_str()), (1, "ⓘ Opened."));
+    }
+
+    #[wasm_bindgen_test]
+    async fn notice_with_a_file_offers_to_save_it() {
+        let bench = mount(|| view! { <NoticeBand /> }).await;
+        bench.page.notices.notify("info", "Plain.".to_owned());
+        let file = Some(("state.txt", "{".to_owned()));
+        bench.page.notices.list.update(|list| list.push(Notice { tone: "warn", text: "Kept.".to_owned(), file }));
+        settled().await;
+        let offers: Vec<bool> = bench
+            .all(".notice")
+            .iter()
+            .map(|notice| notice.text_content().unwrap_or_default().contains(t("page.save-file")))
+            .collect();
+        assert_eq!(offers, [false, true]);
+        assert_eq!(bench.attribute(".notices", "aria-live"), "polite");
+    }
+}

@@ -173,3 +173,93 @@ fn Told() -> impl IntoView {
         </p>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount};
+
+    async fn panel() -> Bench {
+        let bench = mount(|| view! { <OperatorPanel /> }).await;
+        bench.run().await;
+        bench
+    }
+
+    fn actions(bench: &Bench) -> Vec<Action> {
+        bench
+            .page
+            .project
+            .with_untracked(|project| project.panel.events().iter().map(|event| event.action.clone()).collect())
+    }
+
+    #[wasm_bindgen_test]
+    async fn folded_panel_takes_no_keys() {
+        let bench = panel().await;
+        assert_eq!(bench.attribute("#panel-fold", "aria-expanded"), "false");
+        assert!(bench.has("#panel-body[inert]"));
+        bench.press("#panel-fold").await;
+        assert_eq!(bench.attribute("#panel-fold", "aria-expanded"), "true");
+        assert!(!bench.has("#panel-body[inert]"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn buttons_of_a_knob_turn_it_by_a_step() {
+        let bench = panel().await;
+        let step = bench.page.project.with_untracked(|project| project.prepared().panel().override_step);
+        bench.press_button(&format!("{} +", t("page.spindle-override"))).await;
+        assert_eq!(actions(&bench), [Action::SpindleOverride(100.0 + step)]);
+        assert_eq!(bench.value("#spindle-knob"), number_text(100.0 + step, 6));
+        bench.press_button(&format!("{} −", t("page.spindle-override"))).await;
+        assert_eq!(bench.text("output[for=spindle-knob]"), "100 %");
+    }
+
+    #[wasm_bindgen_test]
+    async fn dragged_knob_acts_and_shows_in_the_folded_bar() {
+        let bench = panel().await;
+        bench.type_into("#feed-knob", "70").await;
+        assert_eq!(actions(&bench), [Action::FeedOverride(70.0)]);
+        assert!(bench.text(".percents").contains("F 70 %"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn knob_at_its_end_does_not_act_again() {
+        let bench = panel().await;
+        bench.type_into("#feed-knob", "200").await;
+        bench.press_button(&format!("{} +", t("page.feed-override"))).await;
+        assert_eq!(actions(&bench), [Action::FeedOverride(200.0)]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn lamp_buttons_do_their_actions() {
+        let bench = panel().await;
+        for words in ["page.start", "page.hold", "page.reset", "page.estop"] {
+            bench.press_button(t(words)).await;
+        }
+        assert_eq!(actions(&bench), [Action::Start, Action::Hold, Action::Reset, Action::EmergencyStop]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn single_block_button_turns_on_and_off() {
+        let bench = panel().await;
+        bench.press_button(t("page.single-block")).await;
+        assert!(bench.has("[aria-pressed=true].on"));
+        bench.press_button(t("page.single-block")).await;
+        assert!(!bench.has("[aria-pressed=true]"));
+        assert_eq!(actions(&bench), [Action::SingleBlock(true), Action::SingleBlock(false)]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn effect_is_told_and_all_actions_can_be_forgotten() {
+        let bench = panel().await;
+        assert_eq!(bench.text("#changed"), t("page.hand-hint"));
+        assert!(bench.has(".changed .link.gone"));
+        bench.seek(3.0).await;
+        bench.type_into("#spindle-knob", "50").await;
+        let told = bench.text("#changed");
+        assert!(told.starts_with("00:03.0000 s: ") && told.contains(" 50 %"), "{told}");
+        bench.press(".changed .link").await;
+        assert!(actions(&bench).is_empty() && bench.has(".changed .link.gone"));
+    }
+}

@@ -110,3 +110,85 @@ fn why(page: Page) -> String {
         end => end.map_or_else(String::new, |end| end_words(&end)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount};
+
+    async fn stage() -> Bench {
+        let bench = mount(|| view! { <Stage /> <input id="heads" /> }).await;
+        bench.run().await;
+        bench
+    }
+
+    fn transforms(bench: &Bench) -> Vec<String> {
+        bench.all("[data-g]").iter().map(|group| group.get_attribute("transform").unwrap_or_default()).collect()
+    }
+
+    #[wasm_bindgen_test]
+    async fn scene_is_a_picture_with_alternative_text() {
+        let bench = stage().await;
+        let scene = bench.page.results.scene.get_untracked();
+        assert_eq!(bench.attribute("svg.scene", "role"), "img");
+        assert_eq!(bench.attribute("svg.scene", "aria-label"), t(scene.alt));
+    }
+
+    #[wasm_bindgen_test]
+    async fn parts_move_with_the_head_and_back() {
+        let bench = stage().await;
+        bench.seek(3.0).await;
+        let first = transforms(&bench);
+        bench.seek(3.01).await;
+        assert_ne!(transforms(&bench), first);
+        bench.seek(3.0).await;
+        assert_eq!(transforms(&bench), first);
+    }
+
+    #[wasm_bindgen_test]
+    async fn state_is_ready_until_the_run_begins() {
+        let bench = stage().await;
+        assert_eq!(bench.text(".mode"), t("page.mode-ready"));
+        assert!(bench.has(".mode.info"));
+        bench.seek(1.0).await;
+        let mode = bench.page.player.now.with_untracked(|now| now.mode);
+        assert_eq!(bench.text(".mode"), t("page.mode-paused"));
+        bench.page.player.playing.set(true);
+        crate::ui::testing::settled().await;
+        assert_eq!(bench.text(".mode"), t(mode_words(mode)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn emergency_stop_is_told_at_the_end_of_the_run() {
+        let bench = stage().await;
+        bench.seek(1.0).await;
+        crate::ui::state::operator::act(bench.page, crate::motion::Action::EmergencyStop);
+        bench.run().await;
+        bench.seek(1.5).await;
+        assert_eq!(bench.text(".mode"), t("page.mode-estop"));
+        assert!(bench.has(".mode.fail"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn drawing_of_another_machine_replaces_the_first() {
+        let bench = stage().await;
+        let first = bench.attribute("svg.scene", "aria-label");
+        bench.page.change_machine(crate::machines::ALL[1].id());
+        bench.run().await;
+        assert_eq!(bench.all("svg.scene").len(), 1);
+        assert_ne!(bench.attribute("svg.scene", "aria-label"), first);
+    }
+
+    #[wasm_bindgen_test]
+    async fn strobe_button_is_there_where_the_scene_has_the_option() {
+        let bench = stage().await;
+        let option = bench.page.results.scene.with_untracked(|scene| scene.option);
+        assert_eq!(bench.has(".strobe"), option.is_some());
+        if let Some(words) = option {
+            bench.press_button(t(words)).await;
+            assert_eq!(bench.attribute(".strobe", "aria-pressed"), "true");
+        }
+    }
+}

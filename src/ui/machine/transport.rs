@@ -118,3 +118,86 @@ fn Speed() -> impl IntoView {
         />
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount, settled, until};
+
+    async fn transport() -> Bench {
+        let bench = mount(|| view! { <Transport /> }).await;
+        bench.run().await;
+        bench
+    }
+
+    async fn shows(bench: &Bench, time: &'static str) {
+        let clock = bench.find("#clock");
+        until(move || clock.text_content().as_deref() == Some(time)).await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn play_button_says_what_it_will_do() {
+        let bench = transport().await;
+        assert_eq!(bench.attribute("#play", "aria-label"), t("page.play"));
+        bench.press("#play").await;
+        assert_eq!(bench.attribute("#play", "aria-label"), t("page.pause"));
+        let player = bench.page.player;
+        until(move || player.head() > 0.0).await;
+        bench.press("#play").await;
+        assert_eq!(bench.attribute("#play", "aria-label"), t("page.play"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn steps_go_forth_and_back_by_a_block() {
+        let bench = transport().await;
+        let player = bench.page.player;
+        let mut heads = vec![player.head()];
+        for words in ["page.step", "page.step", "page.step-back", "page.to-start"] {
+            bench.press_button(t(words)).await;
+            heads.push(player.head());
+        }
+        assert!(heads[1] > heads[0] && heads[2] > heads[1], "{heads:?}");
+        assert_eq!((heads[3], heads[4]), (heads[1], 0.0));
+    }
+
+    #[wasm_bindgen_test]
+    async fn clock_shows_the_time_that_one_goes_to() {
+        let bench = transport().await;
+        shows(&bench, "00:00.0000").await;
+        bench.choose("#go-to", "2,5").await;
+        shows(&bench, "00:02.5000").await;
+        bench.choose("#go-to", "soon").await;
+        assert_eq!(bench.page.player.head(), 2.5);
+    }
+
+    #[wasm_bindgen_test]
+    async fn running_block_is_shown_as_in_the_program() {
+        let bench = transport().await;
+        bench.seek(3.0).await;
+        let place = bench.page.player.running.get_untracked().unwrap();
+        let text = bench.page.program.text(place.file.0 as usize);
+        assert_eq!(bench.text(".where"), place.span.of(&text).trim());
+        assert!(!bench.text(".where").is_empty());
+    }
+
+    #[wasm_bindgen_test]
+    async fn speed_begins_automatic_and_can_be_chosen() {
+        let bench = transport().await;
+        assert_eq!((bench.value(".speed").as_str(), bench.all(".speed option").len()), ("0", SPEEDS.len() + 1));
+        bench.choose(".speed", "0.1").await;
+        assert_eq!(bench.page.player.speed.get_untracked(), 0.1);
+        bench.page.change_machine(crate::machines::ALL[1].id());
+        settled().await;
+        assert_eq!(bench.value(".speed"), "0");
+    }
+
+    #[wasm_bindgen_test]
+    async fn repeat_button_shows_its_state() {
+        let bench = transport().await;
+        assert_eq!(bench.attribute(".repeat", "aria-pressed"), "false");
+        bench.press(".repeat").await;
+        assert_eq!(bench.attribute(".repeat", "aria-pressed"), "true");
+    }
+}

@@ -26,3 +26,39 @@ pub(crate) fn Verdicts() -> impl IntoView {
         </section>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::state::view::Tab;
+    use crate::ui::testing::{field, mount, settled};
+
+    #[wasm_bindgen_test]
+    async fn headline_results_have_a_line_each() {
+        let bench = mount(|| view! { <Verdicts /> }).await;
+        let design = bench.page.results.design.get_untracked();
+        assert_eq!(bench.all(".card").len(), design.readouts.iter().filter(|readout| readout.headline).count());
+        bench.press(".card .to-result").await;
+        assert_eq!(bench.page.view.tab.get_untracked(), Tab::Results);
+    }
+
+    #[wasm_bindgen_test]
+    async fn verdicts_are_old_while_an_entry_is_wrong() {
+        let bench = mount(|| view! { <Verdicts /> }).await;
+        assert!(!bench.has(".cards.old") && bench.has(".stale-short.gone"));
+        bench.page.entries.refuse("pitch", *field("pitch").read("x").unwrap_err());
+        settled().await;
+        assert!(bench.has(".cards.old") && !bench.has(".stale-short.gone"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn verdicts_follow_the_form() {
+        let bench = mount(|| view! { <Verdicts /> }).await;
+        let before = bench.text(".cards");
+        bench.page.set("pitch", crate::machines::form::Value::Number(16.0));
+        settled().await;
+        assert_ne!(bench.text(".cards"), before);
+    }
+}

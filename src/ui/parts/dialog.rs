@@ -41,3 +41,54 @@ pub(crate) fn Dialog(
         </dialog>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use leptos::wasm_bindgen::JsCast;
+
+    use crate::ui::testing::{Bench, mount, settled};
+
+    async fn dialog(open: RwSignal<bool>) -> Bench {
+        mount(move || view! { <Dialog id="some-title" title="Title" open=open><p>"Content"</p></Dialog> }).await
+    }
+
+    #[wasm_bindgen_test]
+    async fn dialog_is_closed_until_asked_for() {
+        let open = RwSignal::new(false);
+        let bench = dialog(open).await;
+        assert!(!bench.has("dialog[open]"));
+        open.set(true);
+        settled().await;
+        assert!(bench.has("dialog[open]"));
+        assert_eq!((bench.text("dialog p"), bench.text("#some-title")), ("Content".to_owned(), "Title".to_owned()));
+    }
+
+    #[wasm_bindgen_test]
+    async fn dialog_is_labelled_and_takes_the_focus() {
+        let bench = dialog(RwSignal::new(true)).await;
+        assert_eq!(bench.attribute("dialog", "aria-labelledby"), "some-title");
+        assert!(document().active_element().unwrap().closest("dialog").unwrap().is_some());
+    }
+
+    #[wasm_bindgen_test]
+    async fn close_button_closes_the_dialog() {
+        let open = RwSignal::new(true);
+        let bench = dialog(open).await;
+        bench.press_button(t("page.close")).await;
+        assert!(!open.get_untracked() && !bench.has("dialog[open]"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn dialog_closed_by_the_browser_can_open_again() {
+        let open = RwSignal::new(true);
+        let bench = dialog(open).await;
+        bench.find("dialog").unchecked_into::<web_sys::HtmlDialogElement>().close();
+        crate::ui::testing::until(move || !open.get_untracked()).await;
+        open.set(true);
+        settled().await;
+        assert!(bench.has("dialog[open]"));
+    }
+}

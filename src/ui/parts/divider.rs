@@ -87,3 +87,69 @@ pub(crate) fn Divider(
         ></div>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount, mount_project, project};
+
+    const KEY: &str = "macroline.width--left";
+
+    fn columns(width: &'static str) -> impl IntoView {
+        view! { <div style:width=width></div><Divider property="--left" label="page.divide-form" grows=1.0 /> }
+    }
+
+    async fn divider(width: &'static str) -> Bench {
+        mount(move || columns(width)).await
+    }
+
+    #[wasm_bindgen_test]
+    async fn arrow_keys_move_the_divider() {
+        let bench = divider("300px").await;
+        bench.key(".divider", "ArrowRight", false).await;
+        assert_eq!(bench.attribute(".divider", "aria-valuenow"), "316");
+        bench.key(".divider", "ArrowLeft", false).await;
+        assert_eq!(bench.attribute(".divider", "aria-valuenow"), "284");
+        let root: HtmlElement = document().document_element().unwrap().unchecked_into();
+        assert_eq!(root.style().get_property_value("--left").unwrap(), "284px");
+    }
+
+    #[wasm_bindgen_test]
+    async fn divider_to_the_left_of_its_column_grows_it_leftwards() {
+        let bench = mount(|| {
+            view! { <Divider property="--right" label="page.divide-side" grows=-1.0 /><div style:width="300px"></div> }
+        })
+        .await;
+        bench.key(".divider", "ArrowLeft", false).await;
+        assert_eq!(bench.attribute(".divider", "aria-valuenow"), "316");
+    }
+
+    #[wasm_bindgen_test]
+    async fn divider_stops_at_its_limits() {
+        let bench = divider("639px").await;
+        bench.key(".divider", "ArrowRight", false).await;
+        assert_eq!(bench.attribute(".divider", "aria-valuenow"), bench.attribute(".divider", "aria-valuemax"));
+        let bench = divider("221px").await;
+        bench.key(".divider", "ArrowLeft", false).await;
+        assert_eq!(bench.attribute(".divider", "aria-valuenow"), bench.attribute(".divider", "aria-valuemin"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn width_is_remembered() {
+        let bench = divider("300px").await;
+        bench.key(".divider", "ArrowRight", false).await;
+        drop(bench);
+        assert_eq!(dom::stored(KEY).as_deref(), Some("316"));
+        let bench = mount_project(project(), || columns("300px")).await;
+        assert_eq!(bench.attribute(".divider", "aria-valuenow"), "316");
+    }
+
+    #[wasm_bindgen_test]
+    async fn other_keys_are_left_to_the_page() {
+        let bench = divider("300px").await;
+        bench.key(".divider", "ArrowDown", false).await;
+        assert_eq!(dom::stored(KEY), None);
+    }
+}

@@ -111,3 +111,55 @@ pub(crate) fn IconButton(
         </button>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::mount;
+
+    #[wasm_bindgen_test]
+    async fn icon_button_has_words_for_all_and_does_its_work() {
+        let presses = RwSignal::new(0);
+        let bench = mount(move || {
+            let press = move || presses.update(|count| *count += 1);
+            view! { <IconButton glyph=Glyph::Undo label="Undo" press=press /> }
+        })
+        .await;
+        assert_eq!(
+            (bench.attribute("button", "aria-label"), bench.attribute("button", "title")),
+            ("Undo".to_owned(), "Undo".to_owned())
+        );
+        assert_eq!(bench.attribute("svg", "aria-hidden"), "true");
+        bench.press_button("Undo").await;
+        assert_eq!(presses.get_untracked(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn disabled_icon_button_does_nothing() {
+        let (presses, disabled) = (RwSignal::new(0), RwSignal::new(true));
+        let bench = mount(move || {
+            let press = move || presses.update(|count| *count += 1);
+            view! { <IconButton glyph=Glyph::Undo label="Undo" title="Undo (Ctrl+Z)" disabled=disabled press=press /> }
+        })
+        .await;
+        assert_eq!(bench.attribute("button", "title"), "Undo (Ctrl+Z)");
+        bench.press("button").await;
+        assert_eq!(presses.get_untracked(), 0);
+        disabled.set(false);
+        crate::ui::testing::settled().await;
+        bench.press("button").await;
+        assert_eq!(presses.get_untracked(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn sign_follows_its_state() {
+        let glyph = RwSignal::new(Glyph::Play);
+        let bench = mount(move || view! { <Icon glyph=glyph /> }).await;
+        let play = bench.attribute("path", "d");
+        glyph.set(Glyph::Pause);
+        crate::ui::testing::settled().await;
+        assert_ne!(bench.attribute("path", "d"), play);
+    }
+}

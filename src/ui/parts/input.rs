@@ -79,3 +79,97 @@ pub(crate) fn Choice(
         </select>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount, settled};
+
+    async fn entry(taken: RwSignal<Vec<String>>, takes: bool) -> Bench {
+        let take = move |text| {
+            taken.update(|list| list.push(text));
+            takes
+        };
+        mount(move || view! { <EntryField words="Watch" take=take /> }).await
+    }
+
+    #[wasm_bindgen_test]
+    async fn entry_is_taken_at_enter_and_the_field_is_empty() {
+        let taken = RwSignal::new(Vec::new());
+        let bench = entry(taken, true).await;
+        bench.type_into("input", "  #101 ").await;
+        assert!(taken.with_untracked(Vec::is_empty));
+        bench.key("input", "Enter", false).await;
+        assert_eq!((taken.get_untracked(), bench.value("input")), (vec!["#101".to_owned()], String::new()));
+    }
+
+    #[wasm_bindgen_test]
+    async fn refused_entry_stays_in_the_field() {
+        let taken = RwSignal::new(Vec::new());
+        let bench = entry(taken, false).await;
+        bench.type_into("input", "#1 LT").await;
+        bench.key("input", "Enter", false).await;
+        assert_eq!((taken.with_untracked(Vec::len), bench.value("input").as_str()), (1, "#1 LT"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn empty_entry_is_not_taken() {
+        let taken = RwSignal::new(Vec::new());
+        let bench = entry(taken, true).await;
+        bench.type_into("input", "   ").await;
+        bench.key("input", "Enter", false).await;
+        assert!(taken.with_untracked(Vec::is_empty));
+        assert_eq!(bench.attribute("input", "aria-label"), "Watch");
+    }
+
+    #[wasm_bindgen_test]
+    async fn check_mark_shows_and_sets_its_state() {
+        let on = RwSignal::new(true);
+        let bench = mount(move || view! { <CheckMark label="Follow" on=on set=move |new| on.set(new) /> }).await;
+        assert_eq!(bench.text("label"), "Follow");
+        assert!(bench.checked("input"));
+        bench.press("label").await;
+        assert!(!on.get_untracked() && !bench.checked("input"));
+    }
+
+    fn options(ids: &[&str]) -> Vec<(String, String)> {
+        ids.iter().map(|id| ((*id).to_owned(), id.to_uppercase())).collect()
+    }
+
+    #[wasm_bindgen_test]
+    async fn list_begins_with_the_chosen_value() {
+        let bench = mount(|| view! { <Choice options=options(&["a", "b"]) chosen="b" choose=|_| () /> }).await;
+        assert_eq!((bench.value("select").as_str(), bench.text("option").as_str()), ("b", "A"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn list_hands_out_the_new_choice() {
+        let chosen = RwSignal::new("a".to_owned());
+        let bench = mount(
+            move || view! { <Choice options=options(&["a", "b"]) chosen=chosen choose=move |id| chosen.set(id) /> },
+        )
+        .await;
+        bench.choose("select", "b").await;
+        assert_eq!(chosen.get_untracked(), "b");
+        chosen.set("a".to_owned());
+        settled().await;
+        assert_eq!(bench.value("select"), "a");
+    }
+
+    #[wasm_bindgen_test]
+    async fn choice_stays_when_the_options_are_replaced() {
+        let list = RwSignal::new(options(&["a", "b"]));
+        let bench = mount(move || view! { <Choice options=list chosen="b" choose=|_| () /> }).await;
+        list.set(options(&["c", "b", "d"]));
+        settled().await;
+        assert_eq!((bench.all("option").len(), bench.value("select").as_str()), (3, "b"));
+    }
+
+    #[wasm_bindgen_test]
+    fn filled_part_stays_within_the_slider() {
+        assert_eq!([5.0, 20.0, -1.0].map(|value| filled_part(value, (0.0, 10.0))), ["50%", "100%", "0%"]);
+        assert_eq!(filled_part(1.0, (1.0, 1.0)), "0%");
+    }
+}

@@ -143,3 +143,60 @@ fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
     }
     out.push_str("</li>");
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::text::{Place, Span};
+    use crate::ui::testing::project;
+
+    fn shown(text: &str, found: &[Diagnostic]) -> String {
+        html(&File { name: "O1".to_owned(), text: text.to_owned() }, FileId(0), project().control, found)
+    }
+
+    #[wasm_bindgen_test]
+    fn lines_are_numbered_and_coloured() {
+        let html = shown("G01 X1.\r\n\nM30\n", &[]);
+        assert_eq!(html.matches("<li data-l=").count(), 3);
+        assert!(html.contains("<span class=\"t-g\">G01</span>"), "{html}");
+        assert!(html.contains("<li data-l=\"2\"><code> </code>"), "{html}");
+    }
+
+    #[wasm_bindgen_test]
+    fn text_of_a_program_is_never_markup() {
+        let html = shown("(<script>alert(1)</script>)", &[]);
+        assert!(!html.contains("<script"), "{html}");
+    }
+
+    #[wasm_bindgen_test]
+    fn finding_is_below_its_line_with_a_button_per_fix() {
+        let place = Place { file: FileId(0), span: Span { start: 4, end: 7 } };
+        let fixed = vec![(place, "X2.".to_owned())];
+        let found =
+            Diagnostic::warning(crate::msg!("page.not-a-value")).at(place).fix(crate::msg!("page.taken"), fixed);
+        let html = shown("G01 X1.\nM30\n", &[found]);
+        let (first, second) = (html.find("data-l=\"1\"").unwrap(), html.find("data-l=\"2\"").unwrap());
+        let says = html.find("<li class=\"says warn\">").unwrap();
+        assert!(first < says && says < second, "{html}");
+        assert!(html.contains("data-d=\"0\" data-fix=\"0\"") && html.contains("data-silence="), "{html}");
+        assert!(html.contains("bad-warn"), "{html}");
+    }
+
+    #[wasm_bindgen_test]
+    fn error_cannot_be_silenced() {
+        let place = Place { file: FileId(0), span: Span { start: 0, end: 3 } };
+        let html = shown("G01\n", &[Diagnostic::error(crate::msg!("page.not-a-value")).at(place)]);
+        assert!(html.contains("says fail") && !html.contains("data-silence"), "{html}");
+    }
+
+    #[wasm_bindgen_test]
+    fn many_findings_of_a_line_are_counted_instead() {
+        let place = Place { file: FileId(0), span: Span { start: 0, end: 3 } };
+        let found = vec![Diagnostic::warning(crate::msg!("page.not-a-value")).at(place); FINDINGS + 5];
+        let html = shown("G01\n", &found);
+        assert_eq!(html.matches("says warn").count(), FINDINGS);
+        assert!(html.contains(&say(&crate::msg!("page.more-findings", 5.0))), "{html}");
+    }
+}

@@ -29,3 +29,32 @@ pub(crate) fn SheetView(
     });
     view! { <div class="sheets" inner_html=move || shown.get()></div> }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, settled};
+
+    #[wasm_bindgen_test]
+    async fn sheet_without_a_worker_says_so() {
+        let bench = mount(|| view! { <SheetView which=|sheets| sheets.plc /> }).await;
+        assert_eq!(bench.text(".sheets"), t("page.no-answer"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn sheet_follows_the_project() {
+        let bench = mount(|| {
+            Client::here().answer_here(|project, _| {
+                Some(Response::Sheets(Sheets { plc: format!("<b>{}</b>", project.name), ..Sheets::default() }))
+            });
+            view! { <SheetView which=|sheets| sheets.plc /> <SheetView which=|sheets| sheets.ways /> }
+        })
+        .await;
+        bench.page.edit("", |project| project.name = "Customer".to_owned());
+        settled().await;
+        assert_eq!(bench.text("b"), "Customer");
+        assert_eq!(bench.text(".sheets + .sheets"), t("page.no-sheet"));
+    }
+}

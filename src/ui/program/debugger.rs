@@ -202,3 +202,91 @@ fn rows(page: Page, state: &State) -> impl IntoView + use<> {
         {state.watches.iter().enumerate().map(watch).collect_view()}
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::text::FileId;
+    use crate::ui::testing::{Bench, mount, settled, until};
+
+    async fn debugger() -> Bench {
+        let bench = mount(|| view! { <DebuggerBar /> <Seen /> }).await;
+        bench.run().await;
+        bench
+    }
+
+    async fn stepped(bench: &Bench, words: &'static str) {
+        bench.press_button(t(words)).await;
+        let walk = bench.page.player.walk;
+        until(move || walk.with_untracked(|walk| walk.at_stop)).await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn commands_are_hidden_until_one_steps() {
+        let bench = debugger().await;
+        assert!(!bench.has(".walk") && bench.has(".seen.gone"));
+        bench.page.view.stepping.set(true);
+        settled().await;
+        assert_eq!(bench.all(".walk button").len(), COMMANDS.len());
+        assert!(!bench.has(".seen.gone"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn step_stops_at_the_next_block_and_says_it() {
+        let bench = debugger().await;
+        bench.page.view.stepping.set(true);
+        settled().await;
+        stepped(&bench, "page.walk-into").await;
+        let first = bench.text(".here");
+        assert!(first.starts_with(t("page.walk-next")), "{first}");
+        stepped(&bench, "page.walk-into").await;
+        assert_ne!(bench.text(".here"), first);
+        assert!(bench.text(".seen").contains(t("page.walk-stack")));
+        bench.press_button(t("page.walk-stop")).await;
+        assert_eq!(bench.text(".here"), "");
+    }
+
+    #[wasm_bindgen_test]
+    async fn watch_is_shown_with_its_value_and_removed() {
+        let bench = debugger().await;
+        bench.page.view.stepping.set(true);
+        settled().await;
+        bench.type_into(".seen input", "1+2").await;
+        bench.key(".seen input", "Enter", false).await;
+        stepped(&bench, "page.walk-into").await;
+        assert_eq!(bench.text(".seen p:last-of-type span"), "3");
+        bench.press_button(&format!("{} 1+2", t("page.walk-remove"))).await;
+        assert!(!bench.text(".seen").contains("1+2"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn breakpoint_without_a_chosen_line_asks_for_one() {
+        let bench = debugger().await;
+        bench.page.view.stepping.set(true);
+        settled().await;
+        bench.press_button(t("page.walk-point")).await;
+        assert_eq!(bench.notices(), [t("page.walk-cursor")]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn breakpoint_stops_the_run_and_is_removed() {
+        let bench = debugger().await;
+        bench.page.view.stepping.set(true);
+        settled().await;
+        stepped(&bench, "page.walk-into").await;
+        stepped(&bench, "page.walk-into").await;
+        let place = bench.page.player.walk.with_untracked(Walk::place).unwrap();
+        let line = LineIndex::new(&bench.page.program.text(place.file.0 as usize)).line_of(place.span.start);
+        bench.page.player.seek(0.0);
+        bench.page.player.walk.update(|walk| walk.cursor = Some((FileId(place.file.0), line)));
+        bench.press_button(t("page.walk-point")).await;
+        stepped(&bench, "page.walk-go").await;
+        assert!(bench.text(".here").starts_with(t("page.walk-breakpoint")), "{}", bench.text(".here"));
+        assert_eq!(bench.page.player.walk.with_untracked(Walk::place), Some(place));
+        bench.press(".seen button[aria-label]").await;
+        assert!(bench.page.player.walk.with_untracked(|walk| walk.points.list().is_empty()));
+        assert!(!bench.text(".seen").contains(t("page.walk-points")));
+    }
+}

@@ -162,3 +162,25 @@ pub(super) fn Difference() -> impl IntoView {
         view! { <Bundle handle=StoredValue::new_local(None) begin=begin /> }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, until};
+
+    #[wasm_bindgen_test]
+    fn places_are_counted_in_the_units_of_javascript() {
+        assert_eq!([0, 1, 3, 6].map(|byte| units("aé€b", byte)), [0.0, 1.0, 2.0, 3.0]);
+        assert_eq!(units("(😀)M", 6), 4.0);
+    }
+
+    #[wasm_bindgen_test]
+    async fn editor_that_cannot_be_loaded_says_so() {
+        let bench = mount(|| view! { <Editor /> }).await;
+        let note = bench.find(".note");
+        until(move || note.text_content().is_some_and(|text| text.starts_with(t("page.editor-failed")))).await;
+        assert!(!bench.page.program.edited.get_untracked());
+    }
+}

@@ -115,3 +115,99 @@ fn reveal(row: &Element) {
         list.set_scroll_top(list.scroll_top() + (line.bottom() - area.bottom() + room) as i32);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::text::{Diagnostic, Span};
+    use crate::ui::testing::{Bench, mount, settled};
+
+    async fn listing() -> Bench {
+        mount(|| view! { <Listing follow=RwSignal::new(true) /> }).await
+    }
+
+    /// Numbers of the lines with a class.
+    fn marked(bench: &Bench, class: &str) -> Vec<String> {
+        bench.all(&format!("li.{class}")).iter().filter_map(|row| row.get_attribute("data-l")).collect()
+    }
+
+    fn line(bench: &Bench, number: u32) -> Place {
+        let text = bench.page.program.text(0);
+        let lines = LineIndex::new(&text);
+        let start = lines.start(number);
+        Place { file: FileId(0), span: Span { start, end: start + 1 } }
+    }
+
+    #[wasm_bindgen_test]
+    async fn every_line_of_the_file_is_shown() {
+        let bench = listing().await;
+        let text = bench.page.program.text(0);
+        assert_eq!(bench.all("li[data-l]").len(), text.lines().count());
+        assert_eq!(bench.text("li[data-l='3']"), text.lines().nth(2).unwrap().trim());
+    }
+
+    #[wasm_bindgen_test]
+    async fn running_block_is_marked_alone() {
+        let bench = listing().await;
+        for number in [2, 4] {
+            bench.page.player.running.set(Some(line(&bench, number)));
+            settled().await;
+            assert_eq!(marked(&bench, "run"), [number.to_string()]);
+            assert_eq!(bench.attribute("[aria-current=step]", "data-l"), number.to_string());
+        }
+        assert_eq!(bench.all("[aria-current]").len(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn block_of_another_file_marks_nothing() {
+        let bench = listing().await;
+        bench.page.player.running.set(Some(Place { file: FileId(1), ..line(&bench, 2) }));
+        settled().await;
+        assert!(marked(&bench, "run").is_empty());
+    }
+
+    #[wasm_bindgen_test]
+    async fn arrow_keys_move_the_cursor_and_say_the_line() {
+        let bench = listing().await;
+        for (key, at) in [("ArrowDown", "1"), ("ArrowDown", "2"), ("ArrowUp", "1"), ("ArrowUp", "1")] {
+            bench.key(".listing", key, false).await;
+            assert_eq!(marked(&bench, "cursor"), [at]);
+        }
+        assert_eq!(bench.page.notices.said.get_untracked().trim(), bench.text("li[data-l='1']"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn findings_appear_below_their_line() {
+        let bench = listing().await;
+        assert!(!bench.has("li.says"));
+        let found = Diagnostic::warning(crate::msg!("page.not-a-value")).at(line(&bench, 2));
+        bench.page.program.findings.set(vec![found]);
+        settled().await;
+        assert!(bench.text("li[data-l='2'] + li.says").contains(t("page.not-a-value")));
+    }
+
+    #[wasm_bindgen_test]
+    async fn listing_is_busy_while_the_review_is_on_its_way() {
+        let bench = listing().await;
+        assert_eq!(bench.attribute(".listing", "aria-busy"), "false");
+        bench.page.program.pending.set(true);
+        settled().await;
+        assert_eq!(bench.attribute(".listing", "aria-busy"), "true");
+    }
+
+    #[wasm_bindgen_test]
+    async fn change_of_the_form_rewrites_the_lines() {
+        let bench = mount(|| view! { <Listing follow=RwSignal::new(true) /> }).await;
+        let found = |bench: &Bench| {
+            let files = bench.page.program.written.with_untracked(|written| written.files.0.len());
+            (0..files).find(|file| bench.page.program.text(*file).contains("#107=7.25"))
+        };
+        assert_eq!(found(&bench), None);
+        bench.page.set("pitch", crate::machines::form::Value::Number(7.25));
+        bench.page.view.file.set(found(&bench).unwrap());
+        settled().await;
+        assert!(bench.text(".listing").contains("#107=7.25"));
+    }
+}

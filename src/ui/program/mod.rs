@@ -222,3 +222,162 @@ fn press(page: Page, event: &MouseEvent) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::text::Diagnostic;
+    use crate::ui::testing::{Bench, mount, settled};
+
+    async fn tab() -> Bench {
+        mount(|| view! { <ProgramTab /> }).await
+    }
+
+    #[wasm_bindgen_test]
+    async fn every_file_has_a_chip() {
+        let bench = tab().await;
+        let names =
+            bench.page.program.written.with_untracked(|w| w.files.0.iter().map(|f| f.name.clone()).collect::<Vec<_>>());
+        assert_eq!(bench.all(".chip").iter().filter_map(|chip| chip.text_content()).collect::<Vec<_>>(), names);
+        bench.press(".chip:last-of-type").await;
+        assert_eq!(bench.page.view.file.get_untracked(), names.len() - 1);
+        assert_eq!(bench.attribute(".chip:last-of-type", "aria-pressed"), "true");
+        let first = bench.page.program.text(names.len() - 1);
+        assert_eq!(bench.text("li[data-l='1']"), first.lines().next().unwrap().trim());
+    }
+
+    #[wasm_bindgen_test]
+    async fn findings_are_counted_by_signs() {
+        let bench = tab().await;
+        assert_eq!(bench.text(".counts"), "");
+        let found = |make: fn(crate::text::Message) -> Diagnostic| make(crate::msg!("page.not-a-value"));
+        let found = [Diagnostic::error, Diagnostic::warning, Diagnostic::warning].map(found);
+        bench.page.program.findings.set(found.into());
+        settled().await;
+        assert_eq!((bench.text(".counts .fail").as_str(), bench.text(".counts .warn").as_str()), ("✕ 1", "▲ 2"));
+        assert!(!bench.has(".counts .info"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn edit_button_shows_editor_and_listing_by_turns() {
+        let bench = tab().await;
+        bench.press_button(t("page.edit")).await;
+        assert!(bench.has(".editor") && !bench.has(".listing"));
+        assert!(bench.has(".tools [aria-pressed=true]"));
+        bench.press_button(t("page.edit")).await;
+        assert!(!bench.has(".editor") && bench.has(".listing"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn edited_program_has_a_bar_and_can_be_written_again() {
+        let bench = tab().await;
+        assert!(!bench.has(".detached"));
+        let generated = bench.page.program.text(0);
+        bench.page.program.typed.set_value(Some((0, format!("{generated}(changed)\n"))));
+        bench.page.take_typed();
+        settled().await;
+        assert!(bench.text(".detached").contains(t("page.detached")));
+        bench.press_button(t("page.write-again")).await;
+        assert!(!bench.has(".detached"));
+        assert_eq!(bench.page.program.text(0), generated);
+        bench.page.undo();
+        settled().await;
+        assert!(bench.has(".detached"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn listing_of_the_paper_is_taken_and_undone() {
+        let bench = tab().await;
+        bench.press_button(t("page.paper")).await;
+        assert!(bench.has(".detached"));
+        let listing = bench.page.project.with_untracked(crate::project::Project::listing);
+        assert_eq!(bench.page.program.text(0), listing.0[0].text);
+        bench.page.undo();
+        settled().await;
+        assert!(!bench.has(".detached"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn kept_edit_makes_the_bar_small() {
+        let bench = tab().await;
+        bench.press_button(t("page.paper")).await;
+        bench.press_button(t("page.keep")).await;
+        assert!(bench.has(".detached.small") && bench.page.program.edited.get_untracked());
+    }
+
+    #[wasm_bindgen_test]
+    async fn silenced_findings_are_counted_and_shown_again() {
+        let bench = tab().await;
+        assert!(!bench.has(".silenced"));
+        bench.page.edit("", |project| project.silenced.push("some-warning".to_owned()));
+        settled().await;
+        bench.page.program.silenced.set(2);
+        settled().await;
+        assert!(bench.text(".silenced").starts_with("2 "));
+        bench.press_button(t("page.show-again")).await;
+        assert!(bench.page.project.with_untracked(|project| project.silenced.is_empty()));
+        assert!(!bench.has(".silenced"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn fix_button_mends_the_text() {
+        let bench = tab().await;
+        let start = bench.page.program.text(0).find('O').unwrap() as u32;
+        let place = Place { file: FileId(0), span: Span { start, end: start + 1 } };
+        let fixed = vec![(place, "(fixed)O".to_owned())];
+        let found =
+            Diagnostic::warning(crate::msg!("page.not-a-value")).at(place).fix(crate::msg!("page.taken"), fixed);
+        bench.page.program.findings.set(vec![found]);
+        settled().await;
+        bench.press("[data-fix]").await;
+        assert!(bench.page.program.text(0).contains("(fixed)O"));
+        assert!(bench.has(".detached"));
+        assert_eq!(bench.page.notices.said.get_untracked(), t("page.mended"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn silence_button_keeps_the_warning_quiet() {
+        let bench = tab().await;
+        let place = Place { file: FileId(0), span: Span { start: 0, end: 1 } };
+        let found = Diagnostic::warning(crate::msg!("page.not-a-value")).at(place);
+        let id = found.id();
+        bench.page.program.findings.set(vec![found]);
+        settled().await;
+        bench.press_button(t("page.silence")).await;
+        assert_eq!(bench.page.project.with_untracked(|project| project.silenced.clone()), [id]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn listing_follows_the_running_file_only_when_asked() {
+        let bench = tab().await;
+        let running = |at: u16| Some(Place { file: FileId(at), span: Span { start: 0, end: 1 } });
+        bench.page.player.running.set(running(1));
+        settled().await;
+        assert_eq!(bench.page.view.file.get_untracked(), 1);
+        bench.press(".check").await;
+        bench.page.player.running.set(running(0));
+        settled().await;
+        assert_eq!(bench.page.view.file.get_untracked(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn press_on_a_line_sets_the_cursor() {
+        let bench = tab().await;
+        bench.press("li[data-l='3'] code").await;
+        assert!(bench.has("li.cursor[data-l='3']"));
+        assert!(!bench.has("li.stop"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn press_on_a_line_number_sets_a_breakpoint() {
+        let bench = tab().await;
+        let text = bench.page.program.text(0);
+        let block = 1 + text.lines().position(|line| line.starts_with("N")).unwrap();
+        bench.press(&format!("li[data-l='{block}']")).await;
+        assert!(bench.has(&format!("li.stop[data-l='{block}']")));
+        bench.press(&format!("li[data-l='{block}']")).await;
+        assert!(!bench.has("li.stop"));
+    }
+}

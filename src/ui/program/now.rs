@@ -28,3 +28,33 @@ pub(super) fn Now() -> impl IntoView {
         </dl>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, settled};
+
+    #[wasm_bindgen_test]
+    async fn positions_have_the_axes_of_the_control_and_the_spindle() {
+        let bench = mount(|| view! { <Now /> }).await;
+        bench.run().await;
+        let control = bench.page.project.with_untracked(|project| project.control);
+        let mut names: Vec<String> = control.axes.iter().map(|axis| axis.letter.to_string()).collect();
+        names.push("S".to_owned());
+        assert_eq!(bench.all("dt").iter().filter_map(|name| name.text_content()).collect::<Vec<_>>(), names);
+        assert_eq!(bench.text("dd"), "0.000");
+    }
+
+    #[wasm_bindgen_test]
+    async fn positions_follow_the_head() {
+        let bench = mount(|| view! { <Now /> }).await;
+        bench.run().await;
+        bench.seek(3.5).await;
+        settled().await;
+        let x = bench.page.player.now.with_untracked(|now| now.axes[0].position);
+        assert_eq!(bench.text("dd"), figure(x, 3));
+        assert_ne!(bench.text("div:last-child dd"), "0");
+    }
+}

@@ -168,3 +168,52 @@ fn Slider(
         </div>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount_project};
+
+    async fn explorer() -> Bench {
+        let machine = crate::machines::ALL.iter().find(|machine| machine.explores()).unwrap();
+        mount_project(Project::of(machine.id(), None).unwrap(), || view! { <ExploreTab /> }).await
+    }
+
+    /// Another position of the first slider.
+    fn elsewhere(bench: &Bench) -> String {
+        let (value, max) = (bench.value(".slider input"), bench.attribute(".slider input", "max"));
+        if value == max { bench.attribute(".slider input", "min") } else { max }
+    }
+
+    #[wasm_bindgen_test]
+    async fn slider_begins_with_the_value_of_the_form() {
+        let bench = explorer().await;
+        let field = bench.attribute(".slider label", "for").replace("explore-", "");
+        let Some(crate::machines::form::Value::Number(value)) = bench.setting(&field) else { panic!("a number") };
+        assert_eq!(bench.value(".slider input"), number_text(value, 6));
+        assert!(bench.text(".slider output").starts_with(&number_text(value, 6)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn form_takes_a_dragged_value_only_at_the_end() {
+        let bench = explorer().await;
+        let before = bench.page.project.with_untracked(|project| project.values.clone());
+        let to = elsewhere(&bench);
+        let shown = bench.text(".slider output");
+        bench.type_into(".slider input", &to).await;
+        assert_ne!(bench.text(".slider output"), shown);
+        assert_eq!(bench.page.project.with_untracked(|project| project.values.clone()), before);
+        bench.choose(".slider input", &to).await;
+        assert_ne!(bench.page.project.with_untracked(|project| project.values.clone()), before);
+        bench.page.undo();
+        assert_eq!(bench.page.project.with_untracked(|project| project.values.clone()), before);
+    }
+
+    #[wasm_bindgen_test]
+    async fn shape_and_verdicts_are_shown() {
+        let bench = explorer().await;
+        assert!(bench.has(".shape svg") && bench.has(".row .card"));
+    }
+}

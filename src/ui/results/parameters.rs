@@ -83,3 +83,72 @@ fn SwitchRow(
         </tr>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount, settled};
+
+    async fn parameters() -> Bench {
+        mount(|| view! { <ParametersTab /> }).await
+    }
+
+    fn place(of: impl Fn(&Switch) -> bool) -> (usize, &'static Switch) {
+        let switches = crate::ui::testing::project().control.switches;
+        switches.iter().enumerate().find(|(_, switch)| of(switch)).unwrap()
+    }
+
+    #[wasm_bindgen_test]
+    async fn every_open_point_has_setting_and_grade() {
+        let bench = parameters().await;
+        let switches = bench.page.project.with_untracked(|project| project.control.switches);
+        assert_eq!(bench.all(".switches tr").len(), switches.len());
+        let grades: Vec<String> = bench.all(".switches .grade").iter().filter_map(|cell| cell.text_content()).collect();
+        assert_eq!(grades, switches.iter().map(|switch| grade(switch.cite.grade)).collect::<Vec<_>>());
+    }
+
+    #[wasm_bindgen_test]
+    async fn chosen_setting_reaches_the_project_and_is_undone() {
+        let (at, switch) = place(|switch| !switch.is_text() && switch.options().len() > 1);
+        let bench = parameters().await;
+        let list = format!(".switches tr:nth-child({}) select", at + 1);
+        let present = bench.value(&list);
+        let other = switch.options().iter().map(|option| option.id).find(|id| *id != present).unwrap();
+        bench.choose(&list, other).await;
+        assert_eq!(bench.page.project.with_untracked(|project| project.switches.setting(switch).to_owned()), other);
+        bench.page.undo();
+        settled().await;
+        assert_eq!(bench.value(&list), present);
+    }
+
+    #[wasm_bindgen_test]
+    async fn control_has_its_own_points() {
+        let bench = parameters().await;
+        let control = crate::controls::find(crate::machines::ALL[0].controls()[2]).unwrap();
+        bench.page.edit("", |project| project.move_to(control));
+        settled().await;
+        assert_eq!(bench.all(".switches tr").len(), control.switches.len());
+    }
+
+    #[wasm_bindgen_test]
+    async fn wrong_setting_is_refused_with_a_notice() {
+        let text = |control: &&'static crate::controls::Control| control.switches.iter().any(Switch::is_text);
+        let Some(control) = crate::controls::ALL.iter().copied().find(text) else { return };
+        let machine = crate::machines::ALL.iter().find(|machine| machine.controls().contains(&control.id)).unwrap();
+        let project = crate::project::Project::of(machine.id(), Some(control.id)).unwrap();
+        let bench = crate::ui::testing::mount_project(project, || view! { <ParametersTab /> }).await;
+        let before = bench.value(".switches input");
+        bench.choose(".switches input", &"x".repeat(501)).await;
+        assert_eq!(bench.notices(), [t("page.not-a-setting")]);
+        let switch = control.switches.iter().find(|switch| switch.is_text()).unwrap();
+        assert_eq!(bench.page.project.with_untracked(|project| project.switches.setting(switch).to_owned()), before);
+    }
+
+    #[wasm_bindgen_test]
+    async fn sheet_of_the_plc_waits_for_the_worker() {
+        let bench = mount(|| view! { <PlcTab /> }).await;
+        assert_eq!(bench.text(".sheets"), t("page.no-answer"));
+    }
+}

@@ -94,3 +94,59 @@ fn Row(
         </article>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount, settled};
+    use crate::view::Verdict;
+
+    async fn results() -> Bench {
+        mount(|| view! { <ResultsTab /> <input id="heads" /> }).await
+    }
+
+    #[wasm_bindgen_test]
+    async fn every_result_has_value_tone_and_source() {
+        let bench = results().await;
+        let design = bench.page.results.design.get_untracked();
+        assert_eq!(bench.all("article").len(), design.readouts.len());
+        for readout in &design.readouts {
+            let row = format!("#result-{}", readout.id);
+            assert!(bench.has(&format!("{row}.{}", verdict_tone(readout.verdict))), "{row}");
+            assert!(bench.text(&format!("{row} .v")).starts_with(&figure(readout.value, readout.decimals)), "{row}");
+            assert_eq!(bench.text(&format!("{row} .source")), readout.cite.source.trim());
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn failed_result_says_so_in_words_and_advises() {
+        let bench = results().await;
+        let mut design = (*bench.page.results.design.get_untracked()).clone();
+        design.readouts.truncate(1);
+        let first = &mut design.readouts[0];
+        first.verdict = Verdict::Fail;
+        first.advice = vec![crate::msg!("page.not-a-value").into()];
+        bench.page.results.design.set(std::rc::Rc::new(design));
+        settled().await;
+        assert!(bench.text("article.fail h3").contains(t("page.verdict-fail")));
+        assert_eq!(bench.text("article li"), t("page.not-a-value"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn assumed_facts_lead_to_their_fields() {
+        let bench = results().await;
+        bench.press_button(t(crate::ui::testing::field("heads").label)).await;
+        assert_eq!(document().active_element().unwrap().id(), "heads");
+    }
+
+    #[wasm_bindgen_test]
+    async fn results_are_old_while_an_entry_is_wrong() {
+        let bench = results().await;
+        assert!(!bench.has(".results.old"));
+        bench.page.entries.refuse("pitch", *crate::ui::testing::field("pitch").read("x").unwrap_err());
+        settled().await;
+        assert!(bench.has(".results.old"));
+    }
+}

@@ -82,3 +82,61 @@ fn Row(
         </tr>
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{Bench, mount};
+
+    async fn variables() -> Bench {
+        let bench = mount(|| view! { <VariablesTab /> }).await;
+        bench.run().await;
+        bench
+    }
+
+    fn actions(bench: &Bench) -> Vec<Action> {
+        bench
+            .page
+            .project
+            .with_untracked(|project| project.panel.events().iter().map(|event| event.action.clone()).collect())
+    }
+
+    #[wasm_bindgen_test]
+    async fn every_variable_has_name_value_unit_and_meaning() {
+        let bench = variables().await;
+        let (rows, control) =
+            (bench.page.results.variables.get_untracked(), bench.page.project.with_untracked(|p| p.control));
+        let names: Vec<String> = bench.all("tbody th").iter().filter_map(|name| name.text_content()).collect();
+        assert_eq!(names, rows.iter().map(|row| control.variable(row.0)).collect::<Vec<_>>());
+        assert_eq!(bench.attribute("tbody input", "aria-label"), names[0]);
+        assert_eq!(bench.text("tbody tr td:last-child"), t(rows[0].1));
+    }
+
+    #[wasm_bindgen_test]
+    async fn value_is_that_of_the_head() {
+        let bench = variables().await;
+        bench.seek(3.5).await;
+        let number = bench.page.results.variables.get_untracked()[0].0;
+        let control = bench.page.project.with_untracked(|project| project.control);
+        let (value, _) = untrack(|| bench.page.player.variable(control, number));
+        assert_eq!(bench.value("tbody input"), value_of(control, value, 6));
+    }
+
+    #[wasm_bindgen_test]
+    async fn typed_value_is_an_action_of_the_operator() {
+        let bench = variables().await;
+        let number = bench.page.results.variables.get_untracked()[0].0;
+        bench.choose("tbody input", "12,5").await;
+        assert_eq!(actions(&bench), [Action::Variable(number, Some(12.5))]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn text_that_is_no_number_is_refused() {
+        let bench = variables().await;
+        bench.choose("tbody input", "many").await;
+        assert_eq!(bench.notices(), [t("page.not-a-value")]);
+        assert!(actions(&bench).is_empty());
+    }
+}

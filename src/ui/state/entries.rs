@@ -49,3 +49,23 @@ impl Entries {
 pub(crate) fn of_field<'d>(diagnostics: &'d [Diagnostic], field: &str) -> Option<&'d Diagnostic> {
     diagnostics.iter().find(|d| d.field == Some(field))
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+
+    #[wasm_bindgen_test]
+    fn field_has_one_reason_until_it_is_accepted() {
+        let entries = Entries::new();
+        ["page.broken", "page.not-a-value"].into_iter().for_each(|_| {
+            entries.refuse("pitch", Diagnostic::error(crate::msg!("page.not-a-value")));
+        });
+        assert_eq!(entries.invalid.with_untracked(Vec::len), 1);
+        entries.accept("heads");
+        assert!(entries.refused("pitch").is_some());
+        entries.accept("pitch");
+        assert!(entries.refused("pitch").is_none());
+    }
+}

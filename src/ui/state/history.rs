@@ -52,3 +52,61 @@ impl History {
         (!self.past.is_empty(), !self.future.is_empty())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::project;
+
+    fn named(name: &str) -> Project {
+        let mut project = project();
+        project.name = name.to_owned();
+        project
+    }
+
+    fn steps_back(history: &mut History) -> usize {
+        (0..1000).take_while(|_| history.back(project()).is_some()).count()
+    }
+
+    #[wasm_bindgen_test]
+    fn history_keeps_a_hundred_steps() {
+        let mut history = History::default();
+        (0..130).for_each(|at| history.note(&named(&at.to_string()), "", f64::from(at)));
+        assert_eq!(history.back(project()).unwrap().name, "129");
+        assert_eq!(steps_back(&mut history), 99);
+    }
+
+    #[wasm_bindgen_test]
+    fn changes_of_a_field_within_a_second_are_one_step() {
+        let mut history = History::default();
+        [0.0, 900.0, 1800.0].into_iter().for_each(|now| history.note(&named(&now.to_string()), "pitch", now));
+        assert_eq!(history.back(project()).unwrap().name, "0");
+        assert_eq!(history.can(), (false, true));
+    }
+
+    #[wasm_bindgen_test]
+    fn change_after_more_than_a_second_is_another_step() {
+        let mut history = History::default();
+        [0.0, 1001.0].into_iter().for_each(|now| history.note(&project(), "pitch", now));
+        assert_eq!(steps_back(&mut history), 2);
+    }
+
+    #[wasm_bindgen_test]
+    fn change_of_another_field_is_another_step() {
+        let mut history = History::default();
+        ["pitch", "heads", "pitch"].into_iter().for_each(|key| history.note(&project(), key, 0.0));
+        assert_eq!(steps_back(&mut history), 3);
+    }
+
+    #[wasm_bindgen_test]
+    fn change_after_undo_removes_the_steps_forth() {
+        let mut history = History::default();
+        history.note(&named("first"), "", 0.0);
+        assert_eq!(history.back(named("second")).unwrap().name, "first");
+        history.note(&named("first"), "", 1.0);
+        assert_eq!(history.can(), (true, false));
+        assert!(history.forth(project()).is_none());
+    }
+}

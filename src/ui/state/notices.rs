@@ -47,3 +47,29 @@ impl Notices {
         self.said.set(text.into());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+
+    #[wasm_bindgen_test]
+    fn same_notice_is_shown_once_and_said_again() {
+        let notices = Notices::new(Vec::new());
+        notices.notify("warn", "a".to_owned());
+        notices.notify("warn", "b".to_owned());
+        notices.notify("fail", "a".to_owned());
+        let list = notices.list.get_untracked();
+        assert_eq!(list.iter().map(|notice| notice.text.as_str()).collect::<Vec<_>>(), ["b", "a"]);
+        assert_eq!((list[1].tone, notices.said.get_untracked().as_str()), ("fail", "a"));
+    }
+
+    #[wasm_bindgen_test]
+    fn dismissed_notice_leaves_the_others() {
+        let notices = Notices::new(Vec::new());
+        ["a", "b"].into_iter().for_each(|text| notices.notify("info", text.to_owned()));
+        notices.dismiss("a");
+        assert_eq!(notices.list.with_untracked(|list| list.iter().map(|n| n.text.clone()).collect::<Vec<_>>()), ["b"]);
+    }
+}

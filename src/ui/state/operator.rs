@@ -92,3 +92,44 @@ pub(crate) fn name(action: &Action, control: &Control) -> String {
         Action::Variable(number, value) => format!("{} = {}", control.variable(*number), value_of(control, *value, 6)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, project, settled};
+
+    #[wasm_bindgen_test]
+    fn last_setting_before_a_time_counts() {
+        let feed = |t, percent| Event { t, action: Action::FeedOverride(percent) };
+        let events = [feed(1.0, 50.0), Event { t: 2.0, action: Action::Start }, feed(3.0, 70.0)];
+        let at = |t| {
+            standing(&events, t, 100.0, |action| match action {
+                Action::FeedOverride(percent) => Some(*percent),
+                _ => None,
+            })
+        };
+        assert_eq!([0.5, 1.0, 2.5, 3.5].map(at), [100.0, 50.0, 50.0, 70.0]);
+    }
+
+    #[wasm_bindgen_test]
+    fn action_is_named_with_value_and_unit() {
+        let control = project().control;
+        assert!(name(&Action::SpindleOverride(80.0), control).ends_with(" 80 %"));
+        assert_eq!(name(&Action::Variable(101, Some(2.0)), control), format!("{} = 2", control.variable(101)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn action_is_a_step_that_undo_takes_back() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        act(page, Action::SpindleOverride(80.0));
+        settled().await;
+        assert_eq!(page.project.with_untracked(|project| project.panel.events().len()), 1);
+        assert!(page.player.changed.get_untracked().contains(" 80 %"));
+        page.undo();
+        settled().await;
+        assert!(page.project.with_untracked(|project| project.panel.events().is_empty()));
+    }
+}

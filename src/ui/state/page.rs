@@ -304,3 +304,79 @@ impl Page {
         !self.wrong_fields().is_empty()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::mount;
+
+    fn number(page: Page, id: &str) -> Value {
+        page.project.with_untracked(|project| project.values[id].clone())
+    }
+
+    #[wasm_bindgen_test]
+    async fn undo_and_redo_travel_between_values() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        page.set("pitch", Value::Number(9.0));
+        assert_eq!(page.can.get_untracked(), (true, false));
+        page.undo();
+        assert_eq!((number(page, "pitch"), page.can.get_untracked()), (Value::Number(8.0), (false, true)));
+        page.redo();
+        assert_eq!(number(page, "pitch"), Value::Number(9.0));
+    }
+
+    #[wasm_bindgen_test]
+    async fn setting_the_same_value_is_no_step() {
+        let bench = mount(|| ()).await;
+        bench.page.set("pitch", Value::Number(8.0));
+        assert_eq!(bench.page.can.get_untracked(), (false, false));
+    }
+
+    #[wasm_bindgen_test]
+    async fn machine_comes_back_as_it_was_left() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        let (first, second) = (crate::machines::ALL[0].id(), crate::machines::ALL[1].id());
+        page.set("pitch", Value::Number(9.0));
+        page.change_machine(second);
+        assert_eq!(page.machine.get_untracked(), second);
+        page.change_machine(first);
+        assert_eq!(number(page, "pitch"), Value::Number(9.0));
+    }
+
+    #[wasm_bindgen_test]
+    async fn advised_entries_are_one_step() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        page.take_entries(&[("pitch", "9".to_owned()), ("heads", "7".to_owned())]);
+        assert_eq!((number(page, "pitch"), number(page, "heads")), (Value::Number(9.0), Value::Number(7.0)));
+        page.undo();
+        assert_eq!((number(page, "pitch"), number(page, "heads")), (Value::Number(8.0), Value::Number(6.0)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn edited_program_goes_back_to_the_form_when_restored() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        let text = page.program.text(0);
+        page.program.typed.set_value(Some((0, format!("{text}(x)\n"))));
+        page.take_typed();
+        assert!(page.program.edited.get_untracked());
+        page.program.typed.set_value(Some((0, text)));
+        page.take_typed();
+        assert!(!page.program.edited.get_untracked());
+    }
+
+    #[wasm_bindgen_test]
+    async fn assumed_origin_is_not_kept() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        page.set_provenance("heads", Provenance::Measured);
+        assert_eq!(page.project.with_untracked(|project| project.provenance.len()), 1);
+        page.set_provenance("heads", Provenance::Assumed);
+        assert!(page.project.with_untracked(|project| project.provenance.is_empty()));
+    }
+}

@@ -169,6 +169,10 @@ impl Player {
     /// Shows the run as it now is: after the effects of a change.
     pub(crate) fn settle(self) {
         dom::soon(move || {
+            // The page may be gone.
+            if self.state.is_disposed() {
+                return;
+            }
             self.plan(self.soon(), SLICE);
             self.show();
             dom::mark("rendered");

@@ -62,7 +62,13 @@ struct State {
     /// Requests without a response yet.
     waiting: Vec<Waiting>,
     last: u32,
+    /// Answers in place of a worker.
+    #[cfg(test)]
+    here: Option<Answer>,
 }
+
+#[cfg(test)]
+type Answer = fn(&Project, Request) -> Option<Response>;
 
 struct Waiting {
     question: Question,
@@ -86,6 +92,11 @@ impl Client {
     pub(crate) fn ask(self, project: &Project, request: Request, then: impl FnOnce(Option<Response>) + 'static) {
         let Some(state) = self.0.try_get_value() else { return };
         let mut state = state.borrow_mut();
+        #[cfg(test)]
+        if let Some(answer) = state.here {
+            drop(state);
+            return then(answer(project, request));
+        }
         state.last += 1;
         let question = Question { number: state.last, project: project.to_json(), request };
         if state.worker.is_none() {
@@ -100,6 +111,12 @@ impl Client {
             Some(_) => {}
         }
         state.waiting.push(Waiting { question, then: Box::new(then) });
+    }
+
+    /// Answers requests at once, in place of a worker.
+    #[cfg(test)]
+    pub(crate) fn answer_here(self, answer: Answer) {
+        self.0.with_value(|state| state.borrow_mut().here = Some(answer));
     }
 
     /// Gives up the worker; the next request starts another one.
@@ -133,5 +150,24 @@ impl Client {
             }
             Reply::Progress(_) => {}
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::mount;
+
+    #[wasm_bindgen_test]
+    async fn request_without_a_worker_is_answered_by_none() {
+        let bench = mount(|| ()).await;
+        let answer = Rc::new(RefCell::new(Vec::new()));
+        let heard = Rc::clone(&answer);
+        bench.page.project.with_untracked(|project| {
+            bench.worker.ask(project, Request::Flips, move |response| heard.borrow_mut().push(response.is_none()));
+        });
+        assert_eq!(*answer.borrow(), [true]);
     }
 }

@@ -39,3 +39,24 @@ pub(crate) fn follow(page: Page, worker: Client) {
         page.project.with_untracked(|project| worker.ask(project, Request::Review, take));
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, settled};
+
+    #[wasm_bindgen_test]
+    async fn only_a_doubtful_program_is_reviewed() {
+        let bench = mount(|| follow(Page::here(), Client::here())).await;
+        bench.worker.answer_here(|_, _| Some(Response::Review(Vec::new())));
+        bench.page.set("pitch", crate::machines::form::Value::Number(9.0));
+        settled().await;
+        assert!(bench.page.program.reviewed.with_untracked(Option::is_none));
+        bench.page.edit("", |project| project.edited = Some(project.listing()));
+        settled().await;
+        assert_eq!(bench.page.program.reviewed.with_untracked(|found| found.as_ref().map(Vec::len)), Some(0));
+        assert!(!bench.page.program.pending.get_untracked());
+    }
+}

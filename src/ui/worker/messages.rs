@@ -224,3 +224,29 @@ impl Finding {
         Some(found)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::project;
+
+    #[wasm_bindgen_test]
+    fn finding_is_the_same_on_both_ends() {
+        let control = project().control;
+        let place = Place { file: FileId(1), span: Span { start: 2, end: 5 } };
+        let row = control.alarms.first().map(|row| (row.number, row.text));
+        let sent = Diagnostic::warning(crate::msg!("page.more-findings", 5.0))
+            .at(place)
+            .alarm(row)
+            .hint(crate::msg!("page.taken"))
+            .kind(DiagnosticKind::Starved)
+            .fix(crate::msg!("page.mended"), vec![(place, "X1.".to_owned())]);
+        let wire = serde_wasm_bindgen::to_value(&Finding::from(&sent)).unwrap();
+        let got = serde_wasm_bindgen::from_value::<Finding>(wire).unwrap().diagnostic(control).unwrap();
+        assert_eq!(crate::ui::words::tell_alarm(&got), crate::ui::words::tell_alarm(&sent));
+        assert_eq!((got.severity, got.kind, got.place), (sent.severity, sent.kind, sent.place));
+        assert_eq!(got.fixes[0].edits, sent.fixes[0].edits);
+    }
+}

@@ -103,3 +103,21 @@ fn review(project: &Project) -> Vec<Finding> {
     let written = project.written();
     written.diagnostics.iter().chain(&project.advice(&written)).map(Finding::from).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::project;
+
+    #[wasm_bindgen_test]
+    fn report_of_a_large_text_has_its_first_lines_and_findings() {
+        let text = "G01 X1.\n".repeat(SHOWN as usize) + "G01 X\n";
+        let report = check(text, &project());
+        assert_eq!(report.head.lines().count(), SHOWN as usize);
+        assert!(report.lines > SHOWN);
+        let error = report.rows.iter().find(|row| row.0 == "fail").unwrap();
+        assert!(error.1.contains(&(SHOWN + 1).to_string()), "{}", error.1);
+    }
+}

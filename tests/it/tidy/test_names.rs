@@ -10,7 +10,7 @@ const LONGEST: usize = 59;
 const VAGUE: [&str; 3] = ["_works", "_is_ok", "_test"];
 
 fn tests() -> impl Iterator<Item = &'static Source> {
-    Source::all().iter().filter(|source| source.path.starts_with("tests/"))
+    Source::all().iter().filter(|source| source.path.starts_with("tests/") || source.path.starts_with("src/ui/"))
 }
 
 /// The names of the functions behind `#[test]` and `#[wasm_bindgen_test]`, with their lines.

@@ -1,0 +1,253 @@
+//! Test bench of components: a view in an empty element of the page, and the hands and eyes of a person.
+
+use std::any::Any;
+use std::cell::Cell;
+use std::rc::Rc;
+
+use leptos::mount::mount_to;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::JsFuture;
+use web_sys::{Element, Event, HtmlElement, HtmlInputElement};
+
+use super::dom::{self, script};
+use super::files::LargeFile;
+use super::state::Page;
+use super::worker::client::Client;
+use crate::machines::form::{FieldInfo, Value};
+use crate::project::Project;
+
+wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
+
+/// A mounted view with the state of its page; removed when this is dropped.
+pub(crate) struct Bench {
+    /// The state of the page.
+    pub page: Page,
+    /// The client of the worker. No worker answers, but for [`Client::answer_here`].
+    pub worker: Client,
+    host: HtmlElement,
+    _mounted: Box<dyn Any>,
+}
+
+/// The first machine with its first control.
+pub(crate) fn project() -> Project {
+    Project::of(crate::machines::ALL[0].id(), None).unwrap()
+}
+
+/// The row of a field of the first machine.
+pub(crate) fn field(id: &str) -> FieldInfo {
+    project().machine.fields().into_iter().find(|field| field.id == id).unwrap()
+}
+
+/// Mounts a view in a browser that remembers nothing.
+pub(crate) async fn mount<V: IntoView + 'static>(view: impl FnOnce() -> V + 'static) -> Bench {
+    dom::storage().unwrap().clear().unwrap();
+    mount_project(project(), view).await
+}
+
+/// Mounts a view about a project; the browser's store stays as it is.
+pub(crate) async fn mount_project<V: IntoView + 'static>(
+    project: Project,
+    view: impl FnOnce() -> V + 'static,
+) -> Bench {
+    let body = document().body().unwrap();
+    // A test that failed leaves its view in the page.
+    dom::all(&body, ".bench").iter().for_each(Element::remove);
+    let host: HtmlElement = document().create_element("div").unwrap().unchecked_into();
+    host.set_class_name("bench");
+    body.append_child(&host).unwrap();
+    let provided = Rc::new(Cell::new(None));
+    let provide = Rc::clone(&provided);
+    let mounted = mount_to(host.clone(), move || {
+        let page = Page::provide(project, Vec::new());
+        let worker = Client::provide();
+        LargeFile::provide();
+        provide.set(Some((page, worker)));
+        view().into_any()
+    });
+    let (page, worker) = provided.get().unwrap();
+    settled().await;
+    Bench { page, worker, host, _mounted: Box::new(mounted) }
+}
+
+/// Waits until all effects of a change are in the page.
+pub(crate) async fn settled() {
+    for _ in 0..4 {
+        leptos::task::tick().await;
+    }
+}
+
+/// Waits some milliseconds.
+async fn pause(milliseconds: i32) {
+    let wait = js_sys::Promise::new(&mut |done, _| {
+        let _ = window().set_timeout_with_callback_and_timeout_and_arguments_0(&done, milliseconds);
+    });
+    JsFuture::from(wait).await.unwrap();
+}
+
+/// Waits until a condition holds; fails after some seconds.
+#[track_caller]
+pub(crate) fn until(condition: impl Fn() -> bool) -> impl Future<Output = ()> {
+    let caller = std::panic::Location::caller();
+    async move {
+        for _ in 0..500 {
+            if condition() {
+                return settled().await;
+            }
+            pause(10).await;
+        }
+        panic!("{caller}: does not come true");
+    }
+}
+
+/// An event of the browser.
+pub(crate) fn event(class: &str, kind: &str, members: &[(&str, JsValue)]) -> Event {
+    let options = script::object([("bubbles", true.into()), ("cancelable", true.into())]);
+    members.iter().for_each(|(name, value)| script::set(&options, name, value));
+    let class = js_sys::Reflect::get(&js_sys::global(), &class.into()).unwrap();
+    let class: js_sys::Function = class.unchecked_into();
+    js_sys::Reflect::construct(&class, &js_sys::Array::of2(&kind.into(), &options)).unwrap().unchecked_into()
+}
+
+impl Bench {
+    /// The only element, or the first one, that a selector finds.
+    #[track_caller]
+    pub(crate) fn find(&self, selector: &str) -> Element {
+        self.host
+            .query_selector(selector)
+            .unwrap()
+            .unwrap_or_else(|| panic!("no {selector}: {:.2000}", self.host.inner_html()))
+    }
+
+    /// All elements that a selector finds.
+    pub(crate) fn all(&self, selector: &str) -> Vec<Element> {
+        dom::all(&self.host, selector)
+    }
+
+    /// Whether a selector finds something.
+    pub(crate) fn has(&self, selector: &str) -> bool {
+        self.host.query_selector(selector).unwrap().is_some()
+    }
+
+    /// The words of an element.
+    #[track_caller]
+    pub(crate) fn text(&self, selector: &str) -> String {
+        self.find(selector).text_content().unwrap_or_default().trim().to_owned()
+    }
+
+    /// An attribute of an element; empty where it lacks the attribute.
+    #[track_caller]
+    pub(crate) fn attribute(&self, selector: &str, name: &str) -> String {
+        self.find(selector).get_attribute(name).unwrap_or_default()
+    }
+
+    /// A property of an element's style.
+    #[track_caller]
+    pub(crate) fn style(&self, selector: &str, property: &str) -> String {
+        self.find(selector).unchecked_into::<HtmlElement>().style().get_property_value(property).unwrap()
+    }
+
+    /// The value of an input or a list.
+    #[track_caller]
+    pub(crate) fn value(&self, selector: &str) -> String {
+        js_sys::Reflect::get(&self.find(selector), &"value".into()).unwrap().as_string().unwrap()
+    }
+
+    /// Whether a box is checked.
+    #[track_caller]
+    pub(crate) fn checked(&self, selector: &str) -> bool {
+        self.find(selector).unchecked_into::<HtmlInputElement>().checked()
+    }
+
+    /// The button with this label or these words.
+    #[track_caller]
+    fn button(&self, words: &str) -> Element {
+        let says = |button: &Element| {
+            button.get_attribute("aria-label").as_deref() == Some(words)
+                || button.text_content().is_some_and(|text| text.trim() == words)
+        };
+        self.all("button").into_iter().find(says).unwrap_or_else(|| panic!("no button {words}"))
+    }
+
+    /// Presses an element.
+    pub(crate) async fn press(&self, selector: &str) {
+        self.find(selector).unchecked_into::<HtmlElement>().click();
+        settled().await;
+    }
+
+    /// Presses the button with this label or these words.
+    pub(crate) async fn press_button(&self, words: &str) {
+        self.button(words).unchecked_into::<HtmlElement>().click();
+        settled().await;
+    }
+
+    async fn enter(&self, selector: &str, text: &str, kind: &str) {
+        let element = self.find(selector);
+        js_sys::Reflect::set(&element, &"value".into(), &text.into()).unwrap();
+        element.dispatch_event(&event("Event", kind, &[])).unwrap();
+        settled().await;
+    }
+
+    /// Types into a field, or drags a slider.
+    pub(crate) async fn type_into(&self, selector: &str, text: &str) {
+        self.enter(selector, text, "input").await;
+    }
+
+    /// Chooses in a list, or leaves a field with another text.
+    pub(crate) async fn choose(&self, selector: &str, value: &str) {
+        self.enter(selector, value, "change").await;
+    }
+
+    /// Presses a key in an element.
+    pub(crate) async fn key(&self, selector: &str, key: &str, shift: bool) {
+        let members = [("key", key.into()), ("shiftKey", shift.into())];
+        self.find(selector).dispatch_event(&event("KeyboardEvent", "keydown", &members)).unwrap();
+        settled().await;
+    }
+
+    /// Plans the run and waits until its first seconds are shown.
+    pub(crate) async fn run(&self) {
+        let page = self.page;
+        page.player.settle();
+        until(move || {
+            let (planned, over) = page.player.planned.get_untracked();
+            planned > 4.0 || over
+        })
+        .await;
+        self.drawn().await;
+    }
+
+    /// Sets the head and waits until the page shows that time.
+    pub(crate) async fn seek(&self, seconds: f64) {
+        let player = self.page.player;
+        player.seek(seconds);
+        until(move || player.now.with_untracked(|now| now.t) == seconds).await;
+    }
+
+    /// Waits for two frames.
+    pub(crate) async fn drawn(&self) {
+        for _ in 0..2 {
+            let frame = js_sys::Promise::new(&mut |done, _| {
+                let _ = window().request_animation_frame(&done);
+            });
+            JsFuture::from(frame).await.unwrap();
+        }
+        settled().await;
+    }
+
+    /// A value of the project.
+    pub(crate) fn setting(&self, id: &str) -> Option<Value> {
+        self.page.project.with_untracked(|project| project.values.get(id).cloned())
+    }
+
+    /// The texts of the notices.
+    pub(crate) fn notices(&self) -> Vec<String> {
+        self.page.notices.list.with_untracked(|list| list.iter().map(|notice| notice.text.clone()).collect())
+    }
+}
+
+impl Drop for Bench {
+    fn drop(&mut self) {
+        self.host.remove();
+    }
+}
