@@ -85,10 +85,10 @@ test('the chart reads out the values under the pointer, and a press sets the pla
     await page.locator('.plot .over').waitFor();
     const { x, y, width } = await box(page, '.plot');
     await page.mouse.move(x + width / 2, y + 30);
-    assert.match(await page.locator('.pointed').textContent(), /^9\.\d+ s {2}X 15.080 {2}Y 1\d\d.\d{3}$/);
+    const [, told] = /^(\d\.\d\d)\d* s {2}X 15.080 {2}Y 1\d\d.\d{3}$/.exec(await page.locator('.pointed').textContent());
     await page.mouse.down();
     await page.mouse.up();
-    await page.waitForFunction(() => document.querySelector('#clock').textContent.startsWith('00:09.1'));
+    await page.waitForFunction((told) => document.querySelector('#clock').textContent.startsWith(`00:0${told.slice(0, 3)}`), told);
   }));
 
 test('the drawing is saved as SVG and as PNG', () =>

@@ -71,7 +71,9 @@ pub(crate) fn ExploreTab() -> impl IntoView {
         shape.set(scene::svg(&found.scene));
         let (view, most) = (found.scene.view, found.scene.unit);
         dom::soon(move || {
-            let picture = shape_host.get_untracked().and_then(|host| dom::all(&host, ".scene").into_iter().next());
+            // The tab may have been left.
+            let host = shape_host.try_get_untracked().flatten();
+            let picture = host.and_then(|host| dom::all(&host, ".scene").into_iter().next());
             if let Some(picture) = picture {
                 scene::fit(picture.unchecked_ref(), view, most);
             }
