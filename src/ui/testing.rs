@@ -15,6 +15,7 @@ use super::files::LargeFile;
 use super::state::Page;
 use super::worker::client::Client;
 use crate::machines::form::{FieldInfo, Value};
+use crate::motion::Action;
 use crate::project::Project;
 
 wasm_bindgen_test::wasm_bindgen_test_configure!(run_in_browser);
@@ -110,6 +111,12 @@ pub(crate) fn event(class: &str, kind: &str, members: &[(&str, JsValue)]) -> Eve
 }
 
 impl Bench {
+    /// The actions of the operator in the project.
+    pub(crate) fn actions(&self) -> Vec<Action> {
+        let actions = |project: &Project| project.panel.events().iter().map(|event| event.action.clone()).collect();
+        self.page.project.with_untracked(actions)
+    }
+
     /// The only element, or the first one, that a selector finds.
     #[track_caller]
     pub(crate) fn find(&self, selector: &str) -> Element {

@@ -48,10 +48,15 @@ pub(crate) fn load() -> (Option<Project>, Vec<Notice>) {
     (fresh(), notices)
 }
 
-/// Stores the project of this tab, whatever another tab has stored.
-pub(crate) fn take_over(page: Page) {
+/// Stores the project now, and notes whether the browser has taken it.
+fn store_now(page: Page) {
     let text = page.project.with_untracked(Project::to_json);
     page.view.kept.set(if dom::store(KEY, &text) { Kept::Yes } else { Kept::No });
+}
+
+/// Stores the project of this tab, whatever another tab has stored.
+pub(crate) fn take_over(page: Page) {
+    store_now(page);
     page.notices.dismiss(t("page.other-tab"));
 }
 
@@ -63,8 +68,7 @@ pub(crate) fn keep(page: Page) {
         if page.view.kept.is_disposed() || page.view.kept.get_untracked() == Kept::Elsewhere {
             return;
         }
-        let text = page.project.with_untracked(Project::to_json);
-        page.view.kept.set(if dom::store(KEY, &text) { Kept::Yes } else { Kept::No });
+        store_now(page);
         timer.set_value(None);
     };
     Effect::new(move |first: Option<()>| {

@@ -31,8 +31,8 @@ impl Charts {
         self.charts.iter().map(|chart| chart.title).collect()
     }
 
-    /// Shows a moment: draws where plan, axis or choice have changed, moves the cursor, writes the values.
-    pub(super) fn frame(&mut self, host: &Element, moment: &Moment, chosen: usize) {
+    /// Shows a moment: draws where plan, axis or choice have changed, moves the cursor, writes the values. Whether the charts are others.
+    pub(super) fn frame(&mut self, host: &Element, moment: &Moment, chosen: usize) -> bool {
         let changed = self.axis != moment.axis || self.plans != Some(moment.plans);
         if changed {
             (self.axis, self.plans) = (moment.axis, Some(moment.plans));
@@ -46,6 +46,7 @@ impl Charts {
         if moment.slow {
             self.write_values(moment.now.t);
         }
+        changed
     }
 
     fn draw(&mut self, host: &Element) {

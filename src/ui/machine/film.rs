@@ -37,8 +37,10 @@ pub(crate) fn Film() -> impl IntoView {
     player.paint(move |moment| {
         put(axis, moment.axis);
         if let Some(host) = plot.get_untracked() {
-            charts.update_value(|charts| charts.frame(&host, moment, chosen.get_untracked()));
-            put(titles, charts.with_value(Charts::titles));
+            let changed = charts.try_update_value(|charts| charts.frame(&host, moment, chosen.get_untracked()));
+            if changed == Some(true) {
+                put(titles, charts.with_value(Charts::titles));
+            }
         }
     });
     // The first chart of another machine.

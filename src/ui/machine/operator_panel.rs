@@ -187,13 +187,6 @@ mod tests {
         bench
     }
 
-    fn actions(bench: &Bench) -> Vec<Action> {
-        bench
-            .page
-            .project
-            .with_untracked(|project| project.panel.events().iter().map(|event| event.action.clone()).collect())
-    }
-
     #[wasm_bindgen_test]
     async fn folded_panel_takes_no_keys() {
         let bench = panel().await;
@@ -209,7 +202,7 @@ mod tests {
         let bench = panel().await;
         let step = bench.page.project.with_untracked(|project| project.prepared().panel().override_step);
         bench.press_button(&format!("{} +", t("page.spindle-override"))).await;
-        assert_eq!(actions(&bench), [Action::SpindleOverride(100.0 + step)]);
+        assert_eq!(bench.actions(), [Action::SpindleOverride(100.0 + step)]);
         assert_eq!(bench.value("#spindle-knob"), number_text(100.0 + step, 6));
         bench.press_button(&format!("{} −", t("page.spindle-override"))).await;
         assert_eq!(bench.text("output[for=spindle-knob]"), "100 %");
@@ -219,7 +212,7 @@ mod tests {
     async fn dragged_knob_acts_and_shows_in_the_folded_bar() {
         let bench = panel().await;
         bench.type_into("#feed-knob", "70").await;
-        assert_eq!(actions(&bench), [Action::FeedOverride(70.0)]);
+        assert_eq!(bench.actions(), [Action::FeedOverride(70.0)]);
         assert!(bench.text(".percents").contains("F 70 %"));
     }
 
@@ -228,7 +221,7 @@ mod tests {
         let bench = panel().await;
         bench.type_into("#feed-knob", "200").await;
         bench.press_button(&format!("{} +", t("page.feed-override"))).await;
-        assert_eq!(actions(&bench), [Action::FeedOverride(200.0)]);
+        assert_eq!(bench.actions(), [Action::FeedOverride(200.0)]);
     }
 
     #[wasm_bindgen_test]
@@ -237,7 +230,7 @@ mod tests {
         for words in ["page.start", "page.hold", "page.reset", "page.estop"] {
             bench.press_button(t(words)).await;
         }
-        assert_eq!(actions(&bench), [Action::Start, Action::Hold, Action::Reset, Action::EmergencyStop]);
+        assert_eq!(bench.actions(), [Action::Start, Action::Hold, Action::Reset, Action::EmergencyStop]);
     }
 
     #[wasm_bindgen_test]
@@ -247,7 +240,7 @@ mod tests {
         assert!(bench.has("[aria-pressed=true].on"));
         bench.press_button(t("page.single-block")).await;
         assert!(!bench.has("[aria-pressed=true]"));
-        assert_eq!(actions(&bench), [Action::SingleBlock(true), Action::SingleBlock(false)]);
+        assert_eq!(bench.actions(), [Action::SingleBlock(true), Action::SingleBlock(false)]);
     }
 
     #[wasm_bindgen_test]
@@ -260,6 +253,6 @@ mod tests {
         let told = bench.text("#changed");
         assert!(told.starts_with("00:03.0000 s: ") && told.contains(" 50 %"), "{told}");
         bench.press(".changed .link").await;
-        assert!(actions(&bench).is_empty() && bench.has(".changed .link.gone"));
+        assert!(bench.actions().is_empty() && bench.has(".changed .link.gone"));
     }
 }

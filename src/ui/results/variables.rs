@@ -96,13 +96,6 @@ mod tests {
         bench
     }
 
-    fn actions(bench: &Bench) -> Vec<Action> {
-        bench
-            .page
-            .project
-            .with_untracked(|project| project.panel.events().iter().map(|event| event.action.clone()).collect())
-    }
-
     #[wasm_bindgen_test]
     async fn every_variable_has_name_value_unit_and_meaning() {
         let bench = variables().await;
@@ -129,7 +122,7 @@ mod tests {
         let bench = variables().await;
         let number = bench.page.results.variables.get_untracked()[0].0;
         bench.choose("tbody input", "12,5").await;
-        assert_eq!(actions(&bench), [Action::Variable(number, Some(12.5))]);
+        assert_eq!(bench.actions(), [Action::Variable(number, Some(12.5))]);
     }
 
     #[wasm_bindgen_test]
@@ -137,6 +130,6 @@ mod tests {
         let bench = variables().await;
         bench.choose("tbody input", "many").await;
         assert_eq!(bench.notices(), [t("page.not-a-value")]);
-        assert!(actions(&bench).is_empty());
+        assert!(bench.actions().is_empty());
     }
 }
