@@ -21,7 +21,7 @@ pub(super) enum Exec {
     /// Lets the axes settle until then.
     Settling(f64),
     /// Waits for standstill until then, before this command.
-    Resting(f64, Canon),
+    Resting(f64, Box<Canon>),
     /// Dwells until then.
     Dwelling(f64),
     /// Dwells until the spindle has turned from there so far, in turns.

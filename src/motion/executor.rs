@@ -61,7 +61,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 }
             }
             Exec::Resting(_, canon) => {
-                let canon = core::mem::replace(canon, Canon::Stop);
+                let canon = core::mem::replace(&mut **canon, Canon::Stop);
                 self.perform(t, canon);
             }
             Exec::Settling(_) | Exec::Dwelling(_) => self.s.exec = Exec::Idle,
@@ -144,7 +144,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.s.path.flow_end = None;
                 let rest = self.rest_time();
                 if rest > t {
-                    self.s.exec = Exec::Resting(rest, canon);
+                    self.s.exec = Exec::Resting(rest, Box::new(canon));
                 } else {
                     self.perform(t, canon);
                 }
@@ -160,11 +160,10 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// Where a movement ends, in mm.
     fn goal(&mut self, to: &Target) -> [f64; AXES] {
-        for k in 0..AXES {
-            if to.mask & !self.plant.fitted & (1 << k) != 0 {
-                let letter = self.plant.axes[k].name();
-                self.say(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", letter));
-            }
+        let missing = to.mask & !self.plant.fitted;
+        for k in (0..AXES).filter(|k| missing & (1 << k) != 0) {
+            let letter = self.plant.axes[k].name();
+            self.say(Once::Missing as u32 + k as u32, || msg!("motion.missing-axis", letter));
         }
         let scale = &self.plant.scale;
         core::array::from_fn(|k| {

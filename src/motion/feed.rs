@@ -59,7 +59,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.say_kind(Once::Starved as u32, DiagnosticKind::Starved, || msg!("motion.starved", block, logic));
         }
         if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace {
-            self.say_clamped(&motion, feed);
+            self.say_clamped(motion.limit, motion.limiting, feed);
         }
         self.s.exec = Exec::Moving(Box::new(motion));
         self.s.path.moving = true;
@@ -68,12 +68,12 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.follow(t);
     }
 
-    /// Warns once that an axis is too slow for a feed in mm/min.
-    fn say_clamped(&mut self, motion: &Move, feed: f64) {
-        let slowed = motion.limit * 60.0;
+    /// Warns once that an axis is too slow for a feed in mm/min: it limits the path speed (mm/s).
+    fn say_clamped(&mut self, limit: f64, limiting: usize, feed: f64) {
+        let slowed = limit * 60.0;
         if feed > slowed * (1.0 + 1e-9) {
-            let axis = self.plant.axes[motion.limiting];
-            self.say(Once::Clamp as u32 + motion.limiting as u32, || {
+            let axis = self.plant.axes[limiting];
+            self.say(Once::Clamp as u32 + limiting as u32, || {
                 msg!("motion.axis-clamp", axis.name(), axis.clamp, feed, slowed)
             });
         }
@@ -98,11 +98,11 @@ impl<P: RunningProgram> Sim<'_, P> {
         motion.set_speed(t, asked.min(motion.limit));
         motion.again = again;
         let (segment, circle) = motion.segment();
-        let motion = **motion;
+        let (pace, limit, limiting) = (motion.pace, motion.limit, motion.limiting);
         self.out.timeline.put_segment(segment, circle);
         self.watch(t);
-        if matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_))) {
-            self.say_clamped(&motion, asked * 60.0);
+        if matches!(pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_))) {
+            self.say_clamped(limit, limiting, asked * 60.0);
             self.say_at_rest();
         }
     }

@@ -67,8 +67,10 @@ impl Move {
         let line: [f64; AXES] = core::array::from_fn(|k| end[k] - start[k]);
         let length = line.iter().map(|d| d * d).sum::<f64>().sqrt();
         let (limit, limiting, speed, done, since, again) = (0.0, 0, 0.0, 0.0, 0.0, f64::INFINITY);
-        Move { start, line, bow: None, end, length, pace, exact, limit, limiting, speed, done, since, again }
-            .limited(axes)
+        let mut motion =
+            Move { start, line, bow: None, end, length, pace, exact, limit, limiting, speed, done, since, again };
+        motion.set_limit(axes);
+        motion
     }
 
     /// An arc instead of a straight line; a full turn where it ends in the plane where it began. The small difference that rounding
@@ -108,23 +110,27 @@ impl Move {
         self.line[b] = to.1 - radius * sin;
         self.length = (radius * sweep * radius * sweep + others).sqrt();
         self.bow = Some(ArcMove { plane, radius, phase, sweep });
-        self.limited(axes)
+        self.set_limit(axes);
+        self
     }
 
     /// Sets the limit of the path speed: no axis above its rate.
-    fn limited(mut self, axes: &[AxisPlant; AXES]) -> Move {
+    fn set_limit(&mut self, axes: &[AxisPlant; AXES]) {
         self.limit = f64::INFINITY;
         for (k, axis) in axes.iter().enumerate() {
             let in_plane = self.bow.filter(|bow| bow.plane.0 as usize == k || bow.plane.1 as usize == k);
             // Somewhere on an arc an axis of the plane may run with the whole speed in the plane.
-            let share = in_plane.map_or(self.line[k].abs(), |bow| bow.radius * bow.sweep.abs()) / self.length;
+            let way = in_plane.map_or(self.line[k].abs(), |bow| bow.radius * bow.sweep.abs());
+            if way == 0.0 {
+                continue;
+            }
+            let share = way / self.length;
             let rate = if self.pace == Pace::Rapid { axis.rapid } else { axis.clamp };
             let limit = rate / 60.0 / share;
             if share > 0.0 && limit < self.limit {
                 (self.limit, self.limiting) = (limit, k);
             }
         }
-        self
     }
 
     /// Runs with a path speed in mm/s from time `t` on.

@@ -48,7 +48,8 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             None => (self.s.spindle.speed, self.s.spindle.speed, 0.0),
         };
-        let ((from, _), (to, bound)) = (self.held(now), self.held(later));
+        let (to, bound) = self.held(later);
+        let from = if now == later { to } else { self.held(now).0 };
         let span = if from == to { 0.0 } else { span };
         let command = SpeedCommand { from, to, span, sign: self.s.spindle.direction, stage: self.gear(), bound };
         let last = self.out.timeline.ramps.last();
