@@ -106,4 +106,13 @@ sizes: ## what the browser loads (of the dist/ that is there), against its limit
 
 .PHONY: test-e2e
 test-e2e: ## a person's paths through the dist/ that is there
-	node --test --test-concurrency=1 --test-reporter=spec $(wildcard tests/e2e/*.test.mjs)
+	node --test --test-concurrency=1 --test-reporter=spec $(PATHS)
+
+# A person's paths; the one of WebKit has a driver of its own.
+PATHS = $(filter-out %/webkit.test.mjs,$(wildcard tests/e2e/*.test.mjs))
+
+.PHONY: test-browsers
+test-browsers: ## the same paths in Firefox ESR and a short one in WebKit, of the dist/ that is there
+	@scripts/setup.sh node other_browsers
+	BROWSER=firefox node --test --test-concurrency=1 --test-reporter=spec $(PATHS)
+	node --test --test-reporter=spec tests/e2e/webkit.test.mjs

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser] [fuzz]`.
+# Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser] [other_browsers] [fuzz]`.
 #
 # Each version is in one place, where the tool that needs it reads it: Trunk's in Trunk.toml, wasm-bindgen's in Cargo.lock
 # (Trunk and the test runner refuse any other), the npm packages' in package-lock.json. Only the version of cargo-fuzz is here.
@@ -78,6 +78,9 @@ fuzz() {
 
 # The fonts are for the screenshots and measures of Chinese text, which would be empty boxes without.
 browser() { packages chromium:chromium chromedriver:chromium-driver fc-list:fontconfig cjk:fonts-noto-cjk; }
+
+# WebKitGTK needs a screen.
+other_browsers() { packages firefox-esr:firefox-esr WebKitWebDriver:webkit2gtk-driver Xvfb:xvfb; }
 
 # packages WHAT:PACKAGE …: installs the packages whose command (or font) is missing, all in one go.
 packages() {

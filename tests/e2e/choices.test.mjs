@@ -1,8 +1,7 @@
 // A person chooses another control, another machine, or opens a file that names them; all that was typed stays, and undo goes back.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { accessible, openPanel, ready, showSteps, start, withPage } from './page.mjs';
+import { accessible, enter, goTo, openPanel, ready, saved, showSteps, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -17,10 +16,6 @@ const choose = async (page, control = CONTROL) => {
   await page.selectOption('select.control', control);
 };
 const machine = (page, name) => page.locator('.segments button', { hasText: name });
-const goTo = async (page, t) => {
-  await page.fill('#go-to', String(t));
-  await page.press('#go-to', 'Enter');
-};
 
 test('another control keeps all input and writes its own words', () =>
   withPage(app, {}, async ({ page }) => {
@@ -69,8 +64,7 @@ test('the 802D runs, takes variables and settings, and is exported', () =>
     await page.waitForFunction(() => /Spindle override 99 %/.test(document.querySelector('#changed').textContent));
     await page.click('#tab-variables');
     const pitch = page.getByLabel('R107', { exact: true });
-    await pitch.fill('10');
-    await pitch.press('Enter');
+    await enter(pitch, '10');
     await page.waitForFunction(() => /R107 = 10/.test(document.querySelector('#changed').textContent));
     await page.getByRole('tab', { name: 'Parameters' }).click();
     await page.getByText('MD30130').waitFor();
@@ -81,8 +75,8 @@ test('the 802D runs, takes variables and settings, and is exported', () =>
     await line(page, /R129=R107\*R128(?!\*2)/).waitFor();
     await page.click('#export');
     const row = page.getByRole('row', { name: /MPF9101\.MPF/ });
-    const [download] = await Promise.all([page.waitForEvent('download'), row.getByRole('button').click()]);
-    assert.match(await readFile(await download.path(), 'latin1'), /^%_N_MPF9101_MPF\r?\n;\$PATH=\/_N_MPF_DIR/);
+    const file = await saved(page, () => row.getByRole('button').click());
+    assert.match(file.toString('latin1'), /^%_N_MPF9101_MPF\r?\n;\$PATH=\/_N_MPF_DIR/);
   }));
 
 test('the 802D is debugged and edited in its own words', () =>
@@ -93,13 +87,11 @@ test('the 802D is debugged and edited in its own words', () =>
     await line(page, 'G96 S=R100 LIMS=R107 M3').waitFor();
     await page.locator('.listing li', { hasText: 'LB31: IF' }).click();
     await showSteps(page);
-    await page.getByPlaceholder('Break if R1<3').fill('R110<2');
-    await page.getByPlaceholder('Break if R1<3').press('Enter');
+    await enter(page.getByPlaceholder('Break if R1<3'), 'R110<2');
     await page.locator('.listing li.stop').waitFor();
     await page.getByRole('button', { name: 'Run to a breakpoint or the end' }).click();
     await page.locator('.listing li.next', { hasText: 'LB31: IF' }).waitFor();
-    await page.getByPlaceholder('Watch R100*2').fill('R110*2');
-    await page.getByPlaceholder('Watch R100*2').press('Enter');
+    await enter(page.getByPlaceholder('Watch R100*2'), 'R110*2');
     await page.locator('.seen p', { hasText: 'R110*2' }).filter({ hasText: '2' }).waitFor();
     await page.getByRole('button', { name: 'Edit', exact: true }).click();
     const editor = page.locator('.editor .cm-content');
@@ -149,8 +141,7 @@ test('files of another control open: project, written program, kept project', ()
     await choose(page);
     await line(page, 'R100').waitFor();
     await field(page, 'pitch').fill('7.25');
-    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save', exact: true }).click()]);
-    const project = await readFile(await download.path());
+    const project = await saved(page, () => page.getByRole('button', { name: 'Save', exact: true }).click());
     await page.getByRole('button', { name: 'L9100.SPF' }).click();
     await line(page, 'PITCH=7.25').waitFor();
     const program = (await page.locator('.listing li[data-l] code').allTextContents()).join('\n');

@@ -1,28 +1,46 @@
-// A person at the page: opens it in the system's Chromium and fails the test on whatever the browser complains about.
+// A person at the page: opens it in the system's Chromium, or with BROWSER=firefox in its Firefox ESR, and fails the test on whatever the
+// browser complains about.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { setTimeout as sleep } from 'node:timers/promises';
 import { fileURLToPath } from 'node:url';
-import { chromium } from 'playwright-core';
+import { chromium, firefox } from 'playwright-core';
 import { serve } from '../../scripts/serve.mjs';
 
 export const DIST = process.env.DIST ?? fileURLToPath(new URL('../../dist', import.meta.url));
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const CHROMIUM = execFileSync('sh', ['-c', 'command -v chromium'], { encoding: 'utf8' }).trim();
+
+const installed = (command) => execFileSync('sh', ['-c', `command -v ${command}`], { encoding: 'utf8' }).trim();
+
+// Firefox cannot be asked for what goes through Chromium's developer tools, nor for other wishes of motion in each page.
+export const FIREFOX = process.env.BROWSER === 'firefox';
+const FOLDER = FIREFOX && mkdtempSync(join(tmpdir(), 'macroline-'));
+
+function launch() {
+  if (FIREFOX) {
+    const firefoxUserPrefs = { 'ui.prefersReducedMotion': 1 };
+    return firefox.launch({ channel: 'moz-firefox', executablePath: installed('firefox-esr'), downloadsPath: FOLDER, firefoxUserPrefs });
+  }
+  // As root Chromium refuses its sandbox, and a container has a small /dev/shm.
+  return chromium.launch({ executablePath: installed('chromium'), args: ['--no-sandbox', '--disable-dev-shm-usage'] });
+}
 
 // Serves dist/ and starts the browser; both end with `close`. One per test file, in `before` and `after`.
 export async function start() {
   assert.ok(existsSync(DIST), 'there is no dist/: run `make dist` first');
   const site = await serve(DIST);
-  // As root Chromium refuses its sandbox, and a container has a small /dev/shm.
-  const browser = await chromium.launch({ executablePath: CHROMIUM, args: ['--no-sandbox', '--disable-dev-shm-usage'] });
+  const browser = await launch();
   return {
     url: site.url,
     browser,
     close: async () => {
       await browser.close();
       await site.close();
+      if (FOLDER) rmSync(FOLDER, { recursive: true });
     },
   };
 }
@@ -69,9 +87,43 @@ export async function ready(page) {
   assert.deepEqual(failed, [], 'the app did not start');
 }
 
+// The content of the file that an action saves.
+export async function saved(page, act) {
+  if (!FIREFOX) {
+    const [download] = await Promise.all([page.waitForEvent('download'), act()]);
+    return readFileSync(await download.path());
+  }
+  const files = () => readdirSync(FOLDER).filter((name) => !name.endsWith('.part'));
+  const before = files();
+  await act();
+  for (let turn = 0; turn < 100; turn++) {
+    const name = files().find((name) => !before.includes(name));
+    const content = name && readFileSync(join(FOLDER, name));
+    if (content?.length > 0) return content;
+    await sleep(100);
+  }
+  throw new Error('nothing was saved');
+}
+
+// Types a text and confirms it, as a person does: Firefox takes a text that a script has set for no change.
+export async function enter(input, text) {
+  await input.fill('');
+  await input.pressSequentially(text);
+  await input.press('Enter');
+}
+
+// Puts the play head at a time in seconds.
+export const goTo = (page, seconds) => enter(page.locator('#go-to'), String(seconds));
+
+// Firefox counts clicks that come from outside one by one.
+export async function doubleClick(target) {
+  await (FIREFOX ? target.dispatchEvent('dblclick') : target.dblclick());
+}
+
 // Asks for the processor time, in seconds, that the page's own thread has spent so far: unlike time by the clock it does not depend on what
-// else the machine does.
+// else the machine does. Firefox does not tell it: 0.
 export async function processorTime(page) {
+  if (FIREFOX) return async () => 0;
   const devtools = await page.context().newCDPSession(page);
   await devtools.send('Performance.enable', { timeDomain: 'threadTicks' });
   return async () => (await devtools.send('Performance.getMetrics')).metrics.find(({ name }) => name === 'TaskDuration').value;

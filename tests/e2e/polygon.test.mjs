@@ -1,8 +1,7 @@
 // A person sizes a polygon lathe: the preset, the run in which flats appear, the explorer, the drawings that leave with an export.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { accessible, openGroups, start, withPage } from './page.mjs';
+import { accessible, goTo, openGroups, saved, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -21,10 +20,6 @@ const lathe = (act, options = {}) =>
 // What is wider than its place in the tab, by name.
 const tooWide = (page) =>
   page.locator('#side .scroll').evaluateAll((all) => all.filter((each) => each.scrollWidth > each.clientWidth).map((each) => each.ariaLabel));
-const goTo = async (page, t) => {
-  await page.fill('#go-to', String(t));
-  await page.press('#go-to', 'Enter');
-};
 const drag = (page, id, value) =>
   page.locator(`#explore-${id}`).evaluate((slider, value) => {
     slider.value = value;
@@ -127,8 +122,7 @@ test('sheets, ladder and the part for another control stand beside the program, 
     await page.click('#export');
     const file = async (name) => {
       const row = page.getByRole('row', { name });
-      const [download] = await Promise.all([page.waitForEvent('download'), row.getByRole('button').click()]);
-      return readFile(await download.path(), 'utf8');
+      return (await saved(page, () => row.getByRole('button').click())).toString('utf8');
     };
     assert.match(await file(/section\.svg/), /<svg[^]*mm/);
     assert.match(await file(/section\.dxf/), /SECTION[^]*FINISHED/);

@@ -1,7 +1,7 @@
 // Stepping through the program on the page: breakpoints, levels, watches, what changed.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, ready, showSteps, start, withPage } from './page.mjs';
+import { accessible, enter, ready, showSteps, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -16,11 +16,7 @@ const point = async (page, text) => {
   await line(page, text).click();
   await page.locator('.listing').press('b');
 };
-const enter = async (page, field, text) => {
-  const input = page.getByLabel(field);
-  await input.fill(text);
-  await input.press('Enter');
-};
+const fill = (page, field, text) => enter(page.getByLabel(field), text);
 const why = (page) => page.locator('.here');
 const seen = (page) => page.locator('.seen').innerText();
 const clock = (page) => page.locator('#clock').textContent();
@@ -55,18 +51,18 @@ test('a click on a line number is a breakpoint; stepping goes into calls, over t
 test('a condition decides where it stops, and what it stops on is seen: changes, watches, variables', () =>
   withPage(app, {}, async ({ page }) => {
     await showSteps(page);
-    await enter(page, 'Break if', '#125 EQ 490');
+    await fill(page, 'Break if', '#125 EQ 490');
     await page.getByText('First choose a line').first().waitFor();
     await file(page, 'O9101.nc');
     await line(page, 'N36 #125').click();
-    await enter(page, 'Break if', '#125 EQ');
+    await fill(page, 'Break if', '#125 EQ');
     await page.getByText('ends where a value is expected').first().waitFor();
     assert.equal(await page.getByLabel('Break if').inputValue(), '#125 EQ', 'it is there to be mended');
-    await enter(page, 'Break if', '#125 EQ 490');
+    await fill(page, 'Break if', '#125 EQ 490');
     await page.locator('.listing li.stop[data-if="#125 EQ 490"]').waitFor();
     await page.locator('.listing').press('c');
     await next(page, 'N36');
-    for (const text of ['#125*2', '#1 +']) await enter(page, 'Watch', text);
+    for (const text of ['#125*2', '#1 +']) await fill(page, 'Watch', text);
     assert.match(await seen(page), /#125\*2\s+980/);
     assert.match(await seen(page), /#1 \+\s.*value is expected/);
     await page.locator('h1').click();
@@ -80,8 +76,7 @@ test('a condition decides where it stops, and what it stops on is seen: changes,
     assert.equal(await row.count(), 1);
     assert.equal(await row.locator('input').inputValue(), '489');
     // What the operator sets is there at the stop, and the run goes on with it.
-    await row.locator('input').fill('1');
-    await row.locator('input').press('Enter');
+    await enter(row.locator('input'), '1');
     await page.locator('#tab-program').click();
     await page.waitForFunction(() => /#125\*2\s+2(\s|$)/.test(document.querySelector('.seen').innerText));
     await next(page, 'N37');
@@ -123,7 +118,7 @@ test('breakpoints go with their lines; another program, machine or undo leaves n
   withPage(app, {}, async ({ page }) => {
     await file(page, 'O9101.nc');
     await point(page, 'N12 #128');
-    await enter(page, 'Break if', '#125 LT 400');
+    await fill(page, 'Break if', '#125 LT 400');
     await page.locator('.listing').press('i');
     await next(page, 'N1 #3004');
     // An edit from outside: the same program with a line more.
@@ -142,7 +137,7 @@ test('breakpoints go with their lines; another program, machine or undo leaves n
     await page.keyboard.press('Control+z');
     assert.equal(await page.locator('.listing li.next').count(), 0);
     // They are there after a reload.
-    await enter(page, 'Watch', '#100/2');
+    await fill(page, 'Watch', '#100/2');
     await page.reload();
     await ready(page);
     await file(page, 'O9101.nc');
@@ -156,7 +151,7 @@ test('a walk without end leaves the page at work and is stopped by a key', () =>
     await page.setInputFiles('#open', { name: 'O9101.nc', mimeType: 'text/plain', buffer: Buffer.from(text) });
     await line(page, 'N2 #100').click();
     await showSteps(page);
-    await enter(page, 'Break if', '#100 LT 0');
+    await fill(page, 'Break if', '#100 LT 0');
     await page.locator('.listing').press('c');
     await why(page).getByText('Runs to the next stop').waitFor();
     // Frames follow one another while it runs.

@@ -1,7 +1,7 @@
 // A person sizes a turning spindle: values, cut, charts over time and over the diameter, export.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, openGroups, start, withPage } from './page.mjs';
+import { accessible, goTo, openGroups, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -36,14 +36,10 @@ test('the part is cut, the speed follows the diameter, and the charts over the d
     const outline = () => page.locator('.stage [data-n="0"]').getAttribute('d');
     const speed = async () => Number((await page.locator('.legend .l1 b').textContent()).replace(/[^\d.]/g, ''));
     const whole = await outline();
-    const at = async (seconds) => {
-      await page.getByLabel('Go to').fill(String(seconds));
-      await page.getByLabel('Go to').press('Enter');
-    };
-    await at(5);
+    await goTo(page, 5);
     await page.waitForFunction((before) => document.querySelector('.stage [data-n="0"]').getAttribute('d') !== before, whole);
     const slow = await speed();
-    await at(9);
+    await goTo(page, 9);
     await page.waitForFunction((before) => Number(document.querySelector('.legend .l1 b').textContent.replace(/[^\d.]/g, '')) > before, slow + 100);
     const charts = page.locator('.chart-bar .chip');
     assert.equal(await charts.count(), 7);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { after, before, test } from 'node:test';
-import { accessible, openGroups, openPanel, processorTime, ready, start, withPage } from './page.mjs';
+import { accessible, enter, goTo, openGroups, openPanel, processorTime, ready, saved, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -14,10 +14,6 @@ const card = (page, label) => page.locator('.card', { hasText: label }).locator(
 const seconds = async (page) => {
   const [, minutes, rest] = /(\d+):([\d.]+)/.exec(await page.locator('#clock').textContent());
   return Number(minutes) * 60 + Number(rest);
-};
-const goTo = async (page, t) => {
-  await page.fill('#go-to', String(t));
-  await page.press('#go-to', 'Enter');
 };
 const field = (page, id) => page.locator(`#${id}`);
 
@@ -115,8 +111,7 @@ test('a setting of the control that is free text is typed', () =>
     await page.locator('#tab-parameters').click();
     const calls = page.locator('.switches input');
     assert.equal(await calls.inputValue(), '4120=512 4121=502');
-    await calls.fill('4120=600');
-    await calls.press('Enter');
+    await enter(calls, '4120=600');
     await page.locator('h1').click();
     await page.keyboard.press('Control+z');
     await page.waitForFunction(() => document.querySelector('.switches input').value === '4120=512 4121=502');
@@ -165,8 +160,7 @@ test('a variable set as on the screen changes the run', () =>
     await goTo(page, 4);
     await page.click('#tab-variables');
     const pitch = page.getByLabel('#107', { exact: true });
-    await pitch.fill('10');
-    await pitch.press('Enter');
+    await enter(pitch, '10');
     await page.waitForFunction(() => /#107 = 10/.test(document.querySelector('#changed').textContent));
   }));
 
@@ -186,8 +180,8 @@ test('the programs of an export are those that the page runs', () =>
     const shown = (await page.locator('.listing li[data-l] code').allTextContents()).join('\n');
     await page.click('#export');
     const row = page.getByRole('row', { name: /O9100\.nc/ });
-    const [download] = await Promise.all([page.waitForEvent('download'), row.getByRole('button').click()]);
-    assert.equal((await readFile(await download.path(), 'latin1')).replaceAll('\r', '').trimEnd(), shown.trimEnd());
+    const file = await saved(page, () => row.getByRole('button').click());
+    assert.equal(file.toString('latin1').replaceAll('\r', '').trimEnd(), shown.trimEnd());
     // The worker sends the documents only.
     const documents = await page.evaluate(() => window.replies.flatMap((reply) => reply.Answer?.[1].Export?.files ?? []).map(([name]) => name));
     assert.ok(documents.includes('report.md'), documents.join(' '));
@@ -198,8 +192,7 @@ test('exports what the control takes', () =>
   withPage(app, {}, async ({ page }) => {
     await page.click('#export');
     const row = page.getByRole('row', { name: /O9101\.nc/ });
-    const [download] = await Promise.all([page.waitForEvent('download'), row.getByRole('button').click()]);
-    const text = await readFile(await download.path(), 'latin1');
+    const text = (await saved(page, () => row.getByRole('button').click())).toString('latin1');
     assert.match(text, /^%\r?\nO9101/);
     assert.match(text, /M30/);
     await accessible(page);
@@ -221,8 +214,8 @@ test('a reload keeps everything; a broken stored state is set aside and handed o
     await ready(page);
     await page.getByText('set aside').waitFor();
     assert.equal(await field(page, 'pitch').inputValue(), '8');
-    const [download] = await Promise.all([page.waitForEvent('download'), page.locator('.notice').getByRole('button', { name: 'Save' }).click()]);
-    assert.equal(await readFile(await download.path(), 'utf8'), '{"version":1,');
+    const file = await saved(page, () => page.locator('.notice').getByRole('button', { name: 'Save' }).click());
+    assert.equal(file.toString('utf8'), '{"version":1,');
   }));
 
 test('the paper’s listing shows what is wrong with it, and a fix mends it', () =>
@@ -370,7 +363,9 @@ test('every tab is accessible, and so is the help', () =>
 for (const [width, height] of [[1440, 900], [1024, 768], [390, 844]]) {
   test(`nothing is wider than ${width} px`, () =>
     withPage(app, { viewport: { width, height } }, async ({ page }) => {
-      assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+      // Firefox takes the width of the scroll bar from it.
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= width, `${wide} px`);
       assert.ok(await page.locator('#play').isVisible());
       // All of the machine is to be seen at once.
       const [scene, stage] = [await page.locator('.scene').boundingBox(), await page.locator('.stage').boundingBox()];
