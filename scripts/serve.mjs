@@ -15,8 +15,9 @@ const TYPES = {
   '.wasm': 'application/wasm', // without it the browser cannot compile while it loads
 };
 
-// Starts serving `folder`; port 0 is any free one. Resolves to { url, close }.
-export async function serve(folder, port = 0) {
+// Starts serving `folder`; port 0 is any free one. `packed` gives the bytes of a file compressed with brotli, for those who measure. Resolves
+// to { url, close }.
+export async function serve(folder, port = 0, packed = null) {
   const root = resolve(folder);
   const server = createServer(async (request, response) => {
     try {
@@ -25,8 +26,10 @@ export async function serve(folder, port = 0) {
       if (!file.startsWith(root + sep) || !(await stat(file)).isFile()) throw new Error('not a file of the site');
       const type = TYPES[extname(file)] ?? 'application/octet-stream';
       // No cache: after the next build the same names may hold other bytes.
-      response.writeHead(200, { 'Content-Type': type, 'Cache-Control': 'no-cache', 'X-Content-Type-Options': 'nosniff' });
-      createReadStream(file).pipe(response);
+      const headers = { 'Content-Type': type, 'Cache-Control': 'no-cache', 'X-Content-Type-Options': 'nosniff' };
+      response.writeHead(200, packed ? { ...headers, 'Content-Encoding': 'br' } : headers);
+      if (packed) response.end(packed(file));
+      else createReadStream(file).pipe(response);
     } catch {
       response.writeHead(404, { 'Content-Type': 'text/plain' }).end('not found\n');
     }

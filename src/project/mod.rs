@@ -20,6 +20,8 @@ pub mod run;
 
 pub mod debug;
 
+pub mod drawing;
+
 pub mod breakpoints;
 
 pub mod console;

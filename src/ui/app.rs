@@ -1,30 +1,58 @@
 //! The page: puts the features together.
 
+use std::rc::Rc;
+
 use leptos::ev::KeyboardEvent;
 use leptos::prelude::*;
 
 use super::dom;
+use super::dom::turns::{at_last, in_turn};
 use super::files::{ExportDialog, Header, LargeFile, LargeFileDialog, open, store};
 use super::form::Form;
 use super::form::field_help::FieldHelp;
 use super::help::{HelpDialog, keys};
 use super::machine::Machine;
 use super::machine::operator_panel::OperatorPanel;
+use super::parts::Later;
 use super::parts::divider::Divider;
+use super::parts::scene::Still;
 use super::program::ProgramTab;
 use super::results::{ExploreTab, ParametersTab, PlcTab, ResultsTab, VariablesTab};
+use super::state::notices::Notice;
 use super::state::view::Tab;
 use super::state::{Page, stepping};
 use super::words::t;
 use super::worker::client::Client;
 use super::worker::diagnostics;
+use crate::project::Project;
+use crate::project::program::Written;
 
-/// The page.
+/// What the page begins with, made before it is built: the project of the last visit or a fresh one, its program, and notices about it.
+pub struct Beginning {
+    project: Project,
+    written: Rc<Written>,
+    found: Vec<Notice>,
+}
+
+impl Beginning {
+    /// Reads the browser's store and writes the program. None only where no machine has a control: a test of the library holds that there
+    /// is always one.
+    pub fn load() -> Option<Beginning> {
+        let (project, found) = store::load();
+        let project = project?;
+        let written = Rc::new(project.written());
+        Some(Beginning { project, written, found })
+    }
+}
+
+/// The page. What is seen first is built at once, everything else in its turn.
 #[component]
-pub fn App() -> impl IntoView {
-    let (project, found) = store::load();
-    // There is always a machine with a control: a test of the library holds it.
-    let page = Page::provide(project?, found);
+pub fn App(
+    /// What it begins with.
+    beginning: Beginning,
+) -> impl IntoView {
+    let Beginning { project, written, found } = beginning;
+    let page = Page::provide(project, written, found);
     let worker = Client::provide();
     let large = LargeFile::provide();
     stepping::restore(page);
@@ -32,28 +60,46 @@ pub fn App() -> impl IntoView {
     diagnostics::follow(page, worker);
     keys::listen(page);
     open::listen(page, large);
-    page.player.settle();
-    // The machine moves at first sight, but not for those who asked for stillness.
-    if !dom::prefers("(prefers-reduced-motion: reduce)") {
-        page.player.repeat.set(true);
-        dom::soon(move || page.player.toggle());
-    }
-    Some(view! {
+    view! { <Later><Screen /></Later> }
+}
+
+/// Everything on the page, in place of the still in its HTML.
+#[component]
+fn Screen() -> impl IntoView {
+    let page = Page::here();
+    Still::provide();
+    let busy = RwSignal::new(true);
+    let view = view! {
         <a class="skip" href="#machine">{t("page.skip")}</a>
         <Header />
-        <main class="page">
+        <main class="page" aria-busy=move || busy.get().to_string()>
             <Form />
             <Divider property="--left" label="page.divide-form" grows=1.0 />
             <Machine />
             <Divider property="--right" label="page.divide-side" grows=-1.0 />
             <Side />
         </main>
-        <FieldHelp />
-        <ExportDialog />
-        <HelpDialog />
-        <LargeFileDialog />
+        <Later>
+            <FieldHelp />
+            <ExportDialog />
+            <HelpDialog />
+            <LargeFileDialog />
+        </Later>
         <div class="hidden" role="status">{page.notices.said}</div>
-    })
+    };
+    in_turn(move || {
+        page.player.settle();
+        // The machine moves at first sight, but not for those who asked for stillness.
+        if !dom::prefers("(prefers-reduced-motion: reduce)") {
+            page.player.repeat.set(true);
+            dom::soon(move || page.player.toggle());
+        }
+    });
+    // The page may be gone.
+    at_last(move || {
+        let _ = busy.try_set(false);
+    });
+    view
 }
 
 /// The tabs with their ids and names.
@@ -94,9 +140,11 @@ fn Side() -> impl IntoView {
     view! {
         <section class="pane side" id="side" aria-label=t("page.side")>
             <h2 class="hidden">{t("page.side")}</h2>
-            <Tabs />
-            <div class="body" id="side-body" role="tabpanel" aria-labelledby=label>{body}</div>
-            <OperatorPanel />
+            <Later>
+                <Tabs />
+                <div class="body" id="side-body" role="tabpanel" aria-labelledby=label>{body}</div>
+            </Later>
+            <Later><OperatorPanel /></Later>
         </section>
     }
 }
@@ -145,7 +193,7 @@ mod tests {
     use crate::ui::testing::{Bench, mount, mount_project, project, settled};
 
     async fn app() -> Bench {
-        let bench = mount(|| view! { <App /> }).await;
+        let bench = mount(|| view! { <App beginning=Beginning::load().unwrap() /> }).await;
         settled().await;
         bench
     }
@@ -154,7 +202,7 @@ mod tests {
     async fn page_has_form_machine_and_side() {
         let bench = app().await;
         assert_eq!(bench.text("h1"), "macroline");
-        for part in ["#form", ".centre", "#side", ".panel"] {
+        for part in ["#form", ".centre", "#side", ".panel", "main[aria-busy=false]"] {
             assert!(bench.has(part), "{part}");
         }
     }
@@ -193,7 +241,7 @@ mod tests {
     async fn broken_stored_state_is_set_aside() {
         dom::storage().unwrap().clear().unwrap();
         dom::store("macroline.project", "{ not a project");
-        let bench = mount_project(project(), || view! { <App /> }).await;
+        let bench = mount_project(project(), || view! { <App beginning=Beginning::load().unwrap() /> }).await;
         assert!(bench.text(".notice").contains(t("page.set-aside")));
         assert_eq!(dom::stored("macroline.set-aside").as_deref(), Some("{ not a project"));
     }

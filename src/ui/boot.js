@@ -1,12 +1,37 @@
-// Loads and starts the page's module. It is a file of its own because the content security policy allows no script inside the page.
+// Shows the still as the last visit left the page, then loads and starts the page's module. It is a file of its own because the content
+// security policy allows no script inside the page.
+const still = document.getElementById('still');
 const notice = document.getElementById('boot');
 const { js, wasm } = document.querySelector('script[data-wasm]').dataset;
 
 try {
+  const kept = (key) => localStorage.getItem(`macroline.${key}`);
+  document.documentElement.dataset.theme = kept('theme') ?? '';
+  for (const column of ['--left', '--right']) {
+    const width = kept(`width${column}`);
+    if (width) document.documentElement.style.setProperty(column, `${width}px`);
+  }
+  // The machine of a person who has one is drawn by the module alone.
+  if (kept('project')) still.querySelector('.scene').remove();
+} catch {
+  // A browser without a store has kept nothing.
+}
+
+// Labels in the size that they keep (`parts::scene::fit`).
+const drawing = still.querySelector('.scene');
+if (drawing) {
+  const { width, height } = drawing.viewBox.baseVal;
+  const room = drawing.getBoundingClientRect();
+  const unit = Math.max(width / room.width, height / room.height);
+  drawing.style.setProperty('--u', Math.min(unit, Number(drawing.dataset.unit) || unit).toFixed(4));
+}
+
+try {
   const { default: init } = await import(new URL(js, document.baseURI));
   await init({ module_or_path: new URL(wasm, document.baseURI) });
-  notice.remove();
 } catch (error) {
+  still.remove();
+  document.body.append(notice);
   notice.textContent = `macroline could not start in this browser: ${error.message}`;
   throw error;
 }

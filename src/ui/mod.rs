@@ -29,16 +29,19 @@ mod app;
 
 use leptos::prelude::*;
 
-pub use app::App;
+pub use app::{App, Beginning};
 pub use worker::server::work;
 
-/// Opens the page. A panic is reported in its place.
+/// Opens the page in place of the still in its HTML. A panic is reported in its place.
 pub fn open() {
     std::panic::set_hook(Box::new(|panic| {
         web_sys::console::error_1(&panic.to_string().into());
         broken(&panic.to_string());
     }));
-    leptos::mount::mount_to_body(App);
+    let beginning = Beginning::load();
+    dom::turns::in_turn(|| {
+        leptos::mount::mount_to_body(|| beginning.map(|beginning| view! { <App beginning=beginning /> }));
+    });
 }
 
 /// Tells in plain DOM that the page has stopped: after a panic no signal works any more.

@@ -10,7 +10,7 @@ use leptos::wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{Element, Event, HtmlElement, HtmlInputElement};
 
-use super::dom::{self, script};
+use super::dom::{self, script, turns};
 use super::files::LargeFile;
 use super::state::Page;
 use super::worker::client::Client;
@@ -46,11 +46,22 @@ pub(crate) async fn mount<V: IntoView + 'static>(view: impl FnOnce() -> V + 'sta
     mount_project(project(), view).await
 }
 
-/// Mounts a view about a project; the browser's store stays as it is.
+/// Mounts a view about a project, with all that is built in its turn; the browser's store stays as it is.
 pub(crate) async fn mount_project<V: IntoView + 'static>(
     project: Project,
     view: impl FnOnce() -> V + 'static,
 ) -> Bench {
+    let bench = begin(project, view).await;
+    until(turns::are_over).await;
+    bench
+}
+
+/// Mounts a view, before anything that is built in its turn.
+pub(crate) async fn mount_begun<V: IntoView + 'static>(view: impl FnOnce() -> V + 'static) -> Bench {
+    begin(project(), view).await
+}
+
+async fn begin<V: IntoView + 'static>(project: Project, view: impl FnOnce() -> V + 'static) -> Bench {
     let body = document().body().unwrap();
     // A test that failed leaves its view in the page.
     dom::all(&body, ".bench").iter().for_each(Element::remove);
@@ -60,7 +71,8 @@ pub(crate) async fn mount_project<V: IntoView + 'static>(
     let provided = Rc::new(Cell::new(None));
     let provide = Rc::clone(&provided);
     let mounted = mount_to(host.clone(), move || {
-        let page = Page::provide(project, Vec::new());
+        let written = Rc::new(project.written());
+        let page = Page::provide(project, written, Vec::new());
         let worker = Client::provide();
         LargeFile::provide();
         provide.set(Some((page, worker)));

@@ -40,12 +40,14 @@ fn token(name: &str, theme: Theme) -> &'static str {
     }
 }
 
-/// The scene for the page: words are escaped, colours are tokens, groups carry `data-g` and nodes that poses change `data-n`.
-pub fn page(scene: &Scene, alt: &str) -> String {
-    let mut out = filled("<svg class=\"scene\" viewBox=\"# # # #\" role=\"img\" aria-label=\"", &scene.view);
+/// The scene for the page, at rest or in a pose: words are escaped, colours are tokens, groups carry `data-g` and nodes that poses change
+/// `data-n`. `data-unit` is the most drawing units per pixel for which labels are laid out, 0 without a limit.
+pub fn page(scene: &Scene, pose: Option<&Pose>, alt: &str) -> String {
+    let mut out = filled("<svg class=\"scene\" viewBox=\"# # # #\"", &scene.view);
+    let _ = write!(out, " data-unit=\"{:.4}\" role=\"img\" aria-label=\"", scene.unit);
     escape(&mut out, alt);
     out.push_str("\">");
-    Writer { out: &mut out, scene, pose: None, place: Place::Page, scale: 1.0 }.write();
+    Writer { out: &mut out, scene, pose, place: Place::Page, scale: 1.0 }.write();
     out.push_str("</svg>");
     out
 }

@@ -20,20 +20,21 @@ const installed = (command) => execFileSync('sh', ['-c', `command -v ${command}`
 export const FIREFOX = process.env.BROWSER === 'firefox';
 const FOLDER = FIREFOX && mkdtempSync(join(tmpdir(), 'macroline-'));
 
-function launch() {
+function launch(args) {
   if (FIREFOX) {
     const firefoxUserPrefs = { 'ui.prefersReducedMotion': 1 };
     return firefox.launch({ channel: 'moz-firefox', executablePath: installed('firefox-esr'), downloadsPath: FOLDER, firefoxUserPrefs });
   }
   // As root Chromium refuses its sandbox, and a container has a small /dev/shm.
-  return chromium.launch({ executablePath: installed('chromium'), args: ['--no-sandbox', '--disable-dev-shm-usage'] });
+  return chromium.launch({ executablePath: installed('chromium'), args: ['--no-sandbox', '--disable-dev-shm-usage', ...args] });
 }
 
-// Serves dist/ and starts the browser; both end with `close`. One per test file, in `before` and `after`.
-export async function start() {
+// Serves dist/ and starts the browser; both end with `close`. One per test file, in `before` and `after`. For those who measure: `packed` as in
+// scripts/serve.mjs, and further arguments of the browser.
+export async function start({ packed = null, args = [] } = {}) {
   assert.ok(existsSync(DIST), 'there is no dist/: run `make dist` first');
-  const site = await serve(DIST);
-  const browser = await launch();
+  const site = await serve(DIST, 0, packed);
+  const browser = await launch(args);
   return {
     url: site.url,
     browser,
@@ -80,9 +81,12 @@ export async function withPage(app, options, act) {
   }
 }
 
-// The app is there when boot.js has removed its notice, or has put its error there.
+// The app is there when all of it is built, or when boot.js has put its error into its notice.
 export async function ready(page) {
-  await page.waitForFunction(() => !document.getElementById('boot')?.textContent.includes('loading'));
+  await page.waitForFunction(() => {
+    const notice = document.getElementById('boot');
+    return notice ? !notice.textContent.includes('loading') : document.querySelector('main')?.getAttribute('aria-busy') === 'false';
+  });
   const failed = await page.locator('#boot').allTextContents();
   assert.deepEqual(failed, [], 'the app did not start');
 }

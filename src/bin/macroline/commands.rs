@@ -6,14 +6,11 @@ use std::rc::Rc;
 
 use clap::Parser;
 use macroline::controls::Switches;
-use macroline::machines::Frame;
-use macroline::motion::{Budget, Retention};
 use macroline::nc;
 use macroline::project::check::review;
 use macroline::project::render::summary;
-use macroline::project::run::{RunOptions, of_project};
 use macroline::project::suppress::silence;
-use macroline::project::{Project, list, sensitivity};
+use macroline::project::{Project, drawing, list, sensitivity};
 use macroline::text::Diagnostic;
 use macroline::view::Theme;
 use macroline::view::svg::picture;
@@ -85,16 +82,10 @@ fn draw(path: &Path, at: f64, dark: bool, out: &Path) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
     tell(&[file])?;
-    let limits = Budget { blocks: 10_000_000, seconds: at };
-    let options = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
-    let mut run = of_project(&project, &project.written(), &options);
-    run.advance(at, usize::MAX);
-    let now = run.timeline().at(at.min(run.timeline().end()));
-    let machine = project.prepared();
-    let pose = machine.pose(&run, &now, Frame { step: 0.0, option: false });
+    let (scene, pose) = drawing::at(&project, at);
     let theme = if dark { Theme::Dark } else { Theme::Light };
     let failed = |error| Failure::Outside(format!("{}: {error}", out.display()));
-    std::fs::write(out, picture(&machine.scene(), &pose, theme)).map_err(failed)
+    std::fs::write(out, picture(&scene, &pose, theme)).map_err(failed)
 }
 
 fn check(

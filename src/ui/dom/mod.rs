@@ -2,6 +2,8 @@
 
 pub(crate) mod script;
 
+pub(crate) mod turns;
+
 use leptos::prelude::*;
 use leptos::wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{

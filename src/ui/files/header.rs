@@ -9,7 +9,7 @@ use crate::machines;
 use crate::project::Project;
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
-use crate::ui::parts::{Glyph, Icon, IconButton};
+use crate::ui::parts::{Glyph, Icon, IconButton, Later};
 use crate::ui::state::Page;
 use crate::ui::state::view::Kept;
 use crate::ui::words::t;
@@ -37,19 +37,21 @@ pub(crate) fn Header() -> impl IntoView {
     view! {
         <header class="top">
             <h1><Logo /> <span>"macro"<i>"line"</i></span></h1>
-            <MachinePicker />
-            <ControlPicker />
-            <ProjectName />
-            <div class="doing">
-                <IconButton glyph=Glyph::Undo label=t("page.undo") title=t("page.undo-key") disabled=Signal::derive(move || !page.can.get().0) press=move || page.undo() />
-                <IconButton glyph=Glyph::Redo label=t("page.redo") title=t("page.redo-key") disabled=Signal::derive(move || !page.can.get().1) press=move || page.redo() />
-                <button type="button" class="quiet" on:click=fresh>{t("page.new")}</button>
-                <OpenButton />
-                <button type="button" class="quiet" title=t("page.save-about") on:click=save>{t("page.save")}</button>
-                <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>
-                <ThemeButton />
-                <IconButton glyph=Glyph::Help label=t("page.help") press=move || page.view.helping.set(true) />
-            </div>
+            <Later>
+                <MachinePicker />
+                <ControlPicker />
+                <ProjectName />
+                <div class="doing">
+                    <IconButton glyph=Glyph::Undo label=t("page.undo") title=t("page.undo-key") disabled=Signal::derive(move || !page.can.get().0) press=move || page.undo() />
+                    <IconButton glyph=Glyph::Redo label=t("page.redo") title=t("page.redo-key") disabled=Signal::derive(move || !page.can.get().1) press=move || page.redo() />
+                    <button type="button" class="quiet" on:click=fresh>{t("page.new")}</button>
+                    <OpenButton />
+                    <button type="button" class="quiet" title=t("page.save-about") on:click=save>{t("page.save")}</button>
+                    <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>
+                    <ThemeButton />
+                    <IconButton glyph=Glyph::Help label=t("page.help") press=move || page.view.helping.set(true) />
+                </div>
+            </Later>
         </header>
     }
 }

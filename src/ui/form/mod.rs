@@ -14,6 +14,7 @@ use leptos::prelude::*;
 
 use crate::machines::form::{FieldInfo, Provenance};
 use crate::text::number::filled;
+use crate::ui::parts::Later;
 use crate::ui::state::Page;
 use crate::ui::words::{say, t};
 use field::FormField;
@@ -45,12 +46,12 @@ pub(crate) fn Form() -> impl IntoView {
                 <legend>{t("page.essentials")}</legend>
                 {product.map(|info| view! { <FormField info=info /> }).collect_view()}
             </fieldset>
-            <MachineData fields=fields />
+            <Later><MachineData fields=fields /></Later>
         }
     };
     view! {
         <section class="pane form" id="form" aria-label=t("page.inputs")>
-            <form autocomplete="off" on:submit=|event| event.prevent_default()>{rows}</form>
+            <form autocomplete="off" on:submit=|event| event.prevent_default()><Later>{rows}</Later></form>
             <WrongFields />
         </section>
     }
@@ -109,7 +110,7 @@ fn Group(
     view! {
         <details class="group" class:wrong=wrong>
             <summary>{t(title)}<span class="count">{shown}</span></summary>
-            {fields.into_iter().map(|info| view! { <FormField info=info /> }).collect_view()}
+            <Later>{fields.into_iter().map(|info| view! { <FormField info=info /> }).collect_view()}</Later>
         </details>
     }
 }

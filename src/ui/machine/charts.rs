@@ -31,9 +31,10 @@ impl Charts {
         self.charts.iter().map(|chart| chart.title).collect()
     }
 
-    /// Shows a moment: draws where plan, axis or choice have changed, moves the cursor, writes the values. Whether the charts are others.
+    /// Shows a moment: draws where plan or axis (some times a second) or choice have changed, moves the cursor, writes the values. Whether
+    /// the charts are others.
     pub(super) fn frame(&mut self, host: &Element, moment: &Moment, chosen: usize) -> bool {
-        let changed = self.axis != moment.axis || self.plans != Some(moment.plans);
+        let changed = moment.slow && (self.axis != moment.axis || self.plans != Some(moment.plans));
         if changed {
             (self.axis, self.plans) = (moment.axis, Some(moment.plans));
             self.charts = moment.machine.charts(moment.run, moment.axis.0, moment.axis.1, POINTS);

@@ -13,6 +13,7 @@ use crate::math;
 use crate::text::catalog::number_text;
 use crate::text::number::filled;
 use crate::ui::dom;
+use crate::ui::parts::Later;
 use crate::ui::parts::input::{Choice, filled_part, number};
 use crate::ui::state::{Page, put};
 use crate::ui::words::{clock, t};
@@ -84,31 +85,33 @@ pub(crate) fn Film() -> impl IntoView {
                 {readout}
             </div>
             <div class="chart-bar">
-                <div class="chips" role="group" aria-label=t("page.charts")>
-                    <For each=move || titles.get().into_iter().enumerate() key=|(at, title)| (*at, *title) let:row>
-                        <button
-                            type="button" class="chip"
-                            aria-pressed=move || (chosen.get() == row.0).to_string()
-                            on:click=move |_| {
-                                chosen.set(row.0);
-                                player.ask();
-                            }
-                        >
-                            {t(row.1)}
-                        </button>
-                    </For>
-                </div>
-                <span class="space"></span>
-                <WindowChoice />
-                <button
-                    type="button" class="quiet"
-                    on:click=move |_| {
-                        let charts = player.all_charts(POINTS_IN_FILE);
-                        dom::download("timeline.csv", "text/csv", csv::charts(&charts).as_bytes());
-                    }
-                >
-                    {t("page.save-csv")}
-                </button>
+                <Later>
+                    <div class="chips" role="group" aria-label=t("page.charts")>
+                        <For each=move || titles.get().into_iter().enumerate() key=|(at, title)| (*at, *title) let:row>
+                            <button
+                                type="button" class="chip"
+                                aria-pressed=move || (chosen.get() == row.0).to_string()
+                                on:click=move |_| {
+                                    chosen.set(row.0);
+                                    player.ask();
+                                }
+                            >
+                                {t(row.1)}
+                            </button>
+                        </For>
+                    </div>
+                    <span class="space"></span>
+                    <WindowChoice />
+                    <button
+                        type="button" class="quiet"
+                        on:click=move |_| {
+                            let charts = player.all_charts(POINTS_IN_FILE);
+                            dom::download("timeline.csv", "text/csv", csv::charts(&charts).as_bytes());
+                        }
+                    >
+                        {t("page.save-csv")}
+                    </button>
+                </Later>
             </div>
         </section>
     }

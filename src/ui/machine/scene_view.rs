@@ -56,16 +56,14 @@ impl Drawn {
             Some((number, Part { element, text: String::new(), dash: f64::NAN, fill: None }))
         };
         let parts = dom::all(host, "[data-n]").into_iter().filter_map(numbered).collect();
-        let drawn = Drawn {
+        Drawn {
             groups,
             parts,
             picture: dom::all(host, ".scene").into_iter().next().map(JsCast::unchecked_into),
             view: scene.view,
             unit: scene.unit,
             alt: scene.alt,
-        };
-        drawn.fit();
-        drawn
+        }
     }
 
     /// Keeps labels at their size in pixels, as far as they have room.

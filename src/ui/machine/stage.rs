@@ -12,7 +12,7 @@ use super::scene_view::Drawn;
 use crate::motion::{Mode, RunEnd};
 use crate::project::check::reported;
 use crate::ui::dom;
-use crate::ui::parts::scene::svg;
+use crate::ui::parts::scene::{Still, svg};
 use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
 use crate::ui::words::{end_words, mode_tone, mode_words, t, tell_alarm};
@@ -25,11 +25,22 @@ pub(crate) fn Stage() -> impl IntoView {
     let section: NodeRef<html::Section> = NodeRef::new();
     let host: NodeRef<html::Div> = NodeRef::new();
     let drawn = StoredValue::new_local(None::<Drawn>);
+    // The still is this very drawing, which goes on in it.
+    let still = StoredValue::new_local(Still::take());
     Effect::new(move |_| {
         let Some(host) = host.get() else { return };
         page.results.scene.with(|scene| {
-            host.set_inner_html(&svg(scene));
-            drawn.set_value(Some(Drawn::new(&host, scene)));
+            let still = still.try_update_value(Option::take).flatten();
+            match &still {
+                Some(still) => drop(host.append_child(still)),
+                None => host.set_inner_html(&svg(scene)),
+            }
+            let new = Drawn::new(&host, scene);
+            // The labels of the still have their size already (boot.js).
+            if still.is_none() {
+                new.fit();
+            }
+            drawn.set_value(Some(new));
         });
         player.ask();
     });

@@ -5,7 +5,7 @@ use leptos::prelude::*;
 
 use crate::text::catalog::number_text;
 use crate::ui::parts::input::{Choice, number};
-use crate::ui::parts::{Glyph, Icon, IconButton};
+use crate::ui::parts::{Glyph, Icon, IconButton, Later};
 use crate::ui::state::Page;
 use crate::ui::state::player::SPEEDS;
 use crate::ui::words::{clock, speed_text, t};
@@ -19,24 +19,26 @@ pub(super) fn Transport() -> impl IntoView {
     let sign = Signal::derive(move || if playing.get() { Glyph::Pause } else { Glyph::Play });
     view! {
         <div class="keys">
-            <IconButton glyph=Glyph::ToStart label=t("page.to-start") title=t("page.to-start-key") press=move || player.seek(0.0) />
-            <IconButton glyph=Glyph::Back label=t("page.step-back") title=t("page.step-back-key") press=move || player.step(false) />
-            <button type="button" class="icon play" id="play" aria-label=play_words title=t("page.play-key") on:click=move |_| player.toggle()>
-                <Icon glyph=sign />
-            </button>
-            <IconButton glyph=Glyph::Forth label=t("page.step") title=t("page.step-key") press=move || player.step(true) />
-            <Clock />
-            <span class="space"></span>
-            <RunningBlock />
-            <GoTo />
-            <Speed />
-            <button
-                type="button" class="icon repeat" aria-label=t("page.repeat") title=t("page.repeat")
-                aria-pressed=move || player.repeat.get().to_string()
-                on:click=move |_| player.repeat.update(|on| *on = !*on)
-            >
-                <Icon glyph=Glyph::Repeat />
-            </button>
+            <Later>
+                <IconButton glyph=Glyph::ToStart label=t("page.to-start") title=t("page.to-start-key") press=move || player.seek(0.0) />
+                <IconButton glyph=Glyph::Back label=t("page.step-back") title=t("page.step-back-key") press=move || player.step(false) />
+                <button type="button" class="icon play" id="play" aria-label=play_words title=t("page.play-key") on:click=move |_| player.toggle()>
+                    <Icon glyph=sign />
+                </button>
+                <IconButton glyph=Glyph::Forth label=t("page.step") title=t("page.step-key") press=move || player.step(true) />
+                <Clock />
+                <span class="space"></span>
+                <RunningBlock />
+                <GoTo />
+                <Speed />
+                <button
+                    type="button" class="icon repeat" aria-label=t("page.repeat") title=t("page.repeat")
+                    aria-pressed=move || player.repeat.get().to_string()
+                    on:click=move |_| player.repeat.update(|on| *on = !*on)
+                >
+                    <Icon glyph=Glyph::Repeat />
+                </button>
+            </Later>
         </div>
     }
 }

@@ -102,11 +102,12 @@ pub(crate) fn IconButton(
     #[prop(optional, into)]
     disabled: Signal<bool>,
     /// What it does.
-    press: impl Fn() + 'static,
+    #[prop(into)]
+    press: Callback<()>,
 ) -> impl IntoView {
     let title = move || title.clone().unwrap_or_else(|| label.get());
     view! {
-        <button type="button" class=format!("icon {class}") aria-label=label title=title disabled=disabled on:click=move |_| press()>
+        <button type="button" class=format!("icon {class}") aria-label=label title=title disabled=disabled on:click=move |_| press.run(())>
             <Icon glyph=glyph />
         </button>
     }

@@ -25,11 +25,12 @@ pub(crate) fn EntryField(
     #[prop(into)]
     words: Signal<String>,
     /// Takes the text; whether it did.
-    take: impl Fn(String) -> bool + 'static,
+    #[prop(into)]
+    take: Callback<String, bool>,
 ) -> impl IntoView {
     let enter = move |event: ev::KeyboardEvent| {
         let text = event_target_value(&event).trim().to_owned();
-        if event.key() == "Enter" && !text.is_empty() && take(text) {
+        if event.key() == "Enter" && !text.is_empty() && take.run(text) {
             event_target::<web_sys::HtmlInputElement>(&event).set_value("");
         }
     };
@@ -46,11 +47,12 @@ pub(crate) fn CheckMark(
     #[prop(into)]
     on: Signal<bool>,
     /// Takes the new state.
-    set: impl Fn(bool) + 'static,
+    #[prop(into)]
+    set: Callback<bool>,
 ) -> impl IntoView {
     view! {
         <label class="check">
-            <input type="checkbox" prop:checked=on on:change=move |event| set(event_target_checked(&event)) />
+            <input type="checkbox" prop:checked=on on:change=move |event| set.run(event_target_checked(&event)) />
             {label}
         </label>
     }
@@ -66,7 +68,8 @@ pub(crate) fn Choice(
     #[prop(into)]
     chosen: Signal<String>,
     /// Takes another value.
-    choose: impl Fn(String) + 'static,
+    #[prop(into)]
+    choose: Callback<String>,
 ) -> impl IntoView {
     // Each option follows the choice: a value of the list itself would be set before it has options.
     let option = move |(value, words): (String, String)| {
@@ -74,7 +77,7 @@ pub(crate) fn Choice(
         view! { <option value=value prop:selected=move || chosen.with(|chosen| *chosen == own)>{words}</option> }
     };
     view! {
-        <select on:change=move |event| choose(event_target_value(&event))>
+        <select on:change=move |event| choose.run(event_target_value(&event))>
             <For each=move || options.get() key=|row| row.clone() children=option />
         </select>
     }

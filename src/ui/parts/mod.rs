@@ -10,6 +10,8 @@ pub(crate) mod icon;
 
 pub(crate) mod input;
 
+pub(crate) mod later;
+
 pub(crate) mod listing;
 
 pub(crate) mod scene;
@@ -20,3 +22,4 @@ pub(crate) mod verdict;
 
 pub(crate) use dialog::Dialog;
 pub(crate) use icon::{Glyph, Icon, IconButton};
+pub(crate) use later::Later;

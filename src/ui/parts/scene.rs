@@ -1,13 +1,15 @@
 //! A scene as SVG for the page.
 
-use web_sys::HtmlElement;
+use leptos::prelude::*;
+use web_sys::{Element, HtmlElement};
 
+use crate::ui::dom;
 use crate::ui::words::t;
 use crate::view::{Scene, svg};
 
 /// The scene with its alternative text. Words in it are escaped.
 pub(crate) fn svg(scene: &Scene) -> String {
-    svg::page(scene, t(scene.alt))
+    svg::page(scene, None, t(scene.alt))
 }
 
 /// Keeps labels at their size in pixels, as far as they have room: `--u` is the number of drawing units per pixel, at most `most` where
@@ -18,5 +20,25 @@ pub(crate) fn fit(picture: &HtmlElement, [_, _, width, height]: [f64; 4], most: 
         let unit = (width / room.width()).max(height / room.height());
         let unit = if most > 0.0 { unit.min(most) } else { unit };
         let _ = picture.style().set_property("--u", &format!("{unit:.4}"));
+    }
+}
+
+/// The still of the page's HTML: the drawing of a fresh project before its start, seen until the page is there. A handle: copies mean the
+/// same.
+#[derive(Clone, Copy)]
+pub(crate) struct Still(StoredValue<Option<Element>, LocalStorage>);
+
+impl Still {
+    /// Takes the still out of the page, and hands it to every component below. There is none where the store has a project.
+    pub(crate) fn provide() {
+        let still = dom::by_id("still");
+        let drawing = still.as_ref().and_then(|still| dom::all(still, ".scene").into_iter().next());
+        still.iter().for_each(|still| still.remove());
+        provide_context(Still(StoredValue::new_local(drawing)));
+    }
+
+    /// The drawing, for the first who asks.
+    pub(crate) fn take() -> Option<Element> {
+        use_context::<Still>()?.0.try_update_value(Option::take).flatten()
     }
 }

@@ -12,9 +12,13 @@ use crate::ui::worker::messages::{Request, Response, Sheets};
 pub(crate) fn SheetView(
     /// Picks those to show.
     which: fn(Sheets) -> String,
+    /// What stands below them, once they are there.
+    #[prop(optional)]
+    children: Option<Children>,
 ) -> impl IntoView {
     let (page, worker) = (Page::here(), Client::here());
     let shown = RwSignal::new(format!("<p class=\"lead\">{}</p>", t("page.reading")));
+    let answered = RwSignal::new(false);
     Effect::new(move |_| {
         let show = move |response: Option<Response>| {
             let html = match response {
@@ -24,10 +28,17 @@ pub(crate) fn SheetView(
             let html = if html.is_empty() { format!("<p class=\"lead\">{}</p>", t("page.no-sheet")) } else { html };
             // The tab may have been left.
             let _ = shown.try_set(html);
+            if answered.try_get_untracked() == Some(false) {
+                answered.set(true);
+            }
         };
         page.project.with(|project| worker.ask(project, Request::Sheets, show));
     });
-    view! { <div class="sheets" inner_html=move || shown.get()></div> }
+    let mut children = children;
+    view! {
+        <div class="sheets" inner_html=move || shown.get()></div>
+        {move || answered.get().then(|| children.take().map(|children| children()))}
+    }
 }
 
 #[cfg(test)]

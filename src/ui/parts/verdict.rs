@@ -20,7 +20,8 @@ pub(crate) fn VerdictLine(
     /// The result.
     readout: Readout,
     /// Opens the result.
-    open: impl Fn() + 'static,
+    #[prop(into)]
+    open: Callback<()>,
 ) -> impl IntoView {
     let page = Page::here();
     let tone = verdict_tone(readout.verdict);
@@ -37,7 +38,7 @@ pub(crate) fn VerdictLine(
     let percent = |share: f64| filled("#%", &[share]);
     view! {
         <div class=format!("card {tone}") class:plain=bar.is_none() style:--part=percent(part) style:--limit=percent(limit)>
-            <button type="button" class="to-result" title=title on:click=move |_| open()>
+            <button type="button" class="to-result" title=title on:click=move |_| open.run(())>
                 <i class="s" aria-hidden="true">{sign(tone)}</i>
                 <span class="k">{t(readout.label)}</span>
                 <span class="v">{four_digits(readout.value, readout.decimals)}" "<small>{readout.unit}</small></span>

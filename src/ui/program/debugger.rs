@@ -44,7 +44,7 @@ pub(super) fn DebuggerBar() -> impl IntoView {
         <Show when=move || page.view.stepping.get() || page.player.walk.with(is_used)>
             <div class="bar tools walk" role="group" aria-label=t("page.walk")>
                 {buttons}
-                <EntryField words=condition take=move |text| set_point(page, Some(&text)) />
+                <EntryField words=condition take=move |text: String| set_point(page, Some(&text)) />
             </div>
         </Show>
     }
@@ -153,7 +153,7 @@ pub(super) fn Seen() -> impl IntoView {
     let state =
         Memo::new(move |_| walk.with(|walk| page.program.written.with_untracked(|written| State::of(walk, written))));
     let watch = Signal::derive(move || say(&crate::msg!("page.walk-watch", page.spelled("#100*2"))));
-    let add = move |text| {
+    let add = move |text: String| {
         walk.update(|walk| walk.watches.push(text));
         true
     };
@@ -169,7 +169,7 @@ pub(super) fn Seen() -> impl IntoView {
 fn rows(page: Page, state: &State) -> impl IntoView + use<> {
     let walk = page.player.walk;
     let plain = |class: &'static str, row: &Row| view! { <p class=class><i>{row.0.clone()}</i> " " <span>{row.1.clone()}</span></p> };
-    let removable = |row: &Row, remove: Box<dyn Fn()>| {
+    let removable = |row: &Row, remove: Callback<()>| {
         view! {
             <p>
                 <i>{row.0.clone()}</i> " " <span>{row.1.clone()}</span>
@@ -186,13 +186,14 @@ fn rows(page: Page, state: &State) -> impl IntoView + use<> {
     });
     let point = |(number, row): &(u32, Row)| {
         let number = *number;
-        removable(row, Box::new(move || walk.update(|walk| walk.points.retain(|point| point.number != number))))
+        removable(row, Callback::from(move || walk.update(|walk| walk.points.retain(|point| point.number != number))))
     };
     let points = (!state.points.is_empty()).then(|| {
         view! { <h3>{t("page.walk-points")}</h3> {state.points.iter().map(point).collect_view()} }
     });
-    let watch =
-        |(at, row): (usize, &Row)| removable(row, Box::new(move || walk.update(|walk| drop(walk.watches.remove(at)))));
+    let watch = |(at, row): (usize, &Row)| {
+        removable(row, Callback::from(move || walk.update(|walk| drop(walk.watches.remove(at)))))
+    };
     view! {
         {state.under_way.clone().map(|time| view! { <p>{time}</p> })}
         {changed}

@@ -13,10 +13,7 @@ use crate::ui::words::{grade, t};
 /// The parameters tab.
 #[component]
 pub(crate) fn ParametersTab() -> impl IntoView {
-    view! {
-        <SheetView which=|sheets| sheets.parameters />
-        <Switches />
-    }
+    view! { <SheetView which=|sheets| sheets.parameters><Switches /></SheetView> }
 }
 
 /// The PLC tab.

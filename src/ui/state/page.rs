@@ -17,6 +17,7 @@ use crate::motion::Event;
 use crate::nc;
 use crate::project::Project;
 use crate::project::check::with_run;
+use crate::project::program::Written;
 use crate::project::suppress::silence;
 use crate::text::{Diagnostic, Severity};
 use crate::ui::dom;
@@ -65,9 +66,8 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    /// Begins with a project, and hands the state to every component below.
-    pub(crate) fn provide(project: Project, notices: Vec<Notice>) -> Page {
-        let written = Rc::new(project.written());
+    /// Begins with a project and its program, and hands the state to every component below.
+    pub(crate) fn provide(project: Project, written: Rc<Written>, notices: Vec<Notice>) -> Page {
         let prepared = project.prepared();
         let player = Player::new();
         player.load(&project, &written);

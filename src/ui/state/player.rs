@@ -362,7 +362,11 @@ impl Player {
                 return;
             }
             let more = self.plan(self.soon().max(HORIZON), SLICE);
-            self.ask();
+            // Charts of the whole plan cost more than a slice of it.
+            let due = self.state.with_value(|state| dom::now() - state.slow_at >= SLOW);
+            if due || !more {
+                self.ask();
+            }
             if more {
                 self.plan_on();
             }

@@ -155,3 +155,10 @@ fn labels_never_overlap_and_poses_fit_any_form() {
     }
     assert!(found.is_empty(), "{} faults:\n{}", found.len(), found[..found.len().min(90)].join("\n"));
 }
+
+/// The page shows it before its module is loaded. `UPDATE_EXPECT=1` draws it anew.
+#[test]
+fn still_in_the_page_is_what_the_code_draws() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("style/still.svg");
+    expect_test::expect_file![path].assert_eq(&macroline::project::drawing::still().unwrap());
+}

@@ -79,7 +79,7 @@ fn nested() -> Scene {
 
 #[test]
 fn nested_groups_clips_and_fields_reach_the_page() {
-    let page = svg::page(&nested(), "alt");
+    let page = svg::page(&nested(), None, "alt");
     for part in [
         "<g data-g=\"1\" transform=\"translate(10 20)scale(5.00000 5.00000)\" clip-path=\"url(#any-c1)\"><g data-g=\"2\">",
         "<clipPath id=\"any-c1\"><circle cx=\"0\" cy=\"0\" r=\"9\"/></clipPath>",

@@ -1,0 +1,83 @@
+//! Work that waits for its turn: one piece in a task of its own after the other, so that the browser can paint and answer in between.
+
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use leptos::prelude::set_timeout;
+
+type Work = Box<dyn FnOnce()>;
+
+thread_local! {
+    static WAITING: RefCell<VecDeque<Work>> = const { RefCell::new(VecDeque::new()) };
+}
+
+/// Does something in a task of its own, after everything that waits already.
+pub(crate) fn in_turn(work: impl FnOnce() + 'static) {
+    let waiting = WAITING.with_borrow_mut(|waiting| {
+        waiting.push_back(Box::new(work));
+        waiting.len()
+    });
+    if waiting == 1 {
+        set_timeout(next, Duration::ZERO);
+    }
+}
+
+/// Does the first piece, which stays in the line until it is done: what it adds waits behind the others.
+fn next() {
+    let work =
+        WAITING.with_borrow_mut(|waiting| waiting.front_mut().map(|first| core::mem::replace(first, Box::new(|| ()))));
+    if let Some(work) = work {
+        work();
+    }
+    let more = WAITING.with_borrow_mut(|waiting| {
+        waiting.pop_front();
+        !waiting.is_empty()
+    });
+    if more {
+        set_timeout(next, Duration::ZERO);
+    }
+}
+
+/// Does something once nothing else waits.
+pub(crate) fn at_last(work: impl FnOnce() + 'static) {
+    in_turn(move || {
+        let alone = WAITING.with_borrow(|waiting| waiting.len() == 1);
+        if alone { work() } else { at_last(work) }
+    });
+}
+
+/// Whether nothing waits.
+#[cfg(test)]
+pub(crate) fn are_over() -> bool {
+    WAITING.with_borrow(VecDeque::is_empty)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::rc::Rc;
+
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::until;
+
+    #[wasm_bindgen_test]
+    async fn work_is_done_in_its_order_and_not_at_once() {
+        let done = Rc::new(RefCell::new(Vec::new()));
+        let note = |name: &'static str| {
+            let done = Rc::clone(&done);
+            move || done.borrow_mut().push(name)
+        };
+        let (first, inner) = (note("first"), note("added"));
+        at_last(note("last"));
+        in_turn(move || {
+            first();
+            in_turn(inner);
+        });
+        in_turn(note("second"));
+        assert!(done.borrow().is_empty());
+        until(are_over).await;
+        assert_eq!(*done.borrow(), ["first", "second", "added", "last"]);
+    }
+}

@@ -1,0 +1,36 @@
+//! A part of the page that is built in a turn of its own.
+
+use leptos::prelude::*;
+
+use crate::ui::dom::turns::in_turn;
+
+/// Builds its content after everything that waits already, in a task of its own: the page is there in pieces, none of which holds it up.
+/// Its place must not depend on its content.
+#[component]
+pub(crate) fn Later(
+    /// The content.
+    children: Children,
+) -> impl IntoView {
+    let due = RwSignal::new(false);
+    // The page may be gone.
+    in_turn(move || {
+        let _ = due.try_set(true);
+    });
+    let mut children = Some(children);
+    move || due.get().then(|| children.take().map(|children| children()))
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::ui::testing::{mount, mount_begun};
+
+    #[wasm_bindgen_test]
+    async fn content_is_built_after_the_page_around_it() {
+        let view = || view! { <p>"around"</p><Later><b>"content"</b></Later> };
+        assert!(!mount_begun(view).await.has("b"));
+        assert_eq!(mount(view).await.text("b"), "content");
+    }
+}
