@@ -28,10 +28,11 @@ test: ## every test of every kind, with the time of each stage
 
 .PHONY: bench
 bench: dist ## benchmarks, native, in wasm and of the page; each ends in lines `summary: …`
-	@scripts/setup.sh browser
+	@scripts/setup.sh browser bench
 	cargo bench --locked --bench interp --bench parse --bench plan --bench run --bench polygon
 	node scripts/both.mjs
 	node benches/page.mjs
+	node benches/load.mjs
 
 # How long each fuzz target runs.
 FUZZ_SECONDS ?= 900
@@ -67,7 +68,7 @@ format: ## format the sources
 .PHONY: clean
 clean: ## remove what was built (not .tools)
 	cargo clean
-	rm -rf dist node_modules
+	rm -rf dist node_modules benches/node_modules
 
 # The stages of `make test`, each also on its own; what they need is installed by `make setup`.
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser] [other_browsers] [fuzz]`.
+# Installs what is missing, and nothing that is there: `scripts/setup.sh [lints] [target] [tools] [node] [browser] [other_browsers] [bench] [fuzz]`.
 #
 # Each version is in one place, where the tool that needs it reads it: Trunk's in Trunk.toml, wasm-bindgen's in Cargo.lock
-# (Trunk and the test runner refuse any other), the npm packages' in package-lock.json. Only the version of cargo-fuzz is here.
+# (Trunk and the test runner refuse any other), the npm packages' in package-lock.json (those of the benches in benches/). Only the version of cargo-fuzz is here.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -61,14 +61,20 @@ tools() {
   tool wasm-bindgen-cli "$(wasm_bindgen_version)" '' wasm-bindgen wasm-bindgen-test-runner
 }
 
-node() {
+# npm_packages FOLDER: the packages of its package-lock.json.
+npm_packages() {
   command -v npm >/dev/null || fail "Node 20 or newer with npm is missing"
   # npm writes this file last, so it is the time of the last complete installation.
-  [ node_modules/.package-lock.json -nt package-lock.json ] && return
-  say "npm: packages of package-lock.json"
-  npm ci --no-audit --no-fund
-  touch node_modules/.package-lock.json
+  [ "$1/node_modules/.package-lock.json" -nt "$1/package-lock.json" ] && return
+  say "npm: packages of $1/package-lock.json"
+  npm ci --no-audit --no-fund --prefix "$1"
+  touch "$1/node_modules/.package-lock.json"
 }
+
+node() { npm_packages .; }
+
+# Lighthouse is large, and only the benches need it.
+bench() { npm_packages benches; }
 
 # libFuzzer is C++.
 fuzz() {
