@@ -26,6 +26,22 @@ pub fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<N
     wanted.into_iter().filter_map(word).collect()
 }
 
+/// The modal states that a program needs, whatever was in force before it: metric words, plane Z-X, no radius compensation, speed in
+/// r/min, the first work offset. A program that begins so may be started again after a reset, wherever the axes are.
+pub fn opening(control: &Control) -> Vec<NewWord> {
+    use Code::{Cancel, Metric, PlaneZx, SurfaceSpeedOff, WorkCoordinates};
+    let cancels = control.codes.iter().any(|row| row.code == Cancel && row.id == CodeId::g(40));
+    let mut all = codes(control, [Metric, PlaneZx]);
+    all.extend(cancels.then(|| g(40)));
+    all.extend(codes(control, [SurfaceSpeedOff, WorkCoordinates(1)]));
+    all
+}
+
+/// Common variables of the work position of the first axes, where the control tells it: reading one waits for standstill.
+pub fn work_position(control: &Control) -> Option<u32> {
+    control.vars.iter().find(|row| row.kind == VarKind::WorkPosition).map(|row| row.first)
+}
+
 /// A dwell in seconds: with X where the control reads that, else with its first address for seconds.
 pub fn dwell(control: &Control, seconds: f64) -> [NewWord; 2] {
     let addresses = control.syntax.dwell_addresses;

@@ -17,5 +17,6 @@ mod toy;
 mod turning;
 mod turning_controls;
 mod turning_drawing;
+mod turning_restart;
 mod verdicts;
 mod written;

@@ -4,9 +4,9 @@
 //! writes the operator's variables, so that parts are changed by variables alone.
 
 use super::params::{Direction, Path};
-use super::resolved::TurningSpindle;
-use crate::controls::Address;
-use crate::controls::Code;
+use super::resolved::{ALONG, CROSS, TurningSpindle};
+use crate::controls::spindle::LimitPlace;
+use crate::controls::{Address, Code};
 use crate::machines::writing::{self, Entry};
 use crate::nc::Deck;
 use crate::nc::build::{Builder, Formula, NewWord, f, m, real, s, v, word, x, z};
@@ -71,9 +71,14 @@ pub(super) fn deck(lathe: &TurningSpindle) -> Deck {
     b.finish()
 }
 
+/// A diameter as words of X count it.
+fn size(lathe: &TurningSpindle, diameter: Formula) -> Formula {
+    if lathe.diameters() { diameter } else { diameter / 2 }
+}
+
 /// A word of X for a diameter.
 fn cross(lathe: &TurningSpindle, diameter: Formula) -> NewWord {
-    x(if lathe.diameters() { diameter } else { diameter / 2 })
+    x(size(lathe, diameter))
 }
 
 fn codes(lathe: &TurningSpindle, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
@@ -95,13 +100,13 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     b.program(RUN, "TURNING - RUN");
     writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
     writing::guards(b, &entries(lathe));
-    // The speed limit S in the block of the preset: some controls take its position as their reference.
-    if lathe.control.can(Code::SetCoordinates) {
-        let mut preset = block(lathe, Code::SetCoordinates, [cross(lathe, v(111)), z(v(112))]);
-        if lathe.surface() {
-            preset.push(s(v(107)));
-        }
-        b.n(20).words(preset).note("TOOL STANDS AT THE START");
+    b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
+    if let Some((across, along)) = place(lathe) {
+        b.n(17).if_goto(v(across).lt(size(lathe, clear())), 900 + away_alarm(lathe));
+        b.n(18).if_goto(v(along).lt(0), 900 + away_alarm(lathe));
+    }
+    if lathe.surface() && lathe.control.can(Code::SetCoordinates) {
+        b.n(20).words(block(lathe, Code::SetCoordinates, limit(lathe)));
     }
     b.n(21).words(codes(lathe, [Code::Absolute, Code::FeedPerRevolution, Code::Cutting]));
     if let Some(gear) = gear(lathe) {
@@ -137,9 +142,31 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     }
     b.n(55).words([m(30)]);
     writing::alarms(b, lathe.control, &entries(lathe));
+    if place(lathe).is_some() {
+        writing::alarm(b, lathe.control, away_alarm(lathe), "RETRACT THE TOOL BY HAND");
+    }
     if writing::has_alarms(lathe.control) {
         b.words([m(30)]);
     }
+}
+
+/// Variables of the tool's position in X and Z, where the program can read it and raise an alarm of its own.
+fn place(lathe: &TurningSpindle) -> Option<(u32, u32)> {
+    let first = writing::work_position(lathe.control).filter(|_| writing::has_alarms(lathe.control))?;
+    let of = |letter| lathe.control.axes.iter().position(|axis| axis.letter == letter).map(|at| first + at as u32);
+    Some((of(CROSS)?, of(ALONG)?))
+}
+
+/// Number of the alarm of a tool that is not clear of the work, behind those of the entries.
+fn away_alarm(lathe: &TurningSpindle) -> u32 {
+    entries(lathe).len() as u32 + 1
+}
+
+/// Words of the speed limit S. Where S alone would make the present position work zero, the position that holds already stands beside it.
+fn limit(lathe: &TurningSpindle) -> Vec<NewWord> {
+    let at = place(lathe).filter(|_| lathe.rules().limit_place == LimitPlace::WorkZero);
+    let held = at.into_iter().flat_map(|(across, along)| [x(v(across)), z(v(along))]);
+    held.chain([s(v(107))]).collect()
 }
 
 /// Variable of the smaller end of the taper.

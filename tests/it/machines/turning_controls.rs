@@ -194,12 +194,12 @@ fn differences_between_controls_match_the_table() {
             fanuc-0i-tf     N27 G97 S#109 M3
             mitsubishi-e60  N27 G97 S#109 M3
         limit
-            gsk-980tdc      N20 G50 X#111 Z#112 S#107 (TOOL STANDS AT THE START)
+            gsk-980tdc      N20 G50 S#107
             sinumerik-802d  -
             sinumerik-808d  -
-            knd-k2000t      N20 G50 X#111 Z#112 S#107 (TOOL STANDS AT THE START)
-            fanuc-0i-tf     N20 G50 X#111 Z#112 S#107 (TOOL STANDS AT THE START)
-            mitsubishi-e60  N20 G92 X[#111/2] Z#112 (TOOL STANDS AT THE START)
+            knd-k2000t      N20 G50 S#107
+            fanuc-0i-tf     N20 G50 S#107
+            mitsubishi-e60  -
         feed and path
             gsk-980tdc      N21 G99
             sinumerik-802d  N21 G90 G95 G64
