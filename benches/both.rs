@@ -10,7 +10,7 @@ use std::hint::black_box;
 use macroline::drives::polygon::{CutterSetup, Ratio, Section};
 use macroline::motion::{Budget, Panel, Retention};
 use macroline::nc::Files;
-use macroline::project::run::{RunOptions, of_programs, to_end};
+use macroline::project::run::{AtStop, RunOptions, of_programs, to_end};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::Criterion;
 use work::{COUNT, flat, formulas, parse, run};
@@ -24,7 +24,7 @@ fn plan(files: &Files) -> f64 {
         keep: Retention::Log,
     };
     let mut planner = of_programs(parse(files), None, Panel::default(), &begin);
-    to_end(&mut planner, |_| Ok::<(), ()>(())).unwrap().time
+    to_end(&mut planner, AtStop::End, |_| Ok::<(), ()>(())).unwrap().time
 }
 
 /// Angles of a full section.

@@ -192,17 +192,34 @@ pub struct RunSummary {
     pub spindle: crate::motion::SpindleState,
 }
 
+/// What follows where the program waits for the operator (M00, M01, a message).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AtStop {
+    /// The run is over.
+    End,
+    /// Cycle start is pressed at once.
+    CycleStart,
+}
+
 /// Runs to the end and hands every command, as a line of the canonical log, to `log` as it begins. Fails only where `log` does.
-pub fn to_end<E>(run: &mut Run, mut log: impl FnMut(Line) -> Result<(), E>) -> Result<RunSummary, E> {
+pub fn to_end<E>(run: &mut Run, at_stop: AtStop, mut log: impl FnMut(Line) -> Result<(), E>) -> Result<RunSummary, E> {
     let names = run.program().names();
+    let mut answered = None;
     let ended = loop {
         let progress = run.advance(f64::INFINITY, SLICE);
         for (_, canon, _) in run.take_log() {
             log(canon.line(names))?;
         }
-        if let Some(ended) = progress.ended {
+        let Some(ended) = progress.ended else { continue };
+        let blocks = run.blocks();
+        let here = Some((blocks.nc, blocks.macros));
+        // A stop that cycle start does not end waits for something else.
+        if ended != RunEnd::Stop || at_stop == AtStop::End || answered == here {
             break ended;
         }
+        answered = here;
+        let t = run.ended_at().unwrap_or(progress.planned_to);
+        run.event(Event { t, action: Action::Start });
     };
     let standstill = run.timeline().end();
     let (last, words) = (run.timeline().at(standstill), run.timeline().words_at(standstill));

@@ -206,10 +206,10 @@ fn endless_program_ends_at_its_budget() {
     let folder = folder("endless");
     let path = folder.join("endless.nc");
     std::fs::write(&path, "%\nO1\nWHILE[1 EQ 1]DO1\n#100=#100+1\nEND1\nM30\n%\n").unwrap();
-    let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--blocks", "1000"], 0);
+    let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--blocks", "1000"], 3);
     assert_eq!(out["ended"], "blocks");
     assert_eq!(out["diagnostics"][0]["severity"], "warning");
-    let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--seconds", "2"], 0);
+    let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--seconds", "2"], 3);
     assert_eq!(out["ended"], "seconds");
     let said = &out["diagnostics"][0];
     assert_eq!(said["severity"], "info");
@@ -264,7 +264,7 @@ fn plc_inputs_are_forced_by_variable_or_register() {
     ] {
         std::fs::write(&panel, events).unwrap();
         let args = [&path, "--control", "mitsubishi-e60", "--set", forced, "--panel", &text(&panel)];
-        let out = run(&args.map(|arg: &str| arg), 0);
+        let out = run(&args.map(|arg: &str| arg), 4);
         near(&out["variables"]["#100"], word, 0.0);
         near(&out["spindle"]["rpm"], rpm, 1e-12);
         if forced == "R72=5" {
@@ -272,7 +272,7 @@ fn plc_inputs_are_forced_by_variable_or_register() {
         }
     }
     std::fs::write(&panel, r##"[ { "t": 0, "input": { "R999": 1 }, "variable": { "#2000": 1 } } ]"##).unwrap();
-    let out = run(&[&path, "--control", "mitsubishi-e60", "--panel", &text(&panel)], 0);
+    let out = run(&[&path, "--control", "mitsubishi-e60", "--panel", &text(&panel)], 4);
     let said: Vec<_> = out["diagnostics"].as_array().unwrap().iter().map(|d| d["message"].to_string()).collect();
     assert!(
         said.iter().any(|said| said.contains("R999")) && said.iter().any(|said| said.contains("#2000")),
@@ -291,11 +291,26 @@ fn plc_inputs_are_forced_by_variable_or_register() {
 }
 
 #[test]
+fn continue_answers_stops_and_messages_of_the_program() {
+    let folder = folder("continue");
+    let path = text(&folder.join("stops.nc"));
+    std::fs::write(&path, "%\nO1\nM00\n#3006=1(TURN THE PART)\n#100=7\nM01\nM30\n%\n").unwrap();
+    let waits = run(&[&path, "--control", "mitsubishi-e60"], 4);
+    assert_eq!(waits["variables"].get("#100"), None);
+    let goes_on = run(&[&path, "--control", "mitsubishi-e60", "--continue"], 0);
+    assert_eq!((&goes_on["ended"], &goes_on["variables"]["#100"]), (&json!("program-end"), &json!(7.0)));
+    // A program that stops for ever ends at its budget.
+    std::fs::write(&path, "N10 R1=1\nLB1: M0\nGOTOB LB1\nM30\n").unwrap();
+    let endless = run(&[&path, "--control", "sinumerik-802d", "--continue", "--blocks", "5000"], 3);
+    assert_eq!(endless["ended"], "blocks");
+}
+
+#[test]
 fn run_that_ends_at_m00_reports_the_turning_spindle() {
     let folder = folder("m00");
     let path = folder.join("spindle.nc");
     std::fs::write(&path, "%\nO1\nS1200M3\nG04X5.\nM00\nM30\n%\n").unwrap();
-    let out = run(&[&text(&path), "--control", "mitsubishi-e60"], 0);
+    let out = run(&[&text(&path), "--control", "mitsubishi-e60"], 4);
     assert_eq!(out["ended"], "stop");
     near(&out["spindle"]["rpm"], 1200.0, 1e-9);
     near(&out["spindle"]["volts_command"], 8.108108, 1e-6);
@@ -336,7 +351,7 @@ fn run_prints_its_log_while_it_runs() {
         .output()
         .unwrap();
     let said = String::from_utf8_lossy(&out.stderr);
-    assert!(out.status.success() && said.contains("blocks after 3000000 blocks"), "{said}");
+    assert!(out.status.code() == Some(3) && said.contains("blocks after 3000000 blocks"), "{said}");
 }
 
 /// Steps through a program with a script of commands: exit status, answers, and what was said beside them.

@@ -39,7 +39,7 @@ fn run(project: &Project) -> RunSummary {
     let limits = Budget { blocks: 100_000_000, seconds: 1e9 };
     let mut planner =
         run::of_project(project, &written, &RunOptions { start: None, settings: &[], limits, keep: Retention::Log });
-    run::to_end(&mut planner, |_| Ok::<(), ()>(())).unwrap()
+    run::to_end(&mut planner, run::AtStop::End, |_| Ok::<(), ()>(())).unwrap()
 }
 
 fn variable(outcome: &RunSummary, name: &str) -> f64 {

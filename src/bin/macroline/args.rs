@@ -80,6 +80,9 @@ pub(crate) enum Command {
     Run {
         #[command(flatten)]
         args: RunArgs,
+        /// Answers M00, M01 and messages of the program by cycle start
+        #[arg(long = "continue")]
+        goes_on: bool,
         /// Leaves the log out
         #[arg(long)]
         no_canon: bool,

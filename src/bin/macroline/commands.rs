@@ -9,6 +9,7 @@ use macroline::controls::Switches;
 use macroline::nc;
 use macroline::project::check::review;
 use macroline::project::render::summary;
+use macroline::project::run::AtStop;
 use macroline::project::suppress::silence;
 use macroline::project::{Project, drawing, list, sensitivity};
 use macroline::text::Diagnostic;
@@ -34,7 +35,10 @@ pub(crate) fn main() -> ExitCode {
         Command::Check { files, control, switch, silence, json } => {
             check(&files, control.as_deref(), &switch, &silence, json)
         }
-        Command::Run { args, no_canon, json } => run::run(&args, !no_canon, json),
+        Command::Run { args, goes_on, no_canon, json } => {
+            let at_stop = if goes_on { AtStop::CycleStart } else { AtStop::End };
+            run::run(&args, at_stop, !no_canon, json)
+        }
         Command::Step(args) => run::step(&args),
     })
 }

@@ -17,6 +17,10 @@ pub(crate) enum Failure {
     Outside(String),
     /// Errors have been printed: exit 1.
     Told,
+    /// A run that its budget of blocks or seconds ended, as is printed: exit 3.
+    Exhausted,
+    /// A run that waits for the operator, as is printed: exit 4.
+    Waits,
     /// The reader of the output has gone away: a quiet end.
     Closed,
 }
@@ -35,6 +39,8 @@ pub(crate) fn status(done: Result<(), Failure>) -> ExitCode {
     let (message, status) = match done {
         Ok(()) | Err(Failure::Closed) => return ExitCode::SUCCESS,
         Err(Failure::Told) => return ExitCode::from(1),
+        Err(Failure::Exhausted) => return ExitCode::from(3),
+        Err(Failure::Waits) => return ExitCode::from(4),
         Err(Failure::Outside(message)) => (message, 1),
         Err(Failure::Usage(message)) => (message, 2),
     };

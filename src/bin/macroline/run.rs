@@ -5,11 +5,11 @@ use std::rc::Rc;
 
 use macroline::controls::{Control, Dialect, Switches};
 use macroline::interp::StartProgram;
-use macroline::motion::{Budget, Panel, Retention};
+use macroline::motion::{Budget, Panel, Retention, RunEnd};
 use macroline::nc;
 use macroline::project::check::{review, with_run};
 use macroline::project::console::{Console, Outcome};
-use macroline::project::run::{self, Run, RunOptions, Setting};
+use macroline::project::run::{self, AtStop, Run, RunOptions, Setting};
 use macroline::project::suppress::silence;
 use macroline::text::Diagnostic;
 use serde_json::{Value as Json, json};
@@ -146,12 +146,12 @@ fn prepare(args: &RunArgs, keep: Retention, json: bool) -> Result<Prepared, Fail
 }
 
 /// Runs to the end; prints the log where it is `wanted`.
-pub(crate) fn run(args: &RunArgs, wanted: bool, json: bool) -> Result<(), Failure> {
+pub(crate) fn run(args: &RunArgs, at_stop: AtStop, wanted: bool, json: bool) -> Result<(), Failure> {
     let Prepared { run: mut planner, mut files, mut program, silenced, .. } = prepare(args, Retention::Log, json)?;
     let mut out = Printer::new();
     let mut canon: Vec<Json> = Vec::new();
     let mut text = String::new();
-    let outcome = run::to_end(&mut planner, |line| {
+    let outcome = run::to_end(&mut planner, at_stop, |line| {
         if !wanted {
             return Ok(());
         }
@@ -182,7 +182,12 @@ pub(crate) fn run(args: &RunArgs, wanted: bool, json: bool) -> Result<(), Failur
         tell_silenced(count)?;
         say(&(outcome.text() + "\n"))?;
     }
-    verdict(&files)
+    verdict(&files)?;
+    match outcome.ended {
+        RunEnd::Blocks | RunEnd::Seconds => Err(Failure::Exhausted),
+        RunEnd::Stop => Err(Failure::Waits),
+        RunEnd::ProgramEnd | RunEnd::Alarm(_) => Ok(()),
+    }
 }
 
 /// Steps from block to block. Wrong commands are reported and make the exit status 2.

@@ -10,7 +10,7 @@ use macroline::motion::{Budget, Panel, Retention};
 use macroline::nc::{self, Block, Files, Parsed, Stmt};
 use macroline::project::check::review;
 use macroline::project::render::Renderer;
-use macroline::project::run::{RunOptions, of_programs, to_end};
+use macroline::project::run::{AtStop, RunOptions, of_programs, to_end};
 use macroline::text::{Diagnostic, Place, Severity, Span};
 
 use super::dice::Dice;
@@ -184,7 +184,7 @@ pub(crate) fn running(control: &'static Control, text: &str, world: &[u8]) {
     let limits = Budget { blocks: BLOCKS, seconds: 100.0 };
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Log };
     let mut run = of_programs(parsed, None, Panel::default(), &begin);
-    let outcome = to_end(&mut run, |line| {
+    let outcome = to_end(&mut run, AtStop::End, |line| {
         let line = line.to_string();
         assert!(!line.contains("NaN") && !line.contains("inf") && !line.contains('∞'), "{line}");
         Ok::<(), ()>(())

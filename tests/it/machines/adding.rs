@@ -40,7 +40,7 @@ fn a_change_of_a_value_prepares_the_machine_once() {
         let before = count();
         let (design, written) = (project.design(), project.written());
         let mut run = run::of_project(&project, &written, &OPTIONS);
-        run::to_end(&mut run, |_| Ok::<(), ()>(())).unwrap();
+        run::to_end(&mut run, run::AtStop::End, |_| Ok::<(), ()>(())).unwrap();
         let machine = project.prepared();
         let end = run.timeline().end();
         for at in 0..20 {
@@ -68,7 +68,7 @@ fn the_program_runs_on_every_control_of_the_list() {
         let found: Vec<_> = written.diagnostics.iter().cloned().chain(project.advice(&written)).collect();
         assert!(found.is_empty(), "{control}: {found:#?}");
         let mut run = run::of_project(&project, &written, &OPTIONS);
-        let outcome = run::to_end(&mut run, |_| Ok::<(), ()>(())).unwrap();
+        let outcome = run::to_end(&mut run, run::AtStop::End, |_| Ok::<(), ()>(())).unwrap();
         assert!(matches!(outcome.ended, RunEnd::ProgramEnd), "{control}: {:?}", outcome.diagnostics);
         // Four pieces of 50 mm.
         let (_, z) = outcome.axes.iter().find(|(axis, _)| *axis == 'Z').unwrap();
