@@ -280,7 +280,7 @@ fn plc_inputs_are_forced_by_variable_or_register() {
     );
     // Beyond what the register holds.
     std::fs::write(&panel, r##"[ { "t": 0, "input": { "#1033": 5e9, "R72": 70000, "#1005": 2 } } ]"##).unwrap();
-    let out = run(&[&path, "--control", "mitsubishi-e60", "--panel", &text(&panel)], 0);
+    let out = run(&[&path, "--control", "mitsubishi-e60", "--panel", &text(&panel)], 4);
     let said = out["diagnostics"].as_array().unwrap().iter().filter(|d| d["id"] == "interp.output-range");
     assert_eq!(said.count(), 3);
     near(&out["variables"]["#100"], 2_147_483_647.0, 0.0);
