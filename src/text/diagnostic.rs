@@ -6,6 +6,22 @@ use serde::Serialize;
 
 use super::{Message, Place};
 
+/// Defines an enum together with the list of its variants.
+macro_rules! listed {
+    ($(#[$about:meta])* pub enum $name:ident { $($(#[$variant_about:meta])* $variant:ident,)+ }) => {
+        $(#[$about])*
+        pub enum $name {
+            $($(#[$variant_about])* $variant,)+
+        }
+
+        impl $name {
+            /// All variants in their order: `ALL[variant as usize]` is the variant.
+            pub const ALL: &[$name] = &[$($name::$variant),+];
+        }
+    };
+}
+
+listed! {
 /// Severity. Only an error keeps a program from being exported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -17,6 +33,7 @@ pub enum Severity {
     /// Worth knowing.
     Info,
 }
+}
 
 /// A change of text that mends a diagnostic.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -27,6 +44,7 @@ pub struct Fix {
     pub edits: Vec<(Place, String)>,
 }
 
+listed! {
 /// Diagnostics that code acts on; sentences are for people.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -52,8 +70,11 @@ pub enum DiagnosticKind {
     ShortBlocks,
     /// The machine waited for the control to read blocks, in a run.
     Starved,
+    /// An alarm that the program raises itself; the last value of its message is the program's text, or its number alone.
+    ProgramAlarm,
     /// Facts of the form that are only assumed; the values of the message are their count and their fields.
     AssumedFacts,
+}
 }
 
 /// One finding.

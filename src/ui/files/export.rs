@@ -82,7 +82,7 @@ pub(crate) fn ExportDialog() -> impl IntoView {
         })
     };
     view! {
-        <Dialog id="export-title" title=t("page.export") open=open>
+        <Dialog id="export-title" title=t("page.export") open=open close=move || open.set(false)>
             <div class="body-of">{content}</div>
         </Dialog>
     }

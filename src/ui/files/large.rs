@@ -2,13 +2,12 @@
 
 use std::rc::Rc;
 
-use leptos::html;
 use leptos::prelude::*;
 use web_sys::{Blob, File};
 
 use crate::project::Project;
 use crate::text::catalog::number_text;
-use crate::ui::parts::{Glyph, IconButton};
+use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
 use crate::ui::words::{figure, t};
 use crate::ui::worker::client::Running;
@@ -99,17 +98,9 @@ pub(super) fn check(page: Page, large: LargeFile, source: Source) {
 #[component]
 pub(crate) fn LargeFileDialog() -> impl IntoView {
     let large = LargeFile::here();
-    let frame: NodeRef<html::Dialog> = NodeRef::new();
-    Effect::new(move |_| {
-        let (open, Some(frame)) = (large.0.with(Option::is_some), frame.get()) else { return };
-        if !open {
-            frame.close();
-        } else if !frame.open() {
-            let _ = frame.show_modal();
-        }
-    });
     let close = move || large.0.set(None);
-    let of = move |read: fn(&Check) -> String| large.0.with(|check| check.as_ref().map(read)).unwrap_or_default();
+    let open = move || large.0.with(Option::is_some);
+    let title = move || large.0.with(|check| check.as_ref().map(|check| check.name.clone())).unwrap_or_default();
     let part = move || large.0.with(|check| check.as_ref().map_or((0.0, 1.0), |check| check.progress));
     let done = move || large.0.with(|check| check.as_ref().is_some_and(|check| check.report.is_some()));
     let state = move || match part() {
@@ -124,18 +115,14 @@ pub(crate) fn LargeFileDialog() -> impl IntoView {
     };
     let report = move || large.0.with(|check| check.as_ref()?.report.clone());
     view! {
-        <dialog node_ref=frame class="dialog wide" aria-labelledby="check-title" on:close=move |_| close()>
-            <header>
-                <h2 id="check-title">{move || of(|check| check.name.clone())}</h2>
-                <IconButton glyph=Glyph::Close label=t("page.close") press=close />
-            </header>
+        <Dialog id="check-title" title=Signal::derive(title) open=Signal::derive(open) close=close class="wide">
             <p role="status">{state}</p>
             <div class="progress" class:over=done>
                 <progress aria-label=t("page.progress") max="1" value=fill></progress>
                 <button type="button" id="cancel-check" on:click=move |_| close()>{t("page.cancel")}</button>
             </div>
             <div class="body-of">{move || report().map(|report| view! { <Findings report=report /> })}</div>
-        </dialog>
+        </Dialog>
     }
 }
 

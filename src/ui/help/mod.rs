@@ -36,7 +36,7 @@ pub(crate) fn HelpDialog() -> impl IntoView {
         keys_on.set(on);
     };
     view! {
-        <Dialog id="help-title" title=t("page.help") open=page.view.helping>
+        <Dialog id="help-title" title=t("page.help") open=page.view.helping close=move || page.view.helping.set(false)>
             <p>{t("page.help-about")}</p>
             <p>{t("page.help-program")}</p>
             <p>{t("page.help-hand")}</p>

@@ -14,8 +14,12 @@ pub(crate) fn Dialog(
     /// The title.
     #[prop(into)]
     title: Signal<String>,
-    /// Whether it is open; closing sets it to false.
-    open: RwSignal<bool>,
+    /// Whether it is open.
+    #[prop(into)]
+    open: Signal<bool>,
+    /// Makes `open` false: asked for by the button, by Esc and by whatever else closes it.
+    #[prop(into)]
+    close: Callback<()>,
     /// Further classes.
     #[prop(optional)]
     class: &'static str,
@@ -32,10 +36,10 @@ pub(crate) fn Dialog(
         }
     });
     view! {
-        <dialog node_ref=frame class=format!("dialog {class}") aria-labelledby=id on:close=move |_| open.set(false)>
+        <dialog node_ref=frame class=format!("dialog {class}") aria-labelledby=id on:close=move |_| close.run(())>
             <header>
                 <h2 id=id>{title}</h2>
-                <IconButton glyph=Glyph::Close label=t("page.close") press=move || open.set(false) />
+                <IconButton glyph=Glyph::Close label=t("page.close") press=close />
             </header>
             {children()}
         </dialog>
@@ -52,7 +56,7 @@ mod tests {
     use crate::ui::testing::{Bench, mount, settled};
 
     async fn dialog(open: RwSignal<bool>) -> Bench {
-        mount(move || view! { <Dialog id="some-title" title="Title" open=open><p>"Content"</p></Dialog> }).await
+        mount(move || view! { <Dialog id="some-title" title="Title" open=open close=move || open.set(false)><p>"Content"</p></Dialog> }).await
     }
 
     #[wasm_bindgen_test]

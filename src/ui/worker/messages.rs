@@ -113,10 +113,10 @@ pub(crate) struct Report {
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Finding {
     message: Sentence,
-    #[serde(with = "SeverityName")]
-    severity: Severity,
-    #[serde(with = "KindName")]
-    kind: DiagnosticKind,
+    /// Place in [`Severity::ALL`].
+    severity: u8,
+    /// Place in [`DiagnosticKind::ALL`].
+    kind: u8,
     alarm: Option<String>,
     wording: Option<String>,
     place: Option<Range>,
@@ -161,39 +161,13 @@ impl From<Range> for Place {
     }
 }
 
-/// The variants of [`Severity`].
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "Severity")]
-enum SeverityName {
-    Error,
-    Warning,
-    Info,
-}
-
-/// The variants of [`DiagnosticKind`].
-#[derive(Serialize, Deserialize)]
-#[serde(remote = "DiagnosticKind")]
-enum KindName {
-    Plain,
-    ByteOrderMark,
-    OpenComment,
-    EndsEarly,
-    Contour,
-    UnpairedLoop,
-    AuxiliaryInLoop,
-    SpindleInLoop,
-    ShortBlocks,
-    Starved,
-    AssumedFacts,
-}
-
 impl From<&Diagnostic> for Finding {
     fn from(found: &Diagnostic) -> Finding {
         let edits = |fix: &Fix| fix.edits.iter().map(|(place, text)| ((*place).into(), text.clone())).collect();
         Finding {
             message: (&found.message).into(),
-            severity: found.severity,
-            kind: found.kind,
+            severity: found.severity as u8,
+            kind: found.kind as u8,
             alarm: found.alarm.as_deref().map(str::to_owned),
             wording: found.wording.map(str::to_owned),
             place: found.place.map(Range::from),
@@ -207,12 +181,9 @@ impl Finding {
     /// The diagnostic; its wording is that of the control's own row. `None` where the catalog lacks its sentence.
     pub(super) fn diagnostic(self, control: &Control) -> Option<Diagnostic> {
         let message = self.message.message()?;
-        let found = match self.severity {
-            Severity::Error => Diagnostic::error(message),
-            Severity::Warning => Diagnostic::warning(message),
-            Severity::Info => Diagnostic::info(message),
-        };
-        let mut found = found.kind(self.kind);
+        let (severity, kind) = (usize::from(self.severity), usize::from(self.kind));
+        let mut found = Diagnostic::error(message).kind(*DiagnosticKind::ALL.get(kind)?);
+        found.severity = *Severity::ALL.get(severity)?;
         found.place = self.place.map(Place::from);
         found.alarm = self.alarm.map(Into::into);
         found.wording = control.alarms.iter().map(|row| row.text).find(|text| self.wording.as_deref() == Some(text));
