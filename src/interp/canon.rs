@@ -246,6 +246,15 @@ impl Canon {
         }
     }
 
+    /// Whether it sets an axis or a spindle in motion.
+    pub fn moves(&self) -> bool {
+        match self {
+            Canon::Orient { .. } => true,
+            Canon::SpindleDirection { sign } | Canon::OtherSpindle { sign, .. } => *sign != 0,
+            _ => self.is_cut().is_some(),
+        }
+    }
+
     /// The command as one line of the canonical log, for instance `linear X8 Y62.832 F119391.393`.
     pub fn line<'a>(&'a self, names: CanonNames<'a>) -> Line<'a> {
         Line { canon: self, names }

@@ -3,7 +3,7 @@
 use crate::controls::Address;
 use crate::controls::Alarm;
 use crate::nc::{Block, Deck, ExprId, Parsed};
-use crate::text::{Diagnostic, Message, Place, Span};
+use crate::text::{Diagnostic, DiagnosticKind, Message, Place, Span};
 
 /// An alarm before it is located.
 #[derive(Debug)]
@@ -130,6 +130,7 @@ impl Fault {
         let mut diagnostic = Diagnostic::error(self.message).at(place).alarm(shown);
         if let Some(number) = self.number {
             // Its wording is the program's.
+            diagnostic.kind = DiagnosticKind::ProgramAlarm;
             let prefix = parsed.control().macros.user_alarm_prefix;
             (diagnostic.alarm, diagnostic.wording) = (
                 Some(if prefix.is_empty() { number.to_string() } else { format!("{prefix}{number:04}") }.into()),

@@ -137,7 +137,8 @@ impl<P: RunningProgram> Sim<'_, P> {
             Canon::Orient { angle, approach } => self.orient(t, angle, approach),
             Canon::OtherSpindle { sign, .. } => self.s.spindle.driven = sign != 0,
             // These only say that the interpreter has changed its mind, or have acted when they were read.
-            Canon::Preset { .. } | Canon::PathMode { .. } | Canon::Show { .. } => {}
+            Canon::Preset { .. } | Canon::PathMode { .. } => {}
+            Canon::Show { text } => self.out.timeline.show_message(t, &text, false),
             Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. } => {}
             Canon::OptionalStop if !self.s.operator.knobs.optional_stop => {}
             _ => {
@@ -177,8 +178,13 @@ impl<P: RunningProgram> Sim<'_, P> {
         match canon {
             Canon::Dwell { seconds } => self.s.exec = Exec::Dwelling(t + seconds.max(0.0)),
             Canon::DwellTurns { turns } => self.s.exec = Exec::Counting(self.turns(t), turns.max(0.0)),
-            Canon::Stop | Canon::OptionalStop | Canon::Message { .. } => self.s.exec = Exec::Stopped,
+            Canon::Stop | Canon::OptionalStop => self.s.exec = Exec::Stopped,
+            Canon::Message { text } => {
+                self.out.timeline.show_message(t, &text, true);
+                self.s.exec = Exec::Stopped;
+            }
             Canon::End => {
+                self.out.timeline.show_message(t, "", false);
                 self.s.exec = Exec::Finished;
                 if self.plant.spindle.rules.end_stops {
                     (self.s.spindle.speed, self.s.spindle.direction) = (0.0, 0);

@@ -92,7 +92,10 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// Cycle start: goes on after a stop or hold, begins anew after reset or program end.
     fn start(&mut self, t: f64) {
         match self.s.exec {
-            Exec::Stopped => self.s.exec = Exec::Idle,
+            Exec::Stopped => {
+                self.s.exec = Exec::Idle;
+                self.out.timeline.started(t);
+            }
             Exec::Ready | Exec::Finished => {
                 let (position, scale) = (&self.s.path.position, &self.plant.scale);
                 self.s.program.restart(core::array::from_fn(|k| (position[k] / scale[k]).round() as i64));
@@ -120,6 +123,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
         }
         self.clear();
+        self.out.timeline.show_message(t, "", false);
         let emergency = matches!(then, Exec::Emergency(_));
         if emergency || self.orients() {
             self.s.spindle.orienting = None;

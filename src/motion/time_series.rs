@@ -69,7 +69,7 @@ impl<T: Timed> TimeSeries<T> {
     /// A copy of the entries that hold at `t` or begin later, up to number `len`; they keep their numbers.
     pub(super) fn part(&self, t: f64, len: usize) -> TimeSeries<T>
     where
-        T: Copy,
+        T: Clone,
     {
         let old = self.until(t).len().saturating_sub(1).min(len.saturating_sub(self.forgotten));
         let items = self.items.get(old..len.saturating_sub(self.forgotten)).unwrap_or_default().to_vec();

@@ -1,6 +1,7 @@
 //! [`Timeline`]: the machine at any moment of a run, without running it again.
 
 use core::cell::Cell;
+use std::rc::Rc;
 
 use super::path::{Circle, Path, Segment};
 use super::plant::{AxisPlant, PMC_AXES, SpindlePlant};
@@ -28,6 +29,22 @@ pub(super) struct VariableChange {
     pub(super) number: u32,
 }
 
+/// The screen of the control shows this message from `t` on.
+#[derive(Debug, Clone)]
+pub(super) struct MessageChange {
+    pub(super) t: f64,
+    /// The text; empty for none.
+    pub(super) text: Rc<str>,
+    /// Whether the next cycle start takes it away.
+    pub(super) until_start: bool,
+}
+
+impl Timed for MessageChange {
+    fn t(&self) -> f64 {
+        self.t
+    }
+}
+
 impl Timed for Activity {
     fn t(&self) -> f64 {
         self.t
@@ -48,6 +65,7 @@ pub(super) struct TimelineLengths {
     pmc: usize,
     ramps: usize,
     marks: usize,
+    messages: usize,
     pub(super) changes: usize,
 }
 
@@ -62,6 +80,7 @@ pub struct Timeline {
     pub(super) pmc: Path,
     pub(super) ramps: TimeSeries<Ramp>,
     pub(super) marks: TimeSeries<Activity>,
+    messages: TimeSeries<MessageChange>,
     pub(super) changes: TimeSeries<VariableChange>,
     pub(super) start: f64,
     pub(super) end: f64,
@@ -89,6 +108,7 @@ impl Timeline {
             pmc: Path::default(),
             ramps: TimeSeries::default(),
             marks: TimeSeries::default(),
+            messages: TimeSeries::default(),
             changes: TimeSeries::default(),
             start: 0.0,
             end: 0.0,
@@ -120,6 +140,25 @@ impl Timeline {
     pub fn words_at(&self, t: f64) -> [f64; AXES] {
         let now = self.at(t).axes;
         core::array::from_fn(|k| now[k].position * self.axes[k].words_per_unit())
+    }
+
+    /// The message of the program on the control's screen at time `t`.
+    pub fn message_at(&self, t: f64) -> Option<&str> {
+        self.messages.at(t).map(|message| &*message.text).filter(|text| !text.is_empty())
+    }
+
+    /// Shows a message from `t` on; an empty text takes the last one away. A loop that repeats a message adds nothing.
+    pub(super) fn show_message(&mut self, t: f64, text: &str, until_start: bool) {
+        if self.messages.last().map_or("", |last| &*last.text) != text {
+            self.messages.put(MessageChange { t, text: text.into(), until_start });
+        }
+    }
+
+    /// Takes away a message that waits for cycle start.
+    pub(super) fn started(&mut self, t: f64) {
+        if self.messages.last().is_some_and(|last| last.until_start) {
+            self.show_message(t, "", false);
+        }
     }
 
     /// The block that is executing at time `t`.
@@ -220,6 +259,7 @@ impl Timeline {
             pmc: self.pmc.segments.len(),
             ramps: self.ramps.len(),
             marks: self.marks.len(),
+            messages: self.messages.len(),
             changes: self.changes.len(),
         }
     }
@@ -230,6 +270,7 @@ impl Timeline {
         self.pmc.segments.truncate(lengths.pmc);
         self.ramps.truncate(lengths.ramps);
         self.marks.truncate(lengths.marks);
+        self.messages.truncate(lengths.messages);
         self.counted = Default::default();
         self.changes.truncate(lengths.changes);
     }
@@ -253,6 +294,7 @@ impl Timeline {
             pmc: Path { segments: self.pmc.segments.part(old, lengths.pmc), ..Path::default() },
             ramps: self.ramps.part(t, lengths.ramps),
             marks: self.marks.part(t, lengths.marks),
+            messages: self.messages.part(t, lengths.messages),
             changes: TimeSeries::default(),
             start: t,
             end: t,
@@ -268,6 +310,7 @@ impl Timeline {
         self.pmc.segments.forget(t - memory);
         self.ramps.forget(t);
         self.marks.forget(t);
+        self.messages.forget(t);
         self.counted = Default::default();
         self.changes.forget(t);
         self.start = t;

@@ -1,7 +1,7 @@
 //! Applying the fix of a diagnostic to files.
 
 use super::files::Files;
-use crate::text::Fix;
+use crate::text::{Fix, Place};
 
 /// The files with the edits of a fix made. Edits whose place does not fit the text, or that overlap one before, are left out.
 pub fn fix(files: &Files, fix: &Fix) -> Files {
@@ -24,4 +24,27 @@ pub fn fix(files: &Files, fix: &Fix) -> Files {
         file.text = text;
     }
     files
+}
+
+/// The files with the edits of several fixes made, and how many were made: one that meets the edits of a fix before it is left out.
+pub fn fix_all<'f>(files: &Files, fixes: impl IntoIterator<Item = &'f Fix>) -> (Files, usize) {
+    let (mut made, mut count) = (Vec::<(Place, String)>::new(), 0);
+    let mut title = None;
+    for one in fixes {
+        let meets = |(at, _): &(Place, String)| made.iter().any(|(other, _)| touches(*at, *other));
+        if !one.edits.iter().any(meets) {
+            made.extend(one.edits.iter().cloned());
+            title.get_or_insert(&one.title);
+            count += 1;
+        }
+    }
+    match title {
+        Some(title) => (fix(files, &Fix { title: title.clone(), edits: made }), count),
+        None => (files.clone(), 0),
+    }
+}
+
+/// Whether two edits overlap, or insert at one point.
+fn touches(a: Place, b: Place) -> bool {
+    a.file == b.file && a.span.start <= b.span.end && b.span.start <= a.span.end
 }

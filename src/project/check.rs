@@ -5,8 +5,8 @@ use std::rc::Rc;
 use super::program::Written;
 use super::{Project, run};
 use crate::interp;
-use crate::nc::{self, Parsed};
-use crate::text::{Diagnostic, DiagnosticKind, Place, Severity};
+use crate::nc::{self, Files, Parsed};
+use crate::text::{Diagnostic, DiagnosticKind, Fix, Place, Severity};
 
 /// All findings before a run, in the order of the text. `start` is the number of the started program, if known; `set` are variables that
 /// the operator sets.
@@ -54,7 +54,43 @@ pub fn reported<'a>(read: &'a [Diagnostic], run: &Diagnostic) -> Option<&'a Diag
     })
 }
 
+/// Fixes that are made together. Those of warnings change what a program does, so each of them is a decision of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FixChoice {
+    /// Those of errors with one fix: they leave no choice.
+    Certain,
+    /// The first one of each error: where there are several, the most likely stands first.
+    First,
+}
+
+/// The fixes of a choice, one per error.
+pub fn fixes(found: &[Diagnostic], choice: FixChoice) -> impl Iterator<Item = &Fix> {
+    let errors = found.iter().filter(|finding| finding.severity == Severity::Error);
+    errors.filter_map(move |finding| match &finding.fixes[..] {
+        [fix] => Some(fix),
+        [fix, ..] if choice == FixChoice::First => Some(fix),
+        _ => None,
+    })
+}
+
+/// Readings of a program at most, until its fixes are made: a fix that meets another one waits for the next reading.
+const READINGS: usize = 8;
+
 impl Project {
+    /// Files of the project's program with the fixes of these findings made, then those that reading finds anew; and how many were made.
+    pub fn mended(&self, files: &Files, found: &[Diagnostic], choice: FixChoice) -> (Files, usize) {
+        let (mut files, mut count) = nc::fix_all(files, fixes(found, choice));
+        for _ in 1..READINGS {
+            let parsed = nc::parse_with(&files, self.control, &self.switches);
+            let (next, made) = nc::fix_all(&files, fixes(parsed.diagnostics(), choice));
+            if made == 0 {
+                break;
+            }
+            (files, count) = (next, count + made);
+        }
+        (files, count)
+    }
+
     /// Certain alarms and warnings of the project's program, beyond the findings of its reader; suppressed ones too.
     pub fn advice(&self, written: &Written) -> Vec<Diagnostic> {
         beyond(&written.parsed, Some(written.main), &run::set_by_operator(&[], &self.panel, self.control))

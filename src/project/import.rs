@@ -17,40 +17,73 @@ pub struct Opened {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Opens a text beside the present project: a project file replaces it, a program that macroline wrote restores its form, any other
-/// program becomes the edited program of the present project.
-pub fn open(present: &Project, name: &str, text: &str) -> Opened {
-    if text.trim_start().starts_with('{') {
-        let loaded = Project::from_json(text);
-        return Opened { project: loaded.project, diagnostics: loaded.diagnostics };
+/// Opens texts beside the present project, all of them or none: a project file replaces it, a program that macroline wrote restores its
+/// form, and all programs together are the edited program of that project, unless they are what its form writes.
+pub fn open(present: &Project, files: &[File]) -> Opened {
+    let is_project = |file: &&File| bare(&file.text).starts_with('{');
+    let (projects, others): (Vec<&File>, Vec<&File>) = files.iter().partition(is_project);
+    let refused = |diagnostics| Opened { project: None, diagnostics };
+    let error = |message| refused(vec![Diagnostic::error(message)]);
+    if let [first, second, ..] = projects[..] {
+        return error(msg!("project.several-projects", first.name.as_str(), second.name.as_str()));
     }
-    let opened = |project, diagnostics| Opened { project, diagnostics };
-    let file = File { name: name.to_owned(), text: text.to_owned() };
-    let edited = match programs(std::slice::from_ref(&file)) {
+    if let Some(file) = others.iter().find(|file| files.len() > 1 && !is_text(&file.text)) {
+        return error(msg!("project.not-a-text", file.name.as_str()));
+    }
+    let given: Vec<File> =
+        others.iter().map(|file| File { name: file.name.clone(), text: bare(&file.text).to_owned() }).collect();
+    let given = match programs(&given) {
         Ok(files) => files,
-        Err(finding) => return opened(None, vec![finding]),
+        Err(finding) => return refused(vec![finding]),
     };
-    let form = settings::read(text)
-        .and_then(|found| Some((machines::find(found.machine)?, controls::find(found.control)?, found.values)));
-    if let Some((machine, control, values)) = form {
-        let mut project = Project::new(machine, control);
-        project.name.clone_from(&present.name);
-        project.values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
-        project.values.extend(values);
-        if present.control.id == control.id {
-            project.switches.clone_from(&present.switches);
+    if let Some(file) = projects.first() {
+        let loaded = Project::from_json(&file.text);
+        let Some(mut project) = loaded.project else { return refused(loaded.diagnostics) };
+        if !given.0.is_empty() {
+            project.edited = differing(&project, &given);
         }
-        project.edited = differing(&project, name, text);
-        let told = if project.edited.is_some() {
-            msg!("project.form-restored-edited", name)
-        } else {
-            msg!("project.form-restored", name)
-        };
-        return opened(Some(project), vec![Diagnostic::info(told)]);
+        return Opened { project: Some(project), diagnostics: loaded.diagnostics };
     }
-    let mut project = present.clone();
-    project.edited = Some(edited);
-    opened(Some(project), Vec::new())
+    match given.0.iter().find_map(|file| restored(present, file)) {
+        Some((mut project, from)) => {
+            project.edited = differing(&project, &given);
+            let told = if project.edited.is_some() {
+                msg!("project.form-restored-edited", from)
+            } else {
+                msg!("project.form-restored", from)
+            };
+            Opened { project: Some(project), diagnostics: vec![Diagnostic::info(told)] }
+        }
+        None => {
+            let mut project = present.clone();
+            project.edited = Some(given);
+            Opened { project: Some(project), diagnostics: Vec::new() }
+        }
+    }
+}
+
+/// A text without the byte order mark and the space before it.
+fn bare(text: &str) -> &str {
+    text.trim_start_matches('\u{feff}').trim_start()
+}
+
+/// Whether a text has none of the characters that only other kinds of files have.
+fn is_text(text: &str) -> bool {
+    !text.contains('\0')
+}
+
+/// The form that a program of macroline carries, as a project, and the name of its file.
+fn restored<'f>(present: &Project, file: &'f File) -> Option<(Project, &'f str)> {
+    let found = settings::read(&file.text)?;
+    let (machine, control) = (machines::find(found.machine)?, controls::find(found.control)?);
+    let mut project = Project::new(machine, control);
+    project.name.clone_from(&present.name);
+    project.values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
+    project.values.extend(found.values);
+    if present.control.id == control.id {
+        project.switches.clone_from(&present.switches);
+    }
+    Some((project, &file.name))
 }
 
 /// Programs as the edited files of a project; an error where they are too many or too large, and then none is taken.
@@ -67,9 +100,12 @@ pub fn programs(files: &[File]) -> Result<Files, Diagnostic> {
     Ok(Files(files.to_vec()))
 }
 
-/// The project's files with this text in its place, if the text was edited since macroline wrote it; else `None`.
-fn differing(project: &Project, name: &str, text: &str) -> Option<Files> {
-    let mut files = project.written().files;
+/// The project's files with these texts in the places of those with the same program, if one was edited since macroline wrote it; else
+/// `None`.
+fn differing(project: &Project, given: &Files) -> Option<Files> {
+    let mut generated = project.clone();
+    generated.edited = None;
+    let mut files = generated.written().files;
     let number = |text: &str| {
         nc::parse_with(&Files::one("", text), project.control, &project.switches)
             .deck()
@@ -77,8 +113,6 @@ fn differing(project: &Project, name: &str, text: &str) -> Option<Files> {
             .first()
             .map(|p| p.number)
     };
-    let own = number(text);
-    let slot = files.0.iter().position(|file| number(&file.text) == own);
     // Line ends and the version of macroline are no edits.
     let lines = |text: &str| -> Vec<String> {
         text.lines()
@@ -86,10 +120,15 @@ fn differing(project: &Project, name: &str, text: &str) -> Option<Files> {
             .map(|line| line.trim_end().to_owned())
             .collect()
     };
-    match slot.and_then(|at| files.0.get_mut(at)) {
-        Some(file) if lines(&file.text) == lines(text) => return None,
-        Some(file) => text.clone_into(&mut file.text),
-        None => files.0.push(File { name: name.to_owned(), text: text.to_owned() }),
+    let mut edited = false;
+    for File { name, text } in &given.0 {
+        let own = number(text);
+        match files.0.iter_mut().find(|file| number(&file.text) == own) {
+            Some(file) if lines(&file.text) == lines(text) => continue,
+            Some(file) => file.text.clone_from(text),
+            None => files.0.push(File { name: name.clone(), text: text.clone() }),
+        }
+        edited = true;
     }
-    Some(files)
+    edited.then_some(files)
 }

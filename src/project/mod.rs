@@ -36,6 +36,8 @@ pub mod list;
 
 pub mod sensitivity;
 
+pub mod remedy;
+
 use std::sync::Arc;
 
 use crate::controls::{self, Control, Switches};
@@ -151,6 +153,18 @@ impl Project {
         };
         self.panel = Panel::new(self.panel.events().iter().filter(stays).cloned());
         self.control = control;
+    }
+
+    /// The project with other entries of the form, as they would be typed: id of each field and its text. `None` where the form does not
+    /// take one of them.
+    pub fn with_entries(&self, entries: &[(&'static str, String)]) -> Option<Project> {
+        let fields = self.machine.fields();
+        let mut project = self.clone();
+        for (id, typed) in entries {
+            let field = fields.iter().find(|field| field.id == *id)?;
+            project.values.insert((*id).to_owned(), field.read(typed).ok()?);
+        }
+        Some(project)
     }
 
     /// The published listing as printed, as a file.

@@ -7,7 +7,7 @@ use leptos::prelude::*;
 
 use super::dom;
 use super::dom::turns::{at_last, in_turn};
-use super::files::{ExportDialog, Header, LargeFile, LargeFileDialog, open, store};
+use super::files::{EarlierDialog, ExportDialog, Header, LargeFile, LargeFileDialog, open, store};
 use super::form::Form;
 use super::form::field_help::FieldHelp;
 use super::help::{HelpDialog, keys};
@@ -32,16 +32,18 @@ pub struct Beginning {
     project: Project,
     written: Rc<Written>,
     found: Vec<Notice>,
+    /// Whether the store has a text that did not read and found no room elsewhere.
+    occupied: bool,
 }
 
 impl Beginning {
     /// Reads the browser's store and writes the program. None only where no machine has a control: a test of the library holds that there
     /// is always one.
     pub fn load() -> Option<Beginning> {
-        let (project, found) = store::load();
-        let project = project?;
+        let visit = store::load();
+        let project = visit.project?;
         let written = Rc::new(project.written());
-        Some(Beginning { project, written, found })
+        Some(Beginning { project, written, found: visit.notices, occupied: visit.occupied })
     }
 }
 
@@ -51,12 +53,12 @@ pub fn App(
     /// What it begins with.
     beginning: Beginning,
 ) -> impl IntoView {
-    let Beginning { project, written, found } = beginning;
+    let Beginning { project, written, found, occupied } = beginning;
     let page = Page::provide(project, written, found);
     let worker = Client::provide();
     let large = LargeFile::provide();
     stepping::restore(page);
-    store::keep(page);
+    store::keep(page, occupied);
     diagnostics::follow(page, worker);
     keys::listen(page);
     open::listen(page, large);
@@ -83,6 +85,7 @@ fn Screen() -> impl IntoView {
             <FieldHelp />
             <ExportDialog />
             <HelpDialog />
+            <EarlierDialog />
             <LargeFileDialog />
         </Later>
         <div class="hidden" role="status">{page.notices.said}</div>
@@ -243,7 +246,8 @@ mod tests {
         dom::store("macroline.project", "{ not a project");
         let bench = mount_project(project(), || view! { <App beginning=Beginning::load().unwrap() /> }).await;
         assert!(bench.text(".notice").contains(t("page.set-aside")));
-        assert_eq!(dom::stored("macroline.set-aside").as_deref(), Some("{ not a project"));
+        bench.press_button(t("page.earlier")).await;
+        assert!(bench.text(".earlier").contains(t("page.aside-unread")));
     }
 
     #[wasm_bindgen_test]

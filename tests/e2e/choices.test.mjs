@@ -79,6 +79,33 @@ test('the 802D runs, takes variables and settings, and is exported', () =>
     assert.match(file.toString('latin1'), /^%_N_MPF9101_MPF\r?\n;\$PATH=\/_N_MPF_DIR/);
   }));
 
+test('a control that cannot run the line says so and offers the speed that it runs', () =>
+  withPage(app, {}, async ({ page }) => {
+    for (const [control, message] of [['gsk-980tdc', '5920 FEED #115 ABOVE LIMIT #119'], ['sinumerik-802d', 'FEED R115 ABOVE LIMIT R119']]) {
+      await choose(page, control);
+      const screen = page.locator('.alarm-screen');
+      await screen.getByRole('heading', { name: message }).waitFor();
+      await page.locator('.mode', { hasText: 'Stops at once' }).waitFor();
+      assert.ok(await page.locator('.lit.start').isDisabled(), 'cycle start promises nothing');
+      await accessible(page);
+      await screen.getByRole('button', { name: /^Set \d+ r\/min$/ }).click();
+      await screen.waitFor({ state: 'detached' });
+      await page.locator('.mode', { hasText: 'Ready' }).waitFor();
+      await page.getByRole('button', { name: 'Undo' }).click();
+      await screen.waitFor();
+    }
+  }));
+
+test('a value that the machine cannot have is counted over the drawing and leads to its field', () =>
+  withPage(app, {}, async ({ page }) => {
+    await field(page, 'press-roller-diameter').fill('150');
+    const wrong = page.getByRole('button', { name: '2 values to correct' });
+    await wrong.waitFor();
+    assert.equal(await page.getByText('Results before the invalid entry').count(), 0);
+    await wrong.click();
+    assert.equal(await page.evaluate(() => document.activeElement.id), 'clamp-x');
+  }));
+
 test('the 802D is debugged and edited in its own words', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'Turning spindle' }).click();

@@ -1,7 +1,8 @@
 // Nothing is lost and nothing is done twice: machines and tabs that are left, actions that are undone, edits that are none, remedies by one click.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { openPanel, processorTime, ready, start, withPage } from './page.mjs';
+import { accessible, openPanel, processorTime, ready, start, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -41,20 +42,73 @@ test('a character that is typed and deleted is no edit', () =>
     await page.getByText('Edited program.').waitFor({ state: 'detached' });
   }));
 
-test('a second tab is told and stores nothing until it is asked to', () =>
+test('a second tab is told when it opens, watches, and may take over', () =>
   withPage(app, {}, async ({ page, context }) => {
+    await field(page, 'pitch').fill('9.5');
+    await page.getByText('Saved in this browser').waitFor();
     const other = await context.newPage();
     await other.goto(app.url);
     await ready(other);
-    await field(other, 'pitch').fill('7.5');
-    await page.getByText('Another tab of this browser has stored a newer state').first().waitFor();
-    await field(page, 'pitch').fill('6.5');
-    await page.waitForTimeout(500);
+    await other.getByText('The project is open in another tab').first().waitFor();
+    await field(page, 'pitch').fill('7.5');
+    await other.waitForFunction(() => document.getElementById('pitch').value === '7.5');
+    await field(other, 'pitch').fill('6.5');
+    await other.waitForTimeout(500);
     const stored = () => page.evaluate(() => JSON.parse(localStorage.getItem('macroline.project')).values.pitch);
     assert.equal(await stored(), 7.5);
-    await page.getByRole('button', { name: 'Store this tab' }).click();
-    assert.equal(await stored(), 6.5);
-    await other.getByText('Another tab of this browser has stored a newer state').first().waitFor();
+    await other.getByRole('button', { name: 'Work here' }).click();
+    await page.waitForFunction(() => JSON.parse(localStorage.getItem('macroline.project')).values.pitch === 6.5);
+    await page.getByText('Another tab of this browser has taken the project over').first().waitFor();
+    await other.getByRole('button', { name: 'Earlier' }).click();
+    await other.getByText('Of another tab').waitFor();
+  }));
+
+test('undo goes on after a reload', () =>
+  withPage(app, {}, async ({ page }) => {
+    await field(page, 'pitch').fill('9.5');
+    await machine(page, 'Turning spindle').click();
+    await field(page, 'cutting-speed').waitFor();
+    await page.getByText('Saved in this browser').waitFor();
+    await page.reload();
+    await ready(page);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    assert.equal(await field(page, 'pitch').inputValue(), '9.5');
+    await page.getByRole('button', { name: 'Undo' }).click();
+    assert.equal(await field(page, 'pitch').inputValue(), '8');
+    await page.getByRole('button', { name: 'Redo' }).click();
+    assert.equal(await field(page, 'pitch').inputValue(), '9.5');
+  }));
+
+test('a project before “New” is offered again, also after a reload', () =>
+  withPage(app, {}, async ({ page }) => {
+    await field(page, 'pitch').fill('9.5');
+    await page.getByLabel('Name of the project').fill('Customer 4711');
+    await page.getByRole('button', { name: 'New', exact: true }).click();
+    assert.equal(await field(page, 'pitch').inputValue(), '8');
+    await page.getByText('Saved in this browser').waitFor();
+    await page.reload();
+    await ready(page);
+    await page.getByRole('button', { name: 'Earlier' }).click();
+    const row = page.getByRole('row', { name: /Customer 4711/ });
+    await row.getByText('Before “New”').waitFor();
+    await accessible(page);
+    await row.getByRole('button', { name: 'Open' }).click();
+    assert.equal(await field(page, 'pitch').inputValue(), '9.5');
+  }));
+
+test('files that are opened together are all taken or all refused', () =>
+  withPage(app, {}, async ({ page }) => {
+    const file = (name, text) => ({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
+    await field(page, 'pitch').fill('9.5');
+    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save', exact: true }).click()]);
+    const project = await readFile(await download.path(), 'utf8');
+    await page.getByRole('button', { name: 'New', exact: true }).click();
+    await page.setInputFiles('#open', [file('O1.nc', 'M30'), file('order.json', '{ no project')]);
+    await page.locator('.notice.fail').waitFor();
+    assert.equal(await field(page, 'pitch').inputValue(), '8');
+    await page.setInputFiles('#open', [file('O1.nc', '%\nO1\nG91 G01 X1. F100\nM30\n%\n'), file('order.json', project)]);
+    await page.waitForFunction(() => document.getElementById('pitch').value === '9.5');
+    await page.getByRole('button', { name: 'O1.nc' }).waitFor();
   }));
 
 test('a remedy is carried out by one click, and undone', () =>

@@ -212,7 +212,7 @@ test('a reload keeps everything; a broken stored state is set aside and handed o
     });
     await page.reload();
     await ready(page);
-    await page.getByText('set aside').waitFor();
+    await page.getByText('could not be read').first().waitFor();
     assert.equal(await field(page, 'pitch').inputValue(), '8');
     const file = await saved(page, () => page.locator('.notice').getByRole('button', { name: 'Save' }).click());
     assert.equal(file.toString('utf8'), '{"version":1,');
@@ -235,6 +235,36 @@ test('the paper’s listing shows what is wrong with it, and a fix mends it', ()
     await page.getByRole('button', { name: 'O9101.nc' }).waitFor();
   }));
 
+test('the paper’s listing is mended in three clicks', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.getByRole('button', { name: 'Paper’s listing' }).click();
+    await page.locator('.mode', { hasText: 'Error in the program' }).waitFor();
+    await page.getByRole('button', { name: /^Fix \d+ errors$/ }).click();
+    await page.getByRole('button', { name: /^Take \d+ first proposals?$/ }).click();
+    // It reads without an error; that it lacks its values is for the run to tell.
+    await page.waitForFunction(() => document.querySelector('.mode').textContent !== 'Error in the program');
+    for (const _ of ['proposals', 'errors', 'listing']) await page.getByRole('button', { name: 'Undo' }).click();
+    await page.getByRole('button', { name: 'O9101.nc' }).waitFor();
+  }));
+
+test('a finding leads to its file and line, in the listing and in the editor', () =>
+  withPage(app, {}, async ({ page }) => {
+    await page.getByRole('button', { name: 'Edit', exact: true }).click();
+    const editor = page.locator('.editor .cm-content');
+    await editor.waitFor();
+    await editor.press('Control+Home');
+    for (const key of ['ArrowDown', 'ArrowDown', 'Home']) await editor.press(key);
+    await page.keyboard.type('G999\n');
+    await page.locator('.mode', { hasText: 'Error in the program' }).waitFor();
+    await editor.press('Control+End');
+    await page.getByRole('button', { name: /errors?: show the next/ }).click();
+    await page.locator('.editor .cm-activeLine', { hasText: 'G999' }).waitFor();
+    await page.getByRole('button', { name: 'Edit', exact: true }).click();
+    await page.getByRole('button', { name: 'O9101.nc' }).click();
+    await page.getByRole('button', { name: /errors?: show the next/ }).click();
+    await page.locator('.listing li.cursor', { hasText: 'G999' }).waitFor();
+  }));
+
 test('the editor loads when asked for, keeps to the content security policy, and detaches the program', () =>
   withPage(app, {}, async ({ page, requests }) => {
     assert.ok(!requests.some((name) => name.includes('editor')));
@@ -246,7 +276,7 @@ test('the editor loads when asked for, keeps to the content security policy, and
     await page.keyboard.type('G999 ');
     await page.getByText('Edited program.').waitFor();
     await page.locator('.editor .cm-lintRange-error').first().waitFor();
-    await page.getByRole('button', { name: 'Difference' }).click();
+    await page.getByRole('button', { name: 'Show my changes' }).click();
     await page.locator('.editor .cm-changedLine, .editor .cm-insertedLine').first().waitFor();
   }));
 

@@ -4,7 +4,7 @@ use macroline::controls::Dialect;
 use macroline::controls::syntax::Percent;
 use macroline::machines::form::Value;
 use macroline::motion::{Budget, Retention, RunEnd};
-use macroline::nc::{self, Files};
+use macroline::nc::{self, File, Files};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions, RunSummary};
 use proptest::prelude::*;
@@ -143,7 +143,7 @@ fn dropped_program_restores_the_whole_project() {
         let mut project = ribbon_on(control, &values);
         choose(&mut project, "y-unit", "degrees");
         for file in project.written().files.0 {
-            let opened = macroline::project::import::open(&present, &file.name, &file.text);
+            let opened = macroline::project::import::open(&present, std::slice::from_ref(&file));
             let restored = opened.project.unwrap();
             assert!(restored.control.id == *control && restored.values == project.values, "{}", file.name);
             assert!(restored.edited.is_none());
@@ -157,7 +157,10 @@ fn dropped_edited_program_keeps_its_edit() {
     let file = project.written().files.0.into_iter().find(|f| f.name == "O9101.nc").unwrap();
     let text = file.text.replace("G04 X2.", "G04 X3.");
     assert_ne!(text, file.text);
-    let opened = macroline::project::import::open(&ribbon(&[]), "dropped.nc", &text).project.unwrap();
+    let opened =
+        macroline::project::import::open(&ribbon(&[]), &[File { name: "dropped.nc".to_owned(), text: text.clone() }])
+            .project
+            .unwrap();
     assert!(opened.values == project.values);
     let written = opened.written();
     assert!(written.edited && written.files.0.len() == 3);

@@ -6,6 +6,7 @@ mod look;
 mod polygon;
 mod polygon_drawing;
 mod polygon_sheets;
+mod remedy;
 mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;

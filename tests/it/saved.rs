@@ -5,7 +5,7 @@ use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, Panel};
 use macroline::nc::{File, Files};
 use macroline::project::render::Renderer;
-use macroline::project::saved::{MAX_PROGRAM, panel_from_json};
+use macroline::project::saved::{MAX_PROGRAM, panel_from_json, steps_from_json, steps_to_json};
 use macroline::project::{Project, import};
 use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence};
@@ -468,5 +468,73 @@ fn old_ids_of_suppressed_warnings_are_upgraded() {
         let project = Project::from_json(&text).project.unwrap();
         assert_eq!(project.silenced, [present, "lint.unreachable"]);
         assert_eq!(macroline::text::catalog::id(present), Some(present));
+    }
+}
+
+fn named(name: &str) -> Project {
+    let mut project = ribbon();
+    project.name = name.to_owned();
+    project
+}
+
+#[test]
+fn steps_of_undo_read_back_in_their_order() {
+    let texts = ["a", "b", "c"].map(|name| named(name).to_json());
+    let (past, future) = steps_from_json(&steps_to_json([&*texts[0], &texts[1]], [&*texts[2]]));
+    assert!(past == [named("a"), named("b")] && future == [named("c")]);
+}
+
+#[test]
+fn steps_behind_one_that_does_not_read_are_left() {
+    let texts = ["a", "b", "c"].map(|name| named(name).to_json());
+    let (past, _) = steps_from_json(&steps_to_json([&*texts[0], "{", &texts[1], &texts[2]], []));
+    assert!(past == [named("b"), named("c")]);
+}
+
+proptest! {
+    #[test]
+    fn any_text_gives_steps_or_none(text in any::<String>(), step in any::<String>()) {
+        steps_from_json(&text);
+        prop_assert!(steps_from_json(&steps_to_json([&*step], [])).0.is_empty());
+    }
+}
+
+fn file(name: &str, text: &str) -> File {
+    File { name: name.to_owned(), text: text.to_owned() }
+}
+
+#[test]
+fn project_and_its_programs_open_together() {
+    let order = named("Order 7");
+    let mut files = order.written().files.0;
+    files.push(file("order.json", &order.to_json()));
+    let opened = import::open(&ribbon(), &files).project.unwrap();
+    assert!(opened == order && opened.edited.is_none());
+    files[1].text.push_str("(MINE)\n");
+    let opened = import::open(&ribbon(), &files).project.unwrap();
+    assert_eq!(opened.name, "Order 7");
+    assert!(opened.edited.unwrap().0[1].text.ends_with("(MINE)\n"));
+}
+
+#[test]
+fn every_edited_program_of_an_export_is_taken() {
+    let mut files = named("").written().files.0;
+    files[2].text.push_str("(MINE)\n");
+    let opened = import::open(&ribbon(), &files).project.unwrap();
+    assert!(opened.edited.unwrap().0[2].text.ends_with("(MINE)\n"));
+}
+
+#[test]
+fn files_that_do_not_go_together_are_all_refused() {
+    let (json, program) = (file("a.json", &ribbon().to_json()), file("O1.nc", "M30\n"));
+    for (files, reason) in [
+        (vec![json.clone(), json.clone()], "project.several-projects"),
+        (vec![program.clone(), file("b.json", "{")], "project.not-json"),
+        (vec![program.clone(), file("a.png", "\0PNG")], "project.not-a-text"),
+        (vec![json, file("O1.nc", &"G".repeat(MAX_PROGRAM + 1))], "project.program-too-large"),
+    ] {
+        let opened = import::open(&ribbon(), &files);
+        assert!(opened.project.is_none());
+        assert_eq!(opened.diagnostics.iter().map(|found| found.id()).collect::<Vec<_>>(), [reason]);
     }
 }

@@ -7,6 +7,8 @@ mod json;
 
 mod findings;
 
+mod history;
+
 mod loaded;
 
 mod v1;
@@ -22,6 +24,7 @@ use serde::Deserialize;
 use serde::de::IgnoredAny;
 
 use self::findings::Findings;
+pub use self::history::{steps_from_json, steps_to_json};
 use self::json::{Entries, Located};
 pub use self::loaded::{Loaded, MAX_BYTES, MAX_PROGRAM, MAX_PROGRAMS};
 use self::v1::{ProgramV1, ProjectV1};

@@ -3,6 +3,7 @@
 use leptos::prelude::*;
 
 use super::open::OpenButton;
+use super::set_aside::{self, EarlierButton, Reason};
 use super::store;
 use crate::controls;
 use crate::machines;
@@ -27,8 +28,9 @@ pub(crate) fn Header() -> impl IntoView {
     let page = Page::here();
     let fresh = move |_| {
         let (machine, control) = page.project.with_untracked(|project| (project.machine, project.control));
+        set_aside::keep_present(page, Reason::New);
         page.replace(Project::new(machine, control));
-        page.notices.say(t("page.fresh"));
+        page.notices.notify("info", t("page.fresh").to_owned());
     };
     let save = move |_| {
         let (name, text) = page.project.with_untracked(|project| (project.file_name("json"), project.to_json()));
@@ -42,10 +44,16 @@ pub(crate) fn Header() -> impl IntoView {
                 <ControlPicker />
                 <ProjectName />
                 <div class="doing">
+                    <Show when=move || page.view.kept.get() == Kept::Elsewhere>
+                        <button type="button" class="work-here" title=t("page.store-here-about") on:click=move |_| store::take_over(page)>
+                            {t("page.store-here")}
+                        </button>
+                    </Show>
                     <IconButton glyph=Glyph::Undo label=t("page.undo") title=t("page.undo-key") disabled=Signal::derive(move || !page.can.get().0) press=move || page.undo() />
                     <IconButton glyph=Glyph::Redo label=t("page.redo") title=t("page.redo-key") disabled=Signal::derive(move || !page.can.get().1) press=move || page.redo() />
                     <button type="button" class="quiet" on:click=fresh>{t("page.new")}</button>
                     <OpenButton />
+                    <EarlierButton />
                     <button type="button" class="quiet" title=t("page.save-about") on:click=save>{t("page.save")}</button>
                     <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>
                     <ThemeButton />
@@ -121,7 +129,7 @@ fn ProjectName() -> impl IntoView {
         Kept::Yes => t("page.kept"),
         Kept::Soon => t("page.kept-soon"),
         Kept::No => t("page.kept-not"),
-        Kept::Elsewhere => "",
+        Kept::Elsewhere => t("page.kept-elsewhere"),
     };
     view! {
         <div class="project">
@@ -130,12 +138,7 @@ fn ProjectName() -> impl IntoView {
                 prop:value=move || page.project.with(|project| project.name.clone())
                 on:input=take
             />
-            <Show when=move || page.view.kept.get() == Kept::Elsewhere>
-                <button type="button" class="link" title=t("page.other-tab") on:click=move |_| store::take_over(page)>
-                    {t("page.store-here")}
-                </button>
-            </Show>
-            <span class="kept" class:warn=move || page.view.kept.get() == Kept::No>{kept}</span>
+            <span class="kept" class:warn=move || matches!(page.view.kept.get(), Kept::No | Kept::Elsewhere)>{kept}</span>
         </div>
     }
 }

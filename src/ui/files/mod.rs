@@ -8,8 +8,11 @@ mod large;
 
 pub(crate) mod open;
 
+mod set_aside;
+
 pub(crate) mod store;
 
 pub(crate) use export::ExportDialog;
 pub(crate) use header::Header;
 pub(crate) use large::{LargeFile, LargeFileDialog};
+pub(crate) use set_aside::EarlierDialog;

@@ -7,14 +7,15 @@ use wasm_bindgen_futures::JsFuture;
 use web_sys::{ClipboardEvent, DataTransfer, DragEvent, Element, File, FileList};
 
 use super::large::{LargeFile, Source, check};
+use super::set_aside::{self, Reason};
 use crate::nc;
 use crate::project::decode::Decoded;
-use crate::project::import::{MAX_PROGRAM, open, programs};
+use crate::project::import::{MAX_PROGRAM, open};
 use crate::project::saved::with_line;
 use crate::ui::dom;
 use crate::ui::state::Page;
 use crate::ui::state::view::Tab;
-use crate::ui::words::{t, tell, tone};
+use crate::ui::words::{say, t, tone};
 
 /// Bytes above which a text is not taken into the page but read aside.
 const BIG: f64 = MAX_PROGRAM as f64;
@@ -22,45 +23,46 @@ const BIG: f64 = MAX_PROGRAM as f64;
 /// Bytes of the largest project that is read: [`MAX_PROGRAM`] as JSON with every character escaped, and room for the form.
 const PROJECT: f64 = 8.0 * BIG;
 
-/// Takes files that a person opened, dropped or pasted.
+/// Takes files that a person opened, dropped or pasted: all of them or none.
 fn take(page: Page, large: LargeFile, files: Vec<File>) {
     // A project may be larger than a program: what macroline saved it opens.
     let is_project = |file: &File| file.name().to_ascii_lowercase().ends_with(".json") && file.size() <= PROJECT;
     if let Some(big) = files.iter().find(|file| file.size() > BIG && !is_project(file)) {
-        check(page, large, Source::File(big.clone()));
+        if files.len() == 1 {
+            check(page, large, Source::File(big.clone()));
+        } else {
+            page.notices.notify("fail", say(&crate::msg!("page.none-taken-large", big.name(), (BIG / 1e6, 0))));
+        }
         return;
     }
     wasm_bindgen_futures::spawn_local(async move {
         let mut texts = Vec::new();
         for file in files {
-            let Ok(buffer) = JsFuture::from(file.array_buffer()).await else { continue };
+            let Ok(buffer) = JsFuture::from(file.array_buffer()).await else {
+                return page.notices.notify("fail", say(&crate::msg!("page.none-taken-unread", file.name())));
+            };
             let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
             texts.push(nc::File { name: file.name(), text: Decoded::new(bytes).text });
         }
-        if !texts.is_empty() {
-            read(page, &texts);
-        }
+        read(page, &texts);
     });
 }
 
-/// Reads texts: a project, a program that carries its settings, or any other programs.
+/// Reads texts: a project, programs that carry its settings, or any other programs.
 fn read(page: Page, files: &[nc::File]) {
-    let Some(first) = files.first() else { return };
-    let text = first.text.trim_start_matches('\u{feff}');
-    let opened = page.project.with_untracked(|project| open(project, &first.name, text));
+    if files.is_empty() {
+        return;
+    }
+    let opened = page.project.with_untracked(|project| open(project, files));
+    let text = files.iter().find(|file| file.text.trim_start().starts_with('{')).map_or("", |file| &file.text);
     for told in &opened.diagnostics {
         page.notices.notify(tone(told.severity), with_line(told, text));
     }
-    let Some(mut project) = opened.project else { return };
-    if project.edited.is_some() && !text.starts_with('{') {
-        match programs(files) {
-            Ok(files) => project.edited = Some(files),
-            Err(finding) => {
-                page.notices.notify("fail", tell(&finding));
-                return;
-            }
-        }
+    let Some(project) = opened.project else { return };
+    if project.edited.is_some() && text.is_empty() {
         page.notices.notify("info", t("page.opened-program").to_owned());
+    } else {
+        set_aside::keep_present(page, Reason::Opened);
     }
     page.view.file.set(0);
     page.view.tab.set(Tab::Program);
@@ -175,6 +177,37 @@ mod tests {
         let bench = opened("order.json", "{ not a project").await;
         assert!(bench.page.project.get_untracked() == project());
         assert_eq!(bench.notices().len(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn project_and_programs_that_come_together_are_all_taken() {
+        let bench = mount(|| ()).await;
+        let mut order = project();
+        order.name = "Order 7".to_owned();
+        let json = nc::File { name: "order.json".to_owned(), text: order.to_json() };
+        let mut programs = order.written().files.0;
+        programs[1].text.push_str("(mine)\n");
+        read(bench.page, &[programs[1].clone(), json.clone(), programs[0].clone()]);
+        assert_eq!(bench.page.project.with_untracked(|project| project.name.clone()), "Order 7");
+        assert!(bench.page.program.text(1).ends_with("(mine)\n"));
+        assert_eq!(bench.page.program.text(0), programs[0].text);
+    }
+
+    #[wasm_bindgen_test]
+    async fn files_that_do_not_go_together_are_all_refused() {
+        let json = |text: &str| nc::File { name: "order.json".to_owned(), text: text.to_owned() };
+        let program = nc::File { name: "O1.nc".to_owned(), text: "M30\n".to_owned() };
+        let whole = project().to_json();
+        for files in [
+            vec![json(&whole), json(&whole)],
+            vec![program.clone(), json("{ not a project")],
+            vec![program.clone(), nc::File { name: "a.png".to_owned(), text: "\0\0".to_owned() }],
+        ] {
+            let bench = mount(|| ()).await;
+            read(bench.page, &files);
+            assert!(bench.page.project.get_untracked() == project());
+            assert_eq!(bench.notices().len(), 1);
+        }
     }
 
     #[wasm_bindgen_test]

@@ -1,4 +1,4 @@
-//! The project in this browser's store: kept while one works, set aside when it cannot be read.
+//! The project in this browser's store, with its steps of undo: kept while one works, set aside when it cannot be read, held by one tab.
 
 use std::time::Duration;
 
@@ -6,62 +6,149 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::StorageEvent;
 
+use super::set_aside::{self, Reason};
 use crate::machines;
 use crate::project::Project;
 use crate::project::saved::with_line;
 use crate::ui::dom;
+use crate::ui::state::history::History;
 use crate::ui::state::notices::Notice;
 use crate::ui::state::view::Kept;
-use crate::ui::state::{Page, stepping};
+use crate::ui::state::{Page, put, stepping};
 use crate::ui::words::t;
 
 /// Where the project is kept.
 const KEY: &str = "macroline.project";
 
-/// Where a state goes that could not be read.
-const ASIDE: &str = "macroline.set-aside";
+/// Where its steps of undo and redo are kept.
+const STEPS: &str = "macroline.steps";
 
-/// Name of the file in which a state that was set aside is handed out.
-pub(crate) const ASIDE_FILE: &str = "macroline-set-aside.txt";
+/// Where tabs of this browser talk to each other: a word and a number that differs each time.
+const TABS: &str = "macroline.tab";
 
-/// The project of the last visit, or a fresh one, with notices about it. None only where no machine has a control.
-pub(crate) fn load() -> (Option<Project>, Vec<Notice>) {
+/// A tab that has just opened asks who holds the project.
+const ASKS: &str = "asks";
+
+/// A tab holds the project, and has held it before the one that asks.
+const HOLDS: &str = "holds";
+
+/// A tab takes the project over.
+const TAKES: &str = "takes";
+
+/// The state of the last visit.
+pub(crate) struct Visit {
+    /// Its project, or a fresh one. None only where no machine has a control.
+    pub project: Option<Project>,
+    /// Notices about it.
+    pub notices: Vec<Notice>,
+    /// Whether the store still has a text that did not read and found no room elsewhere.
+    pub occupied: bool,
+}
+
+/// The state of the last visit. A text that does not read is set aside; where that has no room, it stays.
+pub(crate) fn load() -> Visit {
     let fresh = || machines::ALL.first().and_then(|machine| Project::of(machine.id(), None));
-    let mut notices = Vec::new();
-    let Some(text) = dom::stored(KEY) else { return (fresh(), notices) };
+    let Some(text) = dom::stored(KEY) else { return Visit { project: fresh(), notices: Vec::new(), occupied: false } };
     let loaded = Project::from_json(&text);
     if let Some(project) = loaded.project {
-        notices.extend(loaded.diagnostics.iter().map(|d| Notice {
-            tone: "warn",
-            text: with_line(d, &text),
-            file: None,
-        }));
-        return (Some(project), notices);
+        let notice = |found| Notice { tone: "warn", text: with_line(found, &text), file: None };
+        let notices = loaded.diagnostics.iter().map(notice).collect();
+        return Visit { project: Some(project), notices, occupied: false };
     }
-    // The text is kept under another name before anything new is written over it.
-    if dom::store(ASIDE, &text) {
+    let aside = set_aside::keep(&text, Reason::Unread);
+    if aside {
         dom::forget(KEY);
+        dom::forget(STEPS);
     }
-    let reason = loaded.diagnostics.first().map(|d| with_line(d, &text)).unwrap_or_default();
-    let said = format!("{} {reason}", t("page.set-aside"));
-    notices.push(Notice { tone: "warn", text: said, file: Some((ASIDE_FILE, text)) });
-    (fresh(), notices)
+    let reason = loaded.diagnostics.first().map(|found| with_line(found, &text)).unwrap_or_default();
+    let said = format!("{} {reason}", t(if aside { "page.set-aside" } else { "page.set-aside-full" }));
+    let notice = Notice { tone: "warn", text: said, file: Some((set_aside::FILE, text)) };
+    Visit { project: fresh(), notices: vec![notice], occupied: !aside }
 }
 
-/// Stores the project now, and notes whether the browser has taken it.
+/// Stores the project now, then its steps, and notes whether the browser has taken the project.
 fn store_now(page: Page) {
     let text = page.project.with_untracked(Project::to_json);
-    page.view.kept.set(if dom::store(KEY, &text) { Kept::Yes } else { Kept::No });
+    // The steps give way to the project where there is no room for both.
+    let kept = dom::store(KEY, &text) || make_room(&text);
+    if kept {
+        dom::store(STEPS, &page.steps());
+    }
+    page.view.kept.set(if kept { Kept::Yes } else { Kept::No });
 }
 
-/// Stores the project of this tab, whatever another tab has stored.
+/// Stores the project in the room of its steps; they stay where that does not help.
+fn make_room(text: &str) -> bool {
+    let Some(steps) = dom::stored(STEPS) else { return false };
+    dom::forget(STEPS);
+    let kept = dom::store(KEY, text);
+    if !kept {
+        dom::store(STEPS, &steps);
+    }
+    kept
+}
+
+/// Says a word to the other tabs.
+fn say(word: &str) {
+    // Only a text that differs is heard.
+    dom::store(TABS, &format!("{word} {}", js_sys::Math::random()));
+}
+
+/// Stores the project of this tab; what another tab has stored is set aside before.
 pub(crate) fn take_over(page: Page) {
+    let own = page.project.with_untracked(Project::to_json);
+    if let Some(text) = dom::stored(KEY).filter(|text| *text != own)
+        && !set_aside::keep(&text, Reason::OtherTab)
+    {
+        let notice =
+            Notice { tone: "warn", text: t("page.aside-full").to_owned(), file: Some((set_aside::FILE, text)) };
+        page.notices.list.update(|list| list.push(notice));
+    }
+    say(TAKES);
     store_now(page);
-    page.notices.dismiss(t("page.other-tab"));
+    ["page.other-tab", "page.other-tab-open"].into_iter().for_each(|words| page.notices.dismiss(t(words)));
 }
 
-/// Keeps the project from now on, shortly after each change.
-pub(crate) fn keep(page: Page) {
+/// This tab watches: nothing is stored from it.
+fn watch(page: Page, words: &'static str) {
+    put(page.view.kept, Kept::Elsewhere);
+    page.notices.notify("warn", t(words).to_owned());
+}
+
+/// What another tab says or stores. A tab that watches shows the project of the other as long as nobody edits here.
+fn hear(page: Page, key: &str, value: &str, shown: StoredValue<Option<Project>, LocalStorage>) {
+    let watches = page.view.kept.get_untracked() == Kept::Elsewhere;
+    match (key, value.split(' ').next().unwrap_or_default()) {
+        (TABS, ASKS) if !watches => say(HOLDS),
+        (TABS, HOLDS) if !watches => {
+            shown.set_value(Some(page.project.get_untracked()));
+            watch(page, "page.other-tab-open");
+        }
+        (TABS, TAKES) => {
+            shown.set_value(Some(page.project.get_untracked()));
+            watch(page, "page.other-tab");
+        }
+        (KEY, _) if watches => {
+            let own = page.project.get_untracked();
+            if shown.with_value(|shown| shown.as_ref() == Some(&own))
+                && let Some(project) = Project::from_json(value).project
+            {
+                shown.set_value(Some(project.clone()));
+                page.watch(project);
+            }
+        }
+        (KEY, _) => watch(page, "page.other-tab"),
+        _ => {}
+    }
+}
+
+/// Keeps the project from now on, shortly after each change, as long as no other tab holds it.
+pub(crate) fn keep(page: Page, occupied: bool) {
+    if occupied {
+        page.view.kept.set(Kept::Elsewhere);
+    } else if let Some(steps) = dom::stored(STEPS) {
+        page.take_steps(History::from_json(&steps));
+    }
     let timer = StoredValue::new(None::<TimeoutHandle>);
     let save = move || {
         // The page may be gone.
@@ -86,13 +173,16 @@ pub(crate) fn keep(page: Page) {
         let next = set_timeout_with_handle(save, Duration::from_millis(300)).ok();
         timer.set_value(next);
     });
+    // The project of the other tab that is shown here.
+    let shown = StoredValue::new_local(None::<Project>);
     dom::hear("storage", move |event| {
         let event: &StorageEvent = event.unchecked_ref();
-        if event.key().as_deref() == Some(KEY) && event.new_value().is_some() {
-            page.view.kept.set(Kept::Elsewhere);
-            page.notices.notify("warn", t("page.other-tab").to_owned());
+        // The page may be gone.
+        if let (Some(key), Some(value), false) = (event.key(), event.new_value(), page.view.kept.is_disposed()) {
+            hear(page, &key, &value, shown);
         }
     });
+    say(ASKS);
     // Whoever closes the page in that moment loses nothing either.
     let hide = move || {
         stepping::keep(page);
@@ -113,31 +203,118 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{mount, project, until};
+    use crate::machines::form::Value;
+    use crate::ui::testing::{Bench, event, mount, project, settled, until};
+
+    async fn stored_soon(page: Page) {
+        settled().await;
+        until(move || page.view.kept.get_untracked() == Kept::Yes).await;
+    }
+
+    /// Another tab stores or says something.
+    async fn other_tab(key: &str, value: &str) {
+        let members = [("key", key.into()), ("newValue", value.into())];
+        window().dispatch_event(&event("StorageEvent", "storage", &members)).unwrap();
+        settled().await;
+    }
+
+    async fn kept() -> Bench {
+        let bench = mount(|| ()).await;
+        keep(bench.page, false);
+        settled().await;
+        bench
+    }
 
     #[wasm_bindgen_test]
     async fn project_is_stored_shortly_after_a_change() {
-        let bench = mount(|| ()).await;
-        keep(bench.page);
-        crate::ui::testing::settled().await;
+        let bench = kept().await;
         assert!(dom::stored(KEY).is_none());
-        bench.page.set("pitch", crate::machines::form::Value::Number(9.0));
-        crate::ui::testing::settled().await;
+        bench.page.set("pitch", Value::Number(9.0));
+        settled().await;
         assert_eq!(bench.page.view.kept.get_untracked(), Kept::Soon);
-        let page = bench.page;
-        until(move || page.view.kept.get_untracked() == Kept::Yes).await;
-        let (loaded, notices) = load();
-        assert!(loaded == Some(page.project.get_untracked()) && notices.is_empty());
+        stored_soon(bench.page).await;
+        let visit = load();
+        assert!(visit.project == Some(bench.page.project.get_untracked()) && visit.notices.is_empty());
+    }
+
+    #[wasm_bindgen_test]
+    async fn undo_goes_on_after_a_reload() {
+        let bench = kept().await;
+        bench.page.set("pitch", Value::Number(9.0));
+        stored_soon(bench.page).await;
+        drop(bench);
+        let visit = load();
+        let bench = crate::ui::testing::mount_project(visit.project.unwrap(), || ()).await;
+        keep(bench.page, visit.occupied);
+        assert_eq!(bench.page.can.get_untracked(), (true, false));
+        bench.page.undo();
+        assert_eq!(bench.setting("pitch"), Some(Value::Number(8.0)));
     }
 
     #[wasm_bindgen_test]
     async fn state_that_does_not_read_is_set_aside() {
         let _bench = mount(|| ()).await;
         dom::store(KEY, "{ not a project");
-        let (loaded, notices) = load();
-        assert!(loaded == Some(project()));
-        assert!(notices[0].text.contains(t("page.set-aside")));
-        assert_eq!(notices[0].file, Some((ASIDE_FILE, "{ not a project".to_owned())));
-        assert_eq!((dom::stored(KEY), dom::stored(ASIDE).as_deref()), (None, Some("{ not a project")));
+        let visit = load();
+        assert!(visit.project == Some(project()) && !visit.occupied);
+        assert!(visit.notices[0].text.contains(t("page.set-aside")));
+        assert_eq!(visit.notices[0].file, Some((set_aside::FILE, "{ not a project".to_owned())));
+        assert_eq!((dom::stored(KEY), set_aside::list().len()), (None, 1));
+    }
+
+    #[wasm_bindgen_test]
+    async fn state_without_room_for_a_copy_stays_until_the_user_decides() {
+        let bench = mount(|| ()).await;
+        // Two of them have no room.
+        let text = "{".repeat(3_000_000);
+        assert!(dom::store(KEY, &text));
+        let visit = load();
+        assert!(visit.occupied && visit.notices[0].text.contains(t("page.set-aside-full")));
+        keep(bench.page, visit.occupied);
+        bench.page.set("pitch", Value::Number(9.0));
+        settled().await;
+        assert_eq!(bench.page.view.kept.get_untracked(), Kept::Elsewhere);
+        assert!(dom::stored(KEY).is_some_and(|stored| stored == text));
+        take_over(bench.page);
+        assert!(dom::stored(KEY).is_some_and(|stored| stored != text));
+        assert!(bench.notices().contains(&t("page.aside-full").to_owned()));
+    }
+
+    #[wasm_bindgen_test]
+    async fn tab_that_opens_second_watches_until_it_takes_over() {
+        let bench = kept().await;
+        other_tab(TABS, "holds 0.5").await;
+        assert_eq!(bench.page.view.kept.get_untracked(), Kept::Elsewhere);
+        assert_eq!(bench.notices(), [t("page.other-tab-open")]);
+        let mut theirs = project();
+        theirs.name = "Order 7".to_owned();
+        dom::store(KEY, &theirs.to_json());
+        other_tab(KEY, &theirs.to_json()).await;
+        assert!(bench.page.project.get_untracked() == theirs);
+        bench.page.set("pitch", Value::Number(9.0));
+        settled().await;
+        take_over(bench.page);
+        assert_eq!(bench.page.view.kept.get_untracked(), Kept::Yes);
+        assert!(dom::stored(TABS).unwrap().starts_with(TAKES) && bench.notices().is_empty());
+        assert_eq!(set_aside::list().len(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn tab_that_holds_the_project_answers_and_gives_way() {
+        let bench = kept().await;
+        other_tab(TABS, "asks 0.5").await;
+        assert!(dom::stored(TABS).unwrap().starts_with(HOLDS));
+        assert_eq!(bench.page.view.kept.get_untracked(), Kept::Yes);
+        other_tab(TABS, "takes 0.5").await;
+        assert_eq!(bench.notices(), [t("page.other-tab")]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn watching_tab_that_is_edited_keeps_its_own_values() {
+        let bench = kept().await;
+        other_tab(TABS, "holds 0.5").await;
+        bench.page.set("pitch", Value::Number(9.0));
+        other_tab(KEY, &project().to_json()).await;
+        assert_eq!(bench.setting("pitch"), Some(Value::Number(9.0)));
     }
 }

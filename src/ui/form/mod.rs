@@ -115,27 +115,20 @@ fn Group(
     }
 }
 
-/// Wrong entries, counted where they may be out of sight; each leads to its field.
+/// Wrong fields, counted where they may be out of sight; each leads to its field.
 #[component]
 fn WrongFields() -> impl IntoView {
     let page = Page::here();
-    let first = move || page.wrong_fields().iter().find_map(|d| d.field);
-    let count = move || page.wrong_fields().iter().filter(|d| d.field.is_some()).count();
+    let count = Memo::new(move |_| page.wrong_fields().iter().filter(|found| found.field.is_some()).count());
+    let words = move || match page.is_stale() {
+        true => t("page.stale").to_owned(),
+        false => say(&crate::msg!("page.refused-values", count.get() as u32)),
+    };
     view! {
-        <p class="stale" class:shown=move || page.is_stale()>
-            {t("page.stale")} " "
-            <button
-                type="button"
-                class="link"
-                class:gone=move || first().is_none()
-                on:click=move |_| {
-                    if let Some(field) = untrack(first) {
-                        crate::ui::dom::go_to_field(field);
-                    }
-                }
-            >
-                {t("page.go-to-field")}
-                {move || if count() > 1 { format!(" (1/{})", count()) } else { String::new() }}
+        <p class="stale" class:shown=move || { count.get() > 0 }>
+            {words} " "
+            <button type="button" class="link" on:click=move |_| page.show_wrong_field()>
+                {move || if count.get() > 1 { t("page.go-to-next-field") } else { t("page.go-to-field") }}
             </button>
         </p>
     }
@@ -193,12 +186,22 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn several_wrong_fields_are_counted() {
+    async fn several_wrong_fields_are_visited_by_turns() {
         let bench = form().await;
         bench.type_into("#clamp-x", "x").await;
-        assert!(!bench.text(".stale").contains("(1/"));
         bench.type_into("#pitch", "x").await;
-        assert!(bench.text(".stale").contains("(1/2)"));
+        for field in ["clamp-x", "pitch", "clamp-x"] {
+            bench.press_button(t("page.go-to-next-field")).await;
+            assert_eq!(document().active_element().unwrap().id(), field);
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn impossible_value_is_counted_and_has_results_of_its_own() {
+        let bench = form().await;
+        bench.type_into("#press-roller-diameter", "150").await;
+        assert!(bench.text(".stale.shown").contains(&say(&crate::msg!("page.refused-values", 2_u32))));
+        assert!(!untrack(|| bench.page.is_stale()));
     }
 
     #[wasm_bindgen_test]

@@ -1,5 +1,7 @@
 //! The machine in the middle of the page: verdicts, drawing, film with its charts, operator's panel.
 
+mod alarm_screen;
+
 mod charts;
 
 mod film;

@@ -9,6 +9,7 @@ use crate::ui::parts::input::{filled_part, number};
 use crate::ui::parts::{Glyph, Icon, IconButton};
 use crate::ui::state::Page;
 use crate::ui::state::operator::{act, standing};
+use crate::ui::state::outlook::CycleStart;
 use crate::ui::words::{mode_tone, t};
 
 /// Percent that the knobs reach.
@@ -137,10 +138,22 @@ fn Presses() -> impl IntoView {
         },
     );
     let is_single = move || single.get() != 0.0;
+    let start = Memo::new(move |_| page.outlook.cycle_start());
+    let acts = move || start.get() == CycleStart::Acts;
+    let hindrance = move || match start.get() {
+        CycleStart::Acts => None,
+        CycleStart::AfterReset => Some(t("page.after-reset")),
+        CycleStart::StopsAtOnce => Some(t("page.stops-at-once")),
+        CycleStart::ComesBack => Some(t("page.comes-back")),
+    };
     view! {
         <div class="presses">
-            <button type="button" class="lit start" class:due=waits class:on=runs on:click=move |_| act(page, Action::Start)>
+            <button
+                type="button" class="lit start" class:due=move || waits() && acts() class:on=move || runs() && acts()
+                disabled=move || !acts() on:click=move |_| act(page, Action::Start)
+            >
                 {t("page.start")}
+                {move || hindrance().map(|words| view! { <small>{words}</small> })}
             </button>
             <button type="button" class="lit hold" class:on=holds on:click=move |_| act(page, Action::Hold)>{t("page.hold")}</button>
             <button
@@ -179,7 +192,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount};
+    use crate::ui::testing::{Bench, mount, mount_project};
 
     async fn panel() -> Bench {
         let bench = mount(|| view! { <OperatorPanel /> }).await;
@@ -231,6 +244,29 @@ mod tests {
             bench.press_button(t(words)).await;
         }
         assert_eq!(bench.actions(), [Action::Start, Action::Hold, Action::Reset, Action::EmergencyStop]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn cycle_start_promises_nothing_where_the_run_stops_at_once() {
+        let project = crate::project::Project::of("ribbon-line", Some("gsk-980tdc")).unwrap();
+        let bench = mount_project(project, || view! { <OperatorPanel /> }).await;
+        bench.run().await;
+        assert_eq!(bench.text(".start small"), t("page.stops-at-once"));
+        bench.press(".start").await;
+        assert!(bench.actions().is_empty() && bench.has(".start[disabled]:not(.due):not(.on)"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn cycle_start_after_an_emergency_stop_asks_for_a_reset() {
+        let bench = panel().await;
+        bench.seek(1.0).await;
+        bench.press_button(t("page.estop")).await;
+        bench.run().await;
+        bench.seek(1.5).await;
+        assert_eq!(bench.text(".start small"), t("page.after-reset"));
+        bench.press_button(t("page.reset")).await;
+        bench.run().await;
+        assert!(!bench.has(".start[disabled]"));
     }
 
     #[wasm_bindgen_test]

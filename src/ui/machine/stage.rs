@@ -6,16 +6,16 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::Element;
 
+use super::alarm_screen::AlarmScreen;
 use super::notices::NoticeBand;
 use super::pictures::SavePicture;
 use super::scene_view::Drawn;
 use crate::motion::{Mode, RunEnd};
-use crate::project::check::reported;
 use crate::ui::dom;
 use crate::ui::parts::scene::{Still, svg};
 use crate::ui::parts::{Glyph, IconButton};
 use crate::ui::state::Page;
-use crate::ui::words::{end_words, mode_tone, mode_words, t, tell_alarm};
+use crate::ui::words::{end_words, mode_tone, mode_words, say, t};
 
 /// The drawing, moved by the run.
 #[component]
@@ -67,6 +67,8 @@ pub(crate) fn Stage() -> impl IntoView {
         let (mode, begun) = player.now.with(|now| (now.mode, now.t > 0.0));
         let moves = matches!(mode, Mode::Running | Mode::Dwell | Mode::WaitFin);
         match player.playing.get() {
+            _ if page.program.has_errors() => ("page.mode-errors", "fail"),
+            _ if page.outlook.stopped.with(Option::is_some) => ("page.mode-at-once", "fail"),
             false if moves && begun => ("page.mode-paused", "info"),
             false if !begun => ("page.mode-ready", "info"),
             _ => (mode_words(mode), mode_tone(mode)),
@@ -87,7 +89,11 @@ pub(crate) fn Stage() -> impl IntoView {
     view! {
         <section class="pane drawing" id="machine" aria-label=t("page.drawing") node_ref=section>
             <div class="stage" role="group" aria-label=t("page.drawing") node_ref=host on:click=open_field></div>
-            <span class=move || format!("mode {}", state.get().1)>{move || t(state.get().0)}</span>
+            <div class="top-left">
+                <span class=move || format!("mode {}", state.get().1)>{move || t(state.get().0)}</span>
+                <WrongValues />
+            </div>
+            <AlarmScreen />
             <div class="band">
                 <p class="why" role="status">{move || why(page)}</p>
                 <NoticeBand />
@@ -110,15 +116,32 @@ pub(crate) fn Stage() -> impl IntoView {
     }
 }
 
-/// Why the machine stands at the end of the plan.
+/// The count of wrong fields, where one looks while the form is out of sight; it leads to them.
+#[component]
+fn WrongValues() -> impl IntoView {
+    let page = Page::here();
+    let count = Memo::new(move |_| page.wrong_fields().iter().filter(|found| found.field.is_some()).count());
+    let words = move || match page.is_stale() {
+        true => t("page.stale-short").to_owned(),
+        false => say(&crate::msg!("page.wrong-values", count.get() as u32)),
+    };
+    view! {
+        <button
+            type="button" class="mode fail wrong-values" class:gone=move || count.get() == 0
+            title=t("page.go-to-field") on:click=move |_| page.show_wrong_field()
+        >
+            {words}
+        </button>
+    }
+}
+
+/// Why the run is over, at its end; alarms and messages of the program have a screen of their own.
 fn why(page: Page) -> String {
     let (at, (planned, _)) = (page.player.now.with(|now| now.t), page.player.planned.get());
     match page.player.ended.get().filter(|_| at >= planned) {
-        // In the words that stand at its place in the program.
-        Some(RunEnd::Alarm(alarm)) => {
-            page.program.findings.with(|findings| tell_alarm(reported(findings, &alarm).unwrap_or(&alarm)))
-        }
-        end => end.map_or_else(String::new, |end| end_words(&end)),
+        Some(RunEnd::Alarm(_)) | None => String::new(),
+        Some(RunEnd::Stop) if page.player.message.with(Option::is_some) => String::new(),
+        Some(end) => end_words(&end),
     }
 }
 
@@ -127,7 +150,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount};
+    use crate::ui::testing::{Bench, mount, mount_project};
 
     async fn stage() -> Bench {
         let bench = mount(|| view! { <Stage /> <input id="heads" /> }).await;
@@ -180,6 +203,40 @@ mod tests {
         bench.seek(1.5).await;
         assert_eq!(bench.text(".mode"), t("page.mode-estop"));
         assert!(bench.has(".mode.fail"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn wrong_values_are_counted_and_lead_to_their_field() {
+        let bench = stage().await;
+        assert!(bench.has(".wrong-values.gone"));
+        bench.page.entries.refuse("heads", *crate::ui::testing::field("heads").read("x").unwrap_err());
+        crate::ui::testing::settled().await;
+        assert_eq!(bench.text(".wrong-values"), t("page.stale-short"));
+        bench.press(".wrong-values").await;
+        assert_eq!(document().active_element().unwrap().id(), "heads");
+        bench.page.set("heads", crate::machines::form::Value::Number(6.0));
+        bench.page.set("press-roller-diameter", crate::machines::form::Value::Number(150.0));
+        crate::ui::testing::settled().await;
+        assert_eq!(bench.text(".wrong-values"), say(&crate::msg!("page.wrong-values", 2_u32)));
+    }
+
+    #[wasm_bindgen_test]
+    async fn state_of_a_run_that_stops_at_once_says_so() {
+        let project = crate::project::Project::of("ribbon-line", Some("gsk-980tdc")).unwrap();
+        let bench = mount_project(project, || view! { <Stage /> }).await;
+        bench.run().await;
+        assert_eq!(bench.text(".mode"), t("page.mode-at-once"));
+        assert!(bench.has(".mode.fail") && bench.has(".alarm-screen"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn state_of_a_program_with_an_error_is_never_running() {
+        let bench = stage().await;
+        bench.page.edit("", |project| project.edited = Some(project.listing()));
+        bench.run().await;
+        bench.page.player.playing.set(true);
+        bench.drawn().await;
+        assert_eq!(bench.text(".mode"), t("page.mode-errors"));
     }
 
     #[wasm_bindgen_test]

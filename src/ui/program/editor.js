@@ -115,6 +115,12 @@ export function open(host, text, options) {
       }));
       editor.dispatch(setDiagnostics(editor.state, rows));
     },
+    // The cursor to a place, which is brought into view.
+    go(at) {
+      const anchor = Math.min(at, editor.state.doc.length);
+      editor.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
+      editor.focus();
+    },
     close: () => editor.destroy(),
   };
 }

@@ -96,6 +96,16 @@ fn Bundle(
     view! { <div class="editor" node_ref=host></div><p class="note">{failed}</p> }
 }
 
+/// Sets the cursor of the editor to the place that is sought, or shows its file first.
+fn seek(page: Page, editor: &JsValue, file: usize) {
+    let Some(place) = page.view.sought.get() else { return };
+    if usize::from(place.file.0) != file {
+        return page.view.file.set(place.file.0.into());
+    }
+    page.view.sought.set(None);
+    let _ = call(editor, "go", &[&units(&page.program.text(file), place.span.start).into()]);
+}
+
 /// The editor of the chosen file.
 #[component]
 pub(super) fn Editor() -> impl IntoView {
@@ -123,10 +133,12 @@ pub(super) fn Editor() -> impl IntoView {
         let at = page.view.file.get_untracked();
         let editor = call(module, "open", &[host, &page.program.text(at).into(), &options])?;
         call(&editor, "mark", &[&findings(page, at)])?;
+        untrack(|| seek(page, &editor, at));
         Ok(editor)
     };
     Effect::new(move |_| {
         let at = page.view.file.get();
+        page.view.sought.track();
         page.program.findings.track();
         page.program.written.track();
         let pending = page.program.pending.get();
@@ -138,6 +150,7 @@ pub(super) fn Editor() -> impl IntoView {
             if !pending {
                 let _ = call(&editor, "mark", &[&findings(page, at)]);
             }
+            untrack(|| seek(page, &editor, at));
         }
     });
     view! { <Bundle handle=handle begin=begin /> }

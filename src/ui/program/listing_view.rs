@@ -68,6 +68,21 @@ pub(super) fn Listing(
         let (file, running, follow) = (untrack(file), page.player.running.get(), follow.get_untracked());
         walk.with(|walk| rows.update_value(|rows| rows.mark(file, walk, running, follow)));
     };
+    let seek = move || {
+        let Some(place) = page.view.sought.get() else { return };
+        if place.file != untrack(file) {
+            // The lines of that file come first.
+            return page.view.file.set(place.file.0 as usize);
+        }
+        let found = rows.with_value(|rows| {
+            let line = rows.lines.line_of(place.span.start);
+            Some((line, rows.rows.get(line as usize - 1)?.clone()))
+        });
+        let Some((line, row)) = found else { return };
+        page.view.sought.set(None);
+        walk.update(|walk| walk.cursor = Some((place.file, line)));
+        reveal(&row);
+    };
     Effect::new(move |_| {
         let (file, Some(host)) = (file(), host.get()) else { return };
         let findings = page.program.findings.get();
@@ -78,8 +93,10 @@ pub(super) fn Listing(
             rows.set_value(Rows { rows: dom::all(&host, "[data-l]"), lines, ..Rows::default() });
         });
         untrack(mark);
+        untrack(seek);
     });
     Effect::new(move |_| mark());
+    Effect::new(move |_| seek());
     let keys = move |event: KeyboardEvent| {
         let step = match event.key().as_str() {
             "ArrowDown" => 1,
@@ -186,6 +203,17 @@ mod tests {
         bench.page.program.findings.set(vec![found]);
         settled().await;
         assert!(bench.text("li[data-l='2'] + li.says").contains(t("page.not-a-value")));
+    }
+
+    #[wasm_bindgen_test]
+    async fn sought_place_gets_the_cursor_in_its_file() {
+        let bench = listing().await;
+        let text = bench.page.program.text(1);
+        let start = LineIndex::new(&text).start(4);
+        bench.page.show_place(Place { file: FileId(1), span: Span { start, end: start + 1 } });
+        settled().await;
+        assert_eq!((bench.page.view.file.get_untracked(), marked(&bench, "cursor")), (1, vec!["4".to_owned()]));
+        assert_eq!(bench.page.view.sought.get_untracked(), None);
     }
 
     #[wasm_bindgen_test]

@@ -12,7 +12,8 @@ use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, MouseEvent};
 
-use crate::text::{FileId, LineIndex, Place, Span};
+use crate::project::check::{FixChoice, fixes};
+use crate::text::{FileId, LineIndex, Place, Severity, Span};
 use crate::ui::dom;
 use crate::ui::parts::input::CheckMark;
 use crate::ui::parts::{Glyph, Icon};
@@ -20,7 +21,7 @@ use crate::ui::state::stepping;
 use crate::ui::state::view::ProgramView;
 use crate::ui::state::walk::Walk;
 use crate::ui::state::{Page, put};
-use crate::ui::words::{counts, sign, t, tone};
+use crate::ui::words::{counts, say, sign, t, tone};
 use debugger::{DebuggerBar, Seen};
 use editor::{Difference, Editor};
 use listing_view::Listing;
@@ -35,11 +36,12 @@ pub(crate) fn ProgramTab() -> impl IntoView {
     let page = Page::here();
     let follow = RwSignal::new(true);
     // The file that runs is shown while one follows the run; at a stop of the debugger the file of the next block.
+    let followed = Memo::new(move |_| page.player.walk.with(Walk::place).or(page.player.running.get()));
     Effect::new(move |_| {
-        let next = page.player.walk.with(Walk::place);
-        if let Some(place) = next.or(page.player.running.get())
+        if let Some(place) = followed.get()
             && follow.get()
             && page.view.program.get_untracked() == ProgramView::Listing
+            && page.view.sought.with_untracked(Option::is_none)
         {
             put(page.view.file, place.file.0 as usize);
         }
@@ -72,13 +74,6 @@ fn FileChips() -> impl IntoView {
             .written
             .with(|written| written.files.0.iter().map(|file| file.name.clone()).enumerate().collect::<Vec<_>>())
     };
-    let counts = move || {
-        let rows = page.program.findings.with(|findings| counts(findings));
-        rows.into_iter()
-            .filter(|(_, count)| *count > 0)
-            .map(|(severity, count)| view! { <span class=tone(severity)>{format!("{} {count}", sign(tone(severity)))}</span> })
-            .collect_view()
-    };
     view! {
         <div class="bar">
             <div class="chips" role="group" aria-label=t("page.files")>
@@ -92,8 +87,72 @@ fn FileChips() -> impl IntoView {
                     </button>
                 </For>
             </div>
-            <span class="counts">{counts}</span>
+            <Found />
         </div>
+    }
+}
+
+/// The counts of findings, each of which leads to the next finding of its kind, and the button that mends all that leave no choice.
+#[component]
+fn Found() -> impl IntoView {
+    let page = Page::here();
+    let found = page.program.findings;
+    // Number of the finding that was shown last.
+    let last = StoredValue::new(0);
+    let show = move |severity: Severity| {
+        let next = found.with_untracked(|found| {
+            let (from, all) = (last.get_value() + 1, found.len().max(1));
+            (0..all).map(|step| (from + step) % all).find_map(|at| {
+                let finding = found.get(at).filter(|finding| finding.severity == severity)?;
+                Some((at, finding.place?))
+            })
+        });
+        if let Some((at, place)) = next {
+            last.set_value(at);
+            page.show_place(place);
+        }
+    };
+    let rows = move || {
+        let rows = found.with(|found| counts(found)).into_iter().filter(|(_, count)| *count > 0);
+        let row = |(severity, count): (Severity, usize)| {
+            let title = match severity {
+                Severity::Error => crate::msg!("page.next-error", count as u32),
+                Severity::Warning => crate::msg!("page.next-warning", count as u32),
+                Severity::Info => crate::msg!("page.next-remark", count as u32),
+            };
+            let title = say(&title);
+            view! {
+                <button type="button" class=format!("quiet {}", tone(severity)) title=title.clone() aria-label=title on:click=move |_| show(severity)>
+                    {format!("{} {count}", sign(tone(severity)))}
+                </button>
+            }
+        };
+        rows.map(row).collect_view()
+    };
+    // What leaves no choice comes first, then the first proposal of what is left.
+    let choice = Memo::new(move |_| {
+        let count = |choice| found.with(|found| fixes(found, choice).count());
+        let choices = [FixChoice::Certain, FixChoice::First].map(|choice| (choice, count(choice)));
+        choices.into_iter().find(|(_, count)| *count > 0 && !page.program.pending.get())
+    });
+    let words = move |(choice, count): (FixChoice, usize)| match choice {
+        FixChoice::Certain => say(&crate::msg!("page.fix-all", count as u32)),
+        FixChoice::First => say(&crate::msg!("page.fix-first", count as u32)),
+    };
+    let about = move |(choice, _)| match choice {
+        FixChoice::Certain => t("page.fix-all-about"),
+        FixChoice::First => t("page.fix-first-about"),
+    };
+    view! {
+        <span class="counts">
+            {rows}
+            <button
+                type="button" id="fix-all" class:gone=move || choice.get().is_none() title=move || choice.get().map(about)
+                on:click=move |_| if let Some((choice, _)) = choice.get_untracked() { page.fix_all(choice) }
+            >
+                {move || choice.get().map(words)}
+            </button>
+        </span>
     }
 }
 
@@ -150,22 +209,28 @@ fn ViewToggle(
     }
 }
 
-/// The bar of a program that the form does not write any more.
+/// The bar of a program that the form does not write any more: which text counts, what differs, and the way back to the form's.
 #[component]
 fn Detached() -> impl IntoView {
     let page = Page::here();
-    let small = RwSignal::new(false);
+    let kept = RwSignal::new(false);
     let again = move |_| {
         page.edit("", |project| project.edited = None);
         page.view.file.set(0);
         page.view.program.set(ProgramView::Listing);
     };
+    let compares = move || page.view.program.get() == ProgramView::Difference;
+    let why = move || match kept.get() {
+        _ if compares() => t("page.difference-legend"),
+        true => t("page.kept-text"),
+        false => t("page.detached-why"),
+    };
     view! {
-        <div class="detached" class:small=small>
-            <p><b>{t("page.detached")}</b> " " <span>{t("page.detached-why")}</span></p>
+        <div class="detached" class:small=kept>
+            <p><b>{t("page.detached")}</b> " " <span role="status">{why}</span></p>
             <ViewToggle shows=ProgramView::Difference label="page.difference" />
-            <button type="button" on:click=again>{t("page.write-again")}</button>
-            <button type="button" class="keep" on:click=move |_| small.set(true)>{t("page.keep")}</button>
+            <button type="button" title=t("page.write-again-about") on:click=again>{t("page.write-again")}</button>
+            <button type="button" class:gone=kept title=t("page.keep-about") on:click=move |_| kept.set(true)>{t("page.keep")}</button>
         </div>
     }
 }
@@ -300,11 +365,12 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn kept_edit_makes_the_bar_small() {
+    async fn kept_edit_says_that_it_is_kept() {
         let bench = tab().await;
         bench.press_button(t("page.paper")).await;
         bench.press_button(t("page.keep")).await;
         assert!(bench.has(".detached.small") && bench.page.program.edited.get_untracked());
+        assert!(bench.text(".detached p").ends_with(t("page.kept-text")));
     }
 
     #[wasm_bindgen_test]
@@ -335,6 +401,48 @@ mod tests {
         assert!(bench.page.program.text(0).contains("(fixed)O"));
         assert!(bench.has(".detached"));
         assert_eq!(bench.page.notices.said.get_untracked(), t("page.mended"));
+    }
+
+    /// An error at the first letter of a file, with fixes that put these texts in its place.
+    fn fixable(bench: &Bench, file: u16, fixes: &[&str]) -> Diagnostic {
+        let start = bench.page.program.text(file.into()).find('O').unwrap() as u32;
+        let place = Place { file: FileId(file), span: Span { start, end: start + 1 } };
+        let found = Diagnostic::error(crate::msg!("page.not-a-value")).at(place);
+        fixes.iter().fold(found, |found, text| found.fix(crate::msg!("page.taken"), vec![(place, (*text).to_owned())]))
+    }
+
+    #[wasm_bindgen_test]
+    async fn all_certain_fixes_are_one_step() {
+        let bench = tab().await;
+        let found =
+            vec![fixable(&bench, 0, &["(a)O"]), fixable(&bench, 1, &["(b)O"]), fixable(&bench, 2, &["(c)O", "(d)O"])];
+        bench.page.program.findings.set(found);
+        settled().await;
+        assert_eq!(bench.text("#fix-all"), say(&crate::msg!("page.fix-all", 2_u32)));
+        bench.press("#fix-all").await;
+        let texts = [0, 1, 2].map(|file| bench.page.program.text(file));
+        assert!(texts[0].contains("(a)O") && texts[1].contains("(b)O") && !texts[2].contains("(c)O"));
+        bench.page.program.findings.set(vec![fixable(&bench, 2, &["(c)O", "(d)O"])]);
+        settled().await;
+        assert_eq!(bench.text("#fix-all"), say(&crate::msg!("page.fix-first", 1_u32)));
+        assert_eq!(bench.notices(), [say(&crate::msg!("page.mended-all", 2_u32))]);
+        bench.page.undo();
+        settled().await;
+        assert!(!bench.has(".detached"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn count_leads_from_finding_to_finding() {
+        let bench = tab().await;
+        let found = vec![fixable(&bench, 0, &[]), fixable(&bench, 2, &[])];
+        bench.page.program.findings.set(found);
+        settled().await;
+        for file in [2, 0, 2] {
+            bench.press(".counts .fail").await;
+            settled().await;
+            assert_eq!(bench.page.view.file.get_untracked(), file);
+            assert!(bench.has("li.cursor"));
+        }
     }
 
     #[wasm_bindgen_test]

@@ -1,9 +1,27 @@
 //! The steps of a project for undo and redo.
 
+use std::cell::OnceCell;
+
 use crate::project::Project;
+use crate::project::saved::{steps_from_json, steps_to_json};
 
 /// Steps that are kept.
 const STEPS: usize = 100;
+
+/// Bytes of the steps that the browser's store gets at most, each way: the newest ones.
+const STORED: usize = 200_000;
+
+/// A project before or after the present one, and its text once that was asked for.
+struct Step {
+    project: Project,
+    text: OnceCell<String>,
+}
+
+impl From<Project> for Step {
+    fn from(project: Project) -> Step {
+        Step { project, text: OnceCell::new() }
+    }
+}
 
 /// Milliseconds within which changes of one field are one step.
 const ONE_STEP: f64 = 1000.0;
@@ -11,8 +29,8 @@ const ONE_STEP: f64 = 1000.0;
 /// Projects before and after the present one.
 #[derive(Default)]
 pub(crate) struct History {
-    past: Vec<Project>,
-    future: Vec<Project>,
+    past: Vec<Step>,
+    future: Vec<Step>,
     key: String,
     at: f64,
 }
@@ -21,7 +39,7 @@ impl History {
     /// Notes a change at `now` milliseconds. Changes with the same key, if they have one, that follow at once are one step.
     pub(crate) fn note(&mut self, before: &Project, key: &str, now: f64) {
         if key.is_empty() || self.key != key || now - self.at > ONE_STEP {
-            self.past.push(before.clone());
+            self.past.push(before.clone().into());
             if self.past.len() > STEPS {
                 self.past.remove(0);
             }
@@ -35,22 +53,48 @@ impl History {
     pub(crate) fn back(&mut self, present: Project) -> Option<Project> {
         self.key.clear();
         let back = self.past.pop()?;
-        self.future.push(present);
-        Some(back)
+        self.future.push(present.into());
+        Some(back.project)
     }
 
     /// The project after this one, where a step was taken back.
     pub(crate) fn forth(&mut self, present: Project) -> Option<Project> {
         self.key.clear();
         let forth = self.future.pop()?;
-        self.past.push(present);
-        Some(forth)
+        self.past.push(present.into());
+        Some(forth.project)
     }
 
     /// Whether there is a step back and a step forth.
     pub(crate) fn can(&self) -> (bool, bool) {
         (!self.past.is_empty(), !self.future.is_empty())
     }
+
+    /// The newest steps as a text for the browser's store.
+    pub(crate) fn to_json(&self) -> String {
+        steps_to_json(newest(&self.past), newest(&self.future))
+    }
+
+    /// The steps of a text that [`to_json`](History::to_json) wrote, or of any other one: then there are none.
+    pub(crate) fn from_json(text: &str) -> History {
+        let (past, future) = steps_from_json(text);
+        let steps = |projects: Vec<Project>| projects.into_iter().map(Step::from).collect();
+        History { past: steps(past), future: steps(future), ..History::default() }
+    }
+}
+
+/// The texts of the newest steps that fit the store, the oldest first.
+fn newest(steps: &[Step]) -> Vec<&str> {
+    let mut room = STORED;
+    let texts = steps.iter().rev().map(|step| step.text.get_or_init(|| step.project.to_json()).as_str());
+    let mut newest: Vec<&str> = texts
+        .map_while(|text| {
+            room = room.checked_sub(text.len())?;
+            Some(text)
+        })
+        .collect();
+    newest.reverse();
+    newest
 }
 
 #[cfg(test)]
@@ -108,5 +152,36 @@ mod tests {
         history.note(&named("first"), "", 1.0);
         assert_eq!(history.can(), (true, false));
         assert!(history.forth(project()).is_none());
+    }
+
+    #[wasm_bindgen_test]
+    fn steps_are_the_same_after_a_way_through_the_store() {
+        let mut history = History::default();
+        ["a", "b", "c"].into_iter().for_each(|name| history.note(&named(name), "", 0.0));
+        assert_eq!(history.back(named("d")).unwrap().name, "c");
+        let mut read = History::from_json(&history.to_json());
+        assert_eq!(read.forth(named("c")).unwrap().name, "d");
+        let back = |history: &mut History| history.back(project()).unwrap().name;
+        assert_eq!([back(&mut read), back(&mut read), back(&mut read)], ["c", "b", "a"]);
+    }
+
+    #[wasm_bindgen_test]
+    fn stored_steps_are_the_newest_that_have_room() {
+        let mut history = History::default();
+        let mut large = named("large");
+        large.edited = Some(crate::nc::Files::one("O1.nc", "X1.\n".repeat(STORED / 8)));
+        [&named("old"), &large, &large, &named("new")].into_iter().for_each(|step| history.note(step, "", 0.0));
+        let mut read = History::from_json(&history.to_json());
+        assert_eq!(steps_back(&mut read), 2);
+    }
+
+    #[wasm_bindgen_test]
+    fn any_text_is_read_as_steps_or_none() {
+        let good = steps_to_json([project().to_json().as_str()], []);
+        assert_eq!(History::from_json(&good).can(), (true, false));
+        let broken = steps_to_json([project().to_json().as_str(), "{"], []);
+        for text in ["", "[]", "{}", "\u{0}", &good.replace("\"version\":1", "\"version\":9"), &broken] {
+            assert_eq!(History::from_json(text).can(), (false, false), "{text:.60}");
+        }
     }
 }

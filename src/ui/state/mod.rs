@@ -2,11 +2,13 @@
 
 mod entries;
 
-mod history;
+pub(crate) mod history;
 
 pub(crate) mod notices;
 
 pub(crate) mod operator;
+
+pub(crate) mod outlook;
 
 pub(crate) mod page;
 

@@ -7,21 +7,22 @@ use leptos::prelude::*;
 use super::entries::{Entries, of_field};
 use super::history::History;
 use super::notices::{Notice, Notices};
+use super::outlook::Outlook;
 use super::player::Player;
 use super::program::Program;
 use super::put::put;
-use super::view::{Tab, View};
+use super::view::{ProgramView, Tab, View};
 use crate::machines::Design;
 use crate::machines::form::{Provenance, Value};
 use crate::motion::Event;
 use crate::nc;
 use crate::project::Project;
-use crate::project::check::with_run;
+use crate::project::check::{FixChoice, with_run};
 use crate::project::program::Written;
 use crate::project::suppress::silence;
-use crate::text::{Diagnostic, Severity};
+use crate::text::{Diagnostic, LineIndex, Place, Severity};
 use crate::ui::dom;
-use crate::ui::words::t;
+use crate::ui::words::{say, t};
 use crate::view::Scene;
 
 /// What the machine's formulas come to.
@@ -56,6 +57,8 @@ pub(crate) struct Page {
     pub entries: Entries,
     /// The run.
     pub player: Player,
+    /// What becomes of the run.
+    pub outlook: Outlook,
     /// What is shown.
     pub view: View,
     /// Messages.
@@ -71,29 +74,47 @@ impl Page {
         let prepared = project.prepared();
         let player = Player::new();
         player.load(&project, &written);
+        let program = Program::new(written);
+        let (machine, control, design) = (project.machine.id(), project.control.id, project.design());
+        let project = RwSignal::new_local(project);
         let page = Page {
-            machine: RwSignal::new(project.machine.id()),
-            control: RwSignal::new(project.control.id),
+            machine: RwSignal::new(machine),
+            control: RwSignal::new(control),
             can: RwSignal::new((false, false)),
             results: Results {
-                design: RwSignal::new_local(Rc::new(project.design())),
+                design: RwSignal::new_local(Rc::new(design)),
                 hidden: RwSignal::new(prepared.hidden().to_vec()),
                 variables: RwSignal::new(prepared.variables()),
                 scene: RwSignal::new_local(Rc::new(prepared.scene())),
             },
-            program: Program::new(written),
+            program,
             entries: Entries::new(),
             player,
+            outlook: Outlook::new(project, program, player),
             view: View::new(),
             notices: Notices::new(notices),
             history: StoredValue::new_local(History::default()),
             left: StoredValue::new_local(Vec::new()),
-            project: RwSignal::new_local(project),
+            project,
         };
         Effect::new(move |_| {
             let mut found = page.found();
             put(page.program.silenced, page.project.with(|project| silence(&mut found, &project.silenced)));
             put(page.program.findings, found);
+        });
+        // A film that stops at once would begin anew many times a second; it goes on when the run moves again.
+        Effect::new(move |waits: Option<bool>| {
+            let waits = waits == Some(true);
+            if page.outlook.stopped.with(Option::is_some) {
+                let plays = page.player.playing.get_untracked();
+                put(page.player.playing, false);
+                return waits || plays;
+            }
+            if waits {
+                page.player.seek(0.0);
+                put(page.player.playing, true);
+            }
+            false
         });
         provide_context(page);
         page
@@ -144,6 +165,19 @@ impl Page {
         }
     }
 
+    /// Applies the fixes of a choice in one step.
+    pub(crate) fn fix_all(self, choice: FixChoice) {
+        if self.program.pending.get_untracked() {
+            return;
+        }
+        let (found, written) = (self.program.findings.get_untracked(), self.program.written.get_untracked());
+        let (files, count) = self.project.with_untracked(|project| project.mended(&written.files, &found, choice));
+        if count > 0 {
+            self.edit("", |project| project.edited = Some(files));
+            self.notices.notify("info", say(&crate::msg!("page.mended-all", count as u32)));
+        }
+    }
+
     /// Takes the last text out of the editor into the project, which is detached from its form by that.
     pub(crate) fn take_typed(self) {
         let Some((at, text)) = self.program.typed.try_update_value(Option::take).flatten() else { return };
@@ -176,6 +210,26 @@ impl Page {
         });
     }
 
+    /// Shows a place of the program: in the editor where that is open, else in the listing.
+    pub(crate) fn show_place(self, place: Place) {
+        // A run that goes on would show its own file at once.
+        self.player.playing.set(false);
+        if self.view.program.get_untracked() == ProgramView::Difference {
+            self.view.program.set(ProgramView::Listing);
+        }
+        self.view.sought.set(Some(place));
+        put(self.view.tab, Tab::Program);
+    }
+
+    /// A place of the program in words: its file and line.
+    pub(crate) fn place_words(self, place: Place) -> Option<String> {
+        self.program.written.with(|written| {
+            let file = written.files.get(place.file)?;
+            let line = LineIndex::new(&file.text).line_of(place.span.start);
+            Some(say(&crate::msg!("page.at-line", file.name.as_str(), line)))
+        })
+    }
+
     /// Takes another machine: as it was left on this page, or fresh. Undo brings this one back.
     pub(crate) fn change_machine(self, id: &'static str) {
         let present = self.project.get_untracked();
@@ -193,6 +247,26 @@ impl Page {
     pub(crate) fn replace(self, project: Project) {
         self.entries.invalid.set(Vec::new());
         self.edit("", |present| *present = project);
+        self.entries.show_again();
+    }
+
+    /// The steps of undo and redo as a text for the browser's store.
+    pub(crate) fn steps(self) -> String {
+        self.history.with_value(History::to_json)
+    }
+
+    /// Takes the steps of the last visit.
+    pub(crate) fn take_steps(self, history: History) {
+        self.can.set(history.can());
+        self.history.set_value(history);
+    }
+
+    /// Shows the project of another tab; this tab has no steps of its own then.
+    pub(crate) fn watch(self, project: Project) {
+        let before = self.project.get_untracked();
+        self.entries.invalid.set(Vec::new());
+        self.history.set_value(History::default());
+        self.follow(&before, project);
         self.entries.show_again();
     }
 
@@ -262,12 +336,8 @@ impl Page {
     /// Takes entries of the form as they would be typed, in one step: id of each field and its text.
     pub(crate) fn take_entries(self, entries: &[(&'static str, String)]) {
         self.edit("", |project| {
-            let fields = project.machine.fields();
-            for (id, text) in entries {
-                let field = fields.iter().find(|field| field.id == *id);
-                if let Some(value) = field.and_then(|field| field.read(text).ok()) {
-                    project.values.insert((*id).to_owned(), value);
-                }
+            if let Some(after) = project.with_entries(entries) {
+                *project = after;
             }
         });
         entries.iter().for_each(|(id, _)| self.entries.accept(id));
@@ -286,7 +356,7 @@ impl Page {
         });
     }
 
-    /// Fields that are wrong, from typing or from a file; results shown meanwhile are those before.
+    /// Fields that are wrong: entries that do not read as values, and values that the machine or its control cannot have.
     pub(crate) fn wrong_fields(self) -> Vec<Diagnostic> {
         let mut found = self.entries.invalid.get();
         self.results.design.with(|design| {
@@ -299,9 +369,19 @@ impl Page {
         found
     }
 
-    /// Whether the results are those before a wrong entry.
+    /// Whether the results are those before an entry that does not read. A value that the machine cannot have has results of its own.
     pub(crate) fn is_stale(self) -> bool {
-        !self.wrong_fields().is_empty()
+        self.entries.invalid.with(|invalid| !invalid.is_empty())
+    }
+
+    /// Goes to the field that is wrong, to the next one from there.
+    pub(crate) fn show_wrong_field(self) {
+        let fields: Vec<_> = untrack(|| self.wrong_fields()).iter().filter_map(|found| found.field).collect();
+        let here = document().active_element().map(|element| element.id()).unwrap_or_default();
+        let next = fields.iter().position(|field| *field == here).map_or(0, |at| at + 1);
+        if let Some(field) = fields.get(next).or(fields.first()) {
+            dom::go_to_field(field);
+        }
     }
 }
 

@@ -85,6 +85,8 @@ pub(crate) struct Player {
     pub option: RwSignal<bool>,
     /// The machine at the head, some times a second.
     pub now: RwSignal<Snapshot>,
+    /// The message of the program on the control's screen, at the head.
+    pub message: RwSignal<Option<String>>,
     /// The block that runs at the head.
     pub running: RwSignal<Option<Place>>,
     /// Seconds that are planned, and whether the run is over there.
@@ -137,6 +139,7 @@ impl Player {
             repeat: RwSignal::new(false),
             option: RwSignal::new(false),
             now: RwSignal::new(Snapshot::default()),
+            message: RwSignal::new(None),
             running: RwSignal::new(None),
             planned: RwSignal::new((0.0, false)),
             ended: RwSignal::new_local(None),
@@ -470,6 +473,10 @@ impl Player {
             let axis = self.axis(now.t, planned);
             let moment = Moment { run, machine, now: &now, axis, frame, slow, plans };
             self.painters.update_value(|painters| painters.iter_mut().for_each(|paint| paint(&moment)));
+            let message = run.timeline().message_at(now.t);
+            if self.message.with_untracked(|shown| shown.as_deref() != message) {
+                self.message.set(message.map(str::to_owned));
+            }
             Some((now, slow))
         });
         let Some(Some((now, slow))) = shown else { return };

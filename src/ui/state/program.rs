@@ -5,7 +5,7 @@ use std::rc::Rc;
 use leptos::prelude::*;
 
 use crate::project::program::Written;
-use crate::text::Diagnostic;
+use crate::text::{Diagnostic, Severity};
 
 /// The program. A handle: copies mean the same.
 #[derive(Clone, Copy)]
@@ -38,6 +38,12 @@ impl Program {
             silenced: RwSignal::new(0),
             typed: StoredValue::new(None),
         }
+    }
+
+    /// Whether the control would refuse or misread the program, as reading and review know before it runs.
+    pub(crate) fn has_errors(self) -> bool {
+        let error = |found: &[Diagnostic]| found.iter().any(|found| found.severity == Severity::Error);
+        self.reviewed.with(|found| found.as_deref().is_some_and(error)) || self.written.with(|w| error(&w.diagnostics))
     }
 
     /// The text of a file; empty where there is none.

@@ -2,6 +2,8 @@
 
 use leptos::prelude::*;
 
+use crate::text::Place;
+
 /// A tab at the right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Tab {
@@ -39,7 +41,7 @@ pub(crate) enum Kept {
     Soon,
     /// The browser has no room or no store.
     No,
-    /// Another tab has stored its own state since: nothing is stored from here until the user asks for it.
+    /// The store has another state, of another tab or one that did not read: nothing is stored from here until the user asks for it.
     Elsewhere,
 }
 
@@ -50,6 +52,8 @@ pub(crate) struct View {
     pub tab: RwSignal<Tab>,
     /// The program file, by its place in the list.
     pub file: RwSignal<usize>,
+    /// A place of the program that listing or editor are to show.
+    pub sought: RwSignal<Option<Place>>,
     /// How the program file is shown.
     pub program: RwSignal<ProgramView>,
     /// Whether the commands for stepping through the program are shown although nothing is stepped.
@@ -60,6 +64,8 @@ pub(crate) struct View {
     pub about: RwSignal<Option<&'static str>>,
     /// Asks for the dialog of the export.
     pub exporting: RwSignal<bool>,
+    /// Whether the dialog of earlier states is open.
+    pub earlier: RwSignal<bool>,
     /// Asks for the dialog of help.
     pub helping: RwSignal<bool>,
     /// Whether the store of this browser has the project.
@@ -72,11 +78,13 @@ impl View {
         View {
             tab: RwSignal::new(Tab::Program),
             file: RwSignal::new(0),
+            sought: RwSignal::new(None),
             program: RwSignal::new(ProgramView::Listing),
             stepping: RwSignal::new(false),
             panel: RwSignal::new(false),
             about: RwSignal::new(None),
             exporting: RwSignal::new(false),
+            earlier: RwSignal::new(false),
             helping: RwSignal::new(false),
             kept: RwSignal::new(Kept::Yes),
         }

@@ -3,6 +3,8 @@
 use expect_test::{Expect, expect};
 use macroline::controls;
 use macroline::nc::{Files, fix, parse};
+use macroline::project::Project;
+use macroline::project::check::FixChoice;
 use macroline::text::Severity;
 
 use super::findings;
@@ -599,4 +601,38 @@ slips! {
               N5
         "#]];
     }
+}
+
+/// Errors of a program on the ribbon line's first control, and the program with the fixes of a choice.
+fn mended(text: &str, choice: FixChoice) -> (usize, String, usize) {
+    let project = Project::of("ribbon-line", None).unwrap();
+    let files = Files::one("a.nc", text);
+    let found = parse(&files, project.control).diagnostics().to_vec();
+    let errors = found.iter().filter(|found| found.severity == Severity::Error).count();
+    let (files, count) = project.mended(&files, &found, choice);
+    (errors, files.0[0].text.clone(), count)
+}
+
+#[test]
+fn listing_of_the_paper_is_mended_in_two_steps() {
+    let listing = Project::of("ribbon-line", None).unwrap().listing();
+    let (errors, certain, count) = mended(&listing.0[0].text, FixChoice::Certain);
+    assert!(errors >= 20 && count >= 17, "{errors} errors, {count} fixes");
+    let (left, first, _) = mended(&certain, FixChoice::First);
+    assert!(left > 0 && left < 5, "{left} errors are left:\n{certain}");
+    assert_eq!(mended(&first, FixChoice::Certain).0, 0, "{first}");
+}
+
+#[test]
+fn fix_with_a_choice_is_not_certain() {
+    let text = "%\nO1\nG91G01X1.F100\n%\n";
+    let (_, certain, count) = mended(text, FixChoice::Certain);
+    assert_eq!((certain.as_str(), count), (text, 0));
+    assert!(mended(text, FixChoice::First).1.contains("M30"));
+}
+
+#[test]
+fn fix_of_a_warning_is_left_to_the_user() {
+    let text = "%\nO1\nG91G01X8F100\nM30\n%\n";
+    assert_eq!(mended(text, FixChoice::First), (0, text.to_owned(), 0));
 }

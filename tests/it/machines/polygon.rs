@@ -437,7 +437,7 @@ fn dropped_program_restores_the_form() {
     let saved = project(&[("shape", "triangle"), ("across-flats", "8"), ("stock-diameter", "11"), ("product", "LOCK")]);
     let present = Project::of("ribbon-line", None).unwrap();
     for file in saved.written().files.0.into_iter().take(1) {
-        let opened = import::open(&present, &file.name, &file.text).project.unwrap();
+        let opened = import::open(&present, std::slice::from_ref(&file)).project.unwrap();
         let written =
             |project: &Project| project.written().files.0.into_iter().map(|file| file.text).collect::<Vec<_>>();
         assert_eq!((opened.machine.id(), opened.control.id), ("polygon-lathe", "knd-k2000t"));

@@ -342,7 +342,7 @@ fn dropped_program_selects_its_control() {
     for id in lathes() {
         let wanted = project(id, &[("pitch", "12.5"), ("print-axis", "c"), ("spindle-speed", "100")]);
         for file in wanted.written().files.0 {
-            let opened = import::open(&present, &file.name, &file.text).project.unwrap();
+            let opened = import::open(&present, std::slice::from_ref(&file)).project.unwrap();
             assert_eq!(opened.control.id, id);
             assert!(opened.values == wanted.values && opened.edited.is_none(), "{}", file.name);
         }

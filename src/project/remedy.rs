@@ -1,0 +1,61 @@
+//! Whether the run of a project moves anything, and the remedy where it does not.
+
+use super::Project;
+use super::run::{Run, RunOptions, of_project};
+use crate::motion::{Action, Budget, Event, Panel, Retention, RunEnd};
+use crate::view::{Advice, Verdict};
+
+/// Budget of a trial run: programs that calculate and wait longer than that before they move anything are taken for good.
+const TRIAL: Budget = Budget { blocks: 100_000, seconds: 60.0 };
+
+/// Steps of the planner between two looks at the log.
+const STEPS: usize = 64;
+
+/// Whether the run ends before anything moves: at an alarm, or where the program stops. Actions of the operator are left out.
+pub fn stops_at_once(project: &Project) -> bool {
+    let mut project = project.clone();
+    project.panel = Panel::default();
+    let begin = RunOptions { start: None, settings: &[], limits: TRIAL, keep: Retention::Log };
+    let mut run = of_project(&project, &project.written(), &begin);
+    loop {
+        let progress = run.advance(f64::INFINITY, STEPS);
+        if run.take_log().iter().any(|(_, canon, _)| canon.moves()) {
+            return false;
+        }
+        if let Some(end) = progress.ended {
+            return matches!(end, RunEnd::Alarm(_) | RunEnd::Stop);
+        }
+    }
+}
+
+/// The remedy of a failed result with which a run moves that now [stops at once](stops_at_once): tried by a run before it is offered.
+pub fn remedy(project: &Project) -> Option<Advice> {
+    let readouts = project.design().readouts;
+    let failed = readouts.iter().filter(|readout| readout.verdict == Verdict::Fail);
+    let offered = failed.flat_map(|readout| &readout.advice).filter(|advice| !advice.sets.is_empty());
+    let mut runs =
+        offered.filter(|advice| project.with_entries(&advice.sets).is_some_and(|after| !stops_at_once(&after)));
+    runs.next().cloned()
+}
+
+/// Whether cycle start, at the end of a run that stopped, only leads back to the same stop with nothing moved.
+pub fn comes_back(run: &Run) -> bool {
+    let end = run.timeline().end();
+    let stop = run.timeline().at(end);
+    let mut again = run.clone();
+    again.event(Event { t: end, action: Action::Start });
+    loop {
+        let progress = again.advance(end + TRIAL.seconds, STEPS);
+        let now = again.timeline().at(progress.planned_to);
+        let moved = now.axes.map(|axis| axis.position) != stop.axes.map(|axis| axis.position)
+            || now.spindle.command != stop.spindle.command;
+        if progress.planned_to > end && moved {
+            return false;
+        }
+        match progress.ended {
+            Some(RunEnd::Stop) => return now.block == stop.block,
+            None if progress.planned_to < end + TRIAL.seconds => {}
+            _ => return false,
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! The screen of the control over the drawing: an alarm or a message of the program in large type, its meaning, and the way out.
+
+use leptos::prelude::*;
+
+use crate::motion::RunEnd;
+use crate::project::check::reported;
+use crate::project::run;
+use crate::text::{Diagnostic, DiagnosticKind, MessageValue, Place};
+use crate::ui::state::Page;
+use crate::ui::state::outlook::CycleStart;
+use crate::ui::words::{say, t, tell, value_of};
+use crate::view::Advice;
+
+/// What the screen shows.
+#[derive(Clone, PartialEq)]
+struct Told {
+    /// Class: `info`, `warn`, `fail`.
+    tone: &'static str,
+    /// Number of the alarm and the text, in the control's own words.
+    headline: String,
+    /// The meaning in a sentence.
+    meaning: String,
+    /// The block that raises it.
+    place: Option<Place>,
+    /// Catalog id of what to do; empty where the meaning says so.
+    way_out: &'static str,
+}
+
+/// What the screen shows at the head; `None` while there is nothing to say.
+fn told(page: Page) -> Option<Told> {
+    let player = page.player;
+    let at_once = page.outlook.stopped.with(Option::is_some);
+    let (planned, over) = player.planned.get();
+    let at_end = over && player.now.with(|now| now.t) >= planned;
+    match player.ended.get().filter(|_| at_once || at_end) {
+        Some(RunEnd::Alarm(alarm)) => Some(of_alarm(page, &alarm, at_once)),
+        Some(RunEnd::Stop) => of_stop(page, planned, at_once),
+        _ => player.message.get().map(|headline| Told {
+            tone: "info",
+            headline,
+            meaning: t("page.own-message").to_owned(),
+            place: None,
+            way_out: "",
+        }),
+    }
+}
+
+/// A stop at the end of the run, where the program says something about it.
+fn of_stop(page: Page, end: f64, at_once: bool) -> Option<Told> {
+    let (headline, place) = page.player.ask_planner(|run| {
+        let timeline = run.timeline();
+        Some((timeline.message_at(end)?.to_owned(), timeline.block_at(end)))
+    })??;
+    let way_out = match page.outlook.cycle_start() {
+        CycleStart::StopsAtOnce => "page.way-value",
+        CycleStart::ComesBack => "page.way-comes-back",
+        _ => "page.way-start",
+    };
+    let (tone, meaning) = if at_once { ("fail", "page.own-message-at-once") } else { ("warn", "page.own-message") };
+    Some(Told { tone, headline, meaning: t(meaning).to_owned(), place, way_out })
+}
+
+fn of_alarm(page: Page, alarm: &Diagnostic, at_once: bool) -> Told {
+    // In the words that stand at its place in the program.
+    let known = page.program.findings.with(|found| reported(found, alarm).cloned());
+    let alarm = known.as_ref().unwrap_or(alarm);
+    let own = match alarm.message.values.last() {
+        Some(MessageValue::Text(text)) if alarm.kind == DiagnosticKind::ProgramAlarm => Some(text.as_str()),
+        _ => None,
+    };
+    let parts = alarm.alarm.as_deref().into_iter().chain(alarm.wording).chain(own);
+    let meaning = match alarm.kind {
+        DiagnosticKind::ProgramAlarm if at_once => t("page.own-alarm-at-once").to_owned(),
+        DiagnosticKind::ProgramAlarm => t("page.own-alarm").to_owned(),
+        _ => tell(alarm),
+    };
+    let way_out = match alarm.place {
+        Some(_) if at_once => "page.way-value",
+        Some(_) => "page.way-reset",
+        None => "",
+    };
+    Told { tone: "fail", headline: parts.collect::<Vec<_>>().join(" "), meaning, place: alarm.place, way_out }
+}
+
+/// Variables that a text names, with meaning and value at the end of the run.
+fn named(page: Page, text: &str) -> Vec<(String, &'static str, String)> {
+    let control = page.project.with(|project| project.control);
+    let end = page.player.planned.get().0;
+    let names = |number| text.split_whitespace().any(|word| word == control.variable(number));
+    let row = |(number, label, unit): (u32, &'static str, &'static str)| {
+        let value = page.player.ask_planner(|planner| run::shown(planner, control, number, end)).flatten();
+        (control.variable(number), t(label), format!("{} {unit}", value_of(control, value, 3)))
+    };
+    page.results.variables.get().into_iter().filter(|(number, ..)| names(*number)).map(row).collect()
+}
+
+/// The screen; nothing while there is nothing to say.
+#[component]
+pub(super) fn AlarmScreen() -> impl IntoView {
+    let page = Page::here();
+    let told = Memo::new(move |_| told(page));
+    move || {
+        let Told { tone, headline, meaning, place, way_out } = told.get()?;
+        let rows = named(page, &headline).into_iter().map(|(name, label, value)| {
+            view! { <dt><code>{name}</code> " " {label}</dt><dd>{value}</dd> }
+        });
+        let rows = rows.collect_view();
+        let remedy = page.outlook.stopped.get().and_then(|stopped| stopped.remedy);
+        let way_out = (!way_out.is_empty() && remedy.is_none()).then(|| view! { <p class="way-out">{t(way_out)}</p> });
+        let block = place.and_then(|place| Some((place, page.place_words(place)?)));
+        let block = block.map(|(place, words)| {
+            view! { <button type="button" class="link" on:click=move |_| page.show_place(place)>{words}</button> }
+        });
+        Some(view! {
+            <section class=format!("alarm-screen {tone}") role="status" aria-label=t("page.screen")>
+                <h2>{headline}</h2>
+                <p>{meaning} " " {block}</p>
+                <dl>{rows}</dl>
+                {way_out}
+                {remedy.map(|advice| view! { <Remedy advice=advice /> })}
+            </section>
+        })
+    }
+}
+
+/// The entries of the form with which the run moves.
+#[component]
+fn Remedy(
+    /// What to set.
+    advice: Advice,
+) -> impl IntoView {
+    let page = Page::here();
+    let (words, why) = (advice.button.as_ref().map(say), say(&advice.message));
+    view! {
+        <p class="way-out">
+            {t("page.way-remedy")} " "
+            <button type="button" class="primary remedy" title=why on:click=move |_| page.take_entries(&advice.sets)>
+                {words}
+            </button>
+        </p>
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    use super::*;
+    use crate::motion::Action;
+    use crate::project::Project;
+    use crate::ui::state::operator::act;
+    use crate::ui::testing::{Bench, mount, mount_project};
+
+    async fn screen(control: &str) -> Bench {
+        let project = Project::of("ribbon-line", Some(control)).unwrap();
+        let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
+        bench.run().await;
+        bench
+    }
+
+    #[wasm_bindgen_test]
+    async fn run_that_moves_has_nothing_to_say() {
+        assert!(!screen("mitsubishi-e60").await.has(".alarm-screen"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn alarm_of_the_program_is_explained_with_its_values() {
+        let bench = screen("gsk-980tdc").await;
+        assert_eq!(bench.text("h2"), "5920 FEED #115 ABOVE LIMIT #119");
+        assert!(bench.text("dl").contains("#119") && bench.text("dl").contains(t("ribbon.feed-limit")));
+        assert!(bench.text("p").contains(t("page.own-alarm-at-once")));
+        bench.press(".link").await;
+        assert_eq!(bench.page.view.sought.get_untracked().map(|place| place.file.0), Some(0));
+    }
+
+    #[wasm_bindgen_test]
+    async fn message_of_a_control_without_alarms_is_shown_as_well() {
+        let bench = screen("sinumerik-802d").await;
+        assert_eq!(bench.text("h2"), "FEED R115 ABOVE LIMIT R119");
+        assert!(bench.text("p").contains(t("page.own-message-at-once")));
+    }
+
+    #[wasm_bindgen_test]
+    async fn remedy_is_one_click_and_one_step() {
+        for control in ["gsk-980tdc", "sinumerik-802d"] {
+            let bench = screen(control).await;
+            bench.press(".remedy").await;
+            bench.run().await;
+            assert!(!bench.has(".alarm-screen"), "{control}");
+            bench.page.undo();
+            bench.run().await;
+            assert!(bench.has(".alarm-screen .remedy"), "{control}");
+        }
+    }
+
+    #[wasm_bindgen_test]
+    async fn emergency_stop_is_told_with_its_way_out() {
+        let bench = mount(|| view! { <AlarmScreen /> }).await;
+        bench.run().await;
+        bench.seek(1.0).await;
+        act(bench.page, Action::EmergencyStop);
+        bench.run().await;
+        bench.page.player.seek(20.0);
+        bench.drawn().await;
+        assert!(bench.text(".alarm-screen p").contains(t("motion.emergency-stop")));
+        assert!(!bench.has(".way-out"));
+    }
+}

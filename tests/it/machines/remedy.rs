@@ -1,0 +1,93 @@
+//! Every machine on every control: its run moves, or a remedy that lets it move is offered.
+
+use macroline::controls;
+use macroline::machines::{self, AnyMachine};
+use macroline::motion::{Budget, Retention, RunEnd};
+use macroline::project::Project;
+use macroline::project::remedy::{comes_back, remedy, stops_at_once};
+use macroline::project::run::{Run, RunOptions, of_project};
+
+fn ribbon(control: &str) -> Project {
+    Project::of("ribbon-line", Some(control)).unwrap()
+}
+
+/// The run of a project to its end, within a minute.
+fn ran(project: &Project) -> (Run, Option<RunEnd>) {
+    let limits = Budget { blocks: 1_000_000, seconds: 60.0 };
+    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Timeline };
+    let mut run = of_project(project, &project.written(), &begin);
+    let ended = loop {
+        if let Some(end) = run.advance(60.0, 4096).ended {
+            break Some(end);
+        }
+    };
+    (run, ended)
+}
+
+/// Projects of a machine with its own defaults on a control, and with the defaults of its first control kept.
+fn kept_and_fresh(machine: &'static dyn AnyMachine, control: &str) -> [Project; 2] {
+    let mut kept = Project::of(machine.id(), None).unwrap();
+    kept.move_to(controls::find(control).unwrap());
+    [Project::of(machine.id(), Some(control)).unwrap(), kept]
+}
+
+#[test]
+fn machine_on_any_control_moves_or_is_offered_a_remedy() {
+    let mut offered = Vec::new();
+    for machine in machines::ALL {
+        for control in machine.controls() {
+            for project in kept_and_fresh(*machine, control) {
+                if !stops_at_once(&project) {
+                    continue;
+                }
+                let about = format!("{} on {control}", machine.id());
+                let remedy = remedy(&project).unwrap_or_else(|| panic!("{about}: no remedy"));
+                let after = project.with_entries(&remedy.sets).unwrap();
+                assert!(!stops_at_once(&after), "{about}: {:?}", remedy.sets);
+                offered.push(about);
+            }
+        }
+    }
+    assert!(offered.iter().any(|about| about.contains("gsk")) && offered.iter().any(|about| about.contains("802d")));
+}
+
+#[test]
+fn remedy_is_the_highest_speed_that_the_control_runs() {
+    for control in ["gsk-980tdc", "sinumerik-802d"] {
+        let project = ribbon(control);
+        let sets = remedy(&project).unwrap().sets;
+        let [(field, speed)] = &sets[..] else { panic!("{sets:?}") };
+        assert_eq!(*field, "spindle-speed");
+        let faster = speed.parse::<f64>().unwrap() + 1.0;
+        assert!(stops_at_once(&project.with_entries(&[("spindle-speed", faster.to_string())]).unwrap()), "{control}");
+    }
+}
+
+#[test]
+fn run_that_moves_is_offered_nothing() {
+    let line = ribbon("mitsubishi-e60");
+    assert!(!stops_at_once(&line));
+}
+
+#[test]
+fn message_of_the_program_is_shown_from_its_block_on() {
+    let (run, ended) = ran(&ribbon("sinumerik-802d"));
+    assert_eq!(ended, Some(RunEnd::Stop));
+    let timeline = run.timeline();
+    assert_eq!(timeline.message_at(0.0), None);
+    assert_eq!(timeline.message_at(timeline.end()), Some("FEED R115 ABOVE LIMIT R119"));
+}
+
+#[test]
+fn cycle_start_at_a_message_in_a_loop_comes_back() {
+    assert!(comes_back(&ran(&ribbon("sinumerik-802d")).0));
+}
+
+#[test]
+fn cycle_start_at_a_plain_stop_goes_on() {
+    let mut project = ribbon("mitsubishi-e60");
+    project.edited = Some(macroline::nc::Files::one("O1.nc", "%\nO1\nM00\nG91G01X1.F100\nM30\n%\n"));
+    let (run, ended) = ran(&project);
+    assert_eq!(ended, Some(RunEnd::Stop));
+    assert!(!comes_back(&run));
+}
