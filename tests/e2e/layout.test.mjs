@@ -33,7 +33,7 @@ test('it moves at first sight, from the start again at the end, and stands for t
   await withPage(app, {}, async ({ page }) => {
     await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
     assert.equal(await clock(page), '00:00.0000');
-    assert.equal(await page.locator('.mode').textContent(), 'Ready');
+    assert.equal(await page.locator('span.mode').textContent(), 'Ready');
   });
 });
 
