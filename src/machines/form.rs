@@ -36,6 +36,16 @@ pub enum Value {
 /// Values by field id; a missing one has its default.
 pub type Values = BTreeMap<String, Value>;
 
+/// The values with other entries, as they would be typed: id of each field and its text. `None` where a field does not take its entry.
+pub fn with_entries(values: &Values, fields: &[FieldInfo], entries: &[(&'static str, String)]) -> Option<Values> {
+    let mut values = values.clone();
+    for (id, typed) in entries {
+        let field = fields.iter().find(|field| field.id == *id)?;
+        values.insert((*id).to_owned(), field.read(typed).ok()?);
+    }
+    Some(values)
+}
+
 /// Origins by field id; a missing one is assumed.
 pub type Origins = BTreeMap<String, Provenance>;
 

@@ -8,7 +8,7 @@ use core::marker::PhantomData;
 use core::ops::Deref;
 
 use super::form::fill::{assumed, defaults, fill};
-use super::form::{Field, FieldInfo, Origins, Value, Values};
+use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
 use crate::controls::options::{CommonAtReset, SwitchChoice};
 use crate::controls::{Control, Dialect, Switches};
 use crate::math;
@@ -257,12 +257,7 @@ struct Trial {
 impl Trial {
     /// Results and errors with other entries of the form; `None` where the form does not take one of them.
     fn with(&self, sets: &[(&'static str, String)]) -> Option<(Vec<Readout>, usize)> {
-        let fields = self.machine.fields();
-        let mut values = self.values.clone();
-        for (id, typed) in sets {
-            let field = fields.iter().find(|field| field.id == *id)?;
-            values.insert((*id).to_owned(), field.read(typed).ok()?);
-        }
+        let values = with_entries(&self.values, &self.machine.fields(), sets)?;
         let prepared =
             self.machine.prepare(&values, ControlContext { control: self.control, switches: &self.switches });
         let results = prepared.results();

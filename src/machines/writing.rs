@@ -27,7 +27,7 @@ pub fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<N
 }
 
 /// The modal states that a program needs, whatever was in force before it: metric words, plane Z-X, no radius compensation, speed in
-/// r/min, the first work offset. A program that begins so may be started again after a reset, wherever the axes are.
+/// r/min, the first work offset. A program that begins so means the same places when it is started again after a reset.
 pub fn opening(control: &Control) -> Vec<NewWord> {
     use Code::{Cancel, Metric, PlaneZx, SurfaceSpeedOff, WorkCoordinates};
     let cancels = control.codes.iter().any(|row| row.code == Cancel && row.id == CodeId::g(40));
@@ -37,7 +37,7 @@ pub fn opening(control: &Control) -> Vec<NewWord> {
     all
 }
 
-/// Common variables of the work position of the first axes, where the control tells it: reading one waits for standstill.
+/// The variable of the first axis's work position, those of the others behind it, where the control tells it: reading one waits for standstill.
 pub fn work_position(control: &Control) -> Option<u32> {
     control.vars.iter().find(|row| row.kind == VarKind::WorkPosition).map(|row| row.first)
 }

@@ -5,9 +5,13 @@ use crate::text::{Fix, Place};
 
 /// The files with the edits of a fix made. Edits whose place does not fit the text, or that overlap one before, are left out.
 pub fn fix(files: &Files, fix: &Fix) -> Files {
+    edited(files, &fix.edits)
+}
+
+fn edited(files: &Files, edits: &[(Place, String)]) -> Files {
     let mut files = files.clone();
     for (index, file) in files.0.iter_mut().enumerate() {
-        let mut edits: Vec<_> = fix.edits.iter().filter(|(place, _)| usize::from(place.file.0) == index).collect();
+        let mut edits: Vec<_> = edits.iter().filter(|(place, _)| usize::from(place.file.0) == index).collect();
         edits.sort_by_key(|(place, _)| place.span.start);
         let mut text = String::with_capacity(file.text.len());
         let mut copied = 0;
@@ -29,19 +33,14 @@ pub fn fix(files: &Files, fix: &Fix) -> Files {
 /// The files with the edits of several fixes made, and how many were made: one that meets the edits of a fix before it is left out.
 pub fn fix_all<'f>(files: &Files, fixes: impl IntoIterator<Item = &'f Fix>) -> (Files, usize) {
     let (mut made, mut count) = (Vec::<(Place, String)>::new(), 0);
-    let mut title = None;
     for one in fixes {
         let meets = |(at, _): &(Place, String)| made.iter().any(|(other, _)| touches(*at, *other));
         if !one.edits.iter().any(meets) {
             made.extend(one.edits.iter().cloned());
-            title.get_or_insert(&one.title);
             count += 1;
         }
     }
-    match title {
-        Some(title) => (fix(files, &Fix { title: title.clone(), edits: made }), count),
-        None => (files.clone(), 0),
-    }
+    (edited(files, &made), count)
 }
 
 /// Whether two edits overlap, or insert at one point.

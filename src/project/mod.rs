@@ -41,7 +41,7 @@ pub mod remedy;
 use std::sync::Arc;
 
 use crate::controls::{self, Control, Switches};
-use crate::machines::form::{Origins, Values};
+use crate::machines::form::{Origins, Values, with_entries};
 use crate::machines::{self, AnyMachine, ControlContext, Defaults, Design, PreparedMachine};
 use crate::motion::{Action, Event, Panel};
 use crate::nc::Files;
@@ -158,13 +158,8 @@ impl Project {
     /// The project with other entries of the form, as they would be typed: id of each field and its text. `None` where the form does not
     /// take one of them.
     pub fn with_entries(&self, entries: &[(&'static str, String)]) -> Option<Project> {
-        let fields = self.machine.fields();
-        let mut project = self.clone();
-        for (id, typed) in entries {
-            let field = fields.iter().find(|field| field.id == *id)?;
-            project.values.insert((*id).to_owned(), field.read(typed).ok()?);
-        }
-        Some(project)
+        let values = with_entries(&self.values, &self.machine.fields(), entries)?;
+        Some(Project { values, ..self.clone() })
     }
 
     /// The published listing as printed, as a file.
