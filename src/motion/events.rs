@@ -60,6 +60,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             EventSource::Reader => self.read(t),
             EventSource::Executor => self.execute(t),
         }
+        self.show_state(t);
         self.rest(t);
         self.mark(t);
     }

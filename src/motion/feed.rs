@@ -123,13 +123,18 @@ impl<P: RunningProgram> Sim<'_, P> {
         let Exec::Moving(motion) = &self.s.exec else { return false };
         let by_turns = matches!(motion.pace, Pace::Thread(_) | Pace::Feed(Feed::PerRevolution(_)));
         let stands = self.measured(self.s.now) == 0.0;
-        by_turns && stands && motion.speed == 0.0 && !motion.again.is_finite() && !self.holding()
+        by_turns
+            && stands
+            && motion.speed == 0.0
+            && !motion.again.is_finite()
+            && !self.holding()
+            && !self.s.plc.io.stops.axes
     }
 
     /// Path speed (mm/s) from override, spindle and hold at `t`, before clamps, and the time (s) of the next computation.
     fn asked_speed(&self, t: f64) -> (f64, f64) {
         let Exec::Moving(motion) = &self.s.exec else { return (0.0, f64::INFINITY) };
-        if self.holding() {
+        if self.holding() || self.s.plc.io.stops.axes {
             return (0.0, f64::INFINITY);
         }
         let cutting = if self.s.suppressed.feed_override { 1.0 } else { percent(self.s.operator.knobs.feed) / 100.0 };

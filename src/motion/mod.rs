@@ -75,7 +75,7 @@ pub use gate::Gate;
 pub use panel::{Action, Event, Panel};
 pub use plan::Planner;
 pub use plant::{AxisPlant, PMC_AXES, Plant, SpindlePlant};
-pub use plc::{BenchPlc, GearShift, Io, Plc, Strobes, WordPart};
+pub use plc::{BenchPlc, GearShift, Io, Plc, ProgramState, Stops, Strobes, WordPart};
 pub use program::RunningProgram;
 pub use setup::{Budget, Progress, Retention, RunEnd, Setup};
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};

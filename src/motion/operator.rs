@@ -109,6 +109,8 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.s.operator.stepped = false;
             self.s.operator.held = false;
             self.s.path.flow_end = None;
+            // A PLC that stopped the spindle lets it go before the axes are asked how fast they may be.
+            self.show_state(t);
             self.pace(t);
         }
     }
@@ -137,7 +139,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         self.s.exec = then;
         self.s.plc.io.clear_strobes();
-        (self.s.plc.io.reset, self.s.plc.io.emergency) = (true, emergency);
+        (self.s.plc.io.stops.reset, self.s.plc.io.stops.emergency) = (true, emergency);
         self.scan(t);
     }
 

@@ -29,6 +29,44 @@ impl WordPart {
     }
 }
 
+/// The control's own report of automatic running (FANUC: the signals STL, SPL, OP and AL).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ProgramState {
+    /// Not started, reset, or at its end.
+    #[default]
+    Idle,
+    /// The program runs.
+    Running,
+    /// Feed hold: cycle start goes on inside the block.
+    Held,
+    /// Stopped between two blocks by M00, M01, a message or single block: cycle start goes on.
+    Stopped,
+    /// An alarm or emergency stop that waits for reset.
+    Alarm,
+}
+
+impl ProgramState {
+    /// The program has stopped in the middle and not ended: whatever moves with its axes must stop with them.
+    pub fn interrupted(self) -> bool {
+        matches!(self, ProgramState::Held | ProgramState::Stopped | ProgramState::Alarm)
+    }
+}
+
+/// The part of the interface that stops the machine and lets it go on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Stops {
+    /// Whether the program runs.
+    pub program: ProgramState,
+    /// Reset or emergency stop was pressed: for the one scan that sees it first.
+    pub reset: bool,
+    /// It was emergency stop.
+    pub emergency: bool,
+    /// The PLC holds the spindle at speed 0 (FANUC: `*SSTP` at 0); S and its direction stay for when it lets go.
+    pub spindle: bool,
+    /// The PLC holds the axes of the program (FANUC: `*IT` at 0): movements stop or wait until it lets go.
+    pub axes: bool,
+}
+
 /// The interface between PLC and control at one moment.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Io {
@@ -36,10 +74,8 @@ pub struct Io {
     pub spindle_override: f64,
     /// Cutting feed override of the operator's knob in percent.
     pub feed_override: f64,
-    /// Reset or emergency stop was pressed: for the one scan that sees it first.
-    pub reset: bool,
-    /// It was emergency stop.
-    pub emergency: bool,
+    /// Stops: what has stopped the program, and what the PLC stops.
+    pub stops: Stops,
     /// Macro inputs by variable number, read by the program as `#1033` ….
     pub inputs: BTreeMap<u32, f64>,
     /// Macro outputs, by variable number, as the program wrote them.
@@ -79,8 +115,7 @@ impl Default for Io {
         Io {
             spindle_override: 100.0,
             feed_override: 100.0,
-            reset: false,
-            emergency: false,
+            stops: Stops::default(),
             inputs: BTreeMap::new(),
             outputs: BTreeMap::new(),
             forced: BTreeMap::new(),

@@ -1,7 +1,7 @@
 //! The PLC scan: exchanges [`Io`], applies forced inputs, handles FIN.
 
 use super::exec::Exec;
-use super::plc::Io;
+use super::plc::{Io, ProgramState};
 use super::program::RunningProgram;
 use super::sim::Sim;
 use super::timeline::VariableChange;
@@ -14,12 +14,15 @@ impl<P: RunningProgram> Sim<'_, P> {
     pub(super) fn scan(&mut self, t: f64) {
         self.turn(t);
         self.show_pmc(t);
+        let waited = self.s.plc.io.stops.axes;
         // A PLC and a control that never agree are left for the next scan.
         for _ in 0..4 {
             self.s.plc.io.spindle_actual =
                 self.out.timeline.ramps.last().map_or(0.0, |ramp| ramp.actual(&self.plant.spindle, t));
+            let state = self.program_state();
+            self.s.plc.io.stops.program = state;
             let wish = self.s.plc.program.scan(t, &mut self.s.plc.io);
-            (self.s.plc.io.reset, self.s.plc.io.emergency) = (false, false);
+            (self.s.plc.io.stops.reset, self.s.plc.io.stops.emergency) = (false, false);
             // A PLC that wants to be asked at once is asked in its next cycle.
             self.s.plc.next_scan = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
             let Io { forced, inputs, .. } = &mut self.s.plc.io;
@@ -39,12 +42,33 @@ impl<P: RunningProgram> Sim<'_, P> {
                     self.s.exec = Exec::Idle;
                 }
             }
-            if !self.turn(t) && !answered {
+            let changed = self.turn(t) || self.program_state() != state;
+            if !changed && !answered {
                 break;
             }
         }
+        if self.s.plc.io.stops.axes != waited {
+            self.pace(t);
+        }
         self.turn_pmc(t);
         self.show_inputs(t);
+    }
+
+    fn program_state(&self) -> ProgramState {
+        match &self.s.exec {
+            Exec::Stopped => ProgramState::Stopped,
+            Exec::Alarm(_) | Exec::Emergency(_) => ProgramState::Alarm,
+            Exec::Ready | Exec::Finished | Exec::OutOfBlocks => ProgramState::Idle,
+            _ if self.holding() => ProgramState::Held,
+            _ => ProgramState::Running,
+        }
+    }
+
+    /// Lets the PLC see that the program has stopped or goes on.
+    pub(super) fn show_state(&mut self, t: f64) {
+        if self.program_state() != self.s.plc.io.stops.program {
+            self.scan(t);
+        }
     }
 
     /// The PLC stops the program.

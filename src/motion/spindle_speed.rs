@@ -51,7 +51,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         let (to, bound) = self.held(later);
         let from = if now == later { to } else { self.held(now).0 };
         let span = if from == to { 0.0 } else { span };
-        let command = SpeedCommand { from, to, span, sign: self.s.spindle.direction, stage: self.gear(), bound };
+        let sign = if self.s.plc.io.stops.spindle { 0 } else { self.s.spindle.direction };
+        let command = SpeedCommand { from, to, span, sign, stage: self.gear(), bound };
         let last = self.out.timeline.ramps.last();
         if last.is_some_and(|last| {
             last.command == command && last.control == SpindleMode::Speed && (span == 0.0 || last.t == t)

@@ -10,6 +10,7 @@ mod remedy;
 mod ribbon_controls;
 mod ribbon_line;
 mod ribbon_program;
+mod ribbon_stops;
 mod scenes;
 mod sensitivity;
 mod standstill;

@@ -76,8 +76,8 @@ impl PolygonPlc {
         let speeds = [WORK_RATIO, TOOL_RATIO].map(|ratio| out(SPEED) * out(ratio));
         let share = if self.overrides { io.feed_override / 100.0 } else { 1.0 };
         self.spent &= index || turn;
-        if io.reset && !matches!(self.stage, Stage::Off | Stage::Coasting(..)) {
-            let off = io.emergency && self.coasting.is_some();
+        if io.stops.reset && !matches!(self.stage, Stage::Off | Stage::Coasting(..)) {
+            let off = io.stops.emergency && self.coasting.is_some();
             self.stage = if off { Stage::Coasting(t, io.pmc_speed) } else { Stage::Stopping(t + self.settle) };
             self.spent = true;
         }

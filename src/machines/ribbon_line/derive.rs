@@ -64,6 +64,9 @@ pub(super) struct Derived {
     pub slack_rate_rated: f64,
     pub slack_run: f64,
     pub slack_stop: f64,
+    pub slack_hold: f64,
+    pub slack_resume: f64,
+    pub loop_needed: f64,
     pub loop_time: f64,
     pub tension: f64,
     pub tension_limit: f64,
@@ -224,6 +227,9 @@ impl Derived {
             slack_rate_rated: slack.rate_rated,
             slack_run: slack.run,
             slack_stop: slack.stop,
+            slack_hold: slack.hold,
+            slack_resume: slack.resume,
+            loop_needed: slack.needed(),
             loop_time: slack.loop_time,
             tension: web::draw_tension(p.youngs_modulus, area, (-slack.error.min(slack.error_rated)).max(0.0)),
             tension_limit: 0.5 * p.tensile_strength * area,
@@ -328,6 +334,8 @@ struct Slack {
     rate_rated: f64,
     run: f64,
     stop: f64,
+    hold: f64,
+    resume: f64,
     loop_time: f64,
 }
 
@@ -347,18 +355,31 @@ impl Slack {
         let (feed_ramp, tau) = (ramp(p), p.time_constant_x / 1000.0);
         let started = actual_speed > 0.0;
         let lag = second / p.position_gain_x;
+        let start = if started { laid(p, second, feed_ramp, tau) + lag } else { 0.0 };
         let worst = rate(error).abs().max(rate(error_rated).abs());
         Slack {
             loop_time: if worst > 0.0 { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
             error,
             error_rated,
             // A running axis lags its command by v / K.
-            start: if started { laid(p, second, feed_ramp, tau) + lag } else { 0.0 },
+            start,
             rate: rate(error),
             rate_rated: rate(error_rated),
             run: if started { rate(error) * product / 60.0 } else { 0.0 },
             // M5 follows the last move and is read when X has stopped.
             stop: web::slack_after_stop(second, feed_ramp, tau, tau) - lag,
+            // The PLC stops the unwinder in the scan that sees the hold.
+            hold: web::slack_after_stop(second, feed_ramp, tau, 0.0) - lag,
+            // Axes that follow the unwinder restart with it; others wait for it as at the start.
+            resume: if in_step { second * tau / 2.0 + lag } else { start },
         }
+    }
+
+    /// Capacity (mm) that takes up whatever one product may lay down, with one interruption in it:
+    /// `C ≥ |start| + |run| + |stop| + |hold| + |restart|`. The signs differ, and an operator may interrupt at any moment, so that the sizes
+    /// add up. An emergency stop ends the product in the place of the stop, and lays what a hold lays, less than a stop: M5 waits
+    /// until the axes are at rest. Source: sizing facts 2.6, ribbon line facts, 7.
+    fn needed(&self) -> f64 {
+        [self.start, self.run, self.stop, self.hold, self.resume].map(f64::abs).iter().sum()
     }
 }

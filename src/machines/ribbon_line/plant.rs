@@ -2,6 +2,7 @@
 
 use super::params::PULL;
 use super::resolved::RibbonLine;
+use crate::controls::SpindleRules;
 use crate::drives::Analog;
 use crate::math::PI;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
@@ -48,7 +49,8 @@ fn spindle(line: &RibbonLine) -> SpindlePlant {
     let (gain, slip) =
         if p.dancer { (p.program_pi() / PI, 0.0) } else { (motor.gain(), motor.slip() / p.speed_at_10v) };
     let analog = Analog { bits: bench.output_bits, ..Analog::unipolar(p.speed_at_10v, bench.volts_full) };
-    let rules = line.dialect.spindle();
+    // The builder's ladder drops M3 at reset: an unwinder that turned on would fill the loop.
+    let rules = SpindleRules { turns_through_reset: false, ..line.dialect.spindle() };
     SpindlePlant {
         gain,
         slip,

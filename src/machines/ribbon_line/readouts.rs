@@ -203,6 +203,21 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("sizing facts D25", Grade::Inferred), value: |line| line.d.slack_stop,
     },
     ReadoutRow {
+        id: "slack-hold", label: "ribbon.readout.slack-hold", unit: "mm", decimals: 1, headline: false,
+        formula: "v · (ramp / 2 - τ / 2 - 1 / Kx): the PLC stops the unwinder with X",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| line.d.slack_hold,
+    },
+    ReadoutRow {
+        id: "slack-resume", label: "ribbon.readout.slack-resume", unit: "mm", decimals: 1, headline: false,
+        formula: "as after the start: X waits for the unwinder",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| line.d.slack_resume,
+    },
+    ReadoutRow {
+        id: "loop-needed", label: "ribbon.readout.loop-needed", unit: "mm", decimals: 1, headline: false,
+        formula: "|start| + |run| + |stop| + |hold| + |restart|",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| line.d.loop_needed,
+    },
+    ReadoutRow {
         id: "loop-time", label: "ribbon.readout.loop-time", unit: "s", decimals: 1, headline: false,
         formula: "loop capacity / worst slack rate",
         cite: Citation::new("sizing facts D26, D27", Grade::Inferred), value: |line| line.d.loop_time,

@@ -4,8 +4,8 @@
 //! kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
-use super::derive::{FIN_DELAY, wait};
-use super::params::{FIELDS, PathMode, PiForm, Variant, Wait};
+use super::derive::{Derived, FIN_DELAY, wait};
+use super::params::{FIELDS, Params, PathMode, PiForm, Variant, Wait};
 use super::program;
 use super::resolved::RibbonLine;
 use crate::controls::Code;
@@ -39,8 +39,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("volts", saturation, Citation::new("ribbon line facts, 4; rule 6", Grade::Inferred)),
     Rule::new("frequency", slow_motor, Citation::new("trade source; rule 7", Grade::Inferred)),
     Rule::new("register-error", equal_axes, Citation::new("sizing facts 0.6; rule 9", Grade::Inferred)),
-    Rule::new("slack-start", slack_start, Citation::new("sizing facts 2.6; rule 10", Grade::Inferred)),
-    Rule::new("slack-stop", slack_stop, Citation::new("sizing facts 2.6; rule 10", Grade::Inferred)),
+    Rule::new("loop-needed", loop_needed, Citation::new("ribbon line facts, 7; rule 10", Grade::Inferred)),
     Rule::new(
         "slack-rate",
         slack_rate,
@@ -374,43 +373,54 @@ fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
     fail((d.register_error != 0.0).then_some(Equal(0.0)), advice)
 }
 
-/// Slack of a start or stop against the capacity of the loop.
-fn loop_length(slack: f64, line: &RibbonLine, advice: Advice) -> Option<Judgement> {
-    let capacity = line.p.loop_capacity;
-    if slack.abs() > capacity {
-        fail(Within(capacity), [advice])
-    } else if slack.abs() > 0.1 * capacity {
-        warn(Within(capacity), [advice])
-    } else {
-        ok(Within(capacity))
-    }
-}
-
 /// The dwell that leaves no slack after a start: a longer one lays `v` mm more for each second.
-fn matching_dwell(line: &RibbonLine, slack: f64) -> f64 {
-    let speed = line.d.line_speed / 60.0;
-    (wait(&line.p, true) - FIN_DELAY - slack / speed).max(0.0)
+fn matching_dwell(line: &RibbonLine) -> f64 {
+    let (d, speed) = (&line.d, line.d.line_speed / 60.0);
+    (wait(&line.p, true) - FIN_DELAY - d.slack_start / speed).max(0.0)
 }
 
-fn slack_start(line: &RibbonLine) -> Option<Judgement> {
-    let (p, slack) = (&line.p, line.d.slack_start);
-    let follows = line.in_step() && (p.wait == Wait::Fin || p.dwell > 0.0);
-    let message = if slack < 0.0 {
-        msg!("ribbon.tight-at-start", (-slack, 0), (p.loop_capacity, 0))
-    } else if follows {
-        msg!("ribbon.slack-of-the-wait", (slack, 0), (p.loop_capacity, 0))
-    } else {
-        msg!("ribbon.slack-at-start", (slack, 0), (p.loop_capacity, 0))
-    };
-    let dwell = up(FIELDS, "dwell", if follows { 0.0 } else { matching_dwell(line, slack) });
-    let button = msg!("advice.set-dwell", dwell.1.as_str());
-    let advice = Advice::from(message).setting(button, [("wait", "dwell".to_owned()), dwell]);
-    loop_length(slack, line, advice)
+/// An advice with the entry of a loop that holds `needed` mm, where the form takes one so large.
+fn with_loop(advice: Advice, needed: f64, more: Vec<(&'static str, String)>) -> Advice {
+    let set = up(FIELDS, "loop-capacity", needed);
+    let button = msg!("advice.set-loop", set.1.as_str());
+    advice.setting(button, more.into_iter().chain([set]).collect::<Vec<_>>())
 }
 
-fn slack_stop(line: &RibbonLine) -> Option<Judgement> {
-    let slack = line.d.slack_stop;
-    loop_length(slack, line, msg!("ribbon.slack-at-stop", (slack, 0), (line.p.loop_capacity, 0)).into())
+/// All that a product lays into the loop, with one interruption in it, against what the loop holds.
+fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    let limit = AtMost(p.loop_capacity);
+    if d.loop_needed <= p.loop_capacity {
+        return ok(limit);
+    }
+    let sum = msg!(
+        "ribbon.loop-too-small",
+        (d.loop_needed.ceil(), 0),
+        (p.loop_capacity, 0),
+        (d.slack_start.abs(), 0),
+        (d.slack_run.abs(), 0),
+        (d.slack_stop.abs(), 0),
+        (d.slack_hold.abs() + d.slack_resume.abs(), 0)
+    );
+    let mut advice = vec![with_loop(sum.into(), d.loop_needed, Vec::new())];
+    // A feed per revolution follows the unwinder from standstill: the best wait is none.
+    let dwell = up(FIELDS, "dwell", if line.in_step() { 0.0 } else { matching_dwell(line) });
+    let wait = [("wait", "dwell".to_owned()), dwell.clone()];
+    let dwelt = Params { wait: Wait::Dwell, dwell: dwell.1.parse().unwrap_or(p.dwell), ..p.clone() };
+    let left = Derived::new(&dwelt, line.control.bench.output_bits).loop_needed;
+    if left < d.loop_needed {
+        let message = msg!("ribbon.matching-dwell", dwell.1.as_str(), (left.ceil(), 0));
+        let button = msg!("advice.set-dwell", dwell.1.as_str());
+        advice.push(if left <= p.loop_capacity {
+            Advice::from(message).setting(button, wait)
+        } else {
+            with_loop(message.into(), left, wait.into())
+        });
+    }
+    if d.slack_run != 0.0 {
+        advice.push(with_dancer(msg!("ribbon.run-fills", (d.slack_run.abs(), 0))));
+    }
+    fail(limit, advice)
 }
 
 /// Slack rate (mm/min) that an operator can watch and correct by hand: 50. Engineering choice.

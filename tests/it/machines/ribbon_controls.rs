@@ -20,14 +20,14 @@ fn lathes() -> impl Iterator<Item = &'static str> {
     controls().filter(lathe).map(|control| control.id)
 }
 
-fn project(control: &str, changes: &[(&str, &str)]) -> Project {
+pub(super) fn project(control: &str, changes: &[(&str, &str)]) -> Project {
     let mut project = Project::of("ribbon-line", Some(control)).unwrap();
     project.values.extend(values(changes));
     project
 }
 
 /// The project over time, to its end.
-fn over_time(project: &Project, events: Vec<Event>) -> Planner<Interp> {
+pub(super) fn over_time(project: &Project, events: Vec<Event>) -> Planner<Interp> {
     let mut project = project.clone();
     events.into_iter().for_each(|event| project.panel.add(event));
     let limits = Budget { blocks: 10_000_000, seconds: 3600.0 };
@@ -37,7 +37,7 @@ fn over_time(project: &Project, events: Vec<Event>) -> Planner<Interp> {
     planner
 }
 
-fn ended(planner: &mut Planner<Interp>) -> RunEnd {
+pub(super) fn ended(planner: &mut Planner<Interp>) -> RunEnd {
     planner.advance(f64::INFINITY, usize::MAX).ended.unwrap()
 }
 

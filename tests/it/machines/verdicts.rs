@@ -157,7 +157,13 @@ fn buttons_of_the_defaults_of_the_ribbon_line() {
     let (ramp, tau, gain): (f64, f64, f64) = (2.0 * 1200.0 / 1480.0, 0.1, 33.0);
     let dwell = ramp / 2.0 - tau / 2.0 - 1.0 / gain - 0.05;
     let dwell = (dwell * 1000.0).ceil() / 1000.0;
-    assert_eq!(buttons(&line, "slack-start"), [format!("Set a dwell of {dwell} s: wait=dwell dwell={dwell}")]);
+    assert_eq!(
+        buttons(&line, "loop-needed"),
+        [
+            "Set a loop of 1110.9 mm: loop-capacity=1110.9".to_owned(),
+            format!("Set a dwell of {dwell} s: wait=dwell dwell={dwell}"),
+        ]
+    );
 }
 
 #[test]

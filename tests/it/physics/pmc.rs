@@ -14,7 +14,7 @@ struct Turner {
 
 impl Plc for Turner {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        self.stopped |= io.reset;
+        self.stopped |= io.stops.reset;
         let now = self.speeds.iter().rfind(|(from, _)| *from <= t).map_or(0.0, |(_, rpm)| *rpm);
         let now = if self.stopped { 0.0 } else { now * io.feed_override / 100.0 };
         io.pmc_speed = [now, self.k * now];

@@ -1,0 +1,196 @@
+//! The ribbon line interrupted: hold, single block, alarm, reset, emergency stop, and the loop that has to take it all up.
+
+use macroline::interp::Interp;
+use macroline::motion::{Action, Event, Planner, RunEnd};
+use macroline::project::Project;
+use macroline::view::{Limit, Readout, Verdict};
+use proptest::prelude::*;
+
+use super::ribbon_controls::{ended, over_time, project};
+use super::ribbon_line::{controls, values};
+
+/// A line without slip whose F every control takes: 167.6 mm/s, a head every 8 mm.
+const LINE: [(&str, &str); 4] =
+    [("spindle-speed", "800"), ("heads", "47"), ("no-load-speed", "1480"), ("rated-load-speed", "1480")];
+
+fn line(control: &str, more: &[(&str, &str)]) -> Project {
+    project(control, &[&LINE, more].concat())
+}
+
+fn readout(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
+}
+
+fn event(t: f64, action: Action) -> Event {
+    Event { t, action }
+}
+
+/// Ribbon (mm) in the loop over time: time and slack.
+fn slack(project: &Project, planner: &Planner<Interp>, points: usize) -> Vec<(f64, f64)> {
+    let charts = project.prepared().charts(planner, 0.0, planner.timeline().end(), points);
+    charts.iter().find(|chart| chart.id == "slack").unwrap().series[0].points.clone()
+}
+
+fn slack_at(points: &[(f64, f64)], t: f64) -> f64 {
+    points[points.partition_point(|point| point.0 < t)].1
+}
+
+/// Ribbon (mm) that the unwinder lays while the PLC does not look: FIN takes some scans, and the wait for the speed is seen every 10 ms.
+fn looks(project: &Project) -> f64 {
+    readout(project, "line-speed").value / 60.0 * 0.06 + 0.5
+}
+
+#[test]
+fn loop_is_judged_by_the_sum_of_what_a_product_lays() {
+    let project = project("mitsubishi-e60", &[]);
+    let value = |id: &str| readout(&project, id).value;
+    let parts = ["slack-start", "slack-run", "slack-stop"].map(value);
+    assert!((parts.iter().sum::<f64>() - 596.0).abs() < 0.5, "{parts:?}");
+    // Each alone fits into 500 mm; what counts is what they come to, with a hold and its restart.
+    assert!(
+        ["slack-start", "slack-run", "slack-stop", "slack-hold", "slack-resume"]
+            .iter()
+            .all(|id| readout(&project, id).verdict == Verdict::None)
+    );
+    let needed = readout(&project, "loop-needed");
+    assert_eq!((needed.verdict, needed.limit), (Verdict::Fail, Some(Limit::AtMost(500.0))));
+    assert!((needed.value - (parts.iter().sum::<f64>() + value("slack-hold") + value("slack-resume"))).abs() < 1e-9);
+    // The capacity that would do is the result itself.
+    for (mm, verdict) in [(needed.value.ceil(), Verdict::Ok), (needed.value.floor(), Verdict::Fail)] {
+        let mut other = project.clone();
+        other.values.extend(values(&[("loop-capacity", &mm.to_string())]));
+        assert_eq!(readout(&other, "loop-needed").verdict, verdict, "{mm}");
+    }
+    let buttons: Vec<_> = needed.advice.iter().map(|advice| advice.sets.clone()).collect();
+    assert_eq!(buttons[0], [("loop-capacity", "1110.9".to_owned())]);
+}
+
+#[test]
+fn advice_on_the_loop_makes_it_hold() {
+    for control in controls() {
+        for more in [
+            &[][..],
+            &[("inverter-ramp", "10")],
+            &[("inverter-ramp", "20"), ("dwell", "0")],
+            &[("wait", "fin"), ("loop-capacity", "300")],
+        ] {
+            let project = line(control.id, more);
+            let needed = readout(&project, "loop-needed");
+            assert_eq!(needed.verdict, Verdict::Fail, "{} {more:?}", control.id);
+            assert!(needed.advice.iter().any(|advice| !advice.sets.is_empty()));
+            for advice in needed.advice.iter().filter(|advice| !advice.sets.is_empty()) {
+                let mut after = project.clone();
+                let sets: Vec<_> = advice.sets.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+                after.values.extend(values(&sets));
+                assert_eq!(readout(&after, "loop-needed").verdict, Verdict::Ok, "{} {:?}", control.id, advice.sets);
+            }
+        }
+    }
+}
+
+#[test]
+fn hold_stops_the_unwinder_with_the_axes() {
+    for control in controls() {
+        for more in [[("wait", "dwell")], [("wait", "fin")]] {
+            let project = line(control.id, &more);
+            let mut planner = over_time(&project, vec![event(8.0, Action::Hold), event(30.0, Action::Start)]);
+            let name = format!("{} {more:?}", control.id);
+            assert_eq!(ended(&mut planner), RunEnd::ProgramEnd, "{name}");
+            let held = planner.timeline().at(29.0);
+            assert_eq!((held.spindle.actual, held.axes[0].feed), (0.0, 0.0), "{name}");
+            let points = slack(&project, &planner, 6001);
+            let (before, during, after) = (slack_at(&points, 7.9), slack_at(&points, 29.0), slack_at(&points, 38.0));
+            let value = |id: &str| readout(&project, id).value;
+            assert!((during - before - value("slack-hold")).abs() < 0.5, "{name}: {before} {during}");
+            // A PLC that waits for the speed looks every 10 ms.
+            assert!((after - during - value("slack-resume")).abs() < 2.0, "{name}: {during} {after}");
+        }
+    }
+}
+
+#[test]
+fn axes_that_follow_the_unwinder_restart_with_it() {
+    for control in controls() {
+        let more = [("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0")];
+        let project = line(control.id, &more);
+        let mut planner = over_time(&project, vec![event(8.0, Action::Hold), event(30.0, Action::Start)]);
+        assert_eq!(ended(&mut planner), RunEnd::ProgramEnd, "{}", control.id);
+        let points = slack(&project, &planner, 6001);
+        let laid = slack_at(&points, 38.0) - slack_at(&points, 29.0);
+        assert!((laid - readout(&project, "slack-resume").value).abs() < 0.5, "{}: {laid}", control.id);
+        assert!(laid < 15.0, "{}: {laid}", control.id);
+    }
+}
+
+#[test]
+fn every_stop_leaves_the_unwinder_at_rest() {
+    for control in controls() {
+        let project = line(control.id, &[]);
+        let zero = Action::Variable(107, Some(0.0));
+        for action in [zero, Action::SingleBlock(true), Action::Reset, Action::EmergencyStop] {
+            let mut planner = over_time(&project, vec![event(8.0, action.clone())]);
+            let name = format!("{} {action:?}", control.id);
+            assert_ne!(ended(&mut planner), RunEnd::ProgramEnd, "{name}");
+            let last = planner.timeline().at(planner.timeline().end());
+            assert_eq!((last.spindle.actual, last.axes[0].feed), (0.0, 0.0), "{name}");
+            let points = slack(&project, &planner, 6001);
+            let laid = points[6000].1 - slack_at(&points, 7.9);
+            assert!(laid <= readout(&project, "slack-stop").value + 1.0, "{name}: {laid}");
+        }
+    }
+}
+
+#[test]
+fn hold_during_the_start_stays_within_the_loop() {
+    for control in controls() {
+        for wait in ["dwell", "fin"] {
+            let project = line(control.id, &[("wait", wait), ("pitch-count", "20")]);
+            for held in [0.01, 0.06, 0.2, 0.8, 1.9] {
+                let mut planner = over_time(&project, vec![event(held, Action::Hold), event(5.0, Action::Start)]);
+                assert_eq!(ended(&mut planner), RunEnd::ProgramEnd, "{} {wait} {held}", control.id);
+                let points = slack(&project, &planner, 3001);
+                let most = points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+                let needed = readout(&project, "loop-needed").value + looks(&project);
+                assert!(most <= needed, "{} {wait} {held}: {most} of {needed}", control.id);
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
+
+    /// Whatever the machine and the control: one product with one interruption at any moment never leaves the loop that the design asks for.
+    #[test]
+    fn any_interruption_stays_within_the_loop_that_would_do(
+        control in 0usize..7,
+        (speed, ramp, dwell) in (50u32..900, 0.0f64..5.0, 0.0f64..3.0),
+        (tau, gain) in (20u32..400, 10u32..80),
+        (in_step, fin) in (any::<bool>(), any::<bool>()),
+        (kind, at, pause) in (0usize..4, 0.0f64..1.0, 0.0f64..8.0),
+    ) {
+        let dwell_is_short = dwell < 0.3 || fin;
+        let (speed, tau, gain) = (speed.to_string(), tau.to_string(), gain.to_string());
+        let (ramp, dwell) = (format!("{ramp:.3}"), format!("{dwell:.3}"));
+        let control = controls().nth(control).unwrap();
+        let project = line(control.id, &[
+            ("spindle-speed", &speed), ("inverter-ramp", &ramp), ("dwell", &dwell), ("pitch-count", "100"),
+            ("time-constant-x", &tau), ("time-constant-y", &tau), ("position-gain-x", &gain), ("position-gain-y", &gain),
+            ("spindle-encoder", "true"), ("feed-form", if in_step { "per-revolution" } else { "per-minute" }),
+            ("wait", if fin { "fin" } else { "dwell" }),
+        ]);
+        let needed = readout(&project, "loop-needed").value;
+        let whole = over_time(&project, vec![]).ended_at().unwrap();
+        let t = at * whole;
+        let events = match kind {
+            0 | 1 => vec![event(t, Action::Hold), event(t + pause, Action::Start)],
+            2 => vec![event(t, Action::EmergencyStop)],
+            _ => vec![event(t, Action::Reset)],
+        };
+        let planner = over_time(&project, events);
+        let most = slack(&project, &planner, 2001).iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+        // Without a dwell the program reads its first block while the unwinder runs.
+        let reads = if dwell_is_short { 0.3 } else { 0.0 } * readout(&project, "line-speed").value / 60.0;
+        prop_assert!(most <= needed + looks(&project) + reads, "{most} mm in a loop of {needed}");
+    }
+}
