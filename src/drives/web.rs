@@ -15,6 +15,13 @@ pub fn slack_after_stop(speed: f64, feed_ramp: f64, pull_ramp: f64, delay: f64) 
     speed * (delay + feed_ramp / 2.0 - pull_ramp / 2.0)
 }
 
+/// Most that a short stop and its restart lay down, where the pull waits `wait` seconds from the restart of the feed: the feed has not come to
+/// rest after a pause p and is back at speed after another p, so that it lays `speed · (wait + p - p² / ramp)`, most at `p = ramp / 2`:
+/// `speed · (wait + ramp / 4)`. From a pause of the whole ramp on it is `speed · wait`. Source: sizing facts 2.6, ribbon line facts, 7.
+pub fn slack_of_short_stop(speed: f64, feed_ramp: f64, wait: f64) -> f64 {
+    speed * (wait + feed_ramp / 4.0)
+}
+
 /// Steady tension in newtons that a draw (relative speed difference) adds to a web: `E · A · draw`, with the modulus in N/mm² and the
 /// cross-section in mm². Source: sizing facts 2.6, checked as D11 and D12.
 pub fn draw_tension(modulus: f64, area: f64, draw: f64) -> f64 {

@@ -575,7 +575,7 @@ fn axes_that_stop_between_short_blocks_are_one_finding() {
 
 #[test]
 fn design_json_lists_facts_to_measure_first() {
-    let path = project(&folder("measure-first"), json!({ "clamp-x": 16000 }));
+    let path = project(&folder("measure-first"), json!({ "clamp-x": 20000 }));
     let out = macroline(&["design", &path, "--json"]);
     let design: Json = serde_json::from_slice(&out.stdout).unwrap();
     let first = design["measure_first"].as_array().unwrap();

@@ -17,6 +17,9 @@ pub(super) const FIN_DELAY: f64 = 0.05;
 /// Share of the commanded speed from which the PLC reports the spindle at speed.
 pub(super) const AT_SPEED: f64 = 0.95;
 
+/// How fast an operator turns the knob, % per second: 80 to 100 % in two seconds. Engineering choice.
+const KNOB_RATE: f64 = 10.0;
+
 /// The results. At standstill (override 0) the times of a pitch are infinite.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Derived {
@@ -37,7 +40,8 @@ pub(super) struct Derived {
     pub pitch_time: f64,
     pub block_time: f64,
     pub block_needed: f64,
-    pub blocks_for_control: f64,
+    /// What the control needs while the knob is turned; infinite where it never gets round.
+    pub block_needed_turned: f64,
     pub override_delay: f64,
     pub dots_per_second: f64,
     pub dots_per_product: f64,
@@ -66,6 +70,7 @@ pub(super) struct Derived {
     pub slack_stop: f64,
     pub slack_hold: f64,
     pub slack_resume: f64,
+    pub slack_interruption: f64,
     pub loop_needed: f64,
     pub loop_time: f64,
     pub tension: f64,
@@ -114,6 +119,23 @@ impl Params {
             (Variant::Published, FeedForm::PerMinute) => (1, 15),
             (Variant::Published, FeedForm::PerRevolution) => (1, 16),
         }
+    }
+
+    /// Macro blocks that one step of the knob adds to a pass, where the speed clamp does not act. The published listing computes everything in
+    /// each pass.
+    fn blocks_of_a_knob_step(&self) -> u32 {
+        match (self.variant, self.feed_form) {
+            (Variant::ReadyMade, FeedForm::PerMinute) => 8,
+            (Variant::ReadyMade, FeedForm::PerRevolution) => 7,
+            (Variant::Published, _) => 0,
+        }
+    }
+
+    /// Share of its time that the control is left with while the knob is turned at [`KNOB_RATE`], 0 where it has none left:
+    /// `1 - rate / step · blocks · macro time`.
+    fn share_while_turned(&self) -> f64 {
+        let steps = KNOB_RATE / self.knob_step.percent();
+        (1.0 - steps * f64::from(self.blocks_of_a_knob_step()) * self.macro_time / 1000.0).max(0.0)
     }
 
     /// Override (%) that the PLC puts out: the knob rounded to its step.
@@ -201,7 +223,7 @@ impl Derived {
             pitch_time,
             block_time: timing.block,
             block_needed: timing.needed,
-            blocks_for_control: (timing.needed / pitch_time).ceil().max(1.0),
+            block_needed_turned: timing.needed / p.share_while_turned(),
             override_delay: timing.block * p.preread,
             dots_per_second: 1.0 / pitch_time,
             dots_per_product: p.count(),
@@ -229,6 +251,7 @@ impl Derived {
             slack_stop: slack.stop,
             slack_hold: slack.hold,
             slack_resume: slack.resume,
+            slack_interruption: slack.interruption,
             loop_needed: slack.needed(),
             loop_time: slack.loop_time,
             tension: web::draw_tension(p.youngs_modulus, area, (-slack.error.min(slack.error_rated)).max(0.0)),
@@ -336,6 +359,8 @@ struct Slack {
     stop: f64,
     hold: f64,
     resume: f64,
+    /// The most that a hold and its restart lay together.
+    interruption: f64,
     loop_time: f64,
 }
 
@@ -356,6 +381,12 @@ impl Slack {
         let started = actual_speed > 0.0;
         let lag = second / p.position_gain_x;
         let start = if started { laid(p, second, feed_ramp, tau) + lag } else { 0.0 };
+        // The PLC stops the unwinder in the scan that sees the hold. Axes that follow the unwinder restart with it; others wait for it as
+        // at the start.
+        let hold = web::slack_after_stop(second, feed_ramp, tau, 0.0) - lag;
+        let resume = if in_step { second * tau / 2.0 + lag } else { start };
+        let timed = p.wait == Wait::Dwell && !in_step;
+        let short = if timed { web::slack_of_short_stop(second, feed_ramp, wait(p, started)) } else { 0.0 };
         let worst = rate(error).abs().max(rate(error_rated).abs());
         Slack {
             loop_time: if worst > 0.0 { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
@@ -368,18 +399,17 @@ impl Slack {
             run: if started { rate(error) * product / 60.0 } else { 0.0 },
             // M5 follows the last move and is read when X has stopped.
             stop: web::slack_after_stop(second, feed_ramp, tau, tau) - lag,
-            // The PLC stops the unwinder in the scan that sees the hold.
-            hold: web::slack_after_stop(second, feed_ramp, tau, 0.0) - lag,
-            // Axes that follow the unwinder restart with it; others wait for it as at the start.
-            resume: if in_step { second * tau / 2.0 + lag } else { start },
+            hold,
+            resume,
+            interruption: (hold.abs() + resume.abs()).max(short),
         }
     }
 
     /// Capacity (mm) that takes up whatever one product may lay down, with one interruption in it:
-    /// `C ≥ |start| + |run| + |stop| + |hold| + |restart|`. The signs differ, and an operator may interrupt at any moment, so that the sizes
+    /// `C ≥ |start| + |run| + |stop| + interruption`. The signs differ, and an operator may interrupt at any moment, so that the sizes
     /// add up. An emergency stop ends the product in the place of the stop, and lays what a hold lays, less than a stop: M5 waits
     /// until the axes are at rest. Source: sizing facts 2.6, ribbon line facts, 7.
     fn needed(&self) -> f64 {
-        [self.start, self.run, self.stop, self.hold, self.resume].map(f64::abs).iter().sum()
+        self.start.abs() + self.run.abs() + self.stop.abs() + self.interruption
     }
 }

@@ -3,7 +3,7 @@
 
 use super::derive::{AT_SPEED, FIN_DELAY};
 use super::params::{OverrideForm, Wait};
-use super::resolved::RibbonLine;
+use super::resolved::{GREATEST, RibbonLine};
 use crate::math;
 use crate::motion::{Io, Plc, ProgramState, Strobes};
 
@@ -45,9 +45,9 @@ impl RibbonPlc {
         }
     }
 
-    /// The knob in whole steps, 0 to 200 %.
+    /// The knob in whole steps.
     fn override_percent(&self, io: &Io) -> f64 {
-        math::clamp((io.spindle_override / self.step).round() * self.step, 0.0, 200.0)
+        math::clamp((io.spindle_override / self.step).round() * self.step, 0.0, GREATEST)
     }
 
     /// M3 waits for the spindle's speed where the project says so; everything else is done after a few scans.

@@ -58,8 +58,12 @@ pub(super) fn variables(line: &RibbonLine) -> Vec<(u32, &'static str, &'static s
         (110, "ribbon.readout.y-stroke", ""),
         (115, "ribbon.readout.vector-feed", "mm/min"),
     ];
-    if per_turn {
+    let ready_made = line.p.variant == Variant::ReadyMade;
+    if per_turn || ready_made {
         all.push((PER_TURN, "ribbon.readout.feed-per-revolution", "mm/rev"));
+    }
+    if ready_made {
+        all.push((RIBBON, "ribbon.readout.k", "mm/rev"));
     }
     all.extend([
         (122, "ribbon.variable.remainder", ""),
@@ -72,10 +76,14 @@ pub(super) fn variables(line: &RibbonLine) -> Vec<(u32, &'static str, &'static s
 /// The vector feed per revolution of the unwinder's motor.
 const PER_TURN: u32 = 117;
 
-/// Entries that change the motion of a running line, each with the variable of its copy, `#130` to `#136`.
-fn watched(line: &RibbonLine) -> [(u32, u32); 7] {
-    [(line.input(), 130), (100, 131), (101, 132), (102, 133), (107, 134), (109, 135), (111, 136)]
-}
+/// Ribbon per revolution of the unwinder's motor.
+const RIBBON: u32 = 118;
+
+/// Copy of the override, by which the running line notices a turned knob.
+const KNOB: u32 = 130;
+
+/// Entries that change the motion of a running line, each with the variable of its copy.
+const WATCHED: [(u32, u32); 6] = [(100, 131), (101, 132), (102, 133), (107, 134), (109, 135), (111, 136)];
 
 /// The programs, one per file.
 pub(super) fn deck(line: &RibbonLine) -> Deck {
@@ -128,8 +136,7 @@ fn pull_words(line: &RibbonLine, ribbon: Formula) -> Formula {
 fn move_block(line: &RibbonLine, pull: Formula) -> Vec<NewWord> {
     let once = line.p.path_mode == PathMode::ExactStop && !line.control.can(Code::ExactStop);
     let mut words = codes(line, once.then_some(Code::ExactStopOnce));
-    let feed = if line.in_step() { PER_TURN } else { 115 };
-    words.extend([g(1), travel(line, line.pull(), pull), travel(line, line.print(), v(124)), f(v(feed))]);
+    words.extend([g(1), travel(line, line.pull(), pull), travel(line, line.print(), v(124)), f(v(feed(line)))]);
     words
 }
 
@@ -197,44 +204,52 @@ fn per_turn(line: &RibbonLine) -> Formula {
 
 /// The alarm of an F above the limit.
 fn feed_alarm(b: &mut Builder, line: &RibbonLine) {
-    let feed = line.control.variable(if line.in_step() { PER_TURN } else { 115 });
+    let feed = line.control.variable(feed(line));
     writing::alarm(b, line.control, 20, &format!("FEED {feed} ABOVE LIMIT {}", line.control.variable(119)));
     if writing::has_alarms(line.control) {
         b.words(codes(line, [Code::SubEnd]));
     }
 }
 
-/// O9100, ready-made: guards, copies of what the run watches, and the paper's equations.
+/// O9100, ready-made: guards, copies of what the run watches, and the paper's equations, those first that the override does not change.
 fn compute(b: &mut Builder, line: &RibbonLine) {
     b.program(COMPUTE, "RIBBON LINE - COMPUTE");
     writing::guards(b, &entries(line));
     // Copied before it is used: what changes from here on differs from its copy and is computed again.
-    for (at, (watched, copy)) in (20..).zip(watched(line)) {
+    for (at, (watched, copy)) in (20..).zip(WATCHED) {
         b.n(at).assign(copy, v(watched));
     }
-    b.n(30).assign(104, actual_speed(line, 130)).note("ACTUAL SPEED R/MIN");
-    b.n(31).if_goto(v(104).le(v(116)), 33);
-    b.n(32).assign(104, v(116)).note("CLAMP AS THE CONTROL DOES");
-    b.n(33).assign(105, per_turn(line) * v(104)).note("LINE SPEED MM/MIN");
-    b.n(34).assign(110, print_stroke(line)).note(&about(line, "PER PITCH"));
-    b.n(35).assign(115, vector_feed(v(105))).note("VECTOR FEED");
-    if line.in_step() {
-        b.assign(PER_TURN, vector_feed(per_turn(line))).note("FEED PER REVOLUTION");
-        b.n(36).if_goto(v(PER_TURN).gt(v(119)), 920);
-    } else {
-        b.n(36).if_goto(v(115).gt(v(119)), 920);
-    }
-    b.n(37).assign(129, pull_words(line, v(107) * v(128))).note(if line.pull_words() == 2 {
+    b.n(30).assign(110, print_stroke(line)).note(&about(line, "PER PITCH"));
+    b.n(31).assign(129, pull_words(line, v(107) * v(128))).note(if line.pull_words() == 2 {
         "X PER BLOCK, DIAMETER"
     } else {
         "X PER BLOCK"
     });
-    b.n(38).assign(123, v(110) * v(128)).note(&about(line, "PER BLOCK"));
-    b.n(39).words(codes(line, [Code::SubEnd]));
+    b.n(32).assign(123, v(110) * v(128)).note(&about(line, "PER BLOCK"));
+    b.n(33).assign(RIBBON, per_turn(line)).note("RIBBON PER REVOLUTION");
+    b.n(34).assign(PER_TURN, vector_feed(v(RIBBON))).note("FEED PER REVOLUTION");
+    speed_and_feed(b, line, 40);
+    b.n(46).if_goto(v(feed(line)).gt(v(119)), 920);
+    b.n(47).words(codes(line, [Code::SubEnd]));
     writing::alarms(b, line.control, &entries(line));
     feed_alarm(b, line);
     // Behind the end: read by people, never by a running line.
     header(b, line);
+}
+
+/// All that depends on the override, in six blocks from number `n` on; `#117` and `#118` hold what does not.
+fn speed_and_feed(b: &mut Builder, line: &RibbonLine, n: u32) {
+    b.n(n).assign(KNOB, v(line.input())).note("OVERRIDE");
+    b.n(n + 1).assign(104, actual_speed(line, KNOB)).note("ACTUAL SPEED R/MIN");
+    b.n(n + 2).if_goto(v(104).le(v(116)), n + 4);
+    b.n(n + 3).assign(104, v(116)).note("CLAMP AS THE CONTROL DOES");
+    b.n(n + 4).assign(105, v(RIBBON) * v(104)).note("LINE SPEED MM/MIN");
+    b.n(n + 5).assign(115, v(PER_TURN) * v(104)).note("VECTOR FEED");
+}
+
+/// Variable of the F that moves the axes.
+fn feed(line: &RibbonLine) -> u32 {
+    if line.in_step() { PER_TURN } else { 115 }
 }
 
 /// O9101, ready-made.
@@ -262,16 +277,24 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(20).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     b.n(21).goto(15);
     b.n(30).while_do(v(125).ge(v(128)), 2);
-    let watched = watched(line);
-    let (first, second) = watched.split_at(3);
-    b.n(31).if_goto(changed(first).gt(0), 15);
-    b.n(32).if_goto(changed(second).gt(0), 15);
-    b.n(33).assign(124, ((v(122) + v(123)) * 1000).round() / 1000).note(&about(line, "OF THIS BLOCK"));
-    b.n(34).assign(122, v(122) + v(123) - v(124)).note(&about(line, "LEFT OVER"));
-    b.n(35).words(move_block(line, v(129)));
-    b.n(36).assign(125, v(125) - v(128));
-    b.n(37).end_do(2);
-    b.n(38).end_do(1);
+    // One block sees to the knob and three entries, another to the rest: a pass has seven macro blocks, and no block is too long for a screen; this one
+    // without its number.
+    let (first, second) = WATCHED.split_at(3);
+    let with_knob: Vec<_> = core::iter::once((line.input(), KNOB)).chain(first.iter().copied()).collect();
+    b.if_goto(changed(&with_knob).le(0), 41);
+    b.n(32).if_goto(changed(first).gt(0), 15);
+    speed_and_feed(b, line, 33);
+    if !line.in_step() {
+        b.n(39).if_goto(v(115).gt(v(119)), 15).note("TOO FAST: ALARM");
+    }
+    b.n(40).if_goto(v(115).lt(real(0.001, 3)), 15).note("OVERRIDE 0");
+    b.n(41).if_goto(changed(second).gt(0), 15);
+    b.n(42).assign(124, ((v(122) + v(123)) * 1000).round() / 1000).note(&about(line, "OF THIS BLOCK"));
+    b.n(43).assign(122, v(122) + v(123) - v(124)).note(&about(line, "LEFT OVER"));
+    b.n(44).words(move_block(line, v(129)));
+    b.n(45).assign(125, v(125) - v(128));
+    b.n(46).end_do(2);
+    b.n(47).end_do(1);
     end(b, line);
 }
 
@@ -326,10 +349,8 @@ fn published(b: &mut Builder, line: &RibbonLine) {
     b.n(40).if_goto(v(115).lt(real(0.001, 3)), 210).note("F BELOW IS F0");
     if line.in_step() {
         b.assign(PER_TURN, vector_feed(per_turn(line))).note("FEED PER REVOLUTION");
-        b.n(41).if_goto(v(PER_TURN).gt(v(119)), 920);
-    } else {
-        b.n(41).if_goto(v(115).gt(v(119)), 920);
     }
+    b.n(41).if_goto(v(feed(line)).gt(v(119)), 920);
     b.n(90).if_goto(v(127).eq(v(100)), 200);
     start_spindle(b, line, 100, 110);
     b.n(120).assign(127, v(100)).note("SPEED THAT RUNS");

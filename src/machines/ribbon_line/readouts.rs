@@ -1,6 +1,7 @@
 //! The results of the ribbon line as rows: label, unit, formula, source.
 
 use super::resolved::RibbonLine;
+use super::rules;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
@@ -118,6 +119,16 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("sizing facts F12, times from memory", Grade::Open), value: |line| line.d.block_needed * 1e3,
     },
     ReadoutRow {
+        id: "block-needed-turned", label: "ribbon.readout.block-needed-turned", unit: "ms", decimals: 1, headline: false,
+        formula: "block needed / (1 - 10 %/s / step · knob blocks · macro time)",
+        cite: Citation::new("ribbon line facts, 5", Grade::Inferred), value: |line| line.d.block_needed_turned * 1e3,
+    },
+    ReadoutRow {
+        id: "knob-holds", label: "ribbon.readout.knob-holds", unit: "%", decimals: 1, headline: false,
+        formula: "least of: saturation, axis clamps, F limit, block time",
+        cite: Citation::new("sizing facts, section 4; ribbon line facts, 5", Grade::Inferred), value: rules::knob_holds,
+    },
+    ReadoutRow {
         id: "override-delay", label: "ribbon.readout.override-delay", unit: "ms", decimals: 0, headline: false,
         formula: "blocks read ahead · block time",
         cite: Citation::new("ribbon line facts, 5", Grade::Sister), value: |line| line.d.override_delay * 1e3,
@@ -213,8 +224,13 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| line.d.slack_resume,
     },
     ReadoutRow {
+        id: "slack-interruption", label: "ribbon.readout.slack-interruption", unit: "mm", decimals: 1, headline: false,
+        formula: "|hold| + |restart|, with a dwell at least v · (wait + ramp / 4)",
+        cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| line.d.slack_interruption,
+    },
+    ReadoutRow {
         id: "loop-needed", label: "ribbon.readout.loop-needed", unit: "mm", decimals: 1, headline: false,
-        formula: "|start| + |run| + |stop| + |hold| + |restart|",
+        formula: "|start| + |run| + |stop| + interruption",
         cite: Citation::new("ribbon line facts, 7", Grade::Inferred), value: |line| line.d.loop_needed,
     },
     ReadoutRow {

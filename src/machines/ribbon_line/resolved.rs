@@ -8,6 +8,9 @@ use crate::controls::vars::Width;
 use crate::controls::{Control, Dialect, VarKind};
 use crate::machines::machine::ControlContext;
 
+/// Override (%) to which the line's ladder limits the knob.
+pub(super) const GREATEST: f64 = 200.0;
+
 /// Variable for the typed override, on controls whose PLC has no macro input.
 const TYPED: u32 = 103;
 
@@ -20,6 +23,8 @@ pub(crate) struct RibbonLine {
     pub(super) p: Params,
     /// The results of the formulas.
     pub(super) d: Derived,
+    /// The same with the knob at its end; at standstill those at standstill.
+    pub(super) fast: Derived,
     pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
     /// Positions and sizes in the drawing.
@@ -44,10 +49,28 @@ impl RibbonLine {
             p.path_mode = PathMode::Continuous;
         }
         let d = Derived::new(&p, control.bench.output_bits);
+        let knob = dialect.spindle().knob;
+        let fast = match d.actual_speed > 0.0 {
+            true => {
+                let end = knob.high.min(GREATEST).max(p.override_percent);
+                Derived::new(&Params { override_percent: end, ..p.clone() }, control.bench.output_bits)
+            }
+            false => d.clone(),
+        };
         let [unwinder, pull, print] = names(&p).map(|name| name.chars().count());
         let letters = [unwinder, pull, print, distance(&p).chars().count()];
         let layout = Layout::new(&p, letters);
-        RibbonLine { form, p, d, control, dialect, layout }
+        RibbonLine { form, p, d, fast, control, dialect, layout }
+    }
+
+    /// Speed now over the speed with the knob at its end: a limit that holds there is so much lower here.
+    pub(super) fn knob_share(&self) -> f64 {
+        if self.fast.actual_speed > 0.0 { self.d.actual_speed / self.fast.actual_speed } else { 1.0 }
+    }
+
+    /// The knob at its end over the knob now, as far as it makes the spindle faster, as an override in %.
+    pub(super) fn knob_end(&self) -> f64 {
+        100.0 * self.fast.actual_speed / self.p.spindle_speed
     }
 
     /// Index of the axis that pulls, in the control's order.

@@ -137,40 +137,71 @@ fn long_blocks(line: &RibbonLine) -> Option<Diagnostic> {
     })
 }
 
-/// Driven speed over commanded speed: a feed per revolution follows the measured speed of the unwinder.
-fn following(line: &RibbonLine) -> f64 {
-    if line.in_step() { 1.0 + line.d.speed_error } else { 1.0 }
+/// Driven speed over commanded speed, now or at the knob's end: a feed per revolution follows the measured speed of the unwinder.
+fn following(line: &RibbonLine, at: &Derived) -> f64 {
+    if line.in_step() { 1.0 + at.speed_error } else { 1.0 }
 }
 
 /// A feed as it is driven, mm/min.
 fn followed(line: &RibbonLine, feed: f64) -> f64 {
-    feed * following(line)
+    feed * following(line, &line.d)
 }
 
 /// The highest whole speed of the unwinder within all limits of rule 4.
 fn fastest(line: &RibbonLine) -> f64 {
-    let RibbonLine { p, d, .. } = line;
-    let clamps = (p.clamp_x / followed(line, d.x_feed)).min(p.clamp_y / followed(line, d.y_feed));
-    let share = if line.in_step() { clamps } else { clamps.min(line.feed_max() / d.vector_feed) };
-    (d.actual_speed * share).floor()
+    let RibbonLine { p, fast, .. } = line;
+    let driven = following(line, fast);
+    let clamps = (p.clamp_x / (fast.x_feed * driven)).min(p.clamp_y / (fast.y_feed * driven));
+    let share = if line.in_step() { clamps } else { clamps.min(line.feed_max() / fast.vector_feed) };
+    (fast.actual_speed * share).floor()
 }
 
-/// An advice with the S that turns the unwinder at most at `speed` r/min.
+/// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before the
+/// control has read the next ones. Feeds per revolution are taken with the motor's error at the knob's end.
+pub(super) fn knob_holds(line: &RibbonLine) -> f64 {
+    let RibbonLine { p, d, fast, .. } = line;
+    if fast.actual_speed <= 0.0 {
+        return 0.0;
+    }
+    let driven = following(line, fast);
+    let mut share = (p.clamp_x / (fast.x_feed * driven)).min(p.clamp_y / (fast.y_feed * driven));
+    share = share.min(fast.block_time / driven / d.block_needed);
+    if !line.in_step() {
+        share = share.min(line.feed_max() / fast.vector_feed);
+    }
+    (100.0 * fast.actual_speed * share / p.spindle_speed).min(d.override_limit)
+}
+
+/// An advice with the S that turns the unwinder at most at `speed` r/min, and the clamp beyond which the knob cannot go.
 fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
-    let set = down(FIELDS, "spindle-speed", 100.0 * speed / line.p.override_stepped());
-    Advice::from(advice).setting(msg!("advice.set-speed", set.1.as_str()), [set])
+    let RibbonLine { p, d, fast, .. } = line;
+    let mut sets = Vec::new();
+    if d.asked_speed > speed {
+        sets.push(down(FIELDS, "spindle-speed", 100.0 * speed / p.override_stepped()));
+    }
+    if fast.actual_speed > speed {
+        sets.push(down(FIELDS, "speed-clamp", speed));
+    }
+    let button = match sets.first() {
+        Some((id, typed)) if *id == "spindle-speed" => msg!("advice.set-speed", typed.as_str()),
+        Some((_, typed)) => msg!("advice.clamp-speed", typed.as_str()),
+        None => return advice.into(),
+    };
+    Advice::from(advice).setting(button, sets)
 }
 
 fn slower_advice(line: &RibbonLine) -> Advice {
     match fastest(line) {
-        speed if speed >= 1.0 => with_speed(line, speed, msg!("ribbon.run-slower", (speed, 0))),
-        _ => msg!("ribbon.no-speed").into(),
+        speed if speed < 1.0 => msg!("ribbon.no-speed").into(),
+        speed if line.d.actual_speed > speed => with_speed(line, speed, msg!("ribbon.run-slower", (speed, 0))),
+        speed => with_speed(line, speed, msg!("ribbon.knob-too-far", (line.knob_end(), 1), (speed, 0))),
     }
 }
 
-/// A feed against the clamp of its axis. The driven feed is compared, so the limit of the commanded feed is lower where the unwinder is fast.
+/// A feed against the clamp of its axis, over the whole range of the knob: the limit of the feed now is lower by what the knob may add. The
+/// driven feed is compared, so the limit of the commanded feed is also lower where the unwinder is fast.
 fn within_or_error(feed: f64, clamp: f64, line: &RibbonLine) -> Option<Judgement> {
-    let limit = clamp / following(line);
+    let limit = clamp / following(line, &line.fast) * line.knob_share();
     if limit <= 0.0 || limit.is_infinite() {
         return ok(None);
     }
@@ -189,10 +220,16 @@ fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
     if line.in_step() {
         return None;
     }
-    let limit = AtMost(line.feed_max());
-    let Some((message, mut advice)) = too_fast(line) else { return ok(limit) };
+    let limit = AtMost(line.feed_max() * line.knob_share());
+    let Some((message, mut advice)) = too_fast(line) else {
+        if limit.holds(line.d.vector_feed) {
+            return ok(limit);
+        }
+        let feed = msg!("ribbon.knob-stops", (line.knob_end(), 1), (line.fast.vector_feed, 0), line.feed_max());
+        return fail(limit, [feed.into(), slower_advice(line)]);
+    };
     let speed = fastest(line);
-    let short = with_speed(line, speed, msg!("ribbon.feed-above-range", limit.value(), (speed, 0)));
+    let short = with_speed(line, speed, msg!("ribbon.feed-above-range", line.feed_max(), (speed, 0)));
     advice.splice(0..0, (speed >= 1.0).then_some(short).into_iter().chain([message.into()]));
     fail(limit, advice)
 }
@@ -260,15 +297,17 @@ fn smear(line: &RibbonLine) -> Option<Judgement> {
     Some(Judgement { verdict: slip(line), limit: Some(AtMost(line.p.smear_limit)), advice: Vec::new() })
 }
 
+/// The greatest speed counts over the whole range of the knob, the rated one where the knob is.
 fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f64) -> Option<Judgement> {
-    if speed > max {
+    let limit = AtMost(max * line.knob_share());
+    if !limit.holds(speed) {
         let slower = line.d.actual_speed * rated.min(max) / speed;
-        let advice = msg!("ribbon.motor-too-fast", (speed, 0), (max, 0));
-        fail(AtMost(max), [with_speed(line, slower, advice)])
+        let advice = msg!("ribbon.motor-too-fast", (speed / line.knob_share(), 0), (max, 0));
+        fail(limit, [with_speed(line, slower, advice)])
     } else if speed > rated {
         warn(AtMost(rated), [msg!("ribbon.motor-above-rated", (speed, 0), (rated, 0)).into()])
     } else {
-        ok(AtMost(rated.min(max)))
+        ok(AtMost(rated.min(limit.value())))
     }
 }
 
@@ -280,32 +319,41 @@ fn motor_y(line: &RibbonLine) -> Option<Judgement> {
     motor(line, line.d.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
 }
 
-/// Time of a block against the time that the control needs for it. The driven block is compared, so the limit of the commanded one is
-/// longer where the unwinder is fast.
+/// Time of a block against the time that the control needs for it, over the whole range of the knob: the limit of a block now is longer by
+/// what the knob may take from it. The driven block is compared, so the limit of the commanded one is also longer where the unwinder is fast.
 fn block_time(line: &RibbonLine) -> Option<Judgement> {
-    let RibbonLine { p, d, .. } = line;
-    let needed = d.block_needed * 1000.0;
+    let RibbonLine { p, d, fast, .. } = line;
+    let (needed, turned) = (d.block_needed * 1000.0, d.block_needed_turned * 1000.0);
     if d.block_time.is_infinite() {
         return warn(AtLeast(needed), [msg!("ribbon.stands").into()]);
     }
     if line.in_step() && d.speed_error <= -1.0 {
         return fail(None, [msg!("ribbon.stalls").into()]);
     }
-    let lasts = d.block_time * 1000.0 / following(line);
-    let limit = AtLeast(needed * following(line));
-    if d.block_time * 1000.0 >= limit.value() {
-        return ok(limit);
+    let driven = following(line, fast);
+    let lasts = fast.block_time * 1000.0 / driven;
+    let here = |needed: f64| AtLeast(needed * driven * d.block_time / fast.block_time);
+    let block = d.block_time * 1000.0;
+    let steady = here(needed).holds(block);
+    if steady && (here(turned).holds(block) || turned.is_infinite()) {
+        return ok(here(if turned.is_infinite() { needed } else { turned }));
     }
+    let knob = (line.knob_end(), 1);
     let advice = match p.variant {
         Variant::ReadyMade => {
-            let set = up(FIELDS, "pitches-per-block", p.block_pitches() * needed / lasts);
-            Advice::from(msg!("ribbon.more-pitches", (needed, 1), (lasts, 1), (d.blocks_for_control, 0)))
-                .setting(msg!("advice.set-pitches", set.1.as_str()), [set])
+            let wanted = if turned.is_infinite() { needed } else { turned };
+            let set = up(FIELDS, "pitches-per-block", p.block_pitches() * wanted / lasts);
+            let count = set.1.parse().unwrap_or(p.block_pitches());
+            let sentence = match steady {
+                true => msg!("ribbon.more-pitches-to-turn", (turned, 1), (lasts, 1), knob, (count, 0)),
+                false => msg!("ribbon.more-pitches", (needed, 1), (lasts, 1), knob, (count, 0)),
+            };
+            Advice::from(sentence).setting(msg!("advice.set-pitches", set.1.as_str()), [set])
         }
         Variant::Published => Advice::from(msg!("ribbon.published-too-slow", (needed, 1), (lasts, 1)))
             .setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned())]),
     };
-    fail(limit, [advice])
+    if steady { warn(here(turned), [advice]) } else { fail(here(needed), [advice]) }
 }
 
 fn saturation(line: &RibbonLine) -> Option<Judgement> {
@@ -400,7 +448,7 @@ fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
         (d.slack_start.abs(), 0),
         (d.slack_run.abs(), 0),
         (d.slack_stop.abs(), 0),
-        (d.slack_hold.abs() + d.slack_resume.abs(), 0)
+        (d.slack_interruption, 0)
     );
     let mut advice = vec![with_loop(sum.into(), d.loop_needed, Vec::new())];
     // A feed per revolution follows the unwinder from standstill: the best wait is none.

@@ -247,7 +247,9 @@ fn rules_give_their_verdicts() {
         (&[("motor-rated-y", "1500")], "y-motor-speed", Verdict::Warn),
         (&[("motor-max-y", "1500"), ("motor-rated-y", "1500")], "y-motor-speed", Verdict::Fail),
         (&[], "x-motor-speed", Verdict::Ok),
-        (&[], "block-time", Verdict::Ok),
+        (&[("pitches-per-block", "2")], "block-time", Verdict::Ok),
+        (&[], "block-time", Verdict::Fail),
+        (&[("pitches-per-block", "2"), ("macro-time", "5")], "block-time", Verdict::Warn),
         (
             &[
                 ("override", "150"),
@@ -267,8 +269,8 @@ fn rules_give_their_verdicts() {
         (&[("position-gain-y", "40")], "register-error", Verdict::Fail),
         (&[("time-constant-y", "50")], "register-error", Verdict::Fail),
         (&[], "loop-needed", Verdict::Fail),
-        (&[("loop-capacity", "1200")], "loop-needed", Verdict::Ok),
-        (&[("loop-capacity", "1200"), ("inverter-ramp", "10")], "loop-needed", Verdict::Fail),
+        (&[("loop-capacity", "1300")], "loop-needed", Verdict::Ok),
+        (&[("loop-capacity", "1300"), ("inverter-ramp", "10")], "loop-needed", Verdict::Fail),
         (&[], "slack-rate", Verdict::Fail),
         (&[("dancer", "true")], "slack-rate", Verdict::Ok),
         (&[("youngs-modulus", "3000")], "tension", Verdict::Fail),
@@ -318,7 +320,7 @@ fn blocks_too_long_for_the_control_are_errors() {
     // The program stops by itself before anything moves: no error, but red.
     assert_eq!(errors(&fast), [""; 0]);
     let feed = readout(&design(&fast), "vector-feed");
-    assert_eq!((feed.verdict, feed.limit), (Verdict::Fail, Some(Limit::AtMost(1e6))));
+    assert_eq!((feed.verdict, feed.limit), (Verdict::Fail, Some(Limit::AtMost(1e6 * (1200.0 / 1480.0)))));
     assert_eq!(advice(&feed)[1], "The vector feed would be 1895024.044 mm/min, the control takes 1000000 at most.");
 }
 

@@ -333,6 +333,29 @@ fn counted_blocks_per_pass_equal_the_run() {
     }
 }
 
+/// A step of the knob costs the blocks that depend on it, and not all of O9100.
+#[test]
+fn turned_knob_recomputes_only_what_depends_on_it() {
+    for control in controls().filter(|control| control.bench.override_echo.is_some()) {
+        for (form, blocks) in [("per-minute", 8), ("per-revolution", 7)] {
+            let entries = values(&[("feed-form", form), ("spindle-encoder", "true"), ("spindle-speed", "100")]);
+            let mut run = ready_on(at_defaults(control), &entries);
+            let mut counts = Vec::new();
+            while counts.len() < 20 {
+                let percent = if counts.len() < 11 { 100.0 } else { 101.0 };
+                if let macroline::interp::Step::Command(Canon::Linear { .. }, _) = run.step(&mut world(percent)) {
+                    counts.push(run.blocks());
+                }
+            }
+            let pass = |at: usize| counts[at + 1].macros - counts[at].macros;
+            assert_eq!((pass(9), pass(10) - pass(9), pass(11)), (7, blocks, 7), "{} {form}", control.id);
+            near(variable(&run, 104), 101.0, 1e-9);
+            near(variable(&run, 105), 101.0 * variable(&run, 118), 1e-9);
+            near(variable(&run, 115), 101.0 * variable(&run, 117), 1e-9);
+        }
+    }
+}
+
 #[test]
 fn dropped_program_restores_the_form() {
     let changes: &[(&str, &str)] = &[

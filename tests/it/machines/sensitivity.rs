@@ -22,13 +22,13 @@ fn flip(field: &'static str, readout: &'static str, (from, to): (Verdict, Verdic
 
 #[test]
 fn ribbon_clamp_flips_within_a_tenth_of_the_feed() {
-    // v = π · 100 / 25 · 1200 = 15 079.6 mm/min: 0.9 of a clamp below v / 0.9 = 16 755.2 is less.
+    // At the end of the knob, 1480 r/min, v = π · 100 / 25 · 1480 = 18 598.2 mm/min: 0.9 of a clamp below v / 0.9 = 20 664.7 is less.
     let with_clamp = |clamp| of(&project("ribbon-line", "mitsubishi-e60", &[("clamp-x", clamp)]), "clamp-x");
-    assert_eq!(with_clamp(16_755.0), flip("clamp-x", "line-speed", (Verdict::Ok, Verdict::Fail), 0.9));
-    assert_eq!(with_clamp(16_756.0), None);
-    // 1.1 of a clamp from v / 1.1 = 13 708.7 on suffices.
-    assert_eq!(with_clamp(13_709.0), flip("clamp-x", "line-speed", (Verdict::Fail, Verdict::Ok), 1.1));
-    assert_eq!(with_clamp(13_708.0), None);
+    assert_eq!(with_clamp(20_664.0), flip("clamp-x", "line-speed", (Verdict::Ok, Verdict::Fail), 0.9));
+    assert_eq!(with_clamp(20_665.0), None);
+    // 1.1 of a clamp from v / 1.1 = 16 907.5 on suffices.
+    assert_eq!(with_clamp(16_908.0), flip("clamp-x", "line-speed", (Verdict::Fail, Verdict::Ok), 1.1));
+    assert_eq!(with_clamp(16_907.0), None);
 }
 
 #[test]
@@ -49,7 +49,7 @@ fn polygon_tool_limit_flips_at_the_speed_of_the_tool() {
 
 #[test]
 fn only_assumed_facts_flip() {
-    let mut line = project("ribbon-line", "mitsubishi-e60", &[("clamp-x", 16_000.0)]);
+    let mut line = project("ribbon-line", "mitsubishi-e60", &[("clamp-x", 20_000.0)]);
     assert!(of(&line, "clamp-x").is_some());
     line.provenance.insert("clamp-x".to_owned(), Provenance::Measured);
     assert_eq!(of(&line, "clamp-x"), None);

@@ -160,8 +160,8 @@ fn buttons_of_the_defaults_of_the_ribbon_line() {
     assert_eq!(
         buttons(&line, "loop-needed"),
         [
-            "Set a loop of 1110.9 mm: loop-capacity=1110.9".to_owned(),
-            format!("Set a dwell of {dwell} s: wait=dwell dwell={dwell}"),
+            "Set a loop of 1212.8 mm: loop-capacity=1212.8".to_owned(),
+            format!("Set a loop of 545.8 mm: wait=dwell dwell={dwell} loop-capacity=545.8"),
         ]
     );
 }
@@ -174,7 +174,7 @@ fn slower_unwinder_counts_the_override() {
         &[("clamp-y", "100000"), ("override", "80"), ("spindle-speed", "1300")],
     );
     // 100000 / (1000 mm of print roller per 8 mm of ribbon …): 1013 r/min of the unwinder at 80 %.
-    assert_eq!(buttons(&line, "y-feed"), ["Set 1266 r/min: spindle-speed=1266"]);
+    assert_eq!(buttons(&line, "y-feed"), ["Set 1266 r/min: spindle-speed=1266 speed-clamp=1013"]);
 }
 
 #[test]
@@ -217,12 +217,14 @@ fn override_behind_the_limits_is_held_by_the_chuck() {
 fn limits_are_written_with_their_direction() {
     let line = project("ribbon-line", "mitsubishi-e60", &[]);
     let text = list::readouts_text(&line.design().readouts);
-    for phrase in ["(at most 20000)", "(at least ", "(within ±50)", "(exactly 1)"] {
+    for phrase in ["(at most 16216.216)", "(at least ", "(within ±50)", "(exactly 1)"] {
         assert!(text.contains(phrase), "{phrase}:\n{text}");
     }
     let json = list::readouts_json(&line.design().readouts);
     let of = |id: &str| json.as_array().unwrap().iter().find(|row| row["id"] == id).unwrap();
-    assert_eq!((of("x-feed")["limit"].as_f64(), of("x-feed")["bound"].as_str()), (Some(20000.0), Some("most")));
+    // 20000 mm/min at the end of the knob, where the clamp of 1480 r/min holds the 1200 of 100 %.
+    let limit = of("x-feed")["limit"].as_f64().unwrap();
+    assert!((limit - 20000.0 * 1200.0 / 1480.0).abs() < 1e-6 && of("x-feed")["bound"] == "most", "{limit}");
     assert_eq!(of("slack-rate")["bound"].as_str(), Some("within"));
     assert!(of("k")["limit"].is_null() && of("k")["bound"].is_null());
 }
