@@ -10,6 +10,8 @@ pub mod chart_rows;
 
 pub mod sheets;
 
+pub mod stops;
+
 pub mod header;
 
 pub mod writing;

@@ -45,13 +45,6 @@ pub enum ProgramState {
     Alarm,
 }
 
-impl ProgramState {
-    /// The program has stopped in the middle and not ended: whatever moves with its axes must stop with them.
-    pub fn interrupted(self) -> bool {
-        matches!(self, ProgramState::Held | ProgramState::Stopped | ProgramState::Alarm)
-    }
-}
-
 /// The part of the interface that stops the machine and lets it go on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stops {

@@ -59,8 +59,8 @@ test('nothing that is said moves a control', () =>
 test('a double click on a block shows the machine when it runs next', () =>
   withPage(app, {}, async ({ page }) => {
     await page.getByRole('button', { name: 'O9101.nc' }).click();
-    await doubleClick(page.locator('.listing li[data-l]', { hasText: 'N35 G01' }));
-    await page.locator('.listing li[aria-current="step"]', { hasText: 'N35 G01' }).waitFor();
+    await doubleClick(page.locator('.listing li[data-l]', { hasText: 'N44 G01' }));
+    await page.locator('.listing li[aria-current="step"]', { hasText: 'N44 G01' }).waitFor();
     const first = await clock(page);
     assert.ok(first > '00:02', first);
     await doubleClick(page.locator('.listing li[data-l]', { hasText: 'N50 M5' }));

@@ -37,7 +37,7 @@ test('a click on a line number is a breakpoint; stepping goes into calls, over t
     await next(page, 'N6 G92');
     assert.match(await seen(page), /Changed[\s\S]*#115\s+vacant → 119.391\.39/);
     await press(page, 'Back by a block');
-    await next(page, 'N39 M99');
+    await next(page, 'N47 M99');
     await accessible(page);
     // The breakpoint is told with all others, and goes as it came or where it is told.
     assert.match(await seen(page), /Breakpoints\s+O9101.nc:15\s+N5 M98 P9100 · 1 ×/);
@@ -54,20 +54,20 @@ test('a condition decides where it stops, and what it stops on is seen: changes,
     await fill(page, 'Break if', '#125 EQ 490');
     await page.getByText('First choose a line').first().waitFor();
     await file(page, 'O9101.nc');
-    await line(page, 'N36 #125').click();
+    await line(page, 'N45 #125').click();
     await fill(page, 'Break if', '#125 EQ');
     await page.getByText('ends where a value is expected').first().waitFor();
     assert.equal(await page.getByLabel('Break if').inputValue(), '#125 EQ', 'it is there to be mended');
     await fill(page, 'Break if', '#125 EQ 490');
     await page.locator('.listing li.stop[data-if="#125 EQ 490"]').waitFor();
     await page.locator('.listing').press('c');
-    await next(page, 'N36');
+    await next(page, 'N45');
     for (const text of ['#125*2', '#1 +']) await fill(page, 'Watch', text);
     assert.match(await seen(page), /#125\*2\s+980/);
     assert.match(await seen(page), /#1 \+\s.*value is expected/);
     await page.locator('h1').click();
     await page.keyboard.press('i');
-    await next(page, 'N37');
+    await next(page, 'N46');
     assert.match(await seen(page), /#125\s+490 → 489[\s\S]*#125\*2\s+978/);
     await press(page, 'Remove #1 +');
     assert.doesNotMatch(await seen(page), /#1 \+/);
@@ -79,19 +79,19 @@ test('a condition decides where it stops, and what it stops on is seen: changes,
     await enter(row.locator('input'), '1');
     await page.locator('#tab-program').click();
     await page.waitForFunction(() => /#125\*2\s+2(\s|$)/.test(document.querySelector('.seen').innerText));
-    await next(page, 'N37');
+    await next(page, 'N46');
     // Letters in a field are text.
     await page.getByLabel('Watch').pressSequentially('bitcoxur');
-    await next(page, 'N37');
+    await next(page, 'N46');
   }));
 
 test('the head is where the walk stands; playing stops at a breakpoint, the first block too', () =>
   withPage(app, {}, async ({ page }) => {
     await file(page, 'O9101.nc');
-    await line(page, 'N35 G01').click();
+    await line(page, 'N44 G01').click();
     await page.locator('h1').click();
     await page.keyboard.press('t');
-    await next(page, 'N35');
+    await next(page, 'N44');
     const at = await clock(page);
     assert.notEqual(at, '00:00.0000');
     await page.keyboard.press('b');

@@ -16,6 +16,8 @@ mod plant;
 
 mod plc;
 
+mod stops;
+
 mod scene;
 
 mod pose;

@@ -2,8 +2,10 @@
 
 use super::params::PULL;
 use super::resolved::RibbonLine;
+use super::stops::unwinder;
 use crate::controls::SpindleRules;
 use crate::drives::Analog;
+use crate::machines::stops::{Interruption, SpindleReaction};
 use crate::math::PI;
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
@@ -49,8 +51,9 @@ fn spindle(line: &RibbonLine) -> SpindlePlant {
     let (gain, slip) =
         if p.dancer { (p.program_pi() / PI, 0.0) } else { (motor.gain(), motor.slip() / p.speed_at_10v) };
     let analog = Analog { bits: bench.output_bits, ..Analog::unipolar(p.speed_at_10v, bench.volts_full) };
-    // The builder's ladder drops M3 at reset: an unwinder that turned on would fill the loop.
-    let rules = SpindleRules { turns_through_reset: false, ..line.dialect.spindle() };
+    // The builder's ladder, not the control's, decides about M3 at reset.
+    let turns_through_reset = unwinder(Interruption::Reset) == SpindleReaction::Turns;
+    let rules = SpindleRules { turns_through_reset, ..line.dialect.spindle() };
     SpindlePlant {
         gain,
         slip,

@@ -4,6 +4,8 @@
 use super::derive::{AT_SPEED, FIN_DELAY};
 use super::params::{OverrideForm, Wait};
 use super::resolved::{GREATEST, RibbonLine};
+use super::stops::unwinder;
+use crate::machines::stops::{Interruption, SpindleReaction};
 use crate::math;
 use crate::motion::{Io, Plc, ProgramState, Strobes};
 
@@ -60,7 +62,8 @@ impl RibbonPlc {
     /// Holds the unwinder while the program is interrupted. At cycle start the unwinder runs up first, and the axes wait for it as
     /// they do behind M3: for its speed, or for the dwell. Returns the time of the next look.
     fn interruption(&mut self, t: f64, io: &mut Io) -> Option<f64> {
-        if io.stops.program.interrupted() {
+        let waits = |at| unwinder(at) == SpindleReaction::Waits;
+        if Interruption::lasting(io.stops.program).is_some_and(waits) {
             (io.stops.spindle, io.stops.axes, self.released) = (true, false, None);
             return None;
         }

@@ -3,9 +3,11 @@
 use super::params::{OverrideForm, PrintAxis, Wait};
 use super::program;
 use super::resolved::RibbonLine;
+use super::stops::reactions;
 use crate::controls::ParamRole;
 use crate::controls::interface::SignalRole;
 use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
+use crate::machines::stops;
 use crate::text::number::Plain;
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
@@ -13,7 +15,7 @@ use crate::view::ladder::{self, Contact, Rung};
 
 /// All sheets.
 pub(super) fn sheets(line: &RibbonLine) -> Vec<Sheet> {
-    vec![parameters(line), interface(line), ladder(line)]
+    vec![parameters(line), interface(line), ladder(line), stops::sheet(&reactions(line))]
 }
 
 /// Parameters with their values for this project.
@@ -91,7 +93,69 @@ fn interface(line: &RibbonLine) -> Sheet {
             open,
         ));
     }
+    for (device, writes, reads, what) in stop_signals(line) {
+        let who = |writer: Side| match writer {
+            Side::Plc => say("ribbon.plc.plc"),
+            Side::Control => say("ribbon.plc.control"),
+            Side::Machine => say("ribbon.plc.machine"),
+        };
+        rows.push(row([device.to_owned(), String::new(), who(writes), who(reads), String::new(), say(what)], SIGNALS));
+    }
     sheets::interface(rows)
+}
+
+const SIGNALS: Citation = Citation::new("ribbon line facts, 7; names of the signals", Grade::Sister);
+
+/// Who writes or reads a signal.
+#[derive(Clone, Copy)]
+enum Side {
+    Plc,
+    Control,
+    Machine,
+}
+
+/// Signals of the stops, by FANUC's names: device, writer, reader, use.
+fn stop_signals(line: &RibbonLine) -> Vec<(&'static str, Side, Side, &'static str)> {
+    let mut all = vec![
+        ("STL", Side::Control, Side::Plc, "ribbon.plc.stl"),
+        ("RST", Side::Control, Side::Plc, "ribbon.plc.rst"),
+        ("DM30", Side::Control, Side::Plc, "ribbon.plc.dm30"),
+        ("*SSTP", Side::Plc, Side::Control, "ribbon.plc.sstp"),
+    ];
+    if !line.in_step() {
+        all.push(("*IT", Side::Plc, Side::Control, "ribbon.plc.it"));
+    }
+    all.push(("*ESP", Side::Machine, Side::Control, "ribbon.plc.esp"));
+    all
+}
+
+/// Rungs that stop the unwinder with the axes, and hold the axes at the restart; the simulated PLC does the same by [`super::stops::unwinder`].
+fn stop_rungs(line: &RibbonLine) -> Vec<Rung> {
+    let closes = |device: &str| Contact::closes(device);
+    let opens = |device: &str| Contact { device: device.to_owned(), inverted: true };
+    let rung = |contacts, output: &str, note| Rung { contacts, output: output.to_owned(), note: say(note) };
+    let mut rungs = vec![
+        rung(vec![closes("STL")], "SET M200", "ribbon.ladder.runs"),
+        rung(vec![closes("DM30")], "RST M200", "ribbon.ladder.ends"),
+        rung(vec![closes("RST")], "RST M200", "ribbon.ladder.reset"),
+        rung(vec![closes("M200"), opens("STL")], "OUT M201", "ribbon.ladder.interrupted"),
+        rung(vec![opens("M201")], "OUT *SSTP", "ribbon.ladder.stop"),
+    ];
+    if line.in_step() {
+        return rungs;
+    }
+    rungs.push(rung(vec![closes("M201")], "SET M202", "ribbon.ladder.wait"));
+    let (tenths, note, up) = match line.p.wait {
+        Wait::Dwell => ((line.p.dwell * 10.0).ceil().max(1.0), "ribbon.ladder.dwell", vec![closes("T20")]),
+        // The inverter may report the speed 0 as reached until it sees the new one.
+        Wait::Fin => (1.0, "ribbon.ladder.settle", vec![closes("T20"), closes("SU")]),
+    };
+    let timer = format!("OUT T20 K{}", Plain(tenths, 0));
+    rungs.push(rung(vec![closes("M202"), opens("M201")], &timer, note));
+    rungs.push(rung(up, "RST M202", "ribbon.ladder.waited"));
+    rungs.push(rung(vec![closes("RST")], "RST M202", "ribbon.ladder.reset"));
+    rungs.push(rung(vec![opens("M202")], "OUT *IT", "ribbon.ladder.axes"));
+    rungs
 }
 
 /// The rungs of the paper's figure 1, and FIN; rungs need a register of the control.
@@ -141,6 +205,7 @@ fn rungs(line: &RibbonLine) -> Vec<Rung> {
             rungs.push(rung(other, "OUT FIN".to_owned(), "ribbon.ladder.fin"));
         }
     }
+    rungs.extend(stop_rungs(line));
     rungs
 }
 

@@ -360,6 +360,28 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         7 | OUT FIN | code is done
         8 | LD M STROBE | 
         9 | OUT FIN | code is done
+        10 | LD STL | 
+        11 | SET M200 | the program runs
+        12 | LD DM30 | 
+        13 | RST M200 | its end is no interruption
+        14 | LD RST | 
+        15 | RST M200 | nothing to go on with
+        16 | LD M200 | 
+        17 | ANI STL | 
+        18 | OUT M201 | stopped in the middle: hold, M00, alarm
+        19 | LDI M201 | 
+        20 | OUT *SSTP | unwinder stops with the axes
+        21 | LD M201 | 
+        22 | SET M202 | axes wait at the restart
+        23 | LD M202 | 
+        24 | ANI M201 | 
+        25 | OUT T20 K20 | as long as behind M3, in 0.1 s
+        26 | LD T20 | 
+        27 | RST M202 | unwinder runs
+        28 | LD RST | 
+        29 | RST M202 | nothing to go on with
+        30 | LDI M202 | 
+        31 | OUT *IT | axes may move
     "#]]
     .assert_eq(&rows(&[], "ladder"));
     expect![[r#"
@@ -382,6 +404,29 @@ fn ladder_list_equals_figure_1_of_the_paper() {
         16 | LD M STROBE | 
         17 | ANI M03 | 
         18 | OUT FIN | code is done
+        19 | LD STL | 
+        20 | SET M200 | the program runs
+        21 | LD DM30 | 
+        22 | RST M200 | its end is no interruption
+        23 | LD RST | 
+        24 | RST M200 | nothing to go on with
+        25 | LD M200 | 
+        26 | ANI STL | 
+        27 | OUT M201 | stopped in the middle: hold, M00, alarm
+        28 | LDI M201 | 
+        29 | OUT *SSTP | unwinder stops with the axes
+        30 | LD M201 | 
+        31 | SET M202 | axes wait at the restart
+        32 | LD M202 | 
+        33 | ANI M201 | 
+        34 | OUT T20 K1 | until SU is about the new speed, in 0.1 s
+        35 | LD T20 | 
+        36 | AND SU | 
+        37 | RST M202 | unwinder runs
+        38 | LD RST | 
+        39 | RST M202 | nothing to go on with
+        40 | LDI M202 | 
+        41 | OUT *IT | axes may move
     "#]]
     .assert_eq(&rows(&[("knob-step", "5"), ("override-form", "final-speed"), ("wait", "fin")], "ladder"));
 }

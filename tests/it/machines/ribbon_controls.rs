@@ -424,10 +424,16 @@ fn lathe_registers_and_ladder_match_their_goldens() {
         &[],
         "interface",
         expect![[r#"
-        G30 |  | PLC | control |  | Spindle override: the knob as a code; the control multiplies S by the percentage that it stands for
-        G54 | #1032 | PLC | program | % | The same percentage for the program
-        FIN |  | PLC | control |  | Answers M and S codes after a few scans
-    "#]],
+            G30 |  | PLC | control |  | Spindle override: the knob as a code; the control multiplies S by the percentage that it stands for
+            G54 | #1032 | PLC | program | % | The same percentage for the program
+            FIN |  | PLC | control |  | Answers M and S codes after a few scans
+            STL |  | control | PLC |  | Program runs: falls at hold, M00, single block and alarm
+            RST |  | control | PLC |  | Reset, or emergency stop
+            DM30 |  | control | PLC |  | M30: the program is at its end
+            *SSTP |  | PLC | control |  | 0 holds the unwinder at speed 0; S and M3 stay
+            *IT |  | PLC | control |  | 0 holds the axes of the program
+            *ESP |  | machine | control |  | Emergency stop, hard-wired: run command off at once, enable off by a timer not shorter than the ramp
+        "#]],
     );
     check(
         "gsk-980tdc",
@@ -446,6 +452,28 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             9 | OUT FIN | code is done
             10 | LD M STROBE | 
             11 | OUT FIN | code is done
+            12 | LD STL | 
+            13 | SET M200 | the program runs
+            14 | LD DM30 | 
+            15 | RST M200 | its end is no interruption
+            16 | LD RST | 
+            17 | RST M200 | nothing to go on with
+            18 | LD M200 | 
+            19 | ANI STL | 
+            20 | OUT M201 | stopped in the middle: hold, M00, alarm
+            21 | LDI M201 | 
+            22 | OUT *SSTP | unwinder stops with the axes
+            23 | LD M201 | 
+            24 | SET M202 | axes wait at the restart
+            25 | LD M202 | 
+            26 | ANI M201 | 
+            27 | OUT T20 K20 | as long as behind M3, in 0.1 s
+            28 | LD T20 | 
+            29 | RST M202 | unwinder runs
+            30 | LD RST | 
+            31 | RST M202 | nothing to go on with
+            32 | LDI M202 | 
+            33 | OUT *IT | axes may move
         "#]],
     );
     check(
@@ -453,11 +481,17 @@ fn lathe_registers_and_ladder_match_their_goldens() {
         &[("wait", "fin")],
         "interface",
         expect![[r#"
-        G30 |  | PLC | control | % | Spindle override: the knob in whole steps; the control multiplies S by it
-        G54 | #1032 | PLC | program | % | The same percentage for the program
-        FIN |  | PLC | control |  | Answers M3 when the unwinder has its speed, other codes after a few scans
-        SU |  | inverter | PLC |  | Inverter is up to speed (95 %)
-    "#]],
+            G30 |  | PLC | control | % | Spindle override: the knob in whole steps; the control multiplies S by it
+            G54 | #1032 | PLC | program | % | The same percentage for the program
+            FIN |  | PLC | control |  | Answers M3 when the unwinder has its speed, other codes after a few scans
+            SU |  | inverter | PLC |  | Inverter is up to speed (95 %)
+            STL |  | control | PLC |  | Program runs: falls at hold, M00, single block and alarm
+            RST |  | control | PLC |  | Reset, or emergency stop
+            DM30 |  | control | PLC |  | M30: the program is at its end
+            *SSTP |  | PLC | control |  | 0 holds the unwinder at speed 0; S and M3 stay
+            *IT |  | PLC | control |  | 0 holds the axes of the program
+            *ESP |  | machine | control |  | Emergency stop, hard-wired: run command off at once, enable off by a timer not shorter than the ramp
+        "#]],
     );
     check(
         "knd-k2000t",
@@ -472,6 +506,28 @@ fn lathe_registers_and_ladder_match_their_goldens() {
             5 | OUT FIN | code is done
             6 | LD M STROBE | 
             7 | OUT FIN | code is done
+            8 | LD STL | 
+            9 | SET M200 | the program runs
+            10 | LD DM30 | 
+            11 | RST M200 | its end is no interruption
+            12 | LD RST | 
+            13 | RST M200 | nothing to go on with
+            14 | LD M200 | 
+            15 | ANI STL | 
+            16 | OUT M201 | stopped in the middle: hold, M00, alarm
+            17 | LDI M201 | 
+            18 | OUT *SSTP | unwinder stops with the axes
+            19 | LD M201 | 
+            20 | SET M202 | axes wait at the restart
+            21 | LD M202 | 
+            22 | ANI M201 | 
+            23 | OUT T20 K20 | as long as behind M3, in 0.1 s
+            24 | LD T20 | 
+            25 | RST M202 | unwinder runs
+            26 | LD RST | 
+            27 | RST M202 | nothing to go on with
+            28 | LDI M202 | 
+            29 | OUT *IT | axes may move
         "#]],
     );
 }

@@ -161,6 +161,82 @@ fn hold_during_the_start_stays_within_the_loop() {
     }
 }
 
+/// Cells of the table of stops.
+fn table(project: &Project) -> Vec<Vec<String>> {
+    let sheet = project.prepared().sheets().into_iter().find(|sheet| sheet.id == "stops").expect("a table of stops");
+    sheet.rows.into_iter().map(|row| row.cells).collect()
+}
+
+#[test]
+fn table_of_stops_names_spindle_axes_web_and_next_step() {
+    for control in controls() {
+        let rows = table(&line(control.id, &[]));
+        let names: Vec<_> = rows.iter().map(|cells| cells[0].as_str()).collect();
+        let wanted = ["Feed hold", "Stop between two blocks: M00, single block", "Alarm", "Reset", "Emergency stop"];
+        assert_eq!(names, wanted, "{}", control.id);
+        assert!(rows.iter().flatten().all(|cell| !cell.is_empty() && !cell.contains("ribbon.")), "{rows:?}");
+        // The report has it, too.
+        let export = line(control.id, &[]).export();
+        let report = export.files.iter().find(|file| file.name.ends_with(".md")).expect("a report");
+        assert!(report.text.contains("## Hold, alarm, reset, emergency stop"), "{}", control.id);
+    }
+}
+
+#[test]
+fn operator_goes_on_as_the_table_says() {
+    let pitch = |project: &Project, planner: &Planner<Interp>| {
+        planner.timeline().at(planner.timeline().end()).axes[0].position / readout(project, "product-length").value
+    };
+    for control in controls() {
+        let project = line(control.id, &[]);
+        let run = |actions: &[(f64, Action)]| {
+            let events = actions.iter().map(|(t, action)| event(*t, action.clone())).collect();
+            let mut planner = over_time(&project, events);
+            (ended(&mut planner), planner)
+        };
+        // Hold and single block go on, and the product is whole.
+        let single = [(8.0, Action::SingleBlock(true)), (12.0, Action::SingleBlock(false)), (12.1, Action::Start)];
+        for actions in [&[(8.0, Action::Hold), (14.0, Action::Start)][..], &single] {
+            let (end, planner) = run(actions);
+            assert_eq!(end, RunEnd::ProgramEnd, "{} {actions:?}", control.id);
+            assert!((pitch(&project, &planner) - 1.0).abs() < 1e-9, "{} {actions:?}", control.id);
+        }
+        // Reset and emergency stop begin anew; behind emergency stop only after reset.
+        let (end, _) = run(&[(8.0, Action::EmergencyStop), (14.0, Action::Start)]);
+        assert!(matches!(end, RunEnd::Alarm(_)), "{} {end:?}", control.id);
+        let anew = [(8.0, Action::EmergencyStop), (13.0, Action::Reset), (14.0, Action::Start)];
+        for actions in [&anew[..], &[(8.0, Action::Reset), (14.0, Action::Start)]] {
+            let (end, planner) = run(actions);
+            assert_eq!(end, RunEnd::ProgramEnd, "{} {actions:?}", control.id);
+            assert_eq!(planner.timeline().at(13.9).spindle.actual, 0.0, "{} {actions:?}", control.id);
+            assert!(pitch(&project, &planner) > 1.0, "{} {actions:?}", control.id);
+        }
+    }
+}
+
+#[test]
+fn ladder_stops_the_unwinder_by_one_coil_each() {
+    for control in controls() {
+        for more in [
+            &[("wait", "dwell")][..],
+            &[("wait", "fin")],
+            &[("feed-form", "per-revolution"), ("spindle-encoder", "true")],
+        ] {
+            let project = line(control.id, more);
+            let in_step = more.len() == 2;
+            let sheets = project.prepared().sheets();
+            let of = |id: &str| sheets.iter().find(|sheet| sheet.id == id).unwrap();
+            let ladder: Vec<_> = of("ladder").rows.iter().map(|row| row.cells[1].clone()).collect();
+            let times = |what: &str| ladder.iter().filter(|cell| *cell == what).count();
+            assert_eq!((times("OUT *SSTP"), times("OUT *IT")), (1, usize::from(!in_step)), "{} {more:?}", control.id);
+            // Every signal of these rungs is in the interface.
+            for signal in ["STL", "RST", "DM30", "*SSTP"].into_iter().chain((!in_step).then_some("*IT")) {
+                assert!(of("interface").rows.iter().any(|row| row.cells[0] == signal), "{} {signal}", control.id);
+            }
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
 

@@ -1,0 +1,53 @@
+//! Hold, alarm, reset and emergency stop of the ribbon line: the unwinder stops with the axes, or it fills the loop.
+
+use super::resolved::RibbonLine;
+use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
+use crate::msg;
+use crate::text::{Citation, Grade, Message};
+
+const MODEL: Citation = Citation::new("ribbon line facts, 7", Grade::Inferred);
+
+/// What the unwinder does.
+pub(super) fn unwinder(at: Interruption) -> SpindleReaction {
+    match at {
+        Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::Waits,
+        Interruption::Reset | Interruption::EmergencyStop => SpindleReaction::Off,
+    }
+}
+
+/// The table, with the ribbon (mm) that each interruption lays into the loop.
+pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
+    let (d, print) = (&line.d, line.p.print_axis.address().to_string());
+    let laid = |mm: f64| msg!("ribbon.stops.laid", (mm, 0));
+    let again = msg!("ribbon.stops.laid-twice", (d.slack_hold, 0), (d.slack_resume, 0), (d.slack_interruption, 0));
+    let goes_on = match line.in_step() {
+        true => msg!("ribbon.stops.start-in-step"),
+        false => msg!("ribbon.stops.start"),
+    };
+    let row = |at, axes: Message, material, operator| Reaction {
+        at,
+        spindle: unwinder(at),
+        axes,
+        material,
+        operator,
+        cite: MODEL,
+    };
+    let block = msg!("ribbon.stops.axes-block", print.as_str());
+    vec![
+        row(Interruption::Hold, msg!("ribbon.stops.axes-hold", print.as_str()), again.clone(), goes_on.clone()),
+        row(Interruption::BlockStop, block.clone(), again, goes_on),
+        row(Interruption::Alarm, block, laid(d.slack_stop), msg!("ribbon.stops.mend")),
+        row(
+            Interruption::Reset,
+            msg!("ribbon.stops.axes-reset", print.as_str()),
+            laid(d.slack_hold),
+            msg!("ribbon.stops.anew"),
+        ),
+        row(
+            Interruption::EmergencyStop,
+            msg!("ribbon.stops.axes-emergency", print.as_str()),
+            laid(d.slack_hold),
+            msg!("ribbon.stops.clear"),
+        ),
+    ]
+}

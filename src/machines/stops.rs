@@ -1,0 +1,107 @@
+//! What a machine does when its run is interrupted, as one table: its PLC acts by it, and its sheets show it.
+
+use super::sheets::{row, say};
+use crate::motion::ProgramState;
+use crate::text::catalog::{Language, sentence};
+use crate::text::{Citation, Message};
+use crate::view::Sheet;
+
+/// An interruption of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Interruption {
+    /// Feed hold.
+    Hold,
+    /// A stop between two blocks: M00, M01, a message, single block.
+    BlockStop,
+    /// An alarm.
+    Alarm,
+    /// Reset.
+    Reset,
+    /// Emergency stop.
+    EmergencyStop,
+}
+
+impl Interruption {
+    /// The interruption that lasts while the control reports this state. Reset and emergency stop are moments, and leave no program to go
+    /// on with.
+    pub fn lasting(program: ProgramState) -> Option<Interruption> {
+        match program {
+            ProgramState::Held => Some(Interruption::Hold),
+            ProgramState::Stopped => Some(Interruption::BlockStop),
+            ProgramState::Alarm => Some(Interruption::Alarm),
+            ProgramState::Idle | ProgramState::Running => None,
+        }
+    }
+
+    /// Catalog id of its name.
+    fn name(self) -> &'static str {
+        match self {
+            Interruption::Hold => "stops.hold",
+            Interruption::BlockStop => "stops.block-stop",
+            Interruption::Alarm => "stops.alarm",
+            Interruption::Reset => "stops.reset",
+            Interruption::EmergencyStop => "stops.emergency",
+        }
+    }
+}
+
+/// What the spindle does at an interruption.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpindleReaction {
+    /// It turns on.
+    Turns,
+    /// The PLC holds it at speed 0; at cycle start it runs up again.
+    Waits,
+    /// M3 and M4 are dropped.
+    Off,
+}
+
+impl SpindleReaction {
+    /// Catalog id of the sentence.
+    fn text(self) -> &'static str {
+        match self {
+            SpindleReaction::Turns => "stops.spindle-turns",
+            SpindleReaction::Waits => "stops.spindle-waits",
+            SpindleReaction::Off => "stops.spindle-off",
+        }
+    }
+}
+
+/// A row of the table.
+#[derive(Debug, Clone)]
+pub struct Reaction {
+    /// The interruption.
+    pub at: Interruption,
+    /// What the spindle does.
+    pub spindle: SpindleReaction,
+    /// What the axes do.
+    pub axes: Message,
+    /// What becomes of the material: the web, the work.
+    pub material: Message,
+    /// What the operator does next.
+    pub operator: Message,
+    /// Source and grade.
+    pub cite: Citation,
+}
+
+/// The table as a sheet.
+pub fn sheet(reactions: &[Reaction]) -> Sheet {
+    let text = |message: &Message| sentence(Language::English, message);
+    let line = |reaction: &Reaction| {
+        let cells = [
+            say(reaction.at.name()),
+            say(reaction.spindle.text()),
+            text(&reaction.axes),
+            text(&reaction.material),
+            text(&reaction.operator),
+        ];
+        row(cells, reaction.cite)
+    };
+    Sheet {
+        id: "stops",
+        title: "sheet.stops",
+        columns: vec!["sheet.interruption", "sheet.spindle", "sheet.axes", "sheet.material", "sheet.operator"],
+        rows: reactions.iter().map(line).collect(),
+        drawing: String::new(),
+    }
+}
