@@ -1,6 +1,7 @@
 //! Charts over time as rows.
 
 use super::machine::Samples;
+use crate::controls::Address;
 use crate::motion::Snapshot;
 use crate::view::{Chart, Series};
 
@@ -10,6 +11,8 @@ pub struct ChartLine<M: 'static> {
     pub label: fn(&M) -> &'static str,
     /// Number of its colour.
     pub tone: u8,
+    /// Address of the axis or the spindle that it is about.
+    pub address: fn(&M) -> Option<Address>,
     /// Its value at a moment of the run.
     pub value: fn(&M, &Snapshot) -> f64,
 }
@@ -43,6 +46,7 @@ pub fn charts<M>(
     let drawn = |line: &ChartLine<M>| Series {
         label: (line.label)(machine),
         tone: line.tone,
+        address: (line.address)(machine),
         points: moments.iter().map(|(t, now)| (*t, (line.value)(machine, now))).collect(),
     };
     let chart = |row: &ChartRow<M>| Chart {

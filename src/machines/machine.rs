@@ -185,6 +185,10 @@ pub trait Prepared: Send + Sync {
     fn scene(&self) -> Scene;
     /// The drawing at a moment.
     fn pose(&self, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
+    /// Catalog id of the first contact with the work, once it has happened: `first dot`.
+    fn contact(&self, _run: &dyn Samples, _now: &Snapshot) -> Option<&'static str> {
+        None
+    }
     /// Charts from `from` to `to` seconds with `points` points each.
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart>;
 }
@@ -281,6 +285,21 @@ impl Deref for PreparedMachine {
 }
 
 impl PreparedMachine {
+    /// Time (s) and catalog id of the first contact with the work, up to a time of the run.
+    pub fn first_contact(&self, run: &dyn Samples, until: f64) -> Option<(f64, &'static str)> {
+        let name = self.machine.contact(run, &run.at(until))?;
+        let (mut before, mut after) = (0.0, until);
+        // To a hundredth of a millisecond in a run of ten hours.
+        for _ in 0..32 {
+            let middle = 0.5 * (before + after);
+            match self.machine.contact(run, &run.at(middle)) {
+                Some(_) => after = middle,
+                None => before = middle,
+            }
+        }
+        Some((after, name))
+    }
+
     /// Fields without a meaning on this control with these values; their values stay.
     pub fn hidden(&self) -> &[&'static str] {
         &self.hidden

@@ -37,6 +37,7 @@ pub mod setup;
 pub mod snapshot;
 
 // The record over time.
+pub mod milestones;
 mod path;
 mod records;
 mod spindle;
@@ -72,6 +73,7 @@ pub mod gate;
 pub mod plan;
 
 pub use gate::Gate;
+pub use milestones::Milestone;
 pub use panel::{Action, Event, Panel};
 pub use plan::Planner;
 pub use plant::{AxisPlant, PMC_AXES, Plant, SpindlePlant};

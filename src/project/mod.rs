@@ -38,6 +38,10 @@ pub mod sensitivity;
 
 pub mod remedy;
 
+pub mod meaning;
+
+pub mod dependence;
+
 use std::sync::Arc;
 
 use crate::controls::{self, Control, Switches};

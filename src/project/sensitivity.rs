@@ -63,7 +63,7 @@ fn flip(project: &Project, field: &FieldInfo, before: &[Readout]) -> Option<Flip
 }
 
 /// The value of a number by a factor, as the field takes it; `None` where the field is no number, or its range or decimals leave no other value.
-fn changed(project: &Project, field: &FieldInfo, factor: f64) -> Option<f64> {
+pub(super) fn changed(project: &Project, field: &FieldInfo, factor: f64) -> Option<f64> {
     let KindInfo::Number { min, max, default, decimals, .. } = field.kind else { return None };
     let value = match project.values.get(field.id) {
         Some(value @ Value::Number(number)) if field.check(value).is_ok() => *number,

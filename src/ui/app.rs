@@ -15,6 +15,7 @@ use super::machine::Machine;
 use super::machine::operator_panel::OperatorPanel;
 use super::parts::Later;
 use super::parts::divider::Divider;
+use super::parts::meaning::MeaningPopover;
 use super::parts::scene::Still;
 use super::program::ProgramTab;
 use super::results::{ExploreTab, ParametersTab, PlcTab, ResultsTab, VariablesTab};
@@ -80,9 +81,10 @@ fn Screen() -> impl IntoView {
             <Machine />
             <Divider property="--right" label="page.divide-side" grows=-1.0 />
             <Side />
+            <MeaningPopover />
+            <FieldHelp />
         </main>
         <Later>
-            <FieldHelp />
             <ExportDialog />
             <HelpDialog />
             <EarlierDialog />

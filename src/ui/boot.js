@@ -17,13 +17,20 @@ try {
   // A browser without a store has kept nothing.
 }
 
-// Labels in the size that they keep (`parts::scene::fit`).
+// Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/scene_view.rs`). Names
+// have room everywhere; values wait for the page, which finds places for them.
 const drawing = still.querySelector('.scene');
 if (drawing) {
+  const stage = drawing.parentElement;
   const { width, height } = drawing.viewBox.baseVal;
-  const room = drawing.getBoundingClientRect();
-  const unit = Math.max(width / room.width, height / room.height);
-  drawing.style.setProperty('--u', Math.min(unit, Number(drawing.dataset.unit) || unit).toFixed(4));
+  const laidOut = Number(drawing.dataset.unit);
+  const pans = width / stage.clientWidth > 1.35 * laidOut;
+  stage.classList.toggle('pans', pans);
+  const room = stage.getBoundingClientRect();
+  const unit = Math.max(height / room.height, pans ? laidOut : width / room.width);
+  drawing.style.setProperty('--u', unit.toFixed(4));
+  if (pans) drawing.style.setProperty('width', `${(width / unit).toFixed(0)}px`);
+  stage.classList.toggle('crowded', unit > laidOut);
 }
 
 try {

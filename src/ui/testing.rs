@@ -246,10 +246,7 @@ impl Bench {
     /// Waits for two frames.
     pub(crate) async fn drawn(&self) {
         for _ in 0..2 {
-            let frame = js_sys::Promise::new(&mut |done, _| {
-                let _ = window().request_animation_frame(&done);
-            });
-            JsFuture::from(frame).await.unwrap();
+            dom::frame().await;
         }
         settled().await;
     }

@@ -1,5 +1,7 @@
 //! A chart as data: series of points over time, or over another quantity. `plot` draws it.
 
+use crate::controls::Address;
+
 /// A line of a chart.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
@@ -7,6 +9,8 @@ pub struct Series {
     pub label: &'static str,
     /// Which of the page's line colours, from 0.
     pub tone: u8,
+    /// Address of the axis or the spindle that it is about; none for other quantities.
+    pub address: Option<Address>,
     /// Points (x, y) in order of x.
     pub points: Vec<(f64, f64)>,
 }

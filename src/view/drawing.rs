@@ -20,7 +20,32 @@ pub struct Drawing {
     pub field: &'static str,
     /// Drawing units per pixel for which labels are laid out.
     pub unit: f64,
+    /// Places to look at; see [`Scene::stations`].
+    pub stations: Vec<(&'static str, f64)>,
+    /// Number of the label that the nodes that follow belong to.
+    label: u16,
+    /// Labels so far.
+    labels: u16,
+    leaders: Vec<Leader>,
 }
+
+/// A hairline from a label to its part.
+#[derive(Debug, Clone)]
+struct Leader {
+    /// Its place among the nodes.
+    node: usize,
+    /// Lowest and highest start along the edge of the text, and the height of that edge.
+    from: (f64, f64, f64),
+    /// The part.
+    to: (f64, f64),
+}
+
+/// Letters of a value that poses write, at most, as far as leaders keep away from it.
+const VALUE_LETTERS: usize = 16;
+/// Width of a letter and heights of its top and foot, in sizes of the letters.
+const LETTER_BOX: [f64; 3] = [0.6, 0.75, 0.25];
+/// Starts of a leader along its text that are tried.
+const STARTS: u8 = 8;
 
 /// A name with values below it, and a hairline to the part.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,6 +84,13 @@ impl Drawing {
         self.group = before;
     }
 
+    /// Draws in a group that is visible only in poses that show it.
+    pub fn within_hidden(&mut self, group: u16, draw: impl FnOnce(&mut Drawing)) {
+        self.within(group, draw);
+        let present = self.groups.get(usize::from(group)).cloned().unwrap_or_default();
+        self.place(group, SceneGroup { hidden: true, ..present });
+    }
+
     /// Draws parts that show a field of the form, then goes back to the field before.
     pub fn showing(&mut self, field: &'static str, draw: impl FnOnce(&mut Drawing)) {
         let before = core::mem::replace(&mut self.field, field);
@@ -75,7 +107,7 @@ impl Drawing {
     /// Adds a shape.
     pub fn shape(&mut self, shape: Shape, look: Look) -> &mut Node {
         let at = self.nodes.len();
-        self.nodes.push(Node { id: None, group: self.group, shape, look, field: self.field });
+        self.nodes.push(Node { id: None, group: self.group, shape, look, field: self.field, label: self.label });
         &mut self.nodes[at]
     }
 
@@ -101,7 +133,13 @@ impl Drawing {
 
     /// A line of text.
     pub fn text(&mut self, at: (f64, f64), anchor: &'static str, text: &str, font: Font, paint: Paint) -> &mut Node {
-        self.line_of_text(at, anchor, text, font, paint, 0)
+        if !matches!(font, Font::Engraved(_)) {
+            self.labels += 1;
+            self.label = self.labels;
+        }
+        let at = self.line_of_text(at, anchor, text, font, paint, 0);
+        self.label = 0;
+        &mut self.nodes[at]
     }
 
     fn line_of_text(
@@ -112,15 +150,18 @@ impl Drawing {
         font: Font,
         paint: Paint,
         line: usize,
-    ) -> &mut Node {
+    ) -> usize {
         let shape = Shape::Text { x, y, anchor, text: text.to_owned(), line: line as f64, font };
-        self.shape(shape, Look::fill(paint))
+        self.shape(shape, Look::fill(paint));
+        self.nodes.len() - 1
     }
 
     /// A name with its values and a leader to its part.
     pub fn callout(&mut self, callout: &Callout) {
         let Callout { at, anchor, name, values, part } = *callout;
         let letter = LETTER * self.unit;
+        self.labels += 1;
+        self.label = self.labels;
         if let Some((x, y)) = part {
             // From the edge of the text that is nearest to the part.
             let below = if y > at.1 { values.len() as f64 * LINE + 0.5 } else { -1.1 };
@@ -132,23 +173,76 @@ impl Drawing {
                 _ => (at.0 + 0.5 * letter, at.0 + wide),
             };
             let from = (math::clamp(x, left, right), at.1 + below * letter);
+            self.leaders.push(Leader { node: self.nodes.len(), from: (left, right, from.1), to: (x, y) });
             self.path(filled("M# #L# #", &[from.0, from.1, x, y]), Look::LEAD);
         }
         self.line_of_text(at, anchor, name, Font::Label, Paint::Dim, 0);
         for (line, (id, text)) in values.iter().enumerate() {
-            self.line_of_text(at, anchor, text, Font::Value, Paint::Ink, line + 1).id = *id;
+            let value = self.line_of_text(at, anchor, text, Font::Value, Paint::Ink, line + 1);
+            self.nodes[value].id = *id;
+        }
+        self.label = 0;
+    }
+
+    /// The room that the letters of a label take: number of the label, left, top, right, bottom. Only labels that never move have one.
+    fn text_box(&self, node: &Node) -> Option<(u16, [f64; 4])> {
+        let Shape::Text { x, y, anchor, text, line, .. } = &node.shape else { return None };
+        let letter = LETTER * self.unit;
+        let count = if node.id.is_some() { text.chars().count().max(VALUE_LETTERS) } else { text.chars().count() };
+        let [wide, top, foot] = LETTER_BOX;
+        let width = wide * letter * count as f64;
+        let left = match *anchor {
+            "end" => x - width,
+            "middle" => x - 0.5 * width,
+            _ => *x,
+        };
+        let base = y + line * LINE * letter;
+        let area = [left, base - top * letter, left + width, base + foot * letter];
+        (node.label > 0 && node.group == 0).then_some((node.label, area))
+    }
+
+    /// Leads hairlines around the texts of other labels; where no start along the own text leads around them, the hairline is left out.
+    fn lead_around(&mut self) {
+        let boxes: Vec<(u16, [f64; 4])> = self.nodes.iter().filter_map(|node| self.text_box(node)).collect();
+        for Leader { node, from: (left, right, y), to } in core::mem::take(&mut self.leaders) {
+            let Some(own) = self.nodes.get(node).map(|node| node.label) else { continue };
+            let free = |x: f64| !boxes.iter().any(|(label, area)| *label != own && crosses((x, y), to, *area));
+            let best = math::clamp(to.0, left, right);
+            let other = |at: u8| left + (right - left) * f64::from(at) / f64::from(STARTS);
+            let start = core::iter::once(best).chain((0..=STARTS).map(other)).find(|x| free(*x));
+            if let Some(Node { shape: Shape::Path { d }, .. }) = self.nodes.get_mut(node) {
+                *d = start.map_or(String::new(), |x| filled("M# #L# #", &[x, y, to.0, to.1]));
+            }
         }
     }
 
     /// The finished drawing, without an option.
-    pub fn scene(self, view: [f64; 4], alt: &'static str) -> Scene {
-        let Drawing { nodes, mut groups, gradients, unit, .. } = self;
+    pub fn scene(mut self, view: [f64; 4], alt: &'static str) -> Scene {
+        self.lead_around();
+        let Drawing { nodes, mut groups, gradients, unit, stations, .. } = self;
         let most = nodes.iter().map(|node| usize::from(node.group)).max().unwrap_or(0);
         if groups.len() <= most {
             groups.resize(most + 1, SceneGroup::default());
         }
-        Scene { view, unit, nodes, groups, gradients, alt, option: None }
+        Scene { view, unit, nodes, groups, gradients, alt, stations, option: None }
     }
+}
+
+/// Whether a line meets a box: left, top, right, bottom.
+pub fn crosses(from: (f64, f64), to: (f64, f64), [left, top, right, bottom]: [f64; 4]) -> bool {
+    let (mut begin, mut end) = (0.0_f64, 1.0_f64);
+    for (at, way, low, high) in [(from.0, to.0 - from.0, left, right), (from.1, to.1 - from.1, top, bottom)] {
+        if way == 0.0 {
+            if at < low || at > high {
+                return false;
+            }
+            continue;
+        }
+        let (a, b) = ((low - at) / way, (high - at) / way);
+        begin = begin.max(a.min(b));
+        end = end.min(a.max(b));
+    }
+    begin <= end
 }
 
 /// A path through points, closed; empty without points.

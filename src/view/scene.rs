@@ -89,6 +89,8 @@ pub struct Node {
     pub look: Look,
     /// Id of the form's field that the shape shows; empty for most.
     pub field: &'static str,
+    /// Number of the label that it belongs to: name, values and leader have one; 0 for other shapes.
+    pub label: u16,
 }
 
 /// A group: its place in its parent, and its window. Poses turn and shift it from there.
@@ -102,11 +104,13 @@ pub struct SceneGroup {
     pub scale: f64,
     /// Window of the group: a circle, a rectangle or a path, outside of which nothing of the group is visible. It moves with the group.
     pub clip: Option<Shape>,
+    /// Whether it is visible only in poses that show it: blurred rings, chips.
+    pub hidden: bool,
 }
 
 impl Default for SceneGroup {
     fn default() -> SceneGroup {
-        SceneGroup { parent: 0, at: (0.0, 0.0), scale: 1.0, clip: None }
+        SceneGroup { parent: 0, at: (0.0, 0.0), scale: 1.0, clip: None, hidden: false }
     }
 }
 
@@ -115,7 +119,7 @@ impl Default for SceneGroup {
 pub struct Scene {
     /// View box: left, top, width, height.
     pub view: [f64; 4],
-    /// Drawing units per pixel for which the labels are laid out: at more they could overlap. 0 where that does not matter.
+    /// Drawing units per pixel for which the labels are laid out: at more, some may have no room. 0 where that does not matter.
     pub unit: f64,
     /// Nodes in drawing order.
     pub nodes: Vec<Node>,
@@ -125,6 +129,8 @@ pub struct Scene {
     pub gradients: Vec<Gradient>,
     /// Description of the drawing for readers who do not see it: catalog id.
     pub alt: &'static str,
+    /// Places to look at where the drawing is wider than its room: catalog id of the name, and distance from the left.
+    pub stations: Vec<(&'static str, f64)>,
     /// Catalog id of the drawing's own option, a check box below it; none for most.
     pub option: Option<&'static str>,
 }

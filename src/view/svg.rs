@@ -187,7 +187,8 @@ impl Writer<'_> {
         let rest = SceneGroup::default();
         let group = scene.groups.get(usize::from(number)).unwrap_or(&rest);
         let moved = pose.and_then(|pose| pose.placements.iter().find(|place| place.group == number));
-        let place = moved.copied().unwrap_or_default();
+        let seen = f64::from(u8::from(!group.hidden));
+        let place = moved.copied().unwrap_or(Placement { opacity: seen, ..Placement::default() });
         let mut text = String::new();
         transform(&mut text, group, &place);
         if !text.is_empty() {
@@ -265,6 +266,9 @@ impl Writer<'_> {
         self.shape(&node.shape, path.as_deref());
         if let (Place::Page, Some(id)) = (self.place, node.id) {
             let _ = write!(self.out, " data-n=\"{id}\"");
+        }
+        if self.place == Place::Page && node.label > 0 {
+            let _ = write!(self.out, " data-label=\"{}\"", node.label);
         }
         if !node.field.is_empty() {
             let _ = write!(self.out, " data-field=\"{}\"", node.field);

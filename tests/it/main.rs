@@ -10,6 +10,7 @@ mod figures;
 mod generated;
 mod language;
 mod machines;
+mod meaning;
 mod numbers;
 mod physics;
 mod programs;

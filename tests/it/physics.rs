@@ -3,6 +3,7 @@
 mod any_command;
 mod drives;
 mod lathe;
+mod milestones;
 mod operator;
 mod orienting;
 mod path;

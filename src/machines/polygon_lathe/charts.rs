@@ -2,6 +2,7 @@
 
 use super::outlines::deviations;
 use super::resolved::{PolygonLathe, TOOL, WORK};
+use crate::controls::Address;
 use crate::drives::polygon::{CutterSetup, Section};
 use crate::machines::chart_rows::{ChartLine, ChartRow};
 use crate::math::PI;
@@ -11,17 +12,17 @@ use crate::view::{Chart, Series};
 #[rustfmt::skip]
 pub(super) const ROWS: &[ChartRow<PolygonLathe>] = &[
     ChartRow { id: "speeds", title: "polygon.chart.speeds", unit: "r/min", least_span: 1.0, lines: &[
-        ChartLine { label: |_| "polygon.chart.work", tone: 0, value: |_, now| now.pmc[WORK].feed / 360.0 },
-        ChartLine { label: |_| "polygon.chart.tool", tone: 1, value: |_, now| now.pmc[TOOL].feed / 360.0 },
+        ChartLine { label: |_| "polygon.chart.work", tone: 0, address: |_| None, value: |_, now| now.pmc[WORK].feed / 360.0 },
+        ChartLine { label: |_| "polygon.chart.tool", tone: 1, address: |_| None, value: |_, now| now.pmc[TOOL].feed / 360.0 },
     ] },
     ChartRow { id: "phase", title: "polygon.chart.phase", unit: "°", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "polygon.chart.ahead", tone: 3, value: |lathe, now| lathe.phase(now) },
+        ChartLine { label: |_| "polygon.chart.ahead", tone: 3, address: |_| None, value: |lathe, now| lathe.phase(now) },
     ] },
     ChartRow { id: "size", title: "polygon.chart.size", unit: "mm", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "polygon.chart.across", tone: 2, value: |lathe, now| lathe.slide(now).0 },
+        ChartLine { label: |_| "polygon.chart.across", tone: 2, address: |_| None, value: |lathe, now| lathe.slide(now).0 },
     ] },
     ChartRow { id: "along", title: "polygon.chart.along", unit: "mm", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "polygon.chart.z", tone: 0, value: |lathe, now| lathe.slide(now).1 },
+        ChartLine { label: |_| "polygon.chart.z", tone: 0, address: |_| Some(Address::Z), value: |lathe, now| lathe.slide(now).1 },
     ] },
 ];
 
@@ -40,7 +41,7 @@ pub(super) fn deviation(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
         unit: "µm",
         least_span: 0.0,
         x_unit: "°",
-        series: vec![Series { label: "polygon.chart.off", tone: 1, points }],
+        series: vec![Series { label: "polygon.chart.off", tone: 1, address: None, points }],
     })
 }
 
@@ -62,6 +63,7 @@ pub(super) fn over_radius(lathe: &PolygonLathe, points: usize) -> Option<Chart> 
     let line = |label: &'static str, tone: u8, value: fn(&(f64, f64, f64)) -> f64| Series {
         label,
         tone,
+        address: None,
         points: sides.iter().map(|side| (side.0, value(side))).collect(),
     };
     Some(Chart {

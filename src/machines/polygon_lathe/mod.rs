@@ -125,6 +125,10 @@ impl Prepared for PolygonLathe {
         pose::pose(self, run, now, frame)
     }
 
+    fn contact(&self, run: &dyn Samples, now: &Snapshot) -> Option<&'static str> {
+        progress::progress(self, run, now).now.map(|_| "polygon.first-contact")
+    }
+
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
         let mut all = chart_rows::charts(charts::ROWS, self, run, from, to, points);
         all.extend(charts::deviation(self, points));

@@ -44,6 +44,11 @@ pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
     lens::draw(&mut d, lathe, &view);
     lens::draw_close(&mut d, lathe, &view);
     labels(&mut d, lathe, &view);
+    d.stations = vec![
+        ("polygon.station.work", view.work.0),
+        ("polygon.station.cutter", view.cutter.0),
+        ("polygon.station.details", 860.0),
+    ];
     d.scene(VIEW, "polygon.scene.alt")
 }
 

@@ -2,26 +2,27 @@
 
 use super::pose::State;
 use super::resolved::RibbonLine;
+use crate::controls::Address;
 use crate::machines::chart_rows::{ChartLine, ChartRow};
 
 /// All charts, from top to bottom.
 #[rustfmt::skip]
 pub(super) const ROWS: &[ChartRow<RibbonLine>] = &[
     ChartRow { id: "feeds", title: "ribbon.chart.feeds", unit: "mm/min", least_span: 1.0, lines: &[
-        ChartLine { label: |_| "ribbon.chart.x", tone: 0, value: |line, now| now.axes[line.pull()].feed },
-        ChartLine { label: |line| line.p.print_axis.name(), tone: 1, value: |line, now| now.axes[line.print()].feed },
+        ChartLine { label: |_| "ribbon.chart.x", tone: 0, address: |_| Some(Address::X), value: |line, now| now.axes[line.pull()].feed },
+        ChartLine { label: |line| line.p.print_axis.name(), tone: 1, address: |line| Some(line.p.print_axis.address()), value: |line, now| now.axes[line.print()].feed },
     ] },
     ChartRow { id: "spindle", title: "ribbon.chart.spindle", unit: "r/min", least_span: 1.0, lines: &[
-        ChartLine { label: |_| "ribbon.chart.command", tone: 0, value: |_, now| now.spindle.command },
-        ChartLine { label: |_| "ribbon.chart.actual", tone: 1, value: |_, now| now.spindle.actual },
+        ChartLine { label: |_| "ribbon.chart.command", tone: 0, address: |_| Some(Address::S), value: |_, now| now.spindle.command },
+        ChartLine { label: |_| "ribbon.chart.actual", tone: 1, address: |_| Some(Address::S), value: |_, now| now.spindle.actual },
     ] },
     ChartRow { id: "volts", title: "ribbon.chart.volts", unit: "V", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "ribbon.chart.output", tone: 2, value: |_, now| now.spindle.volts },
+        ChartLine { label: |_| "ribbon.chart.output", tone: 2, address: |_| Some(Address::S), value: |_, now| now.spindle.volts },
     ] },
     ChartRow { id: "slack", title: "ribbon.chart.slack", unit: "mm", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "ribbon.chart.loop", tone: 3, value: |line, now| State::new(line, now).slack },
+        ChartLine { label: |_| "ribbon.chart.loop", tone: 3, address: |_| None, value: |line, now| State::new(line, now).slack },
     ] },
     ChartRow { id: "register", title: "ribbon.chart.register", unit: "mm", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "ribbon.chart.dot", tone: 4, value: |line, now| State::new(line, now).register(&line.p) },
+        ChartLine { label: |_| "ribbon.chart.dot", tone: 4, address: |_| None, value: |line, now| State::new(line, now).register(&line.p) },
     ] },
 ];

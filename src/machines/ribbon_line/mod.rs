@@ -123,6 +123,10 @@ impl Prepared for RibbonLine {
         pose::pose(self, now, frame)
     }
 
+    fn contact(&self, _: &dyn Samples, now: &Snapshot) -> Option<&'static str> {
+        pose::has_printed(self, now).then_some("ribbon.first-dot")
+    }
+
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
         chart_rows::charts(charts::ROWS, self, run, from, to, points)
     }

@@ -79,6 +79,11 @@ impl State {
     }
 }
 
+/// Whether the first dot is on the ribbon.
+pub(super) fn has_printed(line: &RibbonLine, now: &Snapshot) -> bool {
+    State::new(line, now).passed(&line.p).1 >= 1.0
+}
+
 /// A group turned about its own origin.
 fn turned(group: u16, turn: f64, opacity: f64) -> Placement {
     Placement { turn: turn % 360.0, opacity, ..Placement::of(group) }

@@ -62,6 +62,7 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
     drawing.showing("loop-capacity", |drawing| labels::ruler(drawing, line, layout));
     reels::behind(&mut drawing, layout, &layout.take_up, reels::TAKE_UP, wound);
     drawing.showing("ribbon-thickness", |drawing| ribbon(drawing, line));
+    drawing.showing("loop-capacity", |drawing| labels::limit(drawing, line, layout));
     reels::before(&mut drawing, layout, &layout.supply, reels::SUPPLY, wound);
     reels::before(&mut drawing, layout, &layout.take_up, reels::TAKE_UP, wound);
     stations::before(&mut drawing, layout, &layout.unwinder, group::UNWINDER, Drive::Inverter);
@@ -71,6 +72,13 @@ pub(super) fn scene(line: &RibbonLine) -> Scene {
     lens::lens(&mut drawing, layout, p, line.d.smear, line.d.smear > p.smear_limit);
     labels::lens(&mut drawing, line, layout);
     labels::callouts(&mut drawing, line, layout);
+    let slack = 0.5 * (layout.unwinder.x + layout.pull.x);
+    drawing.stations = vec![
+        ("ribbon.station.reel", layout.supply.x),
+        ("ribbon.station.loop", slack),
+        ("ribbon.station.print", layout.print.x),
+        ("ribbon.station.take-up", layout.take_up.x),
+    ];
     Scene { option: Some("ribbon.scene.strobe"), ..drawing.scene(layout.view, "ribbon.scene.alt") }
 }
 
@@ -118,10 +126,10 @@ fn ribbon(drawing: &mut Drawing, line: &RibbonLine) {
     let (long, wide) = dot(line);
     let start = filled("M# 0h0.1", &[layout.print.x]);
     drawing.showing("pitch", |drawing| {
-        drawing.within(group::DOTS_BLUR, |drawing| {
+        drawing.within_hidden(group::DOTS_BLUR, |drawing| {
             drawing.path(start.clone(), Look::line(Paint::Black, wide).faint(0.5)).id = Some(node::STREAK);
         });
-        drawing.within(group::DOTS, |drawing| {
+        drawing.within_hidden(group::DOTS, |drawing| {
             let look = Look::line(Paint::Black, wide);
             // Dots that are closer than the eye tells apart are a grey line.
             let look = match line.p.pitch > 0.6 * layout.scale {

@@ -1,6 +1,7 @@
 //! The charts of the turning spindle: over time from the run, over the diameter from the formulas.
 
 use super::resolved::TurningSpindle;
+use crate::controls::Address;
 use crate::drives::speed::surface_speed;
 use crate::machines::chart_rows::{ChartLine, ChartRow};
 use crate::view::{Chart, Series};
@@ -9,20 +10,20 @@ use crate::view::{Chart, Series};
 #[rustfmt::skip]
 pub(super) const ROWS: &[ChartRow<TurningSpindle>] = &[
     ChartRow { id: "speed", title: "turning.chart.speed", unit: "r/min", least_span: 1.0, lines: &[
-        ChartLine { label: |_| "turning.chart.command", tone: 0, value: |_, now| now.spindle.command },
-        ChartLine { label: |_| "turning.chart.actual", tone: 1, value: |_, now| now.spindle.actual },
+        ChartLine { label: |_| "turning.chart.command", tone: 0, address: |_| Some(Address::S), value: |_, now| now.spindle.command },
+        ChartLine { label: |_| "turning.chart.actual", tone: 1, address: |_| Some(Address::S), value: |_, now| now.spindle.actual },
     ] },
     ChartRow { id: "surface", title: "turning.chart.surface", unit: "m/min", least_span: 0.1, lines: &[
-        ChartLine { label: |_| "turning.chart.at-tool", tone: 2, value: |lathe, now| surface_speed(now.spindle.actual, lathe.diameter(now)) },
+        ChartLine { label: |_| "turning.chart.at-tool", tone: 2, address: |_| None, value: |lathe, now| surface_speed(now.spindle.actual, lathe.diameter(now)) },
     ] },
     ChartRow { id: "volts", title: "turning.chart.volts", unit: "V", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "turning.chart.output", tone: 3, value: |_, now| now.spindle.volts },
+        ChartLine { label: |_| "turning.chart.output", tone: 3, address: |_| Some(Address::S), value: |_, now| now.spindle.volts },
     ] },
     ChartRow { id: "stage", title: "turning.chart.stage", unit: "", least_span: 1.0, lines: &[
-        ChartLine { label: |_| "turning.chart.engaged", tone: 4, value: |_, now| f64::from(now.spindle.stage) },
+        ChartLine { label: |_| "turning.chart.engaged", tone: 4, address: |_| None, value: |_, now| f64::from(now.spindle.stage) },
     ] },
     ChartRow { id: "diameter", title: "turning.chart.diameter", unit: "mm", least_span: 0.01, lines: &[
-        ChartLine { label: |_| "turning.chart.tool", tone: 0, value: |lathe, now| lathe.diameter(now) },
+        ChartLine { label: |_| "turning.chart.tool", tone: 0, address: |_| None, value: |lathe, now| lathe.diameter(now) },
     ] },
 ];
 
@@ -35,6 +36,7 @@ pub(super) fn over_diameter(lathe: &TurningSpindle, points: usize) -> Vec<Chart>
     let line = |label: &'static str, tone: u8, value: &dyn Fn(f64) -> f64| Series {
         label,
         tone,
+        address: None,
         points: (0..points).map(|at| d.smallest + step * at as f64).map(|x| (x, value(x))).collect(),
     };
     let chart = |id: &'static str, title: &'static str, unit: &'static str, series: Vec<Series>| Chart {

@@ -109,6 +109,11 @@ impl Prepared for TurningSpindle {
         pose::pose(self, run, now, frame)
     }
 
+    fn contact(&self, run: &dyn Samples, now: &Snapshot) -> Option<&'static str> {
+        let progress = progress::progress(self, run, now);
+        (progress.done > 0 || progress::cuts(self, progress, now)).then_some("turning.first-contact")
+    }
+
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {
         let mut all = chart_rows::charts(charts::ROWS, self, run, from, to, points);
         all.extend(charts::over_diameter(self, points));

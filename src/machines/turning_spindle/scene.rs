@@ -66,6 +66,8 @@ pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
     instruments::draw(&mut d, lathe);
     lens::draw(&mut d, p, &view);
     labels(&mut d, lathe, &view);
+    d.stations =
+        vec![("turning.station.spindle", 130.0), ("turning.station.work", 430.0), ("turning.station.turret", 860.0)];
     d.scene(VIEW, "turning.scene.alt")
 }
 

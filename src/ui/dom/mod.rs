@@ -7,7 +7,8 @@ pub(crate) mod turns;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{
-    Blob, BlobPropertyBag, Element, Event, HtmlAnchorElement, HtmlDialogElement, HtmlElement, Performance, Storage, Url,
+    Blob, BlobPropertyBag, DomRect, Element, Event, HtmlAnchorElement, HtmlDialogElement, HtmlElement, Node,
+    Performance, Storage, Url,
 };
 
 /// Milliseconds since the page began.
@@ -51,6 +52,14 @@ impl Frames {
             let _ = window.request_animation_frame(self.0.as_ref().unchecked_ref());
         }
     }
+}
+
+/// Waits for the next frame.
+pub(crate) async fn frame() {
+    let next = js_sys::Promise::new(&mut |done, _| {
+        let _ = window().request_animation_frame(&done);
+    });
+    let _ = wasm_bindgen_futures::JsFuture::from(next).await;
 }
 
 /// Does something after the effects of what has just changed.
@@ -154,6 +163,32 @@ pub(crate) fn all(root: &Element, selector: &str) -> Vec<Element> {
     (0..list.length()).filter_map(|at| list.get(at)?.dyn_into().ok()).collect()
 }
 
+/// The place in the window of a part of an element's text, by UTF-16 units; `None` where the text is shorter.
+pub(crate) fn area_of_text(element: &Element, from: u32, to: u32) -> Option<DomRect> {
+    let range = document().create_range().ok()?;
+    let (mut done, mut ends) = (0, 0);
+    for node in texts(element) {
+        let length = node.text_content()?.encode_utf16().count() as u32;
+        if (done..done + length).contains(&from) {
+            range.set_start(&node, from - done).ok()?;
+            ends += 1;
+        }
+        if (done + 1..=done + length).contains(&to) {
+            range.set_end(&node, to - done).ok()?;
+            ends += 1;
+        }
+        done += length;
+    }
+    (ends == 2).then(|| range.get_bounding_client_rect())
+}
+
+/// The pieces of text in an element, in order.
+fn texts(node: &Node) -> Vec<Node> {
+    let children = node.child_nodes();
+    let children = (0..children.length()).filter_map(|at| children.get(at));
+    children.flat_map(|child| if child.node_type() == Node::TEXT_NODE { vec![child] } else { texts(&child) }).collect()
+}
+
 /// The element with an id.
 pub(crate) fn by_id(id: &str) -> Option<HtmlElement> {
     document().get_element_by_id(id)?.dyn_into().ok()
@@ -204,6 +239,16 @@ mod tests {
         go_to_field("deep");
         assert_eq!(bench.all("details[open]").len(), 2);
         assert_eq!(document().active_element().unwrap().id(), "deep");
+    }
+
+    #[wasm_bindgen_test]
+    async fn part_of_a_text_has_its_own_place() {
+        let bench = mount(|| view! { <code>"ab"<i>"cd"</i>"ef"</code> }).await;
+        let area = |from, to| area_of_text(&bench.find("code"), from, to);
+        let (cd, inner) = (area(2, 4).unwrap(), bench.find("i").get_bounding_client_rect());
+        assert_eq!((cd.left(), cd.right()), (inner.left(), inner.right()));
+        assert!(area(1, 5).unwrap().width() > cd.width());
+        assert!(area(4, 7).is_none());
     }
 
     #[wasm_bindgen_test]

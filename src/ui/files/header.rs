@@ -57,7 +57,7 @@ pub(crate) fn Header() -> impl IntoView {
                     <button type="button" class="quiet" title=t("page.save-about") on:click=save>{t("page.save")}</button>
                     <button type="button" class="primary" id="export" on:click=move |_| page.view.exporting.set(true)>{t("page.export-short")}</button>
                     <ThemeButton />
-                    <IconButton glyph=Glyph::Help label=t("page.help") press=move || page.view.helping.set(true) />
+                    <IconButton glyph=Glyph::Help label=t("page.help") class="help" press=move || page.view.helping.set(true) />
                 </div>
             </Later>
         </header>
@@ -88,7 +88,14 @@ fn MachinePicker() -> impl IntoView {
                 page.change_machine(machine.id());
             }
         };
-        view! { <button type="button" aria-pressed=move || chosen().to_string() on:click=choose>{t(machine.name())}</button> }
+        let name = t(machine.name());
+        // Where there is little room, its first word.
+        let (first, rest) = name.split_once(' ').unwrap_or((name, ""));
+        view! {
+            <button type="button" aria-label=name aria-pressed=move || chosen().to_string() on:click=choose>
+                {first} <span class="rest">" " {rest}</span>
+            </button>
+        }
     };
     let buttons = machines::ALL.iter().map(button).collect_view();
     view! { <div class="segments" role="group" aria-label=t("page.machine")>{buttons}</div> }

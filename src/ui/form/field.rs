@@ -6,6 +6,7 @@ use leptos::ev::KeyboardEvent;
 use leptos::html;
 use leptos::prelude::*;
 
+use super::drag::Drag;
 use super::slider::Slider;
 use super::value::{shown, value_of};
 use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
@@ -48,10 +49,21 @@ pub(super) fn FormField(
     let slides = info.essential && matches!(info.kind, KindInfo::Number { .. });
     let slider = slides.then(|| view! { <Slider info=Arc::clone(&info) /> });
     let symbol = info.symbol;
+    let drags = matches!(info.kind, KindInfo::Number { .. });
+    let drag = Drag::new(&info);
+    let [pressed, held, pulled, released, cancelled, clicked] = core::array::from_fn(|_| drag.clone());
     view! {
         <div
             class=class
+            class:drags=drags
             class:slides=slides
+            class:cause=move || page.view.causes.with(|causes| causes.contains(&id))
+            on:pointerdown=move |event| pressed.press(&event)
+            on:mousedown=move |event| held.press_mouse(&event)
+            on:pointermove=move |event| pulled.pull(&event)
+            on:pointerup=move |event| released.release(&event)
+            on:pointercancel=move |event| cancelled.release(&event)
+            on:click=move |event| clicked.click(&event)
             class:absent=move || page.results.hidden.with(|hidden| hidden.contains(&id))
             class:wrong=is_wrong
         >

@@ -1,5 +1,7 @@
 //! The form: product fields in front, the machine's data folded behind them in groups.
 
+mod drag;
+
 mod field;
 
 pub(crate) mod field_help;
@@ -105,10 +107,12 @@ fn Group(
     let ids: Vec<&'static str> = fields.iter().map(|field| field.id).collect();
     let all = ids.clone();
     let shown = move || page.results.hidden.with(|hidden| all.iter().filter(|id| !hidden.contains(id)).count());
+    let own = ids.clone();
+    let cause = move || page.view.causes.with(|causes| own.iter().any(|id| causes.contains(id)));
     let wrong = move || page.wrong_fields().iter().any(|d| d.field.is_some_and(|field| ids.contains(&field)));
     let wrong = Memo::new(move |_| wrong());
     view! {
-        <details class="group" class:wrong=wrong>
+        <details class="group" class:wrong=wrong class:cause=cause>
             <summary>{t(title)}<span class="count">{shown}</span></summary>
             <Later>{fields.into_iter().map(|info| view! { <FormField info=info /> }).collect_view()}</Later>
         </details>

@@ -11,12 +11,14 @@ use crate::ui::state::stepping::COMMANDS;
 use crate::ui::words::t;
 
 /// Keys and their effects.
-const KEYS: [(&str, &str); 8] = [
+const KEYS: [(&str, &str); 10] = [
     ("Space", "page.key-play"),
     (", .", "page.key-step"),
     ("Home", "page.key-start"),
     ("← →", "page.key-arrows"),
     ("↑ ↓", "page.key-fields"),
+    ("+ − 0", "page.key-zoom"),
+    ("Enter", "page.key-meaning"),
     ("Ctrl Z", "page.key-undo"),
     ("Ctrl Shift Z", "page.key-redo"),
     ("?", "page.key-help"),

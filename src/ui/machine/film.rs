@@ -1,15 +1,13 @@
 //! The film: transport, and one time axis that scrubber, marks and chart share.
 
-use leptos::ev::PointerEvent;
 use leptos::html;
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use web_sys::{DomRect, Element};
 
 use super::charts::Charts;
 use super::marks::Marks;
+use super::plot::Plot;
 use super::transport::Transport;
-use crate::math;
 use crate::text::catalog::number_text;
 use crate::text::number::filled;
 use crate::ui::dom;
@@ -49,40 +47,14 @@ pub(crate) fn Film() -> impl IntoView {
         page.machine.track();
         chosen.set(0);
     });
-    // The time under the pointer, as a part of the axis.
-    let pointed = RwSignal::new(None::<f64>);
-    let time = move |part: f64| {
-        let (from, to) = axis.get();
-        from + part * (to - from)
-    };
-    let point = move |event: PointerEvent| {
-        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-        let over = target.and_then(|target| target.closest(".over").ok().flatten());
-        let area = over.map(|over| over.get_bounding_client_rect());
-        let share = |area: DomRect| (f64::from(event.client_x()) - area.left()) / area.width();
-        let part = area.map(|area| math::clamp(share(area), 0.0, 1.0));
-        pointed.set(part);
-        if let Some(part) = part.filter(|_| event.buttons() & 1 == 1) {
-            player.playing.set(false);
-            player.seek(untrack(|| time(part)));
-        }
-    };
-    let readout = move || {
-        let part = pointed.get()?;
-        let seconds = time(part);
-        let values = charts.with_value(|charts| charts.values_at(seconds));
-        let text = format!("{} s  {}", number_text(seconds, 3), values.join("  "));
-        let class = if part > 0.5 { "pointed left" } else { "pointed" };
-        Some(view! { <span class=class style:left=filled("#%", &[100.0 * part])>{text}</span> })
-    };
+    let film: NodeRef<html::Section> = NodeRef::new();
     view! {
-        <section class="film" aria-label=t("page.transport")>
+        <section class="film" aria-label=t("page.transport") node_ref=film>
             <Transport />
             <div class="axis">
                 <Marks axis=axis />
                 <Scrubber />
-                <div class="plots" node_ref=plot on:pointerdown=point on:pointermove=point on:pointerleave=move |_| pointed.set(None)></div>
-                {readout}
+                <Plot axis=axis charts=charts plot=plot film=film />
             </div>
             <div class="chart-bar">
                 <Later>
@@ -125,8 +97,7 @@ fn WindowChoice() -> impl IntoView {
     let options = WINDOWS.map(|seconds| (number_text(seconds, 6), label(seconds))).to_vec();
     let choose = move |seconds: String| {
         if let Ok(seconds) = seconds.parse() {
-            player.window.set(seconds);
-            player.ask();
+            player.show_window(seconds);
         }
     };
     view! {
@@ -175,7 +146,8 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, until};
+    use crate::ui::testing::{Bench, event, mount, until};
+    use leptos::wasm_bindgen::JsValue;
 
     async fn film() -> Bench {
         let bench = mount(|| view! { <Film /> }).await;
@@ -223,6 +195,84 @@ mod tests {
             ("2000", "4000")
         );
         assert_eq!(bench.style("#head", "--part"), "50%");
+    }
+
+    /// Ends of the axis, in milliseconds.
+    fn ends(bench: &Bench) -> (f64, f64) {
+        let end = |name| bench.attribute("#head", name).parse::<f64>().unwrap();
+        (end("min"), end("max"))
+    }
+
+    /// An event of the pointer in the middle of the chart.
+    async fn at_middle(bench: &Bench, class: &str, kind: &str, more: &[(&str, JsValue)]) {
+        let over = bench.find(".over");
+        let area = over.get_bounding_client_rect();
+        let mut members = vec![("clientX", (area.left() + 0.5 * area.width()).into()), ("bubbles", true.into())];
+        members.extend_from_slice(more);
+        over.dispatch_event(&event(class, kind, &members)).unwrap();
+        bench.drawn().await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn wheel_zooms_about_the_pointer_and_double_click_goes_back() {
+        let bench = film().await;
+        until(|| bench.page.player.planned.get_untracked().1).await;
+        bench.drawn().await;
+        let (from, to) = ends(&bench);
+        at_middle(&bench, "PointerEvent", "pointermove", &[]).await;
+        at_middle(&bench, "WheelEvent", "wheel", &[("deltaY", (-200.0).into())]).await;
+        let (a, b) = ends(&bench);
+        assert!(
+            (0.5 * (a + b) - 0.5 * (from + to)).abs() < 0.01 * (to - from) && b - a < 0.7 * (to - from),
+            "{a} {b} {from} {to}"
+        );
+        at_middle(&bench, "MouseEvent", "dblclick", &[]).await;
+        assert_eq!(ends(&bench), (from, to));
+    }
+
+    #[wasm_bindgen_test]
+    async fn keys_zoom_about_the_pointer_or_the_head() {
+        let bench = film().await;
+        bench.seek(2.0).await;
+        let (from, to) = ends(&bench);
+        bench.key("#head", "+", false).await;
+        bench.drawn().await;
+        let (a, b) = ends(&bench);
+        assert!(((b - a) / (to - from) - 0.5).abs() < 0.01 && (a..b).contains(&2000.0), "{a} {b}");
+        bench.key("#head", "0", false).await;
+        bench.drawn().await;
+        assert!(ends(&bench).1 >= to);
+    }
+
+    #[wasm_bindgen_test]
+    async fn zoomed_axis_follows_the_head_once_it_moves() {
+        let bench = film().await;
+        bench.page.player.zoom_by(0.1, 0.0);
+        bench.drawn().await;
+        let (_, b) = ends(&bench);
+        bench.seek(b / 1000.0 * 1.5).await;
+        bench.drawn().await;
+        assert!((ends(&bench).0 - b).abs() <= 1.0, "{b} {:?}", ends(&bench));
+    }
+
+    #[wasm_bindgen_test]
+    async fn two_fingers_zoom() {
+        let bench = film().await;
+        let (from, to) = ends(&bench);
+        let over = bench.find(".over").get_bounding_client_rect();
+        for (kind, id, part) in [("pointerdown", 1, 0.4), ("pointerdown", 2, 0.6), ("pointermove", 2, 0.8)] {
+            let x = over.left() + part * over.width();
+            let members: [(&str, JsValue); 4] = [
+                ("clientX", x.into()),
+                ("pointerId", id.into()),
+                ("pointerType", "touch".into()),
+                ("buttons", 1.into()),
+            ];
+            bench.find(".over").dispatch_event(&event("PointerEvent", kind, &members)).unwrap();
+        }
+        bench.drawn().await;
+        let (a, b) = ends(&bench);
+        assert!(b - a < 0.7 * (to - from), "{a} {b}");
     }
 
     #[wasm_bindgen_test]

@@ -1,11 +1,121 @@
-//! Marks on the time axis: actions of the operator, and the end of the run.
+//! Marks on the time axis: milestones of the run with their names, actions of the operator, and the end of the run.
 
+use leptos::html;
 use leptos::prelude::*;
 
+use crate::controls::Control;
+use crate::motion::{Milestone, Mode};
 use crate::text::number::filled;
-use crate::ui::state::Page;
+use crate::ui::dom;
 use crate::ui::state::operator::name;
+use crate::ui::state::player::Moment;
+use crate::ui::state::{Page, put};
 use crate::ui::words::{clock, t};
+
+/// Pixels of a letter of a name, and beside the name.
+const LETTER: f64 = 6.5;
+const ROOM: f64 = 8.0;
+/// Pixels between two marks of the same name below which they are one.
+const SAME: f64 = 3.0;
+/// Pixels of an action's mark.
+const ACTION: f64 = 12.0;
+
+/// A milestone: its time (s) and name. The names of greater weight are placed first.
+#[derive(Debug, Clone, PartialEq)]
+struct Named {
+    t: f64,
+    words: String,
+    weight: u8,
+}
+
+/// The milestones of a moment's plan in the order of time.
+fn milestones(moment: &Moment, control: &Control) -> Vec<Named> {
+    let timeline = moment.run.timeline();
+    let named = |(t, milestone): (f64, Milestone)| {
+        let (words, weight) = match milestone {
+            Milestone::Spindle(code) => {
+                let row = control.codes.iter().find(|row| row.code == code)?;
+                (control.code_name(row.id), 2)
+            }
+            Milestone::Mode(mode) => match mode {
+                Mode::Dwell => (t_owned("page.mark-dwell"), 0),
+                Mode::Hold => (t_owned("page.mark-hold"), 1),
+                Mode::Stopped => (t_owned("page.mark-stop"), 1),
+                Mode::Ended => (t_owned("page.mark-end"), 1),
+                Mode::Alarm => (t_owned("page.mark-alarm"), 3),
+                Mode::EmergencyStop => (t_owned("page.mark-estop"), 3),
+                Mode::Running | Mode::WaitFin => return None,
+            },
+        };
+        Some(Named { t, words, weight })
+    };
+    let mut found: Vec<Named> = timeline.milestones().into_iter().filter_map(named).collect();
+    if let Some((t, id)) = moment.machine.first_contact(moment.run, timeline.end()) {
+        found.push(Named { t, words: t_owned(id), weight: 3 });
+    }
+    found.sort_by(|a, b| a.t.total_cmp(&b.t));
+    found
+}
+
+fn t_owned(id: &'static str) -> String {
+    t(id).to_owned()
+}
+
+/// A mark in its place.
+#[derive(Debug, Clone, PartialEq)]
+struct Placed {
+    /// Percent of the axis.
+    at: f64,
+    t: f64,
+    words: String,
+    /// On which side of the mark its name has room.
+    side: Option<Side>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Right,
+    Left,
+}
+
+/// Places the milestones of the shown time on an axis of so many pixels; a name that would lie on another one, on an action or beyond the
+/// axis is left out.
+fn placed(found: &[Named], (from, to): (f64, f64), width: f64, actions: &[f64]) -> Vec<Placed> {
+    let pixel = |t: f64| (t - from) / (to - from) * width;
+    let mut marks: Vec<(f64, &Named)> = Vec::new();
+    for row in found.iter().filter(|row| (from..=to).contains(&row.t)) {
+        let x = pixel(row.t);
+        let same = |(at, other): &&(f64, &Named)| x - at < SAME && other.words == row.words;
+        if marks.iter().rev().take(4).find(same).is_none() {
+            marks.push((x, row));
+        }
+    }
+    let mut taken: Vec<(f64, f64)> =
+        actions.iter().map(|t| pixel(*t)).map(|x| (x - 0.5 * ACTION, x + 0.5 * ACTION)).collect();
+    let mut sides = vec![None; marks.len()];
+    let mut order: Vec<usize> = (0..marks.len()).collect();
+    order.sort_by_key(|at| core::cmp::Reverse(marks.get(*at).map_or(0, |mark| mark.1.weight)));
+    for at in order {
+        let Some((x, row)) = marks.get(at) else { continue };
+        let wide = ROOM + LETTER * row.words.chars().count() as f64;
+        let areas = [(Side::Right, (*x, x + wide)), (Side::Left, (x - wide, *x))];
+        let free =
+            |(_, (a, b)): &&(Side, (f64, f64))| *a >= 0.0 && *b <= width && taken.iter().all(|(c, d)| b <= c || d <= a);
+        if let Some((side, area)) = areas.iter().find(free) {
+            taken.push(*area);
+            if let Some(place) = sides.get_mut(at) {
+                *place = Some(*side);
+            }
+        }
+    }
+    let place = |((x, row), side): ((f64, &Named), Option<Side>)| Placed {
+        at: 100.0 * x / width,
+        t: row.t,
+        words: row.words.clone(),
+        side,
+    };
+    marks.into_iter().zip(sides).map(place).collect()
+}
 
 /// The marks.
 #[component]
@@ -14,6 +124,23 @@ pub(super) fn Marks(
     axis: RwSignal<(f64, f64)>,
 ) -> impl IntoView {
     let page = Page::here();
+    let host: NodeRef<html::Div> = NodeRef::new();
+    let found = RwSignal::new(Vec::<Named>::new());
+    let mut plans = None;
+    page.player.paint(move |moment| {
+        if moment.slow && plans != Some(moment.plans) {
+            plans = Some(moment.plans);
+            let control = page.project.with_untracked(|project| project.control);
+            put(found, milestones(moment, control));
+        }
+    });
+    let width = RwSignal::new(0);
+    let measure = move || {
+        if let Some(host) = host.try_get_untracked().flatten() {
+            put(width, host.client_width());
+        }
+    };
+    dom::hear("resize", move |_| measure());
     let place = move |seconds: f64| {
         let (from, to) = axis.get();
         (from..=to).contains(&seconds).then(|| 100.0 * (seconds - from) / (to - from))
@@ -23,6 +150,23 @@ pub(super) fn Marks(
             let events = project.panel.events().iter();
             events.map(|event| (event.t, name(&event.action, project.control))).collect::<Vec<_>>()
         })
+    };
+    let named = move || {
+        measure();
+        let actions: Vec<f64> = rows().into_iter().map(|row| row.0).collect();
+        let width = f64::from(width.get().max(1));
+        let mark = |mark: Placed| {
+            let title = format!("{} s: {}", clock(mark.t), mark.words);
+            let class = if mark.side == Some(Side::Left) { "event left" } else { "event" };
+            let words = mark.side.map(|_| mark.words);
+            let go = move |_| page.player.seek(mark.t);
+            view! {
+                <button type="button" class=class tabindex="-1" aria-label=title.clone() title=title style:left=filled("#%", &[mark.at]) on:click=go>
+                    {words}
+                </button>
+            }
+        };
+        found.with(|found| placed(found, axis.get(), width, &actions)).into_iter().map(mark).collect_view()
     };
     let actions = move || {
         let marks = rows().into_iter().filter_map(|(seconds, words)| Some((place(seconds)?, seconds, words)));
@@ -40,7 +184,7 @@ pub(super) fn Marks(
         let percent = place(planned).filter(|_| over)?;
         Some(view! { <i class="mark end" style:left=filled("#%", &[percent]) title=t("page.end")></i> })
     };
-    view! { <div class="marks">{actions}{end}</div> }
+    view! { <div class="marks" node_ref=host>{named}{actions}{end}</div> }
 }
 
 #[cfg(test)]
@@ -49,7 +193,65 @@ mod tests {
 
     use super::*;
     use crate::motion::{Action, Event};
-    use crate::ui::testing::{Bench, mount, settled};
+    use crate::ui::testing::{Bench, mount, settled, until};
+
+    fn rows(rows: &[(f64, &str, u8)]) -> Vec<Named> {
+        rows.iter().map(|(t, words, weight)| Named { t: *t, words: (*words).to_owned(), weight: *weight }).collect()
+    }
+
+    #[wasm_bindgen_test]
+    fn names_lie_neither_on_another_nor_beyond_the_axis() {
+        let found = rows(&[
+            (0.0, "M3", 2),
+            (0.1, "dwell", 0),
+            (2.0, "first dot", 3),
+            (2.2, "dwell", 0),
+            (9.9, "M5", 2),
+            (10.0, "end", 1),
+        ]);
+        for width in [80.0, 200.0, 343.0, 800.0] {
+            let placed = placed(&found, (0.0, 10.0), width, &[5.0]);
+            assert_eq!(placed.len(), found.len(), "{width}");
+            let areas: Vec<(f64, f64)> = placed
+                .iter()
+                .filter_map(|mark| {
+                    let (x, wide) = (mark.at / 100.0 * width, ROOM + LETTER * mark.words.len() as f64);
+                    Some(if mark.side? == Side::Right { (x, x + wide) } else { (x - wide, x) })
+                })
+                .collect();
+            for (at, (a, b)) in areas.iter().enumerate() {
+                assert!(*a >= 0.0 && *b <= width, "{width}: {a} {b}");
+                assert!(areas[at + 1..].iter().all(|(c, d)| b <= c || d <= a), "{width}: {areas:?}");
+            }
+        }
+        let wide = placed(&found, (0.0, 10.0), 800.0, &[]);
+        let sides: Vec<Option<Side>> = wide.iter().map(|mark| mark.side).collect();
+        assert_eq!((sides[0], sides[2], sides[4]), (Some(Side::Right), Some(Side::Right), Some(Side::Left)));
+    }
+
+    #[wasm_bindgen_test]
+    fn marks_of_one_name_at_one_place_are_one() {
+        let found: Vec<Named> =
+            (0..1000).map(|at| Named { t: f64::from(at) * 0.01, words: "dwell".to_owned(), weight: 0 }).collect();
+        assert!(placed(&found, (0.0, 10.0), 300.0, &[]).len() <= 101);
+    }
+
+    #[wasm_bindgen_test]
+    async fn milestones_of_the_run_are_named_and_lead_to_their_times() {
+        let (bench, axis) = marks().await;
+        bench.run().await;
+        let player = bench.page.player;
+        until(move || player.planned.get_untracked().1).await;
+        axis.set((0.0, bench.page.player.planned.get_untracked().0));
+        bench.drawn().await;
+        let titles: Vec<String> = bench.all(".event").iter().filter_map(|mark| mark.get_attribute("title")).collect();
+        for words in ["M3", t("ribbon.first-dot"), "M5", t("page.mark-end")] {
+            assert!(titles.iter().any(|title| title.ends_with(&format!(": {words}"))), "{words}: {titles:?}");
+        }
+        let first = titles.iter().position(|title| title.ends_with(t("ribbon.first-dot"))).unwrap();
+        bench.press(&format!(".event:nth-of-type({})", first + 1)).await;
+        assert!(titles[first].starts_with(&clock(bench.page.player.head())));
+    }
 
     async fn marks() -> (Bench, RwSignal<(f64, f64)>) {
         let axis = RwSignal::new((0.0, 10.0));

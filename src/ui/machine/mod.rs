@@ -4,7 +4,13 @@ mod alarm_screen;
 
 mod charts;
 
+mod canvas;
+
+mod clip;
+
 mod film;
+
+mod labels;
 
 mod marks;
 
@@ -13,6 +19,8 @@ mod notices;
 pub(crate) mod operator_panel;
 
 mod pictures;
+
+mod plot;
 
 mod scene_view;
 

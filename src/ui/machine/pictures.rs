@@ -1,24 +1,43 @@
-//! The drawing at the play head as a file: SVG, or PNG of twice the size.
+//! The drawing at the play head as a file: SVG, PNG of twice the size, or a clip of its motion.
 
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
 use leptos::wasm_bindgen::closure::Closure;
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{Blob, CanvasRenderingContext2d, HtmlCanvasElement, HtmlImageElement};
+use web_sys::{Blob, HtmlCanvasElement};
 
+use super::canvas::{drawing, onto};
+use super::clip;
+use crate::text::catalog::number_text;
 use crate::ui::dom;
 use crate::ui::parts::{Glyph, Icon};
 use crate::ui::state::Page;
-use crate::ui::words::t;
-use crate::view::svg::Theme;
+use crate::ui::words::{say, t};
 
 /// Pixels of a PNG per pixel of the drawing.
-const FINE: u32 = 2;
+const FINE: f64 = 2.0;
 
 /// The button with the choice of files.
 #[component]
 pub(super) fn SavePicture() -> impl IntoView {
     let page = Page::here();
+    // The recorded part of a clip, 0 to 1.
+    let clip = RwSignal::new(None::<f64>);
+    let record = move |_| {
+        clip.set(Some(0.0));
+        wasm_bindgen_futures::spawn_local(async move {
+            let bytes = clip::record(page, clip).await;
+            // The user may have broken it off; the page may be gone.
+            let wanted = clip.try_get_untracked().flatten().is_some();
+            let _ = clip.try_set(None);
+            match bytes {
+                Some(bytes) if wanted => dom::download(&name(page, "webm"), "video/webm", &bytes),
+                _ if wanted => page.notices.notify("warn", t("page.no-picture").to_owned()),
+                _ => {}
+            }
+        });
+    };
+    let seconds = move || clip.get().map(|part| number_text((part * clip::SECONDS).floor(), 0));
     view! {
         <button type="button" class="icon" popovertarget="pictures" aria-label=t("page.save-picture") title=t("page.save-picture")>
             <Icon glyph=Glyph::Picture />
@@ -26,16 +45,25 @@ pub(super) fn SavePicture() -> impl IntoView {
         <div class="popup menu" id="pictures" popover="auto">
             <button type="button" class="quiet" on:click=move |_| save_svg(page)>"SVG"</button>
             <button type="button" class="quiet" on:click=move |_| save_png(page)>"PNG"</button>
+            {clip::is_possible().then(|| {
+                view! {
+                    <button
+                        type="button" class="quiet" popovertarget="pictures" popovertargetaction="hide"
+                        disabled=move || clip.with(Option::is_some) on:click=record
+                    >
+                        {say(&crate::msg!("page.clip", clip::SECONDS))}
+                    </button>
+                }
+            })}
         </div>
+        <Show when=move || clip.with(Option::is_some)>
+            <div class="clip">
+                <progress max="1" aria-label=t("page.recording") prop:value=move || clip.get().unwrap_or_default()></progress>
+                <span>{seconds} " s"</span>
+                <button type="button" class="quiet" on:click=move |_| clip.set(None)>{t("page.cancel")}</button>
+            </div>
+        </Show>
     }
-}
-
-/// The drawing in the colours of the page.
-fn drawing(page: Page) -> Option<String> {
-    let root = document().document_element();
-    let chosen = root.and_then(|root| root.get_attribute("data-theme")).unwrap_or_default();
-    let dark = chosen == "dark" || chosen.is_empty() && dom::prefers("(prefers-color-scheme: dark)");
-    page.player.picture(if dark { Theme::Dark } else { Theme::Light })
 }
 
 fn name(page: Page, ending: &str) -> String {
@@ -60,16 +88,8 @@ fn save_png(page: Page) {
 
 /// The bytes of the drawing as PNG; `None` where the browser cannot make them.
 async fn png(svg: &str) -> Option<Vec<u8>> {
-    let image = HtmlImageElement::new().ok()?;
-    image.set_src(&format!("data:image/svg+xml,{}", js_sys::encode_uri_component(svg)));
-    JsFuture::from(image.decode()).await.ok()?;
     let canvas: HtmlCanvasElement = document().create_element("canvas").ok()?.dyn_into().ok()?;
-    let (width, height) = (FINE * image.natural_width(), FINE * image.natural_height());
-    canvas.set_width(width);
-    canvas.set_height(height);
-    let context: CanvasRenderingContext2d = canvas.get_context("2d").ok()??.dyn_into().ok()?;
-    let (width, height) = (f64::from(width), f64::from(height));
-    context.draw_image_with_html_image_element_and_dw_and_dh(&image, 0.0, 0.0, width, height).ok()?;
+    onto(&canvas, svg, FINE).await?;
     let made = js_sys::Promise::new(&mut |done, _| {
         let take = Closure::once_into_js(move |blob: leptos::wasm_bindgen::JsValue| {
             let _ = done.call1(&leptos::wasm_bindgen::JsValue::NULL, &blob);

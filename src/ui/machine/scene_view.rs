@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use leptos::wasm_bindgen::JsCast;
 use web_sys::{Element, HtmlElement};
 
+use super::labels::untangle;
 use crate::text::number::filled;
 use crate::ui::dom;
-use crate::ui::parts::scene::fit;
 use crate::view::svg::{paint_name, transform};
 use crate::view::{Paint, Pose, Scene, SceneGroup};
 
@@ -18,9 +18,15 @@ pub(super) struct Drawn {
     picture: Option<HtmlElement>,
     view: [f64; 4],
     unit: f64,
+    /// Whether the drawing may be wider than its room, for it has places to go to.
+    pans: bool,
     /// Start of the names of the scene's own gradients.
     alt: &'static str,
 }
+
+/// The drawing is wider than its room where that would show more than so many times the units per pixel that its labels are laid out for
+/// (`boot.js` too).
+const CROWDED: f64 = 1.35;
 
 struct Group {
     parts: Vec<Element>,
@@ -34,6 +40,8 @@ struct Part {
     element: Element,
     /// Path or text at present.
     text: String,
+    /// Letters of the longest text so far.
+    longest: usize,
     dash: f64,
     fill: Option<Paint>,
 }
@@ -41,8 +49,10 @@ struct Part {
 impl Drawn {
     /// Finds the parts of a drawing in `host`.
     pub(super) fn new(host: &Element, scene: &Scene) -> Drawn {
-        let group =
-            |rest: &SceneGroup| Group { parts: Vec::new(), rest: rest.clone(), transform: String::new(), opacity: 1.0 };
+        let group = |rest: &SceneGroup| {
+            let opacity = f64::from(u8::from(!rest.hidden));
+            Group { parts: Vec::new(), rest: rest.clone(), transform: String::new(), opacity }
+        };
         let mut groups: Vec<Group> = scene.groups.iter().map(group).collect();
         for part in dom::all(host, "[data-g]") {
             let number = part.get_attribute("data-g").and_then(|n| n.parse::<usize>().ok());
@@ -53,7 +63,7 @@ impl Drawn {
         }
         let numbered = |element: Element| {
             let number = element.get_attribute("data-n")?.parse().ok()?;
-            Some((number, Part { element, text: String::new(), dash: f64::NAN, fill: None }))
+            Some((number, Part { element, text: String::new(), longest: 0, dash: f64::NAN, fill: None }))
         };
         let parts = dom::all(host, "[data-n]").into_iter().filter_map(numbered).collect();
         Drawn {
@@ -62,20 +72,44 @@ impl Drawn {
             picture: dom::all(host, ".scene").into_iter().next().map(JsCast::unchecked_into),
             view: scene.view,
             unit: scene.unit,
+            pans: scene.unit > 0.0 && !scene.stations.is_empty(),
             alt: scene.alt,
         }
     }
 
-    /// Keeps labels at their size in pixels, as far as they have room.
-    pub(super) fn fit(&self) {
-        if let Some(picture) = &self.picture {
-            fit(picture, self.view, self.unit);
+    /// Keeps labels at their size in pixels and apart; where there is little room, the drawing becomes wider than it. Says whether it did.
+    pub(super) fn fit(&self) -> bool {
+        let room = self.picture.as_ref().and_then(|picture| Some((picture, picture.parent_element()?)));
+        let Some((picture, room)) = room else { return false };
+        let ([_, _, wide, high], room) = (self.view, room.get_bounding_client_rect());
+        if room.width() <= 0.0 || room.height() <= 0.0 {
+            return false;
         }
+        let (across, down) = (wide / room.width(), high / room.height());
+        let pans = self.pans && across > CROWDED * self.unit;
+        let unit = if pans { down.max(self.unit) } else { across.max(down) };
+        let style = picture.style();
+        let _ = style.set_property("--u", &format!("{unit:.4}"));
+        let _ = match pans {
+            true => style.set_property("width", &format!("{:.0}px", wide / unit)),
+            false => style.remove_property("width").map(drop),
+        };
+        untangle(picture, unit);
+        pans
+    }
+
+    /// Shows a place of a drawing that is wider than its room, given in its units from the left.
+    pub(super) fn go_to(&self, x: f64) {
+        let Some(picture) = &self.picture else { return };
+        let Some(room) = picture.parent_element() else { return };
+        let part = (x - self.view[0]) / self.view[2];
+        let left = part * picture.get_bounding_client_rect().width() - 0.5 * f64::from(room.client_width());
+        room.set_scroll_left(left as i32);
     }
 
     /// Moves the parts; parts that have not moved are not touched.
     pub(super) fn pose(&mut self, pose: &Pose) {
-        let mut text = String::new();
+        let (mut text, mut longer) = (String::new(), false);
         for place in &pose.placements {
             let Some(group) = self.groups.get_mut(place.group as usize) else { continue };
             text.clear();
@@ -100,6 +134,9 @@ impl Drawn {
             if let Some(part) = self.parts.get_mut(at).filter(|part| part.text != *words) {
                 part.element.set_text_content(Some(words));
                 part.text.clone_from(words);
+                let letters = words.chars().count();
+                longer |= letters > part.longest;
+                part.longest = part.longest.max(letters);
             }
         }
         for (at, offset) in &pose.dashes {
@@ -113,6 +150,9 @@ impl Drawn {
                 dom::set(&part.element, "fill", &paint_name(*paint, self.alt));
                 part.fill = Some(*paint);
             }
+        }
+        if longer {
+            self.fit();
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::motion::{Mode, RunEnd};
 use crate::ui::dom;
 use crate::ui::parts::scene::{Still, svg};
 use crate::ui::parts::{Glyph, IconButton};
-use crate::ui::state::Page;
+use crate::ui::state::{Page, put};
 use crate::ui::words::{end_words, mode_tone, mode_words, say, t};
 
 /// The drawing, moved by the run.
@@ -25,6 +25,8 @@ pub(crate) fn Stage() -> impl IntoView {
     let section: NodeRef<html::Section> = NodeRef::new();
     let host: NodeRef<html::Div> = NodeRef::new();
     let drawn = StoredValue::new_local(None::<Drawn>);
+    // Whether the drawing is wider than its room.
+    let pans = RwSignal::new(false);
     // The still is this very drawing, which goes on in it.
     let still = StoredValue::new_local(Still::take());
     Effect::new(move |_| {
@@ -36,44 +38,37 @@ pub(crate) fn Stage() -> impl IntoView {
                 None => host.set_inner_html(&svg(scene)),
             }
             let new = Drawn::new(&host, scene);
-            // The labels of the still have their size already (boot.js).
-            if still.is_none() {
-                new.fit();
-            }
+            put(pans, new.fit());
             drawn.set_value(Some(new));
         });
         player.ask();
     });
-    // Labels keep their size when the stage gets another.
-    for event in ["resize", "fullscreenchange"] {
-        dom::hear(event, move |_| {
-            drawn.try_with_value(|drawn| drawn.iter().for_each(Drawn::fit));
-        });
-    }
+    mark_causes(page, host);
+    fit_on_resize(drawn, pans);
+    // The stage gets its last size when the chart below it is drawn.
+    let mut size = (0, 0);
     player.paint(move |moment| {
+        let room = host.get_untracked().map_or(size, |host| (host.client_width(), host.client_height()));
+        if moment.slow && room != size {
+            size = room;
+            if let Some(wide) = drawn.with_value(|drawn| drawn.as_ref().map(Drawn::fit)) {
+                put(pans, wide);
+            }
+        }
         drawn.update_value(|drawn| {
             if let Some(drawn) = drawn {
                 drawn.pose(&moment.machine.pose(moment.run, moment.now, moment.frame));
             }
         });
     });
+    // A wide drawing is a place that keys scroll.
+    let stop = move || pans.get().then_some("0");
     let option = move || page.results.scene.with(|scene| scene.option);
     let strobe = move || {
         player.option.update(|on| *on = !*on);
         player.ask();
     };
-    // Words and class of the state: the machine's, as long as the film shows it in motion.
-    let state = Memo::new(move |_| {
-        let (mode, begun) = player.now.with(|now| (now.mode, now.t > 0.0));
-        let moves = matches!(mode, Mode::Running | Mode::Dwell | Mode::WaitFin);
-        match player.playing.get() {
-            _ if page.program.has_errors() => ("page.mode-errors", "fail"),
-            _ if page.outlook.stopped.with(Option::is_some) => ("page.mode-at-once", "fail"),
-            false if moves && begun => ("page.mode-paused", "info"),
-            false if !begun => ("page.mode-ready", "info"),
-            _ => (mode_words(mode), mode_tone(mode)),
-        }
-    });
+    let state = Memo::new(move |_| shown_state(page));
     let open_field = move |event: MouseEvent| {
         let part = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let part = part.and_then(|part| part.closest("[data-field]").ok().flatten());
@@ -88,7 +83,8 @@ pub(crate) fn Stage() -> impl IntoView {
     };
     view! {
         <section class="pane drawing" id="machine" aria-label=t("page.drawing") node_ref=section>
-            <div class="stage" role="group" aria-label=t("page.drawing") node_ref=host on:click=open_field></div>
+            <div class="stage" class:pans=move || pans.get() tabindex=stop role="group" aria-label=t("page.drawing") node_ref=host on:click=open_field></div>
+            <Show when=move || pans.get()><Stations drawn=drawn /></Show>
             <div class="top-left">
                 <span class=move || format!("mode {}", state.get().1)>{move || t(state.get().0)}</span>
                 <WrongValues />
@@ -116,6 +112,32 @@ pub(crate) fn Stage() -> impl IntoView {
     }
 }
 
+/// Labels keep their size when the window gives the stage another.
+fn fit_on_resize(drawn: StoredValue<Option<Drawn>, LocalStorage>, pans: RwSignal<bool>) {
+    for event in ["resize", "fullscreenchange"] {
+        dom::hear(event, move |_| {
+            let fits = drawn.try_with_value(|drawn| drawn.as_ref().map(Drawn::fit));
+            if let Some(Some(wide)) = fits {
+                put(pans, wide);
+            }
+        });
+    }
+}
+
+/// Words and class of the state: the machine's, as long as the film shows it in motion.
+fn shown_state(page: Page) -> (&'static str, &'static str) {
+    let player = page.player;
+    let (mode, begun) = player.now.with(|now| (now.mode, now.t > 0.0));
+    let moves = matches!(mode, Mode::Running | Mode::Dwell | Mode::WaitFin);
+    match player.playing.get() {
+        _ if page.program.has_errors() => ("page.mode-errors", "fail"),
+        _ if page.outlook.stopped.with(Option::is_some) => ("page.mode-at-once", "fail"),
+        false if moves && begun => ("page.mode-paused", "info"),
+        false if !begun => ("page.mode-ready", "info"),
+        _ => (mode_words(mode), mode_tone(mode)),
+    }
+}
+
 /// The count of wrong fields, where one looks while the form is out of sight; it leads to them.
 #[component]
 fn WrongValues() -> impl IntoView {
@@ -133,6 +155,37 @@ fn WrongValues() -> impl IntoView {
             {words}
         </button>
     }
+}
+
+/// The places of a drawing that is wider than its room.
+#[component]
+fn Stations(
+    /// The drawing.
+    drawn: StoredValue<Option<Drawn>, LocalStorage>,
+) -> impl IntoView {
+    let page = Page::here();
+    let station = move |(name, x): (&'static str, f64)| {
+        let go = move |_| drawn.with_value(|drawn| drawn.iter().for_each(|drawn| drawn.go_to(x)));
+        view! { <button type="button" class="chip" on:click=go>{t(name)}</button> }
+    };
+    let stations = move || page.results.scene.with(|scene| scene.stations.clone());
+    view! {
+        <div class="stations chips" role="group" aria-label=t("page.stations")>
+            {move || stations().into_iter().map(station).collect_view()}
+        </div>
+    }
+}
+
+/// Marks the parts that the chosen result depends on; another drawing has none marked yet.
+fn mark_causes(page: Page, host: NodeRef<html::Div>) {
+    Effect::new(move |_| {
+        page.results.scene.track();
+        let (causes, Some(host)) = (page.view.causes.get(), host.get()) else { return };
+        dom::all(&host, "[data-field]").iter().for_each(|part| {
+            let field = part.get_attribute("data-field").unwrap_or_default();
+            let _ = part.class_list().toggle_with_force("cause", causes.contains(&field.as_str()));
+        });
+    });
 }
 
 /// Why the run is over, at its end; alarms and messages of the program have a screen of their own.
@@ -247,6 +300,29 @@ mod tests {
         bench.run().await;
         assert_eq!(bench.all("svg.scene").len(), 1);
         assert_ne!(bench.attribute("svg.scene", "aria-label"), first);
+    }
+
+    #[wasm_bindgen_test]
+    async fn parts_that_a_result_depends_on_are_marked() {
+        let bench = stage().await;
+        bench.page.show_causes(Some("line-speed"));
+        crate::ui::testing::settled().await;
+        let fields = |selector: &str| -> std::collections::BTreeSet<String> {
+            bench.all(selector).iter().filter_map(|part| part.get_attribute("data-field")).collect()
+        };
+        let marked = fields(".cause");
+        assert!(marked.contains("press-roller-diameter") && !marked.contains("pitch"), "{marked:?}");
+        assert_eq!(
+            bench.all(".cause").len(),
+            bench
+                .all("[data-field]")
+                .iter()
+                .filter(|part| marked.contains(&part.get_attribute("data-field").unwrap()))
+                .count()
+        );
+        bench.page.show_causes(None);
+        crate::ui::testing::settled().await;
+        assert!(!bench.has(".cause"));
     }
 
     #[wasm_bindgen_test]

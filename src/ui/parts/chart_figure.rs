@@ -13,7 +13,9 @@ pub(crate) fn html(out: &mut String, chart: &Chart) {
     let _ = write!(out, " <i>{}</i></span><span class=\"legend\">", chart.unit);
     for line in &chart.series {
         let value = if chart.over_time() { " <b></b>" } else { "" };
-        let _ = write!(out, "<span class=\"l{}\">{}{value}</span>", line.tone, t(line.label));
+        let means = line.address.map(|address| format!(" data-means=\"program\" data-word=\"{address}\""));
+        let means = means.unwrap_or_default();
+        let _ = write!(out, "<span class=\"l{}\"{means}>{}{value}</span>", line.tone, t(line.label));
     }
     out.push_str("</span></figcaption><div class=\"plot\">");
     out.push_str(&plot::svg(chart));

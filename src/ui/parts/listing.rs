@@ -118,7 +118,7 @@ fn finding(out: &mut String, at: usize, diagnostic: &Diagnostic) {
     let class = tone(diagnostic.severity);
     let _ = write!(out, "<li class=\"says {class}\"><p><i aria-hidden=\"true\">{}</i> ", sign(class));
     if let Some(alarm) = &diagnostic.alarm {
-        let _ = write!(out, "<b>{alarm}</b> ");
+        let _ = write!(out, "<b data-means=\"alarms\">{alarm}</b> ");
         if let Some(wording) = diagnostic.wording {
             out.push_str("<q>");
             escape(out, wording);

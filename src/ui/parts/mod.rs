@@ -14,6 +14,8 @@ pub(crate) mod later;
 
 pub(crate) mod listing;
 
+pub(crate) mod meaning;
+
 pub(crate) mod scene;
 
 pub(crate) mod sheet_view;

@@ -23,7 +23,7 @@ pub(crate) fn VerdictLine(
     #[prop(into)]
     open: Callback<()>,
 ) -> impl IntoView {
-    let page = Page::here();
+    let (page, id) = (Page::here(), readout.id);
     let tone = verdict_tone(readout.verdict);
     let advice = readout.advice.first().map(|advice| say(&advice.message));
     let title = advice.unwrap_or_else(|| format!("{} {}", figure(readout.value, readout.decimals), readout.unit));
@@ -37,7 +37,11 @@ pub(crate) fn VerdictLine(
     let (part, limit) = bar.unwrap_or_default();
     let percent = |share: f64| filled("#%", &[share]);
     view! {
-        <div class=format!("card {tone}") class:plain=bar.is_none() style:--part=percent(part) style:--limit=percent(limit)>
+        <div
+            class=format!("card {tone}")
+            on:pointerenter=move |_| page.show_causes(Some(id)) on:pointerleave=move |_| page.show_causes(None)
+            on:focusin=move |_| page.show_causes(Some(id)) on:focusout=move |_| page.show_causes(None)
+            class:plain=bar.is_none() style:--part=percent(part) style:--limit=percent(limit)>
             <button type="button" class="to-result" title=title on:click=move |_| open.run(())>
                 <i class="s" aria-hidden="true">{sign(tone)}</i>
                 <span class="k">{t(readout.label)}</span>

@@ -70,7 +70,7 @@ function view(host, create, { label, pieces }, extensions) {
   const box = document.createElement('div');
   box.style.cssText = 'width:100%;height:100%';
   root.append(box);
-  const common = [lineNumbers(), drawSelection(), highlightActiveLine(), colours(pieces), theme, EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false' })];
+  const common = [lineNumbers(), drawSelection(), highlightActiveLine(), colours(pieces), theme, EditorView.contentAttributes.of({ 'aria-label': label, spellcheck: 'false', tabindex: '0' })];
   return new EditorView({ state: create([...extensions, common]), parent: box, root });
 }
 

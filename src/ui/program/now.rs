@@ -24,7 +24,7 @@ pub(super) fn Now() -> impl IntoView {
     };
     view! {
         <dl class="now" aria-label=t("page.now")>
-            {move || cells().into_iter().map(|(name, value)| view! { <div><dt>{name}</dt><dd>{value}</dd></div> }).collect_view()}
+            {move || cells().into_iter().map(|(name, value)| view! { <div><dt data-means="program">{name}</dt><dd>{value}</dd></div> }).collect_view()}
         </dl>
     }
 }

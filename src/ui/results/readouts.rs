@@ -71,7 +71,7 @@ fn Row(
     /// The result.
     readout: Readout,
 ) -> impl IntoView {
-    let page = Page::here();
+    let (page, id) = (Page::here(), readout.id);
     let tone = verdict_tone(readout.verdict);
     let limit = limit_text(&readout).map(|limit| view! { <p class="limit">{limit}</p> });
     let formula = (!readout.formula.is_empty())
@@ -81,7 +81,11 @@ fn Row(
         view! { <ul>{rows.collect_view()}</ul> }
     });
     view! {
-        <article class=format!("result {tone}") id=format!("result-{}", readout.id) tabindex="-1">
+        <article
+            class=format!("result {tone}") id=format!("result-{id}") tabindex="-1"
+            on:pointerenter=move |_| page.show_causes(Some(id)) on:pointerleave=move |_| page.show_causes(None)
+            on:focusin=move |_| page.show_causes(Some(id)) on:focusout=move |_| page.show_causes(None)
+        >
             <h3>
                 <i aria-hidden="true">{sign(tone)}</i> " " {t(readout.label)}
                 <span class="hidden">" " {verdict_words(readout.verdict)}</span>

@@ -73,9 +73,9 @@ fn Row(
     let changed = move || shown.get().1.then_some("");
     view! {
         <tr class=flash data-changed=changed>
-            <th scope="row">{name.clone()}</th>
+            <th scope="row" data-means="program">{name.clone()}</th>
             <td>
-                <input node_ref=input type="text" inputmode="decimal" autocomplete="off" aria-label=name on:change=set />
+                <input data-means="program" data-word=name.clone() node_ref=input type="text" inputmode="decimal" autocomplete="off" aria-label=name on:change=set />
             </td>
             <td>{unit}</td>
             <td>{t(meaning)}</td>

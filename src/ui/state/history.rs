@@ -33,12 +33,13 @@ pub(crate) struct History {
     future: Vec<Step>,
     key: String,
     at: f64,
+    held: bool,
 }
 
 impl History {
     /// Notes a change at `now` milliseconds. Changes with the same key, if they have one, that follow at once are one step.
     pub(crate) fn note(&mut self, before: &Project, key: &str, now: f64) {
-        if key.is_empty() || self.key != key || now - self.at > ONE_STEP {
+        if key.is_empty() || self.key != key || !self.held && now - self.at > ONE_STEP {
             self.past.push(before.clone().into());
             if self.past.len() > STEPS {
                 self.past.remove(0);
@@ -47,6 +48,12 @@ impl History {
         key.clone_into(&mut self.key);
         self.at = now;
         self.future.clear();
+    }
+
+    /// Holds the step open while a value is dragged, however long that takes; the end of it begins another step.
+    pub(crate) fn hold(&mut self, held: bool) {
+        self.key.clear();
+        self.held = held;
     }
 
     /// The project before this one.
@@ -135,6 +142,17 @@ mod tests {
         let mut history = History::default();
         [0.0, 1001.0].into_iter().for_each(|now| history.note(&project(), "pitch", now));
         assert_eq!(steps_back(&mut history), 2);
+    }
+
+    #[wasm_bindgen_test]
+    fn held_step_takes_changes_of_any_time() {
+        let mut history = History::default();
+        history.note(&project(), "pitch", 0.0);
+        history.hold(true);
+        [1.0, 5000.0, 90000.0].into_iter().for_each(|now| history.note(&project(), "pitch", now));
+        history.hold(false);
+        history.note(&project(), "pitch", 90001.0);
+        assert_eq!(steps_back(&mut history), 3);
     }
 
     #[wasm_bindgen_test]

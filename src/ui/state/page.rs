@@ -1,5 +1,6 @@
 //! [`Page`]: one project with its history, and everything that follows from it.
 
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use leptos::prelude::*;
@@ -18,12 +19,16 @@ use crate::motion::Event;
 use crate::nc;
 use crate::project::Project;
 use crate::project::check::{FixChoice, with_run};
+use crate::project::dependence::fields_by_result;
 use crate::project::program::Written;
 use crate::project::suppress::silence;
 use crate::text::{Diagnostic, LineIndex, Place, Severity};
 use crate::ui::dom;
 use crate::ui::words::{say, t};
 use crate::view::Scene;
+
+/// Fields by the result that depends on them.
+type Fields = BTreeMap<&'static str, Vec<&'static str>>;
 
 /// What the machine's formulas come to.
 #[derive(Clone, Copy)]
@@ -66,6 +71,8 @@ pub(crate) struct Page {
     history: StoredValue<History, LocalStorage>,
     /// The last project of each machine that was left for another.
     left: StoredValue<Vec<Project>, LocalStorage>,
+    /// The fields that each result depends on, and the project that this is about.
+    dependence: StoredValue<Option<(Project, Fields)>, LocalStorage>,
 }
 
 impl Page {
@@ -95,6 +102,7 @@ impl Page {
             notices: Notices::new(notices),
             history: StoredValue::new_local(History::default()),
             left: StoredValue::new_local(Vec::new()),
+            dependence: StoredValue::new_local(None),
             project,
         };
         Effect::new(move |_| {
@@ -147,6 +155,31 @@ impl Page {
             self.history.update_value(|history| history.note(&before, key, dom::now()));
             self.follow(&before, after);
         }
+    }
+
+    /// Makes all changes of one field a single step of the history until the end of the hold.
+    pub(crate) fn hold(self, held: bool) {
+        self.history.update_value(|history| history.hold(held));
+    }
+
+    /// Shows the fields and parts that a result depends on; of no result, shows none.
+    pub(crate) fn show_causes(self, result: Option<&'static str>) {
+        let causes = result.and_then(|id| {
+            let present = self.project.get_untracked();
+            self.dependence.try_update_value(|known| {
+                let same = |of: &Project| {
+                    of.values == present.values
+                        && of.control.id == present.control.id
+                        && of.switches == present.switches
+                };
+                if !known.as_ref().is_some_and(|(of, _)| of.machine.id() == present.machine.id() && same(of)) {
+                    let found = fields_by_result(&present);
+                    *known = Some((present, found));
+                }
+                known.as_ref()?.1.get(id).cloned()
+            })?
+        });
+        put(self.view.causes, causes.unwrap_or_default());
     }
 
     /// Applies a fix of a finding, both by number; the program is then an edited one.
@@ -413,6 +446,21 @@ mod tests {
         let bench = mount(|| ()).await;
         bench.page.set("pitch", Value::Number(8.0));
         assert_eq!(bench.page.can.get_untracked(), (false, false));
+    }
+
+    #[wasm_bindgen_test]
+    async fn causes_of_a_result_follow_the_project() {
+        let bench = mount(|| ()).await;
+        let page = bench.page;
+        page.show_causes(Some("dots-per-second"));
+        assert!(
+            page.view.causes.with_untracked(|causes| causes.contains(&"pitch") && !causes.contains(&"loop-capacity"))
+        );
+        page.show_causes(None);
+        assert!(page.view.causes.with_untracked(Vec::is_empty));
+        page.change_machine(crate::machines::ALL[1].id());
+        page.show_causes(Some("dots-per-second"));
+        assert!(page.view.causes.with_untracked(Vec::is_empty));
     }
 
     #[wasm_bindgen_test]

@@ -95,6 +95,8 @@ pub(crate) struct Player {
     pub ended: RwSignal<Option<RunEnd>, LocalStorage>,
     /// Seconds shown by film and charts; 0 is the whole plan.
     pub window: RwSignal<f64>,
+    /// The part of the run that film and charts show in place of `window`, as it was chosen at a place of the head.
+    pub zoom: RwSignal<Option<Zoom>>,
     /// Counts the plans, for what asks the planner itself.
     pub plans: RwSignal<u32>,
     /// The effect of the last action of the operator, as a sentence.
@@ -102,6 +104,19 @@ pub(crate) struct Player {
     /// The debugger.
     pub walk: RwSignal<Walk, LocalStorage>,
 }
+
+/// A chosen part of the time axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Zoom {
+    /// Its begin and length, in seconds.
+    from: f64,
+    span: f64,
+    /// The head as it was chosen: as soon as it moves, the part follows it.
+    head: f64,
+}
+
+/// Least length (s) of a part of the time axis.
+const LEAST: f64 = 0.005;
 
 struct State {
     planner: Option<Run>,
@@ -144,6 +159,7 @@ impl Player {
             planned: RwSignal::new((0.0, false)),
             ended: RwSignal::new_local(None),
             window: RwSignal::new(0.0),
+            zoom: RwSignal::new(None),
             plans: RwSignal::new(0),
             changed: RwSignal::new(String::new()),
             walk: RwSignal::new_local(Walk::default()),
@@ -157,6 +173,7 @@ impl Player {
         let id = project.machine.id();
         if self.state.with_value(|state| state.id != id) {
             self.speed.set(0.0);
+            self.zoom.set(None);
         }
         self.state.update_value(|state| {
             let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
@@ -322,12 +339,36 @@ impl Player {
     /// Ends of the time that film and charts show, when the head stands at `head`.
     pub(crate) fn axis(self, head: f64, planned: f64) -> (f64, f64) {
         let window = self.window.get_untracked();
-        if window > 0.0 {
+        if let Some(Zoom { from, span, head: chosen }) = self.zoom.get_untracked() {
+            let pages = if head == chosen { 0.0 } else { ((head - from) / span).floor() };
+            (from + pages * span, from + (pages + 1.0) * span)
+        } else if window > 0.0 {
             let begin = (head / window).floor() * window;
             (begin, begin + window)
         } else {
             (0.0, planned.max(0.001))
         }
+    }
+
+    /// Shows a part of the time axis, `factor` times as long, in which the time `about` stays at its place; the whole again where that is less.
+    pub(crate) fn zoom_by(self, factor: f64, about: f64) {
+        let (head, planned) = (self.now.with_untracked(|now| now.t), self.planned.get_untracked().0);
+        let (from, to) = self.axis(head, planned);
+        let span = ((to - from) * factor).max(LEAST);
+        let zoom = (span < planned).then(|| {
+            let begin = about - (about - from) * span / (to - from);
+            Zoom { from: math::clamp(begin, 0.0, planned - span), span, head }
+        });
+        self.window.set(0.0);
+        self.zoom.set(zoom);
+        self.ask();
+    }
+
+    /// Shows so many seconds around the head; 0 is all that is planned.
+    pub(crate) fn show_window(self, seconds: f64) {
+        self.zoom.set(None);
+        self.window.set(seconds);
+        self.ask();
     }
 
     /// Plans up to a time, but only for some milliseconds; says whether there is more to plan.

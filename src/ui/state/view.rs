@@ -60,6 +60,8 @@ pub(crate) struct View {
     pub stepping: RwSignal<bool>,
     /// Whether the operator's panel is open.
     pub panel: RwSignal<bool>,
+    /// Ids of the fields that the chosen result depends on.
+    pub causes: RwSignal<Vec<&'static str>>,
     /// The field that the help is about.
     pub about: RwSignal<Option<&'static str>>,
     /// Asks for the dialog of the export.
@@ -82,6 +84,7 @@ impl View {
             program: RwSignal::new(ProgramView::Listing),
             stepping: RwSignal::new(false),
             panel: RwSignal::new(false),
+            causes: RwSignal::new(Vec::new()),
             about: RwSignal::new(None),
             exporting: RwSignal::new(false),
             earlier: RwSignal::new(false),

@@ -2,6 +2,7 @@
 
 use super::messages::{Documents, Remark, Sheets};
 use crate::project::Project;
+use crate::project::meaning::{self, Subject, Table};
 use crate::text::{Diagnostic, Grade, Severity};
 use crate::ui::words::{grade, t, tell, tone};
 use crate::view::Sheet;
@@ -17,7 +18,7 @@ pub(super) fn sheets(project: &Project) -> Sheets {
             "parameters" => &mut out.parameters,
             _ => &mut out.plc,
         };
-        html(tab, sheet);
+        html(tab, sheet, project);
     }
     out
 }
@@ -25,7 +26,7 @@ pub(super) fn sheets(project: &Project) -> Sheets {
 /// Rows of a list that repeats a drawing above which it is folded.
 const FOLDED: usize = 12;
 
-fn html(out: &mut String, sheet: &Sheet) {
+fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     let titled = |out: &mut String, tag: &str| {
         out.push_str(tag);
         out.push_str(" aria-label=\"");
@@ -76,7 +77,17 @@ fn html(out: &mut String, sheet: &Sheet) {
             rest.iter().for_each(|cell| tagged(out, "td", cell));
         } else {
             out.push_str("<tr>");
-            cells.iter().for_each(|cell| tagged(out, "td", cell));
+            for (at, cell) in shown.iter().zip(&cells) {
+                match sheet.columns.get(*at) {
+                    Some(&"sheet.number") if meaning::of(project, cell, Table::Parameters).is_some() => {
+                        out.push_str("<td data-means=\"parameters\">");
+                        escape(out, cell);
+                        out.push_str("</td>");
+                    }
+                    Some(&("sheet.meaning" | "sheet.use")) => tagged(out, "td", cell),
+                    _ => devices(out, cell, project),
+                }
+            }
         }
         out.push_str(if row.grade == Grade::Open {
             "<td class=\"grade open\" title=\""
@@ -92,6 +103,25 @@ fn html(out: &mut String, sheet: &Sheet) {
     if folded {
         out.push_str("</details>");
     }
+}
+
+/// A cell whose registers and variables have their meaning: `MOV R148 R74`.
+fn devices(out: &mut String, cell: &str, project: &Project) {
+    out.push_str("<td>");
+    for (at, word) in cell.split(' ').enumerate() {
+        if at > 0 {
+            out.push(' ');
+        }
+        let means = meaning::of(project, word, Table::Interface).map(|found| found.subject);
+        if matches!(means, Some(Subject::Signal(_) | Subject::Variable(_) | Subject::Code(_))) {
+            out.push_str("<span data-means=\"interface\">");
+            escape(out, word);
+            out.push_str("</span>");
+        } else {
+            escape(out, word);
+        }
+    }
+    out.push_str("</td>");
 }
 
 fn tagged(out: &mut String, tag: &str, text: &str) {

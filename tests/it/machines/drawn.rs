@@ -6,6 +6,7 @@ use super::sweep::{changes, forms};
 use macroline::drives::Bound;
 use macroline::machines::{self, Frame, Samples};
 use macroline::motion::Snapshot;
+use macroline::view::drawing::crosses;
 use macroline::view::scene::{LETTER, LINE};
 use macroline::view::{Font, Pose, Scene, Shape};
 
@@ -133,6 +134,40 @@ pub(super) fn lost(scene: &Scene, pose: &Pose) -> Vec<String> {
     faults
 }
 
+/// Leaders that meet the text of another label, and groups that are seen at rest and not in the pose of a machine that stands.
+fn crossed(scene: &Scene, pose: &Pose) -> Vec<String> {
+    let texts = texts(scene, pose);
+    let mut faults = Vec::new();
+    let still = scene.nodes.iter().filter(|node| node.group == 0 && node.label > 0);
+    for leader in still {
+        let Shape::Path { d } = &leader.shape else { continue };
+        let points: Vec<f64> = d.split(['M', 'L', ' ']).filter_map(|number| number.parse().ok()).collect();
+        let [x0, y0, x1, y1] = points[..] else { continue };
+        let own: Vec<&str> = scene
+            .nodes
+            .iter()
+            .filter(|node| node.label == leader.label)
+            .filter_map(|node| match &node.shape {
+                Shape::Text { text, .. } => {
+                    let posed = pose.texts.iter().find(|(id, _)| Some(*id) == node.id).map(|(_, text)| text);
+                    Some(posed.unwrap_or(text).as_str())
+                }
+                _ => None,
+            })
+            .collect();
+        let other = texts.iter().filter(|(text, _)| !own.contains(&text.as_str()));
+        let met = other.filter(|(_, area)| crosses((x0, y0), (x1, y1), *area));
+        faults.extend(met.map(|(text, _)| format!("the leader of {own:?} crosses {text:?}")));
+    }
+    let unseen = pose.placements.iter().filter(|place| place.opacity == 0.0);
+    faults.extend(
+        unseen
+            .filter(|place| !scene.groups[usize::from(place.group)].hidden)
+            .map(|place| format!("{place:?} is seen at rest")),
+    );
+    faults
+}
+
 #[test]
 fn labels_never_overlap_and_poses_fit_any_form() {
     let mut found: Vec<String> = Vec::new();
@@ -144,6 +179,9 @@ fn labels_never_overlap_and_poses_fit_any_form() {
                 for now in moments() {
                     let pose = prepared.pose(&Still(now), &now, FRAME);
                     let mut faults = lost(&scene, &pose);
+                    if now.t == 0.0 {
+                        faults.extend(crossed(&scene, &pose));
+                    }
                     if scene.unit > 0.0 {
                         faults.extend(crowded(&scene, &pose));
                     }

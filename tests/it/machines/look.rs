@@ -269,7 +269,7 @@ fn chart_points_equal_the_timeline() {
 }
 
 fn chart(points: Vec<(f64, f64)>) -> Chart {
-    let series = vec![Series { label: "ribbon.chart.x", tone: 1, points }];
+    let series = vec![Series { label: "ribbon.chart.x", tone: 1, address: None, points }];
     Chart { id: "any", title: "ribbon.chart.feeds", unit: "mm/min", least_span: 0.5, x_unit: "s", series }
 }
 
@@ -311,7 +311,7 @@ fn empty_or_non_finite_charts_are_drawn() {
 #[test]
 fn run_is_exported_as_csv_columns() {
     let mut wide = chart(vec![(0.0, 1.0), (0.5, 2.5)]);
-    wide.series.push(Series { label: "ribbon.print-axis.y", tone: 2, points: vec![(0.0, -1.0)] });
+    wide.series.push(Series { label: "ribbon.print-axis.y", tone: 2, address: None, points: vec![(0.0, -1.0)] });
     assert_eq!(
         csv::charts(&[wide]),
         "t [s],X [mm/min],Y [mm/min]\r\n0.000000,1.000000,-1.000000\r\n0.500000,2.500000,\r\n"

@@ -76,7 +76,7 @@ pub(super) fn draw_cutter(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         d.circle((0.0, 0.0, disc), Look::FACE);
         d.circle((0.0, 0.0, 0.93 * disc), Look::HAIR.faint(0.35));
     });
-    d.within(group::BLUR, |d| {
+    d.within_hidden(group::BLUR, |d| {
         d.circle((0.0, 0.0, 0.5 * (disc + r)), Look::line(Paint::SteelShade, r - disc));
         d.circle((0.0, 0.0, 0.97 * r), Look::line(Paint::Accent, 0.06 * r));
     });

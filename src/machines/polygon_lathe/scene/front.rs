@@ -82,7 +82,7 @@ pub(super) fn draw_chuck(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
             }
         });
     }
-    d.within(group::JAWS_BLUR, |d| {
+    d.within_hidden(group::JAWS_BLUR, |d| {
         let ring = 0.5 * (0.92 * r + grip);
         d.circle((0.0, 0.0, ring), Look::line(Paint::Steel, 0.92 * r - grip));
     });

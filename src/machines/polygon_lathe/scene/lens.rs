@@ -155,7 +155,7 @@ pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     });
     for tip in 0..(p.inserts as u16).min(TIPS) {
         d.place(group::TIPS + tip, SceneGroup { parent: group::CLOSE, ..SceneGroup::default() });
-        d.within(group::TIPS + tip, |d| {
+        d.within_hidden(group::TIPS + tip, |d| {
             d.circle((0.0, 0.0, 4.0), Look::fill(Paint::Accent).thin(Paint::Page, 1.0));
         });
     }

@@ -136,12 +136,6 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let plates = (layout.unwinder.x + 66.0 * layout.unwinder.scale, layout.pull.x - 52.0 * layout.pull.scale);
     let middle = 0.5 * (plates.0 + plates.1);
     drawing.text((x - 4.0 * unit, -8.0 * unit), "end", "0", Font::Label, Paint::Dim);
-    let mut limit = format!("{} mm", show(p.loop_capacity, 1));
-    if layout.slack.share < 1.0 {
-        let factor = 1.0 / layout.slack.share;
-        limit += &format!(", 1:{}", show(factor, u8::from(factor < 10.0)));
-    }
-    drawing.text((0.5 * (left + right), low + 15.0 * unit), "middle", &limit, Font::Label, Paint::Dim);
     drawing.callout(&Callout {
         at: (middle, -26.0 * unit - 2.0 * LINE * LETTER * unit),
         anchor: "middle",
@@ -149,6 +143,21 @@ pub(crate) fn ruler(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
         values: &[(Some(node::SLACK), ""), (Some(node::LOOP_STATE), "")],
         part: None,
     });
+}
+
+/// The capacity of the loop below its limit, on a plate: a loop beyond its limit hangs there too.
+pub(crate) fn limit(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
+    let unit = layout.unit;
+    let middle = 0.5 * (layout.unwinder.x + layout.unwinder.r + layout.pull.x - layout.pull.r);
+    let mut limit = format!("{} mm", show(line.p.loop_capacity, 1));
+    if layout.slack.share < 1.0 {
+        let factor = 1.0 / layout.slack.share;
+        limit += &format!(", 1:{}", show(factor, u8::from(factor < 10.0)));
+    }
+    let (half, y) = (0.5 * LETTER_WIDTH * LETTER * unit * limit.chars().count() as f64, layout.full + 15.0 * unit);
+    let plate = [middle - half - 3.0 * unit, y - 12.0 * unit, 2.0 * half + 6.0 * unit, 16.0 * unit, 4.0 * unit];
+    drawing.rect(plate, Look::fill(Paint::Page).faint(0.8));
+    drawing.text((middle, y), "middle", &limit, Font::Label, Paint::Dim);
 }
 
 /// Figures of the lens: smear and magnification.

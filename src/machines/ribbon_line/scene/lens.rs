@@ -98,7 +98,7 @@ fn inside(drawing: &mut Drawing, own: &Lens, p: &Params) {
         drawing.path(filled("M-90 #h180", &[SURFACE - 3.0]), Look::line(Paint::RibbonLight, 2.0));
         drawing.rect([-90.0, NEAR, 180.0, thick, 0.0], Look::fill(Paint::RibbonShade));
     });
-    drawing.within(group::LENS_DOTS, |drawing| {
+    drawing.within_hidden(group::LENS_DOTS, |drawing| {
         let row = |look: Look, long: f64| match own.pitch > CLOSEST {
             true => look.dashed(long, (own.pitch - long).max(0.0)),
             false => look.faint(0.5),

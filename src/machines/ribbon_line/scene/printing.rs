@@ -113,7 +113,7 @@ pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, p: &Params) {
             let (holder, tip) = if near { (Paint::Dark, Paint::Accent) } else { (Paint::DarkShade, Paint::DarkShade) };
             drawing.within(group::PRINT_LAYERS + 2 * layer + 1, |drawing| draw_heads(drawing, count, holder, tip));
         }
-        drawing.within(group::PRINT_BLUR, |drawing| {
+        drawing.within_hidden(group::PRINT_BLUR, |drawing| {
             drawing.circle((0.0, 0.0, 52.0), Look::line(Paint::DarkLight, 15.0).faint(0.8));
             drawing.circle((0.0, 0.0, 58.0), Look::line(Paint::Accent, 4.0).faint(0.6));
         });

@@ -160,7 +160,7 @@ fn driven(drawing: &mut Drawing, station: &Station, first: u16) {
         drawing.circle((0.0, 0.0, ROLLER), Look::FACE);
         drawing.circle((0.0, 0.0, 44.0), Look::HAIR.faint(0.35));
     });
-    drawing.within(blur, |drawing| {
+    drawing.within_hidden(blur, |drawing| {
         drawing.circle((0.0, 0.0, 29.0), Look::line(Paint::Dark, 14.0).faint(0.6));
     });
     drawing.within(marks, |drawing| {

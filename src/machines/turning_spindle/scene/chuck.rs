@@ -94,7 +94,7 @@ impl Chuck {
     pub(super) fn draw_near_jaws(&self, d: &mut Drawing) {
         d.within(group::JAWS_NEAR, |d| jaws(d, node::NEAR));
         let (step, base) = self.ends();
-        d.within(group::BLUR, |d| {
+        d.within_hidden(group::BLUR, |d| {
             for (x, end) in [((0.0, BASE), base), ((BASE, STEP), step)] {
                 let (from, to) = (self.face + x.0, self.face + x.1);
                 d.path(solid::body(&[(from, end), (to, end)]), Look::fill(Paint::SteelShade));

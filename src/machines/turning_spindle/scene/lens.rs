@@ -42,7 +42,7 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
         d.path(String::new(), Look::fill(Paint::SteelShade).thin(Paint::Edge, 1.2)).id = Some(node::LENS_PART);
         d.path("M0 0L34 -84H150V-10L78 -6Z", Look::fill(Paint::Accent).faint(0.9));
     });
-    d.within(group::LENS_CHIP, |d| {
+    d.within_hidden(group::LENS_CHIP, |d| {
         let curl = "M3 -9c-14 -20 -2 -42 -14 -52s-26 4 -18 14";
         d.path(curl, Look::line(Paint::DarkLight, 9.0).round());
         d.path(curl, Look::line(Paint::Rim, 1.2).round().faint(0.7));

@@ -80,7 +80,7 @@ pub(super) fn draw_chips(d: &mut Drawing) {
     d.path(String::new(), Look::line(Paint::DarkLight, 3.0).round()).id = Some(node::PILE);
     for chip in 0..CHIPS {
         d.place(group::CHIPS + chip, SceneGroup::default());
-        d.within(group::CHIPS + chip, |d| {
+        d.within_hidden(group::CHIPS + chip, |d| {
             let curl = "M-5 -2c6 -3 13 2 11 7s-11 5 -11 -1s8 -6 11 -1";
             d.path(curl, Look::line(Paint::Dark, 2.8).round());
             d.path(curl, Look::line(Paint::Rim, 1.0).round().faint(0.6));

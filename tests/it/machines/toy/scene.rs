@@ -40,7 +40,7 @@ pub(super) const CHARTS: &[ChartRow<CutToLength>] = &[
         title: "toy.chart.position",
         unit: "mm",
         least_span: 0.01,
-        lines: &[ChartLine { label: |_| "toy.chart.strip", tone: 0, value: position }],
+        lines: &[ChartLine { label: |_| "toy.chart.strip", tone: 0, address: |_| None, value: position }],
     },
     ChartRow {
         id: "feed",
@@ -50,6 +50,7 @@ pub(super) const CHARTS: &[ChartRow<CutToLength>] = &[
         lines: &[ChartLine {
             label: |_| "toy.chart.strip",
             tone: 1,
+            address: |_| None,
             value: |feeder, now| now.axes.get(feeder.axis()).map_or(0.0, |axis| axis.feed),
         }],
     },

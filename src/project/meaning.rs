@@ -1,0 +1,318 @@
+//! Meaning of a word on a control: code, variable, address, register, parameter or alarm, with its source and its present value.
+
+use super::Project;
+use super::run::{self, Run};
+use crate::controls::interface::SignalRole;
+use crate::controls::{Address, Code, CodeId, CodeNumber, Control, Group, VarKind};
+use crate::motion::Action;
+use crate::msg;
+use crate::nc::{TokenKind, tokens};
+use crate::text::{Citation, Message, Span};
+
+/// The table that a word is looked up in. Numbers repeat between them: `#3001` is a variable of a program and a parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Table {
+    /// Words of a program: codes, variables, addresses.
+    Program,
+    /// Registers between PLC and control.
+    Interface,
+    /// Parameters of the control.
+    Parameters,
+    /// Numbers of alarms.
+    Alarms,
+}
+
+/// Kind of a word, and the row that it names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Subject {
+    /// A G or M code, or a code that is a name.
+    Code(CodeId),
+    /// A variable by its number.
+    Variable(u32),
+    /// Position along an axis, by its place among the control's axes.
+    Axis(usize),
+    /// Another address.
+    Address(Address),
+    /// Number of a block or of a program.
+    Sequence,
+    /// A register between PLC and control.
+    Signal(SignalRole),
+    /// A parameter.
+    Parameter,
+    /// An alarm.
+    Alarm,
+}
+
+/// Meaning of a word.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Meaning {
+    /// The word as the control writes it.
+    pub word: String,
+    /// Kind and row.
+    pub subject: Subject,
+    /// Sentences, the most important first.
+    pub says: Vec<Message>,
+    /// Unit of its value, or empty.
+    pub unit: &'static str,
+    /// Source of the row; none for names of blocks and programs, and for codes of the machine's builder.
+    pub cite: Option<Citation>,
+}
+
+/// A value at one moment of a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Live {
+    /// The value; `None` is vacant.
+    pub value: Option<f64>,
+    /// Its unit, or empty.
+    pub unit: &'static str,
+}
+
+/// The pieces of a line of a program that can have a meaning: an address together with its number, every other piece alone.
+pub fn words(line: &str, control: &Control) -> Vec<Span> {
+    let tokens = tokens(line, control);
+    let word = |(at, (span, kind)): (usize, &(Span, TokenKind))| match kind {
+        TokenKind::Code | TokenKind::Sequence | TokenKind::Variable => Some(*span),
+        TokenKind::Address => {
+            let behind = tokens.get(at + 1..).unwrap_or_default();
+            let signs = behind.iter().take_while(|(span, _)| matches!(span.of(line), "+" | "-" | "=")).count();
+            let number = behind.get(signs).filter(|(_, kind)| *kind == TokenKind::Number);
+            Some(number.map_or(*span, |(number, _)| span.to(*number)))
+        }
+        _ => None,
+    };
+    tokens.iter().enumerate().filter_map(word).collect()
+}
+
+/// The word at a byte of a line of a program, and its meaning.
+pub fn at(project: &Project, line: &str, byte: u32) -> Option<(Span, Meaning)> {
+    let span = words(line, project.control).into_iter().find(|span| (span.start..span.end).contains(&byte))?;
+    Some((span, of(project, span.of(line), Table::Program)?))
+}
+
+/// The meaning of a word on the control of a project; `None` where no row knows it.
+pub fn of(project: &Project, word: &str, table: Table) -> Option<Meaning> {
+    let (control, word) = (project.control, word.trim());
+    match table {
+        Table::Program => of_program(project, word),
+        Table::Interface => of_register(project, word).or_else(|| of_program(project, word)),
+        Table::Parameters => {
+            let row = control.params.iter().find(|row| row.number == word)?;
+            let says = vec![told(row.text), msg!("meaning.parameter", row.name)];
+            Some(meaning(word, Subject::Parameter, says, row.unit, row.cite))
+        }
+        Table::Alarms => {
+            let row = control.alarms.iter().find(|row| row.number == word)?;
+            Some(meaning(word, Subject::Alarm, vec![told(row.text), msg!("meaning.alarm", control.name)], "", row.cite))
+        }
+    }
+}
+
+/// The text of a row as a sentence.
+fn told(text: &'static str) -> Message {
+    msg!("meaning.row", text)
+}
+
+fn meaning(
+    word: impl Into<String>,
+    subject: Subject,
+    says: Vec<Message>,
+    unit: &'static str,
+    cite: Citation,
+) -> Meaning {
+    Meaning { word: word.into(), subject, says, unit, cite: Some(cite) }
+}
+
+/// A word of a program.
+fn of_program(project: &Project, word: &str) -> Option<Meaning> {
+    let control = project.control;
+    let (span, kind) = tokens(word, control).into_iter().next()?;
+    let piece = span.of(word);
+    match kind {
+        TokenKind::Code => of_code(control, piece),
+        TokenKind::Variable => of_variable(project, piece.get(1..)?.parse().ok()?),
+        TokenKind::Sequence => {
+            let block = piece.starts_with(['N', 'n']) || piece.ends_with(':');
+            let says = if block { msg!("meaning.block-number") } else { msg!("meaning.program-number") };
+            Some(Meaning { word: piece.to_owned(), subject: Subject::Sequence, says: vec![says], unit: "", cite: None })
+        }
+        TokenKind::Address => of_address(control, piece).or_else(|| of_name(control, piece)),
+        _ => None,
+    }
+}
+
+/// The code that a word names: `G01`, `M3`, `G61.1`, `DIAMON`.
+fn code_named(control: &Control, text: &str) -> Option<CodeId> {
+    let name = text.to_ascii_uppercase();
+    let number = || name.get(1..)?.parse::<f64>().ok();
+    match (control.syntax.names().and_then(|names| names.code(&name)), name.as_bytes().first()?) {
+        (Some(place), _) => Some(CodeId::Named(place as u16)),
+        (None, b'G') => Some(CodeId::G(CodeNumber::from_value(number()?, 1e-6)?)),
+        (None, b'M') => Some(CodeId::M(name.get(1..)?.parse().ok()?)),
+        _ => None,
+    }
+}
+
+fn of_code(control: &Control, text: &str) -> Option<Meaning> {
+    let id = code_named(control, text)?;
+    let Some(row) = control.code(id) else {
+        let (word, says) = (control.code_name(id), vec![msg!("meaning.no-row", control.name)]);
+        return Some(Meaning { word, subject: Subject::Code(id), says, unit: "", cite: None });
+    };
+    let mut says = vec![told(row.text)];
+    says.extend(match (row.code, row.group) {
+        (Code::Auxiliary, _) => Some(msg!("meaning.to-plc")),
+        (Code::NotSimulated | Code::Roughing | Code::Tapping, _) => Some(msg!("meaning.not-simulated")),
+        (_, Group::OneShot) => Some(msg!("meaning.one-block")),
+        (_, Group::Other | Group::Flow) => None,
+        _ => Some(msg!("meaning.in-force")),
+    });
+    Some(meaning(control.code_name(row.id), Subject::Code(row.id), says, "", row.cite))
+}
+
+fn of_variable(project: &Project, number: u32) -> Option<Meaning> {
+    let control = project.control;
+    let row = control.var(number)?;
+    let own = project.prepared().variables().into_iter().find(|own| own.0 == number);
+    let mut says: Vec<Message> = own.iter().map(|own| Message { id: own.1, values: Vec::new() }).collect();
+    says.push(told(row.text));
+    if !row.device.is_empty() {
+        says.push(msg!("meaning.register", row.device));
+    }
+    if !row.kind.writable() {
+        says.push(msg!("meaning.read-only"));
+    }
+    Some(meaning(control.variable(number), Subject::Variable(number), says, own.map_or("", |own| own.2), row.cite))
+}
+
+fn of_address(control: &Control, text: &str) -> Option<Meaning> {
+    let capital = text.to_ascii_uppercase();
+    let long = control.syntax.names().and_then(|names| names.addresses.iter().find(|row| row.0 == capital));
+    let address = match long {
+        Some(row) => row.1,
+        None if text.len() == 1 => Address::of(*text.as_bytes().first()?)?,
+        None => return None,
+    };
+    let named = |row: &crate::controls::AxisDef| row.letter == address || row.incremental == Some(address);
+    if let Some(at) = control.axes.iter().position(named) {
+        let row = control.axes.get(at)?;
+        let axis = row.letter.to_string();
+        let unit = if row.rotary { "°" } else { "mm" };
+        let mut says = match row.letter == address {
+            true => vec![msg!("meaning.axis", axis)],
+            false => vec![msg!("meaning.axis-incremental", axis)],
+        };
+        if row.diameter {
+            says.push(msg!("meaning.diameters"));
+        }
+        return Some(meaning(capital, Subject::Axis(at), says, unit, row.cite));
+    }
+    let says = address_words(address)?;
+    let cite = if address == Address::S { control.spindle.cite } else { control.syntax.cite };
+    Some(meaning(capital, Subject::Address(address), vec![says], "", cite))
+}
+
+/// A name that is no address, where the language has names: a label or a program.
+fn of_name(control: &Control, text: &str) -> Option<Meaning> {
+    control.syntax.names().filter(|_| text.len() > 1)?;
+    let says = vec![msg!("meaning.name")];
+    Some(Meaning { word: text.to_owned(), subject: Subject::Sequence, says, unit: "", cite: None })
+}
+
+/// What an address tells, axes aside.
+fn address_words(address: Address) -> Option<Message> {
+    Some(match address {
+        Address::F => msg!("meaning.feed"),
+        Address::S => msg!("meaning.speed"),
+        Address::T => msg!("meaning.tool"),
+        Address::D | Address::H => msg!("meaning.offset"),
+        Address::N => msg!("meaning.block-number"),
+        Address::O => msg!("meaning.program-number"),
+        Address::I | Address::J | Address::K => msg!("meaning.centre"),
+        Address::R | Address::Cr => msg!("meaning.radius"),
+        Address::P => msg!("meaning.p"),
+        Address::L => msg!("meaning.repeats"),
+        Address::Q => msg!("meaning.q"),
+        Address::Lims => msg!("meaning.lims"),
+        Address::Spos => msg!("meaning.spos"),
+        Address::Sf => msg!("meaning.start-angle"),
+        Address::Chf | Address::Chr => msg!("meaning.chamfer"),
+        Address::Rnd | Address::Rndm => msg!("meaning.corner"),
+        Address::Ar | Address::Ap | Address::Rp | Address::Ang | Address::Rpl => msg!("meaning.angle"),
+        Address::A | Address::B | Address::C | Address::E | Address::U | Address::V | Address::W => {
+            msg!("meaning.argument")
+        }
+        _ => return None,
+    })
+}
+
+fn of_register(project: &Project, device: &str) -> Option<Meaning> {
+    let (control, dialect) = (project.control, project.on().dialect());
+    let role = dialect.role(control, device)?;
+    let row = control.interface.iter().find(|row| row.role == role)?;
+    let mut says = vec![told(row.text)];
+    says.push(if row.plc_writes { msg!("meaning.plc-writes") } else { msg!("meaning.control-writes") });
+    if let Some(variable) = variable_of(role) {
+        says.push(msg!("meaning.as-variable", control.variable(variable)));
+    }
+    Some(meaning(device, Subject::Signal(role), says, row.unit, row.cite))
+}
+
+/// The variable that a register appears as.
+fn variable_of(role: SignalRole) -> Option<u32> {
+    match role {
+        SignalRole::MacroInputLow(number) | SignalRole::MacroInputHigh(number) | SignalRole::MacroOutput(number) => {
+            Some(number)
+        }
+        _ => None,
+    }
+}
+
+impl Meaning {
+    /// The value of what the word names at time `t` (s) of a run of the project; `None` where a run does not tell.
+    pub fn live(&self, project: &Project, run: &Run, t: f64) -> Option<Live> {
+        let now = run.timeline().at(t);
+        let live = |value: f64, unit: &'static str| Some(Live { value: Some(value), unit });
+        let variable = |number: u32| Live { value: run::shown(run, project.control, number, t), unit: self.unit };
+        match self.subject {
+            // Local variables are those of one call, of which there may be several.
+            Subject::Variable(number) => match project.control.var(number)?.kind {
+                VarKind::Local | VarKind::Vacant | VarKind::NotSimulated => None,
+                _ => Some(variable(number)),
+            },
+            Subject::Axis(at) => live(*run.timeline().words_at(t).get(at)?, self.unit),
+            Subject::Address(Address::F) => {
+                let feeds = now.axes.iter().map(|axis| axis.feed.abs());
+                live(feeds.fold(0.0, f64::max), "mm/min")
+            }
+            Subject::Address(Address::S) => live(now.spindle.actual, "r/min"),
+            Subject::Signal(role) => match role {
+                SignalRole::SpindleActual => live(now.spindle.actual, "r/min"),
+                SignalRole::SpindleCommand | SignalRole::SpindleFinal => live(now.spindle.command, "r/min"),
+                SignalRole::SpindleOutput => live(now.spindle.volts, "V"),
+                SignalRole::SpindleOverride => live(spindle_override(project, t), "%"),
+                SignalRole::FeedOverride => live(feed_override(project, t), "%"),
+                SignalRole::SpindleOverrideCode => None,
+                _ => variable_of(role).map(variable),
+            },
+            _ => None,
+        }
+    }
+}
+
+/// The spindle override (%) at a time: the operator's, or that of the form.
+fn spindle_override(project: &Project, t: f64) -> f64 {
+    let turned = |action: &Action| if let Action::SpindleOverride(percent) = action { Some(*percent) } else { None };
+    last(project, t, turned).or(project.prepared().panel().spindle_override).unwrap_or(100.0)
+}
+
+/// The feed override (%) at a time.
+fn feed_override(project: &Project, t: f64) -> f64 {
+    let turned = |action: &Action| if let Action::FeedOverride(percent) = action { Some(*percent) } else { None };
+    last(project, t, turned).unwrap_or(100.0)
+}
+
+/// The last value that actions of the operator up to a time have set.
+fn last(project: &Project, t: f64, value: impl Fn(&Action) -> Option<f64>) -> Option<f64> {
+    let events = project.panel.events().iter().take_while(|event| event.t <= t);
+    events.filter_map(|event| value(&event.action)).last()
+}

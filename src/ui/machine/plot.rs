@@ -1,0 +1,141 @@
+//! The chart under the pointer: values at a time, a press that sets the play head, and zoom by wheel, fingers and keys.
+
+use leptos::ev::PointerEvent;
+use leptos::html;
+use leptos::prelude::*;
+use leptos::wasm_bindgen::JsCast;
+use web_sys::{DomRect, Element, WheelEvent};
+
+use super::charts::Charts;
+use crate::math;
+use crate::text::catalog::number_text;
+use crate::text::number::filled;
+use crate::ui::dom;
+use crate::ui::state::Page;
+use crate::ui::state::player::Player;
+
+/// Fingers on the chart, by their number and place in pixels.
+#[derive(Clone, Copy)]
+struct Fingers(StoredValue<Vec<(i32, f64)>>);
+
+impl Default for Fingers {
+    fn default() -> Fingers {
+        Fingers(StoredValue::new(Vec::new()))
+    }
+}
+
+impl Fingers {
+    /// Pixels between two fingers.
+    fn are_apart(self) -> Option<f64> {
+        self.0.with_value(|fingers| match fingers[..] {
+            [(_, a), (_, b)] => Some((a - b).abs()),
+            _ => None,
+        })
+    }
+
+    /// Notes a finger that is down or lifted; of two that are down, by which factor they have come together.
+    fn touch(self, event: &PointerEvent, down: bool) -> Option<f64> {
+        if event.pointer_type() != "touch" {
+            return None;
+        }
+        let before = self.are_apart();
+        self.0.update_value(|fingers| {
+            fingers.retain(|finger| finger.0 != event.pointer_id());
+            if down {
+                fingers.push((event.pointer_id(), f64::from(event.client_x())));
+            }
+        });
+        Some(before? / self.are_apart()?.max(1.0))
+    }
+}
+
+/// Keys zoom where the pointer is over the chart or the focus in the film: about the pointer, or about the head.
+fn keys(player: Player, film: NodeRef<html::Section>, pointed: impl Fn() -> Option<f64> + 'static) {
+    let keys = window_event_listener(leptos::ev::keydown, move |event| {
+        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let within = |target: &Element| film.get_untracked().is_some_and(|film| film.contains(Some(target)));
+        let Some(target) = target.filter(|target| !dom::takes_text(target)) else { return };
+        let pointed = pointed();
+        let plain = !(event.ctrl_key() || event.meta_key() || event.alt_key());
+        if !plain || pointed.is_none() && !within(&target) {
+            return;
+        }
+        let about = pointed.unwrap_or_else(|| player.now.with_untracked(|now| now.t));
+        match event.key().as_str() {
+            "+" | "=" => player.zoom_by(0.5, about),
+            "-" => player.zoom_by(2.0, about),
+            "0" => player.show_window(0.0),
+            _ => return,
+        }
+        event.prevent_default();
+    });
+    on_cleanup(move || keys.remove());
+}
+
+/// The chart's place, with the values under the pointer.
+#[component]
+pub(super) fn Plot(
+    /// Ends of the shown time, in seconds.
+    axis: RwSignal<(f64, f64)>,
+    /// The charts.
+    charts: StoredValue<Charts, LocalStorage>,
+    /// The element that they are drawn in.
+    plot: NodeRef<html::Div>,
+    /// The film around them.
+    film: NodeRef<html::Section>,
+) -> impl IntoView {
+    let player = Page::here().player;
+    // The time under the pointer, as a part of the axis.
+    let pointed = RwSignal::new(None::<f64>);
+    let time = move |part: f64| {
+        let (from, to) = axis.get();
+        from + part * (to - from)
+    };
+    let fingers = Fingers::default();
+    let touch = move |event: &PointerEvent, down: bool| {
+        if let (Some(factor), Some(part)) = (fingers.touch(event, down), pointed.get_untracked()) {
+            player.zoom_by(factor, untrack(|| time(part)));
+        }
+    };
+    let point = move |event: PointerEvent| {
+        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let over = target.and_then(|target| target.closest(".over").ok().flatten());
+        let area = over.map(|over| over.get_bounding_client_rect());
+        let share = |area: DomRect| (f64::from(event.client_x()) - area.left()) / area.width();
+        let part = area.map(|area| math::clamp(share(area), 0.0, 1.0));
+        pointed.set(part);
+        touch(&event, event.buttons() & 1 == 1);
+        let alone = fingers.are_apart().is_none();
+        if let Some(part) = part.filter(|_| alone && event.buttons() & 1 == 1) {
+            player.playing.set(false);
+            player.seek(untrack(|| time(part)));
+        }
+    };
+    let wheel = move |event: WheelEvent| {
+        if let Some(part) = pointed.get_untracked() {
+            event.prevent_default();
+            player.zoom_by(math::exp(math::clamp(event.delta_y(), -200.0, 200.0) / 400.0), untrack(|| time(part)));
+        }
+    };
+    keys(player, film, move || pointed.get_untracked().map(|part| untrack(|| time(part))));
+    let readout = move || {
+        let part = pointed.get()?;
+        let seconds = time(part);
+        let values = charts.with_value(|charts| charts.values_at(seconds));
+        let text = format!("{} s  {}", number_text(seconds, 3), values.join("  "));
+        let class = if part > 0.5 { "pointed left" } else { "pointed" };
+        Some(view! { <span class=class style:left=filled("#%", &[100.0 * part])>{text}</span> })
+    };
+    view! {
+                <div
+                    class="plots" node_ref=plot on:pointerdown=point on:pointermove=point on:wheel=wheel
+                    on:pointerup=move |event| touch(&event, false) on:pointercancel=move |event| touch(&event, false)
+                    on:pointerleave=move |event| {
+                        touch(&event, false);
+                        pointed.set(None);
+                    }
+                    on:dblclick=move |_| player.show_window(0.0)
+                ></div>
+        {readout}
+    }
+}
