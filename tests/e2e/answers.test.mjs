@@ -23,7 +23,7 @@ test('a word of the listing tells meaning, live value and source under pointer a
     assert.deepEqual(await Promise.all(['#play', '.listing', '#export'].map((selector) => box(page, selector))), before);
     await page.keyboard.press('Escape');
     await open(page).waitFor({ state: 'detached' });
-    await page.locator('.listing li', { hasText: 'N35 G01' }).click();
+    await page.locator('.listing li', { hasText: 'N44 G01' }).click();
     await page.locator('.listing').focus();
     await page.keyboard.press('Enter');
     await page.keyboard.press('ArrowRight');

@@ -215,7 +215,7 @@ fn text_outside_the_record_is_one_finding() {
         "mitsubishi-e60",
         "LEADER TAPE\n%\nO1\nG00 X1.\nM30\n%\nREST OF THE TAPE\nG00 X9.\n",
         expect![[r#"
-        warning[nc.leader]: What stands in front of the first % is leader: the control does not read it.
+        warning[nc.leader]: Text before the first % is leader: the control does not read it.
          --> O1.nc:1:1
           |
         1 | LEADER TAPE

@@ -459,7 +459,7 @@ fn faulty_formulas_are_errors_at_their_place() {
     check_block(
         "#1=#2EQ#3",
         expect![[r#"
-            1:6 error P33 A comparison stands only once, directly inside the brackets of IF or WHILE.
+            1:6 error P33 A comparison is allowed only once, directly inside the brackets of IF or WHILE.
         "#]],
     );
     check_block(
@@ -529,7 +529,7 @@ fn faulty_variables_are_errors_at_their_place() {
     check_block(
         "#5081=1",
         expect![[r#"
-            1:1 warning - #5081 (tool position offset, axis by axis) is not simulated: a run stops where it stands. The control itself goes on.
+            1:1 warning - #5081 (tool position offset, axis by axis) is not simulated: a run stops there. The control itself goes on.
         "#]],
     );
 }
@@ -606,7 +606,7 @@ fn faulty_jumps_and_loops_are_errors_at_their_place() {
     check_block(
         "DO1\nDO1\nEND1\nEND1",
         expect![[r#"
-        2:1 error P294 DO1 stands inside a loop of the same number.
+        2:1 error P294 DO1 is inside a loop of the same number.
     "#]],
     );
     check_block(
@@ -657,7 +657,7 @@ fn faulty_program_heads_and_ends_are_findings() {
     check(
         "%LEAD\nO1\nM30\n%\n",
         expect![[r#"
-        1:2 warning - The control skips what stands behind % in its line.
+        1:2 warning - The control skips what follows % in its line.
     "#]],
     );
     check(

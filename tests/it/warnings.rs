@@ -264,24 +264,24 @@ fn m_and_s_in_every_pass_is_a_warning() {
             10:4 “#100” info lint.unset-common
                 To be set on the screen before the start, as no program here does: #100. What is not set is vacant, and counts as 0 in formulas.
             11:6 “S#100” warning lint.spindle-in-loop
-                S#100 stands in every pass of a loop: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it while nothing has changed.
+                S#100 is commanded in every pass of a loop: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it while nothing has changed.
         "#]],
     );
     E60.check("O1\n#1=0\nN10 S1000 M3\nG91 G01 X1. F100\n#1=#1+1\nIF[#1 LT 5]GOTO10\nM5\nM30", expect![[r#"
         4:5 “S1000” warning lint.spindle-in-loop
-            S1000 stands in every pass of a loop: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it while nothing has changed.
+            S1000 is commanded in every pass of a loop: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it while nothing has changed.
     "#]]);
     E60.check("O1\nWHILE[#1033 GT 0]DO1\nM8\nG91 G01 X1. F100\nEND1\nM9\nM30", expect![[r#"
         4:1 “M8” warning lint.auxiliary-in-loop
-            M8 stands in every pass of a loop that cuts: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it.
+            M8 is commanded in every pass of a loop that cuts: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it.
     "#]]);
     GSK.check("O1\nWHILE[#1032 GT 0]DO1\nM42\nG01 U1. F100\nEND1\nM30", expect![[r#"
         4:1 “M42” warning lint.auxiliary-in-loop
-            M42 stands in every pass of a loop that cuts: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it.
+            M42 is commanded in every pass of a loop that cuts: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it.
     "#]]);
     E60.check("O1\nDO1\nS500\nG91 G01 X1. F100\nIF[#1000 EQ 1]GOTO9\nEND1\nN9 M30", expect![[r#"
         4:1 “S500” warning lint.spindle-in-loop
-            S500 stands in every pass of a loop: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it while nothing has changed.
+            S500 is commanded in every pass of a loop: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it while nothing has changed.
     "#]]);
 }
 
@@ -516,7 +516,7 @@ fn scratch_use_of_kept_variables_is_a_warning() {
     // A correction, a value set, a measured length.
     E60.check("O1\n#2001=#2001+0.01\n#2002=0\n#100=#2002\n#2003=#5083-#500\n#101=#2003\nM30", expect![[r#"
         6:7 “#5083” warning nc.variable-stops
-            #5083 (tool position offset, axis by axis) is not simulated: a run stops where it stands. The control itself goes on.
+            #5083 (tool position offset, axis by axis) is not simulated: a run stops there. The control itself goes on.
         6:13 “#500” info lint.unset-common
             To be set on the screen before the start, as no program here does: #500. What is not set is vacant, and counts as 0 in formulas.
     "#]]);
@@ -661,12 +661,12 @@ fn messages_longer_than_shown_are_a_warning() {
 fn duplicate_sequence_numbers_are_a_warning() {
     E60.check("O1\nIF[#1033 EQ 1]GOTO5\nN5 G00 X1.\nN5 G00 X2.\nN7 M5\nN7 M30", expect![[r#"
         5:1 “N5” warning lint.number-twice
-            N5 stands twice, here and in line 4: a jump to it goes to the one that comes first from the jump on, and at the end from the head of the program. Give one of them a number of its own.
+            N5 is there twice, here and in line 4: a jump to it goes to the one that comes first from the jump on, and at the end from the head of the program. Give one of them a number of its own.
     "#]]);
     // By a calculated number it may be meant.
     GSK.check("O1\n#100=#1033\nGOTO#100\nN7 M5\nN7 M30", expect![[r#"
         6:1 “N7” warning lint.number-twice
-            N7 stands twice, here and in line 5: a jump to it goes to the one that comes first from the jump on, and at the end from the head of the program. Give one of them a number of its own.
+            N7 is there twice, here and in line 5: a jump to it goes to the one that comes first from the jump on, and at the end from the head of the program. Give one of them a number of its own.
     "#]]);
     // Nothing jumps to it; each program has its own.
     E60.quiet("O1\nN5 G00 X1.\nN5 G00 X2.\nM30");
@@ -730,7 +730,7 @@ fn calls_of_missing_programs_are_a_warning() {
     );
     E60.check("O1\nM98\nM30", expect![[r#"
         3:1 “M98” warning lint.calls-itself
-            M98 without P calls the program that it stands in once more, from its head, and so on until subprograms are nested too deep. Write P and the number of the program.
+            M98 without P calls its own program once more, from its head, and so on until subprograms are nested too deep. Write P and the number of the program.
     "#]]);
     E60.quiet("O1\nM98 H5 L2\nM30\nN5 G00 X1.\nM99");
 }

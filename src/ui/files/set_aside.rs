@@ -74,7 +74,7 @@ pub(super) fn list() -> Vec<State> {
     states
 }
 
-/// Sets a state aside; false where the store has no room for it. The oldest one goes only when the copy stands.
+/// Sets a state aside; false where the store has no room for it. The oldest one is removed only after the copy is stored.
 pub(super) fn keep(text: &str, reason: Reason) -> bool {
     let before = list();
     if before.iter().any(|state| state.text == text) {

@@ -115,7 +115,7 @@ fn watch(page: Page, words: &'static str) {
     page.notices.notify("warn", t(words).to_owned());
 }
 
-/// What another tab says or stores. A tab that watches shows the project of the other as long as nobody edits here.
+/// Messages and stored state of another tab. A watching tab shows the project of the other one until it is edited here.
 fn hear(page: Page, key: &str, value: &str, shown: StoredValue<Option<Project>, LocalStorage>) {
     let watches = page.view.kept.get_untracked() == Kept::Elsewhere;
     match (key, value.split(' ').next().unwrap_or_default()) {

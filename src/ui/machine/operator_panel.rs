@@ -83,7 +83,7 @@ fn Knob(
     id: &'static str,
     /// Catalog id of its name.
     label: &'static str,
-    /// Percent that it stands at.
+    /// Percent at which the knob is set.
     value: Memo<f64>,
     /// Percent of a step.
     #[prop(into)]

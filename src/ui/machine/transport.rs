@@ -64,7 +64,7 @@ fn Clock() -> impl IntoView {
     }
 }
 
-/// The block that runs, as it stands in the program.
+/// Text of the running block.
 #[component]
 fn RunningBlock() -> impl IntoView {
     let page = Page::here();

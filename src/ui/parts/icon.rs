@@ -15,7 +15,7 @@ pub(crate) enum Glyph {
     Play,
     /// Pause.
     Pause,
-    /// Begin anew at the end.
+    /// Repeat from the begin at the end of the run.
     Repeat,
     /// Undo.
     Undo,

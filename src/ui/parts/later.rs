@@ -4,7 +4,7 @@ use leptos::prelude::*;
 
 use crate::ui::dom::turns::in_turn;
 
-/// Builds its content after everything that waits already, in a task of its own: the page is there in pieces, none of which holds it up.
+/// Builds its content in a task of its own, behind all waiting tasks, so that no part of the page delays another.
 /// Its place must not depend on its content.
 #[component]
 pub(crate) fn Later(

@@ -1,4 +1,4 @@
-//! Sheets that the worker writes: made anew with every change of the project.
+//! Sheets that the worker writes, written again after every change of the project.
 
 use leptos::prelude::*;
 
@@ -12,7 +12,7 @@ use crate::ui::worker::messages::{Request, Response, Sheets};
 pub(crate) fn SheetView(
     /// Picks those to show.
     which: fn(Sheets) -> String,
-    /// What stands below them, once they are there.
+    /// Shown below the sheets once they are there.
     #[prop(optional)]
     children: Option<Children>,
 ) -> impl IntoView {

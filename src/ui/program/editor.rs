@@ -32,7 +32,7 @@ fn units(text: &str, byte: u32) -> f64 {
     if before.is_ascii() { before.len() as f64 } else { before.encode_utf16().count() as f64 }
 }
 
-/// What both the editor and the difference are told: their name, and how the words of the control are coloured.
+/// Options of both the editor and the difference: their name, and the colours of the control's words.
 fn options(page: Page, label: &'static str) -> JsValue {
     let pieces = move |line: JsValue| {
         let line = line.as_string().unwrap_or_default();

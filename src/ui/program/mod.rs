@@ -92,7 +92,7 @@ fn FileChips() -> impl IntoView {
     }
 }
 
-/// The counts of findings, each of which leads to the next finding of its kind, and the button that mends all that leave no choice.
+/// The counts of findings, a press on one leads to the next finding of its kind, and the button that applies every fix without a choice.
 #[component]
 fn Found() -> impl IntoView {
     let page = Page::here();

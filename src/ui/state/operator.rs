@@ -11,7 +11,7 @@ use crate::text::catalog::number_text;
 use crate::ui::dom;
 use crate::ui::words::{clock, short, t, value_of};
 
-/// Machine seconds after an action at which its effect is told.
+/// Machine seconds after an action at which its effect is reported.
 const EFFECT: f64 = 1.0;
 
 /// Does an action at the head and tells what it changes: the run a little later, with and without it.

@@ -110,7 +110,7 @@ impl Page {
             put(page.program.silenced, page.project.with(|project| silence(&mut found, &project.silenced)));
             put(page.program.findings, found);
         });
-        // A film that stops at once would begin anew many times a second; it goes on when the run moves again.
+        // A film that stops at once would restart many times a second; it goes on when the run moves again.
         Effect::new(move |waits: Option<bool>| {
             let waits = waits == Some(true);
             if page.outlook.stopped.with(Option::is_some) {

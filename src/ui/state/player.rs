@@ -39,7 +39,7 @@ const AHEAD: f64 = 1.0;
 /// Machine seconds that are planned in the background, whatever is shown.
 const HORIZON: f64 = 60.0;
 
-/// Where a run is given up: nobody watches ten hours, and they fit the memory.
+/// Longest run that is planned: ten hours, which fit the memory.
 const LIMITS: Budget = Budget { blocks: 1_000_000_000, seconds: 36_000.0 };
 
 /// Steps of the planner between two looks at the clock.
@@ -79,7 +79,7 @@ pub(crate) struct Player {
     pub playing: RwSignal<bool>,
     /// Machine seconds per second; 0 is automatic.
     pub speed: RwSignal<f64>,
-    /// Whether the run begins anew at its end.
+    /// Whether the run restarts at its end.
     pub repeat: RwSignal<bool>,
     /// Whether rollers are shown once per head.
     pub option: RwSignal<bool>,
@@ -207,7 +207,7 @@ impl Player {
         self.ask();
     }
 
-    /// Plays or pauses. At the end of the run it begins anew.
+    /// Plays or pauses. At the end of the run it restarts.
     pub(crate) fn toggle(self) {
         let playing = !self.playing.get_untracked();
         if playing && self.at_end() {
@@ -239,7 +239,7 @@ impl Player {
         self.state.with_value(|state| state.head)
     }
 
-    /// Whether the head stands at the end of a run that is over.
+    /// Whether the head is at the end of a finished run.
     pub(crate) fn at_end(self) -> bool {
         let (planned, ended) = self.planned.get_untracked();
         ended && self.head() >= planned
@@ -257,7 +257,7 @@ impl Player {
         }
     }
 
-    /// Pauses at the begin of the next block, or of the one before.
+    /// Pauses at the begin of the next or previous block.
     pub(crate) fn step(self, forth: bool) {
         self.playing.set(false);
         let to = self.state.with_value(|state| {
@@ -278,7 +278,7 @@ impl Player {
             }
         });
         self.plans.update(|count| *count += 1);
-        // The run has become another; it stands before the same block of it, or before the first one that is read at last.
+        // The run has changed: walk again to the block before which it waited.
         if self.walk_away() {
             self.walk_to(Goal::Block(0));
         }
@@ -336,7 +336,7 @@ impl Player {
         self.plan(t, SLICE);
     }
 
-    /// Ends of the time that film and charts show, when the head stands at `head`.
+    /// Ends of the time that film and charts show, with the head at `head`.
     pub(crate) fn axis(self, head: f64, planned: f64) -> (f64, f64) {
         let window = self.window.get_untracked();
         if let Some(Zoom { from, span, head: chosen }) = self.zoom.get_untracked() {

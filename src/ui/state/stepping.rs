@@ -1,4 +1,4 @@
-//! The debugger of the page: walks beside the run, in slices, and sets the head where the walk stops.
+//! The debugger of the page: a walk of its own through the run, in slices; the head is set where it stops.
 
 use std::fmt::Write;
 use std::time::Duration;
@@ -23,7 +23,7 @@ const SLICE: f64 = 8.0;
 const IN_FRAME: f64 = 3.0;
 
 impl Player {
-    /// Forgets where the walk stands; whether it stood.
+    /// Drops the walk; returns whether there was one.
     pub(crate) fn walk_away(self) -> bool {
         let stood = self.walk.update_untracked(|walk| {
             walk.debugger = None;
@@ -35,7 +35,7 @@ impl Player {
         stood
     }
 
-    /// Walks to a goal: from where the walk stands, or from the head.
+    /// Walks to a goal: from its present block, or from the head.
     pub(crate) fn walk_to(self, goal: Goal) {
         self.playing.set(false);
         self.set_goal(self.head(), goal);
@@ -61,7 +61,7 @@ impl Player {
         true
     }
 
-    /// Stops where it is on its way; leaves the walk where it stands.
+    /// Stops a walk under way and keeps its place.
     pub(crate) fn walk_stop(self) -> bool {
         if self.walk.with_untracked(|walk| walk.going) {
             self.arrive(Stop::Reached);

@@ -493,7 +493,7 @@ fn loop_and_sequence_numbers_follow_the_control() {
         "DO1\nDO2\nDO3\nDO1\nEND1\nEND3\nEND2\nEND1",
         expect![[r#"
             --- Mitsubishi E60
-            4:1 error P294 DO1 stands inside a loop of the same number.
+            4:1 error P294 DO1 is inside a loop of the same number.
             --- GSK 980TDc
             4:1 error 0103 Loops stand more than 3 deep.
             --- KND K2000T

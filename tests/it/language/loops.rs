@@ -98,7 +98,7 @@ fn second_comparison_in_a_condition_is_an_error() {
     check_block(
         "#1=[#2 EQ 0]",
         expect![[r#"
-        1:8 error P33 A comparison stands only once, directly inside the brackets of IF or WHILE.
+        1:8 error P33 A comparison is allowed only once, directly inside the brackets of IF or WHILE.
     "#]],
     );
     // Bit by bit of the values that are compared.

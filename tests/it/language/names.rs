@@ -218,7 +218,7 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "LIMS 3000",
         expect![[r#"
-        1:1 error 12080 Between LIMS and its value stands “=”.
+        1:1 error 12080 “=” is missing between LIMS and its value.
             Insert “=”: 1:5 " "→"="
         = LIMS=3000
     "#]],
@@ -226,7 +226,7 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "G96 S180 LIMS3000 F.2",
         expect![[r#"
-        1:10 error 12080 Between LIMS and its value stands “=”.
+        1:10 error 12080 “=” is missing between LIMS and its value.
             Insert “=”: 1:14 ""→"="
         = G96 S180 LIMS=3000 F.2
     "#]],
@@ -234,7 +234,7 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "G0 XR1",
         expect![[r#"
-        1:5 error 12080 Between X and its value stands “=”.
+        1:5 error 12080 “=” is missing between X and its value.
             Insert “=”: 1:5 ""→"="
         = G0 X=R1
     "#]],
@@ -242,11 +242,11 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "G0 X-R1 Y[R2]",
         expect![[r#"
-        1:5 error 12080 Between X and its value stands “=”.
+        1:5 error 12080 “=” is missing between X and its value.
             Insert “=”: 1:5 ""→"="
         1:10 error 12080 On the SINUMERIK 802D square brackets hold an index; arithmetic groups with round brackets.
             Write round brackets: 1:10 "["→"(" 1:13 "]"→")"
-        1:10 error 12080 Between Y and its value stands “=”.
+        1:10 error 12080 “=” is missing between Y and its value.
             Insert “=”: 1:10 ""→"="
         = G0 X=-R1 Y=(R2)
     "#]],
@@ -254,7 +254,7 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "G1 X10+5 F100",
         expect![[r#"
-        1:5 error 12080 Between X and its value stands “=”.
+        1:5 error 12080 “=” is missing between X and its value.
             Insert “=”: 1:5 ""→"="
         = G1 X=10+5 F100
     "#]],
@@ -389,7 +389,7 @@ fn foreign_syntax_on_the_802d_gets_its_fix() {
     check(
         "G0 L5 X1",
         expect![[r#"
-        1:4 error 12080 L calls a program in a block of its own; behind it stands only P with the repeats.
+        1:4 error 12080 L calls a program in a block of its own; only P with the repeats may follow.
     "#]],
     );
 }
@@ -583,7 +583,7 @@ fn named_programs_get_their_warnings() {
     check_warnings(
         "CD: G1 X1 F.2 S500\nR1=R1+1\nIF R1<5 GOTOB CD\nR2=R3*2 R4=R2\nM30",
         expect![[r#"
-            S500: S500 stands in every pass of a loop: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it while nothing has changed.
+            S500: S500 is commanded in every pass of a loop: each time the control waits for the PLC, and the axes stop. Put it before the loop, or jump over it while nothing has changed.
             R3: To be set on the screen before the start, as no program here does: R3. What is not set is vacant, and counts as 0 in formulas.
         "#]],
     );

@@ -487,11 +487,11 @@ fn design_readouts_match_their_golden() {
     ]));
     expect![[r#"
         Fail relief: The inserts need more than 4.76° of relief in pass 4, to 20 mm; they have 3°. Less depth of cut, smaller stock, a larger cutter or more relief mends it. No way to turn it on this tip circle keeps within every limit: the flattest has 0.0284 mm of flatness error. The list of ways says which limit excludes each.
-        Warn orientation-error: A side stands 15° beside the orientation that is asked for: A15 mends it.
+        Warn orientation-error: A side is 15° off the orientation that is asked for: A15 mends it.
     "#]].assert_eq(&said(&[("tool-start", "30"), ("relief", "3")]));
     expect![[r#"
         Fail flatness: The sides are uneven by 0.1338 mm, 0.1 mm are allowed.
-        Warn insert-depth: Insert 2 stands 0.1 mm beside the tip circle: sides that it cuts alone are deeper by as much, or higher where that is negative. Set it, or dress all to one radius.
+        Warn insert-depth: Insert 2 is 0.1 mm off the tip circle: sides that it cuts alone are deeper by as much, or higher where that is negative. Set it, or dress all to one radius.
         Warn insert-turn: Insert 2 turns its sides by 0.5° against where they belong.
     "#]].assert_eq(&said(&[
         ("radius-errors", "0 0.1"),

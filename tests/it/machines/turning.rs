@@ -413,7 +413,7 @@ fn values_that_a_control_refuses_are_findings() {
     "#]].assert_eq(&findings("mitsubishi-e60", &[]));
     expect![[r#"
         Warning lock-code: Position control alone holds the spindle at its angle: before a keyway is cut it has to be locked. Say which M code of the machine does that, and the program locks it.
-        Warning driven-tool: A keyway is cut by a driven tool while the spindle stands: say that the machine has one, or leave the angle out.
+        Warning driven-tool: A keyway is cut by a driven tool while the spindle stands still: say that the machine has one, or leave the angle out.
     "#]].assert_eq(&findings("sinumerik-802d", &[("keyway", "true")]));
     expect![[""]]
         .assert_eq(&findings("sinumerik-802d", &[("keyway", "true"), ("lock-code", "81"), ("driven-tool", "true")]));
