@@ -78,7 +78,7 @@ test('the paper’s example shows its figures and says in words why it slips', (
     assert.match(plain(await card(page, 'Analog output').textContent()), /^8\.107/);
     assert.match(plain(await card(page, 'Roller').textContent()), /^7\.854/);
     await page.locator('.card', { hasText: 'Roller' }).click();
-    assert.match(await page.locator('.result.fail').first().textContent(), /7\.854/);
+    assert.match(await page.locator('.result.fail', { hasText: 'Roller' }).first().textContent(), /7\.854/);
   }));
 
 test('another control keeps the values, shows what it has, and can be undone', () =>
