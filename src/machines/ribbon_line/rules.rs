@@ -149,11 +149,15 @@ fn followed(line: &RibbonLine, feed: f64) -> f64 {
 
 /// The highest whole speed of the unwinder within all limits of rule 4.
 fn fastest(line: &RibbonLine) -> f64 {
+    (line.fast.actual_speed * share_of_feeds(line)).floor()
+}
+
+/// The least limit of axes and F over its feed with the knob at its end: below 1, the line must run slower by as much.
+fn share_of_feeds(line: &RibbonLine) -> f64 {
     let RibbonLine { p, fast, .. } = line;
     let driven = following(line, fast);
     let clamps = (p.clamp_x / (fast.x_feed * driven)).min(p.clamp_y / (fast.y_feed * driven));
-    let share = if line.in_step() { clamps } else { clamps.min(line.feed_max() / fast.vector_feed) };
-    (fast.actual_speed * share).floor()
+    if line.in_step() { clamps } else { clamps.min(line.feed_max() / fast.vector_feed) }
 }
 
 /// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before the
@@ -163,12 +167,7 @@ pub(super) fn knob_holds(line: &RibbonLine) -> f64 {
     if fast.actual_speed <= 0.0 {
         return 0.0;
     }
-    let driven = following(line, fast);
-    let mut share = (p.clamp_x / (fast.x_feed * driven)).min(p.clamp_y / (fast.y_feed * driven));
-    share = share.min(fast.block_time / driven / d.block_needed);
-    if !line.in_step() {
-        share = share.min(line.feed_max() / fast.vector_feed);
-    }
+    let share = share_of_feeds(line).min(fast.block_time / following(line, fast) / d.block_needed);
     (100.0 * fast.actual_speed * share / p.spindle_speed).min(d.override_limit)
 }
 

@@ -127,15 +127,15 @@ pub(super) fn Plot(
         Some(view! { <span class=class style:left=filled("#%", &[100.0 * part])>{text}</span> })
     };
     view! {
-                <div
-                    class="plots" node_ref=plot on:pointerdown=point on:pointermove=point on:wheel=wheel
-                    on:pointerup=move |event| touch(&event, false) on:pointercancel=move |event| touch(&event, false)
-                    on:pointerleave=move |event| {
-                        touch(&event, false);
-                        pointed.set(None);
-                    }
-                    on:dblclick=move |_| player.show_window(0.0)
-                ></div>
+        <div
+            class="plots" node_ref=plot on:pointerdown=point on:pointermove=point on:wheel=wheel
+            on:pointerup=move |event| touch(&event, false) on:pointercancel=move |event| touch(&event, false)
+            on:pointerleave=move |event| {
+                touch(&event, false);
+                pointed.set(None);
+            }
+            on:dblclick=move |_| player.show_window(0.0)
+        ></div>
         {readout}
     }
 }

@@ -48,8 +48,10 @@ pub(crate) fn Stage() -> impl IntoView {
     // The stage gets its last size when the chart below it is drawn.
     let mut size = (0, 0);
     player.paint(move |moment| {
-        let room = host.get_untracked().map_or(size, |host| (host.client_width(), host.client_height()));
-        if moment.slow && room != size {
+        // The size is read some times a second alone: reading it makes the browser lay out the page.
+        let room = host.get_untracked().filter(|_| moment.slow);
+        let room = room.map_or(size, |host| (host.client_width(), host.client_height()));
+        if room != size {
             size = room;
             if let Some(wide) = drawn.with_value(|drawn| drawn.as_ref().map(Drawn::fit)) {
                 put(pans, wide);
