@@ -46,14 +46,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             Action::SingleBlock(on) => self.s.operator.knobs.single_block = *on,
             Action::OptionalStop(on) => self.s.operator.knobs.optional_stop = *on,
             Action::BlockSkip(on) => self.s.operator.knobs.block_skip = *on,
-            Action::ManualSpeed(rpm) => {
-                if !matches!(self.s.exec, Exec::Emergency(_)) && rpm.is_finite() {
-                    let turning = &mut self.s.spindle;
-                    (turning.surface, turning.orienting) = (None, None);
-                    (turning.speed, turning.direction) = (rpm.abs(), sense(*rpm));
-                    self.scan(t);
-                }
-            }
+            Action::ManualSpeed(rpm) => self.manual_speed(t, *rpm),
             Action::SpeedLimit(limit, rpm) => {
                 self.s.spindle.limit(*limit, *rpm);
                 self.scan(t);
@@ -83,6 +76,27 @@ impl<P: RunningProgram> Sim<'_, P> {
                 }
             }
         }
+    }
+
+    /// S given by hand. While the program runs most controls refuse it; where it acts, in a running or interrupted program, it replaces the S that
+    /// the axes were reckoned with.
+    fn manual_speed(&mut self, t: f64, rpm: f64) {
+        if matches!(self.s.exec, Exec::Emergency(_)) || !rpm.is_finite() {
+            return;
+        }
+        let runs = self.s.exec.runs() && !self.holding();
+        if runs && !self.plant.spindle.rules.manual_in_automatic {
+            self.out.report(Diagnostic::warning(msg!("motion.manual-speed-refused", rpm)));
+            return;
+        }
+        let turning = &mut self.s.spindle;
+        if (self.s.exec.runs() || matches!(self.s.exec, Exec::Stopped)) && turning.direction != 0 {
+            let programmed = f64::from(turning.direction) * turning.speed;
+            self.out.report(Diagnostic::warning(msg!("motion.manual-speed-taken", rpm, (programmed, 3))));
+        }
+        (turning.surface, turning.orienting) = (None, None);
+        (turning.speed, turning.direction) = (rpm.abs(), sense(rpm));
+        self.scan(t);
     }
 
     fn nothing_to_set(&mut self, name: &str) {

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::plant::PMC_AXES;
 use crate::controls::Alarm;
 use crate::drives::speed::Steps;
+use crate::text::Message;
 
 /// Which part of an input word is forced. The whole word yields to its halves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -91,6 +92,8 @@ pub struct Io {
     pub gear: u8,
     /// Alarm of the PLC: stops the program and clears the codes that wait for FIN.
     pub alarm: Option<Alarm>,
+    /// A remark of the PLC for the operator, shown once a run; the program goes on.
+    pub notice: Option<Message>,
     /// Volts that the PLC puts out to the spindle instead of those of the speed, while it shifts gears.
     pub gear_volts: Option<f64>,
     /// Spindle speed in r/min that the control puts out after override and clamps, signed.
@@ -120,6 +123,7 @@ impl Default for Io {
             spindle_override_out: 100.0,
             gear: 1,
             alarm: None,
+            notice: None,
             gear_volts: None,
             spindle_command: 0.0,
             spindle_actual: 0.0,

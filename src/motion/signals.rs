@@ -3,7 +3,7 @@
 use super::exec::Exec;
 use super::plc::{Io, ProgramState};
 use super::program::RunningProgram;
-use super::sim::Sim;
+use super::sim::{Once, Sim};
 use super::timeline::VariableChange;
 use crate::controls::Alarm;
 use crate::msg;
@@ -32,6 +32,9 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             if let Some(alarm) = self.s.plc.io.alarm.take() {
                 self.plc_alarm(t, alarm);
+            }
+            if let Some(notice) = self.s.plc.io.notice.take() {
+                self.say(Once::Notice as u32, || notice);
             }
             let io = &mut self.s.plc.io;
             let waiting = io.m_strobe.is_some() || io.s_strobe.is_some() || io.t_strobe.is_some();

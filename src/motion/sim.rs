@@ -21,6 +21,7 @@ pub(super) enum Once {
     Clamp = 8,
     Missing = 16,
     FeedWithoutRotation = 24,
+    Notice = 25,
 }
 
 /// A state with everything that its events read and write.

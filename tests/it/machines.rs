@@ -12,6 +12,7 @@ mod ribbon_knob;
 mod ribbon_line;
 mod ribbon_program;
 mod ribbon_stops;
+mod ribbon_synchronism;
 mod scenes;
 mod sensitivity;
 mod standstill;

@@ -49,6 +49,7 @@ pub(super) const SWITCHES: &[Switch] = &[
     ),
     switch(SpeedReached::of(&[SpeedReached::NoWait, SpeedReached::Wait]), PARAMETERS).parameter("No.175#6"),
     switch(OverrideOrder::of(&[OverrideOrder::BeforeLimits, OverrideOrder::BehindLimits]), MEMORY),
+    switch(ManualS::of(&[ManualS::Refused, ManualS::Taken]), MEMORY),
     switch(M5Timing::of(&[M5Timing::End, M5Timing::Before]), PLC_DATA).parameter("PLC K16.5"),
     switch(VoltsAtStop::of(&[VoltsAtStop::Kept, VoltsAtStop::Off]), PLC_DATA).parameter("PLC K17.3"),
     switch(VoltsAtEmergencyStop::of(&[VoltsAtEmergencyStop::Kept, VoltsAtEmergencyStop::Off]), ESCD)

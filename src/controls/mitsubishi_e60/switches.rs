@@ -56,6 +56,7 @@ pub(super) const SWITCHES: &[Switch] = &[
         Citation::new("MELDAS 50 practice with an inverter: no such signal", Grade::Open),
     )
     .parameter("SAR"),
+    switch(ManualS::of(&[ManualS::Refused, ManualS::Taken]), MEMORY),
     switch(M5Timing::of(&[M5Timing::Before, M5Timing::End]), MEMORY),
     switch(CallParameters::of(""), MEMORY),
     switch(CommonAtReset::of(&[CommonAtReset::Kept, CommonAtReset::Vacant]), MEMORY)

@@ -485,6 +485,11 @@ fn spindle(row: SpindleRules, set: &Settings, unread: &mut Vec<(&'static str, St
             Some(SpindleAtEnd::Turns) => false,
             None => row.end_stops,
         },
+        manual_in_automatic: match set.manual_s {
+            Some(ManualS::Taken) => true,
+            Some(ManualS::Refused) => false,
+            None => row.manual_in_automatic,
+        },
         lock: m_code(SpindleLock::ID, set.spindle_lock, unread).or(row.lock),
         driven_tool: m_code(DrivenTool::ID, set.driven_tool, unread).or(row.driven_tool),
         ..row

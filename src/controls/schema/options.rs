@@ -245,6 +245,8 @@ switches! {
         g96_at_once: G96AtOnce = "g96-apply-at-activation" { Yes = "yes", No = "no" }
         /// S behind G94 and G95 that end G96.
         feed_code_without_s: FeedCodeWithoutS = "g9x-without-s" { LastProgrammed = "last-programmed", Hold = "hold" }
+        /// S given by hand while the program runs.
+        manual_s: ManualS = "manual-s" { Refused = "refused", Taken = "taken" }
         /// Positions of the spindle override.
         spindle_knob: SpindleKnob = "spindle-knob" { From0To200 = "0-to-200", From50To120 = "50-to-120" }
         /// SPOS outside 0 to 359.999.

@@ -62,6 +62,8 @@ pub struct SpindleRules {
     pub angle_wraps: bool,
     /// M02 and M30 stop the spindle and leave S0.
     pub end_stops: bool,
+    /// S given by hand acts while the program runs; else it is refused.
+    pub manual_in_automatic: bool,
     /// Positions of the override knob.
     pub knob: Steps,
     /// Millivolts that the parameters of the output's offsets may be, at speed 0 and at full output; `None` where no row has them.

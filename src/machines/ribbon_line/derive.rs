@@ -2,7 +2,7 @@
 //!
 //! Lengths in mm, speeds in mm/min unless said otherwise, times in seconds. The equations (1) to (4) are the paper's.
 
-use super::params::{FeedForm, Job, Params, PathMode, PiForm, Variant, Wait, YUnit};
+use super::params::{FeedForm, Job, KnobUse, Params, PathMode, PiForm, Variant, Wait, YUnit};
 use crate::drives::Analog;
 use crate::drives::block::AxisBlock;
 use crate::drives::induction::Induction;
@@ -125,6 +125,7 @@ impl Params {
     /// each pass.
     fn blocks_of_a_knob_step(&self) -> u32 {
         match (self.variant, self.feed_form) {
+            _ if self.knob_is_locked() => 0,
             (Variant::ReadyMade, FeedForm::PerMinute) => 8,
             (Variant::ReadyMade, FeedForm::PerRevolution) => 7,
             (Variant::Published, _) => 0,
@@ -136,6 +137,17 @@ impl Params {
     fn share_while_turned(&self) -> f64 {
         let steps = KNOB_RATE / self.knob_step.percent();
         (1.0 - steps * f64::from(self.blocks_of_a_knob_step()) * self.macro_time / 1000.0).max(0.0)
+    }
+
+    /// The PLC holds the spindle override at 100 % in automatic, and the program scales S by the typed one.
+    pub(super) fn knob_is_locked(&self) -> bool {
+        self.typed_override && self.knob_use == KnobUse::Locked
+    }
+
+    /// The knob turns the unwinder and the axes stay: they neither read the knob nor follow the measured speed.
+    pub(super) fn knob_turns_alone(&self) -> bool {
+        let follows = self.feed_form == FeedForm::PerRevolution && self.spindle_encoder;
+        self.typed_override && self.knob_use == KnobUse::Free && !follows
     }
 
     /// Override (%) that the PLC puts out: the knob rounded to its step.

@@ -103,8 +103,8 @@ impl Prepared for RibbonLine {
     }
 
     fn panel(&self) -> PanelSetup {
-        let (spindle_override, override_step) = (Some(self.form.override_percent), self.form.knob_step.percent());
-        PanelSetup { spindle_override, override_step }
+        let percent = if self.p.knob_is_locked() { 100.0 } else { self.form.override_percent };
+        PanelSetup { spindle_override: Some(percent), override_step: self.form.knob_step.percent() }
     }
 
     fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {

@@ -2,7 +2,7 @@
 
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
-use crate::controls::{Code, Control};
+use crate::controls::{Code, Control, VarKind};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
 use crate::{member, options};
@@ -29,6 +29,16 @@ options! {
         Five = "5" "ribbon.knob-step.5",
         /// 10 %.
         Ten = "10" "ribbon.knob-step.10",
+    }
+}
+
+options! {
+    /// What the spindle override knob does in automatic where the override is typed: no program reads the knob there.
+    pub(crate) enum KnobUse {
+        /// The PLC holds the override at 100 %; the typed percentage scales S and the axes alike.
+        Locked = "locked" "ribbon.knob-use.locked",
+        /// It turns the unwinder alone.
+        Free = "free" "ribbon.knob-use.free",
     }
 }
 
@@ -159,6 +169,9 @@ pub(crate) struct Params {
     pub override_percent: f64,
     pub override_form: OverrideForm,
     pub knob_step: KnobStep,
+    pub knob_use: KnobUse,
+    /// The override is typed: the control has no macro input that hands the knob to the program. No field: it follows from the control.
+    pub typed_override: bool,
     pub manual_speed: f64,
     pub frequency_at_10v: f64,
     pub inverter_ramp: f64,
@@ -243,10 +256,22 @@ impl Params {
         control.interface.iter().any(|row| row.role == SignalRole::SpindleFinal)
     }
 
+    /// No macro input hands the knob to the program.
+    pub(super) fn types_override(&self, control: &Control) -> bool {
+        override_input(control).is_none()
+    }
+
     /// A block can end in an exact stop.
     pub(super) fn stops_exactly(&self, control: &Control) -> bool {
         control.can(Code::ExactStop) || control.can(Code::ExactStopOnce)
     }
+}
+
+/// Macro input that carries the override, where the control has one.
+pub(super) fn override_input(control: &Control) -> Option<u32> {
+    let word = |kind| matches!(kind, VarKind::InputWord(_));
+    let first = || control.vars.iter().find(|row| word(row.kind)).map(|row| row.first);
+    control.bench.override_echo.or_else(first)
 }
 
 /// Every input, in the order of the form.
@@ -273,6 +298,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     choice("override-form", member!(Params.override_form: OverrideForm)).group("ribbon.group.unwinder").label("ribbon.override-form").help("ribbon.override-form.help")
         .when(Params::tells_final_speed),
     choice("knob-step", member!(Params.knob_step: KnobStep)).group("ribbon.group.unwinder").label("ribbon.knob-step").help("ribbon.knob-step.help"),
+    choice("knob-use", member!(Params.knob_use: KnobUse)).group("ribbon.group.unwinder").label("ribbon.knob-use").help("ribbon.knob-use.help")
+        .when(Params::types_override),
     number("manual-speed", member!(Params.manual_speed)).group("ribbon.group.unwinder").label("ribbon.manual-speed").help("ribbon.manual-speed.help").symbol("S")
         .unit("r/min").range(0.0..=30000.0).default(100.0).decimals(0).step(10.0),
     number("frequency-at-10v", member!(Params.frequency_at_10v)).group("ribbon.group.unwinder").label("ribbon.frequency-at-10v").help("ribbon.frequency-at-10v.help")

@@ -8,6 +8,7 @@ use super::stops::unwinder;
 use crate::machines::stops::{Interruption, SpindleReaction};
 use crate::math;
 use crate::motion::{Io, Plc, ProgramState, Strobes};
+use crate::msg;
 
 /// Scan time (s) while FIN waits for the spindle speed.
 const SCAN: f64 = 0.01;
@@ -17,6 +18,10 @@ const SCAN: f64 = 0.01;
 pub(super) struct RibbonPlc {
     /// Percent per step of the knob.
     step: f64,
+    /// The override stays at 100 % in automatic.
+    locked: bool,
+    /// The typed override (%), where the knob turns the unwinder and the axes stay.
+    typed: Option<f64>,
     form: OverrideForm,
     wait: Wait,
     /// Seconds of the dwell behind M3.
@@ -36,6 +41,8 @@ impl RibbonPlc {
         let (p, input, range) = (&line.p, line.handed(), line.input_range());
         RibbonPlc {
             step: p.knob_step.percent(),
+            locked: p.knob_is_locked(),
+            typed: p.knob_turns_alone().then(|| p.override_stepped()),
             form: p.override_form,
             wait: p.wait,
             dwell: p.dwell,
@@ -47,8 +54,11 @@ impl RibbonPlc {
         }
     }
 
-    /// The knob in whole steps.
+    /// The knob in whole steps; 100 % while a locked one is in automatic: from cycle start until the end or a reset.
     fn override_percent(&self, io: &Io) -> f64 {
+        if self.locked && io.stops.program != ProgramState::Idle {
+            return 100.0;
+        }
         math::clamp((io.spindle_override / self.step).round() * self.step, 0.0, GREATEST)
     }
 
@@ -100,6 +110,12 @@ impl Plc for RibbonPlc {
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64> {
         let percent = self.override_percent(io);
         io.spindle_override_out = percent;
+        if let Some(typed) = self.typed.filter(|typed| *typed != percent)
+            && io.stops.program == ProgramState::Running
+            && io.spindle_command != 0.0
+        {
+            io.notice = Some(msg!("ribbon.knob-left", (percent, 0), (typed, 0)));
+        }
         let word = match self.form {
             OverrideForm::Percent => percent,
             OverrideForm::FinalSpeed => io.spindle_command.abs().round(),

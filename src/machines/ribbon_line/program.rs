@@ -262,7 +262,8 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(4).assign(128, v(121)).note("PITCHES OF A BLOCK");
     b.n(5).call(COMPUTE, None);
     preset(b, line, 6);
-    b.n(7).assign(127, v(100)).note("SPEED THAT RUNS");
+    let speed = spindle_word(line);
+    b.n(7).assign(127, v(speed)).note("SPEED THAT RUNS");
     start_spindle(b, line, 8, 9);
     b.n(10).words(modes(line));
     b.n(11).while_do(v(125).gt(0), 1);
@@ -270,9 +271,9 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(13).if_goto(v(125).ge(v(128)), 15);
     b.n(14).assign(128, v(125)).note("LAST BLOCK IS SHORTER");
     b.n(15).call(COMPUTE, None);
-    b.n(16).if_goto(v(100).eq(v(127)), 19);
-    b.n(17).assign(127, v(100));
-    b.n(18).words([s(v(100))]);
+    b.n(16).if_goto(v(speed).eq(v(127)), 19);
+    b.n(17).assign(127, v(speed));
+    b.n(18).words([s(v(speed))]);
     b.n(19).if_goto(v(115).ge(real(0.001, 3)), 30).note("F BELOW IS F0");
     b.n(20).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
     b.n(21).goto(15);
@@ -281,13 +282,18 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     // without its number.
     let (first, second) = WATCHED.split_at(3);
     let with_knob: Vec<_> = core::iter::once((line.input(), KNOB)).chain(first.iter().copied()).collect();
-    b.if_goto(changed(&with_knob).le(0), 41);
-    b.n(32).if_goto(changed(first).gt(0), 15);
-    speed_and_feed(b, line, 33);
-    if !line.in_step() {
-        b.n(39).if_goto(v(115).gt(v(119)), 15).note("TOO FAST: ALARM");
+    if line.p.knob_is_locked() {
+        // S changes with the typed override.
+        b.if_goto(changed(&with_knob).gt(0), 15);
+    } else {
+        b.if_goto(changed(&with_knob).le(0), 41);
+        b.n(32).if_goto(changed(first).gt(0), 15);
+        speed_and_feed(b, line, 33);
+        if !line.in_step() {
+            b.n(39).if_goto(v(115).gt(v(119)), 15).note("TOO FAST: ALARM");
+        }
+        b.n(40).if_goto(v(115).lt(real(0.001, 3)), 15).note("OVERRIDE 0");
     }
-    b.n(40).if_goto(v(115).lt(real(0.001, 3)), 15).note("OVERRIDE 0");
     b.n(41).if_goto(changed(second).gt(0), 15);
     b.n(42).assign(124, ((v(122) + v(123)) * 1000).round() / 1000).note(&about(line, "OF THIS BLOCK"));
     b.n(43).assign(122, v(122) + v(123) - v(124)).note(&about(line, "LEFT OVER"));
@@ -311,9 +317,15 @@ fn changed(watched: &[(u32, u32)]) -> Formula {
     sum.unwrap_or(0.into())
 }
 
+/// Variable of S: the programmed speed, which the control multiplies by the knob; where the PLC locks the knob, the speed that the typed override
+/// leaves.
+fn spindle_word(line: &RibbonLine) -> u32 {
+    if line.p.knob_is_locked() { 104 } else { 100 }
+}
+
 /// S and M3, and the wait until the unwinder runs.
 fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait: u32) {
-    b.n(start).words([s(v(100)), m(3)]);
+    b.n(start).words([s(v(spindle_word(line))), m(3)]);
     match line.p.wait {
         Wait::Dwell if line.p.dwell > 0.0 => {
             b.n(wait).words(writing::dwell(line.control, line.p.dwell)).note("SPINDLE GETS ITS SPEED");
@@ -351,9 +363,10 @@ fn published(b: &mut Builder, line: &RibbonLine) {
         b.assign(PER_TURN, vector_feed(per_turn(line))).note("FEED PER REVOLUTION");
     }
     b.n(41).if_goto(v(feed(line)).gt(v(119)), 920);
-    b.n(90).if_goto(v(127).eq(v(100)), 200);
+    let speed = spindle_word(line);
+    b.n(90).if_goto(v(127).eq(v(speed)), 200);
     start_spindle(b, line, 100, 110);
-    b.n(120).assign(127, v(100)).note("SPEED THAT RUNS");
+    b.n(120).assign(127, v(speed)).note("SPEED THAT RUNS");
     let pull = pull_words(line, v(107));
     b.n(200).words(modes(line).into_iter().chain(move_block(line, pull)));
     b.n(201).assign(122, v(122) + v(110) - v(124)).note(&about(line, "LEFT OVER"));

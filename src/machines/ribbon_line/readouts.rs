@@ -129,6 +129,11 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("sizing facts, section 4; ribbon line facts, 5", Grade::Inferred), value: rules::knob_holds,
     },
     ReadoutRow {
+        id: "slack-rate-knob", label: "ribbon.readout.slack-rate-knob", unit: "mm/min", decimals: 1, headline: false,
+        formula: "K · (n at the end of the knob - #104)",
+        cite: Citation::new("ribbon line facts, 8", Grade::Inferred), value: rules::knob_slack,
+    },
+    ReadoutRow {
         id: "override-delay", label: "ribbon.readout.override-delay", unit: "ms", decimals: 0, headline: false,
         formula: "blocks read ahead · block time",
         cite: Citation::new("ribbon line facts, 5", Grade::Sister), value: |line| line.d.override_delay * 1e3,

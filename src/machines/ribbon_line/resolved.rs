@@ -1,7 +1,7 @@
 //! The ribbon line on a control: its axes, words and inputs there, and the form without the choices that the control lacks.
 
 use super::derive::Derived;
-use super::params::{FeedForm, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit};
+use super::params::{FeedForm, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
 use super::scene::labels::{distance, names};
 use super::scene::layout::Layout;
 use crate::controls::vars::Width;
@@ -48,9 +48,11 @@ impl RibbonLine {
         if !form.stops_exactly(control) {
             p.path_mode = PathMode::Continuous;
         }
+        p.typed_override = form.types_override(control);
         let d = Derived::new(&p, control.bench.output_bits);
         let knob = dialect.spindle().knob;
-        let fast = match d.actual_speed > 0.0 {
+        // A locked knob has no other end.
+        let fast = match d.actual_speed > 0.0 && !p.knob_is_locked() {
             true => {
                 let end = knob.high.min(GREATEST).max(p.override_percent);
                 Derived::new(&Params { override_percent: end, ..p.clone() }, control.bench.output_bits)
@@ -111,9 +113,7 @@ impl RibbonLine {
 
     /// Macro input that carries the override, where the control has one.
     pub(super) fn handed(&self) -> Option<u32> {
-        let word = |kind| matches!(kind, VarKind::InputWord(_));
-        let first = || self.control.vars.iter().find(|row| word(row.kind)).map(|row| row.first);
-        self.control.bench.override_echo.or_else(first)
+        override_input(self.control)
     }
 
     /// Least and largest value of that variable.

@@ -7,7 +7,7 @@
 use super::derive::{Derived, FIN_DELAY, wait};
 use super::params::{FIELDS, Params, PathMode, PiForm, Variant, Wait};
 use super::program;
-use super::resolved::RibbonLine;
+use super::resolved::{GREATEST, RibbonLine};
 use crate::controls::Code;
 use crate::drives::web;
 use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
@@ -49,6 +49,11 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
         "slack-rate-rated",
         slack_rate_rated,
         Citation::new("sizing facts 2.6, engineering choice; rule 11", Grade::Inferred),
+    ),
+    Rule::new(
+        "slack-rate-knob",
+        slack_rate_knob,
+        Citation::new("ribbon line facts, 8, engineering choice; rule 11", Grade::Inferred),
     ),
     Rule::new("tension", stiff_web, Citation::new("sizing facts 2.6, engineering choice; rule 12", Grade::Inferred)),
     Rule::new("pi-drift", pi, Citation::new("sizing facts D21; rule 14", Grade::Inferred)),
@@ -166,6 +171,9 @@ pub(super) fn knob_holds(line: &RibbonLine) -> f64 {
     let RibbonLine { p, d, fast, .. } = line;
     if fast.actual_speed <= 0.0 {
         return 0.0;
+    }
+    if worst_knob(line).is_some() {
+        return p.override_stepped();
     }
     let share = share_of_feeds(line).min(fast.block_time / following(line, fast) / d.block_needed);
     (100.0 * fast.actual_speed * share / p.spindle_speed).min(d.override_limit)
@@ -497,6 +505,48 @@ fn slack_rate(line: &RibbonLine) -> Option<Judgement> {
 
 fn slack_rate_rated(line: &RibbonLine) -> Option<Judgement> {
     drift(line.d.slack_rate_rated, line)
+}
+
+/// Slack rate (mm/min) with the knob at that end of its range that is worse, where the knob turns the unwinder and the axes stay; else 0:
+/// `K · (n_knob - n)`.
+pub(super) fn knob_slack(line: &RibbonLine) -> f64 {
+    worst_knob(line).map_or(0.0, |(_, _, rate)| rate)
+}
+
+/// The worse end of such a knob (%), the speed there (r/min), and the slack rate (mm/min).
+fn worst_knob(line: &RibbonLine) -> Option<(f64, f64, f64)> {
+    let RibbonLine { p, d, .. } = line;
+    if !p.knob_turns_alone() || d.actual_speed <= 0.0 {
+        return None;
+    }
+    let knob = line.dialect.spindle().knob;
+    let at = |percent: f64| {
+        let rpm = (p.spindle_speed * percent / 100.0).min(d.top_speed);
+        (percent, rpm, d.k * (rpm - d.actual_speed))
+    };
+    let (high, low) = (at(knob.high.min(GREATEST)), at(knob.low));
+    Some(if low.2.abs() > high.2.abs() { low } else { high })
+}
+
+/// A knob that the axes do not follow fails: lock it, or let the axes follow the measured speed.
+fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
+    let limit = Within(DRIFT);
+    let Some((percent, rpm, rate)) = worst_knob(line).filter(|(_, _, rate)| rate.abs() > DRIFT) else {
+        return ok(limit);
+    };
+    let turns = msg!("ribbon.knob-alone", (percent, 0), (rpm, 1), (rate, 0));
+    let lock = [("knob-use", "locked".to_owned())];
+    let mut advice = vec![Advice::from(turns).setting(msg!("advice.lock-knob"), lock)];
+    if line.control.can(Code::FeedPerRevolution) {
+        let follow = msg!("ribbon.follow-measured", (line.d.feed_per_revolution, 3));
+        let set = [("feed-form", "per-revolution".to_owned())];
+        advice.push(if line.p.spindle_encoder {
+            Advice::from(follow).setting(msg!("advice.per-revolution"), set)
+        } else {
+            follow.into()
+        });
+    }
+    fail(limit, advice)
 }
 
 fn stiff_web(line: &RibbonLine) -> Option<Judgement> {

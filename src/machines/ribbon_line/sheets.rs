@@ -81,6 +81,10 @@ fn interface(line: &RibbonLine) -> Sheet {
         add(SignalRole::SpindleFinal, String::new(), &nc, &plc, "r/min", say("ribbon.plc.read-final"));
     }
     let open = Citation::new("devices of the ladder: the builder's", Grade::Open);
+    if p.knob_is_locked() {
+        let lock = say("ribbon.plc.override-locked");
+        rows.push(row(["OVERRIDE".to_owned(), String::new(), plc.clone(), nc.clone(), "%".to_owned(), lock], LOCK));
+    }
     let fin = match p.wait {
         Wait::Dwell => say("ribbon.plc.fin"),
         Wait::Fin => say("ribbon.plc.fin-at-speed"),
@@ -103,6 +107,8 @@ fn interface(line: &RibbonLine) -> Sheet {
     }
     sheets::interface(rows)
 }
+
+const LOCK: Citation = Citation::new("ribbon line facts, 8", Grade::Inferred);
 
 const SIGNALS: Citation = Citation::new("ribbon line facts, 7; names of the signals", Grade::Sister);
 
@@ -177,7 +183,12 @@ fn rungs(line: &RibbonLine) -> Vec<Rung> {
         rungs.push(rung(always(), format!("* D102 K{step} D104"), "ribbon.ladder.multiply"));
         knob = "D104".to_owned();
     }
-    if let Some(register) = register {
+    if p.knob_is_locked() {
+        let target = register.unwrap_or_else(|| "OVERRIDE".to_owned());
+        let free = vec![Contact { device: "M200".to_owned(), inverted: true }];
+        rungs.push(rung(free, format!("MOV {knob} {target}"), "ribbon.ladder.override"));
+        rungs.push(rung(vec![Contact::closes("M200")], format!("MOV K100 {target}"), "ribbon.ladder.locked"));
+    } else if let Some(register) = register {
         rungs.push(rung(always(), format!("MOV {knob} {register}"), "ribbon.ladder.override"));
         knob = register;
     }

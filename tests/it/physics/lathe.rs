@@ -115,7 +115,9 @@ fn thread_is_lead_times_turns_at_any_override() {
 #[test]
 fn feed_per_revolution_without_spindle_waits_with_one_finding() {
     let per_turn = |y: f64| one(Canon::Linear { to: target(0.0, y), feed: Feed::PerRevolution(0.2), exact: false });
-    let mut planner = on_lathe(vec![], vec![per_turn(10.0), per_turn(20.0)]);
+    let mut plant = lathe();
+    plant.spindle.rules.manual_in_automatic = true;
+    let mut planner = run_on(&plant, vec![], vec![per_turn(10.0), per_turn(20.0)]);
     let said: Vec<_> = planner.diagnostics().iter().map(|found| (found.message.id, found.place)).collect();
     assert_eq!(said, [("motion.spindle-at-rest", Some(place(0)))]);
     assert_eq!(finish(&mut planner).1, RunEnd::Stop);

@@ -379,7 +379,9 @@ fn dwell_counts_spindle_turns() {
         }
     }
     // The cut waits for a spindle at rest.
-    let mut planner = planner(&plant(), vec![], vec![turns(5.0)]);
+    let mut plant = plant();
+    plant.spindle.rules.manual_in_automatic = true;
+    let mut planner = planner(&plant, vec![], vec![turns(5.0)]);
     assert_eq!(finish(&mut planner).1, RunEnd::Stop);
     assert_eq!(planner.diagnostics()[0].message.id, "motion.spindle-at-rest");
     planner.event(at(5.0, Action::ManualSpeed(600.0)));

@@ -27,6 +27,11 @@ const PROGRAMS: &[(&str, &str, &str)] = &[
     ("gsk-980tdc", "volts-at-emergency-stop", "O1\nM41\nM03 S500\nG04 X5.\nM30\n"),
     ("gsk-980tdc", "spindle-at-end", "O1\nM41\nM03 S500\nM30\n"),
     ("", "common-at-reset", "O1\n#101=#100\n#100=5\nG04 X3.\nM30\n"),
+    ("mitsubishi-e60", "manual-s", "O1\nS500 M03\nG04 X3.\nM30\n"),
+    ("gsk", "manual-s", "O1\nM41\nM03 S500\nG04 X3.\nM30\n"),
+    ("knd", "manual-s", "O1\nM03 S500\nG04 X3.\nM30\n"),
+    ("fanuc", "manual-s", "O1\nM03 S500\nG04 X3.\nM30\n"),
+    ("sinumerik", "manual-s", "S500 M3\nG4 F3\nM2\n"),
     ("sinumerik", "speed-reached", "S1000 M3\nG1 X10 F0.5\nM2\n"),
     ("sinumerik", "lims-in-g97", "LIMS=500\nG97 S1000 M3\nG4 F3\nM2\n"),
     ("sinumerik", "g96-apply-at-activation", "G0 X100\nG96 S100 M3\nG4 F3\nM2\n"),
@@ -79,6 +84,7 @@ fn panels() -> Vec<Panel> {
         panel(&[(0.0, Action::SpindleOverride(150.0)), (0.0, Action::FeedOverride(50.0))]),
         panel(&[(1.0, Action::Reset), (2.0, Action::Start)]),
         panel(&[(1.0, Action::EmergencyStop)]),
+        panel(&[(1.0, Action::ManualSpeed(200.0))]),
     ]
 }
 

@@ -170,6 +170,7 @@ pub const SPINDLE: SpindleRules = SpindleRules {
     orients: false,
     angle_wraps: false,
     end_stops: false,
+    manual_in_automatic: false,
     knob: Steps { low: 0.0, high: 254.0, step: 1.0 },
     offsets: None,
     stage_speeds: None,

@@ -39,6 +39,7 @@ const RUNNING: &[Switch] = &[
         .parameter("6004#0"),
     switch(SpeedReached::of(&[SpeedReached::NoWait, SpeedReached::Wait]), MEMORY).parameter("3708#0"),
     switch(OverrideOrder::of(&[OverrideOrder::BeforeLimits, OverrideOrder::BehindLimits]), MEMORY),
+    switch(ManualS::of(&[ManualS::Refused, ManualS::Taken]), MEMORY),
     switch(M5Timing::of(&[M5Timing::Before, M5Timing::End]), MEMORY),
     switch(SpindleAtReset::of(&[SpindleAtReset::Stops, SpindleAtReset::Turns]), MEMORY),
     switch(CallParameters::of(""), MEMORY).label("switch.call-parameters-9010"),

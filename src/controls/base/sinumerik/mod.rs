@@ -197,6 +197,7 @@ pub const SPINDLE: SpindleRules = SpindleRules {
     orients: true,
     angle_wraps: false,
     end_stops: true,
+    manual_in_automatic: false,
     // That of the interface; what a panel has of it is a switch.
     knob: Steps { low: 0.0, high: 200.0, step: 1.0 },
     offsets: None,

@@ -25,6 +25,7 @@ pub const SWITCHES: &[Switch] = &[
     switch(StartupFeed::of(&[StartupFeed::G95, StartupFeed::G94]), MEMORY),
     switch(StartupPath::of(&[StartupPath::G60, StartupPath::G64]), MEMORY),
     switch(SpeedReached::of(&[SpeedReached::Wait, SpeedReached::NoWait]), REACHED).parameter("MD35500"),
+    switch(ManualS::of(&[ManualS::Refused, ManualS::Taken]), MEMORY),
     switch(M5Timing::of(&[M5Timing::Before, M5Timing::End]), MEMORY).label("switch.m5-timing-stops"),
     switch(LimitInG97::of(&[LimitInG97::No, LimitInG97::Yes]), MEMORY),
     switch(CrossedLimits::of(&[CrossedLimits::UpperHolds, CrossedLimits::LowerHolds]), ACTIVATION),

@@ -1,0 +1,147 @@
+//! Unwinder and axes stay together, or the design, the PLC or the run says so: the knob, S by hand, exact stop, starved blocks.
+
+use macroline::controls::Control;
+use macroline::interp::Interp;
+use macroline::motion::{Action, Event, Planner};
+use macroline::project::Project;
+use macroline::view::{Readout, Verdict};
+
+use super::ribbon_controls::{over_time, project};
+use super::ribbon_line::{controls, values};
+
+/// A line without slip whose F every control takes.
+const LINE: [(&str, &str); 4] =
+    [("spindle-speed", "800"), ("heads", "47"), ("no-load-speed", "1480"), ("rated-load-speed", "1480")];
+
+fn line(control: &str, more: &[(&str, &str)]) -> Project {
+    project(control, &[&LINE, more].concat())
+}
+
+fn readout(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap_or_else(|| panic!("no result {id}"))
+}
+
+fn event(t: f64, action: Action) -> Event {
+    Event { t, action }
+}
+
+/// Controls on which no input hands the knob to the program.
+fn typed() -> impl Iterator<Item = &'static Control> {
+    let typed = |control: &&Control| {
+        let line = project(control.id, &[]);
+        !line.prepared().variables().iter().any(|(number, ..)| [1032, 1033].contains(number))
+    };
+    controls().filter(typed)
+}
+
+/// Speed of the unwinder (r/min) as it is commanded, and of X (mm/min).
+fn speeds(planner: &Planner<Interp>, t: f64) -> (f64, f64) {
+    let now = planner.timeline().at(t);
+    (now.spindle.command, now.axes[0].feed)
+}
+
+/// mm of ribbon per revolution of the unwinder.
+const K: f64 = 12.566370614;
+
+fn said(planner: &Planner<Interp>, id: &str) -> bool {
+    planner.diagnostics().iter().any(|found| found.message.id == id)
+}
+
+#[test]
+fn knob_that_the_axes_do_not_follow_fails() {
+    assert_eq!(typed().map(|control| control.id).collect::<Vec<_>>(), ["sinumerik-802d", "sinumerik-808d"]);
+    for control in typed() {
+        let free = line(control.id, &[("knob-use", "free")]);
+        let row = readout(&free, "slack-rate-knob");
+        assert_eq!(row.verdict, Verdict::Fail, "{}", control.id);
+        // The knob goes to 0 %: all that X pulls is missing. Of a panel that goes from 50 to 120 % half of it.
+        assert!((row.value + K * 800.0).abs() < 1e-6, "{}: {}", control.id, row.value);
+        let mut panel = free.clone();
+        panel.switches.0.push(("spindle-knob".to_owned(), "50-to-120".to_owned()));
+        assert!((readout(&panel, "slack-rate-knob").value + K * 400.0).abs() < 1e-6);
+        // Every remedy helps.
+        let advice: Vec<_> = row.advice.iter().filter(|advice| !advice.sets.is_empty()).collect();
+        assert!(!advice.is_empty(), "{}", control.id);
+        for advice in advice {
+            let mut after = free.clone();
+            let sets: Vec<_> = advice.sets.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+            after.values.extend(values(&sets));
+            assert_eq!(readout(&after, "slack-rate-knob").verdict, Verdict::Ok, "{} {sets:?}", control.id);
+        }
+        let in_step = [("knob-use", "free"), ("feed-form", "per-revolution"), ("spindle-encoder", "true")];
+        assert_eq!(readout(&line(control.id, &in_step), "slack-rate-knob").verdict, Verdict::Ok, "{}", control.id);
+        assert_eq!(readout(&line(control.id, &[]), "slack-rate-knob").verdict, Verdict::Ok, "{}", control.id);
+    }
+    // Where the program reads the knob, there is nothing to choose.
+    for id in ["mitsubishi-e60", "gsk-980tdc", "knd-k2000t", "fanuc-0i-tf", "fanuc-0i-mf"] {
+        let project = line(id, &[("knob-use", "free")]);
+        assert_eq!(readout(&project, "slack-rate-knob").verdict, Verdict::Ok, "{id}");
+        assert!(project.prepared().hidden().contains(&"knob-use"), "{id}");
+    }
+}
+
+#[test]
+fn locked_knob_stays_at_100_percent_in_automatic() {
+    for control in typed() {
+        let turned = || event(6.0, Action::SpindleOverride(120.0));
+        let locked = over_time(
+            &line(control.id, &[]),
+            vec![turned(), event(12.0, Action::Reset), event(15.0, Action::ManualSpeed(100.0))],
+        );
+        let (spindle, x) = speeds(&locked, 11.0);
+        assert!((spindle - 800.0).abs() < 1e-9 && (x - K * 800.0).abs() < 0.5, "{} {spindle} {x}", control.id);
+        assert!(!said(&locked, "ribbon.knob-left"));
+        // By hand the knob acts.
+        assert!((speeds(&locked, 15.1).0 - 120.0).abs() < 1e-9, "{}", control.id);
+        // Left free, it turns the unwinder alone, and the run says so.
+        let free = over_time(&line(control.id, &[("knob-use", "free")]), vec![turned()]);
+        let (spindle, x) = speeds(&free, 11.0);
+        assert!((spindle - 960.0).abs() < 1e-9 && (x - K * 800.0).abs() < 0.5, "{} {spindle} {x}", control.id);
+        assert!(said(&free, "ribbon.knob-left"), "{}", control.id);
+        // F per revolution follows it.
+        let more = [("knob-use", "free"), ("feed-form", "per-revolution"), ("spindle-encoder", "true")];
+        let in_step = over_time(&line(control.id, &more), vec![turned()]);
+        let (spindle, x) = speeds(&in_step, 11.0);
+        assert!((spindle - 960.0).abs() < 1e-9 && (x - K * 960.0).abs() < 3.0, "{} {spindle} {x}", control.id);
+        assert!(!said(&in_step, "ribbon.knob-left"));
+    }
+}
+
+#[test]
+fn typed_override_scales_s_and_axes_alike_under_the_lock() {
+    for control in typed() {
+        for variant in ["ready-made", "published"] {
+            // A long pitch: the published listing computes everything for each.
+            let entries = [("override", "75"), ("variant", variant), ("pitch", "20"), ("heads", "18")];
+            let start = over_time(&line(control.id, &entries), vec![]);
+            let (spindle, x) = speeds(&start, 8.0);
+            assert!((spindle - 600.0).abs() < 1e-9 && (x - K * 600.0).abs() < 0.5, "{} {spindle} {x}", control.id);
+        }
+        let changed = over_time(&line(control.id, &[]), vec![event(6.0, Action::Variable(103, Some(75.0)))]);
+        let (spindle, x) = speeds(&changed, 10.0);
+        assert!((spindle - 600.0).abs() < 1e-9 && (x - K * 600.0).abs() < 0.5, "{} {spindle} {x}", control.id);
+    }
+}
+
+#[test]
+fn s_by_hand_in_automatic_is_refused_or_a_finding() {
+    for control in controls() {
+        let by_hand = |t: f64| event(t, Action::ManualSpeed(300.0));
+        let refused = over_time(&line(control.id, &[]), vec![by_hand(6.0)]);
+        assert!((speeds(&refused, 8.0).0 - 800.0).abs() < 1e-9, "{}", control.id);
+        assert!(said(&refused, "motion.manual-speed-refused"), "{}", control.id);
+        let mut takes = line(control.id, &[]);
+        takes.switches.0.push(("manual-s".to_owned(), "taken".to_owned()));
+        let taken = over_time(&takes, vec![by_hand(6.0)]);
+        assert!((speeds(&taken, 8.0).0 - 300.0).abs() < 1e-9, "{}", control.id);
+        assert!(said(&taken, "motion.manual-speed-taken"), "{}", control.id);
+        // In a hold another mode can be chosen: the restart runs with the S of the hand.
+        let held = vec![event(6.0, Action::Hold), by_hand(8.0), event(9.0, Action::Start)];
+        let held = over_time(&line(control.id, &[]), held);
+        assert!(said(&held, "motion.manual-speed-taken"), "{}", control.id);
+        // After a reset there is no program that it could disturb.
+        let idle = over_time(&line(control.id, &[]), vec![event(6.0, Action::Reset), by_hand(8.0)]);
+        assert!((speeds(&idle, 8.1).0 - 300.0).abs() < 1e-9, "{}", control.id);
+        assert!(idle.diagnostics().iter().all(|found| !found.message.id.starts_with("motion.manual")));
+    }
+}
