@@ -220,7 +220,7 @@ fn machines_on_their_controls_give_the_golden_bits() {
     for machine in machines::ALL {
         let mut out = String::new();
         for control in machine.controls() {
-            let mut project = Project::of(machine.id(), Some(control)).unwrap();
+            let mut project = Project::of_form(*machine, controls::find(control).unwrap());
             for (_, field, value) in VALUES.iter().filter(|(id, ..)| *id == machine.id()) {
                 project.values.insert((*field).to_owned(), Value::Number(*value));
             }

@@ -7,6 +7,7 @@ use core::fmt;
 use core::marker::PhantomData;
 use core::ops::Deref;
 
+use super::examples::Example;
 use super::form::fill::{assumed, defaults, fill};
 use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
 use crate::controls::options::{CommonAtReset, SwitchChoice};
@@ -209,6 +210,8 @@ pub trait Machine: Prepared + Sized + 'static {
     const SPEED: f64;
     /// Whether it has an [explorer](Prepared::explorer).
     const EXPLORES: bool = false;
+    /// Named examples; a new project is the first, and the defaults of the form where there is none.
+    const EXAMPLES: &'static [Example] = &[];
     /// The form, in the order it is shown.
     fn fields() -> &'static [Field<Self::Params>];
     /// Values and settings that a new project on this control has instead of the defaults of the form: the control's own block times.
@@ -233,6 +236,8 @@ pub trait AnyMachine: Sync {
     fn speed(&self) -> f64;
     /// Whether it has an explorer.
     fn explores(&self) -> bool;
+    /// Named examples; a new project is the first, and the defaults of the form where there is none.
+    fn examples(&self) -> &'static [Example];
     /// The form.
     fn fields(&self) -> Vec<FieldInfo>;
     /// Values and settings that a new project on this control has instead of the defaults of the form.
@@ -298,6 +303,11 @@ impl PreparedMachine {
             }
         }
         Some((after, name))
+    }
+
+    /// Facts of the machine that have a meaning on this control with these values, by field id.
+    pub fn facts(&self) -> &[&'static str] {
+        &self.facts
     }
 
     /// Fields without a meaning on this control with these values; their values stay.
@@ -383,6 +393,10 @@ impl<M: Machine> AnyMachine for Erased<M> {
 
     fn explores(&self) -> bool {
         M::EXPLORES
+    }
+
+    fn examples(&self) -> &'static [Example] {
+        M::EXAMPLES
     }
 
     fn fields(&self) -> Vec<FieldInfo> {

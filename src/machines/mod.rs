@@ -2,6 +2,8 @@
 
 pub mod form;
 
+pub mod examples;
+
 pub mod machine;
 
 pub mod verdict;

@@ -20,19 +20,23 @@ pub fn report(
 ) -> Report {
     let ControlContext { control, switches } = on;
     let design = prepared.design(origins);
-    let hidden = prepared.hidden();
-    let fields = machine.fields();
-    let fields = fields.iter().filter(|field| !hidden.contains(&field.id));
     let title = [words(Language::English, machine.name()), control.name, name];
     Report {
         title: title.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", "),
         variable: control.syntax.variable,
-        inputs: fields.map(|field| input(field, values, origins)).collect(),
+        inputs: inputs(machine, prepared, values, origins),
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
         sheets: prepared.sheets(),
         open: open(control, switches),
     }
+}
+
+/// The inputs that have a meaning on the control, in the order of the form.
+pub fn inputs(machine: &dyn AnyMachine, prepared: &PreparedMachine, values: &Values, origins: &Origins) -> Vec<Input> {
+    let fields = machine.fields();
+    let shown = fields.iter().filter(|field| !prepared.hidden().contains(&field.id));
+    shown.map(|field| input(field, values, origins)).collect()
 }
 
 fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
@@ -55,6 +59,7 @@ fn input(field: &FieldInfo, values: &Values, origins: &Origins) -> Input {
         Provenance::Assumed => "form.report.assumed",
     };
     Input {
+        id: field.id,
         group: field.group,
         label: field.label,
         symbol: field.symbol,

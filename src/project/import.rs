@@ -76,7 +76,7 @@ fn is_text(text: &str) -> bool {
 fn restored<'f>(present: &Project, file: &'f File) -> Option<(Project, &'f str)> {
     let found = settings::read(&file.text)?;
     let (machine, control) = (machines::find(found.machine)?, controls::find(found.control)?);
-    let mut project = Project::new(machine, control);
+    let mut project = Project::of_form(machine, control);
     project.name.clone_from(&present.name);
     project.values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
     project.values.extend(found.values);

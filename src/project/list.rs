@@ -5,13 +5,19 @@ use serde_json::{Value as Json, json};
 use crate::controls;
 use crate::controls::options::SwitchOption;
 use crate::machines;
+use crate::machines::examples::Example;
 use crate::text::catalog::{Language, number_text, sentence, words};
 use crate::text::number::Fixed;
 use crate::view::{Limit, Readout, Verdict};
 
 /// Machines with their controls, controls with their bench plant and their open points, as an object.
 pub fn json() -> Json {
-    let machine = |m: &&dyn machines::AnyMachine| json!({ "id": m.id(), "name": words(Language::English, m.name()), "controls": m.controls() });
+    let say = |id| words(Language::English, id);
+    let example = |e: &Example| json!({ "id": e.id, "name": say(e.name), "about": say(e.about), "fails": e.faults.iter().map(|fault| fault.result).collect::<Vec<_>>() });
+    let machine = |m: &&dyn machines::AnyMachine| {
+        let examples: Vec<Json> = m.examples().iter().map(example).collect();
+        json!({ "id": m.id(), "name": say(m.name()), "controls": m.controls(), "examples": examples })
+    };
     let switch = |s: &controls::Switch| {
         let option = |o: &SwitchOption| json!({ "id": o.id, "label": words(Language::English, o.label) });
         let options: Vec<Json> = s.options().iter().map(option).collect();
@@ -46,6 +52,10 @@ pub fn text() -> String {
     for machine in machines::ALL {
         let name = words(Language::English, machine.name());
         out += &format!("  {:<20} {name}; controls: {}\n", machine.id(), machine.controls().join(", "));
+        out += &format!("  {:<20} examples, the first that of a new project:\n", "");
+        for example in machine.examples() {
+            out += &format!("  {:<20}   {:<15} {}\n", "", example.id, words(Language::English, example.about));
+        }
     }
     out += "controls\n";
     for control in controls::ALL {

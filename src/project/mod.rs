@@ -8,6 +8,8 @@ pub mod import;
 
 mod prepared;
 
+pub mod examples;
+
 pub mod program;
 
 mod io_names;
@@ -36,6 +38,8 @@ pub mod list;
 
 pub mod sensitivity;
 
+pub mod origins;
+
 pub mod remedy;
 
 pub mod meaning;
@@ -44,9 +48,9 @@ pub mod dependence;
 
 use std::sync::Arc;
 
-use crate::controls::{self, Control, Switches};
+use crate::controls::{Control, Switches};
 use crate::machines::form::{Origins, Values, with_entries};
-use crate::machines::{self, AnyMachine, ControlContext, Defaults, Design, PreparedMachine};
+use crate::machines::{AnyMachine, ControlContext, Defaults, Design, PreparedMachine};
 use crate::motion::{Action, Event, Panel};
 use crate::nc::Files;
 
@@ -99,8 +103,8 @@ impl PartialEq for Project {
 }
 
 impl Project {
-    /// A project with every value at its default.
-    pub fn new(machine: &'static dyn AnyMachine, control: &'static Control) -> Project {
+    /// A project with every value at the default of the form, and at the control's own where the machine takes that.
+    pub fn of_form(machine: &'static dyn AnyMachine, control: &'static Control) -> Project {
         let Defaults { values: own, switches } = machine.defaults(control);
         let mut values: Values = machine.fields().iter().map(|field| (field.id.to_owned(), field.default())).collect();
         values.extend(own);
@@ -116,16 +120,6 @@ impl Project {
             edited: None,
             memo: prepared::Memo::default(),
         }
-    }
-
-    /// The default project of a machine, by ids; without a control the machine's first.
-    pub fn of(machine: &str, control: Option<&str>) -> Option<Project> {
-        let machine = machines::find(machine)?;
-        let id = control.or(machine.controls().first().copied())?;
-        if !machine.controls().contains(&id) {
-            return None;
-        }
-        Some(Project::new(machine, controls::find(id)?))
     }
 
     /// The control as it is set here.

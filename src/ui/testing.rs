@@ -30,8 +30,14 @@ pub(crate) struct Bench {
     _mounted: Box<dyn Any>,
 }
 
-/// The first machine with its first control.
+/// The first machine with its first control and the defaults of the form, not the values of an example.
 pub(crate) fn project() -> Project {
+    let machine = crate::machines::ALL[0];
+    Project::of_form(machine, crate::controls::find(machine.controls()[0]).unwrap())
+}
+
+/// The project that a visitor meets.
+pub(crate) fn first_project() -> Project {
     Project::of(crate::machines::ALL[0].id(), None).unwrap()
 }
 

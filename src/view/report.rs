@@ -9,6 +9,8 @@ use crate::text::{Diagnostic, Grade, escape};
 /// An input of the report.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
+    /// Id of its field.
+    pub id: &'static str,
     /// Catalog id of its group.
     pub group: &'static str,
     /// Catalog id of its label.

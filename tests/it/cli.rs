@@ -22,12 +22,13 @@ fn text(path: &Path) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// The default project with some values changed, as a file.
+/// The paper's example with the exact π and some values changed, as a file.
 #[track_caller]
 fn project(folder: &Path, values: Json) -> String {
-    let out = macroline(&["new", "ribbon-line"]);
+    let out = macroline(&["new", "ribbon-line", "--example", "paper"]);
     assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
     let mut project: Json = serde_json::from_slice(&out.stdout).unwrap();
+    project["values"]["pi"] = json!("exact");
     for (id, value) in values.as_object().unwrap() {
         assert!(project["values"].get(id).is_some(), "no field {id}");
         project["values"][id] = value.clone();
@@ -580,4 +581,59 @@ fn design_json_lists_facts_to_measure_first() {
     let design: Json = serde_json::from_slice(&out.stdout).unwrap();
     let first = design["measure_first"].as_array().unwrap();
     assert!(first.contains(&json!("clamp-x")) && !first.contains(&json!("spindle-speed")), "{first:?}");
+}
+
+#[test]
+fn example_is_printed_with_the_reasons_of_its_faults() {
+    let printed = macroline(&["new", "ribbon-line", "--control", "gsk-980tdc", "--example", "paper"]);
+    assert!(printed.status.success());
+    let project: Json = serde_json::from_slice(&printed.stdout).unwrap();
+    assert_eq!((&project["control"], project["values"]["pitch"].as_f64()), (&json!("gsk-980tdc"), Some(8.0)));
+    let said = String::from_utf8(printed.stderr).unwrap();
+    for part in ["The paper’s machine", "FAIL  Roller : ribbon speed", "alarm 20"] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+    assert!(macroline(&["new", "ribbon-line"]).stderr.is_empty());
+}
+
+#[test]
+fn unknown_example_is_wrong_usage_with_the_known_ones() {
+    let refused = macroline(&["new", "turning-spindle", "--example", "papers"]);
+    assert_eq!(refused.status.code(), Some(2));
+    let said = String::from_utf8(refused.stderr).unwrap();
+    assert!(said.contains("facing, shaft, taper"), "{said}");
+}
+
+#[test]
+fn list_names_the_examples_of_each_machine() {
+    let listed: Json = serde_json::from_slice(&macroline(&["list", "--json"]).stdout).unwrap();
+    let text = String::from_utf8(macroline(&["list"]).stdout).unwrap();
+    for machine in listed["machines"].as_array().unwrap() {
+        for example in machine["examples"].as_array().unwrap() {
+            let (machine, id) = (machine["id"].as_str().unwrap(), example["id"].as_str().unwrap());
+            assert!(macroline(&["new", machine, "--example", id]).status.success(), "{machine} {id}");
+            assert!(text.contains(example["about"].as_str().unwrap()), "{machine} {id}");
+        }
+    }
+}
+
+#[test]
+fn design_tells_where_each_value_comes_from() {
+    let path = project(&folder("origins"), json!({ "pitch": 9 }));
+    let out = macroline(&["design", &path, "--json"]);
+    let design: Json = serde_json::from_slice(&out.stdout).unwrap();
+    let of = |id: &str| design["values"].as_array().unwrap().iter().find(|row| row["id"] == id).unwrap().clone();
+    assert_eq!(of("pitch"), json!({ "id": "pitch", "value": "9", "unit": "mm", "origin": "entered" }));
+    assert_eq!((&of("heads")["origin"], &of("pitch-count")["origin"]), (&json!("assumed"), &json!("default")));
+    // Facts that flip a verdict are the first of the assumed ones.
+    let assumed = design["assumed"].as_array().unwrap();
+    let first = design["measure_first"].as_array().unwrap();
+    let fields: Vec<&Json> = assumed.iter().map(|row| &row["field"]).collect();
+    assert!(
+        !first.is_empty() && fields.len() > first.len() && fields[..first.len()] == first.iter().collect::<Vec<_>>()
+    );
+    assert!(assumed[0]["flips"]["readout"].is_string() && assumed[first.len()]["flips"].is_null());
+    let text = String::from_utf8(macroline(&["design", &path]).stdout).unwrap();
+    let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("{part}: {text}"));
+    assert!(at("entered      Pitch #107") < at("measure first") && at("measure first") < at("assumed as well: "));
 }

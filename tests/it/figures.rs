@@ -13,12 +13,14 @@ fn controls() -> &'static [&'static str] {
     macroline::machines::find("ribbon-line").unwrap().controls()
 }
 
+/// The paper's example with the exact π.
 fn ribbon(values: &[(&str, f64)]) -> Project {
     ribbon_on(controls()[0], values)
 }
 
 fn ribbon_on(control: &str, values: &[(&str, f64)]) -> Project {
-    let mut project = Project::of("ribbon-line", Some(control)).unwrap();
+    let mut project = Project::named("ribbon-line", Some(control), Some("paper")).unwrap();
+    choose(&mut project, "pi", "exact");
     for (id, value) in values {
         project.values.insert((*id).to_owned(), Value::Number(*value));
     }

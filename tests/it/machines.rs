@@ -2,6 +2,7 @@
 
 mod adding;
 mod drawn;
+mod examples;
 mod look;
 mod polygon;
 mod polygon_drawing;

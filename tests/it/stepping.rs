@@ -100,7 +100,7 @@ fn arrive(debugger: &mut Debugger, points: &mut Breakpoints) -> Stop {
 
 /// The ribbon line with an operator who turns a knob, holds and starts again, planned for a time.
 fn ribbon(seconds: f64) -> Run {
-    let mut project = Project::of("ribbon-line", None).unwrap();
+    let mut project = Project::named("ribbon-line", None, Some("paper")).unwrap();
     // After the hold the axes wait as long as behind M3.
     project.values.insert("dwell".to_owned(), Value::Number(0.2));
     for (t, action) in [(0.4, Action::SpindleOverride(60.0)), (0.9, Action::Hold), (1.3, Action::Start)] {

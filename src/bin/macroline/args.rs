@@ -20,13 +20,16 @@ pub(crate) enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Prints a default project as JSON
+    /// Prints an example of a machine as a project, JSON
     New {
         /// Machine, for instance ribbon-line
         machine: String,
         /// Control; without it the machine's first
-        #[arg(long)]
+        #[arg(long, value_name = "ID")]
         control: Option<String>,
+        /// Example, see `list`; without it the machine's first, in which no verdict fails
+        #[arg(long, value_name = "NAME")]
+        example: Option<String>,
     },
     /// Results with verdicts, and findings
     Design {

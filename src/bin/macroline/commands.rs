@@ -8,10 +8,11 @@ use clap::Parser;
 use macroline::controls::Switches;
 use macroline::nc;
 use macroline::project::check::review;
+use macroline::project::examples::NameKind;
 use macroline::project::render::summary;
 use macroline::project::run::AtStop;
 use macroline::project::suppress::silence;
-use macroline::project::{Project, drawing, list, sensitivity};
+use macroline::project::{Project, drawing, list, origins};
 use macroline::text::Diagnostic;
 use macroline::view::Theme;
 use macroline::view::svg::picture;
@@ -28,7 +29,7 @@ pub(crate) fn main() -> ExitCode {
     output::status(match Line::parse().command {
         Command::List { json: true } => print_json(&list::json()),
         Command::List { json: false } => print(&list::text()),
-        Command::New { machine, control } => new(&machine, control.as_deref()),
+        Command::New { machine, control, example } => new(&machine, control.as_deref(), example.as_deref()),
         Command::Design { project, json } => design(&project, json),
         Command::Export { project, out } => export(&project, &out),
         Command::Draw { project, at, dark, out } => draw(&project, at, dark, &out),
@@ -43,11 +44,17 @@ pub(crate) fn main() -> ExitCode {
     })
 }
 
-fn new(machine: &str, control: Option<&str>) -> Result<(), Failure> {
-    match Project::of(machine, control) {
-        Some(project) => output::print_data(&project.to_json()),
-        None => Err(Failure::Usage(format!("no such machine and control:\n{}", list::text()))),
-    }
+fn new(machine: &str, control: Option<&str>, example: Option<&str>) -> Result<(), Failure> {
+    let project = Project::named(machine, control, example).map_err(|unknown| {
+        let name = match unknown.kind {
+            NameKind::Machine => format!("no machine “{machine}”"),
+            NameKind::Control => format!("{machine} does not go with the control “{}”", control.unwrap_or_default()),
+            NameKind::Example => format!("{machine} has no example “{}”", example.unwrap_or_default()),
+        };
+        Failure::Usage(format!("{name}; there are: {}", unknown.known.join(", ")))
+    })?;
+    output::print_data(&project.to_json())?;
+    say(&origins::faults_text(&project))
 }
 
 fn design(path: &Path, json: bool) -> Result<(), Failure> {
@@ -57,10 +64,13 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
     let all = [file, Findings { sources: Sources::default(), list: design.diagnostics.clone() }];
     if json {
         let readouts = list::readouts_json(&design.readouts);
-        let first: Vec<&str> = sensitivity::flips(&project).iter().map(|flip| flip.field).collect();
-        print_json(&json!({ "readouts": readouts, "measure_first": first, "diagnostics": list_json(&all) }))?;
+        let mut told = origins::json(&project);
+        told["readouts"] = readouts;
+        told["diagnostics"] = list_json(&all);
+        print_json(&told)?;
     } else {
-        print(&list::readouts_text(&design.readouts))?;
+        let values = origins::text(&project);
+        print(&(origins::faults_text(&project) + &list::readouts_text(&design.readouts) + &values))?;
         tell(&all)?;
     }
     verdict(&all)

@@ -2,6 +2,8 @@
 
 mod params;
 
+mod examples;
+
 mod derive;
 
 mod geometry;
@@ -43,6 +45,7 @@ mod explore;
 pub(crate) use resolved::PolygonLathe;
 
 use crate::machines::chart_rows;
+use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::machine::{ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples};
@@ -61,6 +64,7 @@ impl Machine for PolygonLathe {
     const LISTING: &'static str = include_str!("listing.nc");
     const SPEED: f64 = 0.05;
     const EXPLORES: bool = true;
+    const EXAMPLES: &'static [Example] = examples::EXAMPLES;
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS

@@ -2,6 +2,8 @@
 
 mod params;
 
+mod examples;
+
 mod derive;
 
 mod resolved;
@@ -31,6 +33,7 @@ pub(crate) use resolved::RibbonLine;
 use crate::controls::Control;
 use crate::controls::options::SpeedReached;
 use crate::machines::chart_rows;
+use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::machine::{
@@ -57,6 +60,7 @@ impl Machine for RibbonLine {
     ];
     const LISTING: &'static str = include_str!("listing.nc");
     const SPEED: f64 = 0.05;
+    const EXAMPLES: &'static [Example] = examples::EXAMPLES;
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS

@@ -2,6 +2,8 @@
 
 mod params;
 
+mod examples;
+
 mod derive;
 
 mod resolved;
@@ -28,6 +30,7 @@ pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
 use crate::machines::chart_rows;
+use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::machine::{
@@ -46,6 +49,7 @@ impl Machine for TurningSpindle {
     const CONTROLS: &'static [&'static str] =
         &["gsk-980tdc", "sinumerik-802d", "sinumerik-808d", "knd-k2000t", "fanuc-0i-tf", "mitsubishi-e60"];
     const SPEED: f64 = 1.0;
+    const EXAMPLES: &'static [Example] = examples::EXAMPLES;
 
     fn fields() -> &'static [Field<Params>] {
         FIELDS

@@ -47,7 +47,7 @@ pub(super) fn project<'t>(
         found.error(msg!("project.too-many-programs", count as u32, MAX_PROGRAMS as u32), "");
         return Loaded::refused(found);
     }
-    let mut project = Project::new(machine, control);
+    let mut project = Project::of_form(machine, control);
     project.name = saved.name.chars().filter(|c| !c.is_control()).take(NAME).collect();
     values(saved_values, machine, &mut project, &mut found);
     origins(&saved.provenance, machine, &mut project, &mut found);

@@ -279,7 +279,7 @@ mod tests {
         let bench = header().await;
         bench.page.set("pitch", crate::machines::form::Value::Number(9.0));
         bench.press_button(t("page.new")).await;
-        assert_eq!(bench.setting("pitch"), Some(crate::machines::form::Value::Number(8.0)));
+        assert_eq!(bench.setting("pitch"), Some(crate::machines::form::Value::Number(10.0)));
         bench.press_button(t("page.undo")).await;
         assert_eq!(bench.setting("pitch"), Some(crate::machines::form::Value::Number(9.0)));
     }

@@ -189,7 +189,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, project, settled};
+    use crate::ui::testing::{Bench, first_project, mount, mount_project, project, settled};
 
     fn named(name: &str) -> String {
         let mut project = project();
@@ -252,7 +252,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn untouched_project_is_not_set_aside() {
-        let bench = mount(|| ()).await;
+        let bench = mount_project(first_project(), || ()).await;
         keep_present(bench.page, Reason::New);
         assert!(list().is_empty());
     }

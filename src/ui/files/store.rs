@@ -204,7 +204,7 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::ui::testing::{Bench, event, mount, project, settled, until};
+    use crate::ui::testing::{Bench, event, first_project, mount, project, settled, until};
 
     async fn stored_soon(page: Page) {
         settled().await;
@@ -256,7 +256,7 @@ mod tests {
         let _bench = mount(|| ()).await;
         dom::store(KEY, "{ not a project");
         let visit = load();
-        assert!(visit.project == Some(project()) && !visit.occupied);
+        assert!(visit.project == Some(first_project()) && !visit.occupied);
         assert!(visit.notices[0].text.contains(t("page.set-aside")));
         assert_eq!(visit.notices[0].file, Some((set_aside::FILE, "{ not a project".to_owned())));
         assert_eq!((dom::stored(KEY), set_aside::list().len()), (None, 1));

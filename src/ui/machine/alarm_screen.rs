@@ -152,7 +152,7 @@ mod tests {
     use crate::ui::testing::{Bench, mount, mount_project};
 
     async fn screen(control: &str) -> Bench {
-        let project = Project::of("ribbon-line", Some(control)).unwrap();
+        let project = Project::named("ribbon-line", Some(control), Some("paper")).unwrap();
         let bench = mount_project(project, || view! { <AlarmScreen /> }).await;
         bench.run().await;
         bench

@@ -248,7 +248,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn cycle_start_promises_nothing_where_the_run_stops_at_once() {
-        let project = crate::project::Project::of("ribbon-line", Some("gsk-980tdc")).unwrap();
+        let project = crate::project::Project::named("ribbon-line", Some("gsk-980tdc"), Some("paper")).unwrap();
         let bench = mount_project(project, || view! { <OperatorPanel /> }).await;
         bench.run().await;
         assert_eq!(bench.text(".start small"), t("page.stops-at-once"));

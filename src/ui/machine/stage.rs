@@ -277,7 +277,7 @@ mod tests {
 
     #[wasm_bindgen_test]
     async fn state_of_a_run_that_stops_at_once_says_so() {
-        let project = crate::project::Project::of("ribbon-line", Some("gsk-980tdc")).unwrap();
+        let project = crate::project::Project::named("ribbon-line", Some("gsk-980tdc"), Some("paper")).unwrap();
         let bench = mount_project(project, || view! { <Stage /> }).await;
         bench.run().await;
         assert_eq!(bench.text(".mode"), t("page.mode-at-once"));

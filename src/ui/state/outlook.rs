@@ -79,7 +79,7 @@ mod tests {
 
     /// The ribbon line with its default speed on a control that cannot run it.
     pub(crate) fn too_fast() -> Project {
-        Project::of("ribbon-line", Some("gsk-980tdc")).unwrap()
+        Project::named("ribbon-line", Some("gsk-980tdc"), Some("paper")).unwrap()
     }
 
     #[wasm_bindgen_test]

@@ -1,6 +1,7 @@
 //! Every machine on every control: its run moves, or a remedy that lets it move is offered.
 
 use macroline::controls;
+use macroline::machines::examples::Example;
 use macroline::machines::{self, AnyMachine};
 use macroline::motion::{Budget, Retention, RunEnd};
 use macroline::project::Project;
@@ -8,7 +9,7 @@ use macroline::project::remedy::{comes_back, remedy, stops_at_once};
 use macroline::project::run::{Run, RunOptions, of_project};
 
 fn ribbon(control: &str) -> Project {
-    Project::of("ribbon-line", Some(control)).unwrap()
+    Project::named("ribbon-line", Some(control), Some("paper")).unwrap()
 }
 
 /// The run of a project to its end, within a minute.
@@ -24,11 +25,15 @@ fn ran(project: &Project) -> (Run, Option<RunEnd>) {
     (run, ended)
 }
 
-/// Projects of a machine with its own defaults on a control, and with the defaults of its first control kept.
-fn kept_and_fresh(machine: &'static dyn AnyMachine, control: &str) -> [Project; 2] {
-    let mut kept = Project::of(machine.id(), None).unwrap();
-    kept.move_to(controls::find(control).unwrap());
-    [Project::of(machine.id(), Some(control)).unwrap(), kept]
+/// Each example of a machine made on a control, and made on its first control and moved.
+fn kept_and_fresh(machine: &'static dyn AnyMachine, control: &str) -> Vec<Project> {
+    let named = |control, example| Project::named(machine.id(), control, Some(example)).unwrap();
+    let both = |example: &Example| {
+        let mut kept = named(None, example.id);
+        kept.move_to(controls::find(control).unwrap());
+        [named(Some(control), example.id), kept]
+    };
+    machine.examples().iter().flat_map(both).collect()
 }
 
 #[test]

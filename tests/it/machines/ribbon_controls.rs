@@ -21,7 +21,7 @@ fn lathes() -> impl Iterator<Item = &'static str> {
 }
 
 pub(super) fn project(control: &str, changes: &[(&str, &str)]) -> Project {
-    let mut project = Project::of("ribbon-line", Some(control)).unwrap();
+    let mut project = Project::of_form(machine(), macroline::controls::find(control).unwrap());
     project.values.extend(values(changes));
     project
 }

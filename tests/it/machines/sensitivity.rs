@@ -1,12 +1,14 @@
 //! Assumed facts that flip a verdict, against closed forms.
 
+use macroline::controls;
+use macroline::machines;
 use macroline::machines::form::{Provenance, Value};
 use macroline::project::Project;
 use macroline::project::sensitivity::{Flip, flips};
 use macroline::view::Verdict;
 
 fn project(machine: &str, control: &str, changes: &[(&str, f64)]) -> Project {
-    let mut project = Project::of(machine, Some(control)).unwrap();
+    let mut project = Project::of_form(machines::find(machine).unwrap(), controls::find(control).unwrap());
     project.values.extend(changes.iter().map(|(id, number)| ((*id).to_owned(), Value::Number(*number))));
     project
 }

@@ -28,7 +28,7 @@ fn values(changes: &[(&str, &str)]) -> Values {
 }
 
 pub(super) fn project(control: &str, changes: &[(&str, &str)]) -> Project {
-    let mut project = Project::of("turning-spindle", Some(control)).unwrap();
+    let mut project = Project::of_form(machine(), macroline::controls::find(control).unwrap());
     project.values.extend(values(changes));
     project
 }

@@ -121,7 +121,8 @@ fn every_settable_advice_improves_its_verdict() {
 }
 
 fn project(machine: &str, control: &str, entries: &[(&'static str, &str)]) -> Project {
-    let plain = Project::of(machine, Some(control)).unwrap();
+    let (machine, control) = (machines::find(machine).unwrap(), macroline::controls::find(control).unwrap());
+    let plain = Project::of_form(machine, control);
     let sets = entries.iter().map(|(id, typed)| (*id, (*typed).to_owned())).collect();
     taken(&plain, &Advice { sets, button: None, message: macroline::msg!("polygon.no-b") })
 }

@@ -53,7 +53,7 @@ fn ribbon_line_starts_waits_prints_and_stops_in_this_order() {
     assert!(times.windows(2).all(|pair| pair[0] < pair[1] + 1e-9), "{times:?}");
     // Within the first block of a dot.
     let pulled = |t: f64| run.timeline().at(t).axes[0].actual;
-    assert!((pulled(dot) - 8.0).abs() < 1e-3, "{}", pulled(dot));
+    assert!((pulled(dot) - 10.0).abs() < 1e-3, "{}", pulled(dot));
 }
 
 #[test]

@@ -1,0 +1,39 @@
+//! Named examples of a machine, as data: what differs from the defaults of its form, and the faults that it shows.
+
+/// A named example. The first of a machine is what a new project begins with: no verdict of it fails on any control of the machine.
+#[derive(Debug)]
+pub struct Example {
+    /// Id, for instance `paper`.
+    pub id: &'static str,
+    /// Catalog id of the name.
+    pub name: &'static str,
+    /// Catalog id of the explanation, one or two sentences.
+    pub about: &'static str,
+    /// Entries that differ from the defaults of the form, as they would be typed: id of each field and its text.
+    pub entries: &'static [(&'static str, &'static str)],
+    /// Verdicts that fail, each with its reason.
+    pub faults: &'static [Fault],
+}
+
+/// A verdict of an example that fails.
+#[derive(Debug)]
+pub struct Fault {
+    /// Id of the result.
+    pub result: &'static str,
+    /// Catalog id of the reason.
+    pub reason: &'static str,
+    /// The verdict fails on every control, not only on slower ones.
+    pub everywhere: bool,
+}
+
+impl Fault {
+    /// A fault of the machine itself.
+    pub const fn everywhere(result: &'static str, reason: &'static str) -> Fault {
+        Fault { result, reason, everywhere: true }
+    }
+
+    /// A fault on controls that are too slow or whose ranges are too small.
+    pub const fn on_slow_controls(result: &'static str, reason: &'static str) -> Fault {
+        Fault { result, reason, everywhere: false }
+    }
+}

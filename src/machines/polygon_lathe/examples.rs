@@ -1,0 +1,44 @@
+//! Examples of the polygon lathe: the parts that the paper names.
+
+use crate::machines::examples::Example;
+
+/// All examples, the first that of a new project.
+pub(super) const EXAMPLES: &[Example] = &[
+    Example {
+        id: "square",
+        name: "polygon.example.square",
+        about: "polygon.example.square.about",
+        entries: &[],
+        faults: &[],
+    },
+    Example {
+        id: "knob",
+        name: "polygon.example.knob",
+        about: "polygon.example.knob.about",
+        entries: &[("shape", "knob"), ("across-flats", "8"), ("stock-diameter", "12")],
+        faults: &[],
+    },
+    // The sides of a triangle at 3 : 2 deviate by more than 0.1 mm from about 13 mm across flats on; keys of locks are smaller.
+    Example {
+        id: "triangle-lock",
+        name: "polygon.example.triangle",
+        about: "polygon.example.triangle.about",
+        entries: &[("shape", "triangle"), ("across-flats", "8"), ("stock-diameter", "11")],
+        faults: &[],
+    },
+    Example {
+        id: "hexagon-key",
+        name: "polygon.example.hexagon",
+        about: "polygon.example.hexagon.about",
+        entries: &[("shape", "hexagon"), ("across-flats", "10"), ("stock-diameter", "12"), ("length", "30")],
+        faults: &[],
+    },
+    // O3000 of the paper: G512 B200 D1 Q2 A0. E0., then X20. at F200 in a single pass, which is 1 mm per turn of the work.
+    Example {
+        id: "paper",
+        name: "polygon.example.paper",
+        about: "polygon.example.paper.about",
+        entries: &[("depth", "2.5"), ("allowance", "0"), ("feed", "1"), ("finish-feed", "1")],
+        faults: &[],
+    },
+];

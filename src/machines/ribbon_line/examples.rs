@@ -1,0 +1,63 @@
+//! Examples of the ribbon line. The form's own defaults are the values of the paper, as far as it gives any.
+
+use crate::machines::examples::{Example, Fault};
+
+/// A print roller whose heads are a pitch apart, and rollers, gears and speeds that every control of the list can drive.
+///
+/// The unwinder's gear 50 : 1 keeps F below 15 000 mm/min, the least range of the controls, with the knob at its end. The roller of
+/// 36 heads at 10 mm has a circumference of 360 mm. The dwell of 0.7 s leaves the least slack after a start.
+macro_rules! matched {
+    ($($own:expr),* $(,)?) => {
+        &[
+            ("reduction-ratio", "50"),
+            // A roller of 100 mm, and half of the ribbon on each side.
+            ("press-roller-diameter", "100.5"),
+            ("effective-diameter", "true"),
+            ("pitch", "10"),
+            ("heads", "36"),
+            ("print-roller-diameter", "114.6"),
+            ("clamp-y", "20000"),
+            ("rapid-y", "20000"),
+            ("gear-x", "50"),
+            ("gear-y", "50"),
+            ("motor-max-y", "5000"),
+            $($own),*
+        ]
+    };
+}
+
+/// The paper's machine has no dancer, one speed for all controls, and a roller that is far too large for its heads.
+const PAPER: &[Fault] = &[
+    Fault::on_slow_controls("vector-feed", "ribbon.example.paper.feed"),
+    Fault::on_slow_controls("block-time", "ribbon.example.paper.blocks"),
+    Fault::everywhere("surface-ratio", "ribbon.example.paper.roller"),
+    Fault::everywhere("smear", "ribbon.example.paper.smear"),
+    Fault::everywhere("slack-rate", "ribbon.example.paper.slip"),
+    Fault::everywhere("slack-rate-rated", "ribbon.example.paper.slip-rated"),
+    Fault::everywhere("loop-needed", "ribbon.example.paper.loop"),
+];
+
+/// All examples, the first that of a new project.
+pub(super) const EXAMPLES: &[Example] = &[
+    Example {
+        id: "matched",
+        name: "ribbon.example.matched",
+        about: "ribbon.example.matched.about",
+        entries: matched![("dancer", "true"), ("dwell", "0.7")],
+        faults: &[],
+    },
+    Example {
+        id: "encoder",
+        name: "ribbon.example.encoder",
+        about: "ribbon.example.encoder.about",
+        entries: matched![("spindle-encoder", "true"), ("feed-form", "per-revolution"), ("dwell", "0")],
+        faults: &[],
+    },
+    Example {
+        id: "paper",
+        name: "ribbon.example.paper",
+        about: "ribbon.example.paper.about",
+        entries: &[("pi", "3.14")],
+        faults: PAPER,
+    },
+];

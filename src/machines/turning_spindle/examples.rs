@@ -1,0 +1,45 @@
+//! Examples of the turning spindle. The pages that it comes from describe words and parameters, and print no worked example.
+
+use crate::machines::examples::Example;
+
+/// All examples, the first that of a new project.
+///
+/// An upper limit of 1800 r/min keeps the spindle's ramp ahead of the surface speed: `dn/dt ~ f n³ / v`.
+pub(super) const EXAMPLES: &[Example] = &[
+    Example {
+        id: "facing",
+        name: "turning.example.facing",
+        about: "turning.example.facing.about",
+        entries: &[("upper-limit", "1800")],
+        faults: &[],
+    },
+    Example {
+        id: "shaft",
+        name: "turning.example.shaft",
+        about: "turning.example.shaft.about",
+        entries: &[
+            ("path", "turning"),
+            ("stock-diameter", "60"),
+            ("finished-diameter", "50"),
+            ("length", "80"),
+            ("depth", "2"),
+            ("upper-limit", "1800"),
+        ],
+        faults: &[],
+    },
+    Example {
+        id: "taper",
+        name: "turning.example.taper",
+        about: "turning.example.taper.about",
+        entries: &[
+            ("path", "taper"),
+            ("stock-diameter", "60"),
+            ("finished-diameter", "40"),
+            ("large-diameter", "50"),
+            ("length", "50"),
+            ("depth", "2"),
+            ("upper-limit", "1800"),
+        ],
+        faults: &[],
+    },
+];

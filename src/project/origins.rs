@@ -1,0 +1,129 @@
+//! Origins of a project's values, and the facts that are only assumed: for people and for programs.
+
+use serde_json::{Value as Json, json};
+
+use super::Project;
+use super::list::verdict_word;
+use super::sensitivity::{Flip, flips};
+use crate::machines::form::fill::assumed;
+use crate::machines::report::inputs;
+use crate::text::catalog::{Language, words};
+use crate::view::report::Input;
+
+/// Origin of a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// A choice that differs from that of a new project.
+    Entered,
+    /// A choice as a new project has it.
+    Default,
+    /// A choice as the named example has it whose values the project has.
+    Example,
+    /// A fact whose source the project does not name.
+    Assumed,
+    /// A fact that was measured, or read off a data sheet: catalog id of the source.
+    Known(&'static str),
+}
+
+impl Origin {
+    /// The origin in a word or two.
+    fn words(self) -> &'static str {
+        match self {
+            Origin::Entered => "entered",
+            Origin::Default => "default",
+            Origin::Example => "example",
+            Origin::Assumed => words(Language::English, "form.report.assumed"),
+            Origin::Known(source) => words(Language::English, source),
+        }
+    }
+}
+
+/// Every value that has a meaning on the control, in the order of the form, with its origin.
+pub fn values(project: &Project) -> Vec<(Input, Origin)> {
+    let fresh = Project::new(project.machine, project.control);
+    let (assumed, is_example) = (assumed_facts(project), project.present_example().is_some());
+    let origin = |input: &Input| match input.origin {
+        Some(_) if assumed.contains(&input.id) => Origin::Assumed,
+        Some(source) => Origin::Known(source),
+        None if project.values.get(input.id).is_none_or(|value| fresh.values.get(input.id) == Some(value)) => {
+            Origin::Default
+        }
+        None if is_example => Origin::Example,
+        None => Origin::Entered,
+    };
+    let all = inputs(project.machine, &project.prepared(), &project.values, &project.provenance);
+    all.into_iter().map(|input| (origin(&input), input)).map(|(origin, input)| (input, origin)).collect()
+}
+
+/// Ids of the facts that are only assumed, in the order of the form.
+fn assumed_facts(project: &Project) -> Vec<&'static str> {
+    assumed(project.prepared().facts(), &project.provenance)
+}
+
+/// Values with origins, the example that they are, and the assumed facts: first those that flip a verdict.
+pub fn json(project: &Project) -> Json {
+    let value = |(input, origin): &(Input, Origin)| json!({ "id": input.id, "value": input.value, "unit": input.unit, "origin": origin.words() });
+    let flip = |flip: &Flip| {
+        let to = json!({ "readout": flip.readout, "factor": flip.factor, "from": verdict_word(flip.from), "to": verdict_word(flip.to) });
+        json!({ "field": flip.field, "flips": to })
+    };
+    let found = flips(project);
+    let first: Vec<&str> = found.iter().map(|flip| flip.field).collect();
+    let others = assumed_facts(project).into_iter().filter(|id| !first.contains(id));
+    let others = others.map(|id| json!({ "field": id, "flips": null }));
+    let faults = project.faults();
+    let faults = faults
+        .iter()
+        .map(|(readout, fault)| json!({ "readout": readout.id, "reason": words(Language::English, fault.reason) }));
+    json!({
+        "example": project.present_example().map(|example| example.id),
+        "faults": faults.collect::<Vec<_>>(),
+        "values": values(project).iter().map(value).collect::<Vec<_>>(),
+        "assumed": found.iter().map(flip).chain(others).collect::<Vec<_>>(),
+        "measure_first": first,
+    })
+}
+
+/// The same for people.
+pub fn text(project: &Project) -> String {
+    let all = values(project);
+    let label = |input: &Input| [words(Language::English, input.label), input.symbol].join(" ").trim_end().to_owned();
+    let named =
+        |id: &str| all.iter().find(|(input, _)| input.id == id).map_or(String::new(), |(input, _)| label(input));
+    let mut out = "\nvalues and their origin; default: as a new project has it\n".to_owned();
+    for (input, origin) in &all {
+        out += &format!("{:<12} {:<44} {} {}", origin.words(), label(input), input.value, input.unit);
+        out.truncate(out.trim_end().len());
+        out.push('\n');
+    }
+    let readouts = project.design().readouts;
+    let found = flips(project);
+    if !found.is_empty() {
+        out += "\nassumed facts to measure first: a tenth more or less changes a verdict\n";
+    }
+    for flip in &found {
+        let result = readouts.iter().find(|readout| readout.id == flip.readout);
+        let result = result.map_or(flip.readout, |readout| words(Language::English, readout.label));
+        let change = if flip.factor < 1.0 { "a tenth less" } else { "a tenth more" };
+        let (from, to) = (verdict_word(flip.from), verdict_word(flip.to));
+        out += &format!("  {:<44} {change}: {result}, {from} to {to}\n", named(flip.field));
+    }
+    let others = assumed_facts(project).into_iter().filter(|id| found.iter().all(|flip| flip.field != *id));
+    let others: Vec<String> = others.map(named).collect();
+    if !others.is_empty() {
+        out += &format!("\nassumed as well: {}\n", others.join(", "));
+    }
+    out
+}
+
+/// The example that the values are and the reason of each fault; nothing where there is no fault.
+pub fn faults_text(project: &Project) -> String {
+    let say = |id| words(Language::English, id);
+    let faults = project.faults();
+    let Some(example) = project.present_example().filter(|_| !faults.is_empty()) else { return String::new() };
+    let mut out = format!("{}: {}\n", say(example.name), say(example.about));
+    for (readout, fault) in faults {
+        out += &format!("FAIL  {}: {}\n", say(readout.label), say(fault.reason));
+    }
+    out
+}
