@@ -43,6 +43,10 @@ pub(super) struct Derived {
     /// What the control needs while the knob is turned; infinite where it never gets round.
     pub block_needed_turned: f64,
     pub override_delay: f64,
+    /// Share (0 to 1) of its speed that X keeps on the average; exact stops and starved blocks take the rest.
+    pub speed_kept: f64,
+    /// A block with exact stop.
+    pub stop_time: f64,
     pub dots_per_second: f64,
     pub dots_per_product: f64,
     pub product_length: f64,
@@ -95,6 +99,14 @@ impl Params {
         }
     }
 
+    /// Travel of the print roller per pitch, one head further, in mm or °.
+    fn y_stroke(&self) -> f64 {
+        match self.y_unit {
+            YUnit::Millimetres => self.program_pi() * self.print_roller_diameter / self.heads,
+            YUnit::Degrees => 360.0 / self.heads,
+        }
+    }
+
     /// Whole pitches of a product: the count itself, or the length over the pitch, at least 1.
     pub(super) fn count(&self) -> f64 {
         match self.job {
@@ -132,6 +144,29 @@ impl Params {
         }
     }
 
+    /// Seconds that the control needs for a pass of the running loop.
+    pub(super) fn pass_needed(&self) -> f64 {
+        let (nc, macros) = self.blocks_of_a_pass();
+        (f64::from(nc) * self.block_time + f64::from(macros) * self.macro_time) / 1000.0
+    }
+
+    /// The greater time constant of both axes, s.
+    fn slowest(&self) -> f64 {
+        self.time_constant_x.max(self.time_constant_y) / 1000.0
+    }
+
+    /// F per revolution of the unwinder.
+    pub(super) fn in_step(&self) -> bool {
+        self.feed_form == FeedForm::PerRevolution
+    }
+
+    /// Errors of the unwinder's speed at its running load and at rated load, as parts; a dancer trims them away.
+    fn speed_errors(&self, speed: f64) -> (f64, f64) {
+        let motor = self.induction();
+        let loaded = Induction { load: 1.0, ..motor };
+        if self.dancer { (0.0, 0.0) } else { (motor.error(speed), loaded.error(speed)) }
+    }
+
     /// Share of its time that the control is left with while the knob is turned at [`KNOB_RATE`], 0 where it has none left:
     /// `1 - rate / step · blocks · macro time`.
     fn share_while_turned(&self) -> f64 {
@@ -146,7 +181,7 @@ impl Params {
 
     /// The knob turns the unwinder and the axes stay: they neither read the knob nor follow the measured speed.
     pub(super) fn knob_turns_alone(&self) -> bool {
-        let follows = self.feed_form == FeedForm::PerRevolution && self.spindle_encoder;
+        let follows = self.in_step() && self.spindle_encoder;
         self.typed_override && self.knob_use == KnobUse::Free && !follows
     }
 
@@ -193,11 +228,7 @@ impl Derived {
         let asked_speed = p.spindle_speed * p.override_stepped() / 100.0;
         let actual_speed = asked_speed.min(top_speed);
         let line_speed = k * actual_speed;
-        // One head further per pitch.
-        let y_stroke = match p.y_unit {
-            YUnit::Millimetres => pi * p.print_roller_diameter / p.heads,
-            YUnit::Degrees => 360.0 / p.heads,
-        };
+        let y_stroke = p.y_stroke();
         let vector_feed = vector_feed(line_speed, p.pitch, y_stroke);
         let y_feed = line_speed * y_stroke / p.pitch;
         let pitch_time = p.pitch / line_speed * 60.0;
@@ -210,8 +241,12 @@ impl Derived {
         let surface_ratio = arc / p.pitch;
         let print_roller_speed = surface_speed / (PI * p.print_roller_diameter);
         let analog = Analog { bits, ..Analog::unipolar(p.speed_at_10v, 10.0) };
-        let timing = Timing::new(p, pitch_time);
-        let slack = Slack::new(p, line_speed, actual_speed, timing.product);
+        let errors = p.speed_errors(actual_speed);
+        // A feed per revolution follows the measured speed.
+        let driven = |error: f64| if p.in_step() && error > -1.0 { pitch_time / (1.0 + error) } else { pitch_time };
+        let timing = Timing::new(p, pitch_time, driven(errors.0), y_stroke);
+        let kept = (kept(p, driven(errors.0), y_stroke), kept(p, driven(errors.1), y_stroke));
+        let slack = Slack::new(p, line_speed, actual_speed, errors, kept, &timing);
         let (tau_x, tau_y) = (p.time_constant_x / 1000.0, p.time_constant_y / 1000.0);
         let x_second = line_speed / 60.0;
         // e = v · ((τx - τy)/2 + 1/Kx - 1/Ky)  [mm]: difference of ramp and servo lag at full speed.
@@ -236,8 +271,10 @@ impl Derived {
             block_time: timing.block,
             block_needed: timing.needed,
             block_needed_turned: timing.needed / p.share_while_turned(),
-            override_delay: timing.block * p.preread,
-            dots_per_second: 1.0 / pitch_time,
+            override_delay: timing.pass * p.preread,
+            speed_kept: kept.0,
+            stop_time: timing.exact_stop,
+            dots_per_second: p.block_pitches() / timing.pass,
             dots_per_product: p.count(),
             product_length: p.count() * p.pitch,
             product_time: timing.product,
@@ -292,39 +329,82 @@ fn y_drift(stroke: f64, pitch_time: f64) -> f64 {
     (rounded - stroke) * 8.0 * 3600.0 / pitch_time
 }
 
-/// Times of a pitch, a block and a product, s.
+/// Times of a block, a pass of the running loop and a product, s.
 struct Timing {
+    /// A block at the programmed speed.
     block: f64,
+    /// What the control needs for a pass.
     needed: f64,
+    /// A block with exact stop, whether the line has one or not.
     exact_stop: f64,
+    /// Share of its speed that X has with it.
     exact_stop_share: f64,
+    /// From one block to the next.
+    pass: f64,
+    /// Time that a product loses in exact stops and between starved blocks.
+    lost: f64,
     product: f64,
 }
 
 impl Timing {
-    fn new(p: &Params, pitch_time: f64) -> Timing {
-        let pitches = p.block_pitches();
-        let (nc, macros) = p.blocks_of_a_pass();
-        // The slower of the two axes decides; they should be equal (rule 9).
-        let tau = p.time_constant_x.max(p.time_constant_y) / 1000.0;
-        let alone = AxisBlock {
-            interpolation: pitch_time,
-            speed: p.pitch / pitch_time,
-            time_constant: tau,
-            position_gain: p.position_gain_x.min(p.position_gain_y),
-        };
-        let exact_stop = alone.exact_stop(p.in_position);
-        let pitch = if p.path_mode == PathMode::ExactStop { exact_stop } else { pitch_time };
+    /// Times of a pitch that lasts `pitch_time` as X drives it.
+    fn new(p: &Params, programmed: f64, pitch_time: f64, y_stroke: f64) -> Timing {
+        let (pitches, count) = (p.block_pitches(), p.count());
         let wait = wait(p, pitch_time.is_finite());
+        let exact_stop = exact_stop(p, pitches, pitch_time, y_stroke);
+        let (needed, whole) = (p.pass_needed(), (count / pitches).floor());
+        let rest = count - whole * pitches;
+        let pass = |pitches: f64| pass(p, pitches, pitch_time, y_stroke);
+        // Blocks that the control has read when X starts; from then on it reads one in the time that it needs for a pass.
+        let ahead = (wait / needed).floor().min(p.preread);
+        let passes = match p.path_mode {
+            PathMode::ExactStop => whole * pass(pitches) + if rest > 0.0 { pass(rest) } else { 0.0 },
+            PathMode::Continuous => ((count / pitches).ceil() - ahead).max(0.0) * needed + pitches * pitch_time,
+        };
+        let passes = passes.max(count * pitch_time);
+        // An exact stop has the ramp at its end; else the last block alone.
+        let end = if p.path_mode == PathMode::ExactStop { 0.0 } else { p.slowest() };
         Timing {
-            block: pitches * pitch_time,
-            needed: (f64::from(nc) * p.block_time + f64::from(macros) * p.macro_time) / 1000.0,
+            block: pitches * programmed,
+            needed,
             exact_stop,
-            exact_stop_share: if pitch_time.is_finite() { pitch_time / exact_stop } else { 0.0 },
-            // Start, pitches, and the ramp at the end.
-            product: wait + still_to_ramp(p, wait) + p.count() * pitch + tau,
+            exact_stop_share: if pitch_time.is_finite() { pitches * pitch_time / exact_stop } else { 0.0 },
+            pass: pass(pitches),
+            lost: passes - count * pitch_time,
+            product: wait + still_to_ramp(p, wait) + passes + end,
         }
     }
+}
+
+/// Seconds of a block of so many pitches that ends in an exact stop: the slower of both axes, `T + τ + ln(lag / w) / K`. Source: sizing facts,
+/// section 4, F5.
+fn exact_stop(p: &Params, pitches: f64, pitch_time: f64, y_stroke: f64) -> f64 {
+    let axis = |travel: f64, time_constant: f64, position_gain: f64| {
+        let block = AxisBlock {
+            interpolation: pitches * pitch_time,
+            speed: travel / pitch_time,
+            time_constant: time_constant / 1000.0,
+            position_gain,
+        };
+        block.exact_stop(p.in_position)
+    };
+    axis(p.pitch, p.time_constant_x, p.position_gain_x).max(axis(y_stroke, p.time_constant_y, p.position_gain_y))
+}
+
+/// Seconds from the start of a block of so many pitches to the start of the next: its motion, with its exact stop, or the time that the control
+/// needs to read on, if that is longer.
+fn pass(p: &Params, pitches: f64, pitch_time: f64, y_stroke: f64) -> f64 {
+    let moves = match p.path_mode {
+        PathMode::ExactStop => exact_stop(p, pitches, pitch_time, y_stroke),
+        PathMode::Continuous => pitches * pitch_time,
+    };
+    moves.max(p.pass_needed())
+}
+
+/// Share (0 to 1) of the driven speed that X keeps on the average: the rest is lost in exact stops and between starved blocks.
+fn kept(p: &Params, pitch_time: f64, y_stroke: f64) -> f64 {
+    let pitches = p.block_pitches();
+    if pitch_time.is_finite() { pitches * pitch_time / pass(p, pitches, pitch_time, y_stroke) } else { 1.0 }
 }
 
 /// Time from M3 to the first pull, s: `t_FIN + t_dwell`, or `max(0.95 t_ramp, t_FIN)` where FIN waits for the speed; 0 at standstill.
@@ -377,40 +457,52 @@ struct Slack {
 }
 
 impl Slack {
-    fn new(p: &Params, line_speed: f64, actual_speed: f64, product: f64) -> Slack {
-        let motor = p.induction();
-        let loaded = Induction { load: 1.0, ..motor };
-        let (error, error_rated) =
-            if p.dancer { (0.0, 0.0) } else { (motor.error(actual_speed), loaded.error(actual_speed)) };
-        // Ribbon unwound per minute, with the exact π.
+    fn new(
+        p: &Params,
+        line_speed: f64,
+        actual_speed: f64,
+        (error, error_rated): (f64, f64),
+        kept: (f64, f64),
+        timing: &Timing,
+    ) -> Slack {
+        // Ribbon unwound per minute, with the exact π; a dancer trims it to the program's.
         let unwound = k(PI, p.press_roller_diameter, p.reduction_ratio) * actual_speed;
+        let unwound = |error: f64| if p.dancer { line_speed } else { unwound * (1.0 + error) };
         // A feed per revolution follows the measured speed of the unwinder.
-        let in_step = p.feed_form == FeedForm::PerRevolution;
+        let in_step = p.in_step();
         let pulled = |error: f64| if in_step { line_speed * (1.0 + error) } else { line_speed };
-        let rate = |error: f64| if p.dancer { 0.0 } else { unwound * (1.0 + error) - pulled(error) };
+        let rate = |error: f64, kept: f64| unwound(error) - pulled(error) * kept;
+        let (rate, rate_rated) = (rate(error, kept.0), rate(error_rated, kept.1));
+        // What slips, slips all the time; what exact stops and starved blocks lose, they lose from the first pass to the last.
+        let slip = unwound(error) - pulled(error);
+        let run = (slip * timing.product + pulled(error) * timing.lost) / 60.0;
         let second = line_speed / 60.0;
         let (feed_ramp, tau) = (ramp(p), p.time_constant_x / 1000.0);
         let started = actual_speed > 0.0;
         let lag = second / p.position_gain_x;
-        let start = if started { laid(p, second, feed_ramp, tau) + lag } else { 0.0 };
+        // Each exact stop has its ramps and the lag in its time.
+        let stops = p.path_mode == PathMode::ExactStop;
+        let (edge, edge_lag) = if stops { (0.0, 0.0) } else { (tau, lag) };
+        let start = if started { laid(p, second, feed_ramp, edge) + edge_lag } else { 0.0 };
         // The PLC stops the unwinder in the scan that sees the hold. Axes that follow the unwinder restart with it; others wait for it as
         // at the start.
         let hold = web::slack_after_stop(second, feed_ramp, tau, 0.0) - lag;
-        let resume = if in_step { second * tau / 2.0 + lag } else { start };
+        let resume = if in_step { second * tau / 2.0 + lag } else { laid(p, second, feed_ramp, tau) + lag };
+        let resume = if started { resume } else { 0.0 };
         let timed = p.wait == Wait::Dwell && !in_step;
         let short = if timed { web::slack_of_short_stop(second, feed_ramp, wait(p, started)) } else { 0.0 };
-        let worst = rate(error).abs().max(rate(error_rated).abs());
+        let worst = rate.abs().max(rate_rated.abs());
         Slack {
             loop_time: if worst > 0.0 { p.loop_capacity / worst * 60.0 } else { f64::INFINITY },
             error,
             error_rated,
             // A running axis lags its command by v / K.
             start,
-            rate: rate(error),
-            rate_rated: rate(error_rated),
-            run: if started { rate(error) * product / 60.0 } else { 0.0 },
+            rate,
+            rate_rated,
+            run: if started { run } else { 0.0 },
             // M5 follows the last move and is read when X has stopped.
-            stop: web::slack_after_stop(second, feed_ramp, tau, tau) - lag,
+            stop: web::slack_after_stop(second, feed_ramp, edge, edge) - edge_lag,
             hold,
             resume,
             interruption: (hold.abs() + resume.abs()).max(short),

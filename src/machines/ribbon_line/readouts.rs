@@ -15,7 +15,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "dots-per-second", label: "ribbon.readout.dots-per-second", unit: "1/s", decimals: 4, headline: true,
-        formula: "#105 / (60 · #107)",
+        formula: "#121 / time from block to block",
         cite: Citation::new("ribbon line facts, 2", Grade::Inferred), value: |line| line.d.dots_per_second,
     },
     ReadoutRow {
@@ -160,7 +160,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     },
     ReadoutRow {
         id: "product-time", label: "ribbon.readout.product-time", unit: "s", decimals: 3, headline: false,
-        formula: "start wait + #120 · T + τ",
+        formula: "start wait + blocks · time from block to block + τ",
         cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: |line| line.d.product_time,
     },
     ReadoutRow {

@@ -1,7 +1,7 @@
 //! The ribbon line on a control: its axes, words and inputs there, and the form without the choices that the control lacks.
 
 use super::derive::Derived;
-use super::params::{FeedForm, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
+use super::params::{OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
 use super::scene::labels::{distance, names};
 use super::scene::layout::Layout;
 use crate::controls::vars::Width;
@@ -97,7 +97,7 @@ impl RibbonLine {
 
     /// F counts per revolution of the unwinder.
     pub(super) fn in_step(&self) -> bool {
-        self.p.feed_form == FeedForm::PerRevolution
+        self.p.in_step()
     }
 
     /// The largest F: the range of the control, in mm/min also the limit of the form.

@@ -337,6 +337,10 @@ fn block_time(line: &RibbonLine) -> Option<Judgement> {
     if line.in_step() && d.speed_error <= -1.0 {
         return fail(None, [msg!("ribbon.stalls").into()]);
     }
+    // Exact stops leave the control their time.
+    if p.path_mode == PathMode::ExactStop && fast.stop_time * 1000.0 >= needed {
+        return ok(None);
+    }
     let driven = following(line, fast);
     let lasts = fast.block_time * 1000.0 / driven;
     let here = |needed: f64| AtLeast(needed * driven * d.block_time / fast.block_time);
@@ -472,7 +476,7 @@ fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
             with_loop(message.into(), left, wait.into())
         });
     }
-    if d.slack_run != 0.0 {
+    if d.slack_run != 0.0 && !p.dancer {
         advice.push(with_dancer(msg!("ribbon.run-fills", (d.slack_run.abs(), 0))));
     }
     fail(limit, advice)
@@ -486,13 +490,43 @@ fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
     if rate.abs() <= DRIFT {
         return ok(limit);
     }
-    let lasts = line.p.loop_capacity / rate.abs() * 60.0;
-    let advice = if rate > 0.0 {
+    let RibbonLine { p, d, .. } = line;
+    let lasts = p.loop_capacity / rate.abs() * 60.0;
+    let fills = if rate > 0.0 {
         msg!("ribbon.loop-fills", (rate, 0), (line.p.loop_capacity, 0), (lasts, 0))
     } else {
         msg!("ribbon.loop-empties", (-rate, 0), (line.p.loop_capacity, 0), (lasts, 0))
     };
-    fail(limit, [advice.into(), with_dancer(msg!("ribbon.trim"))])
+    let mut advice = vec![Advice::from(fills)];
+    // What exact stops and starved blocks take from X; no dancer brings it back.
+    let lost = d.line_speed * (1.0 - d.speed_kept);
+    if lost > DRIFT {
+        let kept = (d.speed_kept * 100.0, 1);
+        advice.push(match p.path_mode {
+            PathMode::ExactStop => Advice::from(msg!("ribbon.stops-lose", kept))
+                .setting(msg!("advice.continuous"), [("path-mode", "continuous".to_owned())]),
+            PathMode::Continuous => starved(line, kept),
+        });
+    }
+    if !p.dancer && (rate - lost).abs() > DRIFT {
+        advice.push(with_dancer(msg!("ribbon.trim")));
+    }
+    fail(limit, advice)
+}
+
+/// Advice for blocks that the control reads slower than the axes carry them out; `kept` is the share of the speed that is left, %.
+fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
+    let RibbonLine { p, d, .. } = line;
+    let message = msg!("ribbon.starved", kept);
+    let ready = Params { variant: Variant::ReadyMade, ..p.clone() };
+    let pitches = ready.pass_needed() * following(line, d) / d.pitch_time;
+    let set = up(FIELDS, "pitches-per-block", pitches.max(p.pitches_per_block));
+    match p.variant {
+        Variant::ReadyMade => Advice::from(message).setting(msg!("advice.set-pitches", set.1.as_str()), [set]),
+        Variant::Published => {
+            Advice::from(message).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned()), set])
+        }
+    }
 }
 
 fn with_dancer(advice: Message) -> Advice {
