@@ -7,7 +7,7 @@ use leptos::prelude::*;
 
 use super::dom;
 use super::dom::turns::{at_last, in_turn};
-use super::files::{EarlierDialog, ExportDialog, Header, LargeFile, LargeFileDialog, open, store};
+use super::files::{EarlierDialog, ExportDialog, GalleryDialog, Header, LargeFile, LargeFileDialog, open, store};
 use super::form::Form;
 use super::form::field_help::FieldHelp;
 use super::help::{HelpDialog, keys};
@@ -86,6 +86,7 @@ fn Screen() -> impl IntoView {
         </main>
         <Later>
             <ExportDialog />
+            <GalleryDialog />
             <HelpDialog />
             <EarlierDialog />
             <LargeFileDialog />
@@ -217,7 +218,7 @@ mod tests {
         let bench = app().await;
         bench.type_into("#pitch", "9.5").await;
         bench.press_button(t("page.undo")).await;
-        assert_eq!(bench.value("#pitch"), "8");
+        assert_eq!(bench.value("#pitch"), "10");
     }
 
     #[wasm_bindgen_test]

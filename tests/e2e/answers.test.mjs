@@ -57,9 +57,9 @@ test('a pull on a name changes its number, and one undo takes it back', () =>
     await page.mouse.move(x + 20, y + 8, { steps: 3 });
     await page.mouse.move(x + 90, y + 8, { steps: 12 });
     await page.mouse.up();
-    assert.ok(Number(await page.inputValue('#pitch')) > 9, await page.inputValue('#pitch'));
+    assert.ok(Number(await page.inputValue('#pitch')) > 11, await page.inputValue('#pitch'));
     await page.keyboard.press('Control+z');
-    assert.equal(await page.inputValue('#pitch'), '8');
+    assert.equal(await page.inputValue('#pitch'), '10');
   }));
 
 test('the chart zooms about the pointer, and the run has its milestones', () =>

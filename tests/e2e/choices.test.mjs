@@ -1,7 +1,7 @@
 // A person chooses another control, another machine, or opens a file that names them; all that was typed stays, and undo goes back.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { accessible, enter, goTo, openPanel, ready, saved, showSteps, start, withPage } from './page.mjs';
+import { PAPER, accessible, enter, goTo, openPanel, ready, saved, showSteps, start, takeExample, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -46,7 +46,7 @@ test('another control keeps all input and writes its own words', () =>
     assert.equal(await field(page, 'spindle-speed').inputValue(), '1200');
     assert.equal(await field(page, 'pitch').inputValue(), '9.5');
     await page.keyboard.press('Control+z');
-    assert.equal(await field(page, 'pitch').inputValue(), '8');
+    assert.equal(await field(page, 'pitch').inputValue(), '10');
     assert.ok(await page.getByRole('button', { name: 'Undo' }).isDisabled());
     for (const _ of [1, 2, 3, 4]) await page.keyboard.press('Control+Shift+z');
     await line(page, 'R107=9.5').waitFor();
@@ -64,8 +64,8 @@ test('the 802D runs, takes variables and settings, and is exported', () =>
     await page.waitForFunction(() => /Spindle override 99 %/.test(document.querySelector('#changed').textContent));
     await page.click('#tab-variables');
     const pitch = page.getByLabel('R107', { exact: true });
-    await enter(pitch, '10');
-    await page.waitForFunction(() => /R107 = 10/.test(document.querySelector('#changed').textContent));
+    await enter(pitch, '12');
+    await page.waitForFunction(() => /R107 = 12/.test(document.querySelector('#changed').textContent));
     await page.getByRole('tab', { name: 'Parameters' }).click();
     await page.getByText('MD30130').waitFor();
     await page.getByLabel('Words of X (MD20100)').selectOption('radius');
@@ -81,6 +81,7 @@ test('the 802D runs, takes variables and settings, and is exported', () =>
 
 test('a control that cannot run the line says so and offers the speed that it runs', () =>
   withPage(app, {}, async ({ page }) => {
+    await takeExample(page, PAPER);
     for (const [control, message] of [['gsk-980tdc', '5920 FEED #115 ABOVE LIMIT #119'], ['sinumerik-802d', 'FEED R115 ABOVE LIMIT R119']]) {
       await choose(page, control);
       const screen = page.locator('.alarm-screen');
@@ -98,6 +99,7 @@ test('a control that cannot run the line says so and offers the speed that it ru
 
 test('a value that the machine cannot have is counted over the drawing and leads to its field', () =>
   withPage(app, {}, async ({ page }) => {
+    await takeExample(page, PAPER);
     await field(page, 'press-roller-diameter').fill('150');
     const wrong = page.getByRole('button', { name: '2 values to correct' });
     await wrong.waitFor();

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { accessible, openPanel, processorTime, ready, start, withPage } from './page.mjs';
+import { PAPER, accessible, openPanel, processorTime, ready, start, takeExample, withPage } from './page.mjs';
 
 let app;
 before(async () => (app = await start()));
@@ -74,7 +74,7 @@ test('undo goes on after a reload', () =>
     await page.getByRole('button', { name: 'Undo' }).click();
     assert.equal(await field(page, 'pitch').inputValue(), '9.5');
     await page.getByRole('button', { name: 'Undo' }).click();
-    assert.equal(await field(page, 'pitch').inputValue(), '8');
+    assert.equal(await field(page, 'pitch').inputValue(), '10');
     await page.getByRole('button', { name: 'Redo' }).click();
     assert.equal(await field(page, 'pitch').inputValue(), '9.5');
   }));
@@ -84,7 +84,9 @@ test('a project before “New” is offered again, also after a reload', () =>
     await field(page, 'pitch').fill('9.5');
     await page.getByLabel('Name of the project').fill('Customer 4711');
     await page.getByRole('button', { name: 'New', exact: true }).click();
-    assert.equal(await field(page, 'pitch').inputValue(), '8');
+    await accessible(page);
+    await page.getByRole('dialog').getByRole('button', { name: 'Print roller that fits the pitch' }).click();
+    assert.equal(await field(page, 'pitch').inputValue(), '10');
     await page.getByText('Saved in this browser').waitFor();
     await page.reload();
     await ready(page);
@@ -102,7 +104,7 @@ test('files that are opened together are all taken or all refused', () =>
     await field(page, 'pitch').fill('9.5');
     const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save', exact: true }).click()]);
     const project = await readFile(await download.path(), 'utf8');
-    await page.getByRole('button', { name: 'New', exact: true }).click();
+    await takeExample(page, PAPER);
     await page.setInputFiles('#open', [file('O1.nc', 'M30'), file('order.json', '{ no project')]);
     await page.locator('.notice.fail').waitFor();
     assert.equal(await field(page, 'pitch').inputValue(), '8');
@@ -113,6 +115,7 @@ test('files that are opened together are all taken or all refused', () =>
 
 test('a remedy is carried out by one click, and undone', () =>
   withPage(app, {}, async ({ page }) => {
+    await takeExample(page, PAPER);
     const ratio = page.locator('.card', { hasText: 'Roller : ribbon' });
     await ratio.getByRole('button', { name: 'Set Ø 15.28 mm' }).click();
     assert.match(await field(page, 'print-roller-diameter').inputValue(), /^15\.2/);

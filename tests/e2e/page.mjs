@@ -116,6 +116,15 @@ export async function enter(input, text) {
   await input.press('Enter');
 }
 
+// Begins anew with an example of the gallery, by its name.
+export async function takeExample(page, name) {
+  await page.getByRole('button', { name: 'New', exact: true }).click();
+  await page.getByRole('dialog').getByRole('button', { name, exact: true }).click();
+}
+
+// The published machine of the ribbon line, whose faults several paths need.
+export const PAPER = 'The paper’s machine';
+
 // Puts the play head at a time in seconds.
 export const goTo = (page, seconds) => enter(page.locator('#go-to'), String(seconds));
 

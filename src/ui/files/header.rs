@@ -2,12 +2,12 @@
 
 use leptos::prelude::*;
 
+use super::gallery::NewButton;
 use super::open::OpenButton;
-use super::set_aside::{self, EarlierButton, Reason};
+use super::set_aside::EarlierButton;
 use super::store;
 use crate::controls;
 use crate::machines;
-use crate::project::Project;
 use crate::ui::dom;
 use crate::ui::parts::input::Choice;
 use crate::ui::parts::{Glyph, Icon, IconButton, Later};
@@ -26,12 +26,6 @@ const THEMES: [(&str, &str); 3] =
 #[component]
 pub(crate) fn Header() -> impl IntoView {
     let page = Page::here();
-    let fresh = move |_| {
-        let (machine, control) = page.project.with_untracked(|project| (project.machine, project.control));
-        set_aside::keep_present(page, Reason::New);
-        page.replace(Project::new(machine, control));
-        page.notices.notify("info", t("page.fresh").to_owned());
-    };
     let save = move |_| {
         let (name, text) = page.project.with_untracked(|project| (project.file_name("json"), project.to_json()));
         dom::download(&name, "application/json", text.as_bytes());
@@ -51,7 +45,7 @@ pub(crate) fn Header() -> impl IntoView {
                     </Show>
                     <IconButton glyph=Glyph::Undo label=t("page.undo") title=t("page.undo-key") disabled=Signal::derive(move || !page.can.get().0) press=move || page.undo() />
                     <IconButton glyph=Glyph::Redo label=t("page.redo") title=t("page.redo-key") disabled=Signal::derive(move || !page.can.get().1) press=move || page.redo() />
-                    <button type="button" class="quiet" on:click=fresh>{t("page.new")}</button>
+                    <NewButton />
                     <OpenButton />
                     <EarlierButton />
                     <button type="button" class="quiet" title=t("page.save-about") on:click=save>{t("page.save")}</button>
@@ -275,20 +269,12 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn new_project_can_be_undone() {
+    async fn gallery_export_and_help_are_asked_for() {
         let bench = header().await;
-        bench.page.set("pitch", crate::machines::form::Value::Number(9.0));
         bench.press_button(t("page.new")).await;
-        assert_eq!(bench.setting("pitch"), Some(crate::machines::form::Value::Number(10.0)));
-        bench.press_button(t("page.undo")).await;
-        assert_eq!(bench.setting("pitch"), Some(crate::machines::form::Value::Number(9.0)));
-    }
-
-    #[wasm_bindgen_test]
-    async fn export_and_help_are_asked_for() {
-        let bench = header().await;
         bench.press("#export").await;
         bench.press_button(t("page.help")).await;
-        assert!(bench.page.view.exporting.get_untracked() && bench.page.view.helping.get_untracked());
+        let view = bench.page.view;
+        assert!([view.gallery, view.exporting, view.helping].iter().all(|asked| asked.get_untracked()));
     }
 }

@@ -2,6 +2,8 @@
 
 mod export;
 
+mod gallery;
+
 pub(crate) mod header;
 
 mod large;
@@ -13,6 +15,7 @@ mod set_aside;
 pub(crate) mod store;
 
 pub(crate) use export::ExportDialog;
+pub(crate) use gallery::GalleryDialog;
 pub(crate) use header::Header;
 pub(crate) use large::{LargeFile, LargeFileDialog};
 pub(crate) use set_aside::EarlierDialog;

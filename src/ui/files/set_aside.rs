@@ -89,11 +89,12 @@ pub(super) fn keep(text: &str, reason: Reason) -> bool {
     kept
 }
 
-/// Sets the present project aside, unless it is just as a new one; tells where there is no room for it.
+/// Sets the present project aside, unless it is an untouched example; tells where there is no room for it.
 pub(super) fn keep_present(page: Page, reason: Reason) {
     let text = page.project.with_untracked(|project| {
-        let untouched = *project == Project::new(project.machine, project.control);
-        (!untouched).then(|| project.to_json())
+        let example = project.present_example();
+        let made = example.map(|example| Project::example(project.machine, project.control, example));
+        (made.as_ref() != Some(project)).then(|| project.to_json())
     });
     if text.is_some_and(|text| !keep(&text, reason)) {
         page.notices.notify("warn", t("page.aside-full").to_owned());

@@ -3,7 +3,8 @@
 use leptos::prelude::*;
 
 use super::value::{shown, value_of};
-use crate::machines::form::{FieldInfo, KindInfo, Provenance};
+use crate::machines::form::{FieldInfo, KindInfo, Provenance, Value};
+use crate::project::Project;
 use crate::text::catalog::number_text;
 use crate::ui::state::Page;
 use crate::ui::words::t;
@@ -38,12 +39,20 @@ fn range(kind: &KindInfo) -> Option<String> {
     }
 }
 
-fn default_text(info: &FieldInfo) -> String {
-    match &info.kind {
-        KindInfo::Number { unit, .. } => format!("{} {unit}", shown(info, &info.default())),
-        KindInfo::Choice(options) => options.first().map_or("", |(_, label)| t(label)).to_owned(),
-        KindInfo::Flag(on) => t(if *on { "page.on" } else { "page.off" }).to_owned(),
-        KindInfo::Text(_) => t("page.empty").to_owned(),
+/// The value that a new project has on the present control.
+fn value_of_new(page: Page, info: &FieldInfo) -> Value {
+    let new = page.project.with(|project| Project::new(project.machine, project.control));
+    new.values.get(info.id).cloned().unwrap_or_else(|| info.default())
+}
+
+fn default_text(info: &FieldInfo, default: &Value) -> String {
+    match (&info.kind, default) {
+        (KindInfo::Number { unit, .. }, _) => format!("{} {unit}", shown(info, default)),
+        (KindInfo::Choice(options), Value::Text(id)) => {
+            options.iter().find(|(option, _)| option == id).map_or("", |(_, label)| t(label)).to_owned()
+        }
+        (_, Value::Flag(on)) => t(if *on { "page.on" } else { "page.off" }).to_owned(),
+        _ => t("page.empty").to_owned(),
     }
 }
 
@@ -54,7 +63,8 @@ fn Content(
 ) -> impl IntoView {
     let page = Page::here();
     let id = info.id;
-    let (default, row) = (info.default(), info.clone());
+    let (default, row) = (untrack(|| value_of_new(page, &info)), info.clone());
+    let default_text = default_text(&info, &default);
     let present = default.clone();
     let changed = move || value_of(page, &row) != present || page.entries.refused(id).is_some();
     let reset = move |_| {
@@ -68,7 +78,7 @@ fn Content(
         <dl>
             {range}
             <dt>{t("page.default")}</dt>
-            <dd>{default_text(&info)}</dd>
+            <dd>{default_text}</dd>
         </dl>
         {info.fact.then(|| view! { <Origin id=id /> })}
         <button type="button" disabled=move || !changed() on:click=reset>{t("page.reset-field")}</button>
@@ -108,7 +118,6 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::machines::form::Value;
     use crate::ui::testing::{Bench, field, mount, settled};
 
     async fn about(id: &'static str) -> Bench {
@@ -123,7 +132,7 @@ mod tests {
     async fn help_says_label_purpose_range_and_default() {
         let bench = about("pitch").await;
         let said = bench.text("#about");
-        for part in [t(field("pitch").label), t(field("pitch").help), "0.01 … 10000 mm", "8 mm"] {
+        for part in [t(field("pitch").label), t(field("pitch").help), "0.01 … 10000 mm", "10 mm"] {
             assert!(said.contains(part), "{part}: {said}");
         }
     }
@@ -131,11 +140,13 @@ mod tests {
     #[wasm_bindgen_test]
     async fn reset_is_offered_only_for_another_value() {
         let bench = about("pitch").await;
+        bench.page.set("pitch", Value::Number(10.0));
+        settled().await;
         assert!(bench.has("button[disabled]"));
         bench.page.set("pitch", Value::Number(9.0));
         settled().await;
         bench.press_button(t("page.reset-field")).await;
-        assert_eq!(bench.setting("pitch"), Some(Value::Number(8.0)));
+        assert_eq!(bench.setting("pitch"), Some(Value::Number(10.0)));
         assert!(bench.has("button[disabled]"));
     }
 

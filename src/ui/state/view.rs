@@ -64,6 +64,8 @@ pub(crate) struct View {
     pub causes: RwSignal<Vec<&'static str>>,
     /// The field that the help is about.
     pub about: RwSignal<Option<&'static str>>,
+    /// Whether the gallery of examples is open.
+    pub gallery: RwSignal<bool>,
     /// Asks for the dialog of the export.
     pub exporting: RwSignal<bool>,
     /// Whether the dialog of earlier states is open.
@@ -86,6 +88,7 @@ impl View {
             panel: RwSignal::new(false),
             causes: RwSignal::new(Vec::new()),
             about: RwSignal::new(None),
+            gallery: RwSignal::new(false),
             exporting: RwSignal::new(false),
             earlier: RwSignal::new(false),
             helping: RwSignal::new(false),
