@@ -169,6 +169,11 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: |line| line.d.products_per_hour,
     },
     ReadoutRow {
+        id: "range-time", label: "ribbon.readout.range-time", unit: "s", decimals: 1, headline: false,
+        formula: "range of the control / speed of the faster axis",
+        cite: Citation::new("ribbon line facts, 9", Grade::Inferred), value: rules::range_time,
+    },
+    ReadoutRow {
         id: "manual-line-speed", label: "ribbon.readout.manual-line-speed", unit: "mm/min", decimals: 1, headline: false,
         formula: "K · S",
         cite: Citation::new("ribbon dot-printing paper, equation (2)", Grade::Manual), value: |line| line.d.manual_line_speed,

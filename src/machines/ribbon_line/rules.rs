@@ -61,6 +61,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("start-stop-speed", start_stop, Citation::new("sizing facts, section 4; rule 15", Grade::Inferred)),
     Rule::new("x-resolution", resolution_x, Citation::new("sizing facts 2.5, from memory; rule 17", Grade::Open)),
     Rule::new("y-resolution", resolution_y, Citation::new("sizing facts 2.5, from memory; rule 17", Grade::Open)),
+    Rule::new("range-time", range, Citation::new("ribbon line facts, 9; ranges of the control", Grade::Inferred)),
     Rule::new("y-drift", y_drift, Citation::new("sizing facts G1; rule 17", Grade::Inferred)),
 ];
 
@@ -647,6 +648,34 @@ fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
 
 fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
     resolution(line.d.y_resolution, line)
+}
+
+/// The axis whose words leave the control's range first, and its travel per pitch in words. A rotary axis begins anew with each turn.
+fn farthest(line: &RibbonLine) -> (String, f64) {
+    let pull = line.p.pitch * f64::from(line.pull_words());
+    if line.degrees() || line.d.y_stroke < pull { ("X".to_owned(), pull) } else { (letter(line), line.d.y_stroke) }
+}
+
+/// Seconds of running from zero to the end of the control's range: `range / (travel per pitch · pitches per second)`; 0 at standstill.
+pub(super) fn range_time(line: &RibbonLine) -> f64 {
+    let speed = farthest(line).1 * line.d.dots_per_second;
+    if speed > 0.0 { line.control.limits.coordinate_max / speed } else { 0.0 }
+}
+
+/// Both axes run one way for ever. A product beyond the range fails; else the coordinates have to be shifted in time.
+fn range(line: &RibbonLine) -> Option<Judgement> {
+    let (axis, travel) = farthest(line);
+    let max = line.control.limits.coordinate_max;
+    let products = (max / (travel * line.p.count())).floor();
+    if products < 1.0 {
+        return fail(None, [msg!("ribbon.range-product", axis, max, ((max / travel).floor(), 0)).into()]);
+    }
+    let seconds = (range_time(line), 0);
+    let advice = match line.control.can(Code::SetCoordinates) {
+        true => msg!("ribbon.range-shifted", axis, max, seconds, (products, 0)),
+        false => msg!("ribbon.range-open", axis, max, seconds, (products, 0)),
+    };
+    Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] })
 }
 
 fn y_drift(line: &RibbonLine) -> Option<Judgement> {

@@ -222,3 +222,27 @@ fn exact_stops_and_starved_blocks_are_in_every_result() {
         }
     }
 }
+
+#[test]
+fn range_of_the_control_is_reached_in_time_that_is_told() {
+    let e60 = |more: &[(&str, &str)]| project("mitsubishi-e60", more);
+    let row = readout(&e60(&[]), "range-time");
+    // Y at 118 435 mm/min.
+    assert!(
+        (row.value - 99_999.999 / 118_435.2529 * 60.0).abs() < 1e-4 && row.verdict == Verdict::None,
+        "{}",
+        row.value
+    );
+    assert_eq!(row.advice[0].message.id, "ribbon.range-shifted");
+    // A rotary axis begins anew with each turn: X is left.
+    let degrees = readout(&e60(&[("y-unit", "degrees")]), "range-time").value;
+    assert!((degrees - 99_999.999 / 15_079.644737 * 60.0).abs() < 1e-4, "{degrees}");
+    for (count, verdict) in [("1591", Verdict::None), ("1592", Verdict::Fail)] {
+        assert_eq!(readout(&e60(&[("pitch-count", count)]), "range-time").verdict, verdict, "{count}");
+    }
+    assert_eq!(readout(&e60(&[("override", "0")]), "range-time").value, 0.0);
+    // X counts diameters.
+    let lathe = readout(&line("gsk-980tdc", &[("heads", "60")]), "range-time").value;
+    assert!((lathe - 99_999.999 / (2.0 * K * 800.0) * 60.0).abs() < 1e-2, "{lathe}");
+    assert_eq!(readout(&line("sinumerik-802d", &[]), "range-time").advice[0].message.id, "ribbon.range-open");
+}
