@@ -1,5 +1,12 @@
 //! The browser app: opens the page.
 
-fn main() {
-    macroline::ui::open();
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Opens the page. `sentences` is the catalog of its language; `ui/boot.js` loads both.
+#[wasm_bindgen]
+pub fn open(sentences: String) {
+    macroline::ui::open(sentences);
 }
+
+// The module is started by `open`.
+fn main() {}

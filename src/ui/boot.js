@@ -2,7 +2,7 @@
 // security policy allows no script inside the page.
 const still = document.getElementById('still');
 const notice = document.getElementById('boot');
-const { js, wasm } = document.querySelector('script[data-wasm]').dataset;
+const data = document.querySelector('script[data-wasm]').dataset;
 
 try {
   const kept = (key) => localStorage.getItem(`macroline.${key}`);
@@ -34,8 +34,11 @@ if (drawing) {
 }
 
 try {
-  const { default: init } = await import(new URL(js, document.baseURI));
-  await init({ module_or_path: new URL(wasm, document.baseURI) });
+  const [js, wasm, words] = [data.js, data.wasm, data.words].map((name) => new URL(name, document.baseURI));
+  const sentences = fetch(words).then((answer) => (answer.ok ? answer.text() : Promise.reject(new Error(`no ${words.pathname}`))));
+  const { default: init, open } = await import(js);
+  const [loaded] = await Promise.all([sentences, init({ module_or_path: wasm })]);
+  open(loaded);
 } catch (error) {
   still.remove();
   document.body.append(notice);

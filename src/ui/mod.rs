@@ -27,20 +27,24 @@ mod help;
 
 mod app;
 
+use dom::turns::in_turn;
 use leptos::prelude::*;
+
+use crate::text::catalog;
 
 pub use app::{App, Beginning};
 pub use worker::server::work;
 
-/// Opens the page in place of the still in its HTML. A panic is reported in its place.
-pub fn open() {
+/// Opens the page with the sentences of its language ([`catalog::load`]) in place of the still in its HTML. A panic is reported in its place.
+pub fn open(sentences: String) {
+    catalog::load(sentences);
     std::panic::set_hook(Box::new(|panic| {
         web_sys::console::error_1(&panic.to_string().into());
         broken(&panic.to_string());
     }));
-    let beginning = Beginning::load();
-    dom::turns::in_turn(|| {
-        leptos::mount::mount_to_body(|| beginning.map(|beginning| view! { <App beginning=beginning /> }));
+    in_turn(|| {
+        let beginning = Beginning::load();
+        in_turn(|| leptos::mount::mount_to_body(|| beginning.map(|beginning| view! { <App beginning=beginning /> })));
     });
 }
 

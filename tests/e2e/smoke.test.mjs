@@ -37,14 +37,16 @@ test('a host without the type of wasm will do', async () => {
   await assert.rejects(withPage(app, {}, foreign), remarked);
 });
 
-test('a module that does not load is reported in its place', async () => {
-  const broken = async ({ page }) => {
-    await page.route(/\.wasm/, (route) => route.fulfill({ status: 404, body: '' }));
-    await page.reload();
-    await page.locator('#boot', { hasText: 'could not start in this browser' }).waitFor();
-  };
-  await assert.rejects(withPage(app, {}, broken), ({ actual }) => actual?.some((text) => text.startsWith('status 404')));
-});
+for (const [what, address] of [['a module', /\.wasm/], ['a catalog of sentences', /en\.txt/]]) {
+  test(`${what} that does not load is reported in its place`, async () => {
+    const broken = async ({ page }) => {
+      await page.route(address, (route) => route.fulfill({ status: 404, body: '' }));
+      await page.reload();
+      await page.locator('#boot', { hasText: 'could not start in this browser' }).waitFor();
+    };
+    await assert.rejects(withPage(app, {}, broken), ({ actual }) => actual?.some((text) => text.startsWith('status 404')));
+  });
+}
 
 for (const colorScheme of ['light', 'dark']) {
   test(`the page is accessible (${colorScheme})`, () => withPage(app, { colorScheme }, ({ page }) => accessible(page)));

@@ -2,8 +2,11 @@
 //!
 //! A line is an id, a space and its sentence; `{0}`, `{1}` … are the places of the values, `{0|head|heads}` is the word that goes with the
 //! number of a place: the first for one, the second for all others. Another language is another file of the same ids.
+//!
+//! The command line carries the files with it. The browser loads that of one language beside the page's module ([`load`]).
 
 use std::cmp::Ordering;
+use std::sync::OnceLock;
 
 use super::message::{Message, MessageValue};
 use super::number::Plain;
@@ -16,11 +19,21 @@ pub enum Language {
     English,
 }
 
+/// The file that comes with the program: none with the page, which loads its own.
+const CARRIED: &str = if cfg!(all(feature = "web", not(test))) { "" } else { include_str!("en.txt") };
+
+static LOADED: OnceLock<String> = OnceLock::new();
+
+/// Takes the file of the page's language, once. Until then a sentence of the page is its id.
+pub fn load(file: String) {
+    let _ = LOADED.set(file);
+}
+
 impl Language {
     /// The file of the language.
-    const fn file(self) -> &'static str {
+    fn file(self) -> &'static str {
         match self {
-            Language::English => include_str!("en.txt"),
+            Language::English => LOADED.get().map_or(CARRIED, String::as_str),
         }
     }
 }

@@ -19,12 +19,12 @@ pub(crate) struct Running {
 }
 
 impl Running {
-    /// Starts a worker; `None` where the browser has none. Its name is the page's own hash, for worker_boot.js.
+    /// Starts a worker; `None` where the browser has none. Its name is the address of the page's sentences, for worker_boot.js.
     pub(crate) fn start(mut heard: impl FnMut(Reply) + 'static, failed: impl FnMut() + 'static) -> Option<Running> {
-        let script = document().query_selector("script[data-wasm]").ok().flatten()?;
+        let script = document().query_selector("script[data-words]").ok().flatten()?;
         let options = WorkerOptions::new();
         options.set_type(WorkerType::Module);
-        options.set_name(&script.get_attribute("data-wasm")?);
+        options.set_name(&script.get_attribute("data-words")?);
         let worker = Worker::new_with_options("worker_boot.js", &options).ok()?;
         let heard = Closure::new(move |event: MessageEvent| {
             if let Ok(reply) = serde_wasm_bindgen::from_value(event.data()) {

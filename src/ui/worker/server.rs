@@ -13,7 +13,7 @@ use crate::nc::{self, Files};
 use crate::project::Project;
 use crate::project::sensitivity::flips;
 use crate::project::suppress::silence;
-use crate::text::{Diagnostic, LineIndex};
+use crate::text::{Diagnostic, LineIndex, catalog};
 use crate::ui::words::{counts, sign, t, tell, tone};
 
 /// Findings of a large text in its report at most.
@@ -22,8 +22,9 @@ const ROWS: usize = 200;
 /// Bytes of a large text that are read between two reports of progress.
 const PIECE: f64 = 4_000_000.0;
 
-/// Answers the questions of the page as long as the worker lives.
-pub fn work() {
+/// Answers the questions of the page in the language of the sentences ([`catalog::load`]) as long as the worker lives.
+pub fn work(sentences: String) {
+    catalog::load(sentences);
     std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
     let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
     let page = scope.clone();

@@ -1,3 +1,7 @@
-// Starts the worker's module. The worker's name is the page's own hash: with it in the address no module of an older build comes from a cache.
-const { default: init } = await import(`./worker.js?${self.name}`);
-await init({ module_or_path: new URL(`worker_bg.wasm?${self.name}`, import.meta.url) });
+// Starts the worker's module with the page's sentences. The worker's name is the address of these; it ends in the page's own hash, so that no
+// module of an older build comes from a cache.
+const { search } = new URL(self.name, import.meta.url);
+const sentences = fetch(self.name).then((answer) => answer.text());
+const { default: init, work } = await import(`./worker.js${search}`);
+await init({ module_or_path: new URL(`worker_bg.wasm${search}`, import.meta.url) });
+work(await sentences);
