@@ -145,6 +145,7 @@ impl Index {
     }
 
     /// Storage of a variable.
+    #[inline]
     pub(super) fn slot(&self, control: &Control, number: u32) -> Slot {
         match self.direct.get(number as usize) {
             Some(&slot) => slot,
@@ -187,6 +188,7 @@ impl Index {
     }
 
     /// The partner of the DO or END in a block.
+    #[inline]
     pub(super) fn partner(&self, program: u32, block: u32) -> Partner {
         let pairs = self.jumps.get(program as usize).map_or(&[][..], |jumps| &jumps.pairs);
         match pairs.binary_search_by_key(&block, |&(at, _)| at) {

@@ -20,7 +20,7 @@ impl CommandQueue {
         self.items.is_empty()
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn pop(&mut self) -> Option<Canon> {
         if self.items.len() == self.head + 1 {
             self.head = 0;

@@ -14,6 +14,7 @@ use crate::nc::{Block, Dec, Word, WordValue};
 const INCH: f64 = 25.4;
 
 /// `mantissa / 10^scale`, rounded half away from zero; exact.
+#[inline]
 fn shift(mantissa: i64, scale: i32) -> Option<i64> {
     if scale <= 0 {
         return mantissa.checked_mul(*POW10.get(scale.unsigned_abs() as usize)?);

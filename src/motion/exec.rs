@@ -55,6 +55,7 @@ impl Exec {
     }
 
     /// The end of the run, if only the operator can continue it.
+    #[inline(always)]
     pub(super) fn end(&self, holding: bool) -> Option<RunEnd> {
         match self {
             Exec::Stopped | Exec::Ready => Some(RunEnd::Stop),

@@ -14,6 +14,7 @@ use crate::text::Diagnostic;
 
 impl<P: RunningProgram> Sim<'_, P> {
     /// Feed hold, unless the program has switched it off or cuts a thread.
+    #[inline]
     pub(super) fn holding(&self) -> bool {
         self.s.operator.held && !self.s.suppressed.hold && self.s.exec.runs() && !self.s.exec.threads()
     }

@@ -115,6 +115,7 @@ impl Move {
     }
 
     /// Sets the limit of the path speed: no axis above its rate.
+    #[inline(always)]
     fn set_limit(&mut self, axes: &[AxisPlant; AXES]) {
         self.limit = f64::INFINITY;
         for (k, axis) in axes.iter().enumerate() {
@@ -141,6 +142,7 @@ impl Move {
     }
 
     /// When it ends at the present speed.
+    #[inline]
     pub(super) fn end_time(&self) -> f64 {
         let left = self.length - self.done;
         if left <= 0.0 {
@@ -169,6 +171,7 @@ impl Move {
     }
 
     /// The segment from `since` on.
+    #[inline(always)]
     pub(super) fn segment(&self) -> (Segment, Option<Circle>) {
         let (t, part, rate) = (self.since, self.done / self.length, self.speed / self.length);
         let velocity = self.line.map(|d| d * rate);

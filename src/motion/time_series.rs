@@ -29,6 +29,7 @@ impl<T: Timed> TimeSeries<T> {
     }
 
     /// Appends an entry; one of the same time is replaced, as it has held for no time.
+    #[inline(always)]
     pub(super) fn put(&mut self, item: T) {
         match self.items.last_mut() {
             Some(last) if last.t() == item.t() => *last = item,

@@ -244,6 +244,7 @@ impl Timeline {
         self.end
     }
 
+    #[inline(always)]
     pub(super) fn put_segment(&mut self, mut segment: Segment, circle: Option<Circle>) {
         if let Some(circle) = circle {
             self.path.circles.push(circle);

@@ -362,6 +362,7 @@ impl Deck {
     }
 
     /// The words of a block; none where it has other text.
+    #[inline]
     pub fn words_of(&self, block: &Block) -> &[Word] {
         match block.stmt {
             Stmt::Words { first, count } => &self.words[first as usize..first as usize + count as usize],
@@ -375,6 +376,7 @@ impl Deck {
     }
 
     /// An expression.
+    #[inline]
     pub fn expr(&self, id: ExprId) -> Expr {
         self.exprs[id.0 as usize]
     }

@@ -73,7 +73,7 @@ impl Codes {
     }
 
     /// Index of a code's row in [`Control::codes`]; `None` where the control lacks the code or a switch keeps it off.
-    #[inline]
+    #[inline(always)]
     pub fn index(&self, id: CodeId) -> Option<usize> {
         match self.slot(id) {
             Some(slot) => usize::from(slot & !CALLS).checked_sub(1),
@@ -89,13 +89,13 @@ impl Codes {
     }
 
     /// The row of a code; `None` where the control lacks the code or a switch keeps it off.
-    #[inline]
+    #[inline(always)]
     pub fn row(&self, id: CodeId) -> Option<&'static CodeDef> {
         self.control.codes.get(self.index(id)?)
     }
 
     /// The program call that a parameter binds to a code. It comes before the code's own row.
-    #[inline]
+    #[inline(always)]
     pub fn call(&self, id: CodeId) -> Option<&CodeCall> {
         let none = self.calls.is_empty() || self.slot(id).is_some_and(|slot| slot & CALLS == 0);
         if none { None } else { self.calls.iter().find(|call| call.code == id) }

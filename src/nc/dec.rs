@@ -51,6 +51,7 @@ impl Dec {
     }
 
     /// The nearest float.
+    #[inline]
     pub fn to_f64(self) -> f64 {
         if self.scale == 0 {
             self.mantissa as f64
