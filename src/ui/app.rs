@@ -81,8 +81,10 @@ fn Screen() -> impl IntoView {
             <Machine />
             <Divider property="--right" label="page.divide-side" grows=-1.0 />
             <Side />
-            <MeaningPopover />
-            <FieldHelp />
+            <Later>
+                <MeaningPopover />
+                <FieldHelp />
+            </Later>
         </main>
         <Later>
             <ExportDialog />

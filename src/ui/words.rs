@@ -179,7 +179,9 @@ pub(crate) fn limit_sign(readout: &Readout) -> Option<String> {
             Limit::Within(_) => "±",
             Limit::Equal(_) => "=",
         };
-        format!("{sign} {}", short(limit.value(), readout.decimals))
+        // Beside a value of four digits.
+        let decimals = if limit.value().abs() >= 1000.0 { 0 } else { readout.decimals };
+        format!("{sign} {}", short(limit.value(), decimals))
     })
 }
 

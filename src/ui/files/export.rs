@@ -5,12 +5,13 @@ use std::time::Duration;
 
 use leptos::prelude::*;
 
+use crate::text::Place;
 use crate::ui::dom::{self, go_to_field};
 use crate::ui::parts::Dialog;
 use crate::ui::state::Page;
 use crate::ui::words::{say, t, tell};
 use crate::ui::worker::client::Client;
-use crate::ui::worker::messages::{Remark, Request, Response};
+use crate::ui::worker::messages::{Range, Remark, Request, Response};
 
 /// Name and text of a file.
 type NamedText = (String, String);
@@ -31,6 +32,8 @@ struct Reason {
     text: String,
     /// Id of the field, or empty.
     field: String,
+    /// The place in the programs.
+    place: Option<Range>,
 }
 
 fn reasons(page: Page, export: &Export) -> Vec<Reason> {
@@ -38,10 +41,11 @@ fn reasons(page: Page, export: &Export) -> Vec<Reason> {
         alarm: String::new(),
         text: tell(&found),
         field: found.field.unwrap_or_default().to_owned(),
+        place: None,
     });
     let mut found: Vec<Reason> = wrong.collect();
-    for Remark { alarm, text, field, .. } in export.remarks.iter().filter(|remark| remark.refuses).cloned() {
-        let reason = Reason { alarm, text, field };
+    for Remark { alarm, text, field, place, .. } in export.remarks.iter().filter(|remark| remark.refuses).cloned() {
+        let reason = Reason { alarm, text, field, place };
         if !found.contains(&reason) {
             found.push(reason);
         }
@@ -78,7 +82,7 @@ pub(crate) fn ExportDialog() -> impl IntoView {
         Some(if reasons.is_empty() {
             view! { <Offered export=export /> }.into_any()
         } else {
-            view! { <Refused reasons=reasons /> }.into_any()
+            view! { <Refused reasons=reasons close=move || open.set(false) /> }.into_any()
         })
     };
     view! {
@@ -93,12 +97,23 @@ pub(crate) fn ExportDialog() -> impl IntoView {
 fn Refused(
     /// The reasons.
     reasons: Vec<Reason>,
+    /// Closes the dialog.
+    close: impl Fn() + Copy + 'static,
 ) -> impl IntoView {
-    let row = |Reason { alarm, text, field }: Reason| {
-        let link = (!field.is_empty()).then(|| {
+    let page = Page::here();
+    let row = |Reason { alarm, text, field, place }: Reason| {
+        let to_field = (!field.is_empty()).then(|| {
             view! { <button type="button" class="link" on:click=move |_| go_to_field(&field)>{t("page.go-to-field")}</button> }
         });
-        view! { <li class="fail"><i aria-hidden="true">"✕ "</i><b>{alarm}</b> " " {text} " " {link}</li> }
+        let to_place = place.map(Place::from).and_then(|place| {
+            let lead = move |_| {
+                close();
+                page.show_place(place);
+            };
+            let words = page.place_words(place)?;
+            Some(view! { <button type="button" class="link" on:click=lead>{words}</button> })
+        });
+        view! { <li class="fail"><i aria-hidden="true">"✕ "</i><b>{alarm}</b> " " {text} " " {to_field} {to_place}</li> }
     };
     view! {
         <p>{t("page.refused")}</p>
@@ -154,6 +169,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
+    use crate::text::{FileId, Span};
     use crate::ui::testing::{Bench, field, mount, settled};
     use crate::ui::worker::messages::Documents;
 
@@ -196,7 +212,7 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
-    async fn finding_that_refuses_is_told_with_its_alarm() {
+    async fn refusing_finding_is_told_and_leads_to_its_line() {
         let bench = mount(|| view! { <ExportDialog /> }).await;
         bench.worker.answer_here(|_, _| {
             let remark = |refuses, text: &str| Remark {
@@ -205,14 +221,18 @@ mod tests {
                 alarm: "P1".to_owned(),
                 text: text.to_owned(),
                 field: String::new(),
+                place: Some(Place { file: FileId(1), span: Span::new(0, 1) }.into()),
             };
             let remarks = vec![remark(true, "refuses"), remark(false, "remarks")];
             Some(Response::Export(Documents { files: Vec::new(), remarks }))
         });
         asked(&bench).await;
         assert_eq!(bench.all(".remarks li").len(), 1);
-        assert_eq!((bench.text(".remarks b").as_str(), bench.has(".link")), ("P1", false));
+        assert_eq!(bench.text(".remarks b"), "P1");
         assert!(bench.text(".remarks li").contains("refuses"));
+        bench.press(".remarks .link").await;
+        assert!(!bench.has("dialog[open]"));
+        assert_eq!(bench.page.view.sought.get_untracked().map(|place| place.file), Some(FileId(1)));
     }
 
     #[wasm_bindgen_test]

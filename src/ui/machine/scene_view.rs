@@ -70,7 +70,8 @@ impl Drawn {
             groups,
             parts,
             picture: dom::all(host, ".scene").into_iter().next().map(JsCast::unchecked_into),
-            view: scene.view,
+            // As the picture has it, for boot.js lays out the still by that.
+            view: scene.view.map(|length| (100.0 * length).round() / 100.0),
             unit: scene.unit,
             pans: scene.unit > 0.0 && !scene.stations.is_empty(),
             alt: scene.alt,

@@ -13,7 +13,7 @@ use super::scene_view::Drawn;
 use crate::motion::{Mode, RunEnd};
 use crate::ui::dom;
 use crate::ui::parts::scene::{Still, svg};
-use crate::ui::parts::{Glyph, IconButton};
+use crate::ui::parts::{Glyph, IconButton, Later};
 use crate::ui::state::{Page, put};
 use crate::ui::words::{end_words, mode_tone, mode_words, say, t};
 
@@ -25,8 +25,8 @@ pub(crate) fn Stage() -> impl IntoView {
     let section: NodeRef<html::Section> = NodeRef::new();
     let host: NodeRef<html::Div> = NodeRef::new();
     let drawn = StoredValue::new_local(None::<Drawn>);
-    // Whether the drawing is wider than its room.
-    let pans = RwSignal::new(false);
+    // Whether the drawing is wider than its room, and the size of the room that it was fitted into.
+    let (pans, fitted) = (RwSignal::new(false), StoredValue::new((0, 0)));
     // The still is this very drawing, which goes on in it.
     let still = StoredValue::new_local(Still::take());
     Effect::new(move |_| {
@@ -37,22 +37,25 @@ pub(crate) fn Stage() -> impl IntoView {
                 Some(still) => drop(host.append_child(still)),
                 None => host.set_inner_html(&svg(scene)),
             }
-            let new = Drawn::new(&host, scene);
-            put(pans, new.fit());
-            drawn.set_value(Some(new));
+            drawn.set_value(Some(Drawn::new(&host, scene)));
         });
+        fitted.set_value((0, 0));
         player.ask();
     });
     mark_causes(page, host);
-    fit_on_resize(drawn, pans);
-    // The stage gets its last size when the chart below it is drawn.
-    let mut size = (0, 0);
+    for event in ["resize", "fullscreenchange"] {
+        dom::hear(event, move |_| {
+            let _ = fitted.try_set_value((0, 0));
+            player.ask();
+        });
+    }
     player.paint(move |moment| {
-        // The size is read some times a second alone: reading it makes the browser lay out the page.
-        let room = host.get_untracked().filter(|_| moment.slow);
-        let room = room.map_or(size, |host| (host.client_width(), host.client_height()));
-        if room != size {
-            size = room;
+        // The size is read some times a second alone, for that makes the browser lay out the page.
+        let last = fitted.get_value();
+        let room = host.get_untracked().filter(|_| moment.slow || last == (0, 0));
+        let room = room.map_or(last, |host| (host.client_width(), host.client_height()));
+        if room != last {
+            fitted.set_value(room);
             if let Some(wide) = drawn.with_value(|drawn| drawn.as_ref().map(Drawn::fit)) {
                 put(pans, wide);
             }
@@ -87,42 +90,32 @@ pub(crate) fn Stage() -> impl IntoView {
         <section class="pane drawing" id="machine" aria-label=t("page.drawing") node_ref=section>
             <div class="stage" class:pans=move || pans.get() tabindex=stop role="group" aria-label=t("page.drawing") node_ref=host on:click=open_field></div>
             <Show when=move || pans.get()><Stations drawn=drawn /></Show>
-            <div class="top-left">
-                <span class=move || format!("mode {}", state.get().1)>{move || t(state.get().0)}</span>
-                <WrongValues />
-            </div>
-            <AlarmScreen />
-            <div class="band">
-                <p class="why" role="status">{move || why(page)}</p>
-                <NoticeBand />
-                <span class="space"></span>
-                <Show when=move || option().is_some()>
-                    <button
-                        type="button" class="icon strobe"
-                        aria-label=move || option().map(t).unwrap_or_default()
-                        title=move || option().map(t).unwrap_or_default()
-                        aria-pressed=move || player.option.get().to_string()
-                        on:click=move |_| strobe()
-                    >
-                        <crate::ui::parts::Icon glyph=Glyph::Strobe />
-                    </button>
-                </Show>
-                <SavePicture />
-                <IconButton glyph=Glyph::Full label=t("page.full-screen") press=full />
-            </div>
+            <Later>
+                <div class="top-left">
+                    <span class=move || format!("mode {}", state.get().1)>{move || t(state.get().0)}</span>
+                    <WrongValues />
+                </div>
+                <AlarmScreen />
+                <div class="band">
+                    <p class="why" role="status">{move || why(page)}</p>
+                    <NoticeBand />
+                    <span class="space"></span>
+                    <Show when=move || option().is_some()>
+                        <button
+                            type="button" class="icon strobe"
+                            aria-label=move || option().map(t).unwrap_or_default()
+                            title=move || option().map(t).unwrap_or_default()
+                            aria-pressed=move || player.option.get().to_string()
+                            on:click=move |_| strobe()
+                        >
+                            <crate::ui::parts::Icon glyph=Glyph::Strobe />
+                        </button>
+                    </Show>
+                    <SavePicture />
+                    <IconButton glyph=Glyph::Full label=t("page.full-screen") press=full />
+                </div>
+            </Later>
         </section>
-    }
-}
-
-/// Labels keep their size when the window gives the stage another.
-fn fit_on_resize(drawn: StoredValue<Option<Drawn>, LocalStorage>, pans: RwSignal<bool>) {
-    for event in ["resize", "fullscreenchange"] {
-        dom::hear(event, move |_| {
-            let fits = drawn.try_with_value(|drawn| drawn.as_ref().map(Drawn::fit));
-            if let Some(Some(wide)) = fits {
-                put(pans, wide);
-            }
-        });
     }
 }
 

@@ -2,6 +2,7 @@
 
 use leptos::prelude::*;
 
+use crate::ui::parts::Later;
 use crate::ui::parts::verdict::VerdictLine;
 use crate::ui::state::Page;
 use crate::ui::words::t;
@@ -19,9 +20,16 @@ pub(crate) fn Verdicts() -> impl IntoView {
         };
         headline.map(line).collect_view()
     };
+    let rooms = move || {
+        let count = page
+            .results
+            .design
+            .with_untracked(|design| design.readouts.iter().filter(|readout| readout.headline).count());
+        (0..count).map(|_| view! { <div class="card plain"></div> }).collect_view()
+    };
     view! {
         <section class="cards" aria-label=t("page.headline") class:old=move || page.is_stale()>
-            <div class="row">{lines}</div>
+            <div class="row"><Later meanwhile=rooms>{lines}</Later></div>
         </section>
     }
 }

@@ -5,9 +5,12 @@ use leptos::prelude::*;
 use crate::ui::dom::turns::in_turn;
 
 /// Builds its content in a task of its own, behind all waiting tasks, so that no part of the page delays another.
-/// Its place must not depend on its content.
+/// Its place must not depend on its content, or `meanwhile` keeps it.
 #[component]
 pub(crate) fn Later(
+    /// What is there until then.
+    #[prop(optional, into)]
+    meanwhile: ViewFn,
     /// The content.
     children: Children,
 ) -> impl IntoView {
@@ -17,7 +20,7 @@ pub(crate) fn Later(
         let _ = due.try_set(true);
     });
     let mut children = Some(children);
-    move || due.get().then(|| children.take().map(|children| children()))
+    move || if due.get() { children.take().map(|children| children()) } else { Some(meanwhile.run()) }
 }
 
 #[cfg(test)]

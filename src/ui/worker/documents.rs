@@ -1,6 +1,6 @@
 //! Sheets as HTML for the page, and the documents of an export.
 
-use super::messages::{Documents, Remark, Sheets};
+use super::messages::{Documents, Range, Remark, Sheets};
 use crate::project::Project;
 use crate::project::meaning::{self, Subject, Table};
 use crate::text::{Diagnostic, Grade, Severity};
@@ -140,6 +140,7 @@ pub(super) fn documents(project: &Project) -> Documents {
         alarm: found.alarm.as_deref().unwrap_or_default().to_owned(),
         text: tell(found),
         field: found.field.unwrap_or_default().to_owned(),
+        place: found.place.map(Range::from),
     };
     Documents {
         files: export.documents().iter().map(|file| (file.name.clone(), file.text.clone())).collect(),

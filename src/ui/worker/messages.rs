@@ -94,6 +94,8 @@ pub(crate) struct Remark {
     pub text: String,
     /// Id of the field, or empty.
     pub field: String,
+    /// The place in the programs.
+    pub place: Option<Range>,
 }
 
 /// The findings of a large text.
@@ -129,8 +131,8 @@ pub(crate) struct Finding {
 struct Sentence(String, Vec<String>);
 
 /// File, start and end of a place.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-struct Range(u16, u32, u32);
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Range(u16, u32, u32);
 
 impl From<&Message> for Sentence {
     fn from(message: &Message) -> Sentence {
