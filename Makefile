@@ -24,7 +24,7 @@ check: ## the inner loop: format, lints, native tests
 
 .PHONY: test
 test: ## every test of every kind, with the time of each stage
-	@scripts/stages.sh setup fmt lint lint-web test-native test-parity test-web dist sizes test-e2e
+	@scripts/stages.sh setup 'dist&' fmt lint lint-web test-native test-parity test-web wait sizes test-e2e
 
 .PHONY: bench
 bench: dist ## benchmarks, native, in wasm and of the page; each ends in lines `summary: …`
@@ -55,10 +55,15 @@ dist: ## the static site in dist/
 	@echo 'dist: building the page (some minutes the first time)'
 	trunk build --release
 
-.PHONY: shots
-shots: dist ## screenshots of the page in target/shots
+.PHONY: pictures
+pictures: dist ## pictures of every view in its sizes and themes, compared with the accepted ones (VIEW=… for some)
 	@scripts/setup.sh node browser
-	node tests/e2e/shots.mjs
+	node tests/e2e/pictures.mjs $(VIEW)
+
+.PHONY: accept-pictures
+accept-pictures: dist ## the same, accepted: looked at, they are what the page should be
+	@scripts/setup.sh node browser
+	node tests/e2e/pictures.mjs --accept $(VIEW)
 
 .PHONY: format
 format: ## format the sources
@@ -107,7 +112,7 @@ sizes: ## what the browser loads (of the dist/ that is there), against its limit
 
 .PHONY: test-e2e
 test-e2e: ## a person's paths through the dist/ that is there
-	node --test --test-concurrency=1 --test-reporter=spec $(PATHS)
+	node --test --test-concurrency=2 --test-reporter=spec $(PATHS)
 
 # A person's paths; the one of WebKit has a driver of its own.
 PATHS = $(filter-out %/webkit.test.mjs,$(wildcard tests/e2e/*.test.mjs))

@@ -1,18 +1,38 @@
 #!/usr/bin/env bash
-# Runs make targets one after the other, all of them even when one fails, then says what each took and what it counted.
+# Runs make targets one after the other, all of them even when one fails, then says what each took and what it counted. A target with an `&`
+# behind it runs beside those that follow, up to `wait`.
 set -uo pipefail
 export LC_NUMERIC=C
 cd "$(dirname "$0")/.."
 
 log=$(mktemp -d)
 trap 'rm -rf "$log"' EXIT
-failed=0 table=
+failed=0 table= beside=
 
-for stage in "$@"; do
-  printf '\n== %s\n' "$stage"
-  begin=$EPOCHREALTIME
-  if make --no-print-directory "$stage" </dev/null 2>&1 | tee -a "$log/all"; then verdict=ok; else verdict=FAILED failed=1; fi
-  table+=$(awk -v a="$begin" -v b="$EPOCHREALTIME" -v s="$stage" -v v="$verdict" 'BEGIN { printf "%-14s %8.1f s  %s", s, b - a, v }')$'\n'
+# Runs a target and leaves its row of the table in a file.
+stage() {
+  local begin=$EPOCHREALTIME verdict=ok
+  printf '\n== %s\n' "$1"
+  make --no-print-directory "$1" </dev/null 2>&1 || verdict=FAILED
+  awk -v a="$begin" -v b="$EPOCHREALTIME" -v s="$1" -v v="$verdict" 'BEGIN { printf "%-14s %8.1f s  %s\n", s, b - a, v }' >"$log/$1.row"
+  [ $verdict = ok ]
+}
+
+for name in "$@"; do
+  case $name in
+    *'&')
+      beside=${name%&}
+      stage "$beside" >"$log/beside" &
+      continue
+      ;;
+    wait)
+      name=$beside
+      wait $! || failed=1
+      tee -a "$log/all" <"$log/beside"
+      ;;
+    *) stage "$name" | tee -a "$log/all" || failed=1 ;;
+  esac
+  table+=$(<"$log/$name.row")$'\n'
 done
 
 printf '\n%s' "$table"

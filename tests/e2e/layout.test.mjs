@@ -62,7 +62,7 @@ test('a double click on a block shows the machine when it runs next', () =>
     await doubleClick(page.locator('.listing li[data-l]', { hasText: 'N44 G01' }));
     await page.locator('.listing li[aria-current="step"]', { hasText: 'N44 G01' }).waitFor();
     const first = await clock(page);
-    assert.ok(first > '00:02', first);
+    assert.ok(first > '00:00.5', first);
     await doubleClick(page.locator('.listing li[data-l]', { hasText: 'N50 M5' }));
     await page.waitForFunction((first) => document.querySelector('#clock').textContent > first, first);
   }));
@@ -84,10 +84,10 @@ test('the chart reads out the values under the pointer, and a press sets the pla
     await page.locator('.plot .over').waitFor();
     const { x, y, width } = await box(page, '.plot');
     await page.mouse.move(x + width / 2, y + 30);
-    const [, told] = /^(\d\.\d\d)\d* s {2}X 15.080 {2}Y 1\d\d.\d{3}$/.exec(await page.locator('.pointed').textContent());
+    const [, told] = /^(\d+\.\d\d)\d* s {2}X 7.577 {2}Y 7.578$/.exec(await page.locator('.pointed').textContent());
     await page.mouse.down();
     await page.mouse.up();
-    await page.waitForFunction((told) => document.querySelector('#clock').textContent.startsWith(`00:0${told.slice(0, 3)}`), told);
+    await page.waitForFunction((told) => document.querySelector('#clock').textContent.startsWith(`00:${told}`), told);
   }));
 
 test('the drawing is saved as SVG and as PNG', () =>

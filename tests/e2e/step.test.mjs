@@ -35,7 +35,7 @@ test('a click on a line number is a breakpoint; stepping goes into calls, over t
     assert.match(await seen(page), /Call stack\s+O9100.nc:3\s+N1 IF[\s\S]*O9101.nc:23\s+N5 M98/);
     await press(page, 'Out of this call');
     await next(page, 'N6 G92');
-    assert.match(await seen(page), /Changed[\s\S]*#115\s+vacant → 10.716\.63/);
+    assert.match(await seen(page), /Changed[\s\S]*#115\s+vacant → 10.716\.628/);
     await press(page, 'Back by a block');
     await next(page, 'N47 M99');
     await accessible(page);

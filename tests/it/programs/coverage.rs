@@ -128,8 +128,8 @@ fn each_switch_setting_is_in_a_program() {
                 .any(|source| source.contains(comment(control, &format!("SET {id} {value}")).trim_end_matches(')')))
         };
         for row in control.switches {
-            // Names of registers, and what the PLC does; no program can tell.
-            if matches!(row.kind, SwitchKind::MacroInputBase(_) | SwitchKind::PmcOverride(_)) {
+            // Names of registers, what the PLC does, and what the hand does; no program can tell.
+            if matches!(row.kind, SwitchKind::MacroInputBase(_) | SwitchKind::PmcOverride(_) | SwitchKind::ManualS(_)) {
                 continue;
             }
             let mut others: Vec<&str> = row.options().iter().skip(1).map(|option| option.id).collect();

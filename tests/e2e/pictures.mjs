@@ -1,0 +1,104 @@
+// Pictures of every view in its sizes and themes: taken into target/pictures and compared with the last accepted ones in tests/pictures. What
+// differs is listed, and stands beside it as NAME.diff.png; the status is then 1. `node tests/e2e/pictures.mjs` (make pictures);
+// `--accept` puts the new ones in the place of the old (make accept-pictures); a part of a name takes only the pictures that hold it.
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import pixelmatch from 'pixelmatch';
+import { PNG } from 'pngjs';
+import { openGroups, openPanel, showSteps, start, withPage } from './page.mjs';
+
+const folder = (path) => fileURLToPath(new URL(`../../${path}/`, import.meta.url));
+const TAKEN = folder('target/pictures');
+const ACCEPTED = folder('tests/pictures');
+
+const LARGE = { width: 1440, height: 900 };
+const PHONE = { width: 390, height: 844 };
+const SIZES = [LARGE, { width: 1366, height: 768 }, { width: 1920, height: 1080 }, { width: 1024, height: 768 }, PHONE];
+
+const machine = (name) => (page) => page.locator('.segments button', { hasText: name }).click();
+const tab = (id) => (page) => page.click(`#tab-${id}`);
+const button = (name) => (page) => page.getByRole('button', { name, exact: true }).click();
+// Some way into the run, where something has been made.
+const later = (act, seconds) => async (page) => {
+  await act(page);
+  const ms = 1000 * seconds;
+  await page.waitForFunction((ms) => Number(document.getElementById('head').max) >= ms, ms);
+  await page.locator('#head').fill(String(ms));
+};
+const errors = async (page) => {
+  await page.getByRole('button', { name: 'Paper’s listing' }).click();
+  await page.locator('.mode', { hasText: 'Error in the program' }).waitFor();
+};
+
+// The machines in every size, what lies over and beside them in two. Each in both themes.
+const VIEWS = [
+  ['ribbon', SIZES, later(() => {}, 3)],
+  ['turning', SIZES, later(machine('Turning spindle'), 8)],
+  ['polygon', SIZES, later(machine('Polygon lathe'), 4)],
+  ['machine-data', [LARGE, PHONE], openGroups],
+  ['panel', [LARGE, PHONE], openPanel],
+  ['results', [LARGE, PHONE], tab('results')],
+  ['ways', [LARGE, PHONE], async (page) => (await machine('Polygon lathe')(page), await tab('explore')(page))],
+  ['variables', [LARGE, PHONE], tab('variables')],
+  ['parameters', [LARGE, PHONE], tab('parameters')],
+  ['plc', [LARGE, PHONE], tab('plc')],
+  ['stepping', [LARGE, PHONE], showSteps],
+  ['editor', [LARGE, PHONE], button('Edit')],
+  ['errors', [LARGE, PHONE], errors],
+  ['gallery', [LARGE, PHONE], button('New')],
+  ['export', [LARGE, PHONE], (page) => page.click('#export')],
+  ['help', [LARGE, PHONE], button('Help and keys')],
+];
+
+// Takes the pictures whose names hold `part`; gives the names.
+async function take(part) {
+  mkdirSync(TAKEN, { recursive: true });
+  readdirSync(TAKEN).forEach((name) => rmSync(TAKEN + name));
+  const taken = [];
+  const app = await start();
+  for (const [view, sizes, act] of VIEWS) {
+    for (const viewport of sizes) {
+      for (const colorScheme of ['light', 'dark']) {
+        const name = `${view}-${viewport.width}-${colorScheme}.png`;
+        if (!name.includes(part)) continue;
+        await withPage(app, { viewport, colorScheme }, async ({ page }) => {
+          await act(page);
+          await page.waitForLoadState('networkidle');
+          await page.waitForTimeout(500);
+          await page.screenshot({ path: TAKEN + name, animations: 'disabled', caret: 'hide' });
+        });
+        taken.push(name);
+      }
+    }
+  }
+  await app.close();
+  return taken;
+}
+
+// Pixels of a picture that differ from the accepted one; writes the difference as a picture. None where there is nothing to compare.
+function difference(name) {
+  if (!existsSync(ACCEPTED + name)) return null;
+  const [now, before] = [TAKEN, ACCEPTED].map((from) => PNG.sync.read(readFileSync(from + name)));
+  const { width, height } = now;
+  if (before.width !== width || before.height !== height) return width * height;
+  const marked = new PNG({ width, height });
+  const count = pixelmatch(before.data, now.data, marked.data, width, height, { threshold: 0.1 });
+  if (count > 0) writeFileSync(`${TAKEN}${name.replace('.png', '.diff.png')}`, PNG.sync.write(marked));
+  return count;
+}
+
+const accept = process.argv.includes('--accept');
+const taken = await take(process.argv.slice(2).find((argument) => !argument.startsWith('--')) ?? '');
+let changed = 0;
+for (const name of taken) {
+  const count = difference(name);
+  if (count === 0) continue;
+  changed++;
+  console.log(count === null ? `new: ${name}` : `changed: ${name}, ${count} pixels`);
+  if (accept) {
+    mkdirSync(ACCEPTED, { recursive: true });
+    copyFileSync(TAKEN + name, ACCEPTED + name);
+  }
+}
+console.log(`summary: ${taken.length} pictures in target/pictures, ${changed} ${accept ? 'accepted' : 'new or changed'}`);
+process.exit(changed > 0 && !accept ? 1 : 0);
