@@ -7,7 +7,7 @@ use crate::machines::form::Values;
 use crate::machines::{self, AnyMachine};
 use crate::view::{Readout, Verdict};
 
-/// NameKind of a name.
+/// What a name is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NameKind {
     /// Id of a machine.
@@ -21,7 +21,7 @@ pub enum NameKind {
 /// An unknown name, and the known ones.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Unknown {
-    /// NameKind of the name.
+    /// What it should be the name of.
     pub kind: NameKind,
     /// The names that there are.
     pub known: Vec<&'static str>,
