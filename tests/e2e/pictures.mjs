@@ -1,6 +1,7 @@
-// Pictures of every view in its sizes and themes: taken into target/pictures and compared with the last accepted ones in tests/pictures. What
-// differs is listed, and stands beside it as NAME.diff.png; the status is then 1. `node tests/e2e/pictures.mjs` (make pictures);
-// `--accept` puts the new ones in the place of the old (make accept-pictures); a part of a name takes only the pictures that hold it.
+// Pictures of every view in its sizes and themes: taken into target/pictures and compared with the last accepted ones in .pictures, which are
+// those of this machine, for fonts and browsers draw differently. What differs is listed and marked in NAME.diff.png; the status is then 1.
+// `node tests/e2e/pictures.mjs` (make pictures); `--accept` puts the new ones in the place of the old (make accept-pictures); a part of a name
+// takes only the pictures that hold it.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import pixelmatch from 'pixelmatch';
@@ -9,7 +10,7 @@ import { openGroups, openPanel, showSteps, start, withPage } from './page.mjs';
 
 const folder = (path) => fileURLToPath(new URL(`../../${path}/`, import.meta.url));
 const TAKEN = folder('target/pictures');
-const ACCEPTED = folder('tests/pictures');
+const ACCEPTED = folder('.pictures');
 
 const LARGE = { width: 1440, height: 900 };
 const PHONE = { width: 390, height: 844 };
