@@ -229,7 +229,7 @@ fn range_of_the_control_is_reached_in_time_that_is_told() {
     let row = readout(&e60(&[]), "range-time");
     // Y at 118 435 mm/min.
     assert!(
-        (row.value - 99_999.999 / 118_435.2529 * 60.0).abs() < 1e-4 && row.verdict == Verdict::None,
+        (row.value - 99_999.999 / 118_435.252_9 * 60.0).abs() < 1e-4 && row.verdict == Verdict::None,
         "{}",
         row.value
     );
