@@ -26,6 +26,7 @@ fn plant() -> Plant {
     let axis = |letter| AxisPlant {
         letter: Some(letter),
         rotary: false,
+        endless: false,
         diameter: false,
         rapid: 30e3,
         clamp: 240e3,

@@ -1,4 +1,4 @@
-//! Engineering shared by machines: analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning.
+//! Engineering shared by machines: analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning, axis scaling.
 
 pub mod analog;
 
@@ -15,6 +15,8 @@ pub mod block;
 pub mod induction;
 
 pub mod polygon;
+
+pub mod scaling;
 
 pub use analog::Analog;
 pub use orient::{Approach, Positioning};

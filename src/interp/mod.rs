@@ -38,6 +38,7 @@ mod arc_motion;
 mod block;
 mod call;
 mod codes;
+mod coordinate_range;
 mod coordinates;
 mod feed;
 mod function;

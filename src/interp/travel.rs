@@ -48,6 +48,7 @@ impl RunState {
             self.return_to_reference(values, to);
             return Ok(cx.control.macros.call_after_return);
         }
+        self.in_range(cx, &to)?;
         if let Some(area) = self.area(cx) {
             self.within(cx, to, area)?;
         }

@@ -17,6 +17,10 @@ pub trait World {
     fn waiting(&mut self) -> Option<usize> {
         None
     }
+    /// Whether the coordinates of an axis begin anew with each turn, so that it has no range.
+    fn is_endless(&self, _axis: usize) -> bool {
+        false
+    }
     /// The program has changed a common variable (`None`: vacant). For displays of variables over time.
     fn changed(&mut self, _variable: u32, _value: Option<f64>) {}
     /// A part of the block has no effect, or another than written, and the control raises no known alarm.
@@ -32,6 +36,8 @@ pub struct Still {
     pub positions: [f64; super::canon::AXES],
     /// Optional block skip.
     pub block_skip: bool,
+    /// The coordinates of every axis roll over.
+    pub endless: bool,
     /// Remarks in the order of the run, with repetitions.
     pub remarks: Vec<Diagnostic>,
 }
@@ -51,6 +57,10 @@ impl World for Still {
 
     fn block_skip(&mut self, _number: u8) -> bool {
         self.block_skip
+    }
+
+    fn is_endless(&self, _axis: usize) -> bool {
+        self.endless
     }
 
     fn remark(&mut self, remark: Diagnostic) {

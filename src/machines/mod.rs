@@ -14,6 +14,8 @@ pub mod sheets;
 
 pub mod stops;
 
+pub mod scaling;
+
 pub mod header;
 
 pub mod writing;

@@ -19,6 +19,8 @@ pub fn row(cells: impl Into<Vec<String>>, cite: Citation) -> Row {
 pub enum ParamValue {
     /// A number, in mm, mm/min, r/min, r/min per second, ms, mV or 1/s.
     Number(f64),
+    /// A number with six decimals.
+    Fine(f64),
     /// Yes or no, in the control's own figures.
     Answer(bool),
 }
@@ -27,8 +29,8 @@ pub enum ParamValue {
 pub struct AxisUnits<'a> {
     /// Units of X words per millimetre of its slide: 2 where they are diameters.
     pub cross_words: f64,
-    /// The axis that counts degrees, if any.
-    pub rotary: Option<&'a str>,
+    /// Axes that count degrees.
+    pub rotary: &'a [&'a str],
 }
 
 /// Values of a parameter: by axis, or one under an empty name.
@@ -68,13 +70,14 @@ fn parameter(axes: &AxisUnits, def: &ParamDef, axis: &str, value: &ParamValue) -
     let words = if def.diameter && axis == "X" { axes.cross_words } else { 1.0 };
     let text = match value {
         ParamValue::Number(value) => number_text(*value * words * per_unit(def.unit)?, 3),
+        ParamValue::Fine(value) => number_text(*value * words * per_unit(def.unit)?, 6),
         ParamValue::Answer(yes) => def.answer(*yes).to_owned(),
     };
     if text.is_empty() {
         return None;
     }
     let unit = match def.unit.rfind("mm").and_then(|at| def.unit.split_at_checked(at)) {
-        Some((before, rest)) if axes.rotary == Some(axis) => {
+        Some((before, rest)) if axes.rotary.contains(&axis) => {
             format!("{before}°{}", rest.strip_prefix("mm").unwrap_or(rest))
         }
         _ => def.unit.to_owned(),
@@ -87,6 +90,7 @@ fn per_unit(unit: &str) -> Option<f64> {
     match unit {
         "0.001 mm" => Some(1000.0),
         "0.01/s" => Some(100.0),
+        "kp/rev" => Some(0.001),
         "1000/min" => Some(0.06),
         "rev/s²" => Some(1.0 / 60.0),
         "pulses" => None,

@@ -50,6 +50,7 @@ impl CheckedPlant {
             let missing = AxisPlant {
                 letter,
                 rotary: false,
+                endless: false,
                 diameter: false,
                 rapid: 1e6,
                 clamp: 1e6,

@@ -23,7 +23,7 @@ impl<P: RunningProgram> Planner<P> {
     /// The program at the end of the planned part, with the machine as it reads it, but with the present positions of the axes.
     pub fn look<R>(&self, look: impl FnOnce(&P, &mut dyn World) -> R) -> R {
         let t = self.records.timeline.end();
-        self.state.look(t, &self.records.timeline, look)
+        self.state.look(t, &self.plant.axes, &self.records.timeline, look)
     }
 
     /// The newest commands since [`Gate::Anew`], if the run has a log, and the number of earlier ones.

@@ -108,7 +108,10 @@ impl<P: RunningProgram> Planner<P> {
                 break;
             }
             if let (EventSource::Reader, Some(gate)) = (who, &mut gate) {
-                match self.state.look(t, &self.records.timeline, |program, world| gate(t, program, world)) {
+                match self
+                    .state
+                    .look(t, &self.plant.axes, &self.records.timeline, |program, world| gate(t, program, world))
+                {
                     Gate::Open => {}
                     Gate::Anew => {
                         self.records.forget_log(0);

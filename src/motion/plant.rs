@@ -14,6 +14,8 @@ pub struct AxisPlant {
     pub letter: Option<Address>,
     /// Turns: degrees instead of millimetres.
     pub rotary: bool,
+    /// Coordinates begin anew with each turn: the axis has no range.
+    pub endless: bool,
     /// Words of this axis are diameters, twice its travel. All other values are its travel.
     pub diameter: bool,
     /// Rapid traverse in mm/min or °/min.
@@ -33,6 +35,7 @@ impl AxisPlant {
     pub const PMC: AxisPlant = AxisPlant {
         letter: None,
         rotary: true,
+        endless: true,
         diameter: false,
         rapid: 0.0,
         clamp: 0.0,

@@ -17,6 +17,7 @@ use crate::text::Diagnostic;
 struct ReaderWorld<'a> {
     inputs: &'a BTreeMap<u32, f64>,
     position: Axes<'a>,
+    axes: &'a [AxisPlant; AXES],
     power_on: f64,
     running: f64,
     block_skip: bool,
@@ -28,17 +29,24 @@ struct ReaderWorld<'a> {
 /// Where the axes are.
 enum Axes<'a> {
     /// Here, at rest.
-    Rest(&'a [f64; AXES], &'a [AxisPlant; AXES]),
+    Rest(&'a [f64; AXES]),
     /// On their path.
     Path(&'a Timeline),
 }
 
 impl<P> SimState<P> {
     /// Hands out the program, and the machine as the program sees it at `t`, with the axes on their path.
-    pub(super) fn look<R>(&self, t: f64, path: &Timeline, look: impl FnOnce(&P, &mut dyn World) -> R) -> R {
+    pub(super) fn look<R>(
+        &self,
+        t: f64,
+        axes: &[AxisPlant; AXES],
+        path: &Timeline,
+        look: impl FnOnce(&P, &mut dyn World) -> R,
+    ) -> R {
         let mut eyes = ReaderWorld {
             inputs: &self.plc.io.inputs,
             position: Axes::Path(path),
+            axes,
             power_on: t,
             running: self.run_time_at(t),
             block_skip: self.operator.knobs.block_skip,
@@ -61,7 +69,9 @@ impl World for ReaderWorld<'_> {
 
     fn position(&mut self, axis: usize) -> f64 {
         match self.position {
-            Axes::Rest(moved, axes) => moved.get(axis).map_or(0.0, |moved| moved * axes[axis].words_per_unit()),
+            Axes::Rest(moved) => {
+                moved.iter().zip(self.axes).nth(axis).map_or(0.0, |(moved, axis)| moved * axis.words_per_unit())
+            }
             Axes::Path(path) => path.words_at(self.power_on).get(axis).copied().unwrap_or(0.0),
         }
     }
@@ -72,6 +82,10 @@ impl World for ReaderWorld<'_> {
 
     fn waiting(&mut self) -> Option<usize> {
         self.waiting
+    }
+
+    fn is_endless(&self, axis: usize) -> bool {
+        self.axes.get(axis).is_some_and(|axis| axis.endless)
     }
 
     fn changed(&mut self, variable: u32, value: Option<f64>) {
@@ -99,7 +113,8 @@ impl<P: RunningProgram> Sim<'_, P> {
         let s = &mut *self.s;
         let mut eyes = ReaderWorld {
             inputs: &s.plc.io.inputs,
-            position: Axes::Rest(&s.path.position, &self.plant.axes),
+            position: Axes::Rest(&s.path.position),
+            axes: &self.plant.axes,
             power_on: t,
             running,
             block_skip: s.operator.knobs.block_skip,

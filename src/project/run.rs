@@ -149,6 +149,7 @@ fn bench(control: &'static Control, dialect: &Dialect) -> (Plant, Box<dyn Plc>) 
     let axes = bench.axes.iter().map(|axis| AxisPlant {
         letter: Some(axis.letter),
         rotary: control.axis(axis.letter).is_some_and(|at| control.axes[at].rotary),
+        endless: control.axis(axis.letter).is_some_and(|at| dialect.is_rotary(at)),
         diameter: control.axis(axis.letter).is_some_and(|at| dialect.counts_diameters(at)),
         rapid: axis.rapid,
         clamp: axis.clamp,

@@ -344,7 +344,7 @@ fn run_json_reports_gear_angle_and_speed_limits() {
 #[test]
 fn run_prints_its_log_while_it_runs() {
     let program = folder("streams").join("endless.nc");
-    std::fs::write(&program, "%\nO1\nG91G01F119391.393\nDO1\nX8.Y62.832\n#100=#100+1\nEND1\n%\n").unwrap();
+    std::fs::write(&program, "%\nO1\nG91G01F119391.393\nDO1\nX8.Y62.832\nX-8.Y-62.832\nEND1\n%\n").unwrap();
     let run = "ulimit -v 32000 && exec \"$0\" run \"$1\" --control mitsubishi-e60 --seconds 1e9 --blocks 3000000";
     let out = Command::new("sh")
         .args(["-c", run, env!("CARGO_BIN_EXE_macroline"), &text(&program)])

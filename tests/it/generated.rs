@@ -33,6 +33,7 @@ fn plant(control: &Control) -> Plant {
     let axes = bench.axes.iter().map(|axis| AxisPlant {
         letter: Some(axis.letter),
         rotary: false,
+        endless: false,
         diameter: control.axis(axis.letter).is_some_and(|k| control.axes[k].diameter),
         rapid: axis.rapid,
         clamp: axis.clamp,

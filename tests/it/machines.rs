@@ -9,6 +9,7 @@ mod polygon_drawing;
 mod polygon_sheets;
 mod remedy;
 mod ribbon_controls;
+mod ribbon_endless;
 mod ribbon_knob;
 mod ribbon_line;
 mod ribbon_program;

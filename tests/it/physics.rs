@@ -12,6 +12,7 @@ mod polygon;
 mod program;
 mod reading;
 mod replanning;
+mod scaling;
 mod script;
 mod sheets;
 mod spindle;
@@ -36,6 +37,7 @@ fn axis(letter: Address) -> AxisPlant {
     AxisPlant {
         letter: Some(letter),
         rotary: false,
+        endless: true,
         diameter: false,
         rapid: 30e3,
         clamp: 120e3,

@@ -8,6 +8,8 @@ use crate::text::{Citation, Grade};
 
 const RANGES: Citation = Citation::new("GSK980TDi parameter list; range GSK980MDi manual, p.374", Grade::Sister);
 
+const SCALING: Citation = Citation::new("GSK980MDi manual, p.385, 401 and 402: CMR and CMD", Grade::Sister);
+
 const PLC_DATA: Citation = Citation::new("GSK980TDi PLC data list; bits counted from 0", Grade::Sister);
 
 /// One row per parameter, by number.
@@ -22,6 +24,15 @@ pub(super) const PARAMS: &[ParamDef] = &[
         "",
         "0: smooth from block to block, 1: each block ends in position",
         PARAMETERS,
+    ),
+    param(CountsOver, "No.015", "CMR", "", "numerator: counts of the encoder per turn of the motor", SCALING),
+    param(
+        CountsUnder,
+        "No.016",
+        "CMD",
+        "",
+        "denominator: output units of 0.001 mm per turn (X by diameters: 0.0005 mm), both in lowest terms",
+        SCALING,
     ),
     param(
         SpindleOffsetRated,

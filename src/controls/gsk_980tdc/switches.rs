@@ -29,6 +29,10 @@ pub(super) const SWITCHES: &[Switch] = &[
         Citation::new("GSK980TDi manual, 3.29, tells of statements, IF and WHILE alone", Grade::Open),
     ),
     switch(Diameter::of(&[Diameter::Diameter, Diameter::Radius]), PARAMETERS).parameter("No.001#2"),
+    switch(
+        CoordinateRange::of(&[CoordinateRange::Program, CoordinateRange::Machine, CoordinateRange::NoAlarm]),
+        MEMORY,
+    ),
     switch(MCodes::of(&[MCodes::Alarm, MCodes::LastActs]), MEMORY),
     switch(StartupFeed::of(&[StartupFeed::G98, StartupFeed::G99]), PARAMETERS).parameter("No.182#0"),
     switch(

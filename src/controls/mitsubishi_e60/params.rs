@@ -9,6 +9,11 @@ use crate::text::{Citation, Grade};
 const HEADER: Citation = Citation::new("Mitsubishi Custom-API header, parameter table", Grade::Sister);
 const NAME: Citation = Citation::new("name: Custom-API header; number by order, unverified", Grade::Open);
 const M800: Citation = Citation::new("M800 parameter names and Custom-API header", Grade::Sister);
+const ROLL_OVER: Citation = Citation::new("names: Custom-API header; effect on rotary axes unverified", Grade::Open);
+const SCALING: Citation =
+    Citation::new("Custom-API header: PC1, PC2, PIT by name; numbers M800; formula inferred", Grade::Inferred);
+const RESOLUTION: Citation =
+    Citation::new("Custom-API header: RNG1, RNG2 by name; unit of older drives unverified", Grade::Open);
 const DECIMALS: Citation = Citation::new("M700V/M70V programming manual, p.40", Grade::Sister);
 
 /// One row per parameter, by number.
@@ -25,6 +30,9 @@ pub(super) const PARAMS: &[ParamDef] = &[
     ),
     param(DecimalPoint, "#1078", "Decpt2", "", "word without a point: 0 in command units, 1 in mm", DECIMALS),
     param(FeedOneDigit, "#1079", "f1digt", "", "F1-digit feed; keep 0, or F0 is rapid traverse", HEADER),
+    param(AxisShortWay, "#1089", "Cut_RT", "", "rotary axis, absolute words: 1 by the shorter way", ROLL_OVER),
+    param(AxisRollOver, "#1090", "Lin_RT", "", "1: linear-type rotary axis, which counts past 360", ROLL_OVER)
+        .answered("0", "1"),
     param(EditLock, "#1121", "edlk_c", "", "1: programs 9000 to 9999 cannot be edited; 0 to load O9100", HEADER),
     param(VariablesAtReset, "#1128", "RstVC1", "", "1: #100 and up become vacant at reset", HEADER),
     param(VariablesAtPowerOn, "#1129", "PwrVC1", "", "1: #100 and up become vacant at power-on", HEADER),
@@ -58,7 +66,12 @@ pub(super) const PARAMS: &[ParamDef] = &[
     )
     .answered("", "0 / 0"),
     param(AxisInPosition, "#2078", "G1inps", "mm", "in-position width, cutting feed", HEADER),
+    param(LoadTurns, "#2201", "PC1", "", "gear: turns of screw or roller for those of #2202", SCALING),
+    param(MotorTurns, "#2202", "PC2", "", "gear: turns of the motor for those of #2201", SCALING),
     param(AxisPositionGain, "#2203", "PGN1", "1/s", "position loop gain", MEMORY),
+    param(WholeLead, "#2218", "PIT", "mm", "travel per turn of screw or roller; rotary axis: 360", SCALING),
+    param(EncoderCounts, "#2219", "RNG1", "kp/rev", "resolution of the position detector", RESOLUTION),
+    param(EncoderCounts, "#2220", "RNG2", "kp/rev", "resolution of the speed detector", RESOLUTION),
     param(
         SpindleLimit,
         "#3001",

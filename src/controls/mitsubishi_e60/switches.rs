@@ -46,6 +46,10 @@ pub(super) const SWITCHES: &[Switch] = &[
         RoundInWord::of(&[RoundInWord::WholeNumber, RoundInWord::AddressStep]),
         Citation::new("MELDAS usage, unverified, tells of whole numbers alone", Grade::Open),
     ),
+    switch(
+        CoordinateRange::of(&[CoordinateRange::Program, CoordinateRange::Machine, CoordinateRange::NoAlarm]),
+        Citation::new("M700V/M70V programming manual, p.40: range of words; of coordinates unverified", Grade::Open),
+    ),
     switch(StartupDistance::of(&[StartupDistance::G90, StartupDistance::G91]), MEMORY).parameter("#1073"),
     switch(StartupMotion::of(&[StartupMotion::G01, StartupMotion::G00]), MEMORY).parameter("#1075"),
     switch(ThreadE::of(&[ThreadE::ThreadsPerInch, ThreadE::Lead]), MEMORY).parameter("#8156"),

@@ -86,6 +86,8 @@ pub enum Alarm {
     SoftLimit,
     /// A programmed end point beyond the working area.
     WorkingArea,
+    /// An end point beyond the range of the coordinates.
+    CoordinateRange,
     /// Emergency stop.
     EmergencyStop,
     /// An address without a number.
@@ -258,6 +260,7 @@ impl Alarm {
         Alarm::Budget,
         Alarm::SoftLimit,
         Alarm::WorkingArea,
+        Alarm::CoordinateRange,
         Alarm::EmergencyStop,
         Alarm::NoNumber,
         Alarm::Digits,
@@ -320,7 +323,7 @@ impl Alarm {
             ArcRadius => Arc,
             NoLead | LeadAxis | FeedZero => NoFeed,
             WorkingArea => SoftLimit,
-            RepeatRange | SpeedRange | SpeedLimitRange => OutOfRange,
+            RepeatRange | SpeedRange | SpeedLimitRange | CoordinateRange => OutOfRange,
             DoNumber => WhileSentence,
             IntoLoop | MissingEnd | MissingDo => DoPair,
             NoCallProgram => NoProgram,

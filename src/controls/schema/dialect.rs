@@ -100,6 +100,15 @@ pub(crate) enum AsinRange {
     WithinTurn,
 }
 
+/// The zero from which coordinates count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CoordinateFrame {
+    /// The work zero of the program.
+    Program,
+    /// Machine zero.
+    Machine,
+}
+
 /// How codes and calls run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RunningRules {
@@ -117,6 +126,8 @@ pub(crate) struct RunningRules {
     pub(crate) m_alarm: bool,
     /// Limits of the working area hold the axes.
     pub(crate) area: bool,
+    /// Coordinates whose range holds the axes; `None` where none does.
+    pub(crate) range: Option<CoordinateFrame>,
     /// M02 and M30 in a subprogram return.
     pub(crate) ends_return: bool,
     /// Subprograms inside one another at most.
@@ -330,6 +341,11 @@ impl RunningRules {
             area: match set.working_area {
                 Some(WorkingArea::Limit) | None => true,
                 Some(WorkingArea::NoLimit) => false,
+            },
+            range: match set.coordinate_range {
+                Some(CoordinateRange::Program) => Some(CoordinateFrame::Program),
+                Some(CoordinateRange::Machine) => Some(CoordinateFrame::Machine),
+                Some(CoordinateRange::NoAlarm) | None => None,
             },
             ends_return: match set.end_in_subprogram {
                 Some(EndInSubprogram::Return) => true,

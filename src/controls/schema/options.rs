@@ -255,6 +255,10 @@ switches! {
         end_in_subprogram: EndInSubprogram = "end-in-subprogram" { Return = "return", EndProgram = "end-program" }
         /// Levels of programs, the main one included.
         subprogram_levels: SubprogramLevels = "subprogram-levels" { Eight = "8", Sixteen = "16" }
+        /// Coordinates that may not leave the range of words.
+        coordinate_range: CoordinateRange = "coordinate-range" {
+            Program = "program", Machine = "machine", NoAlarm = "no-alarm",
+        }
         /// G25 and G26 with axes.
         working_area: WorkingArea = "working-area" { Limit = "limit", NoLimit = "no-limit" }
         /// Characters of a label at most.

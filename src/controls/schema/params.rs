@@ -84,6 +84,36 @@ pub enum ParamRole {
     AxisInPosition,
     /// Rotary axis.
     AxisRotary,
+    /// Whether the coordinates of a rotary axis begin anew with each turn: the axis is endless.
+    AxisRollOver,
+    /// Whether its displays do so, too.
+    AxisRollDisplay,
+    /// Whether absolute words of such an axis take the shorter way.
+    AxisShortWay,
+    /// Units of a turn behind which they begin anew.
+    AxisTurn,
+    /// Travel per turn of screw or roller.
+    Lead,
+    /// The same in whole millimetres.
+    WholeLead,
+    /// Turns of screw or roller in the ratio of the gear.
+    LoadTurns,
+    /// Turns of the motor in it.
+    MotorTurns,
+    /// Counts of the encoder per turn of the motor.
+    EncoderCounts,
+    /// Numerator of the ratio of encoder counts to output units.
+    CountsOver,
+    /// Its denominator.
+    CountsUnder,
+    /// Command units to detection units.
+    CommandMultiplier,
+    /// Detection units between two marks of the encoder.
+    ReferenceCounts,
+    /// Numerator of the ratio of detection units to counts.
+    FeedGearOver,
+    /// Its denominator.
+    FeedGearUnder,
     /// Command unit; whether 0.001 mm.
     CommandUnit,
     /// Meaning of a word without a decimal point.

@@ -3,6 +3,7 @@
 use crate::controls::Control;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::machines::scaling;
 use crate::{member, options};
 
 options! {
@@ -67,6 +68,10 @@ pub(crate) struct Params {
     pub tool_time_constant: f64,
     pub work_gain: f64,
     pub tool_gain: f64,
+    pub work_motor_teeth: f64,
+    pub work_teeth: f64,
+    pub tool_motor_teeth: f64,
+    pub tool_teeth: f64,
     pub index_speed: f64,
     pub emergency: Emergency,
     pub work_coast: f64,
@@ -85,6 +90,13 @@ pub(crate) struct Params {
     pub rapid_z: f64,
     pub clamp_x: f64,
     pub clamp_z: f64,
+    pub lead_x: f64,
+    pub lead_z: f64,
+    pub motor_teeth_x: f64,
+    pub screw_teeth_x: f64,
+    pub motor_teeth_z: f64,
+    pub screw_teeth_z: f64,
+    pub encoder_counts: f64,
     pub time_constant: f64,
     pub position_gain: f64,
     pub block_time: f64,
@@ -175,6 +187,10 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("1/s").range(1.0..=1000.0).default(30.0).decimals(2).step(1.0).fact(),
     number("tool-gain", member!(Params.tool_gain)).group("polygon.group.drives").label("polygon.tool-gain").help("polygon.tool-gain.help").symbol("K")
         .unit("1/s").range(1.0..=1000.0).default(30.0).decimals(2).step(1.0).fact(),
+    scaling::teeth("work-motor-teeth", "polygon.group.drives", "scaling.work-motor-teeth", member!(Params.work_motor_teeth)),
+    scaling::teeth("work-teeth", "polygon.group.drives", "scaling.work-teeth", member!(Params.work_teeth)),
+    scaling::teeth("tool-motor-teeth", "polygon.group.drives", "scaling.tool-motor-teeth", member!(Params.tool_motor_teeth)),
+    scaling::teeth("tool-teeth", "polygon.group.drives", "scaling.tool-teeth", member!(Params.tool_teeth)),
     number("index-speed", member!(Params.index_speed)).group("polygon.group.drives").label("polygon.index-speed").help("polygon.index-speed.help")
         .unit("r/min").range(0.1..=1000.0).default(20.0).decimals(1).step(1.0),
     choice("emergency", member!(Params.emergency: Emergency)).group("polygon.group.drives").label("polygon.emergency").help("polygon.emergency.help"),
@@ -209,6 +225,13 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm/min").range(1.0..=1000000.0).default(3000.0).decimals(0).step(500.0).fact(),
     number("clamp-z", member!(Params.clamp_z)).group("polygon.group.slides").label("polygon.clamp-z").help("polygon.clamp-z.help")
         .unit("mm/min").range(1.0..=1000000.0).default(6000.0).decimals(0).step(500.0).fact(),
+    scaling::lead("lead-x", "polygon.group.slides", "scaling.lead-x", member!(Params.lead_x)),
+    scaling::lead("lead-z", "polygon.group.slides", "scaling.lead-z", member!(Params.lead_z)),
+    scaling::teeth("motor-teeth-x", "polygon.group.slides", "scaling.motor-teeth-x", member!(Params.motor_teeth_x)),
+    scaling::teeth("screw-teeth-x", "polygon.group.slides", "scaling.screw-teeth-x", member!(Params.screw_teeth_x)),
+    scaling::teeth("motor-teeth-z", "polygon.group.slides", "scaling.motor-teeth-z", member!(Params.motor_teeth_z)),
+    scaling::teeth("screw-teeth-z", "polygon.group.slides", "scaling.screw-teeth-z", member!(Params.screw_teeth_z)),
+    scaling::encoder("encoder-counts", "polygon.group.slides", member!(Params.encoder_counts)),
     number("time-constant", member!(Params.time_constant)).group("polygon.group.slides").label("polygon.time-constant").help("polygon.time-constant.help").symbol("τ")
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).fact(),
     number("position-gain", member!(Params.position_gain)).group("polygon.group.slides").label("polygon.position-gain").help("polygon.position-gain.help").symbol("K")

@@ -10,6 +10,7 @@ pub(super) fn plant(lathe: &PolygonLathe) -> Plant {
     let slide = |letter: Address, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
         letter: Some(letter),
         rotary: false,
+        endless: false,
         diameter,
         rapid,
         clamp,

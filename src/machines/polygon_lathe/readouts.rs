@@ -1,6 +1,7 @@
 //! The results of the polygon lathe as rows: label, unit, formula, source.
 
 use super::resolved::PolygonLathe;
+use crate::machines::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
@@ -8,6 +9,8 @@ const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
 const GEOMETRY: Citation =
     Citation::new("polygon turning facts 3, derived and checked by two methods", Grade::Inferred);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
+
+const SCALING: Citation = Citation::new("ribbon line facts, 10", Grade::Inferred);
 
 macro_rules! row {
     ($id:literal, $label:literal, $unit:literal, $decimals:literal, $headline:literal, $formula:literal, $cite:ident, $value:expr) => {
@@ -59,4 +62,8 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |lathe| lathe.d.mark_pitch),
     row!("ready", "polygon.readout.ready", "s", 2, false, "index to A and E, and twice (τ + 8/K)", MECHANICS, |lathe| lathe.d.ready),
     row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 (L + clearance) / F, pass by pass", MECHANICS, |lathe| lathe.d.cutting_time),
+    row!("x-scaling-drift", "scaling.x-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[0])),
+    row!("z-scaling-drift", "scaling.z-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[1])),
+    row!("work-scaling-drift", "scaling.work-drift", "µ°/°", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.turning_drives()[0])),
+    row!("tool-scaling-drift", "scaling.tool-drift", "µ°/°", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.turning_drives()[1])),
 ];

@@ -5,6 +5,7 @@ use super::params::{Params, Shape};
 use crate::controls::{Address, Control, Dialect};
 use crate::drives::polygon::Ratio;
 use crate::machines::machine::ControlContext;
+use crate::machines::scaling::AxisDrive;
 use crate::motion::Snapshot;
 
 /// The slide across the work, and the one along it.
@@ -55,6 +56,25 @@ impl PolygonLathe {
         let words = words_per_mm(control, &dialect);
         let d = Derived::new(&p, &sizes, words);
         PolygonLathe { form, p, d, control, dialect, sizes }
+    }
+
+    /// Drives of the slides across and along the work.
+    pub(super) fn drives(&self) -> [AxisDrive<'static>; 2] {
+        let p = &self.p;
+        let drive =
+            |axis, lead, gear, words| AxisDrive { axis, lead, gear, encoder: p.encoder_counts, rotary: false, words };
+        [
+            drive("X", p.lead_x, (p.screw_teeth_x, p.motor_teeth_x), self.words()),
+            drive("Z", p.lead_z, (p.screw_teeth_z, p.motor_teeth_z), 1.0),
+        ]
+    }
+
+    /// Drives of the work and the tool.
+    pub(super) fn turning_drives(&self) -> [AxisDrive<'static>; 2] {
+        let p = &self.p;
+        let drive =
+            |axis, gear| AxisDrive { axis, lead: 360.0, gear, encoder: p.encoder_counts, rotary: true, words: 1.0 };
+        [drive("4", (p.work_teeth, p.work_motor_teeth)), drive("3", (p.tool_teeth, p.tool_motor_teeth))]
     }
 
     /// Index of the slide across the work.

@@ -8,6 +8,7 @@ use super::program;
 use super::resolved::PolygonLathe;
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
+use crate::machines::scaling;
 use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade, Message};
@@ -16,6 +17,10 @@ use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
 
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<PolygonLathe>] = &[
+    Rule::new("x-scaling-drift", scaling_x, Citation::new("ribbon line facts, 10", Grade::Inferred)),
+    Rule::new("z-scaling-drift", scaling_z, Citation::new("ribbon line facts, 10", Grade::Inferred)),
+    Rule::new("work-scaling-drift", scaling_work, Citation::new("ribbon line facts, 10", Grade::Inferred)),
+    Rule::new("tool-scaling-drift", scaling_tool, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("sides", sides, Citation::new("polygon turning facts 3.2", Grade::Inferred)),
     Rule::new("flatness", flatness, Citation::new("polygon turning facts 3.3", Grade::Inferred)),
     Rule::new(
@@ -42,6 +47,22 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("feed", clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
     Rule::new("finish-feed", finish_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
 ];
+
+fn scaling_x(lathe: &PolygonLathe) -> Option<Judgement> {
+    scaling::judge(lathe.control, &lathe.drives()[0])
+}
+
+fn scaling_z(lathe: &PolygonLathe) -> Option<Judgement> {
+    scaling::judge(lathe.control, &lathe.drives()[1])
+}
+
+fn scaling_work(lathe: &PolygonLathe) -> Option<Judgement> {
+    scaling::judge(lathe.control, &lathe.turning_drives()[0])
+}
+
+fn scaling_tool(lathe: &PolygonLathe) -> Option<Judgement> {
+    scaling::judge(lathe.control, &lathe.turning_drives()[1])
+}
 
 /// The flattest cutter and ratio on this tip circle as advice, or that none is possible; nothing where the form has it already.
 fn better(lathe: &PolygonLathe) -> Option<Advice> {

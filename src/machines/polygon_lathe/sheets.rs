@@ -7,6 +7,7 @@ use super::{explore, ladder, native_code, sequence};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, ChoiceLimit};
 use crate::drives::polygon::cut::InsertLoad;
+use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
 use crate::math::PI;
 use crate::text::catalog::number_text as show;
@@ -37,14 +38,16 @@ const FIRST: u32 = 4120;
 fn parameters(lathe: &PolygonLathe) -> Sheet {
     let p = &lathe.p;
     let slides = |x: f64, z: f64| vec![("X", ParamValue::Number(x)), ("Z", ParamValue::Number(z))];
-    let values = vec![
+    let mut values = vec![
         (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(lathe.words() > 1.0))]),
         (ParamRole::AxisRapid, slides(p.rapid_x, p.rapid_z)),
         (ParamRole::AxisClamp, slides(p.clamp_x, p.clamp_z)),
         (ParamRole::AxisTimeConstant, slides(p.time_constant, p.time_constant)),
         (ParamRole::AxisPositionGain, slides(p.position_gain, p.position_gain)),
     ];
-    let axes = AxisUnits { cross_words: lathe.words(), rotary: None };
+    values.extend(scaling::parameters(lathe.control, &lathe.drives()));
+    values.extend(scaling::parameters(lathe.control, &lathe.turning_drives()));
+    let axes = AxisUnits { cross_words: lathe.words(), rotary: &["3", "4"] };
     let mut sheet = sheets::parameters(lathe.control, &axes, values);
     for ((number, code), program) in (FIRST..).zip(program::codes(lathe)).zip(MACROS) {
         let code = code.map_or(String::new(), |code| code.to_string());

@@ -87,6 +87,8 @@ impl Prepared for RibbonLine {
         let unit = |id: &str, unit: &'static str| match id {
             "y-stroke" | "y-drift" if self.degrees() => "°",
             "y-feed" if self.degrees() => "°/min",
+            "y-scaling" if self.degrees() => "°/rev",
+            "y-scaling-drift" if self.degrees() => "°/h",
             _ => unit,
         };
         let readouts = readouts::ROWS.iter().map(|row| judge(row, self, unit(row.id, row.unit), RULES)).collect();

@@ -2,7 +2,7 @@
 
 use crate::controls::Address;
 use crate::controls::interface::SignalRole;
-use crate::controls::{Code, Control, VarKind};
+use crate::controls::{Code, Control, ParamRole, VarKind};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
 use crate::{member, options};
@@ -71,6 +71,18 @@ options! {
         Millimetres = "mm" "ribbon.y-unit.mm",
         /// Degrees of the print roller.
         Degrees = "degrees" "ribbon.y-unit.degrees",
+    }
+}
+
+options! {
+    /// What keeps the axes, which run one way for ever, within the range of the control.
+    pub(crate) enum Endless {
+        /// The program takes the coordinates back at each start.
+        Shift = "shift" "ribbon.endless.shift",
+        /// Parameters: rotary axes, whose coordinates roll over.
+        RollOver = "roll-over" "ribbon.endless.roll-over",
+        /// Nothing.
+        Nothing = "nothing" "ribbon.endless.nothing",
     }
 }
 
@@ -188,6 +200,7 @@ pub(crate) struct Params {
     pub tensile_strength: f64,
     pub print_axis: PrintAxis,
     pub y_unit: YUnit,
+    pub endless: Endless,
     pub contact_length: f64,
     pub smear_limit: f64,
     pub dot_tolerance: f64,
@@ -249,6 +262,19 @@ impl Params {
     /// The unit of the print roller's axis is a choice: Y is fitted as a linear or as a rotary axis.
     fn has_print_unit(&self, control: &Control) -> bool {
         self.print_axis_on(control) == PrintAxis::Y
+    }
+
+    /// The chosen way to endless axes, or the first that the control has: not every control has a code that presets coordinates, or a known
+    /// parameter that lets them roll over.
+    pub(super) fn endless_on(&self, control: &Control) -> Endless {
+        let shifts = control.can(Code::SetCoordinates);
+        let rolls = control.param(ParamRole::AxisRollOver).is_some();
+        match self.endless {
+            Endless::Shift if shifts => Endless::Shift,
+            Endless::Shift | Endless::RollOver if rolls => Endless::RollOver,
+            Endless::RollOver if shifts => Endless::Shift,
+            _ => Endless::Nothing,
+        }
     }
 
     /// The PLC can read the final spindle speed.
@@ -379,6 +405,7 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(1.0..=100000.0).default(3000.0).decimals(1).step(100.0).fact(),
     number("encoder-resolution", member!(Params.encoder_resolution)).group("ribbon.group.axes").label("ribbon.encoder-resolution").help("ribbon.encoder-resolution.help")
         .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
+    choice("endless", member!(Params.endless: Endless)).group("ribbon.group.axes").label("ribbon.endless").help("ribbon.endless.help"),
     number("feed-limit", member!(Params.feed_limit)).group("ribbon.group.control").label("ribbon.feed-limit").help("ribbon.feed-limit.help").symbol("#119")
         .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).fact(),
     number("block-time", member!(Params.block_time)).group("ribbon.group.control").label("form.block-time").help("form.block-time.help")

@@ -12,9 +12,11 @@ use crate::motion::{AxisPlant, Plant, SpindlePlant};
 /// The plant with the project's clamps, ramps and slip.
 pub(super) fn plant(line: &RibbonLine) -> Plant {
     let p = &line.p;
+    let [x_endless, y_endless] = line.rolls_over();
     let x = AxisPlant {
         letter: Some(PULL),
         rotary: false,
+        endless: x_endless,
         diameter: line.pull_words() == 2,
         rapid: p.rapid_x,
         clamp: p.clamp_x,
@@ -25,6 +27,7 @@ pub(super) fn plant(line: &RibbonLine) -> Plant {
     let y = AxisPlant {
         letter: Some(p.print_axis.address()),
         rotary: line.degrees(),
+        endless: y_endless,
         diameter: false,
         rapid: p.rapid_y,
         clamp: p.clamp_y,

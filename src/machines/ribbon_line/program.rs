@@ -3,7 +3,7 @@
 //! It uses the words and codes of the control: G91 or incremental addresses, exact stop or none, #3004 or none.
 //! O9100 and O9101 never write the operator's variables (those of O9102), so that products are changed by variables alone.
 
-use super::params::{OverrideForm, PathMode, Variant, Wait};
+use super::params::{Endless, OverrideForm, PathMode, Variant, Wait};
 use super::resolved::RibbonLine;
 use crate::controls::Address;
 use crate::controls::{Code, VarKind};
@@ -159,9 +159,9 @@ pub(super) fn overrides_can_be_off(line: &RibbonLine) -> bool {
     line.control.var(3004).is_some_and(|row| row.kind == VarKind::SuppressOverride)
 }
 
-/// Here is zero.
+/// Here is zero: the coordinates, which only grow, are taken back.
 fn preset(b: &mut Builder, line: &RibbonLine, number: u32) {
-    if !line.control.can(Code::SetCoordinates) {
+    if line.p.endless != Endless::Shift {
         return;
     }
     let zero = || real(0.0, 0);

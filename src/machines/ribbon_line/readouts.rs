@@ -279,6 +279,26 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("sizing facts G", Grade::Inferred), value: |line| line.d.y_resolution,
     },
     ReadoutRow {
+        id: "x-scaling", label: "ribbon.readout.x-scaling", unit: "mm/rev", decimals: 6, headline: false,
+        formula: "π · Dx / ix",
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| line.drives("")[0].travel(),
+    },
+    ReadoutRow {
+        id: "x-scaling-drift", label: "ribbon.readout.x-scaling-drift", unit: "mm/h", decimals: 4, headline: false,
+        formula: "(travel of the motor / travel by the parameters - 1) · v · 60",
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| rules::scaling_drifts(line)[0].unwrap_or(0.0),
+    },
+    ReadoutRow {
+        id: "y-scaling", label: "ribbon.readout.y-scaling", unit: "mm/rev", decimals: 6, headline: false,
+        formula: "π · #111 / iy, or 360° / iy",
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| line.drives("")[1].travel(),
+    },
+    ReadoutRow {
+        id: "y-scaling-drift", label: "ribbon.readout.y-scaling-drift", unit: "mm/h", decimals: 4, headline: false,
+        formula: "(travel of the motor / travel by the parameters - 1) · Fy · 60",
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| rules::scaling_drifts(line)[1].unwrap_or(0.0),
+    },
+    ReadoutRow {
         id: "y-drift", label: "ribbon.readout.y-drift", unit: "mm", decimals: 3, headline: false,
         formula: "(round(#110) - #110) · pitches in 8 h",
         cite: Citation::new("ribbon line facts, 3", Grade::Inferred), value: |line| line.d.y_drift,

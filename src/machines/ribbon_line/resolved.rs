@@ -1,12 +1,14 @@
 //! The ribbon line on a control: its axes, words and inputs there, and the form without the choices that the control lacks.
 
 use super::derive::Derived;
-use super::params::{OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
+use super::params::{Endless, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
 use super::scene::labels::{distance, names};
 use super::scene::layout::Layout;
 use crate::controls::vars::Width;
 use crate::controls::{Control, Dialect, VarKind};
 use crate::machines::machine::ControlContext;
+use crate::machines::scaling::AxisDrive;
+use crate::math::PI;
 
 /// Override (%) to which the line's ladder limits the knob.
 pub(super) const GREATEST: f64 = 200.0;
@@ -42,6 +44,7 @@ impl RibbonLine {
             PrintAxis::C => p.y_unit = YUnit::Degrees,
             PrintAxis::Z => p.y_unit = YUnit::Millimetres,
         }
+        p.endless = form.endless_on(control);
         if !form.tells_final_speed(control) {
             p.override_form = OverrideForm::Percent;
         }
@@ -93,6 +96,31 @@ impl RibbonLine {
     /// Degrees instead of millimetres.
     pub(super) fn degrees(&self) -> bool {
         self.p.y_unit == YUnit::Degrees
+    }
+
+    /// Coordinates roll over: those of the pull axis and of the print roller. One that counts degrees turns anyway.
+    pub(super) fn rolls_over(&self) -> [bool; 2] {
+        let rolls = self.p.endless == Endless::RollOver;
+        [rolls, rolls || self.degrees()]
+    }
+
+    /// Drives of the pull axis and of the print roller. `print` is the name of its axis.
+    pub(super) fn drives<'a>(&self, print: &'a str) -> [AxisDrive<'a>; 2] {
+        let p = &self.p;
+        let [pull_rolls, print_rolls] = self.rolls_over();
+        let encoder = p.encoder_resolution;
+        let turn = if self.degrees() { 360.0 } else { PI * p.print_roller_diameter };
+        [
+            AxisDrive {
+                axis: "X",
+                lead: PI * p.x_roller_diameter,
+                gear: (p.gear_x, 1.0),
+                encoder,
+                rotary: pull_rolls,
+                words: f64::from(self.pull_words()),
+            },
+            AxisDrive { axis: print, lead: turn, gear: (p.gear_y, 1.0), encoder, rotary: print_rolls, words: 1.0 },
+        ]
     }
 
     /// F counts per revolution of the unwinder.

@@ -5,12 +5,15 @@
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
 use super::derive::{Derived, FIN_DELAY, wait};
-use super::params::{FIELDS, Params, PathMode, PiForm, Variant, Wait};
+use super::params::{Endless, FIELDS, Params, PathMode, PiForm, PrintAxis, Variant, Wait};
 use super::program;
 use super::resolved::{GREATEST, RibbonLine};
-use crate::controls::Code;
+use crate::controls::dialect::CoordinateFrame;
+use crate::controls::{Code, ParamRole};
 use crate::drives::web;
+use crate::machines::scaling::AxisDrive;
 use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
+use crate::math::PI;
 use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade, Message};
 use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
@@ -62,6 +65,8 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("x-resolution", resolution_x, Citation::new("sizing facts 2.5, from memory; rule 17", Grade::Open)),
     Rule::new("y-resolution", resolution_y, Citation::new("sizing facts 2.5, from memory; rule 17", Grade::Open)),
     Rule::new("range-time", range, Citation::new("ribbon line facts, 9; ranges of the control", Grade::Inferred)),
+    Rule::new("x-scaling-drift", scaling_x, Citation::new("ribbon line facts, 10", Grade::Inferred)),
+    Rule::new("y-scaling-drift", scaling_y, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("y-drift", y_drift, Citation::new("sizing facts G1; rule 17", Grade::Inferred)),
 ];
 
@@ -650,32 +655,106 @@ fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
     resolution(line.d.y_resolution, line)
 }
 
-/// The axis whose words leave the control's range first, and its travel per pitch in words. A rotary axis begins anew with each turn.
-fn farthest(line: &RibbonLine) -> (String, f64) {
-    let pull = line.p.pitch * f64::from(line.pull_words());
-    if line.degrees() || line.d.y_stroke < pull { ("X".to_owned(), pull) } else { (letter(line), line.d.y_stroke) }
+/// The axis whose words leave the control's range first, and its travel per pitch in words; none where the coordinates of both roll over.
+fn farthest(line: &RibbonLine) -> Option<(String, f64)> {
+    let [pull_rolls, print_rolls] = line.rolls_over();
+    let pull = ("X".to_owned(), line.p.pitch * f64::from(line.pull_words()));
+    let print = (letter(line), line.d.y_stroke);
+    match (pull_rolls, print_rolls) {
+        (true, true) => None,
+        (true, false) => Some(print),
+        (false, true) => Some(pull),
+        (false, false) => Some(if print.1 < pull.1 { pull } else { print }),
+    }
 }
 
 /// Seconds of running from zero to the end of the control's range: `range / (travel per pitch · pitches per second)`; 0 at standstill.
 pub(super) fn range_time(line: &RibbonLine) -> f64 {
-    let speed = farthest(line).1 * line.d.dots_per_second;
-    if speed > 0.0 { line.control.limits.coordinate_max / speed } else { 0.0 }
+    let speed = farthest(line).map_or(0.0, |(_, travel)| travel * line.d.dots_per_second);
+    match speed > 0.0 {
+        true => line.control.limits.coordinate_max / speed,
+        false if line.d.dots_per_second > 0.0 => f64::INFINITY,
+        false => 0.0,
+    }
 }
 
-/// Both axes run one way for ever. A product beyond the range fails; else the coordinates have to be shifted in time.
+/// Numbers of the parameters that let the coordinates of an axis roll over.
+fn roll_parameters(line: &RibbonLine) -> String {
+    let roles = [ParamRole::AxisRotary, ParamRole::AxisRollOver, ParamRole::AxisTurn];
+    roles.into_iter().filter_map(|role| line.control.param(role)).map(|row| row.number).collect::<Vec<_>>().join(", ")
+}
+
+/// Remedies of a line whose axes leave the range: parameters, or the program where the control has no such parameters.
+fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
+    let set = |id: &str| [("endless", id.to_owned())];
+    if line.control.param(ParamRole::AxisRollOver).is_some() {
+        let advice = Advice::from(msg!("ribbon.range-roll-over", roll_parameters(line)));
+        return vec![advice.setting(msg!("advice.roll-over"), set("roll-over"))];
+    }
+    if product_fits && line.p.endless != Endless::Shift && line.control.can(Code::SetCoordinates) {
+        return vec![Advice::from(msg!("ribbon.range-shift")).setting(msg!("advice.shift"), set("shift"))];
+    }
+    Vec::new()
+}
+
+/// Both axes run one way for ever: the control stops with an alarm where one leaves its range. A product beyond it fails; else the coordinates
+/// have to be taken back in time.
 fn range(line: &RibbonLine) -> Option<Judgement> {
-    let (axis, travel) = farthest(line);
     let max = line.control.limits.coordinate_max;
+    let Some((axis, travel)) = farthest(line) else {
+        let advice = msg!("ribbon.range-endless", roll_parameters(line), max);
+        return Some(Judgement { verdict: Verdict::Ok, limit: None, advice: vec![advice.into()] });
+    };
+    let with = |advice: Message, fits: bool| [vec![advice.into()], endless_axes(line, fits)].concat();
     let products = (max / (travel * line.p.count())).floor();
     if products < 1.0 {
-        return fail(None, [msg!("ribbon.range-product", axis, max, ((max / travel).floor(), 0)).into()]);
+        let advice = msg!("ribbon.range-product", axis, max, ((max / travel).floor(), 0));
+        return fail(None, with(advice, false));
     }
     let seconds = (range_time(line), 0);
-    let advice = match line.control.can(Code::SetCoordinates) {
-        true => msg!("ribbon.range-shifted", axis, max, seconds, (products, 0)),
-        false => msg!("ribbon.range-open", axis, max, seconds, (products, 0)),
+    if line.p.endless == Endless::Shift && line.dialect.running.range != Some(CoordinateFrame::Machine) {
+        let advice = msg!("ribbon.range-shifted", axis, max, seconds, (products, 0));
+        return Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] });
+    }
+    warn(None, with(msg!("ribbon.range-open", axis, max, seconds, (products, 0)), true))
+}
+
+/// Drift (mm/h or °/h) of the pull axis and of the print roller against their motors: what is left of the ratio when parameters have taken it as
+/// whole numbers; none where the control has no such numbers.
+pub(super) fn scaling_drifts(line: &RibbonLine) -> [Option<f64>; 2] {
+    let feeds = [line.d.x_feed, line.d.y_feed];
+    let drives = line.drives("");
+    [0, 1].map(|at| Some(drives[at].error(line.control)? * feeds[at] * 60.0))
+}
+
+/// The dots of a product may drift by the tolerance of a dot.
+fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    if !AxisDrive::is_scaled(line.control) {
+        return None;
+    }
+    let axis = if at == 0 { "X".to_owned() } else { letter(line) };
+    let Some(drift) = scaling_drifts(line)[at] else {
+        return fail(None, [msg!("scaling.no-ratio", axis).into()]);
     };
-    Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] })
+    let per_turn = if at == 1 && line.degrees() { 360.0 / (PI * p.print_roller_diameter) } else { 1.0 };
+    let limit = p.dot_tolerance * per_turn * 3600.0 / d.product_time;
+    if drift.abs() <= limit {
+        return ok(AtMost(limit));
+    }
+    let mut advice = Advice::from(msg!("ribbon.scaling-drifts", axis, (drift, 4), (limit, 4)));
+    if at == 1 && !line.degrees() && p.print_axis == PrintAxis::Y {
+        advice = advice.setting(msg!("advice.degrees"), [("y-unit", "degrees".to_owned())]);
+    }
+    warn(AtMost(limit), [advice])
+}
+
+fn scaling_x(line: &RibbonLine) -> Option<Judgement> {
+    scaling(line, 0)
+}
+
+fn scaling_y(line: &RibbonLine) -> Option<Judgement> {
+    scaling(line, 1)
 }
 
 fn y_drift(line: &RibbonLine) -> Option<Judgement> {

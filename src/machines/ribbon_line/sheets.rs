@@ -6,6 +6,7 @@ use super::resolved::RibbonLine;
 use super::stops::reactions;
 use crate::controls::ParamRole;
 use crate::controls::interface::SignalRole;
+use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
 use crate::machines::stops;
 use crate::text::number::Plain;
@@ -26,10 +27,16 @@ fn parameters(line: &RibbonLine) -> Sheet {
     let per_axis = |x: f64, y: f64| vec![("X", number(x)), (print, number(y))];
     let one = |setting: ParamValue| vec![("", setting)];
     let both = |on: bool| vec![("X", ParamValue::Answer(on)), (print, ParamValue::Answer(on))];
-    // A rotary axis can be C or what was fitted as Y.
-    let turning = if p.print_axis == PrintAxis::Z { vec![] } else { vec![(print, ParamValue::Answer(line.degrees()))] };
+    // Axes whose coordinates roll over are rotary ones to the control, whatever their words count.
+    let [pull_rolls, print_rolls] = line.rolls_over();
+    let rolling: Vec<&str> = [("X", pull_rolls), (print, print_rolls)].into_iter().filter_map(rolls).collect();
+    let each = |value: fn() -> ParamValue| rolling.iter().map(|axis| (*axis, value())).collect::<Vec<_>>();
+    let mut turning: Vec<_> = each(|| ParamValue::Answer(true));
+    if !print_rolls && p.print_axis != PrintAxis::Z {
+        turning.push((print, ParamValue::Answer(false)));
+    }
     let yes = |on: bool| one(ParamValue::Answer(on));
-    let values = vec![
+    let mut values = vec![
         (ParamRole::SpindleCount, yes(true)),
         (ParamRole::SpindleConnection, yes(true)),
         (ParamRole::SpindleLimit, one(number(p.speed_at_10v))),
@@ -38,6 +45,10 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (ParamRole::SpindleEncoder, yes(p.spindle_encoder)),
         (ParamRole::AxisDiameter, vec![("X", ParamValue::Answer(line.pull_words() == 2))]),
         (ParamRole::AxisRotary, turning),
+        (ParamRole::AxisRollOver, each(|| ParamValue::Answer(true))),
+        (ParamRole::AxisRollDisplay, each(|| ParamValue::Answer(true))),
+        (ParamRole::AxisShortWay, each(|| ParamValue::Answer(false))),
+        (ParamRole::AxisTurn, each(|| ParamValue::Number(360.0))),
         (ParamRole::AxisRapid, per_axis(p.rapid_x, p.rapid_y)),
         (ParamRole::AxisClamp, per_axis(p.clamp_x, p.clamp_y)),
         (ParamRole::AxisAcceleration, both(true)),
@@ -52,8 +63,14 @@ fn parameters(line: &RibbonLine) -> Sheet {
         (ParamRole::EditLock, yes(false)),
         (ParamRole::MacroSingle, yes(false)),
     ];
-    let axes = AxisUnits { cross_words: f64::from(line.pull_words()), rotary: line.degrees().then_some(print) };
+    values.extend(scaling::parameters(line.control, &line.drives(print)));
+    let axes = AxisUnits { cross_words: f64::from(line.pull_words()), rotary: &rolling };
     sheets::parameters(line.control, &axes, values)
+}
+
+/// The axis, if it rolls over.
+fn rolls((axis, rolls): (&str, bool)) -> Option<&str> {
+    rolls.then_some(axis)
 }
 
 /// Registers between PLC and control, as far as the control has them: who writes, who reads, what for.

@@ -4,6 +4,7 @@ use crate::controls::Address;
 use crate::controls::{Alarm, Code, Control};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::machines::scaling;
 use crate::{member, options};
 
 options! {
@@ -109,6 +110,13 @@ pub(crate) struct Params {
     pub clamp_z: f64,
     pub travel_x: f64,
     pub travel_z: f64,
+    pub lead_x: f64,
+    pub lead_z: f64,
+    pub motor_teeth_x: f64,
+    pub screw_teeth_x: f64,
+    pub motor_teeth_z: f64,
+    pub screw_teeth_z: f64,
+    pub encoder_counts: f64,
     pub time_constant: f64,
     pub position_gain: f64,
     pub block_time: f64,
@@ -258,6 +266,13 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(0.0..=10000.0).default(0.0).decimals(1).step(10.0).fact(),
     number("travel-z", member!(Params.travel_z)).group("turning.group.axes").label("turning.travel-z").help("turning.travel.help")
         .unit("mm").range(0.0..=20000.0).default(0.0).decimals(1).step(10.0).fact(),
+    scaling::lead("lead-x", "turning.group.axes", "scaling.lead-x", member!(Params.lead_x)),
+    scaling::lead("lead-z", "turning.group.axes", "scaling.lead-z", member!(Params.lead_z)),
+    scaling::teeth("motor-teeth-x", "turning.group.axes", "scaling.motor-teeth-x", member!(Params.motor_teeth_x)),
+    scaling::teeth("screw-teeth-x", "turning.group.axes", "scaling.screw-teeth-x", member!(Params.screw_teeth_x)),
+    scaling::teeth("motor-teeth-z", "turning.group.axes", "scaling.motor-teeth-z", member!(Params.motor_teeth_z)),
+    scaling::teeth("screw-teeth-z", "turning.group.axes", "scaling.screw-teeth-z", member!(Params.screw_teeth_z)),
+    scaling::encoder("encoder-counts", "turning.group.axes", member!(Params.encoder_counts)),
     number("time-constant", member!(Params.time_constant)).group("turning.group.axes").label("turning.time-constant").help("turning.time-constant.help").symbol("τ")
         .unit("ms").range(0.0..=5000.0).default(100.0).decimals(1).step(10.0).fact(),
     number("position-gain", member!(Params.position_gain)).group("turning.group.axes").label("turning.position-gain").help("turning.position-gain.help").symbol("K")

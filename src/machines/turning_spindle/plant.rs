@@ -14,6 +14,7 @@ pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
     let slide = |letter: Address, diameter: bool, rapid: f64, clamp: f64, home: f64| AxisPlant {
         letter: Some(letter),
         rotary: false,
+        endless: false,
         diameter,
         rapid,
         clamp,

@@ -1,12 +1,15 @@
 //! The results of the turning spindle as rows: label, unit, formula, source.
 
 use super::resolved::TurningSpindle;
+use crate::machines::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
 const SURFACE: Citation = Citation::new("the makers' pages on S, G96 and G97", Grade::Manual);
 const OUTPUT: Citation = Citation::new("turning spindle facts 1; 12 bits from a sister control", Grade::Sister);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
+
+const SCALING: Citation = Citation::new("ribbon line facts, 10", Grade::Inferred);
 
 /// Rows in the order they are shown; the headline ones first.
 #[rustfmt::skip]
@@ -94,5 +97,13 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "torque", label: "turning.readout.torque", unit: "Nm", decimals: 1, headline: false,
         formula: "F D / 2000", cite: MECHANICS, value: |lathe| lathe.d.torque,
+    },
+    ReadoutRow {
+        id: "x-scaling-drift", label: "scaling.x-drift", unit: "µm/m", decimals: 4, headline: false,
+        formula: "10⁶ · (travel of the motor / travel by the parameters - 1)", cite: SCALING, value: |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[0]),
+    },
+    ReadoutRow {
+        id: "z-scaling-drift", label: "scaling.z-drift", unit: "µm/m", decimals: 4, headline: false,
+        formula: "10⁶ · (travel of the motor / travel by the parameters - 1)", cite: SCALING, value: |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[1]),
     },
 ];

@@ -6,6 +6,7 @@ use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
 use crate::drives::Stage;
 use crate::machines::machine::ControlContext;
+use crate::machines::scaling::AxisDrive;
 use crate::motion::Snapshot;
 
 /// The axis across the spindle, and the one along it.
@@ -49,6 +50,17 @@ impl TurningSpindle {
         let bench = &control.bench;
         let d = Derived::new(&p, bench.volts_full, bench.output_bits, &dialect.spindle());
         TurningSpindle { form, p, d, control, dialect }
+    }
+
+    /// Drives of the slides across and along the work.
+    pub(super) fn drives(&self) -> [AxisDrive<'static>; 2] {
+        let p = &self.p;
+        let drive =
+            |axis, lead, gear, words| AxisDrive { axis, lead, gear, encoder: p.encoder_counts, rotary: false, words };
+        [
+            drive("X", p.lead_x, (p.screw_teeth_x, p.motor_teeth_x), if self.diameters() { 2.0 } else { 1.0 }),
+            drive("Z", p.lead_z, (p.screw_teeth_z, p.motor_teeth_z), 1.0),
+        ]
     }
 
     /// Index of the axis across the spindle.

@@ -5,6 +5,7 @@ use super::program;
 use super::resolved::TurningSpindle;
 use crate::controls::CodeId;
 use crate::drives::Bound;
+use crate::machines::scaling;
 use crate::machines::verdict::{Judgement, Rule, down, fail, ok, warn};
 use crate::math;
 use crate::msg;
@@ -15,6 +16,8 @@ use crate::view::Limit::{AtLeast, AtMost};
 
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<TurningSpindle>] = &[
+    Rule::new("x-scaling-drift", scaling_x, Citation::new("ribbon line facts, 10", Grade::Inferred)),
+    Rule::new("z-scaling-drift", scaling_z, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("speed-smallest", top_speed, Citation::new("highest speed of the chuck", Grade::Manual)),
     Rule::new("limit-diameter", limit, Citation::new("turning spindle facts 2: the upper limit wins", Grade::Inferred)),
     Rule::new("volts-smallest", few_volts, Citation::new("engineering choice", Grade::Inferred)),
@@ -26,6 +29,14 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
     Rule::new("cutting-time", block_time, Citation::new("what a block costs, a parameter", Grade::Open)),
     Rule::new("power", power, Citation::new("data sheet of the motor", Grade::Manual)),
 ];
+
+fn scaling_x(lathe: &TurningSpindle) -> Option<Judgement> {
+    scaling::judge(lathe.control, &lathe.drives()[0])
+}
+
+fn scaling_z(lathe: &TurningSpindle) -> Option<Judgement> {
+    scaling::judge(lathe.control, &lathe.drives()[1])
+}
 
 fn top_speed(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;

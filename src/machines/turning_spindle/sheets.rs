@@ -4,6 +4,7 @@ use super::params::Output;
 use super::plant::{POSITIONING, SHIFT_VOLTS, plc};
 use super::resolved::TurningSpindle;
 use crate::controls::ParamRole;
+use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, AxisValues, ParamValue};
 use crate::view::Sheet;
 
@@ -33,7 +34,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
     let minimum = if rules.low_always { by_stage(&|_| p.lower_limit) } else { number(p.lower_limit) };
     let shifts = p.stages().nth(1).is_some();
     let angle = |value: f64| if lathe.positions() { number(value) } else { Vec::new() };
-    let values: Vec<(ParamRole, AxisValues)> = vec![
+    let mut values: Vec<(ParamRole, AxisValues)> = vec![
         (ParamRole::SpindleCount, yes(true)),
         (ParamRole::SpindleConnection, yes(true)),
         (ParamRole::SpindleOffsetRated, volts(ParamRole::SpindleOffsetRated, p.offset_full)),
@@ -76,6 +77,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::VariablesAtReset, yes(false)),
         (ParamRole::VariablesAtPowerOn, yes(false)),
     ];
-    let axes = AxisUnits { cross_words: if lathe.diameters() { 2.0 } else { 1.0 }, rotary: None };
+    values.extend(scaling::parameters(lathe.control, &lathe.drives()));
+    let axes = AxisUnits { cross_words: if lathe.diameters() { 2.0 } else { 1.0 }, rotary: &[] };
     sheets::parameters(lathe.control, &axes, values)
 }

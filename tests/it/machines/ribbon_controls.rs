@@ -371,6 +371,10 @@ fn lathe_parameter_sheets_match_their_goldens() {
             No.001#1 |  |  | 0 |  | 0: 0.001 mm (IS-B), 1: 0.0001 mm (IS-C)
             No.001#2 |  | X | 0 |  | words of X: 0 diameters, 1 radii
             No.001#4 |  |  | 1 |  | 1: analog voltage, 0: gears by contacts
+            No.015 | CMR | X | 113 |  | numerator: counts of the encoder per turn of the motor
+            No.015 | CMR | C | 25 |  | numerator: counts of the encoder per turn of the motor
+            No.016 | CMD | X | 71 |  | denominator: output units of 0.001 mm per turn (X by diameters: 0.0005 mm), both in lowest terms
+            No.016 | CMD | C | 18 |  | denominator: output units of 0.001 mm per turn (X by diameters: 0.0005 mm), both in lowest terms
             No.022 |  | X | 20000 | mm/min | rapid traverse
             No.022 |  | C | 150000 | °/min | rapid traverse
             No.027 |  | X | 40000 | mm/min | upper limit of the cutting feed; of X as diameter
@@ -401,10 +405,18 @@ fn lathe_parameter_sheets_match_their_goldens() {
             1610#0 | CTL | Z | 1 |  | acceleration of cutting feed: 0 exponential, 1 linear
             1622 |  | X | 100 | ms | time constant of acceleration, cutting feed
             1622 |  | Z | 100 | ms | time constant of acceleration, cutting feed
+            1820 | CMR | X | 102 |  | command to detection units: 2 is 1, 102 is 1/2 (diameters)
+            1820 | CMR | Z | 2 |  | command to detection units: 2 is 1, 102 is 1/2 (diameters)
+            1821 |  | X | 31415.929204 |  | reference counter: detection units per turn of the motor
+            1821 |  | Z | 75398.218789 |  | reference counter: detection units per turn of the motor
             1825 |  | X | 3300 | 0.01/s | servo loop gain
             1825 |  | Z | 3300 | 0.01/s | servo loop gain
             1826 |  | X | 20 | 0.001 mm | in-position width
             1826 |  | Z | 20 | 0.001 mm | in-position width
+            2084 | N | X | 71 |  | flexible feed gear, numerator: detection units per turn of the motor
+            2084 | N | Z | 2362 |  | flexible feed gear, numerator: detection units per turn of the motor
+            2085 | M | X | 2260 |  | its denominator: 1 000 000 counts, both in lowest terms
+            2085 | M | Z | 31327 |  | its denominator: 1 000 000 counts, both in lowest terms
             3202#4 | NE9 |  | 0 |  | 1: programs 9000 to 9999 cannot be edited; 0 to load O9120
             3701#1 | ISI |  | 1 |  | 0: serial spindle, 1: analog
             3741 |  |  | 1480 | r/min | spindle speed at 10 V, gear 1

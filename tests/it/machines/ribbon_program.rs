@@ -39,7 +39,7 @@ pub(super) fn parsed(on: ControlContext<'static>, values: &Values) -> (MachinePr
 
 /// The PLC's word is #1033 or #1032.
 fn world(percent: f64) -> Still {
-    Still { inputs: vec![(1032, percent), (1033, percent)], positions: [0.0; 6], block_skip: false, ..Still::default() }
+    Still { inputs: vec![(1032, percent), (1033, percent)], positions: [0.0; 6], endless: true, ..Still::default() }
 }
 
 /// The run program behind the set-up program, as on the machine: variables stay.

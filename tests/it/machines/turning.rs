@@ -271,9 +271,17 @@ fn parameter_sheets_match_their_goldens() {
         MD30130 CTRLOUT_TYPE 1 Open
         MD30200 NUM_ENCS 1 Sister
         MD30134 IS_UNIPOLAR_OUTPUT 1 Open
+        MD31020 ENC_RESOL X 10000 p/rev Sister
+        MD31020 ENC_RESOL Z 10000 p/rev Sister
+        MD31030 LEADSCREW_PITCH X 5 mm Sister
+        MD31030 LEADSCREW_PITCH Z 5 mm Sister
+        MD31050 DRIVE_AX_RATIO_DENOM X 1 Sister
+        MD31050 DRIVE_AX_RATIO_DENOM Z 1 Sister
         MD31050 DRIVE_AX_RATIO_DENOM 1 1000 Sister
         MD31050 DRIVE_AX_RATIO_DENOM 2 3000 Sister
         MD31050 DRIVE_AX_RATIO_DENOM 3 1500 Sister
+        MD31060 DRIVE_AX_RATIO_NUMERA X 1 Sister
+        MD31060 DRIVE_AX_RATIO_NUMERA Z 1 Sister
         MD31060 DRIVE_AX_RATIO_NUMERA 1 1000 Sister
         MD31060 DRIVE_AX_RATIO_NUMERA 2 1000 Sister
         MD31060 DRIVE_AX_RATIO_NUMERA 3 1000 Sister
@@ -304,6 +312,10 @@ fn parameter_sheets_match_their_goldens() {
         No.001#1 0 Sister
         No.001#2 X 0 Sister
         No.001#4 1 Sister
+        No.015 CMR X 1 Sister
+        No.015 CMR Z 2 Sister
+        No.016 CMD X 1 Sister
+        No.016 CMD Z 1 Sister
         No.021 35 mV Sister
         No.022 X 8000 mm/min Sister
         No.022 Z 10000 mm/min Sister
@@ -342,8 +354,16 @@ fn parameter_sheets_match_their_goldens() {
         1610#0 CTL Z 1 Open
         1622 X 100 ms Open
         1622 Z 100 ms Open
+        1820 CMR X 102 Open
+        1820 CMR Z 2 Open
+        1821 X 5000 Open
+        1821 Z 5000 Open
         1825 X 3300 0.01/s Open
         1825 Z 3300 0.01/s Open
+        2084 N X 1 Open
+        2084 N Z 1 Open
+        2085 M X 200 Open
+        2085 M Z 200 Open
         3701#1 ISI 1 Open
         3708#0 SAR 0 Open
         3740 0 ms Open
@@ -369,8 +389,18 @@ fn parameter_sheets_match_their_goldens() {
         #2003 smgst Z 11 hex Open
         #2007 G1tL X 100 ms Sister
         #2007 G1tL Z 100 ms Sister
+        #2201 PC1 X 1 Inferred
+        #2201 PC1 Z 1 Inferred
+        #2202 PC2 X 1 Inferred
+        #2202 PC2 Z 1 Inferred
         #2203 PGN1 X 33 1/s Open
         #2203 PGN1 Z 33 1/s Open
+        #2218 PIT X 5 mm Inferred
+        #2218 PIT Z 5 mm Inferred
+        #2219 RNG1 X 10 kp/rev Open
+        #2219 RNG1 Z 10 kp/rev Open
+        #2220 RNG2 X 10 kp/rev Open
+        #2220 RNG2 Z 10 kp/rev Open
         #3001 slimt1 1000 r/min Sister
         #3005 smax1 3000 r/min Open
         #3023 smini 0 r/min Open

@@ -82,6 +82,7 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         mitsubishi-e60 arc-deviation
         mitsubishi-e60 arc-radius
         mitsubishi-e60 code-in-code
+        mitsubishi-e60 coordinate-range
         mitsubishi-e60 division-in-word
         mitsubishi-e60 division
         mitsubishi-e60 feed-after-unit
@@ -101,6 +102,7 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         mitsubishi-e60 variable-option-computed
         gsk-980tdc arc-center
         gsk-980tdc arc-radius
+        gsk-980tdc coordinate-range
         gsk-980tdc division
         gsk-980tdc function-alarm
         gsk-980tdc m-codes
@@ -117,6 +119,7 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         gsk-980tdc vacant-value
         knd-k2000t arc-center
         knd-k2000t arc-radius
+        knd-k2000t coordinate-range
         knd-k2000t division
         knd-k2000t feed-zero
         knd-k2000t jump-number
@@ -130,6 +133,7 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         knd-k2000t user-alarm
         fanuc-0i-tf arc-center
         fanuc-0i-tf arc-radius
+        fanuc-0i-tf coordinate-range
         fanuc-0i-tf division
         fanuc-0i-tf feed-zero
         fanuc-0i-tf jump-number
@@ -146,6 +150,7 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         fanuc-0i-tf user-alarm
         fanuc-0i-mf arc-center
         fanuc-0i-mf arc-radius
+        fanuc-0i-mf coordinate-range
         fanuc-0i-mf division
         fanuc-0i-mf feed-zero
         fanuc-0i-mf jump-number
@@ -166,6 +171,7 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         sinumerik-802d area-arc
         sinumerik-802d area-circle
         sinumerik-802d area
+        sinumerik-802d coordinate-range
         sinumerik-802d division
         sinumerik-802d feed-above
         sinumerik-802d feed-zero
@@ -189,6 +195,7 @@ fn precheck_alarm_equals_the_alarm_of_the_run() {
         sinumerik-808d area-arc
         sinumerik-808d area-circle
         sinumerik-808d area
+        sinumerik-808d coordinate-range
         sinumerik-808d division
         sinumerik-808d feed-above
         sinumerik-808d feed-zero

@@ -320,7 +320,7 @@ fn paper_formulas_give_the_papers_table() {
 fn million_increments_add_up_exactly() {
     let source = "O1\nG91 G01 F1000\nWHILE[#100 LT 1000000]DO1\nY62.832 X-.001\n#100=#100+1\nEND1\nM30";
     let mut interp = start(source, &[]);
-    let end = interp::run(&mut interp, &mut world(), u64::MAX, |_, _| {});
+    let end = interp::run(&mut interp, &mut Still { endless: true, ..world() }, u64::MAX, |_, _| {});
     assert_eq!(end, Some(End::Program));
     assert_eq!(interp.position()[..2], [-1_000_000, 62_832_000_000]);
 }

@@ -1,6 +1,6 @@
 //! Parameters of the FANUC family that a machine has to set.
 
-use super::sources::{COMMANDS, MEMORY, SPEED_REACHED};
+use super::sources::{CMR, COMMANDS, MEMORY, ROLL_OVER, SPEED_REACHED};
 use crate::controls::ParamDef;
 use crate::controls::ParamRole::*;
 use crate::controls::params::param;
@@ -15,14 +15,30 @@ const DIAMETER: &[ParamDef] =
 
 /// Axes, spindle, programs and macros.
 const FURTHER: &[ParamDef] = &[
+    param(AxisRollOver, "1008#0", "ROA", "", "1: coordinates of a rotary axis roll over: it is endless", ROLL_OVER),
+    param(AxisShortWay, "1008#1", "RAB", "", "absolute words: 0 by the shorter way, 1 by their sign", ROLL_OVER)
+        .answered("0", "1"),
+    param(AxisRollDisplay, "1008#2", "RRL", "", "1: relative coordinates roll over, too", ROLL_OVER),
+    param(AxisTurn, "1260", "", "0.001 mm", "travel of a rotary axis per turn", ROLL_OVER),
     param(AxisSoftLimits, "1320/1321", "", "0.001 mm", "soft limits 1, machine coordinates", MEMORY).answered("", ""),
     param(AxisRapid, "1420", "", "mm/min", "rapid traverse", MEMORY),
     param(AxisClamp, "1422", "", "mm/min", "upper limit of the cutting feed", MEMORY),
     param(ExactStopCheck, "1601#5", "NCI", "", "0: in-position check at deceleration, 1: none", MEMORY),
     param(AxisAcceleration, "1610#0", "CTL", "", "acceleration of cutting feed: 0 exponential, 1 linear", MEMORY),
     param(AxisTimeConstant, "1622", "", "ms", "time constant of acceleration, cutting feed", MEMORY),
+    param(CommandMultiplier, "1820", "CMR", "", "command to detection units: 2 is 1, 102 is 1/2 (diameters)", CMR),
+    param(ReferenceCounts, "1821", "", "", "reference counter: detection units per turn of the motor", MEMORY),
     param(AxisPositionGain, "1825", "", "0.01/s", "servo loop gain", MEMORY),
     param(AxisInPosition, "1826", "", "0.001 mm", "in-position width", MEMORY),
+    param(
+        FeedGearOver,
+        "2084",
+        "N",
+        "",
+        "flexible feed gear, numerator: detection units per turn of the motor",
+        MEMORY,
+    ),
+    param(FeedGearUnder, "2085", "M", "", "its denominator: 1 000 000 counts, both in lowest terms", MEMORY),
     param(EditLock, "3202#4", "NE9", "", "1: programs 9000 to 9999 cannot be edited", MEMORY),
     param(DecimalPoint, "3401#0", "DPI", "", "word without a point: 0 in command units, 1 in mm", MEMORY),
     param(SpindleConnection, "3701#1", "ISI", "", "0: serial spindle, 1: analog", MEMORY),

@@ -25,3 +25,8 @@ pub const COMMANDS: Citation =
     Citation::new("FANUC Power Mate i-D/H parameter manual, p.107: 3741 to 3744", Grade::Sister);
 /// Alarms of the series 30i, whose numbers and texts the 0i-F shares.
 pub const ALARM_LIST: Citation = Citation::new("FANUC 30i PS alarm list, copy in a public repository", Grade::Inferred);
+/// Roll-over of rotary axes.
+pub const ROLL_OVER: Citation =
+    Citation::new("FANUC 16i operator's manual B-63534EN/02, p.531: roll-over of rotary axes", Grade::Sister);
+/// Command multiplier.
+pub const CMR: Citation = Citation::new("FANUC 30i parameter manual B-63950EN/02, p.106: CMR", Grade::Sister);

@@ -33,6 +33,10 @@ const RUNNING: &[Switch] = &[
     switch(MCodes::of(&[MCodes::LastActs, MCodes::LastThreeAct, MCodes::Alarm]), MEMORY)
         .label("switch.m-codes-more")
         .parameter("3404#7"),
+    switch(
+        CoordinateRange::of(&[CoordinateRange::Program, CoordinateRange::Machine, CoordinateRange::NoAlarm]),
+        MEMORY,
+    ),
     switch(StartupMotion::of(&[StartupMotion::G00, StartupMotion::G01]), MEMORY).parameter("3402#0"),
     switch(StartupFeed::of(&[StartupFeed::G99, StartupFeed::G98]), MEMORY).parameter("3402#4"),
     switch(AngleRange::of(&[AngleRange::AtanTurnAsinWithinTurn, AngleRange::AtanHalfTurnAsinAroundZero]), MEMORY)

@@ -9,6 +9,9 @@ const SPINDLE: Citation = Citation::new("808D function manual 01/2017, p.168", G
 const TRANSVERSE: Citation = Citation::new("alarm 10870 of the 840D sl, function manual 08/2005, p.2-9", Grade::Sister);
 const VELOCITY: Citation = Citation::new("alarm 22270 of the 828D, p.338", Grade::Sister);
 const ENCODER: Citation = Citation::new("alarm 16770 of the 808D, p.243", Grade::Sister);
+const MODULO: Citation = Citation::new("808D parameter manual, p.225 and 227: modulo axes", Grade::Sister);
+const SCALING: Citation =
+    Citation::new("840D sl basic functions 01/2015, p.349: encoder, lead and gear", Grade::Sister);
 const OUTPUT: Citation = Citation::new("start-up of Siemens controls, unverified", Grade::Open);
 
 const GEARS: Citation = Citation::new("802S start-up, p.4-48", Grade::Sister);
@@ -22,7 +25,15 @@ pub const PARAMS: &[ParamDef] = &[
     param(SpindleConnection, "MD30130", "CTRLOUT_TYPE", "", "0 simulation, 1 output to the drive", OUTPUT),
     param(SpindleEncoder, "MD30200", "NUM_ENCS", "", "measuring systems of the spindle", ENCODER),
     param(SpindleUnipolar, "MD30134", "IS_UNIPOLAR_OUTPUT", "", "0: -10 to 10 V, 1: 0 to 10 V", OUTPUT),
+    param(AxisRotary, "MD30300", "IS_ROT_AX", "", "1: rotary axis, in degrees; no geometry axis (alarm 4200)", MODULO),
+    param(AxisRollOver, "MD30310", "ROT_IS_MODULO", "", "1: modulo axis, endless, without software limits", MODULO),
+    param(AxisRollDisplay, "MD30320", "DISPLAY_IS_MODULO", "", "1: its display begins anew with each turn", MODULO),
+    param(AxisTurn, "MD30330", "MODULO_RANGE", "°", "size of a turn of a modulo axis", MODULO),
+    param(EncoderCounts, "MD31020", "ENC_RESOL", "p/rev", "marks of the encoder per turn of the motor", SCALING),
+    param(Lead, "MD31030", "LEADSCREW_PITCH", "mm", "travel per turn of screw or roller; linear axes", SCALING),
+    param(LoadTurns, "MD31050", "DRIVE_AX_RATIO_DENOM", "", "gear of an axis: turns of screw or roller", SCALING),
     param(SpindleRatioSpindle, "MD31050", "DRIVE_AX_RATIO_DENOM", "", "turns of the spindle, by gear stage", GEARS),
+    param(MotorTurns, "MD31060", "DRIVE_AX_RATIO_NUMERA", "", "gear of an axis: turns of the motor", SCALING),
     param(SpindleRatioMotor, "MD31060", "DRIVE_AX_RATIO_NUMERA", "", "turns of the motor, by gear stage", GEARS),
     param(AxisRapid, "MD32000", "MAX_AX_VELO", "mm/min", "largest axis velocity", VELOCITY),
     param(AxisPositionGain, "MD32200", "POSCTRL_GAIN", "1000/min", "servo gain", OUTPUT),

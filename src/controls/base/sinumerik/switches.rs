@@ -39,6 +39,10 @@ pub const SWITCHES: &[Switch] = &[
     switch(EndInSubprogram::of(&[EndInSubprogram::Return, EndInSubprogram::EndProgram]), ENDS),
     switch(SubprogramLevels::of(&[SubprogramLevels::Eight, SubprogramLevels::Sixteen]), LEVELS),
     switch(RotaryAxes::of(""), MEMORY),
+    switch(
+        CoordinateRange::of(&[CoordinateRange::Program, CoordinateRange::Machine, CoordinateRange::NoAlarm]),
+        MEMORY,
+    ),
     switch(WorkingArea::of(&[WorkingArea::Limit, WorkingArea::NoLimit]), MEMORY).parameter("SD43400, SD43410"),
     switch(ReferencePoint::of(""), MEMORY),
     switch(FixedPoint::of(""), MEMORY),

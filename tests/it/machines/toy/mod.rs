@@ -60,7 +60,7 @@ impl Prepared for CutToLength {
     }
 
     fn sheets(&self) -> Vec<Sheet> {
-        let units = sheets::AxisUnits { cross_words: 1.0, rotary: None };
+        let units = sheets::AxisUnits { cross_words: 1.0, rotary: &[] };
         vec![sheets::parameters(self.control, &units, plant::parameters(self))]
     }
 

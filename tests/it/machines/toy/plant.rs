@@ -12,6 +12,7 @@ pub(super) fn plant(feeder: &CutToLength) -> Plant {
     let axis = AxisPlant {
         letter: Some(FEED_AXIS),
         rotary: false,
+        endless: false,
         diameter: false,
         rapid: p.clamp,
         clamp: p.clamp,

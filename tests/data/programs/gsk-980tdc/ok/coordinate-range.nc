@@ -1,0 +1,9 @@
+%
+O1(COORDINATES BEYOND THE RANGE OF WORDS)
+(SET coordinate-range no-alarm)
+G00 W60000.
+G50 Z0
+G00 W60000.
+W60000.
+M30
+%

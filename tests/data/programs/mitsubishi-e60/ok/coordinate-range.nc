@@ -1,0 +1,10 @@
+%
+O1(COORDINATES BEYOND THE RANGE OF WORDS)
+(SET coordinate-range no-alarm)
+G91
+G00 Y60000.
+G92 Y0
+Y60000.
+Y60000.
+M30
+%

@@ -1,0 +1,9 @@
+;12160 7:1
+%_N_RANGE_MPF
+;SET coordinate-range machine
+G91
+G0 Z60000
+TRANS Z60000
+G0 Z60000
+Z60000
+M2
