@@ -3,7 +3,7 @@
 use super::header;
 use super::machine::Machine;
 use crate::controls::{Address, Code, CodeId, Control, VarKind};
-use crate::nc::build::{Builder, NewWord, g, m, real, v, word};
+use crate::nc::build::{Builder, Formula, NewWord, g, m, real, v, word};
 
 /// Comments with the version of macroline and the settings of the form.
 pub fn write_header<M: Machine>(b: &mut Builder, params: &M::Params, control: &Control) {
@@ -40,6 +40,29 @@ pub fn opening(control: &Control) -> Vec<NewWord> {
 /// The variable of the first axis's work position, those of the others behind it, where the control tells it: reading one waits for standstill.
 pub fn work_position(control: &Control) -> Option<u32> {
     control.vars.iter().find(|row| row.kind == VarKind::WorkPosition).map(|row| row.first)
+}
+
+/// The tool with its offset: T and D where the offset has an address of its own, T with both numbers on a lathe (T0101), else T alone.
+pub fn tool(control: &Control, number: u32) -> Vec<NewWord> {
+    if control.syntax.names().is_some() {
+        return vec![word(Address::T, number), word(Address::D, 1)];
+    }
+    let lathe = control.axes.iter().any(|axis| axis.diameter);
+    vec![word(Address::T, if lathe { 101 * number } else { number })]
+}
+
+/// Jumps to an alarm while the tool is not clear of the work: below a value of X, or behind the face. `place` has the variables of both positions.
+pub fn stays_clear(b: &mut Builder, (across, along): (u32, u32), clear: impl Fn() -> Formula, target: u32) {
+    b.if_goto(v(across).lt(clear()), target);
+    b.if_goto(v(along).lt(0), target);
+}
+
+/// Variables of the work positions of two axes, where the program can read them and raise an alarm of its own.
+pub fn places(control: &Control, letters: [Address; 2]) -> Option<(u32, u32)> {
+    let first = work_position(control).filter(|_| has_alarms(control))?;
+    let of = |letter| control.axis(letter).map(|at| first + at as u32);
+    let [across, along] = letters.map(of);
+    Some((across?, along?))
 }
 
 /// A dwell in seconds: with X where the control reads that, else with its first address for seconds.

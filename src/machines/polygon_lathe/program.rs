@@ -3,7 +3,7 @@
 //! The part program is the paper's, with more passes. Of O9120 and O9121 the paper names the variables that they write; everything else in
 //! them, and the bits to and from the PMC, is ours.
 
-use super::resolved::PolygonLathe;
+use super::resolved::{ALONG, CROSS, PolygonLathe};
 use crate::controls::Address;
 use crate::controls::Code;
 use crate::controls::CodeId;
@@ -43,6 +43,9 @@ const Q: u32 = 17;
 const OTHERS: [u32; 12] = [3, 9, 11, 13, 19, 20, 21, 22, 23, 24, 25, 26];
 /// Receives a position: reading it makes the control wait for standstill.
 const STANDS: u32 = 32;
+
+/// Number of the alarm of a cutter that is not clear of the work.
+const AWAY: u32 = 11;
 
 /// First sequence number of a pass, from 1, and that of its cutting block behind it.
 pub(super) fn number(pass: u32) -> u32 {
@@ -106,9 +109,21 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let word_of_x = show(p.across_flats * 0.5 * lathe.words(), 3);
     b.comment(&format!("X OFFSET OF THE CUTTER IS {offset}, X0 WITH THE TIPS AT THE CENTRE"));
     b.comment(&format!("THEN X{word_of_x} IS {across} MM ACROSS FLATS"));
-    b.n(10).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
-    b.n(11).words([word(Address::T, p.tool as u32 * 101)]);
-    b.n(12).words(rapid([cross(lathe, clear), z(mm(p.clearance))]));
+    let place = writing::places(lathe.control, [CROSS, ALONG]);
+    let away = || real(clear * 0.5 * lathe.words(), 3);
+    b.n(10).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
+    if let Some(place) = place {
+        writing::stays_clear(b.n(11), place, away, 900 + AWAY);
+    }
+    b.n(12).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
+    b.n(13).words(writing::tool(lathe.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
+    if let Some(place) = place {
+        // The offset shifts the coordinates.
+        writing::stays_clear(b, place, away, 900 + AWAY);
+    }
+    // Away from the work first: a start after a reset may begin anywhere.
+    b.n(14).words(rapid([cross(lathe, clear)]));
+    b.words([z(mm(p.clearance))]);
     let arguments = [
         (Address::B, real(p.speed, 0)),
         (Address::D, Formula::from(p.work_ratio as i32)),
@@ -131,6 +146,10 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     b.n(800).words(rapid([cross(lathe, p.start_x), z(mm(p.start_z))]));
     b.n(801).words([g(off)]).note("POLYGON TURNING OFF");
     b.n(802).words([m(30)]);
+    if place.is_some() {
+        writing::alarm(b, lathe.control, AWAY, "RETRACT THE CUTTER BY HAND");
+        b.words([m(30)]);
+    }
 }
 
 /// Jumps to an alarm where another word is in the block of the code.

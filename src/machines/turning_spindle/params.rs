@@ -78,6 +78,7 @@ pub(crate) struct Params {
     pub clearance: f64,
     pub start_x: f64,
     pub start_z: f64,
+    pub tool: f64,
     pub keyway: bool,
     pub keyway_angle: f64,
     pub lock_code: f64,
@@ -213,6 +214,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(1.0..=5000.0).default(150.0).decimals(3).step(10.0),
     number("start-z", member!(Params.start_z)).group("turning.group.cut").label("turning.start-z").help("turning.start-z.help").symbol("#112")
         .unit("mm").range(0.1..=5000.0).default(100.0).decimals(3).step(10.0),
+    number("tool", member!(Params.tool)).group("turning.group.cut").label("turning.tool").help("turning.tool.help").symbol("T")
+        .range(1.0..=99.0).default(1.0).decimals(0).step(1.0),
     flag("keyway", member!(Params.keyway)).group("turning.group.cut").label("turning.keyway").help("turning.keyway.help")
         .when(Params::can_position),
     number("keyway-angle", member!(Params.keyway_angle)).group("turning.group.cut").label("turning.keyway-angle").help("turning.keyway-angle.help").symbol("#113")

@@ -101,9 +101,13 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     writing::write_header::<TurningSpindle>(b, &lathe.form, lathe.control);
     writing::guards(b, &entries(lathe));
     b.n(16).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
-    if let Some((across, along)) = place(lathe) {
-        b.n(17).if_goto(v(across).lt(size(lathe, clear())), 900 + away_alarm(lathe));
-        b.n(18).if_goto(v(along).lt(0), 900 + away_alarm(lathe));
+    if let Some(place) = place(lathe) {
+        writing::stays_clear(b.n(17), place, || size(lathe, clear()), 900 + away_alarm(lathe));
+    }
+    b.n(18).words(writing::tool(lathe.control, lathe.p.tool as u32)).note("TOOL AND ITS OFFSET");
+    if let Some(place) = place(lathe) {
+        // The offset shifts the coordinates.
+        writing::stays_clear(b, place, || size(lathe, clear()), 900 + away_alarm(lathe));
     }
     if lathe.surface() && lathe.control.can(Code::SetCoordinates) {
         b.n(20).words(block(lathe, Code::SetCoordinates, limit(lathe)));
@@ -112,7 +116,9 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
     if let Some(gear) = gear(lathe) {
         b.n(22).words(gear);
     }
-    b.n(23).words(block(lathe, Code::Rapid, [cross(lathe, clear()), z(v(108))]));
+    // Away from the work first: a start after a reset may begin anywhere.
+    b.n(23).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
+    b.words([z(v(108))]);
     start(b, lathe);
     let face = lathe.p.path == Path::Facing;
     let (whole, step) = match lathe.p.path {
@@ -152,9 +158,7 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
 
 /// Variables of the tool's position in X and Z, where the program can read it and raise an alarm of its own.
 fn place(lathe: &TurningSpindle) -> Option<(u32, u32)> {
-    let first = writing::work_position(lathe.control).filter(|_| writing::has_alarms(lathe.control))?;
-    let of = |letter| lathe.control.axes.iter().position(|axis| axis.letter == letter).map(|at| first + at as u32);
-    Some((of(CROSS)?, of(ALONG)?))
+    writing::places(lathe.control, [CROSS, ALONG])
 }
 
 /// Number of the alarm of a tool that is not clear of the work, behind those of the entries.

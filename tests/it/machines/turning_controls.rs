@@ -99,7 +99,7 @@ fn speed(control: &Control, changes: &[(&str, &str)], cut: usize, seconds: f64) 
 /// Volts at the end, where the run ended in some way.
 fn volts(control: &Control, changes: &[(&str, &str)], event: Option<Action>) -> String {
     let project = ideal(control.id, changes);
-    let mut planner = run_of(&project, event.map(|action| Event { t: 3.0, action }));
+    let mut planner = run_of(&project, event.map(|action| Event { t: 3.2, action }));
     planner.advance(f64::INFINITY, usize::MAX);
     rounded(planner.timeline().at(planner.timeline().end() + 9.0).spindle.volts_command)
 }
@@ -299,14 +299,14 @@ fn differences_between_controls_match_the_table() {
             fanuc-0i-tf     0
             mitsubishi-e60  0
         volts at reset
-            gsk-980tdc      2.3
+            gsk-980tdc      2.29
             sinumerik-802d  0
             sinumerik-808d  0
             knd-k2000t      0
             fanuc-0i-tf     0
             mitsubishi-e60  0
         volts at stop
-            gsk-980tdc      2.3
+            gsk-980tdc      2.29
             sinumerik-802d  0
             sinumerik-808d  0
             knd-k2000t      0

@@ -20,7 +20,8 @@ fn ended(project: &Project, events: Vec<Event>) -> (Planner<Interp>, Option<RunE
     let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
     // A preset that says where the tool is anyway differs with the place; what is driven to does not.
     let driven = planner.take_log().into_iter().filter(|(_, canon, _)| !matches!(canon, Canon::Preset { .. }));
-    let log = driven.map(|(t, canon, _)| (t, format!("{canon:?}"))).collect();
+    let names = planner.program().names();
+    let log = driven.map(|(t, canon, _)| (t, canon.line(names).to_string())).collect();
     (planner, ended, log)
 }
 
