@@ -199,6 +199,7 @@ impl RunState {
                 codes.any_word = true;
                 codes.unmoved |= row.code == NotSimulated && row.group == Group::OneShot;
             }
+            TakesAxisWords | CancelForAxes | ReplacesPositions => (codes.any_word, codes.unmoved) = (true, true),
             Roughing => (codes.any_word, codes.unmoved, codes.contour) = (true, true, true),
             _ => {}
         }

@@ -38,6 +38,15 @@ pub(super) struct SpindleModal {
     pub(super) other: (f64, bool),
 }
 
+/// Codes in force that are not simulated and whose axis words move nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Unmoved {
+    /// A fixed cycle: axis words are holes, not ends of motions.
+    pub(super) cycle: bool,
+    /// Polar coordinates and their like: axis words are no positions of the axes.
+    pub(super) replaced: bool,
+}
+
 /// The limits of the working area.
 #[derive(Debug, Clone, Default)]
 pub(super) struct WorkingArea {
@@ -52,8 +61,8 @@ pub(super) struct WorkingArea {
 pub(super) struct Modal {
     /// Rapid, linear, one of the arcs, thread, or a motion that is not simulated.
     pub(super) motion: Code,
-    /// A fixed cycle that is not simulated is on: axis words are holes, not ends of motions.
-    pub(super) cycle: bool,
+    /// Codes in force that are not simulated and whose axis words move nothing.
+    pub(super) unmoved: Unmoved,
     /// The axes of the plane: first, second, and the third that is square to them.
     pub(super) plane: [u8; 3],
     /// Dimensions are absolute.
@@ -95,7 +104,7 @@ impl Modal {
     pub(super) fn new(control: &Control, startup: impl IntoIterator<Item = CodeId>) -> Modal {
         let mut modal = Modal {
             motion: Code::Linear,
-            cycle: false,
+            unmoved: Unmoved::default(),
             plane: [0, 1, 2],
             absolute: true,
             inch: false,
@@ -133,7 +142,8 @@ impl Modal {
         use Code::{
             Absolute, ArcCcw, ArcCw, ArcTangent, ArcThrough, Cancel, Diameters, DiametersAbsolute, ExactStop,
             FeedPerMinute, FeedPerRevolution, Inch, Incremental, Linear, Metric, NotSimulated, PlaneXy, PlaneYz,
-            PlaneZx, Rapid, SurfaceSpeed, SurfaceSpeedOff, Tapping, Thread, WorkCoordinates, WorkingArea,
+            PlaneZx, Rapid, ReplacesPositions, SurfaceSpeed, SurfaceSpeedOff, Tapping, Thread, WorkCoordinates,
+            WorkingArea,
         };
         if row.group != Group::OneShot {
             self.codes[row.group as usize] = row.id;
@@ -145,7 +155,8 @@ impl Modal {
         match row.code {
             Rapid | Linear | ArcCw | ArcCcw | ArcThrough | ArcTangent | Thread => self.motion = row.code,
             NotSimulated | Tapping if row.group == Group::Motion => self.motion = row.code,
-            NotSimulated | Cancel if row.group == Group::Cycle => self.cycle = row.code == NotSimulated,
+            NotSimulated | Cancel if row.group == Group::Cycle => self.unmoved.cycle = row.code == NotSimulated,
+            _ if row.group == Group::Positions => self.unmoved.replaced = row.code == ReplacesPositions,
             WorkingArea(on) => self.area.off = !on,
             PlaneXy => self.plane = plane(Address::X, Address::Y, Address::Z),
             PlaneZx => self.plane = plane(Address::Z, Address::X, Address::Y),

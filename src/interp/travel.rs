@@ -33,7 +33,9 @@ impl RunState {
         let code = match codes.special {
             Some(Code::MachineRapid) => Code::Rapid,
             Some(Code::Skip | Code::Tapping) => Code::Linear,
-            _ if self.modal.cycle => return Ok(false),
+            _ if self.modal.unmoved.cycle || self.modal.unmoved.replaced && codes.special.is_none() => {
+                return Ok(false);
+            }
             _ => self.modal.motion,
         };
         let by_center = matches!(code, Code::ArcCw | Code::ArcCcw) && values.center != [None; 3];

@@ -12,7 +12,7 @@ use crate::drives::Approach;
 use crate::msg;
 use crate::nc::{Block, Dimensioning, Word};
 
-/// Bit flags for words that only some codes use: I/J/K, R, P/L, and B/E/Q.
+/// Bit flags for words that only some codes use: I/J/K, R, P/L, and letters of axes that the machine lacks, of cycles and of offsets.
 const CENTRE: u8 = 1;
 
 const RADIUS: u8 = 2;
@@ -27,7 +27,7 @@ const fn class(letter: Address) -> u8 {
         Address::I | Address::J | Address::K => CENTRE,
         Address::R | Address::Cr => RADIUS,
         Address::P | Address::L => CALLED,
-        Address::B | Address::E | Address::Q => OTHERS,
+        Address::A | Address::B | Address::D | Address::E | Address::Q | Address::U | Address::V | Address::W => OTHERS,
         _ => 0,
     }
 }
@@ -256,9 +256,12 @@ impl RunState {
                 }
                 if word.letter == Address::H {
                     values.call.h = number;
+                } else if !cx.shared.units.integer_letters.contains(word.letter) {
+                    // Without offsets by number D belongs to cycles and corners.
+                    values.rare |= OTHERS;
                 }
             }
-            Address::B | Address::E => values.rare |= OTHERS,
+            letter if class(letter) == OTHERS => values.rare |= OTHERS,
             _ => {}
         }
         Ok(())
@@ -282,7 +285,11 @@ impl RunState {
     /// The classes of rare words that do something in a block with these codes.
     #[inline]
     fn uses(&self, codes: &BlockCodes, values: &BlockWords) -> u8 {
-        let any = codes.any_word || codes.call.is_some() || self.modal.cycle || self.modal.motion == Code::NotSimulated;
+        let any = codes.any_word
+            || codes.call.is_some()
+            || self.modal.unmoved.cycle
+            || self.modal.unmoved.replaced
+            || self.modal.motion == Code::NotSimulated;
         let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw);
         match (any, arc) {
             (true, _) => u8::MAX,
@@ -307,6 +314,7 @@ impl RunState {
         for word in words {
             let class = match word.letter {
                 letter if dwell && cx.control.syntax.dwell_addresses.contains(letter) => continue,
+                Address::D if cx.shared.units.integer_letters.contains(Address::D) => continue,
                 letter if !letter.is_long() && cx.shared.index.axis(letter).is_some() => {
                     if !dwell {
                         continue;

@@ -397,6 +397,25 @@ impl Deck {
         }
     }
 
+    /// The value of a formula of constants, sums and products; `None` where it is anything else.
+    pub(super) fn constant(&self, id: ExprId) -> Option<f64> {
+        match self.expr(id) {
+            Expr::Number(number) => Some(number.to_f64()),
+            Expr::Negate(inner) => self.constant(inner).map(|value| -value),
+            Expr::Binary(op, left, right) => {
+                let (left, right) = (self.constant(left)?, self.constant(right)?);
+                match op {
+                    Op::Add => Some(left + right),
+                    Op::Subtract => Some(left - right),
+                    Op::Multiply => Some(left * right),
+                    Op::Divide if right != 0.0 => Some(left / right),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
     /// A text; empty where there is none.
     pub fn text(&self, id: Option<TextId>) -> &str {
         id.and_then(|id| self.texts.get(id.0.get() as usize - 1)).map_or("", |text| text)

@@ -5,7 +5,8 @@ use std::rc::Rc;
 use super::program::Written;
 use super::{Project, run};
 use crate::interp;
-use crate::nc::{self, Files, Parsed};
+use crate::msg;
+use crate::nc::{self, Block, Files, Parsed, Program};
 use crate::text::{Diagnostic, DiagnosticKind, Fix, Place, Severity};
 
 /// All findings before a run, in the order of the text. `start` is the number of the started program, if known; `set` are variables that
@@ -40,6 +41,30 @@ pub fn with_run(mut read: Vec<Diagnostic>, run: &[Diagnostic]) -> Vec<Diagnostic
     read.retain(|found| found.severity != Severity::Warning || !foreseen(found));
     read.extend(new.into_iter().cloned());
     read
+}
+
+/// Errors in blocks that a run never came to, as warnings: the control has not met them. Errors that the run has raised, and those about a
+/// whole file, stay.
+pub fn not_reached(found: &mut [Diagnostic], parsed: &Parsed, run: &[Diagnostic]) {
+    let deck = parsed.deck();
+    for finding in found.iter_mut().filter(|finding| finding.severity == Severity::Error) {
+        let Some(place) = finding.place.filter(|_| reported(run, finding).is_none()) else { continue };
+        let within = |blocks: &[Block]| {
+            let behind = blocks.partition_point(|block| block.span.start <= place.span.start);
+            let block = behind.checked_sub(1).and_then(|at| blocks.get(at));
+            block.is_some_and(|block| place.span.end <= block.span.end)
+        };
+        let start = |program: &Program| {
+            let first = deck.blocks_of(program).first().map_or(0, |block| block.span.start);
+            (program.file, first)
+        };
+        let behind = deck.programs.partition_point(|program| start(program) <= (place.file, place.span.start));
+        let program = behind.checked_sub(1).and_then(|at| deck.programs.get(at));
+        if program.is_some_and(|program| program.file == place.file && within(deck.blocks_of(program))) {
+            finding.severity = Severity::Warning;
+            finding.hints.push(msg!("project.not-reached"));
+        }
+    }
 }
 
 /// The finding of reading that states the same fact as a finding of a run: the same alarm or remark at the same place, or short blocks where

@@ -1,5 +1,29 @@
 //! The bytes of a file as text: UTF-8, UTF-16, or bytes that are neither, with the way back to the offsets of the file.
 
+use crate::text::Message;
+
+/// Kinds of files that are no text, by their first bytes, each with the id of the sentence that names it.
+const KINDS: [(&[u8], &str); 12] = [
+    (b"PK\x03\x04", "project.is-zip"),
+    (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", "project.is-office"),
+    (b"{\\rtf", "project.is-rtf"),
+    (b"%PDF-", "project.is-pdf"),
+    (b"\x7fELF", "project.is-executable"),
+    (b"MZ\x90\0", "project.is-executable"),
+    (b"\0asm", "project.is-executable"),
+    (b"\x1f\x8b", "project.is-archive"),
+    (b"Rar!\x1a\x07", "project.is-archive"),
+    (b"7z\xbc\xaf\x27\x1c", "project.is-archive"),
+    (b"\x89PNG", "project.is-picture"),
+    (b"\xff\xd8\xff", "project.is-picture"),
+];
+
+/// The sentence that names what a file is, where it is no text.
+fn other_kind(bytes: &[u8]) -> Option<Message> {
+    let (_, id) = KINDS.iter().find(|(start, _)| bytes.starts_with(start))?;
+    Some(Message { id, values: Vec::new() })
+}
+
 /// How a file is encoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Encoding {
@@ -12,12 +36,14 @@ pub enum Encoding {
 }
 
 /// A file as text.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Decoded {
     /// The text; bytes that are no text have become U+FFFD.
     pub text: String,
     /// Its encoding.
     pub encoding: Encoding,
+    /// The sentence that names what the file is, where it is no text; it has no text then.
+    pub other: Option<Message>,
     /// Offsets in the text and in the file of each piece behind which they differ; empty where they are the same.
     pieces: Vec<(u32, u32)>,
 }
@@ -25,14 +51,18 @@ pub struct Decoded {
 impl Decoded {
     /// Reads the bytes of a file. Total.
     pub fn new(bytes: Vec<u8>) -> Decoded {
+        let pieces = Vec::new();
+        if let Some(other) = other_kind(&bytes) {
+            return Decoded { text: String::new(), encoding: Encoding::Utf8, other: Some(other), pieces };
+        }
         if let Some(text) = utf16(&bytes) {
-            return Decoded { text, encoding: Encoding::Utf16, pieces: Vec::new() };
+            return Decoded { text, encoding: Encoding::Utf16, other: None, pieces };
         }
         let bytes = match String::from_utf8(bytes) {
-            Ok(text) => return Decoded { text, encoding: Encoding::Utf8, pieces: Vec::new() },
+            Ok(text) => return Decoded { text, encoding: Encoding::Utf8, other: None, pieces },
             Err(error) => error.into_bytes(),
         };
-        let (mut text, mut pieces, mut at) = (String::with_capacity(bytes.len()), Vec::new(), 0);
+        let (mut text, mut pieces, mut at) = (String::with_capacity(bytes.len()), pieces, 0);
         for chunk in bytes.utf8_chunks() {
             pieces.push((text.len() as u32, at as u32));
             text.push_str(chunk.valid());
@@ -44,7 +74,7 @@ impl Decoded {
             }
         }
         pieces.push((text.len() as u32, at as u32));
-        Decoded { text, encoding: Encoding::Unknown, pieces }
+        Decoded { text, encoding: Encoding::Unknown, other: None, pieces }
     }
 
     /// The offset in the file of an offset in the text; `None` within a character that is not in the file, and in UTF-16.

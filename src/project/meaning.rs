@@ -161,7 +161,7 @@ fn of_code(control: &Control, text: &str) -> Option<Meaning> {
     let mut says = vec![told(row.text)];
     says.extend(match (row.code, row.group) {
         (Code::Auxiliary, _) => Some(msg!("meaning.to-plc")),
-        (Code::NotSimulated | Code::Roughing | Code::Tapping, _) => Some(msg!("meaning.not-simulated")),
+        (code, _) if code.is_left_out() || code == Code::Tapping => Some(msg!("meaning.not-simulated")),
         (_, Group::OneShot) => Some(msg!("meaning.one-block")),
         (_, Group::Other | Group::Flow) => None,
         _ => Some(msg!("meaning.in-force")),

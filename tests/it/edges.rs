@@ -281,6 +281,48 @@ fn encodings_are_read_or_named() {
 }
 
 #[test]
+fn files_that_are_no_text_are_named() {
+    let folder = folder("no-text");
+    let path = folder.join("O1.nc");
+    for (start, word) in [
+        (&b"PK\x03\x04\x14\0"[..], "ZIP"),
+        (b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0", "DOC"),
+        (b"{\\rtf1 ", "RTF"),
+        (b"%PDF-1.4\n", "PDF"),
+        (b"\x7fELF\x02\x01", "computer"),
+    ] {
+        fs::write(&path, [start, b"O1\nG00 X1.\nM30\n\xff\0"].concat()).unwrap();
+        for command in ["check", "run"] {
+            let named = macroline(&[command, text(&path), "--control", "mitsubishi-e60"]);
+            assert_eq!(named.status.code(), Some(1), "{word}");
+            assert!(said(&named).contains(word) && said(&named).ends_with("1 error\n"), "{}", said(&named));
+        }
+        let project = macroline(&["design", text(&path)]);
+        assert!(said(&project).contains(word) && project.status.code() == Some(1), "{}", said(&project));
+    }
+}
+
+#[test]
+fn error_in_a_branch_never_taken_is_no_failure() {
+    let folder = folder("branches");
+    let path = folder.join("O1.nc");
+    let status = |program: &str| {
+        fs::write(&path, program).unwrap();
+        let done = macroline(&["run", text(&path), "--control", "mitsubishi-e60"]);
+        (done.status.code(), said(&done))
+    };
+    for block in ["#2=1/0", "X5.Q[", "G777"] {
+        let (code, told) = status(&format!("%\nO1\nGOTO10\n{block}\nN10M30\n%\n"));
+        assert_eq!(code, Some(0), "{told}");
+        assert!(told.contains("warning[P") && told.contains("did not come to this block"), "{told}");
+        let (code, told) = status(&format!("%\nO1\n{block}\nN10M30\n%\n"));
+        assert_eq!(code, Some(1), "{told}");
+        // Checked alone it is an error.
+        assert_eq!(macroline(&["check", text(&path), "--control", "mitsubishi-e60"]).status.code(), Some(1));
+    }
+}
+
+#[test]
 fn fixes_count_the_bytes_of_the_file() {
     let folder = folder("offsets");
     let path = folder.join("O1.nc");

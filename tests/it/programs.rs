@@ -1,5 +1,6 @@
 //! Programs run: canonical logs of the fixtures of every control, and alarms at their places.
 
+mod axis_words;
 mod coverage;
 mod options_act;
 mod parameters;

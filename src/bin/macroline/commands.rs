@@ -115,7 +115,7 @@ fn check(
         Some(id) => {
             let control = control(id)?;
             let switches = switched(Switches::default(), settings, control)?;
-            let mut programs = input::programs(paths)?;
+            let mut programs = input::programs(paths, json)?;
             let parsed = Rc::new(nc::parse_with(&programs.sources.files, control, &switches));
             programs.list.extend(review(&parsed, None, &[]));
             all.push(programs);

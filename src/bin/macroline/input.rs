@@ -11,7 +11,7 @@ use macroline::project::{Project, saved};
 use macroline::text::{Diagnostic, FileId, Place, Span};
 
 use crate::findings::{Findings, Sources};
-use crate::output::Failure;
+use crate::output::{Failure, refuse};
 
 fn read(path: &Path) -> Result<Decoded, Failure> {
     let bytes = std::fs::read(path).map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?;
@@ -28,7 +28,10 @@ fn name(path: &Path) -> String {
 /// A JSON file, read by a function that returns its findings.
 fn json<T>(path: &Path, from: impl Fn(&str) -> (Option<T>, Vec<Diagnostic>)) -> Result<(Option<T>, Findings), Failure> {
     let decoded = read(path)?;
-    let (made, list) = if decoded.encoding == Encoding::Unknown {
+    let (made, list) = if let Some(other) = &decoded.other {
+        let place = Place { file: FileId::default(), span: Span::at(0) };
+        (None, vec![Diagnostic::error(other.clone()).at(place)])
+    } else if decoded.encoding == Encoding::Unknown {
         let at = decoded.text.find(char::REPLACEMENT_CHARACTER).unwrap_or(0) as u32;
         let byte = decoded.offset(at).unwrap_or(at);
         let place = Place { file: FileId::default(), span: Span::new(at, at + 3) };
@@ -57,23 +60,27 @@ pub(crate) fn panel(path: &Path) -> Result<(Panel, Findings), Failure> {
     Ok((panel.unwrap_or_default(), findings))
 }
 
-/// Program files, and an error for each that no control reads as it is.
-pub(crate) fn programs(paths: &[PathBuf]) -> Result<Findings, Failure> {
+/// Program files, and an error for each that no control reads as it is; a file that is no text is refused.
+pub(crate) fn programs(paths: &[PathBuf], json: bool) -> Result<Findings, Failure> {
     let most = usize::from(u16::MAX);
     if paths.len() > most {
         return Err(Failure::Usage(format!("{} files are given; at most {most} are read", paths.len())));
     }
-    let (mut files, mut decoded, mut list) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut files, mut decoded, mut list, mut other) = (Vec::new(), Vec::new(), Vec::new(), false);
     for (path, id) in paths.iter().zip(0..) {
         let file = read(path)?;
-        if file.encoding == Encoding::Utf16 {
-            let place = Place { file: FileId(id), span: Span::at(0) };
+        let place = Place { file: FileId(id), span: Span::at(0) };
+        if let Some(message) = &file.other {
+            list.push(Diagnostic::error(message.clone()).at(place));
+            other = true;
+        } else if file.encoding == Encoding::Utf16 {
             list.push(Diagnostic::error(msg!("project.utf16")).at(place));
         }
         files.push(File { name: name(path), text: file.text.clone() });
         decoded.push(file);
     }
-    Ok(Findings { sources: Sources { files: Files(files), names: told_apart(paths), read: decoded }, list })
+    let findings = Findings { sources: Sources { files: Files(files), names: told_apart(paths), read: decoded }, list };
+    if other { Err(refuse(&[findings], json)) } else { Ok(findings) }
 }
 
 /// Names of files, each with as many folders as distinguish it from the others.

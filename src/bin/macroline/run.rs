@@ -7,7 +7,7 @@ use macroline::controls::{Control, Dialect, Switches};
 use macroline::interp::StartProgram;
 use macroline::motion::{Budget, Panel, Retention, RunEnd};
 use macroline::nc;
-use macroline::project::check::{review, with_run};
+use macroline::project::check::{not_reached, review, with_run};
 use macroline::project::console::{Console, Outcome};
 use macroline::project::run::{self, AtStop, Run, RunOptions, Setting};
 use macroline::project::suppress::silence;
@@ -23,6 +23,8 @@ use crate::requested::{control, known, only_project, switched, tell_silenced};
 /// A run before its start.
 struct Prepared {
     run: Run,
+    /// The program that runs.
+    parsed: Rc<nc::Parsed>,
     /// Findings about project and panel files.
     files: Vec<Findings>,
     /// Findings about the program.
@@ -81,7 +83,7 @@ impl Request<'_> {
         silenced.extend(project.silenced.iter().cloned());
         let run = run::of_project(&project, &written, &self.options(self.start(&written.parsed)?));
         let program = Findings { sources: Sources::written(written.files.clone()), list };
-        Ok(Prepared { run, files, program, silenced })
+        Ok(Prepared { run, parsed: Rc::clone(&written.parsed), files, program, silenced })
     }
 
     /// The run of bare programs on a control: on its bench, or on the plant of a project.
@@ -103,7 +105,7 @@ impl Request<'_> {
         };
         let switches = plant.as_ref().map_or_else(Switches::default, |project| project.switches.clone());
         let switches = switched(switches, &self.args.switch, control)?;
-        let mut program = input::programs(&self.args.files)?;
+        let mut program = input::programs(&self.args.files, self.json)?;
         let parsed = Rc::new(nc::parse_with(&program.sources.files, control, &switches));
         settable(&self.settings, control, parsed.dialect())?;
         let start = self.start(&parsed)?;
@@ -115,8 +117,8 @@ impl Request<'_> {
         };
         let set = run::set_by_operator(&self.settings, &self.panel, control);
         program.list.extend(review(&parsed, started, &set));
-        let run = run::of_programs(parsed, plant.as_ref(), self.panel.clone(), &self.options(start));
-        Ok(Prepared { run, files, program, silenced })
+        let run = run::of_programs(Rc::clone(&parsed), plant.as_ref(), self.panel.clone(), &self.options(start));
+        Ok(Prepared { run, parsed, files, program, silenced })
     }
 }
 
@@ -147,7 +149,7 @@ fn prepare(args: &RunArgs, keep: Retention, json: bool) -> Result<Prepared, Fail
 
 /// Runs to the end; prints the log where it is `wanted`.
 pub(crate) fn run(args: &RunArgs, at_stop: AtStop, wanted: bool, json: bool) -> Result<(), Failure> {
-    let Prepared { run: mut planner, mut files, mut program, silenced, .. } = prepare(args, Retention::Log, json)?;
+    let Prepared { run: mut planner, parsed, mut files, mut program, silenced } = prepare(args, Retention::Log, json)?;
     let mut out = Printer::new();
     let mut canon: Vec<Json> = Vec::new();
     let mut text = String::new();
@@ -166,6 +168,9 @@ pub(crate) fn run(args: &RunArgs, at_stop: AtStop, wanted: bool, json: bool) -> 
         out.text(&text)
     })?;
     program.list = with_run(program.list, &outcome.diagnostics);
+    if !matches!(outcome.ended, RunEnd::Alarm(_)) {
+        not_reached(&mut program.list, &parsed, &outcome.diagnostics);
+    }
     let count = silence(&mut program.list, &silenced);
     files.push(program);
     if json {
@@ -192,7 +197,7 @@ pub(crate) fn run(args: &RunArgs, at_stop: AtStop, wanted: bool, json: bool) -> 
 
 /// Steps from block to block. Wrong commands are reported and make the exit status 2.
 pub(crate) fn step(args: &RunArgs) -> Result<(), Failure> {
-    let Prepared { run, mut files, mut program, silenced } = prepare(args, Retention::Both, false)?;
+    let Prepared { run, mut files, mut program, silenced, .. } = prepare(args, Retention::Both, false)?;
     let count = silence(&mut program.list, &silenced);
     files.push(program);
     tell(&files)?;

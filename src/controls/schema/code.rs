@@ -125,10 +125,23 @@ pub enum Code {
     Cancel,
     /// The control has it, the simulation does not act on it; said once per kind.
     NotSimulated,
+    /// Not simulated; the axis words of its block are its own (a centre, factors, limits) and move nothing.
+    TakesAxisWords,
+    /// Not simulated; until it is cancelled, axis words are no positions of the axes (polar coordinates) and move nothing.
+    ReplacesPositions,
+    /// Cancel of a code for the axes that its block names, whose words move nothing.
+    CancelForAxes,
     /// A cycle that is not simulated, whose blocks from P to Q are a contour and no motions.
     Roughing,
     /// Any other M code: handed to the PLC, which answers with FIN.
     Auxiliary,
+}
+
+impl Code {
+    /// Whether the control acts on it and the simulation does not.
+    pub fn is_left_out(self) -> bool {
+        matches!(self, Code::NotSimulated | Code::TakesAxisWords | Code::ReplacesPositions | Code::Roughing)
+    }
 }
 
 /// A place on the machine that a code goes to.
@@ -167,6 +180,8 @@ pub enum Group {
     Cycle,
     /// Tool radius compensation.
     Compensation,
+    /// What axis words are: positions of the axes, or polar coordinates.
+    Positions,
     /// Words of the transverse axis.
     Diameter,
     /// Spindle on and off.

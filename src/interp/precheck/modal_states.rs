@@ -10,14 +10,14 @@ use crate::nc::WordValue;
 /// Whether the meaning of words depends on this code.
 fn matters(row: &CodeDef) -> bool {
     use Code::{FeedPerMinute, FeedPerRevolution, Inch, Metric, SurfaceSpeed, SurfaceSpeedOff};
-    matches!(row.group, Group::Motion | Group::Cycle)
+    matches!(row.group, Group::Motion | Group::Cycle | Group::Positions)
         || matches!(row.code, FeedPerMinute | FeedPerRevolution | Inch | Metric | SurfaceSpeed | SurfaceSpeedOff)
 }
 
 /// The part of a modal state that [`matters`].
 fn key(modal: &Modal) -> ([bool; 5], u8) {
     let words = match modal.motion {
-        _ if modal.cycle => 0,
+        _ if modal.unmoved.cycle || modal.unmoved.replaced => 0,
         Code::NotSimulated => 0,
         Code::Thread => 1,
         Code::ArcCw | Code::ArcCcw => 2,

@@ -4,6 +4,7 @@
 //! do not parse are not checked. In doubt there is no warning.
 
 mod context;
+mod endless;
 mod facts;
 mod faulty;
 mod feeds;
@@ -38,10 +39,14 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     facts.main_returns(&mut lint);
     if !facts.functions {
         let mut flows: Vec<Flow> = Vec::new();
+        let each_block = facts.parts.iter().any(|part| part.each_block);
         for program in (0..deck.programs.len()).filter(|&program| facts.parts[program].follows()) {
             let flow = Flow::new(deck, lint.control, &roles, program);
             flow.unreachable(&mut lint, &facts);
             flow.twice(&mut lint, &facts);
+            if !each_block {
+                endless::endless(&mut lint, &flow);
+            }
             flows.push(flow);
         }
         loops::loops(&mut lint, &facts, &flows);

@@ -77,6 +77,9 @@ fn bits(row: &CodeDef) -> u32 {
         | Code::OffsetMore
         | Code::LowerLimits
         | Code::UpperLimits
+        | Code::TakesAxisWords
+        | Code::ReplacesPositions
+        | Code::CancelForAxes
         | Code::LocalCoordinates => SPECIAL,
         _ => match row.group {
             Group::Motion => CURVED,

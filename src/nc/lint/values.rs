@@ -181,6 +181,15 @@ impl Vars<'_> {
             let span = lint.part(site.block, site.id);
             lint.say(site.block, span, "lint.loose-comparison", &[], "");
         }
+        for site in &self.cuts {
+            let Expr::Call(function, inner) = self.deck.expr(site.id) else { continue };
+            let Some(value) = self.deck.constant(inner) else { continue };
+            let cut = if function == Function::Fix { value.trunc() } else { value.trunc() + value.signum() };
+            let [value, cut] = [format!("{value}"), format!("{cut}")];
+            let name = self.control.syntax.functions.iter().find(|row| row.1 == function).map_or("", |row| row.0);
+            let span = lint.part(site.block, inner);
+            lint.say(site.block, span, "lint.cut-decimal", &[&value, name, &cut], "");
+        }
         let exact = self.control.macros.equal_within == 0.0;
         for site in self.equals.iter().filter(|site| exact && self.differs(site)) {
             let span = lint.part(site.block, site.id);

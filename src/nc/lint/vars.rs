@@ -8,6 +8,7 @@ use super::faulty::variables;
 use crate::controls::Address;
 use crate::controls::AddressSet;
 use crate::controls::macros::ARGUMENT;
+use crate::controls::syntax::Function;
 use crate::controls::{Code, Control, VarKind};
 use crate::text::Span;
 
@@ -96,6 +97,8 @@ pub(super) struct Vars<'a> {
     pub(super) divisors: Vec<Site>,
     /// Comparisons of what AND, OR or XOR joins.
     pub(super) loose: Vec<Site>,
+    /// FIX and FUP of constants that binary arithmetic leaves just beside a whole number, which they cut.
+    pub(super) cuts: Vec<Site>,
     /// Something assigns a variable by a calculated number.
     pub(super) wild: bool,
     /// Variables from 1 on that each level has for itself.
@@ -119,6 +122,7 @@ impl<'a> Vars<'a> {
             equals: Vec::new(),
             divisors: Vec::new(),
             loose: Vec::new(),
+            cuts: Vec::new(),
             wild: false,
             local_count: if lint.control.vars.iter().any(|row| row.kind == VarKind::Local) { LOCALS } else { 0 },
         };
@@ -384,6 +388,11 @@ impl<'a> Vars<'a> {
                     var.used |= to != number;
                 }
             }
+            Expr::Call(Function::Fix | Function::Fup, inner)
+                if self.deck.constant(inner).is_some_and(is_beside_whole) =>
+            {
+                self.cuts.push(Site { id, ..site });
+            }
             Expr::Binary(Op::Divide | Op::Modulo, _, divisor) => self.divisors.push(Site { id: divisor, ..site }),
             Expr::Binary(op, left, right)
                 if op.opposite() != op
@@ -411,6 +420,12 @@ impl<'a> Vars<'a> {
         let kind = self.control.var(number).map(|row| row.kind);
         matches!(kind, Some(VarKind::Common | VarKind::Retained))
     }
+}
+
+/// Whether a value is beside a whole number by no more than the last digits of a calculation.
+fn is_beside_whole(value: f64) -> bool {
+    let off = (value - value.round()).abs();
+    off > 0.0 && off <= 1e-9 * value.abs().max(1.0)
 }
 
 /// Every part of a formula. It goes as deep as the formula does; the parser bounds that.

@@ -8,10 +8,10 @@ use crate::nc::ast::{BadBlock, Expr, ExprId, Op};
 use crate::nc::dec::Dec;
 use crate::nc::lex::keywords::OPERATORS;
 use crate::nc::lex::spelling::meant;
-use crate::nc::parse::failure::{LeftOut, Mend, Misused, Read};
+use crate::nc::parse::failure::{Failure, LeftOut, Mend, Misused, Read};
 use crate::nc::parse::reader::Reader;
 use crate::nc::parsed::ExprSpan;
-use crate::text::{Message, Severity};
+use crate::text::{Diagnostic, Message, Severity};
 
 /// Parts of the formulas of one block: bounds the depth of every tree.
 const PARTS: u32 = 250;
@@ -205,6 +205,9 @@ impl Reader<'_> {
             b'+' | b'-' => {
                 self.cursor.at += 1;
                 let next = self.skip();
+                if matches!(next, b'+' | b'-') {
+                    self.two_signs(start);
+                }
                 if next.is_ascii_digit() || next == b'.' {
                     let mut number = self.digits()?;
                     if self.names().is_some() {
@@ -223,6 +226,28 @@ impl Reader<'_> {
             _ if byte.is_ascii_alphabetic() => self.function(),
             _ => Err(self.unexpected()),
         }
+    }
+
+    /// Signs one behind the other, from `start` on: read as arithmetic has it, and reported once.
+    #[cold]
+    fn two_signs(&mut self, start: usize) {
+        let behind = self.cursor.line.get(start..).unwrap_or_default();
+        let run = behind.iter().take_while(|b| matches!(b, b'+' | b'-' | b' ')).count();
+        let signs = behind.get(..run).unwrap_or_default().trim_ascii_end();
+        let place = self.place(self.span(start, start + signs.len()));
+        let last = self.findings.list.last().filter(|last| last.id() == "nc.two-signs");
+        if last.and_then(|last| last.place).is_some_and(|last| last.covers(place)) {
+            return;
+        }
+        let written = String::from_utf8_lossy(signs).into_owned();
+        let positive = signs.iter().filter(|b| **b == b'-').count() % 2 == 0;
+        let (read, other) = if positive { ("+", "-") } else { ("-", "+") };
+        let mut finding = Diagnostic::warning(msg!("nc.two-signs", written, read)).at(place);
+        for sign in [read, other] {
+            let text = if sign == "+" { "" } else { sign };
+            finding = finding.fix(msg!("nc.fix.sign", sign), vec![(place, text.to_owned())]);
+        }
+        self.add_finding(finding);
     }
 
     /// `FUNCTION[expr]`, or other letters in place of a value.
@@ -451,9 +476,32 @@ impl Reader<'_> {
         if let Some(lost) = self.lost_comparison(self.formulas.sentence) {
             return Err(lost);
         }
+        if let Some(failure) = self.closed_late(&open) {
+            return Err(failure);
+        }
         let mut failure = self.unexpected();
         failure.at_word = false;
         Err(failure)
+    }
+
+    /// The failure of a bracket that is not closed before the next word, which is at hand.
+    #[cold]
+    fn closed_late(&self, open: &Open) -> Option<Box<Failure>> {
+        let rest = self.cursor.rest();
+        let value = rest.get(1..).unwrap_or_default().trim_ascii_start().first();
+        let word = rest.first().is_some_and(u8::is_ascii_alphabetic)
+            && value.is_some_and(|b| b.is_ascii_digit() || matches!(b, b'-' | b'+' | b'.' | b'#' | b'[' | b'='));
+        // A bracket that is closed behind the word has something wrong in it.
+        if !word || rest.contains(&open.close) {
+            return None;
+        }
+        let (opening, closing) = if open.close == b')' { ("(", ")") } else { ("[", "]") };
+        let letter = char::from(rest.first().copied().unwrap_or(b' ')).to_string();
+        let message = msg!("nc.unclosed-before-word", opening, letter);
+        let mut failure = self.failure(Alarm::BracketPair, open.at, open.at + 1, message, false);
+        let end = self.ended_at();
+        failure.finding = self.mend(failure.finding, Mend::Write(end, end, closing));
+        Some(failure)
     }
 
     /// `#n`, `#[expr]`, `##n` or `#9nnn`, from the `#` on.

@@ -110,6 +110,9 @@ impl<'a> Reader<'a> {
         }
         let text = self.cursor.line.get(self.cursor.at..self.cursor.at + digits).unwrap_or_default();
         self.cursor.at += digits;
+        if self.zero_for_o() {
+            return Ok(());
+        }
         let number = core::str::from_utf8(text).ok().and_then(|text| text.parse::<u32>().ok());
         let most = self.control.syntax.sequence_digits;
         match number {
@@ -203,9 +206,7 @@ impl<'a> Reader<'a> {
         let plain = |word: &Word| match (word.letter, word.value) {
             (Address::G | Address::M, WordValue::Number(_)) => {
                 let row = code_of(word).and_then(|id| self.control.code(id));
-                !row.is_some_and(|row| {
-                    matches!(row.code, Code::NotSimulated | Code::Roughing | Code::Thread | Code::SubCall)
-                })
+                !row.is_some_and(|row| row.code.is_left_out() || matches!(row.code, Code::Thread | Code::SubCall))
             }
             _ => true,
         };
@@ -434,16 +435,24 @@ impl<'a> Reader<'a> {
 
     #[inline]
     fn known_g_code(&mut self, row: &CodeDef, number: Dec, start: usize) -> bool {
-        if matches!(row.code, Code::NotSimulated | Code::Roughing | Code::Skip | Code::Tapping) {
-            let name = format!("G{number} ({})", row.text);
-            let message = match row.code {
-                Code::Skip => msg!("nc.no-skip", name),
-                Code::Tapping => msg!("nc.no-tapping", name),
-                _ => msg!("nc.not-simulated", name),
-            };
-            self.say_once(LeftOut::Code(row.id), start, self.cursor.at, message);
+        if row.code.is_left_out() || matches!(row.code, Code::Skip | Code::Tapping | Code::CancelForAxes) {
+            self.code_left_out(row, LeftOut::Code(row.id), &format!("G{number} ({})", row.text), start);
         }
         matches!(row.code, Code::MacroCall | Code::MacroModal | Code::MacroModalBlock)
+    }
+
+    /// Reports once per kind a code of which the simulation leaves something out; `name` is what the message calls it.
+    #[cold]
+    pub(in crate::nc) fn code_left_out(&mut self, row: &CodeDef, key: LeftOut, name: &str, start: usize) {
+        let message = match row.code {
+            Code::Skip => msg!("nc.no-skip", name),
+            Code::Tapping => msg!("nc.no-tapping", name),
+            Code::TakesAxisWords => msg!("nc.takes-axis-words", name),
+            Code::ReplacesPositions => msg!("nc.replaces-positions", name),
+            Code::CancelForAxes => msg!("nc.cancel-for-axes", name),
+            _ => msg!("nc.not-simulated", name),
+        };
+        self.say_once(key, start, self.cursor.at, message);
     }
 
     /// A G code that the control lacks.
@@ -538,9 +547,20 @@ impl<'a> Reader<'a> {
             };
             self.failure(Alarm::Format, start, end, message, !character.is_ascii_digit())
         } else {
-            let mut failure =
-                self.failure(Alarm::IllegalAddress, start, end, msg!("nc.illegal-character", shown), true);
-            failure.finding = self.mend(failure.finding, Mend::Plain(character));
+            let message = match character {
+                '\0' => msg!("nc.nul"),
+                _ => msg!("nc.illegal-character", shown),
+            };
+            let mut failure = self.failure(Alarm::IllegalAddress, start, end, message, character != '\0');
+            failure.finding = if character == '\0' {
+                let line = self.cursor.line.len();
+                let text =
+                    self.file.text.get(self.cursor.base as usize..self.cursor.base as usize + line).unwrap_or("");
+                let edit = (self.place(self.span(0, line)), text.replace('\0', ""));
+                failure.finding.fix(msg!("nc.fix.drop-nul"), vec![edit])
+            } else {
+                self.mend(failure.finding, Mend::Plain(character))
+            };
             failure
         }
     }

@@ -42,7 +42,11 @@ fn take(page: Page, large: LargeFile, files: Vec<File>) {
                 return page.notices.notify("fail", say(&crate::msg!("page.none-taken-unread", file.name())));
             };
             let bytes = js_sys::Uint8Array::new(&buffer).to_vec();
-            texts.push(nc::File { name: file.name(), text: Decoded::new(bytes).text });
+            let decoded = Decoded::new(bytes);
+            if let Some(other) = decoded.other {
+                return page.notices.notify("fail", format!("{}: {}", file.name(), say(&other)));
+            }
+            texts.push(nc::File { name: file.name(), text: decoded.text });
         }
         read(page, &texts);
     });

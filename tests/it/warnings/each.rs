@@ -35,6 +35,8 @@ const ROWS: &[Row] = &[
         switches: &[("call-parameters", "#9999=200")],
     },
     row("lint.calls-itself", "M98", ""),
+    row("lint.cut-decimal", "#1=FIX[0.29*100]", "R1=TRUNC(0.29*100)"),
+    row("lint.endless-loop", "#1=1\nWHILE[#1EQ1]DO1\nG00 X1.\nEND1", "R1=1\nAB: G0 X1\nIF R1==1 GOTOB AB"),
     row(
         "lint.equal-decimals",
         "#1=1/3\nIF[#1*3 EQ 1]GOTO9\nG00 X#1\nN9",

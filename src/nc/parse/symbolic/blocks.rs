@@ -112,6 +112,7 @@ impl<'a> Reader<'a> {
         }
         match first | 0x20 {
             b'r' if self.parameter_ahead() => self.assignments(),
+            b'l' if self.cursor.byte(1).is_ascii_digit() && self.label_ahead() => self.numbered_label(),
             b'l' if self.cursor.byte(1).is_ascii_digit() => self.call(),
             b'p' if self.cursor.byte(1).is_ascii_digit() && self.lone_name() => self.call(),
             b'o' if self.foreign_head() => Ok(Stmt::Empty),
@@ -125,6 +126,29 @@ impl<'a> Reader<'a> {
     fn named_ahead(&self) -> bool {
         let name = |b: u8| b.is_ascii_alphabetic() || b == b'_';
         name(self.cursor.peek()) && (name(self.cursor.byte(1)) || self.cursor.byte(1) == b':')
+    }
+
+    /// Whether a colon follows the name at hand.
+    fn label_ahead(&self) -> bool {
+        let behind = self.cursor.rest().get(self.cursor.name().len()..).unwrap_or_default();
+        behind.trim_ascii_start().first() == Some(&b':')
+    }
+
+    /// `L1:`, a label that the control would take for the call of a program; the rest of the block is read.
+    fn numbered_label(&mut self) -> Read<Stmt> {
+        let start = self.cursor.at;
+        let name = self.cursor.name().to_ascii_uppercase();
+        self.cursor.at += name.len();
+        let end = self.cursor.at;
+        self.skip();
+        self.cursor.at += 1;
+        let (least, most) = (self.names().map_or(2, |names| names.label_least), self.tables.rules.label_chars);
+        let message = msg!("nc.label-is-call", name.as_str(), least as u32, most as u32);
+        let finding = self.finding(Alarm::Format, start, end, message);
+        self.report_as(Alarm::Format, finding);
+        self.block.label = Some(self.deck.add_text(name));
+        self.skip();
+        if self.cursor.ended() { Ok(Stmt::Empty) } else { self.named_words() }
     }
 
     /// Whether only a name and a number of repeats follow.

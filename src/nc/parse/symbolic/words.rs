@@ -360,8 +360,8 @@ impl Reader<'_> {
             seen.code(row);
         }
         let index = match row.map(|row| row.code) {
-            Some(Code::NotSimulated) => {
-                self.long_code_not_simulated((start, name), id, row)?;
+            Some(code) if code.is_left_out() => {
+                self.long_code_not_simulated((start, name), row)?;
                 None
             }
             Some(Code::MasterSpindle) => self.spindle_number(start)?,
@@ -372,11 +372,12 @@ impl Reader<'_> {
     }
 
     /// Reports a code that is not simulated, each cycle once by the number in its name; skips arguments such as those of `TRACYL(40)`.
-    fn long_code_not_simulated(&mut self, (start, name): (usize, &str), id: CodeId, row: Option<&CodeDef>) -> Read<()> {
-        let what = format!("{name} ({})", row.map_or("", |row| row.text));
+    fn long_code_not_simulated(&mut self, (start, name): (usize, &str), row: Option<&CodeDef>) -> Read<()> {
+        let Some(row) = row else { return Ok(()) };
+        let what = format!("{name} ({})", row.text);
         let digits = name.bytes().filter(u8::is_ascii_digit).map(|b| u32::from(b - b'0'));
         let cycle = digits.reduce(|all, digit| all.wrapping_mul(10).wrapping_add(digit));
-        self.not_simulated(cycle.map_or(LeftOut::Code(id), LeftOut::Cycle), start, self.cursor.at, &what);
+        self.code_left_out(row, cycle.map_or(LeftOut::Code(row.id), LeftOut::Cycle), &what, start);
         if self.skip() != b'(' {
             return Ok(());
         }

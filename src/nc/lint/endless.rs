@@ -1,0 +1,93 @@
+//! Loops whose condition nothing in them changes: once in such a loop, a run never leaves it.
+
+use std::collections::BTreeSet;
+
+use super::super::ast::{Expr, ExprId, Stmt};
+use super::context::{Lint, NONE};
+use super::flow::{ANY, Flow};
+use super::roles::{CALL, END, RETURN, STOP, SUB};
+use super::vars::visit;
+use crate::controls::VarKind;
+
+/// Visits of blocks per block of the text: inner loops are visited again.
+const BUDGET: usize = 4;
+
+/// Reports the loops of a program whose condition cannot change. Conditions of constants alone are meant.
+pub(super) fn endless(lint: &mut Lint, flow: &Flow) {
+    // A modal call runs behind any motion, and may change any variable.
+    let modal = |block| flow.roles.block(flow.deck.words_of(block)) & CALL != 0;
+    if flow.blocks.iter().any(modal) {
+        return;
+    }
+    let mut budget = BUDGET * flow.blocks.len();
+    for at in 0..flow.blocks.len() as u32 {
+        let Some(block) = flow.blocks.get(at as usize).filter(|block| block.skip == 0) else { continue };
+        let (start, _) = flow.step(at);
+        if start > at {
+            continue;
+        }
+        let cond = match (block.stmt, flow.blocks.get(start as usize).map(|block| block.stmt)) {
+            (Stmt::If { cond, .. }, _) => Some((at, cond)),
+            (Stmt::End { .. }, Some(Stmt::While { cond: Some(cond), .. })) => Some((start, cond)),
+            _ => None,
+        };
+        let blocks = (at - start) as usize;
+        let Some((place, cond)) = cond.filter(|_| blocks <= budget) else { continue };
+        budget -= blocks;
+        let Some(names) = variables(flow, cond) else { continue };
+        if stays(flow, (start, at), &names) {
+            let names: Vec<String> = names.iter().map(|&number| flow.control.variable(number)).collect();
+            let span = lint.part(place + flow.base, cond);
+            lint.say(place + flow.base, span, "lint.endless-loop", &[&names.join(", ")], "");
+        }
+    }
+}
+
+/// The variables of a condition, where they are all known and only the program changes them.
+fn variables(flow: &Flow, cond: ExprId) -> Option<BTreeSet<u32>> {
+    let (mut numbers, mut known) = (BTreeSet::new(), true);
+    visit(flow.deck, cond, &mut |_, expr| match expr {
+        // The vacant variable.
+        Expr::Var(0) if flow.control.syntax.names().is_none() => {}
+        Expr::Var(number) => {
+            let kind = flow.control.var(number).map(|row| row.kind);
+            known &= matches!(kind, Some(VarKind::Local | VarKind::Common | VarKind::Retained));
+            numbers.insert(number);
+        }
+        Expr::Indirect(_) | Expr::Label(_) => known = false,
+        _ => {}
+    });
+    Some(numbers).filter(|numbers| known && !numbers.is_empty())
+}
+
+/// Whether no block of a loop changes these variables, leaves the loop or stops in it.
+fn stays(flow: &Flow, (start, end): (u32, u32), numbers: &BTreeSet<u32>) -> bool {
+    let (mut moves, mut kept) = (false, false);
+    for at in start..=end {
+        let Some(block) = flow.blocks.get(at as usize) else { return false };
+        let words = flow.deck.words_of(block);
+        let changes = |to: ExprId| match flow.deck.expr(to) {
+            Expr::Var(number) => numbers.contains(&number),
+            _ => true,
+        };
+        let ends = match block.stmt {
+            Stmt::Bad(_) | Stmt::Call { .. } => true,
+            Stmt::Assign { to, .. } | Stmt::IfThen { to, .. } => changes(to),
+            Stmt::Assigns { first, count } => flow.deck.pairs_of(first, count).iter().any(|pair| changes(pair.left)),
+            _ => flow.roles.block(words) & (CALL | SUB | RETURN | END | STOP) != 0,
+        };
+        let (jump, falls) = flow.step(at);
+        let inside = (start..=end).contains(&jump) || jump == NONE && (falls || at == end);
+        // The condition itself is the way out that is looked for.
+        let own = at == start && matches!(block.stmt, Stmt::While { .. }) && jump == end + 1;
+        if ends || jump == ANY || !inside && !own {
+            return false;
+        }
+        moves |= words.iter().any(|word| flow.control.axis_letters().any(|letter| letter == word.letter));
+    }
+    for &number in numbers {
+        kept |= flow.control.var(number).is_some_and(|row| row.kind != VarKind::Local);
+    }
+    // A loop without motion over variables that operator and PLC reach waits for them.
+    moves || !kept
+}

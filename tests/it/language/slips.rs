@@ -1,0 +1,116 @@
+//! Slips of the keyboard and damaged files: the sentence that helps, and its fix.
+
+use expect_test::{Expect, expect};
+use macroline::controls::find;
+
+use super::{check_block, findings, read_on};
+
+#[track_caller]
+fn check_802d(text: &str, expected: Expect) {
+    expected.assert_eq(&findings(&read_on(find("sinumerik-802d").unwrap(), &format!("{text}\nM30\n"))));
+}
+
+#[test]
+fn letter_o_in_a_block_number_is_named() {
+    check_block(
+        "N1O",
+        expect![[r#"
+        1:3 error P33 This is the letter O, not the digit 0.
+            Write “0”: 1:3 "O"→"0"
+    "#]],
+    );
+    check_block(
+        "N1O G00 X1.",
+        expect![[r#"
+        1:3 error P33 This is the letter O, not the digit 0.
+            Write “0”: 1:3 "O"→"0"
+    "#]],
+    );
+}
+
+#[test]
+fn two_signs_are_not_read_in_silence() {
+    check_block(
+        "G00 X--10.",
+        expect![[r#"
+        1:6 warning - Two signs in a row: “--” is read as “+” here, and a control may refuse it. Write the sign that is meant.
+            Read it as “+”: 1:6 "--"→""
+            Read it as “-”: 1:6 "--"→"-"
+    "#]],
+    );
+    check_block(
+        "G00 X-+10.",
+        expect![[r#"
+        1:6 warning - Two signs in a row: “-+” is read as “-” here, and a control may refuse it. Write the sign that is meant.
+            Read it as “-”: 1:6 "-+"→"-"
+            Read it as “+”: 1:6 "-+"→""
+    "#]],
+    );
+    check_802d(
+        "G0 X=--10",
+        expect![[r#"
+        1:6 warning - Two signs in a row: “--” is read as “+” here, and a control may refuse it. Write the sign that is meant.
+            Read it as “+”: 1:6 "--"→""
+            Read it as “-”: 1:6 "--"→"-"
+    "#]],
+    );
+}
+
+#[test]
+fn bracket_open_at_the_next_word_is_named() {
+    check_block(
+        "G00 X[5+3 Y5.",
+        expect![[r#"
+        1:6 error P281 The bracket “[” is not closed before the word Y.
+            Insert “]”: 1:10 ""→"]"
+    "#]],
+    );
+    check_block(
+        "G00 X[5+[3*2] Y#5",
+        expect![[r#"
+        1:6 error P281 The bracket “[” is not closed before the word Y.
+            Insert “]”: 1:14 ""→"]"
+    "#]],
+    );
+    check_802d(
+        "G0 X=(5+3 Z5",
+        expect![[r#"
+        1:6 error 12080 The bracket “(” is not closed before the word Z.
+            Insert “)”: 1:10 ""→")"
+    "#]],
+    );
+}
+
+#[test]
+fn label_that_looks_like_a_call_is_named() {
+    check_802d(
+        "L1: G0 X5",
+        expect![[r#"
+        1:1 error 12080 L1 with a colon is no label: L and a number call a program. A label has 2 to 8 letters, digits or _, the first two of them letters or _, for instance LB1.
+    "#]],
+    );
+    check_802d(
+        "L1:\nR1=1",
+        expect![[r#"
+        1:1 error 12080 L1 with a colon is no label: L and a number call a program. A label has 2 to 8 letters, digits or _, the first two of them letters or _, for instance LB1.
+    "#]],
+    );
+}
+
+#[test]
+fn nul_characters_are_named() {
+    check_block(
+        "G00 X5.\0\0Y3.",
+        expect![[r#"
+        1:8 error P32 A NUL character: blank punched tape, or a file that is damaged or no text. In a program it stands for nothing.
+            Remove the NUL characters of this line: 1:1 "G00 X5.\0\0Y3."→"G00 X5.Y3."
+    "#]],
+    );
+    check_802d(
+        "G0 X5 \0Z3",
+        expect![[r#"
+        1:7 error 12550 A NUL character: blank punched tape, or a file that is damaged or no text. In a program it stands for nothing.
+            Remove the NUL characters of this line: 1:1 "G0 X5 \0Z3"→"G0 X5 Z3"
+    "#]],
+    );
+}
