@@ -91,8 +91,7 @@ lint:
 
 .PHONY: lint-web
 lint-web:
-	cargo clippy --locked $(WEB) --lib --bin app --bin worker --test parity -- -D warnings
-	cargo clippy --locked $(WEB) --lib --profile test -- -D warnings
+	cargo clippy --locked $(WEB) --profile test --lib --bin app --bin worker --test parity -- -D warnings
 
 .PHONY: test-native
 test-native: ## native tests

@@ -6,10 +6,10 @@ use crate::controls::options::SwitchOption;
 use crate::controls::{Control, Switch, Switches};
 use crate::text::catalog::{Language, number_text, words};
 use crate::text::{Citation, Diagnostic, Grade};
-use crate::view::report::{Input, Open, Report};
+use crate::view::report::{Input, Open, Report, RunReport, TitleBlock};
 
-/// Gathers the report. `name` is the project's, may be empty; `further` are findings beyond those of the design, for instance about
-/// the program.
+/// Gathers what machine and control say in the report. `name` is the project's, may be empty; `further` are findings beyond those of the
+/// design, for instance about the program. Title block, run and programs are the project's to fill in.
 pub fn report(
     machine: &dyn AnyMachine,
     prepared: &PreparedMachine,
@@ -23,12 +23,28 @@ pub fn report(
     let title = [words(Language::English, machine.name()), control.name, name];
     Report {
         title: title.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", "),
+        project: name.to_owned(),
+        customer: customer(values),
+        block: TitleBlock::default(),
+        date: String::new(),
+        checksum: String::new(),
+        run: RunReport::default(),
+        programs: Vec::new(),
+        loading: Vec::new(),
         variable: control.syntax.variable,
         inputs: inputs(machine, prepared, values, origins),
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
         sheets: prepared.sheets(),
         open: open(control, switches),
+    }
+}
+
+/// The customer that the form names.
+fn customer(values: &Values) -> String {
+    match values.get("customer") {
+        Some(Value::Text(customer)) => customer.clone(),
+        _ => String::new(),
     }
 }
 

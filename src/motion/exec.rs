@@ -11,11 +11,13 @@ pub(super) const MEASURE: f64 = 0.01;
 
 /// The state of the executor.
 #[derive(Debug, Clone)]
+// A movement stays where it is: a box for each would cost more than the room of the other states.
+#[allow(clippy::large_enum_variant)]
 pub(super) enum Exec {
     /// Takes the next command as soon as it is ready.
     Idle,
     /// Moves.
-    Moving(Box<Move>),
+    Moving(Move),
     /// Waits for the spindle's speed, before this movement.
     Spinning(Box<Move>),
     /// Lets the axes settle until then.

@@ -58,7 +58,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             Exec::Spinning(_) => {
                 if let Exec::Spinning(motion) = core::mem::replace(&mut self.s.exec, Exec::Idle) {
-                    self.begin(t, *motion);
+                    self.begin(t, &motion);
                 }
             }
             Exec::Resting(_, canon) => {
@@ -107,17 +107,17 @@ impl<P: RunningProgram> Sim<'_, P> {
             Canon::Rapid { to } => {
                 let end = self.goal(&to);
                 let motion = Move::line(self.s.path.position, end, Pace::Rapid, true, &self.plant.axes);
-                self.begin(t, motion);
+                self.begin(t, &motion);
             }
             Canon::Linear { to, feed, exact } => {
                 let end = self.goal(&to);
                 let motion = Move::line(self.s.path.position, end, Pace::Feed(feed), exact, &self.plant.axes);
-                self.cut(t, motion);
+                self.cut(t, &motion);
             }
             Canon::Thread { to, lead } => {
                 let end = self.goal(&to);
                 let motion = Move::line(self.s.path.position, end, Pace::Thread(lead), false, &self.plant.axes);
-                self.cut(t, motion);
+                self.cut(t, &motion);
             }
             Canon::Arc { to, plane, center, clockwise, feed, exact } => {
                 let end = self.goal(&to);
@@ -125,7 +125,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 let center = (center.0 * scale(plane.0), center.1 * scale(plane.1));
                 let axes = &self.plant.axes;
                 let motion = Move::line(self.s.path.position, end, Pace::Feed(feed), exact, axes);
-                self.cut(t, motion.around(plane, center, clockwise, axes));
+                self.cut(t, &motion.around(plane, center, clockwise, axes));
             }
             Canon::SurfaceSpeed { speed, axis, zero } => {
                 self.begin_surface(t, speed, axis, zero);

@@ -12,7 +12,7 @@ use crate::text::DiagnosticKind;
 
 impl<P: RunningProgram> Sim<'_, P> {
     /// Begins a cut, or waits for the spindle's speed on controls that do so.
-    pub(super) fn cut(&mut self, t: f64, motion: Move) {
+    pub(super) fn cut(&mut self, t: f64, motion: &Move) {
         let turning = &self.s.spindle;
         if turning.orienting.is_some() && motion.length > 0.0 {
             let (locked, driven) = (turning.locked, turning.driven || self.plant.spindle.driven_tool);
@@ -23,14 +23,14 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.say(Once::NoDrivenTool as u32, || msg!("motion.no-driven-tool"));
             }
         }
-        if self.feeds_without_rotation(&motion) {
+        if self.feeds_without_rotation(motion) {
             self.say(Once::FeedWithoutRotation as u32, || msg!("motion.feed-without-rotation"));
         }
         if self.plant.spindle.rules.reached.is_some() {
             self.aim_at_cut(t);
             if self.speed_time() > t {
                 self.s.path.flow_end = None;
-                self.s.exec = Exec::Spinning(Box::new(motion));
+                self.s.exec = Exec::Spinning(Box::new(*motion));
                 return;
             }
         }
@@ -48,7 +48,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         !turns && x.1.abs() < self.plant.stock && z.1 < 0.0 && (x.1.abs() < x.0.abs() || z.1 < z.0)
     }
 
-    pub(super) fn begin(&mut self, t: f64, motion: Move) {
+    pub(super) fn begin(&mut self, t: f64, motion: &Move) {
         if motion.length <= 0.0 {
             self.s.path.position = motion.end;
             return;
@@ -61,7 +61,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace {
             self.say_clamped(motion.limit, motion.limiting, feed);
         }
-        self.s.exec = Exec::Moving(Box::new(motion));
+        self.s.exec = Exec::Moving(*motion);
         self.s.path.moving = true;
         self.put_segment(t);
         self.aim_at_motion(t);

@@ -1,7 +1,9 @@
 //! Applying the fix of a diagnostic to files.
 
+use std::collections::BTreeMap;
+
 use super::files::Files;
-use crate::text::{Fix, Place};
+use crate::text::{FileId, Fix, Place};
 
 /// The files with the edits of a fix made. Edits whose place does not fit the text, or that overlap one before, are left out.
 pub fn fix(files: &Files, fix: &Fix) -> Files {
@@ -33,17 +35,19 @@ fn edited(files: &Files, edits: &[(Place, String)]) -> Files {
 /// The files with the edits of several fixes made, and how many were made: one that meets the edits of a fix before it is left out.
 pub fn fix_all<'f>(files: &Files, fixes: impl IntoIterator<Item = &'f Fix>) -> (Files, usize) {
     let (mut made, mut count) = (Vec::<(Place, String)>::new(), 0);
+    // Ends of the edits that are made, by file and start. None touches another, so that the last one that starts before an end is the only
+    // one that can reach it.
+    let mut ends = BTreeMap::<(FileId, u32), u32>::new();
     for one in fixes {
-        let meets = |(at, _): &(Place, String)| made.iter().any(|(other, _)| touches(*at, *other));
+        let meets = |(at, _): &(Place, String)| {
+            let before = ends.range(..=(at.file, at.span.end)).next_back();
+            before.is_some_and(|(&(file, _), &end)| file == at.file && at.span.start <= end)
+        };
         if !one.edits.iter().any(meets) {
+            ends.extend(one.edits.iter().map(|(at, _)| ((at.file, at.span.start), at.span.end)));
             made.extend(one.edits.iter().cloned());
             count += 1;
         }
     }
     (edited(files, &made), count)
-}
-
-/// Whether two edits overlap, or insert at one point.
-fn touches(a: Place, b: Place) -> bool {
-    a.file == b.file && a.span.start <= b.span.end && b.span.start <= a.span.end
 }

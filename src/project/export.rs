@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use super::Project;
 use super::program::Written;
 use super::suppress::silence;
-use crate::machines::report::report;
+use crate::machines::PreparedMachine;
 use crate::msg;
 use crate::nc::{File, Files};
 use crate::text::catalog::Language;
 use crate::text::{Diagnostic, Severity};
-use crate::view;
+use crate::view::{self, report};
 
 /// The files of an export, or the reasons why there is none.
 #[derive(Debug, Clone)]
@@ -47,11 +47,12 @@ impl Export {
 impl Project {
     /// The files for the machine. Errors refuse the export; verdicts are in the report and do not.
     pub fn export(&self) -> Export {
-        self.export_with(&self.written(), &[])
+        self.export_with(&self.written(), &[], "")
     }
 
-    /// The same for a program that is written already: its very files leave. [`Project::advice`] about it goes into diagnostics and report.
-    pub fn export_with(&self, written: &Written, advice: &[Diagnostic]) -> Export {
+    /// The same for a program that is written already: its very files leave. [`Project::advice`] about it goes into diagnostics and report;
+    /// `date` is written into the title block, where it may stay empty.
+    pub fn export_with(&self, written: &Written, advice: &[Diagnostic], date: &str) -> Export {
         let (prepared, design) = (self.prepared(), self.design());
         let mut found = written.diagnostics.clone();
         found.extend_from_slice(advice);
@@ -63,20 +64,7 @@ impl Project {
         let mut files = Vec::new();
         if !diagnostics.iter().any(|d| d.severity == Severity::Error) {
             files.extend(written.files.0.iter().cloned());
-            let sheets = prepared.sheets();
-            let told = report(self.machine, &prepared, &self.name, (&self.values, &self.provenance), self.on(), &found);
-            files.push(File { name: "report.md".to_owned(), text: view::report::markdown(&told, Language::English) });
-            for sheet in sheets {
-                files.push(File {
-                    name: format!("{}.csv", sheet.id),
-                    text: view::csv::sheet(&sheet, Language::English),
-                });
-                if !sheet.drawing.is_empty() {
-                    files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });
-                }
-            }
-            files.extend(prepared.drawings());
-            files.push(File { name: "project.json".to_owned(), text: self.to_json() });
+            files.extend(self.documents_of(&prepared, written, &found, date));
             let same = same_names(&files);
             if !same.is_empty() {
                 files.clear();
@@ -84,5 +72,30 @@ impl Project {
             }
         }
         Export { files, diagnostics, about: written.files.clone() }
+    }
+
+    /// The files beside the programs; `found` are findings about the programs, for the report.
+    fn documents_of(
+        &self,
+        prepared: &PreparedMachine,
+        written: &Written,
+        found: &[Diagnostic],
+        date: &str,
+    ) -> Vec<File> {
+        let file = |name: &str, text| File { name: name.to_owned(), text };
+        let told = self.report(prepared, written, found, date);
+        let mut files = vec![
+            file("report.html", report::html(&told, Language::English)),
+            file("report.md", report::markdown(&told, Language::English)),
+        ];
+        for sheet in prepared.sheets() {
+            files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(&sheet, Language::English) });
+            if !sheet.drawing.is_empty() {
+                files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });
+            }
+        }
+        files.extend(prepared.drawings());
+        files.push(file("project.json", self.to_json()));
+        files
     }
 }

@@ -17,6 +17,14 @@ pub struct Opened {
     pub diagnostics: Vec<Diagnostic>,
 }
 
+/// Ends of the names of an export's documents, all files but programs and project (a test compares them with [`Project::export`]).
+const DOCUMENTS: [&str; 6] = [".csv", ".dxf", ".html", ".md", ".svg", "own-code.nc"];
+
+fn is_document(file: &File) -> bool {
+    let name = file.name.to_ascii_lowercase();
+    DOCUMENTS.iter().any(|end| name.ends_with(end))
+}
+
 /// Opens texts beside the present project, all of them or none: a project file replaces it, a program that macroline wrote restores its
 /// form, and all programs together are the edited program of that project, unless they are what its form writes.
 pub fn open(present: &Project, files: &[File]) -> Opened {
@@ -39,20 +47,29 @@ pub fn open(present: &Project, files: &[File]) -> Opened {
     if let Some(file) = projects.first() {
         let loaded = Project::from_json(&file.text);
         let Some(mut project) = loaded.project else { return refused(loaded.diagnostics) };
+        let (given, left_aside) = without_documents(given);
         if !given.0.is_empty() {
             project.edited = differing(&project, &given);
         }
-        return Opened { project: Some(project), diagnostics: loaded.diagnostics };
+        return Opened {
+            project: Some(project),
+            diagnostics: loaded.diagnostics.into_iter().chain(left_aside).collect(),
+        };
     }
-    match given.0.iter().find_map(|file| restored(present, file)) {
+    let restored = given.0.iter().find_map(|file| Some((restored(present, file)?, file.name.clone())));
+    match restored {
         Some((mut project, from)) => {
+            let (given, left_aside) = without_documents(given);
             project.edited = differing(&project, &given);
             let told = if project.edited.is_some() {
                 msg!("project.form-restored-edited", from)
             } else {
                 msg!("project.form-restored", from)
             };
-            Opened { project: Some(project), diagnostics: vec![Diagnostic::info(told)] }
+            Opened {
+                project: Some(project),
+                diagnostics: core::iter::once(Diagnostic::info(told)).chain(left_aside).collect(),
+            }
         }
         None => {
             let mut project = present.clone();
@@ -60,6 +77,13 @@ pub fn open(present: &Project, files: &[File]) -> Opened {
             Opened { project: Some(project), diagnostics: Vec::new() }
         }
     }
+}
+
+/// The programs without the documents that lie beside them in an export, and what is said about those.
+fn without_documents(given: Files) -> (Files, Option<Diagnostic>) {
+    let (left, programs): (Vec<File>, Vec<File>) = given.0.into_iter().partition(is_document);
+    let told = (!left.is_empty()).then(|| Diagnostic::info(msg!("project.documents-left", left.len() as u32)));
+    (Files(programs), told)
 }
 
 /// A text without the byte order mark and the space before it.
@@ -72,8 +96,8 @@ fn is_text(text: &str) -> bool {
     !text.contains('\0')
 }
 
-/// The form that a program of macroline carries, as a project, and the name of its file.
-fn restored<'f>(present: &Project, file: &'f File) -> Option<(Project, &'f str)> {
+/// The form that a program of macroline carries, as a project.
+fn restored(present: &Project, file: &File) -> Option<Project> {
     let found = settings::read(&file.text)?;
     let (machine, control) = (machines::find(found.machine)?, controls::find(found.control)?);
     let mut project = Project::of_form(machine, control);
@@ -83,7 +107,7 @@ fn restored<'f>(present: &Project, file: &'f File) -> Option<(Project, &'f str)>
     if present.control.id == control.id {
         project.switches.clone_from(&present.switches);
     }
-    Some((project, &file.name))
+    Some(project)
 }
 
 /// Programs as the edited files of a project; an error where they are too many or too large, and then none is taken.

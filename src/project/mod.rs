@@ -30,6 +30,8 @@ pub mod console;
 
 pub mod export;
 
+mod report;
+
 pub mod render;
 
 pub mod suppress;
@@ -53,12 +55,15 @@ use crate::machines::form::{Origins, Values, with_entries};
 use crate::machines::{AnyMachine, ControlContext, Defaults, Design, PreparedMachine};
 use crate::motion::{Action, Event, Panel};
 use crate::nc::Files;
+use crate::view::report::TitleBlock;
 
 /// Everything that a run depends on, and exactly what is saved.
 #[derive(Clone)]
 pub struct Project {
     /// Name given by the user; may be empty.
     pub name: String,
+    /// The title block of the report.
+    pub title_block: TitleBlock,
     /// The machine.
     pub machine: &'static dyn AnyMachine,
     /// The control.
@@ -93,6 +98,7 @@ impl PartialEq for Project {
         self.machine.id() == other.machine.id()
             && self.control.id == other.control.id
             && self.name == other.name
+            && self.title_block == other.title_block
             && self.values == other.values
             && self.provenance == other.provenance
             && self.switches == other.switches
@@ -110,6 +116,7 @@ impl Project {
         values.extend(own);
         Project {
             name: String::new(),
+            title_block: TitleBlock::default(),
             machine,
             control,
             values,

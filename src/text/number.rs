@@ -120,6 +120,18 @@ fn write_scaled(f: &mut impl fmt::Write, digits: i64, decimals: usize, zeros: bo
     f.write_str(core::str::from_utf8(&text[at..]).unwrap_or_default())
 }
 
+/// Decimals of a number with four significant digits, of the decimals that its row has; below 1 all of them.
+pub fn decimals_of_four(number: f64, decimals: u8) -> u8 {
+    let most = match number.abs() {
+        n if n >= 1000.0 => 0,
+        n if n >= 100.0 => 1,
+        n if n >= 10.0 => 2,
+        n if n >= 1.0 => 3,
+        _ => decimals,
+    };
+    decimals.min(most)
+}
+
 /// A number with all of so many decimals and thin spaces between thousands, for figures on the screen.
 pub fn figure(number: f64, decimals: u8) -> String {
     let plain = Fixed(number, decimals).to_string();

@@ -18,7 +18,8 @@ try {
 }
 
 // Labels keep their size: where there is little room the drawing becomes wider than it, as the page makes it (`machine/scene_view.rs`). Names
-// have room everywhere; values wait for the page, which finds places for them.
+// have room everywhere; values wait for the page, which finds places for them. The drawing is not laid out before its scale is known
+// (`#still` in `app.css`): all its labels would be twice.
 const drawing = still.querySelector('.scene');
 if (drawing) {
   const stage = drawing.parentElement;
@@ -31,6 +32,7 @@ if (drawing) {
   drawing.style.setProperty('--u', unit.toFixed(4));
   if (pans) drawing.style.setProperty('width', `${(width / unit).toFixed(0)}px`);
   stage.classList.toggle('crowded', unit > laidOut);
+  stage.classList.add('scaled');
 }
 
 try {

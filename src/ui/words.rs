@@ -160,14 +160,7 @@ pub(crate) fn mode_tone(mode: Mode) -> &'static str {
 
 /// A number with four significant digits where its row has as many; small ones with the decimals of the row.
 pub(crate) fn four_digits(number: f64, decimals: u8) -> String {
-    let most = match number.abs() {
-        n if n >= 1000.0 => 0,
-        n if n >= 100.0 => 1,
-        n if n >= 10.0 => 2,
-        n if n >= 1.0 => 3,
-        _ => decimals,
-    };
-    figure(number, decimals.min(most))
+    figure(number, number::decimals_of_four(number, decimals))
 }
 
 /// The limit of a result in its shortest form: `≤ 20 000`.

@@ -95,6 +95,15 @@ impl From<Message> for Advice {
     }
 }
 
+impl Readout {
+    /// The bar to the limit: its filled part and the place of the limit, both in percent of its length; `None` without a limit.
+    pub fn bar(&self) -> Option<(f64, f64)> {
+        let (value, limit) = (self.value.abs(), self.limit?.value().abs());
+        let most = 1.15 * value.max(limit);
+        (most.is_finite() && most > 0.0).then(|| (100.0 * value / most, 100.0 * limit / most))
+    }
+}
+
 /// One result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Readout {

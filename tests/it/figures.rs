@@ -174,7 +174,7 @@ fn the_written_programs_are_exported() {
     let project = ribbon(&[]);
     let mut written = project.written();
     written.files.0[0].text.push_str("(THIS VERY TEXT)\n");
-    let export = project.export_with(&written, &[]);
+    let export = project.export_with(&written, &[], "");
     let (programs, documents) = export.files.split_at(written.files.0.len());
     assert_eq!(programs, written.files.0);
     assert_eq!(documents, export.documents());

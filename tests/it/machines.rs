@@ -8,6 +8,7 @@ mod polygon;
 mod polygon_drawing;
 mod polygon_sheets;
 mod remedy;
+mod report;
 mod restart;
 mod ribbon_controls;
 mod ribbon_endless;

@@ -517,6 +517,21 @@ fn project_and_its_programs_open_together() {
 }
 
 #[test]
+fn export_opens_as_a_whole_without_its_documents() {
+    for machine in macroline::machines::ALL {
+        let order = Project::named(machine.id(), None, None).unwrap();
+        let mut files = order.export().files;
+        for project_file in [true, false] {
+            files.retain(|file| project_file || !file.name.ends_with(".json"));
+            let opened = import::open(&ribbon(), &files);
+            let project = opened.project.unwrap();
+            assert!(project.machine.id() == machine.id() && project.edited.is_none(), "{}", machine.id());
+            assert!(opened.diagnostics.iter().any(|told| told.id() == "project.documents-left"));
+        }
+    }
+}
+
+#[test]
 fn every_edited_program_of_an_export_is_taken() {
     let mut files = named("").written().files.0;
     files[2].text.push_str("(MINE)\n");

@@ -46,6 +46,9 @@ pub(crate) enum Command {
         /// Folder, made where it is missing
         #[arg(long)]
         out: PathBuf,
+        /// Date in the title block of the report, as its reader writes dates; without it the field stays empty
+        #[arg(long, default_value = "")]
+        date: String,
     },
     /// Draws the machine at a moment of its run, as SVG
     Draw {

@@ -31,7 +31,7 @@ pub(crate) fn main() -> ExitCode {
         Command::List { json: false } => print(&list::text()),
         Command::New { machine, control, example } => new(&machine, control.as_deref(), example.as_deref()),
         Command::Design { project, json } => design(&project, json),
-        Command::Export { project, out } => export(&project, &out),
+        Command::Export { project, out, date } => export(&project, &out, &date),
         Command::Draw { project, at, dark, out } => draw(&project, at, dark, &out),
         Command::Check { files, control, switch, silence, json } => {
             check(&files, control.as_deref(), &switch, &silence, json)
@@ -76,11 +76,11 @@ fn design(path: &Path, json: bool) -> Result<(), Failure> {
     verdict(&all)
 }
 
-fn export(path: &Path, folder: &Path) -> Result<(), Failure> {
+fn export(path: &Path, folder: &Path, date: &str) -> Result<(), Failure> {
     let (project, file) = input::project(path)?;
     let Some(project) = project else { return Err(refuse(&[file], false)) };
     let written = project.written();
-    let export = project.export_with(&written, &project.advice(&written));
+    let export = project.export_with(&written, &project.advice(&written), date);
     let all = [file, Findings { sources: Sources::written(export.about), list: export.diagnostics }];
     tell(&all)?;
     verdict(&all)?;

@@ -239,9 +239,9 @@ fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)>
     let met = (state.print_angle * heads / 360.0 + 1e-6).floor();
     let head = met - (met / heads).floor() * heads + 1.0;
     let state_of_loop = match holds(line, state) {
-        true => "ribbon.scene.holds",
-        false if state.slack > 0.0 => "ribbon.scene.full",
-        false => "ribbon.scene.empty",
+        true => String::new(),
+        false if state.slack > 0.0 => say("ribbon.scene.full"),
+        false => say("ribbon.scene.empty"),
     };
     let (_, printed) = state.passed(p);
     vec![
@@ -249,7 +249,7 @@ fn texts(line: &RibbonLine, now: &Snapshot, state: &State) -> Vec<(u16, String)>
         (node::UNWINDER_SPEED, format!("{} r/min", figure(now.spindle.actual, 1))),
         (node::UNWINDER_VOLTS, format!("{} V", figure(now.spindle.volts, 3))),
         (node::SLACK, format!("{}{} mm", if state.slack >= 0.05 { "+" } else { "" }, figure(state.slack, 1))),
-        (node::LOOP_STATE, say(state_of_loop)),
+        (node::LOOP_STATE, state_of_loop),
         (node::PULL_FEED, format!("{} mm/min", figure(now.axes[line.pull()].feed, 0))),
         (node::PULL_POSITION, format!("{} mm", figure(state.pulled, 1))),
         (node::PRINT_SPEED, format!("{} r/min", figure(state.speeds[2] / 6.0, 1))),

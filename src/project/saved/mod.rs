@@ -27,7 +27,7 @@ use self::findings::Findings;
 pub use self::history::{steps_from_json, steps_to_json};
 use self::json::{Entries, Located};
 pub use self::loaded::{Loaded, MAX_BYTES, MAX_PROGRAM, MAX_PROGRAMS};
-use self::v1::{ProgramV1, ProjectV1};
+use self::v1::{ProgramV1, ProjectV1, TitleBlockV1};
 use super::Project;
 use crate::machines::form::Value;
 use crate::machines::{self, AnyMachine};
@@ -58,6 +58,11 @@ impl Project {
         let saved = ProjectV1 {
             version: VERSION,
             name: self.name.clone(),
+            title_block: TitleBlockV1 {
+                author: self.title_block.author.clone(),
+                number: self.title_block.number.clone(),
+                revision: self.title_block.revision.clone(),
+            },
             machine: Some(Located::new(self.machine.id())),
             control: Some(Located::new(self.control.id)),
             values: Some(self.values.iter().map(|(id, of)| (id, value(of))).collect()),

@@ -16,9 +16,15 @@ use crate::msg;
 use crate::nc::{File, Files};
 use crate::project::Project;
 use crate::text::Diagnostic;
+use crate::view::report::TitleBlock;
 
-/// Characters of a project's name at most.
+/// Characters of a project's name, and of an entry of its title block, at most.
 const NAME: usize = 120;
+
+/// A text of one line.
+fn line(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).take(NAME).collect()
+}
 
 /// The project that a file describes.
 pub(super) fn project<'t>(
@@ -48,7 +54,12 @@ pub(super) fn project<'t>(
         return Loaded::refused(found);
     }
     let mut project = Project::of_form(machine, control);
-    project.name = saved.name.chars().filter(|c| !c.is_control()).take(NAME).collect();
+    project.name = line(&saved.name);
+    project.title_block = TitleBlock {
+        author: line(&saved.title_block.author),
+        number: line(&saved.title_block.number),
+        revision: line(&saved.title_block.revision),
+    };
     values(saved_values, machine, &mut project, &mut found);
     origins(&saved.provenance, machine, &mut project, &mut found);
     project.switches = switches(&saved.switches, control, &mut found);

@@ -11,6 +11,9 @@ pub(super) struct ProjectV1<'t> {
     pub(super) version: u32,
     #[serde(default)]
     pub(super) name: String,
+    /// Entries of the report's title block.
+    #[serde(default, skip_serializing_if = "TitleBlockV1::is_empty")]
+    pub(super) title_block: TitleBlockV1,
     /// Id of the machine.
     #[serde(borrow)]
     pub(super) machine: Option<Located<'t>>,
@@ -34,6 +37,24 @@ pub(super) struct ProjectV1<'t> {
     pub(super) panel: Vec<Entries<'t>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) edited: Option<Vec<ProgramV1>>,
+}
+
+/// The title block of the report.
+#[derive(Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(super) struct TitleBlockV1 {
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub(super) author: String,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub(super) number: String,
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub(super) revision: String,
+}
+
+impl TitleBlockV1 {
+    fn is_empty(&self) -> bool {
+        *self == TitleBlockV1::default()
+    }
 }
 
 /// A program file that the user has edited.

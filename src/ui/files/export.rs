@@ -12,6 +12,7 @@ use crate::ui::state::Page;
 use crate::ui::words::{say, t, tell};
 use crate::ui::worker::client::Client;
 use crate::ui::worker::messages::{Range, Remark, Request, Response};
+use crate::view::report::TitleBlock;
 
 /// Name and text of a file.
 type NamedText = (String, String);
@@ -87,9 +88,36 @@ pub(crate) fn ExportDialog() -> impl IntoView {
     };
     view! {
         <Dialog id="export-title" title=t("page.export") open=open close=move || open.set(false)>
-            <div class="body-of">{content}</div>
+            <div class="body-of">
+                <TitleBlockFields />
+                {content}
+            </div>
         </Dialog>
     }
+}
+
+/// Reads and writes an entry of the title block.
+type Entry = fn(&mut TitleBlock) -> &mut String;
+
+/// The entries of the report's title block, which are saved with the project. A change makes the documents anew.
+#[component]
+fn TitleBlockFields() -> impl IntoView {
+    let page = Page::here();
+    let entries: [(&'static str, Entry); 3] = [
+        ("report.author", |block| &mut block.author),
+        ("report.number", |block| &mut block.number),
+        ("report.revision", |block| &mut block.revision),
+    ];
+    let row = |(label, entry): (&'static str, Entry)| {
+        let value = move || page.project.with(|project| entry(&mut project.title_block.clone()).clone());
+        let change = move |event| {
+            let text = event_target_value(&event);
+            page.edit("", |project| *entry(&mut project.title_block) = text);
+            page.view.exporting.set(true);
+        };
+        view! { <label>{t(label)}<input type="text" maxlength="120" prop:value=value on:change=change /></label> }
+    };
+    view! { <fieldset class="title-block"><legend>{t("page.title-block")}</legend>{entries.into_iter().map(row).collect_view()}</fieldset> }
 }
 
 /// Why nothing is exported.
@@ -183,6 +211,20 @@ mod tests {
     async fn asked(bench: &Bench) {
         bench.page.view.exporting.set(true);
         settled().await;
+    }
+
+    #[wasm_bindgen_test]
+    async fn entry_of_the_title_block_is_saved_and_can_be_undone() {
+        let bench = mount(|| view! { <ExportDialog /> }).await;
+        bench.worker.answer_here(documents);
+        asked(&bench).await;
+        bench.choose(".title-block label:nth-of-type(2) input", "ML-4711").await;
+        let number = || bench.page.project.with_untracked(|project| project.title_block.number.clone());
+        assert_eq!(number(), "ML-4711");
+        assert!(bench.has("dialog[open] #save-all"));
+        bench.page.undo();
+        settled().await;
+        assert_eq!(number(), "");
     }
 
     #[wasm_bindgen_test]

@@ -8,7 +8,7 @@ use web_sys::{Element, HtmlElement};
 use crate::ui::dom;
 
 /// Pixels between two labels.
-const GAP: f64 = 2.0;
+const GAP: f64 = 10.0;
 /// Pixels to the side that are tried, the nearest first.
 const ASIDE: [f64; 13] = [0.0, 8.0, -8.0, 16.0, -16.0, 26.0, -26.0, 38.0, -38.0, 52.0, -52.0, 68.0, -68.0];
 
@@ -130,7 +130,7 @@ mod tests {
     #[wasm_bindgen_test]
     fn label_on_another_one_moves_aside() {
         let labels = [label(10.0, 10.0, &[80.0], true), label(80.0, 10.0, &[80.0], true)];
-        assert_eq!(placed(&labels, FRAME), [(0.0, 1), (16.0, 1)]);
+        assert_eq!(placed(&labels, FRAME), [(0.0, 1), (26.0, 1)]);
         assert_eq!(placed(&[label(-20.0, 10.0, &[80.0], true)], FRAME), [(26.0, 1)]);
     }
 
@@ -141,7 +141,7 @@ mod tests {
             label(10.0, 82.0, &[100.0, 290.0], true),
             label(60.0, 82.0, &[90.0, 90.0], true),
         ];
-        assert_eq!(placed(&labels, FRAME), [(0.0, 0), (0.0, 2), (52.0, 1)]);
+        assert_eq!(placed(&labels, FRAME), [(0.0, 0), (0.0, 2), (68.0, 1)]);
     }
 
     #[wasm_bindgen_test]

@@ -17,8 +17,8 @@ const LETTER: f64 = 6.5;
 const ROOM: f64 = 8.0;
 /// Pixels between two marks of the same name below which they are one.
 const SAME: f64 = 3.0;
-/// Pixels of an action's mark.
-const ACTION: f64 = 12.0;
+/// Pixels of the symbol of an action or of the end.
+const SYMBOL: f64 = 12.0;
 
 /// A milestone: its time (s) and name. The names of greater weight are placed first.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,9 +78,9 @@ enum Side {
     Left,
 }
 
-/// Places the milestones of the shown time on an axis of so many pixels; a name that would lie on another one, on an action or beyond the
-/// axis is left out.
-fn placed(found: &[Named], (from, to): (f64, f64), width: f64, actions: &[f64]) -> Vec<Placed> {
+/// Places the milestones of the shown time on an axis of so many pixels; a name that would lie on another one, on a symbol (of an action or
+/// the end, at these times) or beyond the axis is left out.
+fn placed(found: &[Named], (from, to): (f64, f64), width: f64, symbols: &[f64]) -> Vec<Placed> {
     let pixel = |t: f64| (t - from) / (to - from) * width;
     let mut marks: Vec<(f64, &Named)> = Vec::new();
     for row in found.iter().filter(|row| (from..=to).contains(&row.t)) {
@@ -91,7 +91,7 @@ fn placed(found: &[Named], (from, to): (f64, f64), width: f64, actions: &[f64]) 
         }
     }
     let mut taken: Vec<(f64, f64)> =
-        actions.iter().map(|t| pixel(*t)).map(|x| (x - 0.5 * ACTION, x + 0.5 * ACTION)).collect();
+        symbols.iter().map(|t| pixel(*t)).map(|x| (x - 0.5 * SYMBOL, x + 0.5 * SYMBOL)).collect();
     let mut sides = vec![None; marks.len()];
     let mut order: Vec<usize> = (0..marks.len()).collect();
     order.sort_by_key(|at| core::cmp::Reverse(marks.get(*at).map_or(0, |mark| mark.1.weight)));
@@ -145,6 +145,11 @@ pub(super) fn Marks(
         let (from, to) = axis.get();
         (from..=to).contains(&seconds).then(|| 100.0 * (seconds - from) / (to - from))
     };
+    // The end of a run that is over: its time and place.
+    let end = move || {
+        let (planned, over) = page.player.planned.get();
+        Some((planned, place(planned).filter(|_| over)?))
+    };
     let rows = move || {
         page.project.with(|project| {
             let events = project.panel.events().iter();
@@ -153,7 +158,8 @@ pub(super) fn Marks(
     };
     let named = move || {
         measure();
-        let actions: Vec<f64> = rows().into_iter().map(|row| row.0).collect();
+        let mut symbols: Vec<f64> = rows().into_iter().map(|row| row.0).collect();
+        symbols.extend(end().map(|(seconds, _)| seconds));
         let width = f64::from(width.get().max(1));
         let mark = |mark: Placed| {
             let title = format!("{} s: {}", clock(mark.t), mark.words);
@@ -166,7 +172,7 @@ pub(super) fn Marks(
                 </button>
             }
         };
-        found.with(|found| placed(found, axis.get(), width, &actions)).into_iter().map(mark).collect_view()
+        found.with(|found| placed(found, axis.get(), width, &symbols)).into_iter().map(mark).collect_view()
     };
     let actions = move || {
         let marks = rows().into_iter().filter_map(|(seconds, words)| Some((place(seconds)?, seconds, words)));
@@ -179,12 +185,12 @@ pub(super) fn Marks(
         };
         marks.map(mark).collect_view()
     };
-    let end = move || {
-        let (planned, over) = page.player.planned.get();
-        let percent = place(planned).filter(|_| over)?;
-        Some(view! { <i class="mark end" style:left=filled("#%", &[percent]) title=t("page.end")></i> })
+    let ended = move || {
+        end().map(|(_, percent)| {
+            view! { <i class="mark end" style:left=filled("#%", &[percent]) title=t("page.end")></i> }
+        })
     };
-    view! { <div class="marks" node_ref=host>{named}{actions}{end}</div> }
+    view! { <div class="marks" node_ref=host>{named}{actions}{ended}</div> }
 }
 
 #[cfg(test)]

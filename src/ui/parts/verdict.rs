@@ -7,13 +7,6 @@ use crate::ui::state::Page;
 use crate::ui::words::{figure, four_digits, limit_sign, limit_text, say, sign, t, verdict_tone, verdict_words};
 use crate::view::Readout;
 
-/// The bar of a result: filled part and place of the limit, both in percent of the line.
-fn bar(readout: &Readout) -> Option<(f64, f64)> {
-    let (value, limit) = (readout.value.abs(), readout.limit?.value().abs());
-    let most = 1.15 * value.max(limit);
-    (most.is_finite() && most > 0.0).then(|| (100.0 * value / most, 100.0 * limit / most))
-}
-
 /// The line; a click leads to the result among all results, the button carries out the best advice.
 #[component]
 pub(crate) fn VerdictLine(
@@ -33,7 +26,7 @@ pub(crate) fn VerdictLine(
             <button type="button" class="repair" title=title.clone() on:click=move |_| page.take_entries(&sets)>{words}</button>
         }
     });
-    let bar = bar(&readout);
+    let bar = readout.bar();
     let (part, limit) = bar.unwrap_or_default();
     let percent = |share: f64| filled("#%", &[share]);
     view! {

@@ -130,10 +130,16 @@ fn tagged(out: &mut String, tag: &str, text: &str) {
     out.push_str(&format!("</{tag}>"));
 }
 
+/// The day on the clock of the person's machine, `2026-11-22`.
+fn today() -> String {
+    let now = js_sys::Date::new_0();
+    format!("{:04}-{:02}-{:02}", now.get_full_year(), now.get_month() + 1, now.get_date())
+}
+
 /// The documents of a project's export and the findings that refuse it or go with it.
 pub(super) fn documents(project: &Project) -> Documents {
     let written = project.written();
-    let export = project.export_with(&written, &project.advice(&written));
+    let export = project.export_with(&written, &project.advice(&written), &today());
     let remark = |found: &Diagnostic| Remark {
         refuses: found.severity == Severity::Error,
         tone: tone(found.severity).to_owned(),

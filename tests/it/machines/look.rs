@@ -44,7 +44,7 @@ fn pose_figures_equal_the_snapshot() {
             "1\u{202F}214.6 r/min",
             "8.107 V",
             "+6.1 mm",
-            "loop holds",
+            "",
             "15\u{202F}080 mm/min",
             "502.7 mm",
             "314.2 r/min",

@@ -168,7 +168,7 @@ pub(crate) fn lens(drawing: &mut Drawing, line: &RibbonLine, layout: &Layout) {
     let (low, name) = (y + 0.52 * r, format!("{}, {}", say("ribbon.scene.smear"), times(layout.magnified)));
     drawing.text((x, low), "middle", &name, Font::Label, Paint::Dim);
     let paint = if bad { Paint::Bad } else { Paint::Ink };
-    drawing.text((x, low + 1.3 * letter), "middle", &smear_text(line.d.smear), Font::Value, paint);
+    drawing.text((x, low + LINE * letter), "middle", &smear_text(line.d.smear), Font::Value, paint);
 }
 
 /// A factor with two digits.

@@ -1,0 +1,104 @@
+//! The report of a project: what machine and control say, a run of the programs, and their check sums.
+
+use super::Project;
+use super::program::Written;
+use super::run::{RunOptions, of_project};
+use crate::controls::schema::syntax::Percent;
+use crate::machines::report::report;
+use crate::machines::{Frame, PreparedMachine};
+use crate::motion::{Budget, Retention, RunEnd};
+use crate::msg;
+use crate::text::lines::line_end;
+use crate::text::{Diagnostic, Message};
+use crate::view::report::{Figure, Program, Report, RunReport};
+use crate::view::{Theme, svg};
+
+/// What a report's run may take: blocks, and seconds of the machine. A longer run is drawn as far as it came.
+const LIMITS: Budget = Budget { blocks: 200_000, seconds: 8.0 * 3600.0 };
+
+/// Events that are planned at a time.
+const SLICE: usize = 4096;
+
+/// Points of a chart.
+const POINTS: usize = 400;
+
+/// Part of the run after which the machine is drawn.
+const SHOWN: f64 = 0.6;
+
+impl Project {
+    /// The report about these programs of the project; `date` is the day of its reader, `found` are findings about the programs.
+    pub fn report(&self, prepared: &PreparedMachine, written: &Written, found: &[Diagnostic], date: &str) -> Report {
+        let report = report(self.machine, prepared, &self.name, (&self.values, &self.provenance), self.on(), found);
+        let files = &written.files.0;
+        let program = |file: &crate::nc::File| Program {
+            name: file.name.clone(),
+            text: file.text.clone(),
+            checksum: checksum(&file.text),
+        };
+        Report {
+            block: self.title_block.clone(),
+            date: date.to_owned(),
+            checksum: checksum(&self.to_json()),
+            run: self.run_report(prepared, written),
+            programs: files.iter().map(program).collect(),
+            loading: self.loading(written),
+            ..report
+        }
+    }
+
+    /// The machine in a run of the programs.
+    fn run_report(&self, prepared: &PreparedMachine, written: &Written) -> RunReport {
+        let options = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
+        let mut run = of_project(self, written, &options);
+        let ended = loop {
+            if let Some(ended) = run.advance(f64::INFINITY, SLICE).ended {
+                break ended;
+            }
+        };
+        let end = run.timeline().end();
+        let now = run.timeline().at(SHOWN * end);
+        let pose = prepared.pose(&run, &now, Frame { step: 0.0, option: false });
+        let cycle = run.ended_at().filter(|time| ended == RunEnd::ProgramEnd && *time > 0.0);
+        let figures = cycle.map(|time| {
+            [
+                Figure { label: "report.cycle-time", value: time, unit: "s", decimals: 1 },
+                Figure { label: "report.parts-per-hour", value: 3600.0 / time, unit: "1/h", decimals: 1 },
+            ]
+        });
+        RunReport {
+            drawing: svg::picture(&prepared.scene(), &pose, Theme::Light),
+            figures: figures.into_iter().flatten().collect(),
+            charts: prepared.charts(&run, 0.0, end, POINTS),
+        }
+    }
+
+    /// How the programs get into the control.
+    fn loading(&self, written: &Written) -> Vec<Message> {
+        let files = &written.files.0;
+        let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+        let ends = files.first().map_or("\n", |file| line_end(&file.text));
+        let percent = match self.control.syntax.percent {
+            Percent::Both => msg!("report.percent-both"),
+            Percent::End => msg!("report.percent-end"),
+            Percent::Head => msg!("report.percent-head"),
+        };
+        let mut told = vec![
+            msg!("report.load", names.join(", ")),
+            percent,
+            msg!("report.line-ends", if ends == "\n" { "LF" } else { "CR LF" }),
+            msg!("report.transfer"),
+        ];
+        let locked = |file: &&crate::nc::File| {
+            super::run::program_number(&file.name).is_some_and(|n| (9000..=9999).contains(&n))
+        };
+        if files.iter().any(|file| locked(&file)) {
+            told.insert(1, msg!("report.locked"));
+        }
+        told
+    }
+}
+
+/// The check sum of a text as it leaves: CRC-32 of its bytes.
+fn checksum(text: &str) -> String {
+    format!("{:08X}", crc32fast::hash(text.as_bytes()))
+}

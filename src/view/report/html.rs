@@ -1,0 +1,345 @@
+//! The report as a page of its own, to print on A4: a first sheet with frame and title block as a drawing office has them, then everything
+//! else in flowing tables.
+
+use super::{INPUT_COLUMNS, RESULT_COLUMNS, Report, cells_of_input, cells_of_result, cells_of_row};
+use crate::msg;
+use crate::text::catalog::{Language, sentence, words};
+use crate::text::number::{decimals_of_four, figure, filled};
+use crate::text::{Message, Severity};
+use crate::view::svg::escape;
+use crate::view::{Chart, Readout, Sheet, Verdict, plot};
+
+/// The style sheet.
+const STYLE: &str = include_str!("../../../style/report.css");
+
+/// Rows of verdicts that the first sheet has room for.
+const FIRST: usize = 10;
+
+/// The report as HTML with its styles and pictures in it.
+pub fn html(report: &Report, language: Language) -> String {
+    let mut page = Page { out: String::new(), report, language };
+    page.whole();
+    page.out
+}
+
+struct Page<'r> {
+    out: String,
+    report: &'r Report,
+    language: Language,
+}
+
+impl Page<'_> {
+    fn raw(&mut self, html: &str) {
+        self.out.push_str(html);
+    }
+
+    fn say(&self, id: &'static str) -> &'static str {
+        words(self.language, id)
+    }
+
+    /// An element with a text.
+    fn text(&mut self, tag: &str, class: &str, text: &str) {
+        self.raw("<");
+        self.raw(tag);
+        if !class.is_empty() {
+            self.raw(&format!(" class=\"{class}\""));
+        }
+        self.raw(">");
+        escape(&mut self.out, text);
+        self.raw(&format!("</{tag}>"));
+    }
+
+    fn title(&mut self, id: &'static str) {
+        self.text("h2", "", self.say(id));
+    }
+
+    fn list(&mut self, messages: impl IntoIterator<Item = String>) {
+        self.raw("<ul>");
+        for message in messages {
+            self.text("li", "", &message);
+        }
+        self.raw("</ul>");
+    }
+
+    fn whole(&mut self) {
+        let report = self.report;
+        self.raw("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>");
+        self.raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>");
+        self.text("title", "", &report.title);
+        self.raw("<style>");
+        self.raw(STYLE);
+        self.raw("</style></head><body>");
+        self.first_sheet();
+        self.raw("<main class=\"flow\">");
+        self.findings();
+        self.title("form.report.results");
+        let results: Vec<_> = report.readouts.iter().map(|row| cells_of_result(report, row, self.language)).collect();
+        self.table("results", &RESULT_COLUMNS, &results);
+        self.run();
+        self.title("form.report.inputs");
+        let inputs: Vec<_> = report.inputs.iter().map(|row| cells_of_input(report, row, self.language)).collect();
+        self.table("inputs", &INPUT_COLUMNS, &inputs);
+        for sheet in &report.sheets {
+            self.sheet(sheet);
+        }
+        self.programs();
+        self.title("form.report.open");
+        let open = report.open.iter().map(|open| format!("{}: {}", self.say(open.kind), open.facts.join("; ")));
+        let open: Vec<_> = open.collect();
+        self.list(open);
+        self.raw("</main></body></html>\n");
+    }
+
+    /// Heading, conclusion, drawing, verdicts and title block.
+    fn first_sheet(&mut self) {
+        let report = self.report;
+        self.raw("<section class=\"sheet\"><div class=\"frame\"></div><header><div>");
+        self.text("h1", "", &report.title);
+        self.text("p", "dim", self.say("report.about"));
+        self.raw("</div><b class=\"maker\">macroline</b></header>");
+        let conclusion = conclusion(report, self.language);
+        self.text("p", "conclusion", &conclusion);
+        self.raw("<figure class=\"drawing\">");
+        self.raw(&report.run.drawing);
+        self.raw("</figure>");
+        self.title("report.verdicts");
+        let columns = [
+            "form.report.result",
+            "form.report.value",
+            "report.unit",
+            "report.against",
+            "form.report.limit",
+            "report.repair",
+        ];
+        self.raw("<table class=\"verdicts\">");
+        self.head(&columns, Some(""));
+        for readout in first_rows(report) {
+            self.verdict(readout);
+        }
+        self.raw("</table><footer>");
+        self.assumed();
+        self.block();
+        self.raw("</footer></section>");
+    }
+
+    fn head(&mut self, columns: &[&'static str], before: Option<&str>) {
+        self.raw("<thead><tr>");
+        if let Some(text) = before {
+            self.text("th", "", text);
+        }
+        for id in columns {
+            self.text("th", "", self.say(id));
+        }
+        self.raw("</tr></thead>");
+    }
+
+    fn verdict(&mut self, readout: &Readout) {
+        let (class, sign) = match readout.verdict {
+            Verdict::Fail => ("fail", "✕"),
+            Verdict::Warn => ("warn", "△"),
+            Verdict::Ok => ("ok", "✓"),
+            Verdict::None => ("", ""),
+        };
+        self.raw(&format!("<tr class=\"{class}\">"));
+        self.text("td", "sign", sign);
+        self.text("td", "", self.say(readout.label));
+        self.text("td", "figure", &four(readout));
+        self.text("td", "", readout.unit);
+        self.raw("<td>");
+        if let Some((part, limit)) = readout.bar() {
+            // In units of the view box, 100 wide.
+            let bar = filled(
+                "<svg class=\"bar\" viewBox=\"0 0 100 9\"><path class=\"rest\" d=\"M0 2H100V7H0z\"/><path class=\"part\" d=\"M0 2H#V7H0z\"/><path class=\"limit\" d=\"M# 0V9\"/></svg>",
+                &[part, limit],
+            );
+            self.raw(&bar);
+        }
+        self.raw("</td>");
+        let limit = readout.limit.map_or(String::new(), |limit| {
+            let decimals = decimals_of_four(limit.value(), readout.decimals);
+            sentence(self.language, &limit.message(trimmed(figure(limit.value(), decimals))))
+        });
+        self.text("td", "", &limit);
+        let repair = readout.advice.iter().find_map(|advice| advice.button.as_ref());
+        let repair = repair.map_or(String::new(), |button| sentence(self.language, button));
+        self.text("td", "", &repair);
+        self.raw("</tr>");
+    }
+
+    /// How much of the machine is only assumed.
+    fn assumed(&mut self) {
+        let facts = self.report.inputs.iter().filter_map(|input| input.origin);
+        let (all, assumed) = facts.fold((0_u32, 0_u32), |(all, assumed), origin| {
+            (all + 1, assumed + u32::from(origin == "form.report.assumed"))
+        });
+        if assumed > 0 {
+            self.text("p", "assumed", &sentence(self.language, &msg!("report.assumed", assumed, all)));
+        } else {
+            self.raw("<p></p>");
+        }
+    }
+
+    /// The title block, in the fields of ISO 7200: title, customer, project, author, date, number, revision.
+    fn block(&mut self) {
+        let report = self.report;
+        self.raw("<dl class=\"block\">");
+        // Three columns; the number is how many of them an entry takes.
+        let entries = [
+            (3, "report.title", report.title.as_str()),
+            (2, "report.customer", &report.customer),
+            (1, "report.project", &report.project),
+            (1, "report.date", &report.date),
+            (1, "report.author", &report.block.author),
+            (1, "report.checked", ""),
+            (2, "report.number", &report.block.number),
+            (1, "report.revision", &report.block.revision),
+            (2, "report.checksum", &report.checksum),
+            (1, "report.version", env!("CARGO_PKG_VERSION")),
+        ];
+        for (columns, label, value) in entries {
+            self.raw(&format!("<div class=\"w{columns}\">"));
+            self.text("dt", "", self.say(label));
+            self.text("dd", "", if value.is_empty() { "\u{a0}" } else { value });
+            self.raw("</div>");
+        }
+        self.raw("</dl>");
+    }
+
+    /// Errors and remarks about fields and program, then what the verdicts advise.
+    fn findings(&mut self) {
+        let report = self.report;
+        let told = report.diagnostics.iter().filter(|found| found.severity != Severity::Info);
+        let mut said: Vec<String> = told.map(|found| sentence(self.language, &found.message)).collect();
+        for readout in report.readouts.iter().filter(|readout| readout.verdict >= Verdict::Warn) {
+            let label = self.say(readout.label);
+            said.extend(
+                readout.advice.iter().map(|advice| format!("{label}: {}", sentence(self.language, &advice.message))),
+            );
+        }
+        if !said.is_empty() {
+            self.title("form.report.findings");
+            self.list(said);
+        }
+    }
+
+    fn table<const N: usize>(&mut self, class: &str, columns: &[&'static str; N], rows: &[[String; N]]) {
+        self.raw(&format!("<table class=\"{class}\">"));
+        self.head(columns, None);
+        for row in rows {
+            self.row(row);
+        }
+        self.raw("</table>");
+    }
+
+    fn row(&mut self, cells: &[String]) {
+        self.raw("<tr>");
+        for cell in cells {
+            self.text("td", "", cell);
+        }
+        self.raw("</tr>");
+    }
+
+    /// Figures of the run, and its charts.
+    fn run(&mut self) {
+        let report = self.report;
+        if report.run.figures.is_empty() && report.run.charts.is_empty() {
+            return;
+        }
+        self.title("report.run");
+        let figures = report.run.figures.iter().map(|row| format!("{}: {}", self.say(row.label), row.shown()));
+        let figures: Vec<_> = figures.collect();
+        self.list(figures);
+        for chart in &report.run.charts {
+            self.chart(chart);
+        }
+    }
+
+    fn chart(&mut self, chart: &Chart) {
+        self.raw("<figure class=\"chart\"><figcaption>");
+        self.text("b", "", self.say(chart.title));
+        self.text("span", "dim", &format!(" {}", chart.unit));
+        for line in &chart.series {
+            self.text("span", &format!("tone tone-{}", line.tone), self.say(line.label));
+        }
+        self.raw("</figcaption>");
+        self.raw(&plot::svg(chart));
+        self.raw("</figure>");
+    }
+
+    fn sheet(&mut self, sheet: &Sheet) {
+        self.title(sheet.title);
+        self.raw(&format!("<table class=\"{}\">", sheet.id));
+        let mut columns = sheet.columns.clone();
+        columns.push("form.report.source");
+        self.head(&columns, None);
+        for row in &sheet.rows {
+            self.row(&cells_of_row(row, self.language));
+        }
+        self.raw("</table>");
+        if !sheet.drawing.is_empty() {
+            self.raw("<figure class=\"sketch\">");
+            self.raw(&sheet.drawing);
+            self.raw("</figure>");
+        }
+    }
+
+    /// How the programs are loaded, then their texts.
+    fn programs(&mut self) {
+        let report = self.report;
+        self.title("report.programs");
+        let loading: Vec<_> = report.loading.iter().map(|told| sentence(self.language, told)).collect();
+        self.list(loading);
+        for program in &report.programs {
+            self.raw("<h3>");
+            escape(&mut self.out, &program.name);
+            self.text("span", "dim", &format!(" CRC-32 {}", program.checksum));
+            self.raw("</h3>");
+            self.text("pre", "", &program.text);
+        }
+    }
+}
+
+/// The value with four significant digits.
+fn four(readout: &Readout) -> String {
+    if readout.value.is_finite() {
+        figure(readout.value, decimals_of_four(readout.value, readout.decimals))
+    } else {
+        "–".to_owned()
+    }
+}
+
+/// A number without zeros at its end.
+fn trimmed(number: String) -> String {
+    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.').to_owned() } else { number }
+}
+
+/// The verdicts of the first sheet: the worst first, then those above the drawing, then others.
+fn first_rows(report: &Report) -> Vec<&Readout> {
+    let judged = report.readouts.iter().filter(|readout| readout.headline || readout.verdict != Verdict::None);
+    let mut rows: Vec<&Readout> = judged.collect();
+    rows.sort_by_key(|readout| (core::cmp::Reverse(readout.verdict.max(Verdict::Ok)), !readout.headline));
+    rows.truncate(FIRST);
+    rows
+}
+
+/// What a reader takes along: the figures above the drawing, how long a run takes, and whether the verdicts hold.
+fn conclusion(report: &Report, language: Language) -> String {
+    let figures = report.readouts.iter().filter(|readout| readout.headline).take(3);
+    let figures: Vec<String> = figures
+        .map(|readout| {
+            format!("{} {} {}", words(language, readout.label), four(readout), readout.unit).trim_end().to_owned()
+        })
+        .chain(report.run.figures.iter().map(|row| format!("{} {}", words(language, row.label), row.shown())))
+        .collect();
+    let judged: Vec<&Readout> = report.readouts.iter().filter(|readout| readout.verdict != Verdict::None).collect();
+    let failing: Vec<&str> = judged
+        .iter()
+        .filter(|readout| readout.verdict == Verdict::Fail)
+        .map(|readout| words(language, readout.label))
+        .collect();
+    let said: Message = match failing.len() {
+        0 => msg!("report.all-hold", judged.len() as u32),
+        n => msg!("report.some-fail", n as u32, judged.len() as u32, failing.join(", ")),
+    };
+    format!("{}. {}", figures.join("; "), sentence(language, &said))
+}

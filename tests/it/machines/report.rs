@@ -1,0 +1,115 @@
+//! The report that one hands over: whole for every machine on every control, well formed, with the figures of the run.
+
+use macroline::machines::ALL;
+use macroline::motion::{Budget, Retention};
+use macroline::nc::File;
+use macroline::project::Project;
+use macroline::project::run::{AtStop, RunOptions, of_project, to_end};
+use roxmltree::{Document, Node, ParsingOptions};
+
+fn named<'f>(files: &'f [File], name: &str) -> &'f str {
+    &files.iter().find(|file| file.name == name).unwrap_or_else(|| panic!("no {name}")).text
+}
+
+fn html(project: &Project) -> String {
+    let written = project.written();
+    named(&project.export_with(&written, &[], "2026-11-22").files, "report.html").to_owned()
+}
+
+/// Reads a report as XML, which is stricter than a browser.
+fn read(html: &str) -> Document<'_> {
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    Document::parse_with_options(html, options).unwrap()
+}
+
+fn words(node: Node) -> String {
+    node.descendants().filter_map(|node| node.text().filter(|_| node.is_text())).collect()
+}
+
+fn of_class<'d>(page: &'d Document, class: &str) -> Vec<Node<'d, 'd>> {
+    page.descendants().filter(|node| node.attribute("class") == Some(class)).collect()
+}
+
+/// CRC-32 bit by bit, after ISO 3309.
+fn crc(text: &str) -> String {
+    let byte = |crc: u32, byte: u8| {
+        (0..8).fold(crc ^ u32::from(byte), |crc, _| (crc >> 1) ^ if crc & 1 == 1 { 0xEDB8_8320 } else { 0 })
+    };
+    format!("{:08X}", !text.bytes().fold(!0, byte))
+}
+
+#[test]
+fn every_report_is_whole_and_well_formed() {
+    for machine in ALL {
+        for control in machine.controls() {
+            let project = Project::named(machine.id(), Some(control), None).unwrap();
+            let text = html(&project);
+            let page = read(&text);
+            let told = words(page.root_element());
+            for file in &project.written().files.0 {
+                assert!(told.contains(&file.text), "{control}: {}", file.name);
+                assert!(told.contains(&format!("CRC-32 {}", crc(&file.text))), "{control}: {}", file.name);
+            }
+            assert!(told.contains(&crc(&project.to_json())), "{control}");
+            let rows = of_class(&page, "verdicts")[0].descendants().filter(|node| node.has_tag_name("tr")).count();
+            assert!((4..=11).contains(&rows), "{control}: {rows}");
+            for class in ["drawing", "chart"] {
+                let figures = of_class(&page, class);
+                assert!(!figures.is_empty(), "{control}: {class}");
+                assert!(figures.iter().all(|node| {
+                    node.descendants().any(|node| {
+                        node.has_tag_name(("http://www.w3.org/2000/svg", "svg")) || node.has_tag_name("svg")
+                    })
+                }));
+            }
+            assert!(!told.contains("report."), "an id without its sentence");
+        }
+    }
+}
+
+#[test]
+fn cycle_time_is_that_of_the_run() {
+    for machine in ALL {
+        let project = Project::named(machine.id(), None, None).unwrap();
+        let limits = Budget { blocks: 1_000_000, seconds: 1e5 };
+        let options = RunOptions { start: None, settings: &[], limits, keep: Retention::Log };
+        let mut run = of_project(&project, &project.written(), &options);
+        let time = to_end(&mut run, AtStop::End, |_| Ok::<(), ()>(())).unwrap().time;
+        let told = html(&project);
+        let page = read(&told);
+        let told = words(page.root_element());
+        assert!(told.contains(&format!("Cycle time {} s", (time * 10.0).round() / 10.0)), "{}: {time}", machine.id());
+        assert!(told.contains(&format!("Parts per hour {} 1/h", (36_000.0 / time).round() / 10.0)), "{}", machine.id());
+    }
+}
+
+#[test]
+fn title_block_is_saved_printed_and_escaped() {
+    let mut project = Project::named("ribbon-line", None, None).unwrap();
+    project.title_block.author = "J. <script>alert(1)</script>".to_owned();
+    project.title_block.number = "ML-4711-08".to_owned();
+    project.title_block.revision = "B".to_owned();
+    let again = Project::from_json(&project.to_json());
+    assert!(again.diagnostics.is_empty() && again.project.unwrap() == project);
+    let text = html(&project);
+    assert!(!text.contains("<script"));
+    let page = read(&text);
+    let block = words(of_class(&page, "block")[0]);
+    for entry in ["2026-11-22", "J. <script>alert(1)</script>", "ML-4711-08", "RevisionB"] {
+        assert!(block.contains(entry), "{entry}: {block}");
+    }
+}
+
+#[test]
+fn failing_design_says_so_first_and_names_its_repair() {
+    let project = Project::named("ribbon-line", None, Some("paper")).unwrap();
+    let text = html(&project);
+    let page = read(&text);
+    assert!(words(of_class(&page, "conclusion")[0]).contains("verdicts fail: Block time, Roller : ribbon speed"));
+    let first = of_class(&page, "fail")[0];
+    assert!(words(first).ends_with("Set 2 pitches per block"), "{}", words(first));
+    // The worst rows stand above the others.
+    let signs: Vec<String> = of_class(&page, "sign").into_iter().map(words).collect();
+    let rank = |sign: &String| ["✕", "△", "✓", ""].iter().position(|known| known == sign).unwrap().min(2);
+    assert!(signs.is_sorted_by_key(rank), "{signs:?}");
+}
