@@ -10,7 +10,7 @@ use crate::motion::{Budget, Retention, RunEnd};
 use crate::msg;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Message};
-use crate::view::report::{Figure, Program, Report, RunReport};
+use crate::view::report::{Figure, PrintedProgram, Report, RunReport};
 use crate::view::{Theme, svg};
 
 /// What a report's run may take: blocks, and seconds of the machine. A longer run is drawn as far as it came.
@@ -30,7 +30,7 @@ impl Project {
     pub fn report(&self, prepared: &PreparedMachine, written: &Written, found: &[Diagnostic], date: &str) -> Report {
         let report = report(self.machine, prepared, &self.name, (&self.values, &self.provenance), self.on(), found);
         let files = &written.files.0;
-        let program = |file: &crate::nc::File| Program {
+        let program = |file: &crate::nc::File| PrintedProgram {
             name: file.name.clone(),
             text: file.text.clone(),
             checksum: checksum(&file.text),
@@ -61,8 +61,8 @@ impl Project {
         let cycle = run.ended_at().filter(|time| ended == RunEnd::ProgramEnd && *time > 0.0);
         let figures = cycle.map(|time| {
             [
-                Figure { label: "report.cycle-time", value: time, unit: "s", decimals: 1 },
-                Figure { label: "report.parts-per-hour", value: 3600.0 / time, unit: "1/h", decimals: 1 },
+                Figure { label: "form.report.cycle-time", value: time, unit: "s", decimals: 1 },
+                Figure { label: "form.report.parts-per-hour", value: 3600.0 / time, unit: "1/h", decimals: 1 },
             ]
         });
         RunReport {
@@ -78,21 +78,21 @@ impl Project {
         let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
         let ends = files.first().map_or("\n", |file| line_end(&file.text));
         let percent = match self.control.syntax.percent {
-            Percent::Both => msg!("report.percent-both"),
-            Percent::End => msg!("report.percent-end"),
-            Percent::Head => msg!("report.percent-head"),
+            Percent::Both => msg!("form.report.percent-both"),
+            Percent::End => msg!("form.report.percent-end"),
+            Percent::Head => msg!("form.report.percent-head"),
         };
         let mut told = vec![
-            msg!("report.load", names.join(", ")),
+            msg!("form.report.load", names.join(", ")),
             percent,
-            msg!("report.line-ends", if ends == "\n" { "LF" } else { "CR LF" }),
-            msg!("report.transfer"),
+            msg!("form.report.line-ends", if ends == "\n" { "LF" } else { "CR LF" }),
+            msg!("form.report.transfer"),
         ];
         let locked = |file: &&crate::nc::File| {
             super::run::program_number(&file.name).is_some_and(|n| (9000..=9999).contains(&n))
         };
         if files.iter().any(|file| locked(&file)) {
-            told.insert(1, msg!("report.locked"));
+            told.insert(1, msg!("form.report.locked"));
         }
         told
     }

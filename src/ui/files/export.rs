@@ -104,9 +104,9 @@ type Entry = fn(&mut TitleBlock) -> &mut String;
 fn TitleBlockFields() -> impl IntoView {
     let page = Page::here();
     let entries: [(&'static str, Entry); 3] = [
-        ("report.author", |block| &mut block.author),
-        ("report.number", |block| &mut block.number),
-        ("report.revision", |block| &mut block.revision),
+        ("form.report.author", |block| &mut block.author),
+        ("form.report.number", |block| &mut block.number),
+        ("form.report.revision", |block| &mut block.revision),
     ];
     let row = |(label, entry): (&'static str, Entry)| {
         let value = move || page.project.with(|project| entry(&mut project.title_block.clone()).clone());

@@ -1,7 +1,8 @@
 //! The report as a page of its own, to print on A4: a first sheet with frame and title block as a drawing office has them, then everything
 //! else in flowing tables.
 
-use super::{INPUT_COLUMNS, RESULT_COLUMNS, Report, cells_of_input, cells_of_result, cells_of_row};
+use super::cells::{INPUT_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_result, cells_of_row};
+use super::document::Report;
 use crate::msg;
 use crate::text::catalog::{Language, sentence, words};
 use crate::text::number::{decimals_of_four, figure, filled};
@@ -63,7 +64,7 @@ impl Page<'_> {
 
     fn whole(&mut self) {
         let report = self.report;
-        self.raw("<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>");
+        self.raw("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>");
         self.raw("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>");
         self.text("title", "", &report.title);
         self.raw("<style>");
@@ -95,21 +96,21 @@ impl Page<'_> {
         let report = self.report;
         self.raw("<section class=\"sheet\"><div class=\"frame\"></div><header><div>");
         self.text("h1", "", &report.title);
-        self.text("p", "dim", self.say("report.about"));
+        self.text("p", "dim", self.say("form.report.about"));
         self.raw("</div><b class=\"maker\">macroline</b></header>");
         let conclusion = conclusion(report, self.language);
         self.text("p", "conclusion", &conclusion);
         self.raw("<figure class=\"drawing\">");
         self.raw(&report.run.drawing);
         self.raw("</figure>");
-        self.title("report.verdicts");
+        self.title("form.report.verdicts");
         let columns = [
             "form.report.result",
             "form.report.value",
-            "report.unit",
-            "report.against",
+            "form.report.unit",
+            "form.report.against",
             "form.report.limit",
-            "report.repair",
+            "form.report.repair",
         ];
         self.raw("<table class=\"verdicts\">");
         self.head(&columns, Some(""));
@@ -173,7 +174,7 @@ impl Page<'_> {
             (all + 1, assumed + u32::from(origin == "form.report.assumed"))
         });
         if assumed > 0 {
-            self.text("p", "assumed", &sentence(self.language, &msg!("report.assumed", assumed, all)));
+            self.text("p", "assumed", &sentence(self.language, &msg!("form.report.assumed-facts", assumed, all)));
         } else {
             self.raw("<p></p>");
         }
@@ -185,16 +186,16 @@ impl Page<'_> {
         self.raw("<dl class=\"block\">");
         // Three columns; the number is how many of them an entry takes.
         let entries = [
-            (3, "report.title", report.title.as_str()),
-            (2, "report.customer", &report.customer),
-            (1, "report.project", &report.project),
-            (1, "report.date", &report.date),
-            (1, "report.author", &report.block.author),
-            (1, "report.checked", ""),
-            (2, "report.number", &report.block.number),
-            (1, "report.revision", &report.block.revision),
-            (2, "report.checksum", &report.checksum),
-            (1, "report.version", env!("CARGO_PKG_VERSION")),
+            (3, "form.report.title", report.title.as_str()),
+            (2, "form.report.customer", &report.customer),
+            (1, "form.report.project", &report.project),
+            (1, "form.report.date", &report.date),
+            (1, "form.report.author", &report.block.author),
+            (1, "form.report.checked", ""),
+            (2, "form.report.number", &report.block.number),
+            (1, "form.report.revision", &report.block.revision),
+            (2, "form.report.checksum", &report.checksum),
+            (1, "form.report.version", env!("CARGO_PKG_VERSION")),
         ];
         for (columns, label, value) in entries {
             self.raw(&format!("<div class=\"w{columns}\">"));
@@ -245,7 +246,7 @@ impl Page<'_> {
         if report.run.figures.is_empty() && report.run.charts.is_empty() {
             return;
         }
-        self.title("report.run");
+        self.title("form.report.run");
         let figures = report.run.figures.iter().map(|row| format!("{}: {}", self.say(row.label), row.shown()));
         let figures: Vec<_> = figures.collect();
         self.list(figures);
@@ -286,7 +287,7 @@ impl Page<'_> {
     /// How the programs are loaded, then their texts.
     fn programs(&mut self) {
         let report = self.report;
-        self.title("report.programs");
+        self.title("form.report.programs");
         let loading: Vec<_> = report.loading.iter().map(|told| sentence(self.language, told)).collect();
         self.list(loading);
         for program in &report.programs {
@@ -338,8 +339,8 @@ fn conclusion(report: &Report, language: Language) -> String {
         .map(|readout| words(language, readout.label))
         .collect();
     let said: Message = match failing.len() {
-        0 => msg!("report.all-hold", judged.len() as u32),
-        n => msg!("report.some-fail", n as u32, judged.len() as u32, failing.join(", ")),
+        0 => msg!("form.report.all-hold", judged.len() as u32),
+        n => msg!("form.report.some-fail", n as u32, judged.len() as u32, failing.join(", ")),
     };
     format!("{}. {}", figures.join("; "), sentence(language, &said))
 }

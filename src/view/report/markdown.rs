@@ -2,7 +2,8 @@
 
 use core::fmt::Write;
 
-use super::{Report, cells_of_input, cells_of_result, cells_of_row, verdict};
+use super::cells::{INPUT_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_result, cells_of_row, verdict};
+use super::document::Report;
 use crate::text::catalog::{Language, sentence, words};
 use crate::text::escape;
 use crate::view::{Sheet, Verdict};
@@ -18,7 +19,7 @@ pub fn markdown(report: &Report, language: Language) -> String {
     results(&mut out, report, language);
     section(&mut out, say("form.report.inputs"));
     inputs(&mut out, report, language);
-    section(&mut out, say("report.programs"));
+    section(&mut out, say("form.report.programs"));
     run(&mut out, report, language);
     for sheet in &report.sheets {
         section(&mut out, say(sheet.title));
@@ -62,14 +63,14 @@ fn findings(out: &mut String, report: &Report, language: Language) {
 }
 
 fn results(out: &mut String, report: &Report, language: Language) {
-    head(out, language, &super::RESULT_COLUMNS);
+    head(out, language, &RESULT_COLUMNS);
     for readout in &report.readouts {
         line(out, &cells_of_result(report, readout, language));
     }
 }
 
 fn inputs(out: &mut String, report: &Report, language: Language) {
-    head(out, language, &super::INPUT_COLUMNS);
+    head(out, language, &INPUT_COLUMNS);
     for input in &report.inputs {
         line(out, &cells_of_input(report, input, language));
     }
@@ -99,12 +100,12 @@ fn run(out: &mut String, report: &Report, language: Language) {
 /// Entries of the title block that are filled in.
 fn block(out: &mut String, report: &Report, language: Language) {
     let entries = [
-        ("report.customer", &report.customer),
-        ("report.date", &report.date),
-        ("report.author", &report.block.author),
-        ("report.number", &report.block.number),
-        ("report.revision", &report.block.revision),
-        ("report.checksum", &report.checksum),
+        ("form.report.customer", &report.customer),
+        ("form.report.date", &report.date),
+        ("form.report.author", &report.block.author),
+        ("form.report.number", &report.block.number),
+        ("form.report.revision", &report.block.revision),
+        ("form.report.checksum", &report.checksum),
     ];
     out.push('\n');
     for (label, value) in entries.into_iter().filter(|(_, value)| !value.is_empty()) {

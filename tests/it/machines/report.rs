@@ -62,7 +62,7 @@ fn every_report_is_whole_and_well_formed() {
                     })
                 }));
             }
-            assert!(!told.contains("report."), "an id without its sentence");
+            assert!(!told.contains("form.report"), "an id without its sentence");
         }
     }
 }

@@ -1,0 +1,84 @@
+//! What the tables of a report have in their cells, whatever they are written as.
+
+use super::document::{Figure, Input, Report};
+use crate::text::Grade;
+use crate::text::catalog::{Language, number_text, sentence, words};
+use crate::view::{Limit, Readout, Row, Verdict};
+
+/// A judgement in a word or two.
+pub(super) fn verdict(verdict: Verdict, language: Language) -> &'static str {
+    match verdict {
+        Verdict::None => "",
+        Verdict::Ok => words(language, "form.report.ok"),
+        Verdict::Warn => words(language, "form.report.warn"),
+        Verdict::Fail => words(language, "form.report.fail"),
+    }
+}
+
+/// Heads of the table of results.
+pub(super) const RESULT_COLUMNS: [&str; 6] = [
+    "form.report.result",
+    "form.report.value",
+    "form.report.limit",
+    "form.report.verdict",
+    "form.report.formula",
+    "form.report.source",
+];
+
+/// Heads of the table of inputs.
+pub(super) const INPUT_COLUMNS: [&str; 5] =
+    ["form.report.group", "form.report.input", "form.report.symbol", "form.report.value", "form.report.origin"];
+
+/// A text with the symbol of variables of the control.
+fn with_variable(report: &Report, text: &str) -> String {
+    text.replace('#', report.variable.encode_utf8(&mut [0; 4]))
+}
+
+fn shown(value: f64, decimals: u8, unit: &str) -> String {
+    if value.is_finite() {
+        format!("{} {unit}", number_text(value, decimals)).trim_end().to_owned()
+    } else {
+        "-".to_owned()
+    }
+}
+
+impl Figure {
+    /// Value and unit.
+    pub(super) fn shown(&self) -> String {
+        shown(self.value, self.decimals, self.unit)
+    }
+}
+
+/// A limit as a phrase with its unit.
+fn limit_words(readout: &Readout, limit: Limit, language: Language) -> String {
+    sentence(language, &limit.message(shown(limit.value(), readout.decimals, readout.unit)))
+}
+
+/// The cells of a result.
+pub(super) fn cells_of_result(report: &Report, readout: &Readout, language: Language) -> [String; 6] {
+    [
+        words(language, readout.label).to_owned(),
+        shown(readout.value, readout.decimals, readout.unit),
+        readout.limit.map_or(String::new(), |limit| limit_words(readout, limit, language)),
+        verdict(readout.verdict, language).to_owned(),
+        with_variable(report, readout.formula),
+        readout.cite.source.to_owned(),
+    ]
+}
+
+/// The cells of an input.
+pub(super) fn cells_of_input(report: &Report, input: &Input, language: Language) -> [String; 5] {
+    [
+        words(language, input.group).to_owned(),
+        words(language, input.label).to_owned(),
+        with_variable(report, input.symbol),
+        format!("{} {}", input.value, input.unit).trim_end().to_owned(),
+        input.origin.map_or(String::new(), |id| words(language, id).to_owned()),
+    ]
+}
+
+/// The cells of a row of a sheet, with its source at last.
+pub(super) fn cells_of_row(row: &Row, language: Language) -> Vec<String> {
+    let doubt = if row.grade == Grade::Open { words(language, "form.report.unconfirmed") } else { "" };
+    row.cells.iter().cloned().chain([format!("{} {doubt}", row.source).trim_end().to_owned()]).collect()
+}
