@@ -10,6 +10,7 @@ use core::ops::Deref;
 use super::examples::Example;
 use super::form::fill::{assumed, defaults, fill};
 use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
+use super::left_out::LeftOut;
 use crate::controls::options::{CommonAtReset, SwitchChoice};
 use crate::controls::{Control, Dialect, Switches};
 use crate::math;
@@ -206,6 +207,8 @@ pub trait Machine: Prepared + Sized + 'static {
     const CONTROLS: &'static [&'static str];
     /// The published listing of the machine's program, word for word as printed; empty where none is known.
     const LISTING: &'static str = "";
+    /// Blocks that the listing leaves out.
+    const LEFT_OUT: &'static [LeftOut] = &[];
     /// Machine seconds per second at which the motion is visible: one of the speeds of the page.
     const SPEED: f64;
     /// Whether it has an [explorer](Prepared::explorer).
@@ -232,6 +235,8 @@ pub trait AnyMachine: Sync {
     fn controls(&self) -> &'static [&'static str];
     /// The published listing of its program, word for word as printed.
     fn listing(&self) -> &'static str;
+    /// Blocks that it leaves out.
+    fn left_out(&self) -> &'static [LeftOut];
     /// Machine seconds per second at which the motion is visible.
     fn speed(&self) -> f64;
     /// Whether it has an explorer.
@@ -385,6 +390,10 @@ impl<M: Machine> AnyMachine for Erased<M> {
 
     fn listing(&self) -> &'static str {
         M::LISTING
+    }
+
+    fn left_out(&self) -> &'static [LeftOut] {
+        M::LEFT_OUT
     }
 
     fn speed(&self) -> f64 {

@@ -18,6 +18,8 @@ pub mod scaling;
 
 pub mod header;
 
+pub mod left_out;
+
 pub mod writing;
 
 mod ribbon_line;

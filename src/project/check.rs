@@ -113,11 +113,22 @@ impl Project {
             }
             (files, count) = (next, count + made);
         }
-        (files, count)
+        let parsed = nc::parse_with(&files, self.control, &self.switches);
+        let left_out = self.left_out(&parsed);
+        let (files, made) = nc::fix_all(&files, left_out.iter().flat_map(|finding| &finding.fixes));
+        (files, count + made)
+    }
+
+    /// Blocks that the machine's published listing leaves out and that this program lacks, each with its fix.
+    fn left_out(&self, parsed: &Parsed) -> Vec<Diagnostic> {
+        self.machine.left_out().iter().filter_map(|block| block.find(parsed)).collect()
     }
 
     /// Certain alarms and warnings of the project's program, beyond the findings of its reader; suppressed ones too.
     pub fn advice(&self, written: &Written) -> Vec<Diagnostic> {
-        beyond(&written.parsed, Some(written.main), &run::set_by_operator(&[], &self.panel, self.control))
+        let mut found =
+            beyond(&written.parsed, Some(written.main), &run::set_by_operator(&[], &self.panel, self.control));
+        found.extend(self.left_out(&written.parsed));
+        found
     }
 }

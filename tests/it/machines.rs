@@ -13,6 +13,7 @@ mod restart;
 mod ribbon_controls;
 mod ribbon_endless;
 mod ribbon_knob;
+mod ribbon_length;
 mod ribbon_line;
 mod ribbon_program;
 mod ribbon_stops;

@@ -2,7 +2,7 @@
 //!
 //! Lengths in mm, speeds in mm/min unless said otherwise, times in seconds. The equations (1) to (4) are the paper's.
 
-use super::params::{FeedForm, Job, KnobUse, Params, PathMode, PiForm, Variant, Wait, YUnit};
+use super::params::{FeedForm, Job, KnobUse, Params, PathMode, PiForm, Rest, Variant, Wait, YUnit};
 use crate::drives::Analog;
 use crate::drives::block::AxisBlock;
 use crate::drives::induction::Induction;
@@ -111,8 +111,34 @@ impl Params {
     pub(super) fn count(&self) -> f64 {
         match self.job {
             Job::Pitches => self.pitch_count,
-            Job::Length => math::clamp((self.product_length / self.pitch).round(), 1.0, 1e7),
+            Job::Length => math::clamp(self.pitches_of_length(), 1.0, 1e7),
         }
+    }
+
+    /// Whole pitches of the wanted length by the rule for its rest, as the program counts them.
+    pub(super) fn pitches_of_length(&self) -> f64 {
+        let pitches = self.product_length / self.pitch;
+        if self.rest == Rest::Shorten { (pitches + WHOLE).floor() } else { pitches.round() }
+    }
+
+    /// Length of the shorter last pitch of a product, mm; 0 where there is none.
+    pub(super) fn last_pitch(&self) -> f64 {
+        if self.job == Job::Length && self.rest == Rest::Shorten {
+            let left = self.product_length - self.count() * self.pitch;
+            if left > SHORTEST { left } else { 0.0 }
+        } else {
+            0.0
+        }
+    }
+
+    /// Length of a product, mm: its whole pitches, and a shorter last one.
+    fn printed_length(&self) -> f64 {
+        self.count() * self.pitch + self.last_pitch()
+    }
+
+    /// Length of a product less the wanted one, mm; 0 where none is wanted.
+    pub(super) fn length_error(&self) -> f64 {
+        if self.job == Job::Length { self.printed_length() - self.product_length } else { 0.0 }
     }
 
     /// Pitches of one block; the published listing moves one.
@@ -207,6 +233,12 @@ impl Params {
     }
 }
 
+/// Part of a pitch by which a length may miss a whole number of pitches and still have it.
+pub(super) const WHOLE: f64 = 0.0001;
+
+/// Shortest last pitch, mm: half a command increment.
+pub(super) const SHORTEST: f64 = 0.0005;
+
 /// mm of ribbon per revolution of the unwinder motor: `K = π · D / i`, equation (2).
 pub(super) fn k(pi: f64, diameter: f64, reduction: f64) -> f64 {
     pi * diameter / reduction
@@ -276,7 +308,7 @@ impl Derived {
             stop_time: timing.exact_stop,
             dots_per_second: p.block_pitches() / timing.pass,
             dots_per_product: p.count(),
-            product_length: p.count() * p.pitch,
+            product_length: p.printed_length(),
             product_time: timing.product,
             products_per_hour: 3600.0 / timing.product,
             volts_command: analog.command(actual_speed),
@@ -362,6 +394,7 @@ impl Timing {
             PathMode::Continuous => ((count / pitches).ceil() - ahead).max(0.0) * needed + pitches * pitch_time,
         };
         let passes = passes.max(count * pitch_time);
+        let last = if p.last_pitch() > 0.0 { p.last_pitch() / p.pitch * pitch_time } else { 0.0 };
         // An exact stop has the ramp at its end; else the last block alone.
         let end = if p.path_mode == PathMode::ExactStop { 0.0 } else { p.slowest() };
         Timing {
@@ -371,7 +404,7 @@ impl Timing {
             exact_stop_share: if pitch_time.is_finite() { pitches * pitch_time / exact_stop } else { 0.0 },
             pass: pass(pitches),
             lost: passes - count * pitch_time,
-            product: wait + still_to_ramp(p, wait) + passes + end,
+            product: wait + still_to_ramp(p, wait) + passes + last + end,
         }
     }
 }

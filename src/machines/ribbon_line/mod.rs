@@ -36,11 +36,13 @@ use crate::machines::chart_rows;
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
+use crate::machines::left_out::LeftOut;
 use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineProgram, PanelSetup, Prepared, Samples,
 };
 use crate::machines::verdict::judge;
 use crate::motion::{Plant, Plc, Snapshot};
+use crate::msg;
 use crate::view::{Chart, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 use rules::RULES;
@@ -59,6 +61,12 @@ impl Machine for RibbonLine {
         "fanuc-0i-mf",
     ];
     const LISTING: &'static str = include_str!("listing.nc");
+    const LEFT_OUT: &'static [LeftOut] = &[LeftOut {
+        number: 30,
+        variable: 115,
+        text: "#115=#105*SQRT[#107*#107+#110*#110]/#107",
+        finding: || msg!("ribbon.equation-4"),
+    }];
     const SPEED: f64 = 0.05;
     const EXAMPLES: &'static [Example] = examples::EXAMPLES;
 

@@ -97,6 +97,18 @@ options! {
 }
 
 options! {
+    /// What becomes of a length that is no whole number of pitches.
+    pub(crate) enum Rest {
+        /// The nearest whole number of pitches is printed.
+        Round = "round" "ribbon.rest.round",
+        /// The last pitch is shorter.
+        Shorten = "shorten" "ribbon.rest.shorten",
+        /// The program stops with an alarm.
+        Alarm = "alarm" "ribbon.rest.alarm",
+    }
+}
+
+options! {
     /// π in the program.
     pub(crate) enum PiForm {
         /// 3.141592654.
@@ -207,6 +219,7 @@ pub(crate) struct Params {
     pub job: Job,
     pub pitch_count: f64,
     pub product_length: f64,
+    pub rest: Rest,
     pub pitches_per_block: f64,
     pub clamp_x: f64,
     pub clamp_y: f64,
@@ -280,6 +293,11 @@ impl Params {
     /// The PLC can read the final spindle speed.
     pub(super) fn tells_final_speed(&self, control: &Control) -> bool {
         control.interface.iter().any(|row| row.role == SignalRole::SpindleFinal)
+    }
+
+    /// A product is a length of ribbon.
+    pub(super) fn is_length(&self, _: &Control) -> bool {
+        self.job == Job::Length
     }
 
     /// No macro input hands the knob to the program.
@@ -367,8 +385,10 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     choice("job", member!(Params.job: Job)).group("ribbon.group.job").label("ribbon.job").help("ribbon.job.help"),
     number("pitch-count", member!(Params.pitch_count)).group("ribbon.group.job").label("ribbon.pitch-count").help("ribbon.pitch-count.help").symbol("#120")
         .range(1.0..=10000000.0).default(500.0).decimals(0).step(1.0),
-    number("product-length", member!(Params.product_length)).group("ribbon.group.job").label("ribbon.product-length").help("ribbon.product-length.help")
+    number("product-length", member!(Params.product_length)).group("ribbon.group.job").label("ribbon.product-length").help("ribbon.product-length.help").symbol("#106")
         .unit("mm").range(0.01..=100000000.0).default(4000.0).decimals(3).step(10.0),
+    choice("rest", member!(Params.rest: Rest)).group("ribbon.group.job").label("ribbon.rest").help("ribbon.rest.help")
+        .when(Params::is_length),
     number("pitches-per-block", member!(Params.pitches_per_block)).group("ribbon.group.job").label("ribbon.pitches-per-block").help("ribbon.pitches-per-block.help").symbol("#121")
         .range(1.0..=1000.0).default(1.0).decimals(0).step(1.0),
     number("clamp-x", member!(Params.clamp_x)).group("ribbon.group.axes").label("ribbon.clamp-x").help("ribbon.clamp-x.help")

@@ -3,7 +3,8 @@
 //! It uses the words and codes of the control: G91 or incremental addresses, exact stop or none, #3004 or none.
 //! O9100 and O9101 never write the operator's variables (those of O9102), so that products are changed by variables alone.
 
-use super::params::{Endless, OverrideForm, PathMode, Variant, Wait};
+use super::derive::{SHORTEST, WHOLE};
+use super::params::{Endless, OverrideForm, PathMode, Rest, Variant, Wait};
 use super::resolved::RibbonLine;
 use crate::controls::Address;
 use crate::controls::{Code, VarKind};
@@ -32,10 +33,32 @@ const ENTRIES: [Entry; 10] = [
     (121, true),
 ];
 
+/// Variable of the pitches of a product, and of its length where that is given instead.
+const COUNT: u32 = 120;
+const LENGTH: u32 = 106;
+
+/// Pitches left, length left, and length of a shorter last pitch.
+const LEFT: u32 = 125;
+const LENGTH_LEFT: u32 = 137;
+const LAST: u32 = 126;
+
+/// Copy of the pitch by which the running line was computed.
+const PITCH_COPY: u32 = 134;
+
+/// Numbers of the alarms about a length.
+const SHORT_ALARM: u32 = 21;
+const WHOLE_ALARM: u32 = 22;
+
+/// A product is a length, which holds whatever the pitch.
+fn is_length(line: &RibbonLine) -> bool {
+    line.p.is_length(line.control)
+}
+
 /// The operator's variables on this control.
 fn entries(line: &RibbonLine) -> Vec<Entry> {
     let typed = line.handed().is_none().then_some((line.input(), false));
-    ENTRIES.into_iter().chain(typed).collect()
+    let product = |entry: Entry| if entry.0 == COUNT && is_length(line) { (LENGTH, false) } else { entry };
+    ENTRIES.into_iter().map(product).chain(typed).collect()
 }
 
 /// Variables that the operator reads and sets: number, meaning, unit.
@@ -50,7 +73,7 @@ pub(super) fn variables(line: &RibbonLine) -> Vec<(u32, &'static str, &'static s
         (111, "ribbon.print-roller-diameter", "mm"),
         (116, "ribbon.speed-clamp", "r/min"),
         (119, "ribbon.feed-limit", if per_turn { "mm/rev" } else { "mm/min" }),
-        (120, "ribbon.pitch-count", ""),
+        if is_length(line) { (LENGTH, "ribbon.product-length", "mm") } else { (COUNT, "ribbon.pitch-count", "") },
         (121, "ribbon.pitches-per-block", ""),
         (line.input(), "ribbon.variable.input", ""),
         (104, "ribbon.readout.actual-speed", "r/min"),
@@ -257,10 +280,16 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
     override_off(b, line, 1);
-    b.n(2).assign(125, v(120)).note("PITCHES LEFT");
+    if !is_length(line) {
+        b.n(2).assign(LEFT, v(COUNT)).note("PITCHES LEFT");
+    }
     b.n(3).assign(122, 0).note(&format!("REMAINDER OF {}", line.p.print_axis.address()));
     b.n(4).assign(128, v(121)).note("PITCHES OF A BLOCK");
     b.n(5).call(COMPUTE, None);
+    if is_length(line) {
+        pitches_left(b, line, v(LENGTH));
+        b.if_goto(v(LEFT).lt(1), 900 + SHORT_ALARM);
+    }
     preset(b, line, 6);
     let speed = spindle_word(line);
     b.n(7).assign(127, v(speed)).note("SPEED THAT RUNS");
@@ -270,7 +299,14 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(12).assign(128, v(121));
     b.n(13).if_goto(v(125).ge(v(128)), 15);
     b.n(14).assign(128, v(125)).note("LAST BLOCK IS SHORTER");
-    b.n(15).call(COMPUTE, None);
+    if is_length(line) {
+        // By the pitch before, of which O9100 has a copy: the length stays when the pitch changes.
+        b.n(15).assign(LENGTH_LEFT, v(LEFT) * v(PITCH_COPY) + v(LAST)).note("LENGTH LEFT");
+        b.call(COMPUTE, None);
+        pitches_left(b, line, v(LENGTH_LEFT));
+    } else {
+        b.n(15).call(COMPUTE, None);
+    }
     b.n(16).if_goto(v(speed).eq(v(127)), 19);
     b.n(17).assign(127, v(speed));
     b.n(18).words([s(v(speed))]);
@@ -301,7 +337,51 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.n(45).assign(125, v(125) - v(128));
     b.n(46).end_do(2);
     b.n(47).end_do(1);
+    last_pitch(b, line);
     end(b, line);
+    length_alarms(b, line);
+}
+
+/// Pitches left of a length, as the rule for its rest has them, and the length of a shorter last one.
+fn pitches_left(b: &mut Builder, line: &RibbonLine, length: Formula) {
+    let pitches = || length.clone() / v(107);
+    let whole = match line.p.rest {
+        Rest::Shorten => (pitches() + real(WHOLE, 4)).fix(),
+        Rest::Round | Rest::Alarm => pitches().round(),
+    };
+    b.assign(LEFT, whole).note("PITCHES LEFT");
+    match line.p.rest {
+        Rest::Shorten => b.assign(LAST, length.clone() - v(LEFT) * v(107)).note("LAST PITCH"),
+        Rest::Round | Rest::Alarm => b.assign(LAST, 0).note("NO SHORTER PITCH"),
+    };
+    if line.p.rest == Rest::Alarm {
+        b.if_goto((length - v(LEFT) * v(107)).abs().gt(real(0.001, 3)), 900 + WHOLE_ALARM);
+    }
+}
+
+/// The block of the shorter last pitch: both axes in the ratio of the others.
+fn last_pitch(b: &mut Builder, line: &RibbonLine) {
+    if !is_length(line) || line.p.rest != Rest::Shorten {
+        return;
+    }
+    b.if_goto(v(LAST).le(real(SHORTEST, 4)), 50);
+    b.assign(124, ((v(122) + v(110) * v(LAST) / v(107)) * 1000).round() / 1000).note(&about(line, "OF THE LAST PITCH"));
+    b.words(move_block(line, pull_words(line, v(LAST))));
+}
+
+/// Alarms about the length, behind the end of the program.
+fn length_alarms(b: &mut Builder, line: &RibbonLine) {
+    if !is_length(line) {
+        return;
+    }
+    let length = line.control.variable(LENGTH);
+    writing::alarm(b, line.control, SHORT_ALARM, &format!("LENGTH {length} IS BELOW A PITCH"));
+    if line.p.rest == Rest::Alarm {
+        writing::alarm(b, line.control, WHOLE_ALARM, &format!("{length} IS NO WHOLE PITCHES"));
+    }
+    if writing::has_alarms(line.control) {
+        b.words([m(30)]);
+    }
 }
 
 /// 0 while no watched entry differs from its copy.
@@ -384,14 +464,22 @@ fn run_published(b: &mut Builder, line: &RibbonLine) {
     header(b, line);
     writing::guards(b, &entries(line));
     override_off(b, line, 20);
-    b.n(21).assign(125, v(120)).note("PITCHES LEFT");
+    if is_length(line) {
+        b.n(21);
+        pitches_left(b, line, v(LENGTH));
+        b.if_goto(v(LEFT).lt(1), 900 + SHORT_ALARM);
+    } else {
+        b.n(21).assign(LEFT, v(COUNT)).note("PITCHES LEFT");
+    }
     b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", line.p.print_axis.address()));
     b.n(23).assign(127, 0).note("SPINDLE DOES NOT RUN YET");
     preset(b, line, 24);
     b.n(30).while_do(v(125).gt(0), 1);
     b.n(31).call(COMPUTE, None);
     b.n(32).end_do(1);
+    last_pitch(b, line);
     end(b, line);
+    length_alarms(b, line);
     writing::alarms(b, line.control, &entries(line));
     b.words([m(30)]);
 }
@@ -410,7 +498,11 @@ fn setup(b: &mut Builder, line: &RibbonLine) {
         (111, p.print_roller_diameter, 4, "PRINT ROLLER DIAMETER"),
         (116, p.top_speed(), 3, "SPEED CLAMP"),
         (119, line.feed_max(), 3, "FEED LIMIT"),
-        (120, p.count(), 0, "PITCHES OF A PRODUCT"),
+        if is_length(line) {
+            (LENGTH, p.product_length, 3, "LENGTH OF A PRODUCT")
+        } else {
+            (COUNT, p.count(), 0, "PITCHES OF A PRODUCT")
+        },
         (121, p.block_pitches(), 0, "PITCHES PER BLOCK"),
     ];
     for (at, (number, value, decimals, text)) in (1..).zip(values) {

@@ -159,6 +159,11 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
         cite: Citation::new("ribbon line facts, 6", Grade::Inferred), value: |line| line.d.product_length,
     },
     ReadoutRow {
+        id: "length-error", label: "ribbon.readout.length-error", unit: "mm", decimals: 3, headline: false,
+        formula: "pitches · #107 + last pitch - #106",
+        cite: Citation::new("ribbon line facts, 6", Grade::Inferred), value: |line| line.p.length_error(),
+    },
+    ReadoutRow {
         id: "product-time", label: "ribbon.readout.product-time", unit: "s", decimals: 3, headline: false,
         formula: "start wait + blocks · time from block to block + τ",
         cite: Citation::new("sizing facts, section 4", Grade::Inferred), value: |line| line.d.product_time,

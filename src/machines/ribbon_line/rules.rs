@@ -5,7 +5,7 @@
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
 use super::derive::{Derived, FIN_DELAY, wait};
-use super::params::{Endless, FIELDS, Params, PathMode, PiForm, PrintAxis, Variant, Wait};
+use super::params::{Endless, FIELDS, Params, PathMode, PiForm, PrintAxis, Rest, Variant, Wait};
 use super::program;
 use super::resolved::{GREATEST, RibbonLine};
 use crate::controls::dialect::CoordinateFrame;
@@ -67,6 +67,7 @@ pub(super) const RULES: &[Rule<RibbonLine>] = &[
     Rule::new("range-time", range, Citation::new("ribbon line facts, 9; ranges of the control", Grade::Inferred)),
     Rule::new("x-scaling-drift", scaling_x, Citation::new("ribbon line facts, 10", Grade::Inferred)),
     Rule::new("y-scaling-drift", scaling_y, Citation::new("ribbon line facts, 10", Grade::Inferred)),
+    Rule::new("length-error", length, Citation::new("ribbon line facts, 6", Grade::Inferred)),
     Rule::new("y-drift", y_drift, Citation::new("sizing facts G1; rule 17", Grade::Inferred)),
 ];
 
@@ -755,6 +756,32 @@ fn scaling_x(line: &RibbonLine) -> Option<Judgement> {
 
 fn scaling_y(line: &RibbonLine) -> Option<Judgement> {
     scaling(line, 1)
+}
+
+/// A wanted length against what the program makes of it by the rule for its rest.
+fn length(line: &RibbonLine) -> Option<Judgement> {
+    let p = &line.p;
+    if !p.is_length(line.control) {
+        return None;
+    }
+    let tolerance = if p.rest == Rest::Alarm { 0.001 } else { p.dot_tolerance };
+    let limit = Within(tolerance);
+    let whole = near(FIELDS, "product-length", p.count() * p.pitch);
+    let whole_length =
+        |advice: Message| Advice::from(advice).setting(msg!("advice.set-length", whole.1.as_str()), [whole.clone()]);
+    if p.pitches_of_length() < 1.0 {
+        return fail(limit, [whole_length(msg!("ribbon.length-below-pitch"))]);
+    }
+    if p.length_error().abs() <= tolerance {
+        return ok(limit);
+    }
+    let advice = whole_length(msg!("ribbon.length-rest", (p.length_error(), 3), (p.count(), 0)));
+    let shorter =
+        Advice::from(msg!("ribbon.length-shorten")).setting(msg!("advice.shorten"), [("rest", "shorten".to_owned())]);
+    match p.rest {
+        Rest::Alarm => fail(limit, [advice, shorter]),
+        Rest::Round | Rest::Shorten => warn(limit, [advice, shorter]),
+    }
 }
 
 fn y_drift(line: &RibbonLine) -> Option<Judgement> {

@@ -1,7 +1,11 @@
 //! Common slips: the finding of each control, and the fix that makes a program of the text.
 
+use std::rc::Rc;
+
 use expect_test::{Expect, expect};
 use macroline::controls;
+use macroline::interp::world::Still;
+use macroline::interp::{Canon, Feed, Interp, StartProgram, Step};
 use macroline::nc::{Files, fix, parse};
 use macroline::project::Project;
 use macroline::project::check::FixChoice;
@@ -621,6 +625,40 @@ fn listing_of_the_paper_is_mended_in_two_steps() {
     let (left, first, _) = mended(&certain, FixChoice::First);
     assert!(left > 0 && left < 5, "{left} errors are left:\n{certain}");
     assert_eq!(mended(&first, FixChoice::Certain).0, 0, "{first}");
+}
+
+#[test]
+fn mended_listing_has_equation_4_and_the_papers_figures() {
+    let project = Project::of("ribbon-line", None).unwrap();
+    let listing = project.listing();
+    let certain = mended(&listing.0[0].text, FixChoice::Certain).1;
+    let first = mended(&certain, FixChoice::First).1;
+    assert!(first.contains("N30 #115=#105*SQRT[#107*#107+#110*#110]/#107\n"), "{first}");
+    // Nothing more is missing.
+    assert_eq!(mended(&first, FixChoice::First).1, first);
+    let parsed = Rc::new(parse(&Files::one("a.nc", first), project.control));
+    assert!(!parsed.has_errors());
+    let mut run = Interp::new(parsed, StartProgram::First);
+    for (number, value) in [(100, 1200.0), (101, 25.0), (102, 100.0), (107, 8.0), (109, 6.0), (111, 120.0)] {
+        run.set_variable(number, Some(value));
+    }
+    let mut world = Still { inputs: vec![(1033, 100.0)], ..Still::default() };
+    let mut moved = None;
+    for _ in 0..60 {
+        if let Step::Command(Canon::Linear { to, feed, .. }, _) = run.step(&mut world) {
+            moved = Some((to.position[0], to.position[1], feed));
+            break;
+        }
+    }
+    // F of the worked example, with 3.14.
+    let Some((8000, 62_800, Feed::PerMinute(feed))) = moved else { panic!("{moved:?}") };
+    assert!((feed - 119_271.337).abs() < 1e-3, "{feed}");
+}
+
+#[test]
+fn block_that_is_there_is_not_left_out() {
+    let text = "%\nO9100\nN30\n#115=#105\nG91G01X8.F#115\nM99\n%\n";
+    assert_eq!(mended(text, FixChoice::First).1, text);
 }
 
 #[test]

@@ -270,11 +270,11 @@ fn fields_without_a_choice_are_hidden() {
     let hidden = |id: &str, changes: &[(&str, &str)]| {
         machine().prepare(&values(changes), at_defaults(macroline::controls::find(id).unwrap())).hidden().join(" ")
     };
-    assert_eq!(hidden("mitsubishi-e60", &[]), "knob-use print-axis");
-    assert_eq!(hidden("mitsubishi-e60", &[("print-axis", "c")]), "knob-use print-axis");
-    assert_eq!(hidden("gsk-980tdc", &[]), "override-form knob-use path-mode");
-    assert_eq!(hidden("gsk-980tdc", &[("print-axis", "c")]), "override-form knob-use y-unit path-mode");
-    assert_eq!(hidden("knd-k2000t", &[("print-axis", "z")]), "override-form knob-use y-unit");
+    assert_eq!(hidden("mitsubishi-e60", &[]), "knob-use print-axis rest");
+    assert_eq!(hidden("mitsubishi-e60", &[("print-axis", "c")]), "knob-use print-axis rest");
+    assert_eq!(hidden("gsk-980tdc", &[]), "override-form knob-use rest path-mode");
+    assert_eq!(hidden("gsk-980tdc", &[("print-axis", "c")]), "override-form knob-use y-unit rest path-mode");
+    assert_eq!(hidden("knd-k2000t", &[("print-axis", "z")]), "override-form knob-use y-unit rest");
 }
 
 #[test]

@@ -19,10 +19,13 @@ const BUDGET: Budget = Budget { blocks: 300, seconds: 30.0 };
 const TOLD: &[(&str, &[&str])] = &[
     // Alarms that the program raises.
     ("ABOVE LIMIT", &["vector-feed", "feed-per-revolution"]),
+    ("BELOW A PITCH", &["length-error"]),
+    ("NO WHOLE PITCHES", &["length-error"]),
+    ("coordinates of this control end", &["range-time"]),
     ("THE WORK WOULD TURN TOO FAST", &["work-speed"]),
     ("THE TOOL WOULD TURN TOO FAST", &["tool-speed"]),
     // Where a control has no alarms for programs, they stop with a message.
-    ("waits for the operator", &["vector-feed", "feed-per-revolution", "block-time"]),
+    ("waits for the operator", &["vector-feed", "feed-per-revolution", "block-time", "length-error"]),
     // The machine deviates from its commands.
     ("commanded speed", &["volts", "stage-speed", "speed-smallest", "lower-limit"]),
     ("the control slows the whole block", &["feed-top", "feed-per-revolution"]),
