@@ -10,6 +10,7 @@ use core::ops::Deref;
 use super::examples::Example;
 use super::form::fill::{assumed, defaults, fill};
 use super::form::{Field, FieldInfo, Origins, Value, Values, with_entries};
+use super::ladder::Ladder;
 use super::left_out::LeftOut;
 use crate::controls::options::{CommonAtReset, SwitchChoice};
 use crate::controls::{Control, Dialect, Switches};
@@ -167,6 +168,10 @@ pub trait Prepared: Send + Sync {
     fn plant(&self) -> Plant;
     /// The builder's PLC.
     fn plc(&self) -> Box<dyn Plc>;
+    /// The ladder of the builder's PLC, where there is one.
+    fn ladder(&self) -> Option<Ladder> {
+        None
+    }
     /// The operator's panel as a run finds it.
     fn panel(&self) -> PanelSetup {
         PanelSetup::default()

@@ -16,6 +16,8 @@ pub mod stops;
 
 pub mod scaling;
 
+pub mod ladder;
+
 pub mod header;
 
 pub mod left_out;

@@ -22,6 +22,9 @@ pub enum Interruption {
 }
 
 impl Interruption {
+    /// Interruptions that last until cycle start or reset.
+    pub const LASTING: [Interruption; 3] = [Interruption::Hold, Interruption::BlockStop, Interruption::Alarm];
+
     /// The interruption that lasts while the control reports this state. Reset and emergency stop are moments, and leave no program to go
     /// on with.
     pub fn lasting(program: ProgramState) -> Option<Interruption> {
@@ -54,6 +57,12 @@ pub enum SpindleReaction {
     Waits,
     /// M3 and M4 are dropped.
     Off,
+    /// Work and tool turn on in their ratio.
+    TurnsInRatio,
+    /// Work and tool slow down in their ratio and stand.
+    StopsInRatio,
+    /// The drives of work and tool are off: both coast, and their angle to each other is lost.
+    Coasts,
 }
 
 impl SpindleReaction {
@@ -63,6 +72,9 @@ impl SpindleReaction {
             SpindleReaction::Turns => "stops.spindle-turns",
             SpindleReaction::Waits => "stops.spindle-waits",
             SpindleReaction::Off => "stops.spindle-off",
+            SpindleReaction::TurnsInRatio => "stops.spindle-turns-in-ratio",
+            SpindleReaction::StopsInRatio => "stops.spindle-stops-in-ratio",
+            SpindleReaction::Coasts => "stops.spindle-coasts",
         }
     }
 }

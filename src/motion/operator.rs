@@ -96,6 +96,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         (turning.surface, turning.orienting) = (None, None);
         (turning.speed, turning.direction) = (rpm.abs(), sense(rpm));
+        self.s.plc.io.stops.spindle_key = Some(sense(rpm));
         self.scan(t);
     }
 

@@ -55,6 +55,8 @@ pub struct Stops {
     pub reset: bool,
     /// It was emergency stop.
     pub emergency: bool,
+    /// Key of the spindle that was pressed by hand, for the one scan that sees it first: its sense, 0 for "stop".
+    pub spindle_key: Option<i8>,
     /// The PLC holds the spindle at speed 0 (FANUC: `*SSTP` at 0); S and its direction stay for when it lets go.
     pub spindle: bool,
     /// The PLC holds the axes of the program (FANUC: `*IT` at 0): movements stop or wait until it lets go.

@@ -23,6 +23,7 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.s.plc.io.stops.program = state;
             let wish = self.s.plc.program.scan(t, &mut self.s.plc.io);
             (self.s.plc.io.stops.reset, self.s.plc.io.stops.emergency) = (false, false);
+            self.s.plc.io.stops.spindle_key = None;
             // A PLC that wants to be asked at once is asked in its next cycle.
             self.s.plc.next_scan = wish.map_or(f64::INFINITY, |wish| if wish > t { wish } else { t + 0.001 });
             let Io { forced, inputs, .. } = &mut self.s.plc.io;

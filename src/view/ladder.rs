@@ -7,71 +7,98 @@ use crate::text::number::{fill, filled};
 
 /// A contact of a rung.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Contact {
+pub struct DrawnContact {
     /// Device or condition, for instance `X20`.
     pub device: String,
     /// Opens instead of closing.
     pub inverted: bool,
 }
 
-/// One rung: contacts in series and what they switch.
+/// One rung: branches of contacts and what they switch.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rung {
-    /// Contacts from left to right; none is always on.
-    pub contacts: Vec<Contact>,
-    /// Instruction with its operands, for instance `MOV R148 R74`; a coil is `OUT Y20`.
+pub struct DrawnRung {
+    /// Branches in parallel, each with its contacts from left to right.
+    pub branches: Vec<Vec<DrawnContact>>,
+    /// Coil, or instruction with its operands, for instance `MOV R148 R74`.
     pub output: String,
     /// What the rung is for.
     pub note: String,
 }
 
-impl Contact {
-    /// A contact that closes.
-    pub fn closes(device: impl Into<String>) -> Contact {
-        Contact { device: device.into(), inverted: false }
-    }
-}
-
-/// Width of the drawing, height of a rung, left and right rail.
+/// Least width of the drawing, height of a rung and of a further branch, left rail.
 const WIDTH: f64 = 400.0;
 const RUNG: f64 = 58.0;
+const BRANCH: f64 = 38.0;
 const LEFT: f64 = 10.0;
-const RIGHT: f64 = 390.0;
 
 /// The ladder as SVG, with the classes of the page (`s-ink`, `f-dim` …).
-pub fn svg(rungs: &[Rung]) -> String {
-    let height = RUNG * rungs.len() as f64 + 8.0;
+pub fn svg(rungs: &[DrawnRung]) -> String {
+    let tall = |rung: &DrawnRung| RUNG + BRANCH * rung.branches.len().saturating_sub(1) as f64;
+    let height = rungs.iter().map(tall).sum::<f64>() + 8.0;
+    let needed = rungs.iter().map(|rung| reach(rung) + box_width(rung) + 40.0);
+    let width = needed.fold(WIDTH, f64::max).ceil();
     let mut out =
-        filled("<svg class=\"ladder\" viewBox=\"0 0 # #\" xmlns=\"http://www.w3.org/2000/svg\">", &[WIDTH, height]);
-    for rail in [LEFT, RIGHT] {
+        filled("<svg class=\"ladder\" viewBox=\"0 0 # #\" xmlns=\"http://www.w3.org/2000/svg\">", &[width, height]);
+    for rail in [LEFT, width - LEFT] {
         line(&mut out, "M# 4V#", &[rail, height - 4.0], 2.0);
     }
-    for (at, rung) in rungs.iter().enumerate() {
-        draw(&mut out, rung, RUNG * at as f64 + 34.0);
+    let mut y = 34.0;
+    for rung in rungs {
+        draw(&mut out, rung, y, width - LEFT);
+        y += tall(rung);
     }
     out.push_str("</svg>");
     out
 }
 
-fn draw(out: &mut String, rung: &Rung, y: f64) {
-    text(out, LEFT + 8.0, y - 20.0, "start", "f-dim", &rung.note);
+/// Places of the contacts of a branch from the left rail: each with the middle of its name.
+fn places(branch: &[DrawnContact]) -> Vec<f64> {
     let (mut x, mut name_end) = (LEFT, LEFT - 8.0);
-    for contact in &rung.contacts {
+    let place = |contact: &DrawnContact| {
         // Names stand beside each other.
         let half = 3.7 * contact.device.chars().count() as f64;
         let near = (x + 30.0).max(name_end + 8.0 + half - 5.0);
-        let far = near + 10.0;
-        name_end = near + 5.0 + half;
-        line(out, "M# #H#M# #V#M# #V#", &[x, y, near, near, y - 9.0, y + 9.0, far, y - 9.0, y + 9.0], 1.4);
-        if contact.inverted {
-            line(out, "M# #L# #", &[near - 3.0, y + 10.0, far + 3.0, y - 10.0], 1.4);
+        (x, name_end) = (near + 10.0, near + 5.0 + half);
+        near
+    };
+    branch.iter().map(place).collect()
+}
+
+/// Where the longest branch ends, with its last name.
+fn reach(rung: &DrawnRung) -> f64 {
+    let end = |branch: &Vec<DrawnContact>| {
+        let half = branch.last().map_or(0.0, |contact| 3.7 * contact.device.chars().count() as f64);
+        places(branch).last().map_or(LEFT, |near| near + 5.0 + half.max(5.0))
+    };
+    rung.branches.iter().map(end).fold(LEFT, f64::max)
+}
+
+fn box_width(rung: &DrawnRung) -> f64 {
+    13.0 + 7.6 * rung.output.chars().count() as f64
+}
+
+fn draw(out: &mut String, rung: &DrawnRung, y: f64, right: f64) {
+    text(out, LEFT + 8.0, y - 20.0, "start", "f-dim", &rung.note);
+    let join = reach(rung) + 6.0;
+    for (number, branch) in rung.branches.iter().enumerate() {
+        let (mut x, y) = (LEFT, y + BRANCH * number as f64);
+        for (contact, near) in branch.iter().zip(places(branch)) {
+            let far = near + 10.0;
+            line(out, "M# #H#M# #V#M# #V#", &[x, y, near, near, y - 9.0, y + 9.0, far, y - 9.0, y + 9.0], 1.4);
+            if contact.inverted {
+                line(out, "M# #L# #", &[near - 3.0, y + 10.0, far + 3.0, y - 10.0], 1.4);
+            }
+            text(out, near + 5.0, y + 20.0, "middle", "f-ink value", &contact.device);
+            x = far;
         }
-        text(out, near + 5.0, y + 20.0, "middle", "f-ink value", &contact.device);
-        x = far;
+        line(out, "M# #H#", &[x, y, join], 1.4);
+        if number > 0 {
+            line(out, "M# #V#", &[join, y, y - BRANCH], 1.4);
+        }
     }
-    let width = 13.0 + 7.6 * rung.output.chars().count() as f64;
-    let begin = RIGHT - 14.0 - width;
-    line(out, "M# #H#M# #H#", &[x, y, begin, RIGHT - 14.0, y, RIGHT], 1.4);
+    let width = box_width(rung);
+    let begin = right - 14.0 - width;
+    line(out, "M# #H#M# #H#", &[join, y, begin, right - 14.0, y, right], 1.4);
     fill(
         out,
         "<rect x=\"#\" y=\"#\" width=\"#\" height=\"22\" rx=\"4\" class=\"f-pane s-ink\" stroke-width=\"1.4\"/>",

@@ -3,6 +3,8 @@
 mod adding;
 mod drawn;
 mod examples;
+mod ladder;
+mod lathe_stops;
 mod look;
 mod polygon;
 mod polygon_drawing;

@@ -6,6 +6,7 @@ use super::base::fanuc;
 use super::base::fanuc::series_0i_f;
 use super::bench::{Bench, BenchShift};
 use super::code::g_codes;
+use super::interface::PlcLanguage;
 use super::schema::control::axis;
 use super::{Address, AddressSet, Control, Limits, SpindleRules, Syntax};
 use rows::MEMORY;
@@ -36,6 +37,7 @@ pub static CONTROL: Control = Control {
     params: rows::PARAMS,
     alarms: rows::ALARMS,
     interface: rows::SIGNALS,
+    plc: PlcLanguage::Pmc,
     switches: rows::SWITCHES,
     spindle: SpindleRules { signed_output: true, cite: MEMORY, ..fanuc::SPINDLE },
     bench: Bench {

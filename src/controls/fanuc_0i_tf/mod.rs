@@ -4,6 +4,7 @@ use super::base::fanuc;
 use super::base::fanuc::MEMORY;
 use super::base::fanuc::series_0i_f;
 use super::code::g_codes;
+use super::interface::PlcLanguage;
 use super::{AxisDef, Control, SpindleRules};
 use crate::controls::Address;
 
@@ -27,6 +28,7 @@ pub static CONTROL: Control = Control {
     params: fanuc::LATHE_PARAMS,
     alarms: fanuc::ALARMS,
     interface: fanuc::SIGNALS,
+    plc: PlcLanguage::Pmc,
     switches: series_0i_f::LATHE_SWITCHES,
     spindle: SpindleRules { signed_output: true, ..fanuc::SPINDLE },
     bench: fanuc::BENCH,

@@ -12,6 +12,7 @@ mod vars;
 use super::base::fanuc;
 use super::bench::{Bench, BenchShift};
 use super::code::g_codes;
+use super::interface::PlcLanguage;
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
 use super::syntax::Percent;
 use super::{AxisDef, Control, Limits, Macros, SpindleRules, Syntax, Timing};
@@ -91,6 +92,7 @@ pub static CONTROL: Control = Control {
     alarms: alarms::ALARMS,
     params: params::PARAMS,
     interface: interface::SIGNALS,
+    plc: PlcLanguage::Gsk,
     switches: switches::SWITCHES,
     spindle: SpindleRules {
         volts_stay: true,

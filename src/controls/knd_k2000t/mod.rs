@@ -7,6 +7,7 @@ mod sources;
 use super::base::fanuc;
 use super::base::fanuc::MEMORY;
 use super::code::g_codes;
+use super::interface::PlcLanguage;
 use super::macros::{CallKind, CodeCalls};
 use super::schema::table::joined;
 use super::syntax::Function;
@@ -46,6 +47,7 @@ pub static CONTROL: Control = Control {
     alarms: alarms::ALARMS,
     params: rows::PARAMS,
     interface: rows::SIGNALS,
+    plc: PlcLanguage::Pmc,
     switches: rows::SWITCHES,
     spindle: SpindleRules { signed_output: true, ..fanuc::SPINDLE },
     bench: fanuc::BENCH,

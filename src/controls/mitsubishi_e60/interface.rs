@@ -4,14 +4,36 @@ use super::sources::MEMORY;
 use crate::controls::Signal;
 use crate::controls::interface::SignalRole::*;
 use crate::controls::interface::{from_plc, to_plc};
+use crate::controls::schema::table::joined;
 use crate::text::{Citation, Grade};
 
 const PAPER: Citation = Citation::new("ribbon dot-printing paper, E60: R148, percent by the M70 driver", Grade::Manual);
 const M64: Citation = Citation::new("MELDAS 64 system variable list; the paper names R74", Grade::Sister);
 const OUTPUT: Citation = Citation::new("MELDAS 64 system variable list", Grade::Sister);
 
+/// Registers, then single signals by device number: those of the M60S, as remembered.
+pub(super) const SIGNALS: &[Signal] = joined![Signal: REGISTERS, BITS];
+
+/// A `*` in front of the name: 0 acts.
+const BITS: &[Signal] = &[
+    to_plc(MCode, "R20", "code", "M code (R20, R21)", MEMORY),
+    to_plc(Running, "X1F3", "", "STL: the program runs", MEMORY),
+    to_plc(Reset, "X1F5", "", "RST: reset or emergency stop", MEMORY),
+    to_plc(ProgramEnd, "X22F", "", "DM30: M30", MEMORY),
+    to_plc(MStrobe, "X230", "", "MF: strobe of M", MEMORY),
+    to_plc(SStrobe, "X234", "", "SF: strobe of S", MEMORY),
+    to_plc(TStrobe, "X238", "", "TF: strobe of T", MEMORY),
+    from_plc(AxesEnable, "Y20F", "", "*AIT: 0 holds all axes", MEMORY),
+    from_plc(HoldReleased, "Y211", "", "*SP: 0 is feed hold", MEMORY),
+    from_plc(Finished, "Y226", "", "FIN: M, S and T are done; held until their strobes fall", MEMORY),
+    from_plc(GearIndex(0), "Y290", "", "GI1: gear stage less one, bit 0", MEMORY),
+    from_plc(GearIndex(1), "Y291", "", "GI2: gear stage less one, bit 1", MEMORY),
+    from_plc(EmergencyRequest, "Y29F", "", "QEMG: 1 is emergency stop", MEMORY),
+    from_plc(SpindleHold, "Y2D4", "", "SSTP: 1 puts out 0 V; S stays", MEMORY),
+];
+
 /// By device number.
-pub(super) const SIGNALS: &[Signal] = &[
+const REGISTERS: &[Signal] = &[
     to_plc(SpindleCommand, "R8", "r/min", "spindle speed as commanded (R8, R9)", MEMORY),
     to_plc(SpindleFinal, "R10", "r/min", "spindle speed after override and clamp (R10, R11)", MEMORY),
     to_plc(SpindleOutput, "R12", "0 to 4095", "12-bit value of the analog output (R12, R13)", MEMORY),

@@ -11,6 +11,7 @@ mod vars;
 use super::base::fanuc;
 use super::bench::{Bench, BenchShift};
 use super::code::g_codes;
+use super::interface::PlcLanguage;
 use super::macros::CodeCalls;
 use super::schema::control::axis;
 use super::schema::table::joined;
@@ -95,6 +96,7 @@ pub static CONTROL: Control = Control {
     alarms: alarms::ALARMS,
     params: params::PARAMS,
     interface: interface::SIGNALS,
+    plc: PlcLanguage::Melsec,
     switches: switches::SWITCHES,
     spindle: SpindleRules {
         thread_override: true,

@@ -1,5 +1,6 @@
 //! [`Control`]: all rows of one control, and the look-ups in them.
 
+use super::interface::PlcLanguage;
 use super::options::SwitchKind;
 use super::{
     Address, Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, Limits, Macros, ParamDef, ParamRole, Signal, SpindleRules,
@@ -37,6 +38,8 @@ pub struct Control {
     pub params: &'static [ParamDef],
     /// Registers and signals between PLC and control.
     pub interface: &'static [Signal],
+    /// Instruction set of the PLC.
+    pub plc: PlcLanguage,
     /// Points that the manuals leave open, each with a default.
     pub switches: &'static [Switch],
     /// What S, M3, constant surface speed and limits do.

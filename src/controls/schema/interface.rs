@@ -3,8 +3,21 @@
 use super::table::{Key, text_key};
 use crate::text::Citation;
 
-/// What a register is for, independent of its number.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+/// Instruction set of a control's PLC.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlcLanguage {
+    /// FANUC PMC: RD, WRT, functional instructions by their SUB number.
+    Pmc,
+    /// GSK PLC: LD, OUT, functional instructions by name.
+    Gsk,
+    /// Mitsubishi: LD, OUT, timers of 10 ms.
+    Melsec,
+    /// SINUMERIK 802: the S7-200 subset LD, =, TON.
+    Step7,
+}
+
+/// What a register or signal is for, independent of its number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SignalRole {
     /// Spindle override in percent, PLC to control.
     SpindleOverride,
@@ -26,6 +39,58 @@ pub enum SignalRole {
     SpindleOutput,
     /// Spindle speed as measured, control to PLC.
     SpindleActual,
+    /// M code as a number, control to PLC.
+    MCode,
+    /// Dynamic signal of an M function, on for one cycle of the PLC.
+    MFunction(u32),
+    /// Strobe of M, control to PLC.
+    MStrobe,
+    /// Strobe of S.
+    SStrobe,
+    /// Strobe of T.
+    TStrobe,
+    /// The program runs: off at hold, between two blocks that wait for cycle start, and at an alarm.
+    Running,
+    /// No program is begun: on until cycle start, after the end and after reset.
+    Idle,
+    /// M30 is executed.
+    ProgramEnd,
+    /// Reset or emergency stop acts, control to PLC.
+    Reset,
+    /// Answer to M, S and T, PLC to control.
+    Finished,
+    /// Holds the reading of the next block, PLC to control.
+    ReadInDisable,
+    /// 1 lets the spindle turn, 0 holds it at speed 0; S and M3 stay.
+    SpindleEnable,
+    /// 1 holds the spindle at speed 0.
+    SpindleHold,
+    /// 1 lets the axes of the program move.
+    AxesEnable,
+    /// 1 holds the axes of the program.
+    AxesStop,
+    /// The spindle has its speed, PLC to control.
+    SpeedArrived,
+    /// 0 holds the program.
+    HoldReleased,
+    /// 1 holds the program.
+    HoldRequest,
+    /// 0 is emergency stop.
+    EmergencyReleased,
+    /// 1 is emergency stop.
+    EmergencyRequest,
+    /// 1 resets the control, PLC to control.
+    ResetRequest,
+    /// The control asks for the gear stage of [`SignalRole::GearAsked`].
+    GearChange,
+    /// A bit (from 0) of the number of the gear stage that the control asks for.
+    GearAsked(u8),
+    /// A bit (from 0) of the number of the gear stage that is engaged, PLC to control.
+    GearNumber(u8),
+    /// A bit (from 0) of that number less one.
+    GearIndex(u8),
+    /// The gear stage is engaged: answer to [`SignalRole::GearChange`].
+    GearChanged,
 }
 
 /// A register.

@@ -6,6 +6,7 @@ mod sources;
 use super::base::sinumerik;
 use super::base::sinumerik::MEMORY;
 use super::code::g_codes;
+use super::interface::PlcLanguage;
 use super::{AxisDef, Control, Limits, SpindleRules, Syntax};
 use crate::controls::Address;
 use sources::{BLOCKS, RANGES, SPINDLE};
@@ -29,7 +30,8 @@ pub static CONTROL: Control = Control {
     vars: sinumerik::VARS,
     alarms: sinumerik::ALARMS,
     params: rows::PARAMS,
-    interface: &[],
+    interface: sinumerik::SIGNALS,
+    plc: PlcLanguage::Step7,
     switches: rows::SWITCHES,
     bench: sinumerik::BENCH,
 };

@@ -6,6 +6,7 @@ mod sources;
 use super::base::sinumerik;
 use super::base::sinumerik::MEMORY;
 use super::code::g_codes;
+use super::interface::PlcLanguage;
 use super::{Address, AxisDef, Control, Limits};
 use sources::RANGES;
 
@@ -28,7 +29,8 @@ pub static CONTROL: Control = Control {
     vars: sinumerik::VARS,
     alarms: rows::ALARMS,
     params: rows::PARAMS,
-    interface: &[],
+    interface: sinumerik::SIGNALS,
+    plc: PlcLanguage::Step7,
     switches: rows::SWITCHES,
     bench: sinumerik::BENCH,
 };

@@ -1,87 +1,176 @@
 //! The PMC program of the paper's figure 5, reconstructed from the signals in its text; the picture is lost.
+//!
+//! The paper names channels and their signals, but not the instructions that turn an axis to an angle or at a speed. Those are a named block
+//! (`AXIS6`, `AXIS7`: tool and work) with its interface: the rungs ask it, and read whether it is done or stands.
 
+use super::program::{
+    AT_ANGLE, AT_SPEED, IDLE, INDEX, ON, SPEED, TOOL_ANGLE, TOOL_RATIO, TURN, WORK_ANGLE, WORK_RATIO,
+};
 use super::resolved::PolygonLathe;
-use crate::machines::sheets::{row, say};
-use crate::text::catalog::number_text as show;
+use crate::controls::interface::SignalRole;
+use crate::machines::ladder::book::Book;
+use crate::machines::ladder::{Bit, Ladder, Operator, PlcNumber, off, on};
+use crate::motion::PMC_AXES;
 use crate::text::{Citation, Grade};
-use crate::view::Sheet;
-use crate::view::ladder::{self, Contact, Rung};
 
-const OURS: Citation = Citation::new("our own choice; signals and channels by the paper's section 3.1", Grade::Open);
+const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
+pub(super) const OURS: Citation =
+    Citation::new("our own choice; signals and channels by the paper's section 3.1", Grade::Open);
 
-/// Contacts (a leading `/` opens), output, note.
-#[rustfmt::skip]
-const RUNGS: &[(&[&str], &str, &str)] = &[
-    (&["ON"], "OUT G159.2", "polygon.ladder.overlap-tool"),
-    (&["ON"], "OUT G159.3", "polygon.ladder.overlap-work"),
-    (&["ON"], "OUT G366.2", "polygon.ladder.select-tool"),
-    (&["ON"], "OUT G406.3", "polygon.ladder.select-work"),
-    (&["ON"], "MOV SPEED G367", "polygon.ladder.mode-tool"),
-    (&["ON"], "MOV SPEED G407", "polygon.ladder.mode-work"),
-    (&["F54.0", "/R1.3", "/R1.4"], "SET R1.0", "polygon.ladder.index"),
-    (&["R1.0", "/R1.1", "/R1.3"], "INDEX CH6 F496", "polygon.ladder.index-tool"),
-    (&["R1.0", "/R1.1", "/R1.3"], "INDEX CH7 F492", "polygon.ladder.index-work"),
-    (&["R1.0", "/R1.3", "END CH6", "END CH7"], "TMR T1", "polygon.ladder.settle"),
-    (&["T1"], "SET R1.1", "polygon.ladder.at-angle"),
-    (&["R1.1"], "OUT G54.0", "polygon.ladder.bit"),
-    (&["ON"], "DMUL F480 F488 D100", "polygon.ladder.speed-tool"),
-    (&["ON"], "DMUL F480 F484 D104", "polygon.ladder.speed-work"),
-    (&["F54.1", "R1.1"], "SET R1.2", "polygon.ladder.turn"),
-    (&["R1.2"], "SPEED CH6 D100", "polygon.ladder.run-tool"),
-    (&["R1.2"], "SPEED CH7 D104", "polygon.ladder.run-work"),
-    (&["R1.2"], "TMR T2", "polygon.ladder.settle"),
-    (&["R1.2", "T2"], "OUT G54.1", "polygon.ladder.at-speed"),
-    (&["R1.2", "/F54.1"], "SET R1.3", "polygon.ladder.stop"),
-    (&["R1.0", "/R1.2", "/F54.0"], "SET R1.3", "polygon.ladder.stop"),
-    (&["R1.0", "RST"], "SET R1.3", "polygon.ladder.stop"),
-    (&["R1.3"], "RES R1.1", "polygon.ladder.not-at-angle"),
-    (&["R1.3"], "RES R1.2", "polygon.ladder.no-turn"),
-    (&["R1.3"], "SET R1.4", "polygon.ladder.spent"),
-    (&["R1.3"], "OUT G360.3", "polygon.ladder.stop-tool"),
-    (&["R1.3"], "OUT G400.3", "polygon.ladder.stop-work"),
-    (&["RST"], "OUT G360.1", "polygon.ladder.reset-tool"),
-    (&["RST"], "OUT G400.1", "polygon.ladder.reset-work"),
-    (&["R1.3", "STAND CH6", "STAND CH7"], "RES R1.0", "polygon.ladder.off"),
-    (&["/R1.0"], "RES R1.3", "polygon.ladder.stopped"),
-    (&["/R1.0", "/F54.0", "/F54.1"], "RES R1.4", "polygon.ladder.fresh"),
-    (&["R1.0"], "OUT G54.2", "polygon.ladder.on"),
-    (&["/R1.0", "/F54.0", "/F54.1"], "OUT G54.3", "polygon.ladder.idle"),
-    (&["/R1.0"], "OUT G360.6", "polygon.ladder.update-tool"),
-    (&["/R1.0"], "OUT G400.6", "polygon.ladder.update-work"),
-    (&["M STROBE"], "OUT FIN", "polygon.ladder.fin"),
-];
+/// Signals of the named blocks, work before tool.
+pub(super) const GO_TO_ANGLE: [Bit; PMC_AXES] = [Bit::Block("AXIS7.INDEX"), Bit::Block("AXIS6.INDEX")];
+pub(super) const RUN: [Bit; PMC_AXES] = [Bit::Block("AXIS7.RUN"), Bit::Block("AXIS6.RUN")];
+pub(super) const DONE: [Bit; PMC_AXES] = [Bit::Block("AXIS7.DONE"), Bit::Block("AXIS6.DONE")];
+pub(super) const STANDS: [Bit; PMC_AXES] = [Bit::Block("AXIS7.STANDS"), Bit::Block("AXIS6.STANDS")];
+pub(super) const ANGLE: [PlcNumber; PMC_AXES] = [PlcNumber::Block("AXIS7.ANGLE"), PlcNumber::Block("AXIS6.ANGLE")];
+pub(super) const RPM: [PlcNumber; PMC_AXES] = [PlcNumber::Block("AXIS7.SPEED"), PlcNumber::Block("AXIS6.SPEED")];
+/// Slow down and stop: channels 7 and 6.
+pub(super) const STOP: [Bit; PMC_AXES] = [Bit::Device("G400.3"), Bit::Device("G360.3")];
 
-/// The rungs as an instruction list, with its drawing.
-pub(super) fn sheet(lathe: &PolygonLathe) -> Sheet {
-    // Settling time of both axes, ms.
-    let settling = show((1000.0 * lathe.p.settling()).ceil(), 0);
-    let contact = |device: &&str| match device.strip_prefix('/') {
-        Some(device) => Contact { device: device.to_owned(), inverted: true },
-        None => Contact::closes(*device),
-    };
-    let rung = |(contacts, output, note): &(&[&str], &str, &'static str)| Rung {
-        contacts: contacts.iter().map(contact).collect(),
-        output: if output.starts_with("TMR") { format!("{output} {settling} MS") } else { (*output).to_owned() },
-        note: say(note),
-    };
-    let rungs: Vec<Rung> = RUNGS.iter().map(rung).collect();
-    let mut rows = Vec::new();
-    for rung in &rungs {
-        let contacts: Vec<String> = rung
-            .contacts
-            .iter()
-            .map(|contact| format!("{}{}", if contact.inverted { "/" } else { "" }, contact.device))
-            .collect();
-        rows.push(row(
-            [(rows.len() + 1).to_string(), contacts.join(" AND "), rung.output.clone(), rung.note.clone()],
-            OURS,
-        ));
+/// The request is taken: relays of the sequence.
+const TAKEN: Bit = Bit::Relay("taken");
+const STOPPING: Bit = Bit::Relay("stopping");
+const SPENT: Bit = Bit::Relay("spent");
+const INDEXED: Bit = Bit::Relay("indexed");
+const TURNING: Bit = Bit::Relay("turning");
+
+/// The ladder of the lathe.
+pub(super) fn ladder(lathe: &PolygonLathe) -> Ladder {
+    let mut book = Book::new(lathe.control, &lathe.dialect);
+    book.emergency();
+    channels(&mut book);
+    sequence(&mut book, lathe.p.settling());
+    answers(&mut book);
+    book.answer(false);
+    meanings(&mut book);
+    book.finish()
+}
+
+/// Which axis belongs to which channel, and what the channels get all the time.
+fn channels(book: &mut Book) {
+    for (device, note) in [
+        ("G159.2", "polygon.ladder.overlap-tool"),
+        ("G159.3", "polygon.ladder.overlap-work"),
+        ("G366.2", "polygon.ladder.select-tool"),
+        ("G406.3", "polygon.ladder.select-work"),
+    ] {
+        book.coil(Bit::Device(device), Book::always(), note);
+        book.means(Bit::Device(device), note, PAPER);
     }
-    Sheet {
-        id: "ladder",
-        title: "polygon.sheet.ladder",
-        columns: vec!["polygon.sheet.step", "polygon.sheet.contacts", "polygon.sheet.instruction", "sheet.use"],
-        rows,
-        drawing: ladder::svg(&rungs),
+    let reset = Bit::Signal(SignalRole::Reset);
+    let rows = [
+        ("G360.1", vec![on(reset)], "polygon.ladder.reset-tool"),
+        ("G400.1", vec![on(reset)], "polygon.ladder.reset-work"),
+        ("G360.2", vec![off(TAKEN), on(TAKEN)], "polygon.ladder.hold-tool"),
+        ("G400.2", vec![off(TAKEN), on(TAKEN)], "polygon.ladder.hold-work"),
+        ("G360.6", vec![off(TAKEN)], "polygon.ladder.update-tool"),
+        ("G400.6", vec![off(TAKEN)], "polygon.ladder.update-work"),
+    ];
+    for (device, branch, note) in rows {
+        book.coil(Bit::Device(device), vec![branch], note);
+        book.means(Bit::Device(device), note, PAPER);
     }
+    for (angle, variable, note) in
+        [(ANGLE[1], TOOL_ANGLE, "polygon.ladder.angle-tool"), (ANGLE[0], WORK_ANGLE, "polygon.ladder.angle-work")]
+    {
+        book.copy_double(written(variable), angle, Book::always(), note);
+    }
+    for (speed, ratio, note) in
+        [(RPM[1], TOOL_RATIO, "polygon.ladder.speed-tool"), (RPM[0], WORK_RATIO, "polygon.ladder.speed-work")]
+    {
+        book.compute(Operator::Multiply, [written(SPEED), written(ratio), speed], true, note);
+    }
+}
+
+/// From the request to the start angles, the run and the stop.
+fn sequence(book: &mut Book, settling: f64) {
+    let [index, turn] = [INDEX, TURN].map(Bit::Macro);
+    let reset = Bit::Signal(SignalRole::Reset);
+    let (settled, at_speed) = (Bit::Timer("angle-settled"), Bit::Timer("speed-settled"));
+    let over = vec![
+        vec![on(TURNING), off(turn)],
+        vec![on(TAKEN), off(TURNING), off(index)],
+        vec![on(TAKEN), on(reset)],
+        vec![on(STOPPING), on(TAKEN)],
+    ];
+    book.coil(STOPPING, over, "polygon.ladder.stop");
+    let spent = [STOPPING, SPENT].into_iter().flat_map(|bit| [index, turn].map(|asked| vec![on(bit), on(asked)]));
+    book.coil(SPENT, spent.collect(), "polygon.ladder.spent");
+    let taken = vec![
+        vec![on(index), off(STOPPING), off(SPENT)],
+        vec![on(TAKEN), off(STOPPING)],
+        vec![on(TAKEN), off(STANDS[0])],
+        vec![on(TAKEN), off(STANDS[1])],
+    ];
+    book.coil(TAKEN, taken, "polygon.ladder.index");
+    for (go, note) in [(GO_TO_ANGLE[1], "polygon.ladder.index-tool"), (GO_TO_ANGLE[0], "polygon.ladder.index-work")] {
+        book.coil(go, vec![vec![on(TAKEN), off(INDEXED), off(STOPPING)]], note);
+    }
+    let there = vec![on(TAKEN), off(STOPPING), on(DONE[0]), on(DONE[1])];
+    book.timer("angle-settled", settling, vec![there], "polygon.ladder.settle");
+    let stays =
+        |begins: Bit, bit: Bit| [on(begins), on(bit)].map(|first| vec![first, on(TAKEN), off(STOPPING)]).to_vec();
+    book.coil(INDEXED, stays(settled, INDEXED), "polygon.ladder.at-angle");
+    let mut runs = stays(INDEXED, TURNING);
+    runs[0].push(on(turn));
+    book.coil(TURNING, runs, "polygon.ladder.turn");
+    for (run, note) in [(RUN[1], "polygon.ladder.run-tool"), (RUN[0], "polygon.ladder.run-work")] {
+        book.coil(run, vec![vec![on(TURNING)]], note);
+    }
+    book.timer("speed-settled", settling, vec![vec![on(TURNING)]], "polygon.ladder.settle");
+    book.coil(Bit::Macro(AT_SPEED), vec![vec![on(TURNING), on(at_speed)]], "polygon.ladder.at-speed");
+    for (stop, note) in [(STOP[1], "polygon.ladder.stop-tool"), (STOP[0], "polygon.ladder.stop-work")] {
+        book.coil(stop, vec![vec![on(STOPPING)]], note);
+        book.means(stop, note, PAPER);
+    }
+}
+
+/// The bits that the program reads.
+fn answers(book: &mut Book) {
+    let [index, turn] = [INDEX, TURN].map(Bit::Macro);
+    book.coil(Bit::Macro(AT_ANGLE), vec![vec![on(INDEXED)]], "polygon.ladder.bit");
+    book.coil(Bit::Macro(ON), vec![vec![on(TAKEN)]], "polygon.ladder.on");
+    book.coil(Bit::Macro(IDLE), vec![vec![off(TAKEN), off(index), off(turn)]], "polygon.ladder.idle");
+}
+
+/// What variables and blocks carry.
+fn meanings(book: &mut Book) {
+    for (variable, meaning) in [
+        (INDEX, "polygon.signal.index"),
+        (TURN, "polygon.signal.turn"),
+        (AT_ANGLE, "polygon.signal.at-angle"),
+        (AT_SPEED, "polygon.signal.at-speed"),
+        (ON, "polygon.signal.on"),
+        (IDLE, "polygon.signal.idle"),
+    ] {
+        book.means(Bit::Macro(variable), meaning, OURS);
+    }
+    for (variable, meaning, cite) in [
+        (SPEED, "polygon.plc.speed", PAPER),
+        (WORK_RATIO, "polygon.plc.work-ratio", PAPER),
+        (TOOL_RATIO, "polygon.plc.tool-ratio", PAPER),
+        (WORK_ANGLE, "polygon.plc.work-angle", OURS),
+        (TOOL_ANGLE, "polygon.plc.tool-angle", OURS),
+    ] {
+        book.means_number(written(variable), meaning, cite);
+    }
+    let both = [
+        (GO_TO_ANGLE, ["polygon.ladder.index-work", "polygon.ladder.index-tool"]),
+        (RUN, ["polygon.ladder.run-work", "polygon.ladder.run-tool"]),
+        (DONE, ["polygon.block.done-work", "polygon.block.done-tool"]),
+        (STANDS, ["polygon.block.stands-work", "polygon.block.stands-tool"]),
+    ];
+    for (bits, meanings) in both {
+        bits.into_iter().zip(meanings).for_each(|(bit, meaning)| book.means(bit, meaning, OURS));
+    }
+    for (words, meanings) in [
+        (ANGLE, ["polygon.plc.work-angle", "polygon.plc.tool-angle"]),
+        (RPM, ["polygon.ladder.speed-work", "polygon.ladder.speed-tool"]),
+    ] {
+        words.into_iter().zip(meanings).for_each(|(word, meaning)| book.means_number(word, meaning, OURS));
+    }
+}
+
+fn written(variable: u32) -> PlcNumber {
+    PlcNumber::Signal(SignalRole::MacroOutput(variable))
 }

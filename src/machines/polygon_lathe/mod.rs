@@ -20,6 +20,8 @@ mod plant;
 
 mod plc;
 
+mod stops;
+
 mod scene;
 
 mod outlines;
@@ -48,6 +50,7 @@ use crate::machines::chart_rows;
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
+use crate::machines::ladder::Ladder;
 use crate::machines::machine::{ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples};
 use crate::machines::verdict::judge;
 use crate::motion::{Plant, Plc, Snapshot};
@@ -102,7 +105,11 @@ impl Prepared for PolygonLathe {
     }
 
     fn plc(&self) -> Box<dyn Plc> {
-        Box::new(plc::PolygonPlc::new(self))
+        Box::new(plc::plc(self))
+    }
+
+    fn ladder(&self) -> Option<Ladder> {
+        Some(ladder::ladder(self))
     }
 
     fn variables(&self) -> Vec<(u32, &'static str, &'static str)> {

@@ -3,12 +3,14 @@
 use super::derive::ways;
 use super::program::{self, MACROS};
 use super::resolved::PolygonLathe;
+use super::stops::reactions;
 use super::{explore, ladder, native_code, sequence};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, ChoiceLimit};
 use crate::drives::polygon::cut::InsertLoad;
 use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
+use crate::machines::stops;
 use crate::math::PI;
 use crate::text::catalog::number_text as show;
 use crate::text::{Citation, Grade};
@@ -19,11 +21,13 @@ const OURS: Citation = Citation::new("our own choice: the paper is silent", Grad
 
 /// All sheets.
 pub(super) fn sheets(lathe: &PolygonLathe) -> Vec<Sheet> {
+    let ladder = ladder::ladder(lathe);
     let mut all = vec![
         parameters(lathe),
-        interface(),
+        ladder.interface(),
         sequence::sheet(lathe),
-        ladder::sheet(lathe),
+        ladder.sheet("polygon.sheet.ladder", ladder::OURS),
+        stops::sheet(&reactions(lathe)),
         choices(lathe),
         native_code::sheet(lathe),
     ];
@@ -65,50 +69,6 @@ fn parameters(lathe: &PolygonLathe) -> Sheet {
         sheet.rows.push(row(cells, OURS));
     }
     sheet
-}
-
-/// Device, variable, who writes and who reads (`P` PMC, `N` program, `C` control), unit, meaning, whether the paper has it.
-#[rustfmt::skip]
-const SIGNALS: &[(&str, &str, &str, &str, &str, &str, bool)] = &[
-    ("F480", "#1480", "N", "P", "r/min", "polygon.plc.speed", true),
-    ("F484", "#1484", "N", "P", "", "polygon.plc.work-ratio", true),
-    ("F488", "#1488", "N", "P", "", "polygon.plc.tool-ratio", true),
-    ("F492", "#1492", "N", "P", "0.001°", "polygon.plc.work-angle", false),
-    ("F496", "#1496", "N", "P", "0.001°", "polygon.plc.tool-angle", false),
-    ("F54.0", "#1100", "N", "P", "", "polygon.signal.index", false),
-    ("F54.1", "#1101", "N", "P", "", "polygon.signal.turn", false),
-    ("G54.0", "#1000", "P", "N", "", "polygon.signal.at-angle", false),
-    ("G54.1", "#1001", "P", "N", "", "polygon.signal.at-speed", false),
-    ("G54.2", "#1002", "P", "N", "", "polygon.signal.on", false),
-    ("G54.3", "#1003", "P", "N", "", "polygon.signal.idle", false),
-    ("G159.2", "", "P", "C", "", "polygon.ladder.overlap-tool", true),
-    ("G159.3", "", "P", "C", "", "polygon.ladder.overlap-work", true),
-    ("G360.1", "", "P", "C", "", "polygon.ladder.reset-tool", true),
-    ("G400.1", "", "P", "C", "", "polygon.ladder.reset-work", true),
-    ("G360.2", "", "P", "C", "", "polygon.plc.hold-tool", true),
-    ("G400.2", "", "P", "C", "", "polygon.plc.hold-work", true),
-    ("G360.3", "", "P", "C", "", "polygon.ladder.stop-tool", true),
-    ("G400.3", "", "P", "C", "", "polygon.ladder.stop-work", true),
-    ("G360.6", "", "P", "C", "", "polygon.ladder.update-tool", true),
-    ("G400.6", "", "P", "C", "", "polygon.ladder.update-work", true),
-    ("G366.2", "", "P", "C", "", "polygon.ladder.select-tool", true),
-    ("G406.3", "", "P", "C", "", "polygon.ladder.select-work", true),
-    ("G367", "", "P", "C", "", "polygon.ladder.mode-tool", true),
-    ("G407", "", "P", "C", "", "polygon.ladder.mode-work", true),
-];
-
-fn interface() -> Sheet {
-    let who = |letter: &str| match letter {
-        "P" => "PMC".to_owned(),
-        "N" => say("polygon.plc.program"),
-        _ => say("polygon.plc.control"),
-    };
-    let signal =
-        |&(device, variable, writes, reads, unit, text, paper): &(&str, &str, &str, &str, &str, &'static str, bool)| {
-            let cells = [device.to_owned(), variable.to_owned(), who(writes), who(reads), unit.to_owned(), say(text)];
-            row(cells, if paper { PAPER } else { OURS })
-        };
-    sheets::interface(SIGNALS.iter().map(signal).collect())
 }
 
 /// Greatest number of listed choices.

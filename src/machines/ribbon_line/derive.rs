@@ -13,7 +13,7 @@ use crate::math::{self, PI};
 const PUBLISHED_PI: f64 = 314.0 / 100.0;
 
 /// Seconds from a strobe to FIN where the PLC waits for nothing: a few scans of the ladder.
-pub(super) const FIN_DELAY: f64 = 0.05;
+pub(super) const FIN_DELAY: f64 = crate::machines::ladder::plc::ANSWER;
 /// Share of the commanded speed from which the PLC reports the spindle at speed.
 pub(super) const AT_SPEED: f64 = 0.95;
 

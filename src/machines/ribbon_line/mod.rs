@@ -16,6 +16,8 @@ mod program;
 
 mod plant;
 
+mod ladder;
+
 mod plc;
 
 mod stops;
@@ -36,6 +38,7 @@ use crate::machines::chart_rows;
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
+use crate::machines::ladder::Ladder;
 use crate::machines::left_out::LeftOut;
 use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineProgram, PanelSetup, Prepared, Samples,
@@ -114,6 +117,10 @@ impl Prepared for RibbonLine {
 
     fn plc(&self) -> Box<dyn Plc> {
         Box::new(plc::RibbonPlc::new(self))
+    }
+
+    fn ladder(&self) -> Option<Ladder> {
+        Some(ladder::ladder(self))
     }
 
     fn panel(&self) -> PanelSetup {

@@ -1,11 +1,11 @@
 //! The ribbon line on a control: its axes, words and inputs there, and the form without the choices that the control lacks.
 
 use super::derive::Derived;
-use super::params::{Endless, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
+use super::params::{Endless, KnobStep, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
 use super::scene::labels::{distance, names};
 use super::scene::layout::Layout;
-use crate::controls::vars::Width;
-use crate::controls::{Control, Dialect, VarKind};
+use crate::controls::interface::SignalRole;
+use crate::controls::{Control, Dialect};
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
 use crate::math::PI;
@@ -52,8 +52,12 @@ impl RibbonLine {
             p.path_mode = PathMode::Continuous;
         }
         p.typed_override = form.types_override(control);
-        let d = Derived::new(&p, control.bench.output_bits);
         let knob = dialect.spindle().knob;
+        if dialect.device(control, SignalRole::SpindleOverrideCode).is_some() {
+            // A code has positions of its own, and no others reach spindle or program.
+            (p.override_percent, p.knob_step) = (knob.nearest(p.override_percent), KnobStep::Ten);
+        }
+        let d = Derived::new(&p, control.bench.output_bits);
         // A locked knob has no other end.
         let fast = match d.actual_speed > 0.0 && !p.knob_is_locked() {
             true => {
@@ -142,13 +146,5 @@ impl RibbonLine {
     /// Macro input that carries the override, where the control has one.
     pub(super) fn handed(&self) -> Option<u32> {
         override_input(self.control)
-    }
-
-    /// Least and largest value of that variable.
-    pub(super) fn input_range(&self) -> (f64, f64) {
-        match self.control.var(self.input()).map(|row| row.kind) {
-            Some(VarKind::InputWord(width)) => width.range(),
-            _ => Width::Word.range(),
-        }
     }
 }

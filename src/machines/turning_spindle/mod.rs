@@ -14,6 +14,12 @@ mod rules;
 
 mod program;
 
+mod gears;
+
+mod ladder;
+
+mod stops;
+
 mod plant;
 
 mod scene;
@@ -33,6 +39,7 @@ use crate::machines::chart_rows;
 use crate::machines::examples::Example;
 use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
+use crate::machines::ladder::Ladder;
 use crate::machines::machine::{
     ControlContext, Defaults, Design, Frame, Machine, MachineProgram, PanelSetup, Prepared, Samples,
 };
@@ -91,6 +98,10 @@ impl Prepared for TurningSpindle {
 
     fn plc(&self) -> Box<dyn Plc> {
         Box::new(plant::plc(self))
+    }
+
+    fn ladder(&self) -> Option<Ladder> {
+        Some(ladder::ladder(self))
     }
 
     fn panel(&self) -> PanelSetup {

@@ -1,12 +1,12 @@
 //! The plant of the turning spindle: two slides, the spindle with its gear stages, and the builder's logic between them.
 
+use super::gears::gear_times;
+use super::ladder::ladder;
 use super::resolved::{ALONG, CROSS, TurningSpindle};
 use crate::controls::{Address, SpindleRules};
 use crate::drives::Positioning;
-use crate::motion::{AxisPlant, BenchPlc, GearShift, Plant, SpindlePlant};
-
-/// Seconds from a strobe to FIN: a few scans of the ladder.
-const FIN_DELAY: f64 = 0.05;
+use crate::machines::ladder::plc::{LadderPlc, Wiring};
+use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
 /// The plant with the project's clamps, ramps and limits.
 pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
@@ -54,20 +54,15 @@ fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
     }
 }
 
-/// FIN for S, M and T, and the gear change.
-pub(super) fn plc(lathe: &TurningSpindle) -> BenchPlc {
-    let p = &lathe.p;
-    let mut plc = BenchPlc::new(FIN_DELAY, None);
-    plc.shift =
-        shift(p.gear_time, (p.gear_patience > 0.0 && p.has_gear_alarm(lathe.control)).then_some(p.gear_patience));
-    plc.knob = Some(lathe.rules().knob);
-    plc.stop_between = lathe.rules().stop_between;
-    plc
-}
-
-/// A gear shift of `seconds`: an eighth before, half of it meshing, the rest after.
-pub(super) fn shift(seconds: f64, patience: Option<f64>) -> GearShift {
-    GearShift { volts: SHIFT_VOLTS, before: 0.125 * seconds, meshing: 0.5 * seconds, after: 0.375 * seconds, patience }
+/// The ladder, wired to knob, inverter and gear box.
+pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
+    let wiring = Wiring {
+        knob: lathe.rules().knob,
+        at_speed: 1.0 - lathe.rules().reached.unwrap_or(0.1),
+        meshing: gear_times(lathe).meshing,
+        shift_volts: SHIFT_VOLTS,
+    };
+    LadderPlc::new(ladder(lathe), wiring, lathe.control)
 }
 
 /// Positioning of the spindle; MD35300, MD35210 and MD35350 are facts of the machine, these values are assumed.

@@ -123,7 +123,7 @@ fn stage(lathe: &TurningSpindle) -> Option<Judgement> {
 /// A gear that meshes longer than the PLC waits.
 fn gear_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, .. } = lathe;
-    let shift = super::plant::plc(lathe).shift;
+    let shift = super::gears::gear_times(lathe);
     let patience = shift.patience.filter(|&patience| patience < shift.meshing)?;
     let set = down(FIELDS, "gear-time", 2.0 * patience);
     let advice = Advice::from(msg!(

@@ -1,16 +1,25 @@
 //! Sheets for the machine builder: parameters of spindle and slides.
 
+use super::gears::gear_times;
+use super::ladder::ladder;
 use super::params::Output;
-use super::plant::{POSITIONING, SHIFT_VOLTS, plc};
+use super::plant::{POSITIONING, SHIFT_VOLTS};
 use super::resolved::TurningSpindle;
+use super::stops::reactions;
 use crate::controls::ParamRole;
 use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, AxisValues, ParamValue};
+use crate::machines::stops;
+use crate::text::{Citation, Grade};
 use crate::view::Sheet;
+
+const LADDER: Citation = Citation::new("turning spindle facts, 7", Grade::Inferred);
 
 /// All sheets.
 pub(super) fn sheets(lathe: &TurningSpindle) -> Vec<Sheet> {
-    vec![parameters(lathe)]
+    let ladder = ladder(lathe);
+    let sheet = ladder.sheet("turning.sheet.ladder", LADDER);
+    vec![parameters(lathe), ladder.interface(), sheet, stops::sheet(&reactions(lathe))]
 }
 
 fn parameters(lathe: &TurningSpindle) -> Sheet {
@@ -30,7 +39,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         let stages = names.into_iter().zip(lathe.p.stages());
         stages.map(|(name, speed)| (name, ParamValue::Number(value(speed)))).collect()
     };
-    let (rules, shift) = (lathe.rules(), plc(lathe).shift);
+    let (rules, shift) = (lathe.rules(), gear_times(lathe));
     let minimum = if rules.low_always { by_stage(&|_| p.lower_limit) } else { number(p.lower_limit) };
     let shifts = p.stages().nth(1).is_some();
     let angle = |value: f64| if lathe.positions() { number(value) } else { Vec::new() };

@@ -350,83 +350,245 @@ fn parameter_sheet_carries_the_project_values() {
 #[test]
 fn ladder_list_equals_figure_1_of_the_paper() {
     expect![[r#"
-        0 | LD ON | 
-        1 | MOV D100 R148 | spindle override to the control
-        2 | LD ON | 
-        3 | MOV R148 R74 | the same to the program, low word
-        4 | LD ON | 
-        5 | MOV K0 R75 | high word
-        6 | LD S STROBE | 
-        7 | OUT FIN | code is done
-        8 | LD M STROBE | 
-        9 | OUT FIN | code is done
-        10 | LD STL | 
-        11 | SET M200 | the program runs
-        12 | LD DM30 | 
-        13 | RST M200 | its end is no interruption
-        14 | LD RST | 
-        15 | RST M200 | nothing to go on with
-        16 | LD M200 | 
-        17 | ANI STL | 
-        18 | OUT M201 | stopped in the middle: hold, M00, alarm
-        19 | LDI M201 | 
-        20 | OUT *SSTP | unwinder stops with the axes
-        21 | LD M201 | 
-        22 | SET M202 | axes wait at the restart
-        23 | LD M202 | 
-        24 | ANI M201 | 
-        25 | OUT T20 K20 | as long as behind M3, in 0.1 s
-        26 | LD T20 | 
-        27 | RST M202 | unwinder runs
-        28 | LD RST | 
-        29 | RST M202 | nothing to go on with
-        30 | LDI M202 | 
-        31 | OUT *IT | axes may move
+        0 | LD M200 | 
+        1 | ORI M200 | 
+        2 | OUT M200 | always on
+        3 | LD X230 | 
+        4 | AND= R20 K3 | 
+        5 | OUT M303 | 
+        6 | LD X230 | 
+        7 | AND= R20 K4 | 
+        8 | OUT M304 | 
+        9 | LD X230 | 
+        10 | AND= R20 K5 | 
+        11 | OUT M305 | M codes, while their strobe is on
+        12 | LDI X20 | 
+        13 | OUT Y29F | emergency stop to the control
+        14 | LD X22F | 
+        15 | LD M201 | 
+        16 | AND X1F3 | 
+        17 | ORB | 
+        18 | OUT M201 | M30 until the program no longer runs
+        19 | LD X1F3 | 
+        20 | ANI M201 | 
+        21 | ANI X1F5 | 
+        22 | LD M204 | 
+        23 | ANI M201 | 
+        24 | ANI X1F5 | 
+        25 | ORB | 
+        26 | OUT M204 | program is begun, until its end or reset
+        27 | LD M204 | 
+        28 | ANI X1F3 | 
+        29 | OUT M202 | stopped in the middle: hold, M00, alarm
+        30 | LD M200 | 
+        31 | MOV D100 R148 | spindle override to the control
+        32 | LD M200 | 
+        33 | MOV K100 R132 | cutting override is fixed
+        34 | LD M200 | 
+        35 | MOV R148 R74 | the same to the program, low word
+        36 | LD M200 | 
+        37 | MOV K0 R75 | high word
+        38 | LDI X21 | 
+        39 | OUT Y22 | fault of the inverter: alarm
+        40 | LD X21 | 
+        41 | OUT Y211 | fault of the inverter: the axes stop
+        42 | LD M303 | 
+        43 | AND X20 | 
+        44 | AND X21 | 
+        45 | ANI X1F5 | 
+        46 | LD X22 | 
+        47 | AND X20 | 
+        48 | AND X21 | 
+        49 | ANI X1F5 | 
+        50 | ORB | 
+        51 | LD Y20 | 
+        52 | ANI M305 | 
+        53 | ANI X23 | 
+        54 | ANI X24 | 
+        55 | ANI M304 | 
+        56 | AND X20 | 
+        57 | AND X21 | 
+        58 | ANI X1F5 | 
+        59 | ORB | 
+        60 | OUT Y20 | run clockwise: M3 or key, until M5, M4, fault
+        61 | LD M304 | 
+        62 | AND X20 | 
+        63 | AND X21 | 
+        64 | ANI X1F5 | 
+        65 | LD X23 | 
+        66 | AND X20 | 
+        67 | AND X21 | 
+        68 | ANI X1F5 | 
+        69 | ORB | 
+        70 | LD Y21 | 
+        71 | ANI M305 | 
+        72 | ANI X22 | 
+        73 | ANI X24 | 
+        74 | ANI M303 | 
+        75 | AND X20 | 
+        76 | AND X21 | 
+        77 | ANI X1F5 | 
+        78 | ORB | 
+        79 | OUT Y21 | run counterclockwise: M4 or key, until M5, M3, fault
+        80 | LD M202 | 
+        81 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
+        82 | LD X230 | 
+        83 | OR X234 | 
+        84 | OR X238 | 
+        85 | OUT Y226 | one answer for M, S and T
+        86 | LD M202 | 
+        87 | AND Y20 | 
+        88 | ANI X1F5 | 
+        89 | LD M202 | 
+        90 | AND Y21 | 
+        91 | ANI X1F5 | 
+        92 | ORB | 
+        93 | LD M203 | 
+        94 | ANI T20 | 
+        95 | ANI X1F5 | 
+        96 | ORB | 
+        97 | OUT M203 | axes wait at the restart
+        98 | LD M203 | 
+        99 | ANI M202 | 
+        100 | OUT T20 K205 | as long as behind M3
+        101 | LDI M203 | 
+        102 | OR M202 | 
+        103 | OUT Y20F | axes may move
     "#]]
     .assert_eq(&rows(&[], "ladder"));
     expect![[r#"
-        0 | LD ON | 
-        1 | + D100 K2 D101 | knob in percent (D100), half a step more
-        2 | LD ON | 
-        3 | / D101 K5 D102 | whole steps
-        4 | LD ON | 
-        5 | * D102 K5 D104 | steps back to percent
-        6 | LD ON | 
-        7 | MOV D104 R148 | spindle override to the control
-        8 | LD ON | 
-        9 | DMOV R10 R74 | final spindle speed to the program, both words
-        10 | LD S STROBE | 
-        11 | OUT FIN | code is done
-        12 | LD M STROBE | 
-        13 | AND M03 | 
-        14 | AND SU | 
-        15 | OUT FIN | spindle runs, the ribbon may be pulled
-        16 | LD M STROBE | 
-        17 | ANI M03 | 
-        18 | OUT FIN | code is done
-        19 | LD STL | 
-        20 | SET M200 | the program runs
-        21 | LD DM30 | 
-        22 | RST M200 | its end is no interruption
-        23 | LD RST | 
-        24 | RST M200 | nothing to go on with
-        25 | LD M200 | 
-        26 | ANI STL | 
-        27 | OUT M201 | stopped in the middle: hold, M00, alarm
-        28 | LDI M201 | 
-        29 | OUT *SSTP | unwinder stops with the axes
-        30 | LD M201 | 
-        31 | SET M202 | axes wait at the restart
-        32 | LD M202 | 
-        33 | ANI M201 | 
-        34 | OUT T20 K1 | until SU is about the new speed, in 0.1 s
-        35 | LD T20 | 
-        36 | AND SU | 
-        37 | RST M202 | unwinder runs
-        38 | LD RST | 
-        39 | RST M202 | nothing to go on with
-        40 | LDI M202 | 
-        41 | OUT *IT | axes may move
+        0 | LD M200 | 
+        1 | ORI M200 | 
+        2 | OUT M200 | always on
+        3 | LD X230 | 
+        4 | AND= R20 K3 | 
+        5 | OUT M303 | 
+        6 | LD X230 | 
+        7 | AND= R20 K4 | 
+        8 | OUT M304 | 
+        9 | LD X230 | 
+        10 | AND= R20 K5 | 
+        11 | OUT M305 | M codes, while their strobe is on
+        12 | LDI X20 | 
+        13 | OUT Y29F | emergency stop to the control
+        14 | LD X22F | 
+        15 | LD M202 | 
+        16 | AND X1F3 | 
+        17 | ORB | 
+        18 | OUT M202 | M30 until the program no longer runs
+        19 | LD X1F3 | 
+        20 | ANI M202 | 
+        21 | ANI X1F5 | 
+        22 | LD M205 | 
+        23 | ANI M202 | 
+        24 | ANI X1F5 | 
+        25 | ORB | 
+        26 | OUT M205 | program is begun, until its end or reset
+        27 | LD M205 | 
+        28 | ANI X1F3 | 
+        29 | OUT M203 | stopped in the middle: hold, M00, alarm
+        30 | LD M200 | 
+        31 | + D100 K2 D104 | knob in percent (D100), half a step more
+        32 | LD M200 | 
+        33 | / D104 K5 D108 | whole steps
+        34 | LD M200 | 
+        35 | * D108 K5 D106 | steps back to percent
+        36 | LD M200 | 
+        37 | MOV D106 R148 | spindle override to the control
+        38 | LD M200 | 
+        39 | MOV K100 R132 | cutting override is fixed
+        40 | LD M200 | 
+        41 | DMOV R10 R74 | final spindle speed to the program, both words
+        42 | LDI X21 | 
+        43 | OUT Y22 | fault of the inverter: alarm
+        44 | LD X21 | 
+        45 | OUT Y211 | fault of the inverter: the axes stop
+        46 | LD M303 | 
+        47 | AND X20 | 
+        48 | AND X21 | 
+        49 | ANI X1F5 | 
+        50 | LD X23 | 
+        51 | AND X20 | 
+        52 | AND X21 | 
+        53 | ANI X1F5 | 
+        54 | ORB | 
+        55 | LD Y20 | 
+        56 | ANI M305 | 
+        57 | ANI X24 | 
+        58 | ANI X25 | 
+        59 | ANI M304 | 
+        60 | AND X20 | 
+        61 | AND X21 | 
+        62 | ANI X1F5 | 
+        63 | ORB | 
+        64 | OUT Y20 | run clockwise: M3 or key, until M5, M4, fault
+        65 | LD M304 | 
+        66 | AND X20 | 
+        67 | AND X21 | 
+        68 | ANI X1F5 | 
+        69 | LD X24 | 
+        70 | AND X20 | 
+        71 | AND X21 | 
+        72 | ANI X1F5 | 
+        73 | ORB | 
+        74 | LD Y21 | 
+        75 | ANI M305 | 
+        76 | ANI X23 | 
+        77 | ANI X25 | 
+        78 | ANI M303 | 
+        79 | AND X20 | 
+        80 | AND X21 | 
+        81 | ANI X1F5 | 
+        82 | ORB | 
+        83 | OUT Y21 | run counterclockwise: M4 or key, until M5, M3, fault
+        84 | LD M203 | 
+        85 | OUT Y2D4 | spindle stops with the axes; S and M3 stay
+        86 | LD M303 | 
+        87 | ANI T20 | 
+        88 | LD M303 | 
+        89 | ANI X22 | 
+        90 | ORB | 
+        91 | LD M304 | 
+        92 | ANI T20 | 
+        93 | ORB | 
+        94 | LD M304 | 
+        95 | ANI X22 | 
+        96 | ORB | 
+        97 | OUT M201 | M3 and M4 wait for the speed
+        98 | LD M303 | 
+        99 | OR M304 | 
+        100 | OUT T20 K5 | until the contact is about the new speed
+        101 | LD X230 | 
+        102 | ANI M201 | 
+        103 | LD X234 | 
+        104 | ANI M201 | 
+        105 | ORB | 
+        106 | LD X238 | 
+        107 | ANI M201 | 
+        108 | ORB | 
+        109 | OUT Y226 | one answer for M, S and T
+        110 | LD M203 | 
+        111 | AND Y20 | 
+        112 | ANI X1F5 | 
+        113 | LD M203 | 
+        114 | AND Y21 | 
+        115 | ANI X1F5 | 
+        116 | ORB | 
+        117 | LD M204 | 
+        118 | ANI T21 | 
+        119 | ANI X1F5 | 
+        120 | ORB | 
+        121 | LD M204 | 
+        122 | ANI X22 | 
+        123 | ANI X1F5 | 
+        124 | ORB | 
+        125 | OUT M204 | axes wait at the restart
+        126 | LD M204 | 
+        127 | ANI M203 | 
+        128 | OUT T21 K5 | until the contact is about the new speed
+        129 | LDI M204 | 
+        130 | OR M203 | 
+        131 | OUT Y20F | axes may move
     "#]]
     .assert_eq(&rows(&[("knob-step", "5"), ("override-form", "final-speed"), ("wait", "fin")], "ladder"));
 }
@@ -434,7 +596,7 @@ fn ladder_list_equals_figure_1_of_the_paper() {
 #[test]
 fn macro_input_register_follows_its_switch() {
     let base = |base: &str| Switches(vec![("macro-input-base".to_owned(), base.to_owned())]);
-    assert!(rows_with(&[], &base("R172"), "interface").contains("R174 | #1033 | PLC | program | %"));
+    assert!(rows_with(&[], &base("R172"), "interface").contains("R174 | #1033 | PLC | program |"));
     let ladder = rows_with(&[], &base("R6436"), "ladder");
     assert!(ladder.contains("MOV R148 R6438") && ladder.contains("MOV K0 R6439"), "{ladder}");
     let control = control();

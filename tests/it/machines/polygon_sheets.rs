@@ -1,7 +1,9 @@
-//! The sheets of the polygon lathe: parameters, interface, inserts, the part for a code of its own, and the ladder, scan by scan.
+//! The sheets of the polygon lathe: parameters, interface, inserts, the part for a code of its own, and the sequence of the ladder.
 
 use expect_test::expect;
 use macroline::controls::Switches;
+use macroline::machines::ladder::scan::Image;
+use macroline::machines::ladder::{Bit, MachineContact};
 use macroline::nc::{self, Files};
 use macroline::text::Severity;
 
@@ -75,10 +77,10 @@ fn machine_sheets_have_the_expected_rows() {
     let own = rows(&turned, "own-code");
     assert!(own.contains("G51.2 P1 Q2 R345. A-80. | ") && own.contains("\nS-200 | "), "{own}");
     let interface = rows(&[], "interface");
-    for row in ["F480 | #1480 | program | PMC | r/min", "G366.2 |  | PMC | control", "G406.3 |  | PMC | control"] {
+    for row in ["F480 | #1480 | program | PLC |", "G366.2 |  | PLC | control", "G406.3 |  | PLC | control"] {
         assert!(interface.contains(row), "{interface}");
     }
-    assert!(rows(&[], "ladder").contains("ON | DMUL F480 F488 D100 | speed of the tool: B times Q"));
+    assert!(rows(&[], "ladder").contains("SUB 38 MULB 4 F480 F488 AXIS6.SPEED | speed of the tool: B times Q"));
 }
 
 #[test]
@@ -125,100 +127,74 @@ fn radius_errors_of_inserts_show_on_their_sides() {
     assert!(project(&[]).design().readouts.iter().all(|row| row.id != "least-across-flats"));
 }
 
-/// The ladder list, scan by scan, as a PLC would take it: times are over at once.
-fn scanned(rungs: &[(Vec<String>, String)], on: &mut Vec<String>) {
-    for (contacts, output) in rungs {
-        let closed = contacts.iter().all(|contact| match contact.strip_prefix('/') {
-            Some(contact) => !on.iter().any(|one| one == contact),
-            None => contact == "ON" || on.iter().any(|one| one == contact),
-        });
-        let mut words = output.split(' ');
-        let (instruction, device) = (words.next().unwrap(), words.next().unwrap_or("").to_owned());
-        let before = on.contains(&device);
-        let after = match instruction {
-            "OUT" | "TMR" => closed,
-            "SET" => before || closed,
-            "RES" => before && !closed,
-            _ => continue,
-        };
-        on.retain(|one| *one != device);
-        on.extend(after.then_some(device));
-    }
-}
-
 #[test]
-fn ladder_and_plc_take_the_same_sequence() {
-    let rungs: Vec<(Vec<String>, String)> = rows(&[], "ladder")
-        .lines()
-        .map(|line| {
-            let cells: Vec<&str> = line.split(" | ").collect();
-            (cells[1].split(" AND ").map(str::to_owned).collect(), cells[2].to_owned())
-        })
-        .collect();
-    // Every relay and timer that is asked for is made somewhere.
-    for device in rungs.iter().flat_map(|rung| &rung.0).map(|contact| contact.trim_start_matches('/')) {
-        let ours = device.starts_with(['R', 'T']) && device != "RST";
-        assert!(!ours || rungs.iter().any(|rung| rung.1.split(' ').nth(1) == Some(device)), "{device}");
-    }
-    let mut on: Vec<String> = Vec::new();
+fn ladder_takes_the_sequence_of_g512_and_g502() {
+    let ladder = project(&[]).prepared().ladder().unwrap();
+    let mut image = Image::default();
+    image.set(Bit::Input(MachineContact::Emergency), true);
+    let mut t = 0.0;
     let mut after = |change: &str| {
-        let (add, device) = (change.starts_with('+'), &change[1..]);
-        on.retain(|one| one != device);
-        on.extend(add.then(|| device.to_owned()));
-        (0..4).for_each(|_| scanned(&rungs, &mut on));
+        let row = ladder.bits.iter().find(|row| row.1.name == change[1..]).unwrap_or_else(|| panic!("{change}"));
+        image.set(row.0, change.starts_with('+'));
+        // Times are over at once.
+        (0..4).for_each(|_| {
+            t += 10.0;
+            ladder.scan(t, &mut image);
+        });
         let shown = ["G54.0", "G54.1", "G54.2", "G54.3", "G360.3", "G400.3"];
-        shown.into_iter().filter(|bit| on.iter().any(|one| one == bit)).collect::<Vec<_>>().join(" ")
+        let is_on = |bit: &&str| ladder.bits.iter().any(|row| row.1.name == *bit && image.is_on(row.0));
+        shown.into_iter().filter(is_on).collect::<Vec<_>>().join(" ")
     };
     let said = |after: &mut dyn FnMut(&str) -> String, changes: &[&str]| {
         changes.iter().map(|change| format!("{change}: {}\n", after(change))).collect::<String>()
     };
     // G512, G502; then G512, reset in the cut, which counts for nothing more until both requests fall.
     let whole = [
-        "+STAND CH6",
-        "+STAND CH7",
+        "+AXIS6.STANDS",
+        "+AXIS7.STANDS",
         "+F54.0",
-        "+END CH6",
-        "+END CH7",
+        "+AXIS6.DONE",
+        "+AXIS7.DONE",
         "+F54.1",
-        "-STAND CH6",
-        "-STAND CH7",
+        "-AXIS6.STANDS",
+        "-AXIS7.STANDS",
         "-F54.1",
         "-F54.0",
-        "+STAND CH6",
-        "+STAND CH7",
+        "+AXIS6.STANDS",
+        "+AXIS7.STANDS",
         "+F54.0",
         "+F54.1",
-        "-STAND CH6",
-        "-STAND CH7",
-        "+RST",
-        "-RST",
-        "+STAND CH6",
-        "+STAND CH7",
+        "-AXIS6.STANDS",
+        "-AXIS7.STANDS",
+        "+F1.1",
+        "-F1.1",
+        "+AXIS6.STANDS",
+        "+AXIS7.STANDS",
         "-F54.1",
         "-F54.0",
         "+F54.0",
     ];
     expect![[r#"
-        +STAND CH6: G54.3
-        +STAND CH7: G54.3
+        +AXIS6.STANDS: G54.3
+        +AXIS7.STANDS: G54.3
         +F54.0: G54.2
-        +END CH6: G54.2
-        +END CH7: G54.0 G54.2
+        +AXIS6.DONE: G54.2
+        +AXIS7.DONE: G54.0 G54.2
         +F54.1: G54.0 G54.1 G54.2
-        -STAND CH6: G54.0 G54.1 G54.2
-        -STAND CH7: G54.0 G54.1 G54.2
+        -AXIS6.STANDS: G54.0 G54.1 G54.2
+        -AXIS7.STANDS: G54.0 G54.1 G54.2
         -F54.1: G54.2 G360.3 G400.3
         -F54.0: G54.2 G360.3 G400.3
-        +STAND CH6: G54.2 G360.3 G400.3
-        +STAND CH7: G54.3
+        +AXIS6.STANDS: G54.2 G360.3 G400.3
+        +AXIS7.STANDS: G54.3
         +F54.0: G54.0 G54.2
         +F54.1: G54.0 G54.1 G54.2
-        -STAND CH6: G54.0 G54.1 G54.2
-        -STAND CH7: G54.0 G54.1 G54.2
-        +RST: G54.2 G360.3 G400.3
-        -RST: G54.2 G360.3 G400.3
-        +STAND CH6: G54.2 G360.3 G400.3
-        +STAND CH7: 
+        -AXIS6.STANDS: G54.0 G54.1 G54.2
+        -AXIS7.STANDS: G54.0 G54.1 G54.2
+        +F1.1: G54.2 G360.3 G400.3
+        -F1.1: G54.2 G360.3 G400.3
+        +AXIS6.STANDS: G54.2 G360.3 G400.3
+        +AXIS7.STANDS: 
         -F54.1: 
         -F54.0: G54.3
         +F54.0: G54.0 G54.2

@@ -436,15 +436,30 @@ fn lathe_registers_and_ladder_match_their_goldens() {
         &[],
         "interface",
         expect![[r#"
-            G30 |  | PLC | control |  | Spindle override: the knob as a code; the control multiplies S by the percentage that it stands for
-            G54 | #1032 | PLC | program | % | The same percentage for the program
-            FIN |  | PLC | control |  | Answers M and S codes after a few scans
-            STL |  | control | PLC |  | Program runs: falls at hold, M00, single block and alarm
-            RST |  | control | PLC |  | Reset, or emergency stop
-            DM30 |  | control | PLC |  | M30: the program is at its end
-            *SSTP |  | PLC | control |  | 0 holds the unwinder at speed 0; S and M3 stay
-            *IT |  | PLC | control |  | 0 holds the axes of the program
-            *ESP |  | machine | control |  | Emergency stop, hard-wired: run command off at once, enable off by a timer not shorter than the ramp
+            G30 |  | PLC | control |  | Spindle override as a code, tens of percent: the control multiplies S by it
+            G54 | #1032 | PLC | program |  | Spindle override or final speed for the program
+            F10 |  | control | PLC |  | Number of the M function
+            D100 |  | machine | PLC | % | Spindle override knob
+            F7.0 |  | control | PLC |  | M is put out
+            F7.2 |  | control | PLC |  | S is put out
+            F7.3 |  | control | PLC |  | T is put out
+            F0.5 |  | control | PLC |  | Program runs: falls at hold, M00, single block and alarm
+            F9.4 |  | control | PLC |  | M30: the program is at its end
+            F1.1 |  | control | PLC |  | Reset, or emergency stop
+            G4.3 |  | PLC | control |  | Answer to M, S and T: their work is done
+            G29.6 |  | PLC | control |  | 0 holds the spindle at speed 0; S and M3 stay
+            G8.0 |  | PLC | control |  | 0 holds the axes of the program
+            G8.5 |  | PLC | control |  | Feed hold: 0 acts
+            G8.4 |  | PLC | control |  | Emergency stop: 0 acts
+            X0.5 |  | machine | PLC |  | Emergency stop: open while it is pressed; hard-wired it also takes the run command off, and the enable by a timer not shorter than the ramp
+            X3.1 |  | machine | PLC |  | Inverter has no fault: open at a fault
+            X3.2 |  | machine | PLC |  | Key: spindle clockwise
+            X3.3 |  | machine | PLC |  | Key: spindle counterclockwise
+            X3.4 |  | machine | PLC |  | Key: spindle stop
+            Y5.0 |  | PLC | machine |  | Inverter: run clockwise
+            Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
+            Y5.2 |  | PLC | machine |  | Alarm: fault of the inverter
+            Y5.3 |  | PLC | machine |  | Alarm: M03 and M04 without M05 between them
         "#]],
     );
     check(
@@ -452,40 +467,105 @@ fn lathe_registers_and_ladder_match_their_goldens() {
         &[("knob-step", "10")],
         "ladder",
         expect![[r#"
-            0 | LD ON | 
-            1 | + D100 K5 D101 | knob in percent (D100), half a step more
-            2 | LD ON | 
-            3 | / D101 K10 D102 | whole steps
-            4 | LD ON | 
-            5 | * D102 K10 D104 | steps back to percent
-            6 | LD ON | 
-            7 | MOV D104 G54 | the same to the program
-            8 | LD S STROBE | 
-            9 | OUT FIN | code is done
-            10 | LD M STROBE | 
-            11 | OUT FIN | code is done
-            12 | LD STL | 
-            13 | SET M200 | the program runs
-            14 | LD DM30 | 
-            15 | RST M200 | its end is no interruption
-            16 | LD RST | 
-            17 | RST M200 | nothing to go on with
-            18 | LD M200 | 
-            19 | ANI STL | 
-            20 | OUT M201 | stopped in the middle: hold, M00, alarm
-            21 | LDI M201 | 
-            22 | OUT *SSTP | unwinder stops with the axes
-            23 | LD M201 | 
-            24 | SET M202 | axes wait at the restart
-            25 | LD M202 | 
-            26 | ANI M201 | 
-            27 | OUT T20 K20 | as long as behind M3, in 0.1 s
-            28 | LD T20 | 
-            29 | RST M202 | unwinder runs
-            30 | LD RST | 
-            31 | RST M202 | nothing to go on with
-            32 | LDI M202 | 
-            33 | OUT *IT | axes may move
+            0 | LD R10.0 | 
+            1 | ORI R10.0 | 
+            2 | OUT R10.0 | always on
+            3 | LD F7.0 | 
+            4 | DECB 1 F10 3 R40 | M codes, while their strobe is on
+            5 | LD X0.5 | 
+            6 | OUT G8.4 | emergency stop to the control
+            7 | LD F9.4 | 
+            8 | LD R10.1 | 
+            9 | AND F0.5 | 
+            10 | ORB | 
+            11 | OUT R10.1 | M30 until the program no longer runs
+            12 | LD F0.5 | 
+            13 | ANI R10.1 | 
+            14 | ANI F1.1 | 
+            15 | LD R10.4 | 
+            16 | ANI R10.1 | 
+            17 | ANI F1.1 | 
+            18 | ORB | 
+            19 | OUT R10.4 | program is begun, until its end or reset
+            20 | LD R10.4 | 
+            21 | ANI F0.5 | 
+            22 | OUT R10.2 | stopped in the middle: hold, M00, alarm
+            23 | LD R10.0 | 
+            24 | DIVB 1 D100 K10 G30 | the knob as a code of tens of percent
+            25 | LD R10.0 | 
+            26 | MOVN 2 D100 G54 | the same to the program
+            27 | LDI X3.1 | 
+            28 | OUT Y5.2 | fault of the inverter: alarm
+            29 | LD X3.1 | 
+            30 | OUT G8.5 | fault of the inverter: the axes stop
+            31 | LD R40.0 | 
+            32 | AND Y5.1 | 
+            33 | LD R40.1 | 
+            34 | AND Y5.0 | 
+            35 | ORB | 
+            36 | OUT Y5.3 | M3 and M4 need M5 between them
+            37 | LD R40.0 | 
+            38 | ANI Y5.1 | 
+            39 | AND X0.5 | 
+            40 | AND X3.1 | 
+            41 | ANI F1.1 | 
+            42 | LD X3.2 | 
+            43 | AND X0.5 | 
+            44 | AND X3.1 | 
+            45 | ANI F1.1 | 
+            46 | ORB | 
+            47 | LD Y5.0 | 
+            48 | ANI R40.2 | 
+            49 | ANI X3.3 | 
+            50 | ANI X3.4 | 
+            51 | AND X0.5 | 
+            52 | AND X3.1 | 
+            53 | ANI F1.1 | 
+            54 | ORB | 
+            55 | OUT Y5.0 | run clockwise: M3 or key, until M5, M4, fault
+            56 | LD R40.1 | 
+            57 | ANI Y5.0 | 
+            58 | AND X0.5 | 
+            59 | AND X3.1 | 
+            60 | ANI F1.1 | 
+            61 | LD X3.3 | 
+            62 | AND X0.5 | 
+            63 | AND X3.1 | 
+            64 | ANI F1.1 | 
+            65 | ORB | 
+            66 | LD Y5.1 | 
+            67 | ANI R40.2 | 
+            68 | ANI X3.2 | 
+            69 | ANI X3.4 | 
+            70 | AND X0.5 | 
+            71 | AND X3.1 | 
+            72 | ANI F1.1 | 
+            73 | ORB | 
+            74 | OUT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
+            75 | LDI R10.2 | 
+            76 | OUT G29.6 | spindle stops with the axes; S and M3 stay
+            77 | LD F7.0 | 
+            78 | OR F7.2 | 
+            79 | OR F7.3 | 
+            80 | OUT G4.3 | one answer for M, S and T
+            81 | LD R10.2 | 
+            82 | AND Y5.0 | 
+            83 | ANI F1.1 | 
+            84 | LD R10.2 | 
+            85 | AND Y5.1 | 
+            86 | ANI F1.1 | 
+            87 | ORB | 
+            88 | LD R10.3 | 
+            89 | ANI T0 | 
+            90 | ANI F1.1 | 
+            91 | ORB | 
+            92 | OUT R10.3 | axes wait at the restart
+            93 | LD R10.3 | 
+            94 | ANI R10.2 | 
+            95 | TMRB T0 2050 | as long as behind M3
+            96 | LDI R10.3 | 
+            97 | OR R10.2 | 
+            98 | OUT G8.0 | axes may move
         "#]],
     );
     check(
@@ -493,16 +573,31 @@ fn lathe_registers_and_ladder_match_their_goldens() {
         &[("wait", "fin")],
         "interface",
         expect![[r#"
-            G30 |  | PLC | control | % | Spindle override: the knob in whole steps; the control multiplies S by it
-            G54 | #1032 | PLC | program | % | The same percentage for the program
-            FIN |  | PLC | control |  | Answers M3 when the unwinder has its speed, other codes after a few scans
-            SU |  | inverter | PLC |  | Inverter is up to speed (95 %)
-            STL |  | control | PLC |  | Program runs: falls at hold, M00, single block and alarm
-            RST |  | control | PLC |  | Reset, or emergency stop
-            DM30 |  | control | PLC |  | M30: the program is at its end
-            *SSTP |  | PLC | control |  | 0 holds the unwinder at speed 0; S and M3 stay
-            *IT |  | PLC | control |  | 0 holds the axes of the program
-            *ESP |  | machine | control |  | Emergency stop, hard-wired: run command off at once, enable off by a timer not shorter than the ramp
+            G30 |  | PLC | control | % | Spindle override: the control multiplies S by it
+            G54 | #1032 | PLC | program |  | Spindle override or final speed for the program
+            F10 |  | control | PLC |  | Number of the M function
+            D100 |  | machine | PLC | % | Spindle override knob
+            F7.0 |  | control | PLC |  | M is put out
+            F7.2 |  | control | PLC |  | S is put out
+            F7.3 |  | control | PLC |  | T is put out
+            F0.5 |  | control | PLC |  | Program runs: falls at hold, M00, single block and alarm
+            F9.4 |  | control | PLC |  | M30: the program is at its end
+            F1.1 |  | control | PLC |  | Reset, or emergency stop
+            G4.3 |  | PLC | control |  | Answer to M, S and T: their work is done
+            G29.6 |  | PLC | control |  | 0 holds the spindle at speed 0; S and M3 stay
+            G8.0 |  | PLC | control |  | 0 holds the axes of the program
+            G29.4 |  | PLC | control |  | Spindle has its speed
+            G8.5 |  | PLC | control |  | Feed hold: 0 acts
+            G8.4 |  | PLC | control |  | Emergency stop: 0 acts
+            X8.4 |  | machine | PLC |  | Emergency stop: open while it is pressed; hard-wired it also takes the run command off, and the enable by a timer not shorter than the ramp
+            X3.1 |  | machine | PLC |  | Inverter has no fault: open at a fault
+            X3.2 |  | machine | PLC |  | Inverter is at the commanded speed
+            X3.3 |  | machine | PLC |  | Key: spindle clockwise
+            X3.4 |  | machine | PLC |  | Key: spindle counterclockwise
+            X3.5 |  | machine | PLC |  | Key: spindle stop
+            Y5.0 |  | PLC | machine |  | Inverter: run clockwise
+            Y5.1 |  | PLC | machine |  | Inverter: run counterclockwise
+            Y5.2 |  | PLC | machine |  | Alarm: fault of the inverter
         "#]],
     );
     check(
@@ -510,36 +605,100 @@ fn lathe_registers_and_ladder_match_their_goldens() {
         &[],
         "ladder",
         expect![[r#"
-            0 | LD ON | 
-            1 | MOV D100 G30 | spindle override to the control
-            2 | LD ON | 
-            3 | MOV G30 G54 | the same to the program
-            4 | LD S STROBE | 
-            5 | OUT FIN | code is done
-            6 | LD M STROBE | 
-            7 | OUT FIN | code is done
-            8 | LD STL | 
-            9 | SET M200 | the program runs
-            10 | LD DM30 | 
-            11 | RST M200 | its end is no interruption
-            12 | LD RST | 
-            13 | RST M200 | nothing to go on with
-            14 | LD M200 | 
-            15 | ANI STL | 
-            16 | OUT M201 | stopped in the middle: hold, M00, alarm
-            17 | LDI M201 | 
-            18 | OUT *SSTP | unwinder stops with the axes
-            19 | LD M201 | 
-            20 | SET M202 | axes wait at the restart
-            21 | LD M202 | 
-            22 | ANI M201 | 
-            23 | OUT T20 K20 | as long as behind M3, in 0.1 s
-            24 | LD T20 | 
-            25 | RST M202 | unwinder runs
-            26 | LD RST | 
-            27 | RST M202 | nothing to go on with
-            28 | LDI M202 | 
-            29 | OUT *IT | axes may move
+            0 | RD R10.0 | 
+            1 | OR.NOT R10.0 | 
+            2 | WRT R10.0 | always on
+            3 | RD F7.0 | 
+            4 | SUB 25 DECB 1 F10 3 R40 | M codes, while their strobe is on
+            5 | RD X8.4 | 
+            6 | WRT G8.4 | emergency stop to the control
+            7 | RD F9.4 | 
+            8 | RD.STK R10.1 | 
+            9 | AND F0.5 | 
+            10 | OR.STK | 
+            11 | WRT R10.1 | M30 until the program no longer runs
+            12 | RD F0.5 | 
+            13 | AND.NOT R10.1 | 
+            14 | AND.NOT F1.1 | 
+            15 | RD.STK R10.4 | 
+            16 | AND.NOT R10.1 | 
+            17 | AND.NOT F1.1 | 
+            18 | OR.STK | 
+            19 | WRT R10.4 | program is begun, until its end or reset
+            20 | RD R10.4 | 
+            21 | AND.NOT F0.5 | 
+            22 | WRT R10.2 | stopped in the middle: hold, M00, alarm
+            23 | RD R10.0 | 
+            24 | SUB 45 MOVN 1 D100 G30 | spindle override to the control
+            25 | RD R10.0 | 
+            26 | SUB 45 MOVN 2 D100 G54 | the same to the program
+            27 | RD.NOT X3.1 | 
+            28 | WRT Y5.2 | fault of the inverter: alarm
+            29 | RD X3.1 | 
+            30 | WRT G8.5 | fault of the inverter: the axes stop
+            31 | RD R40.0 | 
+            32 | AND X8.4 | 
+            33 | AND X3.1 | 
+            34 | AND.NOT F1.1 | 
+            35 | RD.STK X3.2 | 
+            36 | AND X8.4 | 
+            37 | AND X3.1 | 
+            38 | AND.NOT F1.1 | 
+            39 | OR.STK | 
+            40 | RD.STK Y5.0 | 
+            41 | AND.NOT R40.2 | 
+            42 | AND.NOT X3.3 | 
+            43 | AND.NOT X3.4 | 
+            44 | AND.NOT R40.1 | 
+            45 | AND X8.4 | 
+            46 | AND X3.1 | 
+            47 | AND.NOT F1.1 | 
+            48 | OR.STK | 
+            49 | WRT Y5.0 | run clockwise: M3 or key, until M5, M4, fault
+            50 | RD R40.1 | 
+            51 | AND X8.4 | 
+            52 | AND X3.1 | 
+            53 | AND.NOT F1.1 | 
+            54 | RD.STK X3.3 | 
+            55 | AND X8.4 | 
+            56 | AND X3.1 | 
+            57 | AND.NOT F1.1 | 
+            58 | OR.STK | 
+            59 | RD.STK Y5.1 | 
+            60 | AND.NOT R40.2 | 
+            61 | AND.NOT X3.2 | 
+            62 | AND.NOT X3.4 | 
+            63 | AND.NOT R40.0 | 
+            64 | AND X8.4 | 
+            65 | AND X3.1 | 
+            66 | AND.NOT F1.1 | 
+            67 | OR.STK | 
+            68 | WRT Y5.1 | run counterclockwise: M4 or key, until M5, M3, fault
+            69 | RD.NOT R10.2 | 
+            70 | WRT G29.6 | spindle stops with the axes; S and M3 stay
+            71 | RD F7.0 | 
+            72 | OR F7.2 | 
+            73 | OR F7.3 | 
+            74 | WRT G4.3 | one answer for M, S and T
+            75 | RD R10.2 | 
+            76 | AND Y5.0 | 
+            77 | AND.NOT F1.1 | 
+            78 | RD.STK R10.2 | 
+            79 | AND Y5.1 | 
+            80 | AND.NOT F1.1 | 
+            81 | OR.STK | 
+            82 | RD.STK R10.3 | 
+            83 | AND.NOT R30.0 | 
+            84 | AND.NOT F1.1 | 
+            85 | OR.STK | 
+            86 | WRT R10.3 | axes wait at the restart
+            87 | RD R10.3 | 
+            88 | AND.NOT R10.2 | 
+            89 | SUB 24 TMRB 1 2050 | 
+            90 | WRT R30.0 | as long as behind M3
+            91 | RD.NOT R10.3 | 
+            92 | OR R10.2 | 
+            93 | WRT G8.0 | axes may move
         "#]],
     );
 }

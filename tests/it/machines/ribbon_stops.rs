@@ -214,29 +214,6 @@ fn operator_goes_on_as_the_table_says() {
     }
 }
 
-#[test]
-fn ladder_stops_the_unwinder_by_one_coil_each() {
-    for control in controls() {
-        for more in [
-            &[("wait", "dwell")][..],
-            &[("wait", "fin")],
-            &[("feed-form", "per-revolution"), ("spindle-encoder", "true")],
-        ] {
-            let project = line(control.id, more);
-            let in_step = more.len() == 2;
-            let sheets = project.prepared().sheets();
-            let of = |id: &str| sheets.iter().find(|sheet| sheet.id == id).unwrap();
-            let ladder: Vec<_> = of("ladder").rows.iter().map(|row| row.cells[1].clone()).collect();
-            let times = |what: &str| ladder.iter().filter(|cell| *cell == what).count();
-            assert_eq!((times("OUT *SSTP"), times("OUT *IT")), (1, usize::from(!in_step)), "{} {more:?}", control.id);
-            // Every signal of these rungs is in the interface.
-            for signal in ["STL", "RST", "DM30", "*SSTP"].into_iter().chain((!in_step).then_some("*IT")) {
-                assert!(of("interface").rows.iter().any(|row| row.cells[0] == signal), "{} {signal}", control.id);
-            }
-        }
-    }
-}
-
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
 

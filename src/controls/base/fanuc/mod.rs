@@ -11,7 +11,7 @@ mod vars;
 
 pub use alarms::ALARMS;
 pub use codes::{LATHE as LATHE_CODES, MILL as MILL_CODES};
-pub use interface::SIGNALS;
+pub use interface::{BITS, SIGNALS};
 pub use params::{LATHE as LATHE_PARAMS, MILL as MILL_PARAMS};
 pub use sources::*;
 pub use switches::{LATHE as LATHE_SWITCHES, MILL as MILL_SWITCHES};

@@ -17,6 +17,8 @@ pub const WIKI: Citation = Citation::new("zappettiniconsulting.com, alarms and t
 pub const MODAL_LIST: Citation = Citation::new("zappettiniconsulting.com, modal group variables", Grade::Inferred);
 /// Signals of custom macros, bit by bit, by a secondary source.
 pub const INPUTS: Citation = Citation::new("industrialmonitordirect.com, UI and UO of custom macro", Grade::Inferred);
+/// Signals between PLC and control: names and addresses of FANUC.
+pub const PLC_SIGNALS: Citation = Citation::new("GSK988TA lathe PLC manual, p.112-147", Grade::Sister);
 /// The signal of reached speed.
 pub const SPEED_REACHED: Citation =
     Citation::new("FANUC Power Mate connection manual B-63443EN/02, p.197", Grade::Sister);

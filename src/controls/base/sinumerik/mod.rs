@@ -2,6 +2,7 @@
 
 mod alarms;
 mod codes;
+mod interface;
 mod params;
 mod sources;
 mod switches;
@@ -9,6 +10,7 @@ mod vars;
 
 pub use alarms::ALARMS;
 pub use codes::{CODES, NAMES as CODE_NAMES};
+pub use interface::SIGNALS;
 pub use params::PARAMS;
 pub use sources::*;
 pub use switches::SWITCHES;

@@ -1,0 +1,414 @@
+//! Writing a ladder for a control: rungs with typed signals, and the devices that carry them on its PLC.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{
+    Bit, Branches, DECODED, Device, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, PlcSide, Rung,
+    RungAction, off, on,
+};
+use crate::controls::interface::{PlcLanguage, SignalRole};
+use crate::controls::{Control, Dialect, VarKind};
+use crate::text::{Citation, Grade};
+
+/// Devices that the machine's builder chooses.
+const BUILDER: Citation = Citation::new("devices of the ladder: the builder's", Grade::Open);
+/// The relay that is always on.
+const ALWAYS: Bit = Bit::Relay("always");
+
+/// Signals or numbers with their devices.
+type Carried<T> = Vec<(T, Device)>;
+
+/// A ladder while it is written.
+#[derive(Debug)]
+pub struct Book<'a> {
+    control: &'a Control,
+    dialect: &'a Dialect,
+    rungs: Vec<Rung>,
+    bit_meanings: BTreeMap<Bit, (&'static str, Citation)>,
+    word_meanings: BTreeMap<PlcNumber, (&'static str, Citation)>,
+}
+
+impl<'a> Book<'a> {
+    /// An empty ladder for a control.
+    pub fn new(control: &'a Control, dialect: &'a Dialect) -> Book<'a> {
+        Book { control, dialect, rungs: Vec::new(), bit_meanings: BTreeMap::new(), word_meanings: BTreeMap::new() }
+    }
+
+    /// Whether the control has a signal.
+    pub fn has(&self, role: SignalRole) -> bool {
+        self.dialect.device(self.control, role).is_some()
+    }
+
+    /// The condition that always holds.
+    pub fn always() -> Branches {
+        vec![vec![on(ALWAYS)]]
+    }
+
+    /// What a signal means on this machine (catalog id), with its source.
+    pub fn means(&mut self, bit: Bit, meaning: &'static str, cite: Citation) {
+        self.bit_meanings.insert(bit, (meaning, cite));
+    }
+
+    /// What a number means on this machine (catalog id), with its source.
+    pub fn means_number(&mut self, word: PlcNumber, meaning: &'static str, cite: Citation) {
+        self.word_meanings.insert(word, (meaning, cite));
+    }
+
+    fn rung(&mut self, when: Branches, action: RungAction, note: &'static str) {
+        self.rungs.push(Rung { when, action, note });
+    }
+
+    /// A coil.
+    pub fn coil(&mut self, bit: Bit, when: Branches, note: &'static str) {
+        self.rung(when, RungAction::Coil(bit), note);
+    }
+
+    /// A timer of so many seconds, rounded up to the unit of the PLC's timers.
+    pub fn timer(&mut self, name: &'static str, seconds: f64, when: Branches, note: &'static str) {
+        let unit = self.control.plc.timer_unit();
+        // Whole units stay whole beside the rounding of binary fractions.
+        let units = (seconds * 1000.0 / f64::from(unit) - 1e-6).ceil().max(0.0);
+        self.rung(when, RungAction::Timer(name, units as u32 * unit), note);
+    }
+
+    /// Copies a number while the condition holds.
+    pub fn copy(&mut self, from: PlcNumber, to: PlcNumber, when: Branches, note: &'static str) {
+        self.rung(when, RungAction::Move { from, to, double: false }, note);
+    }
+
+    /// Copies a number of two registers.
+    pub fn copy_double(&mut self, from: PlcNumber, to: PlcNumber, when: Branches, note: &'static str) {
+        self.rung(when, RungAction::Move { from, to, double: true }, note);
+    }
+
+    /// Computes a number in every scan.
+    pub fn compute(&mut self, operator: Operator, [left, right, to]: [PlcNumber; 3], double: bool, note: &'static str) {
+        self.rung(Book::always(), RungAction::Compute { operator, left, right, to, double }, note);
+    }
+
+    /// The signal of an M function: the control's own, or the decoded number while the strobe is on.
+    pub fn function(&self, code: u32) -> Bit {
+        let own = SignalRole::MFunction(code);
+        if self.has(own) { Bit::Signal(own) } else { Bit::Decoded(code) }
+    }
+
+    /// The ladder, with the rungs that others need in front of them.
+    pub fn finish(mut self) -> Ladder {
+        let used: BTreeSet<Bit> = self.rungs.iter().flat_map(Rung::bits).collect();
+        let mut first = Vec::new();
+        if self.rungs.iter().flat_map(|rung| rung.when.iter().flatten()).any(|contact| contact.bit == ALWAYS) {
+            let when = vec![vec![on(ALWAYS)], vec![off(ALWAYS)]];
+            first.push(Rung { when, action: RungAction::Coil(ALWAYS), note: "plc.rung.always" });
+        }
+        let mut decoded = None;
+        for bit in &used {
+            if let Bit::Decoded(function) = *bit
+                && decoded.is_none_or(|first| function >= first + DECODED)
+            {
+                decoded = Some(function);
+                let when = vec![vec![on(Bit::Signal(SignalRole::MStrobe))]];
+                first.push(Rung { when, action: RungAction::Decode { first: function }, note: "plc.rung.decode" });
+            }
+        }
+        first.append(&mut self.rungs);
+        self.rungs = first;
+        let rungs = core::mem::take(&mut self.rungs);
+        let (bits, words) = self.devices(&rungs);
+        Ladder { rungs: rungs.into(), language: self.control.plc, bits: bits.into(), words: words.into() }
+    }
+
+    fn devices(&self, rungs: &[Rung]) -> (Carried<Bit>, Carried<PlcNumber>) {
+        let bits: BTreeSet<Bit> = rungs.iter().flat_map(Rung::bits).collect();
+        let written: BTreeSet<PlcNumber> = rungs.iter().filter_map(Rung::written).collect();
+        let words: BTreeSet<PlcNumber> = rungs.iter().flat_map(Rung::read).chain(written.iter().copied()).collect();
+        let places = Places::new(&bits, &words);
+        let driven = |bit: Bit| rungs.iter().any(|rung| rung.action == RungAction::Coil(bit));
+        let bits = bits.iter().map(|bit| {
+            let device = self.bit(*bit, driven(*bit), &places);
+            let (meaning, cite) = self.bit_meanings.get(bit).copied().unwrap_or((device.meaning, device.cite));
+            (*bit, Device { meaning, cite, ..device })
+        });
+        let bits = bits.collect();
+        let constant = |word: &&PlcNumber| !matches!(word, PlcNumber::Constant(_));
+        let words = words.iter().filter(constant);
+        let words = words.map(|word| {
+            let device = self.word(*word, written.contains(word), &places);
+            let (meaning, cite) = self.word_meanings.get(word).copied().unwrap_or((device.meaning, device.cite));
+            (*word, Device { meaning, cite, ..device })
+        });
+        let words = words.collect();
+        (bits, words)
+    }
+
+    fn bit(&self, bit: Bit, driven: bool, places: &Places) -> Device {
+        let plc = self.control.plc;
+        let open = |name: String, sides, meaning| Device {
+            name,
+            variable: String::new(),
+            sides,
+            unit: "",
+            meaning,
+            cite: BUILDER,
+        };
+        match bit {
+            Bit::Signal(role) => self.signal(role, "", driven),
+            Bit::Macro(variable) => {
+                let other = if driven { (PlcSide::Plc, PlcSide::Program) } else { (PlcSide::Program, PlcSide::Plc) };
+                let device = open(self.macro_bit(variable), other, "");
+                Device { variable: format!("#{variable}"), ..device }
+            }
+            Bit::Decoded(_) | Bit::Relay(_) | Bit::Timer(_) => {
+                open(plc.internal(bit, places), (PlcSide::Plc, PlcSide::Plc), "")
+            }
+            Bit::Input(input) => open(
+                plc.input(input, places.inputs.get(&input).copied().unwrap_or(0)),
+                (PlcSide::Machine, PlcSide::Plc),
+                input_meaning(input),
+            ),
+            Bit::Output(output) => open(
+                plc.output(places.outputs.get(&output).copied().unwrap_or(0)),
+                (PlcSide::Plc, PlcSide::Machine),
+                output_meaning(output),
+            ),
+            Bit::Device(name) => open(name.to_owned(), (PlcSide::Plc, PlcSide::Control), ""),
+            Bit::Block(name) => {
+                let sides = if driven { (PlcSide::Plc, PlcSide::Block) } else { (PlcSide::Block, PlcSide::Plc) };
+                open(name.to_owned(), sides, "")
+            }
+        }
+    }
+
+    fn word(&self, word: PlcNumber, written: bool, places: &Places) -> Device {
+        let plc = self.control.plc;
+        let open = |name: String, sides, unit, meaning| Device {
+            name,
+            variable: String::new(),
+            sides,
+            unit,
+            meaning,
+            cite: BUILDER,
+        };
+        match word {
+            PlcNumber::Signal(role) => {
+                let device = self.signal(role, "", written);
+                Device { unit: self.unit(role), ..device }
+            }
+            PlcNumber::Knob => open(plc.data(0), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.knob"),
+            PlcNumber::FeedKnob => open(plc.data(1), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.feed-knob"),
+            PlcNumber::Data(_) => {
+                open(plc.data(places.data.get(&word).copied().unwrap_or(0)), (PlcSide::Plc, PlcSide::Plc), "", "")
+            }
+            PlcNumber::Constant(_) => open(String::new(), (PlcSide::Plc, PlcSide::Plc), "", ""),
+            PlcNumber::Block(name) => open(name.to_owned(), (PlcSide::Plc, PlcSide::Block), "", ""),
+        }
+    }
+
+    /// A signal of the control, or the register of a macro variable that no row names.
+    fn signal(&self, role: SignalRole, unit: &'static str, driven: bool) -> Device {
+        let variable = match role {
+            SignalRole::MacroInputLow(number)
+            | SignalRole::MacroInputHigh(number)
+            | SignalRole::MacroOutput(number) => Some(number),
+            _ => None,
+        };
+        let other = if variable.is_some() { PlcSide::Program } else { PlcSide::Control };
+        let (name, cite) = match self.dialect.device(self.control, role) {
+            Some(known) => known,
+            None => (variable.map_or_else(String::new, |variable| self.register(variable, !driven)), BUILDER),
+        };
+        Device {
+            name,
+            variable: variable.map_or_else(String::new, |number| format!("#{number}")),
+            sides: if driven { (PlcSide::Plc, other) } else { (other, PlcSide::Plc) },
+            unit,
+            meaning: role_meaning(role),
+            cite,
+        }
+    }
+
+    fn unit(&self, role: SignalRole) -> &'static str {
+        let row = self.control.interface.iter().find(|row| row.role == role);
+        row.map_or("", |row| if ["word", "4 bytes", "code"].contains(&row.unit) { "" } else { row.unit })
+    }
+
+    /// Register of a macro variable by the range that it is in: `G` as the program reads it, `F` as it writes it.
+    fn register(&self, variable: u32, output: bool) -> String {
+        let range = self.control.var(variable).filter(|range| range.kind == VarKind::ExchangeWord);
+        let number = range.and_then(|range| {
+            let first: u32 = range.device.get(1..)?.parse().ok()?;
+            Some(first + variable - range.first)
+        });
+        number.map_or_else(|| format!("#{variable}"), |number| format!("{}{number}", if output { 'F' } else { 'G' }))
+    }
+
+    /// Bit of a macro variable in the byte of its word.
+    fn macro_bit(&self, variable: u32) -> String {
+        let found = self.control.word_of_bit(variable).and_then(|(word, bit)| {
+            let device = self.control.var(word)?.device;
+            let (letter, number) = device.split_at_checked(1)?;
+            Some(format!("{letter}{}.{}", number.parse::<u32>().ok()? + bit / 8, bit % 8))
+        });
+        found.unwrap_or_else(|| format!("#{variable}"))
+    }
+}
+
+/// Numbers of the devices that the builder chooses, by the order of the signals.
+struct Places {
+    relays: BTreeMap<Bit, u32>,
+    timers: BTreeMap<Bit, u32>,
+    inputs: BTreeMap<MachineContact, u32>,
+    outputs: BTreeMap<MachineOutput, u32>,
+    data: BTreeMap<PlcNumber, u32>,
+    /// First functions of the decoding instructions.
+    decoders: Vec<u32>,
+}
+
+impl Places {
+    fn new(bits: &BTreeSet<Bit>, words: &BTreeSet<PlcNumber>) -> Places {
+        let numbered =
+            |wanted: fn(&Bit) -> bool| bits.iter().copied().filter(wanted).zip(0..).collect::<BTreeMap<Bit, u32>>();
+        let mut decoders: Vec<u32> = Vec::new();
+        for bit in bits {
+            if let Bit::Decoded(function) = *bit
+                && decoders.last().is_none_or(|first| function >= first + DECODED)
+            {
+                decoders.push(function);
+            }
+        }
+        let inputs = bits.iter().filter_map(|bit| if let Bit::Input(input) = *bit { Some(input) } else { None });
+        let outputs = bits.iter().filter_map(|bit| if let Bit::Output(output) = *bit { Some(output) } else { None });
+        Places {
+            relays: numbered(|bit| matches!(bit, Bit::Relay(_))),
+            timers: numbered(|bit| matches!(bit, Bit::Timer(_))),
+            inputs: inputs.zip(0..).collect(),
+            outputs: outputs.zip(0..).collect(),
+            // The knobs are in front of them.
+            data: words.iter().copied().filter(|word| matches!(word, PlcNumber::Data(_))).zip(2..).collect(),
+            decoders,
+        }
+    }
+}
+
+/// Device names of the builder's own signals.
+impl PlcLanguage {
+    /// A bit of a byte, in octal numbers from a first byte on.
+    fn byte_bit(letter: char, first: u32, number: u32) -> String {
+        format!("{letter}{}.{}", first + number / 8, number % 8)
+    }
+
+    fn internal(self, bit: Bit, places: &Places) -> String {
+        let timer = places.timers.get(&bit).copied().unwrap_or(0);
+        let relay = |number: u32| match self {
+            PlcLanguage::Pmc | PlcLanguage::Gsk => PlcLanguage::byte_bit('R', 10, number),
+            PlcLanguage::Melsec => format!("M{}", 200 + number),
+            PlcLanguage::Step7 => PlcLanguage::byte_bit('M', 10, number),
+        };
+        match (bit, self) {
+            (Bit::Timer(_), PlcLanguage::Pmc) => PlcLanguage::byte_bit('R', 30, timer),
+            (Bit::Timer(_), PlcLanguage::Gsk) => format!("T{timer}"),
+            (Bit::Timer(_), PlcLanguage::Melsec) => format!("T{}", 20 + timer),
+            // Timers of 10 ms: T33 to T36, then T97 on.
+            (Bit::Timer(_), PlcLanguage::Step7) => format!("T{}", if timer < 4 { 33 + timer } else { 93 + timer }),
+            (Bit::Decoded(function), PlcLanguage::Melsec | PlcLanguage::Step7) => format!("M{}", 300 + function),
+            (Bit::Decoded(function), _) => {
+                let group = places.decoders.iter().rposition(|first| *first <= function).unwrap_or(0);
+                let first = places.decoders.get(group).copied().unwrap_or(0);
+                format!("R{}.{}", 40 + group, function - first)
+            }
+            _ => relay(places.relays.get(&bit).copied().unwrap_or(0)),
+        }
+    }
+
+    /// Emergency stop has an address of its own where the control reads it, too (FANUC X8.4, GSK X0.5).
+    fn input(self, input: MachineContact, number: u32) -> String {
+        match (self, input) {
+            (PlcLanguage::Pmc, MachineContact::Emergency) => "X8.4".to_owned(),
+            (PlcLanguage::Gsk, MachineContact::Emergency) => "X0.5".to_owned(),
+            (PlcLanguage::Pmc | PlcLanguage::Gsk, _) => PlcLanguage::byte_bit('X', 3, number),
+            (PlcLanguage::Melsec, _) => format!("X{:X}", 0x20 + number),
+            (PlcLanguage::Step7, _) => PlcLanguage::byte_bit('I', 0, number),
+        }
+    }
+
+    fn output(self, number: u32) -> String {
+        match self {
+            PlcLanguage::Pmc | PlcLanguage::Gsk => PlcLanguage::byte_bit('Y', 5, number),
+            PlcLanguage::Melsec => format!("Y{:X}", 0x20 + number),
+            PlcLanguage::Step7 => PlcLanguage::byte_bit('Q', 0, number),
+        }
+    }
+
+    fn data(self, number: u32) -> String {
+        match self {
+            PlcLanguage::Step7 => format!("VW{}", 100 + 4 * number),
+            PlcLanguage::Melsec => format!("D{}", 100 + 2 * number),
+            PlcLanguage::Pmc | PlcLanguage::Gsk => format!("D{}", 100 + 4 * number),
+        }
+    }
+}
+
+/// Catalog id of what a signal of the control means to the ladder.
+fn role_meaning(role: SignalRole) -> &'static str {
+    match role {
+        SignalRole::SpindleOverride => "plc.signal.override",
+        SignalRole::SpindleOverrideCode => "plc.signal.override-code",
+        SignalRole::FeedOverride => "plc.signal.feed-override",
+        SignalRole::MacroInputLow(_) => "plc.signal.macro-input",
+        SignalRole::MacroInputHigh(_) => "plc.signal.macro-input-high",
+        SignalRole::SpindleFinal => "plc.signal.final",
+        SignalRole::MCode => "plc.signal.m-code",
+        SignalRole::MFunction(_) => "plc.signal.m-function",
+        SignalRole::MStrobe => "plc.signal.m-strobe",
+        SignalRole::SStrobe => "plc.signal.s-strobe",
+        SignalRole::TStrobe => "plc.signal.t-strobe",
+        SignalRole::Running => "plc.signal.running",
+        SignalRole::Idle => "plc.signal.idle",
+        SignalRole::ProgramEnd => "plc.signal.program-end",
+        SignalRole::Reset => "plc.signal.reset",
+        SignalRole::Finished => "plc.signal.finished",
+        SignalRole::ReadInDisable => "plc.signal.read-in",
+        SignalRole::SpindleEnable => "plc.signal.spindle-enable",
+        SignalRole::SpindleHold => "plc.signal.spindle-hold",
+        SignalRole::AxesEnable => "plc.signal.axes-enable",
+        SignalRole::AxesStop => "plc.signal.axes-stop",
+        SignalRole::SpeedArrived => "plc.signal.speed-arrived",
+        SignalRole::HoldReleased => "plc.signal.hold-released",
+        SignalRole::HoldRequest => "plc.signal.hold-request",
+        SignalRole::EmergencyReleased => "plc.signal.emergency-released",
+        SignalRole::EmergencyRequest => "plc.signal.emergency-request",
+        SignalRole::ResetRequest => "plc.signal.reset-request",
+        SignalRole::GearChange => "plc.signal.gear-change",
+        SignalRole::GearAsked(_) => "plc.signal.gear-asked",
+        SignalRole::GearNumber(_) | SignalRole::GearIndex(_) => "plc.signal.gear-number",
+        SignalRole::GearChanged => "plc.signal.gear-changed",
+        SignalRole::MacroOutput(_)
+        | SignalRole::SpindleCommand
+        | SignalRole::SpindleOutput
+        | SignalRole::SpindleActual => "",
+    }
+}
+
+fn input_meaning(input: MachineContact) -> &'static str {
+    match input {
+        MachineContact::Emergency => "plc.input.emergency",
+        MachineContact::ResetKey => "plc.input.reset-key",
+        MachineContact::InverterReady => "plc.input.inverter-ready",
+        MachineContact::AtSpeed => "plc.input.at-speed",
+        MachineContact::ForwardKey => "plc.input.forward-key",
+        MachineContact::ReverseKey => "plc.input.reverse-key",
+        MachineContact::StopKey => "plc.input.stop-key",
+        MachineContact::InGear(_) => "plc.input.in-gear",
+    }
+}
+
+fn output_meaning(output: MachineOutput) -> &'static str {
+    match output {
+        MachineOutput::Forward => "plc.output.forward",
+        MachineOutput::Reverse => "plc.output.reverse",
+        MachineOutput::Gear(_) => "plc.output.gear",
+        MachineOutput::ShiftVolts => "plc.output.shift-volts",
+        MachineOutput::InverterAlarm => "plc.output.inverter-alarm",
+        MachineOutput::ReversalAlarm => "plc.output.reversal-alarm",
+        MachineOutput::GearAlarm => "plc.output.gear-alarm",
+    }
+}

@@ -1,0 +1,152 @@
+//! Rungs that every machine with an inverter spindle needs: run command, stops, and the answer to M, S and T.
+
+use super::book::Book;
+use super::{Bit, Branches, MachineContact, MachineOutput, RungContact, off, on};
+use crate::controls::SpindleRules;
+use crate::controls::interface::SignalRole;
+use crate::machines::stops::{Interruption, SpindleReaction};
+
+/// The program is begun and not at its end.
+pub const STARTED: Bit = Bit::Relay("started");
+/// The program is begun and does not run: hold, M00, alarm.
+pub const INTERRUPTED: Bit = Bit::Relay("interrupted");
+/// M, S or T has to wait.
+pub const BUSY: Bit = Bit::Relay("busy");
+/// One scan behind the end of the program.
+const ENDED: Bit = Bit::Relay("ended");
+
+/// A machine's wishes for its spindle.
+#[derive(Clone, Copy)]
+pub struct SpindleWishes<'a> {
+    /// What the spindle does at each interruption.
+    pub reaction: &'a dyn Fn(Interruption) -> SpindleReaction,
+    /// The inverter reports that the speed is reached.
+    pub reports_speed: bool,
+}
+
+impl Book<'_> {
+    /// Reset as the ladder sees it: the control's signal, or the key that the PLC hands to the control.
+    pub fn reset(&self) -> Bit {
+        let request = SignalRole::ResetRequest;
+        Bit::Signal(if self.has(request) { request } else { SignalRole::Reset })
+    }
+
+    /// Emergency stop to the control, and reset where the PLC hands it on.
+    pub fn emergency(&mut self) {
+        let reset = self.reset();
+        if self.has(SignalRole::ResetRequest) {
+            self.coil(reset, vec![vec![on(Bit::Input(MachineContact::ResetKey))]], "plc.rung.reset-key");
+        }
+        let pressed = Bit::Input(MachineContact::Emergency);
+        self.one_of(
+            (SignalRole::EmergencyReleased, vec![vec![on(pressed)]]),
+            (SignalRole::EmergencyRequest, vec![vec![off(pressed)]]),
+            "plc.rung.emergency",
+        );
+    }
+
+    /// Begun program and interruption.
+    pub fn program_state(&mut self) {
+        let reset = self.reset();
+        let (running, idle) = (Bit::Signal(SignalRole::Running), Bit::Signal(SignalRole::Idle));
+        let over = if self.has(SignalRole::Idle) {
+            off(idle)
+        } else {
+            // M30 falls before "running" does, which would start the latch again.
+            let (ending, end) = (Bit::Relay("ending"), Bit::Signal(SignalRole::ProgramEnd));
+            self.coil(ending, vec![vec![on(end)], vec![on(ending), on(running)]], "plc.rung.ending");
+            off(ending)
+        };
+        let begun = |first: Bit| vec![on(first), over, off(reset)];
+        self.coil(STARTED, vec![begun(running), begun(STARTED)], "plc.rung.started");
+        self.coil(INTERRUPTED, vec![vec![on(STARTED), off(running)]], "plc.rung.interrupted");
+    }
+
+    /// Writes the first signal where the control has it, else the second.
+    fn one_of(&mut self, first: (SignalRole, Branches), second: (SignalRole, Branches), note: &'static str) {
+        for (role, when) in [first, second] {
+            if self.has(role) {
+                self.coil(Bit::Signal(role), when, note);
+                return;
+            }
+        }
+    }
+
+    /// M3, M4, M5 and the keys to the inverter, its fault, and the reactions of the spindle to interruptions.
+    pub fn spindle(&mut self, rules: &SpindleRules, wishes: &SpindleWishes<'_>) {
+        let [m3, m4, m5] = [3, 4, 5].map(|code| self.function(code));
+        let key = Bit::Input;
+        let ready = Bit::Input(MachineContact::InverterReady);
+        self.coil(Bit::Output(MachineOutput::InverterAlarm), vec![vec![off(ready)]], "plc.rung.inverter-alarm");
+        self.one_of(
+            (SignalRole::HoldReleased, vec![vec![on(ready)]]),
+            (SignalRole::HoldRequest, vec![vec![off(ready)]]),
+            "plc.rung.inverter-hold",
+        );
+        let (forward, reverse) = (Bit::Output(MachineOutput::Forward), Bit::Output(MachineOutput::Reverse));
+        let mut guard: Vec<RungContact> = vec![on(Bit::Input(MachineContact::Emergency)), on(ready)];
+        if (wishes.reaction)(Interruption::Reset) == SpindleReaction::Off {
+            guard.push(off(self.reset()));
+        }
+        if rules.end_stops {
+            let was = Bit::Relay("was-started");
+            self.coil(ENDED, vec![vec![on(was), off(STARTED)]], "plc.rung.ended");
+            self.coil(was, vec![vec![on(STARTED)]], "plc.rung.was-started");
+            guard.push(off(ENDED));
+        }
+        if rules.stop_between {
+            let alarm = vec![vec![on(m3), on(reverse)], vec![on(m4), on(forward)]];
+            self.coil(Bit::Output(MachineOutput::ReversalAlarm), alarm, "plc.rung.reversal");
+        }
+        let sides = [
+            (forward, m3, MachineContact::ForwardKey, reverse, m4, MachineContact::ReverseKey, "plc.rung.forward"),
+            (reverse, m4, MachineContact::ReverseKey, forward, m3, MachineContact::ForwardKey, "plc.rung.reverse"),
+        ];
+        for (run, code, own_key, other, other_code, other_key, note) in sides {
+            let with = |mut contacts: Vec<RungContact>| {
+                contacts.extend(&guard);
+                contacts
+            };
+            let mut by_code = vec![on(code)];
+            let mut keeps = vec![on(run), off(m5), off(key(other_key)), off(key(MachineContact::StopKey))];
+            if rules.stop_between {
+                by_code.push(off(other));
+            } else {
+                keeps.push(off(other_code));
+            }
+            self.coil(run, vec![with(by_code), with(vec![on(key(own_key))]), with(keeps)], note);
+        }
+        if wishes.reports_speed && self.has(SignalRole::SpeedArrived) {
+            let still = vec![off(forward), off(reverse)];
+            let arrived = vec![vec![on(Bit::Input(MachineContact::AtSpeed))], still];
+            self.coil(Bit::Signal(SignalRole::SpeedArrived), arrived, "plc.rung.speed-arrived");
+        }
+        let waits = Interruption::LASTING.iter().any(|at| (wishes.reaction)(*at) == SpindleReaction::Waits);
+        let stop = if waits { INTERRUPTED } else { Bit::Output(MachineOutput::InverterAlarm) };
+        self.one_of(
+            (SignalRole::SpindleEnable, vec![vec![off(stop)]]),
+            (SignalRole::SpindleHold, vec![vec![on(stop)]]),
+            if waits { "plc.rung.spindle-waits" } else { "plc.rung.spindle-fault" },
+        );
+    }
+
+    /// Holds the axes of the program while the condition holds.
+    pub fn hold_axes(&mut self, held: Branches, free: Branches, note: &'static str) {
+        self.one_of((SignalRole::AxesEnable, free), (SignalRole::AxesStop, held), note);
+    }
+
+    /// One coil answers M, S and T: at once, or when nothing is busy any more. Without FIN the next block waits.
+    pub fn answer(&mut self, waits: bool) {
+        if self.has(SignalRole::Finished) {
+            let strobes = [SignalRole::MStrobe, SignalRole::SStrobe, SignalRole::TStrobe];
+            let branch = |role: SignalRole| {
+                let mut contacts = vec![on(Bit::Signal(role))];
+                contacts.extend(waits.then_some(off(BUSY)));
+                contacts
+            };
+            self.coil(Bit::Signal(SignalRole::Finished), strobes.map(branch).to_vec(), "plc.rung.finished");
+        } else if waits {
+            self.coil(Bit::Signal(SignalRole::ReadInDisable), vec![vec![on(BUSY)]], "plc.rung.read-in");
+        }
+    }
+}

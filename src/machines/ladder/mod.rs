@@ -1,0 +1,279 @@
+//! Ladders of the machine builder as data: the same table of rungs is simulated, drawn and exported as text.
+//!
+//! A rung is a sum of products of contacts and one action. Latches are coils with a contact of their own, so that each signal has one coil.
+//! Signals are typed: [`plc::LadderPlc`] connects them to the simulated control, [`book::Book`] to the devices of the control's PLC.
+
+pub mod book;
+
+pub mod codes;
+
+pub mod plc;
+
+pub mod scan;
+
+pub mod sheet;
+
+pub mod text;
+
+use std::sync::Arc;
+
+use crate::controls::interface::{PlcLanguage, SignalRole};
+use crate::text::Citation;
+
+/// A signal that is on or off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Bit {
+    /// Of the interface between PLC and control.
+    Signal(SignalRole),
+    /// A bit that a macro program reads or writes, by its variable.
+    Macro(u32),
+    /// M function, decoded from the number while its strobe is on.
+    Decoded(u32),
+    /// Internal relay by its name in the table.
+    Relay(&'static str),
+    /// RungContact of a timer by its name in the table.
+    Timer(&'static str),
+    /// RungContact of the machine.
+    Input(MachineContact),
+    /// MachineOutput to the machine.
+    Output(MachineOutput),
+    /// Device of the control that no row of its table has; the machine cites it.
+    Device(&'static str),
+    /// Signal of a named block, for functions whose instruction is not known.
+    Block(&'static str),
+}
+
+/// A contact of the machine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum MachineContact {
+    /// Emergency stop, closed while it is not pressed.
+    Emergency,
+    /// Reset key, where the PLC reads it.
+    ResetKey,
+    /// The inverter reports no fault.
+    InverterReady,
+    /// The inverter reports the commanded speed.
+    AtSpeed,
+    /// Key "spindle clockwise".
+    ForwardKey,
+    /// Key "spindle counterclockwise".
+    ReverseKey,
+    /// Key "spindle stop".
+    StopKey,
+    /// A gear stage is in position.
+    InGear(u8),
+}
+
+/// An output to the machine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum MachineOutput {
+    /// Inverter: run clockwise.
+    Forward,
+    /// Inverter: run counterclockwise.
+    Reverse,
+    /// Valve of a gear stage above the first.
+    Gear(u8),
+    /// Low voltage while gears mesh.
+    ShiftVolts,
+    /// Alarm text: the inverter reports a fault.
+    InverterAlarm,
+    /// Alarm text: M03 and M04 without M05 between them.
+    ReversalAlarm,
+    /// Alarm text: the gear is not in position in time.
+    GearAlarm,
+}
+
+/// A number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum PlcNumber {
+    /// Of the interface between PLC and control.
+    Signal(SignalRole),
+    /// Spindle override knob, %.
+    Knob,
+    /// Cutting feed override knob, %.
+    FeedKnob,
+    /// Data register by its name in the table.
+    Data(&'static str),
+    /// A constant.
+    Constant(i32),
+    /// Number of a named block.
+    Block(&'static str),
+}
+
+/// A contact: closes with its signal, or opens with it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RungContact {
+    /// The signal.
+    pub bit: Bit,
+    /// It opens with the signal.
+    pub opens: bool,
+}
+
+/// A contact that closes with the signal.
+pub fn on(bit: Bit) -> RungContact {
+    RungContact { bit, opens: false }
+}
+
+/// A contact that opens with the signal.
+pub fn off(bit: Bit) -> RungContact {
+    RungContact { bit, opens: true }
+}
+
+/// Contacts in series, and such branches in parallel.
+pub type Branches = Vec<Vec<RungContact>>;
+
+/// Arithmetic of whole numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operator {
+    /// Sum.
+    Add,
+    /// Product.
+    Multiply,
+    /// Quotient without remainder; 0 by 0.
+    Divide,
+}
+
+/// What a rung does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RungAction {
+    /// The signal follows the condition.
+    Coil(Bit),
+    /// The contact of the timer closes when the condition has lasted for so many milliseconds.
+    Timer(&'static str, u32),
+    /// While the condition holds, the number is copied.
+    Move {
+        /// From.
+        from: PlcNumber,
+        /// To.
+        to: PlcNumber,
+        /// Two registers of 16 bits instead of one.
+        double: bool,
+    },
+    /// While the condition holds, the result is computed.
+    Compute {
+        /// Operator.
+        operator: Operator,
+        /// Left operand.
+        left: PlcNumber,
+        /// Right operand.
+        right: PlcNumber,
+        /// Result.
+        to: PlcNumber,
+        /// Two registers of 16 bits instead of one.
+        double: bool,
+    },
+    /// M functions `first` to `first + 7` follow the M code while the condition holds; all are off while it does not.
+    Decode {
+        /// The first of eight M functions.
+        first: u32,
+    },
+}
+
+/// M functions that one decoding instruction tells apart.
+pub const DECODED: u32 = 8;
+
+/// A rung.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Rung {
+    /// Branches.
+    pub when: Branches,
+    /// RungAction.
+    pub action: RungAction,
+    /// Catalog id of its purpose.
+    pub note: &'static str,
+}
+
+/// Who writes or reads a signal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlcSide {
+    /// The PLC.
+    Plc,
+    /// The control.
+    Control,
+    /// A macro program.
+    Program,
+    /// The machine: contacts, valves, inverter, keys.
+    Machine,
+    /// A named block.
+    Block,
+}
+
+/// A device that carries a signal or a number.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Device {
+    /// Name in the PLC, for instance `G4.3`.
+    pub name: String,
+    /// Variable of a macro program, or empty.
+    pub variable: String,
+    /// Writer and reader.
+    pub sides: (PlcSide, PlcSide),
+    /// Unit, or empty.
+    pub unit: &'static str,
+    /// Catalog id of its meaning.
+    pub meaning: &'static str,
+    /// Source and grade.
+    pub cite: Citation,
+}
+
+/// A ladder: rungs in the order of the scan, with the devices of the control's PLC.
+#[derive(Debug, Clone)]
+pub struct Ladder {
+    /// Rungs.
+    pub rungs: Arc<[Rung]>,
+    /// Instruction set.
+    pub language: PlcLanguage,
+    /// Devices of the signals, by signal.
+    pub bits: Arc<[(Bit, Device)]>,
+    /// Devices of the numbers, by number.
+    pub words: Arc<[(PlcNumber, Device)]>,
+}
+
+impl Ladder {
+    /// Device of a signal; empty for one that no rung names.
+    pub fn bit(&self, bit: Bit) -> &str {
+        let at = self.bits.binary_search_by_key(&bit, |row| row.0).ok();
+        at.and_then(|at| self.bits.get(at)).map_or("", |row| &row.1.name)
+    }
+
+    /// Device of a number; empty for one that no rung names.
+    pub fn word(&self, word: PlcNumber) -> &str {
+        let at = self.words.binary_search_by_key(&word, |row| row.0).ok();
+        at.and_then(|at| self.words.get(at)).map_or("", |row| &row.1.name)
+    }
+
+    /// Whether a rung drives this coil.
+    pub fn drives(&self, bit: Bit) -> bool {
+        self.rungs.iter().any(|rung| rung.action == RungAction::Coil(bit))
+    }
+}
+
+impl Rung {
+    /// The number that the rung writes.
+    pub fn written(&self) -> Option<PlcNumber> {
+        match self.action {
+            RungAction::Move { to, .. } | RungAction::Compute { to, .. } => Some(to),
+            _ => None,
+        }
+    }
+
+    /// The numbers that the rung reads.
+    pub fn read(&self) -> Vec<PlcNumber> {
+        match self.action {
+            RungAction::Move { from, .. } => vec![from],
+            RungAction::Compute { left, right, .. } => vec![left, right],
+            RungAction::Decode { .. } => vec![PlcNumber::Signal(SignalRole::MCode)],
+            _ => Vec::new(),
+        }
+    }
+
+    /// Signals that the rung names, those that it drives last.
+    pub fn bits(&self) -> Vec<Bit> {
+        let mut all: Vec<Bit> = self.when.iter().flatten().map(|contact| contact.bit).collect();
+        match self.action {
+            RungAction::Coil(bit) => all.push(bit),
+            RungAction::Timer(name, _) => all.push(Bit::Timer(name)),
+            _ => {}
+        }
+        all
+    }
+}

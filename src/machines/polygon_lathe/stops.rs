@@ -1,0 +1,44 @@
+//! Hold, alarm, reset and emergency stop of the polygon lathe: work and tool stay in their ratio as long as their drives are on.
+
+use super::resolved::PolygonLathe;
+use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
+use crate::msg;
+use crate::text::{Citation, Grade, Message};
+
+const OURS: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
+
+/// What work and tool do.
+pub(super) fn axes(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
+    match at {
+        Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::TurnsInRatio,
+        Interruption::EmergencyStop if lathe.p.coasts(lathe.control) => SpindleReaction::Coasts,
+        Interruption::Reset | Interruption::EmergencyStop => SpindleReaction::StopsInRatio,
+    }
+}
+
+/// The table.
+pub(super) fn reactions(lathe: &PolygonLathe) -> Vec<Reaction> {
+    let row = |at, slides: Message, material: Message, operator: Message| Reaction {
+        at,
+        spindle: axes(lathe, at),
+        axes: slides,
+        material,
+        operator,
+        cite: OURS,
+    };
+    let coasts = axes(lathe, Interruption::EmergencyStop) == SpindleReaction::Coasts;
+    let broken = if coasts { msg!("polygon.stops.out-of-ratio") } else { msg!("polygon.stops.part-cut") };
+    let (block, start) = (msg!("turning.stops.axes-block"), msg!("turning.stops.start"));
+    vec![
+        row(Interruption::Hold, msg!("turning.stops.axes-hold"), msg!("polygon.stops.rubs"), start.clone()),
+        row(Interruption::BlockStop, block.clone(), msg!("polygon.stops.in-ratio"), start),
+        row(Interruption::Alarm, block, msg!("polygon.stops.rubs"), msg!("polygon.stops.mend")),
+        row(
+            Interruption::Reset,
+            msg!("turning.stops.axes-reset"),
+            msg!("polygon.stops.part-cut"),
+            msg!("polygon.stops.anew"),
+        ),
+        row(Interruption::EmergencyStop, msg!("turning.stops.axes-emergency"), broken, msg!("polygon.stops.clear")),
+    ]
+}

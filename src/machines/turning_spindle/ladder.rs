@@ -1,0 +1,152 @@
+//! The ladder of the turning spindle: override, M3 to M5, gear change, and the answer to M, S and T.
+
+use super::gears::{GearTimes, gear_times};
+use super::resolved::TurningSpindle;
+use super::stops::spindle;
+use crate::controls::interface::SignalRole;
+use crate::machines::ladder::book::Book;
+use crate::machines::ladder::codes::{BUSY, SpindleWishes};
+use crate::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, Operator, PlcNumber, RungContact, off, on};
+
+/// Relays for the stages that the control asks for by a number.
+const WANTED: [Bit; 4] =
+    [Bit::Relay("wanted-1"), Bit::Relay("wanted-2"), Bit::Relay("wanted-3"), Bit::Relay("wanted-4")];
+/// The stage that is asked for is in position.
+const MESHED: Bit = Bit::Relay("meshed");
+
+/// The ladder of the lathe.
+pub(super) fn ladder(lathe: &TurningSpindle) -> Ladder {
+    let mut book = Book::new(lathe.control, &lathe.dialect);
+    book.emergency();
+    book.program_state();
+    if book.has(SignalRole::SpindleOverrideCode) {
+        let code = PlcNumber::Signal(SignalRole::SpindleOverrideCode);
+        book.compute(Operator::Divide, [PlcNumber::Knob, PlcNumber::Constant(10), code], false, "turning.ladder.code");
+    } else {
+        let register = PlcNumber::Signal(SignalRole::SpindleOverride);
+        book.copy(PlcNumber::Knob, register, Book::always(), "turning.ladder.override");
+    }
+    if book.has(SignalRole::FeedOverride) {
+        let feed = PlcNumber::Signal(SignalRole::FeedOverride);
+        book.copy(PlcNumber::FeedKnob, feed, Book::always(), "turning.ladder.feed");
+    }
+    let rules = lathe.rules();
+    let reaction = |at| spindle(lathe, at);
+    book.spindle(&rules, &SpindleWishes { reaction: &reaction, reports_speed: rules.reached.is_some() });
+    let stages = lathe.p.stages().count().min(WANTED.len());
+    if stages > 1 {
+        Gears { book: &mut book, stages: stages as u8, times: gear_times(lathe) }.write();
+    }
+    book.answer(stages > 1);
+    book.finish()
+}
+
+/// The rungs of a gear change.
+struct Gears<'a, 'b> {
+    book: &'a mut Book<'b>,
+    stages: u8,
+    times: GearTimes,
+}
+
+impl Gears<'_, '_> {
+    fn all(&self) -> impl Iterator<Item = u8> + use<> {
+        1..=self.stages
+    }
+
+    /// The signal that asks for a stage: its M function, or the number that the control puts out.
+    fn wanted(&self, stage: u8) -> Bit {
+        if self.book.has(SignalRole::GearChange) {
+            WANTED.get(usize::from(stage) - 1).copied().unwrap_or(WANTED[0])
+        } else {
+            self.book.function(40 + u32::from(stage))
+        }
+    }
+
+    /// Branches that hold while a stage is not engaged; the first one is engaged while no valve is on.
+    fn out_of(&self, stage: u8) -> Vec<Vec<RungContact>> {
+        match stage {
+            1 => (2..=self.stages).map(|other| vec![on(valve(other))]).collect(),
+            _ => vec![vec![off(valve(stage))]],
+        }
+    }
+
+    fn write(&mut self) {
+        if self.book.has(SignalRole::GearChange) {
+            self.asked();
+        }
+        let (out, late) = (Bit::Timer("old-gear-out"), Bit::Timer("gear-late"));
+        let done = Bit::Timer("gear-done");
+        let mut busy = Vec::new();
+        for stage in self.all() {
+            let wanted = self.wanted(stage);
+            busy.extend(self.out_of(stage).into_iter().map(|branch| [vec![on(wanted)], branch].concat()));
+            busy.push(vec![on(BUSY), off(done), on(wanted)]);
+        }
+        let meshed = self
+            .all()
+            .map(|stage| vec![on(self.wanted(stage)), on(Bit::Input(MachineContact::InGear(stage)))])
+            .collect();
+        let times = self.times;
+        self.book.coil(BUSY, busy, "turning.ladder.shift");
+        self.book.timer("old-gear-out", times.before, vec![vec![on(BUSY)]], "turning.ladder.before");
+        for stage in 2..=self.stages {
+            let mut stays = vec![on(valve(stage))];
+            stays.extend(self.all().filter(|other| *other != stage).map(|other| off(self.wanted(other))));
+            let when = vec![vec![on(self.wanted(stage)), on(out)], vec![on(valve(stage)), off(out)], stays];
+            self.book.coil(valve(stage), when, "turning.ladder.valve");
+        }
+        self.book.coil(MESHED, meshed, "turning.ladder.meshed");
+        self.book.timer("gear-done", times.after, vec![vec![on(BUSY), on(out), on(MESHED)]], "turning.ladder.after");
+        let mut volts = vec![on(BUSY)];
+        if let Some(patience) = times.patience {
+            let waits = vec![vec![on(BUSY), on(out), off(MESHED)]];
+            self.book.timer("gear-late", patience, waits, "turning.ladder.patience");
+            self.book.coil(Bit::Output(MachineOutput::GearAlarm), vec![vec![on(late)]], "turning.ladder.late");
+            volts.push(off(late));
+        }
+        self.book.coil(Bit::Output(MachineOutput::ShiftVolts), vec![volts], "turning.ladder.volts");
+        self.report(done);
+    }
+
+    /// The number of the stage that the control asks for, as one relay a stage.
+    fn asked(&mut self) {
+        for stage in self.all() {
+            let mut when = vec![on(Bit::Signal(SignalRole::GearChange))];
+            when.extend(
+                (0..3).map(|bit| RungContact {
+                    bit: Bit::Signal(SignalRole::GearAsked(bit)),
+                    opens: stage >> bit & 1 == 0,
+                }),
+            );
+            self.book.coil(self.wanted(stage), vec![when], "turning.ladder.wanted");
+        }
+    }
+
+    /// The engaged stage to the control.
+    fn report(&mut self, done: Bit) {
+        for less in [1, 0] {
+            let role = |bit| if less == 1 { SignalRole::GearIndex(bit) } else { SignalRole::GearNumber(bit) };
+            for bit in 0..3 {
+                let with_bit = |stage: &u8| (stage - less) >> bit & 1 == 1;
+                if !self.book.has(role(bit)) || !self.all().any(|stage| with_bit(&stage)) {
+                    continue;
+                }
+                let branch = |stage: u8| match stage {
+                    1 => (2..=self.stages).map(|other| off(valve(other))).collect(),
+                    _ => vec![on(valve(stage))],
+                };
+                let when = self.all().filter(with_bit).map(branch).collect();
+                self.book.coil(Bit::Signal(role(bit)), when, "turning.ladder.stage");
+            }
+        }
+        let changed = Bit::Signal(SignalRole::GearChanged);
+        if self.book.has(SignalRole::GearChanged) {
+            let stays = vec![on(changed), on(Bit::Signal(SignalRole::GearChange))];
+            self.book.coil(changed, vec![vec![on(done)], stays], "turning.ladder.changed");
+        }
+    }
+}
+
+fn valve(stage: u8) -> Bit {
+    Bit::Output(MachineOutput::Gear(stage))
+}

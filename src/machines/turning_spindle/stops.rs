@@ -1,0 +1,49 @@
+//! Hold, alarm, reset and emergency stop of the lathe: the spindle turns on while the tool is in the cut, until somebody ends the program.
+
+use super::resolved::TurningSpindle;
+use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
+use crate::msg;
+use crate::text::{Citation, Grade, Message};
+
+const DESIGN: Citation = Citation::new("turning spindle facts, 7", Grade::Inferred);
+
+/// What the spindle does.
+pub(super) fn spindle(lathe: &TurningSpindle, at: Interruption) -> SpindleReaction {
+    match at {
+        Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::Turns,
+        Interruption::Reset if lathe.rules().turns_through_reset => SpindleReaction::Turns,
+        Interruption::Reset | Interruption::EmergencyStop => SpindleReaction::Off,
+    }
+}
+
+/// The table.
+pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
+    let row = |at, axes: Message, material: Message, operator: Message| Reaction {
+        at,
+        spindle: spindle(lathe, at),
+        axes,
+        material,
+        operator,
+        cite: DESIGN,
+    };
+    let off = spindle(lathe, Interruption::Reset) == SpindleReaction::Off;
+    let (block, retract) = (msg!("turning.stops.axes-block"), msg!("turning.stops.anew"));
+    let reset = if off { msg!("turning.stops.work-slows") } else { msg!("turning.stops.work-turns") };
+    vec![
+        row(
+            Interruption::Hold,
+            msg!("turning.stops.axes-hold"),
+            msg!("turning.stops.work-rubs"),
+            msg!("turning.stops.start"),
+        ),
+        row(Interruption::BlockStop, block.clone(), msg!("turning.stops.work-turns"), msg!("turning.stops.start")),
+        row(Interruption::Alarm, block, msg!("turning.stops.work-rubs"), msg!("turning.stops.mend")),
+        row(Interruption::Reset, msg!("turning.stops.axes-reset"), reset, retract),
+        row(
+            Interruption::EmergencyStop,
+            msg!("turning.stops.axes-emergency"),
+            msg!("turning.stops.work-slows"),
+            msg!("turning.stops.clear"),
+        ),
+    ]
+}

@@ -1,0 +1,261 @@
+//! Ladders: the exported text equals the simulated ladder, each signal has one coil, and every signal of the interface has its rung.
+
+mod listing;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use macroline::controls::interface::{PlcLanguage, SignalRole};
+use macroline::machines;
+use macroline::machines::ladder::scan::Image;
+use macroline::machines::ladder::{Bit, Ladder, MachineContact, MachineOutput, PlcNumber, PlcSide, RungAction};
+use macroline::project::Project;
+use macroline::view::Sheet;
+use proptest::prelude::*;
+
+use listing::Listing;
+
+/// Values of a form, by field id.
+type Entries = &'static [(&'static str, &'static str)];
+
+/// Forms that change the ladder, by machine.
+const FORMS: &[(&str, &[Entries])] = &[
+    (
+        "ribbon-line",
+        &[
+            &[],
+            &[("wait", "fin"), ("knob-step", "5")],
+            &[("override-form", "final-speed"), ("knob-step", "10"), ("knob-use", "free")],
+            &[("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0.123")],
+        ],
+    ),
+    (
+        "turning-spindle",
+        &[
+            &[],
+            &[("stage-2", "0")],
+            &[("stage-3", "4000"), ("gear-time", "0"), ("gear-patience", "1.5")],
+            &[("stage-3", "4000"), ("stage-4", "5000"), ("gear-time", "3.3")],
+        ],
+    ),
+    ("polygon-lathe", &[&[], &[("work-time-constant", "33")]]),
+];
+
+/// A project on a control, with a name for messages.
+fn projects() -> impl Iterator<Item = (String, Project)> {
+    FORMS.iter().flat_map(|(id, forms)| {
+        let machine = machines::find(id).unwrap();
+        machine.controls().iter().flat_map(move |control| {
+            forms.iter().map(move |form| {
+                let mut project = Project::of_form(machine, macroline::controls::find(control).unwrap());
+                let fields = machine.fields();
+                let field = |id: &str| fields.iter().find(|field| field.id == id).unwrap();
+                let typed = form.iter().map(|(id, typed)| ((*id).to_owned(), field(id).read(typed).unwrap()));
+                project.values.extend(typed);
+                (format!("{id} on {control} {form:?}"), project)
+            })
+        })
+    })
+}
+
+fn sheet(project: &Project, id: &str) -> Sheet {
+    project.prepared().sheets().into_iter().find(|sheet| sheet.id == id).unwrap_or_else(|| panic!("no sheet {id}"))
+}
+
+fn ladder(project: &Project) -> Ladder {
+    project.prepared().ladder().expect("a ladder")
+}
+
+/// The exported instruction list.
+fn listing(project: &Project) -> Listing {
+    let rows = sheet(project, "ladder").rows;
+    Listing::new(ladder(project).language, rows.into_iter().map(|row| row.cells[1].clone()))
+}
+
+/// Signals or numbers with the names of their devices.
+type Devices<T> = Vec<(T, String)>;
+
+/// Signals and numbers that come from outside.
+fn sources(ladder: &Ladder) -> (Devices<Bit>, Devices<PlcNumber>) {
+    let outside = |sides: (PlcSide, PlcSide)| sides.0 != PlcSide::Plc;
+    let bits = ladder.bits.iter().filter(|row| outside(row.1.sides)).map(|row| (row.0, row.1.name.clone()));
+    let words = ladder.words.iter().filter(|row| outside(row.1.sides)).map(|row| (row.0, row.1.name.clone()));
+    (bits.collect(), words.collect())
+}
+
+#[test]
+fn every_signal_has_one_coil() {
+    for (name, project) in projects() {
+        let mut written: BTreeMap<String, Vec<String>> = BTreeMap::new();
+        let list = listing(&project);
+        for (target, condition) in list.targets() {
+            written.entry(target).or_default().push(condition);
+        }
+        for (target, conditions) in written {
+            // A number may have two sources, where one contact chooses between them.
+            let chosen = matches!(conditions.as_slice(), [a, b] if list.inverse(a, b));
+            assert!(conditions.len() == 1 || chosen, "{name}: {target} under {conditions:?}");
+        }
+        let ladder = ladder(&project);
+        let mut devices = BTreeSet::new();
+        let names = ladder.bits.iter().map(|row| &row.1.name).chain(ladder.words.iter().map(|row| &row.1.name));
+        for device in names {
+            assert!(!device.is_empty() && devices.insert(device), "{name}: device {device:?} twice or empty");
+        }
+    }
+}
+
+#[test]
+fn every_signal_of_the_interface_has_its_rung() {
+    for (name, project) in projects() {
+        let (list, interface) = (listing(&project), sheet(&project, "interface"));
+        let (targets, used): (BTreeSet<_>, _) = (list.targets().map(|(target, _)| target).collect(), list.operands());
+        let mut known = BTreeSet::new();
+        for row in &interface.rows {
+            let (device, writer, reader) = (&row.cells[0], &row.cells[2], &row.cells[3]);
+            assert!(row.cells[5].chars().count() > 3 && !row.cells[5].contains('.'), "{name}: {:?}", row.cells);
+            assert_eq!(targets.contains(device), writer == "PLC", "{name}: {device} is written by {writer}");
+            assert!(reader != "PLC" || used.contains(device), "{name}: nothing reads {device}");
+            known.insert(device.clone());
+        }
+        // What the list names and the interface has not, the PLC keeps to itself: it is written before it is worth reading.
+        for device in used.iter().chain(&targets).filter(|device| !known.contains(*device)) {
+            assert!(targets.contains(device), "{name}: nobody writes {device}");
+        }
+        // Each register of overrides that the control has is in use.
+        for row in project.control.interface.iter().filter(|row| {
+            matches!(row.role, SignalRole::SpindleOverride | SignalRole::SpindleOverrideCode | SignalRole::Finished)
+        }) {
+            let turns = name.starts_with("polygon") && row.role != SignalRole::Finished;
+            assert!(turns || known.contains(row.device), "{name}: {} has no rung", row.device);
+        }
+    }
+}
+
+#[test]
+fn every_instruction_is_one_of_the_plc() {
+    for (name, project) in projects() {
+        let unknown = listing(&project).unknown();
+        assert!(unknown.is_empty(), "{name}: {unknown:?}");
+    }
+}
+
+/// Scans a ladder until it rests.
+fn settle(ladder: &Ladder, image: &mut Image, t: f64) {
+    (0..12).for_each(|_| ladder.scan(t, image));
+}
+
+/// Switches a code of M on, as this control shows it.
+fn put_out(ladder: &Ladder, image: &mut Image, code: u32, on: bool) {
+    let own = Bit::Signal(SignalRole::MFunction(code));
+    if ladder.bits.iter().any(|row| row.0 == own) {
+        image.set(own, on);
+    } else {
+        image.set(Bit::Signal(SignalRole::MStrobe), on);
+        image.put(PlcNumber::Signal(SignalRole::MCode), if on { f64::from(code) } else { 0.0 });
+    }
+}
+
+#[test]
+fn m3_m5_fault_hold_and_emergency_reach_the_inverter() {
+    for (name, project) in projects().filter(|(name, _)| !name.starts_with("polygon")) {
+        let ladder = ladder(&project);
+        let mut image = Image::default();
+        for closed in [MachineContact::Emergency, MachineContact::InverterReady, MachineContact::AtSpeed] {
+            image.set(Bit::Input(closed), true);
+        }
+        image.set(Bit::Signal(SignalRole::Running), true);
+        let [forward, reverse] = [MachineOutput::Forward, MachineOutput::Reverse].map(Bit::Output);
+        let run = |image: &mut Image, code: u32| {
+            put_out(&ladder, image, code, true);
+            settle(&ladder, image, 0.0);
+            put_out(&ladder, image, code, false);
+            settle(&ladder, image, 0.0);
+            (image.is_on(forward), image.is_on(reverse))
+        };
+        assert_eq!(run(&mut image, 3), (true, false), "{name}: M3");
+        assert_eq!(run(&mut image, 5), (false, false), "{name}: M5");
+        assert_eq!(run(&mut image, 4), (false, true), "{name}: M4");
+        assert_eq!(run(&mut image, 5), (false, false), "{name}: M5");
+        for opens in [MachineContact::InverterReady, MachineContact::Emergency] {
+            assert_eq!(run(&mut image, 3), (true, false), "{name}: M3");
+            image.set(Bit::Input(opens), false);
+            settle(&ladder, &mut image, 0.0);
+            assert!(!image.is_on(forward), "{name}: {opens:?}");
+            image.set(Bit::Input(opens), true);
+            settle(&ladder, &mut image, 0.0);
+            assert!(!image.is_on(forward), "{name}: {opens:?} is over, and nothing restarts");
+        }
+        // Hold: the unwinder of the ribbon line stops with the axes, the work of a lathe turns on.
+        let held = |image: &mut Image, running: bool| {
+            image.set(Bit::Signal(SignalRole::Running), running);
+            settle(&ladder, image, 0.0);
+            let stop = image.is_on(Bit::Signal(SignalRole::SpindleHold));
+            let free = image.is_on(Bit::Signal(SignalRole::SpindleEnable));
+            if ladder.drives(Bit::Signal(SignalRole::SpindleHold)) { stop } else { !free }
+        };
+        assert_eq!(run(&mut image, 3), (true, false), "{name}: M3");
+        assert!(!held(&mut image, true), "{name}");
+        assert_eq!(held(&mut image, false), name.starts_with("ribbon"), "{name}: hold");
+        assert!(!held(&mut image, true), "{name}: goes on");
+    }
+}
+
+#[test]
+fn controls_without_fin_hold_the_next_block() {
+    for (name, project) in projects() {
+        let ladder = ladder(&project);
+        let fin = ladder.drives(Bit::Signal(SignalRole::Finished));
+        assert_eq!(fin, project.control.plc != PlcLanguage::Step7, "{name}");
+        let waits = ladder.bits.iter().any(|row| row.0 == Bit::Relay("busy"));
+        assert_eq!(ladder.drives(Bit::Signal(SignalRole::ReadInDisable)), !fin && waits, "{name}");
+        // One coil answers all codes.
+        let coils =
+            ladder.rungs.iter().filter(|rung| rung.action == RungAction::Coil(Bit::Signal(SignalRole::Finished)));
+        assert_eq!(coils.count(), usize::from(fin), "{name}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    /// The simulated ladder equals the exported one: random inputs, scan by scan.
+    #[test]
+    fn exported_list_does_what_the_simulated_ladder_does(
+        steps in prop::collection::vec((any::<u64>(), prop::sample::select(&[0u32, 4, 8, 10, 50, 120, 900][..])), 40..80),
+    ) {
+        for (name, project) in projects() {
+            let (ladder, mut list) = (ladder(&project), listing(&project));
+            let (bits, words) = sources(&ladder);
+            let (mut image, mut ms) = (Image::default(), 0u32);
+            for (random, pause) in &steps {
+                ms += pause;
+                let t = f64::from(ms) / 1000.0;
+                // Most inputs stay, so that latches and timers come to something.
+                for (at, (bit, device)) in (0u32..).zip(&bits) {
+                    if random.rotate_left(3 * at) % 4 == 0 {
+                        let on = random.rotate_left(5 * at + 1) % 2 == 0;
+                        image.set(*bit, on);
+                        list.set(device, on);
+                    }
+                }
+                for (at, (word, device)) in (0u32..).zip(&words) {
+                    let drawn = random.rotate_left(7 * at);
+                    let value = match word {
+                        PlcNumber::Signal(SignalRole::MCode) => [0, 3, 4, 5, 8, 30, 41, 42, 43, 44][(drawn % 10) as usize],
+                        _ => drawn % 250,
+                    };
+                    image.put(*word, value as f64);
+                    list.put(device, value as f64);
+                }
+                ladder.scan(t, &mut image);
+                list.scan(t);
+                for (bit, device) in ladder.bits.iter() {
+                    prop_assert_eq!(list.is_on(&device.name), image.is_on(*bit), "{} {:?} {} at {}", name, bit, device.name, t);
+                }
+                for (word, device) in ladder.words.iter() {
+                    prop_assert_eq!(list.number(&device.name), image.number(*word), "{} {:?} {}", name, word, device.name);
+                }
+            }
+        }
+    }
+}

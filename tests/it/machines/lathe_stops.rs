@@ -1,0 +1,68 @@
+//! Turning spindle and polygon lathe interrupted: hold, single block, alarm, reset, emergency stop, as their tables say.
+
+use macroline::machines;
+use macroline::motion::{Action, Event, Snapshot};
+use macroline::project::Project;
+
+use super::ribbon_controls::over_time;
+
+/// Each of the two machines on each of its controls.
+fn projects() -> impl Iterator<Item = Project> {
+    ["turning-spindle", "polygon-lathe"].into_iter().flat_map(|id| {
+        let machine = machines::find(id).unwrap();
+        machine
+            .controls()
+            .iter()
+            .map(move |control| Project::of_form(machine, macroline::controls::find(control).unwrap()))
+    })
+}
+
+fn table(project: &Project) -> Vec<Vec<String>> {
+    let sheet = project.prepared().sheets().into_iter().find(|sheet| sheet.id == "stops").expect("a table of stops");
+    sheet.rows.into_iter().map(|row| row.cells).collect()
+}
+
+/// Speeds of spindle, work and tool.
+fn turning(now: &Snapshot) -> [f64; 3] {
+    [now.spindle.actual, now.pmc[0].feed, now.pmc[1].feed]
+}
+
+#[test]
+fn tables_of_both_lathes_name_five_interruptions() {
+    for project in projects() {
+        let rows = table(&project);
+        let names: Vec<_> = rows.iter().map(|cells| cells[0].as_str()).collect();
+        let wanted = ["Feed hold", "Stop between two blocks: M00, single block", "Alarm", "Reset", "Emergency stop"];
+        assert_eq!(names, wanted, "{}", project.control.id);
+        assert!(rows.iter().flatten().all(|cell| cell.len() > 3 && !cell.contains(".stops.")), "{rows:?}");
+        let export = project.export();
+        let report = export.files.iter().find(|file| file.name.ends_with(".md")).expect("a report");
+        assert!(report.text.contains("## Hold, alarm, reset, emergency stop"), "{}", project.control.id);
+    }
+}
+
+#[test]
+fn both_lathes_stop_and_turn_on_as_their_tables_say() {
+    for project in projects() {
+        let whole = over_time(&project, vec![]);
+        let end = whole.timeline().end();
+        // In a cut: it turns, and the slide along the work moves.
+        let cuts = |t: &f64| {
+            let now = whole.timeline().at(*t);
+            turning(&now).iter().any(|speed| speed.abs() > 1.0) && now.axes.iter().any(|axis| axis.feed != 0.0)
+        };
+        let at = (1..1000).map(|k| end * f64::from(k) / 1000.0).find(cuts).expect("a cut");
+        let name = format!("{} at {at}", project.control.id);
+        let rows = table(&project);
+        let actions =
+            [(0, Action::Hold), (1, Action::SingleBlock(true)), (3, Action::Reset), (4, Action::EmergencyStop)];
+        for (row, action) in actions {
+            let planner = over_time(&project, vec![Event { t: at, action: action.clone() }]);
+            let last = planner.timeline().at(planner.timeline().end() + 60.0);
+            let goes_on = rows[row][1].contains("urns on") || rows[row][1].contains("urn on");
+            let turns = turning(&last).iter().any(|speed| speed.abs() > 1.0);
+            assert_eq!(turns, goes_on, "{name} {action:?}: {:?}, {}", turning(&last), rows[row][1]);
+            assert!(last.axes.iter().all(|axis| axis.feed == 0.0), "{name} {action:?}");
+        }
+    }
+}
