@@ -1,7 +1,7 @@
 //! Turning in closed form: how long a straight cut takes at constant surface speed or constant speed, and what it asks of the motor.
 
 use super::speed::{limit_diameter, surface_rpm};
-use crate::math::PI;
+use crate::math::{self, PI};
 
 /// A straight cut: along the part, across its face, or a taper. The diameter changes evenly along the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,6 +57,15 @@ impl Cut {
         let square = from * from + 2.0 * 1000.0 * speed * self.feed * t * (to - from) / (60.0 * PI * self.length);
         square.max(0.0).sqrt()
     }
+}
+
+/// Cutting force in N of a chip of `depth` mm by `feed` mm at an edge angle κ and a rake angle γ in degrees, after Kienzle:
+/// `F = k_c1.1 · b · h^(1 - m_c) · (1 - γ / 100)` with `h = f sin κ`, `b = a_p / sin κ`; `k_c1.1` in N/mm².
+///
+/// Source: `reference/turning-spindle.md` 4 (1760.9 N for C45, 3 mm, 0.3 mm, 95°).
+pub fn kienzle(unit_force: f64, exponent: f64, (depth, feed): (f64, f64), (edge, rake): (f64, f64)) -> f64 {
+    let sine = math::sin(edge.to_radians());
+    unit_force * depth / sine * math::pow(feed * sine, 1.0 - exponent) * (1.0 - rake / 100.0)
 }
 
 /// Power in kW that a cutting force in N takes at a surface speed in m/min: `P = F v / 60 000`.

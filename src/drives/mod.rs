@@ -8,6 +8,8 @@ pub mod orient;
 
 pub mod cutting;
 
+pub mod spindle_motor;
+
 pub mod web;
 
 pub mod block;

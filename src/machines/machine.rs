@@ -330,21 +330,30 @@ impl PreparedMachine {
         found.filter(|found| found.severity == Severity::Error).count()
     }
 
-    /// Takes the remedy from each advice that does not improve the verdict of its result, or that would raise another error.
+    /// Takes the remedy from each advice that does not improve the verdict of its result, or that would raise another error, and says behind
+    /// each other one which results it makes fail.
     fn check_remedies(&self, design: &mut Design) {
         let errors = self.errors(design);
+        let failing = |readouts: &[Readout]| {
+            let failing = readouts.iter().filter(|readout| readout.verdict == Verdict::Fail);
+            failing.map(|readout| (readout.id, readout.label)).collect::<Vec<_>>()
+        };
+        let before = failing(&design.readouts);
         for readout in &mut design.readouts {
             let (id, verdict) = (readout.id, readout.verdict);
-            let mends = |sets: &[(&'static str, String)]| {
-                self.trial.with(sets).is_some_and(|(readouts, left)| {
+            for mut advice in core::mem::take(&mut readout.advice) {
+                let trial = if advice.sets.is_empty() { None } else { self.trial.with(&advice.sets) };
+                let after = trial.filter(|(readouts, left)| {
                     let after = readouts.iter().find(|readout| readout.id == id);
-                    left <= errors && after.map_or(Verdict::None, |readout| readout.verdict) < verdict
-                })
-            };
-            for advice in &mut readout.advice {
-                if !advice.sets.is_empty() && !mends(&advice.sets) {
-                    *advice = Advice::from(advice.message.clone());
+                    *left <= errors && after.map_or(Verdict::None, |readout| readout.verdict) < verdict
+                });
+                let turned = after.as_ref().map(|(readouts, _)| failing(readouts)).unwrap_or_default();
+                if after.is_none() {
+                    advice = Advice::from(advice.message);
                 }
+                readout.advice.push(advice);
+                let turned = turned.into_iter().filter(|row| !before.contains(row));
+                readout.advice.extend(turned.map(|(_, label)| Advice::turns_red(label)));
             }
         }
     }

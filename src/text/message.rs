@@ -10,6 +10,8 @@ pub enum MessageValue {
     Number(f64, u8),
     /// Text that is the same in every language: a word of a program, a name, a unit.
     Text(String),
+    /// A label by its id in the catalog, within another sentence.
+    Label(&'static str),
 }
 
 impl From<f64> for MessageValue {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::msg;
-use crate::text::{Citation, Message};
+use crate::text::{Citation, Message, MessageValue};
 
 /// Engineering judgement of a result. It never keeps a program from being exported.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -86,6 +86,13 @@ impl Advice {
     /// The advice with a remedy: words for a button, and the entries of the form.
     pub fn setting(self, button: Message, sets: impl Into<Vec<(&'static str, String)>>) -> Advice {
         Advice { button: Some(button), sets: sets.into(), ..self }
+    }
+}
+
+impl Advice {
+    /// The note that the remedy before it makes another result fail; `label` is that result's.
+    pub fn turns_red(label: &'static str) -> Advice {
+        Advice::from(Message::new("advice.turns-red", [MessageValue::Label(label)]))
     }
 }
 

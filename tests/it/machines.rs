@@ -29,5 +29,6 @@ mod turning;
 mod turning_controls;
 mod turning_drawing;
 mod turning_restart;
+mod turning_torque;
 mod verdicts;
 mod written;

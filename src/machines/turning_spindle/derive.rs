@@ -4,6 +4,7 @@ use super::params::{Direction, Gear, Output, Params, Path, SpeedMode};
 use crate::controls::SpindleRules;
 use crate::drives::cutting::{self, Cut};
 use crate::drives::speed::{SpeedLimits, limit_diameter, surface_rpm, surface_speed};
+use crate::drives::spindle_motor::MotorCurve;
 use crate::drives::{Analog, Bound};
 use crate::math;
 
@@ -71,6 +72,10 @@ pub(super) struct Derived {
     pub power: f64,
     pub power_available: f64,
     pub torque: f64,
+    /// Torque at the spindle that the motor gives for long at the largest diameter, Nm.
+    pub torque_available: f64,
+    /// The same below base speed: the most that there is.
+    pub torque_most: f64,
     pub acceleration_needed: f64,
     pub acceleration: f64,
     pub feed_top: f64,
@@ -201,6 +206,8 @@ impl Derived {
         let span = largest - smallest;
         let sign = if p.direction == Direction::CounterClockwise { -1.0 } else { 1.0 };
         let middle = 0.5 * volts;
+        let speeds = (p.motor_base, p.motor_top);
+        let motor = MotorCurve::new(p.motor_power, p.efficiency / 100.0, speeds, stage_speed);
         Derived {
             passes,
             largest,
@@ -233,6 +240,8 @@ impl Derived {
             power: cutting::power(p.cutting_force, surface_speed(speed(largest), largest)),
             power_available: p.motor_power * p.efficiency / 100.0,
             torque: cutting::torque(p.cutting_force, largest),
+            torque_available: motor.torque(speed(largest)),
+            torque_most: motor.torque(0.0),
             acceleration_needed: if fixed { 0.0 } else { acceleration(p, v, limit.max(smallest)) },
             acceleration: if p.spindle_ramp > 0.0 { stage_speed / p.spindle_ramp } else { f64::INFINITY },
             feed_top: p.feed * speed(smallest).max(speed(largest)),

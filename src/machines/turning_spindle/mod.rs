@@ -2,6 +2,8 @@
 
 mod params;
 
+mod materials;
+
 mod examples;
 
 mod derive;

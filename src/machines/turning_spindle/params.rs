@@ -56,6 +56,38 @@ options! {
 }
 
 options! {
+    /// Material of the part, for its specific cutting force.
+    pub(crate) enum Material {
+        /// The cutting force is entered.
+        None = "none" "turning.material.none",
+        /// Unalloyed steel below 0.25 % C.
+        MildSteel = "mild-steel" "turning.material.mild-steel",
+        /// C45, annealed.
+        C45 = "c45" "turning.material.c45",
+        /// C45, quenched and tempered.
+        C45Tempered = "c45-tempered" "turning.material.c45-tempered",
+        /// Low alloy steel, annealed: 16MnCr5, 42CrMo4.
+        LowAlloy = "low-alloy" "turning.material.low-alloy",
+        /// Low alloy steel, tempered.
+        LowAlloyTempered = "low-alloy-tempered" "turning.material.low-alloy-tempered",
+        /// High alloy and tool steel, annealed.
+        ToolSteel = "tool-steel" "turning.material.tool-steel",
+        /// Austenitic stainless steel 1.4301.
+        Stainless = "stainless" "turning.material.stainless",
+        /// Grey iron GJL-250.
+        GreyIron = "grey-iron" "turning.material.grey-iron",
+        /// Nodular iron GJS-400.
+        NodularIron = "nodular-iron" "turning.material.nodular-iron",
+        /// Wrought aluminium, cured.
+        Aluminium = "aluminium" "turning.material.aluminium",
+        /// Brass CuZn39Pb.
+        Brass = "brass" "turning.material.brass",
+        /// Ti-6Al-4V.
+        Titanium = "titanium" "turning.material.titanium",
+    }
+}
+
+options! {
     /// Form of the analog output.
     pub(crate) enum Output {
         /// 0 to 10 V, direction by contacts.
@@ -102,8 +134,14 @@ pub(crate) struct Params {
     pub output: Output,
     pub offset_zero: f64,
     pub offset_full: f64,
+    pub material: Material,
+    pub edge_angle: f64,
+    pub rake: f64,
     pub cutting_force: f64,
     pub motor_power: f64,
+    pub motor_base: f64,
+    pub motor_top: f64,
+    pub motor_overload: f64,
     pub efficiency: f64,
     pub rapid_x: f64,
     pub rapid_z: f64,
@@ -167,6 +205,15 @@ impl Params {
     /// The spindle is positioned for a keyway.
     fn has_keyway(&self, control: &Control) -> bool {
         self.keyway && self.can_position(control)
+    }
+
+    /// The cutting force follows from the material.
+    fn has_material(&self, _: &Control) -> bool {
+        self.material != Material::None
+    }
+
+    fn has_force(&self, _: &Control) -> bool {
+        self.material == Material::None
     }
 
     fn is_taper(&self, _: &Control) -> bool {
@@ -251,10 +298,21 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mV").range(-2000.0..=2000.0).default(0.0).decimals(0).step(1.0).fact(),
     number("offset-full", member!(Params.offset_full)).group("turning.group.output").label("turning.offset-full").help("turning.offset-full.help")
         .unit("mV").range(-2000.0..=2000.0).default(0.0).decimals(0).step(1.0).fact(),
+    choice("material", member!(Params.material: Material)).group("turning.group.power").label("turning.material").help("turning.material.help"),
+    number("edge-angle", member!(Params.edge_angle)).group("turning.group.power").label("turning.edge-angle").help("turning.edge-angle.help").symbol("κ")
+        .unit("°").range(10.0..=170.0).default(95.0).decimals(1).step(1.0).when(Params::has_material),
+    number("rake", member!(Params.rake)).group("turning.group.power").label("turning.rake").help("turning.rake.help").symbol("γ")
+        .unit("°").range(-30.0..=30.0).default(0.0).decimals(1).step(1.0).when(Params::has_material),
     number("cutting-force", member!(Params.cutting_force)).group("turning.group.power").label("turning.cutting-force").help("turning.cutting-force.help").symbol("F")
-        .unit("N").range(0.0..=100000.0).default(0.0).decimals(0).step(50.0),
+        .unit("N").range(0.0..=100000.0).default(0.0).decimals(0).step(50.0).when(Params::has_force),
     number("motor-power", member!(Params.motor_power)).group("turning.group.power").label("turning.motor-power").help("turning.motor-power.help").symbol("P")
         .unit("kW").range(0.01..=1000.0).default(7.5).decimals(2).step(0.5).fact(),
+    number("motor-base", member!(Params.motor_base)).group("turning.group.power").label("turning.motor-base").help("turning.motor-base.help").symbol("n b")
+        .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
+    number("motor-top", member!(Params.motor_top)).group("turning.group.power").label("turning.motor-top").help("turning.motor-top.help").symbol("n m")
+        .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
+    number("motor-overload", member!(Params.motor_overload)).group("turning.group.power").label("turning.motor-overload").help("turning.motor-overload.help")
+        .unit("%").range(100.0..=400.0).default(100.0).decimals(0).step(10.0).fact(),
     number("efficiency", member!(Params.efficiency)).group("turning.group.power").label("turning.efficiency").help("turning.efficiency.help").symbol("η")
         .unit("%").range(1.0..=100.0).default(80.0).decimals(0).step(1.0).fact(),
     number("rapid-x", member!(Params.rapid_x)).group("turning.group.axes").label("turning.rapid-x").help("turning.rapid-x.help")

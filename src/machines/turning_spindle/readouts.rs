@@ -8,6 +8,8 @@ use crate::text::{Citation, Grade};
 const SURFACE: Citation = Citation::new("the makers' pages on S, G96 and G97", Grade::Manual);
 const OUTPUT: Citation = Citation::new("turning spindle facts 1; 12 bits from a sister control", Grade::Sister);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
+const MOTOR: Citation = Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred);
+const KIENZLE: Citation = Citation::new("ISCAR turning catalogue 2017, p.558, groups by their order", Grade::Inferred);
 
 const SCALING: Citation = Citation::new("ribbon line facts, 10", Grade::Inferred);
 
@@ -97,6 +99,14 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "torque", label: "turning.readout.torque", unit: "Nm", decimals: 1, headline: false,
         formula: "F D / 2000", cite: MECHANICS, value: |lathe| lathe.d.torque,
+    },
+    ReadoutRow {
+        id: "torque-available", label: "turning.readout.torque-available", unit: "Nm", decimals: 1, headline: false,
+        formula: "9549 P η / max(n, n b · n10 / n m)", cite: MOTOR, value: |lathe| lathe.d.torque_available,
+    },
+    ReadoutRow {
+        id: "force", label: "turning.readout.force", unit: "N", decimals: 0, headline: false,
+        formula: "kc1.1 · b · h^(1 - mc) · (1 - γ / 100)", cite: KIENZLE, value: |lathe| lathe.p.cutting_force,
     },
     ReadoutRow {
         id: "x-scaling-drift", label: "scaling.x-drift", unit: "µm/m", decimals: 4, headline: false,

@@ -1,10 +1,11 @@
 //! The turning spindle on a control: the form without the choices that the control lacks, and the units of its words.
 
 use super::derive::Derived;
+use super::materials;
 use super::params::{self, Gear, Output, Params, SpeedMode};
 use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
-use crate::drives::Stage;
+use crate::drives::{Stage, cutting};
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
 use crate::motion::Snapshot;
@@ -46,6 +47,10 @@ impl TurningSpindle {
         if control.syntax.integer_addresses.contains(Address::S) {
             let truncates = !dialect.numbers.round_speed;
             p.cutting_speed = if truncates { p.cutting_speed.floor() } else { p.cutting_speed.round() };
+        }
+        if let Some(row) = materials::row(p.material) {
+            let chip = (p.depth, p.feed);
+            p.cutting_force = cutting::kienzle(row.unit_force, row.exponent, chip, (p.edge_angle, p.rake));
         }
         let bench = &control.bench;
         let d = Derived::new(&p, bench.volts_full, bench.output_bits, &dialect.spindle());

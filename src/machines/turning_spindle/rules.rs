@@ -1,6 +1,7 @@
 //! The rules of the turning spindle, as rows: result, limit, remedy.
 
-use super::params::{FIELDS, Gear, Path};
+use super::derive::Derived;
+use super::params::{FIELDS, Gear, Material, Params, Path};
 use super::program;
 use super::resolved::TurningSpindle;
 use crate::controls::CodeId;
@@ -28,6 +29,7 @@ pub(super) const RULES: &[Rule<TurningSpindle>] = &[
     Rule::new("acceleration-needed", acceleration, Citation::new("derivative of n = 1000 v / (π d)", Grade::Inferred)),
     Rule::new("cutting-time", block_time, Citation::new("what a block costs, a parameter", Grade::Open)),
     Rule::new("power", power, Citation::new("data sheet of the motor", Grade::Manual)),
+    Rule::new("torque", torque, Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred)),
 ];
 
 fn scaling_x(lathe: &TurningSpindle) -> Option<Judgement> {
@@ -184,25 +186,96 @@ fn acceleration(lathe: &TurningSpindle) -> Option<Judgement> {
     ok(Some(AtMost(d.acceleration)).filter(|_| d.acceleration.is_finite()))
 }
 
+/// What a motor may give for a part of its time, where that suffices: a warning, and how long.
+fn overloaded(lathe: &TurningSpindle, limit: f64) -> Option<Judgement> {
+    warn(AtMost(limit), [msg!("turning.overload", (lathe.p.motor_overload, 0)).into()])
+}
+
 fn power(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
     if p.cutting_force <= 0.0 {
         return None;
     }
-    let limit = AtMost(d.power_available);
-    if d.power <= d.power_available {
-        return ok(limit);
+    let (rated, most) = (d.power_available, d.power_available * p.motor_overload / 100.0);
+    if d.power <= rated {
+        return ok(AtMost(rated));
     }
-    let slower = (p.cutting_speed * d.power_available / d.power).floor();
-    let advice = match slower >= 1.0 {
+    if d.power <= most {
+        return overloaded(lathe, rated);
+    }
+    let slower = (p.cutting_speed * rated / d.power).floor();
+    // Below base speed a slower cut takes the same torque, and the motor gives no more.
+    let advice = match slower >= 1.0 && d.torque <= d.torque_most {
         true => {
             let set = down(FIELDS, "cutting-speed", slower);
-            Advice::from(msg!("turning.too-little-power", (d.power, 2), (d.power_available, 2), (slower, 0)))
+            Advice::from(msg!("turning.too-little-power", (d.power, 2), (rated, 2), (slower, 0)))
                 .setting(msg!("advice.set-cutting-speed", set.1.as_str()), [set])
         }
-        false => msg!("turning.far-too-little-power", (d.power, 2), (d.power_available, 2)).into(),
+        false if slower >= 1.0 => {
+            with_depth(lathe, rated / d.power, msg!("turning.slower-lacks-torque", (d.power, 2), (rated, 2)))
+        }
+        false => with_depth(lathe, rated / d.power, msg!("turning.far-too-little-power", (d.power, 2), (rated, 2))),
     };
-    fail(limit, [advice])
+    fail(AtMost(most), [advice])
+}
+
+/// An advice with the depth that is `share` of the present one, where the force follows from it and the passes stay within their number.
+fn with_depth(lathe: &TurningSpindle, share: f64, message: Message) -> Advice {
+    let advice = Advice::from(message);
+    // The first of more passes is at a larger diameter, at most that of the stock.
+    let grows = lathe.d.largest.max(lathe.p.stock_diameter) / lathe.d.largest;
+    let set = down(FIELDS, "depth", lathe.p.depth * share / grows);
+    let depth = set.1.parse().unwrap_or(0.0);
+    let passes = Params { depth, ..lathe.p.clone() };
+    if lathe.p.material == Material::None || depth < LEAST_DEPTH || passes.passes() >= super::derive::PASSES {
+        return advice;
+    }
+    advice.setting(msg!("advice.set-depth", set.1.as_str()), [set])
+}
+
+/// Least depth of cut (mm) that an advice names: below it an edge rubs.
+const LEAST_DEPTH: f64 = 0.1;
+
+/// Torque of the cut at the largest diameter, where it is greatest, against the motor's curve in the gear stage.
+fn torque(lathe: &TurningSpindle) -> Option<Judgement> {
+    let TurningSpindle { p, d, .. } = lathe;
+    if p.cutting_force <= 0.0 {
+        return None;
+    }
+    let (rated, most) = (d.torque_available, d.torque_available * p.motor_overload / 100.0);
+    if d.torque <= rated {
+        return ok(AtMost(rated));
+    }
+    if d.torque <= most {
+        return overloaded(lathe, rated);
+    }
+    let message =
+        msg!("turning.too-little-torque", (d.torque, 1), (d.speed_largest, 0), (rated, 1), f64::from(d.stage));
+    let advice = match stronger_stage(lathe) {
+        Some(stage) => {
+            let gear = (1..).zip(Gear::OPTIONS.iter().skip(1)).find(|(number, _)| *number == stage);
+            let sets = gear.map(|(_, (id, _))| ("gear", (*id).to_owned()));
+            Advice::from(message).setting(msg!("advice.set-stage", f64::from(stage)), Vec::from_iter(sets))
+        }
+        None => with_depth(lathe, rated / d.torque, message),
+    };
+    fail(AtMost(most), [advice])
+}
+
+/// A gear stage in which the torque suffices and the speed is the same.
+fn stronger_stage(lathe: &TurningSpindle) -> Option<u8> {
+    let bench = &lathe.control.bench;
+    let gears = [Gear::First, Gear::Second, Gear::Third, Gear::Fourth];
+    let mut fitted = (1..).zip(lathe.p.stages()).zip(gears);
+    let found = fitted.find(|(_, gear)| {
+        let p = Params { gear: *gear, ..lathe.p.clone() };
+        let d = Derived::new(&p, bench.volts_full, bench.output_bits, &lathe.dialect.spindle());
+        let as_fast = |now: f64, before: f64| (now - before).abs() <= 1e-9 * before.abs();
+        d.torque <= d.torque_available
+            && as_fast(d.speed_largest, lathe.d.speed_largest)
+            && as_fast(d.speed_smallest, lathe.d.speed_smallest)
+    });
+    found.map(|((number, _), _)| number)
 }
 
 /// Travels of the slides: from the start of the tool to its last cut.

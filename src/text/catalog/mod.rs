@@ -70,7 +70,7 @@ pub fn sentence(language: Language, message: &Message) -> String {
     let mut rest = words(language, message.id);
     while let Some((before, tail)) = rest.split_once('{') {
         out.push_str(before);
-        let value = tail.split_once('}').and_then(|(place, behind)| Some((fill(message, place)?, behind)));
+        let value = tail.split_once('}').and_then(|(place, behind)| Some((fill(language, message, place)?, behind)));
         rest = match value {
             Some((text, behind)) => {
                 out.push_str(&text);
@@ -87,11 +87,12 @@ pub fn sentence(language: Language, message: &Message) -> String {
 }
 
 /// The text of a place, `0` or `0|head|heads`.
-fn fill(message: &Message, place: &str) -> Option<String> {
+fn fill(language: Language, message: &Message, place: &str) -> Option<String> {
     let (at, forms) = place.split_once('|').map_or((place, None), |(at, forms)| (at, Some(forms)));
     let value = match message.values.get(at.parse::<usize>().ok()?)? {
         MessageValue::Number(number, decimals) => number_text(*number, *decimals),
         MessageValue::Text(text) => text.clone(),
+        MessageValue::Label(id) => words(language, id).to_owned(),
     };
     let Some(forms) = forms else { return Some(value) };
     let (one, many) = forms.split_once('|')?;

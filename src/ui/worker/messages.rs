@@ -139,6 +139,7 @@ impl From<&Message> for Sentence {
         let shown = |value: &MessageValue| match value {
             MessageValue::Number(number, decimals) => catalog::number_text(*number, *decimals),
             MessageValue::Text(text) => text.clone(),
+            MessageValue::Label(id) => (*id).to_owned(),
         };
         Sentence(message.id.to_owned(), message.values.iter().map(shown).collect())
     }

@@ -1,11 +1,13 @@
 //! Limits and remedies of the verdicts, over the fields at their ends and over random forms.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use macroline::controls::options::{OverrideOrder, SwitchChoice};
 use macroline::machines::form::Value;
 use macroline::machines::{self, Design};
 use macroline::project::{Project, list};
-use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence};
+use macroline::text::{MessageValue, Severity};
 use macroline::view::{Advice, Limit, Readout, Verdict};
 
 use super::sweep::{changes, forms};
@@ -91,18 +93,35 @@ fn errors(design: &Design) -> usize {
     design.diagnostics.iter().filter(|found| found.severity == Severity::Error).count()
 }
 
+/// Results that fail, by their labels.
+fn red(readouts: &[Readout]) -> BTreeSet<&'static str> {
+    readouts.iter().filter(|row| row.verdict == Verdict::Fail).map(|row| row.label).collect()
+}
+
+/// Results that the notes behind an advice say it makes fail.
+fn said_red(notes: &[Advice]) -> BTreeSet<&'static str> {
+    let notes = notes.iter().take_while(|note| note.message.id == "advice.turns-red");
+    notes
+        .flat_map(|note| &note.message.values)
+        .filter_map(|value| match value {
+            MessageValue::Label(label) => Some(*label),
+            _ => None,
+        })
+        .collect()
+}
+
 #[test]
 fn every_settable_advice_improves_its_verdict() {
-    let (mut found, mut tried) = (Vec::new(), std::collections::BTreeSet::new());
+    let (mut found, mut tried) = (Vec::new(), BTreeMap::new());
     for (project, about) in all() {
         let design = project.design();
         for readout in &design.readouts {
-            for advice in &readout.advice {
+            for (at, advice) in readout.advice.iter().enumerate() {
                 assert_eq!(advice.button.is_none(), advice.sets.is_empty(), "{}: {about}", readout.id);
                 if advice.sets.is_empty() {
                     continue;
                 }
-                tried.insert(advice.message.id);
+                *tried.entry(advice.message.id).or_insert(0) += 1;
                 // The entries read as values, so the machine's own results are all that can be wrong with them.
                 let after = taken(&project, advice).prepared().results();
                 let row = after.readouts.iter().find(|row| row.id == readout.id);
@@ -112,6 +131,11 @@ fn every_settable_advice_improves_its_verdict() {
                         "{}: {:?} to {verdict:?} by {:?}\n    {about}",
                         readout.id, readout.verdict, advice.sets
                     ));
+                }
+                let turned: BTreeSet<_> = red(&after.readouts).difference(&red(&design.readouts)).copied().collect();
+                let said = said_red(&readout.advice[at + 1..]);
+                if said != turned {
+                    found.push(format!("{}: {turned:?} turn red, said {said:?}\n    {about}", readout.id));
                 }
             }
         }
@@ -180,7 +204,11 @@ fn slower_unwinder_counts_the_override() {
 
 #[test]
 fn buttons_of_the_turning_spindle() {
-    let lathe = project("turning-spindle", "gsk-980tdc", &[("upper-limit", "3200.0"), ("cutting-force", "4000")]);
+    let lathe = project(
+        "turning-spindle",
+        "gsk-980tdc",
+        &[("upper-limit", "3200.0"), ("cutting-force", "4000"), ("motor-base", "100")],
+    );
     assert_eq!(buttons(&lathe, "speed-smallest"), ["Set 3000 r/min: upper-limit=3000"]);
     // F v / 60 000 = 12 kW; 6 kW reach the cut.
     assert_eq!(buttons(&lathe, "power"), ["Set 90 m/min: cutting-speed=90"]);

@@ -1,0 +1,113 @@
+//! Torque of the turning spindle: the motor's curve in its gear stages, and the force of the cut by material.
+
+use macroline::project::Project;
+use macroline::view::{Readout, Verdict};
+
+use super::turning::{machine, project, result};
+
+fn row(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
+}
+
+#[track_caller]
+fn near(value: f64, expected: f64, within: f64) {
+    assert!((value - expected).abs() <= within, "{value} is not {expected}");
+}
+
+/// Ø 300, 45 m/min, 1500 N in a stage of 3000 r/min: little power, and far too much torque.
+const STALLS: [(&str, &str); 9] = [
+    ("path", "turning"),
+    ("stock-diameter", "300"),
+    ("finished-diameter", "290"),
+    ("depth", "2"),
+    ("cutting-speed", "45"),
+    ("cutting-force", "1500"),
+    ("stage-1", "3000"),
+    ("stage-2", "0"),
+    ("start-x", "400"),
+];
+
+#[test]
+fn torque_beyond_the_motor_fails_though_power_suffices() {
+    for control in ["gsk-980tdc", "sinumerik-802d", "knd-k2000t", "mitsubishi-e60"] {
+        let stalls = project(control, &STALLS);
+        let (power, torque) = (row(&stalls, "power"), row(&stalls, "torque"));
+        assert_eq!(power.verdict, Verdict::Ok, "{control}");
+        assert!((1.0..1.2).contains(&power.value), "{control}: {}", power.value);
+        assert_eq!(torque.verdict, Verdict::Fail, "{control}");
+        // 1500 N at Ø 296, the first pass; 9549.3 · 7.5 · 0.8 / 3000.
+        near(torque.value, 222.0, 1.0);
+        near(result(&stalls, "torque-available"), 19.1, 0.01);
+        near(torque.limit.unwrap().value(), 19.1, 0.01);
+    }
+}
+
+#[test]
+fn lower_stage_with_enough_torque_is_offered() {
+    let stages = [("stage-1", "200"), ("stage-2", "3000"), ("gear", "2")];
+    let stalls = project("gsk-980tdc", &[&STALLS[..], &stages].concat());
+    let torque = row(&stalls, "torque");
+    assert_eq!(torque.verdict, Verdict::Fail);
+    assert_eq!(torque.advice[0].sets, [("gear", "1".to_owned())]);
+    let after = stalls.with_entries(&torque.advice[0].sets).unwrap();
+    assert_eq!(row(&after, "torque").verdict, Verdict::Ok);
+}
+
+/// 60 mm, 200 m/min, 3 mm by 0.3 mm, κ 95°: 1760.9 N, 5.870 kW, 52.83 Nm (turning spindle facts 4).
+#[test]
+fn kienzle_force_is_that_of_the_fact_sheet() {
+    let cut = [
+        ("path", "turning"),
+        ("stock-diameter", "66"),
+        ("finished-diameter", "60"),
+        ("depth", "3"),
+        ("feed", "0.3"),
+        ("cutting-speed", "200"),
+        ("material", "c45"),
+        ("motor-base", "500"),
+        ("motor-power", "11"),
+    ];
+    let lathe = project("gsk-980tdc", &cut);
+    near(result(&lathe, "force"), 1760.9, 0.05);
+    near(result(&lathe, "torque"), 52.83, 0.005);
+    near(result(&lathe, "power"), 5.870, 0.001);
+    assert_eq!(row(&lathe, "torque").verdict, Verdict::Ok);
+}
+
+#[test]
+fn less_depth_is_offered_where_the_force_follows_from_it() {
+    let cut = [&STALLS[..], &[("material", "c45"), ("depth", "5")]].concat();
+    let stalls = project("gsk-980tdc", &cut);
+    let torque = row(&stalls, "torque");
+    let [("depth", depth)] = &torque.advice[0].sets[..] else { panic!("{:?}", torque.advice) };
+    assert!(depth.parse::<f64>().unwrap() < 5.0);
+    let after = stalls.with_entries(&torque.advice[0].sets).unwrap();
+    assert!(row(&after, "torque").verdict < Verdict::Fail);
+}
+
+#[test]
+fn overload_is_a_warning_within_its_share() {
+    // 222 Nm: base speed 300 · 3000 / 1500 gives 95 Nm, and 250 % of it 239 Nm.
+    let cut = [&STALLS[..], &[("motor-base", "300"), ("motor-overload", "250")]].concat();
+    assert_eq!(row(&project("gsk-980tdc", &cut), "torque").verdict, Verdict::Warn);
+    let cut = [&STALLS[..], &[("motor-base", "300"), ("motor-overload", "200")]].concat();
+    assert_eq!(row(&project("gsk-980tdc", &cut), "torque").verdict, Verdict::Fail);
+}
+
+#[test]
+fn examples_pass_with_each_material_at_light_cuts() {
+    for (id, _) in macroline_materials() {
+        let cut = [("material", id.as_str()), ("depth", "0.2"), ("feed", "0.05"), ("upper-limit", "1800")];
+        let light = project("gsk-980tdc", &cut);
+        let red: Vec<_> = light.design().readouts.into_iter().filter(|row| row.verdict == Verdict::Fail).collect();
+        assert!(red.is_empty(), "{id}: {:?}", red.iter().map(|row| row.id).collect::<Vec<_>>());
+    }
+}
+
+/// Materials of the form.
+fn macroline_materials() -> Vec<(String, String)> {
+    let fields = machine().fields();
+    let field = fields.into_iter().find(|field| field.id == "material").unwrap();
+    let macroline::machines::form::KindInfo::Choice(options) = field.kind else { panic!("no choice") };
+    options.iter().map(|(id, label)| ((*id).to_owned(), (*label).to_owned())).collect()
+}
