@@ -222,7 +222,7 @@ fn diagnostics_without_place_have_the_same_json_keys() {
     let folder = folder("keys");
     let path = folder.join("keys.nc");
     std::fs::write(&path, "%\nO1\nN1GOTO1\nX#2000\nM30\n%\n").unwrap();
-    let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--blocks", "10"], 1);
+    let out = run(&[&text(&path), "--control", "mitsubishi-e60", "--blocks", "10"], 3);
     let told = out["diagnostics"].as_array().unwrap();
     assert!(told.iter().any(|d| d["line"].is_null()) && told.iter().any(|d| d["line"] == 4), "{told:#?}");
     for diagnostic in told {

@@ -6,6 +6,7 @@ use std::rc::Rc;
 use super::ribbon_line::{at_defaults, control, controls, machine, on, values};
 use expect_test::expect_file;
 use macroline::controls::Address;
+use macroline::controls::interface::SignalRole;
 use macroline::interp::canon::AXES;
 use macroline::interp::world::Still;
 use macroline::interp::{self, Canon, End, Feed, Interp, StartProgram};
@@ -583,6 +584,9 @@ proptest! {
         let Some(Value::Text(step)) = values.get("knob-step") else { unreachable!() };
         let step: f64 = step.parse().unwrap();
         let percent = (knob / step).round() * step;
+        // A code has positions of its own.
+        let coded = on.control.interface.iter().any(|row| row.role == SignalRole::SpindleOverrideCode);
+        let percent = if coded { on.control.spindle.knob.nearest(percent) } else { percent };
         prop_assume!(percent > 0.0);
         let final_speed = values.get("override-form") == Some(&Value::Text("final-speed".to_owned()))
             && !machine().prepare(&values, on).hidden().contains(&"override-form");
