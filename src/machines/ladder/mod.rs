@@ -31,11 +31,11 @@ pub enum Bit {
     Decoded(u32),
     /// Internal relay by its name in the table.
     Relay(&'static str),
-    /// RungContact of a timer by its name in the table.
+    /// Contact of a timer by its name in the table.
     Timer(&'static str),
-    /// RungContact of the machine.
+    /// Contact of the machine.
     Input(MachineContact),
-    /// MachineOutput to the machine.
+    /// Output to the machine.
     Output(MachineOutput),
     /// Device of the control that no row of its table has; the machine cites it.
     Device(&'static str),
@@ -177,7 +177,7 @@ pub const DECODED: u32 = 8;
 pub struct Rung {
     /// Branches.
     pub when: Branches,
-    /// RungAction.
+    /// What it does.
     pub action: RungAction,
     /// Catalog id of its purpose.
     pub note: &'static str,
