@@ -586,7 +586,7 @@ proptest! {
         let percent = (knob / step).round() * step;
         // A code has positions of its own.
         let coded = on.control.interface.iter().any(|row| row.role == SignalRole::SpindleOverrideCode);
-        let percent = if coded { on.control.spindle.knob.nearest(percent) } else { percent };
+        let percent = if coded { on.control.spindle.knob.nearest(*knob) } else { percent };
         prop_assume!(percent > 0.0);
         let final_speed = values.get("override-form") == Some(&Value::Text("final-speed".to_owned()))
             && !machine().prepare(&values, on).hidden().contains(&"override-form");
