@@ -113,7 +113,7 @@ test('sheets, ladder and the part for another control stand beside the program, 
     }
     await accessible(page);
     await page.locator('#side summary').click();
-    await page.getByRole('cell', { name: 'OUT G360.6' }).waitFor();
+    await page.getByRole('cell', { name: 'WRT G360.6' }).waitFor();
     assert.deepEqual(await tooWide(page), []);
     await page.click('#tab-parameters');
     await page.locator('#side', { hasText: '4120' }).waitFor();

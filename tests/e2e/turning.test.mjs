@@ -26,9 +26,10 @@ test('a lathe shows where its limit begins, its volts and the time that surface 
     assert.equal(await page.getByText('Stroboscope').isVisible(), false);
     assert.equal(await page.getByText('Paper’s listing').isVisible(), false);
     await accessible(page);
-    // A sheet without a line says so.
+    // The ladder of the spindle, and what stops it.
     await page.click('#tab-plc');
-    await page.getByText('On this control the machine needs nothing of this kind.').waitFor();
+    for (const text of ['Ladder', 'Hold, alarm, reset, emergency stop']) await page.locator('#side', { hasText: text }).waitFor();
+    await accessible(page);
   }));
 
 test('the part is cut, the speed follows the diameter, and the charts over the diameter have no time', () =>

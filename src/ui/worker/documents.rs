@@ -50,8 +50,12 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     let shown: Vec<usize> = (0..sheet.columns.len()).filter(some).collect();
     // Where there is little room, prose behind many columns goes below them: see `.stacked`.
     let prose = matches!(sheet.columns.last(), Some(&("sheet.meaning" | "sheet.use"))) && shown.len() > 3;
+    // Sentences in several columns stand below one another there, each with its head: see `.told`.
+    let told = shown.iter().filter(|at| longest(sheet, **at) > SENTENCE).count() > 2;
     out.push_str("<table class=\"sheet");
-    if prose {
+    if told {
+        out.push_str(" told");
+    } else if prose {
         out.push_str(&format!(" stacked n{}", shown.len() - 1));
     }
     out.push_str("\"><thead><tr>");
@@ -85,6 +89,12 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
                         out.push_str("</td>");
                     }
                     Some(&("sheet.meaning" | "sheet.use")) => tagged(out, "td", cell),
+                    Some(head) if told => {
+                        out.push_str("<td>");
+                        tagged(out, "small", t(head));
+                        escape(out, cell);
+                        out.push_str("</td>");
+                    }
                     _ => devices(out, cell, project),
                 }
             }
@@ -103,6 +113,14 @@ fn html(out: &mut String, sheet: &Sheet, project: &Project) {
     if folded {
         out.push_str("</details>");
     }
+}
+
+/// Characters from which on a cell is a sentence.
+const SENTENCE: usize = 24;
+
+/// Characters of the longest cell of a column.
+fn longest(sheet: &Sheet, at: usize) -> usize {
+    sheet.rows.iter().filter_map(|row| Some(row.cells.get(at)?.chars().count())).max().unwrap_or(0)
 }
 
 /// A cell whose registers and variables have their meaning: `MOV R148 R74`.
