@@ -47,6 +47,14 @@ pub(super) struct Unmoved {
     pub(super) replaced: bool,
 }
 
+impl Unmoved {
+    /// Whether one of them is in force.
+    #[inline]
+    pub(super) fn any(self) -> bool {
+        self.cycle || self.replaced
+    }
+}
+
 /// The limits of the working area.
 #[derive(Debug, Clone, Default)]
 pub(super) struct WorkingArea {

@@ -287,8 +287,7 @@ impl RunState {
     fn uses(&self, codes: &BlockCodes, values: &BlockWords) -> u8 {
         let any = codes.any_word
             || codes.call.is_some()
-            || self.modal.unmoved.cycle
-            || self.modal.unmoved.replaced
+            || self.modal.unmoved.any()
             || self.modal.motion == Code::NotSimulated;
         let arc = matches!(self.modal.motion, Code::ArcCw | Code::ArcCcw);
         match (any, arc) {

@@ -88,8 +88,8 @@ impl Project {
             file("report.html", report::html(&told, Language::English)),
             file("report.md", report::markdown(&told, Language::English)),
         ];
-        for sheet in prepared.sheets() {
-            files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(&sheet, Language::English) });
+        for sheet in &told.sheets {
+            files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(sheet, Language::English) });
             if !sheet.drawing.is_empty() {
                 files.push(File { name: format!("{}.svg", sheet.id), text: view::svg::alone(&sheet.drawing) });
             }

@@ -2,12 +2,13 @@
 
 use super::Project;
 use super::program::Written;
-use super::run::{RunOptions, of_project};
+use super::run::{RunOptions, of_project, program_number};
 use crate::controls::schema::syntax::Percent;
 use crate::machines::report::report;
 use crate::machines::{Frame, PreparedMachine};
 use crate::motion::{Budget, Retention, RunEnd};
 use crate::msg;
+use crate::nc::File;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Message};
 use crate::view::report::{Figure, PrintedProgram, Report, RunReport};
@@ -30,7 +31,7 @@ impl Project {
     pub fn report(&self, prepared: &PreparedMachine, written: &Written, found: &[Diagnostic], date: &str) -> Report {
         let report = report(self.machine, prepared, &self.name, (&self.values, &self.provenance), self.on(), found);
         let files = &written.files.0;
-        let program = |file: &crate::nc::File| PrintedProgram {
+        let program = |file: &File| PrintedProgram {
             name: file.name.clone(),
             text: file.text.clone(),
             checksum: checksum(&file.text),
@@ -82,19 +83,11 @@ impl Project {
             Percent::End => msg!("form.report.percent-end"),
             Percent::Head => msg!("form.report.percent-head"),
         };
-        let mut told = vec![
-            msg!("form.report.load", names.join(", ")),
-            percent,
-            msg!("form.report.line-ends", if ends == "\n" { "LF" } else { "CR LF" }),
-            msg!("form.report.transfer"),
-        ];
-        let locked = |file: &&crate::nc::File| {
-            super::run::program_number(&file.name).is_some_and(|n| (9000..=9999).contains(&n))
-        };
-        if files.iter().any(|file| locked(&file)) {
-            told.insert(1, msg!("form.report.locked"));
-        }
-        told
+        let locked = |name: &&str| program_number(name).is_some_and(|number| (9000..=9999).contains(&number));
+        let locked = names.iter().any(locked).then(|| msg!("form.report.locked"));
+        let first = [msg!("form.report.load", names.join(", "))].into_iter().chain(locked);
+        let line_ends = msg!("form.report.line-ends", if ends == "\n" { "LF" } else { "CR LF" });
+        first.chain([percent, line_ends, msg!("form.report.transfer")]).collect()
     }
 }
 

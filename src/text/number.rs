@@ -120,6 +120,20 @@ fn write_scaled(f: &mut impl fmt::Write, digits: i64, decimals: usize, zeros: bo
     f.write_str(core::str::from_utf8(&text[at..]).unwrap_or_default())
 }
 
+/// A number as a figure with four significant digits, of the decimals that its row has; below 1 all of them. A dash for what is no number.
+pub fn four_digits(number: f64, decimals: u8) -> String {
+    if number.is_finite() { figure(number, decimals_of_four(number, decimals)) } else { "–".to_owned() }
+}
+
+/// A number as a figure with at most so many decimals. A dash for what is no number.
+pub fn short(number: f64, decimals: u8) -> String {
+    if !number.is_finite() {
+        return "–".to_owned();
+    }
+    let text = figure(number, decimals);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
 /// Decimals of a number with four significant digits, of the decimals that its row has; below 1 all of them.
 pub fn decimals_of_four(number: f64, decimals: u8) -> u8 {
     let most = match number.abs() {

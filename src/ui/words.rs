@@ -92,8 +92,7 @@ pub(crate) fn figure(number: f64, decimals: u8) -> String {
 
 /// A number with at most so many decimals.
 pub(crate) fn short(number: f64, decimals: u8) -> String {
-    let text = figure(number, decimals);
-    if text.as_bytes().contains(&b'.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    number::short(number, decimals)
 }
 
 /// A machine time as minutes, seconds and tenths of milliseconds.
@@ -160,7 +159,7 @@ pub(crate) fn mode_tone(mode: Mode) -> &'static str {
 
 /// A number with four significant digits where its row has as many; small ones with the decimals of the row.
 pub(crate) fn four_digits(number: f64, decimals: u8) -> String {
-    figure(number, number::decimals_of_four(number, decimals))
+    number::four_digits(number, decimals)
 }
 
 /// The limit of a result in its shortest form: `≤ 20 000`.

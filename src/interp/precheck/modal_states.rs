@@ -17,7 +17,7 @@ fn matters(row: &CodeDef) -> bool {
 /// The part of a modal state that [`matters`].
 fn key(modal: &Modal) -> ([bool; 5], u8) {
     let words = match modal.motion {
-        _ if modal.unmoved.cycle || modal.unmoved.replaced => 0,
+        _ if modal.unmoved.any() => 0,
         Code::NotSimulated => 0,
         Code::Thread => 1,
         Code::ArcCw | Code::ArcCcw => 2,

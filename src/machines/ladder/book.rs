@@ -111,8 +111,7 @@ impl<'a> Book<'a> {
             }
         }
         first.append(&mut self.rungs);
-        self.rungs = first;
-        let rungs = core::mem::take(&mut self.rungs);
+        let rungs = first;
         let (bits, words) = self.devices(&rungs);
         Ladder { rungs: rungs.into(), language: self.control.plc, bits: bits.into(), words: words.into() }
     }
@@ -151,7 +150,7 @@ impl<'a> Book<'a> {
             cite: BUILDER,
         };
         match bit {
-            Bit::Signal(role) => self.signal(role, "", driven),
+            Bit::Signal(role) => self.signal(role, driven),
             Bit::Macro(variable) => {
                 let other = if driven { (PlcSide::Plc, PlcSide::Program) } else { (PlcSide::Program, PlcSide::Plc) };
                 let device = open(self.macro_bit(variable), other, "");
@@ -190,7 +189,7 @@ impl<'a> Book<'a> {
         };
         match word {
             PlcNumber::Signal(role) => {
-                let device = self.signal(role, "", written);
+                let device = self.signal(role, written);
                 Device { unit: self.unit(role), ..device }
             }
             PlcNumber::Knob => open(plc.data(0), (PlcSide::Machine, PlcSide::Plc), "%", "plc.signal.knob"),
@@ -204,7 +203,7 @@ impl<'a> Book<'a> {
     }
 
     /// A signal of the control, or the register of a macro variable that no row names.
-    fn signal(&self, role: SignalRole, unit: &'static str, driven: bool) -> Device {
+    fn signal(&self, role: SignalRole, driven: bool) -> Device {
         let variable = match role {
             SignalRole::MacroInputLow(number)
             | SignalRole::MacroInputHigh(number)
@@ -220,7 +219,7 @@ impl<'a> Book<'a> {
             name,
             variable: variable.map_or_else(String::new, |number| format!("#{number}")),
             sides: if driven { (PlcSide::Plc, other) } else { (other, PlcSide::Plc) },
-            unit,
+            unit: "",
             meaning: role_meaning(role),
             cite,
         }

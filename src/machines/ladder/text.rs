@@ -1,6 +1,6 @@
 //! A ladder as an instruction list in the language of the control's PLC.
 
-use super::{Bit, Branches, DECODED, Ladder, Operator, PlcNumber, Rung, RungAction, RungContact};
+use super::{Bit, Branches, DECODED, Ladder, Operator, PlcNumber, Rung, RungAction};
 use crate::controls::interface::{PlcLanguage, SignalRole};
 
 /// Words of an instruction list for contacts: first, its inverse; next in series, its inverse; parallel, its inverse; joining a branch.
@@ -187,11 +187,6 @@ impl Ladder {
     fn decoded_byte(&self, first: u32) -> &str {
         let used = (first..first + DECODED).map(|function| self.bit(Bit::Decoded(function)));
         used.filter_map(|device| device.split_once('.')).map(|parts| parts.0).next().unwrap_or("")
-    }
-
-    /// A contact as people read it in a drawing.
-    pub fn contact(&self, contact: &RungContact) -> (String, bool) {
-        (self.bit(contact.bit).to_owned(), contact.opens)
     }
 }
 

@@ -5,7 +5,7 @@ use super::cells::{INPUT_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_resul
 use super::document::Report;
 use crate::msg;
 use crate::text::catalog::{Language, sentence, words};
-use crate::text::number::{decimals_of_four, figure, filled};
+use crate::text::number::{decimals_of_four, filled, four_digits, short};
 use crate::text::{Message, Severity};
 use crate::view::svg::escape;
 use crate::view::{Chart, Readout, Sheet, Verdict, plot};
@@ -144,7 +144,7 @@ impl Page<'_> {
         self.raw(&format!("<tr class=\"{class}\">"));
         self.text("td", "sign", sign);
         self.text("td", "", self.say(readout.label));
-        self.text("td", "figure", &four(readout));
+        self.text("td", "figure", &four_digits(readout.value, readout.decimals));
         self.text("td", "", readout.unit);
         self.raw("<td>");
         if let Some((part, limit)) = readout.bar() {
@@ -158,7 +158,7 @@ impl Page<'_> {
         self.raw("</td>");
         let limit = readout.limit.map_or(String::new(), |limit| {
             let decimals = decimals_of_four(limit.value(), readout.decimals);
-            sentence(self.language, &limit.message(trimmed(figure(limit.value(), decimals))))
+            sentence(self.language, &limit.message(short(limit.value(), decimals)))
         });
         self.text("td", "", &limit);
         let repair = readout.advice.iter().find_map(|advice| advice.button.as_ref());
@@ -300,20 +300,6 @@ impl Page<'_> {
     }
 }
 
-/// The value with four significant digits.
-fn four(readout: &Readout) -> String {
-    if readout.value.is_finite() {
-        figure(readout.value, decimals_of_four(readout.value, readout.decimals))
-    } else {
-        "–".to_owned()
-    }
-}
-
-/// A number without zeros at its end.
-fn trimmed(number: String) -> String {
-    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.').to_owned() } else { number }
-}
-
 /// The verdicts of the first sheet: the worst first, then those above the drawing, then others.
 fn first_rows(report: &Report) -> Vec<&Readout> {
     let judged = report.readouts.iter().filter(|readout| readout.headline || readout.verdict != Verdict::None);
@@ -328,7 +314,14 @@ fn conclusion(report: &Report, language: Language) -> String {
     let figures = report.readouts.iter().filter(|readout| readout.headline).take(3);
     let figures: Vec<String> = figures
         .map(|readout| {
-            format!("{} {} {}", words(language, readout.label), four(readout), readout.unit).trim_end().to_owned()
+            format!(
+                "{} {} {}",
+                words(language, readout.label),
+                four_digits(readout.value, readout.decimals),
+                readout.unit
+            )
+            .trim_end()
+            .to_owned()
         })
         .chain(report.run.figures.iter().map(|row| format!("{} {}", words(language, row.label), row.shown())))
         .collect();

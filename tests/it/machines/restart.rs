@@ -14,17 +14,22 @@ const MOMENTS: u32 = 8;
 /// Seconds from the interruption to cycle start.
 const PAUSE: f64 = 9.0;
 
-struct Outcome {
-    planner: Planner<Interp>,
-    ended: Option<RunEnd>,
+pub(super) struct Outcome {
+    pub(super) planner: Planner<Interp>,
+    pub(super) ended: Option<RunEnd>,
     /// Commands with the times at which they were read.
-    log: Vec<(f64, String)>,
+    pub(super) log: Vec<(f64, String)>,
 }
 
 fn outcome(project: &Project, events: &[(f64, Action)]) -> Outcome {
+    within(7200.0, project, events)
+}
+
+/// The run with these events, of so many seconds at most.
+pub(super) fn within(seconds: f64, project: &Project, events: &[(f64, Action)]) -> Outcome {
     let mut project = project.clone();
     events.iter().for_each(|(t, action)| project.panel.add(Event { t: *t, action: action.clone() }));
-    let limits = Budget { blocks: 1_000_000, seconds: 7200.0 };
+    let limits = Budget { blocks: 1_000_000, seconds };
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Both };
     let mut planner = run::of_project(&project, &project.written(), &begin);
     let ended = planner.advance(f64::INFINITY, usize::MAX).ended;

@@ -1,36 +1,25 @@
 //! Reset, hold or emergency stop at any moment, then reset and cycle start: the turning spindle never moves from a place that it has guessed.
 
-use macroline::interp::{Canon, Interp};
+use macroline::interp::Interp;
 use macroline::machines;
-use macroline::motion::{Action, Budget, Event, Planner, Retention, RunEnd};
+use macroline::motion::{Action, Planner, RunEnd};
 use macroline::project::Project;
-use macroline::project::run::{self, RunOptions};
 
+use super::restart::{Outcome, within};
 use super::turning::project;
 
 /// Seconds from reset to cycle start.
 const PAUSE: f64 = 2.0;
 
-fn ended(project: &Project, events: Vec<Event>) -> (Planner<Interp>, Option<RunEnd>, Vec<(f64, String)>) {
-    let mut project = project.clone();
-    events.into_iter().for_each(|event| project.panel.add(event));
-    let limits = Budget { blocks: 1_000_000, seconds: 3600.0 };
-    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Both };
-    let mut planner = run::of_project(&project, &project.written(), &begin);
-    let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
-    // A preset that says where the tool is anyway differs with the place; what is driven to does not.
-    let driven = planner.take_log().into_iter().filter(|(_, canon, _)| !matches!(canon, Canon::Preset { .. }));
-    let names = planner.program().names();
-    let log = driven.map(|(t, canon, _)| (t, canon.line(names).to_string())).collect();
-    (planner, ended, log)
+fn outcome(project: &Project, events: &[(f64, Action)]) -> Outcome {
+    within(3600.0, project, events)
 }
 
 /// A run that is broken off at `t`, reset, and started again.
 fn restarted(project: &Project, t: f64, broken: Action) -> (Planner<Interp>, Option<RunEnd>, Vec<String>) {
     let start = t + PAUSE;
-    let all = [(t, broken), (start - 0.1, Action::Reset), (start, Action::Start)];
-    let events = all.into_iter().map(|(t, action)| Event { t, action }).collect();
-    let (planner, ended, log) = ended(project, events);
+    let Outcome { planner, ended, log } =
+        outcome(project, &[(t, broken), (start - 0.1, Action::Reset), (start, Action::Start)]);
     (planner, ended, log.into_iter().filter(|(read, _)| *read >= start).map(|(_, canon)| canon).collect())
 }
 
@@ -50,7 +39,7 @@ fn lathes() -> impl Iterator<Item = (String, Project)> {
 fn restart_repeats_the_program_or_raises_an_alarm() {
     let (mut alarms, mut repeats) = (0, 0);
     for (name, project) in lathes() {
-        let (whole, end, log) = ended(&project, Vec::new());
+        let Outcome { planner: whole, ended: end, log } = outcome(&project, &[]);
         assert_eq!(end, Some(RunEnd::ProgramEnd), "{name}");
         let commands: Vec<String> = log.into_iter().map(|(_, canon)| canon).collect();
         let end = whole.ended_at().unwrap();
@@ -83,6 +72,6 @@ fn tool_beyond_the_clear_diameter_starts_the_same_part() {
     let project = project("gsk-980tdc", &[]);
     let (_, end, again) = restarted(&project, 0.3, Action::Reset);
     assert_eq!(end, Some(RunEnd::ProgramEnd));
-    let whole: Vec<String> = ended(&project, Vec::new()).2.into_iter().map(|(_, canon)| canon).collect();
+    let whole: Vec<String> = outcome(&project, &[]).log.into_iter().map(|(_, canon)| canon).collect();
     assert_eq!(again, whole);
 }
