@@ -26,6 +26,10 @@ check: ## the inner loop: format, lints, native tests
 test: ## every test of every kind, with the time of each stage
 	@scripts/stages.sh setup 'dist&' fmt lint lint-web test-native test-parity test-web wait sizes test-e2e
 
+.PHONY: clauses
+clauses: ## the clauses of the four papers, each with the verdict of its test
+	@cargo test --locked --quiet --test it -- --exact papers::table_of_clauses_holds --nocapture
+
 .PHONY: bench
 bench: dist ## benchmarks, native, in wasm and of the page; each ends in lines `summary: …`
 	@scripts/setup.sh browser bench

@@ -12,6 +12,7 @@ mod language;
 mod machines;
 mod meaning;
 mod numbers;
+mod papers;
 mod physics;
 mod programs;
 mod rows;
