@@ -15,7 +15,7 @@ use super::left_out::LeftOut;
 use crate::controls::options::{CommonAtReset, SwitchChoice};
 use crate::controls::{Control, Dialect, Switches};
 use crate::math;
-use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot};
+use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot, Visit};
 use crate::msg;
 use crate::nc::{Deck, File};
 use crate::text::{Diagnostic, DiagnosticKind, Severity};
@@ -107,8 +107,8 @@ pub trait Samples {
     fn at(&self, t: f64) -> Snapshot;
     /// Starts of the block with this sequence number (in the started program) up to time `t`, and whether it executes at `t`.
     fn passes(&self, sequence: u32, t: f64) -> (u32, bool);
-    /// Excursions of an axis (by index) below 0 up to time `t`: when its command went below 0, and when it was lowest.
-    fn excursions(&self, axis: usize, t: f64) -> Vec<(f64, f64)>;
+    /// Visits of the commands of two axes (by index) to the region where both are below their limits, up to time `t`.
+    fn visits(&self, below: [(usize, f64); 2], t: f64) -> Vec<Visit>;
 }
 
 impl<P: RunningProgram> Samples for Planner<P> {
@@ -122,8 +122,8 @@ impl<P: RunningProgram> Samples for Planner<P> {
         (timeline.times(place, t), timeline.block_at(t) == Some(place))
     }
 
-    fn excursions(&self, axis: usize, t: f64) -> Vec<(f64, f64)> {
-        self.timeline().dips(axis, t)
+    fn visits(&self, below: [(usize, f64); 2], t: f64) -> Vec<Visit> {
+        self.timeline().visits(below, t)
     }
 }
 

@@ -81,4 +81,4 @@ pub use plc::{BenchPlc, GearShift, Io, Plc, ProgramState, Stops, Strobes, WordPa
 pub use program::RunningProgram;
 pub use setup::{Budget, Progress, Retention, RunEnd, Setup};
 pub use snapshot::{AxisState, Mode, Snapshot, SpindleState};
-pub use timeline::Timeline;
+pub use timeline::{Timeline, Visit};

@@ -57,6 +57,17 @@ impl Timed for VariableChange {
     }
 }
 
+/// A visit of two axes to a region: when it began (s), and how far they went in it, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Visit {
+    /// When both were in the region.
+    pub begin: f64,
+    /// The least position of the first axis.
+    pub across: f64,
+    /// The least and the greatest position of the second axis.
+    pub along: (f64, f64),
+}
+
 /// Lengths of the series at a checkpoint.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct TimelineLengths {
@@ -198,22 +209,45 @@ impl Timeline {
         later.into_iter().find(begins).map(|at| marks[at].t)
     }
 
-    /// Times (s) up to `t` at which the command of an axis fell below 0 and was lowest since; deviations of arcs are left out.
-    pub fn dips(&self, axis: usize, t: f64) -> Vec<(f64, f64)> {
+    /// Visits of the commands of two axes to the region where both are below their limits, up to `t`; deviations of arcs are left out.
+    pub fn visits(&self, [across, along]: [(usize, f64); 2], t: f64) -> Vec<Visit> {
         let segments = self.path.segments.until(t);
-        let (mut dips, mut lowest): (Vec<(f64, f64)>, f64) = (Vec::new(), 0.0);
+        let (mut visits, mut within): (Vec<Visit>, bool) = (Vec::new(), false);
         for (at, segment) in segments.iter().enumerate() {
-            let until = segments.get(at + 1).map_or(t, |next| next.t);
-            let (from, rate) = (segment.from[axis], segment.velocity[axis]);
-            let to = from + rate * (until - segment.t);
-            if from >= 0.0 && to < 0.0 {
-                dips.push((segment.t - from / rate, until));
-                lowest = to;
-            } else if let Some(last) = dips.last_mut().filter(|_| to < lowest) {
-                (last.1, lowest) = (until, to);
+            let until = segments.get(at + 1).map_or(t, |next| next.t) - segment.t;
+            let line = |axis: usize| (segment.from[axis], segment.velocity[axis]);
+            // The part of the segment in which both are below.
+            let (mut from, mut to) = (0.0_f64, until);
+            for (axis, limit) in [across, along] {
+                let (place, rate) = line(axis);
+                if rate == 0.0 {
+                    to = if place < limit { to } else { -1.0 };
+                } else if rate < 0.0 {
+                    from = from.max((limit - place) / rate);
+                } else {
+                    to = to.min((limit - place) / rate);
+                }
             }
+            // Touching the limit is no visit.
+            if to - from <= 0.0 {
+                within = within && until <= 0.0;
+                continue;
+            }
+            let [least, ends] = [across.0, along.0].map(|axis| {
+                let (place, rate) = line(axis);
+                let (one, other) = (place + rate * from, place + rate * to);
+                (one.min(other), one.max(other))
+            });
+            match visits.last_mut().filter(|_| within && from <= 0.0) {
+                Some(last) => {
+                    last.across = last.across.min(least.0);
+                    last.along = (last.along.0.min(ends.0), last.along.1.max(ends.1));
+                }
+                None => visits.push(Visit { begin: segment.t + from, across: least.0, along: ends }),
+            }
+            within = to >= until;
         }
-        dips
+        visits
     }
 
     /// Start (s) of the first block that begins after `t`; `None` if none is planned.

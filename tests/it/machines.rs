@@ -8,6 +8,7 @@ mod lathe_stops;
 mod look;
 mod polygon;
 mod polygon_drawing;
+mod polygon_shaft;
 mod polygon_sheets;
 mod remedy;
 mod report;

@@ -68,6 +68,9 @@ pub(super) struct Derived {
     pub passes: f64,
     pub feed: f64,
     pub finish_feed: f64,
+    pub infeed: f64,
+    /// Length of stock between face and jaws that the cutter needs.
+    pub free_length: f64,
     pub mark_pitch: f64,
     pub ready: f64,
     pub cutting_time: f64,
@@ -152,7 +155,6 @@ impl Derived {
     /// Computes the results for passes of these `sizes` across flats; X words count `cross_words` units per mm of the slide.
     pub(super) fn new(p: &Params, sizes: &[f64], cross_words: f64) -> Derived {
         let passes = sizes.len() as f64;
-        let way = p.length + p.clearance;
         let rough = p.per_minute(p.feed);
         let finish = p.per_minute(p.finish_feed);
         let whole = Derived {
@@ -164,8 +166,10 @@ impl Derived {
             passes,
             feed: rough,
             finish_feed: finish,
+            infeed: p.per_minute(p.infeed),
+            free_length: p.far_end() + p.clearance,
             ready: p.index_time() + 2.0 * p.settling(),
-            cutting_time: 60.0 * way * ((passes - 1.0) / rough + 1.0 / finish),
+            cutting_time: p.cutting_time(),
             ..Derived::default()
         };
         let cut = p.setup(p.across_flats).zip(p.section());

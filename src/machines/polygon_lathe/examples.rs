@@ -33,6 +33,14 @@ pub(super) const EXAMPLES: &[Example] = &[
         entries: &[("shape", "hexagon"), ("across-flats", "10"), ("stock-diameter", "12"), ("length", "30")],
         faults: &[],
     },
+    // What the paper is about: a polygon in the middle of a long shaft, in the same clamping.
+    Example {
+        id: "shaft",
+        name: "polygon.example.shaft",
+        about: "polygon.example.shaft.about",
+        entries: &[("from-face", "40"), ("length", "20"), ("free-length", "80")],
+        faults: &[],
+    },
     // O3000 of the paper: G512 B200 D1 Q2 A0. E0., then X20. at F200 in a single pass, which is 1 mm per turn of the work.
     Example {
         id: "paper",

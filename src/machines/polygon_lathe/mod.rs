@@ -8,6 +8,8 @@ mod derive;
 
 mod geometry;
 
+mod path;
+
 mod resolved;
 
 mod readouts;
@@ -83,7 +85,8 @@ impl Prepared for PolygonLathe {
         let (p, d) = (&self.p, &self.d);
         let shown = |id: &str| match id {
             "tool-speed" | "work-speed" | "ratio" | "distance" | "offset" | "passes" | "feed" | "finish-feed"
-            | "ready" => true,
+            | "ready" | "free-length" => true,
+            "infeed" => p.is_behind_face(),
             _ if !d.cuts => false,
             "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
             "coast-phase" => p.coasts(self.control),
@@ -137,7 +140,7 @@ impl Prepared for PolygonLathe {
     }
 
     fn contact(&self, run: &dyn Samples, now: &Snapshot) -> Option<&'static str> {
-        progress::progress(self, run, now).now.map(|_| "polygon.first-contact")
+        progress::progress(self, run, now).now().map(|_| "polygon.first-contact")
     }
 
     fn charts(&self, run: &dyn Samples, from: f64, to: f64, points: usize) -> Vec<Chart> {

@@ -1,12 +1,12 @@
 //! The same part for controls with polygon turning as a native code: G51.2 and G50.2 as a program file, and as a list of blocks.
 
-use super::program::PART;
+use super::program::{self, PART};
 use super::resolved::PolygonLathe;
 use crate::controls::{Address, Code};
 use crate::machines::sheets::{row, say};
 use crate::machines::writing;
 use crate::math;
-use crate::nc::build::{Builder, NewWord, f, g, m, p as p_word, real, s, word, x, z};
+use crate::nc::build::{Builder, NewWord, g, m, p as p_word, real, s, word, x, z};
 use crate::nc::{self, Deck, File, Newline};
 use crate::text::{Citation, Grade};
 use crate::view::Sheet;
@@ -34,7 +34,7 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     // With its point: without one a word of an axis counts increments.
     let cross = |size: f64| x(real(size * 0.5 * lathe.words(), 3));
     let along = |length: f64| z(real(length, 3));
-    let clear = p.stock_diameter + 2.0 * p.clearance;
+    let clear = p.clear_diameter();
     add(writing::codes(lathe.control, [Code::FeedPerMinute]), "polygon.other.per-minute");
     add(vec![word(Address::T, p.tool as u32 * 101)], "");
     add(vec![g(0), cross(clear), along(p.clearance)], "");
@@ -51,11 +51,10 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     add(vec![s(p.work_speed() as i32)], "polygon.other.speed");
     let passes = p.passes() as u32;
     for pass in 1..=passes {
-        let (size, feed) = (p.size(f64::from(pass)), p.per_minute(p.feed_of(f64::from(pass))));
-        add(vec![g(0), cross(size)], if pass == passes { "polygon.other.finish" } else { "" });
-        add(vec![g(1), along(-p.length), f(real(feed, 3))], "");
-        add(vec![g(0), cross(clear)], "");
-        add(vec![along(p.clearance)], "");
+        for (at, step) in p.steps(f64::from(pass)).into_iter().enumerate() {
+            let note = if at == 0 && pass == passes { "polygon.other.finish" } else { "" };
+            add(program::block(lathe, step), note);
+        }
     }
     add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
     add(vec![s(0)], "polygon.other.stop");

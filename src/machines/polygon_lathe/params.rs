@@ -39,7 +39,9 @@ pub(crate) struct Params {
     pub sides: f64,
     pub across_flats: f64,
     pub stock_diameter: f64,
+    pub from_face: f64,
     pub length: f64,
+    pub free_length: f64,
     pub flatness: f64,
     pub hollow: bool,
     pub orientation: f64,
@@ -48,6 +50,7 @@ pub(crate) struct Params {
     pub tool_ratio: f64,
     pub tip_radius: f64,
     pub relief: f64,
+    pub insert_width: f64,
     pub radius_errors: String,
     pub angle_errors: String,
     pub speed: f64,
@@ -58,6 +61,8 @@ pub(crate) struct Params {
     pub lead: f64,
     pub feed: f64,
     pub finish_feed: f64,
+    pub infeed: f64,
+    pub retract_feed: f64,
     pub clearance: f64,
     pub start_x: f64,
     pub start_z: f64,
@@ -116,6 +121,11 @@ impl Params {
         self.shape == Shape::Own
     }
 
+    /// The polygon begins behind the face.
+    fn goes_down(&self, _: &Control) -> bool {
+        self.is_behind_face()
+    }
+
     /// Emergency stop leaves work and tool to coast.
     pub(super) fn coasts(&self, _: &Control) -> bool {
         self.emergency == Emergency::Off
@@ -134,6 +144,10 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(0.5..=1000.0).default(25.0).decimals(3).step(0.5).essential(),
     number("length", member!(Params.length)).group("polygon.group.part").label("polygon.length").help("polygon.length.help")
         .unit("mm").range(0.1..=2000.0).default(15.0).decimals(3).step(1.0).essential(),
+    number("from-face", member!(Params.from_face)).group("polygon.group.part").label("polygon.from-face").help("polygon.from-face.help").symbol("Z")
+        .unit("mm").range(0.0..=2000.0).default(0.0).decimals(3).step(1.0).essential(),
+    number("free-length", member!(Params.free_length)).group("polygon.group.part").label("polygon.free-length").help("polygon.free-length.help")
+        .unit("mm").range(0.0..=5000.0).default(0.0).decimals(3).step(5.0),
     number("flatness", member!(Params.flatness)).group("polygon.group.part").label("polygon.flatness").help("polygon.flatness.help")
         .unit("mm").range(0.0001..=10.0).default(0.1).decimals(4).step(0.01),
     flag("hollow", member!(Params.hollow)).group("polygon.group.part").label("polygon.hollow").help("polygon.hollow.help"),
@@ -149,6 +163,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(1.0..=1000.0).default(45.0).decimals(3).step(1.0).essential().fact(),
     number("relief", member!(Params.relief)).group("polygon.group.cutter").label("polygon.relief").help("polygon.relief.help")
         .unit("°").range(0.0..=45.0).default(11.0).decimals(1).step(1.0).fact(),
+    number("insert-width", member!(Params.insert_width)).group("polygon.group.cutter").label("polygon.insert-width").help("polygon.insert-width.help")
+        .unit("mm").range(0.0..=100.0).default(3.0).decimals(3).step(0.5).fact(),
     text("radius-errors", member!(&Params.radius_errors)).group("polygon.group.cutter").label("polygon.radius-errors").help("polygon.radius-errors.help").symbol("Δr").characters(ERRORS),
     text("angle-errors", member!(&Params.angle_errors)).group("polygon.group.cutter").label("polygon.angle-errors").help("polygon.angle-errors.help").symbol("Δφ").characters(ERRORS),
     number("speed", member!(Params.speed)).group("polygon.group.cut").label("polygon.speed").help("polygon.speed.help").symbol("B")
@@ -167,6 +183,10 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm/rev").range(0.001..=10.0).default(0.5).decimals(3).step(0.05).essential(),
     number("finish-feed", member!(Params.finish_feed)).group("polygon.group.cut").label("polygon.finish-feed").help("polygon.finish-feed.help")
         .unit("mm/rev").range(0.001..=10.0).default(0.25).decimals(3).step(0.05),
+    number("infeed", member!(Params.infeed)).group("polygon.group.cut").label("polygon.infeed").help("polygon.infeed.help")
+        .unit("mm/rev").range(0.001..=10.0).default(0.1).decimals(3).step(0.01).when(Params::goes_down),
+    number("retract-feed", member!(Params.retract_feed)).group("polygon.group.cut").label("polygon.retract-feed").help("polygon.retract-feed.help")
+        .unit("mm/min").range(1.0..=10000.0).default(1000.0).decimals(0).step(100.0),
     number("clearance", member!(Params.clearance)).group("polygon.group.cut").label("polygon.clearance").help("polygon.clearance.help")
         .unit("mm").range(0.1..=100.0).default(2.0).decimals(3).step(0.5),
     number("start-x", member!(Params.start_x)).group("polygon.group.cut").label("polygon.start-x").help("polygon.start-x.help")

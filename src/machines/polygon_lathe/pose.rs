@@ -1,7 +1,7 @@
 //! The drawing of the polygon lathe at a moment: section, positions of cutter and slide, figures.
 
 use super::outlines::closed;
-use super::progress::{self, GRID, Pass, Progress};
+use super::progress::{self, GRID, Progress};
 use super::resolved::{PolygonLathe, TOOL, WORK};
 use super::scene::{self, TIPS, View, group, node};
 use crate::machines::machine::{Frame, Samples};
@@ -50,7 +50,7 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
             place(group, 0.0, (x * view.close, -y * view.close), opacity);
         }
     }
-    let grid = progress::outline(lathe, progress, now);
+    let grid = progress::outline(lathe, &progress, now);
     let points = || {
         grid.iter().enumerate().map(|(at, radius)| {
             let (s, c) = math::sin_cos(2.0 * PI * at as f64 / GRID as f64);
@@ -61,39 +61,25 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
     pose.paths = vec![
         (node::SECTION, closed(points(), (0.0, 0.0), view.scale)),
         (node::CLOSE, closed(points(), (0.0, 0.0), view.close)),
-        (node::BAR, bar(lathe, &view, progress)),
-        (node::EDGES, edges(lathe, &view, progress, angle)),
+        (node::BAR, scene::bar(lathe, &view, &progress)),
+        (node::EDGES, edges(lathe, &view, &progress, angle)),
         (node::DISTANCE, scene::distance(lathe, &view, aside)),
         (node::LEADER, scene::leader(lathe, &view, aside)),
     ];
-    pose.texts = texts(lathe, now, progress, (across_flats, z));
+    pose.texts = texts(lathe, now, &progress, (across_flats, z));
     pose
 }
 
-/// The polygon from above: that of the deepest pass before, and that of the present one as far as it is.
-fn edges(lathe: &PolygonLathe, view: &View, progress: Progress, angle: f64) -> String {
-    let Some(now) = progress.now else { return String::new() };
-    let stock = lathe.p.stock_diameter;
-    let done = progress.done.map_or(stock, |pass| pass.size);
-    let present = now.size.min(done);
-    [
-        scene::edges(lathe, view, done, (now.behind, lathe.p.length), angle),
-        scene::edges(lathe, view, present, (0.0, now.behind), angle),
-    ]
-    .concat()
-}
-
-/// The bar from the side.
-fn bar(lathe: &PolygonLathe, view: &View, progress: Progress) -> String {
-    let half = |pass: Option<Pass>| 0.5 * pass.map_or(lathe.p.stock_diameter, |pass| pass.size);
-    let deeper = progress.now.filter(|now| now.size <= 2.0 * half(progress.done));
-    scene::bar(lathe, view, half(progress.done), deeper.map(|now| (now.behind, 0.5 * now.size)))
+/// The polygon from above: where the passes have cut deepest.
+fn edges(lathe: &PolygonLathe, view: &View, progress: &Progress, angle: f64) -> String {
+    let cut = |(near, far, size): (f64, f64, f64)| scene::edges(lathe, view, size, (near, far), angle);
+    scene::profile(lathe, progress).into_iter().map(cut).collect()
 }
 
 /// Number of the pass, and the number of passes where its size is one of the form's.
-fn pass(lathe: &PolygonLathe, progress: Progress) -> String {
+fn pass(lathe: &PolygonLathe, progress: &Progress) -> String {
     let sizes = &lathe.sizes;
-    let Some(now) = progress.now else { return format!("1 / {}", sizes.len()) };
+    let Some(now) = progress.now() else { return format!("1 / {}", sizes.len()) };
     let planned = sizes.get(now.before).is_some_and(|size| (size - now.size).abs() < 1e-3);
     let number = now.before + 1;
     if planned { format!("{number} / {}", sizes.len()) } else { number.to_string() }
@@ -102,7 +88,7 @@ fn pass(lathe: &PolygonLathe, progress: Progress) -> String {
 fn texts(
     lathe: &PolygonLathe,
     now: &Snapshot,
-    progress: Progress,
+    progress: &Progress,
     (across_flats, z): (f64, f64),
 ) -> Vec<(u16, String)> {
     let speed = |axis: usize| format!("{} r/min", figure(now.pmc[axis].feed / 360.0, 1));

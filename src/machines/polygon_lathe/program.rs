@@ -3,6 +3,7 @@
 //! The part program is the paper's, with more passes. Of O9120 and O9121 the paper names the variables that they write; everything else in
 //! them, and the bits to and from the PMC, is ours.
 
+use super::path::{Step, To};
 use super::resolved::{ALONG, CROSS, PolygonLathe};
 use crate::controls::Address;
 use crate::controls::Code;
@@ -47,8 +48,8 @@ const STANDS: u32 = 32;
 /// Number of the alarm of a cutter that is not clear of the work.
 const AWAY: u32 = 11;
 
-/// First sequence number of a pass, from 1, and that of its cutting block behind it.
-pub(super) fn number(pass: u32) -> u32 {
+/// Sequence number of the first block of a pass, from 1.
+fn number(pass: u32) -> u32 {
     100 + 10 * pass
 }
 
@@ -96,12 +97,25 @@ fn cross(lathe: &PolygonLathe, size: f64) -> NewWord {
     x(real(size * 0.5 * lathe.words(), 3))
 }
 
+/// The words of a step.
+pub(super) fn block(lathe: &PolygonLathe, step: Step) -> Vec<NewWord> {
+    let word = |to: To| match to {
+        To::Across(size) => cross(lathe, size),
+        To::Along(place) => z(real(place, 3)),
+    };
+    match step {
+        Step::Rapid(to) => vec![g(0), word(to)],
+        Step::Feed(to, feed) => vec![g(1), word(to), f(real(feed, 3))],
+        Step::Dwell(seconds) => writing::dwell(lathe.control, seconds).into(),
+    }
+}
+
 /// O3000.
 fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let p = &lathe.p;
     let [on, off] = codes(lathe).map(|code| code.unwrap_or(0));
     let mm = |number: f64| real(number, 3);
-    let clear = p.stock_diameter + 2.0 * p.clearance;
+    let clear = p.clear_diameter();
     b.program(PART, "POLYGON TURNING");
     writing::write_header::<PolygonLathe>(b, &lathe.form, lathe.control);
     let offset = show(-p.tip_radius * lathe.words(), 3);
@@ -135,13 +149,12 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     b.n(20).words(call).note("POLYGON TURNING ON");
     let passes = p.passes() as u32;
     for pass in 1..=passes {
-        let (size, at) = (p.size(f64::from(pass)), number(pass));
-        let feed = p.per_minute(p.feed_of(f64::from(pass)));
-        let note = if pass == passes { "FINISHING" } else { "ROUGHING" };
-        b.n(at).words(rapid([cross(lathe, size)])).note(note);
-        b.n(at + 1).words([g(1), z(mm(-p.length)), f(real(feed, 3))]);
-        b.n(at + 2).words(rapid([cross(lathe, clear)]));
-        b.n(at + 3).words([z(mm(p.clearance))]);
+        for (at, step) in (number(pass)..).zip(p.steps(f64::from(pass))) {
+            b.n(at).words(block(lathe, step));
+            if at == number(pass) {
+                b.note(if pass == passes { "FINISHING" } else { "ROUGHING" });
+            }
+        }
     }
     b.n(800).words(rapid([cross(lathe, p.start_x), z(mm(p.start_z))]));
     b.n(801).words([g(off)]).note("POLYGON TURNING OFF");

@@ -1,7 +1,7 @@
 //! Progress of the part: passes done, position of the present one, and the outline of the stock at its face.
 //!
-//! Whatever program runs: a pass is the slide on its way below the face, within the stock. The outline is cut again for every frame from the
-//! angles that the two axes had as the pass began: a phase error or a wrong start angle shows. It is a polar grid, for the eye; what is measured
+//! Whatever program runs: a pass is the slide in the stock, behind its face and within its diameter. The outline is cut again for every frame
+//! from the angles that the two axes had as the pass began: a phase error or a wrong start angle shows. It is a polar grid, for the eye; what is measured
 //! comes from the exact section.
 
 use super::resolved::{PolygonLathe, TOOL, WORK};
@@ -26,50 +26,62 @@ pub(super) struct Pass {
     pub(super) before: usize,
     /// Across flats.
     pub(super) size: f64,
-    /// Depth behind the face, mm.
-    pub(super) behind: f64,
-    /// The machine as the slide reached the face.
+    /// Stretch of the work that it has cut: distances of its near and its far end from the face, mm.
+    pub(super) stretch: (f64, f64),
+    /// The machine as the slide reached the stock.
     since: Snapshot,
 }
 
-/// The deepest of the passes before the newest, and the newest.
-#[derive(Debug, Clone, Copy, Default)]
+impl Pass {
+    /// Both have cut some of the same stretch.
+    fn overlaps(&self, other: &Pass) -> bool {
+        self.stretch.0 < other.stretch.1 && other.stretch.0 < self.stretch.1
+    }
+}
+
+/// The passes of the slide so far.
+#[derive(Debug, Clone, Default)]
 pub(super) struct Progress {
-    /// The deepest pass before.
+    /// All passes, or the newest of very many; the present one is the last.
+    pub(super) passes: Vec<Pass>,
+    /// The deepest pass before the last one on its stretch.
     pub(super) done: Option<Pass>,
+}
+
+impl Progress {
     /// The present pass, or the last.
-    pub(super) now: Option<Pass>,
+    pub(super) fn now(&self) -> Option<&Pass> {
+        self.passes.last()
+    }
 }
 
 /// Progress of the slide up to now.
 pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) -> Progress {
-    let dips = run.excursions(lathe.along(), now.t);
-    let first = dips.len().saturating_sub(PASSES);
+    let p = &lathe.p;
+    let visits = run.visits([(lathe.cross(), 0.5 * p.stock_diameter), (lathe.along(), 0.0)], now.t);
+    let first = visits.len().saturating_sub(PASSES);
     let mut progress = Progress::default();
-    let mut before = 0;
-    for (begin, lowest) in dips.into_iter().skip(first) {
-        let since = run.at(begin);
-        // Across the work it may settle while it is on its way along.
-        let (size, z) = lathe.slide(&run.at(lowest));
-        if size >= lathe.p.stock_diameter || since.pmc[TOOL].feed == 0.0 {
+    for visit in visits.into_iter().skip(first) {
+        let since = run.at(visit.begin);
+        if since.pmc[TOOL].feed == 0.0 {
             continue;
         }
-        let deeper = |one: &Pass, other: &Pass| one.size <= other.size;
-        progress.done = match (progress.done, progress.now) {
-            (Some(done), Some(last)) if deeper(&done, &last) => Some(done),
-            (_, last) => last,
-        };
-        progress.now = Some(Pass { before, size, behind: -z, since });
-        before += 1;
+        // As commanded: how far a pass goes is not read at a moment at which the slide may be on its way out again.
+        let stretch = ((-visit.along.1 - p.insert_width).max(0.0), -visit.along.0);
+        progress.passes.push(Pass { before: progress.passes.len(), size: 2.0 * visit.across, stretch, since });
+    }
+    if let Some((now, before)) = progress.passes.split_last() {
+        let before = before.iter().filter(|pass| pass.overlaps(now));
+        progress.done = before.min_by(|a, b| a.size.total_cmp(&b.size)).copied();
     }
     progress
 }
 
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
-pub(super) fn outline(lathe: &PolygonLathe, progress: Progress, now: &Snapshot) -> Vec<f64> {
+pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot) -> Vec<f64> {
     let mut grid = vec![0.5 * lathe.p.stock_diameter; GRID];
-    for pass in [progress.done, progress.now].into_iter().flatten() {
-        cut(&mut grid, lathe, &pass, now);
+    for pass in progress.done.iter().chain(progress.now()) {
+        cut(&mut grid, lathe, pass, now);
     }
     grid
 }

@@ -45,6 +45,8 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("insert-turn", insert_turn, Citation::new("polygon turning facts 3.1", Grade::Inferred)),
     Rule::new("twist", twist, Citation::new("polygon turning paper: D and Q are whole numbers", Grade::Manual)),
     Rule::new("feed", clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
+    Rule::new("infeed", infeed_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
+    Rule::new("free-length", jaws, Citation::new("mechanics", Grade::Inferred)),
     Rule::new("finish-feed", finish_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
 ];
 
@@ -348,6 +350,36 @@ fn finish_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
     within_clamp("finish-feed", p.finish_feed, d.finish_feed, p.clamp_z)
 }
 
+fn infeed_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
+    let PolygonLathe { p, d, .. } = lathe;
+    within_clamp("infeed", p.infeed, d.infeed, p.clamp_x)
+}
+
+/// The jaws, where the form says how far they are from the face.
+fn jaws(lathe: &PolygonLathe) -> Option<Judgement> {
+    let PolygonLathe { p, d, .. } = lathe;
+    if p.free_length == 0.0 {
+        return ok(None);
+    }
+    let limit = AtMost(p.free_length);
+    if d.free_length <= p.free_length {
+        return ok(limit);
+    }
+    // The finding about the field says it.
+    fail(limit, [])
+}
+
+/// Faults of the places along the work.
+fn places(lathe: &PolygonLathe, error: &mut impl FnMut(Message, &'static str)) {
+    let PolygonLathe { p, d, .. } = lathe;
+    if p.is_behind_face() && p.length < p.insert_width {
+        error(msg!("polygon.wide-insert", (p.insert_width, 3), (p.length, 3)), "length");
+    }
+    if p.free_length > 0.0 && d.free_length > p.free_length {
+        error(msg!("polygon.near-jaws", (d.free_length, 3), (p.free_length, 3)), "free-length");
+    }
+}
+
 /// Errors that refuse the export, and notes for the operator.
 pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     let PolygonLathe { p, d, .. } = lathe;
@@ -367,7 +399,8 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     if p.passes() > PASSES {
         error(msg!("polygon.too-many-passes", PASSES), "depth");
     }
-    let least = p.stock_diameter + 2.0 * p.clearance;
+    places(lathe, &mut error);
+    let least = p.clear_diameter();
     if p.start_x < least {
         error(msg!("polygon.start-in-stock", (p.start_x, 3), (least, 3)), "start-x");
     }

@@ -28,7 +28,7 @@ pub(super) use front::traces;
 pub(super) use ids::{TIPS, group, node};
 pub(super) use layout::View;
 use layout::{UNIT, VIEW};
-pub(super) use side::{bar, edges};
+pub(super) use side::{bar, edges, profile};
 
 /// The drawing at rest.
 pub(super) fn scene(lathe: &PolygonLathe) -> Scene {

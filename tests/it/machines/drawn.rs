@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use super::sweep::{changes, forms};
 use macroline::drives::Bound;
 use macroline::machines::{self, Frame, Samples};
-use macroline::motion::Snapshot;
+use macroline::motion::{Snapshot, Visit};
 use macroline::view::drawing::crosses;
 use macroline::view::scene::{LETTER, LINE};
 use macroline::view::{Font, Pose, Scene, Shape};
@@ -22,7 +22,7 @@ impl Samples for Still {
         (0, false)
     }
 
-    fn excursions(&self, _: usize, _: f64) -> Vec<(f64, f64)> {
+    fn visits(&self, _: [(usize, f64); 2], _: f64) -> Vec<Visit> {
         Vec::new()
     }
 }

@@ -7,7 +7,7 @@ use macroline::controls::{Dialect, Switches};
 use macroline::machines::form::{Origins, Provenance};
 use macroline::machines::{ControlContext, Frame, Samples, report};
 use macroline::math;
-use macroline::motion::Snapshot;
+use macroline::motion::{Snapshot, Visit};
 use macroline::text::catalog::Language;
 use macroline::view::look::{Gradient, Ramp};
 use macroline::view::{
@@ -250,7 +250,7 @@ impl Samples for Running {
         (0, false)
     }
 
-    fn excursions(&self, _: usize, _: f64) -> Vec<(f64, f64)> {
+    fn visits(&self, _: [(usize, f64); 2], _: f64) -> Vec<Visit> {
         Vec::new()
     }
 }

@@ -31,20 +31,21 @@ fn machine_sheets_have_the_expected_rows() {
         S200 | speed of the work; the tool follows
         G00 X23. | 
         G01 Z-15. F100. | 
-        G00 X29. | 
-        Z2. | 
+        G01 X29. F1000. | 
+        G00 Z2. | 
         G00 X21. | 
         G01 Z-15. F100. | 
-        G00 X29. | 
-        Z2. | 
+        G01 X29. F1000. | 
+        G00 Z2. | 
         G00 X20.4 | 
         G01 Z-15. F100. | 
-        G00 X29. | 
-        Z2. | 
+        G01 X29. F1000. | 
+        G00 Z2. | 
         G00 X20. | finishing
         G01 Z-15. F50. | 
-        G00 X29. | 
-        Z2. | 
+        G04 X0.3 | 
+        G01 X29. F1000. | 
+        G00 Z2. | 
         G00 X60. Z30. | 
         S0 | both stop
         G50.2 | polygon turning off, in a block of its own
@@ -58,8 +59,8 @@ fn machine_sheets_have_the_expected_rows() {
         1.317 | O9120 sets #1101: both begin at once
         1.883 | Both have their speed: #1001 = 1, O9120 ends
         1.883 | The slide cuts
-        52.883 | G502: O9121 takes #1101 and #1100 back
-        53.45 | Both stand: #1002 = 0, #1003 = 1, O9121 ends
+        54.131 | G502: O9121 takes #1101 and #1100 back
+        54.698 | Both stand: #1002 = 0, #1003 = 1, O9121 ends
          | At feed hold the slide stops; work and tool turn on beside it
          | At reset, also within the cut, both come to rest in ratio and the slide stops where it is: retract it by hand before the next start. G512 finds the start angles again
          | At emergency stop the same: the drives stay on until both stand, the power-off has to wait so long

@@ -54,14 +54,14 @@ impl View {
     pub(in super::super) fn new(p: &Params) -> View {
         let (stock, r) = (0.5 * p.stock_diameter, p.tip_radius);
         let across = RIGHT - LEFT - CHUCK.1;
-        let clear = (stock + p.clearance).max(0.5 * p.across_flats);
+        let clear = (0.5 * p.clear_diameter()).max(0.5 * p.across_flats);
         let part = (ROOM.0 / r).min(ROOM.1 / stock).min(across / (clear + 2.0 * r));
         let whole = across / (clear.max(0.5 * p.start_x) + 2.0 * r);
         let scale = part.min(whole.max(SMALLER * part));
         let chuck = math::clamp(2.7 * stock * scale, CHUCK.0, CHUCK.1);
         let work = (LEFT + chuck, AXIS);
         let cutter = (work.0 + (0.5 * p.across_flats + r) * scale, AXIS);
-        let free = 1.3 * p.length + 0.4 * stock;
+        let free = if p.free_length > 0.0 { p.free_length } else { p.far_end() + 0.3 * p.length + 0.4 * stock };
         let bar = (BAR.0 / (free + p.clearance)).min(BAR.1 / stock);
         let start = ((BAR.0 + 46.0) / (free + p.start_z))
             .min((BAR.0 + 46.0 - FREE) / p.start_z)

@@ -1,8 +1,9 @@
-//! The machine from above: chuck, bar with the polygon at its end, cutter edge-on, its slide.
+//! The machine from above: chuck, bar with the polygon, cutter edge-on, its slide.
 
 use super::ids::{group, node};
 use super::layout::{SIDE, UNIT, View};
 use crate::machines::polygon_lathe::outlines::closed;
+use crate::machines::polygon_lathe::progress::Progress;
 use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::machines::sheets::say;
 use crate::math::{self, PI};
@@ -65,9 +66,14 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
 fn way(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let p = &lathe.p;
     let at = |across: f64, z: f64| (view.face + z * view.side, SIDE.1 + 0.5 * across * view.side);
-    let (start, near) = (at(p.start_x, p.start_z), at(p.stock_diameter + 2.0 * p.clearance, p.clearance));
+    let (start, near) = (at(p.start_x, p.start_z), at(p.clear_diameter(), p.clearance));
+    let mut way = filled("M# #L# #", &[start.0, start.1, near.0, near.1]);
+    if p.is_behind_face() {
+        let (over, down) = (at(p.clear_diameter(), p.approach()), at(p.across_flats, p.approach()));
+        fill(&mut way, "L# #L# #", &[over.0, over.1, down.0, down.1]);
+    }
     d.showing("clearance", |d| {
-        d.path(filled("M# #L# #", &[start.0, start.1, near.0, near.1]), Look::LEAD.dashed(7.0, 4.0).faint(0.7));
+        d.path(way, Look::LEAD.dashed(7.0, 4.0).faint(0.7));
     });
     d.showing("start-x", |d| {
         d.path(filled("M# #h14M# #v14", &[start.0 - 7.0, start.1, start.0, start.1 - 7.0]), Look::LEAD);
@@ -76,7 +82,9 @@ fn way(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
 
 /// The length of the polygon over the bar.
 fn dimension(d: &mut Drawing, lathe: &PolygonLathe, view: &View, half: f64) {
-    let (left, right, y) = (view.face - lathe.p.length * view.side, view.face, SIDE.1 - 46.0);
+    let p = &lathe.p;
+    let [left, right] = [p.far_end(), p.from_face].map(|at| view.face - at * view.side);
+    let y = SIDE.1 - 46.0;
     d.showing("length", |d| {
         let ends = filled("M# #V#M# #V#", &[left, SIDE.1 - half - 3.0, y - 4.0, right, SIDE.1 - half - 3.0, y - 4.0]);
         let arrows = if right - left > 26.0 {
@@ -111,7 +119,7 @@ fn twist(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         for i in 0..=TWIST {
             let part = f64::from(i) / f64::from(TWIST);
             let (sin, cos) = math::sin_cos(angle(part));
-            let at = [face - part * p.length * scale, SIDE.1 - derived.corner * scale * cos];
+            let at = [face - (p.from_face + part * p.length) * scale, SIDE.1 - derived.corner * scale * cos];
             if sin >= 0.0 {
                 fill(&mut line, if seen { "L# #" } else { "M# #" }, &at);
             }
@@ -123,19 +131,37 @@ fn twist(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     }
 }
 
-/// The bar from above: cut to half widths `done` as far as the length, and `deeper` as far as `behind`, in mm.
-pub(in super::super) fn bar(lathe: &PolygonLathe, view: &View, done: f64, deeper: Option<(f64, f64)>) -> String {
-    let p = &lathe.p;
-    let (scale, face) = (view.side, view.face);
-    let stock = 0.5 * p.stock_diameter;
-    let from = face - p.length * scale;
-    let mut upper = vec![(LEFT + 38.0, stock), (from, stock), (from, done)];
-    if let Some((behind, half)) = deeper {
-        let at = face - behind.min(p.length) * scale;
-        upper.extend([(at, done), (at, half), (face, half)]);
-    } else {
-        upper.push((face, done));
+/// Stretches of the bar that are cut, from the face to the jaws: distances of both ends from the face, and the size across flats.
+pub(in super::super) fn profile(lathe: &PolygonLathe, progress: &Progress) -> Vec<(f64, f64, f64)> {
+    let passes = &progress.passes;
+    let mut ends: Vec<f64> = passes.iter().flat_map(|pass| [pass.stretch.0, pass.stretch.1]).collect();
+    ends.sort_by(f64::total_cmp);
+    ends.dedup();
+    let mut all: Vec<(f64, f64, f64)> = Vec::new();
+    for (near, far) in ends.iter().zip(ends.iter().skip(1)) {
+        let over = passes.iter().filter(|pass| pass.stretch.0 <= *near && pass.stretch.1 >= *far);
+        let size = over.map(|pass| pass.size).fold(lathe.p.stock_diameter, f64::min);
+        match all.last_mut().filter(|last| last.1 == *near && last.2 == size) {
+            Some(last) => last.1 = *far,
+            None if size < lathe.p.stock_diameter => all.push((*near, *far, size)),
+            None => {}
+        }
     }
+    all
+}
+
+/// The bar from above, as far as it is cut.
+pub(in super::super) fn bar(lathe: &PolygonLathe, view: &View, progress: &Progress) -> String {
+    let (scale, face) = (view.side, view.face);
+    let stock = 0.5 * lathe.p.stock_diameter;
+    // From the face to the jaws.
+    let mut upper = vec![(face, stock)];
+    for (near, far, size) in profile(lathe, progress) {
+        let [near, far] = [near, far].map(|at| (face - at * scale).max(LEFT + 38.0));
+        let half = 0.5 * size;
+        upper.extend([(near, stock), (near, half), (far, half), (far, stock)]);
+    }
+    upper.push((LEFT + 38.0, stock));
     let lower = upper.iter().rev().map(|(x, half)| (*x, -half)).collect::<Vec<_>>();
     let points = upper.into_iter().chain(lower).map(|(x, half)| (x, half * scale));
     closed(points, (0.0, SIDE.1), 1.0)
@@ -161,7 +187,7 @@ pub(in super::super) fn edges(
     let wide =
         if corner < 0.5 * p.stock_diameter { 0.0 } else { 0.5 * pitch - math::acos((0.5 * size / corner).min(1.0)) };
     let begin = p.section().map_or(0.0, |section| section.begin()) + angle;
-    let at = |behind: f64| view.face - behind.min(p.length) * view.side;
+    let at = |behind: f64| (view.face - behind * view.side).max(LEFT + 38.0);
     let (left, right) = (at(to), at(from));
     let (mut top, mut bottom) = (SIDE.1, SIDE.1);
     for at in 0..derived.sides as u32 {

@@ -1,0 +1,95 @@
+//! The way of the cutter through its passes, each motion once: programs and times are made from it.
+//!
+//! No rapid is inside the stock. At the end of the bar a pass begins in front of the face. Behind it the insert goes down into the stock at
+//! feed, from its clearance over the stock, where all of it is behind the near end of the polygon; from the far end it comes out at feed.
+
+use super::params::Params;
+
+/// Where a motion of the slide goes, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum To {
+    /// To a distance across flats, or a diameter.
+    Across(f64),
+    /// To a place along the work; the face is at 0.
+    Along(f64),
+}
+
+/// A step of a pass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Step {
+    /// One axis at rapid traverse.
+    Rapid(To),
+    /// One axis at a feed in mm/min.
+    Feed(To, f64),
+    /// The slide waits, s.
+    Dwell(f64),
+}
+
+/// Longest wait, s: where nothing turns there is none.
+const LONGEST: f64 = 9_999.0;
+
+impl Params {
+    /// The polygon begins behind the face: there is stock on both of its sides.
+    pub(super) fn is_behind_face(&self) -> bool {
+        self.from_face > 0.0
+    }
+
+    /// Distance of the far end of the polygon from the face, mm.
+    pub(super) fn far_end(&self) -> f64 {
+        self.from_face + self.length
+    }
+
+    /// Diameter at which the cutter is clear of the stock, mm.
+    pub(super) fn clear_diameter(&self) -> f64 {
+        self.stock_diameter + 2.0 * self.clearance
+    }
+
+    /// Where along the work a pass goes to its depth: in front of the face, or with the insert's far edge its width behind the near end.
+    pub(super) fn approach(&self) -> f64 {
+        if self.is_behind_face() { -self.from_face - self.insert_width } else { self.clearance }
+    }
+
+    /// Feed on the way out of the stock, mm/min.
+    pub(super) fn way_out(&self) -> f64 {
+        self.retract_feed.min(self.clamp_x)
+    }
+
+    /// Time in which every insert passes every side, s: `60 D / n work` in lowest terms, rounded up to a word.
+    fn round(&self) -> f64 {
+        let turns = self.ratio().map_or(1.0, |ratio| f64::from(ratio.work()));
+        ((60_000.0 * turns / self.work_speed().abs()).ceil() / 1000.0).min(LONGEST)
+    }
+
+    /// The steps of a pass, from 1. The last pass waits where an end of the polygon gets its shape, until every insert has been there.
+    pub(super) fn steps(&self, pass: f64) -> Vec<Step> {
+        let feed = self.per_minute(self.feed_of(pass));
+        let (size, clear) = (To::Across(self.size(pass)), To::Across(self.clear_diameter()));
+        let (begin, end) = (To::Along(self.approach()), To::Along(-self.far_end()));
+        let wait = (pass >= self.passes()).then_some(Step::Dwell(self.round()));
+        let out = Step::Feed(clear, self.way_out());
+        let (along, beside) = ([Step::Feed(end, feed)], begin != end);
+        if !self.is_behind_face() {
+            let steps = [Step::Rapid(size)].into_iter().chain(along).chain(wait);
+            return steps.chain([out, Step::Rapid(begin)]).collect();
+        }
+        let down = [Step::Rapid(begin), Step::Feed(size, self.per_minute(self.infeed))];
+        // Going down alone cuts as much as the insert is wide.
+        let along = along.into_iter().chain(wait).filter(|_| beside);
+        down.into_iter().chain(wait).chain(along).chain([out]).collect()
+    }
+
+    /// Time of all passes but for rapid traverse, s: `60 way / F`, step by step.
+    pub(super) fn cutting_time(&self) -> f64 {
+        let (mut across, mut along) = (self.clear_diameter(), self.clearance);
+        let mut way = |to: To| match to {
+            To::Across(to) => 0.5 * (core::mem::replace(&mut across, to) - to).abs(),
+            To::Along(to) => (core::mem::replace(&mut along, to) - to).abs(),
+        };
+        let mut time = |step: Step| match step {
+            Step::Rapid(to) => 0.0 * way(to),
+            Step::Feed(to, feed) => 60.0 * way(to) / feed,
+            Step::Dwell(seconds) => seconds,
+        };
+        (1..=self.passes() as u32).flat_map(|pass| self.steps(f64::from(pass))).map(&mut time).sum()
+    }
+}

@@ -1,0 +1,205 @@
+//! Polygons in the middle of a shaft: no rapid in the stock, shoulders and jaws stay, the drawing follows.
+
+use super::polygon::{project, result};
+use macroline::controls::Address;
+use macroline::interp::{Canon, Interp};
+use macroline::machines::{Frame, Samples};
+use macroline::motion::{Budget, Planner, Retention, RunEnd};
+use macroline::project::Project;
+use macroline::project::run::{self, RunOptions};
+use macroline::text::Severity;
+use macroline::text::catalog::number_text;
+use macroline::view::{Theme, svg};
+
+/// Stretches of the work, from the face, and the diameter of the stock, mm.
+struct Part {
+    stock: f64,
+    free: f64,
+    /// Near and far end of each polygon, and the width of the insert.
+    polygons: Vec<(f64, f64)>,
+    width: f64,
+}
+
+/// The whole run, with its commands.
+fn whole(project: &Project) -> (Planner<Interp>, Vec<Canon>) {
+    let limits = Budget { blocks: 1_000_000, seconds: 50_000.0 };
+    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Both };
+    let mut planner = run::of_project(project, &project.written(), &begin);
+    let ended = planner.advance(f64::INFINITY, usize::MAX).ended;
+    assert_eq!(ended, Some(RunEnd::ProgramEnd), "{:?} {:?}", project.values, planner.diagnostics());
+    let log = planner.take_log().into_iter().map(|(_, canon, _)| canon).collect();
+    (planner, log)
+}
+
+/// Every motion of a run from place to place: rapid or not, X (diameter) and Z before and after.
+fn motions(project: &Project) -> Vec<(bool, [f64; 2], [f64; 2])> {
+    let [x, z] = [Address::X, Address::Z].map(|letter| project.control.axis(letter).unwrap());
+    let (planner, log) = whole(project);
+    let start = planner.timeline().words_at(0.0);
+    let mut at = [start[x], start[z]];
+    let mut all = Vec::new();
+    for canon in log {
+        let (rapid, to) = match canon {
+            Canon::Rapid { to } => (true, to),
+            Canon::Linear { to, .. } | Canon::Thread { to, .. } => (false, to),
+            _ => continue,
+        };
+        let next = [to.position[x] as f64 / 1000.0, to.position[z] as f64 / 1000.0];
+        all.push((rapid, at, next));
+        at = next;
+    }
+    all
+}
+
+#[track_caller]
+fn holds(project: &Project, part: &Part) {
+    // Entries of the form have three decimals.
+    let near = 2e-3;
+    for (rapid, from, to) in motions(project) {
+        let (least, deepest) = (from[0].min(to[0]), from[1].min(to[1]));
+        let inside = least < part.stock - near && deepest < -near;
+        // Rapids of two axes need not be straight: the whole box between the ends counts.
+        assert!(!(rapid && inside), "a rapid from {from:?} to {to:?}: {:?}", project.values);
+        assert!(deepest >= -part.free - near, "{from:?} to {to:?} in the jaws: {:?}", project.values);
+        if inside {
+            let highest = from[1].max(to[1]);
+            let fits = part.polygons.iter().any(|(begin, end)| {
+                let behind = if *begin > 0.0 { highest <= near - begin - part.width } else { true };
+                behind && deepest >= -end - near
+            });
+            assert!(fits, "{from:?} to {to:?} takes a shoulder: {:?}", project.values);
+        }
+    }
+}
+
+fn refused(project: &Project) -> bool {
+    project.design().diagnostics.iter().any(|found| found.severity == Severity::Error)
+}
+
+/// Numbers that look random, the same in every run.
+pub(super) struct Dice(pub(super) u64);
+
+impl Dice {
+    pub(super) fn within(&mut self, from: f64, to: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        from + (to - from) * ((self.0 >> 40) as f64 / 16_777_216.0)
+    }
+}
+
+#[test]
+fn no_rapid_goes_through_stock_shoulders_or_jaws() {
+    let mut dice = Dice(13);
+    let (mut tried, mut middle) = (0, 0);
+    while tried < 120 {
+        let stock = dice.within(4.0, 120.0);
+        let from = if dice.within(0.0, 1.0) < 0.25 { 0.0 } else { dice.within(0.001, 300.0) };
+        let (length, width) = (dice.within(0.2, 60.0), dice.within(0.0, 20.0));
+        let free = from + length + dice.within(-3.0, 20.0);
+        let shape = ["square", "knob", "triangle", "hexagon"][dice.within(0.0, 4.0) as usize];
+        let mm = |value: f64| number_text(value, 3);
+        let texts = [
+            ("stock-diameter", mm(stock)),
+            ("across-flats", mm(stock * dice.within(0.6, 0.95))),
+            ("from-face", mm(from)),
+            ("length", mm(length)),
+            ("insert-width", mm(width)),
+            ("free-length", mm(free)),
+            ("clearance", mm(dice.within(0.1, 5.0))),
+            ("depth", mm(dice.within(0.5, 4.0))),
+            ("infeed", mm(dice.within(0.2, 1.0))),
+            ("feed", mm(dice.within(0.2, 2.0))),
+            ("start-x", mm(stock + dice.within(0.0, 40.0))),
+            ("work-start", mm(dice.within(-90.0, 90.0))),
+            ("tip-radius", mm(dice.within(20.0, 90.0))),
+        ];
+        let changes: Vec<(&str, &str)> = texts.iter().map(|(id, text)| (*id, text.as_str())).collect();
+        let project = project(&[&[("shape", shape)], &changes[..]].concat());
+        if refused(&project) {
+            continue;
+        }
+        tried += 1;
+        middle += u32::from(from > 0.0);
+        holds(&project, &Part { stock, free, polygons: vec![(from, from + length)], width });
+    }
+    assert!(middle > 60, "{middle}");
+}
+
+#[test]
+fn wide_insert_or_near_jaws_refuse_the_export() {
+    let shaft = [("from-face", "40"), ("length", "20"), ("free-length", "62")];
+    assert!(!refused(&project(&shaft)));
+    for change in [("free-length", "61.999"), ("insert-width", "20.001"), ("clearance", "2.001")] {
+        assert!(refused(&project(&[&shaft[..], &[change]].concat())), "{change:?}");
+    }
+    // At the end of the bar an insert may be wider than the polygon is long.
+    assert!(!refused(&project(&[("insert-width", "20")])));
+}
+
+#[test]
+fn infeed_waits_until_every_insert_has_passed_both_ends() {
+    let text = &project(&[("from-face", "40"), ("length", "20"), ("work-ratio", "1")]).written().files.0[0].text;
+    let finishing = text.split("(FINISHING)").nth(1).unwrap();
+    let blocks: Vec<&str> = finishing.lines().skip(1).take(6).collect();
+    assert_eq!(
+        blocks,
+        [
+            "N141 G01 X20. F20.",
+            "N142 G04 X0.3",
+            "N143 G01 Z-60. F50.",
+            "N144 G04 X0.3",
+            "N145 G01 X29. F1000.",
+            "N800 G00 X60. Z30."
+        ]
+    );
+}
+
+/// Area of a closed path of straight lines.
+fn area(path: &str) -> f64 {
+    let numbers: Vec<f64> =
+        path.split(['M', 'L', 'Z', ' ']).filter(|part| !part.is_empty()).map(|part| part.parse().unwrap()).collect();
+    let points: Vec<&[f64]> = numbers.chunks(2).collect();
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>().abs() / 2.0
+}
+
+/// Nodes of the section as the work sees it, and of the bar from above.
+const CLOSE: usize = 1;
+const BAR: usize = 2;
+
+#[test]
+fn section_and_bar_in_the_middle_shrink_to_the_results() {
+    for changes in [
+        &[("from-face", "40"), ("length", "20")][..],
+        &[("from-face", "5"), ("length", "12"), ("shape", "hexagon"), ("stock-diameter", "24"), ("tool-start", "-40")],
+    ] {
+        let project = project(&[changes, &[("depth", "3")]].concat());
+        let (planner, _) = whole(&project);
+        let end = planner.timeline().end();
+        let (scene, frame) = (project.prepared().scene(), Frame { step: 0.001, option: false });
+        let pose = |t: f64| project.prepared().pose(&planner, &Samples::at(&planner, t), frame);
+        let mut left = [f64::INFINITY; 2];
+        for at in 0..=1500 {
+            let pose = pose(end * f64::from(at) / 1500.0);
+            let picture = svg::picture(&scene, &pose, Theme::Light);
+            assert!(!picture.contains("NaN") && !picture.contains("inf"), "{changes:?}");
+            for (last, node) in left.iter_mut().zip([CLOSE, BAR]) {
+                let now = area(&pose.paths[node].1);
+                assert!(now <= *last * (1.0 + 1e-9), "{changes:?}: {last} to {now} at {at}");
+                *last = now;
+            }
+        }
+        let stock: f64 = if changes.len() > 2 { 24.0 } else { 25.0 };
+        let scale = (148.0 / stock) * (148.0 / stock);
+        let exact = result(&project, "area");
+        assert!((left[0] / scale / exact - 1.0).abs() < 2e-3, "{} for {exact}", left[0] / scale);
+        // The bar has lost both sides of the polygon over its length, and nothing else.
+        let full = pose(0.0).paths[BAR].1.clone();
+        let heights = full.split(['M', 'L', 'Z']).filter_map(|point| point.split(' ').nth(1)?.parse::<f64>().ok());
+        let (top, low) = heights.fold((f64::INFINITY, 0.0_f64), |(top, low), y| (top.min(y), low.max(y)));
+        let scale = (low - top) / stock;
+        let length: f64 = changes[1].1.parse().unwrap();
+        let lost = (area(&full) - left[1]) / scale / scale;
+        let asked = length * (stock - 20.0);
+        assert!((lost / asked - 1.0).abs() < 1e-2, "{lost} for {asked}");
+    }
+}
