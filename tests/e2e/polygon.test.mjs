@@ -125,7 +125,7 @@ test('sheets, ladder and the part for another control stand beside the program, 
       return (await saved(page, () => row.getByRole('button').click())).toString('utf8');
     };
     assert.match(await file(/section\.svg/), /<svg[^]*mm/);
-    assert.match(await file(/section\.dxf/), /SECTION[^]*FINISHED/);
+    assert.match(await file(/section\.dxf/), /SECTION[^]*PART/);
     assert.match(await file(/sequence\.svg/), /polygon turning on/);
   }));
 

@@ -3,6 +3,7 @@
 mod adding;
 mod drawn;
 mod examples;
+mod files_drawn;
 mod ladder;
 mod lathe_stops;
 mod look;

@@ -134,29 +134,44 @@ impl Section {
         radii
     }
 
+    /// A point of the outline at a part of an arc, 0 to 1, evenly in the tool's angle.
+    fn on(&self, arc: &Arc, part: f64) -> (f64, f64) {
+        let (angle, radius) = match arc.cut {
+            Some(piece) => {
+                let (from, to) = ends(arc, &piece);
+                let sigma = from + (to - from) * part;
+                (piece.angle(sigma), piece.curve.reach(sigma))
+            }
+            None => (arc.from + (arc.to - arc.from) * part, self.stock),
+        };
+        let (sin, cos) = math::sin_cos(angle);
+        (radius * cos, radius * sin)
+    }
+
     /// The outline as points once round: `each` steps along every arc, evenly in the tool's angle. Where the radius jumps, both ends of the jump.
     pub fn points(&self, each: u32) -> Vec<(f64, f64)> {
         let each = each.max(1);
         let mut points: Vec<(f64, f64)> = Vec::with_capacity(self.arcs.len() * (each as usize + 1));
-        let mut put = |angle: f64, radius: f64| {
-            let (sin, cos) = math::sin_cos(angle);
-            let (x, y) = (radius * cos, radius * sin);
-            if points.last().is_none_or(|last| math::hypot(last.0 - x, last.1 - y) > NOTHING) {
-                points.push((x, y));
-            }
-        };
         for arc in &self.arcs {
-            let (from, to) = arc.cut.map_or((arc.from, arc.to), |piece| ends(arc, &piece));
-            for i in 0..=each {
-                let at = from + (to - from) * f64::from(i) / f64::from(each);
-                match arc.cut {
-                    Some(piece) => put(piece.angle(at), piece.curve.reach(at)),
-                    None => put(at, self.stock),
+            for point in (0..=each).map(|i| self.on(arc, f64::from(i) / f64::from(each))) {
+                if points.last().is_none_or(|last| math::hypot(last.0 - point.0, last.1 - point.1) > NOTHING) {
+                    points.push(point);
                 }
             }
         }
         points.pop();
         points
+    }
+
+    /// The outline as spans once round, counter-clockwise, each with its first, middle and last point in mm: `each` along what a tip has cut, two
+    /// along the stock. Where the radius jumps, a span ends before the next begins.
+    pub fn spans(&self, each: u32) -> Vec<[(f64, f64); 3]> {
+        let of = |arc: &Arc| {
+            let count = if arc.cut.is_some() { each.max(1) } else { 2 };
+            let at = |half: u32| self.on(arc, f64::from(half) / f64::from(2 * count));
+            (0..count).map(|i| [2 * i, 2 * i + 1, 2 * i + 2].map(at)).collect::<Vec<_>>()
+        };
+        self.arcs.iter().filter(|arc| arc.to > arc.from).flat_map(of).collect()
     }
 
     /// Area in mm².

@@ -3,34 +3,83 @@
 use super::native_code;
 use super::outlines::ideal;
 use super::resolved::PolygonLathe;
+use crate::drives::polygon::Section;
+use crate::machines::sheets::say;
+use crate::math::{self, PI};
 use crate::nc::File;
-use crate::view::outline::{Outline, OutlineShape};
+use crate::text::catalog::number_text as show;
+use crate::view::outline::{Dimension, LineKind, Outline, OutlineShape};
 
-/// Steps along an arc of the section: half a micrometre on a usual part.
-const STEPS: u32 = 64;
+/// Arcs in which a cut side is drawn: they leave it by less than a hundredth of a micrometre on a usual part.
+const SPANS: u32 = 8;
 
 /// The files beside programs and sheets.
 pub(super) fn drawings(lathe: &PolygonLathe) -> Vec<File> {
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
     let mut files: Vec<File> = native_code::file(lathe).into_iter().collect();
     if let Some(outline) = section(lathe) {
-        files.push(file("section.svg", outline.svg()));
+        files.push(file("section.svg", outline.svg(legend)));
         files.push(file("section.dxf", outline.dxf()));
     }
     files
 }
 
-/// The finished section, the ideal polygon and the stock.
+/// The finished section, the ideal polygon and the stock, with centre lines and dimensions.
 fn section(lathe: &PolygonLathe) -> Option<Outline> {
     let section = lathe.p.section()?;
     let p = &lathe.p;
     let mut shapes = vec![
-        OutlineShape { layer: "FINISHED", points: section.points(STEPS), radius: 0.0 },
-        OutlineShape { layer: "STOCK", points: Vec::new(), radius: section.stock() },
+        (LineKind::Part, OutlineShape::through(&section.spans(SPANS))),
+        (LineKind::Stock, OutlineShape::Circle(section.stock())),
     ];
     if p.sides > 2.0 {
-        let points = ideal(p.sides as u32, 0.5 * p.across_flats, section.begin());
-        shapes.push(OutlineShape { layer: "IDEAL", points, radius: 0.0 });
+        let corners = ideal(p.sides as u32, 0.5 * p.across_flats, section.begin());
+        shapes.push((LineKind::Ideal, OutlineShape::polygon(&corners)));
     }
-    Some(Outline { shapes })
+    let mut outline = Outline { shapes, dimensions: Vec::new() };
+    outline.dimensions = dimensions(&section, p.across_flats, outline.beside());
+    let end = 1.12 * outline.reach();
+    for angle in [section.begin(), section.begin() + 0.5 * PI] {
+        outline.shapes.push((LineKind::Centre, OutlineShape::Line(at(angle + PI, end), at(angle, end))));
+    }
+    Some(outline)
+}
+
+/// A point at an angle and a distance from the centre.
+fn at(angle: f64, distance: f64) -> (f64, f64) {
+    let (sin, cos) = math::sin_cos(angle);
+    (distance * cos, distance * sin)
+}
+
+/// Across flats, across corners where the sides meet, and the stock, each at a side of its own.
+fn dimensions(section: &Section, across_flats: f64, away: f64) -> Vec<Dimension> {
+    let (normal, half) = (section.begin(), 0.5 * across_flats);
+    let across = |angle: f64, half: f64, away: f64, text: String| Dimension {
+        from: at(angle + PI, half),
+        to: at(angle, half),
+        away,
+        text,
+    };
+    let opposite = section.sides().len().is_multiple_of(2);
+    let corner = section.corners().first().copied();
+    // Extension lines begin at the ends of the flats.
+    let end = corner.map_or(0.0, |corner| (corner.radius * corner.radius - half * half).max(0.0).sqrt());
+    let aside = at(normal + 0.5 * PI, end);
+    let beside = |(x, y): (f64, f64)| (x + aside.0, y + aside.1);
+    let (from, text) = if opposite { (at(normal + PI, half), across_flats) } else { ((0.0, 0.0), half) };
+    let flats = Dimension { from: beside(from), to: beside(at(normal, half)), away: away - end, text: show(text, 3) };
+    let stock = across(normal + 0.5 * PI, section.stock(), away, format!("⌀{}", show(2.0 * section.stock(), 3)));
+    let corner = corner.filter(|corner| corner.meets && opposite);
+    let corner = corner.map(|corner| across(corner.angle, corner.radius, -away, show(section.across_corners().0, 3)));
+    [flats, stock].into_iter().chain(corner).collect()
+}
+
+/// Words of the legend.
+fn legend(kind: LineKind) -> String {
+    say(match kind {
+        LineKind::Part => "polygon.drawing.part",
+        LineKind::Stock => "polygon.drawing.stock",
+        LineKind::Ideal => "polygon.drawing.ideal",
+        LineKind::Centre => "polygon.drawing.centre",
+    })
 }
