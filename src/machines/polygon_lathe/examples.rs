@@ -41,6 +41,21 @@ pub(super) const EXAMPLES: &[Example] = &[
         entries: &[("from-face", "40"), ("length", "20"), ("free-length", "80")],
         faults: &[],
     },
+    // Another cutter for the other number of sides: three inserts on T2.
+    Example {
+        id: "square-and-hexagon",
+        name: "polygon.example.two",
+        about: "polygon.example.two.about",
+        entries: &[
+            ("second", "true"),
+            ("second-shape", "hexagon"),
+            ("second-across-flats", "21"),
+            ("second-angle", "15"),
+            ("second-work-start", "-15"),
+            ("second-tool", "2"),
+        ],
+        faults: &[],
+    },
     // O3000 of the paper: G512 B200 D1 Q2 A0. E0., then X20. at F200 in a single pass, which is 1 mm per turn of the work.
     Example {
         id: "paper",

@@ -10,9 +10,13 @@ mod geometry;
 
 mod path;
 
+mod further;
+
 mod resolved;
 
 mod readouts;
+
+mod results;
 
 mod rules;
 
@@ -54,12 +58,10 @@ use crate::machines::form::Field;
 use crate::machines::form::rows::LineEnds;
 use crate::machines::ladder::Ladder;
 use crate::machines::machine::{ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples};
-use crate::machines::verdict::judge;
 use crate::motion::{Plant, Plc, Snapshot};
 use crate::nc::File;
 use crate::view::{Chart, Explorer, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
-use rules::RULES;
 
 impl Machine for PolygonLathe {
     type Params = Params;
@@ -82,20 +84,7 @@ impl Machine for PolygonLathe {
 
 impl Prepared for PolygonLathe {
     fn results(&self) -> Design {
-        let (p, d) = (&self.p, &self.d);
-        let shown = |id: &str| match id {
-            "tool-speed" | "work-speed" | "ratio" | "distance" | "offset" | "passes" | "feed" | "finish-feed"
-            | "ready" | "free-length" => true,
-            "infeed" => p.is_behind_face(),
-            _ if !d.cuts => false,
-            "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
-            "coast-phase" => p.coasts(self.control),
-            "twist" | "twist-speed" => p.lead != 0.0,
-            _ => true,
-        };
-        let readouts = readouts::ROWS.iter().filter(|row| shown(row.id));
-        let readouts = readouts.map(|row| judge(row, self, row.unit, RULES)).collect();
-        Design { readouts, diagnostics: rules::findings(self) }
+        Design { readouts: results::results(self), diagnostics: rules::findings(self) }
     }
 
     fn program(&self) -> MachineProgram {

@@ -23,7 +23,7 @@ fn offset(lathe: &PolygonLathe) -> f64 {
 /// The program, and what each of its blocks does (catalog id, or empty); none without a ratio.
 fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     let p = &lathe.p;
-    let ratio = p.ratio()?;
+    p.ratio()?;
     let mut b = Builder::new();
     b.program(PART, "");
     let mut notes = Vec::new();
@@ -38,6 +38,33 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
     add(writing::codes(lathe.control, [Code::FeedPerMinute]), "polygon.other.per-minute");
     add(vec![word(Address::T, p.tool as u32 * 101)], "");
     add(vec![g(0), cross(clear), along(p.clearance)], "");
+    for (at, polygon) in lathe.polygons().enumerate() {
+        if at > 0 {
+            add(vec![s(0)], "polygon.other.stop");
+            add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
+            let changes = p.tool != polygon.p.tool;
+            if changes {
+                add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
+                add(vec![word(Address::T, polygon.p.tool as u32 * 101)], "");
+                add(vec![g(0), cross(clear)], "");
+            }
+            if changes || !polygon.p.is_behind_face() {
+                add(vec![g(0), along(p.clearance)], "");
+            }
+        }
+        turn(polygon, &mut add)?;
+    }
+    add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
+    add(vec![s(0)], "polygon.other.stop");
+    add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
+    add(vec![m(30)], "");
+    Some((b.finish(), notes))
+}
+
+/// Blocks that turn one polygon; a new ratio begins from standstill.
+fn turn(lathe: &PolygonLathe, add: &mut impl FnMut(Vec<NewWord>, &'static str)) -> Option<()> {
+    let p = &lathe.p;
+    let ratio = p.ratio()?;
     // P above 0, Q with the sense of the tool.
     let mut on = vec![word(Address::G, real(51.2, 1)), p_word(ratio.work()), word(Address::Q, ratio.tool())];
     let offset = offset(lathe);
@@ -56,11 +83,7 @@ fn deck(lathe: &PolygonLathe) -> Option<(Deck, Vec<&'static str>)> {
             add(program::block(lathe, step), note);
         }
     }
-    add(vec![g(0), cross(p.start_x), along(p.start_z)], "");
-    add(vec![s(0)], "polygon.other.stop");
-    add(vec![word(Address::G, real(50.2, 1))], "polygon.other.off");
-    add(vec![m(30)], "");
-    Some((b.finish(), notes))
+    Some(())
 }
 
 /// The program as text, and each block with its note.

@@ -32,6 +32,40 @@ options! {
     }
 }
 
+/// A second or third polygon of the part. Units as in the form.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Further {
+    pub on: bool,
+    pub shape: Shape,
+    pub sides: f64,
+    pub across_flats: f64,
+    pub from_face: f64,
+    pub length: f64,
+    pub angle: f64,
+    pub inserts: f64,
+    pub work_ratio: f64,
+    pub tool_ratio: f64,
+    pub work_start: f64,
+    pub tool_start: f64,
+    pub tool: f64,
+}
+
+/// The member of a further polygon that a row fills.
+macro_rules! further {
+    ($at:literal.$member:ident) => {
+        (|p: &Params| p.further[$at].$member, |p: &mut Params, value| p.further[$at].$member = value)
+    };
+    ($at:literal.$member:ident: $choice:ident) => {
+        (
+            $choice::OPTIONS,
+            (
+                |p: &Params| p.further[$at].$member as usize,
+                |p: &mut Params, at| p.further[$at].$member = $choice::at(at),
+            ),
+        )
+    };
+}
+
 /// Inputs of the polygon lathe, within the ranges of [`FIELDS`]. Units as in the form.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Params {
@@ -67,6 +101,7 @@ pub(crate) struct Params {
     pub start_x: f64,
     pub start_z: f64,
     pub tool: f64,
+    pub further: [Further; 2],
     pub work_limit: f64,
     pub tool_limit: f64,
     pub work_time_constant: f64,
@@ -121,9 +156,29 @@ impl Params {
         self.shape == Shape::Own
     }
 
-    /// The polygon begins behind the face.
+    /// The part has a second polygon.
+    fn has_second(&self, _: &Control) -> bool {
+        self.further[0].on
+    }
+
+    /// The part has a third polygon.
+    fn has_third(&self, _: &Control) -> bool {
+        self.further.iter().all(|further| further.on)
+    }
+
+    /// The form itself gives inserts and ratio of the second polygon.
+    fn is_own_second(&self, control: &Control) -> bool {
+        self.has_second(control) && self.further[0].shape == Shape::Own
+    }
+
+    /// The form itself gives inserts and ratio of the third polygon.
+    fn is_own_third(&self, control: &Control) -> bool {
+        self.has_third(control) && self.further[1].shape == Shape::Own
+    }
+
+    /// A polygon begins behind the face.
     fn goes_down(&self, _: &Control) -> bool {
-        self.is_behind_face()
+        self.is_behind_face() || self.further[0].on
     }
 
     /// Emergency stop leaves work and tool to coast.
@@ -195,6 +250,54 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("mm").range(0.1..=2000.0).default(30.0).decimals(3).step(5.0),
     number("tool", member!(Params.tool)).group("polygon.group.cut").label("polygon.tool").help("polygon.tool.help").symbol("T")
         .range(1.0..=99.0).default(1.0).decimals(0).step(1.0),
+    flag("second", further!(0.on)).group("polygon.group.second").label("polygon.second").help("polygon.second.help"),
+    choice("second-shape", further!(0.shape: Shape)).group("polygon.group.second").label("polygon.shape").help("polygon.shape.help").when(Params::has_second),
+    number("second-sides", further!(0.sides)).group("polygon.group.second").label("polygon.sides").help("polygon.sides.help").symbol("N")
+        .range(1.0..=100.0).default(6.0).decimals(0).step(1.0).when(Params::is_own_second),
+    number("second-across-flats", further!(0.across_flats)).group("polygon.group.second").label("polygon.across-flats").help("polygon.across-flats.help").symbol("AF")
+        .unit("mm").range(0.5..=500.0).default(20.0).decimals(3).step(0.5).when(Params::has_second),
+    number("second-from-face", further!(0.from_face)).group("polygon.group.second").label("polygon.from-face").help("polygon.from-face.help").symbol("Z")
+        .unit("mm").range(0.0..=2000.0).default(30.0).decimals(3).step(1.0).when(Params::has_second),
+    number("second-length", further!(0.length)).group("polygon.group.second").label("polygon.length").help("polygon.length.help")
+        .unit("mm").range(0.1..=2000.0).default(15.0).decimals(3).step(1.0).when(Params::has_second),
+    number("second-angle", further!(0.angle)).group("polygon.group.second").label("polygon.angle").help("polygon.angle.help").symbol("ψ")
+        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_second),
+    number("second-inserts", further!(0.inserts)).group("polygon.group.second").label("polygon.inserts").help("polygon.inserts.help").symbol("n")
+        .range(1.0..=50.0).default(2.0).decimals(0).step(1.0).when(Params::is_own_second),
+    number("second-work-ratio", further!(0.work_ratio)).group("polygon.group.second").label("polygon.work-ratio").help("polygon.work-ratio.help").symbol("D")
+        .range(-99.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::is_own_second),
+    number("second-tool-ratio", further!(0.tool_ratio)).group("polygon.group.second").label("polygon.tool-ratio").help("polygon.tool-ratio.help").symbol("Q")
+        .range(-99.0..=99.0).default(3.0).decimals(0).step(1.0).when(Params::is_own_second),
+    number("second-work-start", further!(0.work_start)).group("polygon.group.second").label("polygon.work-start").help("polygon.work-start.help").symbol("A")
+        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_second),
+    number("second-tool-start", further!(0.tool_start)).group("polygon.group.second").label("polygon.tool-start").help("polygon.tool-start.help").symbol("E")
+        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_second),
+    number("second-tool", further!(0.tool)).group("polygon.group.second").label("polygon.tool").help("polygon.tool.help").symbol("T")
+        .range(1.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::has_second),
+    flag("third", further!(1.on)).group("polygon.group.third").label("polygon.third").help("polygon.third.help").when(Params::has_second),
+    choice("third-shape", further!(1.shape: Shape)).group("polygon.group.third").label("polygon.shape").help("polygon.shape.help").when(Params::has_third),
+    number("third-sides", further!(1.sides)).group("polygon.group.third").label("polygon.sides").help("polygon.sides.help").symbol("N")
+        .range(1.0..=100.0).default(6.0).decimals(0).step(1.0).when(Params::is_own_third),
+    number("third-across-flats", further!(1.across_flats)).group("polygon.group.third").label("polygon.across-flats").help("polygon.across-flats.help").symbol("AF")
+        .unit("mm").range(0.5..=500.0).default(20.0).decimals(3).step(0.5).when(Params::has_third),
+    number("third-from-face", further!(1.from_face)).group("polygon.group.third").label("polygon.from-face").help("polygon.from-face.help").symbol("Z")
+        .unit("mm").range(0.0..=2000.0).default(60.0).decimals(3).step(1.0).when(Params::has_third),
+    number("third-length", further!(1.length)).group("polygon.group.third").label("polygon.length").help("polygon.length.help")
+        .unit("mm").range(0.1..=2000.0).default(15.0).decimals(3).step(1.0).when(Params::has_third),
+    number("third-angle", further!(1.angle)).group("polygon.group.third").label("polygon.angle").help("polygon.angle.help").symbol("ψ")
+        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_third),
+    number("third-inserts", further!(1.inserts)).group("polygon.group.third").label("polygon.inserts").help("polygon.inserts.help").symbol("n")
+        .range(1.0..=50.0).default(2.0).decimals(0).step(1.0).when(Params::is_own_third),
+    number("third-work-ratio", further!(1.work_ratio)).group("polygon.group.third").label("polygon.work-ratio").help("polygon.work-ratio.help").symbol("D")
+        .range(-99.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::is_own_third),
+    number("third-tool-ratio", further!(1.tool_ratio)).group("polygon.group.third").label("polygon.tool-ratio").help("polygon.tool-ratio.help").symbol("Q")
+        .range(-99.0..=99.0).default(3.0).decimals(0).step(1.0).when(Params::is_own_third),
+    number("third-work-start", further!(1.work_start)).group("polygon.group.third").label("polygon.work-start").help("polygon.work-start.help").symbol("A")
+        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_third),
+    number("third-tool-start", further!(1.tool_start)).group("polygon.group.third").label("polygon.tool-start").help("polygon.tool-start.help").symbol("E")
+        .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_third),
+    number("third-tool", further!(1.tool)).group("polygon.group.third").label("polygon.tool").help("polygon.tool.help").symbol("T")
+        .range(1.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::has_third),
     number("work-limit", member!(Params.work_limit)).group("polygon.group.drives").label("polygon.work-limit").help("polygon.work-limit.help")
         .unit("r/min").range(1.0..=20000.0).default(1000.0).decimals(0).step(100.0).fact(),
     number("tool-limit", member!(Params.tool_limit)).group("polygon.group.drives").label("polygon.tool-limit").help("polygon.tool-limit.help")

@@ -21,7 +21,7 @@ const SEEN_JAWS: f64 = 40.0;
 /// Placements, paths and figures at a moment.
 pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose {
     let p = &lathe.p;
-    let view = View::new(p);
+    let view = View::new(lathe);
     let progress = progress::progress(lathe, run, now);
     let (across_flats, z) = lathe.slide(now);
     let mut pose = Pose::default();
@@ -58,6 +58,7 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
         })
     };
     let angle = now.pmc[WORK].actual / 180.0 * PI;
+    let turned_now = progress.now().map_or(lathe, |pass| lathe.at(pass.middle()));
     pose.paths = vec![
         (node::SECTION, closed(points(), (0.0, 0.0), view.scale)),
         (node::CLOSE, closed(points(), (0.0, 0.0), view.close)),
@@ -65,6 +66,7 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
         (node::EDGES, edges(lathe, &view, &progress, angle)),
         (node::DISTANCE, scene::distance(lathe, &view, aside)),
         (node::LEADER, scene::leader(lathe, &view, aside)),
+        (node::IDEAL, scene::wanted(turned_now, &view)),
     ];
     pose.texts = texts(lathe, now, &progress, (across_flats, z));
     pose
@@ -72,17 +74,18 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
 
 /// The polygon from above: where the passes have cut deepest.
 fn edges(lathe: &PolygonLathe, view: &View, progress: &Progress, angle: f64) -> String {
-    let cut = |(near, far, size): (f64, f64, f64)| scene::edges(lathe, view, size, (near, far), angle);
+    let cut =
+        |(near, far, size): (f64, f64, f64)| scene::edges(lathe.at(0.5 * (near + far)), view, size, (near, far), angle);
     scene::profile(lathe, progress).into_iter().map(cut).collect()
 }
 
 /// Number of the pass, and the number of passes where its size is one of the form's.
 fn pass(lathe: &PolygonLathe, progress: &Progress) -> String {
-    let sizes = &lathe.sizes;
-    let Some(now) = progress.now() else { return format!("1 / {}", sizes.len()) };
-    let planned = sizes.get(now.before).is_some_and(|size| (size - now.size).abs() < 1e-3);
+    let all: Vec<f64> = lathe.polygons().flat_map(|lathe| &lathe.sizes).copied().collect();
+    let Some(now) = progress.now() else { return format!("1 / {}", all.len()) };
+    let planned = all.get(now.before).is_some_and(|size| (size - now.size).abs() < 1e-3);
     let number = now.before + 1;
-    if planned { format!("{number} / {}", sizes.len()) } else { number.to_string() }
+    if planned { format!("{number} / {}", all.len()) } else { number.to_string() }
 }
 
 fn texts(

@@ -138,30 +138,64 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     // Away from the work first: a start after a reset may begin anywhere.
     b.n(14).words(rapid([cross(lathe, clear)]));
     b.words([z(mm(p.clearance))]);
+    let mut present = lathe;
+    for (at, polygon) in (0..).zip(lathe.polygons()) {
+        let base = 1000 * at;
+        if at > 0 {
+            b.n(base - 199).words([g(off)]).note("POLYGON TURNING OFF");
+            change(b, base, (present, polygon), place);
+        }
+        b.n(base + 20).words(call(on, polygon)).note("POLYGON TURNING ON");
+        let passes = polygon.p.passes() as u32;
+        for pass in 1..=passes {
+            let first = base + number(pass);
+            for (at, step) in (first..).zip(polygon.p.steps(f64::from(pass))) {
+                b.n(at).words(block(polygon, step));
+                if at == first {
+                    b.note(if pass == passes { "FINISHING" } else { "ROUGHING" });
+                }
+            }
+        }
+        present = polygon;
+    }
+    let end = 1000 * lathe.further.len() as u32 + 800;
+    b.n(end).words(rapid([cross(lathe, p.start_x), z(mm(p.start_z))]));
+    b.n(end + 1).words([g(off)]).note("POLYGON TURNING OFF");
+    b.n(end + 2).words([m(30)]);
+    if place.is_some() {
+        writing::alarm(b, lathe.control, AWAY, "RETRACT THE CUTTER BY HAND");
+        b.words([m(30)]);
+    }
+}
+
+/// The call that starts polygon turning.
+fn call(on: u32, lathe: &PolygonLathe) -> Vec<NewWord> {
+    let p = &lathe.p;
     let arguments = [
         (Address::B, real(p.speed, 0)),
         (Address::D, Formula::from(p.work_ratio as i32)),
         (Address::Q, Formula::from(p.tool_ratio as i32)),
-        (Address::A, mm(p.work_start)),
-        (Address::E, mm(p.tool_start)),
+        (Address::A, real(p.work_start, 3)),
+        (Address::E, real(p.tool_start, 3)),
     ];
-    let call = [g(on)].into_iter().chain(arguments.map(|(letter, value)| word(letter, value)));
-    b.n(20).words(call).note("POLYGON TURNING ON");
-    let passes = p.passes() as u32;
-    for pass in 1..=passes {
-        for (at, step) in (number(pass)..).zip(p.steps(f64::from(pass))) {
-            b.n(at).words(block(lathe, step));
-            if at == number(pass) {
-                b.note(if pass == passes { "FINISHING" } else { "ROUGHING" });
-            }
+    [g(on)].into_iter().chain(arguments.map(|(letter, value)| word(letter, value))).collect()
+}
+
+/// From a polygon to the next: the cutter changes at the start of the slide, and a pass at the end of the bar begins in front of the face.
+fn change(b: &mut Builder, base: u32, (from, to): (&PolygonLathe, &PolygonLathe), place: Option<(u32, u32)>) {
+    let p = &to.p;
+    let clear = p.clear_diameter();
+    let changes = from.p.tool != p.tool;
+    if changes {
+        b.n(base + 10).words(rapid([cross(to, p.start_x), z(real(p.start_z, 3))]));
+        b.n(base + 13).words(writing::tool(to.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
+        if let Some(place) = place {
+            writing::stays_clear(b, place, || real(clear * 0.5 * to.words(), 3), 900 + AWAY);
         }
+        b.n(base + 14).words(rapid([cross(to, clear)]));
     }
-    b.n(800).words(rapid([cross(lathe, p.start_x), z(mm(p.start_z))]));
-    b.n(801).words([g(off)]).note("POLYGON TURNING OFF");
-    b.n(802).words([m(30)]);
-    if place.is_some() {
-        writing::alarm(b, lathe.control, AWAY, "RETRACT THE CUTTER BY HAND");
-        b.words([m(30)]);
+    if changes || !p.is_behind_face() {
+        b.n(base + 15).words(rapid([z(real(p.clearance, 3))]));
     }
 }
 

@@ -33,6 +33,11 @@ pub(super) struct Pass {
 }
 
 impl Pass {
+    /// Distance of its middle from the face, mm.
+    pub(super) fn middle(&self) -> f64 {
+        0.5 * (self.stretch.0 + self.stretch.1)
+    }
+
     /// Both have cut some of the same stretch.
     fn overlaps(&self, other: &Pass) -> bool {
         self.stretch.0 < other.stretch.1 && other.stretch.0 < self.stretch.1
@@ -88,7 +93,7 @@ pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot)
 
 /// Cuts the insert passes since the slide reached the face, up to one closed pattern.
 fn cut(grid: &mut [f64], lathe: &PolygonLathe, slide: &Pass, now: &Snapshot) {
-    let Some(setup) = lathe.p.setup(slide.size) else { return };
+    let Some(setup) = lathe.at(slide.middle()).p.setup(slide.size) else { return };
     let k = setup.ratio.value();
     let [work, tool] = [WORK, TOOL].map(|axis| slide.since.pmc[axis].actual / 360.0);
     let closes = f64::from(setup.ratio.work());
@@ -133,8 +138,8 @@ fn pass(grid: &mut [f64], curve: &Curve, normal: f64, stock: f64) {
 
 /// Where the tips are on the work, and how far the axes are apart, at a setting of the slide.
 pub(super) fn tips(lathe: &PolygonLathe, now: &Snapshot) -> Option<(CutterSetup, Vec<(f64, f64)>)> {
-    let (across_flats, _) = lathe.slide(now);
-    let mut setup = lathe.p.setup(across_flats)?;
+    let (across_flats, z) = lathe.slide(now);
+    let mut setup = lathe.at(-z).p.setup(across_flats)?;
     setup.distance = 0.5 * across_flats + setup.radius;
     let [work, tool] = [WORK, TOOL].map(|axis| now.pmc[axis].actual / 180.0 * PI);
     let (s, c) = math::sin_cos(work);

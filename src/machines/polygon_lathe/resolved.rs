@@ -1,7 +1,7 @@
 //! The polygon lathe on a control: inserts and ratio by the chosen shape, sizes of the passes, axes and units of words.
 
 use super::derive::Derived;
-use super::params::{Params, Shape};
+use super::params::Params;
 use crate::controls::{Address, Control, Dialect};
 use crate::drives::polygon::Ratio;
 use crate::machines::machine::ControlContext;
@@ -29,6 +29,8 @@ pub(crate) struct PolygonLathe {
     pub(super) dialect: Dialect,
     /// Across flats of every pass.
     pub(super) sizes: Vec<f64>,
+    /// The second and the third polygon of the part, each as if it were the only one.
+    pub(super) further: Vec<PolygonLathe>,
 }
 
 /// Units of X words per millimetre of its slide: 2 where they are diameters.
@@ -40,22 +42,34 @@ fn words_per_mm(control: &Control, dialect: &Dialect) -> f64 {
 impl PolygonLathe {
     /// Fits the form to the control and computes the formulas.
     pub(super) fn resolve(form: Params, on: ControlContext) -> PolygonLathe {
+        let p = form.clone().with_shape();
+        let further = p.further().into_iter().map(|p| PolygonLathe::one(p.clone(), p, on)).collect();
+        PolygonLathe { further, ..PolygonLathe::one(form, p, on) }
+    }
+
+    /// The lathe with one polygon.
+    fn one(form: Params, p: Params, on: ControlContext) -> PolygonLathe {
         let (control, dialect) = (on.control, on.dialect());
-        let mut p = form.clone();
-        let shape = match p.shape {
-            Shape::Own => None,
-            Shape::Knob => Some((2.0, 1.0, 1.0, 2.0)),
-            Shape::Triangle => Some((3.0, 2.0, 2.0, 3.0)),
-            Shape::Square => Some((4.0, 2.0, 1.0, 2.0)),
-            Shape::Hexagon => Some((6.0, 3.0, 1.0, 2.0)),
-        };
-        if let Some(shape) = shape {
-            (p.sides, p.inserts, p.work_ratio, p.tool_ratio) = shape;
-        }
         let sizes: Vec<f64> = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
         let words = words_per_mm(control, &dialect);
         let d = Derived::new(&p, &sizes, words);
-        PolygonLathe { form, p, d, control, dialect, sizes }
+        PolygonLathe { form, p, d, control, dialect, sizes, further: Vec::new() }
+    }
+
+    /// All polygons of the part, in the order in which they are turned.
+    pub(super) fn polygons(&self) -> impl Iterator<Item = &PolygonLathe> {
+        core::iter::once(self).chain(&self.further)
+    }
+
+    /// The polygon at a distance from the face, mm; else the first.
+    pub(super) fn at(&self, behind: f64) -> &PolygonLathe {
+        let there = |lathe: &&PolygonLathe| (lathe.p.from_face..=lathe.p.far_end()).contains(&behind);
+        self.polygons().find(there).unwrap_or(self)
+    }
+
+    /// Free length from face to jaws that the cutter needs, mm.
+    pub(super) fn free_length(&self) -> f64 {
+        self.polygons().map(|lathe| lathe.d.free_length).fold(0.0, f64::max)
     }
 
     /// Drives of the slides across and along the work.
@@ -103,10 +117,11 @@ impl PolygonLathe {
         (2.0 * at(self.cross()), at(self.along()))
     }
 
-    /// Phase of the tool ahead of ratio and start angles, degrees of the tool, within half a turn.
+    /// Phase of the tool ahead of ratio and start angles of the polygon at the slide, degrees of the tool, within half a turn.
     pub(super) fn phase(&self, now: &Snapshot) -> f64 {
-        let k = self.p.ratio().map_or(0.0, Ratio::value);
-        let (work, tool) = (now.pmc[WORK].actual - self.p.work_start, now.pmc[TOOL].actual - self.p.tool_start);
+        let p = &self.at(-self.slide(now).1).p;
+        let k = p.ratio().map_or(0.0, Ratio::value);
+        let (work, tool) = (now.pmc[WORK].actual - p.work_start, now.pmc[TOOL].actual - p.tool_start);
         let off = (tool - k * work) / 360.0;
         360.0 * (off - off.round())
     }

@@ -1,11 +1,11 @@
 //! The rules of the polygon lathe, as rows: result, limit, remedy.
 
 use super::derive::{PASSES, ways_as_set};
-use super::explore;
 use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, errors};
 use super::params::FIELDS;
 use super::program;
 use super::resolved::PolygonLathe;
+use super::{explore, further};
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
 use crate::machines::scaling;
@@ -357,34 +357,23 @@ fn infeed_clamp(lathe: &PolygonLathe) -> Option<Judgement> {
 
 /// The jaws, where the form says how far they are from the face.
 fn jaws(lathe: &PolygonLathe) -> Option<Judgement> {
-    let PolygonLathe { p, d, .. } = lathe;
-    if p.free_length == 0.0 {
+    let free = lathe.p.free_length;
+    if free == 0.0 {
         return ok(None);
     }
-    let limit = AtMost(p.free_length);
-    if d.free_length <= p.free_length {
+    let limit = AtMost(free);
+    if lathe.free_length() <= free {
         return ok(limit);
     }
     // The finding about the field says it.
     fail(limit, [])
 }
 
-/// Faults of the places along the work.
-fn places(lathe: &PolygonLathe, error: &mut impl FnMut(Message, &'static str)) {
-    let PolygonLathe { p, d, .. } = lathe;
-    if p.is_behind_face() && p.length < p.insert_width {
-        error(msg!("polygon.wide-insert", (p.insert_width, 3), (p.length, 3)), "length");
-    }
-    if p.free_length > 0.0 && d.free_length > p.free_length {
-        error(msg!("polygon.near-jaws", (d.free_length, 3), (p.free_length, 3)), "free-length");
-    }
-}
-
-/// Errors that refuse the export, and notes for the operator.
-pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
+/// Faults of one polygon, with the field of each.
+fn errors_of(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
     let PolygonLathe { p, d, .. } = lathe;
     let mut found = Vec::new();
-    let mut error = |message: Message, field: &'static str| found.push(Diagnostic::error(message).about(field));
+    let mut error = |message: Message, field: &'static str| found.push((message, field));
     if p.work_ratio == 0.0 {
         error(msg!("polygon.zero-ratio", "D"), "work-ratio");
     }
@@ -399,13 +388,8 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     if p.passes() > PASSES {
         error(msg!("polygon.too-many-passes", PASSES), "depth");
     }
-    places(lathe, &mut error);
-    let least = p.clear_diameter();
-    if p.start_x < least {
-        error(msg!("polygon.start-in-stock", (p.start_x, 3), (least, 3)), "start-x");
-    }
-    if p.start_z < p.clearance {
-        error(msg!("polygon.start-in-stock", (p.start_z, 3), (p.clearance, 3)), "start-z");
+    if p.is_behind_face() && p.length < p.insert_width {
+        error(msg!("polygon.wide-insert", (p.insert_width, 3), (p.length, 3)), "length");
     }
     for (text, most, field) in
         [(&p.radius_errors, RADIUS_ERROR, "radius-errors"), (&p.angle_errors, ANGLE_ERROR, "angle-errors")]
@@ -415,13 +399,39 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
         }
     }
     let (least, most) = (lathe.control.limits.feed_increment, lathe.control.limits.feed_max);
-    for (feed, field) in [(d.feed, "feed"), (d.finish_feed, "finish-feed")] {
+    let infeed = p.is_behind_face().then_some((d.infeed, "infeed"));
+    for (feed, field) in [(d.feed, "feed"), (d.finish_feed, "finish-feed")].into_iter().chain(infeed) {
         if feed < least && p.work_ratio != 0.0 {
             error(msg!("polygon.feed-too-small", (feed, 6), least), field);
         } else if feed > most {
             error(msg!("polygon.feed-too-large", (feed, 0), most), field);
         }
     }
+    found
+}
+
+/// Errors that refuse the export, and notes for the operator.
+pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
+    let PolygonLathe { p, d, .. } = lathe;
+    let mut faults = errors_of(lathe);
+    for fault in further::errors(lathe, errors_of) {
+        if !faults.contains(&fault) {
+            faults.push(fault);
+        }
+    }
+    let mut error = |message: Message, field: &'static str| faults.push((message, field));
+    if p.free_length > 0.0 && lathe.free_length() > p.free_length {
+        error(msg!("polygon.near-jaws", (lathe.free_length(), 3), (p.free_length, 3)), "free-length");
+    }
+    let least = p.clear_diameter();
+    if p.start_x < least {
+        error(msg!("polygon.start-in-stock", (p.start_x, 3), (least, 3)), "start-x");
+    }
+    if p.start_z < p.clearance {
+        error(msg!("polygon.start-in-stock", (p.start_z, 3), (p.clearance, 3)), "start-z");
+    }
+    let mut found: Vec<Diagnostic> =
+        faults.into_iter().map(|(message, field)| Diagnostic::error(message).about(field)).collect();
     if let [None, _] | [_, None] = program::codes(lathe) {
         found.push(Diagnostic::error(msg!("polygon.no-code")));
     }

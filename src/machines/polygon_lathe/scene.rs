@@ -28,11 +28,12 @@ pub(super) use front::traces;
 pub(super) use ids::{TIPS, group, node};
 pub(super) use layout::View;
 use layout::{UNIT, VIEW};
+pub(super) use lens::wanted;
 pub(super) use side::{bar, edges, profile};
 
 /// The drawing at rest.
 pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
-    let view = View::new(&lathe.p);
+    let view = View::new(lathe);
     let mut d = Drawing::new(UNIT);
     front::draw_back(&mut d, &view);
     cutter::draw_base(&mut d, lathe, &view);

@@ -7,7 +7,6 @@ use super::stops::reactions;
 use super::{explore, ladder, native_code, sequence};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, ChoiceLimit};
-use crate::drives::polygon::cut::InsertLoad;
 use crate::machines::scaling;
 use crate::machines::sheets::{self, AxisUnits, ParamValue, row, say};
 use crate::machines::stops;
@@ -129,20 +128,23 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
 fn passes(lathe: &PolygonLathe) -> Option<Sheet> {
     let cite =
         Citation::new("polygon turning facts 3.3 and 3.4; a pass meets what the one before has left", Grade::Inferred);
-    let p = &lathe.p;
-    let mut cuts = p.cuts(&p.setup(p.across_flats)?, &lathe.sizes);
-    cuts.sort_by(|(_, a), (_, b)| b.relief.max(0.0).total_cmp(&a.relief.max(0.0)));
-    let speed = |each: f64| show(each * p.work_speed().abs(), 0);
-    let one = |(pass, cut): (f64, InsertLoad)| {
-        let cells = [
-            show(pass, 0),
-            show(p.size(pass), 3),
-            show(p.per_minute(p.feed_of(pass)), 3),
-            show(cut.relief * 180.0 / PI, 2),
-            format!("{} .. {}", speed(cut.speeds.0), speed(cut.speeds.1)),
-        ];
-        row(cells, cite)
-    };
+    let mut rows = Vec::new();
+    for (at, PolygonLathe { p, sizes, .. }) in (1_u32..).zip(lathe.polygons()) {
+        let mut cuts = p.cuts(&p.setup(p.across_flats)?, sizes);
+        cuts.sort_by(|(_, a), (_, b)| b.relief.max(0.0).total_cmp(&a.relief.max(0.0)));
+        let speed = |each: f64| show(each * p.work_speed().abs(), 0);
+        rows.extend(cuts.into_iter().map(|(pass, cut)| {
+            let pass_text = show(pass, 0);
+            let cells = [
+                if lathe.further.is_empty() { pass_text } else { format!("{at}.{pass_text}") },
+                show(p.size(pass), 3),
+                show(p.per_minute(p.feed_of(pass)), 3),
+                show(cut.relief * 180.0 / PI, 2),
+                format!("{} .. {}", speed(cut.speeds.0), speed(cut.speeds.1)),
+            ];
+            row(cells, cite)
+        }));
+    }
     Some(Sheet {
         id: "passes",
         title: "polygon.sheet.passes",
@@ -153,7 +155,7 @@ fn passes(lathe: &PolygonLathe) -> Option<Sheet> {
             "polygon.readout.relief",
             "polygon.sheet.cutting-speed",
         ],
-        rows: cuts.into_iter().map(one).collect(),
+        rows,
         drawing: String::new(),
     })
 }

@@ -3,8 +3,9 @@
 use super::polygon::{project, result};
 use macroline::controls::Address;
 use macroline::interp::{Canon, Interp};
+use macroline::machines::form::Value;
 use macroline::machines::{Frame, Samples};
-use macroline::motion::{Budget, Planner, Retention, RunEnd};
+use macroline::motion::{Budget, Planner, Retention, RunEnd, Timeline};
 use macroline::project::Project;
 use macroline::project::run::{self, RunOptions};
 use macroline::text::Severity;
@@ -89,12 +90,13 @@ impl Dice {
 #[test]
 fn no_rapid_goes_through_stock_shoulders_or_jaws() {
     let mut dice = Dice(13);
-    let (mut tried, mut middle) = (0, 0);
+    let (mut tried, mut middle, mut two, mut three) = (0, 0, 0, 0);
     while tried < 120 {
         let stock = dice.within(4.0, 120.0);
         let from = if dice.within(0.0, 1.0) < 0.25 { 0.0 } else { dice.within(0.001, 300.0) };
         let (length, width) = (dice.within(0.2, 60.0), dice.within(0.0, 20.0));
-        let free = from + length + dice.within(-3.0, 20.0);
+        let far = from + length;
+        let free = far + dice.within(-3.0, 100.0);
         let shape = ["square", "knob", "triangle", "hexagon"][dice.within(0.0, 4.0) as usize];
         let mm = |value: f64| number_text(value, 3);
         let texts = [
@@ -112,6 +114,24 @@ fn no_rapid_goes_through_stock_shoulders_or_jaws() {
             ("work-start", mm(dice.within(-90.0, 90.0))),
             ("tip-radius", mm(dice.within(20.0, 90.0))),
         ];
+        let other = far + dice.within(-1.0, 30.0);
+        let end = other + dice.within(width, 40.0);
+        let more = [
+            ("second", (dice.within(0.0, 1.0) < 0.5).to_string()),
+            ("second-shape", ["square", "knob", "triangle", "hexagon"][dice.within(0.0, 4.0) as usize].to_owned()),
+            ("second-across-flats", mm(stock * dice.within(0.6, 0.95))),
+            ("second-from-face", mm(other)),
+            ("second-length", mm(end - other)),
+            ("second-tool", if dice.within(0.0, 1.0) < 0.6 { "2" } else { "1" }.to_owned()),
+            // Nearer to the face than the second, turned last.
+            ("third", (dice.within(0.0, 1.0) < 0.5).to_string()),
+            ("third-shape", shape.to_owned()),
+            ("third-from-face", "0".to_owned()),
+            ("third-length", mm(from.max(0.1))),
+            ("third-across-flats", mm(0.8 * stock)),
+            ("third-tool", if dice.within(0.0, 1.0) < 0.6 { "1" } else { "3" }.to_owned()),
+        ];
+        let texts: Vec<(&str, String)> = texts.into_iter().chain(more).collect();
         let changes: Vec<(&str, &str)> = texts.iter().map(|(id, text)| (*id, text.as_str())).collect();
         let project = project(&[&[("shape", shape)], &changes[..]].concat());
         if refused(&project) {
@@ -119,9 +139,19 @@ fn no_rapid_goes_through_stock_shoulders_or_jaws() {
         }
         tried += 1;
         middle += u32::from(from > 0.0);
-        holds(&project, &Part { stock, free, polygons: vec![(from, from + length)], width });
+        let on = |id: &str| matches!(project.values.get(id), Some(Value::Flag(true)));
+        let mut polygons = vec![(from, far)];
+        if on("second") {
+            polygons.push((other, end));
+            two += 1;
+        }
+        if on("second") && on("third") {
+            polygons.push((0.0, from.max(0.1)));
+            three += 1;
+        }
+        holds(&project, &Part { stock, free, polygons, width });
     }
-    assert!(middle > 60, "{middle}");
+    assert!(middle > 60 && two > 20 && three > 5, "{middle} {two} {three}");
 }
 
 #[test]
@@ -202,4 +232,84 @@ fn section_and_bar_in_the_middle_shrink_to_the_results() {
         let asked = length * (stock - 20.0);
         assert!((lost / asked - 1.0).abs() < 1e-2, "{lost} for {asked}");
     }
+}
+
+/// Two polygons: a square at the end, a hexagon by another cutter behind it.
+const TWO: [(&str, &str); 7] = [
+    ("second", "true"),
+    ("second-shape", "hexagon"),
+    ("second-across-flats", "21"),
+    ("second-from-face", "30"),
+    ("second-angle", "15"),
+    ("second-work-start", "-15"),
+    ("second-tool", "2"),
+];
+
+/// Angle of a side as the run turns it: `tool / k - work`, within a side of the polygon, degrees.
+fn turned(timeline: &Timeline, (k, sides): (f64, f64), near: f64) -> f64 {
+    let cuts = |t: &f64| {
+        let now = timeline.at(*t);
+        now.pmc[0].feed > 71_999.0
+            && (now.axes[2].actual.abs() < 1e-9)
+            && (now.axes[1].actual + near).abs() < 1.0
+            && now.axes[0].actual < 12.0
+    };
+    let t = (0..200_000).map(|i| 0.001 * f64::from(i)).find(cuts).unwrap();
+    let [work, tool] = timeline.at(t).pmc;
+    (tool.actual / k - work.actual).rem_euclid(360.0 / sides)
+}
+
+#[test]
+fn two_polygons_have_their_sides_and_their_angle_in_the_run() {
+    let project = project(&[&TWO[..], &[("work-start", "7"), ("tool-start", "20")]].concat());
+    let design = project.design();
+    let value = |id: &str| design.readouts.iter().find(|row| row.id == id).unwrap().value;
+    assert_eq!((value("sides"), value("second-sides")), (4.0, 6.0));
+    // 20/2 - 7 = 3 for the square, 15 for the hexagon.
+    assert!((value("orientation") - 3.0).abs() < 1e-9 && (value("second-angle") - 12.0).abs() < 1e-9);
+    let (planner, log) = whole(&project);
+    let square = turned(planner.timeline(), (2.0, 4.0), 10.0);
+    let hexagon = turned(planner.timeline(), (2.0, 6.0), 40.0);
+    assert!((square - 3.0).abs() < 1e-6 && (hexagon - 15.0).abs() < 1e-6, "{square} {hexagon}");
+    // The cutter is changed at the start of the slide, with polygon turning off.
+    let tools = log.iter().filter(|canon| matches!(canon, Canon::Tool { .. })).count();
+    assert_eq!(tools, 2);
+    // At the end the drawing has the hexagon, its wanted shape over it.
+    let pose = project.prepared().pose(&planner, &Samples::at(&planner, 1e6), Frame { step: 0.001, option: false });
+    let section = area(&pose.paths[CLOSE].1) * (12.5 / 74.0) * (12.5 / 74.0);
+    let hexagon = 2.0 * 3.0_f64.sqrt() * 10.5 * 10.5;
+    assert!((section / hexagon - 1.0).abs() < 0.01, "{section} for {hexagon}");
+    assert_eq!(pose.texts.iter().find(|(id, _)| *id == 6).unwrap().1, "7 / 7");
+}
+
+#[test]
+fn overlapping_polygons_and_a_shared_cutter_are_refused() {
+    assert!(!refused(&project(&TWO)));
+    let found = |change: (&str, &str)| {
+        let design = project(&[&TWO[..], &[change]].concat()).design();
+        let errors = design.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+        errors.map(|found| (found.field.unwrap_or(""), found.message.id)).collect::<Vec<_>>()
+    };
+    assert_eq!(found(("second-from-face", "14.9")), [("second-from-face", "polygon.overlap")]);
+    assert_eq!(found(("second-from-face", "15")), []);
+    assert_eq!(found(("second-tool", "1")), [("second-tool", "polygon.same-cutter")]);
+    assert_eq!(found(("second-across-flats", "25")), [("second-across-flats", "polygon.nothing-to-cut")]);
+    // Another ratio with the same cutter.
+    let own = [("second-shape", "own"), ("second-tool", "1"), ("second-tool-ratio", "3"), ("second-sides", "6")];
+    let same = project(&[&TWO[..], &own].concat());
+    assert!(!refused(&same));
+    assert_eq!(result(&same, "second-sides"), 6.0);
+}
+
+#[test]
+fn advice_for_the_second_polygon_sets_its_own_fields() {
+    let turned = project(&[&TWO[..], &[("second-work-start", "0")]].concat());
+    let design = turned.design();
+    let error = design.readouts.iter().find(|row| row.id == "second-angle-error").unwrap();
+    let sets: Vec<_> = error.advice.iter().flat_map(|advice| &advice.sets).collect();
+    assert_eq!(sets.len(), 1, "{:?}", error.advice);
+    assert_eq!(sets[0].0, "second-work-start");
+    let mended = project(&[&TWO[..], &[("second-work-start", sets[0].1.as_str())]].concat());
+    assert!(result(&mended, "second-angle-error").abs() < 1e-6);
+    assert!((result(&mended, "second-angle") - 15.0).abs() < 1e-6);
 }

@@ -49,4 +49,6 @@ pub(in super::super) mod node {
     pub(in crate::machines::polygon_lathe) const LEADER: u16 = 11;
     pub(in crate::machines::polygon_lathe) const DISTANCE: u16 = 12;
     pub(in crate::machines::polygon_lathe) const EDGES: u16 = 13;
+    /// The polygon that is wanted, as the work sees it.
+    pub(in crate::machines::polygon_lathe) const IDEAL: u16 = 14;
 }

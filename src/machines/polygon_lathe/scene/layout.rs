@@ -1,6 +1,6 @@
 //! Where the parts are in the drawing, and its scales.
 
-use crate::machines::polygon_lathe::params::Params;
+use crate::machines::polygon_lathe::resolved::PolygonLathe;
 use crate::math;
 
 /// Left, top, width and height of the drawing, and its units per pixel for which the labels are laid out.
@@ -51,7 +51,8 @@ pub(in super::super) struct View {
 }
 
 impl View {
-    pub(in super::super) fn new(p: &Params) -> View {
+    pub(in super::super) fn new(lathe: &PolygonLathe) -> View {
+        let p = &lathe.p;
         let (stock, r) = (0.5 * p.stock_diameter, p.tip_radius);
         let across = RIGHT - LEFT - CHUCK.1;
         let clear = (0.5 * p.clear_diameter()).max(0.5 * p.across_flats);
@@ -61,7 +62,11 @@ impl View {
         let chuck = math::clamp(2.7 * stock * scale, CHUCK.0, CHUCK.1);
         let work = (LEFT + chuck, AXIS);
         let cutter = (work.0 + (0.5 * p.across_flats + r) * scale, AXIS);
-        let free = if p.free_length > 0.0 { p.free_length } else { p.far_end() + 0.3 * p.length + 0.4 * stock };
+        let free = if p.free_length > 0.0 {
+            p.free_length
+        } else {
+            lathe.polygons().map(|lathe| lathe.p.far_end()).fold(0.0, f64::max) + 0.3 * p.length + 0.4 * stock
+        };
         let bar = (BAR.0 / (free + p.clearance)).min(BAR.1 / stock);
         let start = ((BAR.0 + 46.0) / (free + p.start_z))
             .min((BAR.0 + 46.0 - FREE) / p.start_z)

@@ -135,9 +135,15 @@ fn passes(lathe: &PolygonLathe, view: &View) -> String {
     d
 }
 
+/// The ideal polygon as the work sees it: that of the polygon which is being turned.
+pub(in super::super) fn wanted(lathe: &PolygonLathe, view: &View) -> String {
+    let p = &lathe.p;
+    let Some(section) = p.section().filter(|_| p.sides > 2.0) else { return String::new() };
+    closed(ideal(p.sides as u32, 0.5 * p.across_flats, section.begin()), (0.0, 0.0), view.close)
+}
+
 /// The section as the work sees it: stock, ideal polygon, tips.
 pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
-    let p = &lathe.p;
     let (x, y, r) = CLOSE;
     let clip = Some(Shape::Circle { x: 0.0, y: 0.0, r: GLASS });
     d.place(group::CLOSE, SceneGroup { at: (x, y), clip, ..SceneGroup::default() });
@@ -145,15 +151,13 @@ pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         d.circle((0.0, 0.0, GLASS), Look::fill(Paint::Glass));
         d.path(String::new(), Look::fill(Paint::Steel).thin(Paint::Edge, 1.2)).id = Some(node::CLOSE);
         d.circle((0.0, 0.0, r), Look::LEAD.dashed(4.0, 3.0));
-        if let Some(section) = p.section().filter(|_| p.sides > 2.0) {
-            let corners = closed(ideal(p.sides as u32, 0.5 * p.across_flats, section.begin()), (0.0, 0.0), view.close);
-            d.path(corners, Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
-        }
+        d.path(String::new(), Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0)).id = Some(node::IDEAL);
         d.showing("depth", |d| {
             d.path(passes(lathe, view), Look::hair(Paint::Ink, 1.0));
         });
     });
-    for tip in 0..(p.inserts as u16).min(TIPS) {
+    let most = lathe.polygons().map(|lathe| lathe.p.inserts).fold(0.0, f64::max);
+    for tip in 0..(most as u16).min(TIPS) {
         d.place(group::TIPS + tip, SceneGroup { parent: group::CLOSE, ..SceneGroup::default() });
         d.within_hidden(group::TIPS + tip, |d| {
             d.circle((0.0, 0.0, 4.0), Look::fill(Paint::Accent).thin(Paint::Page, 1.0));

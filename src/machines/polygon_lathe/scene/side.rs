@@ -96,6 +96,13 @@ fn dimension(d: &mut Drawing, lathe: &PolygonLathe, view: &View, half: f64) {
             )
         };
         d.path([ends, arrows].concat(), Look::LEAD);
+        for other in &lathe.further {
+            let ends = [other.p.far_end(), other.p.from_face].map(|at| view.face - at * view.side);
+            for end in ends {
+                d.path(filled("M# #V#", &[end, SIDE.1 - half - 3.0, y - 4.0]), Look::LEAD);
+            }
+            d.path(filled("M# #H#", &[ends[0], y, ends[1]]), Look::LEAD);
+        }
         let text = format!("{} {} mm", say("polygon.scene.length"), show(lathe.p.length, 3));
         let half = 0.3 * LETTER * UNIT * text.chars().count() as f64;
         let middle = math::clamp(0.5 * (left + right), LEFT + half, 1008.0 - half);

@@ -1,0 +1,95 @@
+//! The second and the third polygon of a part: each has its place, sides, start angles and cutter; everything else is that of the first.
+
+use super::params::{Further, Params, Shape};
+use super::resolved::PolygonLathe;
+use crate::msg;
+use crate::text::Message;
+
+/// Fields of the first polygon, and the same of the others.
+const FIELDS: &[(&str, [&str; 2])] = &[
+    ("shape", ["second-shape", "third-shape"]),
+    ("sides", ["second-sides", "third-sides"]),
+    ("across-flats", ["second-across-flats", "third-across-flats"]),
+    ("from-face", ["second-from-face", "third-from-face"]),
+    ("length", ["second-length", "third-length"]),
+    ("inserts", ["second-inserts", "third-inserts"]),
+    ("work-ratio", ["second-work-ratio", "third-work-ratio"]),
+    ("tool-ratio", ["second-tool-ratio", "third-tool-ratio"]),
+    ("work-start", ["second-work-start", "third-work-start"]),
+    ("tool-start", ["second-tool-start", "third-tool-start"]),
+];
+
+impl Params {
+    /// The form with inserts and ratio of the chosen shape.
+    pub(super) fn with_shape(mut self) -> Params {
+        let shape = match self.shape {
+            Shape::Own => None,
+            Shape::Knob => Some((2.0, 1.0, 1.0, 2.0)),
+            Shape::Triangle => Some((3.0, 2.0, 2.0, 3.0)),
+            Shape::Square => Some((4.0, 2.0, 1.0, 2.0)),
+            Shape::Hexagon => Some((6.0, 3.0, 1.0, 2.0)),
+        };
+        if let Some(shape) = shape {
+            (self.sides, self.inserts, self.work_ratio, self.tool_ratio) = shape;
+        }
+        self
+    }
+
+    /// The further polygons of the part, each as if it were the first. The third needs the second.
+    pub(super) fn further(&self) -> Vec<Params> {
+        let one = |further: &Further| {
+            let own = Params {
+                shape: further.shape,
+                sides: further.sides,
+                across_flats: further.across_flats,
+                from_face: further.from_face,
+                length: further.length,
+                orientation: self.orientation + further.angle,
+                inserts: further.inserts,
+                work_ratio: further.work_ratio,
+                tool_ratio: further.tool_ratio,
+                work_start: further.work_start,
+                tool_start: further.tool_start,
+                tool: further.tool,
+                further: Default::default(),
+                ..self.clone()
+            };
+            let mut own = own.with_shape();
+            if own.tool != self.tool {
+                // The errors are those of another cutter.
+                own.radius_errors.clear();
+                own.angle_errors.clear();
+            }
+            own
+        };
+        self.further.iter().take_while(|further| further.on).map(one).collect()
+    }
+}
+
+/// The field of a further polygon, from 0; none where it has none of its own.
+pub(super) fn field(id: &str, at: usize) -> Option<&'static str> {
+    FIELDS.iter().find(|(first, _)| *first == id).and_then(|(_, others)| others.get(at).copied())
+}
+
+/// Faults of the further polygons, each with its field: those that the first could have too, places that overlap, cutters that do not fit.
+pub(super) fn errors(
+    lathe: &PolygonLathe,
+    alone: impl Fn(&PolygonLathe) -> Vec<(Message, &'static str)>,
+) -> Vec<(Message, &'static str)> {
+    let mut all = Vec::new();
+    for (at, other) in lathe.further.iter().enumerate() {
+        all.extend(alone(other).into_iter().map(|(message, id)| (message, field(id, at).unwrap_or(id))));
+        for (number, before) in (1_u32..).zip(lathe.polygons().take(at + 1)) {
+            let (p, q) = (&before.p, &other.p);
+            if p.from_face < q.far_end() && q.from_face < p.far_end() {
+                let message = msg!("polygon.overlap", number, (p.from_face, 3), (p.far_end(), 3));
+                all.extend(field("from-face", at).map(|id| (message, id)));
+            }
+            if p.tool == q.tool && p.inserts != q.inserts {
+                let message = msg!("polygon.same-cutter", q.tool, p.inserts, q.inserts);
+                all.push((message, ["second-tool", "third-tool"][at.min(1)]));
+            }
+        }
+    }
+    all
+}

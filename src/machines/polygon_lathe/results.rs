@@ -1,0 +1,77 @@
+//! The results of all polygons of a part: those of the first, and for each other one what is its own.
+
+use super::further::field;
+use super::readouts::ROWS;
+use super::resolved::PolygonLathe;
+use super::rules::RULES;
+use crate::machines::verdict::judge;
+use crate::view::{Advice, Readout};
+
+/// Results of the first polygon, and ids and labels of the same of the others.
+#[rustfmt::skip]
+const RESULTS: &[(&str, [(&str, &str); 2])] = &[
+    ("sides", [("second-sides", "polygon.second.sides"), ("third-sides", "polygon.third.sides")]),
+    ("flatness", [("second-flatness", "polygon.second.flatness"), ("third-flatness", "polygon.third.flatness")]),
+    ("across-flats", [("second-across-flats", "polygon.second.across-flats"), ("third-across-flats", "polygon.third.across-flats")]),
+    (ANGLE, [("second-angle", "polygon.second.angle"), ("third-angle", "polygon.third.angle")]),
+    ("orientation-error", [("second-angle-error", "polygon.second.angle-error"), ("third-angle-error", "polygon.third.angle-error")]),
+    ("relief", [("second-relief", "polygon.second.relief"), ("third-relief", "polygon.third.relief")]),
+    ("curvature", [("second-curvature", "polygon.second.curvature"), ("third-curvature", "polygon.third.curvature")]),
+    ("tool-speed", [("second-tool-speed", "polygon.second.tool-speed"), ("third-tool-speed", "polygon.third.tool-speed")]),
+    ("work-speed", [("second-work-speed", "polygon.second.work-speed"), ("third-work-speed", "polygon.third.work-speed")]),
+    ("slowest-cut", [("second-slowest-cut", "polygon.second.slowest-cut"), ("third-slowest-cut", "polygon.third.slowest-cut")]),
+    ("fastest-cut", [("second-fastest-cut", "polygon.second.fastest-cut"), ("third-fastest-cut", "polygon.third.fastest-cut")]),
+    ("distance", [("second-distance", "polygon.second.distance"), ("third-distance", "polygon.third.distance")]),
+    ("feed", [("second-feed", "polygon.second.feed"), ("third-feed", "polygon.third.feed")]),
+    ("infeed", [("second-infeed", "polygon.second.infeed"), ("third-infeed", "polygon.third.infeed")]),
+];
+
+/// The result that becomes an angle to the first polygon.
+const ANGLE: &str = "orientation";
+
+/// Whether a result has a meaning with this form.
+fn is_shown(lathe: &PolygonLathe, id: &str) -> bool {
+    let (p, d) = (&lathe.p, &lathe.d);
+    match id {
+        "tool-speed" | "work-speed" | "ratio" | "distance" | "offset" | "passes" | "feed" | "finish-feed" | "ready"
+        | "free-length" => true,
+        "infeed" => p.is_behind_face(),
+        _ if !d.cuts => false,
+        "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
+        "coast-phase" => p.coasts(lathe.control),
+        "twist" | "twist-speed" => p.lead != 0.0,
+        _ => true,
+    }
+}
+
+/// An advice about the first polygon as one about another: the form carries it out where all fields have their like there.
+fn advice(advice: Advice, at: usize) -> Advice {
+    let sets: Option<Vec<(&'static str, String)>> =
+        advice.sets.iter().map(|(id, text)| Some((field(id, at)?, text.clone()))).collect();
+    match (advice.button, sets) {
+        (Some(button), Some(sets)) => Advice::from(advice.message).setting(button, sets),
+        _ => Advice::from(advice.message),
+    }
+}
+
+/// The results of all polygons of the part.
+pub(super) fn results(lathe: &PolygonLathe) -> Vec<Readout> {
+    let rows = ROWS.iter().filter(|row| is_shown(lathe, row.id));
+    let mut all: Vec<Readout> = rows.map(|row| judge(row, lathe, row.unit, RULES)).collect();
+    for (at, other) in lathe.further.iter().enumerate() {
+        for (first, others) in RESULTS {
+            let row = ROWS.iter().find(|row| row.id == *first).filter(|row| is_shown(other, row.id));
+            let (Some(row), Some((id, label))) = (row, others.get(at)) else { continue };
+            let judged = judge(row, other, row.unit, RULES);
+            let advice = judged.advice.into_iter().map(|told| advice(told, at)).collect();
+            let mut readout = Readout { id, label, headline: false, advice, ..judged };
+            if *first == ANGLE {
+                let pitch = 360.0 / other.d.sides.max(1.0);
+                readout.value = (other.d.orientation - lathe.d.orientation).rem_euclid(pitch);
+                readout.formula = "E/k - A, less that of the first polygon";
+            }
+            all.push(readout);
+        }
+    }
+    all
+}
