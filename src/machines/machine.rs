@@ -168,6 +168,10 @@ pub trait Prepared: Send + Sync {
     fn plant(&self) -> Plant;
     /// The builder's PLC.
     fn plc(&self) -> Box<dyn Plc>;
+    /// Names of the axes that the PLC turns, in the order of the plant.
+    fn turned_axes(&self) -> &'static [&'static str] {
+        &[]
+    }
     /// The ladder of the builder's PLC, where there is one.
     fn ladder(&self) -> Option<Ladder> {
         None

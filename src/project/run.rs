@@ -14,8 +14,8 @@ use crate::interp::world::Still;
 use crate::interp::{Interp, StartProgram, Step};
 use crate::machines::ControlContext;
 use crate::motion::{
-    Action, AxisPlant, BenchPlc, Budget, Event, GearShift, Panel, Planner, Plant, Plc, Retention, RunEnd, Setup,
-    SpindlePlant,
+    Action, AxisPlant, AxisState, BenchPlc, Budget, Event, GearShift, PMC_AXES, Panel, Planner, Plant, Plc, Retention,
+    RunEnd, Setup, SpindlePlant,
 };
 use crate::nc::Parsed;
 use crate::text::Diagnostic;
@@ -191,6 +191,21 @@ pub struct RunSummary {
     pub axes: Vec<(char, f64)>,
     /// The spindle at standstill.
     pub spindle: crate::motion::SpindleState,
+    /// Axes that the PLC turns, where the machine [names](RunSummary::with_turned) them.
+    pub turned: Vec<TurnedAxis>,
+    /// The axes of the PLC at standstill.
+    pmc: [AxisState; PMC_AXES],
+}
+
+/// An axis that the PLC turns, at the end of a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TurnedAxis {
+    /// Its name, for instance `work`.
+    pub name: &'static str,
+    /// Speed in r/min, signed.
+    pub rpm: f64,
+    /// Angle in degrees, from 0 to 360.
+    pub angle: f64,
 }
 
 /// What follows where the program waits for the operator (M00, M01, a message).
@@ -234,10 +249,23 @@ pub fn to_end<E>(run: &mut Run, at_stop: AtStop, mut log: impl FnMut(Line) -> Re
         variables: run.program().variables().collect(),
         axes: names.axes.iter().zip(words).map(|(row, at)| (row.letter.byte().into(), at)).collect(),
         spindle: last.spindle,
+        turned: Vec::new(),
+        pmc: last.pmc,
     })
 }
 
 impl RunSummary {
+    /// With the axes that the PLC turns, by their names in the order of the plant.
+    pub fn with_turned(mut self, names: &[&'static str]) -> RunSummary {
+        let axis = |(name, axis): (&&'static str, &AxisState)| TurnedAxis {
+            name,
+            rpm: axis.feed / 360.0,
+            angle: axis.actual.rem_euclid(360.0),
+        };
+        self.turned = names.iter().zip(&self.pmc).map(axis).collect();
+        self
+    }
+
     /// Reason of the end as one word.
     pub fn word(&self) -> &'static str {
         match self.ended {
@@ -255,7 +283,12 @@ impl RunSummary {
             self.variables.iter().map(|(name, value)| (name.clone(), json!(value + 0.0))).collect();
         let axes: Map<String, Json> =
             self.axes.iter().map(|(axis, at)| (axis.to_string(), json!(clean(*at)))).collect();
-        json!({
+        let turned: Map<String, Json> = self
+            .turned
+            .iter()
+            .map(|axis| (axis.name.to_owned(), json!({ "rpm": clean(axis.rpm), "angle_deg": clean(axis.angle) })))
+            .collect();
+        let mut end = json!({
             "ended": self.word(),
             "blocks": self.blocks,
             "time_s": clean(self.time),
@@ -268,13 +301,21 @@ impl RunSummary {
                 "volts_command": clean(self.spindle.volts_command), "gear": self.spindle.stage,
                 "angle_deg": self.spindle.held.then(|| clean(self.spindle.angle)),
             },
-        })
+        });
+        if !turned.is_empty() {
+            end["turned"] = Json::Object(turned);
+        }
+        end
     }
 
     /// The end as one line for people.
     pub fn text(&self) -> String {
         let axes: Vec<String> = self.axes.iter().map(|(axis, at)| format!("{axis}{}", number_text(*at, 3))).collect();
-        format!("{} after {} blocks, {:.3} s; {}", self.word(), self.blocks, self.time, axes.join(" "))
+        let turned = self.turned.iter().map(|axis| {
+            format!("; {} {} r/min at {}°", axis.name, number_text(axis.rpm, 1), number_text(axis.angle, 3))
+        });
+        let end = format!("{} after {} blocks, {:.3} s; {}", self.word(), self.blocks, self.time, axes.join(" "));
+        end + &turned.collect::<String>()
     }
 }
 

@@ -9,6 +9,7 @@ mod lathe_stops;
 mod look;
 mod polygon;
 mod polygon_drawing;
+mod polygon_paper;
 mod polygon_shaft;
 mod polygon_sheets;
 mod remedy;

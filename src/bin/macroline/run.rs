@@ -31,6 +31,8 @@ struct Prepared {
     program: Findings,
     /// Ids of warnings that are left out.
     silenced: Vec<String>,
+    /// Names of the axes that the PLC turns.
+    turned: &'static [&'static str],
 }
 
 /// Variables and inputs that can be set on this control.
@@ -83,7 +85,8 @@ impl Request<'_> {
         silenced.extend(project.silenced.iter().cloned());
         let run = run::of_project(&project, &written, &self.options(self.start(&written.parsed)?));
         let program = Findings { sources: Sources::written(written.files.clone()), list };
-        Ok(Prepared { run, parsed: Rc::clone(&written.parsed), files, program, silenced })
+        let turned = project.prepared().turned_axes();
+        Ok(Prepared { run, parsed: Rc::clone(&written.parsed), files, program, silenced, turned })
     }
 
     /// The run of bare programs on a control: on its bench, or on the plant of a project.
@@ -118,7 +121,8 @@ impl Request<'_> {
         let set = run::set_by_operator(&self.settings, &self.panel, control);
         program.list.extend(review(&parsed, started, &set));
         let run = run::of_programs(Rc::clone(&parsed), plant.as_ref(), self.panel.clone(), &self.options(start));
-        Ok(Prepared { run, parsed, files, program, silenced })
+        let turned = plant.as_ref().map_or(&[][..], |project| project.prepared().turned_axes());
+        Ok(Prepared { run, parsed, files, program, silenced, turned })
     }
 }
 
@@ -149,7 +153,8 @@ fn prepare(args: &RunArgs, keep: Retention, json: bool) -> Result<Prepared, Fail
 
 /// Runs to the end; prints the log where it is `wanted`.
 pub(crate) fn run(args: &RunArgs, at_stop: AtStop, wanted: bool, json: bool) -> Result<(), Failure> {
-    let Prepared { run: mut planner, parsed, mut files, mut program, silenced } = prepare(args, Retention::Log, json)?;
+    let Prepared { run: mut planner, parsed, mut files, mut program, silenced, turned } =
+        prepare(args, Retention::Log, json)?;
     let mut out = Printer::new();
     let mut canon: Vec<Json> = Vec::new();
     let mut text = String::new();
@@ -167,6 +172,7 @@ pub(crate) fn run(args: &RunArgs, at_stop: AtStop, wanted: bool, json: bool) -> 
         text.push('\n');
         out.text(&text)
     })?;
+    let outcome = outcome.with_turned(turned);
     program.list = with_run(program.list, &outcome.diagnostics);
     if !matches!(outcome.ended, RunEnd::Alarm(_)) {
         not_reached(&mut program.list, &parsed, &outcome.diagnostics);

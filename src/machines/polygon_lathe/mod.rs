@@ -12,6 +12,8 @@ mod path;
 
 mod further;
 
+mod milling;
+
 mod resolved;
 
 mod readouts;
@@ -98,6 +100,10 @@ impl Prepared for PolygonLathe {
 
     fn plc(&self) -> Box<dyn Plc> {
         Box::new(plc::plc(self))
+    }
+
+    fn turned_axes(&self) -> &'static [&'static str] {
+        &["work", "tool"]
     }
 
     fn ladder(&self) -> Option<Ladder> {

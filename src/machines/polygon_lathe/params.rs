@@ -116,6 +116,9 @@ pub(crate) struct Params {
     pub emergency: Emergency,
     pub work_coast: f64,
     pub tool_coast: f64,
+    pub mill_diameter: f64,
+    pub mill_depth: f64,
+    pub mill_feed: f64,
     pub slowest_cut: f64,
     pub fastest_cut: f64,
     pub most_inserts: f64,
@@ -321,6 +324,12 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("s").range(0.1..=600.0).default(4.0).decimals(1).step(0.5).when(Params::coasts),
     number("tool-coast", member!(Params.tool_coast)).group("polygon.group.drives").label("polygon.tool-coast").help("polygon.tool-coast.help")
         .unit("s").range(0.1..=600.0).default(2.0).decimals(1).step(0.5).when(Params::coasts),
+    number("mill-diameter", member!(Params.mill_diameter)).group("polygon.group.milling").label("polygon.mill-diameter").help("polygon.mill-diameter.help")
+        .unit("mm").range(0.1..=200.0).default(16.0).decimals(3).step(1.0),
+    number("mill-depth", member!(Params.mill_depth)).group("polygon.group.milling").label("polygon.mill-depth").help("polygon.mill-depth.help")
+        .unit("mm").range(0.01..=200.0).default(5.0).decimals(3).step(0.5),
+    number("mill-feed", member!(Params.mill_feed)).group("polygon.group.milling").label("polygon.mill-feed").help("polygon.mill-feed.help")
+        .unit("mm/min").range(1.0..=20000.0).default(400.0).decimals(0).step(50.0),
     number("slowest-cut", member!(Params.slowest_cut)).group("polygon.group.limits").label("polygon.slowest-cut").help("polygon.slowest-cut.help")
         .unit("m/min").range(0.0..=5000.0).default(40.0).decimals(1).step(5.0),
     number("fastest-cut", member!(Params.fastest_cut)).group("polygon.group.limits").label("polygon.fastest-cut").help("polygon.fastest-cut.help")

@@ -42,11 +42,15 @@ const E: u32 = 8;
 const Q: u32 = 17;
 /// Arguments that would be words of another command: C, F, H, M, S, T, U, V, W, X, Y, Z.
 const OTHERS: [u32; 12] = [3, 9, 11, 13, 19, 20, 21, 22, 23, 24, 25, 26];
+/// Arguments that G512 does not have: I, J, K, R. (L, N, O, P are no arguments.)
+const UNKNOWN: [u32; 4] = [4, 5, 6, 18];
 /// Receives a position: reading it makes the control wait for standstill.
 const STANDS: u32 = 32;
 
 /// Number of the alarm of a cutter that is not clear of the work.
 const AWAY: u32 = 11;
+/// Number of the alarm of a letter that G512 does not have.
+const LETTER: u32 = 12;
 
 /// Sequence number of the first block of a pass, from 1.
 fn number(pass: u32) -> u32 {
@@ -199,10 +203,10 @@ fn change(b: &mut Builder, base: u32, (from, to): (&PolygonLathe, &PolygonLathe)
     }
 }
 
-/// Jumps to an alarm where another word is in the block of the code.
-fn alone(b: &mut Builder, target: u32) {
-    for other in OTHERS {
-        b.if_goto(v(other).ne(v(0)), target);
+/// Jumps to an alarm where one of the arguments is given.
+fn refuse(b: &mut Builder, arguments: &[u32], target: u32) {
+    for argument in arguments {
+        b.if_goto(v(*argument).ne(v(0)), target);
     }
 }
 
@@ -235,7 +239,8 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
         b.n(at).if_goto(v(term).eq(0), 906);
     }
     b.n(9);
-    alone(b, 907);
+    refuse(b, &OTHERS, 907);
+    refuse(b, &UNKNOWN, 900 + LETTER);
     wait_for_slide(b);
     b.n(10).if_goto(v(ON).eq(1), 908);
     for (at, term, limit) in [(11, D, p.work_limit), (12, Q, p.tool_limit)] {
@@ -272,6 +277,7 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
     for (number, text) in (1..).zip(alarms) {
         writing::alarm(b, lathe.control, number, text);
     }
+    writing::alarm(b, lathe.control, LETTER, "ONLY B D Q A E PLEASE");
     b.words([m(99)]);
 }
 
@@ -279,7 +285,9 @@ fn start(b: &mut Builder, lathe: &PolygonLathe) {
 fn stop(b: &mut Builder, lathe: &PolygonLathe) {
     b.program(MACROS[1], "POLYGON TURNING OFF");
     b.comment("RECONSTRUCTED, NOT THE PAPER'S TEXT");
-    alone(b, 907);
+    refuse(b, &OTHERS, 907);
+    refuse(b, &UNKNOWN, 907);
+    refuse(b, &[A, B, D, E, Q], 907);
     wait_for_slide(b);
     b.n(20).assign(TURN, 0);
     b.assign(INDEX, 0);

@@ -6,6 +6,7 @@ use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
 const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
+const SILENT: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 const GEOMETRY: Citation =
     Citation::new("polygon turning facts 3, derived and checked by two methods", Grade::Inferred);
 const MECHANICS: Citation = Citation::new("mechanics", Grade::Inferred);
@@ -48,6 +49,8 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.fastest_cut),
     row!("distance", "polygon.readout.distance", "mm", 3, false, "a = AF/2 + r", GEOMETRY, |lathe| lathe.d.distance),
     row!("offset", "polygon.readout.offset", "mm", 3, false, "-2 r, where X counts diameters", GEOMETRY, |lathe| lathe.d.offset),
+    row!("half-axis-near", "polygon.readout.half-axis-near", "mm", 3, false, "R - r, R the distance of the axes", PAPER, |lathe| lathe.d.distance - lathe.p.tip_radius),
+    row!("half-axis-far", "polygon.readout.half-axis-far", "mm", 3, false, "R + r, R the distance of the axes", PAPER, |lathe| lathe.d.distance + lathe.p.tip_radius),
     row!("orientation-error", "polygon.readout.orientation-error", "°", 3, false, "E/k - A + phase/k - ψ", GEOMETRY, |lathe| lathe.d.orientation_error),
     row!("phase", "polygon.readout.phase", "°", 3, false, "6 n [(τ/2 + 1/K) work - (τ/2 + 1/K) tool]", MECHANICS, |lathe| lathe.d.phase),
     row!("coast-phase", "polygon.readout.coast-phase", "°", 0, false, "3 (n² / slowing tool - k n² / slowing work)", MECHANICS, |lathe| lathe.d.coast_phase),
@@ -64,6 +67,11 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("mark-pitch", "polygon.readout.mark-pitch", "mm", 3, false, "f D / gcd(n, D)", GEOMETRY, |lathe| lathe.d.mark_pitch),
     row!("ready", "polygon.readout.ready", "s", 2, false, "index to A and E, and twice (τ + 8/K)", MECHANICS, |lathe| lathe.d.ready),
     row!("cutting-time", "polygon.readout.cutting-time", "s", 2, false, "60 way / F, of all motions at feed", MECHANICS, |lathe| lathe.polygons().map(|lathe| lathe.d.cutting_time).sum()),
+    row!("milling-time", "polygon.readout.milling-time", "s", 1, false, "60 ⌈L / depth⌉ · 2 N (AF/2 + D/2) tan(π/N) / F", SILENT, |lathe| lathe.polygons().map(|lathe| lathe.p.milling_time()).sum()),
+    row!("milling-ratio", "polygon.readout.milling-ratio", "", 2, false, "milling time / (time until ready + cutting time)", SILENT, |lathe| {
+        let turning: f64 = lathe.polygons().map(|lathe| lathe.d.ready + lathe.d.cutting_time).sum();
+        lathe.polygons().map(|lathe| lathe.p.milling_time()).sum::<f64>() / turning
+    }),
     row!("x-scaling-drift", "scaling.x-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[0])),
     row!("z-scaling-drift", "scaling.z-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[1])),
     row!("work-scaling-drift", "scaling.work-drift", "µ°/°", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.turning_drives()[0])),

@@ -39,6 +39,8 @@ fn is_shown(lathe: &PolygonLathe, id: &str) -> bool {
         _ if !d.cuts => false,
         "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
         "coast-phase" => p.coasts(lathe.control),
+        // At other ratios the path is no ellipse.
+        "half-axis-near" | "half-axis-far" => d.ratio == 2.0,
         "twist" | "twist-speed" => p.lead != 0.0,
         _ => true,
     }

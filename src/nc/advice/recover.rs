@@ -106,7 +106,7 @@ impl Reader<'_> {
             let behind = rest.get(word.len()..).unwrap_or_default().trim_ascii_start();
             rest.starts_with(word) && behind.first() == Some(&b'[')
         });
-        (failure.at_word && !condition && prose(rest)).then_some(failure.from)
+        (failure.at_word && !condition && (prose(rest) || other_script(rest))).then_some(failure.from)
     }
 
     /// Reports a remark from `from` on, with the fix that puts it in brackets; the kept part of the block ends at `cut`.
@@ -241,6 +241,14 @@ fn is_remark(line: &[u8], at: usize, run: usize) -> bool {
     run > 0 && (wide && !sign || run >= 2 && letter)
 }
 
+/// Whether a text is in a script that no address is taken for (Chinese, Japanese, Korean), or the dots that leave something out: no word of the
+/// control is in it.
+fn other_script(rest: &[u8]) -> bool {
+    let text = core::str::from_utf8(rest).unwrap_or_default();
+    let begins = text.chars().next().is_some_and(|c| matches!(c, '\u{3040}'..='\u{d7a3}' | '\u{2026}'));
+    begins && !text.contains(|c: char| c.is_ascii_alphanumeric())
+}
+
 /// Start of a variable that is alone in front of a remark, behind at most a sequence number.
 fn variable_alone(head: &[u8]) -> Option<usize> {
     let at = head.iter().position(|&b| b == b'#')?;
@@ -276,6 +284,11 @@ fn comment(text: &str) -> Option<String> {
             c if c.is_ascii_graphic() || c == ' ' => out.push(c.to_ascii_uppercase()),
             _ => {}
         }
+    }
+    if out.trim_end().len() == 1 {
+        // Nothing that the control can show: the text is kept all the same.
+        let kept = text.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '\u{2026}'));
+        out.extend(kept.map(|c| if c == '\u{2026}' { '.' } else { c }));
     }
     let text = out.trim_end().to_owned();
     (text.len() > 1).then_some(text + ")")
