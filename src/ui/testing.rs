@@ -97,7 +97,7 @@ pub(crate) async fn settled() {
 }
 
 /// Waits some milliseconds.
-async fn pause(milliseconds: i32) {
+pub(crate) async fn pause(milliseconds: i32) {
     let wait = js_sys::Promise::new(&mut |done, _| {
         let _ = window().set_timeout_with_callback_and_timeout_and_arguments_0(&done, milliseconds);
     });

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use leptos::prelude::*;
 use leptos::wasm_bindgen::JsCast;
-use web_sys::StorageEvent;
+use web_sys::{PageTransitionEvent, StorageEvent};
 
 use super::set_aside::{self, Reason};
 use crate::machines;
@@ -34,6 +34,13 @@ const HOLDS: &str = "holds";
 
 /// A tab takes the project over.
 const TAKES: &str = "takes";
+
+/// The tab that holds the project closes, or loads its page again.
+const LEAVES: &str = "leaves";
+
+/// Least time in ms from that to the moment at which a watching tab takes over, and the most that is added by chance so that one of them is the
+/// first. A page that is loaded again has asked by then.
+const PATIENCE: (f64, f64) = (4000.0, 1000.0);
 
 /// The state of the last visit.
 pub(crate) struct Visit {
@@ -115,6 +122,18 @@ fn watch(page: Page, words: &'static str) {
     page.notices.notify("warn", t(words).to_owned());
 }
 
+/// Takes over from the tab that has closed, unless another tab has said anything since.
+fn follow(page: Page) {
+    let wait = PATIENCE.0 + PATIENCE.1 * js_sys::Math::random();
+    let take = move || {
+        let watches = !page.view.kept.is_disposed() && page.view.kept.get_untracked() == Kept::Elsewhere;
+        if watches && dom::stored(TABS).is_some_and(|last| last.starts_with(LEAVES)) {
+            take_over(page);
+        }
+    };
+    set_timeout(take, Duration::from_millis(wait as u64));
+}
+
 /// Messages and stored state of another tab. A watching tab shows the project of the other one until it is edited here.
 fn hear(page: Page, key: &str, value: &str, shown: StoredValue<Option<Project>, LocalStorage>) {
     let watches = page.view.kept.get_untracked() == Kept::Elsewhere;
@@ -128,6 +147,7 @@ fn hear(page: Page, key: &str, value: &str, shown: StoredValue<Option<Project>, 
             shown.set_value(Some(page.project.get_untracked()));
             watch(page, "page.other-tab");
         }
+        (TABS, LEAVES) if watches => follow(page),
         (KEY, _) if watches => {
             let own = page.project.get_untracked();
             if shown.with_value(|shown| shown.as_ref() == Some(&own))
@@ -194,7 +214,18 @@ pub(crate) fn keep(page: Page, occupied: bool) {
             save();
         }
     };
-    dom::hear("pagehide", move |_| hide());
+    dom::hear("pagehide", move |_| {
+        hide();
+        if !page.view.kept.is_disposed() && page.view.kept.get_untracked() != Kept::Elsewhere {
+            say(LEAVES);
+        }
+    });
+    // A page that comes back by the browser's history asks as one that opens.
+    dom::hear("pageshow", move |event| {
+        if event.unchecked_ref::<PageTransitionEvent>().persisted() {
+            say(ASKS);
+        }
+    });
     dom::hear("visibilitychange", move |_| hide());
 }
 
@@ -204,7 +235,7 @@ mod tests {
 
     use super::*;
     use crate::machines::form::Value;
-    use crate::ui::testing::{Bench, event, first_project, mount, project, settled, until};
+    use crate::ui::testing::{Bench, event, first_project, mount, pause, project, settled, until};
 
     async fn stored_soon(page: Page) {
         settled().await;
@@ -297,6 +328,22 @@ mod tests {
         assert_eq!(bench.page.view.kept.get_untracked(), Kept::Yes);
         assert!(dom::stored(TABS).unwrap().starts_with(TAKES) && bench.notices().is_empty());
         assert_eq!(set_aside::list().len(), 1);
+    }
+
+    #[wasm_bindgen_test]
+    async fn watching_tab_takes_over_when_the_other_closes() {
+        for (last, kept_then) in [("leaves 0.5", Kept::Yes), ("asks 0.5", Kept::Elsewhere)] {
+            let bench = kept().await;
+            other_tab(TABS, "holds 0.5").await;
+            other_tab(TABS, "leaves 0.5").await;
+            // What the store has last: a page that was loaded again has asked.
+            dom::store(TABS, last);
+            pause((PATIENCE.0 + PATIENCE.1) as i32 + 200).await;
+            assert_eq!(
+                (bench.page.view.kept.get_untracked(), bench.notices().is_empty()),
+                (kept_then, kept_then == Kept::Yes)
+            );
+        }
     }
 
     #[wasm_bindgen_test]
