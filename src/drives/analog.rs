@@ -17,6 +17,8 @@ pub struct Analog {
     pub bits: u8,
     /// The sign of the voltage is the direction (±10 V); else contacts tell the direction and the voltage is never negative.
     pub bipolar: bool,
+    /// Standstill is 0 V, without the offset.
+    pub rests_at_zero: bool,
 }
 
 impl Analog {
@@ -30,15 +32,20 @@ impl Analog {
             volts_max: volts,
             bits: 12,
             bipolar: false,
+            rests_at_zero: false,
         }
     }
 
     /// Volts that a speed in r/min asks for, within what the converter gives:
     /// `V = c₀ + (V_rated + c₁ - c₀) · n / n_rated`, on a bipolar output with the sign of n on the whole line but c₀.
+    /// At speed 0 it is 0 V where the output [rests at zero](Analog::rests_at_zero).
     ///
     /// Source: `reference/gsk-knd-polygon.md` section 1.1 (c₀ is No.036, c₁ No.021), `reference/mitsubishi-e60.md` section 3.1 (10 V at
     /// `slimt`), `reference/sinumerik-802d.md` section 4 (rated volts: RATED_OUTVAL, rated speed: RATED_VELO).
     pub fn command(&self, rpm: f64) -> f64 {
+        if self.rests_at_zero && rpm == 0.0 {
+            return 0.0;
+        }
         let volts = self.offset_zero + self.slope() * if self.bipolar { rpm } else { rpm.abs() };
         let least = if self.bipolar { -self.volts_max } else { 0.0 };
         crate::math::clamp(volts, least, self.volts_max)

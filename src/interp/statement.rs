@@ -13,6 +13,7 @@ impl RunState {
     pub(super) fn block(&mut self, cx: &mut BlockContext, at: u32, block: &Block) -> Run<()> {
         if block.skip > 0 && cx.world.block_skip(block.skip) {
             self.counts.macros += 1;
+            self.counts.empty += 1;
             return Ok(());
         }
         if let Some(number) = block.number {
@@ -22,7 +23,8 @@ impl RunState {
             return self.words(cx, at, block, cx.deck.words_of(block));
         }
         match block.stmt {
-            Stmt::Words { .. } | Stmt::Empty => {}
+            Stmt::Words { .. } => {}
+            Stmt::Empty => self.counts.empty += 1,
             Stmt::Assign { to, value } => self.assign(cx, block, to, value)?,
             Stmt::If { cond, target, .. } => {
                 if self.number(cx, cond)? != 0.0 {

@@ -45,4 +45,6 @@ pub struct Counts {
     pub nc: u64,
     /// Blocks that are over when they are read: macro statements, calls and returns alone, skipped and empty blocks.
     pub macros: u64,
+    /// Those of them that are skipped or empty: the block behind one is next to the block before it.
+    pub empty: u64,
 }

@@ -100,7 +100,8 @@ impl<P: RunningProgram> Sim<'_, P> {
             self.s.path.flow_end = None;
             return;
         }
-        let Some(Queued { canon, place, first, .. }) = self.pop() else { return };
+        let Some(Queued { canon, place, first, block, .. }) = self.pop() else { return };
+        self.s.reader.executed = block;
         self.s.operator.stepped |= first;
         self.s.place = Some(place);
         match canon {
@@ -138,7 +139,8 @@ impl<P: RunningProgram> Sim<'_, P> {
             Canon::Orient { angle, approach } => self.orient(t, angle, approach),
             Canon::OtherSpindle { sign, .. } => self.s.spindle.driven = sign != 0,
             // These only say that the interpreter has changed its mind, or have acted when they were read.
-            Canon::Preset { .. } | Canon::PathMode { .. } => {}
+            Canon::Preset { .. } => self.s.path.reference = Some(self.s.path.position),
+            Canon::PathMode { .. } => {}
             Canon::Show { text } => self.out.timeline.show_message(t, &text, false),
             Canon::Output { .. } | Canon::Suppress { .. } | Canon::SuppressWaits { .. } => {}
             Canon::OptionalStop if !self.s.operator.knobs.optional_stop => {}

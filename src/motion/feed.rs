@@ -6,9 +6,10 @@ use super::plc::percent;
 use super::program::RunningProgram;
 use super::sim::{Once, Sim};
 use crate::controls::Address;
+use crate::controls::spindle::REACHED;
 use crate::interp::Feed;
 use crate::msg;
-use crate::text::DiagnosticKind;
+use crate::text::{Diagnostic, DiagnosticKind};
 
 impl<P: RunningProgram> Sim<'_, P> {
     /// Begins a cut, or waits for the spindle's speed on controls that do so.
@@ -61,11 +62,34 @@ impl<P: RunningProgram> Sim<'_, P> {
         if let Pace::Feed(Feed::PerMinute(feed)) = motion.pace {
             self.say_clamped(motion.limit, motion.limiting, feed);
         }
+        if self.s.spindle.commanded {
+            self.say_ramping(t, motion.pace);
+        }
         self.s.exec = Exec::Moving(*motion);
         self.s.path.moving = true;
         self.put_segment(t);
         self.aim_at_motion(t);
         self.follow(t);
+    }
+
+    /// Tells, once for each block, that it moves axes while the spindle is still on its ramp to a commanded speed: a warning about a cut, a
+    /// remark about a rapid.
+    fn say_ramping(&mut self, t: f64, pace: Pace) {
+        let plant = &self.plant.spindle;
+        let Some(ramp) = self.out.timeline.ramps.last().filter(|_| plant.drives_cut) else { return };
+        let part = plant.rules.reached.unwrap_or(REACHED);
+        let turns = self.s.spindle.direction != 0 && self.s.spindle.orienting.is_none() && ramp.target != 0.0;
+        let left = ramp.within(part) - t;
+        if !turns || left <= 0.0 {
+            self.s.spindle.commanded = false;
+            return;
+        }
+        let values = ((ramp.speed(t).abs(), 0), (ramp.target.abs(), 0), (left, 2));
+        let finding = match pace {
+            Pace::Rapid => Diagnostic::info(msg!("motion.rapid-while-ramping", values.0, values.1, values.2)),
+            _ => Diagnostic::warning(msg!("motion.cut-while-ramping", values.0, values.1, values.2)),
+        };
+        self.say_here(finding);
     }
 
     /// Warns once that an axis is too slow for a feed in mm/min: it limits the path speed (mm/s).

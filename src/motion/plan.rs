@@ -194,6 +194,13 @@ impl<P: RunningProgram> Planner<P> {
         }
     }
 
+    /// The program's reference point: where the axes were at the last preset of coordinates (G50, G92) or limit of the speed that takes their
+    /// place for one, as words count it in the machine frame; `None` before the first.
+    pub fn reference_point(&self) -> Option<[f64; AXES]> {
+        let axes = &self.plant.axes;
+        self.state.path.reference.map(|place| core::array::from_fn(|k| place[k] * axes[k].words_per_unit()))
+    }
+
     /// The machine over time.
     pub fn timeline(&self) -> &Timeline {
         &self.records.timeline

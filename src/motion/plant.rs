@@ -85,6 +85,8 @@ pub struct SpindlePlant {
     pub centre: Option<f64>,
     /// A driven tool turns whenever something is cut at an angle.
     pub driven_tool: bool,
+    /// The spindle turns work or tool: motion before it has reached its speed is a finding.
+    pub drives_cut: bool,
     /// Rules of the control for the spindle.
     pub rules: SpindleRules,
 }
@@ -106,6 +108,7 @@ impl SpindlePlant {
             reached_delay: 0.0,
             centre: None,
             driven_tool: false,
+            drives_cut: true,
             rules,
         }
     }
@@ -145,7 +148,8 @@ impl SpindlePlant {
 
     /// The analog output in a stage.
     pub fn analog(&self, stage: u8) -> Analog {
-        Analog { rated_speed: self.stage(stage).rated, ..self.analog }
+        let rests_at_zero = !self.rules.offset_at_rest;
+        Analog { rated_speed: self.stage(stage).rated, rests_at_zero, ..self.analog }
     }
 
     /// Acceleration by the inverter's ramp in a stage, r/min per second; infinite without ramp.

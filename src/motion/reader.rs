@@ -137,10 +137,11 @@ impl<P: RunningProgram> Sim<'_, P> {
         let after = s.program.blocks();
         let (nc, macros) = (after.nc - before.nc.min(after.nc), after.macros - before.macros.min(after.macros));
         s.reader.next_step = t + nc as f64 * self.plant.block_time + macros as f64 * self.plant.macro_time;
-        self.take(t, step, nc + macros > 0);
+        self.take(t, step, (after.nc + after.macros - after.empty, nc + macros > 0));
     }
 
-    fn take(&mut self, t: f64, step: Step, first: bool) {
+    /// Takes in a step of a block: the block's number, empty ones not counted, and whether the step is its first.
+    fn take(&mut self, t: f64, step: Step, (block, first): (u64, bool)) {
         let (canon, place) = match step {
             Step::Command(canon, place) => (canon, place),
             Step::Logic(_) => return,
@@ -180,7 +181,8 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.s.reader.drains =
                     matches!(canon, Canon::Stop | Canon::OptionalStop | Canon::Message { .. } | Canon::End);
                 self.s.reader.ahead += usize::from(first);
-                self.s.reader.queue.push_back(Queued { canon, place, ready: self.s.reader.next_step, first, logged });
+                let ready = self.s.reader.next_step;
+                self.s.reader.queue.push_back(Queued { canon, place, ready, first, block, logged });
                 self.aim_ahead(t);
             }
         }

@@ -2,7 +2,7 @@
 
 use super::checked_plant::CheckedPlant;
 use super::panel::Panel;
-use super::records::Records;
+use super::records::{REMARKS, Records};
 use super::state::SimState;
 use crate::text::{Diagnostic, DiagnosticKind, Message};
 
@@ -22,6 +22,7 @@ pub(super) enum Once {
     Missing = 16,
     FeedWithoutRotation = 24,
     Notice = 25,
+    SmallOffset = 26,
 }
 
 /// A state with everything that its events read and write.
@@ -40,11 +41,28 @@ impl<P> Sim<'_, P> {
 
     /// The same of a kind that code acts on.
     pub(super) fn say_kind(&mut self, bit: u32, kind: DiagnosticKind, message: impl FnOnce() -> Message) {
+        self.once(bit, || Diagnostic::warning(message()).kind(kind));
+    }
+
+    /// Adds a remark once a run.
+    pub(super) fn note(&mut self, bit: u32, message: impl FnOnce() -> Message) {
+        self.once(bit, || Diagnostic::info(message()));
+    }
+
+    fn once(&mut self, bit: u32, finding: impl FnOnce() -> Diagnostic) {
         if self.s.said & (1 << bit) == 0 {
             self.s.said |= 1 << bit;
-            let mut diagnostic = Diagnostic::warning(message()).kind(kind);
-            diagnostic.place = self.s.place;
-            self.out.diagnostics.push(diagnostic);
+            self.out.diagnostics.push(Diagnostic { place: self.s.place, ..finding() });
+        }
+    }
+
+    /// Adds a finding once for each block of the program, up to [`REMARKS`] findings.
+    pub(super) fn say_here(&mut self, finding: Diagnostic) {
+        let finding = Diagnostic { place: self.s.place, ..finding };
+        let told = |other: &Diagnostic| (other.place, other.id()) == (finding.place, finding.id());
+        let said = &mut self.out.diagnostics;
+        if said.len() < REMARKS && !said.iter().any(told) {
+            said.push(finding);
         }
     }
 }

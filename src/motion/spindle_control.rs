@@ -74,6 +74,8 @@ pub(super) struct SpindleControl {
     pub(super) locked: bool,
     /// A driven tool turns.
     pub(super) driven: bool,
+    /// The program has commanded a speed or a direction, and since then no motion began with the speed reached.
+    pub(super) commanded: bool,
 }
 
 impl SpindleControl {
@@ -93,6 +95,7 @@ impl SpindleControl {
             synced: false,
             locked: false,
             driven: false,
+            commanded: false,
         }
     }
 

@@ -19,6 +19,8 @@ pub(super) struct Queued {
     pub(super) ready: f64,
     /// First command of its block.
     pub(super) first: bool,
+    /// Number of its block, counted as blocks are read.
+    pub(super) block: u64,
     /// Its number in the log.
     pub(super) logged: usize,
 }
@@ -52,6 +54,8 @@ pub(super) struct ReaderState {
     pub(super) drains: bool,
     pub(super) over: Option<Over>,
     pub(super) queue: VecDeque<Queued>,
+    /// Number of the block that is executed, counted as blocks are read.
+    pub(super) executed: u64,
     /// Blocks in the queue.
     pub(super) ahead: usize,
 }
@@ -66,6 +70,8 @@ pub(super) struct PathState {
     pub(super) moving: bool,
     /// End (s) of a movement that the next should follow without a stop.
     pub(super) flow_end: Option<f64>,
+    /// Position at the last preset of coordinates or limit of the speed that takes it for a reference point, mm or °.
+    pub(super) reference: Option<[f64; AXES]>,
 }
 
 /// Codes by which a program switches parts of the operator panel and of the PLC off (`#3003`, `#3004`).
@@ -174,7 +180,13 @@ impl<P> SimState<P> {
             reader: ReaderState::default(),
             exec: Exec::Idle,
             place: None,
-            path: PathState { position: [0.0; AXES], rest_since: f64::NEG_INFINITY, moving: false, flow_end: None },
+            path: PathState {
+                position: [0.0; AXES],
+                rest_since: f64::NEG_INFINITY,
+                moving: false,
+                flow_end: None,
+                reference: None,
+            },
             operator: OperatorState { knobs, held: false, stepped: false, events_done: 0 },
             suppressed: Suppressed::default(),
             plc: PlcState { program: plc, next_scan: f64::INFINITY, io: Io::default(), shown: BTreeMap::new() },

@@ -42,6 +42,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 let turning = &mut self.s.spindle;
                 turning.surface = None;
                 turning.speed = rpm.max(0.0);
+                turning.commanded = true;
                 self.s.plc.io.s_strobe = Some(rpm);
                 if turning.automatic
                     && let Some(stage) = stage_for(self.plant.spindle.stages(), self.s.plc.io.gear, rpm)
@@ -64,6 +65,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.s.spindle.orienting = None;
                 self.s.spindle.direction = sign.signum();
                 self.s.spindle.locked = false;
+                self.s.spindle.commanded = true;
                 self.s.plc.io.m_strobe = Some(match sign.signum() {
                     1 => 3,
                     -1 => 4,

@@ -66,11 +66,17 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.s.spindle.square = Some((axis, zero));
         // Without a known turning centre the first work zero is taken for it.
         let centre = *self.s.spindle.centre.get_or_insert(self.plant.spindle.centre.unwrap_or(zero));
-        if (centre - zero).abs() > 1e-9 {
+        let offset = (zero - centre).abs();
+        if offset > 1e-9 {
             let letter = self.plant.axes[at].name();
-            self.say(Once::OffCentre as u32, || msg!("motion.off-centre", letter, ((zero - centre).abs(), 4)));
+            if offset <= self.plant.spindle.rules.small_offset + 1e-9 {
+                self.note(Once::SmallOffset as u32, || msg!("motion.small-offset", letter, (offset, 4)));
+            } else {
+                self.say(Once::OffCentre as u32, || msg!("motion.off-centre", letter, (offset, 4)));
+            }
         }
         if self.plant.spindle.rules.surface_at_once || before.is_some_and(|before| before.until.is_finite()) {
+            self.s.spindle.commanded |= before.is_none();
             self.aim(self.s.path.position[at]);
         }
         self.follow(t);
@@ -104,8 +110,8 @@ impl<P: RunningProgram> Sim<'_, P> {
     pub(super) fn aim_ahead(&mut self, t: f64) {
         let rapid = || matches!(&self.s.exec, Exec::Moving(motion) if motion.pace == Pace::Rapid);
         if self.s.spindle.surface.is_some()
-            && self.plant.spindle.rules.rapid == RapidSpeed::BeforeCut
             && self.s.reader.queue.back().is_some_and(|queued| queued.canon.is_cut() == Some(true))
+            && self.cut_follows()
             && rapid()
         {
             self.aim_at_motion(t);
@@ -127,14 +133,21 @@ impl<P: RunningProgram> Sim<'_, P> {
         } else {
             let end = motion.end[surface.axis];
             self.watch(t);
-            let cut_next = || {
-                let next = self.s.reader.queue.iter().find_map(|queued| queued.canon.is_cut());
-                next == Some(true)
-            };
-            if self.plant.spindle.rules.rapid == RapidSpeed::OfEnd || cut_next() {
+            if self.plant.spindle.rules.rapid == RapidSpeed::OfEnd || self.cut_follows() {
                 self.aim(end);
             }
         }
+    }
+
+    /// A cut is read that follows the executed block, as near as the control looks for it.
+    fn cut_follows(&self) -> bool {
+        let last = match self.plant.spindle.rules.rapid {
+            RapidSpeed::BeforeCutBlock => self.s.reader.executed + 1,
+            RapidSpeed::BeforeCut => u64::MAX,
+            RapidSpeed::OfEnd | RapidSpeed::Kept => return false,
+        };
+        let near = self.s.reader.queue.iter().take_while(|queued| queued.block <= last);
+        near.into_iter().find_map(|queued| queued.canon.is_cut()) == Some(true)
     }
 
     /// A new segment of the path begins: notes until when a cut moves the axis of constant surface speed.

@@ -172,20 +172,25 @@ impl Formula {
     }
 }
 
-/// A word that is being built: letter and value.
+/// A word that is being built: letter, value, and a number that belongs to the letter.
 #[derive(Debug, Clone, PartialEq)]
-pub struct NewWord(Address, Formula);
+pub struct NewWord(Address, Formula, Option<u8>);
 
 /// A word of any address.
 pub fn word(letter: Address, value: impl Into<Formula>) -> NewWord {
-    NewWord(letter, value.into())
+    NewWord(letter, value.into(), None)
+}
+
+/// A word whose address has a number: `S2=800`.
+pub fn indexed(letter: Address, index: u8, value: impl Into<Formula>) -> NewWord {
+    NewWord(letter, value.into(), Some(index))
 }
 
 macro_rules! words {
     ($($name:ident $letter:expr;)*) => {$(
         #[doc = concat!("The word `", stringify!($name), "` …, in capitals.")]
         pub fn $name(value: impl Into<Formula>) -> NewWord {
-            NewWord($letter, value.into())
+            NewWord($letter, value.into(), None)
         }
     )*};
 }
@@ -241,12 +246,12 @@ impl Builder {
     /// A block of NC words.
     pub fn words(&mut self, words: impl IntoIterator<Item = NewWord>) -> &mut Builder {
         let first = self.deck.words.len() as u32;
-        for NewWord(letter, value) in words.into_iter().take(u16::MAX as usize) {
+        for NewWord(letter, value, index) in words.into_iter().take(u16::MAX as usize) {
             let value = match value {
                 Formula::Number(number) => WordValue::Number(number),
                 other => WordValue::Expr(self.intern(other)),
             };
-            self.deck.words.push(Word::new(letter, value));
+            self.deck.words.push(Word { index, ..Word::new(letter, value) });
         }
         let count = (self.deck.words.len() as u32 - first) as u16;
         self.push(if count == 0 { Stmt::Empty } else { Stmt::Words { first, count } })

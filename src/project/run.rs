@@ -9,7 +9,7 @@ pub use super::setting::Setting;
 use super::{Project, io_names};
 use crate::controls::bench::BenchShift;
 use crate::controls::{Control, Dialect, VarKind};
-use crate::interp::canon::Line;
+use crate::interp::canon::{AXES, Line};
 use crate::interp::world::Still;
 use crate::interp::{Interp, StartProgram, Step};
 use crate::machines::ControlContext;
@@ -189,6 +189,8 @@ pub struct RunSummary {
     pub variables: Vec<(String, f64)>,
     /// Commanded positions at standstill as words count them, by axis letter, mm or degrees.
     pub axes: Vec<(char, f64)>,
+    /// The program's reference point: where the axes were at the last G50 or G92, by axis letter as words count it in the machine frame.
+    pub reference: Option<Vec<(char, f64)>>,
     /// The spindle at standstill.
     pub spindle: crate::motion::SpindleState,
     /// Axes that the PLC turns, where the machine [names](RunSummary::with_turned) them.
@@ -240,6 +242,8 @@ pub fn to_end<E>(run: &mut Run, at_stop: AtStop, mut log: impl FnMut(Line) -> Re
     let standstill = run.timeline().end();
     let (last, words) = (run.timeline().at(standstill), run.timeline().words_at(standstill));
     let blocks = run.blocks();
+    let lettered =
+        |words: [f64; AXES]| names.axes.iter().zip(words).map(|(row, at)| (row.letter.byte().into(), at)).collect();
     Ok(RunSummary {
         ended,
         blocks: blocks.nc + blocks.macros,
@@ -247,7 +251,8 @@ pub fn to_end<E>(run: &mut Run, at_stop: AtStop, mut log: impl FnMut(Line) -> Re
         standstill,
         diagnostics: run.diagnostics().to_vec(),
         variables: run.program().variables().collect(),
-        axes: names.axes.iter().zip(words).map(|(row, at)| (row.letter.byte().into(), at)).collect(),
+        axes: lettered(words),
+        reference: run.reference_point().map(lettered),
         spindle: last.spindle,
         turned: Vec::new(),
         pmc: last.pmc,
@@ -281,8 +286,9 @@ impl RunSummary {
     pub fn json(&self) -> Json {
         let variables: Map<String, Json> =
             self.variables.iter().map(|(name, value)| (name.clone(), json!(value + 0.0))).collect();
-        let axes: Map<String, Json> =
-            self.axes.iter().map(|(axis, at)| (axis.to_string(), json!(clean(*at)))).collect();
+        let places = |axes: &[(char, f64)]| -> Map<String, Json> {
+            axes.iter().map(|(axis, at)| (axis.to_string(), json!(clean(*at)))).collect()
+        };
         let turned: Map<String, Json> = self
             .turned
             .iter()
@@ -295,7 +301,8 @@ impl RunSummary {
             "standstill_s": clean(self.standstill),
             "diagnostics": [],
             "variables": variables,
-            "axes": axes,
+            "axes": places(&self.axes),
+            "reference_point": self.reference.as_deref().map(places),
             "spindle": {
                 "rpm": clean(self.spindle.command), "volts": clean(self.spindle.volts),
                 "volts_command": clean(self.spindle.volts_command), "gear": self.spindle.stage,

@@ -218,6 +218,17 @@ fn endless_program_ends_at_its_budget() {
 }
 
 #[test]
+fn run_tells_the_reference_point_of_g50_s_by_its_switch() {
+    let path = folder("reference").join("O1.nc");
+    std::fs::write(&path, "O1\nG00 X50. Z20.\nG50 S800\nG00 X80.\nM30\n%\n").unwrap();
+    for (setting, x) in [("reference-point", json!(50.0)), ("work-zero", json!(50.0)), ("nothing", json!(null))] {
+        let switch = format!("speed-limit-sets-zero={setting}");
+        let out = run(&[&text(&path), "--control", "gsk-980tdc", "--switch", &switch], 0);
+        assert_eq!(out["reference_point"]["X"], x, "{setting}");
+    }
+}
+
+#[test]
 fn diagnostics_without_place_have_the_same_json_keys() {
     let folder = folder("keys");
     let path = folder.join("keys.nc");
@@ -601,7 +612,7 @@ fn unknown_example_is_wrong_usage_with_the_known_ones() {
     let refused = macroline(&["new", "turning-spindle", "--example", "papers"]);
     assert_eq!(refused.status.code(), Some(2));
     let said = String::from_utf8(refused.stderr).unwrap();
-    assert!(said.contains("facing, shaft, taper"), "{said}");
+    assert!(said.contains("facing, shaft, keyway, taper"), "{said}");
 }
 
 #[test]

@@ -29,6 +29,7 @@ mod standstill;
 mod sweep;
 mod toy;
 mod turning;
+mod turning_clauses;
 mod turning_controls;
 mod turning_drawing;
 mod turning_restart;

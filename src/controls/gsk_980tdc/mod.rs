@@ -14,6 +14,7 @@ use super::bench::{Bench, BenchShift};
 use super::code::g_codes;
 use super::interface::PlcLanguage;
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
+use super::spindle::RapidSpeed;
 use super::syntax::Percent;
 use super::{AxisDef, Control, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::controls::Address;
@@ -96,15 +97,14 @@ pub static CONTROL: Control = Control {
     switches: switches::SWITCHES,
     spindle: SpindleRules {
         volts_stay: true,
+        offset_at_rest: false,
+        rapid: RapidSpeed::Kept,
         stop_last: true,
         knob: Steps { low: 50.0, high: 120.0, step: 10.0 },
         offsets: Some([(-1000.0, 1000.0), (-2000.0, 2000.0)]),
         stage_speeds: Some((10.0, 9999.0)),
         stop_between: true,
-        cite: Citation::new(
-            "GSK980TDc manual, 2.2.2 and 2.2.3; rapids, override by GSK980TDi and 988TA",
-            Grade::Sister,
-        ),
+        cite: Citation::new("GSK980TDc manual, 2.2.2 and 2.2.3; override by 988TA", Grade::Sister),
         ..fanuc::SPINDLE
     },
     bench: Bench {

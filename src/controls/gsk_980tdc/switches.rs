@@ -10,6 +10,14 @@ const LADDER: Citation = Citation::new("GSK980MDi manual, ladder 3.1", Grade::Si
 const PLC_DATA: Citation = Citation::new("GSK980TDi PLC data list, K16.5 and K17.3", Grade::Sister);
 const ESCD: Citation =
     Citation::new("GSK980TDc manual, 2.2.2: kept; parameter GSK980MDi manual 2022, p.374", Grade::Sister);
+const RAPID: Citation = Citation::new(
+    "GSK980TDc manual, 2.2.2: in cutting feed alone; of the end point GSK980TDi manual, 3.25",
+    Grade::Manual,
+);
+const REST: Citation = Citation::new(
+    "GSK980TDc manual, 2.2.2: 0 V after power-on and at S0; No.036 is an offset at speed 0",
+    Grade::Manual,
+);
 const CALLS: Citation = Citation::new("GSK980TDi manual, 3.32; M codes: notes on new functions", Grade::Sister);
 const ALARMS: Citation =
     Citation::new("GSK980TDi manual, 3.28: 5900 + n; an older list has 500 + n for H99", Grade::Sister);
@@ -51,6 +59,8 @@ pub(super) const SWITCHES: &[Switch] = &[
             Grade::Manual,
         ),
     ),
+    switch(SpeedInRapid::of(&[SpeedInRapid::Kept, SpeedInRapid::OfEnd]), RAPID),
+    switch(OffsetAtRest::of(&[OffsetAtRest::Off, OffsetAtRest::PutOut]), REST),
     switch(SpeedReached::of(&[SpeedReached::NoWait, SpeedReached::Wait]), PARAMETERS).parameter("No.175#6"),
     switch(OverrideOrder::of(&[OverrideOrder::BeforeLimits, OverrideOrder::BehindLimits]), MEMORY),
     switch(ManualS::of(&[ManualS::Refused, ManualS::Taken]), MEMORY),

@@ -6,7 +6,7 @@ use super::control::Control;
 use super::interface::SignalRole;
 use super::macros::CodeCall;
 use super::options::*;
-use super::spindle::{LimitPlace, PANEL, REACHED, SpindleRules};
+use super::spindle::{LimitPlace, PANEL, REACHED, RapidSpeed, SpindleRules};
 use super::switch::Switches;
 use crate::text::{Citation, number};
 
@@ -462,6 +462,18 @@ fn spindle(row: SpindleRules, set: &Settings, unread: &mut Vec<(&'static str, St
             Some(G96AtOnce::No) => false,
             None => row.surface_at_once,
         },
+        rapid: rapid_speed(row.rapid, set),
+        offset_at_rest: match set.offset_at_rest {
+            Some(OffsetAtRest::PutOut) => true,
+            Some(OffsetAtRest::Off) => false,
+            None => row.offset_at_rest,
+        },
+        small_offset: match set.small_offset {
+            Some(SmallOffset::Tenth) => 0.1,
+            Some(SmallOffset::Half) => 0.5,
+            Some(SmallOffset::Nothing) => 0.0,
+            None => row.small_offset,
+        },
         override_last: match set.override_order {
             Some(OverrideOrder::BehindLimits) => true,
             Some(OverrideOrder::BeforeLimits) => false,
@@ -509,6 +521,17 @@ fn spindle(row: SpindleRules, set: &Settings, unread: &mut Vec<(&'static str, St
         lock: m_code(SpindleLock::ID, set.spindle_lock, unread).or(row.lock),
         driven_tool: m_code(DrivenTool::ID, set.driven_tool, unread).or(row.driven_tool),
         ..row
+    }
+}
+
+/// The speed in a rapid under constant surface speed.
+fn rapid_speed(row: RapidSpeed, set: &Settings) -> RapidSpeed {
+    match (set.rapid_look_ahead, set.speed_in_rapid) {
+        (Some(RapidLookAhead::NextBlock), _) => RapidSpeed::BeforeCutBlock,
+        (Some(RapidLookAhead::NextMotion), _) => RapidSpeed::BeforeCut,
+        (None, Some(SpeedInRapid::Kept)) => RapidSpeed::Kept,
+        (None, Some(SpeedInRapid::OfEnd)) => RapidSpeed::OfEnd,
+        (None, None) => row,
     }
 }
 

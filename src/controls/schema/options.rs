@@ -243,6 +243,14 @@ switches! {
         crossed_limits: CrossedLimits = "crossed-limits" { UpperHolds = "upper-holds", LowerHolds = "lower-holds" }
         /// G96 sets the speed at once.
         g96_at_once: G96AtOnce = "g96-apply-at-activation" { Yes = "yes", No = "no" }
+        /// Rapids under G96 that set the speed of the cut behind them: those before a cutting block, or before the next motion that cuts.
+        rapid_look_ahead: RapidLookAhead = "rapid-look-ahead" { NextBlock = "next-block", NextMotion = "next-motion" }
+        /// The spindle speed in a rapid under G96.
+        speed_in_rapid: SpeedInRapid = "speed-in-rapid" { Kept = "kept", OfEnd = "of-end" }
+        /// The offset of the analog output at speed 0, after power-on and at S0.
+        offset_at_rest: OffsetAtRest = "offset-at-rest" { Off = "off", PutOut = "put-out" }
+        /// TRANS on X under G96 that counts as small.
+        small_offset: SmallOffset = "small-offset" { Tenth = "tenth", Half = "half", Nothing = "nothing" }
         /// S behind G94 and G95 that end G96.
         feed_code_without_s: FeedCodeWithoutS = "g9x-without-s" { LastProgrammed = "last-programmed", Hold = "hold" }
         /// S given by hand while the program runs.

@@ -8,8 +8,12 @@ use crate::text::Citation;
 pub enum RapidSpeed {
     /// That of its end, from its beginning on.
     OfEnd,
-    /// Unchanged, unless the next motion is a cut: then that of its end, as soon as the next block is read.
+    /// Unchanged, unless the next block is a cut: then that of its end, as soon as that block is read.
+    BeforeCutBlock,
+    /// Unchanged, unless the next motion is a cut, blocks without motion between them: then that of its end, as soon as the cut is read.
     BeforeCut,
+    /// Unchanged: the speed follows the axis in cuts alone.
+    Kept,
 }
 
 /// What an upper limit by G50 S does besides with the position.
@@ -28,6 +32,8 @@ pub enum LimitPlace {
 pub struct SpindleRules {
     /// The voltage of S stands without M03 and M04, and through reset and emergency stop; contacts switch the drive.
     pub volts_stay: bool,
+    /// The offset of the output at speed 0 is put out at S0 and after power-on too; else these are 0 V.
+    pub offset_at_rest: bool,
     /// Rapids under constant surface speed.
     pub rapid: RapidSpeed,
     /// G96 sets the speed for where the tool is at once, not with the next cut.
@@ -42,6 +48,8 @@ pub struct SpindleRules {
     pub last_speed_back: bool,
     /// Least and largest cutting speed behind S in m/min; `None` where S has the same range as always.
     pub surface_range: Option<(f64, f64)>,
+    /// Distance (mm) of work zero from the turning centre up to which constant surface speed counts as exact enough.
+    pub small_offset: f64,
     /// What G50 S does with the position.
     pub limit_place: LimitPlace,
     /// The override acts behind the limits, not before them.
@@ -91,4 +99,4 @@ pub(super) const PANEL: Steps = Steps { low: 50.0, high: 120.0, step: 5.0 };
 
 /// Part of the speed within which it counts as reached, where the drive's own signal tells the control.
 /// Source: `reference/sinumerik-802d.md` section 3.2 (MD35150).
-pub(super) const REACHED: f64 = 0.1;
+pub(crate) const REACHED: f64 = 0.1;

@@ -58,7 +58,7 @@ pub(super) const PARAMS: &[ParamDef] = cited![ParamDef: sinumerik::PARAMS, SETTI
 pub(super) const SWITCHES: &[Switch] = extended![
     Switch: cited![
         Switch: sinumerik::SWITCHES,
-        SPINDLE => "diameter lims-in-g97 g9x-without-s",
+        SPINDLE => "diameter lims-in-g97 rapid-look-ahead g9x-without-s",
         BUILDER => "spindle-lock driven-tool rotary-axes reference-point fixed-point",
         BLOCKS => "block-length",
     ],

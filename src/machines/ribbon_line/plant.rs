@@ -61,6 +61,8 @@ fn spindle(line: &RibbonLine) -> SpindlePlant {
         gain,
         slip,
         encoder: p.spindle_encoder,
+        // The ribbon's slack at the start is a result of its own.
+        drives_cut: false,
         ..SpindlePlant::new(analog, p.top_speed(), p.inverter_ramp, rules)
     }
 }

@@ -18,6 +18,8 @@ mod program;
 
 mod gears;
 
+mod keyway;
+
 mod ladder;
 
 mod stops;
@@ -79,6 +81,7 @@ impl Prepared for TurningSpindle {
     fn results(&self) -> Design {
         let shown = |id: &str| match id {
             "power" | "torque" => self.p.cutting_force > 0.0,
+            "keyway-time" | "driven-cutting-speed" => self.keyway().is_some(),
             "limit-diameter" | "limited-share" | "low-diameter" | "surface-smallest" | "acceleration-needed" => {
                 self.surface()
             }

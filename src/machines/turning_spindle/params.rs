@@ -115,6 +115,20 @@ pub(crate) struct Params {
     pub keyway_angle: f64,
     pub lock_code: f64,
     pub driven_tool: bool,
+    pub driven_number: f64,
+    pub keyway_width: f64,
+    pub keyway_depth: f64,
+    pub keyway_start: f64,
+    pub keyway_length: f64,
+    pub keyway_feed: f64,
+    pub keyway_infeed: f64,
+    pub driven_speed: f64,
+    pub driven_code: f64,
+    pub driven_stop: f64,
+    pub release_code: f64,
+    pub positioning_speed: f64,
+    pub positioning_acceleration: f64,
+    pub positioning_direction: Direction,
     pub speed_mode: SpeedMode,
     pub cutting_speed: f64,
     pub feed: f64,
@@ -207,6 +221,25 @@ impl Params {
         self.keyway && self.can_position(control)
     }
 
+    /// A driven tool can cut the keyway.
+    fn has_driven_tool(&self, control: &Control) -> bool {
+        self.has_keyway(control) && self.driven_tool
+    }
+
+    /// Diameter (mm) of the cylinder that a keyway is cut into; `None` on a taper.
+    pub(super) fn keyway_diameter(&self) -> Option<f64> {
+        match self.path {
+            Path::Facing => Some(self.stock_diameter),
+            Path::Turning => Some(self.finished_diameter),
+            Path::Taper => None,
+        }
+    }
+
+    /// Codes of the control limit the speed of the spindle in every mode (G25 S, G26 S).
+    pub(super) fn has_speed_limits(&self, control: &Control) -> bool {
+        control.can(Code::UpperLimits)
+    }
+
     /// The cutting force follows from the material.
     fn has_material(&self, _: &Control) -> bool {
         self.material != Material::None
@@ -271,6 +304,34 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_keyway),
     flag("driven-tool", member!(Params.driven_tool)).group("turning.group.cut").label("turning.driven-tool").help("turning.driven-tool.help")
         .when(Params::has_keyway),
+    number("positioning-speed", member!(Params.positioning_speed)).group("turning.group.spindle").label("turning.positioning-speed").help("turning.positioning-speed.help")
+        .unit("r/min").range(0.1..=10000.0).default(100.0).decimals(1).step(10.0).fact().when(Params::has_keyway),
+    number("positioning-acceleration", member!(Params.positioning_acceleration)).group("turning.group.spindle").label("turning.positioning-acceleration").help("turning.positioning-acceleration.help")
+        .unit("r/min/s").range(1.0..=1000000.0).default(500.0).decimals(0).step(50.0).fact().when(Params::has_keyway),
+    choice("positioning-direction", member!(Params.positioning_direction: Direction)).group("turning.group.spindle").label("turning.positioning-direction").help("turning.positioning-direction.help")
+        .fact().when(Params::has_keyway),
+    number("driven-number", member!(Params.driven_number)).group("turning.group.keyway").label("turning.driven-number").help("turning.driven-number.help").symbol("T")
+        .range(1.0..=99.0).default(2.0).decimals(0).step(1.0).when(Params::has_driven_tool),
+    number("keyway-width", member!(Params.keyway_width)).group("turning.group.keyway").label("turning.keyway-width").help("turning.keyway-width.help").symbol("#120")
+        .unit("mm").range(0.1..=200.0).default(6.0).decimals(3).step(0.5).when(Params::has_driven_tool),
+    number("keyway-depth", member!(Params.keyway_depth)).group("turning.group.keyway").label("turning.keyway-depth").help("turning.keyway-depth.help").symbol("#117")
+        .unit("mm").range(0.0..=500.0).default(0.0).decimals(3).step(0.5).when(Params::has_driven_tool),
+    number("keyway-start", member!(Params.keyway_start)).group("turning.group.keyway").label("turning.keyway-start").help("turning.keyway-start.help").symbol("#119")
+        .unit("mm").range(0.0..=10000.0).default(5.0).decimals(3).step(1.0).when(Params::has_driven_tool),
+    number("keyway-length", member!(Params.keyway_length)).group("turning.group.keyway").label("turning.keyway-length").help("turning.keyway-length.help").symbol("#118")
+        .unit("mm").range(0.1..=10000.0).default(20.0).decimals(3).step(1.0).when(Params::has_driven_tool),
+    number("keyway-feed", member!(Params.keyway_feed)).group("turning.group.keyway").label("turning.keyway-feed").help("turning.keyway-feed.help").symbol("#122")
+        .unit("mm/min").range(1.0..=20000.0).default(100.0).decimals(0).step(10.0).when(Params::has_driven_tool),
+    number("keyway-infeed", member!(Params.keyway_infeed)).group("turning.group.keyway").label("turning.keyway-infeed").help("turning.keyway-infeed.help").symbol("#123")
+        .unit("mm/min").range(1.0..=20000.0).default(50.0).decimals(0).step(10.0).when(Params::has_driven_tool),
+    number("driven-speed", member!(Params.driven_speed)).group("turning.group.keyway").label("turning.driven-speed").help("turning.driven-speed.help").symbol("#121")
+        .unit("r/min").range(1.0..=60000.0).default(2000.0).decimals(0).step(100.0).when(Params::has_driven_tool),
+    number("driven-code", member!(Params.driven_code)).group("turning.group.keyway").label("turning.driven-code").help("turning.driven-code.help").symbol("M")
+        .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_driven_tool),
+    number("driven-stop", member!(Params.driven_stop)).group("turning.group.keyway").label("turning.driven-stop").help("turning.driven-stop.help").symbol("M")
+        .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_driven_tool),
+    number("release-code", member!(Params.release_code)).group("turning.group.keyway").label("turning.release-code").help("turning.release-code.help").symbol("M")
+        .range(0.0..=999.0).default(0.0).decimals(0).step(1.0).when(Params::has_driven_tool),
     choice("direction", member!(Params.direction: Direction)).group("turning.group.spindle").label("turning.direction").help("turning.direction.help"),
     number("override", member!(Params.override_percent)).group("turning.group.spindle").label("turning.override").help("turning.override.help")
         .unit("%").range(10.0..=200.0).default(100.0).decimals(0).step(10.0),

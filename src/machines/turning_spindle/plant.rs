@@ -4,7 +4,6 @@ use super::gears::gear_times;
 use super::ladder::ladder;
 use super::resolved::{ALONG, CROSS, TurningSpindle};
 use crate::controls::{Address, SpindleRules};
-use crate::drives::Positioning;
 use crate::machines::ladder::plc::{LadderPlc, Wiring};
 use crate::motion::{AxisPlant, Plant, SpindlePlant};
 
@@ -42,14 +41,16 @@ fn spindle(lathe: &TurningSpindle) -> SpindlePlant {
     let analog = p.analog(p.stage_1, bench.volts_full, bench.output_bits);
     let rules = SpindleRules {
         lock: (p.lock_code > 0.0).then_some(p.lock_code as u32).or(lathe.rules().lock),
+        driven_tool: (p.driven_code > 0.0).then_some(p.driven_code as u32).or(lathe.rules().driven_tool),
         ..lathe.rules()
     };
     let spindle = SpindlePlant::new(analog, p.chuck_limit, p.spindle_ramp, rules);
     SpindlePlant {
         surface_low: if lathe.rules().low_always { 0.0 } else { p.lower_limit },
-        driven_tool: p.driven_tool,
+        // Where the program cuts the keyway, it starts the tool.
+        driven_tool: p.driven_tool && lathe.keyway().is_none(),
         centre: Some(0.0),
-        positioning: lathe.positions().then_some(POSITIONING),
+        positioning: lathe.positions().then(|| lathe.positioning()),
         ..spindle.with_stages(lathe.stages())
     }
 }
@@ -64,9 +65,6 @@ pub(super) fn plc(lathe: &TurningSpindle) -> LadderPlc {
     };
     LadderPlc::new(ladder(lathe), wiring, lathe.control)
 }
-
-/// Positioning of the spindle; MD35300, MD35210 and MD35350 are facts of the machine, these values are assumed.
-pub(super) const POSITIONING: Positioning = Positioning { speed: 100.0, acceleration: 500.0, clockwise: true };
 
 /// Volts while gears mesh: a slow turn (GSK No.067).
 pub(super) const SHIFT_VOLTS: f64 = 0.1;

@@ -1,5 +1,6 @@
 //! The drawing of the turning spindle at a moment: part, tool, chuck, needles, gear lever, chips, figures.
 
+use super::keyway;
 use super::progress::{self, Progress};
 use super::resolved::TurningSpindle;
 use super::scene::{self, View, group, node};
@@ -42,6 +43,10 @@ pub(super) fn pose(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot, fr
     let knob = scene::knob(spindle.stage.max(1), spindle.bound == Bound::Shift, p.stages().count());
     placements.push(Placement { dx: knob.0, dy: knob.1, ..Placement::of(group::KNOB) });
     scene::pose_work(lathe, &view, progress, spindle.turns, &mut pose.paths);
+    if lathe.keyway().is_some() {
+        let cut = keyway::groove(lathe, run, now);
+        pose.paths.push((node::GROOVE, scene::pose_groove(lathe, &view, cut)));
+    }
     view.chuck.pose(spindle.turns, &mut pose.paths);
     let stretches = scene::stretches(lathe, &view, progress);
     scene::pose_lens(p, &view, &stretches, (tool, cuts), placements, &mut pose.paths);

@@ -9,7 +9,7 @@ use crate::controls::spindle::LimitPlace;
 use crate::controls::{Address, Code};
 use crate::machines::writing::{self, Entry};
 use crate::nc::Deck;
-use crate::nc::build::{Builder, Formula, NewWord, f, m, real, s, v, word, x, z};
+use crate::nc::build::{Builder, Formula, NewWord, f, indexed, m, real, s, v, word, x, z};
 
 /// Number of the program that cuts.
 pub(super) const RUN: u32 = 9201;
@@ -27,7 +27,15 @@ const SPEED: u32 = 109;
 fn entries(lathe: &TurningSpindle) -> Vec<Entry> {
     let end = (lathe.p.path == Path::Taper).then_some(104);
     let all = [100, 101, 102].into_iter().chain(end).chain([way(lathe), 106, 107, 108, 111, 112]);
-    all.map(|number| (number, false)).collect()
+    let limits = speed_limits(lathe).into_iter().flatten().map(|(_, number)| number);
+    let keyway = lathe.keyway().map(|_| [117, 118, 121, 122]).into_iter().flatten();
+    all.chain(limits).chain(keyway).map(|number| (number, false)).collect()
+}
+
+/// The limits of the spindle that the machine's data have, with their variables: the highest speed always, the lowest where there is one.
+fn speed_limits(lathe: &TurningSpindle) -> [Option<(Code, u32)>; 2] {
+    let has = lathe.p.has_speed_limits(lathe.control);
+    [has.then_some((Code::UpperLimits, 115)), (has && lathe.p.lower_limit > 0.0).then_some((Code::LowerLimits, 116))]
 }
 
 /// Variable of the length, or of the allowance of a face.
@@ -59,6 +67,20 @@ pub(super) fn variables(lathe: &TurningSpindle) -> Vec<(u32, &'static str, &'sta
     if lathe.positions() {
         all.push((113, "turning.keyway-angle", "°"));
     }
+    if lathe.keyway().is_some() {
+        all.extend([
+            (117, "turning.keyway-depth", "mm"),
+            (118, "turning.keyway-length", "mm"),
+            (119, "turning.keyway-start", "mm"),
+            (120, "turning.keyway-width", "mm"),
+            (121, "turning.driven-speed", "r/min"),
+            (122, "turning.keyway-feed", "mm/min"),
+            (123, "turning.keyway-infeed", "mm/min"),
+        ]);
+    }
+    let labels = ["turning.chuck-limit", "turning.lower-limit"];
+    let limits = speed_limits(lathe).into_iter().zip(labels);
+    all.extend(limits.filter_map(|(limit, label)| limit.map(|(_, number)| (number, label, "r/min"))));
     all.push((SPEED, "turning.variable.speed", "r/min"));
     all
 }
@@ -109,6 +131,10 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
         // The offset shifts the coordinates.
         writing::stays_clear(b, place, || size(lathe, clear()), 900 + away_alarm(lathe));
     }
+    // Setting data of the control, in force beyond the program's end; each takes a block of its own.
+    for (at, (code, number)) in (19..).zip(speed_limits(lathe).into_iter().flatten()) {
+        b.n(at).words(block(lathe, code, [s(v(number))]));
+    }
     if lathe.surface() && lathe.control.can(Code::SetCoordinates) {
         b.n(20).words(block(lathe, Code::SetCoordinates, limit(lathe)));
     }
@@ -144,9 +170,14 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
         if lock > 0 {
             b.words([m(lock)]).note("LOCKS THE SPINDLE");
         }
-        b.n(54).words([m(0)]);
+        match lathe.keyway() {
+            Some(_) => keyway(b, lathe),
+            None => {
+                b.n(54).words([m(0)]).note(no_keyway(lathe));
+            }
+        }
     }
-    b.n(55).words([m(30)]);
+    b.n(if lathe.keyway().is_some() { 70 } else { 55 }).words([m(30)]);
     writing::alarms(b, lathe.control, &entries(lathe));
     if place(lathe).is_some() {
         writing::alarm(b, lathe.control, away_alarm(lathe), "RETRACT THE TOOL BY HAND");
@@ -155,6 +186,49 @@ fn run(b: &mut Builder, lathe: &TurningSpindle) {
         b.words([m(30)]);
     }
 }
+
+/// Sequence numbers of the blocks that cut the keyway: into the work, and along it.
+pub(super) const KEYWAY: [u32; 2] = [60, 61];
+
+/// Why the program stops at the angle and cuts no keyway.
+fn no_keyway(lathe: &TurningSpindle) -> &'static str {
+    match lathe.p.driven_tool {
+        false => "NO DRIVEN TOOL TO CUT THE KEYWAY",
+        true if lathe.p.keyway_diameter().is_none() => "NO KEYWAY ON A TAPER",
+        true => "NO DEPTH OF THE KEYWAY IS GIVEN",
+    }
+}
+
+/// The keyway: the driven tool goes into the work at feed, along it, and back. The spindle is locked at its angle, by a code or by hand.
+fn keyway(b: &mut Builder, lathe: &TurningSpindle) {
+    let p = &lathe.p;
+    let surface = || v(if p.path == Path::Facing { 102 } else { 103 });
+    let clear = || surface() + v(108) * 2;
+    let (start, stop) = (p.driven_code as u32, p.driven_stop as u32);
+    let driven = |own: u32, sign: u32| if own > 0 { m(own) } else { indexed(Address::M, DRIVEN, sign) };
+    if p.lock_code <= 0.0 {
+        b.n(54).words([m(0)]).note("LOCK THE SPINDLE BY HAND");
+    }
+    b.n(56).words(writing::tool(lathe.control, p.driven_number as u32)).note("DRIVEN TOOL AND ITS OFFSET");
+    b.n(57).words([indexed(Address::S, DRIVEN, v(121)), driven(start, 3)]);
+    b.n(58).words(codes(lathe, [Code::FeedPerMinute, Code::Rapid]).into_iter().chain([z(-(v(119) + v(120) / 2))]));
+    b.n(59).words([cross(lathe, clear())]);
+    b.n(KEYWAY[0]).words(block(lathe, Code::Linear, [cross(lathe, surface() - v(117) * 2), f(v(123))]));
+    b.n(KEYWAY[1]).words([z(-(v(119) + v(118) - v(120) / 2)), f(v(122))]);
+    b.n(62).words(block(lathe, Code::Rapid, [cross(lathe, clear())]));
+    b.n(63).words([cross(lathe, v(111))]);
+    b.n(64).words([z(v(112))]);
+    if start == 0 || stop > 0 {
+        b.n(65).words([driven(stop, 5)]);
+    }
+    let release = p.release_code as u32;
+    if release > 0 {
+        b.n(66).words([m(release)]).note("RELEASES THE SPINDLE");
+    }
+}
+
+/// Number of the spindle that drives the tool.
+const DRIVEN: u8 = 2;
 
 /// Variables of the tool's position in X and Z, where the program can read it and raise an alarm of its own.
 fn place(lathe: &TurningSpindle) -> Option<(u32, u32)> {
@@ -200,6 +274,12 @@ fn start(b: &mut Builder, lathe: &TurningSpindle) {
     words.extend(lathe.limit_word().filter(|_| lathe.surface()).map(|address| word(address, v(107))));
     words.push(turn);
     b.n(27).words(words);
+    // Where cuts do not wait for the speed, the program does: the ramp to the highest speed is long enough for every speed and override.
+    let ramp = lathe.p.spindle_ramp * lathe.d.stage_top.min(lathe.p.chuck_limit) / lathe.d.stage_speed;
+    if lathe.rules().reached.is_none() && ramp > 0.0 {
+        let seconds = (100.0 * ramp).ceil() / 100.0;
+        b.n(28).words(writing::dwell(lathe.control, seconds)).note("SPINDLE COMES TO ITS SPEED");
+    }
 }
 
 /// The blocks of a pass.
@@ -249,16 +329,27 @@ fn setup(b: &mut Builder, lathe: &TurningSpindle) {
         (111, p.start_x, 3, "START X, DIAMETER"),
         (112, p.start_z, 3, "START Z"),
         (113, p.keyway_angle, 3, "ANGLE OF THE KEYWAY"),
+        (115, p.chuck_limit, 0, "HIGHEST SPEED OF THE CHUCK"),
+        (116, p.lower_limit, 0, "LOWEST SPEED OF THE SPINDLE"),
+        (117, p.keyway_depth, 3, "DEPTH OF THE KEYWAY"),
+        (118, p.keyway_length, 3, "LENGTH OF THE KEYWAY"),
+        (119, p.keyway_start, 3, "KEYWAY BEHIND THE FACE"),
+        (120, p.keyway_width, 3, "DIAMETER OF THE DRIVEN TOOL"),
+        (121, p.driven_speed, 0, "SPEED OF THE DRIVEN TOOL"),
+        (122, p.keyway_feed, 0, "FEED ALONG THE KEYWAY MM/MIN"),
+        (123, p.keyway_infeed, 0, "FEED INTO THE WORK MM/MIN"),
     ];
     for (at, (number, value, decimals, text)) in (1..).zip(values) {
         let needed = match number {
             104 => p.path == Path::Taper,
             113 => lathe.positions(),
+            117..=123 => lathe.keyway().is_some(),
+            115 | 116 => speed_limits(lathe).into_iter().flatten().any(|(_, limit)| limit == number),
             _ => true,
         };
         if needed {
             b.n(at).assign(number, real(value, decimals)).note(text);
         }
     }
-    b.n(20).words([m(30)]);
+    b.n(if lathe.keyway().is_some() { 30 } else { 20 }).words([m(30)]);
 }

@@ -1,5 +1,6 @@
 //! The results of the turning spindle as rows: label, unit, formula, source.
 
+use super::keyway;
 use super::resolved::TurningSpindle;
 use crate::machines::scaling;
 use crate::machines::verdict::ReadoutRow;
@@ -107,6 +108,14 @@ pub(super) const ROWS: &[ReadoutRow<TurningSpindle>] = &[
     ReadoutRow {
         id: "force", label: "turning.readout.force", unit: "N", decimals: 0, headline: false,
         formula: "kc1.1 · b · h^(1 - mc) · (1 - γ / 100)", cite: KIENZLE, value: |lathe| lathe.p.cutting_force,
+    },
+    ReadoutRow {
+        id: "keyway-time", label: "turning.readout.keyway-time", unit: "s", decimals: 2, headline: false,
+        formula: "60 · ((c + t) / f x + (L - w) / f z)", cite: MECHANICS, value: |lathe| keyway::time(&lathe.p),
+    },
+    ReadoutRow {
+        id: "driven-cutting-speed", label: "turning.readout.driven-cutting-speed", unit: "m/min", decimals: 1, headline: false,
+        formula: "v = π w n / 1000", cite: MECHANICS, value: |lathe| keyway::cutting_speed(&lathe.p),
     },
     ReadoutRow {
         id: "x-scaling-drift", label: "scaling.x-drift", unit: "µm/m", decimals: 4, headline: false,

@@ -2,10 +2,10 @@
 
 use super::derive::Derived;
 use super::materials;
-use super::params::{self, Gear, Output, Params, SpeedMode};
+use super::params::{self, Direction, Gear, Output, Params, SpeedMode};
 use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
-use crate::drives::{Stage, cutting};
+use crate::drives::{Positioning, Stage, cutting};
 use crate::machines::machine::ControlContext;
 use crate::machines::scaling::AxisDrive;
 use crate::motion::Snapshot;
@@ -96,6 +96,21 @@ impl TurningSpindle {
     /// The spindle is positioned to an angle after the cut.
     pub(super) fn positions(&self) -> bool {
         self.p.keyway && self.form.can_position(self.control)
+    }
+
+    /// Diameter (mm) of the cylinder into which the program cuts a keyway with the driven tool; `None` where it cuts none.
+    pub(super) fn keyway(&self) -> Option<f64> {
+        let cuts = self.positions() && self.p.driven_tool && self.p.keyway_depth > 0.0;
+        self.p.keyway_diameter().filter(|_| cuts)
+    }
+
+    /// How the spindle comes to an angle, by the machine's data.
+    pub(super) fn positioning(&self) -> Positioning {
+        Positioning {
+            speed: self.p.positioning_speed,
+            acceleration: self.p.positioning_acceleration,
+            clockwise: self.p.positioning_direction == Direction::Clockwise,
+        }
     }
 
     /// Spindle rules of the control under its settings.

@@ -1,10 +1,11 @@
 //! The rules of the turning spindle, as rows: result, limit, remedy.
 
 use super::derive::Derived;
+use super::keyway;
 use super::params::{FIELDS, Gear, Material, Params, Path};
 use super::program;
 use super::resolved::TurningSpindle;
-use crate::controls::CodeId;
+use crate::controls::spindle::RapidSpeed;
 use crate::drives::Bound;
 use crate::machines::scaling;
 use crate::machines::verdict::{Judgement, Rule, down, fail, ok, warn};
@@ -168,7 +169,11 @@ const BETWEEN: f64 = 5.0;
 /// Blocks that are read while the cut lasts.
 fn block_time(lathe: &TurningSpindle) -> Option<Judgement> {
     let TurningSpindle { p, d, .. } = lathe;
-    let (lasts, needed) = (1000.0 * d.cutting_time / d.passes.max(1.0), p.block_time + BETWEEN * p.macro_time);
+    // Where the speed stays in rapids, a cut may begin with the highest of the cut before.
+    let keeps = lathe.surface() && lathe.rules().rapid == RapidSpeed::Kept;
+    let least: f64 = if keeps { p.cuts(1.0).map(|cut| cut.time_at(d.high)).sum() } else { f64::INFINITY };
+    let lasts = 1000.0 * (d.cutting_time / d.passes.max(1.0)).min(least);
+    let needed = p.block_time + BETWEEN * p.macro_time;
     if lasts >= needed {
         return None;
     }
@@ -283,6 +288,7 @@ fn travels(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let p = &lathe.p;
     let (cross, along) =
         (0.5 * (p.start_x - lathe.d.smallest), p.start_z + if p.path == Path::Facing { 0.0 } else { p.length });
+    let along = along.max(if lathe.keyway().is_some() { p.start_z + p.keyway_start + p.keyway_length } else { 0.0 });
     for (field, needed, travel) in [("travel-x", cross, p.travel_x), ("travel-z", along, p.travel_z)] {
         if travel > 0.0 && needed > travel {
             found.push(Diagnostic::error(msg!("turning.beyond-travel", (needed, 3), (travel, 3))).about(field));
@@ -358,19 +364,7 @@ pub(super) fn findings(lathe: &TurningSpindle) -> Vec<Diagnostic> {
     if lathe.form.speed_mode != p.speed_mode {
         found.push(Diagnostic::info(msg!("turning.no-surface-speed", lathe.control.name)));
     }
-    let lock = p.lock_code as u32;
-    let known = lathe.control.codes.iter().find(|row| row.id == CodeId::M(lock));
-    // M99 ends a subprogram on every control, listed or not.
-    let meaning = known.map(|row| row.text).or((lock == 99).then_some("subprogram return"));
-    if let Some(meaning) = meaning.filter(|_| lathe.positions() && lock > 0) {
-        found.push(Diagnostic::error(msg!("turning.lock-is-taken", lock, meaning)).about("lock-code"));
-    }
-    if lathe.positions() && p.lock_code <= 0.0 {
-        found.push(Diagnostic::warning(msg!("turning.keyway-unlocked")).about("lock-code"));
-    }
-    if lathe.positions() && !p.driven_tool {
-        found.push(Diagnostic::warning(msg!("turning.keyway-no-tool")).about("driven-tool"));
-    }
+    keyway::findings(lathe, &mut found);
     if p.stages().count() < usize::from(p.gear as u8) {
         found.push(Diagnostic::warning(msg!("turning.no-such-stage", f64::from(p.gear as u8))).about("gear"));
     }

@@ -40,7 +40,7 @@ use solid::AXIS;
 pub(super) use turret::pose_chips;
 
 /// Paths of the part, and of its piece in the lens.
-pub(super) use {lens::pose as pose_lens, solid::arc, work::pose as pose_work, work::stretches};
+pub(super) use {lens::pose as pose_lens, solid::arc, work::pose as pose_work, work::pose_groove, work::stretches};
 
 /// The drawing at rest.
 pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
@@ -53,7 +53,7 @@ pub(super) fn scene(lathe: &TurningSpindle) -> Scene {
     view.chuck.draw_nose(&mut d);
     frame::draw_headstock(&mut d, p);
     view.chuck.draw_body(&mut d);
-    work::draw(&mut d, p, &view);
+    work::draw(&mut d, lathe, &view);
     view.chuck.draw_near_jaws(&mut d);
     d.path(String::new(), Look::POINTER).id = Some(node::ORIENTATION);
     turret::draw_axis(&mut d);

@@ -3,7 +3,7 @@
 use super::gears::gear_times;
 use super::ladder::ladder;
 use super::params::Output;
-use super::plant::{POSITIONING, SHIFT_VOLTS};
+use super::plant::SHIFT_VOLTS;
 use super::resolved::TurningSpindle;
 use super::stops::reactions;
 use crate::controls::ParamRole;
@@ -41,7 +41,7 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
     };
     let (rules, shift) = (lathe.rules(), gear_times(lathe));
     let minimum = if rules.low_always { by_stage(&|_| p.lower_limit) } else { number(p.lower_limit) };
-    let shifts = p.stages().nth(1).is_some();
+    let (shifts, positioning) = (p.stages().nth(1).is_some(), lathe.positioning());
     let angle = |value: f64| if lathe.positions() { number(value) } else { Vec::new() };
     let mut values: Vec<(ParamRole, AxisValues)> = vec![
         (ParamRole::SpindleCount, yes(true)),
@@ -63,9 +63,9 @@ fn parameters(lathe: &TurningSpindle) -> Sheet {
         (ParamRole::SpindleTolerance, number(rules.reached.unwrap_or(0.1))),
         (ParamRole::SpindleReached, yes(rules.reached.is_some())),
         (ParamRole::SpindleReachedDelay, number(0.0)),
-        (ParamRole::PositioningAcceleration, angle(POSITIONING.acceleration)),
-        (ParamRole::PositioningSpeed, angle(POSITIONING.speed)),
-        (ParamRole::PositioningClockwise, if lathe.positions() { yes(POSITIONING.clockwise) } else { Vec::new() }),
+        (ParamRole::PositioningAcceleration, angle(positioning.acceleration)),
+        (ParamRole::PositioningSpeed, angle(positioning.speed)),
+        (ParamRole::PositioningClockwise, if lathe.positions() { yes(positioning.clockwise) } else { Vec::new() }),
         (ParamRole::SpindleLowerSet, number(p.lower_limit)),
         (ParamRole::SpindleUpperSet, number(p.chuck_limit)),
         (ParamRole::SpindleSurfaceLimit, number(p.upper_limit)),

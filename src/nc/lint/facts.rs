@@ -71,6 +71,8 @@ pub(super) struct Facts {
     pub(super) bad: Vec<(u32, u32)>,
     /// Variables and jumps are written as `G65 H`, which these checks do not follow.
     pub(super) functions: bool,
+    /// A program begins constant surface speed.
+    pub(super) surface: bool,
 }
 
 impl Facts {

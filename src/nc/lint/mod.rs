@@ -16,6 +16,7 @@ mod retract;
 mod roles;
 mod settings;
 mod short;
+mod surface_speed;
 mod values;
 mod vars;
 mod words;
@@ -36,6 +37,9 @@ pub fn warnings(parsed: &Parsed, start: Option<u32>, set: &[u32]) -> Vec<Diagnos
     settings::idle_texts(&mut lint);
     let facts = words::survey(&mut lint, &roles);
     retract::retracts(&mut lint, &roles);
+    if facts.surface {
+        surface_speed::surface_speed(&mut lint, &roles, &facts);
+    }
     facts.main_returns(&mut lint);
     if !facts.functions {
         let mut flows: Vec<Flow> = Vec::new();

@@ -41,6 +41,8 @@ pub(super) const AUXILIARY: u32 = 1 << 19;
 
 /// The words of every following block are arguments.
 pub(super) const EACH_BLOCK: u32 = 1 << 20;
+/// `G96`.
+pub(super) const SURFACE: u32 = 1 << 21;
 
 /// The bits of every code.
 pub(super) struct Roles<'a> {
@@ -69,6 +71,8 @@ fn bits(row: &CodeDef) -> u32 {
         Code::SpindleCw | Code::SpindleCcw => SPINDLE,
         Code::SpindleStop | Code::SpindleOrient => SPINDLE_REST,
         Code::Auxiliary | Code::GearStage(_) => AUXILIARY,
+        Code::SurfaceSpeed if row.group == Group::FeedUnit => SURFACE | OTHER_FEED,
+        Code::SurfaceSpeed => SURFACE,
         Code::ReferenceReturn
         | Code::MachineCoordinates
         | Code::MachineRapid

@@ -6,7 +6,7 @@ use super::facts::{Call, Facts, Part};
 use super::feeds::Feeds;
 use super::messages;
 use super::points::Points;
-use super::roles::{CALL, END, RETURN, Roles, SUB};
+use super::roles::{CALL, END, RETURN, Roles, SUB, SURFACE};
 use super::short::Short;
 use crate::controls::{Address, AddressSet, Alarm};
 use crate::text::Span;
@@ -105,6 +105,7 @@ impl Survey<'_> {
                 }
             }
         }
+        self.facts.surface |= bits & SURFACE != 0;
         if again && bits & CALL == 0 {
             lint.word_again(at, block, words, self.overwritten);
         }

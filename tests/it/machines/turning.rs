@@ -255,7 +255,7 @@ fn design_readouts_match_their_golden() {
 }
 
 /// The parameter sheet: number, name, index, value, unit.
-fn sheet(control: &str, changes: &[(&str, &str)]) -> String {
+pub(super) fn sheet(control: &str, changes: &[(&str, &str)]) -> String {
     let project = project(control, changes);
     let sheets = project.prepared().sheets();
     let rows = sheets.iter().filter(|sheet| sheet.id == "parameters").flat_map(|sheet| &sheet.rows);
@@ -444,9 +444,11 @@ fn values_that_a_control_refuses_are_findings() {
     "#]].assert_eq(&findings("mitsubishi-e60", &[]));
     expect![[r#"
         Warning lock-code: Position control alone holds the spindle at its angle: before a keyway is cut it has to be locked. Say which M code of the machine does that, and the program locks it.
-        Warning driven-tool: A keyway is cut by a driven tool while the spindle stands still: say that the machine has one, or leave the angle out.
+        Warning driven-tool: A keyway is cut by a driven tool while the spindle stands still, and this machine has none: the program stops at the angle with M0. Say that it has one, and the program cuts the keyway.
     "#]].assert_eq(&findings("sinumerik-802d", &[("keyway", "true")]));
-    expect![[""]]
+    expect![[r#"
+        Warning keyway-depth: The machine has a driven tool, and the keyway no depth: the program stops at the angle with M0. Give a depth, and it cuts the keyway.
+    "#]]
         .assert_eq(&findings("sinumerik-802d", &[("keyway", "true"), ("lock-code", "81"), ("driven-tool", "true")]));
     expect![[r#"
         Error finished-diameter: Turned down to 0 mm nothing is left of the part: take a larger diameter.

@@ -264,14 +264,14 @@ fn differences_between_controls_match_the_table() {
             fanuc-0i-tf     682.09
             mitsubishi-e60  716
         rpm behind cut 1
-            gsk-980tdc      682.09
+            gsk-980tdc      2500
             sinumerik-802d  2500
             sinumerik-808d  2500
             knd-k2000t      682.09
             fanuc-0i-tf     682.09
             mitsubishi-e60  716
         rpm before cut 2
-            gsk-980tdc      682.09
+            gsk-980tdc      2500
             sinumerik-802d  682.09
             sinumerik-808d  682.09
             knd-k2000t      682.09

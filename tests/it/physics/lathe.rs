@@ -11,6 +11,8 @@ fn lathe() -> Plant {
         AxisPlant { diameter: true, time_constant: 0.0, ..axis(Address::X) },
         AxisPlant { time_constant: 0.0, ..axis(Address::Y) },
     ];
+    // Cuts here begin on the ramp on purpose.
+    plant.spindle.drives_cut = false;
     plant
 }
 

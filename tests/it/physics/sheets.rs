@@ -244,12 +244,89 @@ fn shifted_work_zero_under_surface_speed_is_a_finding() {
     assert_eq!(told, ["motion.off-centre"]);
     // The control takes 30 mm for the diameter where the tool is at 40 mm.
     close(rpm, 1000.0 * 100.0 / (math::PI * 30.0), 1e-6);
-    assert_eq!(shifted("G96 S100 F.1\nATRANS X.02 Z5\nG1 X30").0, ["motion.off-centre"]);
+    // A small offset is a remark; a setting of the control says which is small.
+    assert_eq!(shifted("G96 S100 F.1\nATRANS X.02 Z5\nG1 X30").0, ["motion.small-offset"]);
+    assert_eq!(
+        shifted("G96 S100 F.1\nATRANS X.2\nATRANS X.02\nG1 X30").0,
+        ["motion.small-offset", "motion.off-centre"]
+    );
+    let exact =
+        Lathe::new("sinumerik-802d", &[("small-offset", "nothing")]).run("S100 M3\nTRANS X.02\nG96 S100 F.1\nM0");
+    assert_eq!(said(&exact), ["motion.off-centre"]);
     assert_eq!(shifted("TRANS Z5\nG96 S100 F.1\nG1 X30").0, [""; 0]);
     assert_eq!(shifted("TRANS X10\nG1 X30 F.1").0, [""; 0]);
     // Other controls shift by G50 and by offsets.
     let planner = Lathe::new("gsk-980tdc", &[]).run("G50 X80. Z0.\nG96 S100 M03\nG01 X70. F100\nM00");
     assert_eq!(said(&planner), ["motion.off-centre"]);
+}
+
+#[test]
+fn rapid_looks_ahead_to_next_block_or_next_motion() {
+    // 100 m/min: 318.31 r/min at X100, 1591.549 at X20.
+    let during = |switches: &[(&str, &str)], between: &str| {
+        let lines = format!("G0 X100\nG96 S100 M3 F.1\nG4 F1\nN8 G0 X20\n{between}N9 G1 Z-5\nM0");
+        let planner = Lathe::new("sinumerik-802d", switches).run(&lines);
+        planner.timeline().at(begins(&planner, "N8") + 0.05).spindle.command.round()
+    };
+    // A remark is no block; an assignment, a modal code and an M code are.
+    for (between, block) in [("", 1592.0), ("; HERE\n", 1592.0), ("R1=5\n", 318.0), ("G64\n", 318.0), ("M8\n", 318.0)] {
+        assert_eq!(during(&[], between), block, "{between}");
+        assert_eq!(during(&[("rapid-look-ahead", "next-motion")], between), 1592.0, "{between}");
+    }
+    assert_eq!(during(&[("rapid-look-ahead", "next-motion")], "G0 Z1\n"), 318.0);
+}
+
+#[test]
+fn gsk_output_is_zero_at_power_on_and_s0_unless_set() {
+    // No.036 = 20 mV; the converter's nearest step is 19.5 mV.
+    let volts = |switches: &[(&str, &str)]| {
+        let mut lathe = Lathe::new("gsk-980tdc", switches);
+        lathe.plant.spindle.analog.offset_zero = 0.02;
+        let planner = lathe.run("G04 X1.\nN7 S350 M03\nG04 X1.\nN8 S0\nG04 X1.\nM00");
+        let at = |t: f64| (planner.timeline().at(t).spindle.volts * 1e4).round() / 1e4;
+        [at(0.5), at(begins(&planner, "N7") + 0.9), at(begins(&planner, "N8") + 0.9)]
+    };
+    assert_eq!(volts(&[]), [0.0, 1.0183, 0.0]);
+    assert_eq!(volts(&[("offset-at-rest", "put-out")]), [0.0195, 1.0183, 0.0195]);
+}
+
+#[test]
+fn gsk_voltage_follows_x_in_cuts_alone_unless_set() {
+    // 100 m/min: 353.68 r/min at X90, 1061.03 at X30, 1591.55 at X20.
+    let speeds = |switches: &[(&str, &str)]| {
+        let lines = "G00 X90.\nG96 S100 M03\nG04 X1.\nN7 G00 X30.\nG04 X1.\nN8 G01 X20. F100\nN9 G04 X1.\nM00";
+        let planner = Lathe::new("gsk-980tdc", switches).run(lines);
+        let at = |t: f64| planner.timeline().at(t).spindle.command.round();
+        let [n7, n8, n9] = ["N7", "N8", "N9"].map(|number| begins(&planner, number));
+        [at(n7 - 0.1), at(n7 + 0.01), at(n8 - 0.1), at(n8 + 0.001), at(n9 + 0.5)]
+    };
+    assert_eq!(speeds(&[]), [354.0, 354.0, 354.0, 1061.0, 1592.0]);
+    assert_eq!(speeds(&[("speed-in-rapid", "of-end")]), [354.0, 1061.0, 1061.0, 1061.0, 1592.0]);
+}
+
+#[test]
+fn motion_on_the_spindle_ramp_is_told_once_a_block() {
+    let told = |switches: &[(&str, &str)], lines: &str| {
+        let mut lathe = Lathe::new("sinumerik-802d", switches);
+        lathe.plant.spindle.ramp = 3.5;
+        said(&lathe.run(&format!("G94 F100\n{lines}\nM0")))
+    };
+    let free = [("speed-reached", "no-wait")];
+    let (rapid, cut) = ("motion.rapid-while-ramping", "motion.cut-while-ramping");
+    assert_eq!(told(&[], "S1000 M3 G0 X50"), [rapid]);
+    assert_eq!(told(&[], "S1000 M3\nG4 F5\nG0 X50"), [""; 0]);
+    assert_eq!(told(&[], "S1000 M3\nG1 X50"), [""; 0]);
+    assert_eq!(told(&free, "S1000 M3\nG1 X50"), [cut]);
+    assert_eq!(told(&free, "S1000 M3\nG4 F5\nG1 X5\nS2000\nG1 X9"), [cut]);
+    assert_eq!(told(&[], "S1000 M3\nG4 F5\nS2000\nG0 X9"), [rapid]);
+    assert_eq!(told(&free, "S1000 M3 G0 X1\nG1 X2\nX2.1"), [rapid, cut, cut]);
+    assert_eq!(told(&[], "S1000 M3\nG4 F5\nM5\nG0 X9"), [""; 0]);
+    // Every pass through a loop meets the ramp; the block is told once.
+    let passes = "R1=0\nAB: S=500+R1*500 M3\nG0 X=R1+1\nR1=R1+1\nIF R1<5 GOTOB AB";
+    assert_eq!(told(&[], passes), [rapid]);
+    // Under constant surface speed the speed follows the axes; its start is a ramp like any other.
+    assert_eq!(told(&[], "G0 X20\nG96 S100 F.1 M3\nG0 X50\nG1 X40"), [rapid]);
+    assert_eq!(told(&[], "G0 X20\nG96 S100 F.1 M3\nG4 F5\nG0 X50\nG1 X10\nG0 X50\nG1 Z5"), [""; 0]);
 }
 
 #[test]

@@ -409,7 +409,7 @@ fn feed_per_revolution_after_early_stop_rests_with_a_finding() {
 #[test]
 fn feed_per_revolution_without_encoder_never_moves() {
     let mut plant = plant();
-    plant.spindle.encoder = false;
+    (plant.spindle.encoder, plant.spindle.drives_cut) = (false, false);
     let mut planner = planner(&plant, vec![], vec![turn(1200.0, 1), per_turn(10.0, 0.0, 0.2)]);
     assert_eq!(finish(&mut planner).1, RunEnd::Stop);
     assert_eq!(planner.diagnostics()[0].message.id, "motion.no-encoder");

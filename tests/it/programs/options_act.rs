@@ -5,6 +5,7 @@ use std::rc::Rc;
 use macroline::controls::options::{StartupPath, SwitchKind};
 use macroline::controls::switch::switch;
 use macroline::controls::{ALL, Control, Switch, Switches};
+use macroline::machines::form::Value;
 use macroline::motion::{Action, Budget, Event, Panel, Retention};
 use macroline::nc::{self, Files};
 use macroline::project::Project;
@@ -25,6 +26,7 @@ const PROGRAMS: &[(&str, &str, &str)] = &[
     ("mitsubishi-e60", "feed-zero", "O1\nG01 X5. F0\nM30\n"),
     ("gsk-980tdc", "override-order", "O1\nM41\nG50 S500\nG96 S200 M03\nG00 X10.\nG04 X3.\nM30\n"),
     ("gsk-980tdc", "volts-at-emergency-stop", "O1\nM41\nM03 S500\nG04 X5.\nM30\n"),
+    ("gsk-980tdc", "speed-in-rapid", "O1\nM41\nG50 S900\nG00 X90.\nG96 S100 M03\nG04 X3.\nG00 X40.\nG04 X3.\nM30\n"),
     ("gsk-980tdc", "spindle-at-end", "O1\nM41\nM03 S500\nM30\n"),
     ("", "common-at-reset", "O1\n#101=#100\n#100=5\nG04 X3.\nM30\n"),
     ("mitsubishi-e60", "manual-s", "O1\nS500 M03\nG04 X3.\nM30\n"),
@@ -41,6 +43,9 @@ const PROGRAMS: &[(&str, &str, &str)] = &[
     ("sinumerik", "speed-reached", "S1000 M3\nG1 X10 F0.5\nM2\n"),
     ("sinumerik", "lims-in-g97", "LIMS=500\nG97 S1000 M3\nG4 F3\nM2\n"),
     ("sinumerik", "g96-apply-at-activation", "G0 X100\nG96 S100 M3\nG4 F3\nM2\n"),
+    ("sinumerik", "rapid-look-ahead", "G0 X100\nG96 S100 M3 F0.2\nG4 F3\nG0 X20\nM8\nG1 Z-5\nM2\n"),
+    ("sinumerik", "small-offset", "G0 X100\nTRANS X0.6\nG96 S100 M3\nM2\n"),
+    ("sinumerik", "small-offset", "G0 X100\nTRANS X0.1\nG96 S100 M3\nM2\n"),
     ("sinumerik", "spindle-knob", "S500 M3\nG4 F3\nM2\n"),
     ("sinumerik", "spindle-lock", "G94\nSPOS=90\nM55\nG1 X10 F100\nM2\n"),
     ("sinumerik", "driven-tool", "G94\nSPOS=90\nM81\nM24\nG1 X10 F100\nM2\n"),
@@ -56,6 +61,7 @@ const LONG: &str = concat!(
 
 /// Programs on the plant of a machine: control, switch, machine, text; without a text the machine's own program.
 const ON_MACHINES: &[(&str, &str, &str, &str)] = &[
+    ("gsk-980tdc", "offset-at-rest", "turning-spindle", "O1\nM41\nM03 S300\nG04 X2.\nS0\nG04 X2.\nM30\n"),
     ("gsk-980tdc", "m03-m04", "turning-spindle", "O1\nM41\nM03 S300\nG04 X2.\nM04\nG04 X2.\nM30\n"),
     ("knd-k2000t", "pmc-override", "polygon-lathe", ""),
 ];
@@ -145,7 +151,11 @@ fn told_apart(control: &'static Control, row: &Switch, machine: &str, source: &s
     let mut outcomes: Vec<String> =
         options.iter().map(|option| log_of(source, &mut start_on(control, source, &set(option)))).collect();
     if !pairs(outcomes.len()).all(|(one, other)| outcomes[one] != outcomes[other]) {
-        let plant = Project::of(machine, Some(control.id));
+        let mut plant = Project::of(machine, Some(control.id));
+        // An offset of the analog output shows in the volts at rest.
+        if let Some(project) = plant.as_mut().filter(|_| machine == "turning-spindle") {
+            project.values.insert("offset-zero".to_owned(), Value::Number(20.0));
+        }
         for (option, outcome) in options.iter().zip(&mut outcomes) {
             let switches = set(option).iter().map(|(id, value)| ((*id).to_owned(), (*value).to_owned())).collect();
             *outcome += &runs(control, plant.as_ref(), source, &Switches(switches));

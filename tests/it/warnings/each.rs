@@ -58,6 +58,7 @@ const ROWS: &[Row] = &[
         "#3000=1(THE RIBBON IS AT ITS END, PUT IN A NEW ONE)",
         "MSG(\"The ribbon is at its end, please put in a new one, and press start again\")\nG0 X1",
     ),
+    row("lint.centre-unlimited", "G96 S100\nG01 X0. F100", "G96 S100\nG1 X0 F.1"),
     row("lint.loose-comparison", "", "IF R1>0 AND R2>0 GOTOF AB\nR1=1 R2=1\nAB: M5"),
     row("lint.main-returns", "", ""),
     row("lint.no-feed", "G01 X1.", "G1 X1"),
@@ -67,12 +68,14 @@ const ROWS: &[Row] = &[
     row("lint.no-such-program", "M98 P77", "L77"),
     row("lint.number-twice", "GOTO5\nN5 G00 X1.\nN5 G00 X2.", ""),
     Row { id: "lint.setting-unread", program: "", named: "G0 X1", switches: &[("rotary-axes", "Q")] },
+    row("lint.offset-off-centre", "G96 S100\nG52 X2.", "G96 S100\nTRANS X2"),
     row("lint.short-blocks", "", ""),
     row(
         "lint.slow-retract",
         "G00 X22. Z2.\nG01 X20. Z0 F200\nZ-15.\nX25.\nZ20.",
         "G0 X22 Z2\nG1 X20 Z0 F.2\nZ-15\nX25\nZ20",
     ),
+    row("lint.small-offset", "", "TRANS X.2\nG96 S100"),
     row(
         "lint.spindle-in-loop",
         "#1=0\nN1 S500\nG01 X#1 F100\n#1=#1+1\nIF[#1 LT 5]GOTO1",
@@ -129,14 +132,18 @@ fn every_warning_appears_on_every_control() {
     expect![[r#"
         mitsubishi-e60 lint.feed-per-revolution
         mitsubishi-e60 lint.feed-zero
+        mitsubishi-e60 lint.centre-unlimited
         mitsubishi-e60 lint.loose-comparison
         mitsubishi-e60 lint.setting-unread
+        mitsubishi-e60 lint.offset-off-centre
         mitsubishi-e60 lint.slow-retract
+        mitsubishi-e60 lint.small-offset
         gsk-980tdc lint.calls-itself
         gsk-980tdc lint.feed-zero-digit
         gsk-980tdc lint.feed-zero-rapid
         gsk-980tdc lint.loose-comparison
         gsk-980tdc lint.setting-unread
+        gsk-980tdc lint.small-offset
         gsk-980tdc lint.suppression-stays
         gsk-980tdc lint.vacant-word
         gsk-980tdc lint.word-again
@@ -145,12 +152,14 @@ fn every_warning_appears_on_every_control() {
         knd-k2000t lint.feed-zero-rapid
         knd-k2000t lint.loose-comparison
         knd-k2000t lint.setting-unread
+        knd-k2000t lint.small-offset
         fanuc-0i-tf lint.calls-itself
         fanuc-0i-tf lint.feed-per-minute
         fanuc-0i-tf lint.feed-zero-digit
         fanuc-0i-tf lint.feed-zero-rapid
         fanuc-0i-tf lint.loose-comparison
         fanuc-0i-tf lint.setting-unread
+        fanuc-0i-tf lint.small-offset
         fanuc-0i-mf lint.calls-itself
         fanuc-0i-mf lint.feed-per-revolution
         fanuc-0i-mf lint.feed-zero-digit
@@ -158,6 +167,7 @@ fn every_warning_appears_on_every_control() {
         fanuc-0i-mf lint.loose-comparison
         fanuc-0i-mf lint.setting-unread
         fanuc-0i-mf lint.slow-retract
+        fanuc-0i-mf lint.small-offset
         sinumerik-802d lint.call-parameter
         sinumerik-802d lint.calls-itself
         sinumerik-802d lint.equal-decimals

@@ -153,6 +153,7 @@ pub const TIMING: Timing = Timing {
 /// Analog spindle: S in r/min, constant surface speed, limits.
 pub const SPINDLE: SpindleRules = SpindleRules {
     volts_stay: false,
+    offset_at_rest: true,
     rapid: RapidSpeed::OfEnd,
     surface_at_once: true,
     surface_limit_stays: false,
@@ -160,6 +161,7 @@ pub const SPINDLE: SpindleRules = SpindleRules {
     feed_ends_surface: false,
     last_speed_back: false,
     surface_range: None,
+    small_offset: 0.0,
     limit_place: LimitPlace::Nothing,
     override_last: false,
     thread_override: false,

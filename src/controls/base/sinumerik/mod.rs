@@ -182,13 +182,15 @@ pub const LIMITS: Limits = Limits {
 /// Analog spindle: S in r/min, constant surface speed, limits, positioning.
 pub const SPINDLE: SpindleRules = SpindleRules {
     volts_stay: false,
-    rapid: RapidSpeed::BeforeCut,
+    offset_at_rest: true,
+    rapid: RapidSpeed::BeforeCutBlock,
     surface_at_once: true,
     surface_limit_stays: false,
     surface_per_revolution: true,
     feed_ends_surface: true,
     last_speed_back: true,
     surface_range: Some((0.01, 9999.99)),
+    small_offset: 0.1,
     limit_place: LimitPlace::Nothing,
     override_last: false,
     thread_override: true,

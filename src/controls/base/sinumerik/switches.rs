@@ -8,6 +8,10 @@ use crate::text::{Citation, Grade};
 
 const REACHED: Citation = Citation::new("808D parameter manual: MD35500 and MD35150", Grade::Sister);
 const ACTIVATION: Citation = Citation::new("no source says it", Grade::Open);
+const LOOK_AHEAD: Citation =
+    Citation::new("840D/810D programming fundamentals 10.2004, p.7-40: the next block", Grade::Sister);
+const SMALL: Citation =
+    Citation::new("the page on 802D spindle commands, 4: small offsets on X, without a number", Grade::Open);
 const ANGLE: Citation = Citation::new("alarm 16830 of the 808D, p.245; MD30455 by a secondary page", Grade::Sister);
 const KNOB: Citation =
     Citation::new("840D sl basic functions 01/2015, p.1338 and 1666; panels by usage", Grade::Sister);
@@ -30,6 +34,8 @@ pub const SWITCHES: &[Switch] = &[
     switch(LimitInG97::of(&[LimitInG97::No, LimitInG97::Yes]), MEMORY),
     switch(CrossedLimits::of(&[CrossedLimits::UpperHolds, CrossedLimits::LowerHolds]), ACTIVATION),
     switch(G96AtOnce::of(&[G96AtOnce::Yes, G96AtOnce::No]), ACTIVATION),
+    switch(RapidLookAhead::of(&[RapidLookAhead::NextBlock, RapidLookAhead::NextMotion]), LOOK_AHEAD),
+    switch(SmallOffset::of(&[SmallOffset::Tenth, SmallOffset::Half, SmallOffset::Nothing]), SMALL),
     switch(FeedCodeWithoutS::of(&[FeedCodeWithoutS::LastProgrammed, FeedCodeWithoutS::Hold]), MEMORY),
     switch(SpindleKnob::of(&[SpindleKnob::From0To200, SpindleKnob::From50To120]), KNOB),
     switch(SposOutOfRange::of(&[SposOutOfRange::Alarm, SposOutOfRange::Modulo]), ANGLE).parameter("MD30455"),

@@ -67,7 +67,8 @@ pub(in super::super) fn stretches(lathe: &TurningSpindle, view: &View, progress:
 }
 
 /// Nodes of the part, and the finished contour over it.
-pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
+pub(super) fn draw(d: &mut Drawing, lathe: &TurningSpindle, view: &View) {
+    let p = &lathe.p;
     let stops = [
         (0.0, Paint::DarkLight, 1.0),
         (0.1, Paint::SteelShade, 1.0),
@@ -93,10 +94,30 @@ pub(super) fn draw(d: &mut Drawing, p: &Params, view: &View) {
         }
     }
     d.path(String::new(), Look::hair(Paint::DarkLight, 1.2).faint(0.7)).id = Some(node::MARKS);
+    if let Some(diameter) = lathe.keyway() {
+        d.showing("keyway-depth", |d| {
+            d.path(String::new(), Look::fill(Paint::Dark).thin(Paint::Edge, 0.8)).id = Some(node::GROOVE);
+            let ends = [-p.keyway_start - p.keyway_length, -p.keyway_start];
+            d.path(slot(view, diameter, p.keyway_depth, ends), Look::hair(Paint::Accent, 1.0).dashed(4.0, 3.0));
+        });
+    }
     let field = if p.path == Path::Taper { "large-diameter" } else { "finished-diameter" };
     d.showing(field, |d| {
         d.path(finished(p, view), Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0));
     });
+}
+
+/// The section of a keyway of a depth in a cylinder, between two Z from the finished face, at the side of the tool.
+fn slot(view: &View, diameter: f64, depth: f64, [from, to]: [f64; 2]) -> String {
+    let from = from.max(-view.behind).min(to);
+    let (outer, inner) = (0.5 * diameter, 0.5 * diameter - depth);
+    polygon(&[view.tip(outer, from), view.tip(outer, to), view.tip(inner, to), view.tip(inner, from)])
+}
+
+/// Path of the keyway as far as it is cut: its depth, and its ends.
+pub(in super::super) fn pose_groove(lathe: &TurningSpindle, view: &View, cut: Option<(f64, [f64; 2])>) -> String {
+    let groove = lathe.keyway().zip(cut);
+    groove.map_or_else(String::new, |(diameter, (depth, ends))| slot(view, diameter, depth, ends))
 }
 
 /// Stretches that are drawn at most, and paths of each: raw and turned side, raw and turned shoulder.

@@ -1,3 +1,5 @@
+(SET speed-in-rapid of-end)
+(SET offset-at-rest put-out)
 (SET speed-reached wait)
 (SET m5-timing before)
 (SET volts-at-stop off)

@@ -1,5 +1,6 @@
 %_N_ROTARY_MPF
 ;SET rotary-axes Y
+;SET small-offset nothing
 ;$PATH=/_N_MPF_DIR
 G90 G0 X0 Y350
 Y=DC(20)

@@ -8,6 +8,8 @@
 ;SET spindle-lock M81
 ;SET driven-tool M24
 ;SET crossed-limits lower-holds
+;SET rapid-look-ahead next-motion
+;SET small-offset half
 G94 S500 M3 F200
 G96 S100 LIMS=900 F.2
 G94 F200

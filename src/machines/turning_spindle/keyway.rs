@@ -1,0 +1,105 @@
+//! The keyway that a driven tool cuts while the spindle is locked at its angle: its findings, its time, and how far it is cut.
+
+use super::params::{Params, Path};
+use super::program::KEYWAY;
+use super::resolved::TurningSpindle;
+use crate::controls::CodeId;
+use crate::machines::machine::Samples;
+use crate::math::{self, PI};
+use crate::motion::Snapshot;
+use crate::msg;
+use crate::text::Diagnostic;
+
+/// Errors and warnings about the angle of the spindle and the keyway.
+pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
+    let p = &lathe.p;
+    if !lathe.positions() {
+        return;
+    }
+    codes(lathe, found);
+    if p.lock_code <= 0.0 {
+        found.push(Diagnostic::warning(msg!("turning.keyway-unlocked")).about("lock-code"));
+    }
+    let Some(diameter) = lathe.keyway() else {
+        let (why, field) = match p.driven_tool {
+            false => (msg!("turning.keyway-no-tool"), "driven-tool"),
+            true if p.path == Path::Taper => (msg!("turning.keyway-on-taper"), "path"),
+            true => (msg!("turning.keyway-no-depth"), "keyway-depth"),
+        };
+        found.push(Diagnostic::warning(why).about(field));
+        return;
+    };
+    if p.keyway_depth >= 0.5 * diameter {
+        let message = msg!("turning.keyway-too-deep", (p.keyway_depth, 3), (0.5 * diameter, 3));
+        found.push(Diagnostic::error(message).about("keyway-depth"));
+    } else if p.keyway_depth > p.keyway_width {
+        let message = msg!("turning.keyway-deeper-than-wide", (p.keyway_depth, 3), (p.keyway_width, 3));
+        found.push(Diagnostic::warning(message).about("keyway-depth"));
+    }
+    if p.keyway_length < p.keyway_width {
+        let message = msg!("turning.keyway-too-short", (p.keyway_length, 3), (p.keyway_width, 3));
+        found.push(Diagnostic::error(message).about("keyway-length"));
+    }
+    let end = p.keyway_start + p.keyway_length;
+    if p.path == Path::Turning && end > p.length {
+        let message = msg!("turning.keyway-beyond-shoulder", (end, 3), (p.length, 3));
+        found.push(Diagnostic::error(message).about("keyway-length"));
+    }
+    if p.lock_code > 0.0 && p.release_code <= 0.0 {
+        found.push(Diagnostic::warning(msg!("turning.keyway-stays-locked")).about("release-code"));
+    }
+}
+
+/// Codes of the machine builder that the control itself has.
+fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
+    let p = &lathe.p;
+    let cuts = lathe.keyway().is_some();
+    let all = [
+        ("lock-code", p.lock_code, true),
+        ("driven-code", p.driven_code, cuts),
+        ("driven-stop", p.driven_stop, cuts),
+        ("release-code", p.release_code, cuts),
+    ];
+    for (field, code, _) in all.into_iter().filter(|(_, code, counts)| *counts && *code > 0.0) {
+        let code = code as u32;
+        let known = lathe.control.codes.iter().find(|row| row.id == CodeId::M(code));
+        // M99 ends a subprogram on every control, listed or not.
+        let meaning = known.map(|row| row.text).or((code == 99).then_some("subprogram return"));
+        if let Some(meaning) = meaning {
+            found.push(Diagnostic::error(msg!("turning.lock-is-taken", code, meaning)).about(field));
+        }
+    }
+}
+
+/// Time (s) of the tool at feed: `60 ((c + t) / f_x + (L - w) / f_z)`, from the clearance c to the depth t, then along the length L less the
+/// width w.
+pub(super) fn time(p: &Params) -> f64 {
+    let along = (p.keyway_length - p.keyway_width).max(0.0);
+    60.0 * ((p.clearance + p.keyway_depth) / p.keyway_infeed + along / p.keyway_feed)
+}
+
+/// Cutting speed of the driven tool in m/min: `π w n / 1000`.
+pub(super) fn cutting_speed(p: &Params) -> f64 {
+    PI * p.keyway_width * p.driven_speed / 1000.0
+}
+
+/// The groove that is cut at a moment: its depth, and its ends as Z from the finished face, mm.
+pub(super) fn groove(lathe: &TurningSpindle, run: &dyn Samples, now: &Snapshot) -> Option<(f64, [f64; 2])> {
+    let (p, diameter) = (&lathe.p, lathe.keyway()?);
+    let (plunges, plunging) = run.passes(KEYWAY[0], now.t);
+    let (feeds, feeding) = run.passes(KEYWAY[1], now.t);
+    // A program that is started again begins with a new part.
+    if plunges == 0 {
+        return None;
+    }
+    let (radius, z) = lathe.tool(now);
+    let begin = -p.keyway_start;
+    let first = begin - p.keyway_width;
+    if plunging || feeds < plunges {
+        let depth = math::clamp(0.5 * diameter - radius, 0.0, p.keyway_depth);
+        return (depth > 0.0).then_some((depth, [first, begin]));
+    }
+    let last = begin - p.keyway_length.max(p.keyway_width);
+    let end = if feeding { math::clamp(z - 0.5 * p.keyway_width, last, first) } else { last };
+    Some((p.keyway_depth, [end, begin]))
+}

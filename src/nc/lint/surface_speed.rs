@@ -1,0 +1,179 @@
+//! Constant surface speed: cuts to the turning centre without a limit of the speed, and offsets that move work zero off the centre.
+
+use super::super::ast::{Dimensioning, Stmt, Word};
+use super::super::codes::code_of;
+use super::context::{Lint, measure};
+use super::facts::Facts;
+use super::roles::{CALL, CURVED, INCH, INCREMENTAL, LINEAR, RAPID, RETURN, Roles, SPECIAL, SUB};
+use crate::controls::{Address, AxisDef, Code, CodeDef, Group};
+use crate::text::catalog::number_text;
+use crate::text::{Severity, Span};
+
+/// Diameter (mm) below which a cut counts as one to the centre: at 100 m/min it asks for 16 000 r/min.
+const CENTRE: f64 = 2.0;
+
+/// Codes after which the position across the spindle is unknown.
+const UNKNOWN: u32 = CALL | CURVED | INCH | RETURN | SPECIAL | SUB;
+
+/// State of the check in one program. Diameters in mm as words count them; unknown is NaN, for which no comparison holds.
+struct Course {
+    /// Constant surface speed is on.
+    surface: bool,
+    cuts: bool,
+    at: f64,
+    /// Offset of X, and its last word with the index of its block.
+    shift: f64,
+    shifted: Option<(u32, Span)>,
+}
+
+/// Reports the first cut to the centre and the first offset across the spindle of every program with constant surface speed.
+pub(super) fn surface_speed(lint: &mut Lint, roles: &Roles, facts: &Facts) {
+    let axes = lint.control.axes.iter();
+    let Some((k, cross)) = axes.enumerate().find(|(_, axis)| axis.diameter || axis.letter == Address::X) else {
+        return;
+    };
+    // A program that is called and not here may limit the speed, and so may a block that does not parse.
+    let limited = !facts.missed.is_empty() || facts.any_called || !facts.bad.is_empty() || limits(lint);
+    let words = if lint.parsed.dialect().counts_diameters(k) { 2.0 } else { 1.0 };
+    for program in 0..lint.deck.programs.len() {
+        Check { lint, roles, cross, words, limited }.program(program);
+    }
+}
+
+/// Whether a program here limits the speed: LIMS, an upper limit of the spindle, G50 S or G92 S.
+fn limits(lint: &Lint) -> bool {
+    let deck = lint.deck;
+    deck.blocks.iter().filter(|block| matches!(block.stmt, Stmt::Words { .. })).any(|block| {
+        let words = deck.words_of(block);
+        let names = |letter| words.iter().any(|word| word.letter == letter);
+        let limit = |row: &CodeDef| matches!(row.code, Code::SetCoordinates | Code::UpperLimits);
+        names(Address::Lims) || names(Address::S) && rows(lint, words).any(limit)
+    })
+}
+
+/// The rows of the codes of a block.
+fn rows<'a>(lint: &Lint<'a>, words: &'a [Word]) -> impl Iterator<Item = &'static CodeDef> + use<'a> {
+    let control = lint.control;
+    words.iter().filter_map(code_of).filter_map(move |id| control.code(id))
+}
+
+/// The check of one program.
+struct Check<'l, 'a, 'r> {
+    lint: &'l mut Lint<'a>,
+    roles: &'r Roles<'r>,
+    cross: &'static AxisDef,
+    /// Words of the axis for each millimetre of its slide.
+    words: f64,
+    /// The speed is limited, or may be.
+    limited: bool,
+}
+
+impl Check<'_, '_, '_> {
+    fn program(mut self, program: usize) {
+        let deck = self.lint.deck;
+        let Some(program) = deck.programs.get(program) else { return };
+        let mut course = Course { surface: false, cuts: false, at: f64::NAN, shift: 0.0, shifted: None };
+        let mut told = 0;
+        for (index, block) in (program.first..).zip(deck.blocks_of(program)) {
+            if !matches!(block.stmt, Stmt::Words { .. }) {
+                if !matches!(block.stmt, Stmt::Empty | Stmt::Assign { .. } | Stmt::Message(_)) {
+                    course.at = f64::NAN;
+                }
+                continue;
+            }
+            let words = deck.words_of(block);
+            let bits = self.roles.block(words);
+            self.codes(&mut course, words);
+            let across =
+                words.iter().find(|word| word.letter == self.cross.letter).map(|word| (word, self.value(word)));
+            self.offset(&mut course, words, across.map(|(word, value)| ((index, word.span(block)), value)));
+            told = told.max(self.tell_offset(&course, told));
+            course.cuts = (course.cuts || bits & (LINEAR | CURVED) != 0) && bits & RAPID == 0;
+            if bits & INCREMENTAL != 0 || bits & UNKNOWN & !CURVED != 0 {
+                course.at = f64::NAN;
+                continue;
+            }
+            let Some((word, to)) = across else {
+                if words.iter().any(|word| self.cross.incremental == Some(word.letter)) {
+                    course.at = f64::NAN;
+                }
+                continue;
+            };
+            let reaches = to.abs() <= CENTRE || course.at * to < 0.0;
+            if course.surface && course.cuts && reaches && !self.limited {
+                self.tell_centre(index, word.span(block));
+                self.limited = true;
+            }
+            course.at = to;
+        }
+    }
+
+    /// A dimension in mm; NaN where it is calculated or incremental.
+    fn value(&self, word: &Word) -> f64 {
+        let (increments, least) = (self.lint.increments()[0], self.lint.control.limits.increment);
+        match word.form {
+            Dimensioning::Plain => measure(word, increments, least).unwrap_or(f64::NAN),
+            _ => f64::NAN,
+        }
+    }
+
+    /// Codes that begin and end constant surface speed.
+    fn codes(&self, course: &mut Course, words: &[Word]) {
+        let feed_ends = self.lint.parsed.dialect().spindle().feed_ends_surface;
+        for row in rows(self.lint, words) {
+            match row.code {
+                Code::SurfaceSpeed => course.surface = true,
+                Code::SurfaceSpeedOff => course.surface = false,
+                _ if feed_ends && row.group == Group::FeedUnit => course.surface = false,
+                _ => {}
+            }
+        }
+    }
+
+    /// Takes over the offset of a block.
+    fn offset(&self, course: &mut Course, words: &[Word], across: Option<((u32, Span), f64)>) {
+        let code = rows(self.lint, words)
+            .map(|row| row.code)
+            .find(|code| matches!(code, Code::Offset | Code::OffsetMore | Code::LocalCoordinates));
+        let value = across.map_or(0.0, |(_, value)| value);
+        match code {
+            Some(Code::Offset) => course.shift = value,
+            Some(Code::LocalCoordinates) if across.is_some() => course.shift = value,
+            Some(Code::OffsetMore) => course.shift += value,
+            _ => return,
+        }
+        if let Some((place, _)) = across {
+            course.shifted = Some(place);
+        }
+    }
+
+    /// Tells that work zero is off the centre, a remark where the offset is small: the first of each. 1 for a small offset, 2 for a large
+    /// one, `told` for the largest so far.
+    fn tell_offset(&mut self, course: &Course, told: u8) -> u8 {
+        let offset = course.shift.abs() / self.words;
+        let Some((index, span)) = course.shifted.filter(|_| course.surface && offset > 1e-9) else { return 0 };
+        let small = offset <= self.lint.parsed.dialect().spindle().small_offset + 1e-9;
+        let size = if small { 1 } else { 2 };
+        if size <= told {
+            return 0;
+        }
+        let id = if small { "lint.small-offset" } else { "lint.offset-off-centre" };
+        let finding = self.lint.say(index, span, id, &[&number_text(2.0 * offset, 4)], "");
+        if let Some(finding) = finding.filter(|_| small) {
+            finding.severity = Severity::Info;
+        }
+        size
+    }
+
+    fn tell_centre(&mut self, index: u32, span: Span) {
+        let control = self.lint.control;
+        let has_word =
+            control.syntax.names().is_some_and(|names| names.addresses.iter().any(|row| row.1 == Address::Lims));
+        let code = control.codes.iter().find(|row| row.code == Code::SetCoordinates);
+        let limit = match code {
+            Some(row) if !has_word => format!("{} S", control.code_name(row.id)),
+            _ => "LIMS=".to_owned(),
+        };
+        self.lint.say(index, span, "lint.centre-unlimited", &[&limit], "");
+    }
+}
