@@ -141,11 +141,11 @@ impl Params {
         if self.job == Job::Length { self.printed_length() - self.product_length } else { 0.0 }
     }
 
-    /// Pitches of one block; the published listing moves one.
+    /// Pitches of one block; the published listing moves one, in both its forms.
     pub(super) fn block_pitches(&self) -> f64 {
         match self.variant {
             Variant::ReadyMade => self.pitches_per_block,
-            Variant::Published => 1.0,
+            Variant::Published | Variant::Precomputed => 1.0,
         }
     }
 
@@ -156,6 +156,7 @@ impl Params {
             (Variant::ReadyMade, _) => (1, 7),
             (Variant::Published, FeedForm::PerMinute) => (1, 15),
             (Variant::Published, FeedForm::PerRevolution) => (1, 16),
+            (Variant::Precomputed, _) => (1, 6),
         }
     }
 
@@ -167,7 +168,18 @@ impl Params {
             (Variant::ReadyMade, FeedForm::PerMinute) => 8,
             (Variant::ReadyMade, FeedForm::PerRevolution) => 7,
             (Variant::Published, _) => 0,
+            (Variant::Precomputed, form) => self.blocks_of_a_calculation(form),
         }
+    }
+
+    /// Macro blocks by which the precomputed listing calculates again.
+    fn blocks_of_a_calculation(&self, form: FeedForm) -> u32 {
+        let of_a_length = match (self.job, self.rest) {
+            (Job::Length, Rest::Alarm) => 4,
+            (Job::Length, Rest::Round | Rest::Shorten) => 3,
+            (Job::Pitches, _) => 0,
+        };
+        17 + of_a_length + u32::from(form == FeedForm::PerRevolution)
     }
 
     /// Seconds that the control needs for a pass of the running loop.

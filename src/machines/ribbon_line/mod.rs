@@ -26,6 +26,8 @@ mod scene;
 
 mod pose;
 
+mod calculated_once;
+
 mod charts;
 
 mod sheets;

@@ -145,6 +145,8 @@ options! {
         ReadyMade = "ready-made" "ribbon.variant.ready-made",
         /// The paper's listing with its numbers, corrected.
         Published = "published" "ribbon.variant.published",
+        /// The same, with the listing's calculation before the loop instead of in each pass.
+        Precomputed = "precomputed" "ribbon.variant.precomputed",
     }
 }
 

@@ -120,6 +120,10 @@ pub(super) fn deck(line: &RibbonLine) -> Deck {
             published(&mut b, line);
             run_published(&mut b, line);
         }
+        Variant::Precomputed => {
+            precompute(&mut b, line);
+            run_precomputed(&mut b, line);
+        }
     }
     setup(&mut b, line);
     b.finish()
@@ -464,13 +468,8 @@ fn run_published(b: &mut Builder, line: &RibbonLine) {
     header(b, line);
     writing::guards(b, &entries(line));
     override_off(b, line, 20);
-    if is_length(line) {
-        b.n(21);
-        pitches_left(b, line, v(LENGTH));
-        b.if_goto(v(LEFT).lt(1), 900 + SHORT_ALARM);
-    } else {
-        b.n(21).assign(LEFT, v(COUNT)).note("PITCHES LEFT");
-    }
+    b.n(21);
+    product(b, line);
     b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", line.p.print_axis.address()));
     b.n(23).assign(127, 0).note("SPINDLE DOES NOT RUN YET");
     preset(b, line, 24);
@@ -482,6 +481,91 @@ fn run_published(b: &mut Builder, line: &RibbonLine) {
     length_alarms(b, line);
     writing::alarms(b, line.control, &entries(line));
     b.words([m(30)]);
+}
+
+/// Entries that the precomputed listing watches in the running line, each with the variable of its copy; the others act at the next start.
+const WATCHED_ONCE: [(u32, u32); 3] = [(100, 131), (107, PITCH_COPY), (109, 135)];
+
+/// O9100 of the listing that calculates before the loop: the same numbers without the motion, and copies of what the run watches.
+fn precompute(b: &mut Builder, line: &RibbonLine) {
+    b.program(COMPUTE, "RIBBON LINE - AS PUBLISHED, ONCE");
+    b.n(1).assign(KNOB, v(line.input())).note("OVERRIDE");
+    for (at, (watched, copy)) in (2..).zip(WATCHED_ONCE) {
+        b.n(at).assign(copy, v(watched));
+    }
+    b.n(5).assign(104, actual_speed(line, KNOB)).note("ACTUAL SPEED R/MIN");
+    b.n(6).if_goto(v(104).le(v(116)), 10);
+    b.n(7).assign(104, v(116)).note("CLAMP AS THE CONTROL DOES");
+    b.n(10).assign(105, per_turn(line) * v(104)).note("LINE SPEED MM/MIN");
+    b.n(20).assign(110, print_stroke(line)).note(&about(line, "PER PITCH"));
+    b.n(30).assign(115, vector_feed(v(105))).note("VECTOR FEED");
+    b.n(31).assign(129, pull_words(line, v(107))).note("PULL PER PITCH");
+    if line.in_step() {
+        b.n(32).assign(PER_TURN, vector_feed(per_turn(line))).note("FEED PER TURN");
+    }
+    b.n(41).if_goto(v(feed(line)).gt(v(119)), 920);
+    b.n(42).words(codes(line, [Code::SubEnd]));
+    feed_alarm(b, line);
+    header(b, line);
+}
+
+/// The main program of the listing that calculates before the loop: a pass is a look at the knob and the block N200.
+fn run_precomputed(b: &mut Builder, line: &RibbonLine) {
+    b.program(RUN, "RIBBON LINE - RUN");
+    header(b, line);
+    writing::guards(b, &entries(line));
+    override_off(b, line, 20);
+    b.n(21);
+    product(b, line);
+    b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", line.p.print_axis.address()));
+    b.n(23).assign(127, 0).note("SPINDLE DOES NOT RUN YET");
+    preset(b, line, 24);
+    b.n(25).words(modes(line));
+    b.n(30).while_do(v(LEFT).gt(0), 1);
+    b.n(31);
+    if is_length(line) {
+        // By the pitch before, of which O9100 has a copy: the length stays when the pitch changes.
+        b.assign(LENGTH_LEFT, v(LEFT) * v(PITCH_COPY) + v(LAST)).note("LENGTH LEFT");
+        b.call(COMPUTE, None);
+        pitches_left(b, line, v(LENGTH_LEFT));
+    } else {
+        b.call(COMPUTE, None);
+    }
+    b.n(32).if_goto(v(115).ge(real(0.001, 3)), 35).note("F BELOW IS F0");
+    b.n(33).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
+    b.n(34).goto(31);
+    let speed = spindle_word(line);
+    b.n(35).if_goto(v(127).eq(v(speed)), 190);
+    start_spindle(b, line, 100, 110);
+    b.n(120).assign(127, v(speed)).note("SPEED THAT RUNS");
+    b.n(190).while_do(v(LEFT).gt(0), 2);
+    let watched: Vec<_> = core::iter::once((line.input(), KNOB)).chain(WATCHED_ONCE).collect();
+    // Without its number the block fits on a screen.
+    b.if_goto(changed(&watched).gt(0), 31);
+    b.n(192).assign(124, ((v(122) + v(110)) * 1000).round() / 1000).note(&about(line, "OF THIS PITCH"));
+    b.n(193).assign(122, v(122) + v(110) - v(124)).note(&about(line, "LEFT OVER"));
+    b.n(200).words(move_block(line, v(129)));
+    b.n(201).assign(LEFT, v(LEFT) - 1);
+    b.n(202).end_do(2);
+    b.n(203).end_do(1);
+    last_pitch(b, line);
+    end(b, line);
+    length_alarms(b, line);
+    writing::alarms(b, line.control, &entries(line));
+    b.words([m(30)]);
+}
+
+/// Pitches of the product, from its count or its length, and the alarm of a length below a pitch.
+fn product(b: &mut Builder, line: &RibbonLine) {
+    if is_length(line) {
+        pitches_left(b, line, v(LENGTH));
+        b.if_goto(v(LEFT).lt(1), 900 + SHORT_ALARM);
+        if line.p.variant == Variant::Precomputed {
+            b.assign(PITCH_COPY, v(107));
+        }
+    } else {
+        b.assign(LEFT, v(COUNT)).note("PITCHES LEFT");
+    }
 }
 
 /// O9102: the values of the project, once.

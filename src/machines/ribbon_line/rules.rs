@@ -4,6 +4,7 @@
 //! kept for every machine. Of rule 4 a clamp is an error (the control slows the vector); an F beyond the control's range is a verdict,
 //! as the text is read all the same and stops by itself before anything moves. All others are verdicts.
 
+use super::calculated_once::calculated_once;
 use super::derive::{Derived, FIN_DELAY, wait};
 use super::params::{Endless, FIELDS, Params, PathMode, PiForm, PrintAxis, Rest, Variant, Wait};
 use super::program;
@@ -368,10 +369,17 @@ fn block_time(line: &RibbonLine) -> Option<Judgement> {
             };
             Advice::from(sentence).setting(msg!("advice.set-pitches", set.1.as_str()), [set])
         }
-        Variant::Published => Advice::from(msg!("ribbon.published-too-slow", (needed, 1), (lasts, 1)))
-            .setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned())]),
+        Variant::Published | Variant::Precomputed => {
+            let sentence = match steady {
+                true => msg!("ribbon.published-to-turn", (turned, 1), (lasts, 1)),
+                false => msg!("ribbon.published-too-slow", (needed, 1), (lasts, 1)),
+            };
+            Advice::from(sentence).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned())])
+        }
     };
-    if steady { warn(here(turned), [advice]) } else { fail(here(needed), [advice]) }
+    let mut advice = vec![advice];
+    advice.extend(calculated_once(p, |needed| here(needed).holds(block)));
+    if steady { warn(here(turned), advice) } else { fail(here(needed), advice) }
 }
 
 fn saturation(line: &RibbonLine) -> Option<Judgement> {
@@ -530,7 +538,7 @@ fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
     let set = up(FIELDS, "pitches-per-block", pitches.max(p.pitches_per_block));
     match p.variant {
         Variant::ReadyMade => Advice::from(message).setting(msg!("advice.set-pitches", set.1.as_str()), [set]),
-        Variant::Published => {
+        Variant::Published | Variant::Precomputed => {
             Advice::from(message).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned()), set])
         }
     }

@@ -49,7 +49,7 @@ fn run(project: &Project, pitch: Option<(f64, f64)>) -> Option<f64> {
 #[test]
 fn rest_of_a_length_is_settled_by_its_rule() {
     for control in controls() {
-        for variant in ["ready-made", "published"] {
+        for variant in ["ready-made", "published", "precomputed"] {
             let by = |rest: &str| line(control.id, &[("rest", rest), ("variant", variant)]);
             for (rest, length, verdict) in [
                 ("round", Some(320.0), Verdict::Warn),
@@ -75,10 +75,10 @@ fn rest_of_a_length_is_settled_by_its_rule() {
 #[test]
 fn length_stays_when_the_pitch_changes() {
     for control in controls() {
-        let shorten = line(control.id, &[("rest", "shorten")]);
-        let round = line(control.id, &[("rest", "round"), ("product-length", "320")]);
-        // Before the start, and in the running product.
-        for t in [0.0, 8.0] {
+        for (t, variant) in [(0.0, "ready-made"), (8.0, "ready-made"), (0.0, "precomputed"), (8.0, "precomputed")] {
+            let shorten = line(control.id, &[("rest", "shorten"), ("variant", variant)]);
+            let round = line(control.id, &[("rest", "round"), ("product-length", "320"), ("variant", variant)]);
+            // Before the start, and in the running product.
             let ran = run(&shorten, Some((t, 7.0))).unwrap();
             assert!((ran - 322.0).abs() < 5e-3, "{} at {t}: {ran}", control.id);
             let ran = run(&round, Some((t, 7.0))).unwrap();

@@ -120,6 +120,7 @@ const CASES: &[Case] = &[
         "per-revolution",
         &[("feed-form", "per-revolution"), ("spindle-encoder", "true"), ("dwell", "0"), ("path-mode", "exact-stop")],
     ),
+    ("mitsubishi-e60", "precomputed", &[("variant", "precomputed"), ("pi", "3.14")]),
     ("gsk-980tdc", "s100", &[("spindle-speed", "100")]),
     ("gsk-980tdc", "published", &[("spindle-speed", "100"), ("variant", "published"), ("print-axis", "z")]),
     (
@@ -226,7 +227,7 @@ fn final_speed_input_is_used_up_to_the_clamp() {
 
 #[test]
 fn changed_variables_print_another_product() {
-    for variant in ["ready-made", "published"] {
+    for variant in ["ready-made", "published", "precomputed"] {
         let mut run = ready(&values(&[("variant", variant)]));
         print(&mut run, 100.0);
         // The operator's screen between two starts: pitch, heads and count.
@@ -300,7 +301,7 @@ fn impossible_entries_raise_the_user_alarm_with_message() {
         (120, Some(0.0), "#120 MUST BE ABOVE ZERO"),
         (119, Some(1000.0), "FEED #115 ABOVE LIMIT #119"),
     ] {
-        for variant in ["ready-made", "published"] {
+        for variant in ["ready-made", "published", "precomputed"] {
             let mut run = ready(&values(&[("variant", variant)]));
             run.set_variable(number, value);
             match interp::run(&mut run, &mut world(100.0), 100_000, |canon, _| {
@@ -320,7 +321,7 @@ fn impossible_entries_raise_the_user_alarm_with_message() {
 /// Blocks read from one pitch to the next, in the middle of a run.
 #[test]
 fn counted_blocks_per_pass_equal_the_run() {
-    for (variant, nc, macros) in [("ready-made", 1, 7), ("published", 1, 15)] {
+    for (variant, nc, macros) in [("ready-made", 1, 7), ("published", 1, 15), ("precomputed", 1, 6)] {
         let mut run = ready(&values(&[("variant", variant)]));
         let mut counts = Vec::new();
         while counts.len() < 20 {
@@ -355,6 +356,81 @@ fn turned_knob_recomputes_only_what_depends_on_it() {
             near(variable(&run, 115), 101.0 * variable(&run, 117), 1e-9);
         }
     }
+}
+
+/// The listing that calculates before the loop calculates again when the knob turns.
+#[test]
+fn turned_knob_calculates_the_precomputed_listing_again() {
+    for control in controls().filter(|control| control.bench.override_echo.is_some()) {
+        for (form, job, blocks) in [
+            ("per-minute", "pitch-count", 17),
+            ("per-revolution", "pitch-count", 18),
+            ("per-minute", "product-length", 20),
+            ("per-revolution", "product-length", 21),
+        ] {
+            let entries = values(&[
+                ("variant", "precomputed"),
+                ("feed-form", form),
+                ("job", job),
+                ("spindle-encoder", "true"),
+                ("spindle-speed", "100"),
+            ]);
+            let mut run = ready_on(at_defaults(control), &entries);
+            let mut counts = Vec::new();
+            while counts.len() < 20 {
+                let percent = if counts.len() < 11 { 100.0 } else { 101.0 };
+                if let macroline::interp::Step::Command(Canon::Linear { .. }, _) = run.step(&mut world(percent)) {
+                    counts.push(run.blocks());
+                }
+            }
+            let pass = |at: usize| counts[at + 1].macros - counts[at].macros;
+            assert_eq!((pass(9), pass(10) - pass(9), pass(11)), (6, blocks, 6), "{} {form} {job}", control.id);
+            near(variable(&run, 104), 101.0, 1e-9);
+        }
+    }
+}
+
+/// The paper's machine: #100 = 1200, 25 : 1, 100 mm, 8 mm, 6 heads, 120 mm, with 3.14.
+#[test]
+fn listing_calculated_before_its_loop_reaches_its_speed() {
+    let speeds = |variant: &str| {
+        let entries = values(&[("variant", variant), ("pi", "3.14"), ("pitch-count", "200")]);
+        let mut planner = planned(&entries, vec![]);
+        planner.advance(f64::INFINITY, usize::MAX);
+        let starves = planner.diagnostics().iter().any(|found| found.message.id == "motion.starved");
+        // Between the 50th and the 150th pitch.
+        let (timeline, end) = (planner.timeline(), planner.timeline().end());
+        let reaches = |x: f64| {
+            let (mut low, mut high) = (0.0, end);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                if timeline.at(middle).axes[0].position < x { low = middle } else { high = middle }
+            }
+            high
+        };
+        let speed = 60.0 * 800.0 / (reaches(1200.0) - reaches(400.0));
+        let program = planner.program();
+        (speed, starves, [105, 110, 115].map(|number| program.variable(number).unwrap()))
+    };
+    let figures = [15072.0, 62.8, 15072.0 * hypot(8.0, 62.8) / 8.0];
+    for (variant, speed, starves) in [("precomputed", 15072.0, false), ("published", 9212.0, true)] {
+        let (ran, told, variables) = speeds(variant);
+        assert!((ran / speed - 1.0).abs() < 2e-3, "{variant}: {ran} mm/min, not {speed}");
+        assert_eq!(told, starves, "{variant}");
+        for (variable, figure) in variables.into_iter().zip(figures) {
+            near(variable, figure, 1e-3);
+        }
+    }
+    // The verdict says it before, and what would do.
+    let verdict = |variant: &str| {
+        let design = machine().prepare(&values(&[("variant", variant), ("pi", "3.14")]), on()).results();
+        design.readouts.into_iter().find(|row| row.id == "block-time").unwrap()
+    };
+    // Turning the knob calculates again, which takes longer than a pitch.
+    assert_eq!(verdict("precomputed").verdict, Verdict::Warn);
+    let starved = verdict("published");
+    assert_eq!(starved.verdict, Verdict::Fail);
+    assert!(starved.advice.iter().any(|advice| advice.sets.contains(&("variant", "precomputed".to_owned()))));
 }
 
 #[test]
