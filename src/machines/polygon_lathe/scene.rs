@@ -85,7 +85,7 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     callout(d, "start-x", (RIGHT, 450.0), "end", &say("polygon.scene.start"), &[(None, &start)], None);
     d.showing("clearance", |d| {
         let text = format!("{} {} mm", say("polygon.clearance"), mm(p.clearance));
-        d.text((RIGHT, 500.0), "end", &text, Font::Label, Paint::Dim);
+        d.text((RIGHT, 520.0), "end", &text, Font::Label, Paint::Dim);
     });
     side::draw_arrows(d, (646.0, 524.0));
     d.text((670.0, 524.0), "start", "", Font::Value, Paint::Ink).id = Some(node::SIZE);

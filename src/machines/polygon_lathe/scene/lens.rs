@@ -114,7 +114,7 @@ fn sides(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
             d.path(filled("M# #V#M# #l-4 #M# #l4 #", &[x, from, to, x, to, barb, x, to, barb]), Look::POINTER);
         }
         let scales = format!("↕{}× ↔{}×", show(times, 0), show(along / view.scale, 1));
-        d.text((0.0, -62.0), "middle", &scales, Font::Label, Paint::Dim);
+        d.text((0.0, -46.0), "middle", &scales, Font::Label, Paint::Dim);
     }
     d.showing("flatness", |d| {
         d.path(filled("M# #H#", &[-LENS.2, PLANE, LENS.2]), Look::LEAD.dashed(6.0, 4.0));
