@@ -56,6 +56,22 @@ pub(super) const EXAMPLES: &[Example] = &[
         ],
         faults: &[],
     },
+    // As the paper says of its lathe: turned, threaded and squared in one clamping.
+    Example {
+        id: "threaded-shaft",
+        name: "polygon.example.thread",
+        about: "polygon.example.thread.about",
+        entries: &[
+            ("from-face", "30"),
+            ("free-length", "60"),
+            ("before", "true"),
+            ("before-length", "20"),
+            ("before-chamfer", "1"),
+            ("before-pitch", "1.75"),
+            ("before-thread-length", "16"),
+        ],
+        faults: &[],
+    },
     // O3000 of the paper: G512 B200 D1 Q2 A0. E0., then X20. at F200 in a single pass, which is 1 mm per turn of the work.
     Example {
         id: "paper",

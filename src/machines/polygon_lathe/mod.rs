@@ -14,6 +14,8 @@ mod further;
 
 mod milling;
 
+mod slots;
+
 mod resolved;
 
 mod readouts;

@@ -50,6 +50,30 @@ pub(crate) struct Further {
     pub tool: f64,
 }
 
+/// Turning before or after the polygons, from the face. Units as in the form.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Slot {
+    pub on: bool,
+    pub diameter: f64,
+    pub length: f64,
+    pub chamfer: f64,
+    pub depth: f64,
+    pub feed: f64,
+    pub speed: f64,
+    pub tool: f64,
+    pub pitch: f64,
+    pub thread_length: f64,
+    pub thread_infeed: f64,
+    pub thread_tool: f64,
+}
+
+/// The member of a slot that a row fills.
+macro_rules! slot {
+    ($at:literal.$member:ident) => {
+        (|p: &Params| p.slots[$at].$member, |p: &mut Params, value| p.slots[$at].$member = value)
+    };
+}
+
 /// The member of a further polygon that a row fills.
 macro_rules! further {
     ($at:literal.$member:ident) => {
@@ -102,6 +126,7 @@ pub(crate) struct Params {
     pub start_z: f64,
     pub tool: f64,
     pub further: [Further; 2],
+    pub slots: [Slot; 2],
     pub work_limit: f64,
     pub tool_limit: f64,
     pub work_time_constant: f64,
@@ -157,6 +182,26 @@ impl Params {
     /// The form itself gives inserts and ratio.
     fn is_own(&self, _: &Control) -> bool {
         self.shape == Shape::Own
+    }
+
+    /// The bar is turned before the polygons.
+    fn turns_before(&self, _: &Control) -> bool {
+        self.slots[0].on
+    }
+
+    /// The bar is turned after the polygons.
+    fn turns_after(&self, _: &Control) -> bool {
+        self.slots[1].on
+    }
+
+    /// The slot before the polygons has a thread.
+    fn threads_before(&self, _: &Control) -> bool {
+        self.slots[0].on && self.slots[0].pitch > 0.0
+    }
+
+    /// The slot after the polygons has a thread.
+    fn threads_after(&self, _: &Control) -> bool {
+        self.slots[1].on && self.slots[1].pitch > 0.0
     }
 
     /// The part has a second polygon.
@@ -301,6 +346,52 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_third),
     number("third-tool", further!(1.tool)).group("polygon.group.third").label("polygon.tool").help("polygon.tool.help").symbol("T")
         .range(1.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::has_third),
+    flag("before", slot!(0.on)).group("polygon.group.before").label("polygon.before").help("polygon.before.help"),
+    number("before-diameter", slot!(0.diameter)).group("polygon.group.before").label("polygon.slot.diameter").help("polygon.slot.diameter.help")
+        .unit("mm").range(0.5..=1000.0).default(12.0).decimals(3).step(0.5).when(Params::turns_before),
+    number("before-length", slot!(0.length)).group("polygon.group.before").label("polygon.slot.length").help("polygon.slot.length.help")
+        .unit("mm").range(0.1..=2000.0).default(10.0).decimals(3).step(1.0).when(Params::turns_before),
+    number("before-chamfer", slot!(0.chamfer)).group("polygon.group.before").label("polygon.slot.chamfer").help("polygon.slot.chamfer.help")
+        .unit("mm").range(0.0..=50.0).default(0.0).decimals(3).step(0.5).when(Params::turns_before),
+    number("before-depth", slot!(0.depth)).group("polygon.group.before").label("polygon.slot.depth").help("polygon.slot.depth.help")
+        .unit("mm").range(0.01..=50.0).default(2.0).decimals(3).step(0.1).when(Params::turns_before),
+    number("before-feed", slot!(0.feed)).group("polygon.group.before").label("polygon.slot.feed").help("polygon.slot.feed.help")
+        .unit("mm/rev").range(0.001..=10.0).default(0.2).decimals(3).step(0.05).when(Params::turns_before),
+    number("before-speed", slot!(0.speed)).group("polygon.group.before").label("polygon.slot.speed").help("polygon.slot.speed.help").symbol("S")
+        .unit("r/min").range(1.0..=9999.0).default(800.0).decimals(0).step(50.0).when(Params::turns_before),
+    number("before-tool", slot!(0.tool)).group("polygon.group.before").label("polygon.slot.tool").help("polygon.slot.tool.help").symbol("T")
+        .range(1.0..=99.0).default(3.0).decimals(0).step(1.0).when(Params::turns_before),
+    number("before-pitch", slot!(0.pitch)).group("polygon.group.before").label("polygon.slot.pitch").help("polygon.slot.pitch.help").symbol("P")
+        .unit("mm").range(0.0..=12.0).default(0.0).decimals(3).step(0.25).when(Params::turns_before),
+    number("before-thread-length", slot!(0.thread_length)).group("polygon.group.before").label("polygon.slot.thread-length").help("polygon.slot.thread-length.help")
+        .unit("mm").range(0.1..=2000.0).default(8.0).decimals(3).step(1.0).when(Params::threads_before),
+    number("before-thread-infeed", slot!(0.thread_infeed)).group("polygon.group.before").label("polygon.slot.thread-infeed").help("polygon.slot.thread-infeed.help")
+        .unit("mm").range(0.01..=5.0).default(0.25).decimals(3).step(0.05).when(Params::threads_before),
+    number("before-thread-tool", slot!(0.thread_tool)).group("polygon.group.before").label("polygon.slot.thread-tool").help("polygon.slot.thread-tool.help").symbol("T")
+        .range(1.0..=99.0).default(4.0).decimals(0).step(1.0).when(Params::threads_before),
+    flag("after", slot!(1.on)).group("polygon.group.after").label("polygon.after").help("polygon.after.help"),
+    number("after-diameter", slot!(1.diameter)).group("polygon.group.after").label("polygon.slot.diameter").help("polygon.slot.diameter.help")
+        .unit("mm").range(0.5..=1000.0).default(12.0).decimals(3).step(0.5).when(Params::turns_after),
+    number("after-length", slot!(1.length)).group("polygon.group.after").label("polygon.slot.length").help("polygon.slot.length.help")
+        .unit("mm").range(0.1..=2000.0).default(10.0).decimals(3).step(1.0).when(Params::turns_after),
+    number("after-chamfer", slot!(1.chamfer)).group("polygon.group.after").label("polygon.slot.chamfer").help("polygon.slot.chamfer.help")
+        .unit("mm").range(0.0..=50.0).default(0.0).decimals(3).step(0.5).when(Params::turns_after),
+    number("after-depth", slot!(1.depth)).group("polygon.group.after").label("polygon.slot.depth").help("polygon.slot.depth.help")
+        .unit("mm").range(0.01..=50.0).default(2.0).decimals(3).step(0.1).when(Params::turns_after),
+    number("after-feed", slot!(1.feed)).group("polygon.group.after").label("polygon.slot.feed").help("polygon.slot.feed.help")
+        .unit("mm/rev").range(0.001..=10.0).default(0.2).decimals(3).step(0.05).when(Params::turns_after),
+    number("after-speed", slot!(1.speed)).group("polygon.group.after").label("polygon.slot.speed").help("polygon.slot.speed.help").symbol("S")
+        .unit("r/min").range(1.0..=9999.0).default(800.0).decimals(0).step(50.0).when(Params::turns_after),
+    number("after-tool", slot!(1.tool)).group("polygon.group.after").label("polygon.slot.tool").help("polygon.slot.tool.help").symbol("T")
+        .range(1.0..=99.0).default(3.0).decimals(0).step(1.0).when(Params::turns_after),
+    number("after-pitch", slot!(1.pitch)).group("polygon.group.after").label("polygon.slot.pitch").help("polygon.slot.pitch.help").symbol("P")
+        .unit("mm").range(0.0..=12.0).default(0.0).decimals(3).step(0.25).when(Params::turns_after),
+    number("after-thread-length", slot!(1.thread_length)).group("polygon.group.after").label("polygon.slot.thread-length").help("polygon.slot.thread-length.help")
+        .unit("mm").range(0.1..=2000.0).default(8.0).decimals(3).step(1.0).when(Params::threads_after),
+    number("after-thread-infeed", slot!(1.thread_infeed)).group("polygon.group.after").label("polygon.slot.thread-infeed").help("polygon.slot.thread-infeed.help")
+        .unit("mm").range(0.01..=5.0).default(0.25).decimals(3).step(0.05).when(Params::threads_after),
+    number("after-thread-tool", slot!(1.thread_tool)).group("polygon.group.after").label("polygon.slot.thread-tool").help("polygon.slot.thread-tool.help").symbol("T")
+        .range(1.0..=99.0).default(4.0).decimals(0).step(1.0).when(Params::threads_after),
     number("work-limit", member!(Params.work_limit)).group("polygon.group.drives").label("polygon.work-limit").help("polygon.work-limit.help")
         .unit("r/min").range(1.0..=20000.0).default(1000.0).decimals(0).step(100.0).fact(),
     number("tool-limit", member!(Params.tool_limit)).group("polygon.group.drives").label("polygon.tool-limit").help("polygon.tool-limit.help")

@@ -4,6 +4,7 @@
 //! feed, from its clearance over the stock, where all of it is behind the near end of the polygon; from the far end it comes out at feed.
 
 use super::params::Params;
+use crate::math;
 
 /// Where a motion of the slide goes, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +22,10 @@ pub(super) enum Step {
     Rapid(To),
     /// One axis at a feed in mm/min.
     Feed(To, f64),
+    /// Both axes at once, straight: diameter, place along the work, feed in mm/min.
+    Slope(f64, f64, f64),
+    /// Thread to a place along the work: the pitch, mm.
+    Thread(f64, f64),
     /// The slide waits, s.
     Dwell(f64),
 }
@@ -78,18 +83,31 @@ impl Params {
         down.into_iter().chain(wait).chain(along).chain([out]).collect()
     }
 
-    /// Time of all passes but for rapid traverse, s: `60 way / F`, step by step.
+    /// Time of all passes but for rapid traverse, s.
     pub(super) fn cutting_time(&self) -> f64 {
-        let (mut across, mut along) = (self.clear_diameter(), self.clearance);
-        let mut way = |to: To| match to {
-            To::Across(to) => 0.5 * (core::mem::replace(&mut across, to) - to).abs(),
-            To::Along(to) => (core::mem::replace(&mut along, to) - to).abs(),
-        };
-        let mut time = |step: Step| match step {
-            Step::Rapid(to) => 0.0 * way(to),
-            Step::Feed(to, feed) => 60.0 * way(to) / feed,
+        let begin = (self.clear_diameter(), self.clearance);
+        time(begin, (1..=self.passes() as u32).flat_map(|pass| self.steps(f64::from(pass))), 0.0)
+    }
+}
+
+/// Time of steps from a diameter and a place along the work but for rapid traverse, s: `60 way / F`, step by step; threads at a speed in r/min.
+pub(super) fn time((mut across, mut along): (f64, f64), steps: impl Iterator<Item = Step>, rpm: f64) -> f64 {
+    let mut total = 0.0;
+    for step in steps {
+        let from = (across, along);
+        match step {
+            Step::Rapid(To::Across(to)) | Step::Feed(To::Across(to), _) => across = to,
+            Step::Rapid(To::Along(to)) | Step::Feed(To::Along(to), _) | Step::Thread(to, _) => along = to,
+            Step::Slope(x, z, _) => (across, along) = (x, z),
+            Step::Dwell(_) => {}
+        }
+        let way = math::hypot(0.5 * (across - from.0), along - from.1);
+        total += match step {
+            Step::Rapid(_) => 0.0,
+            Step::Feed(_, feed) | Step::Slope(_, _, feed) => 60.0 * way / feed,
+            Step::Thread(_, pitch) => 60.0 * way / (pitch * rpm),
             Step::Dwell(seconds) => seconds,
         };
-        (1..=self.passes() as u32).flat_map(|pass| self.steps(f64::from(pass))).map(&mut time).sum()
     }
+    total
 }

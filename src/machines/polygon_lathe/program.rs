@@ -3,6 +3,7 @@
 //! The part program is the paper's, with more passes. Of O9120 and O9121 the paper names the variables that they write; everything else in
 //! them, and the bits to and from the PMC, is ours.
 
+use super::params::Slot;
 use super::path::{Step, To};
 use super::resolved::{ALONG, CROSS, PolygonLathe};
 use crate::controls::Address;
@@ -10,7 +11,7 @@ use crate::controls::Code;
 use crate::controls::CodeId;
 use crate::machines::writing;
 use crate::nc::Deck;
-use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, v, word, x, z};
+use crate::nc::build::{Builder, Formula, NewWord, f, g, m, real, s, v, word, x, z};
 use crate::text::catalog::number_text as show;
 
 /// Number of the program that turns the part: the paper's.
@@ -110,7 +111,50 @@ pub(super) fn block(lathe: &PolygonLathe, step: Step) -> Vec<NewWord> {
     match step {
         Step::Rapid(to) => vec![g(0), word(to)],
         Step::Feed(to, feed) => vec![g(1), word(to), f(real(feed, 3))],
+        Step::Slope(size, place, feed) => vec![g(1), cross(lathe, size), z(real(place, 3)), f(real(feed, 3))],
+        Step::Thread(place, pitch) => {
+            let cut = writing::codes(lathe.control, [Code::Thread]).into_iter().take(1);
+            cut.chain([z(real(place, 3)), f(real(pitch, 3))]).collect()
+        }
         Step::Dwell(seconds) => writing::dwell(lathe.control, seconds).into(),
+    }
+}
+
+/// Blocks of a slot: each tool from the start of the slide and back, the spindle on for both.
+pub(super) fn slot(lathe: &PolygonLathe, slot: &Slot) -> Vec<(Vec<NewWord>, &'static str)> {
+    let p = &lathe.p;
+    let away = || rapid([cross(lathe, p.start_x), z(real(p.start_z, 3))]);
+    let mut all = Vec::new();
+    let cuts = [(slot.tool, slot.steps(p), "TURNING"), (slot.thread_tool, slot.thread(p), "THREAD")];
+    for (at, (tool, steps, note)) in cuts.into_iter().filter(|(_, steps, _)| !steps.is_empty()).enumerate() {
+        all.push((writing::tool(lathe.control, tool as u32), note));
+        if at == 0 {
+            all.push((vec![m(3), s(slot.speed as u32)], ""));
+            // The bench's ramp to its highest speed is long enough for every S and override.
+            let ramp = writing::dwell(lathe.control, lathe.control.bench.ramp);
+            all.push((ramp.to_vec(), "SPINDLE COMES TO ITS SPEED"));
+        }
+        all.push((rapid([cross(lathe, p.clear_diameter())]), ""));
+        all.push((vec![z(real(p.clearance, 3))], ""));
+        all.extend(steps.into_iter().map(|step| (block(lathe, step), "")));
+        all.push((away(), ""));
+    }
+    all.push((vec![m(5)], "THE WORK AXIS TAKES OVER"));
+    all
+}
+
+/// Writes the blocks of a slot, with the checks behind each tool.
+fn write_slot(b: &mut Builder, lathe: &PolygonLathe, at: usize, place: Option<(u32, u32)>) {
+    let Some(slot) = lathe.p.slots.get(at).filter(|slot| slot.on) else { return };
+    for (words, note) in self::slot(lathe, slot) {
+        b.words(words);
+        if !note.is_empty() {
+            b.note(note);
+        }
+        if let (Some(place), "TURNING" | "THREAD") = (place, note) {
+            let clear = lathe.p.clear_diameter();
+            writing::stays_clear(b, place, || real(clear * 0.5 * lathe.words(), 3), 900 + AWAY);
+        }
     }
 }
 
@@ -134,6 +178,7 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
         writing::stays_clear(b.n(11), place, away, 900 + AWAY);
     }
     b.n(12).words(writing::codes(lathe.control, [Code::FeedPerMinute]));
+    write_slot(b, lathe, 0, place);
     b.n(13).words(writing::tool(lathe.control, p.tool as u32)).note("CUTTER AND ITS OFFSET");
     if let Some(place) = place {
         // The offset shifts the coordinates.
@@ -165,6 +210,7 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let end = 1000 * lathe.further.len() as u32 + 800;
     b.n(end).words(rapid([cross(lathe, p.start_x), z(mm(p.start_z))]));
     b.n(end + 1).words([g(off)]).note("POLYGON TURNING OFF");
+    write_slot(b, lathe, 1, place);
     b.n(end + 2).words([m(30)]);
     if place.is_some() {
         writing::alarm(b, lathe.control, AWAY, "RETRACT THE CUTTER BY HAND");

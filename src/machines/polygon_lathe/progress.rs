@@ -51,6 +51,8 @@ pub(super) struct Progress {
     pub(super) passes: Vec<Pass>,
     /// The deepest pass before the last one on its stretch.
     pub(super) done: Option<Pass>,
+    /// Stretches that the spindle has turned: distances of both ends from the face, and the diameter.
+    pub(super) turned: Vec<(f64, f64, f64)>,
 }
 
 impl Progress {
@@ -69,6 +71,13 @@ pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) 
     for visit in visits.into_iter().skip(first) {
         let since = run.at(visit.begin);
         if since.pmc[TOOL].feed == 0.0 {
+            if since.spindle.actual != 0.0 {
+                let end = -visit.along.0;
+                let slots = p.slots.iter().filter(|slot| slot.on && slot.pitch > 0.0 && end <= slot.length);
+                // The drawing has no flanks.
+                let least = slots.map(|slot| slot.diameter).fold(0.0, f64::max).min(p.stock_diameter);
+                progress.turned.push(((-visit.along.1).max(0.0), end, (2.0 * visit.across).max(least)));
+            }
             continue;
         }
         // As commanded: how far a pass goes is not read at a moment at which the slide may be on its way out again.
@@ -84,7 +93,10 @@ pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) 
 
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
 pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot) -> Vec<f64> {
-    let mut grid = vec![0.5 * lathe.p.stock_diameter; GRID];
+    let middle = progress.now().map_or(0.5 * lathe.p.length + lathe.p.from_face, Pass::middle);
+    let over = progress.turned.iter().filter(|turned| (turned.0..=turned.1).contains(&middle));
+    let stock = over.map(|turned| turned.2).fold(lathe.p.stock_diameter, f64::min);
+    let mut grid = vec![0.5 * stock; GRID];
     for pass in progress.done.iter().chain(progress.now()) {
         cut(&mut grid, lathe, pass, now);
     }

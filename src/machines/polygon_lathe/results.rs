@@ -36,6 +36,7 @@ fn is_shown(lathe: &PolygonLathe, id: &str) -> bool {
         "tool-speed" | "work-speed" | "ratio" | "distance" | "offset" | "passes" | "feed" | "finish-feed" | "ready"
         | "free-length" => true,
         "infeed" => p.is_behind_face(),
+        "turning-time" => p.slots.iter().any(|slot| slot.on),
         _ if !d.cuts => false,
         "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
         "coast-phase" => p.coasts(lathe.control),

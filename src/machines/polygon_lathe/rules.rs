@@ -410,6 +410,82 @@ fn errors_of(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
     found
 }
 
+/// Greatest speed of the spindle that turns the bar, r/min: that of the control's bench, for the form says nothing of it.
+fn spindle_top(lathe: &PolygonLathe) -> f64 {
+    lathe.control.bench.speed_clamp
+}
+
+/// Faults of the slots before and after the polygons, with the field of each.
+fn slot_errors(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
+    let p = &lathe.p;
+    let fields = [
+        [
+            "before-diameter",
+            "before-length",
+            "before-chamfer",
+            "before-depth",
+            "before-pitch",
+            "before-thread-length",
+            "before-speed",
+            "before-feed",
+        ],
+        [
+            "after-diameter",
+            "after-length",
+            "after-chamfer",
+            "after-depth",
+            "after-pitch",
+            "after-thread-length",
+            "after-speed",
+            "after-feed",
+        ],
+    ];
+    let mut found = Vec::new();
+    for ((slot, fields), after) in p.slots.iter().zip(fields).zip([false, true]).filter(|((slot, _), _)| slot.on) {
+        let [diameter, length, chamfer, depth, pitch, thread_length, speed, feed] = fields;
+        if slot.diameter >= p.stock_diameter {
+            found.push((msg!("polygon.nothing-to-turn", (slot.diameter, 3), (p.stock_diameter, 3)), diameter));
+        }
+        if p.free_length > 0.0 && slot.length + p.clearance > p.free_length {
+            found.push((msg!("polygon.near-jaws", (slot.length + p.clearance, 3), (p.free_length, 3)), length));
+        }
+        if slot.chamfer >= 0.5 * slot.diameter || slot.chamfer > slot.length {
+            found.push((msg!("polygon.wide-chamfer", (slot.diameter, 3), (slot.length, 3)), chamfer));
+        }
+        if slot.speed > spindle_top(lathe) {
+            found.push((msg!("polygon.fast-spindle", (spindle_top(lathe), 0)), speed));
+        }
+        let clamp = p.clamp_x.min(p.clamp_z);
+        let (least, most) = (lathe.control.limits.feed_increment, lathe.control.limits.feed_max.min(clamp));
+        let threads = (slot.pitch > 0.0).then_some((slot.pitch, pitch));
+        for (each, field) in [(slot.feed, feed)].into_iter().chain(threads) {
+            let feed = each * slot.speed;
+            if feed < least {
+                found.push((msg!("polygon.feed-too-small", (feed, 6), least), field));
+            } else if feed > most {
+                found.push((msg!("polygon.above-clamp", (feed, 0), (most, 0)), field));
+            }
+        }
+        if slot.is_endless(p.stock_diameter) {
+            found.push((msg!("polygon.many-cuts"), depth));
+        }
+        if slot.pitch > 0.0 {
+            if slot.least_diameter() <= 0.0 {
+                found.push((msg!("polygon.coarse-thread", (slot.diameter, 3)), pitch));
+            }
+            if slot.thread_length > slot.length {
+                found.push((msg!("polygon.long-thread", (slot.length, 3)), thread_length));
+            }
+        }
+        let covers =
+            |lathe: &&PolygonLathe| after && lathe.p.from_face < slot.length && lathe.d.corner * 2.0 > slot.diameter;
+        for (number, other) in (1_u32..).zip(lathe.polygons()).filter(|(_, lathe)| covers(lathe)) {
+            found.push((msg!("polygon.turned-off", number, (other.p.from_face, 3)), length));
+        }
+    }
+    found
+}
+
 /// Errors that refuse the export, and notes for the operator.
 pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     let PolygonLathe { p, d, .. } = lathe;
@@ -419,6 +495,7 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
             faults.push(fault);
         }
     }
+    faults.extend(slot_errors(lathe));
     let mut error = |message: Message, field: &'static str| faults.push((message, field));
     if p.free_length > 0.0 && lathe.free_length() > p.free_length {
         error(msg!("polygon.near-jaws", (lathe.free_length(), 3), (p.free_length, 3)), "free-length");

@@ -90,13 +90,13 @@ impl Dice {
 #[test]
 fn no_rapid_goes_through_stock_shoulders_or_jaws() {
     let mut dice = Dice(13);
-    let (mut tried, mut middle, mut two, mut three) = (0, 0, 0, 0);
+    let (mut tried, mut middle, mut two, mut three, mut turnings) = (0, 0, 0, 0, 0);
     while tried < 120 {
         let stock = dice.within(4.0, 120.0);
         let from = if dice.within(0.0, 1.0) < 0.25 { 0.0 } else { dice.within(0.001, 300.0) };
         let (length, width) = (dice.within(0.2, 60.0), dice.within(0.0, 20.0));
         let far = from + length;
-        let free = far + dice.within(-3.0, 100.0);
+        let free = (far + dice.within(-3.0, 100.0)).max(0.1);
         let shape = ["square", "knob", "triangle", "hexagon"][dice.within(0.0, 4.0) as usize];
         let mm = |value: f64| number_text(value, 3);
         let texts = [
@@ -131,7 +131,19 @@ fn no_rapid_goes_through_stock_shoulders_or_jaws() {
             ("third-across-flats", mm(0.8 * stock)),
             ("third-tool", if dice.within(0.0, 1.0) < 0.6 { "1" } else { "3" }.to_owned()),
         ];
-        let texts: Vec<(&str, String)> = texts.into_iter().chain(more).collect();
+        let turned = dice.within(0.2, 100.0);
+        let slots = [
+            ("before", (dice.within(0.0, 1.0) < 0.4).to_string()),
+            ("before-diameter", mm(stock * dice.within(0.3, 0.95))),
+            ("before-length", mm(turned)),
+            ("before-chamfer", mm(dice.within(0.0, 1.0))),
+            ("before-pitch", if dice.within(0.0, 1.0) < 0.5 { "0" } else { "1.5" }.to_owned()),
+            ("before-thread-length", mm(turned * dice.within(0.3, 1.0))),
+            ("after", (dice.within(0.0, 1.0) < 0.4).to_string()),
+            ("after-diameter", mm(stock * dice.within(0.3, 0.95))),
+            ("after-length", mm(turned)),
+        ];
+        let texts: Vec<(&str, String)> = texts.into_iter().chain(more).chain(slots).collect();
         let changes: Vec<(&str, &str)> = texts.iter().map(|(id, text)| (*id, text.as_str())).collect();
         let project = project(&[&[("shape", shape)], &changes[..]].concat());
         if refused(&project) {
@@ -149,9 +161,13 @@ fn no_rapid_goes_through_stock_shoulders_or_jaws() {
             polygons.push((0.0, from.max(0.1)));
             three += 1;
         }
+        let slots = u32::from(on("before")) + u32::from(on("after"));
+        turnings += slots;
+        // As a polygon at the end: the stretch from the face to its shoulder.
+        polygons.extend((slots > 0).then_some((0.0, turned)));
         holds(&project, &Part { stock, free, polygons, width });
     }
-    assert!(middle > 60 && two > 20 && three > 5, "{middle} {two} {three}");
+    assert!(middle > 60 && two > 20 && three > 5 && turnings > 20, "{middle} {two} {three} {turnings}");
 }
 
 #[test]
@@ -312,4 +328,94 @@ fn advice_for_the_second_polygon_sets_its_own_fields() {
     let mended = project(&[&TWO[..], &[("second-work-start", sets[0].1.as_str())]].concat());
     assert!(result(&mended, "second-angle-error").abs() < 1e-6);
     assert!((result(&mended, "second-angle") - 15.0).abs() < 1e-6);
+}
+
+#[test]
+fn end_is_turned_and_threaded_before_the_square() {
+    let project = Project::named("polygon-lathe", None, Some("threaded-shaft")).unwrap();
+    assert!(!refused(&project));
+    let (planner, log) = whole(&project);
+    assert!(planner.diagnostics().iter().all(|found| found.severity != Severity::Error), "{:?}", planner.diagnostics());
+    // 17 √3 / 48 · 1.75 deep, the first cut 0.25: 19 cuts of the same area.
+    let threads: Vec<_> = log.iter().filter(|canon| matches!(canon, Canon::Thread { .. })).collect();
+    assert_eq!(threads.len(), 19);
+    assert!(threads.iter().all(|canon| matches!(canon, Canon::Thread { lead, .. } if *lead == 1.75)));
+    let timeline = planner.timeline();
+    let x = project.control.axis(Address::X).unwrap();
+    let z = project.control.axis(Address::Z).unwrap();
+    // The spindle turns while the bar is turned, work and cutter while the square is cut, never both.
+    let end = timeline.end();
+    let mut cuts = [0, 0];
+    for at in 0..8000 {
+        let now = timeline.at(end * f64::from(at) / 8000.0);
+        let (across, along) = (now.axes[x].actual, now.axes[z].actual);
+        if across < 12.4 && along < -0.1 {
+            let (spindle, work) = (now.spindle.actual != 0.0, now.pmc[0].feed != 0.0);
+            assert!(spindle != work, "{} {across} {along}", now.t);
+            cuts[usize::from(work)] += 1;
+        }
+    }
+    assert!(cuts[0] > 100 && cuts[1] > 100, "{cuts:?}");
+    // The drawing has the turned end and the square behind it, and neither comes back.
+    let pose =
+        |t: f64| project.prepared().pose(&planner, &Samples::at(&planner, t), Frame { step: 0.001, option: false });
+    let mut left = f64::INFINITY;
+    for at in 0..=600 {
+        let now = area(&pose(end * f64::from(at) / 600.0).paths[BAR].1);
+        assert!(now <= left * (1.0 + 1e-9), "{left} to {now} at {at}");
+        left = now;
+    }
+    let full = area(&pose(0.0).paths[BAR].1);
+    let free = pose(0.0).paths[BAR].1.clone();
+    let heights = free.split(['M', 'L', 'Z']).filter_map(|point| point.split(' ').nth(1)?.parse::<f64>().ok());
+    let (top, low) = heights.fold((f64::INFINITY, 0.0_f64), |(top, low), y| (top.min(y), low.max(y)));
+    let scale = (low - top) / 25.0;
+    // 20 mm from 25 to 12, with a chamfer that the drawing leaves out, and 15 mm from 25 to 20.
+    let asked = 20.0 * 13.0 + 15.0 * 5.0;
+    assert!(((full - left) / scale / scale / asked - 1.0).abs() < 1e-2, "{}", (full - left) / scale / scale);
+}
+
+#[test]
+fn time_of_turning_and_thread_is_that_of_their_ways() {
+    let turned = project(&[("from-face", "30"), ("before", "true"), ("before-depth", "10"), ("retract-feed", "10000")]);
+    // One cut of 12 mm in all at 160 mm/min, and out over 8.5 mm at the clamp of 3000 mm/min.
+    assert!((result(&turned, "turning-time") - (12.0 / 160.0 + 8.5 / 3000.0) * 60.0).abs() < 1e-9);
+    let threaded =
+        project(&[("from-face", "30"), ("after", "true"), ("after-pitch", "1"), ("after-thread-infeed", "2")]);
+    let plain = project(&[("from-face", "30"), ("after", "true")]);
+    // 10 mm in a pitch each at 800 r/min, and out from the root.
+    let way_out = 14.5 - (6.0 - 0.613_435);
+    let more = 10.0 / 800.0 * 60.0 + way_out / 1000.0 * 60.0;
+    assert!((result(&threaded, "turning-time") - result(&plain, "turning-time") - more).abs() < 1e-9);
+}
+
+#[test]
+fn slots_that_take_the_polygon_off_or_do_not_fit_are_refused() {
+    let found = |changes: &[(&str, &str)]| {
+        let design = project(changes).design();
+        let errors = design.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+        errors.map(|found| (found.field.unwrap_or(""), found.message.id)).collect::<Vec<_>>()
+    };
+    assert_eq!(found(&[("before", "true")]), []);
+    assert_eq!(found(&[("after", "true")]), [("after-length", "polygon.turned-off")]);
+    let behind = ("from-face", "30");
+    assert_eq!(found(&[behind, ("after", "true")]), []);
+    assert_eq!(
+        found(&[behind, ("after", "true"), ("after-diameter", "25")]),
+        [("after-diameter", "polygon.nothing-to-turn")]
+    );
+    assert_eq!(
+        found(&[behind, ("after", "true"), ("after-chamfer", "6")]),
+        [("after-chamfer", "polygon.wide-chamfer")]
+    );
+    let pitch = ("after-pitch", "12");
+    assert!(found(&[behind, ("after", "true"), pitch]).contains(&("after-pitch", "polygon.coarse-thread")));
+    let long = [behind, ("after", "true"), ("after-pitch", "1"), ("after-thread-length", "11")];
+    assert_eq!(found(&long), [("after-thread-length", "polygon.long-thread")]);
+    assert_eq!(
+        found(&[behind, ("before", "true"), ("before-speed", "3001")]),
+        [("before-speed", "polygon.fast-spindle")]
+    );
+    assert_eq!(found(&[behind, ("before", "true"), ("before-feed", "4")]), [("before-feed", "polygon.above-clamp")]);
+    assert_eq!(found(&[behind, ("before", "true"), ("before-depth", "0.01")]), [("before-depth", "polygon.many-cuts")]);
 }

@@ -138,16 +138,21 @@ fn twist(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     }
 }
 
-/// Stretches of the bar that are cut, from the face to the jaws: distances of both ends from the face, and the size across flats.
+/// Stretches of the bar that have become polygons, from the face to the jaws: distances of both ends from the face, and the size across flats.
 pub(in super::super) fn profile(lathe: &PolygonLathe, progress: &Progress) -> Vec<(f64, f64, f64)> {
-    let passes = &progress.passes;
-    let mut ends: Vec<f64> = passes.iter().flat_map(|pass| [pass.stretch.0, pass.stretch.1]).collect();
+    let passes: Vec<_> = progress.passes.iter().map(|pass| (pass.stretch.0, pass.stretch.1, pass.size)).collect();
+    stretches(lathe, &passes)
+}
+
+/// Stretches of the bar that are cut, each with the least of its sizes.
+fn stretches(lathe: &PolygonLathe, passes: &[(f64, f64, f64)]) -> Vec<(f64, f64, f64)> {
+    let mut ends: Vec<f64> = passes.iter().flat_map(|pass| [pass.0, pass.1]).collect();
     ends.sort_by(f64::total_cmp);
     ends.dedup();
     let mut all: Vec<(f64, f64, f64)> = Vec::new();
     for (near, far) in ends.iter().zip(ends.iter().skip(1)) {
-        let over = passes.iter().filter(|pass| pass.stretch.0 <= *near && pass.stretch.1 >= *far);
-        let size = over.map(|pass| pass.size).fold(lathe.p.stock_diameter, f64::min);
+        let over = passes.iter().filter(|pass| pass.0 <= *near && pass.1 >= *far);
+        let size = over.map(|pass| pass.2).fold(lathe.p.stock_diameter, f64::min);
         match all.last_mut().filter(|last| last.1 == *near && last.2 == size) {
             Some(last) => last.1 = *far,
             None if size < lathe.p.stock_diameter => all.push((*near, *far, size)),
@@ -163,7 +168,9 @@ pub(in super::super) fn bar(lathe: &PolygonLathe, view: &View, progress: &Progre
     let stock = 0.5 * lathe.p.stock_diameter;
     // From the face to the jaws.
     let mut upper = vec![(face, stock)];
-    for (near, far, size) in profile(lathe, progress) {
+    let polygons = progress.passes.iter().map(|pass| (pass.stretch.0, pass.stretch.1, pass.size));
+    let cut: Vec<_> = polygons.chain(progress.turned.iter().copied()).collect();
+    for (near, far, size) in stretches(lathe, &cut) {
         let [near, far] = [near, far].map(|at| (face - at * scale).max(LEFT + 38.0));
         let half = 0.5 * size;
         upper.extend([(near, stock), (near, half), (far, half), (far, stock)]);
