@@ -37,10 +37,10 @@ test('the part is cut, the speed follows the diameter, and the charts over the d
     const outline = () => page.locator('.stage [data-n="0"]').getAttribute('d');
     const speed = async () => Number((await page.locator('.legend .l1 b').textContent()).replace(/[^\d.]/g, ''));
     const whole = await outline();
-    await goTo(page, 5);
+    await goTo(page, 8);
     await page.waitForFunction((before) => document.querySelector('.stage [data-n="0"]').getAttribute('d') !== before, whole);
     const slow = await speed();
-    await goTo(page, 9);
+    await goTo(page, 12);
     await page.waitForFunction((before) => Number(document.querySelector('.legend .l1 b').textContent.replace(/[^\d.]/g, '')) > before, slow + 100);
     const charts = page.locator('.chart-bar .chip');
     assert.equal(await charts.count(), 7);

@@ -174,10 +174,10 @@ fn g50_s_limits_the_speed() {
 }
 
 fn g50_s_takes_the_reference_point() {
-    // The way back to the reference point ends where G50 S stood.
-    let run = blocks("G00 X60. Z40.\nG50 S2000\nG00 X20. Z5.\nG00 X10.");
-    assert_eq!(run.ended, Some(RunEnd::ProgramEnd));
-    near(run.planner.timeline().words_at(run.planner.timeline().end())[0], 10.0, 1e-9);
+    let run = blocks("G00 X60. Z40.\nG50 S2000\nG00 X20. Z5.");
+    let [x, _, z, ..] = run.planner.reference_point().unwrap();
+    assert_eq!((x, z), (60.0, 40.0));
+    assert_eq!(blocks("G00 X60. Z40.").planner.reference_point(), None);
 }
 
 fn surface_speed_is_that_of_the_circumference() {

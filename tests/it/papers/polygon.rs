@@ -14,6 +14,8 @@ const TOOL: usize = 1;
 clauses! {
     "intro"  "One insert at 1 : 2 turns a knob of two sides." one_insert_turns_two_sides;
     "intro"  "A triangle lock and a hexagon key come from other inserts and ratios." triangle_and_hexagon_are_turned;
+    "intro"  "The time of milling in polar interpolation stands beside that of turning." time_of_milling_is_told;
+    "intro"  "A polygon in the middle of a shaft is turned; both shoulders stay." polygon_in_the_middle_of_a_shaft;
     "1 (1)"  "The tip moves by equations (1) and (2)." tip_moves_by_equations_1_and_2;
     "1 (5)"  "At 1 : 2 the path is an ellipse with half axes R+r and R−r." path_at_1_to_2_is_an_ellipse;
     "1"      "Two inserts opposite each other turn a square; their tips share one circle." two_inserts_turn_a_square;
@@ -34,6 +36,7 @@ clauses! {
     "note 3" "G512 and G502 stand alone in their blocks." codes_stand_alone;
     "4"      "O3000 runs as printed." o3000_runs_as_printed;
     "4"      "O3000 turns 20 mm across flats." o3000_turns_20_mm;
+    "4"      "Diameter, thread and polygon are turned in one program." diameter_thread_and_polygon_in_one_program;
     "4"      "Squares and hexagons are roughed and finished." squares_and_hexagons_are_roughed_and_finished;
 }
 
@@ -65,6 +68,24 @@ fn one_insert_turns_two_sides() {
 
 fn triangle_and_hexagon_are_turned() {
     assert_eq!((sides("triangle-lock"), sides("hexagon-key")), (3.0, 6.0));
+}
+
+fn time_of_milling_is_told() {
+    let square = lathe(&[]);
+    assert!(readout(&square, "milling-time").value > 0.0);
+    let ratio = |feed: &str| readout(&lathe(&[("mill-feed", feed)]), "milling-ratio").value;
+    assert!(ratio("100") > ratio("400"));
+}
+
+fn polygon_in_the_middle_of_a_shaft() {
+    // From 40 to 60 mm behind the face.
+    let shaft = super::example("polygon-lathe", "shaft");
+    let run = over_time(&shaft, vec![]);
+    assert_eq!(run.ended, Some(RunEnd::ProgramEnd));
+    let end = run.planner.timeline().end();
+    let moments = (0..20_000).map(|at| run.at(end * f64::from(at) / 20_000.0));
+    let deep: Vec<f64> = moments.filter(|now| 2.0 * now.axes[0].actual < 24.9).map(|now| now.axes[1].actual).collect();
+    assert!(deep.iter().all(|z| (-60.001..=-39.999).contains(z)) && deep.len() > 100, "{}", deep.len());
 }
 
 /// A cutter at R = 55 with r = 45.
@@ -256,6 +277,15 @@ fn o3000_turns_20_mm() {
     assert!(cuts.len() > 50);
     assert!(cuts.iter().all(|now| (now.pmc[TOOL].feed / now.pmc[WORK].feed - 2.0).abs() < 1e-9));
     assert_eq!(readout(&example("polygon-lathe", "paper"), "across-flats").value, 20.0);
+}
+
+fn diameter_thread_and_polygon_in_one_program() {
+    let project = super::example("polygon-lathe", "threaded-shaft");
+    let text = &project.written().files.0[0].text;
+    for part in ["TURNING", "THREAD", "G512"] {
+        assert!(text.contains(part), "{part}");
+    }
+    assert_eq!(over_time(&project, vec![]).ended, Some(RunEnd::ProgramEnd));
 }
 
 fn squares_and_hexagons_are_roughed_and_finished() {

@@ -17,6 +17,7 @@ clauses! {
     "2 (1)"   "They overwrite the setting data." limits_are_setting_data;
     "2 (1)"   "G25 and G26 need a block of their own." limits_need_their_own_block;
     "2 (1)"   "The S that was programmed stays." programmed_s_stays_under_limits;
+    "2 (1)"   "Programs of the turning spindle write their limit as G26 in a block of its own." programs_write_their_limit;
     "2 (2)"   "The upper limit of all is machine data." machine_data_limit_the_speed;
     "2 (2)"   "Setting data limit the speed from the panel." panel_limits_the_speed;
     "2 (2)"   "G96 has a limit of its own." surface_speed_has_its_own_limit;
@@ -26,11 +27,13 @@ clauses! {
     "3 (1)"   "From rest, the shortest way." spos_takes_the_shortest_way;
     "3 (1)"   "Not yet synchronized, the direction is machine data." first_spos_turns_as_machine_data_say;
     "3 (1)"   "Axes move beside it; the block ends when both have ended." block_ends_when_axes_and_spos_have;
+    "3 (2)"   "A keyway is cut at the angle, with lock and driven tool." keyway_is_cut_at_the_angle;
     "3 (2)"   "What is cut at the angle needs a locked spindle and a driven tool." cut_at_the_angle_needs_lock_and_driven_tool;
     "4 (1)"   "G96: the speed follows the diameter." surface_speed_follows_the_diameter;
     "4 (2) 1" "G0 does not change the speed." rapid_keeps_the_speed;
     "4 (2) 1" "G0 before G1, G2, G3, CIP or CT sets the speed of that contour." rapid_before_a_contour_sets_its_speed;
     "4 (2) 2" "LIMS limits the speed towards the centre." lims_limits_towards_the_centre;
+    "4 (2) 2" "A cut to the centre without LIMS is told when read." cut_to_the_centre_without_lims_is_told;
     "4 (2) 2" "LIMS acts under G96 only." lims_acts_under_g96_only;
     "4 (2) 2" "LIMS may not exceed G26 or the machine data." lims_stays_below_the_other_limits;
     "4 (2) 3" "G97: S is r/min again; without S the speed that G96 reached stays." g97_keeps_the_speed_reached;
@@ -108,6 +111,13 @@ fn programmed_s_stays_under_limits() {
     near(run.at(8.0).spindle.command, 2000.0, 1e-9);
 }
 
+fn programs_write_their_limit() {
+    let lathe = machine("turning-spindle", SIEMENS, &[("chuck-limit", "2200")]);
+    let text: String = lathe.written().files.0.iter().map(|file| file.text.as_str()).collect();
+    assert!(text.lines().any(|line| line.trim_start_matches(|c| c != 'G') == "G26 S=R115"), "{text}");
+    assert!(text.contains("R115=2200"));
+}
+
 fn machine_data_limit_the_speed() {
     // The bench has a clamp of 3500 r/min.
     let run = blocks("G26 S9000\nS9000 M3\nG4 F4");
@@ -181,6 +191,16 @@ fn block_ends_when_axes_and_spos_have() {
     }
 }
 
+fn keyway_is_cut_at_the_angle() {
+    let lathe = example("turning-spindle", "keyway");
+    let run = over_time(&lathe, vec![]);
+    assert_eq!(run.ended, Some(RunEnd::ProgramEnd), "{:?}", run.said());
+    let end = run.planner.timeline().end();
+    // Along the work at feed, with the spindle held.
+    let held = (0..5000).map(|at| run.at(end * f64::from(at) / 5000.0)).filter(|now| now.spindle.held);
+    assert!(held.filter(|now| now.axes.iter().any(|axis| axis.feed.abs() > 1.0)).count() > 10);
+}
+
 fn cut_at_the_angle_needs_lock_and_driven_tool() {
     let said = blocks("SPOS=90\nG94 F100\nG1 X20\nG1 Z-10").said();
     assert!(said.iter().any(|id| id.contains("lock")) && said.iter().any(|id| id.contains("driven")), "{said:?}");
@@ -216,6 +236,13 @@ fn lims_limits_towards_the_centre() {
     let run = blocks("G95 F0.5 S500 M3\nG0 X40 Z0\nG96 S100 LIMS=2000 F0.5\nG4 F3\nG1 X-1\nG4 F1");
     let now = run.late_in("G1 X-1").spindle;
     assert_eq!((now.command, now.bound), (2000.0, Bound::Surface));
+}
+
+fn cut_to_the_centre_without_lims_is_told() {
+    let to_centre =
+        |limit: &str| blocks(&format!("G95 F0.5 S500 M3\nG0 X40 Z0\nG96 S100{limit} F0.5\nG1 X0\nG4 F1")).said();
+    assert!(to_centre("").contains(&"lint.centre-unlimited"));
+    assert!(!to_centre(" LIMS=2000").contains(&"lint.centre-unlimited"));
 }
 
 fn lims_acts_under_g96_only() {
