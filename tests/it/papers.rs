@@ -13,6 +13,7 @@ use macroline::machines;
 use macroline::motion::{Action, Budget, Event, Panel, Planner, Retention, RunEnd, Snapshot};
 use macroline::nc::{self, Files};
 use macroline::project::Project;
+use macroline::project::check::review;
 use macroline::project::run::{self, RunOptions};
 use macroline::view::Readout;
 
@@ -161,7 +162,7 @@ impl Run {
 
     /// Ids of the findings, of reading and of running.
     fn said(&self) -> Vec<&'static str> {
-        let read = self.planner.program().parsed().diagnostics();
+        let read = review(self.planner.program().parsed(), None, &[]);
         read.iter().chain(self.planner.diagnostics()).map(|found| found.message.id).collect()
     }
 

@@ -192,7 +192,7 @@ fn block_ends_when_axes_and_spos_have() {
 }
 
 fn keyway_is_cut_at_the_angle() {
-    let lathe = example("turning-spindle", "keyway");
+    let lathe = Project::named("turning-spindle", Some(SIEMENS), Some("keyway")).ok().unwrap();
     let run = over_time(&lathe, vec![]);
     assert_eq!(run.ended, Some(RunEnd::ProgramEnd), "{:?}", run.said());
     let end = run.planner.timeline().end();
