@@ -16,6 +16,11 @@ pub fn clamp(x: f64, low: f64, high: f64) -> f64 {
     }
 }
 
+/// The next whole number; what rounding leaves beyond a whole number counts as none.
+pub fn whole_up(x: f64) -> f64 {
+    ((x * 1e9).round() / 1e9).ceil()
+}
+
 /// Sine of an angle in radians.
 pub fn sin(x: f64) -> f64 {
     libm::sin(x)

@@ -85,7 +85,7 @@ impl Params {
     /// Number of passes; the last one finishes.
     pub(super) fn passes(&self) -> f64 {
         // Nine decimals: 0.3 / 0.1 is three passes.
-        1.0 + math::clamp(((self.rough() / self.depth * 1e9).round() / 1e9).ceil(), 0.0, PASSES)
+        1.0 + math::clamp(math::whole_up(self.rough() / self.depth), 0.0, PASSES)
     }
 
     /// Across flats after a pass (from 1).

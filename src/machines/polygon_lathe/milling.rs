@@ -18,7 +18,7 @@ impl Params {
     /// Time to mill the polygon in polar interpolation, s: `60 ⌈L / depth⌉ way / F`, once around for each depth along the work, at the full depth
     /// across it. Without approach and change of the tool: it is more in practice.
     pub(super) fn milling_time(&self) -> f64 {
-        let rounds = ((self.length / self.mill_depth * 1e9).round() / 1e9).ceil();
+        let rounds = math::whole_up(self.length / self.mill_depth);
         60.0 * rounds * self.round_by_mill() / self.mill_feed
     }
 }

@@ -2,6 +2,7 @@
 
 use super::params::{Params, Slot};
 use super::path::{Step, To, time};
+use crate::math;
 
 /// Depth of the flanks of a metric thread over its pitch, `17 √3 / 48`.
 const FLANKS: f64 = 0.613_435;
@@ -12,13 +13,13 @@ const MOST: f64 = 100.0;
 impl Slot {
     /// Number of cuts; the last one is to size.
     pub(super) fn cuts(&self, stock: f64) -> f64 {
-        (((0.5 * (stock - self.diameter) / self.depth * 1e9).round() / 1e9).ceil()).max(1.0)
+        math::whole_up(0.5 * (stock - self.diameter) / self.depth).max(1.0)
     }
 
     /// Number of cuts of the thread, each taking the same area: `(h / first)²`, rounded up, with the depth h of the flanks.
     pub(super) fn thread_cuts(&self) -> f64 {
         let ratio = FLANKS * self.pitch / self.thread_infeed;
-        (((ratio * ratio) * 1e9).round() / 1e9).ceil().max(1.0)
+        math::whole_up(ratio * ratio).max(1.0)
     }
 
     /// Diameter at the root of the thread, or the turned one: `d - 2 h`.

@@ -462,8 +462,8 @@ fn published(b: &mut Builder, line: &RibbonLine) {
     header(b, line);
 }
 
-/// The main program of the published listing: one call of O9100 per pitch.
-fn run_published(b: &mut Builder, line: &RibbonLine) {
+/// The main program of a listing: what comes before its passes, the passes, the last pitch and the alarms.
+fn run_listing(b: &mut Builder, line: &RibbonLine, passes: impl FnOnce(&mut Builder)) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
     writing::guards(b, &entries(line));
@@ -473,14 +473,21 @@ fn run_published(b: &mut Builder, line: &RibbonLine) {
     b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", line.p.print_axis.address()));
     b.n(23).assign(127, 0).note("SPINDLE DOES NOT RUN YET");
     preset(b, line, 24);
-    b.n(30).while_do(v(125).gt(0), 1);
-    b.n(31).call(COMPUTE, None);
-    b.n(32).end_do(1);
+    passes(b);
     last_pitch(b, line);
     end(b, line);
     length_alarms(b, line);
     writing::alarms(b, line.control, &entries(line));
     b.words([m(30)]);
+}
+
+/// The main program of the published listing: one call of O9100 per pitch.
+fn run_published(b: &mut Builder, line: &RibbonLine) {
+    run_listing(b, line, |b| {
+        b.n(30).while_do(v(LEFT).gt(0), 1);
+        b.n(31).call(COMPUTE, None);
+        b.n(32).end_do(1);
+    });
 }
 
 /// Entries that the precomputed listing watches in the running line, each with the variable of its copy; the others act at the next start.
@@ -511,48 +518,36 @@ fn precompute(b: &mut Builder, line: &RibbonLine) {
 
 /// The main program of the listing that calculates before the loop: a pass is a look at the knob and the block N200.
 fn run_precomputed(b: &mut Builder, line: &RibbonLine) {
-    b.program(RUN, "RIBBON LINE - RUN");
-    header(b, line);
-    writing::guards(b, &entries(line));
-    override_off(b, line, 20);
-    b.n(21);
-    product(b, line);
-    b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", line.p.print_axis.address()));
-    b.n(23).assign(127, 0).note("SPINDLE DOES NOT RUN YET");
-    preset(b, line, 24);
-    b.n(25).words(modes(line));
-    b.n(30).while_do(v(LEFT).gt(0), 1);
-    b.n(31);
-    if is_length(line) {
-        // By the pitch before, of which O9100 has a copy: the length stays when the pitch changes.
-        b.assign(LENGTH_LEFT, v(LEFT) * v(PITCH_COPY) + v(LAST)).note("LENGTH LEFT");
-        b.call(COMPUTE, None);
-        pitches_left(b, line, v(LENGTH_LEFT));
-    } else {
-        b.call(COMPUTE, None);
-    }
-    b.n(32).if_goto(v(115).ge(real(0.001, 3)), 35).note("F BELOW IS F0");
-    b.n(33).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
-    b.n(34).goto(31);
-    let speed = spindle_word(line);
-    b.n(35).if_goto(v(127).eq(v(speed)), 190);
-    start_spindle(b, line, 100, 110);
-    b.n(120).assign(127, v(speed)).note("SPEED THAT RUNS");
-    b.n(190).while_do(v(LEFT).gt(0), 2);
-    let watched: Vec<_> = core::iter::once((line.input(), KNOB)).chain(WATCHED_ONCE).collect();
-    // Without its number the block fits on a screen.
-    b.if_goto(changed(&watched).gt(0), 31);
-    b.n(192).assign(124, ((v(122) + v(110)) * 1000).round() / 1000).note(&about(line, "OF THIS PITCH"));
-    b.n(193).assign(122, v(122) + v(110) - v(124)).note(&about(line, "LEFT OVER"));
-    b.n(200).words(move_block(line, v(129)));
-    b.n(201).assign(LEFT, v(LEFT) - 1);
-    b.n(202).end_do(2);
-    b.n(203).end_do(1);
-    last_pitch(b, line);
-    end(b, line);
-    length_alarms(b, line);
-    writing::alarms(b, line.control, &entries(line));
-    b.words([m(30)]);
+    run_listing(b, line, |b| {
+        b.n(25).words(modes(line));
+        b.n(30).while_do(v(LEFT).gt(0), 1);
+        b.n(31);
+        if is_length(line) {
+            // By the pitch before, of which O9100 has a copy: the length stays when the pitch changes.
+            b.assign(LENGTH_LEFT, v(LEFT) * v(PITCH_COPY) + v(LAST)).note("LENGTH LEFT");
+            b.call(COMPUTE, None);
+            pitches_left(b, line, v(LENGTH_LEFT));
+        } else {
+            b.call(COMPUTE, None);
+        }
+        b.n(32).if_goto(v(115).ge(real(0.001, 3)), 35).note("F BELOW IS F0");
+        b.n(33).words(writing::dwell(line.control, 0.1)).note("OVERRIDE 0: WAIT");
+        b.n(34).goto(31);
+        let speed = spindle_word(line);
+        b.n(35).if_goto(v(127).eq(v(speed)), 190);
+        start_spindle(b, line, 100, 110);
+        b.n(120).assign(127, v(speed)).note("SPEED THAT RUNS");
+        b.n(190).while_do(v(LEFT).gt(0), 2);
+        let watched: Vec<_> = core::iter::once((line.input(), KNOB)).chain(WATCHED_ONCE).collect();
+        // Without its number the block fits on a screen.
+        b.if_goto(changed(&watched).gt(0), 31);
+        b.n(192).assign(124, ((v(122) + v(110)) * 1000).round() / 1000).note(&about(line, "OF THIS PITCH"));
+        b.n(193).assign(122, v(122) + v(110) - v(124)).note(&about(line, "LEFT OVER"));
+        b.n(200).words(move_block(line, v(129)));
+        b.n(201).assign(LEFT, v(LEFT) - 1);
+        b.n(202).end_do(2);
+        b.n(203).end_do(1);
+    });
 }
 
 /// Pitches of the product, from its count or its length, and the alarm of a length below a pitch.

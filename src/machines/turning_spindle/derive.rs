@@ -93,7 +93,7 @@ impl Params {
             Path::Taper => 0.5 * (self.stock_diameter - self.finished_diameter.min(self.large_diameter)),
         };
         // Nine decimals: 0.3 / 0.1 is three passes.
-        math::clamp(((depth / self.depth * 1e9).round() / 1e9).ceil(), 0.0, PASSES)
+        math::clamp(math::whole_up(depth / self.depth), 0.0, PASSES)
     }
 
     /// Stock that remains after pass `pass` (from 1), mm: along Z on a face, else in diameter.

@@ -200,3 +200,12 @@ fn still_in_the_page_is_what_the_code_draws() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("style/still.svg");
     expect_test::expect_file![path].assert_eq(&macroline::project::drawing::still().unwrap());
 }
+
+/// Area of a closed path of straight lines.
+pub(super) fn area(path: &str) -> f64 {
+    let numbers: Vec<f64> =
+        path.split(['M', 'L', 'Z', ' ']).filter(|part| !part.is_empty()).map(|part| part.parse().unwrap()).collect();
+    let points: Vec<&[f64]> = numbers.chunks(2).collect();
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>().abs() / 2.0
+}

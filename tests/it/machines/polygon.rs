@@ -16,6 +16,8 @@ use macroline::text::Severity;
 use macroline::text::catalog::{Language, number_text, sentence};
 use macroline::view::{Theme, Verdict, svg};
 
+use super::drawn::area;
+
 const WORK: usize = 0;
 const TOOL: usize = 1;
 
@@ -566,15 +568,6 @@ fn design_readouts_match_their_golden() {
         Warn relief: The tips move over the work against the turning of the cutter: inserts have to face the other way.
         Fail curvature: The sides are hollow: 2.195 mm higher toward the corners than in the middle.
     "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "2"), ("tool-ratio", "-2"), ("stock-diameter", "30")]));
-}
-
-/// Area of a closed path of straight lines.
-fn area(path: &str) -> f64 {
-    let numbers: Vec<f64> =
-        path.split(['M', 'L', 'Z', ' ']).filter(|part| !part.is_empty()).map(|part| part.parse().unwrap()).collect();
-    let points: Vec<&[f64]> = numbers.chunks(2).collect();
-    let next = points.iter().cycle().skip(1);
-    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>().abs() / 2.0
 }
 
 #[test]

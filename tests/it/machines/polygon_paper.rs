@@ -2,6 +2,7 @@
 
 use std::process::Command;
 
+use super::drawn::area;
 use super::polygon::{project, result};
 use macroline::machines;
 use macroline::machines::{Frame, Samples};
@@ -123,15 +124,6 @@ fn run_tells_speed_and_angle_of_work_and_tool() {
     let said: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     assert_eq!(said["turned"]["work"]["rpm"], 200.0);
     std::fs::remove_dir_all(&folder).unwrap();
-}
-
-/// Area of a closed path of straight lines.
-fn area(path: &str) -> f64 {
-    let numbers: Vec<f64> =
-        path.split(['M', 'L', 'Z', ' ']).filter(|part| !part.is_empty()).map(|part| part.parse().unwrap()).collect();
-    let points: Vec<&[f64]> = numbers.chunks(2).collect();
-    let next = points.iter().cycle().skip(1);
-    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>().abs() / 2.0
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Polygons in the middle of a shaft: no rapid in the stock, shoulders and jaws stay, the drawing follows.
 
+use super::drawn::area;
 use super::polygon::{project, result};
 use macroline::controls::Address;
 use macroline::interp::{Canon, Interp};
@@ -197,15 +198,6 @@ fn infeed_waits_until_every_insert_has_passed_both_ends() {
             "N800 G00 X60. Z30."
         ]
     );
-}
-
-/// Area of a closed path of straight lines.
-fn area(path: &str) -> f64 {
-    let numbers: Vec<f64> =
-        path.split(['M', 'L', 'Z', ' ']).filter(|part| !part.is_empty()).map(|part| part.parse().unwrap()).collect();
-    let points: Vec<&[f64]> = numbers.chunks(2).collect();
-    let next = points.iter().cycle().skip(1);
-    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>().abs() / 2.0
 }
 
 /// Nodes of the section as the work sees it, and of the bar from above.

@@ -15,6 +15,8 @@ use macroline::text::Severity;
 use macroline::text::catalog::{Language, sentence};
 use macroline::view::Verdict;
 
+use super::drawn::area;
+
 const PATHS: [&str; 3] = ["facing", "turning", "taper"];
 
 pub(super) fn machine() -> &'static dyn AnyMachine {
@@ -179,15 +181,6 @@ fn dropped_program_restores_the_form() {
             assert!(opened.edited.is_none());
         }
     }
-}
-
-/// Area of a closed path of straight lines.
-fn area(path: &str) -> f64 {
-    let numbers: Vec<f64> =
-        path.split(['M', 'L', 'Z', ' ']).filter(|part| !part.is_empty()).map(|part| part.parse().unwrap()).collect();
-    let points: Vec<&[f64]> = numbers.chunks(2).collect();
-    let next = points.iter().cycle().skip(1);
-    points.iter().zip(next).map(|(a, b)| a[0] * b[1] - b[0] * a[1]).sum::<f64>().abs() / 2.0
 }
 
 #[test]
