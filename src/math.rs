@@ -66,6 +66,11 @@ pub fn exp(x: f64) -> f64 {
     libm::exp(x)
 }
 
+/// e to the power x, less 1; precise for small x.
+pub fn expm1(x: f64) -> f64 {
+    libm::expm1(x)
+}
+
 /// Natural logarithm.
 pub fn ln(x: f64) -> f64 {
     libm::log(x)

@@ -16,6 +16,8 @@ pub mod stops;
 
 pub mod scaling;
 
+mod materials;
+
 pub mod ladder;
 
 pub mod header;

@@ -12,6 +12,7 @@ mod polygon_drawing;
 mod polygon_paper;
 mod polygon_shaft;
 mod polygon_sheets;
+mod polygon_torque;
 mod remedy;
 mod report;
 mod restart;

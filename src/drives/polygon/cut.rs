@@ -43,7 +43,7 @@ impl Curve {
 
     /// How far from the middle of its side, as σ, the insert meets work at most where `before` has passed on every side, one each `pitch`: as
     /// far out as the corners that are left, or stock where sides do not meet in it.
-    fn edge(&self, before: &Curve, pitch: f64, stock: f64) -> f64 {
+    pub(super) fn edge(&self, before: &Curve, pitch: f64, stock: f64) -> f64 {
         let [near, _] = before.branches(stock);
         let meets = near.angle.1 > 0.5 * pitch;
         self.sigma_at(if meets { before.reach(before.sigma(&near, 0.5 * pitch, near.sigma.1)) } else { stock })

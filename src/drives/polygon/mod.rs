@@ -9,6 +9,7 @@ pub mod curve;
 pub mod cut;
 pub mod ellipse;
 mod envelope;
+pub mod load;
 pub mod ratio;
 pub mod section;
 pub mod setup;

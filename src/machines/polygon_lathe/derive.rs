@@ -1,5 +1,6 @@
 //! The formulas of the polygon lathe, each once: results that need no run.
 
+use super::load::Load;
 use super::params::Params;
 use crate::drives::polygon::choose::{Choice, choices};
 use crate::drives::polygon::cut::{self, InsertLoad};
@@ -74,6 +75,8 @@ pub(super) struct Derived {
     pub mark_pitch: f64,
     pub ready: f64,
     pub cutting_time: f64,
+    /// Force and torque of the cuts.
+    pub load: Load,
 }
 
 impl Params {
@@ -235,6 +238,7 @@ impl Derived {
             insert_turn: (turn.0, turn.1 * DEGREES / self.ratio),
             twist: if twists { cut::twist(p.length, p.lead) * DEGREES } else { 0.0 },
             twist_speed: if twists { twist_speed } else { self.tool_speed },
+            load: p.load(sizes),
             mark_pitch: cut::mark_pitch(setup.ratio, setup.inserts(), p.finish_feed),
             ..self
         }

@@ -18,9 +18,15 @@ mod slots;
 
 mod resolved;
 
+mod load;
+
+mod demand;
+
 mod readouts;
 
 mod results;
+
+mod rules_of_drives;
 
 mod rules;
 

@@ -3,6 +3,7 @@
 use crate::controls::Control;
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::machines::materials::Material;
 use crate::machines::scaling;
 use crate::{member, options};
 
@@ -141,6 +142,18 @@ pub(crate) struct Params {
     pub emergency: Emergency,
     pub work_coast: f64,
     pub tool_coast: f64,
+    pub material: Material,
+    pub specific_force: f64,
+    pub edge_angle: f64,
+    pub rake: f64,
+    pub work_power: f64,
+    pub work_base: f64,
+    pub work_inertia: f64,
+    pub tool_power: f64,
+    pub tool_base: f64,
+    pub tool_inertia: f64,
+    pub drive_peak: f64,
+    pub drive_efficiency: f64,
     pub mill_diameter: f64,
     pub mill_depth: f64,
     pub mill_feed: f64,
@@ -227,6 +240,11 @@ impl Params {
     /// A polygon begins behind the face.
     fn goes_down(&self, _: &Control) -> bool {
         self.is_behind_face() || self.further[0].on
+    }
+
+    /// The form itself gives the specific cutting force.
+    fn has_own_force(&self, _: &Control) -> bool {
+        self.material == Material::None
     }
 
     /// Emergency stop leaves work and tool to coast.
@@ -415,6 +433,29 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("s").range(0.1..=600.0).default(4.0).decimals(1).step(0.5).when(Params::coasts),
     number("tool-coast", member!(Params.tool_coast)).group("polygon.group.drives").label("polygon.tool-coast").help("polygon.tool-coast.help")
         .unit("s").range(0.1..=600.0).default(2.0).decimals(1).step(0.5).when(Params::coasts),
+    choice("material", member!(Params.material: Material)).group("polygon.group.power").label("polygon.material").help("polygon.material.help"),
+    number("specific-force", member!(Params.specific_force)).group("polygon.group.power").label("polygon.specific-force").help("polygon.specific-force.help").symbol("kc")
+        .unit("N/mm²").range(0.0..=10000.0).default(1750.0).decimals(0).step(50.0).fact().when(Params::has_own_force),
+    number("edge-angle", member!(Params.edge_angle)).group("polygon.group.power").label("polygon.edge-angle").help("polygon.edge-angle.help").symbol("κ")
+        .unit("°").range(10.0..=170.0).default(90.0).decimals(1).step(1.0).fact(),
+    number("rake", member!(Params.rake)).group("polygon.group.power").label("polygon.rake").help("polygon.rake.help").symbol("γ")
+        .unit("°").range(-30.0..=30.0).default(0.0).decimals(1).step(1.0).fact(),
+    number("work-power", member!(Params.work_power)).group("polygon.group.power").label("polygon.work-power").help("polygon.work-power.help").symbol("P")
+        .unit("kW").range(0.01..=1000.0).default(5.5).decimals(2).step(0.5).fact(),
+    number("work-base", member!(Params.work_base)).group("polygon.group.power").label("polygon.work-base").help("polygon.base.help").symbol("n b")
+        .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
+    number("work-inertia", member!(Params.work_inertia)).group("polygon.group.power").label("polygon.work-inertia").help("polygon.work-inertia.help").symbol("J")
+        .unit("kg·m²").range(0.0..=1000.0).default(0.2).decimals(5).step(0.01).fact(),
+    number("tool-power", member!(Params.tool_power)).group("polygon.group.power").label("polygon.tool-power").help("polygon.tool-power.help").symbol("P")
+        .unit("kW").range(0.01..=1000.0).default(5.5).decimals(2).step(0.5).fact(),
+    number("tool-base", member!(Params.tool_base)).group("polygon.group.power").label("polygon.tool-base").help("polygon.base.help").symbol("n b")
+        .unit("r/min").range(1.0..=60000.0).default(1500.0).decimals(0).step(100.0).fact(),
+    number("tool-inertia", member!(Params.tool_inertia)).group("polygon.group.power").label("polygon.tool-inertia").help("polygon.tool-inertia.help").symbol("J")
+        .unit("kg·m²").range(0.0..=1000.0).default(0.02).decimals(5).step(0.001).fact(),
+    number("drive-peak", member!(Params.drive_peak)).group("polygon.group.power").label("polygon.drive-peak").help("polygon.drive-peak.help")
+        .unit("%").range(100.0..=600.0).default(250.0).decimals(0).step(10.0).fact(),
+    number("drive-efficiency", member!(Params.drive_efficiency)).group("polygon.group.power").label("polygon.drive-efficiency").help("polygon.drive-efficiency.help").symbol("η")
+        .unit("%").range(1.0..=100.0).default(90.0).decimals(0).step(1.0).fact(),
     number("mill-diameter", member!(Params.mill_diameter)).group("polygon.group.milling").label("polygon.mill-diameter").help("polygon.mill-diameter.help")
         .unit("mm").range(0.1..=200.0).default(16.0).decimals(3).step(1.0),
     number("mill-depth", member!(Params.mill_depth)).group("polygon.group.milling").label("polygon.mill-depth").help("polygon.mill-depth.help")

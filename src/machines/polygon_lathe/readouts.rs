@@ -1,11 +1,14 @@
 //! The results of the polygon lathe as rows: label, unit, formula, source.
 
+use super::demand::Asked;
+use super::load::Spindle;
 use super::resolved::PolygonLathe;
 use crate::machines::scaling;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
 const PAPER: Citation = Citation::new("polygon turning paper", Grade::Manual);
+const CUTTING: Citation = Citation::new("polygon turning facts 3.9", Grade::Inferred);
 const SILENT: Citation = Citation::new("our own choice: the paper is silent", Grade::Open);
 const GEOMETRY: Citation =
     Citation::new("polygon turning facts 3, derived and checked by two methods", Grade::Inferred);
@@ -75,6 +78,17 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
         let turning: f64 = lathe.polygons().map(|lathe| lathe.d.ready + lathe.d.cutting_time).sum();
         lathe.polygons().map(|lathe| lathe.p.milling_time()).sum::<f64>() / turning
     }),
+    row!("cutting-force", "polygon.readout.cutting-force", "N", 0, false, "kc1.1 · b · h^(1 - mc) · (1 - γ / 100), h the marks apart", CUTTING, |lathe| lathe.force()),
+    row!("at-once", "polygon.readout.at-once", "", 0, false, "1 + ⌊n σ / π⌋", GEOMETRY, |lathe| lathe.polygons().map(|lathe| lathe.d.load.at_once).fold(0.0, f64::max)),
+    row!("tool-torque", "polygon.readout.tool-torque", "Nm", 1, false, "F r (m + a cos σ) / V · inserts at once", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Peak).0),
+    row!("tool-torque-mean", "polygon.readout.tool-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Mean).0),
+    row!("tool-power", "polygon.readout.tool-power", "kW", 3, false, "M n / 9549.3", CUTTING, |lathe| lathe.demand(Spindle::Tool, Asked::Power).0),
+    row!("tool-run-up", "polygon.readout.tool-run-up", "Nm", 1, false, "J · 2π n / (60 τ)", MECHANICS, |lathe| lathe.demand(Spindle::Tool, Asked::RunUp).0),
+    row!("work-torque", "polygon.readout.work-torque", "Nm", 1, false, "F [a (a + (m - r) cos σ) - r m] / V · inserts at once", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Peak).0),
+    row!("work-torque-mean", "polygon.readout.work-torque-mean", "Nm", 2, false, "n / 2π · ∫ M dσ", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Mean).0),
+    row!("work-power", "polygon.readout.work-power", "kW", 3, false, "M n / 9549.3", CUTTING, |lathe| lathe.demand(Spindle::Work, Asked::Power).0),
+    row!("work-run-up", "polygon.readout.work-run-up", "Nm", 1, false, "J · 2π n / (60 τ)", MECHANICS, |lathe| lathe.demand(Spindle::Work, Asked::RunUp).0),
+    row!("shortest-ramp", "polygon.readout.shortest-ramp", "s", 3, false, "J · 2π n / (60 M), of both the longer", MECHANICS, |lathe| lathe.ramp()),
     row!("x-scaling-drift", "scaling.x-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[0])),
     row!("z-scaling-drift", "scaling.z-drift", "µm/m", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.drives()[1])),
     row!("work-scaling-drift", "scaling.work-drift", "µ°/°", 4, false, "10⁶ · (travel of the motor / travel by the parameters - 1)", SCALING, |lathe| scaling::parts_per_million(lathe.control, &lathe.turning_drives()[0])),

@@ -33,11 +33,13 @@ const ANGLE: &str = "orientation";
 fn is_shown(lathe: &PolygonLathe, id: &str) -> bool {
     let (p, d) = (&lathe.p, &lathe.d);
     match id {
-        "tool-speed" | "work-speed" | "ratio" | "distance" | "offset" | "passes" | "feed" | "finish-feed" | "ready"
-        | "free-length" => true,
+        "tool-run-up" | "work-run-up" | "shortest-ramp" | "tool-speed" | "work-speed" | "ratio" | "distance"
+        | "offset" | "passes" | "feed" | "finish-feed" | "ready" | "free-length" => true,
         "infeed" => p.is_behind_face(),
         "turning-time" => p.slots.iter().any(|slot| slot.on),
         _ if !d.cuts => false,
+        "cutting-force" | "at-once" | "tool-torque" | "tool-torque-mean" | "tool-power" | "work-torque"
+        | "work-torque-mean" | "work-power" => p.specific().unit_force > 0.0,
         "least-across-flats" | "insert-depth" | "insert-turn" => !d.even,
         "coast-phase" => p.coasts(lathe.control),
         // At other ratios the path is no ellipse.

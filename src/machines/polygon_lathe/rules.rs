@@ -5,6 +5,7 @@ use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, errors};
 use super::params::FIELDS;
 use super::program;
 use super::resolved::PolygonLathe;
+use super::rules_of_drives as drives;
 use super::{explore, further};
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
@@ -14,6 +15,9 @@ use crate::msg;
 use crate::text::{Citation, Diagnostic, Grade, Message};
 use crate::view::Advice;
 use crate::view::Limit::{AtLeast, AtMost, Equal, Within};
+
+/// What a drive gives: as its data sheet has it.
+const MOTOR: Citation = Citation::new("data sheet of the motor; curve by base speed", Grade::Inferred);
 
 /// All rules that judge a result.
 pub(super) const RULES: &[Rule<PolygonLathe>] = &[
@@ -48,6 +52,14 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("infeed", infeed_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
     Rule::new("free-length", jaws, Citation::new("mechanics", Grade::Inferred)),
     Rule::new("finish-feed", finish_clamp, Citation::new("cutting feed clamp, a parameter", Grade::Inferred)),
+    Rule::new("tool-torque", drives::tool_peak, MOTOR),
+    Rule::new("tool-torque-mean", drives::tool_mean, MOTOR),
+    Rule::new("tool-power", drives::tool_power, MOTOR),
+    Rule::new("tool-run-up", drives::tool_run_up, MOTOR),
+    Rule::new("work-torque", drives::work_peak, MOTOR),
+    Rule::new("work-torque-mean", drives::work_mean, MOTOR),
+    Rule::new("work-power", drives::work_power, MOTOR),
+    Rule::new("work-run-up", drives::work_run_up, MOTOR),
 ];
 
 fn scaling_x(lathe: &PolygonLathe) -> Option<Judgement> {

@@ -2,8 +2,6 @@
 
 mod params;
 
-mod materials;
-
 mod examples;
 
 mod derive;

@@ -4,6 +4,7 @@ use crate::controls::Address;
 use crate::controls::{Alarm, Code, Control};
 use crate::machines::form::Field;
 use crate::machines::form::rows::{LineEnds, choice, flag, number, text};
+use crate::machines::materials::Material;
 use crate::machines::scaling;
 use crate::{member, options};
 
@@ -52,38 +53,6 @@ options! {
         Third = "3" "turning.gear.3",
         /// Stage 4.
         Fourth = "4" "turning.gear.4",
-    }
-}
-
-options! {
-    /// Material of the part, for its specific cutting force.
-    pub(crate) enum Material {
-        /// The cutting force is entered.
-        None = "none" "turning.material.none",
-        /// Unalloyed steel below 0.25 % C.
-        MildSteel = "mild-steel" "turning.material.mild-steel",
-        /// C45, annealed.
-        C45 = "c45" "turning.material.c45",
-        /// C45, quenched and tempered.
-        C45Tempered = "c45-tempered" "turning.material.c45-tempered",
-        /// Low alloy steel, annealed: 16MnCr5, 42CrMo4.
-        LowAlloy = "low-alloy" "turning.material.low-alloy",
-        /// Low alloy steel, tempered.
-        LowAlloyTempered = "low-alloy-tempered" "turning.material.low-alloy-tempered",
-        /// High alloy and tool steel, annealed.
-        ToolSteel = "tool-steel" "turning.material.tool-steel",
-        /// Austenitic stainless steel 1.4301.
-        Stainless = "stainless" "turning.material.stainless",
-        /// Grey iron GJL-250.
-        GreyIron = "grey-iron" "turning.material.grey-iron",
-        /// Nodular iron GJS-400.
-        NodularIron = "nodular-iron" "turning.material.nodular-iron",
-        /// Wrought aluminium, cured.
-        Aluminium = "aluminium" "turning.material.aluminium",
-        /// Brass CuZn39Pb.
-        Brass = "brass" "turning.material.brass",
-        /// Ti-6Al-4V.
-        Titanium = "titanium" "turning.material.titanium",
     }
 }
 

@@ -1,7 +1,6 @@
 //! The turning spindle on a control: the form without the choices that the control lacks, and the units of its words.
 
 use super::derive::Derived;
-use super::materials;
 use super::params::{self, Direction, Gear, Output, Params, SpeedMode};
 use crate::controls::Address;
 use crate::controls::{Control, Dialect, SpindleRules};
@@ -48,7 +47,7 @@ impl TurningSpindle {
             let truncates = !dialect.numbers.round_speed;
             p.cutting_speed = if truncates { p.cutting_speed.floor() } else { p.cutting_speed.round() };
         }
-        if let Some(row) = materials::row(p.material) {
+        if let Some(row) = p.material.kienzle() {
             let chip = (p.depth, p.feed);
             p.cutting_force = cutting::kienzle(row.unit_force, row.exponent, chip, (p.edge_angle, p.rake));
         }

@@ -2,11 +2,12 @@
 
 use super::derive::Derived;
 use super::keyway;
-use super::params::{FIELDS, Gear, Material, Params, Path};
+use super::params::{FIELDS, Gear, Params, Path};
 use super::program;
 use super::resolved::TurningSpindle;
 use crate::controls::spindle::RapidSpeed;
 use crate::drives::Bound;
+use crate::machines::materials::Material;
 use crate::machines::scaling;
 use crate::machines::verdict::{Judgement, Rule, down, fail, ok, warn};
 use crate::math;

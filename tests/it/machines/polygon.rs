@@ -561,6 +561,7 @@ fn design_readouts_match_their_golden() {
     .assert_eq(&said(&[("depth", "0.01"), ("feed", "0.001"), ("speed", "1"), ("finish-feed", "0.001")]));
     expect![[r#"
         Fail tool-speed: The tool axis ends at 2000 r/min: B may be 20 at most.
+        Fail tool-run-up: The run-up asks 138.2 Nm of the tool, and its drive gives 6 Nm: the tool falls behind its ratio to the work. A longer ramp on both axes keeps them together, or a lower B.
         Error tool-ratio: This cutter leaves no section: it reaches the centre of the work, or there would be more than 1000 sides.
     "#]].assert_eq(&said(&[("shape", "own"), ("inserts", "50"), ("tool-ratio", "99")]));
     expect![[r#"
@@ -704,8 +705,11 @@ fn taken_way_gives_the_figures_of_its_row() {
             ];
             let row: Vec<&String> = [4].into_iter().chain(6..12).map(|at| &way.cells[at]).collect();
             assert_eq!(row, said.iter().collect::<Vec<_>>(), "{changes:?} {sets:?}");
-            // What is possible is within all of its limits.
-            let failed = taken.readouts.iter().find(|row| row.verdict == Verdict::Fail);
+            // What is possible is within all of its limits. The torque of the cut is no limit of a way: it follows from the feed.
+            let failed = taken
+                .readouts
+                .iter()
+                .find(|row| row.verdict == Verdict::Fail && !row.id.contains("torque") && !row.id.contains("power"));
             assert_eq!(failed.map(|row| row.id).filter(|_| way.cells[5] == "possible"), None, "{changes:?} {sets:?}");
             rows += 1;
         }

@@ -1,0 +1,68 @@
+//! Materials of the part, for every machine that cuts: specific cutting force by the formula of Kienzle.
+
+use crate::options;
+
+options! {
+    /// Material of the part, for its specific cutting force.
+    pub(crate) enum Material {
+        /// The cutting force is entered.
+        None = "none" "material.none",
+        /// Unalloyed steel below 0.25 % C.
+        MildSteel = "mild-steel" "material.mild-steel",
+        /// C45, annealed.
+        C45 = "c45" "material.c45",
+        /// C45, quenched and tempered.
+        C45Tempered = "c45-tempered" "material.c45-tempered",
+        /// Low alloy steel, annealed: 16MnCr5, 42CrMo4.
+        LowAlloy = "low-alloy" "material.low-alloy",
+        /// Low alloy steel, tempered.
+        LowAlloyTempered = "low-alloy-tempered" "material.low-alloy-tempered",
+        /// High alloy and tool steel, annealed.
+        ToolSteel = "tool-steel" "material.tool-steel",
+        /// Austenitic stainless steel 1.4301.
+        Stainless = "stainless" "material.stainless",
+        /// Grey iron GJL-250.
+        GreyIron = "grey-iron" "material.grey-iron",
+        /// Nodular iron GJS-400.
+        NodularIron = "nodular-iron" "material.nodular-iron",
+        /// Wrought aluminium, cured.
+        Aluminium = "aluminium" "material.aluminium",
+        /// Brass CuZn39Pb.
+        Brass = "brass" "material.brass",
+        /// Ti-6Al-4V.
+        Titanium = "titanium" "material.titanium",
+    }
+}
+
+/// Specific cutting force of a material.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Kienzle {
+    /// At a chip of 1 mm by 1 mm and a rake angle of 0°, N/mm².
+    pub unit_force: f64,
+    /// Exponent of the chip thickness.
+    pub exponent: f64,
+}
+
+impl Material {
+    /// The row of a material; `None` where the force is entered.
+    ///
+    /// Source: ISCAR turning catalogue 2017, p.558, read from the text of the page (`reference/turning-spindle.md` 4).
+    pub(crate) fn kienzle(self) -> Option<Kienzle> {
+        let (unit_force, exponent) = match self {
+            Material::None => return None,
+            Material::MildSteel => (1350.0, 0.21),
+            Material::C45 => (1500.0, 0.22),
+            Material::C45Tempered => (1675.0, 0.24),
+            Material::LowAlloy => (1775.0, 0.24),
+            Material::LowAlloyTempered => (1725.0, 0.24),
+            Material::ToolSteel => (2450.0, 0.23),
+            Material::Stainless => (2150.0, 0.20),
+            Material::GreyIron => (1350.0, 0.28),
+            Material::NodularIron => (1225.0, 0.25),
+            Material::Aluminium => (800.0, 0.25),
+            Material::Brass => (700.0, 0.27),
+            Material::Titanium => (2110.0, 0.22),
+        };
+        Some(Kienzle { unit_force, exponent })
+    }
+}

@@ -1,0 +1,61 @@
+//! What the whole part asks of the drives of work and tool, and their limits: of all polygons and feeds the worst.
+
+use super::load::{FEEDS, Spindle};
+use super::resolved::PolygonLathe;
+use crate::drives::spindle_motor::{power, run_up};
+
+/// What is asked of a spindle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Asked {
+    /// Greatest torque of the cut, Nm.
+    Peak,
+    /// Mean torque of the cut, Nm.
+    Mean,
+    /// Mean power of the cut, kW.
+    Power,
+    /// Torque of the run-up, Nm.
+    RunUp,
+}
+
+impl PolygonLathe {
+    /// What the cuts of a feed ask of a spindle with this polygon, and its limit.
+    fn asked(&self, spindle: Spindle, asked: Asked, feed: usize) -> (f64, f64) {
+        let torque = self.d.load.cuts[feed].torque[spindle as usize];
+        let drive = self.p.drive(spindle);
+        let (rated, most) = self.p.torques(spindle);
+        match asked {
+            Asked::Peak => (torque.peak, most),
+            Asked::Mean => (torque.mean, rated),
+            Asked::Power => (power(torque.mean, drive.speed), drive.motor.power),
+            Asked::RunUp => (run_up(drive.inertia, drive.speed, drive.ramp, drive.gain), most),
+        }
+    }
+
+    /// What is asked of a spindle, and its limit, where it is the greatest share of it: of all polygons and feeds.
+    pub(super) fn demand(&self, spindle: Spindle, asked: Asked) -> (f64, f64) {
+        let all = self.polygons().flat_map(|lathe| (0..FEEDS.len()).map(move |feed| lathe.asked(spindle, asked, feed)));
+        all.fold((0.0, f64::INFINITY), |worst, next| {
+            if next.0 * worst.1 > worst.0 * next.1 || worst.1.is_infinite() { next } else { worst }
+        })
+    }
+
+    /// How many times its limit the cuts of a feed ask of a spindle, of all polygons the most.
+    pub(super) fn excess(&self, spindle: Spindle, asked: Asked, feed: usize) -> f64 {
+        self.polygons()
+            .map(|lathe| lathe.asked(spindle, asked, feed))
+            .map(|(asked, limit)| asked / limit)
+            .fold(0.0, f64::max)
+    }
+
+    /// Greatest cutting force of an insert, N.
+    pub(super) fn force(&self) -> f64 {
+        self.polygons().flat_map(|lathe| lathe.d.load.cuts).map(|cut| cut.force).fold(0.0, f64::max)
+    }
+
+    /// The shortest ramp (s) in which both drives run up to every speed of the program.
+    pub(super) fn ramp(&self) -> f64 {
+        let both =
+            self.polygons().flat_map(|lathe| [Spindle::Work, Spindle::Tool].map(|spindle| lathe.p.ramp(spindle)));
+        both.fold(0.0, f64::max)
+    }
+}

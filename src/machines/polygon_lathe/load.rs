@@ -1,0 +1,131 @@
+//! Torque of work and tool: the interrupted cut, the run-up, and what the drives give.
+
+use super::params::Params;
+use crate::drives::cutting::kienzle;
+use crate::drives::polygon::{cut, load};
+use crate::drives::spindle_motor::{MotorCurve, shortest_ramp};
+use crate::machines::materials::Kienzle;
+
+/// The two that turn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Spindle {
+    Work,
+    Tool,
+}
+
+/// The fields of the feeds: each has cuts of its own.
+pub(super) const FEEDS: [&str; 3] = ["feed", "finish-feed", "infeed"];
+
+/// Torque about an axis, Nm.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Torque {
+    pub peak: f64,
+    pub mean: f64,
+}
+
+/// The cuts of one feed: greatest force of an insert (N), torque of work and tool.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Cut {
+    pub force: f64,
+    /// Of work and tool.
+    pub torque: [Torque; 2],
+}
+
+/// All cuts of a polygon, by feed.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Load {
+    pub cuts: [Cut; 3],
+    /// Inserts in the cut at once.
+    pub at_once: f64,
+}
+
+/// A spindle with its motor. Speeds in r/min.
+pub(super) struct Drive {
+    pub speed: f64,
+    pub motor: MotorCurve,
+    pub inertia: f64,
+    /// Time constant of the ramp, s.
+    pub ramp: f64,
+    pub gain: f64,
+}
+
+impl Cut {
+    /// The worse of both in each number.
+    fn worst(self, other: Cut) -> Cut {
+        let both = |a: Torque, b: Torque| Torque { peak: a.peak.max(b.peak), mean: a.mean.max(b.mean) };
+        let torque = [both(self.torque[0], other.torque[0]), both(self.torque[1], other.torque[1])];
+        Cut { force: self.force.max(other.force), torque }
+    }
+}
+
+impl Params {
+    /// Specific cutting force of the material, or the entered one, which no thickness of the chip changes.
+    pub(super) fn specific(&self) -> Kienzle {
+        self.material.kienzle().unwrap_or(Kienzle { unit_force: self.specific_force, exponent: 0.0 })
+    }
+
+    /// Loads of passes of these `sizes` across flats. The chip is as wide as the layer is deep and as thick as the marks on a flat are apart;
+    /// on the way down as wide as the insert, and its force acts at the tip circle and at the stock at most.
+    pub(super) fn load(&self, sizes: &[f64]) -> Load {
+        let Some(ratio) = self.ratio() else { return Load::default() };
+        let inserts = self.inserts as u32;
+        let row = self.specific();
+        let force = |depth: f64, feed: f64, edge: f64| {
+            let thick = cut::mark_pitch(ratio, inserts, feed);
+            kienzle(row.unit_force, row.exponent, (depth, thick), (edge, self.rake))
+        };
+        let down = if self.is_behind_face() { force(self.insert_width, self.infeed, 90.0) } else { 0.0 };
+        let mut all = Load::default();
+        let loads = load::passes(sizes, self.tip_radius, ratio, inserts, 0.5 * self.stock_diameter);
+        for (at, pass) in loads.enumerate() {
+            let last = at + 1 == sizes.len();
+            let along = force(1.0, if last { self.finish_feed } else { self.feed }, self.edge_angle);
+            let torque = |moment: load::Moment| Torque {
+                peak: along * moment.peak / 1000.0,
+                mean: along * moment.mean / 1000.0,
+            };
+            let lever = |lever: f64| Torque {
+                peak: f64::from(pass.at_once) * down * lever / 1000.0,
+                mean: pass.engaged * down * lever / 1000.0,
+            };
+            let cut = Cut { force: along * pass.depth, torque: [torque(pass.work), torque(pass.tool)] };
+            let plunge = Cut { force: down, torque: [lever(0.5 * self.stock_diameter), lever(self.tip_radius)] };
+            let own = usize::from(last);
+            all.cuts[own] = all.cuts[own].worst(cut);
+            all.cuts[2] = all.cuts[2].worst(plunge);
+            all.at_once = all.at_once.max(f64::from(pass.at_once));
+        }
+        all
+    }
+
+    /// A spindle with its motor behind the gear of its axis.
+    pub(super) fn drive(&self, spindle: Spindle) -> Drive {
+        let (kilowatts, base, ratio, speed) = match spindle {
+            Spindle::Work => {
+                (self.work_power, self.work_base, self.work_motor_teeth / self.work_teeth, self.work_speed())
+            }
+            Spindle::Tool => {
+                (self.tool_power, self.tool_base, self.tool_motor_teeth / self.tool_teeth, self.tool_speed())
+            }
+        };
+        let (inertia, milliseconds, gain) = match spindle {
+            Spindle::Work => (self.work_inertia, self.work_time_constant, self.work_gain),
+            Spindle::Tool => (self.tool_inertia, self.tool_time_constant, self.tool_gain),
+        };
+        let motor = MotorCurve::new(kilowatts, self.drive_efficiency / 100.0, (base, base), base * ratio);
+        Drive { speed, motor, inertia, ramp: milliseconds / 1000.0, gain }
+    }
+
+    /// Torque (Nm) that the drive gives for long at its speed, and for moments.
+    pub(super) fn torques(&self, spindle: Spindle) -> (f64, f64) {
+        let drive = self.drive(spindle);
+        let rated = drive.motor.torque(drive.speed);
+        (rated, rated * self.drive_peak / 100.0)
+    }
+
+    /// The shortest ramp (s) of a spindle that its drive has the torque for.
+    pub(super) fn ramp(&self, spindle: Spindle) -> f64 {
+        let drive = self.drive(spindle);
+        shortest_ramp(drive.inertia, drive.speed, drive.gain, self.torques(spindle).1)
+    }
+}

@@ -1,0 +1,94 @@
+//! Rules about the drives of work and tool: torque and power of the cut, torque of the run-up, each with its remedy.
+
+use super::demand::Asked;
+use super::load::{FEEDS, Spindle};
+use super::params::FIELDS;
+use super::resolved::PolygonLathe;
+use crate::machines::verdict::{Judgement, down, fail, ok, up};
+use crate::math;
+use crate::msg;
+use crate::text::Message;
+use crate::view::Advice;
+use crate::view::Limit::AtMost;
+
+/// Least feed (mm for each turn of the work) that an advice names: below it an edge rubs.
+const LEAST_FEED: f64 = 0.01;
+
+/// Longest time constant of the form, ms.
+const LONGEST_RAMP: f64 = 10_000.0;
+
+/// An advice with every feed whose cuts ask too much lowered to what the drive gives: the force grows with `f^(1 - mc)`.
+fn with_feeds(lathe: &PolygonLathe, spindle: Spindle, asked: Asked, fact: Message) -> Advice {
+    let p = &lathe.p;
+    let power = 1.0 / (1.0 - p.specific().exponent);
+    let feeds = FEEDS.into_iter().zip([p.feed, p.finish_feed, p.infeed]).enumerate();
+    let sets: Vec<(&str, String)> = feeds
+        .filter_map(|(at, (field, feed))| {
+            let excess = lathe.excess(spindle, asked, at);
+            (excess > 1.0).then(|| down(FIELDS, field, feed * math::pow(excess, -power)))
+        })
+        .collect();
+    let values: Vec<&str> = sets.iter().map(|(_, typed)| typed.as_str()).collect();
+    let least = values.iter().filter_map(|typed| typed.parse().ok()).fold(f64::INFINITY, f64::min);
+    let button = match values.as_slice() {
+        [one] => msg!("advice.set-feed", *one),
+        several => msg!("advice.set-feeds", several.join(" / ").as_str()),
+    };
+    let advice = Advice::from(fact);
+    if least < LEAST_FEED { advice } else { advice.setting(button, sets) }
+}
+
+/// The cut against the drive.
+fn cut(lathe: &PolygonLathe, spindle: Spindle, of: Asked, told: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
+    let (asked, limit) = lathe.demand(spindle, of);
+    if asked <= limit {
+        return ok(AtMost(limit));
+    }
+    fail(AtMost(limit), [with_feeds(lathe, spindle, of, told(asked, limit))])
+}
+
+pub(super) fn tool_peak(lathe: &PolygonLathe) -> Option<Judgement> {
+    cut(lathe, Spindle::Tool, Asked::Peak, |asked, limit| msg!("polygon.tool-stalls", (asked, 1), (limit, 1)))
+}
+
+pub(super) fn work_peak(lathe: &PolygonLathe) -> Option<Judgement> {
+    cut(lathe, Spindle::Work, Asked::Peak, |asked, limit| msg!("polygon.work-stalls", (asked, 1), (limit, 1)))
+}
+
+pub(super) fn tool_mean(lathe: &PolygonLathe) -> Option<Judgement> {
+    cut(lathe, Spindle::Tool, Asked::Mean, |asked, limit| msg!("polygon.tool-overheats", (asked, 2), (limit, 2)))
+}
+
+pub(super) fn work_mean(lathe: &PolygonLathe) -> Option<Judgement> {
+    cut(lathe, Spindle::Work, Asked::Mean, |asked, limit| msg!("polygon.work-overheats", (asked, 2), (limit, 2)))
+}
+
+pub(super) fn tool_power(lathe: &PolygonLathe) -> Option<Judgement> {
+    cut(lathe, Spindle::Tool, Asked::Power, |asked, limit| msg!("polygon.tool-lacks-power", (asked, 3), (limit, 3)))
+}
+
+pub(super) fn work_power(lathe: &PolygonLathe) -> Option<Judgement> {
+    cut(lathe, Spindle::Work, Asked::Power, |asked, limit| msg!("polygon.work-lacks-power", (asked, 3), (limit, 3)))
+}
+
+/// The run-up against the drive. Both axes get the same ramp, so that they keep their ratio on it.
+fn run_up(lathe: &PolygonLathe, spindle: Spindle, told: impl Fn(f64, f64) -> Message) -> Option<Judgement> {
+    let p = &lathe.p;
+    let (asked, limit) = lathe.demand(spindle, Asked::RunUp);
+    if asked <= limit {
+        return ok(AtMost(limit));
+    }
+    let ramp = (1000.0 * lathe.ramp()).max(p.work_time_constant).max(p.tool_time_constant);
+    let advice = Advice::from(told(asked, limit));
+    let sets = ["work-time-constant", "tool-time-constant"].map(|field| up(FIELDS, field, ramp));
+    let button = msg!("advice.set-ramps", sets[0].1.as_str());
+    fail(AtMost(limit), [if ramp <= LONGEST_RAMP { advice.setting(button, sets) } else { advice }])
+}
+
+pub(super) fn tool_run_up(lathe: &PolygonLathe) -> Option<Judgement> {
+    run_up(lathe, Spindle::Tool, |asked, limit| msg!("polygon.tool-ramp-short", (asked, 1), (limit, 1)))
+}
+
+pub(super) fn work_run_up(lathe: &PolygonLathe) -> Option<Judgement> {
+    run_up(lathe, Spindle::Work, |asked, limit| msg!("polygon.work-ramp-short", (asked, 1), (limit, 1)))
+}

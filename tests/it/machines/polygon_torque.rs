@@ -1,0 +1,205 @@
+//! Torque of the polygon lathe: the interrupted cut against kinematics in the frame of the machine, energy, run-up, and the remedies.
+
+use std::f64::consts::PI;
+
+use macroline::drives::polygon::{CutterSetup, Ratio, Section, load};
+use macroline::math;
+use macroline::project::Project;
+use macroline::view::{Readout, Verdict};
+
+use super::polygon::{project, result};
+
+fn row(project: &Project, id: &str) -> Readout {
+    project.design().readouts.into_iter().find(|row| row.id == id).unwrap()
+}
+
+#[track_caller]
+fn near(value: f64, expected: f64, share: f64) {
+    assert!((value - expected).abs() <= share * expected.abs(), "{value} is not {expected}");
+}
+
+/// The paper's single pass: 2.5 mm deep at 1 mm for each turn, tips at 45 mm.
+const SINGLE: [(&str, &str); 4] = [("depth", "2.5"), ("allowance", "0"), ("feed", "1"), ("finish-feed", "1")];
+
+#[test]
+fn peak_in_the_middle_of_a_side_is_force_times_radius() {
+    let square = project(&SINGLE);
+    // 1750 N/mm² · 2.5 mm · 1 mm at 45 mm from the tool's axis and 10 mm from that of the work.
+    near(result(&square, "cutting-force"), 4375.0, 1e-9);
+    near(result(&square, "tool-torque"), 4375.0 * 0.045, 1e-9);
+    assert!(result(&square, "work-torque") >= 4375.0 * 0.010 * (1.0 - 1e-9));
+    // C45 after Kienzle: 1500 · 2.5 · 1^0.78, and half of the feed 0.5^0.78 of it.
+    let steel = project(&[&SINGLE[..], &[("material", "c45")]].concat());
+    near(result(&steel, "tool-torque"), 1500.0 * 2.5 * 0.045, 1e-9);
+    let slow = project(&[&SINGLE[..], &[("material", "c45"), ("feed", "0.5")]].concat());
+    near(result(&slow, "tool-torque"), 1500.0 * 2.5 * math::pow(0.5, 0.78) * 0.045, 1e-9);
+    // 45 mm, 10 mm, stock of 12.5 mm: cos σ = (a² + r² - R²) / (2 a r), so that one insert of two is in the cut.
+    assert_eq!(result(&square, "at-once"), 1.0);
+}
+
+/// Mean and peak torque (Nm) of work and tool of the first pass, from positions and motions of the tips in the frame of the machine: tips
+/// on a circle of radius r about (a, 0), work about 0, force against the motion of the tip over the work.
+fn turned(inserts: u32, (tool, work): (f64, f64), d: f64, r: f64, stock: f64, force_per_depth: f64) -> [(f64, f64); 2] {
+    let (a, k) = (d + r, tool / work);
+    const STEPS: u32 = 400_000;
+    let mut sums = [(0.0_f64, 0.0_f64); 2];
+    for step in 0..STEPS {
+        // The work turns by 1 rad in a unit of time, the tool by k.
+        let time = 2.0 * PI / k.abs() * f64::from(step) / f64::from(STEPS);
+        let mut now = [0.0; 2];
+        for insert in 0..inserts {
+            let angle = PI + k * time + 2.0 * PI * f64::from(insert) / f64::from(inserts);
+            let arm = (r * math::cos(angle), r * math::sin(angle));
+            let at = (a + arm.0, arm.1);
+            let reach = math::hypot(at.0, at.1);
+            if reach >= stock {
+                continue;
+            }
+            let motion = (-k * arm.1 + at.1, k * arm.0 - at.0);
+            let speed = math::hypot(motion.0, motion.1);
+            let along = (motion.1 * at.0 - motion.0 * at.1).abs() / (reach * speed);
+            let force = force_per_depth * (stock - reach) * along;
+            let pull = (-force * motion.0 / speed, -force * motion.1 / speed);
+            // The work feels the opposite of the tip.
+            now[0] -= (at.0 * pull.1 - at.1 * pull.0) / 1000.0;
+            now[1] += (arm.0 * pull.1 - arm.1 * pull.0) / 1000.0;
+        }
+        for (sum, now) in sums.iter_mut().zip(now) {
+            *sum = (sum.0 + now / f64::from(STEPS), sum.1.max(now.abs()));
+        }
+    }
+    sums.map(|(mean, peak)| (mean.abs(), peak))
+}
+
+/// The results of the first pass are those of the tips in motion, which are `chip` mm of feed further at each cut of a side.
+#[track_caller]
+fn same_as_in_motion(changes: &[(&str, &str)], inserts: u32, terms: (f64, f64), (d, chip): (f64, f64)) {
+    // Sides that do not meet in the stock; the second pass cuts nothing.
+    let plain = [("depth", "1"), ("allowance", "0"), ("feed", "0.4")];
+    let lathe = project(&[&plain[..], changes].concat());
+    let expected = turned(inserts, terms, d, 45.0, 12.5, 1750.0 * chip);
+    for (id, (mean, peak)) in ["work-torque", "tool-torque"].into_iter().zip(expected) {
+        near(result(&lathe, id), peak, 1e-3);
+        near(result(&lathe, &format!("{id}-mean")), mean, 2e-3);
+    }
+}
+
+#[test]
+fn first_pass_has_the_torque_of_the_tips_in_motion() {
+    same_as_in_motion(&[("across-flats", "23")], 2, (2.0, 1.0), (11.5, 0.4));
+    same_as_in_motion(&[("shape", "knob"), ("across-flats", "23")], 1, (2.0, 1.0), (11.5, 0.4));
+    same_as_in_motion(&[("shape", "hexagon"), ("across-flats", "24.5")], 3, (2.0, 1.0), (12.25, 0.4));
+    same_as_in_motion(&[("shape", "triangle"), ("across-flats", "23")], 2, (3.0, 2.0), (11.5, 0.4));
+    let own = [("shape", "own"), ("inserts", "1"), ("across-flats", "23")];
+    // One insert at 3 : 2 cuts each side once in two turns of the work.
+    let star = [&own[..], &[("sides", "3"), ("tool-ratio", "3"), ("work-ratio", "2")]].concat();
+    same_as_in_motion(&star, 1, (3.0, 2.0), (11.5, 0.8));
+    let against = [&own[..], &[("sides", "2"), ("tool-ratio", "-2"), ("work-ratio", "1")]].concat();
+    same_as_in_motion(&against, 1, (-2.0, 1.0), (11.5, 0.4));
+}
+
+#[test]
+fn energy_of_a_thin_layer_is_that_of_its_area() {
+    for (tool, work, inserts) in [(2, 1, 2), (2, 1, 3), (3, 1, 2), (3, 2, 2), (12, 5, 5), (5, 2, 2), (1, 1, 6)] {
+        let (ratio, r, stock) = (Ratio::new(tool, work).unwrap(), 45.0, 13.0);
+        let sizes = [20.0, 20.0 - 0.002];
+        let pass = load::passes(&sizes, r, ratio, inserts, stock).nth(1).unwrap();
+        let areas = sizes.map(|size| Section::new(&CutterSetup::even(size, r, ratio, inserts), stock).unwrap().area());
+        // Over a turn of the work, 2π of its angle: every side as often as it is cut.
+        let energy = 2.0 * PI * (pass.work.mean + ratio.value() * pass.tool.mean);
+        near(energy, (areas[0] - areas[1]) * ratio.passes_per_turn(inserts), 2e-3);
+    }
+}
+
+#[test]
+fn several_inserts_in_the_cut_at_once_add_up() {
+    // σ to the corner of a round stock: 24 inserts, 15° apart on the tool, some of them in the cut.
+    let entries = [
+        ("shape", "own"),
+        ("inserts", "24"),
+        ("sides", "24"),
+        ("tool-ratio", "1"),
+        ("work-ratio", "1"),
+        ("stock-diameter", "40"),
+        ("across-flats", "30"),
+        ("depth", "5"),
+        ("allowance", "0"),
+    ];
+    let lathe = project(&entries);
+    let (a, r, stock) = (60.0_f64, 45.0_f64, 20.0_f64);
+    let sigma = math::acos((a * a + r * r - stock * stock) / (2.0 * a * r));
+    let at_once = (24.0 * sigma / PI).floor() + 1.0;
+    assert!(at_once > 1.0);
+    assert_eq!(result(&lathe, "at-once"), at_once);
+    near(result(&lathe, "tool-torque"), at_once * 1750.0 * 5.0 * 0.5 * 0.045, 1e-9);
+}
+
+#[test]
+fn feed_that_the_drive_holds_is_offered_to_the_last_digit() {
+    let square = project(&SINGLE);
+    let torque = row(&square, "tool-torque");
+    // 9549.3 · 5.5 · 0.9 / 1500 Nm up to base speed, and 250 % of it for a moment.
+    near(torque.limit.unwrap().value(), 9549.3 * 5.5 * 0.9 / 1500.0 * 2.5, 1e-4);
+    assert_eq!(torque.verdict, Verdict::Fail);
+    // The last pass takes nothing: its feed stays.
+    let [("feed", feed)] = &torque.advice[0].sets[..] else { panic!("{:?}", torque.advice) };
+    let after = square.with_entries(&torque.advice[0].sets).unwrap();
+    assert_eq!(row(&after, "tool-torque").verdict, Verdict::Ok);
+    let more = format!("{:.3}", feed.parse::<f64>().unwrap() + 0.001);
+    let beyond = square.with_entries(&[("feed", more)]).unwrap();
+    assert_eq!(row(&beyond, "tool-torque").verdict, Verdict::Fail);
+}
+
+#[test]
+fn slow_drive_lacks_power_above_its_base_speed() {
+    // The cut at 400 r/min is far above a base speed of 40 r/min: torque falls with the speed, power stays.
+    let weak = project(&[("tool-power", "0.05"), ("tool-base", "40"), ("drive-peak", "600")]);
+    let [mean, power] = ["tool-torque-mean", "tool-power"].map(|id| row(&weak, id));
+    assert_eq!([mean.verdict, power.verdict], [Verdict::Fail, Verdict::Fail]);
+    near(mean.limit.unwrap().value(), 9549.3 * 0.05 * 0.9 / 400.0, 1e-4);
+    near(power.limit.unwrap().value(), 0.045, 1e-9);
+    near(power.value, mean.value * 400.0 / 9549.3, 1e-4);
+}
+
+#[test]
+fn run_up_takes_both_to_one_longer_ramp() {
+    let lathe = project(&[]);
+    // 0.2 kg·m² to 200 r/min in 0.3 s, behind a loop of 30 1/s.
+    near(result(&lathe, "work-run-up"), 0.2 * 200.0 * PI / 30.0 * (1.0 - math::exp(-9.0)) / 0.3, 1e-9);
+    near(result(&lathe, "tool-run-up"), 0.02 * 400.0 * PI / 30.0 * (1.0 - math::exp(-9.0)) / 0.3, 1e-9);
+    let heavy = project(&[("work-inertia", "8"), ("tool-time-constant", "200")]);
+    let run_up = row(&heavy, "work-run-up");
+    assert_eq!((run_up.verdict, row(&heavy, "tool-run-up").verdict), (Verdict::Fail, Verdict::Ok));
+    let [("work-time-constant", work), ("tool-time-constant", tool)] = &run_up.advice[0].sets[..] else {
+        panic!("{:?}", run_up.advice)
+    };
+    assert_eq!(work, tool);
+    let after = heavy.with_entries(&run_up.advice[0].sets).unwrap();
+    assert_eq!((row(&after, "work-run-up").verdict, row(&after, "phase").verdict), (Verdict::Ok, Verdict::Ok));
+    let less = format!("{:.1}", work.parse::<f64>().unwrap() - 0.1);
+    let short = heavy.with_entries(&[("work-time-constant", less)]).unwrap();
+    assert_eq!(row(&short, "work-run-up").verdict, Verdict::Fail);
+    // 8 · 20.94 / 78.8 s.
+    near(result(&heavy, "shortest-ramp"), 8.0 * 200.0 * PI / 30.0 / (9549.3 * 5.5 * 0.9 / 1500.0 * 2.5), 1e-4);
+}
+
+#[test]
+fn worst_of_several_polygons_is_judged() {
+    let one = project(&[]);
+    let second = [("second", "true"), ("second-shape", "hexagon"), ("second-across-flats", "12"), ("second-tool", "2")];
+    let two = project(&second);
+    // A deeper polygon on the way down: its far sides are nearer to the work's axis, the infeed reaches the stock.
+    assert!(result(&two, "work-torque") >= result(&one, "work-torque"));
+    // Down with an insert of 3 mm by 0.1 mm: 525 N, at the tips.
+    let down = project(&[("from-face", "20"), ("feed", "0.001"), ("finish-feed", "0.001")]);
+    near(result(&down, "tool-torque"), 1750.0 * 3.0 * 0.1 * 0.045, 1e-9);
+    let advised = project(&[("from-face", "20"), ("infeed", "1"), ("insert-width", "10")]);
+    let [("infeed", _)] = &row(&advised, "tool-torque").advice[0].sets[..] else { panic!() };
+}
+
+#[test]
+fn no_force_leaves_the_cut_unjudged() {
+    let free = project(&[("specific-force", "0")]);
+    let ids: Vec<_> = free.design().readouts.iter().map(|row| row.id).collect();
+    assert!(!ids.contains(&"tool-torque") && ids.contains(&"tool-run-up"));
+}
