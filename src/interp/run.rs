@@ -65,9 +65,25 @@ impl RunState {
     pub(super) fn fail(&mut self, shared: &Shared, trap: Trap) -> Step {
         self.queue.clear();
         if let Trap::Alarm(fault) = trap {
-            self.ended = Some(End::Alarm(Box::new(fault.diagnostic(&shared.parsed, self.place))));
+            let own = fault.kind() == Alarm::User;
+            let mut found = fault.diagnostic(&shared.parsed, self.place);
+            if let Some((call, program)) = self.calling_block(shared).filter(|_| own) {
+                found.place = Some(call);
+                found.hints.push(msg!("interp.hint-raised-in", program));
+            }
+            self.ended = Some(End::Alarm(Box::new(found)));
         }
         self.over()
+    }
+
+    /// The block whose code called what runs, and the number of the program that runs: its alarms are about the words of that block.
+    #[cold]
+    fn calling_block(&self, shared: &Shared) -> Option<(Place, u32)> {
+        let deck = shared.parsed.deck();
+        let frame = self.frames.iter().find(|frame| frame.by_code)?;
+        let block = deck.blocks.get(frame.back.checked_sub(1)? as usize)?;
+        let file = deck.programs.get(frame.program as usize)?.file;
+        Some((Place { file, span: block.span }, deck.programs.get(self.program as usize)?.number))
     }
 
     #[cold]

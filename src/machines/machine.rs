@@ -188,8 +188,12 @@ pub trait Prepared: Send + Sync {
     fn drawings(&self) -> Vec<File> {
         Vec::new()
     }
-    /// Sliders with their drawing, to look for a shape; see [`Machine::EXPLORES`].
-    fn explorer(&self) -> Option<Explorer> {
+    /// Catalog ids of the names of the shapes that can be explored; see [`Machine::EXPLORES`].
+    fn explored(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
+    /// Sliders with their drawing, to look for the shape with this number among [`explored`](Prepared::explored).
+    fn explorer(&self, _shape: usize) -> Option<Explorer> {
         None
     }
     /// The drawing at rest.

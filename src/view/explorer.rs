@@ -26,4 +26,6 @@ pub struct Explorer {
     pub scene: Scene,
     /// The same as numbers over something.
     pub charts: Vec<Chart>,
+    /// Ids of the results that it is about; empty for the headline ones.
+    pub results: Vec<&'static str>,
 }

@@ -10,6 +10,7 @@ mod look;
 mod polygon;
 mod polygon_drawing;
 mod polygon_paper;
+mod polygon_several;
 mod polygon_shaft;
 mod polygon_sheets;
 mod polygon_torque;

@@ -26,8 +26,26 @@ pub(super) const ROWS: &[ChartRow<PolygonLathe>] = &[
     ] },
 ];
 
-/// The deviation of the finished section from its sides, over the angle.
+/// The deviation of the finished sections from their sides, over the angle: a line for each polygon.
 pub(super) fn deviation(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
+    let names = ["polygon.chart.off", "polygon.chart.second-off", "polygon.chart.third-off"];
+    let lines = (1..).zip(lathe.polygons()).zip(names);
+    let series: Vec<Series> =
+        lines.filter_map(|((tone, lathe), label)| deviation_of(lathe, points, (label, tone))).collect();
+    (!series.is_empty()).then(|| over_angle(series))
+}
+
+/// The same of one polygon alone.
+pub(super) fn deviation_alone(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
+    deviation_of(lathe, points, ("polygon.chart.off", 1)).map(|line| over_angle(vec![line]))
+}
+
+fn over_angle(series: Vec<Series>) -> Chart {
+    Chart { id: "deviation", title: "polygon.chart.deviation", unit: "µm", least_span: 0.0, x_unit: "°", series }
+}
+
+/// The deviation of one section (µm) over the angle from its first side (°).
+fn deviation_of(lathe: &PolygonLathe, points: usize, (label, tone): (&'static str, u8)) -> Option<Series> {
     let section = lathe.p.section()?;
     let sides = lathe.p.ratio()?.sides(lathe.p.inserts as u32);
     // Every corner is met.
@@ -35,14 +53,7 @@ pub(super) fn deviation(lathe: &PolygonLathe, points: usize) -> Option<Chart> {
     let all = deviations(&section, 0.5 * lathe.p.across_flats, sides, 2 * sides as usize * each);
     let begin = section.begin();
     let points = all.into_iter().map(|(angle, off)| ((angle - begin) * 180.0 / PI, 1000.0 * off)).collect();
-    Some(Chart {
-        id: "deviation",
-        title: "polygon.chart.deviation",
-        unit: "µm",
-        least_span: 0.0,
-        x_unit: "°",
-        series: vec![Series { label: "polygon.chart.off", tone: 1, address: None, points }],
-    })
+    Some(Series { label, tone, address: None, points })
 }
 
 /// Tip circles that are looked at.

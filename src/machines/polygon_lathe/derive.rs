@@ -35,6 +35,8 @@ pub(super) struct Derived {
     pub meets: bool,
     pub area: f64,
     pub distance: f64,
+    /// How far the body of the cutter would be in the stock if it were as large as the tip circle.
+    pub reach: f64,
     pub offset: f64,
     /// Greatest relief that a pass needs (°), and the number of that pass, from 1.
     pub relief_needed: f64,
@@ -83,6 +85,12 @@ impl Params {
     /// Depth of all roughing passes, on the radius.
     fn rough(&self) -> f64 {
         (0.5 * (self.stock_diameter - self.across_flats) - self.allowance).max(0.0)
+    }
+
+    /// How far the tips go into the stock, mm: `(stock - AF) / 2`. The body of the cutter, `h` behind the tips, touches stock beside the polygon
+    /// where that is more than `h`. Source: mechanics, with the distance of the axes a = AF/2 + r and a body of the radius r - h.
+    fn reach(&self) -> f64 {
+        (0.5 * (self.stock_diameter - self.across_flats)).max(0.0)
     }
 
     /// Number of passes; the last one finishes.
@@ -166,6 +174,7 @@ impl Derived {
             tool_speed: p.tool_speed(),
             offset: -p.tip_radius * cross_words,
             distance: 0.5 * p.across_flats + p.tip_radius,
+            reach: p.reach(),
             passes,
             feed: rough,
             finish_feed: finish,

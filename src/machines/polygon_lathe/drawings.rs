@@ -8,7 +8,7 @@ use crate::machines::sheets::say;
 use crate::math::{self, PI};
 use crate::nc::File;
 use crate::text::catalog::number_text as show;
-use crate::view::outline::{Dimension, LineKind, Outline, OutlineShape};
+use crate::view::outline::{Dimension, LineKind, Outline, OutlineShape, Plate};
 
 /// Arcs in which a cut side is drawn: they leave it by less than a hundredth of a micrometre on a usual part.
 const SPANS: u32 = 8;
@@ -17,11 +17,26 @@ const SPANS: u32 = 8;
 pub(super) fn drawings(lathe: &PolygonLathe) -> Vec<File> {
     let file = |name: &str, text: String| File { name: name.to_owned(), text };
     let mut files: Vec<File> = native_code::file(lathe).into_iter().collect();
-    if let Some(outline) = section(lathe) {
-        files.push(file("section.svg", outline.svg(legend)));
-        files.push(file("section.dxf", outline.dxf()));
+    let sections: Vec<(String, Outline)> =
+        lathe.polygons().zip(NAMES).filter_map(|(one, name)| Some((title(lathe, one, name), section(one)?))).collect();
+    if !sections.is_empty() {
+        let plate = Plate::new(&sections);
+        files.push(file("section.svg", plate.svg(legend)));
+        files.push(file("section.dxf", plate.dxf()));
     }
     files
+}
+
+/// Names of the polygons in their order.
+pub(super) const NAMES: [&str; 3] = ["polygon.first", "polygon.second", "polygon.third"];
+
+/// Name and place of a section; none where it is the only one.
+fn title(lathe: &PolygonLathe, one: &PolygonLathe, name: &'static str) -> String {
+    if lathe.further.is_empty() {
+        return String::new();
+    }
+    let [near, far] = [one.p.from_face, one.p.far_end()].map(|at| show(-at, 3));
+    format!("{}, Z {near} .. {far}", say(name))
 }
 
 /// The finished section, the ideal polygon and the stock, with centre lines and dimensions.
@@ -30,7 +45,7 @@ fn section(lathe: &PolygonLathe) -> Option<Outline> {
     let p = &lathe.p;
     let mut shapes = vec![
         (LineKind::Part, OutlineShape::through(&section.spans(SPANS))),
-        (LineKind::Stock, OutlineShape::Circle(section.stock())),
+        (LineKind::Stock, OutlineShape::Circle((0.0, 0.0), section.stock())),
     ];
     if p.sides > 2.0 {
         let corners = ideal(p.sides as u32, 0.5 * p.across_flats, section.begin());

@@ -1,11 +1,11 @@
 //! The explorer of the polygon lathe: inserts, ratio and tip radius are dragged, the section and its deviation follow.
 
-use super::charts;
+use super::geometry::own_shape;
 use super::outlines::{closed, ideal};
 use super::resolved::PolygonLathe;
 use super::scene::traces;
+use super::{charts, further, results};
 use crate::machines::sheets::say;
-use crate::text::catalog::number_text as show;
 use crate::view::drawing::{Drawing, polyline};
 use crate::view::look::{Look, Paint};
 use crate::view::scene::Font;
@@ -26,33 +26,26 @@ const POINTS: usize = 360;
 /// Greatest number of paths; more merge into one grey.
 const PATHS: usize = 60;
 
-/// Sliders and section.
-pub(super) fn explorer(lathe: &PolygonLathe) -> Explorer {
+/// Sliders and section of a polygon, from 0.
+pub(super) fn explorer(lathe: &PolygonLathe, polygon: usize) -> Explorer {
     Explorer {
-        knobs: knobs(lathe),
+        knobs: knobs(lathe, polygon),
         scene: scene(lathe),
-        charts: charts::deviation(lathe, POINTS).into_iter().collect(),
+        charts: charts::deviation_alone(lathe, POINTS).into_iter().collect(),
+        results: polygon.checked_sub(1).map(results::ids).unwrap_or_default(),
     }
 }
 
-/// Fields and values of a cutter and a ratio, with the shape set to the form's own.
-pub(super) fn own(sides: f64, inserts: f64, (tool, work): (f64, f64)) -> Vec<(&'static str, String)> {
-    let number = |id: &'static str, value: f64| (id, show(value, 0));
-    let shape = ("shape", "own".to_owned());
-    vec![
-        shape,
-        number("sides", sides),
-        number("inserts", inserts),
-        number("work-ratio", work),
-        number("tool-ratio", tool),
-    ]
-}
-
-fn knobs(lathe: &PolygonLathe) -> Vec<Knob> {
+fn knobs(lathe: &PolygonLathe, polygon: usize) -> Vec<Knob> {
+    let field = |first: &'static str| match polygon.checked_sub(1) {
+        Some(other) => further::field(first, other).unwrap_or(first),
+        None => first,
+    };
     let p = &lathe.p;
-    let along = own(p.sides, p.inserts, (p.tool_ratio, p.work_ratio));
-    let count = |field: &'static str, range: (f64, f64), value: f64| Knob {
-        field,
+    let own = own_shape(p.sides, p.inserts, (p.tool_ratio, p.work_ratio));
+    let along: Vec<_> = own.into_iter().map(|(first, text)| (field(first), text)).collect();
+    let count = |first: &'static str, range: (f64, f64), value: f64| Knob {
+        field: field(first),
         range,
         step: 1.0,
         value,
@@ -66,7 +59,7 @@ fn knobs(lathe: &PolygonLathe) -> Vec<Knob> {
         count("inserts", (1.0, p.most_inserts), p.inserts),
         count("work-ratio", (1.0, p.most_work_turns), p.work_ratio),
         count("tool-ratio", (least, p.most_tool_turns), p.tool_ratio),
-        Knob { field: "tip-radius", range: radius, step: 0.5, value: p.tip_radius, along: Vec::new() },
+        Knob { field: field("tip-radius"), range: radius, step: 0.5, value: p.tip_radius, along: Vec::new() },
     ]
 }
 

@@ -17,6 +17,9 @@ const FIELDS: &[(&str, [&str; 2])] = &[
     ("tool-ratio", ["second-tool-ratio", "third-tool-ratio"]),
     ("work-start", ["second-work-start", "third-work-start"]),
     ("tool-start", ["second-tool-start", "third-tool-start"]),
+    // One overhang for all cutters.
+    ("overhang", ["overhang", "overhang"]),
+    ("tip-radius", ["second-tip-radius", "third-tip-radius"]),
 ];
 
 impl Params {
@@ -51,6 +54,7 @@ impl Params {
                 work_start: further.work_start,
                 tool_start: further.tool_start,
                 tool: further.tool,
+                tip_radius: if further.tip_radius > 0.0 { further.tip_radius } else { self.tip_radius },
                 further: Default::default(),
                 ..self.clone()
             };
@@ -88,6 +92,10 @@ pub(super) fn errors(
             if p.tool == q.tool && p.inserts != q.inserts {
                 let message = msg!("polygon.same-cutter", q.tool, p.inserts, q.inserts);
                 all.push((message, ["second-tool", "third-tool"][at.min(1)]));
+            }
+            if p.tool == q.tool && p.tip_radius != q.tip_radius {
+                let message = msg!("polygon.same-radius", q.tool, (p.tip_radius, 3), (q.tip_radius, 3));
+                all.extend(field("tip-radius", at).map(|id| (message, id)));
             }
         }
     }

@@ -5,6 +5,7 @@ use crate::drives::polygon::choose::{Cutter, Means, Wanted};
 use crate::drives::polygon::cut::{self, InsertLoad};
 use crate::drives::polygon::{CutterSetup, Ratio, Section};
 use crate::math::PI;
+use crate::text::catalog::number_text as show;
 use crate::text::number;
 
 /// Radians in a degree.
@@ -79,4 +80,17 @@ pub(super) fn errors(text: &str, inserts: usize, most: f64) -> Option<Vec<f64>> 
     let within = |error: &f64| error.abs() <= most;
     let errors: Option<Vec<f64>> = text.split_whitespace().map(|error| number::read(error).filter(within)).collect();
     errors.filter(|errors| errors.len() <= inserts)
+}
+
+/// Fields and values of a cutter and a ratio, with the shape set to the form's own.
+pub(super) fn own_shape(sides: f64, inserts: f64, (tool, work): (f64, f64)) -> Vec<(&'static str, String)> {
+    let number = |id: &'static str, value: f64| (id, show(value, 0));
+    let shape = ("shape", "own".to_owned());
+    vec![
+        shape,
+        number("sides", sides),
+        number("inserts", inserts),
+        number("work-ratio", work),
+        number("tool-ratio", tool),
+    ]
 }

@@ -130,8 +130,12 @@ impl Prepared for PolygonLathe {
         drawings::drawings(self)
     }
 
-    fn explorer(&self) -> Option<Explorer> {
-        Some(explore::explorer(self))
+    fn explored(&self) -> Vec<&'static str> {
+        self.polygons().zip(drawings::NAMES).map(|(_, name)| name).collect()
+    }
+
+    fn explorer(&self, shape: usize) -> Option<Explorer> {
+        Some(explore::explorer(self.polygons().nth(shape)?, shape))
     }
 
     fn scene(&self) -> Scene {

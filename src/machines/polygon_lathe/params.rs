@@ -49,6 +49,8 @@ pub(crate) struct Further {
     pub work_start: f64,
     pub tool_start: f64,
     pub tool: f64,
+    /// 0: that of the first polygon's cutter.
+    pub tip_radius: f64,
 }
 
 /// Turning before or after the polygons, from the face. Units as in the form.
@@ -108,6 +110,7 @@ pub(crate) struct Params {
     pub work_ratio: f64,
     pub tool_ratio: f64,
     pub tip_radius: f64,
+    pub overhang: f64,
     pub relief: f64,
     pub insert_width: f64,
     pub radius_errors: String,
@@ -282,6 +285,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .range(-99.0..=99.0).default(2.0).decimals(0).step(1.0).when(Params::is_own),
     number("tip-radius", member!(Params.tip_radius)).group("polygon.group.cutter").label("polygon.tip-radius").help("polygon.tip-radius.help").symbol("r")
         .unit("mm").range(1.0..=1000.0).default(45.0).decimals(3).step(1.0).essential().fact(),
+    number("overhang", member!(Params.overhang)).group("polygon.group.cutter").label("polygon.overhang").help("polygon.overhang.help").symbol("h")
+        .unit("mm").range(0.1..=1000.0).default(8.0).decimals(3).step(0.5).fact(),
     number("relief", member!(Params.relief)).group("polygon.group.cutter").label("polygon.relief").help("polygon.relief.help")
         .unit("°").range(0.0..=45.0).default(11.0).decimals(1).step(1.0).fact(),
     number("insert-width", member!(Params.insert_width)).group("polygon.group.cutter").label("polygon.insert-width").help("polygon.insert-width.help")
@@ -340,6 +345,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_second),
     number("second-tool", further!(0.tool)).group("polygon.group.second").label("polygon.tool").help("polygon.tool.help").symbol("T")
         .range(1.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::has_second),
+    number("second-tip-radius", further!(0.tip_radius)).group("polygon.group.second").label("polygon.tip-radius").help("polygon.other-tip-radius.help").symbol("r")
+        .unit("mm").range(0.0..=1000.0).default(0.0).decimals(3).step(1.0).when(Params::has_second),
     flag("third", further!(1.on)).group("polygon.group.third").label("polygon.third").help("polygon.third.help").when(Params::has_second),
     choice("third-shape", further!(1.shape: Shape)).group("polygon.group.third").label("polygon.shape").help("polygon.shape.help").when(Params::has_third),
     number("third-sides", further!(1.sides)).group("polygon.group.third").label("polygon.sides").help("polygon.sides.help").symbol("N")
@@ -364,6 +371,8 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("°").range(-359.999..=359.999).default(0.0).decimals(3).step(5.0).when(Params::has_third),
     number("third-tool", further!(1.tool)).group("polygon.group.third").label("polygon.tool").help("polygon.tool.help").symbol("T")
         .range(1.0..=99.0).default(1.0).decimals(0).step(1.0).when(Params::has_third),
+    number("third-tip-radius", further!(1.tip_radius)).group("polygon.group.third").label("polygon.tip-radius").help("polygon.other-tip-radius.help").symbol("r")
+        .unit("mm").range(0.0..=1000.0).default(0.0).decimals(3).step(1.0).when(Params::has_third),
     flag("before", slot!(0.on)).group("polygon.group.before").label("polygon.before").help("polygon.before.help"),
     number("before-diameter", slot!(0.diameter)).group("polygon.group.before").label("polygon.slot.diameter").help("polygon.slot.diameter.help")
         .unit("mm").range(0.5..=1000.0).default(12.0).decimals(3).step(0.5).when(Params::turns_before),

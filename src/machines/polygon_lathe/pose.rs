@@ -31,19 +31,30 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
     // Counter-clockwise in millimetres is clockwise on the screen, less the sign.
     let [work, tool] = [WORK, TOOL].map(|axis| -now.pmc[axis].actual % 360.0);
     let away = 0.5 * (across_flats - p.across_flats);
-    let (aside, near) = (away * view.scale, (0.0, 0.0));
+    let near = (0.0, 0.0);
+    let present = progress::present(lathe, run, now, &progress);
+    let polygon = lathe.polygons().nth(present).unwrap_or(lathe);
+    // The cutter of the present polygon, from its own last place, and from that of the first.
+    let own = 0.5 * (across_flats - polygon.p.across_flats) * view.scale;
+    let aside = view.of(polygon).cutter.0 + own - view.cutter.0;
     let turned = |axis: usize, limit: f64| Frame::seen((now.pmc[axis].feed / 60.0 * frame.step).abs(), limit);
-    let (seen, jaws) = (turned(TOOL, SEEN / p.inserts.max(1.0)), turned(WORK, SEEN_JAWS));
+    let (seen, jaws) = (turned(TOOL, SEEN / polygon.p.inserts.max(1.0)), turned(WORK, SEEN_JAWS));
     place(group::WORK, work, near, 1.0);
     place(group::JAWS, 0.0, near, jaws);
     place(group::JAWS_BLUR, 0.0, near, 0.6 * (1.0 - jaws));
-    place(group::EDGES, 0.0, near, turned(WORK, 0.5 * SEEN / p.sides.max(1.0)));
-    place(group::DISC, 0.0, (aside, 0.0), 1.0);
-    place(group::INSERTS, tool, near, seen);
-    place(group::BLUR, 0.0, near, 0.5 * (1.0 - seen));
+    place(group::EDGES, 0.0, near, turned(WORK, 0.5 * SEEN / polygon.p.sides.max(1.0)));
+    for at in 0..=lathe.further.len() {
+        let shown = f64::from(u8::from(at == present));
+        place(group::of(group::DISC, at), 0.0, (own, 0.0), shown);
+        place(group::of(group::INSERTS, at), tool, near, seen);
+        place(group::of(group::BLUR, at), 0.0, near, 0.5 * (1.0 - seen));
+        for group in [group::LENS, group::TRACES, group::PASSES] {
+            place(group::of(group, at), 0.0, near, shown);
+        }
+    }
     place(group::DISTANCE, 0.0, (scene::figure_at(&view, aside), 0.0), 1.0);
     place(group::SIDE, 0.0, (z * view.side, away * view.side), 1.0);
-    if let Some((_, tips)) = progress::tips(lathe, now) {
+    if let Some((_, tips)) = progress::tips(polygon, now) {
         let near = 1.02 * 0.5 * p.stock_diameter;
         for (group, (x, y)) in (group::TIPS..group::TIPS + TIPS).zip(tips) {
             let opacity = f64::from(u8::from(math::hypot(x, y) <= near));
@@ -58,17 +69,16 @@ pub(super) fn pose(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, fram
         })
     };
     let angle = now.pmc[WORK].actual / 180.0 * PI;
-    let turned_now = progress.now().map_or(lathe, |pass| lathe.at(pass.middle()));
     pose.paths = vec![
         (node::SECTION, closed(points(), (0.0, 0.0), view.scale)),
         (node::CLOSE, closed(points(), (0.0, 0.0), view.close)),
         (node::BAR, scene::bar(lathe, &view, &progress)),
         (node::EDGES, edges(lathe, &view, &progress, angle)),
-        (node::DISTANCE, scene::distance(lathe, &view, aside)),
-        (node::LEADER, scene::leader(lathe, &view, aside)),
-        (node::IDEAL, scene::wanted(turned_now, &view)),
+        (node::DISTANCE, scene::distance(polygon, &view, aside)),
+        (node::LEADER, scene::leader(polygon, &view, aside)),
+        (node::IDEAL, scene::wanted(polygon, &view)),
     ];
-    pose.texts = texts(lathe, now, &progress, (across_flats, z));
+    pose.texts = texts((lathe, polygon), &view, now, &progress);
     pose
 }
 
@@ -89,11 +99,14 @@ fn pass(lathe: &PolygonLathe, progress: &Progress) -> String {
 }
 
 fn texts(
-    lathe: &PolygonLathe,
+    (lathe, polygon): (&PolygonLathe, &PolygonLathe),
+    view: &View,
     now: &Snapshot,
     progress: &Progress,
-    (across_flats, z): (f64, f64),
 ) -> Vec<(u16, String)> {
+    let (across_flats, z) = lathe.slide(now);
+    let [form, flatness, scales] = scene::form(polygon, view);
+    let [across, radius] = scene::sizes(polygon);
     let speed = |axis: usize| format!("{} r/min", figure(now.pmc[axis].feed / 360.0, 1));
     let turns = now.pmc[TOOL].feed != 0.0;
     let state = match now.mode {
@@ -108,8 +121,13 @@ fn texts(
         (node::SIZE, format!("X {}", figure(across_flats * 0.5 * lathe.words(), 3))),
         (node::PASS, pass(lathe, progress)),
         (node::PHASE, format!("{}°", figure(lathe.phase(now), 2))),
-        (node::APART, format!("{} mm", figure(0.5 * across_flats + lathe.p.tip_radius, 2))),
+        (node::APART, format!("{} mm", figure(0.5 * across_flats + polygon.p.tip_radius, 2))),
         (node::ALONG, format!("Z {}", figure(z, 3))),
         (node::STATE, words(Language::English, state).to_owned()),
+        (node::FORM, form),
+        (node::FLATNESS, flatness),
+        (node::SCALES, scales),
+        (node::ACROSS, across),
+        (node::RADIUS, radius),
     ]
 }

@@ -58,6 +58,11 @@ fn number(pass: u32) -> u32 {
     100 + 10 * pass
 }
 
+/// Sequence number of the block that ends the turning of the polygon before this one, from 1.
+pub(super) fn change_over(polygon: u32) -> u32 {
+    1000 * polygon - 199
+}
+
 /// Variables that show the state: number, meaning, unit.
 pub(super) const VARIABLES: [(u32, &str, &str); 11] = [
     (SPEED, "polygon.speed", "r/min"),
@@ -171,6 +176,13 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     let word_of_x = show(p.across_flats * 0.5 * lathe.words(), 3);
     b.comment(&format!("X OFFSET OF THE CUTTER IS {offset}, X0 WITH THE TIPS AT THE CENTRE"));
     b.comment(&format!("THEN X{word_of_x} IS {across} MM ACROSS FLATS"));
+    let mut cutters = vec![p.tool];
+    for PolygonLathe { p, d, .. } in &lathe.further {
+        if !cutters.contains(&p.tool) {
+            cutters.push(p.tool);
+            b.comment(&format!("X OFFSET OF T{} IS {}", p.tool as u32, show(d.offset, 3)));
+        }
+    }
     let place = writing::places(lathe.control, [CROSS, ALONG]);
     let away = || real(clear * 0.5 * lathe.words(), 3);
     b.n(10).words(writing::opening(lathe.control)).note("WORK ZERO: TURNING CENTRE, FACE");
@@ -191,7 +203,7 @@ fn part(b: &mut Builder, lathe: &PolygonLathe) {
     for (at, polygon) in (0..).zip(lathe.polygons()) {
         let base = 1000 * at;
         if at > 0 {
-            b.n(base - 199).words([g(off)]).note("POLYGON TURNING OFF");
+            b.n(change_over(at)).words([g(off)]).note("POLYGON TURNING OFF");
             change(b, base, (present, polygon), place);
         }
         b.n(base + 20).words(call(on, polygon)).note("POLYGON TURNING ON");

@@ -4,6 +4,7 @@
 //! from the angles that the two axes had as the pass began: a phase error or a wrong start angle shows. It is a polar grid, for the eye; what is measured
 //! comes from the exact section.
 
+use super::program;
 use super::resolved::{PolygonLathe, TOOL, WORK};
 use crate::drives::polygon::{Curve, CutterSetup};
 use crate::machines::machine::Samples;
@@ -91,6 +92,15 @@ pub(super) fn progress(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot) 
     progress
 }
 
+/// The polygon that is being turned, from 0: that of the newest pass, or a later one as soon as the program has begun with it.
+pub(super) fn present(lathe: &PolygonLathe, run: &dyn Samples, now: &Snapshot, progress: &Progress) -> usize {
+    let holds = |lathe: &PolygonLathe, at: f64| (lathe.p.from_face..=lathe.p.far_end()).contains(&at);
+    let cut = progress.now().and_then(|pass| lathe.polygons().position(|lathe| holds(lathe, pass.middle())));
+    let others = 1..=lathe.further.len();
+    let begun = others.rev().find(|at| run.passes(program::change_over(*at as u32), now.t).0 > 0);
+    cut.max(begun).unwrap_or(0)
+}
+
 /// Distances of the outline from the centre at the face, at [`GRID`] angles of the work.
 pub(super) fn outline(lathe: &PolygonLathe, progress: &Progress, now: &Snapshot) -> Vec<f64> {
     let middle = progress.now().map_or(0.5 * lathe.p.length + lathe.p.from_face, Pass::middle);
@@ -148,10 +158,10 @@ fn pass(grid: &mut [f64], curve: &Curve, normal: f64, stock: f64) {
     }
 }
 
-/// Where the tips are on the work, and how far the axes are apart, at a setting of the slide.
+/// Where the tips of a polygon's cutter are on the work, and how far the axes are apart, at a setting of the slide.
 pub(super) fn tips(lathe: &PolygonLathe, now: &Snapshot) -> Option<(CutterSetup, Vec<(f64, f64)>)> {
-    let (across_flats, z) = lathe.slide(now);
-    let mut setup = lathe.at(-z).p.setup(across_flats)?;
+    let (across_flats, _) = lathe.slide(now);
+    let mut setup = lathe.p.setup(across_flats)?;
     setup.distance = 0.5 * across_flats + setup.radius;
     let [work, tool] = [WORK, TOOL].map(|axis| now.pmc[axis].actual / 180.0 * PI);
     let (s, c) = math::sin_cos(work);

@@ -51,6 +51,7 @@ pub(super) const ROWS: &[ReadoutRow<PolygonLathe>] = &[
     row!("slowest-cut", "polygon.readout.slowest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.slowest_cut),
     row!("fastest-cut", "polygon.readout.fastest-cut", "m/min", 1, false, "2 π n √[a² + m² + 2 a m cos σ] / 1000, m = (k - 1) r, of all passes", GEOMETRY, |lathe| lathe.d.fastest_cut),
     row!("distance", "polygon.readout.distance", "mm", 3, false, "a = AF/2 + r", GEOMETRY, |lathe| lathe.d.distance),
+    row!("reach", "polygon.readout.reach", "mm", 3, false, "(stock - AF) / 2", MECHANICS, |lathe| lathe.d.reach),
     row!("offset", "polygon.readout.offset", "mm", 3, false, "-2 r, where X counts diameters", GEOMETRY, |lathe| lathe.d.offset),
     row!("half-axis-near", "polygon.readout.half-axis-near", "mm", 3, false, "R - r, R the distance of the axes", PAPER, |lathe| lathe.d.distance - lathe.p.tip_radius),
     row!("half-axis-far", "polygon.readout.half-axis-far", "mm", 3, false, "R + r, R the distance of the axes", PAPER, |lathe| lathe.d.distance + lathe.p.tip_radius),

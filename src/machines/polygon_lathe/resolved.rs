@@ -1,5 +1,7 @@
 //! The polygon lathe on a control: inserts and ratio by the chosen shape, sizes of the passes, axes and units of words.
 
+use std::sync::OnceLock;
+
 use super::derive::Derived;
 use super::params::Params;
 use crate::controls::{Address, Control, Dialect};
@@ -31,6 +33,8 @@ pub(crate) struct PolygonLathe {
     pub(super) sizes: Vec<f64>,
     /// The second and the third polygon of the part, each as if it were the only one.
     pub(super) further: Vec<PolygonLathe>,
+    /// The scales of the lens in words, worked out when they are first shown.
+    pub(super) lens_scales: OnceLock<String>,
 }
 
 /// Units of X words per millimetre of its slide: 2 where they are diameters.
@@ -53,7 +57,7 @@ impl PolygonLathe {
         let sizes: Vec<f64> = (1..=p.passes() as u32).map(|pass| p.size(f64::from(pass))).collect();
         let words = words_per_mm(control, &dialect);
         let d = Derived::new(&p, &sizes, words);
-        PolygonLathe { form, p, d, control, dialect, sizes, further: Vec::new() }
+        PolygonLathe { form, p, d, control, dialect, sizes, further: Vec::new(), lens_scales: OnceLock::new() }
     }
 
     /// All polygons of the part, in the order in which they are turned.

@@ -22,9 +22,16 @@ const RESULTS: &[(&str, [(&str, &str); 2])] = &[
     ("slowest-cut", [("second-slowest-cut", "polygon.second.slowest-cut"), ("third-slowest-cut", "polygon.third.slowest-cut")]),
     ("fastest-cut", [("second-fastest-cut", "polygon.second.fastest-cut"), ("third-fastest-cut", "polygon.third.fastest-cut")]),
     ("distance", [("second-distance", "polygon.second.distance"), ("third-distance", "polygon.third.distance")]),
+    ("reach", [("second-reach", "polygon.second.reach"), ("third-reach", "polygon.third.reach")]),
+    ("offset", [("second-offset", "polygon.second.offset"), ("third-offset", "polygon.third.offset")]),
     ("feed", [("second-feed", "polygon.second.feed"), ("third-feed", "polygon.third.feed")]),
     ("infeed", [("second-infeed", "polygon.second.infeed"), ("third-infeed", "polygon.third.infeed")]),
 ];
+
+/// Ids of the results of a further polygon, from 0.
+pub(super) fn ids(at: usize) -> Vec<&'static str> {
+    RESULTS.iter().filter_map(|(_, others)| others.get(at)).map(|(id, _)| *id).collect()
+}
 
 /// The result that becomes an angle to the first polygon.
 const ANGLE: &str = "orientation";
@@ -34,7 +41,7 @@ fn is_shown(lathe: &PolygonLathe, id: &str) -> bool {
     let (p, d) = (&lathe.p, &lathe.d);
     match id {
         "tool-run-up" | "work-run-up" | "shortest-ramp" | "tool-speed" | "work-speed" | "ratio" | "distance"
-        | "offset" | "passes" | "feed" | "finish-feed" | "ready" | "free-length" => true,
+        | "reach" | "offset" | "passes" | "feed" | "finish-feed" | "ready" | "free-length" => true,
         "infeed" => p.is_behind_face(),
         "turning-time" => p.slots.iter().any(|slot| slot.on),
         _ if !d.cuts => false,

@@ -1,12 +1,12 @@
 //! The rules of the polygon lathe, as rows: result, limit, remedy.
 
 use super::derive::{PASSES, ways_as_set};
-use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, errors};
+use super::further;
+use super::geometry::{ANGLE_ERROR, RADIUS_ERROR, errors, own_shape};
 use super::params::FIELDS;
 use super::program;
 use super::resolved::PolygonLathe;
 use super::rules_of_drives as drives;
-use super::{explore, further};
 use crate::drives::polygon::curve::flat_ratio;
 use crate::drives::polygon::ellipse;
 use crate::machines::scaling;
@@ -42,6 +42,7 @@ pub(super) const RULES: &[Rule<PolygonLathe>] = &[
     Rule::new("slowest-cut", slowest, Citation::new("what suits insert and material", Grade::Inferred)),
     Rule::new("fastest-cut", fastest, Citation::new("what suits insert and material", Grade::Inferred)),
     Rule::new("distance", distance, Citation::new("travel of the slide", Grade::Manual)),
+    Rule::new("reach", reach, Citation::new("mechanics", Grade::Inferred)),
     Rule::new("orientation-error", orientation, Citation::new("polygon turning facts 3.1", Grade::Inferred)),
     Rule::new("phase", phase, Citation::new("servo lag behind linear acceleration", Grade::Inferred)),
     Rule::new("coast-phase", coast, Citation::new("friction", Grade::Inferred)),
@@ -92,7 +93,7 @@ fn better(lathe: &PolygonLathe) -> Option<Advice> {
     if same {
         return None;
     }
-    let mut sets = explore::own(lathe.p.sides, f64::from(inserts), (tool, work));
+    let mut sets = own_shape(lathe.p.sides, f64::from(inserts), (tool, work));
     sets.push(near(FIELDS, "tip-radius", best.radius));
     let advice = msg!("polygon.better", inserts, work, tool, (best.radius, 3), (best.flatness(), 4));
     Some(Advice::from(advice).setting(msg!("advice.set-cutter", inserts, work, tool), sets))
@@ -275,6 +276,23 @@ fn distance(lathe: &PolygonLathe) -> Option<Judgement> {
     } else {
         ok(None)
     }
+}
+
+/// The body of the cutter, disc and holders, in the stock beside the polygon.
+fn reach(lathe: &PolygonLathe) -> Option<Judgement> {
+    let PolygonLathe { p, d, .. } = lathe;
+    // No body is left where the tips stand out as far as their circle is wide.
+    let overhang = p.overhang.min(p.tip_radius);
+    if d.reach <= overhang + NOTHING {
+        return ok(AtMost(overhang));
+    }
+    let stock = down(FIELDS, "stock-diameter", p.across_flats + 2.0 * overhang);
+    let fact = msg!("polygon.body-touches", (d.reach - overhang, 3), (d.reach, 3), stock.1.as_str());
+    let set = up(FIELDS, "overhang", d.reach);
+    let fits = d.reach < p.tip_radius;
+    let advice = Advice::from(fact);
+    let advice = if fits { advice.setting(msg!("advice.set-overhang", set.1.as_str()), [set]) } else { advice };
+    fail(AtMost(overhang), [advice])
 }
 
 /// Angle (°) below visibility.
@@ -500,7 +518,7 @@ fn slot_errors(lathe: &PolygonLathe) -> Vec<(Message, &'static str)> {
 
 /// Errors that refuse the export, and notes for the operator.
 pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
-    let PolygonLathe { p, d, .. } = lathe;
+    let p = &lathe.p;
     let mut faults = errors_of(lathe);
     for fault in further::errors(lathe, errors_of) {
         if !faults.contains(&fault) {
@@ -524,7 +542,13 @@ pub(super) fn findings(lathe: &PolygonLathe) -> Vec<Diagnostic> {
     if let [None, _] | [_, None] = program::codes(lathe) {
         found.push(Diagnostic::error(msg!("polygon.no-code")));
     }
-    found.push(Diagnostic::info(msg!("polygon.x-setting", (p.across_flats, 3), (d.offset, 3))));
+    let mut cutters = Vec::new();
+    for PolygonLathe { p, d, .. } in lathe.polygons() {
+        if !cutters.contains(&p.tool) {
+            cutters.push(p.tool);
+            found.push(Diagnostic::info(msg!("polygon.x-setting", (p.across_flats, 3), (d.offset, 3), p.tool)));
+        }
+    }
     found.push(Diagnostic::info(msg!("polygon.reconstructed")));
     found
 }

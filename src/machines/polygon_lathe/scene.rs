@@ -28,7 +28,7 @@ pub(super) use front::traces;
 pub(super) use ids::{TIPS, group, node};
 pub(super) use layout::View;
 use layout::{UNIT, VIEW};
-pub(super) use lens::wanted;
+pub(super) use lens::{form, wanted};
 pub(super) use side::{bar, edges, profile};
 
 /// The drawing at rest.
@@ -39,7 +39,7 @@ pub(super) fn scene(lathe: &PolygonLathe) -> Scene {
     cutter::draw_base(&mut d, lathe, &view);
     front::draw_chuck(&mut d, lathe, &view);
     front::draw_work(&mut d, lathe, &view);
-    cutter::draw_cutter(&mut d, lathe, &view);
+    cutter::draw(&mut d, lathe, &view);
     front::draw_arrows(&mut d, lathe, &view);
     side::draw(&mut d, lathe, &view);
     lens::draw(&mut d, lathe, &view);
@@ -72,13 +72,14 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let chuck = (view.work.0 + 0.62 * view.chuck, view.work.1 - 0.72 * view.chuck);
     callout(d, "speed", (WORK, ROW), "start", &say("polygon.scene.work"), &[(Some(node::WORK_SPEED), "")], Some(chuck));
     d.path(String::new(), Look::LEAD).id = Some(node::LEADER);
-    let (name, radius) = (say("polygon.scene.cutter"), format!("r {} mm", mm(p.tip_radius)));
-    callout(d, "tip-radius", (CUTTER, ROW), "start", &name, &[(Some(node::TOOL_SPEED), ""), (None, &radius)], None);
+    let (name, [across, radius]) = (say("polygon.scene.cutter"), sizes(lathe));
+    let values = [(Some(node::TOOL_SPEED), ""), (Some(node::RADIUS), radius.as_str())];
+    callout(d, "tip-radius", (CUTTER, ROW), "start", &name, &values, None);
     callout(d, "", (632.0, LOW_ROW), "start", &say("polygon.scene.phase"), &[(Some(node::PHASE), "")], None);
     callout(d, "depth", (748.0, LOW_ROW), "start", &say("polygon.scene.pass"), &[(Some(node::PASS), "")], None);
-    let sizes = [format!("AF {} mm", mm(p.across_flats)), format!("Ø {} mm", mm(p.stock_diameter))];
-    let sizes = sizes.each_ref().map(|size| (None, size.as_str()));
-    callout(d, "across-flats", (RIGHT, LOW_ROW), "end", &say("polygon.scene.close"), &sizes, None);
+    let stock = format!("Ø {} mm", mm(p.stock_diameter));
+    let values = [(Some(node::ACROSS), across.as_str()), (None, stock.as_str())];
+    callout(d, "across-flats", (RIGHT, LOW_ROW), "end", &say("polygon.scene.close"), &values, None);
     d.text((632.0, 318.0), "start", "", Font::Label, Paint::Ink).id = Some(node::STATE);
     d.text((632.0, 344.0), "start", &say("polygon.scene.above"), Font::Label, Paint::Dim);
     let start = format!("X{} Z{}", mm(0.5 * p.start_x * lathe.words()), mm(p.start_z));
@@ -98,6 +99,11 @@ fn labels(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         d.rect([-cutter::FIGURE, -13.0, 2.0 * cutter::FIGURE, 24.0, 4.0], Look::fill(Paint::Page).faint(0.9));
         d.text((0.0, 5.5), "middle", "", Font::Value, Paint::Ink).id = Some(node::APART);
     });
+}
+
+/// Distance across flats and tip radius of a polygon.
+pub(super) fn sizes(lathe: &PolygonLathe) -> [String; 2] {
+    [format!("AF {} mm", show(lathe.p.across_flats, 3)), format!("r {} mm", show(lathe.p.tip_radius, 3))]
 }
 
 /// Leader of the cutter's label to its disc, `away` units from its last place; none where the disc has left the drawing.

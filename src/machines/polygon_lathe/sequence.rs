@@ -43,16 +43,27 @@ fn steps(lathe: &PolygonLathe) -> Vec<Step> {
     ]
 }
 
-/// The sequence as a table with its diagram.
-pub(super) fn sheet(lathe: &PolygonLathe) -> Sheet {
+/// Ids and titles of the sequences, in the order of the polygons.
+const SHEETS: [(&str, &str); 3] = [
+    ("sequence", "polygon.sheet.sequence"),
+    ("second-sequence", "polygon.second.sequence"),
+    ("third-sequence", "polygon.third.sequence"),
+];
+
+/// The sequence of every polygon as a table with its diagram.
+pub(super) fn all(lathe: &PolygonLathe) -> impl Iterator<Item = Sheet> {
+    lathe.polygons().zip(SHEETS).map(|(lathe, name)| sheet(lathe, name))
+}
+
+fn sheet(lathe: &PolygonLathe, (id, title): (&'static str, &'static str)) -> Sheet {
     let step = |(t, text, _): Step| row([show(t, 3), say(text)], OURS);
     let coasts = lathe.p.coasts(lathe.control);
     let emergency = if coasts { "polygon.step.coast" } else { "polygon.step.emergency" };
     let breaks = ["polygon.step.held", "polygon.step.reset", emergency];
     let breaks = breaks.map(|text| row([String::new(), say(text)], OURS));
     Sheet {
-        id: "sequence",
-        title: "polygon.sheet.sequence",
+        id,
+        title,
         columns: vec!["polygon.sheet.time", "sheet.use"],
         rows: steps(lathe).into_iter().map(step).chain(breaks).collect(),
         drawing: diagram(lathe),

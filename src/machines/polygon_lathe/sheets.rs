@@ -1,10 +1,11 @@
 //! Sheets for the machine builder: parameters, interface of the PMC, ladder, sequence, choices of cutter and ratio, passes, inserts.
 
 use super::derive::ways;
+use super::geometry::own_shape;
 use super::program::{self, MACROS};
 use super::resolved::PolygonLathe;
 use super::stops::reactions;
-use super::{explore, ladder, native_code, sequence};
+use super::{ladder, native_code, sequence};
 use crate::controls::ParamRole;
 use crate::drives::polygon::choose::{Choice, ChoiceLimit};
 use crate::machines::scaling;
@@ -21,15 +22,14 @@ const OURS: Citation = Citation::new("our own choice: the paper is silent", Grad
 /// All sheets.
 pub(super) fn sheets(lathe: &PolygonLathe) -> Vec<Sheet> {
     let ladder = ladder::ladder(lathe);
-    let mut all = vec![
-        parameters(lathe),
-        ladder.interface(),
-        sequence::sheet(lathe),
+    let mut all = vec![parameters(lathe), ladder.interface()];
+    all.extend(sequence::all(lathe));
+    all.extend([
         ladder.sheet("polygon.sheet.ladder", ladder::OURS),
         stops::sheet(&reactions(lathe)),
         choices(lathe),
         native_code::sheet(lathe),
-    ];
+    ]);
     all.extend(passes(lathe));
     all.extend(inserts(lathe));
     all
@@ -97,7 +97,7 @@ fn choices(lathe: &PolygonLathe) -> Sheet {
             format!("{} .. {}", show(way.cutting_speed.0, 0), show(way.cutting_speed.1, 0)),
         ];
         let terms = (f64::from(way.ratio.tool()), f64::from(way.ratio.work()));
-        let mut sets = explore::own(lathe.p.sides, (way.cutter + 1) as f64, terms);
+        let mut sets = own_shape(lathe.p.sides, (way.cutter + 1) as f64, terms);
         sets.push(("tip-radius", show(way.radius, 3)));
         sets.push(("speed", show(way.speed, 0)));
         Row { sets, ..row(cells, cite) }

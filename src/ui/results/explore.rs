@@ -58,6 +58,10 @@ pub(crate) fn ExploreTab() -> impl IntoView {
     let draft = RwSignal::new_local(None::<Values>);
     let seen = RwSignal::new_local(Explorer::default());
     let readouts = RwSignal::new_local(Vec::<Readout>::new());
+    // Which of several shapes is explored.
+    let chosen = RwSignal::new(0_usize);
+    let names = Memo::new(move |_| page.project.with(|project| project.prepared().explored()));
+    let at = Memo::new(move |_| chosen.get().min(names.with(Vec::len).saturating_sub(1)));
     let shape_host: NodeRef<html::Div> = NodeRef::new();
     let (shape, plots) = (RwSignal::new(String::new()), RwSignal::new(String::new()));
     Effect::new(move |_| {
@@ -66,7 +70,7 @@ pub(crate) fn ExploreTab() -> impl IntoView {
             let design = machine.design(&project.provenance);
             (machine, design)
         });
-        let found = machine.explorer().unwrap_or_default();
+        let found = machine.explorer(at.get()).unwrap_or_default();
         readouts.set(design.readouts);
         shape.set(scene::svg(&found.scene));
         let (view, most) = (found.scene.view, found.scene.unit);
@@ -84,20 +88,46 @@ pub(crate) fn ExploreTab() -> impl IntoView {
         seen.set(found);
     });
     let results = move || {
-        let headline = readouts.get().into_iter().filter(|readout| readout.headline);
+        let wanted = seen.with(|seen| seen.results.clone());
+        let is_wanted = |readout: &Readout| match wanted.is_empty() {
+            true => readout.headline,
+            false => wanted.contains(&readout.id),
+        };
+        let headline = readouts.get().into_iter().filter(is_wanted);
         let line = |readout: Readout| {
             let id = readout.id;
             view! { <VerdictLine readout=readout open=move || page.show_result(id) /> }
         };
         headline.map(line).collect_view()
     };
-    let (fields, first) = page
-        .project
-        .with_untracked(|project| (project.machine.fields(), project.prepared().explorer().unwrap_or_default().knobs));
-    let knobs = first.into_iter().enumerate().filter_map(|(at, knob)| {
-        let info = fields.iter().find(|field| field.id == knob.field)?.clone();
-        Some(view! { <Slider draft=draft seen=seen at=at first=knob info=info /> })
-    });
+    let knobs = move || {
+        let (fields, first) = page.project.with_untracked(|project| {
+            let explorer = project.prepared().explorer(at.get()).unwrap_or_default();
+            (project.machine.fields(), explorer.knobs)
+        });
+        let slider = |(at, knob): (usize, Knob)| {
+            let info = fields.iter().find(|field| field.id == knob.field)?.clone();
+            Some(view! { <Slider draft=draft seen=seen at=at first=knob info=info /> })
+        };
+        first.into_iter().enumerate().filter_map(slider).collect_view()
+    };
+    let shapes = move || {
+        let names = names.get();
+        let option = |(shape, name): (usize, &'static str)| {
+            let pick = move |_| {
+                draft.set(None);
+                chosen.set(shape);
+            };
+            view! {
+                <button type="button" class="chip" aria-pressed=move || (at.get() == shape).to_string() on:click=pick>
+                    {t(name)}
+                </button>
+            }
+        };
+        let chips = |names: Vec<&'static str>| names.into_iter().enumerate().map(option).collect_view();
+        (names.len() > 1)
+            .then(|| view! { <div class="chips" role="group" aria-label=t("page.explored")>{chips(names)}</div> })
+    };
     let choose = move |event: leptos::ev::MouseEvent| {
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let row = target.and_then(|target| target.closest("[data-sets]").ok().flatten());
@@ -110,10 +140,11 @@ pub(crate) fn ExploreTab() -> impl IntoView {
     };
     view! {
         <p class="lead">{t("page.explore-lead")}</p>
+        {shapes}
         <div class="shape" node_ref=shape_host inner_html=move || shape.get()></div>
-        <div class="knobs">{knobs.collect_view()}</div>
+        <div class="knobs">{knobs}</div>
         <div class="row">{results}</div>
-        <div class="ways" on:click=choose><SheetView which=|sheets| sheets.ways /></div>
+        <div class="ways" hidden=move || { at.get() > 0 } on:click=choose><SheetView which=|sheets| sheets.ways /></div>
         <div class="plots" inner_html=move || plots.get()></div>
     }
 }
@@ -217,5 +248,21 @@ mod tests {
     async fn shape_and_verdicts_are_shown() {
         let bench = explorer().await;
         assert!(bench.has(".shape svg") && bench.has(".row .card"));
+    }
+
+    #[wasm_bindgen_test]
+    async fn second_shape_is_explored_with_its_own_fields() {
+        let project = Project::named("polygon-lathe", None, Some("square-and-hexagon")).unwrap();
+        let bench = mount_project(project, || view! { <ExploreTab /> }).await;
+        let first = bench.value(".slider input");
+        bench.press(".chips button:nth-of-type(2)").await;
+        assert_eq!(bench.attribute(".chips button:nth-of-type(2)", "aria-pressed"), "true");
+        assert_eq!(bench.attribute(".slider label", "for"), "explore-second-sides");
+        assert_ne!(bench.value(".slider input"), first);
+        bench.type_into(".slider input", "8").await;
+        bench.choose(".slider input", "8").await;
+        let set = bench.setting("second-sides");
+        assert_eq!(set, Some(crate::machines::form::Value::Number(8.0)));
+        assert_eq!(bench.attribute(".slider label", "for"), "explore-second-sides");
     }
 }

@@ -3,7 +3,8 @@
 use core::fmt::{Display, Write};
 
 use super::dimension::{DrawnDimension, LAYER};
-use super::shapes::{LineKind, Outline, OutlineShape};
+use super::plate::Plate;
+use super::shapes::{LineKind, OutlineShape};
 use crate::text::number::Plain;
 
 /// Decimals of a coordinate in mm.
@@ -11,6 +12,9 @@ const DECIMALS: u8 = 9;
 
 /// A line type: its name, what it looks like, dashes and gaps in mm.
 type LineType = (&'static str, &'static str, &'static [f64]);
+
+/// Width over height of the window that a program opens with.
+const ASPECT: f64 = 1.5;
 
 const LINE_TYPES: [LineType; 3] = [
     ("CONTINUOUS", "Solid line", &[]),
@@ -70,38 +74,41 @@ impl Pairs {
     }
 }
 
-impl Outline {
+impl Plate {
     /// As DXF; lengths in mm.
     pub fn dxf(&self) -> String {
         let mut out = Pairs(String::new());
-        let edge = self.beside() + 2.0 * self.letter();
+        let [left, low, right, high] = self.room;
         out.section("HEADER", |out| {
             out.all(&[(9, "$ACADVER"), (1, "AC1009"), (9, "$INSUNITS"), (70, "4"), (9, "$MEASUREMENT"), (70, "1")]);
-            for (name, at) in [("$EXTMIN", (-edge, -edge)), ("$EXTMAX", (edge, edge))] {
+            for (name, at) in [("$EXTMIN", (left, low)), ("$EXTMAX", (right, high))] {
                 out.put(9, name);
                 out.point(10, at);
             }
         });
-        out.section("TABLES", |out| self.tables(out, edge));
+        out.section("TABLES", |out| self.tables(out));
         out.section("BLOCKS", |out| self.blocks(out));
         out.section("ENTITIES", |out| {
             self.shapes.iter().for_each(|(kind, shape)| entity(out, kind.layer(), shape));
             self.dxf_dimensions(out);
+            self.dxf_names(out);
         });
         out.put(0, "EOF");
         out.0
     }
 
-    fn tables(&self, out: &mut Pairs, edge: f64) {
+    fn tables(&self, out: &mut Pairs) {
+        let [left, low, right, high] = self.room;
+        let middle = (0.5 * (left + right), 0.5 * (low + high));
         // What a program shows when it opens the file.
         out.table("VPORT", 1, |out| {
             out.all(&[(0, "VPORT"), (2, "*ACTIVE"), (70, "0")]);
-            for (code, at) in [(10, (0.0, 0.0)), (11, (1.0, 1.0)), (12, (0.0, 0.0))] {
+            for (code, at) in [(10, (0.0, 0.0)), (11, (1.0, 1.0)), (12, middle)] {
                 out.number(code, at.0);
                 out.number(code + 10, at.1);
             }
-            out.number(40, 2.0 * edge);
-            out.number(41, 1.5);
+            out.number(40, (high - low).max((right - left) / ASPECT));
+            out.number(41, ASPECT);
         });
         out.table("LTYPE", LINE_TYPES.len(), |out| {
             for (name, text, dashes) in LINE_TYPES {
@@ -123,14 +130,14 @@ impl Outline {
         });
         out.table("STYLE", 1, |out| {
             out.all(&[(0, "STYLE"), (2, "STANDARD"), (70, "0"), (40, "0"), (41, "1"), (50, "0"), (71, "0")]);
-            out.number(42, self.letter());
+            out.number(42, self.letter);
             out.all(&[(3, "txt"), (4, "")]);
         });
         out.table("DIMSTYLE", 1, |out| {
             out.all(&[(0, "DIMSTYLE"), (2, "STANDARD"), (70, "0")]);
             // Size of the arrow, gap and length beyond of extension lines, height of the text; text above and along the line.
             for (code, part) in [(41, 1.0), (42, 0.3), (44, 0.6), (140, 1.0)] {
-                out.number(code, part * self.letter());
+                out.number(code, part * self.letter);
             }
             out.all(&[(73, "0"), (74, "0"), (77, "1")]);
         });
@@ -145,15 +152,24 @@ impl Outline {
             out.point(10, (0.0, 0.0));
             out.put(3, format_args!("*D{at}"));
             lines(out, &drawn);
-            out.entity("TEXT", LAYER);
-            out.point(10, drawn.foot);
-            out.number(40, self.letter());
-            out.put(1, plain(&dimension.text));
-            out.number(50, drawn.angle);
-            out.put(72, 1);
-            out.point(11, drawn.foot);
+            self.words(out, &dimension.text, drawn.foot, drawn.angle);
             out.entity("ENDBLK", LAYER);
         }
+    }
+
+    /// A text about the middle of its foot.
+    fn words(&self, out: &mut Pairs, text: &str, foot: (f64, f64), angle: f64) {
+        out.entity("TEXT", LAYER);
+        out.point(10, foot);
+        out.number(40, self.letter);
+        out.put(1, plain(text));
+        out.number(50, angle);
+        out.put(72, 1);
+        out.point(11, foot);
+    }
+
+    fn dxf_names(&self, out: &mut Pairs) {
+        self.names.iter().for_each(|(name, foot)| self.words(out, name, *foot, 0.0));
     }
 
     fn dxf_dimensions(&self, out: &mut Pairs) {
@@ -193,9 +209,9 @@ fn plain(text: &str) -> String {
 
 fn entity(out: &mut Pairs, layer: &str, shape: &OutlineShape) {
     match shape {
-        OutlineShape::Circle(radius) => {
+        OutlineShape::Circle(centre, radius) => {
             out.entity("CIRCLE", layer);
-            out.point(10, (0.0, 0.0));
+            out.point(10, *centre);
             out.number(40, *radius);
         }
         OutlineShape::Line(from, to) => {

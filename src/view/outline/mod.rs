@@ -2,8 +2,10 @@
 
 mod dimension;
 mod dxf;
+mod plate;
 mod shapes;
 mod svg;
 
 pub use dimension::Dimension;
+pub use plate::Plate;
 pub use shapes::{LineKind, Outline, OutlineShape, Vertex};

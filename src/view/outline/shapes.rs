@@ -1,6 +1,6 @@
 //! What a drawing in true millimetres consists of.
 
-use super::dimension::{Dimension, DrawnDimension};
+use super::dimension::Dimension;
 use crate::math;
 
 /// What a line means; each kind has its own layer in a CAD program.
@@ -30,13 +30,13 @@ pub struct Vertex {
 pub enum OutlineShape {
     /// A closed line of straight and round pieces.
     Contour(Vec<Vertex>),
-    /// A circle about the origin, by its radius.
-    Circle(f64),
+    /// A circle by its centre and radius.
+    Circle((f64, f64), f64),
     /// A straight line.
     Line((f64, f64), (f64, f64)),
 }
 
-/// A drawing about the origin.
+/// A section about the origin.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outline {
     /// Lines in drawing order.
@@ -80,12 +80,24 @@ impl OutlineShape {
         OutlineShape::Contour(corners.iter().map(|at| Vertex { at: *at, bulge: 0.0 }).collect())
     }
 
+    /// The same elsewhere.
+    pub(super) fn moved(&self, (dx, dy): (f64, f64)) -> OutlineShape {
+        let moved = |(x, y): (f64, f64)| (x + dx, y + dy);
+        match self {
+            OutlineShape::Contour(corners) => {
+                OutlineShape::Contour(corners.iter().map(|corner| Vertex { at: moved(corner.at), ..*corner }).collect())
+            }
+            OutlineShape::Circle(centre, radius) => OutlineShape::Circle(moved(*centre), *radius),
+            OutlineShape::Line(from, to) => OutlineShape::Line(moved(*from), moved(*to)),
+        }
+    }
+
     /// The farthest that it is from the origin in mm.
     fn reach(&self) -> f64 {
         let far = |at: &(f64, f64)| math::hypot(at.0, at.1);
         match self {
             OutlineShape::Contour(corners) => corners.iter().map(|corner| far(&corner.at)).fold(0.0, f64::max),
-            OutlineShape::Circle(radius) => *radius,
+            OutlineShape::Circle(centre, radius) => far(centre) + radius,
             OutlineShape::Line(from, to) => far(from).max(far(to)),
         }
     }
@@ -107,9 +119,9 @@ impl Outline {
         self.reach() + 2.5 * self.letter()
     }
 
-    /// The dimensions as lines.
-    pub(super) fn drawn(&self) -> impl Iterator<Item = (&Dimension, DrawnDimension)> {
-        self.dimensions.iter().map(|dimension| (dimension, dimension.drawn(self.letter())))
+    /// The room that it takes on each side of the origin, mm, with letters of a height.
+    pub(super) fn edge(&self, letter: f64) -> f64 {
+        if self.dimensions.is_empty() { self.reach() + letter } else { self.beside() + 1.6 * letter }
     }
 }
 

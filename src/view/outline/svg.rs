@@ -3,7 +3,8 @@
 use core::fmt::Write;
 
 use super::dimension::LAYER;
-use super::shapes::{LineKind, Outline, OutlineShape, Vertex};
+use super::plate::Plate;
+use super::shapes::{LineKind, OutlineShape, Vertex};
 use crate::math;
 use crate::text::number::Plain;
 use crate::view::svg::escape;
@@ -17,20 +18,21 @@ const STYLE: &str = "path,circle,line{fill:none;stroke:#000;stroke-width:.18}\
     .ideal path,.ideal line{stroke:#0b62c4;stroke-dasharray:2.4 .6 .4 .6}.centre line{stroke:#8a2b2b;stroke-dasharray:4 .8 .8 .8}\
     .part line{stroke-width:.5}polygon{fill:#000}text{font-family:sans-serif;text-anchor:middle}.legend text{text-anchor:start}";
 
-impl Outline {
+impl Plate {
     /// As SVG. `name` gives the words for a kind of line in the legend.
     pub fn svg(&self, name: impl Fn(LineKind) -> String) -> String {
-        let letter = self.letter();
-        let edge = if self.dimensions.is_empty() { self.reach() + letter } else { self.beside() + 1.6 * letter };
+        let letter = self.letter;
         let kinds: Vec<LineKind> =
             LineKind::ALL.into_iter().filter(|kind| self.shapes.iter().any(|(other, _)| other == kind)).collect();
-        let (low, wide) = (-edge.ceil(), 2.0 * edge.ceil());
-        let high = wide + (1.6 * letter * (kinds.len() as f64 + 0.5)).ceil();
+        let [left, lowest, right, highest] = self.room;
+        // In a picture y goes down.
+        let (top, foot, wide) = (-highest, -lowest, right - left);
+        let high = foot - top + (1.6 * letter * (kinds.len() as f64 + 0.5)).ceil();
         let mut out = String::new();
-        let [l, w, h] = [low, wide, high].map(|value| Plain(value, 0));
+        let [l, t, w, h] = [left, top, wide, high].map(|value| Plain(value, 0));
         let _ = write!(
             out,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"{l} {l} {w} {h}\">\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"{l} {t} {w} {h}\">\
              <style>{STYLE}text{{font-size:{}px}}</style>",
             number(letter)
         );
@@ -42,10 +44,15 @@ impl Outline {
             out.push_str("</g>");
         }
         self.svg_dimensions(&mut out);
+        for (name, (x, y)) in &self.names {
+            let _ = write!(out, "<text x=\"{}\" y=\"{}\">", number(*x), number(-y));
+            escape(&mut out, name);
+            out.push_str("</text>");
+        }
         out.push_str("<g class=\"legend\">");
         for (row, kind) in kinds.iter().enumerate() {
-            let y = low + wide + letter * (1.6 * row as f64 + 0.8);
-            let (from, to) = (low + letter, low + 4.0 * letter);
+            let y = foot + letter * (1.6 * row as f64 + 0.8);
+            let (from, to) = (left + letter, left + 4.0 * letter);
             let _ = write!(out, "<g class=\"{}\">", class(*kind));
             line(&mut out, (from, -y), (to, -y));
             let _ = write!(out, "</g><text x=\"{}\" y=\"{}\">", number(to + 0.6 * letter), number(y + 0.35 * letter));
@@ -99,8 +106,9 @@ fn line(out: &mut String, from: (f64, f64), to: (f64, f64)) {
 
 fn put(out: &mut String, shape: &OutlineShape) {
     match shape {
-        OutlineShape::Circle(radius) => {
-            let _ = write!(out, "<circle r=\"{}\"/>", number(*radius));
+        OutlineShape::Circle((x, y), radius) => {
+            let [x, y, r] = [*x, -y, *radius].map(number);
+            let _ = write!(out, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>");
         }
         OutlineShape::Line(from, to) => line(out, *from, *to),
         OutlineShape::Contour(corners) => {

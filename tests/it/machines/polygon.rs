@@ -532,6 +532,7 @@ fn design_readouts_match_their_golden() {
         Fail relief: In pass 3, to 54 mm, an insert would move back into its flank where it meets the work: no relief is enough. Less depth of cut or a larger cutter mends it.
         Warn slowest-cut: The inserts cut more slowly than they should: from 523 r/min for B on they do not.
         Fail distance: The axes would be nearer to each other than 20 mm.
+        Fail reach: The body of the cutter touches the stock beside the polygon and overlaps it by 18 mm: the tips need an overhang of at least 20 mm, or the stock a diameter of at most 24 mm.
     "#]].assert_eq(&said(&[("tip-radius", "2"), ("stock-diameter", "60"), ("start-x", "70")]));
     expect![[r#"
         Warn relief: Less than 2° of relief are left.
@@ -673,9 +674,9 @@ fn taken_way_gives_the_figures_of_its_row() {
         // Six inserts at -1:5 break off a side just beside the radius that is found.
         &[("shape", "hexagon"), wide[0], wide[1], ("flatness", "0.5")],
         &[fixed[0], fixed[1]],
-        &[("shape", "knob"), wide[0], wide[1], ("against", "true"), ("stock-diameter", "40")],
+        &[("shape", "knob"), wide[0], wide[1], ("against", "true"), ("stock-diameter", "40"), ("overhang", "12")],
         &[("shape", "triangle"), ("across-flats", "8"), ("stock-diameter", "11"), wide[0], wide[1]],
-        &[("shape", "own"), ("sides", "5"), wide[0], wide[1], ("hollow", "true"), ("stock-diameter", "60")],
+        &[("shape", "own"), ("sides", "5"), wide[0], wide[1], ("hollow", "true"), ("stock-diameter", "35")],
         &[("shape", "own"), ("sides", "8"), ("across-flats", "33.3"), ("stock-diameter", "41"), ("relief", "5")],
         &[("shape", "own"), ("sides", "12"), ("least-radius", "3"), ("greatest-radius", "200"), ("speed", "3")],
         &[("tool-start", "37"), ("work-limit", "3"), ("tool-limit", "3"), ("depth", "0.2"), ("allowance", "0.7")],
@@ -721,7 +722,7 @@ fn taken_way_gives_the_figures_of_its_row() {
 fn explorer_has_fixed_sliders_and_a_section_where_one_exists() {
     let look = |changes: &[(&str, &str)]| {
         let project = project(changes);
-        project.prepared().explorer().unwrap()
+        project.prepared().explorer(0).unwrap()
     };
     let square = look(&[]);
     let fields: Vec<&str> = square.knobs.iter().map(|knob| knob.field).collect();
@@ -743,5 +744,5 @@ fn explorer_has_fixed_sliders_and_a_section_where_one_exists() {
     let none = look(&[("shape", "own"), ("tool-ratio", "0")]);
     assert!(none.charts.is_empty() && !none.scene.nodes.is_empty());
     let ribbon = Project::of("ribbon-line", None).unwrap();
-    assert!(ribbon.prepared().explorer().is_none());
+    assert!(ribbon.prepared().explorer(0).is_none());
 }

@@ -124,7 +124,7 @@ fn lens_shows_the_deviation_of_the_results() {
         let Shape::Path { d } = &side.shape else { panic!("no path") };
         let heights = points(d).into_iter().map(|(_, y)| y);
         let (top, bottom) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(t, b), y| (t.min(y), b.max(y)));
-        let label = scene.nodes.iter().filter(inside).find_map(|node| match &node.shape {
+        let label = scene.nodes.iter().find_map(|node| match &node.shape {
             Shape::Text { text, .. } => text.strip_prefix('↕')?.split_once('×')?.0.parse::<f64>().ok(),
             _ => None,
         });

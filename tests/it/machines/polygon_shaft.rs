@@ -23,7 +23,7 @@ struct Part {
 }
 
 /// The whole run, with its commands.
-fn whole(project: &Project) -> (Planner<Interp>, Vec<Canon>) {
+pub(super) fn whole(project: &Project) -> (Planner<Interp>, Vec<Canon>) {
     let limits = Budget { blocks: 1_000_000, seconds: 50_000.0 };
     let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Both };
     let mut planner = run::of_project(project, &project.written(), &begin);

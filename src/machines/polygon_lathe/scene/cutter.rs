@@ -10,8 +10,16 @@ use crate::view::drawing::{Drawing, barrel, circle, polar};
 use crate::view::look::{Look, Paint};
 use crate::view::scene::{SceneGroup, Shape};
 
-/// Radius of the disc over that of the tip circle.
+/// Radius of the disc over that of the tip circle, at most.
 const DISC: f64 = 0.69;
+/// Least radius of the holders over that of the tip circle.
+const HOLDER: f64 = 0.2;
+
+/// Radii of the disc and of the outer ends of its holders over that of the tip circle.
+fn body(lathe: &PolygonLathe) -> (f64, f64) {
+    let outer = (1.0 - lathe.p.overhang / lathe.p.tip_radius).max(HOLDER);
+    (DISC.min(0.9 * outer), outer)
+}
 
 /// The ways of the slide on their base.
 pub(super) fn draw_base(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
@@ -37,19 +45,28 @@ fn column(lathe: &PolygonLathe, view: &View) -> f64 {
     math::clamp(0.34 * lathe.p.tip_radius * view.scale, 12.0, 54.0)
 }
 
-/// The cutter disc with column, holders and inserts.
-pub(super) fn draw_cutter(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
-    let p = &lathe.p;
-    let (r, reach) = (p.tip_radius * view.scale, column(lathe, view));
-    let disc = DISC * r;
+/// The cutters of all polygons: poses show that of the present one.
+pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let window = Shape::Rect { x: -3000.0, y: 0.0, w: 3000.0 + RIGHT + 10.0, h: 630.0, r: 0.0 };
     d.place(group::WINDOW, SceneGroup { clip: Some(window), ..SceneGroup::default() });
-    d.place(group::DISC, SceneGroup { parent: group::WINDOW, at: view.cutter, ..SceneGroup::default() });
-    for group in [group::INSERTS, group::BLUR] {
-        d.place(group, SceneGroup { parent: group::DISC, ..SceneGroup::default() });
+    for (at, polygon) in lathe.polygons().enumerate() {
+        draw_cutter(d, at, polygon, &view.of(polygon));
+    }
+}
+
+/// The cutter disc of a polygon, with column, holders and inserts.
+fn draw_cutter(d: &mut Drawing, at: usize, lathe: &PolygonLathe, view: &View) {
+    let p = &lathe.p;
+    let (r, reach) = (p.tip_radius * view.scale, column(lathe, view));
+    let disc = body(lathe).0 * r;
+    let [disc_group, inserts, blur] = [group::DISC, group::INSERTS, group::BLUR].map(|own| group::of(own, at));
+    let hidden = at > 0;
+    d.place(disc_group, SceneGroup { parent: group::WINDOW, at: view.cutter, hidden, ..SceneGroup::default() });
+    for group in [inserts, blur] {
+        d.place(group, SceneGroup { parent: disc_group, ..SceneGroup::default() });
     }
     let low = FLOOR - 38.0 - AXIS;
-    d.within(group::DISC, |d| {
+    d.within(disc_group, |d| {
         // Carriage and column behind the disc.
         d.path(
             filled("M# #l# #H#l# #Z", &[-reach - 24.0, low - 20.0, 14.0, -8.0, reach + 38.0, -14.0, 8.0]),
@@ -71,21 +88,21 @@ pub(super) fn draw_cutter(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         });
         d.path(barrel((0.0, 0.0), disc, (0.10 * r, -0.06 * r)), Look::fill(Paint::Dark));
     });
-    d.within(group::INSERTS, |d| holders(d, lathe, view));
-    d.within(group::DISC, |d| {
+    d.within(inserts, |d| holders(d, lathe, view));
+    d.within(disc_group, |d| {
         d.circle((0.0, 0.0, disc), Look::FACE);
         d.circle((0.0, 0.0, 0.93 * disc), Look::HAIR.faint(0.35));
     });
-    d.within_hidden(group::BLUR, |d| {
+    d.within_hidden(blur, |d| {
         d.circle((0.0, 0.0, 0.5 * (disc + r)), Look::line(Paint::SteelShade, r - disc));
         d.circle((0.0, 0.0, 0.97 * r), Look::line(Paint::Accent, 0.06 * r));
     });
-    d.within(group::INSERTS, |d| face(d, lathe, disc));
-    d.within(group::DISC, |d| {
+    d.within(inserts, |d| face(d, lathe, disc));
+    d.within(disc_group, |d| {
         d.circle((0.0, 0.0, 0.36 * disc), Look::DARK_FACE);
         d.circle((0.0, 0.0, 0.16 * disc), Look::FACE);
     });
-    d.within(group::INSERTS, |d| {
+    d.within(inserts, |d| {
         for at in 0..4 {
             let (x, y) = polar((0.0, 0.0), 90.0 * f64::from(at), 0.29 * disc);
             d.circle((x, y, 0.035 * disc), Look::HOLE);
@@ -93,7 +110,7 @@ pub(super) fn draw_cutter(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         let key = 0.05 * disc;
         d.rect([-key, -0.18 * disc, 2.0 * key, 0.08 * disc, 0.0], Look::fill(Paint::DarkShade));
     });
-    d.within(group::DISC, |d| {
+    d.within(disc_group, |d| {
         let (from, to) = (polar((0.0, 0.0), 205.0, 0.975 * disc), polar((0.0, 0.0), 265.0, 0.975 * disc));
         d.path(filled("M# #A# # 0 0 1 # #", &[from.0, from.1, 0.975 * disc, 0.975 * disc, to.0, to.1]), Look::RIM);
         let cross = 1.1 * r;
@@ -113,18 +130,21 @@ fn tips(lathe: &PolygonLathe, view: &View) -> Vec<(f64, f64)> {
 }
 
 /// Half the width of a holder over the radius of the tip circle: it fits between its neighbours.
-fn width(count: usize) -> f64 {
-    (0.75 * PI * DISC / count.max(1) as f64).min(0.115)
+fn width(lathe: &PolygonLathe, count: usize) -> f64 {
+    (0.75 * PI * body(lathe).0 / count.max(1) as f64).min(0.115)
 }
 
 /// Holders with their inserts.
 fn holders(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let r = lathe.p.tip_radius * view.scale;
     let tips = tips(lathe, view);
-    let half = r * width(tips.len());
+    let half = r * width(lathe, tips.len());
     // Inserts face in the direction of a cutter that turns in the sense of the work, or against it. Positive turns are counter-clockwise.
     let hand = if lathe.d.faces_forward == (lathe.p.work_speed() > 0.0) { 1.0 } else { -1.0 };
-    let (inner, outer) = (0.6 * r, 0.93 * r);
+    let (disc, outer) = (body(lathe).0 * r, body(lathe).1 * r);
+    let inner = 0.87 * disc;
+    // The insert reaches into its holder.
+    let long = (0.15 * r).max(1.2 * (r - outer));
     let (mut holders, mut rims, mut inserts, mut screws): (String, String, String, String) = Default::default();
     for (degrees, tip) in tips {
         let (s, c) = math::sin_cos(degrees * PI / 180.0);
@@ -134,7 +154,7 @@ fn holders(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
                 fill(out, at, &[x * c - y * hand * s, x * s + y * hand * c]);
             }
         };
-        let (tail, seat) = (outer - 0.06 * r, tip - 0.085 * r);
+        let (tail, seat) = ((outer - 0.06 * r).max(inner), tip - 0.57 * long);
         let holder = [
             (inner, -half),
             (tail, -half),
@@ -148,7 +168,7 @@ fn holders(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         place(&mut rims, &[(inner, -0.8 * half), (tail, -0.8 * half)]);
         place(
             &mut inserts,
-            &[(tip, 0.0), (tip - 0.07 * r, 0.62 * half), (tip - 0.15 * r, 0.1 * half), (tip - 0.1 * r, -0.5 * half)],
+            &[(tip, 0.0), (tip - 0.47 * long, 0.62 * half), (tip - long, 0.1 * half), (tip - 0.67 * long, -0.5 * half)],
         );
         inserts.push('Z');
         screws += &circle(seat * c, seat * s, (0.014 * r).min(0.2 * half));
@@ -162,7 +182,7 @@ fn holders(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
 /// Marks of the turn on the face of the disc: clamps of the holders and holes.
 fn face(d: &mut Drawing, lathe: &PolygonLathe, disc: f64) {
     let count = lathe.p.inserts.max(1.0);
-    let half = disc * width(count as usize) / DISC;
+    let half = disc * width(lathe, count as usize) / body(lathe).0;
     let tips = (0..count as u32).map(|at| 180.0 - 360.0 * f64::from(at) / count);
     let (mut clamps, mut holes) = (String::new(), String::new());
     for degrees in tips {
@@ -193,7 +213,8 @@ fn face(d: &mut Drawing, lathe: &PolygonLathe, disc: f64) {
 /// Line of the distance between the axes, with the cutter `away` units from its last place.
 pub(in super::super) fn distance(lathe: &PolygonLathe, view: &View, away: f64) -> String {
     let (left, right, y) = (view.work.0, view.cutter.0 + away, DISTANCE);
-    let (work, disc) = (0.5 * lathe.p.stock_diameter * view.scale, DISC * lathe.p.tip_radius * view.scale);
+    let disc = body(lathe).0 * lathe.p.tip_radius * view.scale;
+    let work = 0.5 * lathe.p.stock_diameter * view.scale;
     if right > RIGHT {
         return filled("M# #V#M# #H#", &[left, AXIS + work + 12.0, y + 6.0, left, y, RIGHT]);
     }

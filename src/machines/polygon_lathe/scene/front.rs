@@ -99,10 +99,17 @@ pub(super) fn draw_work(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         d.showing("across-flats", |d| {
             d.path(String::new(), Look::fill(Paint::SteelFace).thin(Paint::Edge, 1.2)).id = Some(node::SECTION);
         });
-        d.path(hatch(0.44 * p.across_flats.min(p.stock_diameter) * view.scale), Look::HAIR.faint(0.3));
-        for trace in traces(lathe, BEYOND).into_iter().take(TRACES) {
-            let points: Vec<(f64, f64)> = trace.iter().map(|(x, y)| (x * view.scale, -y * view.scale)).collect();
-            d.path(polyline(&points), Look::POINTER.edge(Paint::Accent, 1.0).faint(0.75));
+        let least = lathe.polygons().map(|lathe| lathe.p.across_flats).fold(p.stock_diameter, f64::min);
+        d.path(hatch(0.44 * least * view.scale), Look::HAIR.faint(0.3));
+        for (at, polygon) in lathe.polygons().enumerate() {
+            let own = group::of(group::TRACES, at);
+            d.place(own, SceneGroup { parent: group::WORK, hidden: at > 0, ..SceneGroup::default() });
+            for trace in traces(polygon, BEYOND).into_iter().take(TRACES) {
+                let points: Vec<(f64, f64)> = trace.iter().map(|(x, y)| (x * view.scale, -y * view.scale)).collect();
+                d.within(own, |d| {
+                    d.path(polyline(&points), Look::POINTER.edge(Paint::Accent, 1.0).faint(0.75));
+                });
+            }
         }
         d.circle((0.0, 0.0, stock), Look::LEAD.dashed(4.0, 3.0));
     });
@@ -171,10 +178,12 @@ pub(super) fn draw_arrows(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     if p.work_speed() != 0.0 {
         d.path(arrow(view.work, work, p.work_speed()), Look::POINTER.edge(Paint::Accent, 2.0));
     }
-    let cutter = 0.84 * p.tip_radius * view.scale;
-    if p.tool_speed() != 0.0 && cutter > 24.0 {
-        d.within(group::DISC, |d| {
-            d.path(arrow((0.0, 0.0), cutter, p.tool_speed()), Look::POINTER.edge(Paint::Accent, 2.0));
-        });
+    for (at, PolygonLathe { p, .. }) in lathe.polygons().enumerate() {
+        let cutter = 0.84 * p.tip_radius * view.scale;
+        if p.tool_speed() != 0.0 && cutter > 24.0 {
+            d.within(group::of(group::DISC, at), |d| {
+                d.path(arrow((0.0, 0.0), cutter, p.tool_speed()), Look::POINTER.edge(Paint::Accent, 2.0));
+            });
+        }
     }
 }

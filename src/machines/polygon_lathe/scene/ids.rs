@@ -27,6 +27,19 @@ pub(in super::super) mod group {
     pub(in crate::machines::polygon_lathe) const WINDOW: u16 = 12;
     /// First of the tips as the work sees them.
     pub(in crate::machines::polygon_lathe) const TIPS: u16 = 13;
+    /// The traces of the inserts on the work.
+    pub(in crate::machines::polygon_lathe) const TRACES: u16 = TIPS + super::TIPS;
+    /// The ticks of the passes in the section as the work sees it.
+    pub(in crate::machines::polygon_lathe) const PASSES: u16 = TRACES + 1;
+    /// Groups that each polygon has for itself, and the first of those of the second polygon.
+    const OWN: [u16; 6] = [DISC, INSERTS, BLUR, LENS, TRACES, PASSES];
+    const SECOND: u16 = PASSES + 1;
+
+    /// The group of a polygon, from 0, that is `first` for the first one.
+    pub(in crate::machines::polygon_lathe) fn of(first: u16, polygon: usize) -> u16 {
+        let own = OWN.iter().position(|own| *own == first).filter(|_| polygon > 0);
+        own.map_or(first, |own| SECOND + (OWN.len() * (polygon - 1) + own) as u16)
+    }
 }
 
 /// Tips that are shown to the work.
@@ -51,4 +64,12 @@ pub(in super::super) mod node {
     pub(in crate::machines::polygon_lathe) const EDGES: u16 = 13;
     /// The polygon that is wanted, as the work sees it.
     pub(in crate::machines::polygon_lathe) const IDEAL: u16 = 14;
+    /// Form and flatness of the sides below the lens.
+    pub(in crate::machines::polygon_lathe) const FORM: u16 = 15;
+    pub(in crate::machines::polygon_lathe) const FLATNESS: u16 = 16;
+    /// The scales of the lens.
+    pub(in crate::machines::polygon_lathe) const SCALES: u16 = 19;
+    /// Across flats, and the tip radius of the cutter.
+    pub(in crate::machines::polygon_lathe) const ACROSS: u16 = 17;
+    pub(in crate::machines::polygon_lathe) const RADIUS: u16 = 18;
 }

@@ -33,6 +33,7 @@ const FREE: f64 = 140.0;
 const TOWARDS: f64 = 44.0;
 
 /// How the parts lie in the drawing.
+#[derive(Clone, Copy)]
 pub(in super::super) struct View {
     /// Units per mm on the machine.
     pub(in super::super) scale: f64,
@@ -53,19 +54,20 @@ pub(in super::super) struct View {
 impl View {
     pub(in super::super) fn new(lathe: &PolygonLathe) -> View {
         let p = &lathe.p;
-        let (stock, r) = (0.5 * p.stock_diameter, p.tip_radius);
+        let stock = 0.5 * p.stock_diameter;
+        let most = |value: fn(&PolygonLathe) -> f64| lathe.polygons().map(value).fold(0.0, f64::max);
+        let r = most(|lathe| lathe.p.tip_radius);
         let across = RIGHT - LEFT - CHUCK.1;
-        let clear = (0.5 * p.clear_diameter()).max(0.5 * p.across_flats);
+        let clear = (0.5 * p.clear_diameter()).max(most(|lathe| 0.5 * lathe.p.across_flats));
         let part = (ROOM.0 / r).min(ROOM.1 / stock).min(across / (clear + 2.0 * r));
         let whole = across / (clear.max(0.5 * p.start_x) + 2.0 * r);
         let scale = part.min(whole.max(SMALLER * part));
         let chuck = math::clamp(2.7 * stock * scale, CHUCK.0, CHUCK.1);
         let work = (LEFT + chuck, AXIS);
-        let cutter = (work.0 + (0.5 * p.across_flats + r) * scale, AXIS);
         let free = if p.free_length > 0.0 {
             p.free_length
         } else {
-            lathe.polygons().map(|lathe| lathe.p.far_end()).fold(0.0, f64::max) + 0.3 * p.length + 0.4 * stock
+            most(|lathe| lathe.p.far_end()) + 0.3 * p.length + 0.4 * stock
         };
         let bar = (BAR.0 / (free + p.clearance)).min(BAR.1 / stock);
         let start = ((BAR.0 + 46.0) / (free + p.start_z))
@@ -73,6 +75,13 @@ impl View {
             .min(2.0 * TOWARDS / (p.start_x - p.across_flats).max(1e-3));
         let side = bar.min(start.max(SMALLER * bar));
         let face = SIDE.0 + (free * side).max(FREE);
-        View { scale, work, chuck, cutter, close: CLOSE.2 / stock, side, face }
+        let view = View { scale, work, chuck, cutter: work, close: CLOSE.2 / stock, side, face };
+        view.of(lathe)
+    }
+
+    /// The same with the cutter of a polygon.
+    pub(in super::super) fn of(self, lathe: &PolygonLathe) -> View {
+        let p = &lathe.p;
+        View { cutter: (self.work.0 + (0.5 * p.across_flats + p.tip_radius) * self.scale, AXIS), ..self }
     }
 }

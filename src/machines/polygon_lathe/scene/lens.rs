@@ -38,22 +38,31 @@ pub(super) fn draw(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     d.circle((view.work.0, top, 10.0), Look::POINTER);
     let edge = x - (r * r - (y - OVER) * (y - OVER)).max(0.0).sqrt();
     d.path(filled("M# #V#H#", &[view.work.0, top - 10.0, OVER, edge]), Look::POINTER.edge(Paint::Accent, 1.0));
-    d.place(
-        group::LENS,
-        SceneGroup { at: (x, y), clip: Some(Shape::Circle { x: 0.0, y: 0.0, r }), ..SceneGroup::default() },
-    );
-    d.within(group::LENS, |d| {
-        d.circle((0.0, 0.0, r), Look::fill(Paint::Glass));
-        sides(d, lathe, view);
-    });
+    for (at, polygon) in lathe.polygons().enumerate() {
+        let clip = Some(Shape::Circle { x: 0.0, y: 0.0, r });
+        let own = group::of(group::LENS, at);
+        d.place(own, SceneGroup { at: (x, y), clip, hidden: at > 0, ..SceneGroup::default() });
+        d.within(own, |d| {
+            d.circle((0.0, 0.0, r), Look::fill(Paint::Glass));
+            sides(d, polygon, view);
+        });
+    }
     d.circle((x, y, r), Look::line(Paint::Page, 5.0));
     d.circle((x, y, r), Look::POINTER);
-    if lathe.d.cuts {
-        let name = if lathe.d.curvature >= 0.0 { "polygon.scene.crowned" } else { "polygon.scene.hollow" };
-        d.text((x, y + 46.0), "middle", &say(name), Font::Label, Paint::Dim);
-        let flatness = format!("{} mm", show(lathe.d.flatness, 4));
-        d.text((x, y + 70.0), "middle", &flatness, Font::Value, Paint::Ink);
+    let [form, flatness, scales] = form(lathe, view);
+    d.text((x, y - 46.0), "middle", &scales, Font::Label, Paint::Dim).id = Some(node::SCALES);
+    d.text((x, y + 46.0), "middle", &form, Font::Label, Paint::Dim).id = Some(node::FORM);
+    d.text((x, y + 70.0), "middle", &flatness, Font::Value, Paint::Ink).id = Some(node::FLATNESS);
+}
+
+/// Form and flatness of the sides, and the scales of the lens; empty where nothing is cut.
+pub(in super::super) fn form(lathe: &PolygonLathe, view: &View) -> [String; 3] {
+    if !lathe.d.cuts {
+        return Default::default();
     }
+    let name = if lathe.d.curvature >= 0.0 { "polygon.scene.crowned" } else { "polygon.scene.hollow" };
+    let scales = lathe.lens_scales.get_or_init(|| scales_text(lathe, view));
+    [say(name), format!("{} mm", show(lathe.d.flatness, 4)), scales.clone()]
 }
 
 /// Deviation of the sides from their planes along them, mm: none where stock is left.
@@ -86,13 +95,23 @@ fn curves(lathe: &PolygonLathe) -> Vec<Vec<(f64, f64)>> {
     (0..count.min(SIDES)).map(side).filter(|side| side.len() > 1).collect()
 }
 
+/// Magnification of the deviations, and units per mm along the sides; none without sides.
+fn scales(curves: &[Vec<(f64, f64)>], view: &View) -> Option<(f64, f64)> {
+    let all = curves.iter().flatten();
+    let (length, high) = all.fold((0.0_f64, 0.0_f64), |(l, h), (x, y)| (l.max(x.abs()), h.max(y.abs())));
+    let times = round((HIGH / high.max(1e-9) / view.scale).min(1e6));
+    (length > 0.0).then(|| (times, HALF / length))
+}
+
+/// The scales of the lens in words; empty without sides.
+fn scales_text(lathe: &PolygonLathe, view: &View) -> String {
+    let scales = scales(&curves(lathe), view);
+    scales.map_or(String::new(), |(times, along)| format!("↕{}× ↔{}×", show(times, 0), show(along / view.scale, 1)))
+}
+
 fn sides(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
     let curves = curves(lathe);
-    let all = || curves.iter().flatten();
-    let (length, high) = all().fold((0.0_f64, 0.0_f64), |(l, h), (x, y)| (l.max(x.abs()), h.max(y.abs())));
-    if length > 0.0 {
-        let along = HALF / length;
-        let times = round((HIGH / high.max(1e-9) / view.scale).min(1e6));
+    if let Some((times, along)) = scales(&curves, view) {
         let up = times * view.scale;
         let points = |side: &[(f64, f64)]| side.iter().map(|(x, y)| (x * along, PLANE - y * up)).collect::<Vec<_>>();
         if let Some(first) = curves.first() {
@@ -113,8 +132,6 @@ fn sides(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
             let barb = 4.0_f64.copysign(from - to);
             d.path(filled("M# #V#M# #l-4 #M# #l4 #", &[x, from, to, x, to, barb, x, to, barb]), Look::POINTER);
         }
-        let scales = format!("↕{}× ↔{}×", show(times, 0), show(along / view.scale, 1));
-        d.text((0.0, -46.0), "middle", &scales, Font::Label, Paint::Dim);
     }
     d.showing("flatness", |d| {
         d.path(filled("M# #H#", &[-LENS.2, PLANE, LENS.2]), Look::LEAD.dashed(6.0, 4.0));
@@ -152,9 +169,15 @@ pub(super) fn draw_close(d: &mut Drawing, lathe: &PolygonLathe, view: &View) {
         d.path(String::new(), Look::fill(Paint::Steel).thin(Paint::Edge, 1.2)).id = Some(node::CLOSE);
         d.circle((0.0, 0.0, r), Look::LEAD.dashed(4.0, 3.0));
         d.path(String::new(), Look::hair(Paint::Accent, 1.0).dashed(6.0, 4.0)).id = Some(node::IDEAL);
-        d.showing("depth", |d| {
-            d.path(passes(lathe, view), Look::hair(Paint::Ink, 1.0));
-        });
+        for (at, polygon) in lathe.polygons().enumerate() {
+            let own = group::of(group::PASSES, at);
+            d.place(own, SceneGroup { parent: group::CLOSE, hidden: at > 0, ..SceneGroup::default() });
+            d.within(own, |d| {
+                d.showing("depth", |d| {
+                    d.path(passes(polygon, view), Look::hair(Paint::Ink, 1.0));
+                });
+            });
+        }
     });
     let most = lathe.polygons().map(|lathe| lathe.p.inserts).fold(0.0, f64::max);
     for tip in 0..(most as u16).min(TIPS) {
