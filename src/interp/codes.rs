@@ -93,7 +93,7 @@ impl RunState {
                 Address::M if self.spindle_of(word) > 1 && self.other_spindle(cx, block, word)? => {}
                 Address::M if at + 1 < words.len() && self.is_overtaken(cx, block, words, at)? => {}
                 Address::M => self.m_word(cx, block, word, at, codes)?,
-                Address::Name => self.named_code(cx, word, at, codes),
+                Address::Name => self.named_code(cx, word, at, codes)?,
                 Address::Skip if self.skips(cx, word) => {
                     codes.count = at;
                     break;
@@ -157,13 +157,16 @@ impl RunState {
 
     /// Takes a code that is a name.
     #[cold]
-    fn named_code(&mut self, cx: &BlockContext, word: &Word, at: usize, codes: &mut BlockCodes) {
+    fn named_code(&mut self, cx: &BlockContext, word: &Word, at: usize, codes: &mut BlockCodes) -> Result<(), Trap> {
         match cx.codes().row_of(word) {
+            Some(row) if row.code == Code::StopReading && !self.synced => return Err(Trap::Sync),
+            Some(row) if row.code == Code::StopReading => codes.any_word = true,
             Some(row) if row.code == Code::Return => codes.flow = Some(Code::Return),
             Some(row) if row.code == Code::MasterSpindle => self.modal.spindle.master = word.index.unwrap_or(1),
             Some(row) => self.g_code(cx, row, at, codes),
             None => {}
         }
+        Ok(())
     }
 
     /// Whether an optional block skip in the middle of a block is switched on.

@@ -15,15 +15,15 @@ pub fn write_header<M: Machine>(b: &mut Builder, params: &M::Params, control: &C
 
 /// The control's own codes for these functions; those that it lacks are left out.
 pub fn codes(control: &Control, wanted: impl IntoIterator<Item = Code>) -> Vec<NewWord> {
-    let word = |code: Code| {
+    let own = |code: Code| {
         let row = control.codes.iter().find(|row| row.code == code)?;
         match row.id {
             CodeId::G(number) => Some(g(number.integer())),
             CodeId::M(number) => Some(m(number)),
-            CodeId::Named(_) => None,
+            CodeId::Named(place) => Some(word(Address::Name, u32::from(place))),
         }
     };
-    wanted.into_iter().filter_map(word).collect()
+    wanted.into_iter().filter_map(own).collect()
 }
 
 /// The modal states that a program needs, whatever was in force before it: metric words, plane Z-X, no radius compensation, speed in

@@ -121,6 +121,8 @@ pub enum Code {
     DiametersAbsolute,
     /// End of subprogram that a main program cannot have (RET).
     Return,
+    /// The next block is read when all before it are done (STOPRE).
+    StopReading,
     /// Cancel or default state that the simulation is in anyway (G40, G80 …).
     Cancel,
     /// The control has it, the simulation does not act on it; said once per kind.

@@ -12,6 +12,8 @@ mod readouts;
 
 mod rules;
 
+mod phase;
+
 mod program;
 
 mod plant;

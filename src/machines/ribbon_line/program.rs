@@ -5,6 +5,7 @@
 
 use super::derive::{SHORTEST, WHOLE};
 use super::params::{Endless, OverrideForm, PathMode, Rest, Variant, Wait};
+use super::phase;
 use super::resolved::RibbonLine;
 use crate::controls::Address;
 use crate::controls::{Code, VarKind};
@@ -186,9 +187,19 @@ pub(super) fn overrides_can_be_off(line: &RibbonLine) -> bool {
     line.control.var(3004).is_some_and(|row| row.kind == VarKind::SuppressOverride)
 }
 
+/// The program takes the coordinates back at each start.
+fn presets(line: &RibbonLine) -> bool {
+    line.p.endless == Endless::Shift
+}
+
+/// A head to the ribbon, before the product begins.
+fn to_head(b: &mut Builder, line: &RibbonLine, next: u32) {
+    phase::to_head(b, line, next, |by| travel(line, line.print(), by));
+}
+
 /// Here is zero: the coordinates, which only grow, are taken back.
 fn preset(b: &mut Builder, line: &RibbonLine, number: u32) {
-    if line.p.endless != Endless::Shift {
+    if !presets(line) {
         return;
     }
     let zero = || real(0.0, 0);
@@ -284,16 +295,18 @@ fn run(b: &mut Builder, line: &RibbonLine) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
     override_off(b, line, 1);
+    phase::check(b, line);
     if !is_length(line) {
         b.n(2).assign(LEFT, v(COUNT)).note("PITCHES LEFT");
     }
-    b.n(3).assign(122, 0).note(&format!("REMAINDER OF {}", line.p.print_axis.address()));
     b.n(4).assign(128, v(121)).note("PITCHES OF A BLOCK");
     b.n(5).call(COMPUTE, None);
     if is_length(line) {
         pitches_left(b, line, v(LENGTH));
         b.if_goto(v(LEFT).lt(1), 900 + SHORT_ALARM);
     }
+    let next = if presets(line) { 6 } else { 7 };
+    to_head(b, line, next);
     preset(b, line, 6);
     let speed = spindle_word(line);
     b.n(7).assign(127, v(speed)).note("SPEED THAT RUNS");
@@ -425,11 +438,13 @@ fn start_spindle(b: &mut Builder, line: &RibbonLine, start: u32, wait: u32) {
 /// moves are done.
 fn end(b: &mut Builder, line: &RibbonLine) {
     b.n(50).words([m(5)]);
+    phase::end(b, line);
     let absolute = codes(line, [Code::Absolute]);
     if !absolute.is_empty() {
         b.n(51).words(absolute);
     }
     b.n(52).words([m(30)]);
+    phase::alarm(b, line);
 }
 
 /// O9100 as published: its numbers N5, N10, N20, N30, N100 and N200 with the corrections between them.
@@ -462,16 +477,18 @@ fn published(b: &mut Builder, line: &RibbonLine) {
     header(b, line);
 }
 
-/// The main program of a listing: what comes before its passes, the passes, the last pitch and the alarms.
-fn run_listing(b: &mut Builder, line: &RibbonLine, passes: impl FnOnce(&mut Builder)) {
+/// The main program of a listing: what comes before its passes, the passes (from a block on), the last pitch and the alarms.
+fn run_listing(b: &mut Builder, line: &RibbonLine, passes_at: u32, passes: impl FnOnce(&mut Builder)) {
     b.program(RUN, "RIBBON LINE - RUN");
     header(b, line);
     writing::guards(b, &entries(line));
     override_off(b, line, 20);
+    phase::check(b, line);
     b.n(21);
     product(b, line);
-    b.n(22).assign(122, 0).note(&format!("REMAINDER OF {}", line.p.print_axis.address()));
+    b.n(22).assign(110, print_stroke(line)).note(&about(line, "PER PITCH"));
     b.n(23).assign(127, 0).note("SPINDLE DOES NOT RUN YET");
+    to_head(b, line, if presets(line) { 24 } else { passes_at });
     preset(b, line, 24);
     passes(b);
     last_pitch(b, line);
@@ -483,7 +500,7 @@ fn run_listing(b: &mut Builder, line: &RibbonLine, passes: impl FnOnce(&mut Buil
 
 /// The main program of the published listing: one call of O9100 per pitch.
 fn run_published(b: &mut Builder, line: &RibbonLine) {
-    run_listing(b, line, |b| {
+    run_listing(b, line, 30, |b| {
         b.n(30).while_do(v(LEFT).gt(0), 1);
         b.n(31).call(COMPUTE, None);
         b.n(32).end_do(1);
@@ -518,7 +535,7 @@ fn precompute(b: &mut Builder, line: &RibbonLine) {
 
 /// The main program of the listing that calculates before the loop: a pass is a look at the knob and the block N200.
 fn run_precomputed(b: &mut Builder, line: &RibbonLine) {
-    run_listing(b, line, |b| {
+    run_listing(b, line, 25, |b| {
         b.n(25).words(modes(line));
         b.n(30).while_do(v(LEFT).gt(0), 1);
         b.n(31);

@@ -1,5 +1,6 @@
 //! Hold, alarm, reset and emergency stop of the ribbon line: the unwinder stops with the axes, or it fills the loop.
 
+use super::phase;
 use super::resolved::RibbonLine;
 use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
 use crate::msg;
@@ -24,6 +25,13 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
         true => msg!("ribbon.stops.start-in-step"),
         false => msg!("ribbon.stops.start"),
     };
+    // After a product that was broken off a head has to be at the ribbon again.
+    let told = phase::is_told(line);
+    let variable = line.control.variable(phase::PHASE);
+    let anew = |told_so: fn(&str) -> Message, by_hand: fn(&str, &str) -> Message| match told {
+        true => told_so(print.as_str()),
+        false => by_hand(print.as_str(), variable.as_str()),
+    };
     let row = |at, axes: Message, material, operator| Reaction {
         at,
         spindle: unwinder(at),
@@ -36,18 +44,32 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
     vec![
         row(Interruption::Hold, msg!("ribbon.stops.axes-hold", print.as_str()), again.clone(), goes_on.clone()),
         row(Interruption::BlockStop, block.clone(), again, goes_on),
-        row(Interruption::Alarm, block, laid(d.slack_stop), msg!("ribbon.stops.mend")),
+        row(
+            Interruption::Alarm,
+            block,
+            laid(d.slack_stop),
+            anew(
+                |axis| msg!("ribbon.stops.mend", axis),
+                |axis, variable| msg!("ribbon.stops.mend-by-hand", axis, variable),
+            ),
+        ),
         row(
             Interruption::Reset,
             msg!("ribbon.stops.axes-reset", print.as_str()),
             laid(d.slack_hold),
-            msg!("ribbon.stops.anew"),
+            anew(
+                |axis| msg!("ribbon.stops.anew", axis),
+                |axis, variable| msg!("ribbon.stops.anew-by-hand", axis, variable),
+            ),
         ),
         row(
             Interruption::EmergencyStop,
             msg!("ribbon.stops.axes-emergency", print.as_str()),
             laid(d.slack_hold),
-            msg!("ribbon.stops.clear"),
+            anew(
+                |axis| msg!("ribbon.stops.clear", axis),
+                |axis, variable| msg!("ribbon.stops.clear-by-hand", axis, variable),
+            ),
         ),
     ]
 }

@@ -1,7 +1,7 @@
 //! Hold, reset and emergency stop at any moment of every machine on every control: no motion from a place that is not known to be clear, and no
 //! other product without an alarm.
 
-use macroline::controls::CodeId;
+use macroline::controls::{Address, CodeId};
 use macroline::interp::{Canon, Interp};
 use macroline::machines;
 use macroline::motion::{Action, Budget, Event, Planner, Retention, RunEnd};
@@ -56,6 +56,25 @@ fn projects() -> impl Iterator<Item = (String, Project)> {
     })
 }
 
+/// Turn of the print roller, in heads.
+fn heads(project: &Project, planner: &Planner<Interp>, t: f64) -> f64 {
+    let readouts = project.design().readouts;
+    let stroke = readouts.iter().find(|row| row.id == "y-stroke").unwrap().value;
+    planner.timeline().at(t).axes[project.control.axis(Address::Y).unwrap()].actual / stroke
+}
+
+/// When X begins to pull behind a moment.
+fn first_pull(planner: &Planner<Interp>, from: f64) -> f64 {
+    let still = planner.timeline().at(from).axes[0].actual;
+    let (mut low, mut high) = (from, planner.timeline().end());
+    while high - low > 1e-9 {
+        let middle = 0.5 * (low + high);
+        let moved = planner.timeline().at(middle).axes[0].actual != still;
+        *(if moved { &mut high } else { &mut low }) = middle;
+    }
+    low
+}
+
 /// Places of the axes, as words count them.
 fn place(planner: &Planner<Interp>, t: f64) -> Vec<f64> {
     planner.timeline().words_at(t).to_vec()
@@ -91,9 +110,12 @@ fn reset_and_start_repeats_the_product_or_alarms() {
             let start = t + PAUSE;
             let again = outcome(&project, &[(t, broken), (start - 0.1, Action::Reset), (start, Action::Start)]);
             let [from, to] = [start, again.planner.timeline().end()].map(|t| place(&again.planner, t));
+            let end = again.planner.timeline().end();
+            let message = again.planner.timeline().message_at(end).unwrap_or_default().to_owned();
             match &again.ended {
-                Some(RunEnd::Alarm(alarm)) => {
-                    let said = format!("{alarm:?}");
+                Some(stopped @ (RunEnd::Alarm(_) | RunEnd::Stop)) => {
+                    // A control without alarms of a program shows its message and stops.
+                    let said = format!("{stopped:?} {message}");
                     assert!(said.contains("BY HAND"), "{name} at {t}: {said}");
                     assert!(from.iter().zip(&to).all(|(a, b)| (a - b).abs() < 1e-6), "{name} at {t}: it moved");
                     alarms += 1;
@@ -102,7 +124,12 @@ fn reset_and_start_repeats_the_product_or_alarms() {
                     assert_eq!(*ended, Some(RunEnd::ProgramEnd), "{name} at {t}");
                     repeats += 1;
                     if ribbon {
-                        // A whole product more, from wherever the ribbon is.
+                        // A whole product more, from wherever the ribbon is, with a head at the ribbon at its begin and its end.
+                        for (at, most) in [(first_pull(&again.planner, start), 2.001e-3), (end, 1e-4)] {
+                            let off = heads(&project, &again.planner, at);
+                            assert!((off - off.round()).abs() < most, "{name} at {t}: {off} heads at {at}");
+                        }
+                        let from = place(&again.planner, first_pull(&again.planner, start) - 1e-9);
                         let whole = |k: usize| product[k] - begin[k];
                         assert!(
                             (0..product.len()).all(|k| (to[k] - from[k] - whole(k)).abs() < 1e-3),

@@ -1,5 +1,6 @@
 //! The ribbon line interrupted: hold, single block, alarm, reset, emergency stop, and the loop that has to take it all up.
 
+use macroline::controls::VarKind;
 use macroline::interp::Interp;
 use macroline::motion::{Action, Event, Planner, RunEnd};
 use macroline::project::Project;
@@ -205,8 +206,16 @@ fn operator_goes_on_as_the_table_says() {
         let (end, _) = run(&[(8.0, Action::EmergencyStop), (14.0, Action::Start)]);
         assert!(matches!(end, RunEnd::Alarm(_)), "{} {end:?}", control.id);
         let anew = [(8.0, Action::EmergencyStop), (13.0, Action::Reset), (14.0, Action::Start)];
+        // Where the program cannot read positions, the operator has turned the roller to a head.
+        let tells = control.vars.iter().any(|row| row.kind == VarKind::WorkPosition);
+        let turned = (!tells).then_some((13.5, Action::Variable(138, Some(0.0))));
         for actions in [&anew[..], &[(8.0, Action::Reset), (14.0, Action::Start)]] {
-            let (end, planner) = run(actions);
+            if !tells {
+                assert_eq!(run(actions).0, RunEnd::Stop, "{} {actions:?}", control.id);
+            }
+            let mut actions = actions.to_vec();
+            actions.splice(actions.len() - 1..actions.len() - 1, turned.clone());
+            let (end, planner) = run(&actions);
             assert_eq!(end, RunEnd::ProgramEnd, "{} {actions:?}", control.id);
             assert_eq!(planner.timeline().at(13.9).spindle.actual, 0.0, "{} {actions:?}", control.id);
             assert!(pitch(&project, &planner) > 1.0, "{} {actions:?}", control.id);

@@ -113,7 +113,7 @@ pub const CODES: &[CodeDef] = &[
     named(22, NotSimulated, Group::OneShot, "additional programmable scale", MEMORY),
     named(23, NotSimulated, Group::OneShot, "programmable mirroring", MEMORY),
     named(24, NotSimulated, Group::OneShot, "additional programmable mirroring", MEMORY),
-    named(25, Cancel, Group::Other, "preprocessing stop", MEMORY),
+    named(25, StopReading, Group::Other, "preprocessing stop", MEMORY),
     named(26, MasterSpindle, Group::Other, "master spindle", MEMORY),
     named(27, ReplacesPositions, Group::Positions, "milling of faces by turning", MEMORY),
     named(28, ReplacesPositions, Group::Positions, "milling of cylinders by turning", MEMORY),

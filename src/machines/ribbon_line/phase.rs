@@ -1,0 +1,80 @@
+//! Phase of the print heads at the start of a product: a head is at the ribbon, wherever the product before was broken off.
+//!
+//! Where the control tells positions, the program turns the print roller on to its next head, with the ribbon at rest: no head meets the ribbon
+//! on the way. Where it does not, a variable tells a product that did not come to its end, and an alarm sends the operator to the roller.
+
+use super::resolved::RibbonLine;
+use crate::controls::Code;
+use crate::machines::writing;
+use crate::nc::build::{Builder, Formula, NewWord, g, real, v};
+
+/// Distance of the nearest head from the ribbon, in heads; where positions are not told, 1 from the start of a product to its end.
+pub(super) const PHASE: u32 = 138;
+
+/// Number of the alarm of a product that did not come to its end.
+pub(super) const ALARM: u32 = 23;
+
+/// Distance (in heads) up to which the first block takes the rest of the phase along; beyond it the roller is turned.
+const SMALL: f64 = 0.002;
+
+/// Variable of the print roller's position, where the control tells it.
+fn position(line: &RibbonLine) -> Option<u32> {
+    Some(writing::work_position(line.control)? + line.print() as u32)
+}
+
+/// Whether the program itself brings a head to the ribbon.
+pub(super) fn is_told(line: &RibbonLine) -> bool {
+    position(line).is_some()
+}
+
+/// Jumps to the alarm where the product before did not come to its end.
+pub(super) fn check(b: &mut Builder, line: &RibbonLine) {
+    if !is_told(line) {
+        b.if_goto(v(PHASE).gt(0), 900 + ALARM);
+    }
+}
+
+/// Brings a head to the ribbon and goes on at block `next`: `#110` has the stroke of a pitch, one head. `turn` is the word of the roller's
+/// travel. A product begins here.
+///
+/// With the position y in heads and its distance `e = y - ROUND(y)` from the nearest head, the way on to the next head is
+/// `ROUND(e + 0.49) - e`: 1 - e behind a head, -e before it.
+pub(super) fn to_head(b: &mut Builder, line: &RibbonLine, next: u32, turn: impl FnOnce(Formula) -> NewWord) {
+    let axis = line.p.print_axis.address();
+    let Some(position) = position(line) else {
+        b.assign(122, 0).note(&format!("REMAINDER OF {axis}"));
+        b.assign(PHASE, 1).note("A PRODUCT BEGINS");
+        return;
+    };
+    b.assign(PHASE, v(position) / v(110)).note("HEADS FROM ZERO");
+    b.assign(PHASE, v(PHASE) - v(PHASE).round()).note("FROM THE NEAREST");
+    b.assign(122, -(v(PHASE) * v(110))).note(&format!("REMAINDER OF {axis}"));
+    b.if_goto(v(PHASE).abs().le(real(SMALL, 3)), next);
+    b.assign(PHASE, (v(PHASE) + real(0.49, 2)).round() - v(PHASE)).note("TO THE NEXT HEAD");
+    b.assign(124, (v(PHASE) * v(110) * 1000).round() / 1000);
+    b.assign(122, v(PHASE) * v(110) - v(124)).note(&format!("REMAINDER OF {axis}"));
+    let mut words = writing::codes(line.control, [Code::Incremental]);
+    words.extend([g(0), turn(v(124))]);
+    b.words(words).note("A HEAD TO THE RIBBON");
+}
+
+/// A product has come to its end: behind M5, when all blocks are done.
+pub(super) fn end(b: &mut Builder, line: &RibbonLine) {
+    if is_told(line) {
+        return;
+    }
+    let waits = writing::codes(line.control, [Code::StopReading]);
+    if !waits.is_empty() {
+        b.words(waits);
+    }
+    b.assign(PHASE, 0).note("THE PRODUCT IS WHOLE");
+}
+
+/// The alarm, behind the end of the program.
+pub(super) fn alarm(b: &mut Builder, line: &RibbonLine) {
+    if is_told(line) {
+        return;
+    }
+    let text = format!("TURN {} TO A HEAD BY HAND, {}=0", line.p.print_axis.address(), line.control.variable(PHASE));
+    writing::alarm(b, line.control, ALARM, &text);
+}
