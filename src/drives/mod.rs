@@ -1,4 +1,12 @@
-//! Engineering shared by machines: analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning, axis scaling.
+//! Engineering shared by machines: inertia, load and servo of an axis, cams, analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning, axis scaling.
+
+pub mod inertia;
+
+pub mod load;
+
+pub mod servo;
+
+pub mod cam;
 
 pub mod analog;
 

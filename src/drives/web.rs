@@ -33,3 +33,31 @@ pub fn draw_tension(modulus: f64, area: f64, draw: f64) -> f64 {
 pub fn smear(ratio: f64, contact: f64) -> f64 {
     (1.0 - 1.0 / ratio).abs() * contact
 }
+
+/// Length of a dot, in the unit of `head`: the length of the head on the roller as the web sees it, and the smear: `l / r + |1 - 1 / r| · c`.
+/// Source: sizing facts 3.2, checked as E9.
+pub fn mark_length(head: f64, ratio: f64, contact: f64) -> f64 {
+    head / ratio + smear(ratio, contact)
+}
+
+/// Length in which a roller of radius `radius` that is pressed `depth` into a flat counter surface touches it: `2 √(2 R δ)`, in their unit.
+/// Source: sizing facts 3.2, checked as E10.
+pub fn contact_length(radius: f64, depth: f64) -> f64 {
+    2.0 * (2.0 * radius * depth).sqrt()
+}
+
+/// Deviation of the surface ratio from 1 that a smear allows: `s / c`. Source: sizing facts 3.2, checked as E11.
+pub fn ratio_tolerance(smear: f64, contact: f64) -> f64 {
+    smear / contact
+}
+
+/// Holding force of a nip over what pulls at it: `μ N / (T₁ - T₂ + m a)`, at least 2 for a web that does not slip. Newtons, kg, m/s².
+/// Source: sizing facts 2.2, checked as B19.
+pub fn traction((friction, force): (f64, f64), pull: f64, (mass, acceleration): (f64, f64)) -> f64 {
+    friction * force / (pull + mass * acceleration)
+}
+
+/// Time constant in seconds of the tension in a span: its length over the speed of the web. Source: sizing facts 2.6, checked as D13.
+pub fn span_time(length: f64, speed: f64) -> f64 {
+    length / speed
+}

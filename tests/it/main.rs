@@ -17,6 +17,7 @@ mod physics;
 mod programs;
 mod rows;
 mod saved;
+mod sizing;
 mod stepping;
 mod tidy;
 mod warnings;

@@ -1,0 +1,59 @@
+//! Masses and moments of inertia of what turns. Kilograms, metres, kg m².
+
+use crate::math::PI;
+
+/// Density of steel, kg/m³. Source: sizing facts 2.1.
+pub const STEEL: f64 = 7850.0;
+
+/// A cylinder that turns about its axis, solid or hollow.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cylinder {
+    /// Outer diameter, m.
+    pub outer: f64,
+    /// Inner diameter, m; 0 where it is solid.
+    pub inner: f64,
+    /// Length, m.
+    pub length: f64,
+    /// Density, kg/m³.
+    pub density: f64,
+}
+
+impl Cylinder {
+    /// Mass in kg: `π / 4 · (D² - d²) · L · ρ`. Source: sizing facts 2.1, checked as B1 and C1.
+    pub fn mass(&self) -> f64 {
+        PI / 4.0 * (self.outer * self.outer - self.inner * self.inner) * self.length * self.density
+    }
+
+    /// Moment of inertia in kg m²: `m (D² + d²) / 8`. Source: sizing facts 2.1, checked as B2 and C2.
+    pub fn inertia(&self) -> f64 {
+        self.mass() * (self.outer * self.outer + self.inner * self.inner) / 8.0
+    }
+}
+
+/// Moment of inertia of a solid cylinder of a known mass: `m D² / 8`. Source: sizing facts 2.1.
+pub fn solid(mass: f64, diameter: f64) -> f64 {
+    mass * diameter * diameter / 8.0
+}
+
+/// Moment of inertia of a mass that moves on a circle, or with the web around a roller: `m R²`. Source: sizing facts 2.1, checked as C3.
+pub fn at_radius(mass: f64, radius: f64) -> f64 {
+    mass * radius * radius
+}
+
+/// Moment of inertia of a roller as another one on the same web sees it: `J (D / d)²`, `own` being its own diameter and `seen` that of the
+/// other. Source: sizing facts 2.1, checked as B3.
+pub fn across_web(inertia: f64, own: f64, seen: f64) -> f64 {
+    let ratio = seen / own;
+    inertia * ratio * ratio
+}
+
+/// Moment of inertia behind a gear as the motor sees it: `J / i²`, `i` being motor speed over load speed. Source: sizing facts 2.1.
+pub fn through_gear(inertia: f64, ratio: f64) -> f64 {
+    inertia / (ratio * ratio)
+}
+
+/// The gear ratio at which a motor accelerates a load fastest: `√(J / J_M)`, with the rotor and what turns with it.
+/// Source: sizing facts 2.1, checked as C20.
+pub fn best_ratio(inertia: f64, rotor: f64) -> f64 {
+    (inertia / rotor).sqrt()
+}
