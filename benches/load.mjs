@@ -16,7 +16,7 @@ const BLOCKS = 50;
 const LONG = 33;
 
 // Chromium's trace of the tasks of its threads.
-const TASKS = { categories: ['-*', 'disabled-by-default-devtools.timeline', '__metadata'] };
+const TASKS = { categories: ['-*', 'disabled-by-default-devtools.timeline', 'loading', '__metadata'] };
 
 const median = (values) => values.sort((a, b) => a - b)[values.length >> 1];
 
@@ -36,15 +36,13 @@ function watch() {
   told('layout-shift', ({ value, hadRecentInput, startTime, sources }) =>
     seen.shifts.push({ value, hadRecentInput, startTime, parts: sources.map(({ node }) => node?.className || node?.id || node?.nodeName) }),
   );
-  // A frame is painted when the one after it begins.
-  const painted = (act) => requestAnimationFrame(() => requestAnimationFrame(() => act(performance.now())));
-  const look = new MutationObserver(() => {
+  // The still gets its size without a change of the document: it is looked for in each frame, and is painted when the next one begins.
+  const look = () => {
     const drawing = document.querySelector('svg.scene');
-    if (!drawing || drawing.getBoundingClientRect().height < 100) return;
-    look.disconnect();
-    painted((at) => (seen.picture = at));
-  });
-  look.observe(document, { childList: true, subtree: true });
+    const there = drawing && drawing.getBoundingClientRect().height >= 100;
+    requestAnimationFrame(there ? (at) => (seen.picture = at) : look);
+  };
+  requestAnimationFrame(look);
 }
 
 // Runs in the page before anything of it: types into the form as soon as it is there, and notes when the answer of the verdicts is painted.
@@ -82,10 +80,12 @@ async function slowly(app, options, scripts, act) {
   await context.close();
 }
 
-// Milliseconds of each task of the page's own thread, in processor time: unlike time by the clock it does not depend on what else the machine does.
+// Milliseconds of each task of the page's own thread from the first paint on (before it nobody waits for an answer, and the tools of the
+// browser's driver run there), in processor time: unlike time by the clock it does not depend on what else the machine does.
 function tasksOf(events) {
   const threads = events.filter(({ name, args }) => name === 'thread_name' && args.name === 'CrRendererMain');
-  const tasks = events.filter(({ name, ph, tdur }) => name === 'RunTask' && ph === 'X' && tdur !== undefined);
+  const painted = Math.max(...events.filter(({ name }) => name === 'firstContentfulPaint').map(({ ts }) => ts));
+  const tasks = events.filter(({ name, ph, ts, tdur }) => name === 'RunTask' && ph === 'X' && tdur !== undefined && ts >= painted);
   const spent = threads.map(({ pid, tid }) => tasks.filter((task) => task.pid === pid && task.tid === tid).map((task) => task.tdur / 1000));
   // Of all renderers the page's is the busiest.
   return spent.sort((a, b) => sum(b) - sum(a))[0] ?? [];

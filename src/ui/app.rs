@@ -1,7 +1,5 @@
 //! The page: puts the features together.
 
-use std::rc::Rc;
-
 use leptos::ev::KeyboardEvent;
 use leptos::prelude::*;
 
@@ -21,30 +19,28 @@ use super::program::ProgramTab;
 use super::results::{ExploreTab, ParametersTab, PlcTab, ResultsTab, VariablesTab};
 use super::state::notices::Notice;
 use super::state::view::Tab;
-use super::state::{Page, stepping};
+use super::state::{Begun, Page, stepping};
 use super::words::t;
 use super::worker::client::Client;
 use super::worker::diagnostics;
-use crate::project::Project;
-use crate::project::program::Written;
 
-/// What the page begins with, made before it is built: the project of the last visit or a fresh one, its program, and notices about it.
+/// What the page begins with, made before it is built: the project of the last visit or a fresh one with all that follows from it, and notices
+/// about it.
 pub struct Beginning {
-    project: Project,
-    written: Rc<Written>,
+    begun: Begun,
     found: Vec<Notice>,
     /// Whether the store has a text that did not read and found no room elsewhere.
     occupied: bool,
 }
 
 impl Beginning {
-    /// Reads the browser's store and writes the program. None only where no machine has a control: a test of the library holds that there
-    /// is always one.
-    pub fn load() -> Option<Beginning> {
+    /// Reads the browser's store, writes the program and begins its run, each in a turn of its own, and then does `then`: with nothing only
+    /// where no machine has a control, and a test of the library holds that there is always one.
+    pub fn in_turns(then: impl FnOnce(Option<Beginning>) + 'static) {
         let visit = store::load();
-        let project = visit.project?;
-        let written = Rc::new(project.written());
-        Some(Beginning { project, written, found: visit.notices, occupied: visit.occupied })
+        let Some(project) = visit.project else { return then(None) };
+        let (found, occupied) = (visit.notices, visit.occupied);
+        Begun::in_turns(project, move |begun| then(Some(Beginning { begun, found, occupied })));
     }
 }
 
@@ -54,8 +50,8 @@ pub fn App(
     /// What it begins with.
     beginning: Beginning,
 ) -> impl IntoView {
-    let Beginning { project, written, found, occupied } = beginning;
-    let page = Page::provide(project, written, found);
+    let Beginning { begun, found, occupied } = beginning;
+    let page = Page::provide(begun, found);
     let worker = Client::provide();
     let large = LargeFile::provide();
     stepping::restore(page);
@@ -195,13 +191,27 @@ fn Tabs() -> impl IntoView {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::{Bench, mount, mount_project, project, settled};
+    use crate::ui::dom::turns;
+    use crate::ui::testing::{Bench, mount_project, project, settled, until};
 
     async fn app() -> Bench {
-        let bench = mount(|| view! { <App beginning=Beginning::load().unwrap() /> }).await;
+        dom::storage().unwrap().clear().unwrap();
+        app_of_the_last_visit().await
+    }
+
+    async fn app_of_the_last_visit() -> Bench {
+        let begun = Rc::new(RefCell::new(None));
+        let take = Rc::clone(&begun);
+        Beginning::in_turns(move |beginning| drop(take.replace(beginning)));
+        until(turns::are_over).await;
+        let beginning = begun.take().unwrap();
+        let bench = mount_project(project(), || view! { <App beginning=beginning /> }).await;
         settled().await;
         bench
     }
@@ -249,7 +259,7 @@ mod tests {
     async fn broken_stored_state_is_set_aside() {
         dom::storage().unwrap().clear().unwrap();
         dom::store("macroline.project", "{ not a project");
-        let bench = mount_project(project(), || view! { <App beginning=Beginning::load().unwrap() /> }).await;
+        let bench = app_of_the_last_visit().await;
         assert!(bench.text(".notice").contains(t("page.set-aside")));
         bench.press_button(t("page.earlier")).await;
         assert!(bench.text(".earlier").contains(t("page.aside-unread")));

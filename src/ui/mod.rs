@@ -43,8 +43,9 @@ pub fn open(sentences: String) {
         broken(&panic.to_string());
     }));
     in_turn(|| {
-        let beginning = Beginning::load();
-        in_turn(|| leptos::mount::mount_to_body(|| beginning.map(|beginning| view! { <App beginning=beginning /> })));
+        Beginning::in_turns(|beginning| {
+            leptos::mount::mount_to_body(|| beginning.map(|beginning| view! { <App beginning=beginning /> }));
+        });
     });
 }
 

@@ -12,7 +12,7 @@ use web_sys::{Element, Event, HtmlElement, HtmlInputElement};
 
 use super::dom::{self, script, turns};
 use super::files::LargeFile;
-use super::state::Page;
+use super::state::{Begun, Page};
 use super::worker::client::Client;
 use crate::machines::form::{FieldInfo, Value};
 use crate::motion::Action;
@@ -77,8 +77,7 @@ async fn begin<V: IntoView + 'static>(project: Project, view: impl FnOnce() -> V
     let provided = Rc::new(Cell::new(None));
     let provide = Rc::clone(&provided);
     let mounted = mount_to(host.clone(), move || {
-        let written = Rc::new(project.written());
-        let page = Page::provide(project, written, Vec::new());
+        let page = Page::provide(Begun::now(project), Vec::new());
         let worker = Client::provide();
         LargeFile::provide();
         provide.set(Some((page, worker)));

@@ -108,8 +108,9 @@ impl Drawn {
         room.set_scroll_left(left as i32);
     }
 
-    /// Moves the parts; parts that have not moved are not touched.
-    pub(super) fn pose(&mut self, pose: &Pose) {
+    /// Moves the parts; parts that have not moved are not touched. Says whether a text has become longer than any before in its place, so that
+    /// the labels are to be fitted again.
+    pub(super) fn pose(&mut self, pose: &Pose) -> bool {
         let (mut text, mut longer) = (String::new(), false);
         for place in &pose.placements {
             let Some(group) = self.groups.get_mut(place.group as usize) else { continue };
@@ -152,8 +153,6 @@ impl Drawn {
                 part.fill = Some(*paint);
             }
         }
-        if longer {
-            self.fit();
-        }
+        longer
     }
 }

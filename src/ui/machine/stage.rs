@@ -12,6 +12,7 @@ use super::pictures::SavePicture;
 use super::scene_view::Drawn;
 use crate::motion::{Mode, RunEnd};
 use crate::ui::dom;
+use crate::ui::dom::turns::in_turn;
 use crate::ui::parts::scene::{Still, svg};
 use crate::ui::parts::{Glyph, IconButton, Later};
 use crate::ui::state::{Page, put};
@@ -54,17 +55,20 @@ pub(crate) fn Stage() -> impl IntoView {
         let last = fitted.get_value();
         let room = host.get_untracked().filter(|_| moment.slow || last == (0, 0));
         let room = room.map_or(last, |host| (host.client_width(), host.client_height()));
-        if room != last {
-            fitted.set_value(room);
-            if let Some(wide) = drawn.with_value(|drawn| drawn.as_ref().map(Drawn::fit)) {
-                put(pans, wide);
-            }
-        }
-        drawn.update_value(|drawn| {
-            if let Some(drawn) = drawn {
-                drawn.pose(&moment.machine.pose(moment.run, moment.now, moment.frame));
-            }
+        fitted.set_value(room);
+        let posed = drawn.try_update_value(|drawn| {
+            let pose = || moment.machine.pose(moment.run, moment.now, moment.frame);
+            drawn.as_mut().is_some_and(|drawn| drawn.pose(&pose()))
         });
+        if room != last || posed == Some(true) {
+            // The browser lays out the page once more for it: not in the same task.
+            in_turn(move || {
+                // The page may be gone.
+                if let Some(Some(wide)) = drawn.try_with_value(|drawn| drawn.as_ref().map(Drawn::fit)) {
+                    put(pans, wide);
+                }
+            });
+        }
     });
     // A wide drawing is a place that keys scroll.
     let stop = move || pans.get().then_some("0");
@@ -74,13 +78,6 @@ pub(crate) fn Stage() -> impl IntoView {
         player.ask();
     };
     let state = Memo::new(move |_| shown_state(page));
-    let open_field = move |event: MouseEvent| {
-        let part = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-        let part = part.and_then(|part| part.closest("[data-field]").ok().flatten());
-        if let Some(field) = part.and_then(|part| part.get_attribute("data-field")) {
-            dom::go_to_field(&field);
-        }
-    };
     let full = move || {
         if let Some(section) = section.get_untracked() {
             dom::full_screen(&section);
@@ -116,6 +113,15 @@ pub(crate) fn Stage() -> impl IntoView {
                 </div>
             </Later>
         </section>
+    }
+}
+
+/// Goes to the field of the part of the drawing that is clicked.
+fn open_field(event: MouseEvent) {
+    let part = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    let part = part.and_then(|part| part.closest("[data-field]").ok().flatten());
+    if let Some(field) = part.and_then(|part| part.get_attribute("data-field")) {
+        dom::go_to_field(&field);
     }
 }
 

@@ -1,5 +1,7 @@
 //! What the page knows, as signals: the project and what follows from it, the program, the run, what is shown.
 
+pub(crate) mod begun;
+
 mod entries;
 
 pub(crate) mod history;
@@ -24,5 +26,6 @@ pub(crate) mod view;
 
 pub(crate) mod walk;
 
+pub(crate) use begun::Begun;
 pub(crate) use page::Page;
 pub(crate) use put::put;

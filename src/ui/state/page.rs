@@ -5,6 +5,7 @@ use std::rc::Rc;
 
 use leptos::prelude::*;
 
+use super::begun::Begun;
 use super::entries::{Entries, of_field};
 use super::history::History;
 use super::notices::{Notice, Notices};
@@ -20,7 +21,6 @@ use crate::nc;
 use crate::project::Project;
 use crate::project::check::{FixChoice, with_run};
 use crate::project::dependence::fields_by_result;
-use crate::project::program::Written;
 use crate::project::suppress::silence;
 use crate::text::{Diagnostic, LineIndex, Place, Severity};
 use crate::ui::dom;
@@ -76,13 +76,14 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    /// Begins with a project and its program, and hands the state to every component below.
-    pub(crate) fn provide(project: Project, written: Rc<Written>, notices: Vec<Notice>) -> Page {
+    /// Begins with a project, and hands the state to every component below.
+    pub(crate) fn provide(begun: Begun, notices: Vec<Notice>) -> Page {
+        let Begun { project, design, scene, written, run } = begun;
         let prepared = project.prepared();
         let player = Player::new();
-        player.load(&project, &written);
+        player.take(run, &project, &written);
         let program = Program::new(written);
-        let (machine, control, design) = (project.machine.id(), project.control.id, project.design());
+        let (machine, control) = (project.machine.id(), project.control.id);
         let project = RwSignal::new_local(project);
         let page = Page {
             machine: RwSignal::new(machine),
@@ -92,7 +93,7 @@ impl Page {
                 design: RwSignal::new_local(Rc::new(design)),
                 hidden: RwSignal::new(prepared.hidden().to_vec()),
                 variables: RwSignal::new(prepared.variables()),
-                scene: RwSignal::new_local(Rc::new(prepared.scene())),
+                scene: RwSignal::new_local(Rc::new(scene)),
             },
             program,
             entries: Entries::new(),

@@ -131,6 +131,12 @@ struct State {
     asked: bool,
 }
 
+/// Begins the run of a project; nothing of it is planned yet.
+pub(crate) fn begin(project: &Project, written: &Written) -> Run {
+    let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
+    run::of_project(project, written, &begin)
+}
+
 impl Player {
     /// A player without a run.
     pub(crate) fn new() -> Player {
@@ -168,16 +174,20 @@ impl Player {
         player
     }
 
-    /// Takes another run; the head stays at its time.
+    /// Begins another run; the head stays at its time.
     pub(crate) fn load(self, project: &Project, written: &Written) {
+        self.take(begin(project, written), project, written);
+    }
+
+    /// Takes a run that has begun; the head stays at its time.
+    pub(crate) fn take(self, run: Run, project: &Project, written: &Written) {
         let id = project.machine.id();
         if self.state.with_value(|state| state.id != id) {
             self.speed.set(0.0);
             self.zoom.set(None);
         }
         self.state.update_value(|state| {
-            let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Timeline };
-            state.planner = Some(run::of_project(project, written, &begin));
+            state.planner = Some(run);
             state.id = id;
             state.machine = Some(project.prepared());
             state.visible = project.machine.speed();

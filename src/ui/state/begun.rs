@@ -1,0 +1,47 @@
+//! A project with all that follows from it, made in turns before the page is built.
+
+use std::rc::Rc;
+
+use super::player;
+use crate::machines::Design;
+use crate::project::Project;
+use crate::project::program::Written;
+use crate::project::run::Run;
+use crate::ui::dom::turns::in_turn;
+use crate::view::Scene;
+
+/// A project, its results and drawing, its program, and the run of that.
+pub(crate) struct Begun {
+    pub project: Project,
+    pub design: Design,
+    pub scene: Scene,
+    pub written: Rc<Written>,
+    pub run: Run,
+}
+
+impl Begun {
+    /// Makes everything in turns, and then does `then`.
+    pub(crate) fn in_turns(project: Project, then: impl FnOnce(Begun) + 'static) {
+        in_turn(move || {
+            let prepared = project.prepared();
+            in_turn(move || {
+                let (design, scene) = (project.design(), prepared.scene());
+                in_turn(move || {
+                    let written = Rc::new(project.written());
+                    in_turn(move || {
+                        let run = player::begin(&project, &written);
+                        in_turn(move || then(Begun { project, design, scene, written, run }));
+                    });
+                });
+            });
+        });
+    }
+
+    /// Makes everything at once.
+    #[cfg(test)]
+    pub(crate) fn now(project: Project) -> Begun {
+        let (design, scene, written) = (project.design(), project.prepared().scene(), Rc::new(project.written()));
+        let run = player::begin(&project, &written);
+        Begun { project, design, scene, written, run }
+    }
+}
