@@ -31,6 +31,8 @@ pub struct Move {
     pub run: f64,
     /// Seconds of the pause behind it.
     pub pause: f64,
+    /// Torque in the pause, Nm: what the web pulls at a motor that stands.
+    pub hold: f64,
 }
 
 impl Move {
@@ -66,11 +68,11 @@ impl Load {
         if left > 0.0 { self.accelerating(rotor, speed, 1.0) / left } else { f64::INFINITY }
     }
 
-    /// Torques of a move with its pause, in which the motor does nothing. Source: sizing facts 2.2.
+    /// Torques of a move with its pause. Source: sizing facts 2.2.
     pub fn phases(&self, rotor: f64, of: Move) -> [Phase; 4] {
         let rise = self.torque + self.accelerating(rotor, of.speed, of.ramp);
         let fall = self.torque - self.braking(rotor, of.speed, of.ramp);
-        [(rise, of.ramp), (self.torque, of.run), (fall, of.ramp), (0.0, of.pause)]
+        [(rise, of.ramp), (self.torque, of.run), (fall, of.ramp), (of.hold, of.pause)]
             .map(|(torque, seconds)| Phase { torque, seconds })
     }
 

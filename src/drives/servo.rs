@@ -93,7 +93,7 @@ impl Shares {
     /// The first reason why the motor does not go; none where it does.
     pub fn fails(&self, limits: &Acceptance) -> Option<Reason> {
         // A share that is no number fails too.
-        let over = |share: f64, most: f64| !(share <= most);
+        let over = |share: f64, most: f64| share.is_nan() || share > most;
         [
             (Reason::Speed, over(self.speed, 1.0)),
             (Reason::Peak, over(self.peak, limits.peak)),

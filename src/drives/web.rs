@@ -51,10 +51,10 @@ pub fn ratio_tolerance(smear: f64, contact: f64) -> f64 {
     smear / contact
 }
 
-/// Holding force of a nip over what pulls at it: `μ N / (T₁ - T₂ + m a)`, at least 2 for a web that does not slip. Newtons, kg, m/s².
-/// Source: sizing facts 2.2, checked as B19.
-pub fn traction((friction, force): (f64, f64), pull: f64, (mass, acceleration): (f64, f64)) -> f64 {
-    friction * force / (pull + mass * acceleration)
+/// Share of the holding force of a nip that is used by what pulls at it: `|T₁ - T₂ + m a| / (μ N)`, at most a half for a web that does not slip.
+/// Newtons, kg, m/s². Source: sizing facts 2.2, checked as the reciprocal of B19.
+pub fn nip_use((friction, force): (f64, f64), pull: f64, (mass, acceleration): (f64, f64)) -> f64 {
+    (pull + mass * acceleration).abs() / (friction * force)
 }
 
 /// Time constant in seconds of the tension in a span: its length over the speed of the web. Source: sizing facts 2.6, checked as D13.

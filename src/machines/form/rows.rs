@@ -19,6 +19,12 @@ pub type TextMember<P> = (fn(&P) -> &str, fn(&mut P, String));
 /// The member that a row fills: `member!(Params.feed)`, of a choice with its type: `member!(Params.path: Path)`, of a text with `&`.
 #[macro_export]
 macro_rules! member {
+    ($params:ident.$part:ident.$member:ident) => {
+        (|p: &$params| p.$part.$member, |p: &mut $params, value| p.$part.$member = value)
+    };
+    (&$params:ident.$part:ident.$member:ident) => {
+        (|p: &$params| p.$part.$member.as_str(), |p: &mut $params, text| p.$part.$member = text)
+    };
     ($params:ident.$member:ident) => {
         (|p: &$params| p.$member, |p: &mut $params, value| p.$member = value)
     };

@@ -6,13 +6,19 @@ mod examples;
 
 mod derive;
 
+mod mechanics;
+
 mod resolved;
 
 mod readouts;
 
+mod drive_readouts;
+
 mod rules;
 
 mod phase;
+
+mod drive_rules;
 
 mod program;
 
@@ -106,7 +112,9 @@ impl Prepared for RibbonLine {
             "y-scaling-drift" if self.degrees() => "°/h",
             _ => unit,
         };
-        let readouts = readouts::ROWS.iter().map(|row| judge(row, self, unit(row.id, row.unit), RULES)).collect();
+        let line = readouts::ROWS.iter().map(|row| judge(row, self, unit(row.id, row.unit), RULES));
+        let drives = drive_readouts::ROWS.iter().map(|row| judge(row, self, row.unit, drive_rules::RULES));
+        let readouts = line.chain(drives).collect();
         Design { readouts, diagnostics: rules::findings(self) }
     }
 

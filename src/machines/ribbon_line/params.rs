@@ -253,6 +253,66 @@ pub(crate) struct Params {
     pub newline: LineEnds,
     pub customer: String,
     pub product: String,
+    pub web: WebParams,
+    pub pull: PullParams,
+    pub print: PrintParams,
+    pub unwinding: UnwindingParams,
+}
+
+/// The ribbon between the rollers.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct WebParams {
+    pub density: f64,
+    pub span: f64,
+    pub tension_before: f64,
+    pub tension_behind: f64,
+}
+
+/// The drive of the pull roller: roller, pinch roller, gear, motor.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct PullParams {
+    pub wall: f64,
+    pub length: f64,
+    pub pinch_mass: f64,
+    pub pinch_diameter: f64,
+    pub pinch_force: f64,
+    pub pinch_friction: f64,
+    pub friction: f64,
+    pub efficiency: f64,
+    pub gear_inertia: f64,
+    pub motor: String,
+    pub stall: f64,
+    pub peak: f64,
+    pub rotor: f64,
+    pub inertia_limit: f64,
+}
+
+/// The drive of the print roller: roller, heads, gear, motor.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct PrintParams {
+    pub wall: f64,
+    pub length: f64,
+    pub head_mass: f64,
+    pub head_length: f64,
+    pub force: f64,
+    pub friction: f64,
+    pub efficiency: f64,
+    pub gear_inertia: f64,
+    pub motor: String,
+    pub stall: f64,
+    pub peak: f64,
+    pub rotor: f64,
+    pub inertia_limit: f64,
+}
+
+/// The drive of the unwinder.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct UnwindingParams {
+    pub brake: f64,
+    pub friction: f64,
+    pub efficiency: f64,
+    pub motor: String,
+    pub torque: f64,
 }
 
 /// Axes that can carry the print roller: on a lathe, whose X counts diameters, Y, C or Z; else Y.
@@ -358,6 +418,15 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("r/min").range(1.0..=60000.0).default(1430.0).decimals(3).step(1.0).fact(),
     number("unwinder-load", member!(Params.unwinder_load)).group("ribbon.group.unwinder").label("ribbon.unwinder-load").help("ribbon.unwinder-load.help")
         .unit("%").range(0.0..=200.0).default(2.286).decimals(3).step(1.0).fact(),
+    number("reel-brake", member!(Params.unwinding.brake)).group("ribbon.group.unwinder").label("ribbon.reel-brake").help("ribbon.reel-brake.help")
+        .unit("N").range(0.0..=100000.0).default(20.0).decimals(2).step(1.0).fact(),
+    number("unwinder-friction", member!(Params.unwinding.friction)).group("ribbon.group.unwinder").label("ribbon.unwinder-friction").help("ribbon.unwinder-friction.help")
+        .unit("Nm").range(0.0..=10000.0).default(1.0).decimals(3).step(0.1).fact(),
+    number("unwinder-efficiency", member!(Params.unwinding.efficiency)).group("ribbon.group.unwinder").label("ribbon.unwinder-efficiency").help("ribbon.unwinder-efficiency.help").symbol("η")
+        .unit("%").range(1.0..=100.0).default(70.0).decimals(1).step(1.0).fact(),
+    text("unwinder-motor", member!(&Params.unwinding.motor)).group("ribbon.group.unwinder").label("ribbon.unwinder-motor").help("ribbon.unwinder-motor.help").characters(40),
+    number("unwinder-torque-rated", member!(Params.unwinding.torque)).group("ribbon.group.unwinder").label("ribbon.unwinder-torque-rated").help("ribbon.unwinder-torque-rated.help")
+        .unit("Nm").range(0.001..=100000.0).default(5.0).decimals(3).step(0.1).fact(),
     flag("spindle-encoder", member!(Params.spindle_encoder)).group("ribbon.group.unwinder").label("ribbon.spindle-encoder").help("ribbon.spindle-encoder.help")
         .fact(),
     flag("dancer", member!(Params.dancer)).group("ribbon.group.unwinder").label("ribbon.dancer").help("ribbon.dancer.help")
@@ -374,6 +443,14 @@ pub(super) static FIELDS: &[Field<Params>] = &[
         .unit("N/mm²").range(0.1..=300000.0).default(20.0).decimals(2).step(10.0).fact(),
     number("tensile-strength", member!(Params.tensile_strength)).group("ribbon.group.web").label("ribbon.tensile-strength").help("ribbon.tensile-strength.help")
         .unit("N/mm²").range(0.1..=10000.0).default(15.0).decimals(2).step(1.0).fact(),
+    number("web-density", member!(Params.web.density)).group("ribbon.group.web").label("ribbon.web-density").help("ribbon.web-density.help").symbol("ρ")
+        .unit("kg/m³").range(1.0..=30000.0).default(1300.0).decimals(1).step(10.0).fact(),
+    number("web-span", member!(Params.web.span)).group("ribbon.group.web").label("ribbon.web-span").help("ribbon.web-span.help").symbol("L")
+        .unit("mm").range(1.0..=1000000.0).default(2000.0).decimals(1).step(100.0).fact(),
+    number("tension-before", member!(Params.web.tension_before)).group("ribbon.group.web").label("ribbon.tension-before").help("ribbon.tension-before.help").symbol("T1")
+        .unit("N").range(0.0..=100000.0).default(15.0).decimals(2).step(1.0).fact(),
+    number("tension-behind", member!(Params.web.tension_behind)).group("ribbon.group.web").label("ribbon.tension-behind").help("ribbon.tension-behind.help").symbol("T2")
+        .unit("N").range(0.0..=100000.0).default(0.0).decimals(2).step(1.0).fact(),
     choice("print-axis", member!(Params.print_axis: PrintAxis)).group("ribbon.group.print").label("ribbon.print-axis").help("ribbon.print-axis.help")
         .when(Params::has_print_axes),
     choice("y-unit", member!(Params.y_unit: YUnit)).group("ribbon.group.print").label("ribbon.y-unit").help("ribbon.y-unit.help")
@@ -428,6 +505,58 @@ pub(super) static FIELDS: &[Field<Params>] = &[
     number("encoder-resolution", member!(Params.encoder_resolution)).group("ribbon.group.axes").label("ribbon.encoder-resolution").help("ribbon.encoder-resolution.help")
         .unit("p/rev").range(1.0..=100000000.0).default(100000.0).decimals(0).step(1000.0).fact(),
     choice("endless", member!(Params.endless: Endless)).group("ribbon.group.axes").label("ribbon.endless").help("ribbon.endless.help"),
+    number("x-roller-wall", member!(Params.pull.wall)).group("ribbon.group.pull-drive").label("ribbon.x-roller-wall").help("ribbon.x-roller-wall.help")
+        .unit("mm").range(0.1..=2500.0).default(10.0).decimals(2).step(1.0).fact(),
+    number("x-roller-length", member!(Params.pull.length)).group("ribbon.group.pull-drive").label("ribbon.x-roller-length").help("ribbon.x-roller-length.help")
+        .unit("mm").range(1.0..=10000.0).default(200.0).decimals(1).step(10.0).fact(),
+    number("pinch-mass", member!(Params.pull.pinch_mass)).group("ribbon.group.pull-drive").label("ribbon.pinch-mass").help("ribbon.pinch-mass.help")
+        .unit("kg").range(0.0..=10000.0).default(3.0).decimals(3).step(0.1).fact(),
+    number("pinch-diameter", member!(Params.pull.pinch_diameter)).group("ribbon.group.pull-drive").label("ribbon.pinch-diameter").help("ribbon.pinch-diameter.help")
+        .unit("mm").range(1.0..=5000.0).default(80.0).decimals(2).step(1.0).fact(),
+    number("pinch-force", member!(Params.pull.pinch_force)).group("ribbon.group.pull-drive").label("ribbon.pinch-force").help("ribbon.pinch-force.help").symbol("N")
+        .unit("N").range(0.1..=1000000.0).default(100.0).decimals(1).step(10.0).fact(),
+    number("pinch-friction", member!(Params.pull.pinch_friction)).group("ribbon.group.pull-drive").label("ribbon.pinch-friction").help("ribbon.pinch-friction.help").symbol("μ")
+        .range(0.01..=2.0).default(0.4).decimals(2).step(0.05).fact(),
+    number("friction-x", member!(Params.pull.friction)).group("ribbon.group.pull-drive").label("ribbon.friction-x").help("ribbon.friction-x.help")
+        .unit("Nm").range(0.0..=10000.0).default(0.3).decimals(3).step(0.1).fact(),
+    number("efficiency-x", member!(Params.pull.efficiency)).group("ribbon.group.pull-drive").label("ribbon.efficiency-x").help("ribbon.efficiency-x.help").symbol("η")
+        .unit("%").range(1.0..=100.0).default(95.0).decimals(1).step(1.0).fact(),
+    number("gear-inertia-x", member!(Params.pull.gear_inertia)).group("ribbon.group.pull-drive").label("ribbon.gear-inertia-x").help("ribbon.gear-inertia-x.help")
+        .unit("kg cm²").range(0.0..=100000.0).default(0.6).decimals(4).step(0.1).fact(),
+    text("motor-x", member!(&Params.pull.motor)).group("ribbon.group.pull-drive").label("ribbon.motor-x").help("ribbon.motor-x.help").characters(40),
+    number("motor-stall-x", member!(Params.pull.stall)).group("ribbon.group.pull-drive").label("ribbon.motor-stall-x").help("ribbon.motor-stall-x.help")
+        .unit("Nm").range(0.001..=10000.0).default(1.3).decimals(3).step(0.1).fact(),
+    number("motor-peak-x", member!(Params.pull.peak)).group("ribbon.group.pull-drive").label("ribbon.motor-peak-x").help("ribbon.motor-peak-x.help")
+        .unit("Nm").range(0.001..=10000.0).default(3.8).decimals(3).step(0.1).fact(),
+    number("motor-rotor-x", member!(Params.pull.rotor)).group("ribbon.group.pull-drive").label("ribbon.motor-rotor-x").help("ribbon.motor-rotor-x.help")
+        .unit("kg cm²").range(0.0001..=100000.0).default(0.375).decimals(4).step(0.1).fact(),
+    number("inertia-limit-x", member!(Params.pull.inertia_limit)).group("ribbon.group.pull-drive").label("ribbon.inertia-limit-x").help("ribbon.inertia-limit-x.help")
+        .unit(": 1").range(0.1..=1000.0).default(15.0).decimals(1).step(1.0).fact(),
+    number("print-roller-wall", member!(Params.print.wall)).group("ribbon.group.print-drive").label("ribbon.print-roller-wall").help("ribbon.print-roller-wall.help")
+        .unit("mm").range(0.1..=2500.0).default(10.0).decimals(2).step(1.0).fact(),
+    number("print-roller-length", member!(Params.print.length)).group("ribbon.group.print-drive").label("ribbon.print-roller-length").help("ribbon.print-roller-length.help")
+        .unit("mm").range(1.0..=10000.0).default(150.0).decimals(1).step(10.0).fact(),
+    number("head-mass", member!(Params.print.head_mass)).group("ribbon.group.print-drive").label("ribbon.head-mass").help("ribbon.head-mass.help")
+        .unit("kg").range(0.0..=1000.0).default(0.15).decimals(4).step(0.01).fact(),
+    number("head-length", member!(Params.print.head_length)).group("ribbon.group.print-drive").label("ribbon.head-length").help("ribbon.head-length.help").symbol("l")
+        .unit("mm").range(0.001..=1000.0).default(3.0).decimals(3).step(0.1).fact(),
+    number("printing-force", member!(Params.print.force)).group("ribbon.group.print-drive").label("ribbon.printing-force").help("ribbon.printing-force.help")
+        .unit("N").range(0.0..=100000.0).default(5.0).decimals(2).step(1.0).fact(),
+    number("friction-y", member!(Params.print.friction)).group("ribbon.group.print-drive").label("ribbon.friction-y").help("ribbon.friction-y.help")
+        .unit("Nm").range(0.0..=10000.0).default(0.4).decimals(3).step(0.1).fact(),
+    number("efficiency-y", member!(Params.print.efficiency)).group("ribbon.group.print-drive").label("ribbon.efficiency-y").help("ribbon.efficiency-y.help").symbol("η")
+        .unit("%").range(1.0..=100.0).default(95.0).decimals(1).step(1.0).fact(),
+    number("gear-inertia-y", member!(Params.print.gear_inertia)).group("ribbon.group.print-drive").label("ribbon.gear-inertia-y").help("ribbon.gear-inertia-y.help")
+        .unit("kg cm²").range(0.0..=100000.0).default(0.6).decimals(4).step(0.1).fact(),
+    text("motor-y", member!(&Params.print.motor)).group("ribbon.group.print-drive").label("ribbon.motor-y").help("ribbon.motor-y.help").characters(40),
+    number("motor-stall-y", member!(Params.print.stall)).group("ribbon.group.print-drive").label("ribbon.motor-stall-y").help("ribbon.motor-stall-y.help")
+        .unit("Nm").range(0.001..=10000.0).default(2.94).decimals(3).step(0.1).fact(),
+    number("motor-peak-y", member!(Params.print.peak)).group("ribbon.group.print-drive").label("ribbon.motor-peak-y").help("ribbon.motor-peak-y.help")
+        .unit("Nm").range(0.001..=10000.0).default(8.82).decimals(3).step(0.1).fact(),
+    number("motor-rotor-y", member!(Params.print.rotor)).group("ribbon.group.print-drive").label("ribbon.motor-rotor-y").help("ribbon.motor-rotor-y.help")
+        .unit("kg cm²").range(0.0001..=100000.0).default(6.6).decimals(4).step(0.1).fact(),
+    number("inertia-limit-y", member!(Params.print.inertia_limit)).group("ribbon.group.print-drive").label("ribbon.inertia-limit-y").help("ribbon.inertia-limit-y.help")
+        .unit(": 1").range(0.1..=1000.0).default(5.0).decimals(1).step(1.0).fact(),
     number("feed-limit", member!(Params.feed_limit)).group("ribbon.group.control").label("ribbon.feed-limit").help("ribbon.feed-limit.help").symbol("#119")
         .unit("mm/min").range(1.0..=10000000.0).default(1000000.0).decimals(3).step(1000.0).fact(),
     number("block-time", member!(Params.block_time)).group("ribbon.group.control").label("form.block-time").help("form.block-time.help")

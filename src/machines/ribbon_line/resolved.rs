@@ -1,6 +1,7 @@
 //! The ribbon line on a control: its axes, words and inputs there, and the form without the choices that the control lacks.
 
 use super::derive::Derived;
+use super::mechanics::Mechanics;
 use super::params::{Endless, KnobStep, OverrideForm, PULL, Params, PathMode, PrintAxis, YUnit, override_input};
 use super::scene::labels::{distance, names};
 use super::scene::layout::Layout;
@@ -27,6 +28,9 @@ pub(crate) struct RibbonLine {
     pub(super) d: Derived,
     /// The same with the knob at its end; at standstill those at standstill.
     pub(super) fast: Derived,
+    /// Mechanics of the drives, and the same with the knob at its end.
+    pub(super) mechanics: Mechanics,
+    pub(super) fast_mechanics: Mechanics,
     pub(super) control: &'static Control,
     pub(super) dialect: Dialect,
     /// Positions and sizes in the drawing.
@@ -69,7 +73,8 @@ impl RibbonLine {
         let [unwinder, pull, print] = names(&p).map(|name| name.chars().count());
         let letters = [unwinder, pull, print, distance(&p).chars().count()];
         let layout = Layout::new(&p, letters);
-        RibbonLine { form, p, d, fast, control, dialect, layout }
+        let (mechanics, fast_mechanics) = (Mechanics::new(&p, &d), Mechanics::new(&p, &fast));
+        RibbonLine { form, p, d, fast, mechanics, fast_mechanics, control, dialect, layout }
     }
 
     /// Speed now over the speed with the knob at its end: a limit that holds there is so much lower here.

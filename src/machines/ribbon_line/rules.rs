@@ -778,7 +778,7 @@ fn length(line: &RibbonLine) -> Option<Judgement> {
     let whole_length =
         |advice: Message| Advice::from(advice).setting(msg!("advice.set-length", whole.1.as_str()), [whole.clone()]);
     if p.pitches_of_length() < 1.0 {
-        return fail(limit, [whole_length(msg!("ribbon.length-below-pitch"))]);
+        return fail(None, [whole_length(msg!("ribbon.length-below-pitch"))]);
     }
     if p.length_error().abs() <= tolerance {
         return ok(limit);

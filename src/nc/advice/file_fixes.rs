@@ -118,7 +118,10 @@ impl Reader<'_> {
                     _ => {}
                 }
             }
-            finding = finding.fix(msg!("nc.fix.variables", letter), edits);
+            // Quotes within a foreign remark hide what the parser has seen.
+            if !edits.is_empty() {
+                finding = finding.fix(msg!("nc.fix.variables", letter), edits);
+            }
         }
         self.add_finding(finding);
     }

@@ -57,13 +57,15 @@ pub(crate) fn are_over() -> bool {
 mod tests {
     use std::rc::Rc;
 
+    use leptos::prelude::*;
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::testing::until;
+    use crate::ui::testing::{mount, until};
 
     #[wasm_bindgen_test]
     async fn work_is_done_in_its_order_and_not_at_once() {
+        let _page = mount(|| view! { <p></p> }).await;
         let done = Rc::new(RefCell::new(Vec::new()));
         let note = |name: &'static str| {
             let done = Rc::clone(&done);

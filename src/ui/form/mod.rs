@@ -213,6 +213,7 @@ mod tests {
     async fn another_machine_has_another_form() {
         let bench = form().await;
         bench.page.change_machine(crate::machines::ALL[1].id());
+        settled().await;
         until(turns::are_over).await;
         assert!(!bench.has("#pitch"));
         assert!(!bench.all(".product .field").is_empty());

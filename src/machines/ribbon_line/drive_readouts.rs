@@ -1,0 +1,112 @@
+//! The results about the ribbon line's drives as rows: label, unit, formula, source.
+
+use super::mechanics::CM2;
+use super::resolved::RibbonLine;
+use crate::drives::{inertia, web};
+use crate::machines::verdict::ReadoutRow;
+use crate::text::{Citation, Grade};
+
+/// Rows in the order they are shown, behind those of the line.
+#[rustfmt::skip]
+pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
+    ReadoutRow {
+        id: "x-load-inertia", label: "ribbon.readout.x-load-inertia", unit: "kg cm²", decimals: 4, headline: false,
+        formula: "(roller + pinch roller · (Dx / d)² + ribbon · (Dx / 2)²) / ix² + gear",
+        cite: Citation::new("sizing facts 2.1", Grade::Inferred), value: |line| line.mechanics.pull.load.inertia / CM2,
+    },
+    ReadoutRow {
+        id: "x-inertia-ratio", label: "ribbon.readout.x-inertia-ratio", unit: ": 1", decimals: 2, headline: false,
+        formula: "load inertia / rotor inertia",
+        cite: Citation::new("sizing facts 2.3", Grade::Inferred), value: |line| line.mechanics.pull.shares().inertia_ratio,
+    },
+    ReadoutRow {
+        id: "x-load-torque", label: "ribbon.readout.x-load-torque", unit: "Nm", decimals: 4, headline: false,
+        formula: "((T1 - T2) · Dx / 2 + friction) / (ix · η)",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.load.torque,
+    },
+    ReadoutRow {
+        id: "x-ramp-torque", label: "ribbon.readout.x-ramp-torque", unit: "Nm", decimals: 4, headline: false,
+        formula: "(JL / η + JM) · 2π n / (60 · τ)",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.rise,
+    },
+    ReadoutRow {
+        id: "x-peak-torque", label: "ribbon.readout.x-peak-torque", unit: "Nm", decimals: 3, headline: false,
+        formula: "load torque + ramp torque",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.duty.peak,
+    },
+    ReadoutRow {
+        id: "x-effective-torque", label: "ribbon.readout.x-effective-torque", unit: "Nm", decimals: 3, headline: false,
+        formula: "SQRT[Σ T² t / Σ t] over a product, or a block with exact stop",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.duty.effective,
+    },
+    ReadoutRow {
+        id: "x-shortest-ramp", label: "ribbon.readout.x-shortest-ramp", unit: "ms", decimals: 1, headline: false,
+        formula: "(JL / η + JM) · 2π n / 60 / (0.8 · peak torque - load torque)",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.pull.shortest_ramp() * 1e3,
+    },
+    ReadoutRow {
+        id: "nip-use", label: "ribbon.readout.nip-use", unit: "%", decimals: 1, headline: false,
+        formula: "(T1 - T2 + mass of ribbon · v / τ) / (μ · N)",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| 100.0 * line.mechanics.nip_use,
+    },
+    ReadoutRow {
+        id: "y-load-inertia", label: "ribbon.readout.y-load-inertia", unit: "kg cm²", decimals: 4, headline: false,
+        formula: "(roller + #109 · mass · R²) / iy² + gear",
+        cite: Citation::new("sizing facts 2.1", Grade::Inferred), value: |line| line.mechanics.print.load.inertia / CM2,
+    },
+    ReadoutRow {
+        id: "y-inertia-ratio", label: "ribbon.readout.y-inertia-ratio", unit: ": 1", decimals: 2, headline: false,
+        formula: "load inertia / rotor inertia",
+        cite: Citation::new("sizing facts 2.3", Grade::Inferred), value: |line| line.mechanics.print.shares().inertia_ratio,
+    },
+    ReadoutRow {
+        id: "y-load-torque", label: "ribbon.readout.y-load-torque", unit: "Nm", decimals: 4, headline: false,
+        formula: "(force · R + friction) / (iy · η)",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.load.torque,
+    },
+    ReadoutRow {
+        id: "y-ramp-torque", label: "ribbon.readout.y-ramp-torque", unit: "Nm", decimals: 4, headline: false,
+        formula: "(JL / η + JM) · 2π n / (60 · τ)",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.rise,
+    },
+    ReadoutRow {
+        id: "y-peak-torque", label: "ribbon.readout.y-peak-torque", unit: "Nm", decimals: 3, headline: false,
+        formula: "load torque + ramp torque",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.duty.peak,
+    },
+    ReadoutRow {
+        id: "y-effective-torque", label: "ribbon.readout.y-effective-torque", unit: "Nm", decimals: 3, headline: false,
+        formula: "SQRT[Σ T² t / Σ t] over a product, or a block with exact stop",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.duty.effective,
+    },
+    ReadoutRow {
+        id: "y-shortest-ramp", label: "ribbon.readout.y-shortest-ramp", unit: "ms", decimals: 1, headline: false,
+        formula: "(JL / η + JM) · 2π n / 60 / (0.8 · peak torque - load torque)",
+        cite: Citation::new("sizing facts 2.2", Grade::Inferred), value: |line| line.mechanics.print.shortest_ramp() * 1e3,
+    },
+    ReadoutRow {
+        id: "y-stop-energy", label: "ribbon.readout.y-stop-energy", unit: "J", decimals: 2, headline: false,
+        formula: "(JL · η + JM) · ω² / 2 - load torque · ω · τ / 2",
+        cite: Citation::new("sizing facts 2.4", Grade::Inferred), value: |line| line.mechanics.print.stop_energy(),
+    },
+    ReadoutRow {
+        id: "y-best-gear", label: "ribbon.readout.y-best-gear", unit: ": 1", decimals: 2, headline: false,
+        formula: "SQRT[J roller / (JM + gear)]",
+        cite: Citation::new("sizing facts 2.1", Grade::Inferred),
+        value: |line| {
+            let axis = &line.mechanics.print;
+            inertia::best_ratio(axis.turning, axis.motor.rotor + line.p.print.gear_inertia * CM2)
+        },
+    },
+    ReadoutRow {
+        id: "dot-length", label: "ribbon.readout.dot-length", unit: "mm", decimals: 3, headline: false,
+        formula: "l / r + |1 - 1/r| · c",
+        cite: Citation::new("sizing facts 3.2", Grade::Inferred),
+        value: |line| web::mark_length(line.p.print.head_length, line.d.surface_ratio, line.p.contact_length),
+    },
+    ReadoutRow {
+        id: "unwinder-torque", label: "ribbon.readout.unwinder-torque", unit: "Nm", decimals: 4, headline: false,
+        formula: "(brake · #102 / 2 + friction) / (#101 · η)",
+        cite: Citation::new("sizing facts D1", Grade::Inferred), value: |line| line.mechanics.unwinder,
+    },
+];

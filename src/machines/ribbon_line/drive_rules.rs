@@ -1,0 +1,146 @@
+//! The rules of the ribbon line's drives: torque of the motors, inertia, the grip of the nip.
+//!
+//! The knob at its end is what counts: acceleration grows with the speed, because a ramp lasts its time constant whatever the speed.
+
+use super::mechanics::ServoAxis;
+use super::params::FIELDS;
+use super::resolved::RibbonLine;
+use crate::machines::verdict::{Judgement, Rule, down, fail, near, ok, up, warn};
+use crate::msg;
+use crate::text::{Citation, Grade};
+use crate::view::Advice;
+use crate::view::Limit::AtMost;
+
+/// All rules about the drives.
+pub(super) const RULES: &[Rule<RibbonLine>] = &[
+    Rule::new("x-peak-torque", peak_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("y-peak-torque", peak_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("x-effective-torque", effective_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("y-effective-torque", effective_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("x-inertia-ratio", inertia_x, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("y-inertia-ratio", inertia_y, Citation::new("sizing facts 2.3", Grade::Inferred)),
+    Rule::new("nip-use", grip, Citation::new("sizing facts 2.2, from memory", Grade::Open)),
+    Rule::new("unwinder-torque", unwinder, Citation::new("data sheet of the motor", Grade::Inferred)),
+    Rule::new("unwinder-torque", unwinder_load, Citation::new("sizing facts D1", Grade::Inferred)),
+];
+
+/// Share (%) of the nip's holding force that may be used: a safety of 2 against slip. Source: sizing facts 2.2, from memory.
+const GRIP: f64 = 50.0;
+
+/// Difference (% of the rated torque) between the load of the form and that of brake and friction, from which it is told: a twentieth of the
+/// slip. Engineering choice.
+const LOAD: f64 = 5.0;
+
+/// Longest time constant that the form takes, ms.
+const LONGEST: f64 = 5000.0;
+
+/// A limit at the knob's end, as it is where the knob stands now.
+fn here(limit: f64, now: f64, end: f64) -> f64 {
+    if end > 0.0 { limit * now / end } else { limit }
+}
+
+fn peak(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
+    let most = end.limits.peak * end.motor.peak;
+    let limit = AtMost(here(most, now.duty.peak, end.duty.peak));
+    if limit.holds(now.duty.peak) {
+        return ok(limit);
+    }
+    let ramp = end.shortest_ramp() * 1e3;
+    if ramp > LONGEST {
+        return fail(limit, [Advice::from(msg!("ribbon.peak-torque-motor", (end.duty.peak / end.limits.peak, 2)))]);
+    }
+    // Both axes must have the same ramp: their ratio is wrong in every ramp else.
+    let set = up(FIELDS, "time-constant-x", ramp);
+    let milliseconds: f64 = set.1.parse().unwrap_or(ramp);
+    let both = [set.clone(), ("time-constant-y", set.1)];
+    let sentence = msg!("ribbon.peak-torque", (end.duty.peak, 2), (most, 2), (milliseconds, 1));
+    fail(limit, [Advice::from(sentence).setting(msg!("advice.set-time-constants", (milliseconds, 1)), both)])
+}
+
+fn peak_x(line: &RibbonLine) -> Option<Judgement> {
+    peak(&line.mechanics.pull, &line.fast_mechanics.pull)
+}
+
+fn peak_y(line: &RibbonLine) -> Option<Judgement> {
+    peak(&line.mechanics.print, &line.fast_mechanics.print)
+}
+
+fn effective(now: &ServoAxis, end: &ServoAxis) -> Option<Judgement> {
+    let most = end.limits.effective * end.motor.stall;
+    let limit = AtMost(here(most, now.duty.effective, end.duty.effective));
+    if limit.holds(now.duty.effective) {
+        return ok(limit);
+    }
+    let stall = end.duty.effective / end.limits.effective;
+    fail(limit, [Advice::from(msg!("ribbon.effective-torque", (end.duty.effective, 2), (most, 2), (stall, 2)))])
+}
+
+fn effective_x(line: &RibbonLine) -> Option<Judgement> {
+    effective(&line.mechanics.pull, &line.fast_mechanics.pull)
+}
+
+fn effective_y(line: &RibbonLine) -> Option<Judgement> {
+    effective(&line.mechanics.print, &line.fast_mechanics.print)
+}
+
+fn inertia(axis: &ServoAxis) -> Option<Judgement> {
+    let (limit, ratio) = (AtMost(axis.limits.inertia_ratio), axis.shares().inertia_ratio);
+    if limit.holds(ratio) {
+        return ok(limit);
+    }
+    warn(limit, [Advice::from(msg!("ribbon.inertia-ratio", (ratio, 1), (axis.limits.inertia_ratio, 1)))])
+}
+
+fn inertia_x(line: &RibbonLine) -> Option<Judgement> {
+    inertia(&line.mechanics.pull)
+}
+
+fn inertia_y(line: &RibbonLine) -> Option<Judgement> {
+    inertia(&line.mechanics.print)
+}
+
+fn grip(line: &RibbonLine) -> Option<Judgement> {
+    let (now, end) = (100.0 * line.mechanics.nip_use, 100.0 * line.fast_mechanics.nip_use);
+    let limit = AtMost(here(GRIP, now, end));
+    if limit.holds(now) {
+        return ok(limit);
+    }
+    let set = up(FIELDS, "pinch-force", line.p.pull.pinch_force * end / GRIP);
+    let force: f64 = set.1.parse().unwrap_or_default();
+    let advice = Advice::from(msg!("ribbon.nip-slips", (end, 1), (force, 1)))
+        .setting(msg!("advice.set-pinch", (force, 1)), [set]);
+    if end > 100.0 { fail(limit, [advice]) } else { warn(limit, [advice]) }
+}
+
+fn unwinder(line: &RibbonLine) -> Option<Judgement> {
+    let (torque, p) = (line.mechanics.unwinder, &line.p);
+    let limit = AtMost(p.unwinding.torque);
+    if limit.holds(torque) {
+        return ok(limit);
+    }
+    // The brake that the rated torque leaves behind gear and friction.
+    let at_roller = p.unwinding.torque * p.reduction_ratio * p.unwinding.efficiency / 100.0 - p.unwinding.friction;
+    let brake = at_roller / (p.press_roller_diameter / 2e3);
+    let advice = Advice::from(msg!("ribbon.unwinder-torque", (torque, 2), (p.unwinding.torque, 2)));
+    let advice = match brake > 0.0 {
+        true => {
+            let set = down(FIELDS, "reel-brake", brake);
+            let shown: f64 = set.1.parse().unwrap_or(brake);
+            advice.setting(msg!("advice.set-brake", (shown, 2)), [set])
+        }
+        false => advice,
+    };
+    fail(limit, [advice])
+}
+
+/// The load by which the slip is computed against the torque that follows from brake and friction.
+fn unwinder_load(line: &RibbonLine) -> Option<Judgement> {
+    let (p, share) = (&line.p, 100.0 * line.mechanics.unwinder / line.p.unwinding.torque);
+    if (share - p.unwinder_load).abs() <= LOAD {
+        return None;
+    }
+    let set = near(FIELDS, "unwinder-load", share.min(200.0));
+    let sentence = msg!("ribbon.unwinder-load-differs", (p.unwinder_load, 2), (share, 2));
+    let shown: f64 = set.1.parse().unwrap_or(share);
+    warn(None, [Advice::from(sentence).setting(msg!("advice.set-load", (shown, 2)), [set])])
+}

@@ -1,0 +1,176 @@
+//! Mechanics of the ribbon line's drives: the loads at the shafts of their motors, and what start, run and stop of a product ask of them.
+
+use super::derive::Derived;
+use super::params::{Params, PathMode};
+use crate::drives::inertia::{self, Cylinder, STEEL};
+use crate::drives::load::{self, Load, Move, effective};
+use crate::drives::servo::{Acceptance, Duty, Servo, Shares};
+use crate::drives::web;
+use crate::math::PI;
+
+/// Square metres in a square centimetre: moments of inertia stand in kg cm² on data sheets.
+pub(super) const CM2: f64 = 1e-4;
+
+/// Radians per second of one revolution per minute.
+const RPM: f64 = PI / 30.0;
+
+/// A servo axis with its motor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ServoAxis {
+    pub load: Load,
+    pub motor: Servo,
+    pub limits: Acceptance,
+    /// What turns behind the gear, kg m².
+    pub turning: f64,
+    /// Seconds of a ramp.
+    pub ramp: f64,
+    /// Torque of the ramp besides the steady one, Nm.
+    pub rise: f64,
+    pub duty: Duty,
+}
+
+/// The drives of the line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Mechanics {
+    pub pull: ServoAxis,
+    pub print: ServoAxis,
+    /// Share of the nip's holding force that a start uses.
+    pub nip_use: f64,
+    /// Steady torque of the unwinder's motor, Nm.
+    pub unwinder: f64,
+}
+
+/// An axis before its motion is known.
+struct Side {
+    turning: f64,
+    gear: (f64, f64),
+    gear_inertia: f64,
+    torque: f64,
+    hold: f64,
+    rpm: f64,
+    time_constant: f64,
+    position_gain: f64,
+}
+
+impl ServoAxis {
+    fn new(side: &Side, motor: Servo, inertia_limit: f64, p: &Params, d: &Derived) -> ServoAxis {
+        let (ratio, efficiency) = side.gear;
+        let load = Load {
+            inertia: inertia::through_gear(side.turning, ratio) + side.gear_inertia * CM2,
+            torque: load::through_gear(side.torque, ratio, efficiency),
+            efficiency,
+        };
+        // Without a time constant the servo itself rounds the step off: a first-order lag of 1 / K.
+        let ramp = side.time_constant.max(1.0 / side.position_gain);
+        let speed = side.rpm * RPM;
+        let rise = load.accelerating(motor.rotor, speed, ramp);
+        let of = motion(p, d, (speed, ramp), side.hold / ratio);
+        let effective = match of {
+            Some(of) => effective(&load.phases(motor.rotor, of)),
+            None => load.torque,
+        };
+        let duty = Duty { peak: load.torque + rise, effective, speed: side.rpm };
+        let limits = Acceptance::mitsubishi(inertia_limit);
+        ServoAxis { load, motor, limits, turning: side.turning, ramp, rise, duty }
+    }
+
+    /// The shares of what the motor has.
+    pub(super) fn shares(&self) -> Shares {
+        self.motor.shares(&self.load, &self.duty)
+    }
+
+    /// Seconds of the shortest ramp with the torque that the limits leave.
+    pub(super) fn shortest_ramp(&self) -> f64 {
+        let torque = self.limits.peak * self.motor.peak;
+        self.load.shortest_ramp(self.motor.rotor, self.duty.speed * RPM, torque)
+    }
+
+    /// Energy in J that a stop gives back, from its speed or from the highest one of its motor.
+    pub(super) fn stop_energy(&self) -> f64 {
+        let speed = self.duty.speed.min(self.motor.top_speed) * RPM;
+        self.load.stop_energy(self.motor.rotor, speed, self.ramp).max(0.0)
+    }
+}
+
+/// The move that an axis repeats: a block with exact stop, or a whole product; none at standstill. A ramp that is longer than its block does not
+/// reach the speed (sizing facts, section 4).
+fn motion(p: &Params, d: &Derived, (speed, ramp): (f64, f64), hold: f64) -> Option<Move> {
+    let (run, cycle) = match p.path_mode {
+        PathMode::ExactStop => (d.block_time, d.stop_time),
+        PathMode::Continuous => (p.count() * d.pitch_time / d.speed_kept, d.product_time),
+    };
+    let reached = (run / ramp).min(1.0);
+    let found = Move {
+        speed: speed * reached,
+        ramp: run.min(ramp),
+        run: (run - ramp).abs(),
+        pause: (cycle - run - ramp).max(0.0),
+        hold,
+    };
+    found.cycle().is_finite().then_some(found)
+}
+
+/// A hollow roller in mm as a cylinder of steel; a wall that is thicker than the radius fills it.
+fn roller(diameter: f64, wall: f64, length: f64) -> Cylinder {
+    let metres = |mm: f64| mm / 1e3;
+    Cylinder {
+        outer: metres(diameter),
+        inner: metres((diameter - 2.0 * wall).max(0.0)),
+        length: metres(length),
+        density: STEEL,
+    }
+}
+
+impl Mechanics {
+    /// The drives with the line at the speed of its results.
+    pub(super) fn new(p: &Params, d: &Derived) -> Mechanics {
+        let (web, pull, print, unwinding) = (&p.web, &p.pull, &p.print, &p.unwinding);
+        let radius = p.x_roller_diameter / 2e3;
+        let web_mass = p.ribbon_width * p.ribbon_thickness * web.span * 1e-9 * web.density;
+        let pinch = inertia::solid(pull.pinch_mass, pull.pinch_diameter / 1e3);
+        let pull_side = Side {
+            turning: roller(p.x_roller_diameter, pull.wall, pull.length).inertia()
+                + inertia::across_web(pinch, pull.pinch_diameter, p.x_roller_diameter)
+                + inertia::at_radius(web_mass, radius),
+            gear: (p.gear_x, pull.efficiency / 100.0),
+            gear_inertia: pull.gear_inertia,
+            torque: (web.tension_before - web.tension_behind) * radius + pull.friction,
+            hold: (web.tension_before - web.tension_behind) * radius,
+            rpm: d.x_motor_speed,
+            time_constant: p.time_constant_x / 1e3,
+            position_gain: p.position_gain_x,
+        };
+        let print_radius = p.print_roller_diameter / 2e3;
+        let print_side = Side {
+            turning: roller(p.print_roller_diameter, print.wall, print.length).inertia()
+                + p.heads * inertia::at_radius(print.head_mass, print_radius),
+            gear: (p.gear_y, print.efficiency / 100.0),
+            gear_inertia: print.gear_inertia,
+            torque: print.force * print_radius + print.friction,
+            hold: 0.0,
+            rpm: d.y_motor_speed,
+            time_constant: p.time_constant_y / 1e3,
+            position_gain: p.position_gain_y,
+        };
+        let servo = |stall: f64, peak: f64, rotor: f64, rated_speed: f64, top_speed: f64| Servo {
+            rated: stall,
+            stall,
+            peak,
+            rated_speed,
+            top_speed,
+            rotor: rotor * CM2,
+        };
+        let pull_motor = servo(pull.stall, pull.peak, pull.rotor, p.motor_rated_x, p.motor_max_x);
+        let print_motor = servo(print.stall, print.peak, print.rotor, p.motor_rated_y, p.motor_max_y);
+        let pull_axis = ServoAxis::new(&pull_side, pull_motor, pull.inertia_limit, p, d);
+        let acceleration = d.line_speed / 60e3 / pull_axis.ramp;
+        let tension = web.tension_before - web.tension_behind;
+        let unwound = unwinding.brake * p.press_roller_diameter / 2e3 + unwinding.friction;
+        Mechanics {
+            pull: pull_axis,
+            print: ServoAxis::new(&print_side, print_motor, print.inertia_limit, p, d),
+            nip_use: web::nip_use((pull.pinch_friction, pull.pinch_force), tension, (web_mass, acceleration)),
+            unwinder: load::through_gear(unwound, p.reduction_ratio, unwinding.efficiency / 100.0),
+        }
+    }
+}
