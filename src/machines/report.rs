@@ -6,7 +6,8 @@ use crate::controls::options::SwitchOption;
 use crate::controls::{Control, Switch, Switches};
 use crate::text::catalog::{Language, number_text, words};
 use crate::text::{Citation, Diagnostic, Grade};
-use crate::view::report::{Input, Open, Report, RunReport, TitleBlock};
+use crate::view::Part;
+use crate::view::report::{Input, ListedPart, Open, Report, RunReport, TitleBlock};
 
 /// Gathers what machine and control say in the report. `name` is the project's, may be empty; `further` are findings beyond those of the
 /// design, for instance about the program. Title block, run and programs are the project's to fill in.
@@ -20,6 +21,7 @@ pub fn report(
 ) -> Report {
     let ControlContext { control, switches } = on;
     let design = prepared.design(origins);
+    let inputs = inputs(machine, prepared, values, origins);
     let title = [words(Language::English, machine.name()), control.name, name];
     Report {
         title: title.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", "),
@@ -32,7 +34,8 @@ pub fn report(
         programs: Vec::new(),
         loading: Vec::new(),
         variable: control.syntax.variable,
-        inputs: inputs(machine, prepared, values, origins),
+        parts: parts(prepared, &inputs),
+        inputs,
         readouts: design.readouts,
         diagnostics: design.diagnostics.into_iter().chain(further.iter().cloned()).collect(),
         sheets: prepared.sheets(),
@@ -46,6 +49,28 @@ fn customer(values: &Values) -> String {
         Some(Value::Text(customer)) => customer.clone(),
         _ => String::new(),
     }
+}
+
+/// The parts list: data from the inputs that have a meaning, and whether they are given or only assumed.
+fn parts(prepared: &PreparedMachine, inputs: &[Input]) -> Vec<ListedPart> {
+    let part = |part: Part| {
+        let of = |(sign, id): &(&'static str, &'static str)| {
+            let input = inputs.iter().find(|input| input.id == *id).filter(|input| !input.value.is_empty())?;
+            let unit = if input.unit.is_empty() { String::new() } else { format!(" {}", input.unit) };
+            Some((format!("{sign}{}{unit}", input.value), input.origin == Some("form.report.assumed")))
+        };
+        let data: Vec<(String, bool)> = part.data.iter().filter_map(of).collect();
+        let assumed = data.iter().filter(|(_, assumed)| *assumed).count();
+        let origin = match assumed {
+            _ if data.is_empty() => None,
+            0 => Some("form.report.given"),
+            all if all == data.len() => Some("form.report.assumed"),
+            _ => Some("form.report.partly"),
+        };
+        let data: Vec<String> = data.into_iter().map(|(text, _)| text).collect();
+        ListedPart { name: part.name, quantity: part.quantity, data: data.join(", "), origin }
+    };
+    prepared.parts().into_iter().map(part).collect()
 }
 
 /// The inputs that have a meaning on the control, in the order of the form.

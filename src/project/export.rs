@@ -87,6 +87,7 @@ impl Project {
         let mut files = vec![
             file("report.html", report::html(&told, Language::English)),
             file("report.md", report::markdown(&told, Language::English)),
+            file("drawing.svg", told.run.drawing.clone()),
         ];
         for sheet in &told.sheets {
             files.push(File { name: format!("{}.csv", sheet.id), text: view::csv::sheet(sheet, Language::English) });

@@ -11,6 +11,7 @@ use crate::msg;
 use crate::nc::File;
 use crate::text::lines::line_end;
 use crate::text::{Diagnostic, Message};
+use crate::view::balloons::balloons;
 use crate::view::report::{Figure, PrintedProgram, Report, RunReport};
 use crate::view::{Theme, svg};
 
@@ -59,6 +60,7 @@ impl Project {
         let end = run.timeline().end();
         let now = run.timeline().at(SHOWN * end);
         let pose = prepared.pose(&run, &now, Frame { step: 0.0, option: false });
+        let scene = prepared.scene();
         let cycle = run.ended_at().filter(|time| ended == RunEnd::ProgramEnd && *time > 0.0);
         let figures = cycle.map(|time| {
             [
@@ -67,7 +69,7 @@ impl Project {
             ]
         });
         RunReport {
-            drawing: svg::picture(&prepared.scene(), &pose, Theme::Light),
+            drawing: svg::picture_with(&scene, &pose, Theme::Light, &balloons(&scene, &pose, &prepared.parts())),
             figures: figures.into_iter().flatten().collect(),
             charts: prepared.charts(&run, 0.0, end, POINTS),
         }

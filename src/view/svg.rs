@@ -2,6 +2,7 @@
 
 use core::fmt::Write;
 
+use super::balloons::{self, Balloon};
 use super::look::{Gradient, Look, Paint, Ramp, Substance};
 use super::scene::{Font, LETTER, LINE, Node, Placement, Pose, Scene, SceneGroup, Shape};
 use crate::text::number::{fill, filled};
@@ -57,6 +58,11 @@ const WIDTH: f64 = 1200.0;
 
 /// The scene in a pose, as a picture in its own colours, with the labels as large as they are laid out for.
 pub fn picture(scene: &Scene, pose: &Pose, theme: Theme) -> String {
+    picture_with(scene, pose, theme, &[])
+}
+
+/// The same with balloons over it.
+pub fn picture_with(scene: &Scene, pose: &Pose, theme: Theme, items: &[Balloon]) -> String {
     let [x, y, w, h] = scene.view;
     let unit = if scene.unit > 0.0 { scene.unit } else { w / WIDTH };
     let mut out = filled(
@@ -70,6 +76,9 @@ pub fn picture(scene: &Scene, pose: &Pose, theme: Theme) -> String {
         "<style>.label{{font:{size} {label}}}.value{{font:600 {size} {figure}}}.engraved{{font-family:{label};font-weight:600}}</style>"
     );
     Writer { out: &mut out, scene, pose: Some(pose), place: Place::Alone(theme, unit), scale: 1.0 }.write();
+    if !items.is_empty() {
+        balloons::write(&mut out, items, (token("ink", theme), token("bg", theme)), LETTER * unit);
+    }
     out.push_str("</svg>\n");
     out
 }

@@ -7,6 +7,7 @@ mod files_drawn;
 mod ladder;
 mod lathe_stops;
 mod look;
+mod parts;
 mod polygon;
 mod polygon_drawing;
 mod polygon_paper;

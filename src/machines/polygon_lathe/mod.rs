@@ -50,6 +50,8 @@ mod charts;
 
 mod sheets;
 
+mod parts_list;
+
 mod ladder;
 
 mod native_code;
@@ -70,7 +72,7 @@ use crate::machines::ladder::Ladder;
 use crate::machines::machine::{ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples};
 use crate::motion::{Plant, Plc, Snapshot};
 use crate::nc::File;
-use crate::view::{Chart, Explorer, Pose, Scene, Sheet};
+use crate::view::{Chart, Explorer, Part, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 
 impl Machine for PolygonLathe {
@@ -136,6 +138,10 @@ impl Prepared for PolygonLathe {
 
     fn explorer(&self, shape: usize) -> Option<Explorer> {
         Some(explore::explorer(self.polygons().nth(shape)?, shape))
+    }
+
+    fn parts(&self) -> Vec<Part> {
+        parts_list::parts(self)
     }
 
     fn scene(&self) -> Scene {

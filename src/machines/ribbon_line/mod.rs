@@ -40,6 +40,8 @@ mod charts;
 
 mod sheets;
 
+mod parts_list;
+
 pub(crate) use resolved::RibbonLine;
 
 use crate::controls::Control;
@@ -56,7 +58,7 @@ use crate::machines::machine::{
 use crate::machines::verdict::judge;
 use crate::motion::{Plant, Plc, Snapshot};
 use crate::msg;
-use crate::view::{Chart, Pose, Scene, Sheet};
+use crate::view::{Chart, Part, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 use rules::RULES;
 
@@ -146,6 +148,10 @@ impl Prepared for RibbonLine {
 
     fn sheets(&self) -> Vec<Sheet> {
         sheets::sheets(self)
+    }
+
+    fn parts(&self) -> Vec<Part> {
+        parts_list::parts(self)
     }
 
     fn scene(&self) -> Scene {

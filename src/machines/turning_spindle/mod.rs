@@ -34,6 +34,8 @@ mod charts;
 
 mod sheets;
 
+mod parts_list;
+
 pub(crate) use resolved::TurningSpindle;
 
 use crate::controls::Control;
@@ -47,7 +49,7 @@ use crate::machines::machine::{
 };
 use crate::machines::verdict::judge;
 use crate::motion::{Plant, Plc, Snapshot};
-use crate::view::{Chart, Pose, Scene, Sheet};
+use crate::view::{Chart, Part, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 use rules::RULES;
 
@@ -117,6 +119,10 @@ impl Prepared for TurningSpindle {
 
     fn sheets(&self) -> Vec<Sheet> {
         sheets::sheets(self)
+    }
+
+    fn parts(&self) -> Vec<Part> {
+        parts_list::parts(self)
     }
 
     fn scene(&self) -> Scene {

@@ -1,6 +1,6 @@
 //! What the tables of a report have in their cells, whatever they are written as.
 
-use super::document::{Figure, Input, Report};
+use super::document::{Figure, Input, ListedPart, Report};
 use crate::text::Grade;
 use crate::text::catalog::{Language, number_text, sentence, words};
 use crate::view::{Limit, Readout, Row, Verdict};
@@ -28,6 +28,17 @@ pub(super) const RESULT_COLUMNS: [&str; 6] = [
 /// Heads of the table of inputs.
 pub(super) const INPUT_COLUMNS: [&str; 5] =
     ["form.report.group", "form.report.input", "form.report.symbol", "form.report.value", "form.report.origin"];
+
+/// Heads of the parts list.
+pub(super) const PART_COLUMNS: [&str; 5] =
+    ["form.report.item", "form.report.quantity", "form.report.part", "form.report.data", "form.report.origin"];
+
+/// A row of the parts list.
+pub(super) fn cells_of_part(item: u32, part: &ListedPart, language: Language) -> [String; 5] {
+    let origin = part.origin.map_or("", |id| words(language, id));
+    let name = words(language, part.name);
+    [item.to_string(), part.quantity.to_string(), name.to_owned(), part.data.clone(), origin.to_owned()]
+}
 
 /// A text with the symbol of variables of the control.
 fn with_variable(report: &Report, text: &str) -> String {

@@ -31,6 +31,19 @@ pub struct Open {
     pub facts: Vec<String>,
 }
 
+/// A row of the parts list; its item number is its place in the list, from 1.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ListedPart {
+    /// Catalog id of its name.
+    pub name: &'static str,
+    /// How many there are.
+    pub quantity: u32,
+    /// Its data as they are shown.
+    pub data: String,
+    /// Catalog id of where the data come from; `None` without data.
+    pub origin: Option<&'static str>,
+}
+
 /// What a drawing office writes into the title block; an empty entry is filled in by hand.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct TitleBlock {
@@ -102,6 +115,8 @@ pub struct Report {
     pub variable: char,
     /// Inputs by group.
     pub inputs: Vec<Input>,
+    /// The parts list, in the order of the item numbers in the drawing.
+    pub parts: Vec<ListedPart>,
     /// Results with verdicts.
     pub readouts: Vec<Readout>,
     /// Findings about fields and program.

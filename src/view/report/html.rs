@@ -1,7 +1,9 @@
 //! The report as a page of its own, to print on A4: a first sheet with frame and title block as a drawing office has them, then everything
 //! else in flowing tables.
 
-use super::cells::{INPUT_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_result, cells_of_row};
+use super::cells::{
+    INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row,
+};
 use super::document::Report;
 use crate::msg;
 use crate::text::catalog::{Language, sentence, words};
@@ -15,6 +17,10 @@ const STYLE: &str = include_str!("../../../style/report.css");
 
 /// Rows of verdicts that the first sheet has room for.
 const FIRST: usize = 10;
+/// Rows of the parts list beside which it has room for as many; each further one takes the room of one.
+const PARTS: usize = 11;
+/// Verdicts on the first sheet at least.
+const LEAST: usize = 4;
 
 /// The report as HTML with its styles and pictures in it.
 pub fn html(report: &Report, language: Language) -> String {
@@ -117,8 +123,10 @@ impl Page<'_> {
         for readout in first_rows(report) {
             self.verdict(readout);
         }
-        self.raw("</table><footer>");
+        self.raw("</table><footer><div>");
+        self.parts();
         self.assumed();
+        self.raw("</div>");
         self.block();
         self.raw("</footer></section>");
     }
@@ -165,6 +173,17 @@ impl Page<'_> {
         let repair = repair.map_or(String::new(), |button| sentence(self.language, button));
         self.text("td", "", &repair);
         self.raw("</tr>");
+    }
+
+    /// The parts list: the balloons of the drawing name its items.
+    fn parts(&mut self) {
+        if self.report.parts.is_empty() {
+            return;
+        }
+        self.title("form.report.parts");
+        let rows: Vec<_> =
+            (1..).zip(&self.report.parts).map(|(item, part)| cells_of_part(item, part, self.language)).collect();
+        self.table("parts", &PART_COLUMNS, &rows);
     }
 
     /// How much of the machine is only assumed.
@@ -305,7 +324,7 @@ fn first_rows(report: &Report) -> Vec<&Readout> {
     let judged = report.readouts.iter().filter(|readout| readout.headline || readout.verdict != Verdict::None);
     let mut rows: Vec<&Readout> = judged.collect();
     rows.sort_by_key(|readout| (core::cmp::Reverse(readout.verdict.max(Verdict::Ok)), !readout.headline));
-    rows.truncate(FIRST);
+    rows.truncate(FIRST.saturating_sub(report.parts.len().saturating_sub(PARTS)).max(LEAST));
     rows
 }
 

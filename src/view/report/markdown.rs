@@ -2,7 +2,9 @@
 
 use core::fmt::Write;
 
-use super::cells::{INPUT_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_result, cells_of_row, verdict};
+use super::cells::{
+    INPUT_COLUMNS, PART_COLUMNS, RESULT_COLUMNS, cells_of_input, cells_of_part, cells_of_result, cells_of_row, verdict,
+};
 use super::document::Report;
 use crate::text::catalog::{Language, sentence, words};
 use crate::text::escape;
@@ -13,6 +15,8 @@ pub fn markdown(report: &Report, language: Language) -> String {
     let mut out = format!("# {}\n", escape::markdown(&report.title));
     let say = |id| words(language, id);
     block(&mut out, report, language);
+    section(&mut out, say("form.report.parts"));
+    parts(&mut out, report, language);
     section(&mut out, say("form.report.findings"));
     findings(&mut out, report, language);
     section(&mut out, say("form.report.results"));
@@ -59,6 +63,13 @@ fn findings(out: &mut String, report: &Report, language: Language) {
         for advice in &readout.advice {
             let _ = writeln!(out, "  - {}", escape::markdown(&sentence(language, &advice.message)));
         }
+    }
+}
+
+fn parts(out: &mut String, report: &Report, language: Language) {
+    head(out, language, &PART_COLUMNS);
+    for (item, part) in (1..).zip(&report.parts) {
+        line(out, &cells_of_part(item, part, language));
     }
 }
 

@@ -48,10 +48,10 @@ fn moments() -> [Snapshot; 2] {
 }
 
 /// A text with the box that its letters take: left, top, right, bottom.
-type TextBox = (String, [f64; 4]);
+pub(super) type TextBox = (String, [f64; 4]);
 
 /// The texts of a drawing in a pose.
-fn texts(scene: &Scene, pose: &Pose) -> Vec<TextBox> {
+pub(super) fn texts(scene: &Scene, pose: &Pose) -> Vec<TextBox> {
     let mut boxes = Vec::new();
     for node in &scene.nodes {
         let Shape::Text { x, y, anchor, text, line, font } = &node.shape else { continue };

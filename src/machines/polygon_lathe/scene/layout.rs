@@ -40,7 +40,7 @@ pub(in super::super) struct View {
     /// Centre of the work on the machine.
     pub(in super::super) work: (f64, f64),
     /// Radius of the chuck.
-    pub(super) chuck: f64,
+    pub(in super::super) chuck: f64,
     /// Centre of the cutter on the machine where it has finished.
     pub(in super::super) cutter: (f64, f64),
     /// Units per mm as the work sees it.

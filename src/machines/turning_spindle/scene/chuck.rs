@@ -40,7 +40,7 @@ impl Chuck {
     }
 
     /// Where the part leaves the face of the body.
-    pub(super) fn face(&self) -> f64 {
+    pub(in super::super) fn face(&self) -> f64 {
         self.face
     }
 

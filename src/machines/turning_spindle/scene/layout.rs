@@ -65,7 +65,7 @@ impl View {
     }
 
     /// The turret never comes to where the tailstock is.
-    pub(super) fn has_tailstock(&self) -> bool {
+    pub(in super::super) fn has_tailstock(&self) -> bool {
         self.low_end < TAIL.0
     }
 }

@@ -15,7 +15,7 @@ use macroline::machines::{
     ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples, chart_rows, sheets,
 };
 use macroline::motion::{BenchPlc, Plant, Plc, Snapshot};
-use macroline::view::{Chart, Pose, Scene, Sheet};
+use macroline::view::{Chart, Part, Pose, Scene, Sheet};
 
 use params::{FIELDS, Params};
 pub(super) use resolved::{CutToLength, PREPARED};
@@ -62,6 +62,10 @@ impl Prepared for CutToLength {
     fn sheets(&self) -> Vec<Sheet> {
         let units = sheets::AxisUnits { cross_words: 1.0, rotary: &[] };
         vec![sheets::parameters(self.control, &units, plant::parameters(self))]
+    }
+
+    fn parts(&self) -> Vec<Part> {
+        scene::parts()
     }
 
     fn scene(&self) -> Scene {

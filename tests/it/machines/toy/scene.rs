@@ -2,7 +2,7 @@
 
 use macroline::machines::chart_rows::{ChartLine, ChartRow};
 use macroline::motion::Snapshot;
-use macroline::view::{Drawing, Look, Paint, Placement, Pose, Scene};
+use macroline::view::{Drawing, Look, Paint, Part, Placement, Pose, Scene};
 
 use super::resolved::CutToLength;
 
@@ -20,6 +20,12 @@ pub(super) fn scene() -> Scene {
     });
     drawing.rect([0.0, 20.0, 6.0, 36.0, 0.0], Look::fill(Paint::DarkFront));
     drawing.scene([-100.0, 0.0, 400.0, 120.0], "toy.scene.alt")
+}
+
+/// The parts list: the knife, and the strip.
+pub(super) fn parts() -> Vec<Part> {
+    let part = |name, group, at| Part { name, quantity: 1, data: vec![("", "length")], group, at };
+    vec![part("toy.part.knife", 0, (3.0, 30.0)), part("toy.part.strip", STRIP, (-40.0, 64.0))]
 }
 
 /// The drawing at a moment: the strip since its last cut.

@@ -1,0 +1,62 @@
+//! The parts list of the polygon lathe: work with its drive, cutters with theirs, slides.
+
+use super::resolved::PolygonLathe;
+use super::scene::{View, group};
+use crate::view::Part;
+
+/// All parts with their places in the drawing.
+pub(super) fn parts(lathe: &PolygonLathe) -> Vec<Part> {
+    let view = View::new(lathe);
+    let part = |name: &'static str, group: u16, at: (f64, f64), data: &[(&'static str, &'static str)]| Part {
+        name,
+        quantity: 1,
+        data: data.to_vec(),
+        group,
+        at,
+    };
+    let (chuck, stock) = (view.chuck, 0.5 * lathe.p.stock_diameter * view.scale);
+    let mut cutters: Vec<f64> = Vec::new();
+    for polygon in lathe.polygons().filter(|polygon| polygon.p.tool != lathe.p.tool) {
+        if !cutters.contains(&polygon.p.tool) {
+            cutters.push(polygon.p.tool);
+        }
+    }
+    let r = lathe.p.tip_radius * view.scale;
+    let body = (lathe.p.tip_radius - lathe.p.overhang).max(0.0) * view.scale;
+    vec![
+        part(
+            "polygon.part.headstock",
+            0,
+            (view.work.0 - 0.7 * chuck, view.work.1 + chuck + 22.0),
+            &[("", "work-power"), ("", "work-base"), ("", "work-limit")],
+        ),
+        part("polygon.part.chuck", 0, (view.work.0 - 0.8 * chuck, view.work.1), &[]),
+        part(
+            "polygon.part.work",
+            0,
+            (view.work.0 - 0.3 * stock, view.work.1 + 0.3 * stock),
+            &[("Ø ", "stock-diameter"), ("AF ", "across-flats"), ("L ", "length")],
+        ),
+        Part {
+            quantity: 1 + cutters.len() as u32,
+            ..part(
+                "polygon.part.cutter",
+                group::DISC,
+                (0.3 * body, 0.4 * body),
+                &[("r ", "tip-radius"), ("h ", "overhang")],
+            )
+        },
+        Part {
+            quantity: lathe.p.inserts as u32,
+            ..part("polygon.part.insert", group::INSERTS, (-0.95 * r, 0.0), &[("", "insert-width"), ("", "relief")])
+        },
+        part(
+            "polygon.part.tool-drive",
+            group::DISC,
+            (0.0, 150.0),
+            &[("", "tool-power"), ("", "tool-base"), ("", "tool-limit")],
+        ),
+        part("polygon.part.cross", 0, (view.cutter.0, 542.0), &[("", "lead-x"), ("", "rapid-x")]),
+        part("polygon.part.along", group::SIDE, (0.0, 88.0), &[("", "lead-z"), ("", "rapid-z")]),
+    ]
+}

@@ -1,0 +1,202 @@
+//! Balloons: numbered circles beside the parts of a drawing, each with a leader to its part, clear of labels and of each other.
+
+use core::fmt::Write;
+
+use super::drawing::crosses;
+use super::parts::Part;
+use super::scene::{Font, LETTER, LINE, Node, Placement, Pose, Scene, SceneGroup, Shape};
+use crate::math::{self, PI};
+use crate::text::number::fill;
+
+/// Radius of a balloon, of the dot at the end of its leader, and the least gap to labels and to other balloons, in sizes of the letters.
+const RADIUS: f64 = 0.8;
+const DOT: f64 = 0.14;
+const GAP: f64 = 0.25;
+/// Distances of a balloon from its part that are tried: the first, the step, how many; in sizes of the letters. And directions of each.
+const FIRST: f64 = 2.2;
+const STEP: f64 = 0.7;
+const DISTANCES: u32 = 40;
+const DIRECTIONS: u32 = 32;
+/// Width of a letter and heights of its top and foot, in sizes of the letters.
+const LETTER_BOX: [f64; 3] = [0.6, 0.78, 0.25];
+
+/// A balloon in the drawing's coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Balloon {
+    /// Item number.
+    pub item: u32,
+    /// Centre.
+    pub at: (f64, f64),
+    /// Radius.
+    pub radius: f64,
+    /// The part that its leader ends at.
+    pub part: (f64, f64),
+}
+
+/// Left, top, right, bottom.
+type Area = [f64; 4];
+
+impl Balloon {
+    /// Its square: left, top, right, bottom.
+    pub fn area(&self) -> Area {
+        let ((x, y), r) = (self.at, self.radius);
+        [x - r, y - r, x + r, y + r]
+    }
+
+    /// Where its leader begins: at the edge of the circle.
+    pub fn edge(&self) -> (f64, f64) {
+        let (dx, dy) = (self.part.0 - self.at.0, self.part.1 - self.at.1);
+        let share = self.radius / math::hypot(dx, dy).max(self.radius);
+        (self.at.0 + dx * share, self.at.1 + dy * share)
+    }
+}
+
+fn grown([left, top, right, bottom]: Area, by: f64) -> Area {
+    [left - by, top - by, right + by, bottom + by]
+}
+
+fn overlap(a: Area, b: Area) -> bool {
+    a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]
+}
+
+/// Whether two lines cross.
+fn cross((a, b): ((f64, f64), (f64, f64)), (c, d): ((f64, f64), (f64, f64))) -> bool {
+    let side = |p: (f64, f64), q: (f64, f64), r: (f64, f64)| (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+/// A group in a pose.
+fn placed<'s>(scene: &'s Scene, pose: &Pose, group: u16) -> Option<(&'s SceneGroup, Placement)> {
+    let rest = scene.groups.get(usize::from(group))?;
+    let opacity = f64::from(u8::from(!rest.hidden));
+    let moved = pose.placements.iter().find(|place| place.group == group).copied();
+    Some((rest, moved.unwrap_or(Placement { opacity, ..Placement::of(group) })))
+}
+
+/// A point of a group in the drawing, drawing units per unit of the group, and whether the group is seen.
+fn point(scene: &Scene, pose: &Pose, group: u16, at: (f64, f64)) -> ((f64, f64), f64, bool) {
+    let ((mut x, mut y), mut scale, mut seen) = (at, 1.0, true);
+    let mut group = group;
+    // A circle of groups ends.
+    for _ in 0..scene.groups.len() {
+        let Some((rest, place)) = placed(scene, pose, group).filter(|_| group != 0) else { break };
+        (x, y) = (x * rest.scale * place.size.0 - place.cx, y * rest.scale * place.size.1 - place.cy);
+        let (s, c) = math::sin_cos(place.turn * PI / 180.0);
+        (x, y) = (x * c - y * s + place.cx, x * s + y * c + place.cy);
+        (x, y) = (x + rest.at.0 + place.dx, y + rest.at.1 + place.dy);
+        (scale, seen) = (scale * rest.scale, seen && place.opacity > 0.0);
+        group = rest.parent;
+    }
+    ((x, y), scale, seen)
+}
+
+/// The room that the letters of a text take in a pose; none where it is not seen.
+fn text_area(scene: &Scene, pose: &Pose, node: &Node) -> Option<Area> {
+    let Shape::Text { x, y, anchor, text, line, font } = &node.shape else { return None };
+    let posed = pose.texts.iter().find(|(id, _)| Some(*id) == node.id).map(|(_, text)| text);
+    let count = posed.unwrap_or(text).chars().count();
+    let ((x, y), scale, seen) = point(scene, pose, node.group, (*x, *y));
+    let size = match font {
+        Font::Engraved(size) => size * scale,
+        _ => LETTER * scene.unit * scale,
+    };
+    let [wide, top, foot] = LETTER_BOX;
+    let width = wide * size * count as f64;
+    let left = match *anchor {
+        "end" => x - width,
+        "middle" => x - 0.5 * width,
+        _ => x,
+    };
+    let base = y + line * LINE * size;
+    (seen && count > 0).then_some([left, base - top * size, left + width, base + foot * size])
+}
+
+/// What a new balloon keeps clear of.
+struct Taken {
+    view: Area,
+    texts: Vec<Area>,
+    parts: Vec<(f64, f64)>,
+    balloons: Vec<Balloon>,
+    /// Size of the letters.
+    letter: f64,
+}
+
+impl Taken {
+    /// Whether its circle is within the drawing and covers nothing.
+    fn has_room(&self, balloon: &Balloon) -> bool {
+        let (own, gap) = (balloon.area(), GAP * self.letter);
+        let within = own[0] > self.view[0] && own[1] > self.view[1] && own[2] < self.view[2] && own[3] < self.view[3];
+        let inside =
+            |at: &(f64, f64)| *at != balloon.part && at.0 > own[0] && at.0 < own[2] && at.1 > own[1] && at.1 < own[3];
+        within
+            && !self.texts.iter().any(|text| overlap(grown(*text, gap), own))
+            && !self.balloons.iter().any(|other| overlap(grown(other.area(), gap), own))
+            && !self.parts.iter().any(inside)
+            && !self.balloons.iter().any(|other| crosses(other.edge(), other.part, grown(own, gap)))
+    }
+
+    /// Whether its leader goes past the other balloons.
+    fn leads_past(&self, balloon: &Balloon) -> bool {
+        !self.balloons.iter().any(|other| crosses(balloon.edge(), balloon.part, other.area()))
+    }
+
+    /// Whether its leader goes past labels and other leaders.
+    fn leads_clear(&self, balloon: &Balloon) -> bool {
+        let (from, to) = (balloon.edge(), balloon.part);
+        !self.texts.iter().any(|text| crosses(from, to, *text))
+            && !self.balloons.iter().any(|other| cross((from, to), (other.edge(), other.part)))
+    }
+
+    /// The nearest place that is free; where no leader goes past everything, past the balloons at least.
+    fn place(&self, item: u32, part: (f64, f64)) -> Option<Balloon> {
+        let radius = RADIUS * self.letter;
+        let tries = || {
+            (0..DISTANCES).flat_map(move |at| {
+                let distance = (FIRST + STEP * f64::from(at)) * self.letter;
+                (0..DIRECTIONS).map(move |turn| {
+                    // From straight up, to both sides in turn.
+                    let half = f64::from(turn.div_ceil(2)) * if turn % 2 == 0 { 1.0 } else { -1.0 };
+                    let (s, c) = math::sin_cos(2.0 * PI * half / f64::from(DIRECTIONS) + 0.4);
+                    Balloon { item, at: (part.0 + distance * s, part.1 - distance * c), radius, part }
+                })
+            })
+        };
+        let free = |balloon: &Balloon| self.has_room(balloon) && self.leads_past(balloon);
+        let clear = tries().find(|balloon| free(balloon) && self.leads_clear(balloon));
+        clear.or_else(|| tries().find(free)).or_else(|| tries().find(|balloon| self.has_room(balloon)))
+    }
+}
+
+/// Balloons of parts in a pose of their drawing, numbered from 1. A part for which there is no room has none.
+pub fn balloons(scene: &Scene, pose: &Pose, parts: &[Part]) -> Vec<Balloon> {
+    let [left, top, width, height] = scene.view;
+    let letter = LETTER * if scene.unit > 0.0 { scene.unit } else { 1.0 };
+    let view = grown([left, top, left + width, top + height], -0.3 * letter);
+    let inside = |(x, y): (f64, f64)| (math::clamp(x, view[0], view[2]), math::clamp(y, view[1], view[3]));
+    let places: Vec<(f64, f64)> = parts.iter().map(|part| inside(point(scene, pose, part.group, part.at).0)).collect();
+    let texts = scene.nodes.iter().filter_map(|node| text_area(scene, pose, node)).collect();
+    let mut taken = Taken { view, texts, parts: places.clone(), balloons: Vec::new(), letter };
+    for (item, part) in (1..).zip(places) {
+        let balloon = taken.place(item, part);
+        taken.balloons.extend(balloon);
+    }
+    taken.balloons
+}
+
+/// Writes balloons in these colours: of lines and figures, and of the circle.
+pub(super) fn write(out: &mut String, balloons: &[Balloon], (ink, page): (&str, &str), letter: f64) {
+    let _ = write!(out, "<g class=\"balloons\" stroke=\"{ink}\" fill=\"{page}\" text-anchor=\"middle\"");
+    fill(out, " stroke-width=\"#\">", &[0.07 * letter]);
+    for balloon in balloons {
+        let (from, (x, y)) = (balloon.edge(), balloon.part);
+        fill(out, "<path d=\"M# #L# #\" fill=\"none\"/>", &[from.0, from.1, x, y]);
+        let _ = write!(out, "<circle fill=\"{ink}\"");
+        fill(out, " cx=\"#\" cy=\"#\" r=\"#\"/>", &[x, y, DOT * letter]);
+        let (x, y) = balloon.at;
+        fill(out, "<circle cx=\"#\" cy=\"#\" r=\"#\"/>", &[x, y, balloon.radius]);
+        let _ = write!(out, "<text class=\"value\" stroke=\"none\" fill=\"{ink}\"");
+        fill(out, " x=\"#\" y=\"#\">", &[x, y + 0.35 * letter]);
+        let _ = write!(out, "{}</text>", balloon.item);
+    }
+    out.push_str("</g>");
+}
