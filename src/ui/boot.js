@@ -25,7 +25,8 @@ if (drawing) {
   const stage = drawing.parentElement;
   const { width, height } = drawing.viewBox.baseVal;
   const laidOut = Number(drawing.dataset.unit);
-  const pans = width / stage.clientWidth > 1.35 * laidOut;
+  const across = width / stage.clientWidth;
+  const pans = across > 1.35 * laidOut && across > height / Math.max(stage.clientHeight - 40, 1);
   stage.classList.toggle('pans', pans);
   const room = stage.getBoundingClientRect();
   const unit = Math.max(height / room.height, pans ? laidOut : width / room.width);

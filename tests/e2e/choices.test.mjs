@@ -97,6 +97,34 @@ test('a control that cannot run the line says so and offers the speed that it ru
     }
   }));
 
+test('an alarm is a bar beside the drawing of a phone, and opens to its whole text', () =>
+  withPage(app, { viewport: { width: 390, height: 844 } }, async ({ page }) => {
+    await takeExample(page, PAPER);
+    await choose(page, 'gsk-980tdc');
+    const screen = page.locator('.alarm-screen');
+    await screen.getByRole('heading', { name: '5920 FEED #115 ABOVE LIMIT #119' }).waitFor();
+    const boxes = () => Promise.all(['#machine', '.alarm-screen'].map((selector) => page.locator(selector).boundingBox()));
+    const [stage, bar] = await boxes();
+    // Buttons of the picture and notices: left, top, right, bottom.
+    const beside = await page.locator('.band .icon:not(.notice .icon), .notices').evaluateAll((parts) => parts.map((part) => part.getBoundingClientRect()).map((b) => [b.left, b.top, b.right, b.bottom]));
+    assert.ok(bar.height <= 44 && bar.height <= 0.15 * stage.height, `${bar.height} of ${stage.height}`);
+    // Over the lower edge, beside the buttons of the picture.
+    assert.ok(bar.y + bar.height <= stage.y + stage.height && bar.y > stage.y + 0.8 * stage.height, JSON.stringify({ stage, bar }));
+    assert.ok(bar.x >= stage.x && beside.length > 2, `${beside.length}`);
+    for (const [left, top, right, bottom] of beside) {
+      assert.ok(bar.x + bar.width <= left || bar.y + bar.height <= top || bottom <= bar.y, JSON.stringify({ bar, left, top, right, bottom }));
+    }
+    const remedy = screen.getByRole('button', { name: /^Set \d+ r\/min$/ });
+    assert.ok(!(await remedy.isVisible()));
+    await screen.getByRole('button', { name: 'More' }).click();
+    assert.ok(await remedy.isVisible());
+    const [, open] = await boxes();
+    assert.ok(open.y >= stage.y && open.y + open.height <= stage.y + stage.height);
+    await accessible(page);
+    await screen.getByRole('button', { name: 'Less' }).click();
+    assert.deepEqual((await boxes())[1], bar);
+  }));
+
 test('a value that the machine cannot have is counted over the drawing and leads to its field', () =>
   withPage(app, {}, async ({ page }) => {
     await takeExample(page, PAPER);

@@ -24,6 +24,19 @@ for (const [width, height] of [[1366, 768], [1920, 1080], [1440, 900], [1024, 76
     }));
 }
 
+for (const [width, height] of [[800, 600], [800, 900], [1024, 480], [780, 1000], [390, 844]]) {
+  test(`the drawing fills its stage from edge to edge (${width} × ${height})`, () =>
+    withPage(app, { viewport: { width, height } }, async ({ page }) => {
+      for (const name of ['Ribbon line', 'Turning spindle', 'Polygon lathe']) {
+        await page.getByRole('button', { name }).click();
+        await page.waitForFunction(() => {
+          const [stage, scene] = ['.stage', '.stage svg.scene'].map((part) => document.querySelector(part).getBoundingClientRect());
+          return scene.left <= stage.left + 1 && scene.right >= stage.right - 1 && scene.height <= stage.height + 1;
+        });
+      }
+    }));
+}
+
 test('it moves at first sight, from the start again at the end, and stands for those who asked for stillness', { skip: FIREFOX }, async () => {
   await withPage(app, { reducedMotion: 'no-preference' }, async ({ page }) => {
     await page.waitForFunction(() => document.querySelector('#clock').textContent > '00:00.0500');

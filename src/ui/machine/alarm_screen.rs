@@ -99,6 +99,8 @@ fn named(page: Page, text: &str) -> Vec<(String, &'static str, String)> {
 pub(super) fn AlarmScreen() -> impl IntoView {
     let page = Page::here();
     let told = Memo::new(move |_| told(page));
+    // On a phone it is a bar over the edge of the drawing until it is opened.
+    let open = RwSignal::new(false);
     move || {
         let Told { tone, headline, meaning, place, way_out } = told.get()?;
         let rows = named(page, &headline).into_iter().map(|(name, label, value)| {
@@ -112,8 +114,17 @@ pub(super) fn AlarmScreen() -> impl IntoView {
             view! { <button type="button" class="link" on:click=move |_| page.show_place(place)>{words}</button> }
         });
         Some(view! {
-            <section class=format!("alarm-screen {tone}") role="status" aria-label=t("page.screen")>
+            <section
+                class=format!("alarm-screen {tone}") class:open=move || open.get()
+                role="status" aria-label=t("page.screen")
+            >
                 <h2>{headline}</h2>
+                <button
+                    type="button" class="unfold" aria-expanded=move || open.get().to_string()
+                    on:click=move |_| open.update(|open| *open = !*open)
+                >
+                    {move || t(if open.get() { "page.screen-less" } else { "page.screen-more" })}
+                </button>
                 <p>{meaning} " " {block}</p>
                 <dl>{rows}</dl>
                 {way_out}
@@ -171,6 +182,16 @@ mod tests {
         assert!(bench.text("p").contains(t("page.own-alarm-at-once")));
         bench.press(".link").await;
         assert_eq!(bench.page.view.sought.get_untracked().map(|place| place.file.0), Some(0));
+    }
+
+    #[wasm_bindgen_test]
+    async fn bar_of_the_phone_opens_and_folds() {
+        let bench = screen("gsk-980tdc").await;
+        assert_eq!(bench.attribute(".unfold", "aria-expanded"), "false");
+        bench.press(".unfold").await;
+        assert!(bench.has(".alarm-screen.open") && bench.text(".unfold") == t("page.screen-less"));
+        bench.press(".unfold").await;
+        assert!(!bench.has(".alarm-screen.open"));
     }
 
     #[wasm_bindgen_test]

@@ -27,6 +27,8 @@ pub(super) struct Drawn {
 /// The drawing is wider than its room where that would show more than so many times the units per pixel that its labels are laid out for
 /// (`boot.js` too).
 const CROWDED: f64 = 1.35;
+/// Height in pixels of the strip over such a drawing (`.stage.pans`; `boot.js` too).
+const STRIP: f64 = 40.0;
 
 struct Group {
     parts: Vec<Element>,
@@ -81,13 +83,16 @@ impl Drawn {
     /// Keeps labels at their size in pixels and apart; where there is little room, the drawing becomes wider than it. Says whether it did.
     pub(super) fn fit(&self) -> bool {
         let room = self.picture.as_ref().and_then(|picture| Some((picture, picture.parent_element()?)));
-        let Some((picture, room)) = room else { return false };
-        let ([_, _, wide, high], room) = (self.view, room.get_bounding_client_rect());
+        let Some((picture, parent)) = room else { return false };
+        let ([_, _, wide, high], room) = (self.view, parent.get_bounding_client_rect());
         if room.width() <= 0.0 || room.height() <= 0.0 {
             return false;
         }
         let (across, down) = (wide / room.width(), high / room.height());
-        let pans = self.pans && across > CROWDED * self.unit;
+        let strip = if parent.class_list().contains("pans") { 0.0 } else { STRIP };
+        // Where the height is what it lacks, it would become narrower than its room.
+        let fills = across > high / (room.height() - strip).max(1.0);
+        let pans = self.pans && fills && across > CROWDED * self.unit;
         let unit = if pans { down.max(self.unit) } else { across.max(down) };
         let style = picture.style();
         let _ = style.set_property("--u", &format!("{unit:.4}"));
