@@ -10,17 +10,27 @@ mod mechanics;
 
 mod resolved;
 
+mod calculated_once;
+
+mod rules_of_slack;
+
+mod rules_of_feeds;
+
+mod rules_of_product;
+
+mod rules_of_coordinates;
+
 mod readouts;
 
 mod drive_readouts;
 
-mod rules;
-
 mod phase;
 
-mod drive_rules;
-
 mod program;
+
+mod rules;
+
+mod drive_rules;
 
 mod plant;
 
@@ -33,8 +43,6 @@ mod stops;
 mod scene;
 
 mod pose;
-
-mod calculated_once;
 
 mod charts;
 

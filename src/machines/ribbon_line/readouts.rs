@@ -1,7 +1,9 @@
 //! The results of the ribbon line as rows: label, unit, formula, source.
 
 use super::resolved::RibbonLine;
-use super::rules;
+use super::rules_of_coordinates as coordinates;
+use super::rules_of_feeds as feeds;
+use super::rules_of_slack as slack;
 use crate::machines::verdict::ReadoutRow;
 use crate::text::{Citation, Grade};
 
@@ -126,12 +128,12 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "knob-holds", label: "ribbon.readout.knob-holds", unit: "%", decimals: 1, headline: false,
         formula: "least of: saturation, axis clamps, F limit, block time",
-        cite: Citation::new("sizing facts, section 4; ribbon line facts, 5", Grade::Inferred), value: rules::knob_holds,
+        cite: Citation::new("sizing facts, section 4; ribbon line facts, 5", Grade::Inferred), value: feeds::knob_holds,
     },
     ReadoutRow {
         id: "slack-rate-knob", label: "ribbon.readout.slack-rate-knob", unit: "mm/min", decimals: 1, headline: false,
         formula: "K · (n at the end of the knob - #104)",
-        cite: Citation::new("ribbon line facts, 8", Grade::Inferred), value: rules::knob_slack,
+        cite: Citation::new("ribbon line facts, 8", Grade::Inferred), value: slack::knob_slack,
     },
     ReadoutRow {
         id: "override-delay", label: "ribbon.readout.override-delay", unit: "ms", decimals: 0, headline: false,
@@ -176,7 +178,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "range-time", label: "ribbon.readout.range-time", unit: "s", decimals: 1, headline: false,
         formula: "range of the control / speed of the faster axis",
-        cite: Citation::new("ribbon line facts, 9", Grade::Inferred), value: rules::range_time,
+        cite: Citation::new("ribbon line facts, 9", Grade::Inferred), value: coordinates::range_time,
     },
     ReadoutRow {
         id: "manual-line-speed", label: "ribbon.readout.manual-line-speed", unit: "mm/min", decimals: 1, headline: false,
@@ -291,7 +293,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "x-scaling-drift", label: "ribbon.readout.x-scaling-drift", unit: "mm/h", decimals: 4, headline: false,
         formula: "(travel of the motor / travel by the parameters - 1) · v · 60",
-        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| rules::scaling_drifts(line)[0].unwrap_or(0.0),
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| coordinates::scaling_drifts(line)[0].unwrap_or(0.0),
     },
     ReadoutRow {
         id: "y-scaling", label: "ribbon.readout.y-scaling", unit: "mm/rev", decimals: 6, headline: false,
@@ -301,7 +303,7 @@ pub(super) const ROWS: &[ReadoutRow<RibbonLine>] = &[
     ReadoutRow {
         id: "y-scaling-drift", label: "ribbon.readout.y-scaling-drift", unit: "mm/h", decimals: 4, headline: false,
         formula: "(travel of the motor / travel by the parameters - 1) · Fy · 60",
-        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| rules::scaling_drifts(line)[1].unwrap_or(0.0),
+        cite: Citation::new("ribbon line facts, 10", Grade::Inferred), value: |line| coordinates::scaling_drifts(line)[1].unwrap_or(0.0),
     },
     ReadoutRow {
         id: "y-drift", label: "ribbon.readout.y-drift", unit: "mm", decimals: 3, headline: false,

@@ -97,6 +97,16 @@ impl RibbonLine {
         self.control.axis(self.p.print_axis.address()).unwrap_or(0)
     }
 
+    /// Driven speed over commanded speed, now or at the knob's end: a feed per revolution follows the measured speed of the unwinder.
+    pub(super) fn following(&self, at: &Derived) -> f64 {
+        if self.in_step() { 1.0 + at.speed_error } else { 1.0 }
+    }
+
+    /// Letter of the print roller's axis.
+    pub(super) fn letter(&self) -> String {
+        self.p.print_axis.address().to_string()
+    }
+
     /// Units of X words per millimetre of ribbon: 2 where they are diameters.
     pub(super) fn pull_words(&self) -> u32 {
         if self.dialect.counts_diameters(self.pull()) { 2 } else { 1 }

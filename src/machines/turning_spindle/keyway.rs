@@ -53,14 +53,15 @@ pub(super) fn findings(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
 /// Codes of the machine builder that the control itself has.
 fn codes(lathe: &TurningSpindle, found: &mut Vec<Diagnostic>) {
     let p = &lathe.p;
-    let cuts = lathe.keyway().is_some();
     let all = [
-        ("lock-code", p.lock_code, true),
-        ("driven-code", p.driven_code, cuts),
-        ("driven-stop", p.driven_stop, cuts),
-        ("release-code", p.release_code, cuts),
+        ("lock-code", p.lock_code),
+        ("driven-code", p.driven_code),
+        ("driven-stop", p.driven_stop),
+        ("release-code", p.release_code),
     ];
-    for (field, code, _) in all.into_iter().filter(|(_, code, counts)| *counts && *code > 0.0) {
+    // Without a cut the program only locks the spindle.
+    let written = if lathe.keyway().is_some() { all.len() } else { 1 };
+    for (field, code) in all.into_iter().take(written).filter(|(_, code)| *code > 0.0) {
         let code = code as u32;
         let known = lathe.control.codes.iter().find(|row| row.id == CodeId::M(code));
         // M99 ends a subprogram on every control, listed or not.

@@ -1,6 +1,7 @@
 //! Axes that run one way for ever: the control stops where one leaves its range, and parameters or the program prevent it.
 
 use macroline::controls::options::{CoordinateRange, SwitchChoice};
+use macroline::machines::form::Value;
 use macroline::motion::{Action, Event, RunEnd};
 use macroline::project::Project;
 use macroline::view::{Readout, Row, Verdict};
@@ -93,13 +94,24 @@ fn advice_about_the_range_ends_it() {
         let long = line(control.id, &[("pitch-count", count), ("endless", "nothing")]);
         let before = range(&long);
         assert_eq!(before.verdict, Verdict::Fail, "{}", control.id);
-        let Some(advice) = before.advice.iter().find(|advice| !advice.sets.is_empty()) else {
+        let taken = |field: &str| {
+            let advice = before.advice.iter().find(|advice| advice.sets.iter().any(|(id, _)| *id == field))?;
+            let sets: Vec<_> = advice.sets.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
+            let mut after = long.clone();
+            after.values.extend(values(&sets));
+            Some(after)
+        };
+        // The longest product that fits: one pitch more does not.
+        let shorter = taken("pitch-count").unwrap();
+        assert_eq!(range(&shorter).verdict, Verdict::Warn, "{}", control.id);
+        let Some(Value::Number(most)) = shorter.values.get("pitch-count").cloned() else { panic!() };
+        let mut beyond = shorter.clone();
+        beyond.values.insert("pitch-count".to_owned(), Value::Number(most + 1.0));
+        assert_eq!(range(&beyond).verdict, Verdict::Fail, "{}", control.id);
+        let Some(after) = taken("endless") else {
             assert_eq!(control.id, "gsk-980tdc");
             continue;
         };
-        let mut after = long.clone();
-        let sets: Vec<_> = advice.sets.iter().map(|(id, typed)| (*id, typed.as_str())).collect();
-        after.values.extend(values(&sets));
         assert_eq!(range(&after).verdict, Verdict::Ok, "{}", control.id);
         assert!(range(&after).value.is_infinite());
     }

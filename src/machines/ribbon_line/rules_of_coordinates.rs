@@ -1,0 +1,136 @@
+//! Rules about coordinates that only grow: the range of the control, axes that roll over, scaling.
+
+use super::params::{Endless, FIELDS, PrintAxis};
+use super::resolved::RibbonLine;
+use crate::controls::dialect::CoordinateFrame;
+use crate::controls::{Code, ParamRole};
+use crate::machines::scaling::AxisDrive;
+use crate::machines::verdict::{Judgement, down, fail, ok, warn};
+use crate::math::PI;
+use crate::msg;
+use crate::text::Diagnostic;
+use crate::view::Limit::AtMost;
+use crate::view::{Advice, Verdict};
+
+/// A block with a word beyond the coordinate range of the control.
+pub(super) fn long_blocks(line: &RibbonLine) -> Option<Diagnostic> {
+    let RibbonLine { p, d, .. } = line;
+    let limits = &line.control.limits;
+    let pitches = p.block_pitches().min(p.count());
+    let pull = p.pitch * f64::from(line.pull_words());
+    let (axis, pitch) = if d.y_stroke > pull { (line.letter(), d.y_stroke) } else { ("X".to_owned(), pull) };
+    let max = limits.coordinate_max;
+    (pitches * pitch > max).then(|| {
+        Diagnostic::error(msg!("ribbon.block-too-long", axis, (pitches * pitch, 3), max))
+            .about("pitches-per-block")
+            .hint(msg!("ribbon.fewer-pitches", ((max / pitch).floor(), 0)))
+    })
+}
+
+/// The axis whose words leave the control's range first, and its travel per pitch in words; none where the coordinates of both roll over.
+fn farthest(line: &RibbonLine) -> Option<(String, f64)> {
+    let [pull_rolls, print_rolls] = line.rolls_over();
+    let pull = ("X".to_owned(), line.p.pitch * f64::from(line.pull_words()));
+    let print = (line.letter(), line.d.y_stroke);
+    match (pull_rolls, print_rolls) {
+        (true, true) => None,
+        (true, false) => Some(print),
+        (false, true) => Some(pull),
+        (false, false) => Some(if print.1 < pull.1 { pull } else { print }),
+    }
+}
+
+/// Seconds of running from zero to the end of the control's range: `range / (travel per pitch · pitches per second)`; 0 at standstill.
+pub(super) fn range_time(line: &RibbonLine) -> f64 {
+    let speed = farthest(line).map_or(0.0, |(_, travel)| travel * line.d.dots_per_second);
+    match speed > 0.0 {
+        true => line.control.limits.coordinate_max / speed,
+        false if line.d.dots_per_second > 0.0 => f64::INFINITY,
+        false => 0.0,
+    }
+}
+
+/// Numbers of the parameters that let the coordinates of an axis roll over.
+fn roll_parameters(line: &RibbonLine) -> String {
+    let roles = [ParamRole::AxisRotary, ParamRole::AxisRollOver, ParamRole::AxisTurn];
+    roles.into_iter().filter_map(|role| line.control.param(role)).map(|row| row.number).collect::<Vec<_>>().join(", ")
+}
+
+/// Remedies of a line whose axes leave the range: parameters, or the program where the control has no such parameters.
+fn endless_axes(line: &RibbonLine, product_fits: bool) -> Vec<Advice> {
+    let set = |id: &str| [("endless", id.to_owned())];
+    if line.control.param(ParamRole::AxisRollOver).is_some() {
+        let advice = Advice::from(msg!("ribbon.range-roll-over", roll_parameters(line)));
+        return vec![advice.setting(msg!("advice.roll-over"), set("roll-over"))];
+    }
+    if product_fits && line.p.endless != Endless::Shift && line.control.can(Code::SetCoordinates) {
+        return vec![Advice::from(msg!("ribbon.range-shift")).setting(msg!("advice.shift"), set("shift"))];
+    }
+    Vec::new()
+}
+
+/// Both axes run one way for ever: the control stops with an alarm where one leaves its range. A product beyond it fails; else the coordinates
+/// have to be taken back in time.
+pub(super) fn range(line: &RibbonLine) -> Option<Judgement> {
+    let max = line.control.limits.coordinate_max;
+    let Some((axis, travel)) = farthest(line) else {
+        let advice = msg!("ribbon.range-endless", roll_parameters(line), max);
+        return Some(Judgement { verdict: Verdict::Ok, limit: None, advice: vec![advice.into()] });
+    };
+    let with = |advice: Advice, fits: bool| [vec![advice], endless_axes(line, fits)].concat();
+    let products = (max / (travel * line.p.count())).floor();
+    if products < 1.0 {
+        let pitches = (max / travel).floor();
+        let advice = Advice::from(msg!("ribbon.range-product", axis, max, (pitches, 0)));
+        let set = match line.p.is_length(line.control) {
+            true => down(FIELDS, "product-length", pitches * line.p.pitch),
+            false => down(FIELDS, "pitch-count", pitches),
+        };
+        let button = msg!("advice.shorter-product", pitches);
+        return fail(None, with(if pitches >= 1.0 { advice.setting(button, [set]) } else { advice }, false));
+    }
+    let seconds = (range_time(line), 0);
+    if line.p.endless == Endless::Shift && line.dialect.running.range != Some(CoordinateFrame::Machine) {
+        let advice = msg!("ribbon.range-shifted", axis, max, seconds, (products, 0));
+        return Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] });
+    }
+    warn(None, with(msg!("ribbon.range-open", axis, max, seconds, (products, 0)).into(), true))
+}
+
+/// Drift (mm/h or °/h) of the pull axis and of the print roller against their motors: what is left of the ratio when parameters have taken it as
+/// whole numbers; none where the control has no such numbers.
+pub(super) fn scaling_drifts(line: &RibbonLine) -> [Option<f64>; 2] {
+    let feeds = [line.d.x_feed, line.d.y_feed];
+    let drives = line.drives("");
+    [0, 1].map(|at| Some(drives[at].error(line.control)? * feeds[at] * 60.0))
+}
+
+/// The dots of a product may drift by the tolerance of a dot.
+fn scaling(line: &RibbonLine, at: usize) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    if !AxisDrive::is_scaled(line.control) {
+        return None;
+    }
+    let axis = if at == 0 { "X".to_owned() } else { line.letter() };
+    let Some(drift) = scaling_drifts(line)[at] else {
+        return fail(None, [msg!("scaling.no-ratio", axis).into()]);
+    };
+    let per_turn = if at == 1 && line.degrees() { 360.0 / (PI * p.print_roller_diameter) } else { 1.0 };
+    let limit = p.dot_tolerance * per_turn * 3600.0 / d.product_time;
+    if drift.abs() <= limit {
+        return ok(AtMost(limit));
+    }
+    let mut advice = Advice::from(msg!("ribbon.scaling-drifts", axis, (drift, 4), (limit, 4)));
+    if at == 1 && !line.degrees() && p.print_axis == PrintAxis::Y {
+        advice = advice.setting(msg!("advice.degrees"), [("y-unit", "degrees".to_owned())]);
+    }
+    warn(AtMost(limit), [advice])
+}
+
+pub(super) fn scaling_x(line: &RibbonLine) -> Option<Judgement> {
+    scaling(line, 0)
+}
+
+pub(super) fn scaling_y(line: &RibbonLine) -> Option<Judgement> {
+    scaling(line, 1)
+}

@@ -1,0 +1,241 @@
+//! Rules about speeds: clamps of the axes, the range of F, motors, the time of a block, the analog output.
+
+use super::calculated_once::calculated_once;
+use super::params::{FIELDS, PathMode, Variant};
+use super::resolved::RibbonLine;
+use super::rules_of_slack::worst_knob;
+use crate::controls::Code;
+use crate::machines::verdict::{Judgement, down, fail, ok, up, warn};
+use crate::msg;
+use crate::text::Message;
+use crate::view::Advice;
+use crate::view::Limit::{AtLeast, AtMost};
+
+/// F in mm/min beyond the control's range: the finding, and the remedies.
+pub(super) fn too_fast(line: &RibbonLine) -> Option<(Message, Vec<Advice>)> {
+    let RibbonLine { p, d, .. } = line;
+    let limits = &line.control.limits;
+    let max = line.feed_max();
+    if line.in_step() || d.vector_feed <= max {
+        return None;
+    }
+    let mut advice = vec![slower_advice(line)];
+    if line.control.can(Code::FeedPerRevolution) && d.feed_per_revolution <= limits.revolution_feed_max {
+        let instead = Advice::from(msg!("ribbon.per-revolution-instead", (d.feed_per_revolution, 3)));
+        let set = [("feed-form", "per-revolution".to_owned())];
+        advice.push(if p.spindle_encoder { instead.setting(msg!("advice.per-revolution"), set) } else { instead });
+    }
+    Some((msg!("ribbon.feed-above-limit", d.vector_feed, max), advice))
+}
+
+/// A feed as it is driven, mm/min.
+pub(super) fn followed(line: &RibbonLine, feed: f64) -> f64 {
+    feed * line.following(&line.d)
+}
+
+/// The highest whole speed of the unwinder within all limits of rule 4.
+fn fastest(line: &RibbonLine) -> f64 {
+    (line.fast.actual_speed * share_of_feeds(line)).floor()
+}
+
+/// The least limit of axes and F over its feed with the knob at its end: below 1, the line must run slower by as much.
+fn share_of_feeds(line: &RibbonLine) -> f64 {
+    let RibbonLine { p, fast, .. } = line;
+    let driven = line.following(fast);
+    let clamps = (p.clamp_x / (fast.x_feed * driven)).min(p.clamp_y / (fast.y_feed * driven));
+    if line.in_step() { clamps } else { clamps.min(line.feed_max() / fast.vector_feed) }
+}
+
+/// Override (%) up to which the line keeps its speed: until the speed saturates, an axis or F is at its limit, or blocks are over before the
+/// control has read the next ones. Feeds per revolution are taken with the motor's error at the knob's end.
+pub(super) fn knob_holds(line: &RibbonLine) -> f64 {
+    let RibbonLine { p, d, fast, .. } = line;
+    if fast.actual_speed <= 0.0 {
+        return 0.0;
+    }
+    if worst_knob(line).is_some() {
+        return p.override_stepped();
+    }
+    let share = share_of_feeds(line).min(fast.block_time / line.following(fast) / d.block_needed);
+    (100.0 * fast.actual_speed * share / p.spindle_speed).min(d.override_limit)
+}
+
+/// An advice with the S that turns the unwinder at most at `speed` r/min, and the clamp beyond which the knob cannot go.
+fn with_speed(line: &RibbonLine, speed: f64, advice: Message) -> Advice {
+    let RibbonLine { p, d, fast, .. } = line;
+    let mut sets = Vec::new();
+    if d.asked_speed > speed {
+        sets.push(down(FIELDS, "spindle-speed", 100.0 * speed / p.override_stepped()));
+    }
+    if fast.actual_speed > speed {
+        sets.push(down(FIELDS, "speed-clamp", speed));
+    }
+    let button = match sets.first() {
+        Some((id, typed)) if *id == "spindle-speed" => msg!("advice.set-speed", typed.as_str()),
+        Some((_, typed)) => msg!("advice.clamp-speed", typed.as_str()),
+        None => return advice.into(),
+    };
+    Advice::from(advice).setting(button, sets)
+}
+
+pub(super) fn slower_advice(line: &RibbonLine) -> Advice {
+    match fastest(line) {
+        speed if speed < 1.0 => msg!("ribbon.no-speed").into(),
+        speed if line.d.actual_speed > speed => with_speed(line, speed, msg!("ribbon.run-slower", (speed, 0))),
+        speed => with_speed(line, speed, msg!("ribbon.knob-too-far", (line.knob_end(), 1), (speed, 0))),
+    }
+}
+
+/// A feed against the clamp of its axis, over the whole range of the knob: the limit of the feed now is lower by what the knob may add. The
+/// driven feed is compared, so the limit of the commanded feed is also lower where the unwinder is fast.
+fn within_or_error(feed: f64, clamp: f64, line: &RibbonLine) -> Option<Judgement> {
+    let limit = clamp / line.following(&line.fast) * line.knob_share();
+    if limit <= 0.0 || limit.is_infinite() {
+        return ok(None);
+    }
+    if feed > limit { fail(AtMost(limit), [slower_advice(line)]) } else { ok(AtMost(limit)) }
+}
+
+pub(super) fn clamp_x(line: &RibbonLine) -> Option<Judgement> {
+    within_or_error(line.d.x_feed, line.p.clamp_x, line)
+}
+
+pub(super) fn clamp_y(line: &RibbonLine) -> Option<Judgement> {
+    within_or_error(line.d.y_feed, line.p.clamp_y, line)
+}
+
+pub(super) fn feed_limit(line: &RibbonLine) -> Option<Judgement> {
+    if line.in_step() {
+        return None;
+    }
+    let limit = AtMost(line.feed_max() * line.knob_share());
+    let Some((message, mut advice)) = too_fast(line) else {
+        if limit.holds(line.d.vector_feed) {
+            return ok(limit);
+        }
+        let feed = msg!("ribbon.knob-stops", (line.knob_end(), 1), (line.fast.vector_feed, 0), line.feed_max());
+        return fail(limit, [feed.into(), slower_advice(line)]);
+    };
+    let speed = fastest(line);
+    let short = with_speed(line, speed, msg!("ribbon.feed-above-range", line.feed_max(), (speed, 0)));
+    advice.splice(0..0, (speed >= 1.0).then_some(short).into_iter().chain([message.into()]));
+    fail(limit, advice)
+}
+
+/// The control reads F per revolution in steps, which makes X run a little faster or slower than the unwinder, and up to a limit.
+pub(super) fn revolution_feed(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { d, .. } = line;
+    let limits = &line.control.limits;
+    if !line.in_step() {
+        return None;
+    }
+    let (feed, limit, step) = (d.feed_per_revolution, line.feed_max(), limits.feed_increment);
+    if feed > limit {
+        return fail(AtMost(limit), [msg!("ribbon.revolution-feed-above-limit", (feed, 3), limit).into()]);
+    }
+    let drift = (1.0 - (feed / step).round() * step / feed) * d.line_speed;
+    if drift.abs() > 1.0 {
+        return warn(AtMost(limit), [msg!("ribbon.feed-in-steps", step, (drift.abs(), 1)).into()]);
+    }
+    ok(AtMost(limit))
+}
+
+/// The greatest speed counts over the whole range of the knob, the rated one where the knob is.
+fn motor(line: &RibbonLine, speed: f64, rated: f64, max: f64) -> Option<Judgement> {
+    let limit = AtMost(max * line.knob_share());
+    if !limit.holds(speed) {
+        let slower = line.d.actual_speed * rated.min(max) / speed;
+        let advice = msg!("ribbon.motor-too-fast", (speed / line.knob_share(), 0), (max, 0));
+        fail(limit, [with_speed(line, slower, advice)])
+    } else if speed > rated {
+        warn(AtMost(rated), [msg!("ribbon.motor-above-rated", (speed, 0), (rated, 0)).into()])
+    } else {
+        ok(AtMost(rated.min(limit.value())))
+    }
+}
+
+pub(super) fn motor_x(line: &RibbonLine) -> Option<Judgement> {
+    motor(line, line.d.x_motor_speed, line.p.motor_rated_x, line.p.motor_max_x)
+}
+
+pub(super) fn motor_y(line: &RibbonLine) -> Option<Judgement> {
+    motor(line, line.d.y_motor_speed, line.p.motor_rated_y, line.p.motor_max_y)
+}
+
+/// Time of a block against the time that the control needs for it, over the whole range of the knob: the limit of a block now is longer by
+/// what the knob may take from it. The driven block is compared, so the limit of the commanded one is also longer where the unwinder is fast.
+pub(super) fn block_time(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { p, d, fast, .. } = line;
+    let (needed, turned) = (d.block_needed * 1000.0, d.block_needed_turned * 1000.0);
+    if d.block_time.is_infinite() {
+        return warn(AtLeast(needed), [msg!("ribbon.stands").into()]);
+    }
+    if line.in_step() && d.speed_error <= -1.0 {
+        return fail(None, [msg!("ribbon.stalls").into()]);
+    }
+    // Exact stops leave the control their time.
+    if p.path_mode == PathMode::ExactStop && fast.stop_time * 1000.0 >= needed {
+        return ok(None);
+    }
+    let driven = line.following(fast);
+    let lasts = fast.block_time * 1000.0 / driven;
+    let here = |needed: f64| AtLeast(needed * driven * d.block_time / fast.block_time);
+    let block = d.block_time * 1000.0;
+    let steady = here(needed).holds(block);
+    if steady && (here(turned).holds(block) || turned.is_infinite()) {
+        return ok(here(if turned.is_infinite() { needed } else { turned }));
+    }
+    let knob = (line.knob_end(), 1);
+    let advice = match p.variant {
+        Variant::ReadyMade => {
+            let wanted = if turned.is_infinite() { needed } else { turned };
+            let set = up(FIELDS, "pitches-per-block", p.block_pitches() * wanted / lasts);
+            let count = set.1.parse().unwrap_or(p.block_pitches());
+            let sentence = match steady {
+                true => msg!("ribbon.more-pitches-to-turn", (turned, 1), (lasts, 1), knob, (count, 0)),
+                false => msg!("ribbon.more-pitches", (needed, 1), (lasts, 1), knob, (count, 0)),
+            };
+            Advice::from(sentence).setting(msg!("advice.set-pitches", set.1.as_str()), [set])
+        }
+        Variant::Published | Variant::Precomputed => {
+            let sentence = match steady {
+                true => msg!("ribbon.published-to-turn", (turned, 1), (lasts, 1)),
+                false => msg!("ribbon.published-too-slow", (needed, 1), (lasts, 1)),
+            };
+            Advice::from(sentence).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned())])
+        }
+    };
+    let mut advice = vec![advice];
+    advice.extend(calculated_once(p, |needed| here(needed).holds(block)));
+    if steady { warn(here(turned), advice) } else { fail(here(needed), advice) }
+}
+
+pub(super) fn saturation(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    let limit = AtMost(d.top_volts);
+    if d.asked_speed > d.top_speed {
+        let advice = msg!("ribbon.saturates", (d.asked_speed, 1), (d.top_speed, 1), (d.override_limit, 1));
+        return fail(limit, [with_speed(line, d.top_speed, advice)]);
+    }
+    if p.speed_clamp > p.speed_at_10v {
+        let advice = Advice::from(msg!("ribbon.clamp-above-output", (p.speed_clamp, 1), (p.speed_at_10v, 1)));
+        let set = down(FIELDS, "speed-clamp", p.speed_at_10v);
+        return warn(limit, [advice.setting(msg!("advice.clamp-speed", set.1.as_str()), [set])]);
+    }
+    if d.volts_command < FEW_VOLTS && d.actual_speed > 0.0 {
+        return warn(AtLeast(FEW_VOLTS), [msg!("ribbon.few-volts", (d.volts_command, 3)).into()]);
+    }
+    ok(limit)
+}
+
+/// Least voltage (V) at which an inverter's analog input is accurate.
+const FEW_VOLTS: f64 = 0.5;
+
+pub(super) fn slow_motor(line: &RibbonLine) -> Option<Judgement> {
+    let d = &line.d;
+    if d.frequency < 5.0 && d.actual_speed > 0.0 {
+        warn(AtLeast(5.0), [msg!("ribbon.low-frequency", (d.frequency, 2)).into()])
+    } else {
+        ok(None)
+    }
+}

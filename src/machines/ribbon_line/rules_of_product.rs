@@ -1,0 +1,133 @@
+//! Rules about the product: surface speeds, smear, length, drift of the dots, steps of the axes.
+
+use super::params::{FIELDS, PiForm, Rest};
+use super::resolved::RibbonLine;
+use crate::drives::web;
+use crate::machines::verdict::{Judgement, fail, near, ok, up, warn};
+use crate::msg;
+use crate::text::Message;
+use crate::view::Limit::{AtMost, Equal, Within};
+use crate::view::{Advice, Verdict};
+
+/// Green to the allowed smear, amber to four times it, red beyond.
+fn slip(line: &RibbonLine) -> Verdict {
+    let RibbonLine { p, d, .. } = line;
+    if d.smear <= p.smear_limit {
+        Verdict::Ok
+    } else if d.smear <= 4.0 * p.smear_limit {
+        Verdict::Warn
+    } else {
+        Verdict::Fail
+    }
+}
+
+pub(super) fn ratio(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    let verdict = slip(line);
+    let advice = if verdict == Verdict::Ok {
+        Vec::new()
+    } else {
+        let heads = d.matching_heads.round().max(1.0);
+        let with_heads = d.matching_heads / heads;
+        let smear = web::smear(with_heads, p.contact_length);
+        let diameter = |advice: Message| {
+            let set = near(FIELDS, "print-roller-diameter", d.matching_diameter);
+            Advice::from(advice).setting(msg!("advice.set-diameter", (d.matching_diameter, 2)), [set])
+        };
+        let count = near(FIELDS, "heads", heads);
+        let pitch = near(FIELDS, "pitch", d.matching_pitch);
+        vec![
+            diameter(msg!("ribbon.slips-short", (d.matching_diameter, 2), (heads, 0))),
+            msg!("ribbon.slips", (d.surface_ratio, 3), (d.smear, 3), (p.smear_limit, 3)).into(),
+            diameter(msg!("ribbon.match-diameter", (d.matching_diameter, 2), (p.heads, 0))),
+            Advice::from(msg!("ribbon.match-heads", (heads, 0), (with_heads, 5), (smear, 3)))
+                .setting(msg!("advice.set-heads", heads), [count]),
+            Advice::from(msg!("ribbon.match-pitch", (d.matching_pitch, 3)))
+                .setting(msg!("advice.set-pitch", pitch.1.as_str()), [pitch]),
+            msg!("ribbon.match-cam").into(),
+        ]
+    };
+    Some(Judgement { verdict, limit: Some(Equal(1.0)), advice })
+}
+
+pub(super) fn smear(line: &RibbonLine) -> Option<Judgement> {
+    Some(Judgement { verdict: slip(line), limit: Some(AtMost(line.p.smear_limit)), advice: Vec::new() })
+}
+
+pub(super) fn pi(line: &RibbonLine) -> Option<Judgement> {
+    match line.p.pi {
+        PiForm::Exact => ok(None),
+        PiForm::Short => {
+            let advice = msg!("ribbon.pi-short", (line.d.pi_drift, 2), (line.d.pi_drift * 60.0, 0));
+            let set = [("pi", "exact".to_owned())];
+            warn(Equal(0.0), [Advice::from(advice).setting(msg!("advice.exact-pi"), set)])
+        }
+    }
+}
+
+/// Error of the ribbon's speed (%) that counts as none.
+const THICKNESS: f64 = 0.05;
+
+pub(super) fn thickness(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    let limit = AtMost(THICKNESS);
+    if d.thickness_error <= THICKNESS {
+        return ok(limit);
+    }
+    let effective = p.press_roller_diameter + p.ribbon_thickness;
+    let set = near(FIELDS, "press-roller-diameter", effective);
+    let advice = Advice::from(msg!("ribbon.thickness", (d.thickness_error, 2), (effective, 3)));
+    let button = msg!("advice.set-diameter", (effective, 2));
+    warn(limit, [advice.setting(button, [set, ("effective-diameter", "true".to_owned())])])
+}
+
+fn resolution(micrometres: f64, line: &RibbonLine) -> Option<Judgement> {
+    let p = &line.p;
+    let limit = p.dot_tolerance * 1000.0 / 10.0;
+    if micrometres <= limit {
+        return ok(AtMost(limit));
+    }
+    let set = up(FIELDS, "encoder-resolution", p.encoder_resolution * micrometres / limit);
+    let advice = Advice::from(msg!("ribbon.coarse-encoder", (limit, 3)));
+    warn(AtMost(limit), [advice.setting(msg!("advice.set-encoder", set.1.as_str()), [set])])
+}
+
+pub(super) fn resolution_x(line: &RibbonLine) -> Option<Judgement> {
+    resolution(line.d.x_resolution, line)
+}
+
+pub(super) fn resolution_y(line: &RibbonLine) -> Option<Judgement> {
+    resolution(line.d.y_resolution, line)
+}
+
+/// A wanted length against what the program makes of it by the rule for its rest.
+pub(super) fn length(line: &RibbonLine) -> Option<Judgement> {
+    let p = &line.p;
+    if !p.is_length(line.control) {
+        return None;
+    }
+    let tolerance = if p.rest == Rest::Alarm { 0.001 } else { p.dot_tolerance };
+    let limit = Within(tolerance);
+    let whole = near(FIELDS, "product-length", p.count() * p.pitch);
+    let whole_length =
+        |advice: Message| Advice::from(advice).setting(msg!("advice.set-length", whole.1.as_str()), [whole.clone()]);
+    if p.pitches_of_length() < 1.0 {
+        return fail(None, [whole_length(msg!("ribbon.length-below-pitch"))]);
+    }
+    if p.length_error().abs() <= tolerance {
+        return ok(limit);
+    }
+    let advice = whole_length(msg!("ribbon.length-rest", (p.length_error(), 3), (p.count(), 0)));
+    let shorter =
+        Advice::from(msg!("ribbon.length-shorten")).setting(msg!("advice.shorten"), [("rest", "shorten".to_owned())]);
+    match p.rest {
+        Rest::Alarm => fail(limit, [advice, shorter]),
+        Rest::Round | Rest::Shorten => warn(limit, [advice, shorter]),
+    }
+}
+
+pub(super) fn y_drift(line: &RibbonLine) -> Option<Judgement> {
+    let unit = if line.degrees() { "°" } else { "mm" };
+    let advice = msg!("ribbon.y-carried", line.letter(), (line.d.y_drift, 3), unit);
+    Some(Judgement { verdict: Verdict::None, limit: None, advice: vec![advice.into()] })
+}

@@ -1,0 +1,219 @@
+//! Rules about ribbon between unwinder and pull roller: the loop, the slack rate, the knob, the tension of the web.
+
+use super::derive::{Derived, FIN_DELAY, wait};
+use super::params::{FIELDS, Params, PathMode, Variant, Wait};
+use super::resolved::{GREATEST, RibbonLine};
+use crate::controls::Code;
+use crate::machines::verdict::{Judgement, fail, near, ok, up, warn};
+use crate::msg;
+use crate::text::Message;
+use crate::view::Advice;
+use crate::view::Limit::{AtMost, Equal, Within};
+
+/// Both axes with the greater time constant and the lower gain.
+pub(super) fn equal_axes(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    let (slow, soft) = (p.time_constant_x.max(p.time_constant_y), p.position_gain_x.min(p.position_gain_y));
+    let mut sets = Vec::new();
+    for (id, value, same) in [
+        ("time-constant-x", p.time_constant_x, slow),
+        ("time-constant-y", p.time_constant_y, slow),
+        ("position-gain-x", p.position_gain_x, soft),
+        ("position-gain-y", p.position_gain_y, soft),
+    ] {
+        if value != same {
+            sets.push(near(FIELDS, id, same));
+        }
+    }
+    let mut advice = Vec::new();
+    let mut say =
+        |message: Message| advice.push(Advice::from(message).setting(msg!("advice.make-equal"), sets.clone()));
+    if p.time_constant_x != p.time_constant_y {
+        say(msg!("ribbon.unequal-time-constants", (p.time_constant_x, 1), line.letter(), (p.time_constant_y, 1)));
+    }
+    if p.position_gain_x != p.position_gain_y {
+        say(msg!(
+            "ribbon.unequal-gains",
+            (p.position_gain_x, 2),
+            line.letter(),
+            (p.position_gain_y, 2),
+            (d.register_error, 3)
+        ));
+    }
+    if advice.is_empty() {
+        return ok(Equal(0.0));
+    }
+    // At standstill, and where the differences cancel, there is no error yet.
+    fail((d.register_error != 0.0).then_some(Equal(0.0)), advice)
+}
+
+/// The dwell that leaves no slack after a start: a longer one lays `v` mm more for each second.
+fn matching_dwell(line: &RibbonLine) -> f64 {
+    let (d, speed) = (&line.d, line.d.line_speed / 60.0);
+    (wait(&line.p, true) - FIN_DELAY - d.slack_start / speed).max(0.0)
+}
+
+/// An advice with the entry of a loop that holds `needed` mm, where the form takes one so large.
+fn with_loop(advice: Advice, needed: f64, more: Vec<(&'static str, String)>) -> Advice {
+    let set = up(FIELDS, "loop-capacity", needed);
+    let button = msg!("advice.set-loop", set.1.as_str());
+    advice.setting(button, more.into_iter().chain([set]).collect::<Vec<_>>())
+}
+
+/// All that a product lays into the loop, with one interruption in it, against what the loop holds.
+pub(super) fn loop_needed(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    let limit = AtMost(p.loop_capacity);
+    if d.loop_needed <= p.loop_capacity {
+        return ok(limit);
+    }
+    let sum = msg!(
+        "ribbon.loop-too-small",
+        (d.loop_needed.ceil(), 0),
+        (p.loop_capacity, 0),
+        (d.slack_start.abs(), 0),
+        (d.slack_run.abs(), 0),
+        (d.slack_stop.abs(), 0),
+        (d.slack_interruption, 0)
+    );
+    let mut advice = vec![with_loop(sum.into(), d.loop_needed, Vec::new())];
+    // A feed per revolution follows the unwinder from standstill: the best wait is none.
+    let dwell = up(FIELDS, "dwell", if line.in_step() { 0.0 } else { matching_dwell(line) });
+    let wait = [("wait", "dwell".to_owned()), dwell.clone()];
+    let dwelt = Params { wait: Wait::Dwell, dwell: dwell.1.parse().unwrap_or(p.dwell), ..p.clone() };
+    let left = Derived::new(&dwelt, line.control.bench.output_bits).loop_needed;
+    if left < d.loop_needed {
+        let message = msg!("ribbon.matching-dwell", dwell.1.as_str(), (left.ceil(), 0));
+        let button = msg!("advice.set-dwell", dwell.1.as_str());
+        advice.push(if left <= p.loop_capacity {
+            Advice::from(message).setting(button, wait)
+        } else {
+            with_loop(message.into(), left, wait.into())
+        });
+    }
+    if d.slack_run != 0.0 && !p.dancer {
+        advice.push(with_dancer(msg!("ribbon.run-fills", (d.slack_run.abs(), 0))));
+    }
+    fail(limit, advice)
+}
+
+/// Slack rate (mm/min) that an operator can watch and correct by hand: 50. Engineering choice.
+const DRIFT: f64 = 50.0;
+
+/// Advice for blocks that the control reads slower than the axes carry them out; `kept` is the share of the speed that is left, %.
+fn starved(line: &RibbonLine, kept: (f64, u8)) -> Advice {
+    let RibbonLine { p, d, .. } = line;
+    let message = msg!("ribbon.starved", kept);
+    let ready = Params { variant: Variant::ReadyMade, ..p.clone() };
+    let pitches = ready.pass_needed() * line.following(d) / d.pitch_time;
+    let set = up(FIELDS, "pitches-per-block", pitches.max(p.pitches_per_block));
+    match p.variant {
+        Variant::ReadyMade => Advice::from(message).setting(msg!("advice.set-pitches", set.1.as_str()), [set]),
+        Variant::Published | Variant::Precomputed => {
+            Advice::from(message).setting(msg!("advice.ready-made"), [("variant", "ready-made".to_owned()), set])
+        }
+    }
+}
+
+fn drift(rate: f64, line: &RibbonLine) -> Option<Judgement> {
+    let limit = Within(DRIFT);
+    if rate.abs() <= DRIFT {
+        return ok(limit);
+    }
+    let RibbonLine { p, d, .. } = line;
+    let lasts = p.loop_capacity / rate.abs() * 60.0;
+    let fills = if rate > 0.0 {
+        msg!("ribbon.loop-fills", (rate, 0), (line.p.loop_capacity, 0), (lasts, 0))
+    } else {
+        msg!("ribbon.loop-empties", (-rate, 0), (line.p.loop_capacity, 0), (lasts, 0))
+    };
+    let mut advice = vec![Advice::from(fills)];
+    // What exact stops and starved blocks take from X; no dancer brings it back.
+    let lost = d.line_speed * (1.0 - d.speed_kept);
+    if lost > DRIFT {
+        let kept = (d.speed_kept * 100.0, 1);
+        advice.push(match p.path_mode {
+            PathMode::ExactStop => Advice::from(msg!("ribbon.stops-lose", kept))
+                .setting(msg!("advice.continuous"), [("path-mode", "continuous".to_owned())]),
+            PathMode::Continuous => starved(line, kept),
+        });
+    }
+    if !p.dancer && (rate - lost).abs() > DRIFT {
+        advice.push(with_dancer(msg!("ribbon.trim")));
+    }
+    fail(limit, advice)
+}
+
+fn with_dancer(advice: Message) -> Advice {
+    Advice::from(advice).setting(msg!("advice.add-dancer"), [("dancer", "true".to_owned())])
+}
+
+pub(super) fn slack_rate(line: &RibbonLine) -> Option<Judgement> {
+    drift(line.d.slack_rate, line)
+}
+
+pub(super) fn slack_rate_rated(line: &RibbonLine) -> Option<Judgement> {
+    drift(line.d.slack_rate_rated, line)
+}
+
+/// Slack rate (mm/min) with the knob at that end of its range that is worse, where the knob turns the unwinder and the axes stay; else 0:
+/// `K · (n_knob - n)`.
+pub(super) fn knob_slack(line: &RibbonLine) -> f64 {
+    worst_knob(line).map_or(0.0, |(_, _, rate)| rate)
+}
+
+/// The worse end of such a knob (%), the speed there (r/min), and the slack rate (mm/min).
+pub(super) fn worst_knob(line: &RibbonLine) -> Option<(f64, f64, f64)> {
+    let RibbonLine { p, d, .. } = line;
+    if !p.knob_turns_alone() || d.actual_speed <= 0.0 {
+        return None;
+    }
+    let knob = line.dialect.spindle().knob;
+    let at = |percent: f64| {
+        let rpm = (p.spindle_speed * percent / 100.0).min(d.top_speed);
+        (percent, rpm, d.k * (rpm - d.actual_speed))
+    };
+    let (high, low) = (at(knob.high.min(GREATEST)), at(knob.low));
+    Some(if low.2.abs() > high.2.abs() { low } else { high })
+}
+
+/// A knob that the axes do not follow fails: lock it, or let the axes follow the measured speed.
+pub(super) fn slack_rate_knob(line: &RibbonLine) -> Option<Judgement> {
+    let limit = Within(DRIFT);
+    let Some((percent, rpm, rate)) = worst_knob(line).filter(|(_, _, rate)| rate.abs() > DRIFT) else {
+        return ok(limit);
+    };
+    let turns = msg!("ribbon.knob-alone", (percent, 0), (rpm, 1), (rate, 0));
+    let lock = [("knob-use", "locked".to_owned())];
+    let mut advice = vec![Advice::from(turns).setting(msg!("advice.lock-knob"), lock)];
+    if line.control.can(Code::FeedPerRevolution) {
+        let follow = msg!("ribbon.follow-measured", (line.d.feed_per_revolution, 3));
+        let set = [("feed-form", "per-revolution".to_owned())];
+        advice.push(if line.p.spindle_encoder {
+            Advice::from(follow).setting(msg!("advice.per-revolution"), set)
+        } else {
+            follow.into()
+        });
+    }
+    fail(limit, advice)
+}
+
+pub(super) fn stiff_web(line: &RibbonLine) -> Option<Judgement> {
+    let d = &line.d;
+    let limit = AtMost(d.tension_limit);
+    if d.tension > d.tension_limit {
+        fail(limit, [with_dancer(msg!("ribbon.stiff-web", (d.tension, 0), (d.tension_limit, 0)))])
+    } else {
+        ok(limit)
+    }
+}
+
+/// More than 100 stops per minute; the result itself, the share of the speed that is left, has no limit.
+pub(super) fn start_stop(line: &RibbonLine) -> Option<Judgement> {
+    let RibbonLine { p, d, .. } = line;
+    if p.path_mode != PathMode::ExactStop || d.cycles_per_minute <= 100.0 {
+        return None;
+    }
+    let advice = Advice::from(msg!("ribbon.start-stop", (d.cycles_per_minute, 0), (d.start_stop_speed, 0)));
+    warn(None, [advice.setting(msg!("advice.continuous"), [("path-mode", "continuous".to_owned())])])
+}
