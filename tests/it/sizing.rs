@@ -1,6 +1,9 @@
 //! Sizing against an independent calculation: the scalars, cams and motors of `sizing/oracle.json`, written by another program from the
 //! formulas and inputs of `docs/reference/sizing.md`.
 
+mod by_hand;
+mod timeline;
+
 use std::collections::BTreeMap;
 
 use macroline::drives::block::AxisBlock;

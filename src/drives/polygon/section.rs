@@ -271,7 +271,7 @@ impl Section {
         (low, high)
     }
 
-    /// Distances over opposite sides as a micrometer feels them, the least and the greatest; twice the distance of a side from the centre where
+    /// Distances over opposite sides as a micrometer measures them, the least and the greatest; twice the distance of a side from the centre where
     /// the number of sides is odd.
     pub fn across_flats(&self) -> (f64, f64) {
         across(&self.sides().iter().map(|side| self.apothem + side.high).collect::<Vec<f64>>())

@@ -20,7 +20,7 @@ pub(super) struct Derived {
     pub cuts: bool,
     pub sides: f64,
     pub ratio: f64,
-    /// As a micrometer feels it.
+    /// As a micrometer measures it.
     pub across_flats: f64,
     /// Least and greatest deviation of any side from its plane.
     pub deviation: (f64, f64),

@@ -22,15 +22,15 @@ mod rules_of_coordinates;
 
 mod readouts;
 
-mod drive_readouts;
+mod readouts_of_drives;
 
 mod phase;
+
+mod rules_of_drives;
 
 mod program;
 
 mod rules;
-
-mod drive_rules;
 
 mod plant;
 
@@ -123,7 +123,7 @@ impl Prepared for RibbonLine {
             _ => unit,
         };
         let line = readouts::ROWS.iter().map(|row| judge(row, self, unit(row.id, row.unit), RULES));
-        let drives = drive_readouts::ROWS.iter().map(|row| judge(row, self, row.unit, drive_rules::RULES));
+        let drives = readouts_of_drives::ROWS.iter().map(|row| judge(row, self, row.unit, rules_of_drives::RULES));
         let readouts = line.chain(drives).collect();
         Design { readouts, diagnostics: rules::findings(self) }
     }

@@ -19,7 +19,7 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<Part> {
     let hangs = 0.5 * (layout.unwinder.x + layout.unwinder.r + layout.pull.x - layout.pull.r);
     let heads = Part {
         quantity: line.p.heads as u32,
-        ..part("ribbon.part.head", (print.x + 0.7 * print.r, -1.7 * print.r), &[("", "pitch")])
+        ..part("ribbon.part.head", (print.x + 0.7 * print.r, -1.7 * print.r), &[("", "head-mass"), ("", "head-length")])
     };
     vec![
         part(
@@ -32,20 +32,40 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<Part> {
             (layout.unwinder.x, layout.unwinder.r),
             &[("Ø ", "press-roller-diameter"), ("", "reduction-ratio")],
         ),
-        part("ribbon.part.motor", door(&layout.unwinder, -3.0, 70.0), &[("", "no-load-speed")]),
+        part(
+            "ribbon.part.motor",
+            door(&layout.unwinder, -3.0, 70.0),
+            &[("", "unwinder-motor"), ("", "unwinder-torque-rated"), ("", "no-load-speed")],
+        ),
         part(
             "ribbon.part.inverter",
             door(&layout.unwinder, -5.0, 165.0),
             &[("", "frequency-at-10v"), ("", "inverter-ramp")],
         ),
         part("ribbon.part.loop", (hangs, layout.full), &[("", "loop-capacity")]),
-        part("ribbon.part.pull", (layout.pull.x, layout.pull.r), &[("Ø ", "x-roller-diameter"), ("", "gear-x")]),
-        part("ribbon.part.servo", door(&layout.pull, 0.0, 72.0), &[("", "motor-rated-x"), ("", "motor-max-x")]),
+        part(
+            "ribbon.part.pull",
+            (layout.pull.x, layout.pull.r),
+            &[("Ø ", "x-roller-diameter"), ("× ", "x-roller-length"), ("", "gear-x")],
+        ),
+        part(
+            "ribbon.part.servo",
+            door(&layout.pull, 0.0, 72.0),
+            &[("", "motor-x"), ("", "motor-stall-x"), ("", "motor-max-x")],
+        ),
         part("ribbon.part.amplifier", door(&layout.pull, -5.0, 165.0), &[]),
-        part("ribbon.part.print", (print.x, -print.r), &[("Ø ", "print-roller-diameter"), ("", "gear-y")]),
+        part(
+            "ribbon.part.print",
+            (print.x, -print.r),
+            &[("Ø ", "print-roller-diameter"), ("× ", "print-roller-length"), ("", "gear-y")],
+        ),
         heads,
         part("ribbon.part.anvil", (print.x, 40.0 * print.scale), &[("", "contact-length")]),
-        part("ribbon.part.print-servo", door(print, 0.0, 90.0), &[("", "motor-rated-y"), ("", "motor-max-y")]),
+        part(
+            "ribbon.part.print-servo",
+            door(print, 0.0, 90.0),
+            &[("", "motor-y"), ("", "motor-stall-y"), ("", "motor-max-y")],
+        ),
         part("ribbon.part.deflector", (layout.deflector.0, layout.deflector.1), &[]),
         part("ribbon.part.take-up", (take_up.x - 0.4 * take_up.r, take_up.y + 0.3 * take_up.r), &[]),
     ]

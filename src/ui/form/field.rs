@@ -72,19 +72,21 @@ pub(super) fn FormField(
                 {(!symbol.is_empty()).then(|| view! { <small>{move || page.spelled(symbol)}</small> })}
             </label>
             {slider}
-            <Input info=Arc::clone(&info) wrong=is_wrong />
-            <span class="unit">{unit}</span>
-            <button
-                type="button"
-                class="about"
-                popovertarget="about"
-                tabindex="-1"
-                aria-label=format!("{}: {}", t("page.about"), t(info.label))
-                data-from=from
-                on:click=move |_| page.view.about.set(Some(id))
-            >
-                "?"
-            </button>
+            <span class="entry">
+                <Input info=Arc::clone(&info) wrong=is_wrong />
+                <span class="unit">{unit}</span>
+                <button
+                    type="button"
+                    class="about"
+                    popovertarget="about"
+                    tabindex="-1"
+                    aria-label=format!("{}: {}", t("page.about"), t(info.label))
+                    data-from=from
+                    on:click=move |_| page.view.about.set(Some(id))
+                >
+                    "?"
+                </button>
+            </span>
             <p class="note" id=format!("{id}-note")>{wrong}</p>
         </div>
     }

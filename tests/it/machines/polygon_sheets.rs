@@ -54,7 +54,7 @@ fn machine_sheets_have_the_expected_rows() {
     .assert_eq(&rows(&[("shape", "hexagon")], "own-code"));
     expect![[r#"
         0 | G512: O9120 hands over the values and sets #1100; #1002 = 1
-        0.75 | Both are told to stand at A and E
+        0.75 | Both take their start angles, A and E
         1.317 | Both stand at A and E: #1000 = 1
         1.317 | O9120 sets #1101: both begin at once
         1.883 | Both have their speed: #1001 = 1, O9120 ends
