@@ -374,7 +374,7 @@ test('any bytes are answered, a large file by the worker', () =>
 test('what is only assumed is counted, and each fact leads to its field', () =>
   withPage(app, {}, async ({ page }) => {
     await page.click('#tab-results');
-    await page.getByText('41 facts of the machine are only assumed').click();
+    await page.getByText(/\d+ facts of the machine are only assumed/).click();
     await accessible(page);
     assert.equal(await field(page, 'rapid-x').isVisible(), false);
     await page.getByRole('button', { name: 'Rapid X' }).click();

@@ -46,7 +46,7 @@ pub(crate) fn Form() -> impl IntoView {
         view! {
             <fieldset class="product">
                 <legend>{t("page.essentials")}</legend>
-                {product.map(|info| view! { <Later><FormField info=info /></Later> }).collect_view()}
+                {product.map(|info| view! { <FormField info=info /> }).collect_view()}
             </fieldset>
             <Later><MachineData fields=fields /></Later>
         }
@@ -143,8 +143,7 @@ mod tests {
     use wasm_bindgen_test::wasm_bindgen_test;
 
     use super::*;
-    use crate::ui::dom::turns;
-    use crate::ui::testing::{Bench, mount, settled, until};
+    use crate::ui::testing::{Bench, mount, settled};
 
     async fn form() -> Bench {
         mount(|| view! { <Form /> }).await
@@ -214,7 +213,6 @@ mod tests {
         let bench = form().await;
         bench.page.change_machine(crate::machines::ALL[1].id());
         settled().await;
-        until(turns::are_over).await;
         assert!(!bench.has("#pitch"));
         assert!(!bench.all(".product .field").is_empty());
     }

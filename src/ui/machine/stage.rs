@@ -60,15 +60,17 @@ pub(crate) fn Stage() -> impl IntoView {
             let pose = || moment.machine.pose(moment.run, moment.now, moment.frame);
             drawn.as_mut().is_some_and(|drawn| drawn.pose(&pose()))
         });
-        if room != last || posed == Some(true) {
-            // The browser lays out the page once more for it: not in the same task.
-            in_turn(move || {
-                // The page may be gone.
-                if let Some(Some(wide)) = drawn.try_with_value(|drawn| drawn.as_ref().map(Drawn::fit)) {
-                    put(pans, wide);
-                }
-            });
+        if room == last && posed != Some(true) {
+            return;
         }
+        let fit = move || {
+            // The page may be gone.
+            if let Some(Some(wide)) = drawn.try_with_value(|drawn| drawn.as_ref().map(Drawn::fit)) {
+                put(pans, wide);
+            }
+        };
+        // What is new must not move when it is seen; else not in the same task, for the browser lays out the page once more for it.
+        if last == (0, 0) { fit() } else { in_turn(fit) }
     });
     // A wide drawing is a place that keys scroll.
     let stop = move || pans.get().then_some("0");
