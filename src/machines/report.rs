@@ -67,8 +67,9 @@ fn parts(prepared: &PreparedMachine, inputs: &[Input]) -> Vec<ListedPart> {
             all if all == data.len() => Some("form.report.assumed"),
             _ => Some("form.report.partly"),
         };
-        let data: Vec<String> = data.into_iter().map(|(text, _)| text).collect();
-        ListedPart { name: part.name, quantity: part.quantity, data: data.join(", "), origin }
+        // A length by a width is one datum.
+        let data = data.into_iter().map(|(text, _)| text).collect::<Vec<_>>().join(", ").replace(", ×", " ×");
+        ListedPart { name: part.name, quantity: part.quantity, data, origin }
     };
     prepared.parts().into_iter().map(part).collect()
 }
