@@ -19,7 +19,7 @@ use crate::motion::{Planner, Plant, Plc, RunningProgram, Snapshot, Visit};
 use crate::msg;
 use crate::nc::{Deck, File};
 use crate::text::{Diagnostic, DiagnosticKind, Severity};
-use crate::view::{Advice, Chart, Explorer, Part, Pose, Readout, Scene, Sheet, Verdict};
+use crate::view::{Advice, Chart, DrawnPart, Explorer, Pose, Readout, Scene, Sheet, Verdict};
 
 /// The control that a machine is on, with its open points as they are set.
 #[derive(Debug, Clone, Copy)]
@@ -199,7 +199,7 @@ pub trait Prepared: Send + Sync {
     /// The drawing at rest.
     fn scene(&self) -> Scene;
     /// The parts list, with the places of the parts in the drawing.
-    fn parts(&self) -> Vec<Part>;
+    fn parts(&self) -> Vec<DrawnPart>;
     /// The drawing at a moment.
     fn pose(&self, run: &dyn Samples, now: &Snapshot, frame: Frame) -> Pose;
     /// Catalog id of the first contact with the work, once it has happened: `first dot`.

@@ -6,7 +6,7 @@ use crate::controls::options::SwitchOption;
 use crate::controls::{Control, Switch, Switches};
 use crate::text::catalog::{Language, number_text, words};
 use crate::text::{Citation, Diagnostic, Grade};
-use crate::view::Part;
+use crate::view::DrawnPart;
 use crate::view::report::{Input, ListedPart, Open, Report, RunReport, TitleBlock};
 
 /// Gathers what machine and control say in the report. `name` is the project's, may be empty; `further` are findings beyond those of the
@@ -53,7 +53,7 @@ fn customer(values: &Values) -> String {
 
 /// The parts list: data from the inputs that have a meaning, and whether they are given or only assumed.
 fn parts(prepared: &PreparedMachine, inputs: &[Input]) -> Vec<ListedPart> {
-    let part = |part: Part| {
+    let part = |part: DrawnPart| {
         let of = |(sign, id): &(&'static str, &'static str)| {
             let input = inputs.iter().find(|input| input.id == *id).filter(|input| !input.value.is_empty())?;
             let unit = if input.unit.is_empty() { String::new() } else { format!(" {}", input.unit) };

@@ -3,7 +3,7 @@
 use core::fmt::Write;
 
 use super::drawing::crosses;
-use super::parts::Part;
+use super::parts::DrawnPart;
 use super::scene::{Font, LETTER, LINE, Node, Placement, Pose, Scene, SceneGroup, Shape};
 use crate::math::{self, PI};
 use crate::text::number::fill;
@@ -168,7 +168,7 @@ impl Taken {
 }
 
 /// Balloons of parts in a pose of their drawing, numbered from 1. A part for which there is no room has none.
-pub fn balloons(scene: &Scene, pose: &Pose, parts: &[Part]) -> Vec<Balloon> {
+pub fn balloons(scene: &Scene, pose: &Pose, parts: &[DrawnPart]) -> Vec<Balloon> {
     let [left, top, width, height] = scene.view;
     let letter = LETTER * if scene.unit > 0.0 { scene.unit } else { 1.0 };
     let view = grown([left, top, left + width, top + height], -0.3 * letter);

@@ -34,7 +34,7 @@ pub use chart::{Chart, Series};
 pub use drawing::{Callout, Drawing};
 pub use explorer::{Explorer, Knob};
 pub use look::{Look, Paint};
-pub use parts::Part;
+pub use parts::DrawnPart;
 pub use readout::{Advice, Limit, Readout, Verdict};
 pub use scene::{Font, Node, Placement, Pose, Scene, SceneGroup, Shape};
 pub use sheet::{Row, Sheet};

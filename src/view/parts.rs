@@ -2,7 +2,7 @@
 
 /// A part: a row of the parts list, and a balloon with its item number in the drawing.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Part {
+pub struct DrawnPart {
     /// Catalog id of its name.
     pub name: &'static str,
     /// How many there are.

@@ -72,7 +72,7 @@ use crate::machines::ladder::Ladder;
 use crate::machines::machine::{ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples};
 use crate::motion::{Plant, Plc, Snapshot};
 use crate::nc::File;
-use crate::view::{Chart, Explorer, Part, Pose, Scene, Sheet};
+use crate::view::{Chart, DrawnPart, Explorer, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 
 impl Machine for PolygonLathe {
@@ -140,7 +140,7 @@ impl Prepared for PolygonLathe {
         Some(explore::explorer(self.polygons().nth(shape)?, shape))
     }
 
-    fn parts(&self) -> Vec<Part> {
+    fn parts(&self) -> Vec<DrawnPart> {
         parts_list::parts(self)
     }
 

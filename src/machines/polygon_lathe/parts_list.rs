@@ -2,12 +2,12 @@
 
 use super::resolved::PolygonLathe;
 use super::scene::{View, group};
-use crate::view::Part;
+use crate::view::DrawnPart;
 
 /// All parts with their places in the drawing.
-pub(super) fn parts(lathe: &PolygonLathe) -> Vec<Part> {
+pub(super) fn parts(lathe: &PolygonLathe) -> Vec<DrawnPart> {
     let view = View::new(lathe);
-    let part = |name: &'static str, group: u16, at: (f64, f64), data: &[(&'static str, &'static str)]| Part {
+    let part = |name: &'static str, group: u16, at: (f64, f64), data: &[(&'static str, &'static str)]| DrawnPart {
         name,
         quantity: 1,
         data: data.to_vec(),
@@ -37,7 +37,7 @@ pub(super) fn parts(lathe: &PolygonLathe) -> Vec<Part> {
             (view.work.0 - 0.3 * stock, view.work.1 + 0.3 * stock),
             &[("Ø ", "stock-diameter"), ("AF ", "across-flats"), ("L ", "length")],
         ),
-        Part {
+        DrawnPart {
             quantity: 1 + cutters.len() as u32,
             ..part(
                 "polygon.part.cutter",
@@ -46,7 +46,7 @@ pub(super) fn parts(lathe: &PolygonLathe) -> Vec<Part> {
                 &[("r ", "tip-radius"), ("h ", "overhang")],
             )
         },
-        Part {
+        DrawnPart {
             quantity: lathe.p.inserts as u32,
             ..part("polygon.part.insert", group::INSERTS, (-0.95 * r, 0.0), &[("", "insert-width"), ("", "relief")])
         },

@@ -66,7 +66,7 @@ use crate::machines::machine::{
 use crate::machines::verdict::judge;
 use crate::motion::{Plant, Plc, Snapshot};
 use crate::msg;
-use crate::view::{Chart, Part, Pose, Scene, Sheet};
+use crate::view::{Chart, DrawnPart, Pose, Scene, Sheet};
 use params::{FIELDS, Params};
 use rules::RULES;
 
@@ -158,7 +158,7 @@ impl Prepared for RibbonLine {
         sheets::sheets(self)
     }
 
-    fn parts(&self) -> Vec<Part> {
+    fn parts(&self) -> Vec<DrawnPart> {
         parts_list::parts(self)
     }
 

@@ -2,12 +2,12 @@
 
 use super::resolved::RibbonLine;
 use super::scene::layout::Station;
-use crate::view::Part;
+use crate::view::DrawnPart;
 
 /// All parts with their places in the drawing.
-pub(super) fn parts(line: &RibbonLine) -> Vec<Part> {
+pub(super) fn parts(line: &RibbonLine) -> Vec<DrawnPart> {
     let layout = &line.layout;
-    let part = |name: &'static str, at: (f64, f64), data: &[(&'static str, &'static str)]| Part {
+    let part = |name: &'static str, at: (f64, f64), data: &[(&'static str, &'static str)]| DrawnPart {
         name,
         quantity: 1,
         data: data.to_vec(),
@@ -17,7 +17,7 @@ pub(super) fn parts(line: &RibbonLine) -> Vec<Part> {
     let door = |station: &Station, x: f64, y: f64| (station.x + x * station.scale, station.cabinet + y * station.scale);
     let (supply, take_up, print) = (&layout.supply, &layout.take_up, &layout.print);
     let hangs = 0.5 * (layout.unwinder.x + layout.unwinder.r + layout.pull.x - layout.pull.r);
-    let heads = Part {
+    let heads = DrawnPart {
         quantity: line.p.heads as u32,
         ..part("ribbon.part.head", (print.x + 0.7 * print.r, -1.7 * print.r), &[("", "head-mass"), ("", "head-length")])
     };

@@ -2,12 +2,12 @@
 
 use super::resolved::TurningSpindle;
 use super::scene::{View, group};
-use crate::view::Part;
+use crate::view::DrawnPart;
 
 /// All parts with their places in the drawing.
-pub(super) fn parts(lathe: &TurningSpindle) -> Vec<Part> {
+pub(super) fn parts(lathe: &TurningSpindle) -> Vec<DrawnPart> {
     let view = View::new(&lathe.p);
-    let part = |name: &'static str, group: u16, at: (f64, f64), data: &[(&'static str, &'static str)]| Part {
+    let part = |name: &'static str, group: u16, at: (f64, f64), data: &[(&'static str, &'static str)]| DrawnPart {
         name,
         quantity: 1,
         data: data.to_vec(),

@@ -15,7 +15,7 @@ use macroline::machines::{
     ControlContext, Design, Frame, Machine, MachineProgram, Prepared, Samples, chart_rows, sheets,
 };
 use macroline::motion::{BenchPlc, Plant, Plc, Snapshot};
-use macroline::view::{Chart, Part, Pose, Scene, Sheet};
+use macroline::view::{Chart, DrawnPart, Pose, Scene, Sheet};
 
 use params::{FIELDS, Params};
 pub(super) use resolved::{CutToLength, PREPARED};
@@ -64,7 +64,7 @@ impl Prepared for CutToLength {
         vec![sheets::parameters(self.control, &units, plant::parameters(self))]
     }
 
-    fn parts(&self) -> Vec<Part> {
+    fn parts(&self) -> Vec<DrawnPart> {
         scene::parts()
     }
 

@@ -2,7 +2,7 @@
 
 use macroline::machines::chart_rows::{ChartLine, ChartRow};
 use macroline::motion::Snapshot;
-use macroline::view::{Drawing, Look, Paint, Part, Placement, Pose, Scene};
+use macroline::view::{Drawing, DrawnPart, Look, Paint, Placement, Pose, Scene};
 
 use super::resolved::CutToLength;
 
@@ -23,8 +23,8 @@ pub(super) fn scene() -> Scene {
 }
 
 /// The parts list: the knife, and the strip.
-pub(super) fn parts() -> Vec<Part> {
-    let part = |name, group, at| Part { name, quantity: 1, data: vec![("", "length")], group, at };
+pub(super) fn parts() -> Vec<DrawnPart> {
+    let part = |name, group, at| DrawnPart { name, quantity: 1, data: vec![("", "length")], group, at };
     vec![part("toy.part.knife", 0, (3.0, 30.0)), part("toy.part.strip", STRIP, (-40.0, 64.0))]
 }
 
