@@ -1,10 +1,12 @@
-//! Engineering shared by machines: inertia, load and servo of an axis, cams, analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning, axis scaling.
+//! Engineering shared by machines: inertia, load and servo of an axis, parts to order, cams, analog output, spindle speed, positioning, cuts, web (strip), a servo's block, induction drive, polygon turning, axis scaling.
 
 pub mod inertia;
 
 pub mod load;
 
 pub mod servo;
+
+pub mod parts;
 
 pub mod cam;
 

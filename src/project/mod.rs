@@ -1,5 +1,11 @@
 //! The one door: a project in, a run out. Page and command line use nothing else to compute.
 
+mod json;
+
+mod findings;
+
+pub mod parts;
+
 pub mod saved;
 
 pub mod decode;

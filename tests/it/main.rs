@@ -13,6 +13,7 @@ mod machines;
 mod meaning;
 mod numbers;
 mod papers;
+mod parts;
 mod physics;
 mod programs;
 mod rows;

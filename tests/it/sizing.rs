@@ -121,8 +121,12 @@ fn print() -> Axis {
     }
 }
 
+/// The motors of the facts that are judged.
+pub(super) const MOTORS: [&str; 9] =
+    ["HG-KN23J", "HG-KN43J", "HG-KN73J", "HC52", "HC53", "HC102", "HC103", "HC103R", "HC153R"];
+
 /// Motors of the facts, section 5.
-fn motor(name: &str) -> Servo {
+pub(super) fn motor(name: &str) -> Servo {
     let [rated, stall, peak, rated_speed, top_speed, rotor] = match name {
         "HG-KN23J" => [0.64, 0.64, 1.9, 3000.0, 5000.0, 0.225],
         "HG-KN43J" => [1.3, 1.3, 3.8, 3000.0, 5000.0, 0.375],
@@ -138,7 +142,7 @@ fn motor(name: &str) -> Servo {
     Servo { rated, stall, peak, rated_speed, top_speed, rotor: rotor * 1e-4 }
 }
 
-fn inertia_limit(name: &str) -> f64 {
+pub(super) fn inertia_limit(name: &str) -> f64 {
     if name.starts_with("HC") { 5.0 } else { 15.0 }
 }
 

@@ -6,3 +6,5 @@
 pub mod fanuc;
 
 pub mod sinumerik;
+
+pub mod drives;

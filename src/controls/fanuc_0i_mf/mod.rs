@@ -50,4 +50,5 @@ pub static CONTROL: Control = Control {
         shift: BenchShift { volts: 0.0, before: 0.0, meshing: 0.0, after: 0.0 },
         ..fanuc::BENCH
     },
+    drives: series_0i_f::DRIVES,
 };

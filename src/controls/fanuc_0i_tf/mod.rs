@@ -32,4 +32,5 @@ pub static CONTROL: Control = Control {
     switches: series_0i_f::LATHE_SWITCHES,
     spindle: SpindleRules { signed_output: true, ..fanuc::SPINDLE },
     bench: fanuc::BENCH,
+    drives: series_0i_f::DRIVES,
 };

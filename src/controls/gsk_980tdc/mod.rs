@@ -9,14 +9,16 @@ mod sources;
 mod switches;
 mod vars;
 
+use super::base::drives::{ANALOG_SPINDLE, PULSE};
 use super::base::fanuc;
 use super::bench::{Bench, BenchShift};
 use super::code::g_codes;
 use super::interface::PlcLanguage;
 use super::macros::{ArgumentSets, CallKind, CodeCalls, VacantWord};
+use super::schema::table::joined;
 use super::spindle::RapidSpeed;
 use super::syntax::Percent;
-use super::{AxisDef, Control, Limits, Macros, SpindleRules, Syntax, Timing};
+use super::{AxisDef, Control, DriveSystem, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::controls::Address;
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
@@ -118,4 +120,5 @@ pub static CONTROL: Control = Control {
         shift: BenchShift { volts: 0.1, before: 5.0, meshing: 0.5, after: 5.0 },
         ..fanuc::BENCH
     },
+    drives: joined![DriveSystem: &PULSE, ANALOG_SPINDLE],
 };

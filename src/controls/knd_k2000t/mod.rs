@@ -4,6 +4,7 @@ mod alarms;
 mod rows;
 mod sources;
 
+use super::base::drives::{ANALOG_SPINDLE, PULSE};
 use super::base::fanuc;
 use super::base::fanuc::MEMORY;
 use super::code::g_codes;
@@ -11,7 +12,7 @@ use super::interface::PlcLanguage;
 use super::macros::{CallKind, CodeCalls};
 use super::schema::table::joined;
 use super::syntax::Function;
-use super::{AxisDef, Control, Macros, SpindleRules, Syntax};
+use super::{AxisDef, Control, DriveSystem, Macros, SpindleRules, Syntax};
 use crate::controls::Address;
 use sources::PAPER;
 
@@ -51,4 +52,5 @@ pub static CONTROL: Control = Control {
     switches: rows::SWITCHES,
     spindle: SpindleRules { signed_output: true, ..fanuc::SPINDLE },
     bench: fanuc::BENCH,
+    drives: joined![DriveSystem: &PULSE, ANALOG_SPINDLE],
 };

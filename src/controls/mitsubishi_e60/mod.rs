@@ -2,6 +2,7 @@
 
 mod alarms;
 mod codes;
+mod drives;
 mod interface;
 mod params;
 mod sources;
@@ -20,6 +21,7 @@ use super::{Control, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::controls::{Address, AddressSet};
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
+use drives::DRIVES;
 use sources::{MEMORY, PAPER};
 
 /// The control.
@@ -119,4 +121,5 @@ pub static CONTROL: Control = Control {
         override_echo: Some(1033),
         ..fanuc::BENCH
     },
+    drives: DRIVES,
 };

@@ -3,8 +3,8 @@
 use super::interface::PlcLanguage;
 use super::options::SwitchKind;
 use super::{
-    Address, Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, Limits, Macros, ParamDef, ParamRole, Signal, SpindleRules,
-    Switch, Syntax, Timing, VarKind, VarRange,
+    Address, Alarm, AlarmDef, Bench, Code, CodeDef, CodeId, DriveSystem, Limits, Macros, ParamDef, ParamRole, Signal,
+    SpindleRules, Switch, Syntax, Timing, VarKind, VarRange,
 };
 use crate::msg;
 use crate::text::{Citation, Grade, Message};
@@ -46,6 +46,8 @@ pub struct Control {
     pub spindle: SpindleRules,
     /// The plant that a bare program runs on.
     pub bench: Bench,
+    /// Drive systems that its axes and its analog spindle can have.
+    pub drives: &'static [DriveSystem],
 }
 
 /// An axis letter of a control.

@@ -28,6 +28,8 @@ pub mod bench;
 
 pub mod spindle;
 
+pub mod drive;
+
 pub mod control;
 
 pub mod dialect;
@@ -38,6 +40,7 @@ pub use bench::Bench;
 pub use code::{Code, CodeDef, CodeId, CodeNumber, Group, Point};
 pub use control::{AxisDef, Control};
 pub use dialect::Dialect;
+pub use drive::DriveSystem;
 pub use interface::Signal;
 pub use limits::{Limits, Timing};
 pub use macros::Macros;

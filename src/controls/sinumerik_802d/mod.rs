@@ -3,11 +3,13 @@
 mod rows;
 mod sources;
 
+use super::base::drives::FIELD_BUS;
 use super::base::sinumerik;
 use super::base::sinumerik::MEMORY;
 use super::code::g_codes;
 use super::interface::PlcLanguage;
-use super::{AxisDef, Control, Limits, SpindleRules, Syntax};
+use super::schema::table::joined;
+use super::{AxisDef, Control, DriveSystem, Limits, SpindleRules, Syntax};
 use crate::controls::Address;
 use sources::{BLOCKS, RANGES, SPINDLE};
 
@@ -34,4 +36,5 @@ pub static CONTROL: Control = Control {
     plc: PlcLanguage::Step7,
     switches: rows::SWITCHES,
     bench: sinumerik::BENCH,
+    drives: joined![DriveSystem: sinumerik::DRIVES, &FIELD_BUS],
 };

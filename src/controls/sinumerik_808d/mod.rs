@@ -33,4 +33,5 @@ pub static CONTROL: Control = Control {
     plc: PlcLanguage::Step7,
     switches: rows::SWITCHES,
     bench: sinumerik::BENCH,
+    drives: sinumerik::DRIVES,
 };

@@ -3,10 +3,6 @@
 //! A new version is a file `v2.rs` with its struct, a function that makes it from the struct of version 1, a row in
 //! [`Project::from_json`], and a kept file in `tests/data/saved`. Only the newest is written and [resolved](resolve).
 
-mod json;
-
-mod findings;
-
 mod history;
 
 mod loaded;
@@ -23,12 +19,12 @@ mod resolve;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 
-use self::findings::Findings;
 pub use self::history::{steps_from_json, steps_to_json};
-use self::json::{Entries, Located};
 pub use self::loaded::{Loaded, MAX_BYTES, MAX_PROGRAM, MAX_PROGRAMS};
 use self::v1::{ProgramV1, ProjectV1, TitleBlockV1};
 use super::Project;
+use super::findings::Findings;
+use super::json::{self, Entries, Located};
 use crate::machines::form::Value;
 use crate::machines::{self, AnyMachine};
 use crate::motion::Panel;

@@ -7,11 +7,11 @@ use serde::de::value::{MapAccessDeserializer, MapDeserializer};
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::findings::{Findings, clip};
-use super::json::{Entries, Entry, number};
 use crate::drives::speed::SpeedLimit;
 use crate::motion::{Action, Event, Panel};
 use crate::msg;
+use crate::project::findings::{Findings, clip};
+use crate::project::json::{Entries, Entry, number};
 
 /// Events of a panel at most.
 pub(super) const MAX_EVENTS: usize = 100_000;

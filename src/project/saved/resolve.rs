@@ -2,8 +2,6 @@
 
 use serde_json::Value as Json;
 
-use super::findings::{Findings, clip};
-use super::json::Entries;
 use super::loaded::{Loaded, MAX_PROGRAMS};
 use super::old_ids::warning_id;
 use super::old_options::option_id;
@@ -15,6 +13,8 @@ use crate::machines::form::{KindInfo, Provenance, Value};
 use crate::msg;
 use crate::nc::{File, Files};
 use crate::project::Project;
+use crate::project::findings::{Findings, clip};
+use crate::project::json::{Entries, kind_word};
 use crate::text::Diagnostic;
 use crate::view::report::TitleBlock;
 
@@ -32,7 +32,7 @@ pub(super) fn project<'t>(
     saved: ProjectV1<'t>,
     mut found: Findings<'t>,
 ) -> Loaded {
-    let part = |id: &Option<super::json::Located<'t>>| id.as_ref().map_or("", |id| id.source);
+    let part = |id: &Option<crate::project::json::Located<'t>>| id.as_ref().map_or("", |id| id.source);
     let named = saved.machine.as_ref().and_then(|id| id.as_str());
     let Some(machine) = named.and_then(|id| machines.iter().copied().find(|machine| machine.id() == id)) else {
         let known = machines.iter().map(|machine| machine.id()).collect::<Vec<_>>().join(", ");
@@ -135,18 +135,6 @@ fn switches<'t>(saved: &Entries<'t>, control: &controls::Control, found: &mut Fi
 
 fn edited(files: Vec<ProgramV1>) -> Files {
     Files(files.into_iter().map(|file| File { name: file_name(&file.name), text: file.text }).collect())
-}
-
-/// The kind of a JSON value, in words.
-fn kind_word(json: &Json) -> &'static str {
-    match json {
-        Json::Null => "null",
-        Json::Bool(_) => "true or false",
-        Json::Number(_) => "a number",
-        Json::String(_) => "text",
-        Json::Array(_) => "a list",
-        Json::Object(_) => "an object",
-    }
 }
 
 /// A provenance as it is saved.

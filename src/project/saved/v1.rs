@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::json::{Entries, Located};
+use crate::project::json::{Entries, Located};
 
 /// A project file of version 1. Keys that have no default here are missed later, with a sentence of their own.
 #[derive(Debug, Default, Serialize, Deserialize)]

@@ -3,12 +3,13 @@
 use super::sources::MEMORY;
 use super::switches;
 use super::{FUNCTIONS, LATER_FUNCTIONS, SHORT_FUNCTIONS};
+use crate::controls::base::drives::{ANALOG_SPINDLE, AUXILIARY};
 use crate::controls::macros::{CallKind, CodeCalls};
 use crate::controls::options::*;
 use crate::controls::schema::table::{extended, joined};
 use crate::controls::switch::switch;
 use crate::controls::syntax::{ArcTangent, Function};
-use crate::controls::{Address, Limits, Macros, Switch, Syntax};
+use crate::controls::{Address, DriveSystem, Limits, Macros, Switch, Syntax};
 
 /// Spelling, characters and file form.
 pub const SYNTAX: Syntax = Syntax {
@@ -32,6 +33,13 @@ pub const MACROS: Macros = Macros {
 
 /// Ranges of words and depths of calls.
 pub const LIMITS: Limits = Limits { coordinate_max: 999_999.999, sub_depth: 10, macro_depth: 5, ..super::LIMITS };
+
+/// Drive systems: the feed axes are the maker's alone; others stand beside the control.
+pub const DRIVES: &[DriveSystem] = joined![
+    DriveSystem: &DriveSystem::own(["alpha iS", "alpha iF", "beta iS"], super::OWN_DRIVES),
+    &AUXILIARY,
+    ANALOG_SPINDLE,
+];
 
 /// Points of the series.
 const SWITCHES: &[Switch] = &[

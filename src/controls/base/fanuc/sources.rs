@@ -32,3 +32,6 @@ pub const ROLL_OVER: Citation =
     Citation::new("FANUC 16i operator's manual B-63534EN/02, p.531: roll-over of rotary axes", Grade::Sister);
 /// Command multiplier.
 pub const CMR: Citation = Citation::new("FANUC 30i parameter manual B-63950EN/02, p.106: CMR", Grade::Sister);
+/// Motors on the serial bus of the maker.
+pub const OWN_DRIVES: Citation =
+    Citation::new("parts facts, section 9: motors of FANUC; list of pairs not at hand", Grade::Inferred);

@@ -17,15 +17,24 @@ pub use switches::SWITCHES;
 pub use vars::VARS;
 
 use crate::controls::CodeId;
+use crate::controls::base::drives::ANALOG_SPINDLE;
 use crate::controls::bench::{Bench, BenchAxis, BenchShift};
 use crate::controls::macros::{ArgumentSets, VacantWord};
+use crate::controls::schema::table::joined;
 use crate::controls::spindle::{LimitPlace, RapidSpeed};
 use crate::controls::syntax::{ArcTangent, Function, Names, Percent, RoundBrackets};
 use crate::controls::{Address, AddressSet};
-use crate::controls::{Limits, Macros, SpindleRules, Syntax, Timing};
+use crate::controls::{DriveSystem, Limits, Macros, SpindleRules, Syntax, Timing};
 use crate::drives::Positioning;
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
+
+/// Drive systems of the maker.
+pub const DRIVES: &[DriveSystem] = joined![
+    DriveSystem: &DriveSystem::own(["1FT7"], OWN_DRIVES),
+    &DriveSystem::own(["SIMOTICS S-1FK2", "SINAMICS S210"], OTHER_DRIVES),
+    ANALOG_SPINDLE,
+];
 
 /// Words of several letters, codes that are names, names of programs and labels.
 pub const NAMES: Names = Names {

@@ -14,3 +14,11 @@ pub const PLC_AXES: Citation = Citation::new("SINUMERIK 802S/C start-up, 6.2: ax
 /// Signals whose bits follow from those of the 840D.
 pub const PLC_RULE: Citation =
     Citation::new("840D DB10 to DB31 by the address rule of the 802 family", Grade::Inferred);
+/// Motors of the maker's drives.
+pub const OWN_DRIVES: Citation =
+    Citation::new("parts facts, section 9: motors of Siemens; list of pairs not at hand", Grade::Inferred);
+/// Motors of another drive of the maker.
+pub const OTHER_DRIVES: Citation = Citation::new(
+    "parts facts, section 9: 1FK2 is a motor of the S210, no axis of the control's own drive",
+    Grade::Open,
+);

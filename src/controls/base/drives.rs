@@ -1,0 +1,50 @@
+//! Drive systems that go with controls of several families: over pulses and directions, over an analog speed, over inputs and outputs.
+
+use crate::controls::DriveSystem;
+use crate::controls::schema::table::joined;
+use crate::text::{Citation, Grade};
+
+const JUDGED: Citation =
+    Citation::new("parts facts, section 9: engineering judgement, no statement of a maker", Grade::Open);
+
+/// Servo drives for axes that a control commands by pulses or by an analog speed.
+pub const PULSE: [DriveSystem; 18] = DriveSystem::others(
+    [
+        "Sigma-7 SGD7S",
+        "SGM7J",
+        "SGM7A",
+        "SGM7P",
+        "SGM7G",
+        "MR-J4 200 V",
+        "MR-J4 400 V",
+        "HG-KR",
+        "HG-MR",
+        "HG-SR",
+        "HG-JR",
+        "HG-RR",
+        "HG-UR",
+        "MINAS A6 MSMF",
+        "MINAS A6 MQMF",
+        "MINAS A6 MHMF",
+        "MINAS A6 MDMF",
+        "G5 R88M-K",
+    ],
+    JUDGED,
+);
+
+/// Drives of auxiliary axes beside a control: its inputs and outputs start them.
+pub const AUXILIARY: [DriveSystem; 6] =
+    DriveSystem::others(["Sigma-7 SGD7S", "SGM7J", "SGM7A", "SGM7P", "SGM7G", "G5 R88M-K"], JUDGED);
+
+/// Drives of auxiliary axes on a field bus.
+pub const FIELD_BUS: [DriveSystem; 2] = DriveSystem::others(["ctrlX MC20", "ctrlX XC20"], JUDGED);
+
+/// Inverters of an analog spindle: any of them takes 0 to 10 V.
+pub const INVERTERS: [DriveSystem; 3] =
+    DriveSystem::others(["FREQROL-E800 3AC 200 V", "FREQROL-E800 3AC 400 V", "FREQROL-E800 1AC 200 V"], JUDGED);
+
+/// Induction motors behind an inverter.
+pub const INDUCTION: [DriveSystem; 3] = DriveSystem::others(["MT3 IE3 2-pole", "MT3 IE3 4-pole", "IE3 4-pole"], JUDGED);
+
+/// What an analog spindle can have.
+pub const ANALOG_SPINDLE: &[DriveSystem] = joined![DriveSystem: &INVERTERS, &INDUCTION];

@@ -1,0 +1,20 @@
+//! Drive systems of the E60: motors of its maker, inverters for its analog spindle.
+
+use crate::controls::DriveSystem;
+use crate::controls::base::drives::INDUCTION;
+use crate::controls::schema::table::joined;
+use crate::text::{Citation, Grade};
+
+const OF_CONTROLS: Citation =
+    Citation::new("MELDAS HC series manual, p.13 to 15; the E60's list of pairs not at hand", Grade::Inferred);
+const OF_MAKER: Citation =
+    Citation::new("parts facts, section 9: drives of the control's maker; list of pairs not at hand", Grade::Open);
+
+/// The rows.
+pub(super) const DRIVES: &[DriveSystem] = joined![
+    DriveSystem: &DriveSystem::own(["MELDAS HC"], OF_CONTROLS),
+    &DriveSystem::own(["HG-KN", "HG-KR", "HG-MR", "HG-SR", "HG-JR", "HG-RR", "HG-UR"], OF_MAKER),
+    &DriveSystem::own(["MR-J4 200 V", "MR-J4 400 V"], OF_MAKER),
+    &DriveSystem::own(["FREQROL-E800 3AC 200 V", "FREQROL-E800 3AC 400 V", "FREQROL-E800 1AC 200 V"], OF_MAKER),
+    &INDUCTION,
+];

@@ -1,0 +1,261 @@
+//! Parts as data: servo and induction motors, amplifiers, inverters, gear units and brake resistors with their ratings and the evidence for them.
+
+use super::servo::{Acceptance, Servo};
+use crate::text::{Citation, Grade};
+
+/// A part that can be ordered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Part {
+    /// Maker, as its data sheets write it.
+    pub maker: String,
+    /// Series, for instance `HG-KN`; empty where unknown. Acceptance limits and the drive systems of a control go by it.
+    pub series: String,
+    /// Order number or type: with the maker, the key of a part.
+    pub model: String,
+    /// Whether it is still made; `None` where no dated statement is known.
+    pub status: Option<Status>,
+    /// Ratings of its kind.
+    pub ratings: Ratings,
+    /// Models that the source pairs with it: the motors of an amplifier. Empty: no pairing is known.
+    pub fits: Vec<String>,
+    /// Where the ratings come from.
+    pub evidence: Evidence,
+}
+
+/// Whether a part is still made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// In the maker's current programme.
+    Current,
+    /// Going or gone out of production; new machines take its successor.
+    PhasedOut,
+    /// Made for repair alone.
+    SparePart,
+}
+
+impl Status {
+    /// All of them with their words in a table.
+    pub const WORDS: [(&'static str, Status); 3] =
+        [("current", Status::Current), ("phased out", Status::PhasedOut), ("spare part", Status::SparePart)];
+}
+
+/// Where the ratings of a part come from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Evidence {
+    /// Source; those of the shipped catalogue are keys of `docs/reference/parts.md`.
+    pub source: String,
+    /// How far it carries.
+    pub grade: PartGrade,
+    /// What has to be known beside the ratings: conditions, contradictions, what was left out.
+    pub note: String,
+}
+
+/// How well the ratings of a part are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum PartGrade {
+    /// A page of the maker's manual.
+    Manual,
+    /// The maker's data sheet, catalogue page or web specification.
+    DataSheet,
+    /// A transcription by others: to be confirmed with the maker's sheet before an order.
+    Secondary,
+    /// The user's own entry.
+    Entered,
+    /// Contradictory, or without a source.
+    Open,
+}
+
+impl PartGrade {
+    /// All of them with their words in a table.
+    pub const WORDS: [(&'static str, PartGrade); 5] = [
+        ("manual", PartGrade::Manual),
+        ("data sheet", PartGrade::DataSheet),
+        ("secondary", PartGrade::Secondary),
+        ("entered", PartGrade::Entered),
+        ("open", PartGrade::Open),
+    ];
+}
+
+/// The ratings of a part by its kind; `None` where the source has none.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Ratings {
+    /// A servo motor.
+    Servo(ServoRatings),
+    /// An induction motor.
+    Induction(InductionRatings),
+    /// An amplifier of servo motors.
+    Amplifier(AmplifierRatings),
+    /// An inverter of induction motors.
+    Inverter(InverterRatings),
+    /// A gear unit.
+    Gear(GearRatings),
+    /// A brake resistor.
+    Resistor(ResistorRatings),
+}
+
+/// Ratings of a servo motor, without brake.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct ServoRatings {
+    /// Rated power, W.
+    pub rated_power: Option<f64>,
+    /// Rated speed, r/min.
+    pub rated_speed: Option<f64>,
+    /// Highest speed, r/min.
+    pub top_speed: Option<f64>,
+    /// Torque at rated speed, Nm.
+    pub rated_torque: Option<f64>,
+    /// Continuous torque at standstill, Nm.
+    pub stall_torque: Option<f64>,
+    /// Torque for a short time, Nm. It belongs to the pair of motor and amplifier.
+    pub peak_torque: Option<f64>,
+    /// Moment of inertia of the rotor, kg m².
+    pub inertia: Option<f64>,
+    /// Rated current, A.
+    pub rated_current: Option<f64>,
+    /// Highest current, A.
+    pub peak_current: Option<f64>,
+    /// Pulses of the encoder per revolution.
+    pub encoder_pulses: Option<f64>,
+}
+
+/// Ratings of an induction motor at its base frequency.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct InductionRatings {
+    /// Rated power, W.
+    pub rated_power: Option<f64>,
+    /// Rated speed, r/min.
+    pub rated_speed: Option<f64>,
+    /// Rated torque, Nm.
+    pub rated_torque: Option<f64>,
+    /// Moment of inertia of the rotor, kg m².
+    pub inertia: Option<f64>,
+    /// Rated current, A.
+    pub rated_current: Option<f64>,
+    /// Efficiency, share.
+    pub efficiency: Option<f64>,
+}
+
+/// Ratings of an amplifier of servo motors.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct AmplifierRatings {
+    /// Rated power of its largest motor, W.
+    pub rated_power: Option<f64>,
+    /// Continuous output current, A.
+    pub rated_current: Option<f64>,
+    /// Highest output current, A.
+    pub peak_current: Option<f64>,
+    /// Share of the energy that comes back at the shaft and reaches its bus (inverse efficiency).
+    pub regeneration_efficiency: Option<f64>,
+    /// Energy that its capacitors take, J.
+    pub capacitor_energy: Option<f64>,
+    /// Continuous power of its built-in brake resistor, W.
+    pub brake_power: Option<f64>,
+    /// Peak power of its built-in brake resistor, W.
+    pub brake_peak_power: Option<f64>,
+    /// Overload as its maker writes it; may be empty.
+    pub overload: String,
+}
+
+/// Ratings of an inverter of induction motors.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct InverterRatings {
+    /// Rated power of its motor, W.
+    pub rated_power: Option<f64>,
+    /// Rated output current, A.
+    pub rated_current: Option<f64>,
+    /// Overload as its maker writes it; may be empty.
+    pub overload: String,
+}
+
+/// Ratings of a gear unit. A motor's speed over the ratio is the speed of its output.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct GearRatings {
+    /// Input speed over output speed.
+    pub ratio: Option<f64>,
+    /// Rated torque at its output, Nm.
+    pub rated_torque: Option<f64>,
+    /// Highest torque at its output, Nm.
+    pub peak_torque: Option<f64>,
+    /// Rated speed of its input, r/min.
+    pub rated_speed: Option<f64>,
+    /// Highest speed of its input, r/min.
+    pub top_speed: Option<f64>,
+    /// Moment of inertia at its input, kg m².
+    pub inertia: Option<f64>,
+    /// Efficiency, share.
+    pub efficiency: Option<f64>,
+    /// Backlash at its output, minutes of arc.
+    pub backlash: Option<f64>,
+}
+
+/// Ratings of a brake resistor.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct ResistorRatings {
+    /// Continuous power, W.
+    pub brake_power: Option<f64>,
+    /// Peak power, W.
+    pub brake_peak_power: Option<f64>,
+    /// Energy of one stop, J.
+    pub brake_energy: Option<f64>,
+}
+
+/// Limits of a series of motors, with their source.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeriesLimits {
+    /// What the name of the series begins with; empty for all others.
+    pub series: &'static str,
+    /// The limits.
+    pub limits: Acceptance,
+    /// Source and grade.
+    pub cite: Citation,
+}
+
+const FEED_AXIS: Citation =
+    Citation::new("feed axis manual B-65262EN/03, p.60: inertia up to 3, 70 % of stall torque", Grade::Manual);
+
+/// Limits by series; the last row holds for all others. Source: sizing facts 2.3.
+pub static ACCEPTANCE: [SeriesLimits; 6] = [
+    row("MELDAS HC", 5.0, 0.8, Citation::new("MELDAS HC series manual, p.13 to 15: inertia up to 5", Grade::Manual)),
+    row("HG-KN", 15.0, 0.8, Citation::new("web specification of the HG-KN motors: inertia up to 15", Grade::Manual)),
+    row("alpha iS", 3.0, 0.7, FEED_AXIS),
+    row("alpha iF", 3.0, 0.7, FEED_AXIS),
+    row("beta iS", 3.0, 0.7, FEED_AXIS),
+    row(
+        "",
+        10.0,
+        0.8,
+        Citation::new("general servo guides: inertia up to 10; shares of torque of MELDAS", Grade::Inferred),
+    ),
+];
+
+const fn row(series: &'static str, inertia_ratio: f64, effective: f64, cite: Citation) -> SeriesLimits {
+    SeriesLimits { series, limits: Acceptance { inertia_ratio, peak: 0.8, effective }, cite }
+}
+
+impl Part {
+    /// The ratings as they are judged. Stall torque stands in for rated torque and the other way round, rated speed for the highest speed;
+    /// `None` for other kinds, and where peak torque, rotor or speed is unknown.
+    pub fn servo(&self) -> Option<Servo> {
+        let Ratings::Servo(of) = &self.ratings else { return None };
+        let rated_speed = of.rated_speed.or(of.top_speed)?;
+        Some(Servo {
+            rated: of.rated_torque.or(of.stall_torque)?,
+            stall: of.stall_torque.or(of.rated_torque)?,
+            peak: of.peak_torque?,
+            rated_speed,
+            top_speed: of.top_speed.unwrap_or(rated_speed),
+            rotor: of.inertia?,
+        })
+    }
+
+    /// The row of [`ACCEPTANCE`] for its series.
+    pub fn limits(&self) -> &'static SeriesLimits {
+        let [own @ .., others] = &ACCEPTANCE;
+        own.iter().find(|row| self.series.starts_with(row.series)).unwrap_or(others)
+    }
+
+    /// The limits that its series keeps.
+    pub fn acceptance(&self) -> Acceptance {
+        self.limits().limits
+    }
+}

@@ -1,0 +1,42 @@
+//! Tables of parts: the catalogue that is shipped, and what people add to it, as CSV or JSON.
+
+pub mod columns;
+
+mod row;
+
+mod table;
+
+mod objects;
+
+use std::sync::OnceLock;
+
+pub use self::objects::write_json;
+pub use self::row::MAX_PARTS;
+pub use self::table::write;
+use crate::drives::parts::Part;
+use crate::msg;
+use crate::text::Diagnostic;
+
+/// Bytes of a table at most.
+pub const MAX_BYTES: usize = 4 << 20;
+
+/// Reads a table of parts: JSON where the name of the file or its first character says so, else CSV. Total: any text gives the parts
+/// that are sound, and findings with their places; a row with an error is left out.
+pub fn read(text: &str, name: &str) -> (Vec<Part>, Vec<Diagnostic>) {
+    if text.len() > MAX_BYTES {
+        let message = msg!("parts.too-large", (text.len() >> 20) as u32, (MAX_BYTES >> 20) as u32);
+        return (Vec::new(), vec![Diagnostic::error(message)]);
+    }
+    let begin = text.trim_start_matches('\u{feff}').trim_start();
+    if name.to_ascii_lowercase().ends_with(".json") || begin.starts_with(['[', '{']) {
+        objects::read(text)
+    } else {
+        table::read(text)
+    }
+}
+
+/// The catalogue of public data sheets that macroline ships. Its sources are explained in `docs/reference/parts.md`.
+pub fn shipped() -> &'static [Part] {
+    static SHIPPED: OnceLock<Vec<Part>> = OnceLock::new();
+    SHIPPED.get_or_init(|| read(include_str!("shipped.csv"), "shipped.csv").0)
+}

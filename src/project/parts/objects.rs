@@ -1,0 +1,93 @@
+//! A list of parts as JSON: objects with the names of the columns.
+
+use std::collections::BTreeSet;
+
+use serde_json::Value as Json;
+
+use super::columns::{self, COLUMNS};
+use super::row::{Cell, Decimals, MAX_PARTS, PAIRS, Rows};
+use super::table;
+use crate::drives::parts::Part;
+use crate::msg;
+use crate::project::findings::clip;
+use crate::project::json::{self, Entries};
+use crate::text::Diagnostic;
+
+/// Reads a list of parts.
+pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
+    let plain = text.strip_prefix('\u{feff}').unwrap_or(text);
+    match serde_json::from_str::<Vec<Entries>>(plain) {
+        Ok(list) => from_entries(text, &list),
+        Err(error) => {
+            let message =
+                if error.is_data() { msg!("parts.not-a-list") } else { msg!("project.not-json", json::reason(&error)) };
+            let mut place = json::error_place(plain, &error);
+            let skipped = (text.len() - plain.len()) as u32;
+            place.span.start += skipped;
+            place.span.end += skipped;
+            (Vec::new(), vec![Diagnostic::error(message).at(place)])
+        }
+    }
+}
+
+/// The parts of objects that were read from a text.
+pub(in crate::project) fn from_entries<'t>(text: &'t str, list: &[Entries<'t>]) -> (Vec<Part>, Vec<Diagnostic>) {
+    let mut rows = Rows::new(text, Decimals::default());
+    if list.len() > MAX_PARTS {
+        rows.found.error(msg!("parts.too-many", MAX_PARTS as u32), "");
+        return rows.finish();
+    }
+    let mut unknown = BTreeSet::new();
+    for entries in list {
+        rows.found.repeated(entries);
+        let mut cells = Vec::new();
+        let mut sound = true;
+        for entry in &entries.0 {
+            let Some(column) = columns::column(&entry.key) else {
+                if unknown.insert(entry.key.as_str()) {
+                    let message = msg!("parts.unknown-column", clip(&entry.key), COLUMNS.join(", "));
+                    rows.found.error(message, entry.source);
+                }
+                continue;
+            };
+            let source = entry.value.source;
+            let text = match &entry.value.value {
+                Json::Null => None,
+                Json::String(text) => Some(text.clone()),
+                // As it is written: a number keeps its digits.
+                Json::Number(_) if columns::is_number(column) => Some(source.to_owned()),
+                Json::Array(models) if column == "fits" && models.iter().all(Json::is_string) => {
+                    let models: Vec<&str> = models.iter().filter_map(Json::as_str).collect();
+                    Some(models.join(&PAIRS.to_string()))
+                }
+                other => {
+                    rows.found.error(msg!("parts.wrong-kind", column, json::kind_word(other)), source);
+                    sound = false;
+                    None
+                }
+            };
+            let text = text.filter(|text| !text.trim().is_empty());
+            cells.extend(text.map(|text| Cell { column, text: text.into(), source }));
+        }
+        // The braces are not in the list: the first key is the place of the object.
+        rows.add(&cells, entries.0.first().map_or("", |entry| entry.source), sound);
+    }
+    rows.finish()
+}
+
+/// A part as an object: what it has, nothing else.
+pub(in crate::project) fn entries(part: &Part) -> Entries<'static> {
+    let value = |(column, text): (&'static str, String)| match text.parse() {
+        Ok(number) if columns::is_number(column) => (column, json::number(number)),
+        _ if column == "fits" => (column, part.fits.clone().into()),
+        _ => (column, text.into()),
+    };
+    table::cells(part).into_iter().map(value).collect()
+}
+
+/// The parts as a list in JSON.
+pub fn write_json(parts: &[Part]) -> String {
+    let list: Vec<Entries> = parts.iter().map(entries).collect();
+    // Keys are texts and writing into a text does not fail.
+    serde_json::to_string_pretty(&list).unwrap_or_default() + "\n"
+}

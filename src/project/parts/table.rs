@@ -1,0 +1,182 @@
+//! A table of parts as CSV: read as spreadsheets of any country write it, and written.
+
+use super::columns::{self, COLUMNS, OVERLOAD, REQUIRED};
+use super::row::{Cell, Decimals, MAX_PARTS, PAIRS, Rows};
+use crate::drives::parts::{Part, PartGrade, Status};
+use crate::msg;
+use crate::project::findings::clip;
+use crate::text::Diagnostic;
+
+/// A record with the part of the text that it was read from.
+struct Record<'t> {
+    cells: Vec<String>,
+    source: &'t str,
+}
+
+/// Reads a table. Its first line names the columns; commas, semicolons or tabs separate the cells.
+pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
+    let plain = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let (delimiter, plain) = delimiter(plain);
+    let mut records = records(plain, delimiter);
+    let mut rows = Rows::new(text, Decimals::default());
+    if records.is_empty() {
+        rows.found.error(msg!("parts.empty", COLUMNS.join(", ")), "");
+        return rows.finish();
+    }
+    let head = records.remove(0);
+    if records.len() > MAX_PARTS {
+        rows.found.error(msg!("parts.too-many", MAX_PARTS as u32), "");
+        return rows.finish();
+    }
+    let Some(columns) = head_line(&head, delimiter, &mut rows) else { return rows.finish() };
+    rows.decimals = decimals(&columns, &records, delimiter);
+    for record in &records {
+        let mut cells = Vec::new();
+        let mut beyond = None;
+        for (at, text) in record.cells.iter().enumerate().filter(|(_, text)| !text.is_empty()) {
+            let source = cell_source(record.source, delimiter, at);
+            match columns.get(at) {
+                Some(Some(column)) => cells.push(Cell { column, text: text.as_str().to_owned().into(), source }),
+                Some(None) => {}
+                None => beyond = beyond.or(Some(source)),
+            }
+        }
+        if let Some(source) = beyond {
+            let count = record.cells.len() as u32;
+            rows.found.error(msg!("parts.too-many-cells", count, columns.len() as u32), source);
+        }
+        rows.add(&cells, record.source, beyond.is_none());
+    }
+    if plain.matches('"').count() % 2 == 1 {
+        let last = records.last().unwrap_or(&head).source;
+        rows.found.error(msg!("parts.open-quote"), last.lines().next().unwrap_or_default());
+    }
+    rows.finish()
+}
+
+/// What separates the cells, by the first line, and the text from that line on. Some spreadsheets say it in a line of its own, `sep=;`.
+fn delimiter(text: &str) -> (u8, &str) {
+    let first = text.trim_start().lines().next().unwrap_or_default();
+    if let Some(&[said @ (b',' | b';' | b'\t')]) = first.trim_end().strip_prefix("sep=").map(str::as_bytes)
+        && let Some((_, rest)) = text.split_once('\n')
+    {
+        return (said, rest);
+    }
+    let count = |delimiter: u8| first.bytes().filter(|byte| *byte == delimiter).count();
+    // Of equal counts the comma: a head of one column has none of them.
+    let delimiter = [b'\t', b';', b','].into_iter().max_by_key(|delimiter| count(*delimiter)).unwrap_or(b',');
+    (delimiter, text)
+}
+
+/// The records that are not empty, at most one more than a table may have.
+fn records(text: &str, delimiter: u8) -> Vec<Record<'_>> {
+    let mut reader = csv::ReaderBuilder::new();
+    let reader = reader.delimiter(delimiter).has_headers(false).flexible(true).trim(csv::Trim::All);
+    let mut reader = reader.from_reader(text.as_bytes());
+    let mut records = Vec::new();
+    let mut record = csv::StringRecord::new();
+    loop {
+        let start = reader.position().byte() as usize;
+        // The text is in memory and UTF-8: reading it does not fail.
+        if !reader.read_record(&mut record).unwrap_or(false) || records.len() > MAX_PARTS + 1 {
+            return records;
+        }
+        let source = text.get(start..reader.position().byte() as usize).unwrap_or_default();
+        let source = source.trim_matches(['\r', '\n']);
+        if record.iter().any(|cell| !cell.is_empty()) {
+            records.push(Record { cells: record.iter().map(str::to_owned).collect(), source });
+        }
+    }
+}
+
+/// The column of each cell of the first line; none where it has no name, or an unknown one. `None`: not a head line of parts.
+fn head_line<'t>(head: &Record<'t>, delimiter: u8, rows: &mut Rows<'t>) -> Option<Vec<Option<&'static str>>> {
+    let mut columns = Vec::new();
+    for (at, name) in head.cells.iter().enumerate() {
+        let source = cell_source(head.source, delimiter, at);
+        let column = columns::column(name);
+        if column.is_none() && !name.is_empty() {
+            rows.found.error(msg!("parts.unknown-column", clip(name), COLUMNS.join(", ")), source);
+        }
+        if column.is_some() && columns.contains(&column) {
+            rows.found.error(msg!("parts.column-twice", clip(name)), source);
+            return None;
+        }
+        columns.push(column);
+    }
+    let missing: Vec<&str> = REQUIRED.into_iter().filter(|column| !columns.contains(&Some(*column))).collect();
+    if !missing.is_empty() {
+        rows.found.error(msg!("parts.missing-column", missing.join(", ")), head.source);
+        return None;
+    }
+    Some(columns)
+}
+
+/// How the table writes its numbers: by all of them.
+fn decimals(columns: &[Option<&'static str>], records: &[Record], delimiter: u8) -> Decimals {
+    let comma = delimiter != b',';
+    let is_number: Vec<bool> = columns.iter().map(|column| column.is_some_and(columns::is_number)).collect();
+    let with = |mark: char| {
+        records.iter().any(|record| {
+            record.cells.iter().zip(&is_number).any(|(cell, is_number)| *is_number && cell.contains(mark))
+        })
+    };
+    Decimals { comma, mixed: comma && with(',') && with('.') }
+}
+
+/// The part of a record that a cell was read from.
+fn cell_source(record: &str, delimiter: u8, at: usize) -> &str {
+    let mut quoted = false;
+    let ends = record.bytes().enumerate().filter(|(_, byte)| {
+        quoted ^= *byte == b'"';
+        *byte == delimiter && !quoted
+    });
+    let ends: Vec<usize> = ends.map(|(place, _)| place).take(at + 1).collect();
+    let start = at.checked_sub(1).and_then(|before| ends.get(before)).map_or(0, |end| end + 1);
+    let end = ends.get(at).copied().unwrap_or(record.len());
+    record.get(start..end).unwrap_or_default().trim()
+}
+
+/// The cells of a part by column, those that are not empty.
+pub(super) fn cells(part: &Part) -> Vec<(&'static str, String)> {
+    let word = |found: Option<&'static str>| found.unwrap_or_default().to_owned();
+    let status = Status::WORDS.into_iter().find(|(_, status)| part.status == Some(*status));
+    let grade = PartGrade::WORDS.into_iter().find(|(_, grade)| part.evidence.grade == *grade);
+    let mut ratings = part.ratings.clone();
+    let overload = columns::overload(&mut ratings).map(|text| text.clone()).unwrap_or_default();
+    let mut cells = vec![
+        ("kind", columns::kind(&part.ratings).to_owned()),
+        ("maker", part.maker.clone()),
+        ("series", part.series.clone()),
+        ("model", part.model.clone()),
+        ("status", word(status.map(|(word, _)| word))),
+        (OVERLOAD, overload),
+        ("fits", part.fits.join(&PAIRS.to_string())),
+        ("source", part.evidence.source.clone()),
+        ("grade", word(grade.map(|(word, _)| word))),
+        ("note", part.evidence.note.clone()),
+    ];
+    for (column, field) in columns::numbers(&mut ratings) {
+        cells.extend(field.map(|number| (column, number.to_string())));
+    }
+    cells.retain(|(_, text)| !text.is_empty());
+    cells.sort_by_key(|(column, _)| COLUMNS.iter().position(|known| known == column));
+    cells
+}
+
+/// The parts as a table, with the columns that one of them uses.
+pub fn write(parts: &[Part]) -> String {
+    let rows: Vec<Vec<(&str, String)>> = parts.iter().map(cells).collect();
+    let used = |column: &&str| REQUIRED.contains(column) || rows.iter().flatten().any(|(name, _)| name == column);
+    let columns: Vec<&str> = COLUMNS.into_iter().filter(used).collect();
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut line = |cells: Vec<&str>| writer.write_record(cells);
+    // Writing into memory does not fail, and every record has as many cells as there are columns.
+    let mut written = line(columns.clone());
+    for row in &rows {
+        let cell = |column: &&str| row.iter().find(|(name, _)| name == column).map_or("", |(_, text)| text.as_str());
+        written = written.and(line(columns.iter().map(cell).collect()));
+    }
+    let bytes = writer.into_inner().unwrap_or_default();
+    written.ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default()
+}
