@@ -233,6 +233,11 @@ const fn row(series: &'static str, inertia_ratio: f64, effective: f64, cite: Cit
 }
 
 impl Part {
+    /// Whether both have the same maker and model: two rows of one part.
+    pub fn is(&self, other: &Part) -> bool {
+        self.maker == other.maker && self.model == other.model
+    }
+
     /// The ratings as they are judged. Stall torque stands in for rated torque and the other way round, rated speed for the highest speed;
     /// `None` for other kinds, and where peak torque, rotor or speed is unknown.
     pub fn servo(&self) -> Option<Servo> {

@@ -25,6 +25,11 @@ impl<'t> Findings<'t> {
         Findings { text, list: Vec::new(), more: 0 }
     }
 
+    /// The text that the findings are about.
+    pub(super) fn text(&self) -> &'t str {
+        self.text
+    }
+
     /// Adds a finding at a part of the text; an empty part is no place.
     pub(super) fn add(&mut self, mut finding: Diagnostic, part: &str) {
         if self.list.len() >= LISTED {

@@ -57,6 +57,7 @@ pub mod dependence;
 use std::sync::Arc;
 
 use crate::controls::{Control, Switches};
+use crate::drives::parts::Part;
 use crate::machines::form::{Origins, Values, with_entries};
 use crate::machines::{AnyMachine, ControlContext, Defaults, Design, PreparedMachine};
 use crate::motion::{Action, Event, Panel};
@@ -86,6 +87,8 @@ pub struct Project {
     pub panel: Panel,
     /// The program files, where the user has edited them: detached from the form.
     pub edited: Option<Files>,
+    /// Parts that the user has added to the catalogue, by [`Project::add_parts`].
+    pub parts: Vec<Part>,
     memo: prepared::Memo,
 }
 
@@ -111,6 +114,7 @@ impl PartialEq for Project {
             && self.silenced == other.silenced
             && self.panel == other.panel
             && self.edited == other.edited
+            && self.parts == other.parts
     }
 }
 
@@ -131,6 +135,7 @@ impl Project {
             silenced: Vec::new(),
             panel: Panel::default(),
             edited: None,
+            parts: Vec::new(),
             memo: prepared::Memo::default(),
         }
     }
@@ -171,6 +176,18 @@ impl Project {
     pub fn with_entries(&self, entries: &[(&'static str, String)]) -> Option<Project> {
         let values = with_entries(&self.values, &self.machine.fields(), entries)?;
         Some(Project { values, ..self.clone() })
+    }
+
+    /// Adds parts to the catalogue of the project. One of the same maker and model takes the place of the earlier one.
+    pub fn add_parts(&mut self, parts: Vec<Part>) {
+        self.parts.retain(|known| !parts.iter().any(|part| part.is(known)));
+        self.parts.extend(parts);
+    }
+
+    /// All parts: the user's own, then those of the shipped catalogue that none of them replaces.
+    pub fn catalogue(&self) -> Vec<&Part> {
+        let shipped = parts::shipped().iter().filter(|part| !self.parts.iter().any(|own| own.is(part)));
+        self.parts.iter().chain(shipped).collect()
     }
 
     /// The published listing as printed, as a file.

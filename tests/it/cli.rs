@@ -648,3 +648,29 @@ fn design_tells_where_each_value_comes_from() {
     let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("{part}: {text}"));
     assert!(at("entered      Pitch #107") < at("measure first") && at("measure first") < at("assumed as well: "));
 }
+
+#[test]
+fn parts_prints_the_catalogue_and_takes_rows_back() {
+    let folder = folder("parts");
+    let all = String::from_utf8(macroline(&["parts"]).stdout).unwrap();
+    assert_eq!(all, include_str!("../../src/project/parts/shipped.csv"));
+    let of = |control: &str| String::from_utf8(macroline(&["parts", "--control", control]).stdout).unwrap();
+    assert!(of("mitsubishi-e60").contains(",HC53,") && !of("fanuc-0i-mf").contains(",HC53,"));
+    // The head line and a row, changed, as a spreadsheet of another country saves them.
+    let row = all.lines().find(|line| line.contains(",HC53,")).unwrap().replace(",HC53,", ",HC53X,");
+    let own = folder.join("own.csv");
+    let table = format!("{}\n{row}\n", all.lines().next().unwrap()).replace(',', ";").replace('.', ",");
+    std::fs::write(&own, table).unwrap();
+    let read: Json = serde_json::from_slice(&macroline(&["parts", &text(&own), "--json"]).stdout).unwrap();
+    assert_eq!((&read[0]["model"], &read[0]["rated_torque_nm"]), (&json!("HC53X"), &json!(1.59)));
+    let project = project(&folder, json!({}));
+    let added = macroline(&["parts", &text(&own), "--add-to", &project]);
+    assert!(added.status.success(), "{}", String::from_utf8_lossy(&added.stderr));
+    let added: Json = serde_json::from_slice(&added.stdout).unwrap();
+    assert_eq!(added["parts"][0], read[0]);
+    // A mistake is told with its place, and fails.
+    std::fs::write(&own, "kind,maker,model,ratio\ngear,Own,G1,two\n").unwrap();
+    let wrong = macroline(&["parts", &text(&own)]);
+    let said = String::from_utf8(wrong.stderr).unwrap();
+    assert!(wrong.status.code() == Some(1) && said.contains("own.csv:2:13"), "{said}");
+}

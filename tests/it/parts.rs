@@ -7,7 +7,8 @@ use std::collections::BTreeSet;
 use macroline::controls;
 use macroline::drives::parts::{Part, PartGrade, Ratings, Status};
 use macroline::drives::servo::Acceptance;
-use macroline::project::parts::{columns, read, shipped, write, write_json};
+use macroline::project::Project;
+use macroline::project::parts::{MAX_PARTS, columns, goes_with, read, shipped, write, write_json};
 use proptest::prelude::*;
 
 const SHIPPED: &str = include_str!("../../src/project/parts/shipped.csv");
@@ -216,5 +217,76 @@ proptest! {
             let place = finding.place.map_or(0..0, |place| place.span.start as usize..place.span.end as usize);
             prop_assert!(whole.get(place).is_some());
         }
+    }
+}
+
+const OWN: &str = "kind,maker,series,model,rated_torque_nm,peak_torque_nm,rated_speed_rpm,inertia_kgm2,fits\n\
+                   servo,Own,,A1,2.4,7.2,3000,0.000128,\n\
+                   amplifier,Own,,V1,,,,,A1|A2\n\
+                   servo,Mitsubishi Electric,HG-KN,HG-KN43J,1.3,3.9,3000,0.00004,\n";
+
+#[test]
+fn parts_of_a_project_are_saved_with_it() {
+    let mut project = Project::of("ribbon-line", None).unwrap();
+    assert!(!project.to_json().contains("parts"), "a file without parts is as it was");
+    let plain = project.clone();
+    project.add_parts(read(OWN, "own.csv").0);
+    assert!(project != plain);
+    let loaded = Project::from_json(&project.to_json());
+    assert!(loaded.diagnostics.is_empty(), "{:?}", loaded.diagnostics);
+    assert_eq!(loaded.project.as_ref().unwrap().parts, project.parts);
+    assert!(loaded.project.unwrap() == project);
+}
+
+#[test]
+fn mistake_in_a_part_of_a_project_has_its_place() {
+    let mut project = Project::of("ribbon-line", None).unwrap();
+    project.add_parts(read(OWN, "own.csv").0);
+    let text = project.to_json().replacen("0.000128", "-1", 1).replacen("\"V1\"", "17", 1);
+    let loaded = Project::from_json(&text);
+    assert_eq!(loaded.project.unwrap().parts.len(), 1);
+    let places = loaded.diagnostics.iter().filter_map(|finding| finding.place);
+    let at: Vec<&str> = places.map(|place| &text[place.span.start as usize..place.span.end as usize]).collect();
+    assert_eq!(at, ["-1", "17"]);
+    let many = format!("[{}]", vec!["{\"kind\":\"gear\"}"; MAX_PARTS + 1].join(","));
+    let text = plain_with_parts(&many);
+    let loaded = Project::from_json(&text);
+    assert!(loaded.project.unwrap().parts.is_empty());
+    assert_eq!(loaded.diagnostics.iter().map(|finding| finding.id()).collect::<Vec<_>>(), ["parts.too-many"]);
+    for wrong in ["7", "{}", "[7]", "[[]]", "null"] {
+        assert!(Project::from_json(&plain_with_parts(wrong)).project.is_none(), "{wrong}");
+    }
+}
+
+/// A project file with this under the key `parts`.
+fn plain_with_parts(list: &str) -> String {
+    Project::of("ribbon-line", None).unwrap().to_json().replacen('{', &format!("{{\"parts\": {list},"), 1)
+}
+
+#[test]
+fn own_part_takes_the_place_of_a_shipped_one() {
+    let mut project = Project::of("ribbon-line", None).unwrap();
+    project.add_parts(read(OWN, "own.csv").0);
+    let catalogue = project.catalogue();
+    assert_eq!(catalogue.len(), shipped().len() + 2);
+    let named: Vec<_> = catalogue.iter().filter(|part| part.model == "HG-KN43J").collect();
+    assert_eq!(named.len(), 1);
+    assert_eq!((named[0].servo().unwrap().peak, named[0].evidence.grade), (3.9, PartGrade::Entered));
+    // Once more: what was entered before goes.
+    project.add_parts(read(&OWN.replace("3.9", "3.7"), "own.csv").0);
+    assert_eq!(project.parts.len(), 3);
+    assert_eq!(project.catalogue().iter().find(|part| part.model == "HG-KN43J").unwrap().servo().unwrap().peak, 3.7);
+}
+
+#[test]
+fn parts_go_with_controls_by_their_series() {
+    let goes = |model: &str, control: &str| goes_with(part(model), controls::find(control).unwrap());
+    assert!(goes("HC53", "mitsubishi-e60") && !goes("HC53", "fanuc-0i-tf"));
+    assert!(goes("aiS 8/4000", "fanuc-0i-tf") && !goes("aiS 8/4000", "mitsubishi-e60"));
+    assert!(goes("SGM7J-04A", "gsk-980tdc") && goes("1FT7034-5AK7", "sinumerik-802d"));
+    for control in controls::ALL {
+        assert!(goes("AB060-003-S2-P2", control.id), "a gear unit goes with every control");
+        let own = &read(OWN, "own.csv").0[0];
+        assert!(goes_with(own, control), "what the user enters goes with every control");
     }
 }

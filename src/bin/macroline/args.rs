@@ -20,6 +20,20 @@ pub(crate) enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Prints the catalogue of parts as CSV: take rows, change them, add them to a project
+    Parts {
+        /// Table of your own, CSV or JSON, to check and print instead of the catalogue
+        table: Option<PathBuf>,
+        /// Those that go with a control
+        #[arg(long, value_name = "ID")]
+        control: Option<String>,
+        /// Prints this project with the parts of the table added, instead of a table
+        #[arg(long, value_name = "PROJECT", requires = "table", conflicts_with_all = ["control", "json"])]
+        add_to: Option<PathBuf>,
+        /// JSON instead of CSV
+        #[arg(long)]
+        json: bool,
+    },
     /// Prints an example of a machine as a project, JSON
     New {
         /// Machine, for instance ribbon-line

@@ -12,7 +12,7 @@ use macroline::project::examples::NameKind;
 use macroline::project::render::summary;
 use macroline::project::run::AtStop;
 use macroline::project::suppress::silence;
-use macroline::project::{Project, drawing, list, origins};
+use macroline::project::{Project, drawing, list, origins, parts};
 use macroline::text::Diagnostic;
 use macroline::view::Theme;
 use macroline::view::svg::picture;
@@ -29,6 +29,9 @@ pub(crate) fn main() -> ExitCode {
     output::status(match Line::parse().command {
         Command::List { json: true } => print_json(&list::json()),
         Command::List { json: false } => print(&list::text()),
+        Command::Parts { table, control, add_to, json } => {
+            parts(table.as_deref(), control.as_deref(), add_to.as_deref(), json)
+        }
         Command::New { machine, control, example } => new(&machine, control.as_deref(), example.as_deref()),
         Command::Design { project, json } => design(&project, json),
         Command::Export { project, out, date } => export(&project, &out, &date),
@@ -42,6 +45,32 @@ pub(crate) fn main() -> ExitCode {
         }
         Command::Step(args) => run::step(&args),
     })
+}
+
+fn parts(table: Option<&Path>, id: Option<&str>, into: Option<&Path>, json: bool) -> Result<(), Failure> {
+    let control = id.map(control).transpose()?;
+    let (read, mut all) = match table {
+        Some(path) => {
+            let (parts, file) = input::parts(path)?;
+            (parts, vec![file])
+        }
+        None => (parts::shipped().to_vec(), Vec::new()),
+    };
+    match into {
+        Some(path) => {
+            let (project, file) = input::project(path)?;
+            all.push(file);
+            let Some(mut project) = project else { return Err(refuse(&all, false)) };
+            project.add_parts(read);
+            output::print_data(&project.to_json())?;
+        }
+        None => {
+            let chosen = read.iter().filter(|part| control.is_none_or(|control| parts::goes_with(part, control)));
+            output::print_data(&if json { parts::write_json(chosen) } else { parts::write(chosen) })?;
+        }
+    }
+    tell(&all)?;
+    verdict(&all)
 }
 
 fn new(machine: &str, control: Option<&str>, example: Option<&str>) -> Result<(), Failure> {

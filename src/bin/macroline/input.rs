@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use macroline::drives::parts::Part;
 use macroline::motion::Panel;
 use macroline::msg;
 use macroline::nc::{File, Files};
 use macroline::project::decode::{Decoded, Encoding};
-use macroline::project::{Project, saved};
+use macroline::project::{Project, parts, saved};
 use macroline::text::{Diagnostic, FileId, Place, Span};
 
 use crate::findings::{Findings, Sources};
@@ -25,7 +26,7 @@ fn name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-/// A JSON file, read by a function that returns its findings.
+/// A file of text in UTF-8 or UTF-16, read by a function that returns its findings.
 fn json<T>(path: &Path, from: impl Fn(&str) -> (Option<T>, Vec<Diagnostic>)) -> Result<(Option<T>, Findings), Failure> {
     let decoded = read(path)?;
     let (made, list) = if let Some(other) = &decoded.other {
@@ -49,6 +50,16 @@ pub(crate) fn project(path: &Path) -> Result<(Option<Project>, Findings), Failur
         let loaded = Project::from_json(text);
         (loaded.project, loaded.diagnostics)
     })
+}
+
+/// A table of parts.
+pub(crate) fn parts(path: &Path) -> Result<(Vec<Part>, Findings), Failure> {
+    let name = name(path);
+    let (read, findings) = json(path, |text| {
+        let (parts, found) = parts::read(text, &name);
+        (Some(parts), found)
+    })?;
+    Ok((read.unwrap_or_default(), findings))
 }
 
 /// A panel file.

@@ -11,9 +11,11 @@ mod objects;
 use std::sync::OnceLock;
 
 pub use self::objects::write_json;
+pub(in crate::project) use self::objects::{entries, from_entries};
 pub use self::row::MAX_PARTS;
 pub use self::table::write;
-use crate::drives::parts::Part;
+use crate::controls::Control;
+use crate::drives::parts::{Part, PartGrade, Ratings};
 use crate::msg;
 use crate::text::Diagnostic;
 
@@ -39,4 +41,11 @@ pub fn read(text: &str, name: &str) -> (Vec<Part>, Vec<Diagnostic>) {
 pub fn shipped() -> &'static [Part] {
     static SHIPPED: OnceLock<Vec<Part>> = OnceLock::new();
     SHIPPED.get_or_init(|| read(include_str!("shipped.csv"), "shipped.csv").0)
+}
+
+/// Whether a part goes with a control: its series is one of the control's drive systems, it is a gear unit, or the user has entered it.
+pub fn goes_with(part: &Part, control: &Control) -> bool {
+    control.drives.iter().any(|row| row.series == part.series)
+        || matches!(part.ratings, Ratings::Gear(_))
+        || part.evidence.grade == PartGrade::Entered
 }

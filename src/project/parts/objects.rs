@@ -86,8 +86,8 @@ pub(in crate::project) fn entries(part: &Part) -> Entries<'static> {
 }
 
 /// The parts as a list in JSON.
-pub fn write_json(parts: &[Part]) -> String {
-    let list: Vec<Entries> = parts.iter().map(entries).collect();
+pub fn write_json<'p>(parts: impl IntoIterator<Item = &'p Part>) -> String {
+    let list: Vec<Entries> = parts.into_iter().map(entries).collect();
     // Keys are texts and writing into a text does not fail.
     serde_json::to_string_pretty(&list).unwrap_or_default() + "\n"
 }

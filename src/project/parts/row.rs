@@ -59,7 +59,7 @@ impl<'t> Rows<'t> {
 
     /// Takes a row with its part of the text. One with an error is left out.
     pub(super) fn add(&mut self, cells: &[Cell<'t>], source: &'t str, sound: bool) {
-        let part = self.part(cells, source).filter(|_| sound);
+        let part = self.part(cells, source, sound);
         match part {
             Some(part) => self.parts.push(part),
             None => self.left_out += 1,
@@ -74,13 +74,14 @@ impl<'t> Rows<'t> {
         (self.parts, self.found.into_diagnostics())
     }
 
-    fn part(&mut self, cells: &[Cell<'t>], source: &'t str) -> Option<Part> {
+    /// The part of a row; a cell of one that is not sound was refused before.
+    fn part(&mut self, cells: &[Cell<'t>], source: &'t str, mut sound: bool) -> Option<Part> {
         let cell = |column: &str| cells.iter().find(|cell| cell.column == column);
-        let mut sound = true;
-        for column in REQUIRED.into_iter().filter(|column| cell(column).is_none()) {
-            self.found.error(msg!("parts.missing-value", column), source);
-            sound = false;
+        let missing: Vec<&str> = REQUIRED.into_iter().filter(|column| cell(column).is_none()).collect();
+        for column in missing.iter().filter(|_| sound) {
+            self.found.error(msg!("parts.missing-value", *column), source);
         }
+        sound &= missing.is_empty();
         let mut text = |column: &str, most: usize| {
             let text = cell(column).map(|cell| self.text(cell, most));
             sound &= text != Some(None);

@@ -165,8 +165,8 @@ pub(super) fn cells(part: &Part) -> Vec<(&'static str, String)> {
 }
 
 /// The parts as a table, with the columns that one of them uses.
-pub fn write(parts: &[Part]) -> String {
-    let rows: Vec<Vec<(&str, String)>> = parts.iter().map(cells).collect();
+pub fn write<'p>(parts: impl IntoIterator<Item = &'p Part>) -> String {
+    let rows: Vec<Vec<(&str, String)>> = parts.into_iter().map(cells).collect();
     let used = |column: &&str| REQUIRED.contains(column) || rows.iter().flatten().any(|(name, _)| name == column);
     let columns: Vec<&str> = COLUMNS.into_iter().filter(used).collect();
     let mut writer = csv::Writer::from_writer(Vec::new());

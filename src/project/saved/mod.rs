@@ -22,9 +22,9 @@ use serde::de::IgnoredAny;
 pub use self::history::{steps_from_json, steps_to_json};
 pub use self::loaded::{Loaded, MAX_BYTES, MAX_PROGRAM, MAX_PROGRAMS};
 use self::v1::{ProgramV1, ProjectV1, TitleBlockV1};
-use super::Project;
 use super::findings::Findings;
 use super::json::{self, Entries, Located};
+use super::{Project, parts};
 use crate::machines::form::Value;
 use crate::machines::{self, AnyMachine};
 use crate::motion::Panel;
@@ -67,6 +67,7 @@ impl Project {
             silenced: self.silenced.clone(),
             panel: self.panel.events().iter().map(panel::entry).collect(),
             edited: self.edited.as_ref().map(|files| files.0.iter().map(program).collect()),
+            parts: self.parts.iter().map(parts::entries).collect(),
         };
         // Keys are texts and writing into a text does not fail.
         serde_json::to_string_pretty(&saved).unwrap_or_default() + "\n"

@@ -12,9 +12,9 @@ use crate::machines::AnyMachine;
 use crate::machines::form::{KindInfo, Provenance, Value};
 use crate::msg;
 use crate::nc::{File, Files};
-use crate::project::Project;
 use crate::project::findings::{Findings, clip};
 use crate::project::json::{Entries, kind_word};
+use crate::project::{Project, parts};
 use crate::text::Diagnostic;
 use crate::view::report::TitleBlock;
 
@@ -65,6 +65,9 @@ pub(super) fn project<'t>(
     project.switches = switches(&saved.switches, control, &mut found);
     project.silenced = saved.silenced.iter().map(|id| clip(&warning_id(id))).collect();
     project.panel = panel::read(&saved.panel, &mut found);
+    let (parts, about_parts) = parts::from_entries(found.text(), &saved.parts);
+    about_parts.into_iter().for_each(|finding| found.add(finding, ""));
+    project.parts = parts;
     project.edited = saved.edited.filter(|files| !files.is_empty()).map(edited);
     Loaded { project: Some(project), diagnostics: found.into_diagnostics() }
 }

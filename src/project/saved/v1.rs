@@ -37,6 +37,9 @@ pub(super) struct ProjectV1<'t> {
     pub(super) panel: Vec<Entries<'t>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) edited: Option<Vec<ProgramV1>>,
+    /// Parts with the names of the columns of a table of parts.
+    #[serde(borrow, default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) parts: Vec<Entries<'t>>,
 }
 
 /// The title block of the report.

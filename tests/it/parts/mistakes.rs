@@ -203,11 +203,6 @@ mistakes! {
         0 taken"#]];
     json_of_wrong_kinds: "own.json", "[ { \"kind\": \"servo\", \"maker\": 5, \"model\": \"A1\", \"inertia_kgm2\": true,\n \"torque\": 1 } ]", expect![[r#"
         info[parts.left-out]: 1 row was left out because of errors, 0 were taken.
-        error: “maker” is empty. Each part needs kind, maker and model.
-         --> own.json:1:5
-          |
-        1 | [ { "kind": "servo", "maker": 5, "model": "A1", "inertia_kgm2": true,
-          |     ^^^^^^
         error: “maker”: a number is not what belongs there. Text or a number as the column has it, a list of models for “fits”, null for unknown.
          --> own.json:1:31
           |
