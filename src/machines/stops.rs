@@ -19,6 +19,8 @@ pub enum Interruption {
     Reset,
     /// Emergency stop.
     EmergencyStop,
+    /// The spindle's inverter reports a fault.
+    InverterFault,
 }
 
 impl Interruption {
@@ -44,6 +46,7 @@ impl Interruption {
             Interruption::Alarm => "stops.alarm",
             Interruption::Reset => "stops.reset",
             Interruption::EmergencyStop => "stops.emergency",
+            Interruption::InverterFault => "stops.inverter-fault",
         }
     }
 }
@@ -57,6 +60,8 @@ pub enum SpindleReaction {
     Waits,
     /// M3 and M4 are dropped.
     Off,
+    /// The inverter's output is off, M3 and M4 are dropped.
+    OutputOff,
     /// Work and tool turn on in their ratio.
     TurnsInRatio,
     /// Work and tool slow down in their ratio and stand.
@@ -72,6 +77,7 @@ impl SpindleReaction {
             SpindleReaction::Turns => "stops.spindle-turns",
             SpindleReaction::Waits => "stops.spindle-waits",
             SpindleReaction::Off => "stops.spindle-off",
+            SpindleReaction::OutputOff => "stops.spindle-output-off",
             SpindleReaction::TurnsInRatio => "stops.spindle-turns-in-ratio",
             SpindleReaction::StopsInRatio => "stops.spindle-stops-in-ratio",
             SpindleReaction::Coasts => "stops.spindle-coasts",

@@ -33,6 +33,7 @@ pub(super) struct CheckedPlant {
     pub(super) no_positioning: Option<(&'static str, &'static str)>,
     pub(super) reversal: Option<(&'static str, &'static str)>,
     pub(super) gear_timeout: Option<(&'static str, &'static str)>,
+    pub(super) inverter_fault: Option<(&'static str, &'static str)>,
     vars: &'static [VarRange],
     /// Bit `k`: the machine has axis `k`.
     pub(super) fitted: u8,
@@ -102,6 +103,7 @@ impl CheckedPlant {
             no_positioning: control.alarm_shown(Alarm::NoPositioning),
             reversal: control.alarm_shown(Alarm::SpindleReversal),
             gear_timeout: control.alarm_shown(Alarm::GearTimeout),
+            inverter_fault: control.alarm_shown(Alarm::InverterFault),
             vars: control.vars,
             fitted,
             log,

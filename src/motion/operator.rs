@@ -43,6 +43,18 @@ impl<P: RunningProgram> Sim<'_, P> {
                 self.out.report(diagnostic.clone());
                 self.reset(t, Exec::Emergency(Box::new(diagnostic)));
             }
+            Action::InverterFault(on) => {
+                if self.s.plc.program.watches_inverter() {
+                    self.s.plc.io.stops.inverter_fault = *on;
+                    if *on {
+                        // Without the inverter's output no angle is held.
+                        self.s.spindle.orienting = None;
+                    }
+                    self.scan(t);
+                } else {
+                    self.out.report(Diagnostic::warning(msg!("motion.no-inverter")));
+                }
+            }
             Action::SingleBlock(on) => self.s.operator.knobs.single_block = *on,
             Action::OptionalStop(on) => self.s.operator.knobs.optional_stop = *on,
             Action::BlockSkip(on) => self.s.operator.knobs.block_skip = *on,

@@ -19,6 +19,8 @@ pub enum Action {
     Reset,
     /// Emergency stop.
     EmergencyStop,
+    /// The fault relay of the spindle's inverter: on at a fault, off once it is cleared at the inverter.
+    InverterFault(bool),
     /// Single block on or off.
     SingleBlock(bool),
     /// Optional stop on or off.

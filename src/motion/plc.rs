@@ -55,6 +55,8 @@ pub struct Stops {
     pub reset: bool,
     /// It was emergency stop.
     pub emergency: bool,
+    /// The spindle's inverter reports a fault: its output is off.
+    pub inverter_fault: bool,
     /// Key of the spindle that was pressed by hand, for the one scan that sees it first: its sense, 0 for "stop".
     pub spindle_key: Option<i8>,
     /// The PLC holds the spindle at speed 0 (FANUC: `*SSTP` at 0); S and its direction stay for when it lets go.
@@ -146,6 +148,10 @@ impl Io {
 pub trait Plc {
     /// Reads and writes the interface at time `t` (seconds); returns when it wants to be asked again at the latest.
     fn scan(&mut self, t: f64, io: &mut Io) -> Option<f64>;
+    /// Whether it watches the fault contact of a spindle inverter.
+    fn watches_inverter(&self) -> bool {
+        false
+    }
     /// A copy with all its state, for the planner's checkpoints.
     fn boxed(&self) -> Box<dyn Plc>;
 }

@@ -77,14 +77,19 @@ impl<P: RunningProgram> Sim<'_, P> {
 
     /// The PLC stops the program.
     fn plc_alarm(&mut self, t: f64, alarm: Alarm) {
-        let reversal = alarm == Alarm::SpindleReversal;
-        if reversal {
-            // The earlier code stays active.
-            self.s.spindle.direction = -self.s.spindle.direction;
-        }
-        let (shown, message) = match reversal {
-            true => (self.plant.reversal, msg!("motion.spindle-reversal")),
-            false => (self.plant.gear_timeout, msg!("motion.gear-timeout")),
+        let (shown, message) = match alarm {
+            Alarm::SpindleReversal => {
+                // The earlier code stays active.
+                self.s.spindle.direction = -self.s.spindle.direction;
+                (self.plant.reversal, msg!("motion.spindle-reversal"))
+            }
+            Alarm::InverterFault => {
+                if !self.s.exec.runs() && !matches!(self.s.exec, Exec::Stopped) {
+                    self.s.place = None;
+                }
+                (self.plant.inverter_fault, msg!("motion.inverter-fault"))
+            }
+            _ => (self.plant.gear_timeout, msg!("motion.gear-timeout")),
         };
         self.s.plc.io.clear_strobes();
         self.stop_with(Diagnostic::error(message).alarm(shown));

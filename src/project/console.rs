@@ -36,6 +36,8 @@ locals              the local variables of the present level
 changed             values and codes that the last step changed
 set VAR=VALUE       sets a variable or an input, as the operator does
 start               cycle start, after a stop
+reset               reset, after an alarm or a stop
+fault, fault off    the inverter of the spindle reports a fault, or no longer
 quit, q             ends
 ";
 
@@ -154,10 +156,13 @@ impl<'f> Console<'f> {
             "locals" => Ok(self.locals()),
             "changed" => Ok(self.changed()),
             "set" => self.set(rest),
-            "start" => {
-                self.act(Event { t: self.debugger.t(), action: Action::Start });
-                Ok(self.walk())
-            }
+            "start" => Ok(self.press(Action::Start)),
+            "reset" => Ok(self.press(Action::Reset)),
+            "fault" => match rest {
+                "" | "on" => Ok(self.press(Action::InverterFault(true))),
+                "off" => Ok(self.press(Action::InverterFault(false))),
+                _ => Err("“fault” takes nothing or “off”.\n".to_owned()),
+            },
             "help" | "h" | "?" => Ok(HELP.to_owned()),
             "quit" | "q" => return (Outcome::Quit, String::new()),
             "" => Ok(String::new()),
@@ -387,6 +392,12 @@ impl<'f> Console<'f> {
         }
         self.reach();
         Ok(String::new())
+    }
+
+    /// Applies an operator's action now, and runs on.
+    fn press(&mut self, action: Action) -> String {
+        self.act(Event { t: self.debugger.t(), action });
+        self.walk()
     }
 
     /// Applies an operator's action to both runs.

@@ -160,6 +160,17 @@ fn override_during_run_changes_spindle_and_axis_speed() {
 }
 
 #[test]
+fn inverter_fault_in_a_panel_file_stops_the_run_with_its_alarm() {
+    let folder = folder("inverter-fault");
+    let path = project(&folder, json!({ "pitch-count": 400 }));
+    let panel = folder.join("panel.json");
+    std::fs::write(&panel, r#"[ { "t": 6.0, "inverter_fault": true } ]"#).unwrap();
+    let out = run(&[&path, "--no-canon", "--panel", &text(&panel)], 1);
+    assert_eq!(out["ended"], "alarm");
+    assert!(out["diagnostics"].as_array().unwrap().iter().any(|said| said["id"] == "motion.inverter-fault"), "{out}");
+}
+
+#[test]
 fn wrong_usage_exits_2_and_error_diagnostics_exit_1() {
     for line in [
         &["run"][..],

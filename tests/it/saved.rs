@@ -36,6 +36,8 @@ fn saved_project_reads_back_equal() {
         Event { t: 3.0, action: Action::Input("#1033".to_owned(), 70.0) },
         Event { t: 4.0, action: Action::Variable(107, Some(9.5)) },
         Event { t: 5.0, action: Action::Reset },
+        Event { t: 6.0, action: Action::InverterFault(true) },
+        Event { t: 7.0, action: Action::InverterFault(false) },
     ]);
     project.edited = Some(Files::one("O1.nc", "%\nO1\nM30\n%\n"));
     let loaded = Project::from_json(&project.to_json());

@@ -89,6 +89,30 @@ fn help_lists_every_command() {
     assert_eq!(console.line("step").0, Outcome::Wrong);
 }
 
+#[test]
+fn fault_of_the_inverter_ends_only_once_cleared_and_reset() {
+    let project = Project::named("ribbon-line", None, Some("paper")).unwrap();
+    let limits = Budget { blocks: u64::MAX, seconds: 60.0 };
+    let begin = RunOptions { start: None, settings: &[], limits, keep: Retention::Both };
+    let files = project.written().files;
+    let mut console = Console::new(run::of_project(&project, &project.written(), &begin), Renderer::new(&files));
+    (0..40).for_each(|_| drop(console.line("into")));
+    let alarm = "the control stops with an alarm\n";
+    for (line, answer) in [
+        ("fault", alarm),
+        ("reset", alarm),
+        ("start", alarm),
+        ("fault off", alarm),
+        ("reset", "the control waits for the operator: “start” goes on\n"),
+    ] {
+        let (outcome, said) = console.line(line);
+        assert!(outcome == Outcome::Done && said.starts_with(answer), "{line}: {said}");
+    }
+    let (_, said) = console.line("start");
+    assert!(!said.contains("alarm") && !said.contains("waits"), "{said}");
+    assert_eq!(console.line("fault there").0, Outcome::Wrong);
+}
+
 fn reach(debugger: &mut Debugger, points: &mut Breakpoints, goal: Goal) -> Stop {
     debugger.go(goal);
     arrive(debugger, points)

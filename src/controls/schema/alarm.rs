@@ -192,6 +192,8 @@ pub enum Alarm {
     SpindleReversal,
     /// A gear that is not in position in time.
     GearTimeout,
+    /// A fault of the spindle's inverter; its number is the builder's.
+    InverterFault,
 }
 
 /// An alarm as one control shows it.
@@ -313,6 +315,7 @@ impl Alarm {
         Alarm::NegativeWay,
         Alarm::SpindleReversal,
         Alarm::GearTimeout,
+        Alarm::InverterFault,
     ];
 
     /// The wider kind that a control shows where it has no number for this one; `None` for the widest.

@@ -109,7 +109,7 @@ impl LadderPlc {
         let inputs = [
             (MachineContact::Emergency, !(stops.reset && stops.emergency)),
             (MachineContact::ResetKey, stops.reset),
-            (MachineContact::InverterReady, true),
+            (MachineContact::InverterReady, !stops.inverter_fault),
             (MachineContact::AtSpeed, at_speed),
             (MachineContact::ForwardKey, stops.spindle_key == Some(1)),
             (MachineContact::ReverseKey, stops.spindle_key == Some(-1)),
@@ -198,6 +198,10 @@ impl LadderPlc {
                 io.alarm = Some(kind);
             }
         }
+        // It stays as long as the fault does: reset and cycle start lead to it again.
+        if image.is_on(Bit::Output(MachineOutput::InverterAlarm)) && io.stops.program != ProgramState::Alarm {
+            io.alarm = Some(Alarm::InverterFault);
+        }
         let since = self.strobes.since(t, io);
         let answered = signal(SignalRole::Finished).unwrap_or(true) && signal(SignalRole::ReadInDisable) != Some(true);
         io.fin = since.is_some_and(|since| answered && t >= since + ANSWER);
@@ -234,6 +238,10 @@ impl Plc for LadderPlc {
         }
         self.write(t, io, alarms);
         [wish, self.again(t, io)].into_iter().flatten().reduce(f64::min)
+    }
+
+    fn watches_inverter(&self) -> bool {
+        self.ladder.drives(Bit::Output(MachineOutput::InverterAlarm))
     }
 
     fn boxed(&self) -> Box<dyn Plc> {

@@ -12,7 +12,10 @@ pub(super) fn axes(lathe: &PolygonLathe, at: Interruption) -> SpindleReaction {
     match at {
         Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::TurnsInRatio,
         Interruption::EmergencyStop if lathe.p.coasts(lathe.control) => SpindleReaction::Coasts,
-        Interruption::Reset | Interruption::EmergencyStop => SpindleReaction::StopsInRatio,
+        // Work and tool have servo drives, no inverter.
+        Interruption::Reset | Interruption::EmergencyStop | Interruption::InverterFault => {
+            SpindleReaction::StopsInRatio
+        }
     }
 }
 

@@ -46,6 +46,10 @@ impl Plc for RibbonPlc {
         next
     }
 
+    fn watches_inverter(&self) -> bool {
+        self.ladder.watches_inverter()
+    }
+
     fn boxed(&self) -> Box<dyn Plc> {
         Box::new(RibbonPlc { ladder: self.ladder.boxed(), typed: self.typed })
     }

@@ -1,4 +1,4 @@
-//! Hold, alarm, reset and emergency stop of the ribbon line: the unwinder stops with the axes, or it fills the loop.
+//! Hold, alarm, reset, emergency stop and inverter fault of the ribbon line: the unwinder stops with the axes, or it fills the loop.
 
 use super::phase;
 use super::resolved::RibbonLine;
@@ -7,12 +7,15 @@ use crate::msg;
 use crate::text::{Citation, Grade, Message};
 
 const MODEL: Citation = Citation::new("ribbon line facts, 7", Grade::Inferred);
+/// How long an unwinder coasts without the inverter is not known.
+const COASTS: Citation = Citation::new("ribbon line facts, 7", Grade::Open);
 
 /// What the unwinder does.
 pub(super) fn unwinder(at: Interruption) -> SpindleReaction {
     match at {
         Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::Waits,
         Interruption::Reset | Interruption::EmergencyStop => SpindleReaction::Off,
+        Interruption::InverterFault => SpindleReaction::OutputOff,
     }
 }
 
@@ -71,5 +74,17 @@ pub(super) fn reactions(line: &RibbonLine) -> Vec<Reaction> {
                 |axis, variable| msg!("ribbon.stops.clear-by-hand", axis, variable),
             ),
         ),
+        Reaction {
+            cite: COASTS,
+            ..row(
+                Interruption::InverterFault,
+                msg!("ribbon.stops.axes-reset", print.as_str()),
+                msg!("ribbon.stops.laid-at-fault", (d.slack_hold, 0)),
+                anew(
+                    |axis| msg!("ribbon.stops.fault", axis),
+                    |axis, variable| msg!("ribbon.stops.fault-by-hand", axis, variable),
+                ),
+            )
+        },
     ]
 }

@@ -1,4 +1,4 @@
-//! Hold, alarm, reset and emergency stop of the lathe: the spindle turns on while the tool is in the cut, until somebody ends the program.
+//! Hold, alarm, reset, emergency stop and inverter fault of the lathe: the spindle turns on while the tool is in the cut, until somebody ends the program.
 
 use super::resolved::TurningSpindle;
 use crate::machines::stops::{Interruption, Reaction, SpindleReaction};
@@ -6,6 +6,8 @@ use crate::msg;
 use crate::text::{Citation, Grade, Message};
 
 const DESIGN: Citation = Citation::new("turning spindle facts, 7", Grade::Inferred);
+/// How long a spindle coasts without the inverter is not known.
+const COASTS: Citation = Citation::new("turning spindle facts, 7", Grade::Open);
 
 /// What the spindle does.
 pub(super) fn spindle(lathe: &TurningSpindle, at: Interruption) -> SpindleReaction {
@@ -13,6 +15,7 @@ pub(super) fn spindle(lathe: &TurningSpindle, at: Interruption) -> SpindleReacti
         Interruption::Hold | Interruption::BlockStop | Interruption::Alarm => SpindleReaction::Turns,
         Interruption::Reset if lathe.rules().turns_through_reset => SpindleReaction::Turns,
         Interruption::Reset | Interruption::EmergencyStop => SpindleReaction::Off,
+        Interruption::InverterFault => SpindleReaction::OutputOff,
     }
 }
 
@@ -45,5 +48,14 @@ pub(super) fn reactions(lathe: &TurningSpindle) -> Vec<Reaction> {
             msg!("turning.stops.work-slows"),
             msg!("turning.stops.clear"),
         ),
+        Reaction {
+            cite: COASTS,
+            ..row(
+                Interruption::InverterFault,
+                msg!("turning.stops.axes-reset"),
+                msg!("turning.stops.work-slows"),
+                msg!("turning.stops.fault"),
+            )
+        },
     ]
 }

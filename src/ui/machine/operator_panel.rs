@@ -138,6 +138,16 @@ fn Presses() -> impl IntoView {
         },
     );
     let is_single = move || single.get() != 0.0;
+    let has_inverter = Memo::new(move |_| page.project.with(|project| project.prepared().plc().watches_inverter()));
+    let fault = setting(
+        page,
+        || 0.0,
+        |action| match action {
+            Action::InverterFault(on) => Some(f64::from(*on)),
+            _ => None,
+        },
+    );
+    let is_faulty = move || fault.get() != 0.0;
     let start = Memo::new(move |_| page.outlook.cycle_start());
     let acts = move || start.get() == CycleStart::Acts;
     let hindrance = move || match start.get() {
@@ -163,6 +173,13 @@ fn Presses() -> impl IntoView {
                 {t("page.single-block")}
             </button>
             <button type="button" class="lit" on:click=move |_| act(page, Action::Reset)>{t("page.reset")}</button>
+            <button
+                type="button" class="lit fault" class:gone=move || !has_inverter.get() class:on=is_faulty
+                aria-pressed=move || is_faulty().to_string() title=t("page.inverter-fault-about")
+                on:click=move |_| act(page, Action::InverterFault(!is_faulty()))
+            >
+                {t("page.inverter-fault")}
+            </button>
         </div>
     }
 }
@@ -277,6 +294,20 @@ mod tests {
         bench.press_button(t("page.single-block")).await;
         assert!(!bench.has("[aria-pressed=true]"));
         assert_eq!(bench.actions(), [Action::SingleBlock(true), Action::SingleBlock(false)]);
+    }
+
+    #[wasm_bindgen_test]
+    async fn fault_button_is_for_machines_with_an_inverter() {
+        let bench = panel().await;
+        for on in [true, false] {
+            bench.press_button(t("page.inverter-fault")).await;
+            assert_eq!(bench.actions().last(), Some(&Action::InverterFault(on)));
+            assert_eq!(bench.attribute(".fault", "aria-pressed"), on.to_string());
+        }
+        assert!(!bench.has(".fault.gone"));
+        let polygon = crate::project::Project::of("polygon-lathe", None).unwrap();
+        let bench = mount_project(polygon, || view! { <OperatorPanel /> }).await;
+        assert!(bench.has(".fault.gone"));
     }
 
     #[wasm_bindgen_test]

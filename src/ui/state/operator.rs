@@ -76,6 +76,7 @@ pub(crate) fn name(action: &Action, control: &Control) -> String {
         Action::Hold => t("page.hold").to_owned(),
         Action::Reset => t("page.reset").to_owned(),
         Action::EmergencyStop => t("page.estop").to_owned(),
+        Action::InverterFault(state) => on("page.inverter-fault", *state),
         Action::SingleBlock(state) => on("page.single-block", *state),
         Action::OptionalStop(state) => on("page.optional-stop", *state),
         Action::BlockSkip(state) => on("page.block-skip", *state),

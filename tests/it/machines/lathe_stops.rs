@@ -28,11 +28,13 @@ fn turning(now: &Snapshot) -> [f64; 3] {
 }
 
 #[test]
-fn tables_of_both_lathes_name_five_interruptions() {
+fn tables_of_both_lathes_name_every_interruption() {
     for project in projects() {
         let rows = table(&project);
         let names: Vec<_> = rows.iter().map(|cells| cells[0].as_str()).collect();
-        let wanted = ["Feed hold", "Stop between two blocks: M00, single block", "Alarm", "Reset", "Emergency stop"];
+        let mut wanted =
+            vec!["Feed hold", "Stop between two blocks: M00, single block", "Alarm", "Reset", "Emergency stop"];
+        wanted.extend(project.prepared().plc().watches_inverter().then_some("Inverter fault"));
         assert_eq!(names, wanted, "{}", project.control.id);
         assert!(rows.iter().flatten().all(|cell| cell.len() > 3 && !cell.contains(".stops.")), "{rows:?}");
         let export = project.export();
@@ -54,8 +56,9 @@ fn both_lathes_stop_and_turn_on_as_their_tables_say() {
         let at = (1..1000).map(|k| end * f64::from(k) / 1000.0).find(cuts).expect("a cut");
         let name = format!("{} at {at}", project.control.id);
         let rows = table(&project);
-        let actions =
-            [(0, Action::Hold), (1, Action::SingleBlock(true)), (3, Action::Reset), (4, Action::EmergencyStop)];
+        let mut actions =
+            vec![(0, Action::Hold), (1, Action::SingleBlock(true)), (3, Action::Reset), (4, Action::EmergencyStop)];
+        actions.extend((rows.len() > 5).then_some((5, Action::InverterFault(true))));
         for (row, action) in actions {
             let planner = over_time(&project, vec![Event { t: at, action: action.clone() }]);
             let last = planner.timeline().at(planner.timeline().end() + 60.0);

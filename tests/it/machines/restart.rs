@@ -96,56 +96,152 @@ fn hold_and_start_at_any_moment_gives_the_same_product() {
     }
 }
 
+/// A restart as it has to be: the whole product again, or an alarm before anything moves. Tells which.
+#[derive(Debug, PartialEq)]
+enum Restart {
+    Repeated,
+    Alarmed,
+}
+
+/// Judges the run `again`, started anew at `start`, against the whole product.
+#[track_caller]
+fn judged(name: &str, project: &Project, whole: &Outcome, again: &Outcome, start: f64) -> Restart {
+    let end = again.planner.timeline().end();
+    let [from, to] = [start, end].map(|t| place(&again.planner, t));
+    let message = again.planner.timeline().message_at(end).unwrap_or_default();
+    if let Some(stopped @ (RunEnd::Alarm(_) | RunEnd::Stop)) = &again.ended {
+        // A control without alarms of a program shows its message and stops.
+        let said = format!("{stopped:?} {message}");
+        assert!(said.contains("BY HAND"), "{name}: {said}");
+        assert!(from.iter().zip(&to).all(|(a, b)| (a - b).abs() < 1e-6), "{name}: it moved");
+        return Restart::Alarmed;
+    }
+    assert_eq!(again.ended, Some(RunEnd::ProgramEnd), "{name}");
+    if name.starts_with("ribbon") {
+        let [begin, product] = [0.0, whole.planner.timeline().end()].map(|t| place(&whole.planner, t));
+        // A whole product more, from wherever the ribbon is, with a head at the ribbon at its begin and its end.
+        for (at, most) in [(first_pull(&again.planner, start), 2.001e-3), (end, 1e-4)] {
+            let off = heads(project, &again.planner, at);
+            assert!((off - off.round()).abs() < most, "{name}: {off} heads at {at}");
+        }
+        let from = place(&again.planner, first_pull(&again.planner, start) - 1e-9);
+        let left = |k: usize| to[k] - from[k] - (product[k] - begin[k]);
+        assert!((0..product.len()).all(|k| left(k).abs() < 1e-3), "{name}: {from:?} to {to:?}");
+    } else {
+        let since = again.log.iter().filter(|(read, _)| *read >= start).map(|(_, canon)| canon);
+        assert!(since.eq(whole.log.iter().map(|(_, canon)| canon)), "{name}: another program");
+    }
+    Restart::Repeated
+}
+
 #[test]
 fn reset_and_start_repeats_the_product_or_alarms() {
-    let (mut alarms, mut repeats) = (0, 0);
+    let mut seen = Vec::new();
     for (seed, (name, project)) in (100..).zip(projects()) {
         let whole = outcome(&project, &[]);
         let end = whole.planner.ended_at().unwrap();
-        let ribbon = name.starts_with("ribbon");
-        let product = place(&whole.planner, whole.planner.timeline().end());
-        let begin = place(&whole.planner, 0.0);
         for (at, t) in shares(seed).map(|share| end * share).enumerate() {
             let broken = [Action::Reset, Action::EmergencyStop][at % 2].clone();
             let start = t + PAUSE;
             let again = outcome(&project, &[(t, broken), (start - 0.1, Action::Reset), (start, Action::Start)]);
-            let [from, to] = [start, again.planner.timeline().end()].map(|t| place(&again.planner, t));
-            let end = again.planner.timeline().end();
-            let message = again.planner.timeline().message_at(end).unwrap_or_default().to_owned();
-            match &again.ended {
-                Some(stopped @ (RunEnd::Alarm(_) | RunEnd::Stop)) => {
-                    // A control without alarms of a program shows its message and stops.
-                    let said = format!("{stopped:?} {message}");
-                    assert!(said.contains("BY HAND"), "{name} at {t}: {said}");
-                    assert!(from.iter().zip(&to).all(|(a, b)| (a - b).abs() < 1e-6), "{name} at {t}: it moved");
-                    alarms += 1;
-                }
-                ended => {
-                    assert_eq!(*ended, Some(RunEnd::ProgramEnd), "{name} at {t}");
-                    repeats += 1;
-                    if ribbon {
-                        // A whole product more, from wherever the ribbon is, with a head at the ribbon at its begin and its end.
-                        for (at, most) in [(first_pull(&again.planner, start), 2.001e-3), (end, 1e-4)] {
-                            let off = heads(&project, &again.planner, at);
-                            assert!((off - off.round()).abs() < most, "{name} at {t}: {off} heads at {at}");
-                        }
-                        let from = place(&again.planner, first_pull(&again.planner, start) - 1e-9);
-                        let whole = |k: usize| product[k] - begin[k];
-                        assert!(
-                            (0..product.len()).all(|k| (to[k] - from[k] - whole(k)).abs() < 1e-3),
-                            "{name} at {t}: {from:?} to {to:?}"
-                        );
-                        continue;
-                    }
-                    let since: Vec<&String> =
-                        again.log.iter().filter(|(read, _)| *read >= start).map(|(_, canon)| canon).collect();
-                    let commands: Vec<&String> = whole.log.iter().map(|(_, canon)| canon).collect();
-                    assert_eq!(since, commands, "{name} at {t}: another program");
-                }
+            seen.push(judged(&format!("{name} at {t}"), &project, &whole, &again, start));
+        }
+    }
+    let alarms = seen.iter().filter(|end| **end == Restart::Alarmed).count();
+    assert!(alarms > 10 && seen.len() - alarms > 50, "{alarms} alarms of {}", seen.len());
+}
+
+/// Machines with an inverter, each on each of its controls.
+fn with_inverter() -> impl Iterator<Item = (String, Project)> {
+    projects().filter(|(_, project)| project.prepared().plc().watches_inverter())
+}
+
+#[test]
+fn fault_of_the_inverter_stops_spindle_and_axes() {
+    let mut machines = std::collections::BTreeSet::new();
+    for (seed, (name, project)) in (200..).zip(with_inverter()) {
+        machines.insert(project.machine.id());
+        let end = outcome(&project, &[]).planner.ended_at().unwrap();
+        for t in shares(seed).map(|share| end * share) {
+            let name = format!("{name} at {t}");
+            let fault = |on: bool| Action::InverterFault(on);
+            // Neither cycle start nor reset leads on while the fault is there, nor cycle start without reset.
+            let sequences = [
+                vec![(t, fault(true)), (t + 5.0, Action::Start)],
+                vec![(t, fault(true)), (t + 5.0, Action::Reset), (t + 6.0, Action::Start)],
+                vec![(t, fault(true)), (t + 5.0, fault(false)), (t + 6.0, Action::Start)],
+                vec![(t, Action::Hold), (t + 2.0, fault(true)), (t + 3.0, fault(false)), (t + 4.0, Action::Start)],
+            ];
+            // The axes stop where reset stops them.
+            let reset = place(&outcome(&project, &[(t, Action::Reset)]).planner, t + 60.0);
+            for events in sequences {
+                let stopped = outcome(&project, &events);
+                let Some(RunEnd::Alarm(alarm)) = &stopped.ended else { panic!("{name}: {:?}", stopped.ended) };
+                assert_eq!(alarm.message.id, "motion.inverter-fault", "{name}");
+                let last = stopped.planner.timeline().at(stopped.planner.timeline().end());
+                assert!(last.spindle.actual.abs() < 1e-9 && !last.spindle.held, "{name}: {:?}", last.spindle);
+                assert!(last.axes.iter().all(|axis| axis.feed == 0.0), "{name}: {:?}", last.axes);
+                let stands = place(&stopped.planner, t + 60.0);
+                let same = reset.iter().zip(&stands).all(|(a, b)| (a - b).abs() < 1e-6);
+                assert!(same || events[0].1 == Action::Hold, "{name}: {reset:?} {stands:?}");
             }
         }
     }
-    assert!(alarms > 10 && repeats > 50, "{alarms} alarms, {repeats} repeats");
+    assert_eq!(machines.into_iter().collect::<Vec<_>>(), ["ribbon-line", "turning-spindle"]);
+}
+
+#[test]
+fn start_after_a_cleared_fault_repeats_or_alarms() {
+    let mut seen = Vec::new();
+    for (seed, (name, project)) in (300..).zip(with_inverter()) {
+        let whole = outcome(&project, &[]);
+        let end = whole.planner.ended_at().unwrap();
+        let fastest = |run: &Outcome, from: f64| {
+            let ramps = (0..400).map(|k| from + end * f64::from(k) / 400.0);
+            ramps.map(|t| run.planner.timeline().at(t).spindle.actual.abs()).fold(0.0, f64::max)
+        };
+        for t in shares(seed).map(|share| end * share) {
+            let start = t + PAUSE;
+            let events = [
+                (t, Action::InverterFault(true)),
+                (start - 2.0, Action::InverterFault(false)),
+                (start - 0.1, Action::Reset),
+                (start, Action::Start),
+            ];
+            let again = outcome(&project, &events);
+            let name = format!("{name} at {t}");
+            let ended = judged(&name, &project, &whole, &again, start);
+            if ended == Restart::Repeated {
+                // The run command comes back with the M3 of the program, and nothing is cut before it.
+                let [one, other] = [fastest(&whole, 0.0), fastest(&again, start)];
+                assert!(one > 0.0 && (one - other).abs() < 0.05 * one, "{name}: {one} {other}");
+                let still = |d: &&macroline::text::Diagnostic| d.message.id == "motion.feed-without-rotation";
+                assert_eq!(again.planner.diagnostics().iter().find(still), None, "{name}");
+            }
+            seen.push(ended);
+        }
+    }
+    let alarms = seen.iter().filter(|end| **end == Restart::Alarmed).count();
+    assert!(alarms > 10 && seen.len() - alarms > 40, "{alarms} alarms of {}", seen.len());
+}
+
+#[test]
+fn fault_releases_a_spindle_held_at_its_angle() {
+    let project = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
+    let whole = outcome(&project, &[]);
+    let held = |t: &f64| whole.planner.timeline().at(*t).spindle.held;
+    let t = (0..4000).map(|k| f64::from(k) * 0.05).find(held).expect("the spindle is held");
+    let stopped = outcome(&project, &[(t, Action::InverterFault(true))]);
+    let end = stopped.planner.timeline().at(stopped.planner.timeline().end());
+    assert!(matches!(stopped.ended, Some(RunEnd::Alarm(_))) && !end.spindle.held, "{:?}", end.spindle);
+}
+
+#[test]
+fn machine_without_inverter_says_so_and_goes_on() {
+    let project = Project::of("polygon-lathe", None).unwrap();
+    let [whole, run] = [vec![], vec![(5.0, Action::InverterFault(true))]].map(|events| outcome(&project, &events));
+    assert_eq!((&run.ended, &run.log), (&whole.ended, &whole.log));
+    assert!(run.planner.diagnostics().iter().any(|found| found.message.id == "motion.no-inverter"));
 }
 
 /// On a lathe the first motion of a program goes away from the work, across it alone.

@@ -173,7 +173,14 @@ fn table_of_stops_names_spindle_axes_web_and_next_step() {
     for control in controls() {
         let rows = table(&line(control.id, &[]));
         let names: Vec<_> = rows.iter().map(|cells| cells[0].as_str()).collect();
-        let wanted = ["Feed hold", "Stop between two blocks: M00, single block", "Alarm", "Reset", "Emergency stop"];
+        let wanted = [
+            "Feed hold",
+            "Stop between two blocks: M00, single block",
+            "Alarm",
+            "Reset",
+            "Emergency stop",
+            "Inverter fault",
+        ];
         assert_eq!(names, wanted, "{}", control.id);
         assert!(rows.iter().flatten().all(|cell| !cell.is_empty() && !cell.contains("ribbon.")), "{rows:?}");
         // The report has it, too.
@@ -233,7 +240,7 @@ proptest! {
         (speed, ramp, dwell) in (50u32..900, 0.0f64..5.0, 0.0f64..3.0),
         (tau, gain) in (20u32..400, 10u32..80),
         (in_step, fin) in (any::<bool>(), any::<bool>()),
-        (kind, at, pause) in (0usize..4, 0.0f64..1.0, 0.0f64..8.0),
+        (kind, at, pause) in (0usize..5, 0.0f64..1.0, 0.0f64..8.0),
     ) {
         let dwell_is_short = dwell < 0.3 || fin;
         let (speed, tau, gain) = (speed.to_string(), tau.to_string(), gain.to_string());
@@ -251,6 +258,7 @@ proptest! {
         let events = match kind {
             0 | 1 => vec![event(t, Action::Hold), event(t + pause, Action::Start)],
             2 => vec![event(t, Action::EmergencyStop)],
+            3 => vec![event(t, Action::InverterFault(true))],
             _ => vec![event(t, Action::Reset)],
         };
         let planner = over_time(&project, events);

@@ -25,13 +25,14 @@ fn nothing(missing: &[String], what: &str) {
 }
 
 /// What no text can bring about.
-const NOT_FROM_TEXT: [Alarm; 6] = [
+const NOT_FROM_TEXT: [Alarm; 7] = [
     Alarm::Budget,
     Alarm::SoftLimit,
     Alarm::EmergencyStop,
     Alarm::NoPositioning,
     Alarm::SpindleReversal,
     Alarm::GearTimeout,
+    Alarm::InverterFault,
 ];
 
 #[test]
