@@ -8,7 +8,7 @@ use macroline::controls;
 use macroline::drives::parts::{Part, PartGrade, Ratings, Status};
 use macroline::drives::servo::Acceptance;
 use macroline::project::Project;
-use macroline::project::parts::{MAX_PARTS, columns, goes_with, read, shipped, write, write_json};
+use macroline::project::parts::{MAX_BYTES, MAX_PARTS, columns, goes_with, read, shipped, write, write_json};
 use proptest::prelude::*;
 
 const SHIPPED: &str = include_str!("../../src/project/parts/shipped.csv");
@@ -175,6 +175,34 @@ fn table_of_another_country_reads_the_same() {
     for text in [german, &tabs, &said, quoted] {
         assert_eq!(read(text, "own.csv"), (parts.clone(), Vec::new()), "{text}");
     }
+}
+
+#[test]
+fn number_columns_are_those_of_the_kinds() {
+    let numbers = |part: &Part| {
+        let text = write_json([part]);
+        let list: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let entries = list[0].as_object().unwrap().clone();
+        entries.into_iter().filter(|(_, value)| value.is_number()).map(|(column, _)| column)
+    };
+    let used: BTreeSet<String> = shipped().iter().flat_map(numbers).collect();
+    let known = columns::COLUMNS.into_iter().filter(|column| columns::is_number(column)).map(str::to_owned);
+    assert_eq!(used, known.collect());
+}
+
+#[test]
+fn large_hostile_tables_come_to_an_end() {
+    let size = 3 << 20;
+    for cell in ["a,", ",", "\"", "\",", "a\n", "kind,", "[", "{\"a\":", "[{\"a\":1},"] {
+        for head in ["", "kind,maker,model\n", "kind,maker,model,note\nservo,Own,A1,"] {
+            let (parts, found) = read(&format!("{head}{}", cell.repeat(size / cell.len())), "x.csv");
+            assert!(parts.len() <= 1 && found.len() <= 102, "{head}{cell}: {} {}", parts.len(), found.len());
+        }
+    }
+    let list = format!("[{{{}\"kind\":\"servo\"}}]", "\"model\":\"a\",".repeat(100_000));
+    assert!(read(&list, "x.json").0.is_empty());
+    let whole = " ".repeat(MAX_BYTES + 1);
+    assert_eq!(read(&whole, "x.csv").1.iter().map(|finding| finding.id()).collect::<Vec<_>>(), ["parts.too-large"]);
 }
 
 /// A text that a table can hold: one line, no formula, not blank at its ends.

@@ -142,8 +142,13 @@ pub(super) fn overload(ratings: &mut Ratings) -> Option<&mut String> {
 }
 
 /// Whether a column holds numbers.
-pub(super) fn is_number(column: &str) -> bool {
-    KINDS.into_iter().filter_map(ratings).any(|mut of| numbers(&mut of).iter().any(|(name, _)| *name == column))
+pub fn is_number(column: &str) -> bool {
+    // They stand together in the order of writing.
+    COLUMNS
+        .iter()
+        .skip_while(|name| **name != "rated_power_w")
+        .take_while(|name| **name != OVERLOAD)
+        .any(|name| *name == column)
 }
 
 /// The columns of ratings that a kind has.

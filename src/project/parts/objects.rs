@@ -13,6 +13,9 @@ use crate::project::findings::clip;
 use crate::project::json::{self, Entries};
 use crate::text::Diagnostic;
 
+/// Unknown names that are told at most.
+const LISTED: usize = 20;
+
 /// Reads a list of parts.
 pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     let plain = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -44,7 +47,7 @@ pub(in crate::project) fn from_entries<'t>(text: &'t str, list: &[Entries<'t>]) 
         let mut sound = true;
         for entry in &entries.0 {
             let Some(column) = columns::column(&entry.key) else {
-                if unknown.insert(entry.key.as_str()) {
+                if unknown.len() < LISTED && unknown.insert(entry.key.as_str()) {
                     let message = msg!("parts.unknown-column", clip(&entry.key), COLUMNS.join(", "));
                     rows.found.error(message, entry.source);
                 }

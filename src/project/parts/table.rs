@@ -7,6 +7,9 @@ use crate::msg;
 use crate::project::findings::clip;
 use crate::text::Diagnostic;
 
+/// Cells of a row that are looked at.
+const MAX_CELLS: usize = 256;
+
 /// A record with the part of the text that it was read from.
 struct Record<'t> {
     cells: Vec<String>,
@@ -33,8 +36,9 @@ pub(super) fn read(text: &str) -> (Vec<Part>, Vec<Diagnostic>) {
     for record in &records {
         let mut cells = Vec::new();
         let mut beyond = None;
+        let sources = cell_sources(record.source, delimiter);
         for (at, text) in record.cells.iter().enumerate().filter(|(_, text)| !text.is_empty()) {
-            let source = cell_source(record.source, delimiter, at);
+            let source = sources.get(at).copied().unwrap_or(record.source);
             match columns.get(at) {
                 Some(Some(column)) => cells.push(Cell { column, text: text.as_str().to_owned().into(), source }),
                 Some(None) => {}
@@ -84,7 +88,7 @@ fn records(text: &str, delimiter: u8) -> Vec<Record<'_>> {
         let source = text.get(start..reader.position().byte() as usize).unwrap_or_default();
         let source = source.trim_matches(['\r', '\n']);
         if record.iter().any(|cell| !cell.is_empty()) {
-            records.push(Record { cells: record.iter().map(str::to_owned).collect(), source });
+            records.push(Record { cells: record.iter().take(MAX_CELLS).map(str::to_owned).collect(), source });
         }
     }
 }
@@ -92,8 +96,7 @@ fn records(text: &str, delimiter: u8) -> Vec<Record<'_>> {
 /// The column of each cell of the first line; none where it has no name, or an unknown one. `None`: not a head line of parts.
 fn head_line<'t>(head: &Record<'t>, delimiter: u8, rows: &mut Rows<'t>) -> Option<Vec<Option<&'static str>>> {
     let mut columns = Vec::new();
-    for (at, name) in head.cells.iter().enumerate() {
-        let source = cell_source(head.source, delimiter, at);
+    for (name, source) in head.cells.iter().zip(cell_sources(head.source, delimiter)) {
         let column = columns::column(name);
         if column.is_none() && !name.is_empty() {
             rows.found.error(msg!("parts.unknown-column", clip(name), COLUMNS.join(", ")), source);
@@ -124,17 +127,14 @@ fn decimals(columns: &[Option<&'static str>], records: &[Record], delimiter: u8)
     Decimals { comma, mixed: comma && with(',') && with('.') }
 }
 
-/// The part of a record that a cell was read from.
-fn cell_source(record: &str, delimiter: u8, at: usize) -> &str {
+/// The parts of a record that its cells were read from.
+fn cell_sources(record: &str, delimiter: u8) -> Vec<&str> {
     let mut quoted = false;
-    let ends = record.bytes().enumerate().filter(|(_, byte)| {
-        quoted ^= *byte == b'"';
-        *byte == delimiter && !quoted
-    });
-    let ends: Vec<usize> = ends.map(|(place, _)| place).take(at + 1).collect();
-    let start = at.checked_sub(1).and_then(|before| ends.get(before)).map_or(0, |end| end + 1);
-    let end = ends.get(at).copied().unwrap_or(record.len());
-    record.get(start..end).unwrap_or_default().trim()
+    let ends = |c: char| {
+        quoted ^= c == '"';
+        c == char::from(delimiter) && !quoted
+    };
+    record.split(ends).take(MAX_CELLS).map(str::trim).collect()
 }
 
 /// The cells of a part by column, those that are not empty.
