@@ -116,7 +116,7 @@ fn seen(step: f64) -> f64 {
 /// Rollers below the ribbon turn with the clock, those above against it; a motor turns as its gear says.
 fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose: &mut Pose) {
     let p = &line.p;
-    let press = 1.0 / scene::layout::PRESS;
+    let pinch = 1.0 / scene::layout::PINCH;
     let motor = now.spindle.turns;
     let rows = [
         (group::UNWINDER, 360.0 * state.unwinder_turns, state.speeds[0], 360.0 * motor, now.spindle.actual * 6.0),
@@ -135,7 +135,7 @@ fn stations(line: &RibbonLine, now: &Snapshot, frame: Frame, state: &State, pose
         pose.placements.extend([
             turned(Part::Marks.of(first), turn, seen(step)),
             shown(Part::Blur.of(first), 1.0 - seen(step)),
-            turned(Part::PressMarks.of(first), -turn * press, 0.25 + 0.75 * seen(step * press)),
+            turned(Part::PinchMarks.of(first), -turn * pinch, 0.25 + 0.75 * seen(step * pinch)),
             turned(Part::Pulley.of(first), motor, 0.4 + 0.6 * seen(motor_speed * frame.step)),
         ]);
         // The belt runs on the hub of the roller.

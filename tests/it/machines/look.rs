@@ -209,7 +209,7 @@ fn rollers_and_reels_turn_as_the_ribbon_runs() {
     };
     let pi = std::f64::consts::PI;
     let (unwound, pulled) = (2.0 * 20.24360 / 25.0 * pi * 100.0, 2.0 * 251.327412);
-    // Marks of unwinder and pull rollers, their press rollers, the motor of the unwinder.
+    // Marks of unwinder and pull rollers, their pinch rollers, the motor of the unwinder.
     same(13, 2.0 * 20.24360 / 25.0);
     same(23, pulled / (pi * 100.0));
     same(16, -2.0 * 20.24360 / 25.0 / 0.6);

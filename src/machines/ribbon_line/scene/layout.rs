@@ -19,8 +19,8 @@ pub(crate) const CORE: f64 = 34.0;
 pub(crate) const TAKE_UP: f64 = 66.0;
 /// Greatest take-up reel for the plain size, mm.
 const TAKE_UP_FULL: f64 = 84.0;
-/// Radius of a press roller over that of its driven roller.
-pub(crate) const PRESS: f64 = 0.6;
+/// Radius of a pinch roller over that of its driven roller.
+pub(crate) const PINCH: f64 = 0.6;
 /// Radius of the lens as it is drawn before its scale.
 pub(crate) const LENS: f64 = 80.0;
 
@@ -34,7 +34,7 @@ pub(crate) const LETTER_WIDTH: f64 = 0.6;
 /// Widest value below a name, in letters.
 const VALUE: usize = 16;
 
-/// A driven roller with its press roller, motor and cabinet.
+/// A driven roller with its pinch roller, motor and cabinet.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Station {
     /// The nip.
@@ -177,7 +177,7 @@ impl Layout {
         let take_up = Reel { x: x + 25.0 * s, y: 192.0 * s, r: TAKE_UP * s, range: (TAKE_UP * s, TAKE_UP_FULL * s) };
 
         // Names above the machine; those of the reels are beside them.
-        let top = |station: &Station| -2.0 * PRESS * station.r - 42.0 * station.scale;
+        let top = |station: &Station| -2.0 * PINCH * station.r - 42.0 * station.scale;
         let plates = top(&unwinder).min(top(&pull)).min(-2.0 * print.r - 16.0 * print.scale);
         let reel_name = -6.0 * s - 44.0 * unit - 2.0 * line;
         let base = (plates - 14.0 * unit).min(reel_name - 8.0 * unit) - 2.0 * line;

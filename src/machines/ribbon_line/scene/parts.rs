@@ -37,7 +37,7 @@ pub(crate) mod group {
     /// Layers that give the heads of the print roller their width, the rearmost first.
     pub(crate) const LAYERS: u16 = 10;
 
-    /// Groups of a station with a driven roller, a press roller, a motor and a cabinet, from the first group of the station on.
+    /// Groups of a station with a driven roller, a pinch roller, a motor and a cabinet, from the first group of the station on.
     #[derive(Debug, Clone, Copy)]
     pub(crate) enum Station {
         /// Plate behind the rollers.
@@ -50,10 +50,10 @@ pub(crate) mod group {
         Marks,
         /// The ring that replaces the holes at high speed.
         Blur,
-        /// Press roller at rest.
-        Press,
+        /// Pinch roller at rest.
+        Pinch,
         /// Its marks, which turn.
-        PressMarks,
+        PinchMarks,
         /// Motor at rest.
         Motor,
         /// Its pulley, which turns.

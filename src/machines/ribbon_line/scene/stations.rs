@@ -1,6 +1,6 @@
-//! Unwinder and pull rollers: plate, cabinet, driven roller with press roller, motor with belt, amplifier.
+//! Unwinder and pull rollers: plate, cabinet, driven roller with pinch roller, motor with belt, amplifier.
 
-use super::layout::{Layout, PRESS, ROLLER, Station};
+use super::layout::{Layout, PINCH, ROLLER, Station};
 use super::parts::group::Station as Part;
 use super::parts::node;
 use crate::text::number::filled;
@@ -52,7 +52,7 @@ pub(crate) fn behind(drawing: &mut Drawing, layout: &Layout, station: &Station, 
     drawing.place(Part::Plate.of(first), SceneGroup { at: (x, 0.0), scale, ..SceneGroup::default() });
     drawing.place(Part::Cabinet.of(first), SceneGroup { at: (x, top), scale, ..SceneGroup::default() });
     drawing.within(Part::Plate.of(first), |drawing| {
-        plate(drawing, -14.0, 80.0, -2.0 * PRESS * r / scale - 42.0, top / scale + 32.0);
+        plate(drawing, -14.0, 80.0, -2.0 * PINCH * r / scale - 42.0, top / scale + 32.0);
     });
     let h = (layout.floor - top) / scale;
     drawing.within(Part::Cabinet.of(first), |drawing| {
@@ -72,7 +72,7 @@ pub(crate) fn before(drawing: &mut Drawing, layout: &Layout, station: &Station, 
     drawing.showing(fields[0], |drawing| motor(drawing, station, first, drive));
     drawing.showing(fields[1], |drawing| amplifier(drawing, first, drive));
     drawing.showing(fields[2], |drawing| driven(drawing, station, first));
-    press(drawing, layout, station, first);
+    pinch(drawing, layout, station, first);
 }
 
 /// Centre of the motor in front of its cabinet.
@@ -179,11 +179,11 @@ fn driven(drawing: &mut Drawing, station: &Station, first: u16) {
     });
 }
 
-/// Press roller with its cylinder, and the arrows of the nip.
-fn press(drawing: &mut Drawing, layout: &Layout, station: &Station, first: u16) {
+/// Pinch roller with its cylinder, and the arrows of the nip.
+fn pinch(drawing: &mut Drawing, layout: &Layout, station: &Station, first: u16) {
     let Station { x, r, scale, .. } = *station;
-    let small = PRESS * r;
-    let (frame, marks) = (Part::Press.of(first), Part::PressMarks.of(first));
+    let small = PINCH * r;
+    let (frame, marks) = (Part::Pinch.of(first), Part::PinchMarks.of(first));
     drawing.place(frame, SceneGroup { at: (x, -small), scale: small / 30.0, ..SceneGroup::default() });
     drawing.place(marks, SceneGroup { parent: frame, ..SceneGroup::default() });
     drawing.path(barrel((x, -small), small, layout.depth), Look::fill(Paint::SteelBody));
