@@ -134,7 +134,8 @@ fn open(control: &Control, switches: &Switches) -> Vec<Open> {
                 (control.limits.cite, "form.open.ranges"),
                 (control.timing.cite, "form.open.block-times"),
             ]
-            .iter()
+            .into_iter()
+            .chain(control.zero_return.map(|cite| (cite, "form.open.zero-return")))
             .filter(|(cite, _)| doubtful(cite))
             .map(|(cite, what)| format!("{} ({})", words(Language::English, what), cite.source))
             .collect(),

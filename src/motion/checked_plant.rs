@@ -34,6 +34,8 @@ pub(super) struct CheckedPlant {
     pub(super) reversal: Option<(&'static str, &'static str)>,
     pub(super) gear_timeout: Option<(&'static str, &'static str)>,
     pub(super) inverter_fault: Option<(&'static str, &'static str)>,
+    /// The control has program zero return.
+    pub(super) zero_return: bool,
     vars: &'static [VarRange],
     /// Bit `k`: the machine has axis `k`.
     pub(super) fitted: u8,
@@ -104,6 +106,7 @@ impl CheckedPlant {
             reversal: control.alarm_shown(Alarm::SpindleReversal),
             gear_timeout: control.alarm_shown(Alarm::GearTimeout),
             inverter_fault: control.alarm_shown(Alarm::InverterFault),
+            zero_return: control.zero_return.is_some(),
             vars: control.vars,
             fitted,
             log,

@@ -49,6 +49,21 @@ impl Exec {
     pub(super) fn runs(&self) -> bool {
         use Exec::{Alarm, Emergency, Finished, OutOfBlocks, Ready, Stopped};
         !matches!(self, Stopped | Ready | Finished | Alarm(_) | Emergency(_) | OutOfBlocks)
+            && self.returning().is_none()
+    }
+
+    /// A return to the program's reference point is under way: whether the program had ended before it.
+    #[inline(always)]
+    pub(super) fn returning(&self) -> Option<bool> {
+        match self {
+            Exec::Moving(Move { pace: Pace::Return { ended }, .. }) => Some(*ended),
+            _ => None,
+        }
+    }
+
+    /// The state behind such a return.
+    pub(super) fn behind_return(ended: bool) -> Exec {
+        if ended { Exec::Finished } else { Exec::Ready }
     }
 
     /// Whether a thread is being cut, which no hold interrupts.
@@ -71,6 +86,8 @@ impl Exec {
 
     pub(super) fn mode(&self, holding: bool) -> Mode {
         match self {
+            Exec::Moving(Move { pace: Pace::Return { ended: true }, .. }) => Mode::Ended,
+            Exec::Moving(Move { pace: Pace::Return { ended: false }, .. }) => Mode::Stopped,
             Exec::Stopped | Exec::Ready => Mode::Stopped,
             Exec::Finished | Exec::OutOfBlocks => Mode::Ended,
             Exec::Alarm(_) => Mode::Alarm,

@@ -201,6 +201,10 @@ impl<P: RunningProgram> Sim<'_, P> {
     /// The unfiltered path has come to the end of a block.
     fn arrive(&mut self, t: f64, end: [f64; AXES], exact: bool, pace: Pace) {
         self.s.path.position = end;
+        if let Pace::Return { ended } = pace {
+            self.return_on(t, ended);
+            return;
+        }
         self.s.exec = Exec::Idle;
         self.s.path.flow_end = (!exact).then_some(t);
         if let Pace::Thread(_) = pace {

@@ -38,9 +38,13 @@ impl<P: RunningProgram> Sim<'_, P> {
         self.begin(t, motion);
     }
 
-    /// Whether a movement ends deeper in the work than it began while neither the spindle nor an axis of the PLC turns.
+    /// Whether a movement ends deeper in the work than it began while neither the spindle nor an axis of the PLC turns, and no angle of the
+    /// spindle says that a driven tool cuts.
     fn feeds_without_rotation(&self, motion: &Move) -> bool {
-        let turns = self.s.spindle.direction != 0 || self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
+        let turning = &self.s.spindle;
+        let turns = turning.direction != 0
+            || turning.orienting.is_some()
+            || self.s.plc.io.pmc_speed.iter().any(|rpm| *rpm != 0.0);
         let along = |letter: Address| {
             let axis = self.plant.axes.iter().position(|axis| axis.letter == Some(letter));
             axis.map_or((0.0, 0.0), |k| (motion.start[k], motion.end[k]))
@@ -116,7 +120,7 @@ impl<P: RunningProgram> Sim<'_, P> {
     }
 
     /// Starts a segment of the path at `t`.
-    fn put_segment(&mut self, t: f64) {
+    pub(super) fn put_segment(&mut self, t: f64) {
         let (asked, again) = self.asked_speed(t);
         let Exec::Moving(motion) = &mut self.s.exec else { return };
         motion.set_speed(t, asked.min(motion.limit));
@@ -163,7 +167,9 @@ impl<P: RunningProgram> Sim<'_, P> {
         }
         let cutting = if self.s.suppressed.feed_override { 1.0 } else { percent(self.s.operator.knobs.feed) / 100.0 };
         match motion.pace {
-            Pace::Rapid => (motion.limit * (percent(self.s.operator.knobs.rapid) / 100.0).min(1.0), f64::INFINITY),
+            Pace::Rapid | Pace::Return { .. } => {
+                (motion.limit * (percent(self.s.operator.knobs.rapid) / 100.0).min(1.0), f64::INFINITY)
+            }
             Pace::Feed(Feed::PerMinute(feed)) => (feed.max(0.0) * cutting / 60.0, f64::INFINITY),
             Pace::Feed(Feed::PerRevolution(feed)) => self.in_step(t, feed.max(0.0) * cutting),
             Pace::Thread(lead) => self.in_step(t, lead.max(0.0)),

@@ -26,7 +26,8 @@
 //! * **End.** When the program ends or stops, at an alarm, hold, reset or emergency stop, the timeline goes on until axes and spindle have
 //!   settled; where the spindle goes on turning, at its speed.
 //! * **Operator.** Feed hold lets dwell and codes run to their end. Reset breaks off: the axes stop over their time constants. Cycle
-//!   start at the very moment of a stop answers that stop; other actions come before what the machine does at the same moment.
+//!   start at the very moment of a stop answers that stop; other actions come before what the machine does at the same moment. Program zero
+//!   return moves the axes while no program runs; feed hold ends it, and it begins anew.
 
 // What goes in and out.
 pub mod panel;
@@ -66,6 +67,7 @@ mod spindle_speed;
 mod standstill;
 mod strobe;
 mod surface_speed;
+mod zero_return;
 
 // Runs.
 pub mod fork;

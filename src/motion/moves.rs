@@ -11,10 +11,20 @@ use crate::math;
 pub(super) enum Pace {
     /// Rapid traverse.
     Rapid,
+    /// Rapid traverse by hand to the program's reference point; whether the program had ended before.
+    Return { ended: bool },
     /// A programmed feed.
     Feed(Feed),
     /// A thread, by its lead in mm per spindle revolution: neither override nor hold acts on it.
     Thread(f64),
+}
+
+impl Pace {
+    /// Whether it runs at the rates of rapid traverse.
+    #[inline(always)]
+    pub(super) fn is_rapid(self) -> bool {
+        matches!(self, Pace::Rapid | Pace::Return { .. })
+    }
 }
 
 /// An arc in a plane: all lengths in mm, angles in radians, counter-clockwise positive.
@@ -126,7 +136,7 @@ impl Move {
                 continue;
             }
             let share = way / self.length;
-            let rate = if self.pace == Pace::Rapid { axis.rapid } else { axis.clamp };
+            let rate = if self.pace.is_rapid() { axis.rapid } else { axis.clamp };
             let limit = rate / 60.0 / share;
             if share > 0.0 && limit < self.limit {
                 (self.limit, self.limiting) = (limit, k);

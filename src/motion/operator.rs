@@ -33,6 +33,10 @@ impl<P: RunningProgram> Sim<'_, P> {
             }
             Action::Start => self.start(t),
             Action::Hold => {
+                if let Some(ended) = self.s.exec.returning() {
+                    self.break_off(t);
+                    self.s.exec = Exec::behind_return(ended);
+                }
                 self.s.operator.held |= self.s.exec.runs();
                 self.s.path.flow_end = None;
                 self.pace(t);
@@ -55,6 +59,7 @@ impl<P: RunningProgram> Sim<'_, P> {
                     self.out.report(Diagnostic::warning(msg!("motion.no-inverter")));
                 }
             }
+            Action::ProgramZeroReturn => self.return_to_zero(t),
             Action::SingleBlock(on) => self.s.operator.knobs.single_block = *on,
             Action::OptionalStop(on) => self.s.operator.knobs.optional_stop = *on,
             Action::BlockSkip(on) => self.s.operator.knobs.block_skip = *on,

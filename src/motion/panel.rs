@@ -21,6 +21,8 @@ pub enum Action {
     EmergencyStop,
     /// The fault relay of the spindle's inverter: on at a fault, off once it is cleared at the inverter.
     InverterFault(bool),
+    /// Program zero return: the axes go to the program's reference point, on controls that have that mode.
+    ProgramZeroReturn,
     /// Single block on or off.
     SingleBlock(bool),
     /// Optional stop on or off.

@@ -175,6 +175,7 @@ pub struct Plant {
     pub preread: u8,
     /// In-position width for exact stop in mm.
     pub in_position: f64,
-    /// Radius in mm of the round work behind Z0, into which no cut may feed while the spindle is at rest; 0 where it is unknown.
+    /// Radius in mm of the round work behind Z0, into which no cut may feed while the spindle is at rest, and no return to the program's
+    /// reference point may go; 0 where it is unknown.
     pub stock: f64,
 }

@@ -62,7 +62,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         match &self.s.exec {
             Exec::Stopped => ProgramState::Stopped,
             Exec::Alarm(_) | Exec::Emergency(_) => ProgramState::Alarm,
-            Exec::Ready | Exec::Finished | Exec::OutOfBlocks => ProgramState::Idle,
+            exec if !exec.runs() => ProgramState::Idle,
             _ if self.holding() => ProgramState::Held,
             _ => ProgramState::Running,
         }

@@ -155,7 +155,7 @@ impl<P: RunningProgram> Sim<'_, P> {
         let Some(surface) = &mut self.s.spindle.surface else { return };
         let settles = t + self.plant.axes.get(surface.axis).map_or(0.0, |axis| axis.time_constant);
         surface.until = match &self.s.exec {
-            Exec::Moving(motion) if motion.pace == Pace::Rapid => f64::NEG_INFINITY,
+            Exec::Moving(motion) if motion.pace.is_rapid() => f64::NEG_INFINITY,
             Exec::Moving(motion) if motion.moves(surface.axis) && motion.speed > 0.0 => f64::INFINITY,
             _ => surface.until.min(settles),
         };

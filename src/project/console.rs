@@ -38,6 +38,7 @@ set VAR=VALUE       sets a variable or an input, as the operator does
 start               cycle start, after a stop
 reset               reset, after an alarm or a stop
 fault, fault off    the inverter of the spindle reports a fault, or no longer
+zero                program zero return: the axes go to the program's reference point, on controls that have it
 quit, q             ends
 ";
 
@@ -163,6 +164,7 @@ impl<'f> Console<'f> {
                 "off" => Ok(self.press(Action::InverterFault(false))),
                 _ => Err("“fault” takes nothing or “off”.\n".to_owned()),
             },
+            "zero" => Ok(self.press(Action::ProgramZeroReturn)),
             "help" | "h" | "?" => Ok(HELP.to_owned()),
             "quit" | "q" => return (Outcome::Quit, String::new()),
             "" => Ok(String::new()),

@@ -240,6 +240,18 @@ fn run_tells_the_reference_point_of_g50_s_by_its_switch() {
 }
 
 #[test]
+fn program_zero_in_a_panel_file_returns_to_the_point() {
+    let folder = folder("program-zero");
+    let (path, panel) = (folder.join("O1.nc"), folder.join("panel.json"));
+    std::fs::write(&path, "O1\nG00 X50. Z20.\nG50 S800\nG00 X80.\nM30\n%\n").unwrap();
+    for (pressed, x) in [(true, 50.0), (false, 80.0)] {
+        std::fs::write(&panel, format!(r#"[ {{ "t": 9.0, "program_zero": {pressed} }} ]"#)).unwrap();
+        let out = run(&[&text(&path), "--control", "gsk-980tdc", "--panel", &text(&panel)], 0);
+        assert_eq!((&out["ended"], &out["axes"]["X"]), (&json!("program-end"), &json!(x)));
+    }
+}
+
+#[test]
 fn diagnostics_without_place_have_the_same_json_keys() {
     let folder = folder("keys");
     let path = folder.join("keys.nc");

@@ -18,6 +18,7 @@ mod sheets;
 mod spindle;
 mod standstill;
 mod turning;
+mod zero_return;
 
 use macroline::controls::{self, Address, Control, Dialect, Switches};
 use macroline::drives::Analog;

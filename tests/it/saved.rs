@@ -38,6 +38,7 @@ fn saved_project_reads_back_equal() {
         Event { t: 5.0, action: Action::Reset },
         Event { t: 6.0, action: Action::InverterFault(true) },
         Event { t: 7.0, action: Action::InverterFault(false) },
+        Event { t: 8.0, action: Action::ProgramZeroReturn },
     ]);
     project.edited = Some(Files::one("O1.nc", "%\nO1\nM30\n%\n"));
     let loaded = Project::from_json(&project.to_json());

@@ -113,6 +113,19 @@ fn fault_of_the_inverter_ends_only_once_cleared_and_reset() {
     assert_eq!(console.line("fault there").0, Outcome::Wrong);
 }
 
+#[test]
+fn zero_returns_to_the_reference_point_at_the_end() {
+    let files = Files::one("a.nc", "O0001\nG00 X60. Z40.\nG50 S2000\nG00 X20. Z5.\nM30\n%\n");
+    let begin = RunOptions { start: None, settings: &[], limits: LIMITS, keep: Retention::Both };
+    let parsed = Rc::new(nc::parse(&files, find("gsk-980tdc").unwrap()));
+    let mut console = Console::new(run::of_programs(parsed, None, Panel::default(), &begin), Renderer::new(&files));
+    for (lines, x) in [(["continue", "zero"], "60"), (["start", "continue"], "20"), (["where", "zero"], "60")] {
+        let [_, (_, said)] = lines.map(|line| console.line(line));
+        assert!(said.starts_with("the program is over\n"), "{lines:?}: {said}");
+        assert_eq!(console.line("print #5041").1, format!("#5041 = {x}\n"), "{lines:?}");
+    }
+}
+
 fn reach(debugger: &mut Debugger, points: &mut Breakpoints, goal: Goal) -> Stop {
     debugger.go(goal);
     arrive(debugger, points)

@@ -40,6 +40,7 @@ pub static CONTROL: Control = Control {
     plc: PlcLanguage::Pmc,
     switches: rows::SWITCHES,
     spindle: SpindleRules { signed_output: true, cite: MEMORY, ..fanuc::SPINDLE },
+    zero_return: None,
     bench: Bench {
         axes: &[
             fanuc::bench_axis(Address::X, 240_000.0, 240_000.0),

@@ -22,7 +22,7 @@ use super::{AxisDef, Control, DriveSystem, Limits, Macros, SpindleRules, Syntax,
 use crate::controls::Address;
 use crate::drives::speed::Steps;
 use crate::text::{Citation, Grade};
-use sources::{AXES, MACRO, PARAMETERS};
+use sources::{AXES, MACRO, PARAMETERS, RETURN};
 
 /// The control.
 pub static CONTROL: Control = Control {
@@ -109,6 +109,7 @@ pub static CONTROL: Control = Control {
         cite: Citation::new("GSK980TDc manual, 2.2.2 and 2.2.3; override by 988TA", Grade::Sister),
         ..fanuc::SPINDLE
     },
+    zero_return: Some(RETURN),
     bench: Bench {
         axes: &[
             fanuc::bench_axis(Address::X, 7600.0, 8000.0),

@@ -14,3 +14,6 @@ pub(super) const AXES: Citation = Citation::new("GSK980TDi manual, 3.27 and 3.28
 pub(super) const SPINDLE: Citation = Citation::new("GSK980TDc manual, 2.2.2 and 2.2.3", Grade::Manual);
 /// Parameter file.
 pub(super) const PARAMETERS: Citation = Citation::new("GSK980TDi parameter list", Grade::Sister);
+/// The mode "program zero return"; how it moves is not in print here.
+pub(super) const RETURN: Citation =
+    Citation::new("GSK928TD manual, notes: return to the program reference point; how it moves: memory", Grade::Open);

@@ -14,7 +14,7 @@ use super::schema::table::joined;
 use super::syntax::Function;
 use super::{AxisDef, Control, DriveSystem, Macros, SpindleRules, Syntax};
 use crate::controls::Address;
-use sources::PAPER;
+use sources::{PAPER, RETURN};
 
 /// The control.
 pub static CONTROL: Control = Control {
@@ -51,6 +51,7 @@ pub static CONTROL: Control = Control {
     plc: PlcLanguage::Pmc,
     switches: rows::SWITCHES,
     spindle: SpindleRules { signed_output: true, ..fanuc::SPINDLE },
+    zero_return: Some(RETURN),
     bench: fanuc::BENCH,
     drives: joined![DriveSystem: &PULSE, ANALOG_SPINDLE],
 };

@@ -4,3 +4,6 @@ use crate::text::{Citation, Grade};
 
 /// The published paper about the polygon lathe, on this very control.
 pub(super) const PAPER: Citation = Citation::new("polygon turning paper, K2000T", Grade::Manual);
+/// The mode "program zero return"; how it moves is not in print here.
+pub(super) const RETURN: Citation =
+    Citation::new("EMQX Neuron, KND driver: mode 10 is program zero return; how it moves: memory", Grade::Open);

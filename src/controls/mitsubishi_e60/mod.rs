@@ -109,6 +109,7 @@ pub static CONTROL: Control = Control {
         ),
         ..fanuc::SPINDLE
     },
+    zero_return: None,
     bench: Bench {
         axes: &[
             fanuc::bench_axis(Address::X, 240_000.0, 240_000.0),

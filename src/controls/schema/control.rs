@@ -44,6 +44,8 @@ pub struct Control {
     pub switches: &'static [Switch],
     /// What S, M3, constant surface speed and limits do.
     pub spindle: SpindleRules,
+    /// Program zero return: source of a mode in which the operator sends the axes back to the program's reference point; `None` without it.
+    pub zero_return: Option<Citation>,
     /// The plant that a bare program runs on.
     pub bench: Bench,
     /// Drive systems that its axes and its analog spindle can have.

@@ -35,6 +35,7 @@ pub static CONTROL: Control = Control {
     interface: sinumerik::SIGNALS,
     plc: PlcLanguage::Step7,
     switches: rows::SWITCHES,
+    zero_return: None,
     bench: sinumerik::BENCH,
     drives: joined![DriveSystem: sinumerik::DRIVES, &FIELD_BUS],
 };

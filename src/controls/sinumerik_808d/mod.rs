@@ -32,6 +32,7 @@ pub static CONTROL: Control = Control {
     interface: sinumerik::SIGNALS,
     plc: PlcLanguage::Step7,
     switches: rows::SWITCHES,
+    zero_return: None,
     bench: sinumerik::BENCH,
     drives: sinumerik::DRIVES,
 };

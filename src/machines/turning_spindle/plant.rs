@@ -32,7 +32,7 @@ pub(super) fn plant(lathe: &TurningSpindle) -> Plant {
         macro_time: p.macro_time / 1000.0,
         preread: p.preread as u8,
         in_position: 0.02,
-        stock: 0.0,
+        stock: 0.5 * p.stock_diameter,
     }
 }
 

@@ -184,7 +184,7 @@ fn Presses() -> impl IntoView {
     }
 }
 
-/// The effect of the last action, and the way to forget all of them.
+/// Program zero return on controls that have it, the effect of the last action, and the way to forget all of them.
 #[component]
 fn Told() -> impl IntoView {
     let page = Page::here();
@@ -194,10 +194,17 @@ fn Told() -> impl IntoView {
     };
     let count = move || page.project.with(|project| project.panel.events().len());
     let clear = move |_| page.edit("", |project| project.panel = Panel::default());
+    let has_zero_return = Memo::new(move |_| page.project.with(|project| project.control.zero_return.is_some()));
     view! {
         <p class="changed">
+            <button
+                type="button" class="link zero" class:gone=move || !has_zero_return.get() title=t("page.zero-return-about")
+                on:click=move |_| act(page, Action::ProgramZeroReturn)
+            >
+                {t("page.zero-return")}
+            </button>
             <span id="changed" role="status">{told}</span>
-            <button type="button" class="link" class:gone=move || count() == 0 on:click=clear>
+            <button type="button" class="link clear" class:gone=move || count() == 0 on:click=clear>
                 {t("page.clear-hand")} {move || format!(" ({})", count())}
             </button>
         </p>
@@ -311,15 +318,33 @@ mod tests {
     }
 
     #[wasm_bindgen_test]
+    async fn zero_return_tells_places_on_controls_that_have_it() {
+        for (control, has_it) in [("mitsubishi-e60", false), ("gsk-980tdc", true)] {
+            let project = crate::project::Project::of("turning-spindle", Some(control)).unwrap();
+            let bench = mount_project(project, || view! { <OperatorPanel /> }).await;
+            assert_eq!(bench.has(".zero:not(.gone)"), has_it, "{control}");
+            if has_it {
+                bench.run().await;
+                bench.seek(9.0).await;
+                bench.press_button(t("page.reset")).await;
+                bench.press_button(t("page.zero-return")).await;
+                assert_eq!(bench.actions(), [Action::Reset, Action::ProgramZeroReturn]);
+                let told = bench.text("#changed");
+                assert!(told.contains(" · X ") && told.contains(" → 150, Z ") && told.ends_with(" → 100"), "{told}");
+            }
+        }
+    }
+
+    #[wasm_bindgen_test]
     async fn effect_is_told_and_all_actions_can_be_forgotten() {
         let bench = panel().await;
         assert_eq!(bench.text("#changed"), t("page.hand-hint"));
-        assert!(bench.has(".changed .link.gone"));
+        assert!(bench.has(".changed .clear.gone"));
         bench.seek(3.0).await;
         bench.type_into("#spindle-knob", "50").await;
         let told = bench.text("#changed");
         assert!(told.starts_with("00:03.0000 s: ") && told.contains(" 50 %"), "{told}");
-        bench.press(".changed .link").await;
-        assert!(bench.actions().is_empty() && bench.has(".changed .link.gone"));
+        bench.press(".changed .clear").await;
+        assert!(bench.actions().is_empty() && bench.has(".changed .clear.gone"));
     }
 }

@@ -20,13 +20,14 @@ pub(crate) fn act(page: Page, action: Action) {
     let player = page.player;
     let later = player.head() + EFFECT;
     player.plan_to(later);
-    let without = watched(page, later);
+    let places = action == Action::ProgramZeroReturn;
+    let without = watched(page, later, places);
     let event = player.act(action);
     page.note(event.clone());
     dom::soon(move || {
         player.plan_to(later);
         let mut changes: Vec<String> = Vec::new();
-        for ((name, old), (_, new)) in without.into_iter().zip(watched(page, later)) {
+        for ((name, old), (_, new)) in without.into_iter().zip(watched(page, later, places)) {
             if old != new {
                 changes.push(format!("{name} {old} → {new}"));
             }
@@ -44,8 +45,8 @@ pub(crate) fn standing<T: Copy>(events: &[Event], at: f64, first: T, of: impl Fn
     events.iter().rev().filter(|event| event.t <= at).find_map(|event| of(&event.action)).unwrap_or(first)
 }
 
-/// Names and values that an action may change, at a time: variables, feeds, spindle.
-fn watched(page: Page, t: f64) -> Vec<(String, String)> {
+/// Names and values that an action may change, at a time: variables, feeds, spindle, and where asked for the places of the axes.
+fn watched(page: Page, t: f64, places: bool) -> Vec<(String, String)> {
     let (rows, control) =
         (page.results.variables.get_untracked(), page.project.with_untracked(|project| project.control));
     let mut out = Vec::with_capacity(rows.len() + 4);
@@ -56,6 +57,10 @@ fn watched(page: Page, t: f64) -> Vec<(String, String)> {
         let now = planner.timeline().at(t);
         for (axis, state) in control.axes.iter().zip(&now.axes) {
             out.push((format!("{} mm/min", axis.letter), short(state.feed, 0)));
+        }
+        let words = planner.timeline().words_at(t);
+        for (axis, word) in control.axes.iter().zip(words).filter(|_| places) {
+            out.push((axis.letter.to_string(), short(word, 3)));
         }
         out.push((self::t("page.spindle-actual").to_owned(), short(now.spindle.command, 0)));
         out.push((self::t("page.volts").to_owned(), short(now.spindle.volts, 3)));
@@ -77,6 +82,7 @@ pub(crate) fn name(action: &Action, control: &Control) -> String {
         Action::Reset => t("page.reset").to_owned(),
         Action::EmergencyStop => t("page.estop").to_owned(),
         Action::InverterFault(state) => on("page.inverter-fault", *state),
+        Action::ProgramZeroReturn => t("page.zero-return").to_owned(),
         Action::SingleBlock(state) => on("page.single-block", *state),
         Action::OptionalStop(state) => on("page.optional-stop", *state),
         Action::BlockSkip(state) => on("page.block-skip", *state),

@@ -539,3 +539,21 @@ fn part_beyond_the_travels_is_an_error() {
     // Unknown, or far enough: from the start at 150 mm to a diameter of 20 mm, 100 mm and the length along the part.
     expect![[""]].assert_eq(&findings("gsk-980tdc", &[("path", "turning"), ("travel-x", "65"), ("travel-z", "160")]));
 }
+
+#[test]
+fn feed_into_work_at_standstill_is_told() {
+    let told = |project: &Project| {
+        let planner = over_time(project);
+        planner.diagnostics().iter().any(|found| found.message.id == "motion.feed-without-rotation")
+    };
+    for (spindle, wanted) in [("M03 S300", false), ("M05", true)] {
+        let mut project = project("gsk-980tdc", &[("stock-diameter", "80")]);
+        let mut files = project.written().files;
+        files.0[0].text = format!("O9201\nG98 {spindle}\nG00 X70. Z2.\nG01 Z-10. F200\nG00 X90.\nM30\n%\n");
+        project.edited = Some(files);
+        assert_eq!(told(&project), wanted, "{spindle}");
+    }
+    // A driven tool cuts the keyway while the spindle holds its angle.
+    let keyway = Project::named("turning-spindle", Some("sinumerik-802d"), Some("keyway")).unwrap();
+    assert!(PATHS.iter().all(|path| !told(&project("gsk-980tdc", &[("path", path)]))) && !told(&keyway));
+}

@@ -75,3 +75,26 @@ fn tool_beyond_the_clear_diameter_starts_the_same_part() {
     let whole: Vec<String> = outcome(&project, &[]).log.into_iter().map(|(_, canon)| canon).collect();
     assert_eq!(again, whole);
 }
+
+#[test]
+fn program_zero_return_after_reset_lets_the_program_repeat() {
+    for path in ["facing", "turning", "taper"] {
+        let project = project("gsk-980tdc", &[("path", path), ("depth", "5")]);
+        let Outcome { planner: whole, log, .. } = outcome(&project, &[]);
+        let commands: Vec<String> = log.into_iter().map(|(_, canon)| canon).collect();
+        let point = whole.reference_point().expect("G50 S sets it");
+        let end = whole.ended_at().unwrap();
+        // From the first quarter on G50 S is done.
+        for at in 5..20 {
+            let (name, t) = (format!("{path} at {at}/20"), end * f64::from(at) / 20.0);
+            let start = t + 10.0;
+            let events = [(t, Action::Reset), (t + 1.0, Action::ProgramZeroReturn), (start, Action::Start)];
+            let Outcome { planner, ended, log } = outcome(&project, &events);
+            let back = planner.timeline().words_at(start);
+            assert!(back.iter().zip(point).all(|(a, b)| (a - b).abs() < 1e-6), "{name}: {back:?} {point:?}");
+            let again: Vec<String> =
+                log.into_iter().filter(|(read, _)| *read >= start).map(|(_, canon)| canon).collect();
+            assert_eq!((ended, again), (Some(RunEnd::ProgramEnd), commands.clone()), "{name}");
+        }
+    }
+}

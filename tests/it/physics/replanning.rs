@@ -16,6 +16,7 @@ fn action() -> impl Strategy<Value = Action> {
         2 => Just(Action::Hold),
         1 => Just(Action::Reset),
         1 => Just(Action::EmergencyStop),
+        1 => Just(Action::ProgramZeroReturn),
         1 => any::<bool>().prop_map(Action::SingleBlock),
         1 => (-1500.0..1500.0).prop_map(Action::ManualSpeed),
         1 => (100.0..1500.0).prop_map(|rpm| Action::SpeedLimit(SpeedLimit::Upper, rpm)),

@@ -1,0 +1,83 @@
+//! Program zero return: the operator sends the axes back to the program's reference point.
+
+use super::exec::Exec;
+use super::moves::{Move, Pace};
+use super::plant::AxisPlant;
+use super::program::RunningProgram;
+use super::sim::Sim;
+use crate::controls::Address;
+use crate::interp::canon::AXES;
+use crate::msg;
+use crate::text::Diagnostic;
+
+impl<P: RunningProgram> Sim<'_, P> {
+    /// The keys of all axes are pressed in the mode "program zero return". Nothing moves while a program runs or an alarm stands, nor
+    /// where the way would go through the work.
+    pub(super) fn return_to_zero(&mut self, t: f64) {
+        let ended = match self.s.exec {
+            _ if !self.plant.zero_return => {
+                return self.out.report(Diagnostic::warning(msg!("motion.no-zero-return")));
+            }
+            Exec::Finished => true,
+            Exec::Ready => false,
+            _ if self.s.exec.returning().is_some() => return,
+            _ => return self.out.report(Diagnostic::warning(msg!("motion.zero-return-refused"))),
+        };
+        let Some(goal) = self.s.path.reference else {
+            return self.out.report(Diagnostic::warning(msg!("motion.no-reference-point")));
+        };
+        let mut at = self.s.path.position;
+        while let Some(end) = leg(at, goal, &self.plant.axes) {
+            if self.enters_work(at, end) {
+                return self.out.report(Diagnostic::error(msg!("motion.zero-return-through-work")));
+            }
+            at = end;
+        }
+        self.s.path.flow_end = None;
+        self.return_on(t, ended);
+    }
+
+    /// Goes on to where the next axis arrives; at rest once all have.
+    pub(super) fn return_on(&mut self, t: f64, ended: bool) {
+        let (at, axes) = (self.s.path.position, &self.plant.axes);
+        let end = self.s.path.reference.and_then(|goal| leg(at, goal, axes));
+        let Some(end) = end else {
+            self.s.exec = Exec::behind_return(ended);
+            self.rest(t);
+            return;
+        };
+        self.s.exec = Exec::Moving(Move::line(at, end, Pace::Return { ended }, false, axes));
+        self.s.path.moving = true;
+        self.put_segment(t);
+    }
+
+    /// Whether a straight way (mm) goes through the round work behind Z0, but for a way out: off the centre, and towards the face.
+    fn enters_work(&self, from: [f64; AXES], to: [f64; AXES]) -> bool {
+        let along = |letter: Address| {
+            let axis = self.plant.axes.iter().position(|axis| axis.letter == Some(letter));
+            axis.map_or((0.0, 0.0), |k| (from[k], to[k]))
+        };
+        let (x, z) = (along(Address::X), along(Address::Z));
+        let (across, behind) = (within(x, (-self.plant.stock, self.plant.stock)), within(z, (f64::NEG_INFINITY, 0.0)));
+        let way_out = x.0 * (x.1 - x.0) >= 0.0 && z.1 >= z.0;
+        !way_out && across.0.max(behind.0) < across.1.min(behind.1) - 1e-9
+    }
+}
+
+/// Where the first axis arrives on the way (mm or °) to the goal, each at its own rapid rate; `None` at the goal.
+fn leg(at: [f64; AXES], goal: [f64; AXES], axes: &[AxisPlant; AXES]) -> Option<[f64; AXES]> {
+    let time = |k: usize| (goal[k] - at[k]).abs() / axes[k].rapid;
+    let first = (0..AXES).map(time).filter(|time| *time > 0.0).reduce(f64::min)?;
+    let share = |k: usize| if time(k) <= first { 1.0 } else { first / time(k) };
+    Some(core::array::from_fn(|k| if share(k) == 1.0 { goal[k] } else { at[k] + share(k) * (goal[k] - at[k]) }))
+}
+
+/// From which to which share of a way its place lies between two bounds; the first above the second where nowhere.
+fn within((from, to): (f64, f64), (low, high): (f64, f64)) -> (f64, f64) {
+    let way = to - from;
+    if way == 0.0 {
+        return if low < from && from < high { (0.0, 1.0) } else { (1.0, 0.0) };
+    }
+    let (one, other) = ((low - from) / way, (high - from) / way);
+    (one.min(other).max(0.0), one.max(other).min(1.0))
+}
