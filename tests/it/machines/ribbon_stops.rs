@@ -268,3 +268,28 @@ proptest! {
         prop_assert!(most <= needed + looks(&project) + reads, "{most} mm in a loop of {needed}");
     }
 }
+
+#[test]
+fn table_of_stops_tells_the_operator_what_a_restart_asks() {
+    let mut by_hand = Vec::new();
+    for control in controls().map(|control| control.id) {
+        let project = line(control, &[]);
+        let export = project.export();
+        let report = &export.files.iter().find(|file| file.name == "report.md").unwrap().text;
+        let row = |name: &str| {
+            let found = report.lines().find(|line| line.starts_with(&format!("| {name} | ")));
+            found.unwrap_or_else(|| panic!("{control}: no row {name}"))
+        };
+        // Broken off in the midst of a product, reset, started again.
+        let half = 0.5 * over_time(&project, vec![]).ended_at().unwrap();
+        let events = [(half, Action::Reset), (half + 9.0, Action::Start)].map(|(t, action)| event(t, action));
+        let asks = ended(&mut over_time(&project, events.to_vec())) != RunEnd::ProgramEnd;
+        for name in ["Alarm", "Reset", "Emergency stop", "Inverter fault"] {
+            assert_eq!(row(name).contains("to a head by hand, set "), asks, "{control}: {}", row(name));
+        }
+        let fault = row("Inverter fault");
+        assert!(fault.contains("how long it coasts is open") && fault.ends_with("(not confirmed) |"), "{fault}");
+        by_hand.extend(asks.then_some(control));
+    }
+    assert_eq!(by_hand, ["sinumerik-802d", "sinumerik-808d"]);
+}
